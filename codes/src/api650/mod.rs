@@ -1,0 +1,1 @@
+//! API 650, seismic design of storage tanks.

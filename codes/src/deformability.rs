@@ -1,0 +1,1 @@
+//! Deformability parameter of the dissertation, eq. (3.1).

@@ -1,0 +1,1 @@
+//! Eurocode 8 part 4.

@@ -1,0 +1,1 @@
+//! Housner's procedure.

@@ -1,0 +1,1 @@
+//! Masses, levers and periods of potential flow.

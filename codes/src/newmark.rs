@@ -1,0 +1,1 @@
+//! Newmark's coefficients.

@@ -1,0 +1,104 @@
+//! What can be compared between the code procedures and the finite-element engine.
+//!
+//! All quantities are the *seismic* part alone (hydrostatic and self-weight states excluded), absolute maxima over time
+//! and circumference. Values combined with the static state appear in checks and profiles, never here.
+
+use serde::{Deserialize, Serialize};
+
+use crate::units::Dimension;
+
+/// A comparable quantity. The serde name is its id in `results.json`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Quantity {
+    /// Period of the first sloshing mode [s].
+    SloshingPeriod,
+    /// Largest rise of the liquid surface at the wall [m].
+    SloshingHeight,
+    /// Period of the first impulsive (structural) mode [s].
+    ImpulsivePeriod,
+    /// Mass that moves with the first impulsive mode, or with the rigid wall [kg].
+    ImpulsiveMass,
+    /// Mass of the first sloshing mode [kg].
+    ConvectiveMass,
+    /// Horizontal force on the foundation [N].
+    BaseShear,
+    /// Bending moment of the wall cross-section just above the base [N·m] (excluding base pressure, "EBP").
+    BaseMoment,
+    /// Moment below the base plate [N·m] (including base pressure, "IBP").
+    OverturningMoment,
+    /// Largest circumferential membrane stress over the height [Pa].
+    HoopStress,
+    /// Axial membrane stress at the base of the wall [Pa].
+    AxialMembraneStress,
+    /// Meridional bending stress at the base of the wall [Pa].
+    BendingStress,
+}
+
+impl Quantity {
+    /// All quantities in report order.
+    pub const ALL: [Quantity; 11] = [
+        Quantity::SloshingPeriod,
+        Quantity::SloshingHeight,
+        Quantity::ImpulsivePeriod,
+        Quantity::ImpulsiveMass,
+        Quantity::ConvectiveMass,
+        Quantity::BaseShear,
+        Quantity::BaseMoment,
+        Quantity::OverturningMoment,
+        Quantity::HoopStress,
+        Quantity::AxialMembraneStress,
+        Quantity::BendingStress,
+    ];
+
+    /// Id as in `results.json`, e.g. `sloshing_height`.
+    pub fn id(self) -> &'static str {
+        match self {
+            Quantity::SloshingPeriod => "sloshing_period",
+            Quantity::SloshingHeight => "sloshing_height",
+            Quantity::ImpulsivePeriod => "impulsive_period",
+            Quantity::ImpulsiveMass => "impulsive_mass",
+            Quantity::ConvectiveMass => "convective_mass",
+            Quantity::BaseShear => "base_shear",
+            Quantity::BaseMoment => "base_moment",
+            Quantity::OverturningMoment => "overturning_moment",
+            Quantity::HoopStress => "hoop_stress",
+            Quantity::AxialMembraneStress => "axial_membrane_stress",
+            Quantity::BendingStress => "bending_stress",
+        }
+    }
+
+    /// The quantity with this id.
+    pub fn from_id(id: &str) -> Option<Quantity> {
+        Quantity::ALL.into_iter().find(|q| q.id() == id)
+    }
+
+    /// Title for tables, e.g. `Sloshing height`.
+    pub fn title(self) -> &'static str {
+        match self {
+            Quantity::SloshingPeriod => "Sloshing period",
+            Quantity::SloshingHeight => "Sloshing height",
+            Quantity::ImpulsivePeriod => "Impulsive period",
+            Quantity::ImpulsiveMass => "Impulsive mass",
+            Quantity::ConvectiveMass => "Convective mass",
+            Quantity::BaseShear => "Base shear",
+            Quantity::BaseMoment => "Base moment (above the base plate)",
+            Quantity::OverturningMoment => "Overturning moment (below the base plate)",
+            Quantity::HoopStress => "Hoop stress",
+            Quantity::AxialMembraneStress => "Axial membrane stress at the base",
+            Quantity::BendingStress => "Bending stress at the base",
+        }
+    }
+
+    /// Dimension of the value, which is always stored in SI.
+    pub fn dimension(self) -> Dimension {
+        match self {
+            Quantity::SloshingPeriod | Quantity::ImpulsivePeriod => Dimension::Time,
+            Quantity::SloshingHeight => Dimension::Length,
+            Quantity::ImpulsiveMass | Quantity::ConvectiveMass => Dimension::Mass,
+            Quantity::BaseShear => Dimension::Force,
+            Quantity::BaseMoment | Quantity::OverturningMoment => Dimension::Moment,
+            Quantity::HoopStress | Quantity::AxialMembraneStress | Quantity::BendingStress => Dimension::Stress,
+        }
+    }
+}

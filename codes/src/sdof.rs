@@ -1,0 +1,1 @@
+//! Single-degree-of-freedom response.

@@ -1,0 +1,1 @@
+//! Response and design spectra.

@@ -1,0 +1,199 @@
+//! The tank and what is in it.
+
+use serde::{Deserialize, Serialize};
+
+/// Plan shape of an upright tank.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Shape {
+    /// Circular cylinder.
+    Cylinder {
+        /// Inner radius R [m].
+        radius: f64,
+    },
+    /// Rectangle, shaken along its length.
+    Rectangle {
+        /// Full inner length 2L in the direction of shaking [m].
+        length: f64,
+        /// Inner breadth across the direction of shaking [m]; 1 m for a strip.
+        breadth: f64,
+        /// True if this is a strip of a long tank (plane strain), results per metre of breadth.
+        strip: bool,
+    },
+}
+
+impl Shape {
+    /// R, or the half length L [m].
+    pub fn half_length(self) -> f64 {
+        match self {
+            Shape::Cylinder { radius } => radius,
+            Shape::Rectangle { length, .. } => length / 2.0,
+        }
+    }
+
+    /// Plan area [m²].
+    pub fn plan_area(self) -> f64 {
+        match self {
+            Shape::Cylinder { radius } => std::f64::consts::PI * radius * radius,
+            Shape::Rectangle { length, breadth, .. } => length * breadth,
+        }
+    }
+}
+
+/// How the wall stands on the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Support {
+    /// Held down; the wall is clamped at its base.
+    Anchored,
+    /// Resting on the ground; may uplift (code procedures only, the linear engine assumes contact).
+    Unanchored,
+}
+
+/// Linear elastic material of a course.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Material {
+    /// Name in the input file.
+    pub name: String,
+    /// Young's modulus E [Pa].
+    pub youngs_modulus: f64,
+    /// Poisson's ratio ν [-].
+    pub poisson_ratio: f64,
+    /// Density ρ_s [kg/m³].
+    pub density: f64,
+    /// Yield strength f_y [Pa], needed by stability checks only.
+    pub yield_strength: Option<f64>,
+    /// Allowable design stress S_d [Pa] (API 650 table 5-2), needed by the API hoop check only.
+    pub allowable_stress: Option<f64>,
+}
+
+/// A ring of the wall with constant thickness.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Course {
+    /// Height [m].
+    pub height: f64,
+    /// Thickness s [m].
+    pub thickness: f64,
+    /// Material.
+    pub material: Material,
+}
+
+/// Mass on top of the wall.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Roof {
+    /// Mass m_r [kg].
+    pub mass: f64,
+    /// Height of its centre of mass above the tank bottom [m]; the top of the wall unless given.
+    pub height: Option<f64>,
+}
+
+/// Bottom plate, needed by the anchorage checks only.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Bottom {
+    /// Thickness of the bottom plate under the shell (annular plate where there is one) [m].
+    pub thickness: f64,
+    /// Material.
+    pub material: Material,
+}
+
+/// Anchor bolts, needed by the anchorage checks only.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Anchors {
+    /// Number of anchors around the circumference.
+    pub count: u32,
+    /// Design tension capacity of one anchor [N].
+    pub capacity: Option<f64>,
+}
+
+/// An upright tank.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Tank {
+    /// Plan shape and dimensions.
+    pub shape: Shape,
+    /// Support of the wall.
+    pub support: Support,
+    /// Courses from the base up; never empty.
+    pub courses: Vec<Course>,
+    /// Roof.
+    pub roof: Roof,
+    /// Bottom plate, where given.
+    pub bottom: Option<Bottom>,
+    /// Anchors, where given.
+    pub anchors: Option<Anchors>,
+}
+
+/// The stored liquid.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Liquid {
+    /// Density ρ [kg/m³].
+    pub density: f64,
+    /// Depth H [m].
+    pub fill_height: f64,
+}
+
+impl Tank {
+    /// Height of the wall, the sum of its courses [m].
+    pub fn wall_height(&self) -> f64 {
+        self.courses.iter().map(|c| c.height).sum()
+    }
+
+    /// The course at height `z` [m] above the base (the upper one at a joint; the last one above the wall).
+    pub fn course_at(&self, z: f64) -> &Course {
+        let mut top = 0.0;
+        for course in &self.courses {
+            top += course.height;
+            if z < top {
+                return course;
+            }
+        }
+        &self.courses[self.courses.len() - 1]
+    }
+
+    /// Mass of the wall [kg]: circumference × Σ height × thickness × density. A rectangle counts the two walls across
+    /// the shaking and, unless it is a strip, the two along it.
+    pub fn wall_mass(&self) -> f64 {
+        self.courses
+            .iter()
+            .map(|c| self.perimeter() * c.height * c.thickness * c.material.density)
+            .sum()
+    }
+
+    /// Height of the wall's centre of mass [m].
+    pub fn wall_centroid(&self) -> f64 {
+        let (mut moment, mut sum, mut base) = (0.0, 0.0, 0.0);
+        for c in &self.courses {
+            let weight = c.height * c.thickness * c.material.density;
+            moment += weight * (base + c.height / 2.0);
+            sum += weight;
+            base += c.height;
+        }
+        moment / sum
+    }
+
+    /// Height of the roof's centre of mass [m].
+    pub fn roof_height(&self) -> f64 {
+        self.roof.height.unwrap_or_else(|| self.wall_height())
+    }
+
+    /// Length of wall in plan that counts for its mass [m].
+    pub fn perimeter(&self) -> f64 {
+        match self.shape {
+            Shape::Cylinder { radius } => 2.0 * std::f64::consts::PI * radius,
+            Shape::Rectangle {
+                breadth, strip: true, ..
+            } => 2.0 * breadth,
+            Shape::Rectangle {
+                length,
+                breadth,
+                strip: false,
+            } => 2.0 * (length + breadth),
+        }
+    }
+}
+
+impl Liquid {
+    /// Mass m of the liquid in a tank of this shape [kg].
+    pub fn mass(&self, shape: Shape) -> f64 {
+        self.density * shape.plan_area() * self.fill_height
+    }
+}

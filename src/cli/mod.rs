@@ -1,0 +1,136 @@
+//! The command line: one file a subcommand.
+//!
+//! Results go to standard output, messages and progress to standard error. Exit codes: see [`crate::error`].
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::error::Error;
+
+mod check;
+mod compare;
+mod completions;
+mod diff;
+mod init;
+mod modes;
+mod quake;
+mod report;
+mod schema;
+mod spectrum;
+mod verify;
+
+/// Seismic verification of liquid storage tanks.
+#[derive(Parser)]
+#[command(name = "tankcheck", version, about, after_help = EXAMPLES, max_term_width = 110)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+    #[command(flatten)]
+    global: Global,
+}
+
+/// Options of every subcommand.
+#[derive(clap::Args, Clone, Debug)]
+pub struct Global {
+    /// When to colour messages.
+    #[arg(long, global = true, value_enum, default_value_t = When::Auto)]
+    pub color: When,
+    /// No progress and no hints on standard error.
+    #[arg(long, short, global = true)]
+    pub quiet: bool,
+}
+
+/// When to colour.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum When {
+    /// On a terminal, unless NO_COLOR is set.
+    Auto,
+    /// Always.
+    Always,
+    /// Never.
+    Never,
+}
+
+/// Form of the output on standard output.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// A table for people.
+    Human,
+    /// JSON in SI units.
+    Json,
+    /// Comma-separated values in SI units, where the result is a table.
+    Csv,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Codes and finite elements side by side: the verification report.
+    Compare(compare::Args),
+    /// The code procedures alone.
+    Check(check::Args),
+    /// Coupled modes of tank and liquid.
+    Modes(modes::Args),
+    /// Response spectra of a record.
+    Spectrum(spectrum::Args),
+    /// Look at an accelerogram.
+    Quake(quake::Args),
+    /// Render the report of a results folder again.
+    Report(report::Args),
+    /// Compare two results folders number by number.
+    Diff(diff::Args),
+    /// Run the benchmarks of the verification manual.
+    Verify(verify::Args),
+    /// Write a commented tank.json to start from.
+    Init(init::Args),
+    /// Print the JSON Schema of tank.json.
+    Schema(schema::Args),
+    /// Print shell completions or the manual page.
+    Completions(completions::Args),
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  tankcheck init > tank.json
+  tankcheck compare tank.json --quake elcentro.csv --out out/
+  tankcheck check tank.json
+  tankcheck modes tank.json --format json
+  tankcheck spectrum elcentro.csv --damping 0.5%,2%,5% --periods 0.02..20
+  tankcheck quake info elcentro.csv
+  tankcheck diff golden/ out/
+
+Exit codes: 0 done and every check holds; 1 a check fails or diff found a change; 2 bad input or usage;
+3 the computation failed.";
+
+/// Entry point of the binary.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    match cli.global.color {
+        When::Auto => {}
+        When::Always => anstream::ColorChoice::Always.write_global(),
+        When::Never => anstream::ColorChoice::Never.write_global(),
+    }
+    let outcome: Result<u8, Error> = match cli.command {
+        Command::Compare(args) => compare::run(args, &cli.global),
+        Command::Check(args) => check::run(args, &cli.global),
+        Command::Modes(args) => modes::run(args, &cli.global),
+        Command::Spectrum(args) => spectrum::run(args, &cli.global),
+        Command::Quake(args) => quake::run(args, &cli.global),
+        Command::Report(args) => report::run(args, &cli.global),
+        Command::Diff(args) => diff::run(args, &cli.global),
+        Command::Verify(args) => verify::run(args, &cli.global),
+        Command::Init(args) => init::run(args, &cli.global),
+        Command::Schema(args) => schema::run(args, &cli.global),
+        Command::Completions(args) => completions::run(args, &cli.global),
+    };
+    match outcome {
+        Ok(code) => ExitCode::from(code),
+        Err(error) => {
+            match &error {
+                Error::Input(rendered) => anstream::eprintln!("{}", rendered.trim_end()),
+                other => anstream::eprintln!("error: {other}"),
+            }
+            ExitCode::from(error.exit_code())
+        }
+    }
+}

@@ -1,0 +1,1 @@
+//! The join of procedures and engine: quantity × method, ratios, partings, verdict.

@@ -1,0 +1,76 @@
+//! A coupled linear system M ẍ + C ẋ + K x = −M ι a_g, ready for modal or direct analysis.
+//!
+//! One harmonic (m = 1 for horizontal, m = 0 for vertical motion) of a cylinder, or the antisymmetric half of a plane
+//! strip. Built once, then read-only.
+
+use crate::fe::linalg::Matrix;
+use crate::fe::probe::{Probe, ProbeLine};
+use crate::results::ModeShape;
+
+/// Matrices, loads and observations of one harmonic.
+#[derive(Clone, Debug)]
+pub struct Coupled {
+    /// Circumferential harmonic m (1 for a plane strip).
+    pub harmonic: u32,
+    /// Mass matrix M = M_shell + M_f (liquid condensed), symmetric positive definite.
+    pub mass: Matrix,
+    /// Stiffness K = K_shell ⊕ ρ g S, symmetric positive definite.
+    pub stiffness: Matrix,
+    /// Influence vector ι: unknowns under a unit rigid translation of the ground.
+    pub influence: Vec<f64>,
+    /// Unknowns that are free-surface elevations η: this range of indices.
+    pub surface: std::ops::Range<usize>,
+    /// Scalar outputs: wave gauges, `base_shear`, `base_moment`, `overturning_moment`, `bending_stress` at the base, stations.
+    pub probes: Vec<Probe>,
+    /// Outputs over the height: `pressure`, `hoop_stress`, `axial_membrane_stress`, `bending_stress`, `radial_displacement`.
+    pub lines: Vec<ProbeLine>,
+    /// Liquid mass [kg] and wall plus roof mass [kg] in the model (for the balance of masses).
+    pub liquid_mass: f64,
+    /// Mass of wall and roof [kg].
+    pub wall_mass: f64,
+    /// Vector κ of the base moment just above the base: M_b = κᵀ M ẍ_total.
+    pub moment_arm: Vec<f64>,
+    /// Mesh in words, label → text.
+    pub mesh: Vec<crate::results::Labelled>,
+    /// Rows that turn an eigenvector into its shape for drawing.
+    pub shape_rows: ShapeRows,
+}
+
+/// Linear maps from the unknowns to a drawable shape: values at `z` are `wall · x`, at `r` `surface · x`.
+#[derive(Clone, Debug, Default)]
+pub struct ShapeRows {
+    /// Heights [m].
+    pub z: Vec<f64>,
+    /// Index of the unknown that is the radial displacement at each height, `None` where it is held.
+    pub wall: Vec<Option<usize>>,
+    /// Radii [m].
+    pub r: Vec<f64>,
+    /// Index of the unknown that is the elevation at each radius, `None` where it is zero.
+    pub surface: Vec<Option<usize>>,
+}
+
+impl ShapeRows {
+    /// The shape of `x`, scaled so that its largest absolute value is 1.
+    pub fn shape(&self, x: &[f64]) -> ModeShape {
+        let take = |rows: &[Option<usize>]| rows.iter().map(|i| i.map_or(0.0, |i| x[i])).collect::<Vec<f64>>();
+        let mut shape = ModeShape {
+            z: self.z.clone(),
+            wall: take(&self.wall),
+            r: self.r.clone(),
+            surface: take(&self.surface),
+        };
+        let peak = shape
+            .wall
+            .iter()
+            .chain(&shape.surface)
+            .fold(0.0_f64, |m, v| m.max(v.abs()));
+        if peak > 0.0 {
+            shape
+                .wall
+                .iter_mut()
+                .chain(shape.surface.iter_mut())
+                .for_each(|v| *v /= peak);
+        }
+        shape
+    }
+}

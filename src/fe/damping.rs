@@ -1,0 +1,1 @@
+//! Damping models and the table of resulting ratios.

@@ -1,0 +1,1 @@
+//! Response analyses of a coupled system: modal, direct.

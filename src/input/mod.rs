@@ -1,0 +1,29 @@
+//! Reading `tank.json` and accelerograms: text, units and file formats end here.
+
+pub mod records;
+pub mod tank;
+
+use std::path::Path;
+
+use codes::Case;
+
+use crate::error::Error;
+use crate::results::InputValue;
+
+/// `tank.json`, resolved.
+#[derive(Clone, Debug)]
+pub struct TankFile {
+    /// The case, complete but for the ground motion.
+    pub case: Case,
+    /// What to do to a record.
+    pub record: records::Processing,
+    /// Echo of every field, defaults marked.
+    pub echo: Vec<InputValue>,
+    /// SHA-256 of the file.
+    pub sha256: String,
+}
+
+/// Reads and resolves a tank file (`-` reads standard input). All faults are reported at once in [`Error::Input`].
+pub fn read_tank(path: &Path) -> Result<TankFile, Error> {
+    tank::read(path)
+}

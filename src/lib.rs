@@ -1,0 +1,34 @@
+//! Seismic verification of liquid storage tanks: code procedures beside a coupled finite-element time history.
+//!
+//! Data flows one way:
+//!
+//! ```text
+//! tank.json ─ input::schema ─ input::resolve ─┐        ┌─ codes procedures ─┐
+//!                                             ├─ Job ──┤                    ├─ results ─ report (HTML + SVG)
+//! record.csv ─ input::records ────────────────┘        └─ fe::simulate ─────┘
+//! ```
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`input`] | reading `tank.json` and records; the only place that knows units in text and file formats |
+//! | [`job`] | what is to be computed: a `codes::Case`, the procedures, the finite-element options |
+//! | [`fe`] | the finite-element engine |
+//! | [`pipeline`] | the whole flow in one function |
+//! | [`compare`] | the join of procedures and engine |
+//! | [`results`] | the results folder: `results.json`, `series.csv` |
+//! | [`numdiff`] | comparison of two results folders, number by number |
+//! | [`report`] | results folder → HTML |
+//! | [`verify`] | the benchmarks of the verification manual |
+//! | [`cli`] | the command line |
+
+pub mod cli;
+pub mod compare;
+pub mod error;
+pub mod fe;
+pub mod input;
+pub mod job;
+pub mod numdiff;
+pub mod pipeline;
+pub mod report;
+pub mod results;
+pub mod verify;

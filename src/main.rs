@@ -1,0 +1,5 @@
+//! The `tankcheck` command.
+
+fn main() -> std::process::ExitCode {
+    tankcheck::cli::main()
+}

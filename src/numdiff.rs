@@ -1,0 +1,1 @@
+//! Comparison of two results folders, number by number.
