@@ -7,7 +7,7 @@
 //! | [`units`] | dimensions, parsing and printing of quantities with units |
 //! | [`tank`], [`record`], [`case`] | the tank, the ground motion, and all a procedure needs of one verification |
 //! | [`quantity`] | what can be compared between procedures and the finite-element engine |
-//! | [`procedure`] | the trait all code procedures implement, and their calculation sheets |
+//! | [`procedure`], [`sheet`] | the trait all code procedures implement, and their calculation sheets |
 //! | [`bessel`], [`mechanical`] | special functions; masses, levers and periods of potential flow |
 //! | [`newmark`], [`sdof`], [`spectrum`] | oscillators, response and design spectra |
 //! | [`housner`], [`ec8`], [`api650`], [`deformability`] | the procedures |
@@ -26,6 +26,7 @@ pub mod procedure;
 pub mod quantity;
 pub mod record;
 pub mod sdof;
+pub mod sheet;
 pub mod spectrum;
 pub mod tank;
 pub mod units;
