@@ -42,6 +42,14 @@ pub enum DampingModel {
         /// Accept a negative coefficient (parity with published runs), with a warning.
         allow_negative: bool,
     },
+    /// Rayleigh damping with its coefficients given, whatever their sign (parity with published runs), with a warning if
+    /// one is negative.
+    Coefficients {
+        /// a_M [1/s].
+        mass: f64,
+        /// a_K [s].
+        stiffness: f64,
+    },
 }
 
 /// Options of the engine. The defaults keep the errors stated in the theory manual.
