@@ -1,1 +1,159 @@
-//! The join of procedures and engine: quantity × method, ratios, partings, verdict.
+//! The join of procedures and engine: quantity × method, ratios to the finite-element column, partings, verdict.
+
+mod partings;
+
+use codes::Quantity;
+
+use crate::results::{Cell, Comparison, ComparisonRow, Governing, Method, Verdict};
+
+/// Id of the finite-element column, the reference of all ratios.
+pub const FE: &str = "fe";
+
+/// Lays the methods side by side.
+///
+/// `published` are values others have given for this tank; they are carried along, not compared.
+pub fn compare(methods: &[Method], context: &Context, published: Vec<codes::case::Reported>) -> Comparison {
+    let reference = methods.iter().find(|m| m.id == FE);
+    let rows: Vec<ComparisonRow> = Quantity::ALL
+        .into_iter()
+        .filter_map(|quantity| {
+            let of = |m: &Method| m.quantities.get(quantity.id()).map(|v| v.value);
+            let base = reference.and_then(of).filter(|v| *v != 0.0);
+            let cells: Vec<Option<Cell>> = methods
+                .iter()
+                .map(|m| {
+                    of(m).map(|value| Cell {
+                        value,
+                        ratio: base.map(|base| value / base),
+                    })
+                })
+                .collect();
+            cells.iter().any(Option::is_some).then(|| ComparisonRow {
+                quantity: quantity.id().into(),
+                title: quantity.title().into(),
+                dimension: quantity.dimension(),
+                cells,
+            })
+        })
+        .collect();
+    let partings = partings::explain(methods, &rows, context);
+    Comparison {
+        rows,
+        partings,
+        published,
+    }
+}
+
+/// What the explanations need to know beside the methods' values.
+#[derive(Clone, Debug, Default)]
+pub struct Context {
+    /// Peak ground acceleration of the horizontal record [m/s²].
+    pub pga: f64,
+    /// S_a of the record at the engine's first structural period and impulsive damping [m/s²].
+    pub impulsive_acceleration: f64,
+    /// Sloshing damping ratio.
+    pub sloshing_damping: f64,
+    /// Impulsive damping ratio.
+    pub impulsive_damping: f64,
+    /// Largest relative mesh error of the engine over the quantities.
+    pub mesh_error: f64,
+    /// True for an upright cylinder.
+    pub cylinder: bool,
+}
+
+/// Counts the checks of all methods and finds the governing one.
+pub fn verdict(methods: &[Method]) -> Verdict {
+    let mut verdict = Verdict {
+        holds: true,
+        ..Verdict::default()
+    };
+    for method in methods {
+        for check in &method.checks {
+            verdict.checks += 1;
+            if !check.holds {
+                verdict.failed += 1;
+                verdict.holds = false;
+            }
+            if verdict
+                .governing
+                .as_ref()
+                .is_none_or(|g| check.utilisation > g.check.utilisation)
+            {
+                verdict.governing = Some(Governing {
+                    method: method.id.clone(),
+                    excitation: method.excitation,
+                    check: check.clone(),
+                });
+            }
+        }
+    }
+    verdict
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use codes::procedure::{Check, Excitation};
+    use codes::units::Dimension;
+
+    use super::*;
+    use crate::results::{Status, Value};
+
+    fn method(id: &str, shear: f64) -> Method {
+        Method {
+            id: id.into(),
+            title: id.into(),
+            excitation: Excitation::Record,
+            status: Status::Computed,
+            quantities: BTreeMap::from([(
+                "base_shear".to_string(),
+                Value {
+                    value: shear,
+                    dimension: Dimension::Force,
+                },
+            )]),
+            steps: vec![],
+            checks: vec![],
+            profiles: vec![],
+            assumptions: vec![],
+            notes: vec![],
+        }
+    }
+
+    #[test]
+    fn ratios_refer_to_the_finite_element_column() {
+        let comparison = compare(
+            &[method("housner", 30.0), method("fe", 40.0)],
+            &Context::default(),
+            vec![],
+        );
+        assert_eq!(comparison.rows.len(), 1);
+        assert_eq!(comparison.rows[0].cells[0].and_then(|c| c.ratio), Some(0.75));
+        assert_eq!(comparison.rows[0].cells[1].and_then(|c| c.ratio), Some(1.0));
+    }
+
+    #[test]
+    fn without_an_engine_there_are_values_and_no_ratios() {
+        let comparison = compare(&[method("housner", 30.0)], &Context::default(), vec![]);
+        assert_eq!(
+            comparison.rows[0].cells[0],
+            Some(Cell {
+                value: 30.0,
+                ratio: None
+            })
+        );
+    }
+
+    #[test]
+    fn the_governing_check_has_the_largest_utilisation() {
+        let mut a = method("housner", 1.0);
+        a.checks = vec![Check::new("x", "x", 1.0, 2.0, Dimension::Force, "", "")];
+        let mut b = method("ec8-2006", 1.0);
+        b.checks = vec![Check::new("y", "y", 3.0, 2.0, Dimension::Force, "", "")];
+        let verdict = verdict(&[a, b]);
+        assert!(!verdict.holds);
+        assert_eq!((verdict.checks, verdict.failed), (2, 1));
+        assert_eq!(verdict.governing.map(|g| g.check.id), Some("y".to_string()));
+    }
+}

@@ -602,17 +602,12 @@ fn round_numbers(value: &mut serde_json::Value) {
     }
 }
 
-/// `x` rounded to `digits` significant digits.
-fn round_significant(x: f64, digits: i32) -> f64 {
-    if x == 0.0 || !x.is_finite() {
-        return if x == 0.0 { 0.0 } else { x };
+/// `x` rounded to `digits` significant digits, by a decimal round trip (exact to the last bit, unlike scaling).
+fn round_significant(x: f64, digits: usize) -> f64 {
+    if x == 0.0 {
+        return 0.0;
     }
-    let exponent = x.abs().log10().floor() as i32;
-    // Decimal round trip through text: exact to the last bit, unlike scaling by powers of ten.
-    format!("{:.*e}", (digits - 1) as usize, x).parse().unwrap_or_else(|_| {
-        let scale = 10f64.powi(digits - 1 - exponent);
-        (x * scale).round() / scale
-    })
+    format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
 }
 
 /// An input/output error in words.

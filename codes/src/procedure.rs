@@ -52,7 +52,8 @@ pub struct Check {
     pub capacity: f64,
     /// Dimension of both.
     pub dimension: Dimension,
-    /// demand / capacity.
+    /// demand / capacity; infinite (`null` in JSON) without any capacity.
+    #[serde(with = "infinite_as_null")]
     pub utilisation: f64,
     /// Whether it holds (utilisation ≤ 1).
     pub holds: bool,
@@ -60,6 +61,19 @@ pub struct Check {
     pub clause: String,
     /// Remark, may be empty.
     pub note: String,
+}
+
+/// JSON has no infinity: writes it as `null`.
+mod infinite_as_null {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub fn serialize<S: Serializer>(x: &f64, s: S) -> Result<S::Ok, S::Error> {
+        x.is_finite().then_some(*x).serialize(s)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(d: D) -> Result<f64, D::Error> {
+        Ok(Option::<f64>::deserialize(d)?.unwrap_or(f64::INFINITY))
+    }
 }
 
 impl Check {
