@@ -8,7 +8,8 @@ use codes::units::Dimension;
 /// The last term carries what does not pass through a free unknown: the inertia of unknowns held to the ground in a base
 /// reaction, the pressure ρ (H − z) a_v of vertical motion.
 ///
-/// Wall displacements and stresses use `displacement` only, pressures and base reactions `absolute_acceleration` only.
+/// Wall displacements and stresses use `displacement` only, pressures and base reactions `absolute_acceleration` only
+/// (with m = 0 pressures also use `displacement`: the surface sinks when the wall bulges).
 /// Vectors have the length of the model's unknowns; an empty vector stands for zeros.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Probe {

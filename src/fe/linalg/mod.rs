@@ -1,4 +1,46 @@
 //! Plain `f64` linear algebra over faer: the only module that names it, so that it is compiled once.
+//!
+//! Everything runs on the calling thread (`Par::Seq`): the systems of the harmonic engine are too small to gain from a
+//! second one.
+
+mod dense;
+mod eigen;
+mod sparse;
+
+pub use dense::{Cholesky, product, transposed_product};
+pub use eigen::{Eigen, generalized_eigen};
+pub use sparse::{SparseCholesky, Triplets};
+
+/// Failure of a factorisation or of the eigenvalue solver.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum LinalgError {
+    /// A pivot is not positive.
+    #[error("not positive definite: pivot {pivot} of {size}")]
+    NotPositiveDefinite {
+        /// Number of the pivot, from 1 (0 where the factorisation does not tell).
+        pivot: usize,
+        /// Number of rows.
+        size: usize,
+    },
+    /// Not enough memory, or indices that overflow.
+    #[error("out of memory: {size} unknowns")]
+    Memory {
+        /// Number of rows.
+        size: usize,
+    },
+    /// Eigenvalue iteration without convergence, or an eigenpair that fails its residual check.
+    #[error("eigenpair {number} of {wanted}: relative residual {residual:.1e}, allowed {allowed:.0e}")]
+    Eigen {
+        /// Number of the pair, from 1, by ascending frequency.
+        number: usize,
+        /// How many are wanted.
+        wanted: usize,
+        /// Residual found (infinite without convergence).
+        residual: f64,
+        /// Residual allowed.
+        allowed: f64,
+    },
+}
 
 /// Dense matrix, column by column.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +78,11 @@ impl Matrix {
         &self.data[j * self.rows..(j + 1) * self.rows]
     }
 
+    /// Column j, to be changed.
+    pub fn column_mut(&mut self, j: usize) -> &mut [f64] {
+        &mut self.data[j * self.rows..(j + 1) * self.rows]
+    }
+
     /// y = A x.
     pub fn times(&self, x: &[f64]) -> Vec<f64> {
         let mut y = vec![0.0; self.rows];
@@ -48,4 +95,26 @@ impl Matrix {
         }
         y
     }
+
+    /// y = Aᵀ x.
+    pub fn transposed_times(&self, x: &[f64]) -> Vec<f64> {
+        (0..self.cols).map(|j| dot(self.column(j), x)).collect()
+    }
+
+    /// Rows `rows` and columns `cols` of the matrix, in that order.
+    pub fn select(&self, rows: &[usize], cols: &[usize]) -> Matrix {
+        let mut out = Matrix::zeros(rows.len(), cols.len());
+        for (j, &from) in cols.iter().enumerate() {
+            let column = self.column(from);
+            for (value, &i) in out.column_mut(j).iter_mut().zip(rows) {
+                *value = column[i];
+            }
+        }
+        out
+    }
+}
+
+/// Scalar product of two vectors of equal length.
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
