@@ -1,5 +1,6 @@
 //! Reading `tank.json` and accelerograms: text, units and file formats end here.
 
+pub mod diagnostic;
 pub mod records;
 pub mod tank;
 

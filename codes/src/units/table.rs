@@ -1,0 +1,250 @@
+//! The table of units.
+
+use super::Dimension as D;
+use crate::STANDARD_GRAVITY;
+
+/// Ratio of a unit to the SI unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Scale {
+    /// Power of ten.
+    Ten(i32),
+    /// Any other factor.
+    Factor(f64),
+}
+
+/// A unit of measurement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unit {
+    /// Symbol for print (`kN·m`, `kg/m³`).
+    pub symbol: &'static str,
+    /// Symbol in ASCII, as input files and messages write it (`kNm`, `kg/m3`).
+    pub text: &'static str,
+    /// Other spellings that are read.
+    aliases: &'static [&'static str],
+    /// Dimension.
+    pub dimension: D,
+    pub(super) scale: Scale,
+    /// Whether [`display`](super::display) may choose it.
+    pub(super) shown: bool,
+}
+
+const fn unit(symbol: &'static str, text: &'static str, dimension: D, scale: Scale, shown: bool) -> Unit {
+    Unit {
+        symbol,
+        text,
+        aliases: &[],
+        dimension,
+        scale,
+        shown,
+    }
+}
+
+/// A power of ten that [`display`](super::display) may choose.
+const fn ten(symbol: &'static str, text: &'static str, dimension: D, exponent: i32) -> Unit {
+    unit(symbol, text, dimension, Scale::Ten(exponent), true)
+}
+
+/// A power of ten that is read but not chosen.
+const fn read(symbol: &'static str, text: &'static str, dimension: D, exponent: i32) -> Unit {
+    unit(symbol, text, dimension, Scale::Ten(exponent), false)
+}
+
+/// Any other factor, read but not chosen.
+const fn by(symbol: &'static str, text: &'static str, dimension: D, factor: f64) -> Unit {
+    unit(symbol, text, dimension, Scale::Factor(factor), false)
+}
+
+const fn also(unit: Unit, aliases: &'static [&'static str]) -> Unit {
+    Unit { aliases, ..unit }
+}
+
+// Exact by definition: inch and pound (international yard and pound agreement, 1959), standard gravity (CGPM 1901).
+const INCH: f64 = 0.0254;
+const FOOT: f64 = 0.3048;
+const POUND: f64 = 0.453_592_37;
+const POUND_FORCE: f64 = POUND * STANDARD_GRAVITY;
+const PSI: f64 = POUND_FORCE / (INCH * INCH);
+
+/// All units. Within a dimension the ones that print chooses from ascend.
+pub const UNITS: &[Unit] = &[
+    ten("", "", D::Dimensionless, 0),
+    read("%", "%", D::Dimensionless, -2),
+    // length
+    ten("mm", "mm", D::Length, -3),
+    read("cm", "cm", D::Length, -2),
+    ten("m", "m", D::Length, 0),
+    also(by("in", "in", D::Length, INCH), &["inch", "inches", "″"]),
+    also(by("ft", "ft", D::Length, FOOT), &["foot", "feet", "′"]),
+    // time
+    read("ms", "ms", D::Time, -3),
+    also(ten("s", "s", D::Time, 0), &["sec"]),
+    // mass
+    read("g", "g", D::Mass, -3),
+    ten("kg", "kg", D::Mass, 0),
+    also(ten("t", "t", D::Mass, 3), &["Mg", "tonne", "tonnes"]),
+    also(by("lb", "lb", D::Mass, POUND), &["lbm", "lbs"]),
+    // density
+    ten("kg/m³", "kg/m3", D::Density, 0),
+    read("t/m³", "t/m3", D::Density, 3),
+    also(
+        read("g/cm³", "g/cm3", D::Density, 3),
+        &["g/ml", "kg/l", "kg/L", "kg/dm3"],
+    ),
+    also(
+        by("lb/ft³", "lb/ft3", D::Density, POUND / (FOOT * FOOT * FOOT)),
+        &["lbm/ft3", "pcf"],
+    ),
+    // velocity
+    read("mm/s", "mm/s", D::Velocity, -3),
+    read("cm/s", "cm/s", D::Velocity, -2),
+    ten("m/s", "m/s", D::Velocity, 0),
+    by("in/s", "in/s", D::Velocity, INCH),
+    by("ft/s", "ft/s", D::Velocity, FOOT),
+    // acceleration
+    also(ten("m/s²", "m/s2", D::Acceleration, 0), &["m/s/s"]),
+    also(read("cm/s²", "cm/s2", D::Acceleration, -2), &["cm/s/s"]),
+    also(read("gal", "gal", D::Acceleration, -2), &["Gal"]),
+    also(read("mm/s²", "mm/s2", D::Acceleration, -3), &["mm/s/s"]),
+    by("g", "g", D::Acceleration, STANDARD_GRAVITY),
+    by("in/s²", "in/s2", D::Acceleration, INCH),
+    by("ft/s²", "ft/s2", D::Acceleration, FOOT),
+    // frequency, circular frequency, angle
+    ten("Hz", "Hz", D::Frequency, 0),
+    read("kHz", "kHz", D::Frequency, 3),
+    ten("rad/s", "rad/s", D::AngularFrequency, 0),
+    ten("rad", "rad", D::Angle, 0),
+    also(
+        by("°", "deg", D::Angle, std::f64::consts::PI / 180.0),
+        &["degree", "degrees"],
+    ),
+    // force
+    ten("N", "N", D::Force, 0),
+    ten("kN", "kN", D::Force, 3),
+    ten("MN", "MN", D::Force, 6),
+    by("lbf", "lbf", D::Force, POUND_FORCE),
+    also(by("kip", "kip", D::Force, 1000.0 * POUND_FORCE), &["kips"]),
+    by("kgf", "kgf", D::Force, STANDARD_GRAVITY),
+    // moment
+    ten("N·m", "Nm", D::Moment, 0),
+    ten("kN·m", "kNm", D::Moment, 3),
+    ten("MN·m", "MNm", D::Moment, 6),
+    read("N·mm", "Nmm", D::Moment, -3),
+    also(by("lbf·ft", "lbf*ft", D::Moment, POUND_FORCE * FOOT), &["ft·lbf"]),
+    also(
+        by("kip·ft", "kip*ft", D::Moment, 1000.0 * POUND_FORCE * FOOT),
+        &["ft·kip"],
+    ),
+    // stress
+    also(ten("Pa", "Pa", D::Stress, 0), &["N/m2"]),
+    ten("kPa", "kPa", D::Stress, 3),
+    read("kN/m²", "kN/m2", D::Stress, 3),
+    read("mbar", "mbar", D::Stress, 2),
+    ten("MPa", "MPa", D::Stress, 6),
+    also(read("N/mm²", "N/mm2", D::Stress, 6), &["MN/m2"]),
+    read("kN/cm²", "kN/cm2", D::Stress, 7),
+    ten("GPa", "GPa", D::Stress, 9),
+    read("kN/mm²", "kN/mm2", D::Stress, 9),
+    read("bar", "bar", D::Stress, 5),
+    also(by("psi", "psi", D::Stress, PSI), &["lbf/in2", "lb/in2"]),
+    also(by("ksi", "ksi", D::Stress, 1000.0 * PSI), &["kip/in2"]),
+    also(by("psf", "psf", D::Stress, POUND_FORCE / (FOOT * FOOT)), &["lbf/ft2"]),
+    // per length
+    ten("N/m", "N/m", D::LineForce, 0),
+    also(ten("kN/m", "kN/m", D::LineForce, 3), &["N/mm"]),
+    ten("MN/m", "MN/m", D::LineForce, 6),
+    also(by("lbf/ft", "lbf/ft", D::LineForce, POUND_FORCE / FOOT), &["plf"]),
+    by("kip/ft", "kip/ft", D::LineForce, 1000.0 * POUND_FORCE / FOOT),
+    ten("N·m/m", "Nm/m", D::LineMoment, 0),
+    ten("kN·m/m", "kNm/m", D::LineMoment, 3),
+    // energy
+    ten("J", "J", D::Energy, 0),
+    ten("kJ", "kJ", D::Energy, 3),
+    ten("MJ", "MJ", D::Energy, 6),
+];
+
+impl Unit {
+    /// The unit of this dimension with this spelling.
+    pub fn find(spelling: &str, dimension: D) -> Option<&'static Unit> {
+        let wanted = canonical(spelling);
+        dimension.units().find(|u| u.is_spelled(&wanted))
+    }
+
+    /// Value of one such unit in SI.
+    pub fn factor(&self) -> f64 {
+        match self.scale {
+            Scale::Ten(exponent) => power_of_ten(exponent),
+            Scale::Factor(factor) => factor,
+        }
+    }
+
+    /// All spellings that are read, ASCII first.
+    pub fn spellings(&self) -> impl Iterator<Item = &'static str> {
+        [self.text, self.symbol]
+            .into_iter()
+            .chain(self.aliases.iter().copied())
+            .filter(|s| !s.is_empty())
+    }
+
+    fn is_spelled(&self, canonical_spelling: &str) -> bool {
+        self.spellings().any(|s| canonical(s) == canonical_spelling)
+    }
+
+    /// The value in SI of `number` of these units; `number` is a decimal literal.
+    pub(super) fn to_si(self, number: &str) -> Option<f64> {
+        let value: f64 = match self.scale {
+            Scale::Ten(0) => number.parse().ok()?,
+            Scale::Ten(shift) => {
+                let (mantissa, exponent) = match number.split_once(['e', 'E']) {
+                    Some((m, e)) => (m, e.parse::<i32>().ok()?),
+                    None => (number, 0),
+                };
+                format!("{mantissa}e{}", exponent.checked_add(shift)?).parse().ok()?
+            }
+            Scale::Factor(factor) => number.parse::<f64>().ok()? * factor,
+        };
+        value.is_finite().then_some(value)
+    }
+}
+
+/// 10ⁿ for small n, correctly rounded: powers up to 10²² are exact, so their reciprocal rounds once.
+pub(super) fn power_of_ten(exponent: i32) -> f64 {
+    let power = 10_f64.powi(exponent.abs());
+    if exponent < 0 { 1.0 / power } else { power }
+}
+
+/// One spelling for all: superscripts as digits, no `^`, `·` for every product sign, no blanks around operators.
+pub(super) fn canonical(spelling: &str) -> String {
+    let mut out = String::with_capacity(spelling.len());
+    for c in spelling.trim().chars() {
+        match c {
+            '²' => out.push('2'),
+            '³' => out.push('3'),
+            '^' => {}
+            '*' | '·' | '⋅' | '×' => join(&mut out, '·'),
+            '/' | '∕' => join(&mut out, '/'),
+            c if c.is_whitespace() => {
+                if !out.ends_with(['·', '/', ' ']) {
+                    out.push(' ');
+                }
+            }
+            c => out.push(c),
+        }
+    }
+    // "kN m" and "kN·m" are "kNm"; "m s" stays what it is, no unit.
+    for force in ["N", "lbf", "kip"] {
+        for arm in ["m", "ft"] {
+            for sign in ['·', ' '] {
+                let written = format!("{force}{sign}{arm}");
+                out = out.replace(&written, &format!("{force}{arm}"));
+            }
+        }
+    }
+    out
+}
+
+fn join(out: &mut String, operator: char) {
+    while out.ends_with(' ') {
+        out.pop();
+    }
+    out.push(operator);
+}

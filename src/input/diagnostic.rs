@@ -1,0 +1,371 @@
+//! Faults in an input file, collected and shown all at once.
+//!
+//! A [`Fault`] says what is wrong, where (bytes of the file, path in the document), what was found, what is allowed, and
+//! how to mend it. [`Faults`] renders them as rustc does, with the place in the file underlined:
+//!
+//! ```text
+//! error: a mass where a length belongs
+//!  --> tank.json:4:27
+//!   |
+//! 4 |   "tank": { "radius": "1.83 kg",
+//!   |                       ^^^^^^^^^ found "1.83 kg"
+//!   |
+//!   = path: tank.radius
+//!   = allowed: a length such as "1.83 m" (units: mm, cm, m, in, ft), greater than 0
+//! ```
+//!
+//! Record files use the same with [`Source::line_span`], where the place is a line instead of a JSON value.
+
+use std::ops::Range;
+use std::path::Path;
+
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet, normalize_untrusted_str};
+
+use crate::error::Error;
+
+/// Longest message part that is shown, in characters.
+const SHOWN_TEXT: usize = 400;
+/// Most faults that are shown.
+const SHOWN_FAULTS: usize = 50;
+
+/// One fault.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Fault {
+    /// What is wrong, one line ("unknown key `radios`").
+    pub message: String,
+    /// Bytes of the file to underline; `None` if no place is to blame.
+    pub span: Option<Range<usize>>,
+    /// Path in the document (`tank.courses[0].thickness`), or empty.
+    pub path: String,
+    /// What was found, as written; may be empty.
+    pub found: String,
+    /// What is allowed; may be empty.
+    pub allowed: String,
+    /// How to mend it, where that can be told.
+    pub help: Option<String>,
+}
+
+impl Fault {
+    /// A fault with nothing but a message.
+    pub fn new(message: impl Into<String>) -> Fault {
+        Fault {
+            message: message.into(),
+            ..Fault::default()
+        }
+    }
+
+    /// Where: bytes of the file.
+    pub fn at(mut self, span: Range<usize>) -> Fault {
+        self.span = Some(span);
+        self
+    }
+
+    /// Where: path in the document.
+    pub fn path(mut self, path: impl Into<String>) -> Fault {
+        self.path = path.into();
+        self
+    }
+
+    /// What was found.
+    pub fn found(mut self, found: impl Into<String>) -> Fault {
+        self.found = found.into();
+        self
+    }
+
+    /// What is allowed.
+    pub fn allowed(mut self, allowed: impl Into<String>) -> Fault {
+        self.allowed = allowed.into();
+        self
+    }
+
+    /// How to mend it.
+    pub fn help(mut self, help: impl Into<String>) -> Fault {
+        self.help = Some(help.into());
+        self
+    }
+}
+
+/// An input file and its text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// Path as the user gave it, for messages (`<stdin>` for standard input).
+    pub name: String,
+    /// Text.
+    pub text: String,
+}
+
+impl Source {
+    /// A file of this name and text.
+    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Source {
+        Source {
+            name: name.into(),
+            text: text.into(),
+        }
+    }
+
+    /// A file at this path with this text; `-` is standard input.
+    pub fn at(path: &Path, text: impl Into<String>) -> Source {
+        let name = if path == Path::new("-") {
+            "<stdin>".into()
+        } else {
+            path.display().to_string()
+        };
+        Source::new(name, text)
+    }
+
+    /// Bytes of a line (counted from 1) without its line break; the end of the file beyond the last line.
+    pub fn line_span(&self, line: usize) -> Range<usize> {
+        let mut start = 0;
+        for (i, part) in self.text.split_inclusive('\n').enumerate() {
+            if i + 1 == line {
+                return start..start + part.trim_end_matches(['\n', '\r']).len();
+            }
+            start += part.len();
+        }
+        self.text.len()..self.text.len()
+    }
+
+    /// Line and column (in characters) of a byte, both counted from 1.
+    pub fn line_column(&self, byte: usize) -> (usize, usize) {
+        let before = &self.text[..floor(&self.text, byte)];
+        let start = before.rfind('\n').map_or(0, |i| i + 1);
+        (before.matches('\n').count() + 1, before[start..].chars().count() + 1)
+    }
+}
+
+/// The nearest character boundary at or before a byte.
+fn floor(text: &str, byte: usize) -> usize {
+    let mut byte = byte.min(text.len());
+    while !text.is_char_boundary(byte) {
+        byte -= 1;
+    }
+    byte
+}
+
+/// The faults of one file, in the order of their places.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Faults {
+    list: Vec<Fault>,
+}
+
+impl Faults {
+    /// None so far.
+    pub fn new() -> Faults {
+        Faults::default()
+    }
+
+    /// Adds a fault.
+    pub fn push(&mut self, fault: Fault) {
+        self.list.push(fault);
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// All faults.
+    pub fn list(&self) -> &[Fault] {
+        &self.list
+    }
+
+    /// The message for people: every fault, then their number. Coloured if `styled`.
+    pub fn render(&self, source: &Source, styled: bool) -> String {
+        let renderer = if styled { Renderer::styled() } else { Renderer::plain() };
+        let mut ordered: Vec<&Fault> = self.list.iter().collect();
+        ordered.sort_by_key(|f| f.span.as_ref().map_or(usize::MAX, |s| s.start));
+        let mut out = String::new();
+        for fault in ordered.iter().take(SHOWN_FAULTS) {
+            out.push_str(&render_one(fault, source, &renderer));
+            out.push_str("\n\n");
+        }
+        let name = normalize_untrusted_str(&source.name);
+        let count = match ordered.len() {
+            1 => format!("1 fault in {name}"),
+            n if n > SHOWN_FAULTS => format!("{n} faults in {name}, the first {SHOWN_FAULTS} shown"),
+            n => format!("{n} faults in {name}"),
+        };
+        out.push_str(&renderer.render(&[annotate_snippets::Group::with_title(
+            Level::ERROR.primary_title(format!("{count}; nothing was computed")),
+        )]));
+        out.push('\n');
+        out
+    }
+
+    /// The faults as the program's error, coloured if standard error shows colours.
+    pub fn into_error(self, source: &Source) -> Error {
+        let styled = anstream::AutoStream::choice(&std::io::stderr()) != anstream::ColorChoice::Never;
+        Error::Input(self.render(source, styled))
+    }
+}
+
+impl From<Fault> for Faults {
+    fn from(fault: Fault) -> Faults {
+        Faults { list: vec![fault] }
+    }
+}
+
+fn render_one(fault: &Fault, source: &Source, renderer: &Renderer) -> String {
+    let mut group = annotate_snippets::Group::with_title(Level::ERROR.primary_title(one_line(&fault.message)));
+    let label = match fault.found.as_str() {
+        "" => String::new(),
+        found => format!("found {}", one_line(found)),
+    };
+    // Only the line of the place is handed over; the renderer cuts it to the width of a terminal.
+    if let Some(span) = &fault.span {
+        let window = Window::around(source, span);
+        let annotation = AnnotationKind::Primary.span(window.span.clone());
+        group = group.element(
+            Snippet::source(window.text)
+                .path(normalize_untrusted_str(&source.name))
+                .line_start(window.line)
+                .annotation(if label.is_empty() {
+                    annotation
+                } else {
+                    annotation.label(label)
+                }),
+        );
+    } else {
+        group = group.element(annotate_snippets::Origin::path(normalize_untrusted_str(&source.name)));
+        if !label.is_empty() {
+            group = group.element(Level::NOTE.no_name().message(label));
+        }
+    }
+    let mut remark = |name: &'static str, text: &str| {
+        if !text.is_empty() {
+            let message = format!("{name}: {}", one_line(text));
+            group = std::mem::replace(&mut group, annotate_snippets::Group::with_level(Level::ERROR))
+                .element(Level::NOTE.no_name().message(message));
+        }
+    };
+    remark("path", &fault.path);
+    remark("allowed", &fault.allowed);
+    remark("help", fault.help.as_deref().unwrap_or_default());
+    renderer.render(&[group])
+}
+
+/// Control characters and line breaks of user text made harmless, and the whole made short.
+fn one_line(text: &str) -> String {
+    let mut line: String = text
+        .chars()
+        .take(SHOWN_TEXT)
+        .map(|c| if c.is_whitespace() { ' ' } else { c })
+        .collect();
+    if text.chars().nth(SHOWN_TEXT).is_some() {
+        line.push('…');
+    }
+    normalize_untrusted_str(&line)
+}
+
+/// The line in which a span begins.
+struct Window<'a> {
+    text: &'a str,
+    line: usize,
+    span: Range<usize>,
+}
+
+impl<'a> Window<'a> {
+    fn around(source: &'a Source, span: &Range<usize>) -> Window<'a> {
+        let text = source.text.as_str();
+        let start = floor(text, span.start);
+        let line_start = text[..start].rfind('\n').map_or(0, |i| i + 1);
+        let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);
+        let line_end = line_start + text[line_start..line_end].trim_end_matches('\r').len();
+        let end = floor(text, span.end).clamp(start, line_end.max(start));
+        Window {
+            text: &text[line_start..line_end.max(start)],
+            line: source.line_column(start).0,
+            span: start - line_start..end - line_start,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TANK: &str = "{\n  \"tank\": { \"radius\": \"1.83 kg\" }\n}\n";
+
+    fn fault() -> Fault {
+        let start = TANK.find("\"1.83").unwrap();
+        Fault::new("a mass where a length belongs")
+            .at(start..start + 9)
+            .path("tank.radius")
+            .found("\"1.83 kg\"")
+            .allowed("a length")
+            .help("write metres")
+    }
+
+    #[test]
+    fn shows_file_line_column_path_found_allowed_help() {
+        let text = Faults::from(fault()).render(&Source::new("in/tank.json", TANK), false);
+        println!("{text}");
+        for part in [
+            "error: a mass where a length belongs",
+            "--> in/tank.json:2:23",
+            "\"radius\": \"1.83 kg\"",
+            "^^^^^^^^^ found \"1.83 kg\"",
+            "path: tank.radius",
+            "allowed: a length",
+            "help: write metres",
+            "1 fault in in/tank.json",
+        ] {
+            assert!(text.contains(part), "{part}\n{text}");
+        }
+        assert!(!text.contains('\u{1b}'));
+    }
+
+    #[test]
+    fn colours_only_when_asked() {
+        assert!(
+            Faults::from(fault())
+                .render(&Source::new("t", TANK), true)
+                .contains("\u{1b}[")
+        );
+    }
+
+    #[test]
+    fn faults_come_in_the_order_of_the_file() {
+        let mut faults = Faults::new();
+        faults.push(Fault::new("third"));
+        faults.push(Fault::new("second").at(5..6));
+        faults.push(Fault::new("first").at(0..1));
+        let text = faults.render(&Source::new("t", TANK), false);
+        let place = |what: &str| text.find(what).unwrap();
+        assert!(place("first") < place("second") && place("second") < place("third"));
+        assert!(text.contains("3 faults in t"));
+    }
+
+    #[test]
+    fn lines_of_records() {
+        let source = Source::new("r.csv", "a\r\nbcd\n\nlast");
+        assert_eq!(source.line_span(2), 3..6);
+        assert_eq!(source.line_span(3), 7..7);
+        assert_eq!(source.line_span(4), 8..12);
+        assert_eq!(source.line_span(9), 12..12);
+        assert_eq!(source.line_column(4), (2, 2));
+        let text = Faults::from(Fault::new("no number").at(source.line_span(2)).found("bcd")).render(&source, false);
+        assert!(text.contains("r.csv:2:1") && text.contains("2 | bcd"), "{text}");
+    }
+
+    #[test]
+    fn hostile_text_and_spans_are_harmless() {
+        let text = format!("{}é{}\u{1b}[31m", "x".repeat(100_000), "y".repeat(100_000));
+        let source = Source::new("bad\u{1b}[2Jname", &text);
+        for span in [
+            0..5,
+            100_000..100_002,
+            100_001..100_001,
+            200_000..300_000,
+            9_999_999..10_000_000,
+        ] {
+            let fault = Fault::new("m\u{1b}[31m\nm")
+                .at(span)
+                .found("z".repeat(100_000))
+                .path("p\r\n");
+            let text = Faults::from(fault).render(&source, false);
+            assert!(!text.contains('\u{1b}'));
+            assert!(text.len() < 4_000, "{}", text.len());
+        }
+    }
+}
