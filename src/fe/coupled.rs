@@ -1,9 +1,4 @@
-//! A coupled linear system M ẍ + C ẋ + K x = −L a_g, ready for modal or direct analysis.
-//!
-//! x are the *free* unknowns relative to the ground. Unknowns that are held to the ground (the clamped base, the moving
-//! bottom) are not among them, but their inertia is coupled to the free ones: with the free rows f of the full mass
-//! matrix and the rigid translation ι of all unknowns, L = M_f,all ι_all (plus, for vertical motion, what the apparent
-//! weight of the liquid does). L equals M ι only where nothing is held.
+//! A coupled linear system M ẍ + C ẋ + K x = −M ι a_g, ready for modal or direct analysis.
 //!
 //! One harmonic (m = 1 for horizontal, m = 0 for vertical motion) of a cylinder, or the antisymmetric half of a plane
 //! strip. Built once, then read-only.
@@ -21,13 +16,11 @@ pub struct Coupled {
     pub mass: Matrix,
     /// Stiffness K = K_shell ⊕ ρ g S, symmetric positive definite.
     pub stiffness: Matrix,
-    /// Influence vector ι: free unknowns under a unit rigid translation of the ground; absolute acceleration is
-    /// ẍ_total = ẍ + ι a_g.
+    /// Influence vector ι = M⁻¹ f, where −f is the load of a unit ground acceleration: close to the unknowns under a
+    /// unit rigid translation, and such that the load −M ι a_g also holds the inertia that couples the unknowns to the
+    /// clamped edge (m = 0: hydrostatic pressure and wall weight × a_v/g). ιᵀ M ι plus the `ground_acceleration` of the
+    /// probe `base_shear` is `liquid_mass` + `wall_mass`.
     pub influence: Vec<f64>,
-    /// Load vector L per unit ground acceleration (right-hand side −L a_g), held unknowns included.
-    pub load: Vec<f64>,
-    /// Mass of the rigid translation ι_allᵀ M_all ι_all, held unknowns included [kg]; equals `liquid_mass` + `wall_mass`.
-    pub rigid_mass: f64,
     /// Unknowns that are free-surface elevations η: this range of indices.
     pub surface: std::ops::Range<usize>,
     /// Scalar outputs: wave gauges, `base_shear`, `base_moment`, `overturning_moment`, `bending_stress` at the base, stations.
@@ -38,7 +31,8 @@ pub struct Coupled {
     pub liquid_mass: f64,
     /// Mass of wall and roof [kg].
     pub wall_mass: f64,
-    /// Vector κ of the base moment just above the base: M_b = κᵀ M ẍ_total (held unknowns lie at z = 0 and have no arm).
+    /// Vector κ of the base moment just above the base: M_b = κᵀ M ẍ_total, but for the share of the clamped edge and
+    /// of rigid side walls (`ground_acceleration` of the probe `base_moment`).
     pub moment_arm: Vec<f64>,
     /// Mesh in words, label → text.
     pub mesh: Vec<crate::results::Labelled>,

@@ -2,14 +2,11 @@
 
 use codes::units::Dimension;
 
-/// A scalar output y(t) = d·x(t) + a·ẍ_total(t) + b a_g(t), where x are the free unknowns relative to the ground and
+/// A scalar output y(t) = d·x(t) + a·ẍ_total(t) + b a_g(t), where x are the unknowns relative to the ground and
 /// ẍ_total = ẍ + ι a_g their absolute acceleration.
 ///
-/// The last term carries what does not pass through a free unknown: the inertia of unknowns held to the ground in a base
-/// reaction, the pressure ρ (H − z) a_v of vertical motion.
-///
-/// Wall displacements and stresses use `displacement` only, pressures and base reactions `absolute_acceleration` only
-/// (with m = 0 pressures also use `displacement`: the surface sinks when the wall bulges).
+/// Wall displacements and stresses use `displacement` only; pressures and base reactions `absolute_acceleration` and
+/// `ground_acceleration` (pressures of m = 0 also `displacement`: the surface sinks when the wall bulges).
 /// Vectors have the length of the model's unknowns; an empty vector stands for zeros.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Probe {
@@ -23,8 +20,9 @@ pub struct Probe {
     pub displacement: Vec<f64>,
     /// Coefficients a.
     pub absolute_acceleration: Vec<f64>,
-    /// Coefficient b of the ground acceleration.
-    pub ground: f64,
+    /// Coefficient b of the ground acceleration: what moves rigidly with the ground and is no unknown, such as the
+    /// clamped edge of the wall, rigid side walls or, with vertical motion, the bottom.
+    pub ground_acceleration: f64,
     /// Value in the static state (hydrostatic pressure and self-weight), 0 if it has none.
     pub static_value: f64,
     /// Which modes count.
