@@ -113,6 +113,10 @@ pub struct Api650Site {
     pub site_class: SiteClass,
     /// Edition of the ASCE 7 site-coefficient tables: 2010 or 2016.
     pub asce7: u16,
+    /// Site coefficient F_a of a site study, instead of the table's; with `fv`. Site class F needs both.
+    pub fa: Option<f64>,
+    /// Site coefficient F_v of a site study, instead of the table's; with `fa`.
+    pub fv: Option<f64>,
     /// Scaling factor Q from MCE to design: 2/3 with ASCE 7 maps, 1 otherwise.
     pub q: f64,
     /// Seismic use group, 1 to 3.

@@ -1,1 +1,7 @@
-//! API 650, seismic design of storage tanks.
+//! API 650, seismic design of storage tanks: appendix E of the 9th edition and annex E of the 12th and 13th.
+//!
+//! | module | idea |
+//! |---|---|
+//! | [`ground_motion`] | ASCE 7 site coefficients and design spectrum |
+
+pub mod ground_motion;
