@@ -1,31 +1,219 @@
-//! The whole flow of a verification in one function, and the output folder.
+//! The whole flow of a verification in one function.
+//!
+//! Procedures and engine see the same [`Job`] and nothing of each other; they meet in [`compare`].
 
-use std::path::Path;
+mod motion;
+mod output;
 
+use std::collections::BTreeMap;
+
+use codes::procedure::{Assessment, CodeError, Excitation};
+use codes::{Procedure, Quantity, spectrum};
+
+use crate::compare::{self, Context};
 use crate::error::Error;
-use crate::results::{self, describe};
+use crate::fe::{self, Simulation};
+use crate::job::Job;
+use crate::results::{FORMAT, Method, Results, Series, Status, TankSummary, Value, Verdict, Volatile};
 
-/// Copies the files of a results folder over another one.
-pub fn copy_results(from: &Path, to: &Path) -> Result<(), Error> {
-    let fault = |path: &Path, e: std::io::Error| Error::File {
-        path: path.into(),
-        what: describe(&e),
-    };
-    for entry in OUTPUT {
-        let (source, target) = (from.join(entry), to.join(entry));
-        if source.is_dir() {
-            std::fs::create_dir_all(&target).map_err(|e| fault(&target, e))?;
-            for file in std::fs::read_dir(&source).map_err(|e| fault(&source, e))? {
-                let file = file.map_err(|e| fault(&source, e))?;
-                let copy = target.join(file.file_name());
-                std::fs::copy(file.path(), &copy).map_err(|e| fault(&copy, e))?;
-            }
-        } else if source.is_file() {
-            std::fs::copy(&source, &target).map_err(|e| fault(&target, e))?;
-        }
+pub use output::{OUTPUT, OutputFolder, copy_results};
+
+/// Ids of the procedures to run, in report order; an empty list stands for all.
+///
+/// Errors: an unknown id, with the known ones.
+pub fn select_procedures(ids: &[String]) -> Result<Vec<String>, Error> {
+    let known: Vec<&str> = codes::procedure::ALL.iter().map(|p| p.id()).collect();
+    if let Some(unknown) = ids.iter().find(|id| !known.contains(&id.as_str())) {
+        return Err(Error::Input(format!(
+            "error: procedures: found `{unknown}`, allowed any of {}",
+            known.join(", ")
+        )));
     }
-    Ok(())
+    Ok(known
+        .iter()
+        .filter(|id| ids.is_empty() || ids.iter().any(|i| i == *id))
+        .map(|id| id.to_string())
+        .collect())
 }
 
-/// What a verification writes into its output folder.
-pub const OUTPUT: [&str; 4] = [results::RESULTS_FILE, results::SERIES_FILE, "report.html", "figures"];
+/// Runs a job: procedures, engine, comparison. `volatile` is left empty but for the version.
+///
+/// Errors: a procedure that does not converge, a failure of the engine.
+pub fn run(job: &Job) -> Result<(Results, Series), Error> {
+    let (simulation, codes) = std::thread::scope(|scope| {
+        let engine = job
+            .fe
+            .as_ref()
+            .map(|options| scope.spawn(|| fe::simulate(&job.case, options)));
+        let codes = assess(job).map(|methods| (methods, motion::spectra(job), motion::records(job)));
+        let simulation = engine.map(|handle| match handle.join() {
+            Ok(outcome) => outcome,
+            Err(panic) => std::panic::resume_unwind(panic),
+        });
+        (simulation, codes)
+    });
+    let (mut methods, spectra, records) = codes?;
+    let simulation = simulation.transpose()?;
+    let context = context(job, simulation.as_ref());
+    let (fe, series) = match simulation {
+        Some(simulation) => {
+            methods.push(fe_method(&simulation));
+            (Some(simulation.result), simulation.series)
+        }
+        None => (None, Series::default()),
+    };
+    methods.extend(measured(job));
+    let comparison = compare::compare(&methods, &context, job.case.published.clone());
+    let verdict: Verdict = compare::verdict(&methods);
+    let results = Results {
+        format: FORMAT.into(),
+        volatile: Volatile {
+            version: env!("CARGO_PKG_VERSION").into(),
+            ..Volatile::default()
+        },
+        name: job.case.name.clone(),
+        files: job.files.clone(),
+        input: job.echo.clone(),
+        tank: TankSummary {
+            tank: job.case.tank.clone(),
+            liquid: job.case.liquid,
+            gravity: job.case.gravity,
+            liquid_mass: job.case.liquid_mass(),
+            wall_mass: job.case.tank.wall_mass(),
+            deformability: None,
+        },
+        records,
+        spectra,
+        methods,
+        fe,
+        comparison,
+        verdict,
+    };
+    Ok((results, series))
+}
+
+/// All chosen procedures under all excitations the case offers.
+fn assess(job: &Job) -> Result<Vec<Method>, Error> {
+    let mut excitations = Vec::new();
+    if job.case.ground_motion.is_some() {
+        excitations.push(Excitation::Record);
+    }
+    if job.case.site.ec8.is_some() || job.case.site.api650.is_some() {
+        excitations.push(Excitation::Site);
+    }
+    let chosen = |p: &&&dyn Procedure| job.procedures.iter().any(|id| id == p.id());
+    let mut methods = Vec::new();
+    for &excitation in &excitations {
+        for procedure in codes::procedure::ALL.iter().filter(chosen) {
+            methods.push(method(*procedure, job, excitation)?);
+        }
+    }
+    Ok(methods)
+}
+
+/// One procedure under one excitation as a column of the comparison.
+fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Result<Method, Error> {
+    let not_applicable =
+        |clause: String, reason: String| (Assessment::default(), Status::NotApplicable { clause, reason });
+    let (assessment, status) = match procedure.assess(&job.case, excitation) {
+        Ok(assessment) => (assessment, Status::Computed),
+        Err(CodeError::NotApplicable(n)) => not_applicable(n.clause, n.reason),
+        Err(CodeError::Data { clause, reason }) => not_applicable(clause, reason),
+        Err(source) => {
+            return Err(Error::Code {
+                procedure: procedure.id().into(),
+                source,
+            });
+        }
+    };
+    Ok(Method {
+        id: procedure.id().into(),
+        title: procedure.title().into(),
+        excitation,
+        status,
+        quantities: quantities(&assessment.values),
+        steps: assessment.steps,
+        checks: assessment.checks,
+        profiles: assessment.profiles,
+        assumptions: assessment.assumptions,
+        notes: assessment.notes,
+    })
+}
+
+fn quantities(values: &BTreeMap<Quantity, f64>) -> BTreeMap<String, Value> {
+    values
+        .iter()
+        .map(|(q, &value)| {
+            (
+                q.id().to_owned(),
+                Value {
+                    value,
+                    dimension: q.dimension(),
+                },
+            )
+        })
+        .collect()
+}
+
+/// The engine as a column of the comparison.
+fn fe_method(simulation: &Simulation) -> Method {
+    Method {
+        id: compare::FE.into(),
+        title: "Finite elements, time history".into(),
+        excitation: Excitation::Record,
+        status: Status::Computed,
+        quantities: quantities(&simulation.values),
+        steps: Vec::new(),
+        checks: Vec::new(),
+        profiles: Vec::new(),
+        assumptions: simulation.assumptions.clone(),
+        notes: simulation.notes.clone(),
+    }
+}
+
+/// Measured values as a column of the comparison.
+fn measured(job: &Job) -> Option<Method> {
+    let first = job.case.measured.first()?;
+    let values = job.case.measured.iter().map(|m| (m.quantity, m.value)).collect();
+    let notes = job
+        .case
+        .measured
+        .iter()
+        .map(|m| match &m.note {
+            Some(note) => format!("{}: {}. {note}", m.quantity.title(), m.source),
+            None => format!("{}: {}.", m.quantity.title(), m.source),
+        })
+        .collect();
+    Some(Method {
+        id: "measured".into(),
+        title: format!("Measured ({})", first.source),
+        excitation: Excitation::Record,
+        status: Status::Computed,
+        quantities: quantities(&values),
+        steps: Vec::new(),
+        checks: Vec::new(),
+        profiles: Vec::new(),
+        assumptions: Vec::new(),
+        notes,
+    })
+}
+
+/// What the explanations of the comparison need to know.
+fn context(job: &Job, simulation: Option<&Simulation>) -> Context {
+    let case = &job.case;
+    let mut context = Context {
+        sloshing_damping: case.damping.sloshing,
+        impulsive_damping: case.damping.impulsive,
+        cylinder: matches!(case.tank.shape, codes::tank::Shape::Cylinder { .. }),
+        ..Context::default()
+    };
+    let (Some(motion), Some(simulation)) = (&case.ground_motion, simulation) else {
+        return context;
+    };
+    context.pga = motion.horizontal.pga();
+    context.mesh_error = simulation.result.mesh_error.values().fold(0.0, |m, e| e.max(m));
+    if let Some(&period) = simulation.values.get(&Quantity::ImpulsivePeriod) {
+        context.impulsive_acceleration = spectrum::ordinates(&motion.horizontal, period, case.damping.impulsive).psa;
+    }
+    context
+}

@@ -1,14 +1,58 @@
-//! `tankcheck check`.
+//! `tankcheck check`: the code procedures alone.
 
-use crate::cli::Global;
-use crate::error::{EXIT_COMPUTATION, Error};
+use std::time::Instant;
+
+use crate::cli::inputs::Inputs;
+use crate::cli::{Format, Global, compare};
+use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
+use crate::pipeline::{self, OutputFolder};
+use crate::{report, results};
 
 /// Arguments.
 #[derive(clap::Args)]
-pub struct Args {}
+#[command(after_help = "\
+Examples:
+  tankcheck check tank.json                       design spectra of the tank's `site`
+  tankcheck check tank.json --quake elcentro.csv  and the spectrum of a record
+  tankcheck check tank.json --procedures api650-2020 --format json
+
+Exit codes: 0 every check holds; 1 a check fails; 2 bad input; 3 the computation failed.")]
+pub struct Args {
+    #[command(flatten)]
+    inputs: Inputs,
+    /// Also write a report (without finite elements) into this folder.
+    #[arg(long, short, value_name = "FOLDER")]
+    out: Option<std::path::PathBuf>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+}
 
 /// Runs the subcommand; returns the exit code.
 pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
-    let _ = (args, global);
-    Ok(EXIT_COMPUTATION)
+    let started = Instant::now();
+    let mut job = args.inputs.job()?;
+    job.fe = None;
+    let site = &job.case.site;
+    if job.case.ground_motion.is_none() && site.ec8.is_none() && site.api650.is_none() {
+        return Err(Error::Input(
+            "error: nothing shakes the tank\n  help: add `site` to the tank file (design spectra), or give a record with \
+             --quake"
+                .into(),
+        ));
+    }
+    let folder = args.out.as_deref().map(OutputFolder::prepare).transpose()?;
+    let (mut results, series) = pipeline::run(&job)?;
+    compare::stamp(&mut results, started);
+    if let Some(folder) = folder {
+        results::write(folder.path(), &results, &series)?;
+        report::render(folder.path(), None)?;
+        folder.commit()?;
+    }
+    compare::print(&results, args.out.as_deref(), args.format, global)?;
+    Ok(if results.verdict.holds {
+        EXIT_OK
+    } else {
+        EXIT_CHECK_FAILED
+    })
 }

@@ -13,11 +13,13 @@ mod compare;
 mod completions;
 mod diff;
 mod init;
+mod inputs;
 mod modes;
 mod quake;
 mod report;
 mod schema;
 mod spectrum;
+mod table;
 mod verify;
 
 /// Seismic verification of liquid storage tanks.
@@ -101,6 +103,17 @@ Examples:
 
 Exit codes: 0 done and every check holds; 1 a check fails or diff found a change; 2 bad input or usage;
 3 the computation failed.";
+
+/// A spinner on standard error while `what` is computed; invisible unless a person watches a terminal.
+pub(crate) fn spinner(global: &Global, what: &'static str) -> indicatif::ProgressBar {
+    if global.quiet {
+        return indicatif::ProgressBar::hidden();
+    }
+    // `new_spinner` draws to standard error and hides itself where that is no terminal.
+    let spinner = indicatif::ProgressBar::new_spinner().with_message(what);
+    spinner.enable_steady_tick(std::time::Duration::from_millis(100));
+    spinner
+}
 
 /// Entry point of the binary.
 pub fn main() -> ExitCode {

@@ -20,6 +20,10 @@ pub struct TankFile {
     pub record: records::Processing,
     /// Echo of every field, defaults marked.
     pub echo: Vec<InputValue>,
+    /// Ids of the procedures to run; empty for all.
+    pub procedures: Vec<String>,
+    /// Options of the finite-element engine.
+    pub fe: crate::fe::Options,
     /// SHA-256 of the file.
     pub sha256: String,
 }

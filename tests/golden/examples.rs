@@ -1,0 +1,129 @@
+//! Every example against its accepted report in `reports/`.
+//!
+//! An example is a tank file `examples/NN_name/tank.json` (report in `reports/NN_name`) or `tank_X.json` (report in
+//! `reports/NN_name/X`), shaken by the folder's own `record.csv` or by `examples/records/elcentro.csv`.
+//! After a reviewed change, `TANKCHECK_BLESS="reason" cargo test --test golden` rewrites the reports.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use tankcheck::numdiff;
+
+/// One tank file, its record and its accepted report.
+struct Example {
+    tank: PathBuf,
+    record: PathBuf,
+    golden: PathBuf,
+}
+
+fn examples() -> Vec<Example> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut folders: Vec<PathBuf> = std::fs::read_dir(root.join("examples"))
+        .expect("examples/ exists")
+        .map(|entry| entry.expect("readable").path())
+        .filter(|path| path.join("README.md").exists() && !path.ends_with("records"))
+        .collect();
+    folders.sort();
+    let mut examples = Vec::new();
+    for folder in folders {
+        let name = folder.file_name().expect("a folder has a name").to_owned();
+        let own = folder.join("record.csv");
+        let record = if own.exists() {
+            own
+        } else {
+            root.join("examples/records/elcentro.csv")
+        };
+        let mut tanks: Vec<PathBuf> = std::fs::read_dir(&folder)
+            .expect("readable")
+            .map(|entry| entry.expect("readable").path())
+            .filter(|path| path.extension().is_some_and(|e| e == "json"))
+            .collect();
+        tanks.sort();
+        for tank in tanks {
+            let stem = tank
+                .file_stem()
+                .expect("a file has a stem")
+                .to_string_lossy()
+                .into_owned();
+            let golden = root.join("reports").join(&name);
+            let golden = match stem.strip_prefix("tank_") {
+                Some(variant) => golden.join(variant),
+                None => golden,
+            };
+            examples.push(Example {
+                tank,
+                record: record.clone(),
+                golden,
+            });
+        }
+    }
+    examples
+}
+
+#[test]
+fn examples_give_their_accepted_reports() {
+    let examples = examples();
+    assert!(examples.len() >= 9, "only {} example files found", examples.len());
+    let bless = std::env::var("TANKCHECK_BLESS").ok();
+    let mut faults = Vec::new();
+    for example in &examples {
+        let home = tempfile::tempdir().expect("a temporary folder");
+        let out = home.path().join("out");
+        let run = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+            .arg("compare")
+            .arg(&example.tank)
+            .arg("--quake")
+            .arg(&example.record)
+            .arg("--out")
+            .arg(&out)
+            .output()
+            .expect("tankcheck runs");
+        let code = run.status.code();
+        if !matches!(code, Some(0 | 1)) {
+            faults.push(format!(
+                "{}: exit code {code:?}\n{}",
+                example.tank.display(),
+                text(&run.stderr)
+            ));
+            continue;
+        }
+        if let Some(reason) = &bless {
+            accept(&out, &example.golden, reason);
+        }
+        match numdiff::folders(&example.golden, &out, &numdiff::Options::default()) {
+            Err(error) => faults.push(format!("{}: {error}", example.golden.display())),
+            Ok(report) => {
+                for moved in report.moved.iter().take(10) {
+                    faults.push(format!(
+                        "{}: {}: {} -> {} ({:.1e})",
+                        example.golden.display(),
+                        moved.path,
+                        moved.old,
+                        moved.new,
+                        moved.change
+                    ));
+                }
+            }
+        }
+    }
+    assert!(
+        faults.is_empty(),
+        "{}\n\nIf the change is right and reviewed: TANKCHECK_BLESS=\"reason\" cargo test --test golden",
+        faults.join("\n")
+    );
+}
+
+fn accept(out: &Path, golden: &Path, reason: &str) {
+    let status = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+        .args(["diff", "--quiet", "--bless", "--reason", reason, "--format", "csv"])
+        .arg(golden)
+        .arg(out)
+        .stdout(std::process::Stdio::null())
+        .status()
+        .expect("tankcheck runs");
+    assert!(status.success(), "cannot accept {}", golden.display());
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}

@@ -1,0 +1,3 @@
+//! Golden reports of the examples, and the rendering of reports.
+
+mod examples;
