@@ -38,7 +38,7 @@ impl Inputs {
             let options = self.reading.options();
             let horizontal = records::read(path, &options)?;
             files.push(source("record", path, &horizontal.sha256));
-            let processed = records::process(&horizontal.record, &tank.record);
+            let processed = records::process(&horizontal.record, &tank.record)?;
             let vertical = match &self.vertical {
                 None => None,
                 Some(path) => {
@@ -51,7 +51,7 @@ impl Inputs {
                         scale_by: Some(factor),
                         ..tank.record
                     };
-                    let processed = records::process(&vertical.record, &processing);
+                    let processed = records::process(&vertical.record, &processing)?;
                     raw_records.push(vertical.record);
                     Some(processed)
                 }

