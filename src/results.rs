@@ -163,6 +163,27 @@ pub struct RecordSummary {
     pub significant_duration: f64,
 }
 
+impl RecordSummary {
+    /// Measures of `record`, which was made from `raw`.
+    pub fn new(direction: &str, record: &codes::record::Record, raw: &codes::record::Record) -> RecordSummary {
+        let measures = record.measures();
+        RecordSummary {
+            direction: direction.into(),
+            name: record.name.clone(),
+            processing: record.processing.clone(),
+            dt: record.dt,
+            samples: record.acceleration.len(),
+            pga_as_recorded: raw.pga(),
+            pga: measures.pga,
+            pgv: measures.pgv,
+            pgd: measures.pgd,
+            arias: measures.arias,
+            cav: measures.cav,
+            significant_duration: measures.significant_duration,
+        }
+    }
+}
+
 /// A curve S_a(T).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SpectrumCurve {

@@ -79,6 +79,17 @@ fn curve(id: &str, title: &str, damping: f64, acceleration: impl Fn(f64) -> f64)
 
 /// The records as computed with, and their measures.
 pub fn records(job: &Job) -> Vec<RecordSummary> {
-    let _ = job;
-    Vec::new()
+    let Some(motion) = &job.case.ground_motion else {
+        return Vec::new();
+    };
+    let processed = [
+        ("horizontal", Some(&motion.horizontal)),
+        ("vertical", motion.vertical.as_ref()),
+    ];
+    processed
+        .into_iter()
+        .filter_map(|(direction, record)| Some((direction, record?)))
+        .zip(&job.raw_records)
+        .map(|((direction, record), raw)| RecordSummary::new(direction, record, raw))
+        .collect()
 }
