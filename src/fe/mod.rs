@@ -156,6 +156,5 @@ pub fn simulate(case: &Case, options: &Options) -> Result<Simulation, FeError> {
 
 /// Coupled modes of the given harmonics (0, 1, 2, …), at most `count` of each kind and harmonic, by ascending frequency.
 pub fn modes(case: &Case, options: &Options, harmonics: &[u32], count: usize) -> Result<Vec<Mode>, FeError> {
-    let _ = (case, options, harmonics, count);
-    Err(FeError::Unsupported("the engine is not connected yet".into()))
+    harmonic::modes(case, options, harmonics, count)
 }

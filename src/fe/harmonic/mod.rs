@@ -1,1 +1,22 @@
-//! One Fourier harmonic at a time: shell of revolution or plane wall strip, coupled to the liquid.
+//! The default linear engine: one Fourier harmonic of a cylinder, or a plane strip, at a time.
+//!
+//! [`build`] couples the condensed liquid of [`crate::fe::liquid`] with the wall of this folder and returns the
+//! [`crate::fe::coupled::Coupled`] that the response analyses work on; [`modes`] sorts its eigenmodes.
+
+mod assembly;
+mod build;
+mod modes;
+mod observe;
+mod reduce;
+mod state;
+mod wall;
+mod wall_mesh;
+
+pub use build::{build, check_options};
+pub use modes::{CoupledMode, Kind, modes, solve};
+pub use state::Static;
+pub use wall::{Element, LOCAL, LocalMatrix, LocalRow, NODAL, NODE, Output, Wall};
+pub use wall_mesh::wall_nodes;
+
+#[cfg(test)]
+pub(crate) mod test_tanks;

@@ -1,1 +1,10 @@
-//! The liquid: displacement potential on a mesh, condensed to wall and free surface.
+//! The liquid: displacement potential on the meridional section of a cylinder or on the plane of a strip.
+
+mod domain;
+mod mesh;
+mod potential;
+
+pub use domain::Domain;
+pub use mesh::LiquidMesh;
+pub(crate) use mesh::scaled;
+pub use potential::{Potential, Row};

@@ -1,0 +1,146 @@
+//! Coupled modes, sorted into sloshing and structural ones.
+//!
+//! ```text
+//! γ_j = φ_jᵀ M ι        effective mass γ_j²        effective height φ_jᵀ M κ / γ_j        (φ_jᵀ M φ_j = 1)
+//! sloshing:  ηᵀ ρ g S η > ½ φ_jᵀ K φ_j, the surface holds more than half of the potential energy
+//! ```
+//!
+//! With m = 0 the "effective mass" is that of the load of vertical motion, hydrostatic pressure and wall weight.
+
+use codes::Case;
+
+use crate::fe::coupled::Coupled;
+use crate::fe::linalg::{dot, generalized_eigen};
+use crate::fe::{FeError, Options};
+use crate::results::Mode;
+
+use super::build::{build, failure};
+
+/// What holds a mode's potential energy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// Gravity at the free surface.
+    Sloshing,
+    /// Elasticity of the wall.
+    Structural,
+}
+
+impl Kind {
+    /// `sloshing` or `structural`.
+    pub fn id(self) -> &'static str {
+        match self {
+            Kind::Sloshing => "sloshing",
+            Kind::Structural => "structural",
+        }
+    }
+}
+
+/// A coupled mode with its vector.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoupledMode {
+    /// Kind.
+    pub kind: Kind,
+    /// Number within its kind, from 1, by ascending frequency.
+    pub number: usize,
+    /// Circular frequency [rad/s].
+    pub omega: f64,
+    /// Shape φ, φᵀ M φ = 1.
+    pub vector: Vec<f64>,
+    /// Participation factor γ [√kg].
+    pub participation: f64,
+    /// Effective height [m]; 0 if the mode has no effective mass.
+    pub effective_height: f64,
+    /// Share of the potential energy in the surface.
+    pub surface_share: f64,
+}
+
+/// The lowest `count` modes of a coupled system (all that are resolved if `None`), by ascending frequency.
+///
+/// Errors: K not positive definite, or a mode that fails its residual check.
+pub fn solve(coupled: &Coupled, count: Option<usize>) -> Result<Vec<CoupledMode>, FeError> {
+    let eigen =
+        generalized_eigen(&coupled.stiffness, &coupled.mass, count).map_err(failure("the coupled stiffness matrix"))?;
+    let load = coupled.mass.times(&coupled.influence);
+    let moment = coupled.mass.times(&coupled.moment_arm);
+    let total = dot(&load, &coupled.influence);
+    let (mut sloshing, mut structural) = (0, 0);
+    let mode = |(j, &omega): (usize, &f64)| {
+        let vector = eigen.vectors.column(j).to_vec();
+        let surface_share = surface_energy(coupled, &vector) / (omega * omega);
+        let (kind, counter) = if surface_share > 0.5 {
+            (Kind::Sloshing, &mut sloshing)
+        } else {
+            (Kind::Structural, &mut structural)
+        };
+        *counter += 1;
+        let participation = dot(&vector, &load);
+        // Below this share of the mass a height is a quotient of rounding errors.
+        let carries_mass = participation * participation > 1e-12 * total;
+        CoupledMode {
+            kind,
+            number: *counter,
+            omega,
+            participation,
+            effective_height: if carries_mass {
+                dot(&vector, &moment) / participation
+            } else {
+                0.0
+            },
+            surface_share,
+            vector,
+        }
+    };
+    Ok(eigen.omega.iter().enumerate().map(mode).collect())
+}
+
+/// ηᵀ ρ g S η: the block of K that belongs to the elevations.
+fn surface_energy(coupled: &Coupled, x: &[f64]) -> f64 {
+    let range = coupled.surface.clone();
+    range
+        .clone()
+        .map(|j| {
+            let column = &coupled.stiffness.column(j)[range.clone()];
+            x[j] * dot(column, &x[range.clone()])
+        })
+        .sum()
+}
+
+impl CoupledMode {
+    /// The mode in the vocabulary of the results folder, with the damping ratio of its kind.
+    pub fn to_result(&self, coupled: &Coupled, case: &Case) -> Mode {
+        Mode {
+            harmonic: coupled.harmonic,
+            kind: self.kind.id().into(),
+            number: self.number,
+            omega: self.omega,
+            period: 2.0 * std::f64::consts::PI / self.omega,
+            damping: match self.kind {
+                Kind::Sloshing => case.damping.sloshing,
+                Kind::Structural => case.damping.impulsive,
+            },
+            participation: self.participation,
+            effective_mass: self.participation * self.participation,
+            effective_height: self.effective_height,
+            shape: coupled.shape_rows.shape(&self.vector),
+        }
+    }
+}
+
+/// Modes of several harmonics: at most `count` of each kind and harmonic, by ascending frequency within a harmonic.
+///
+/// Errors: as [`build`] and [`solve`].
+pub fn modes(case: &Case, options: &Options, harmonics: &[u32], count: usize) -> Result<Vec<Mode>, FeError> {
+    let mut found = Vec::new();
+    for &harmonic in harmonics {
+        let coupled = build(case, options, harmonic)?;
+        let wanted = (coupled.surface.len() + count).min(coupled.mass.rows);
+        let modes = solve(&coupled, Some(wanted))?;
+        found.extend(
+            modes
+                .iter()
+                .filter(|m| m.number <= count)
+                .map(|m| m.to_result(&coupled, case)),
+        );
+    }
+    Ok(found)
+}

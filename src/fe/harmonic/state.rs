@@ -1,0 +1,126 @@
+//! Static state: hydrostatic pressure and self-weight on the same wall mesh (m = 0, liquid as a given pressure).
+//!
+//! ```text
+//! p = ρ g (H − z) outwards,   −ρ_s t g along the axis,   weight of the roof on the top edge
+//! ```
+//!
+//! The hydrostatic state is never solved through the liquid: its pressure is known.
+
+use codes::Case;
+
+use crate::fe::linalg::{LinalgError, Matrix, SparseCholesky, Triplets};
+use crate::fe::shape::{gauss, line};
+
+use super::wall::{LOCAL, LocalRow, NODAL, NODE, Output, Wall};
+
+/// Solved static state of the wall.
+#[derive(Clone, Debug)]
+pub struct Static {
+    wall: Wall,
+    /// Unknowns of each element, bubbles included.
+    solution: Vec<LocalRow>,
+    /// ρ g [N/m³] and H [m].
+    specific_weight: f64,
+    depth: f64,
+}
+
+impl Static {
+    /// Solves the static state; `roof_mass` is the share of the roof that the meshed wall carries [kg].
+    ///
+    /// Errors: a stiffness matrix that is not positive definite.
+    pub fn solve(case: &Case, refine: f64, roof_mass: f64) -> Result<Static, LinalgError> {
+        let depth = case.liquid.fill_height;
+        let wall = Wall::new(&case.tank, depth, 0, refine);
+        let specific_weight = case.liquid.density * case.gravity;
+        let (size, index) = number(&wall);
+        let mut k = Triplets::new(size);
+        let mut load = Matrix::zeros(size, 1);
+        for (element, map) in wall.elements.iter().zip(&index) {
+            let weight = element.material.density * element.thickness * case.gravity;
+            let local = element_load(&wall, element.bottom, element.length, weight, |z| {
+                specific_weight * (depth - z).max(0.0)
+            });
+            for i in 0..LOCAL {
+                let Some(p) = map[i] else { continue };
+                load.add(p, 0, local[i]);
+                for j in 0..LOCAL {
+                    if let Some(q) = map[j] {
+                        k.add(p, q, element.stiffness[i][j]);
+                    }
+                }
+            }
+        }
+        let top = index[index.len() - 1][NODE].expect("the top of the wall is free to move along the axis");
+        load.add(top, 0, -roof_mass * case.gravity);
+        SparseCholesky::factor(&k)?.solve(&mut load)?;
+        let solution = index
+            .iter()
+            .map(|map| std::array::from_fn(|i| map[i].map_or(0.0, |p| load.data[p])))
+            .collect();
+        Ok(Static {
+            wall,
+            solution,
+            specific_weight,
+            depth,
+        })
+    }
+
+    /// An output at ξ of element `e`.
+    pub fn value(&self, e: usize, xi: f64, output: Output) -> f64 {
+        let row = self.wall.output(e, xi, output);
+        row.iter().zip(&self.solution[e]).map(|(a, x)| a * x).sum()
+    }
+
+    /// An output at height z, just above (`upper`) or below it.
+    pub fn at(&self, z: f64, upper: bool, output: Output) -> f64 {
+        let (e, xi) = self.wall.locate(z, upper);
+        self.value(e, xi, output)
+    }
+
+    /// Hydrostatic pressure at height z [Pa].
+    pub fn pressure(&self, z: f64) -> f64 {
+        self.specific_weight * (self.depth - z).max(0.0)
+    }
+}
+
+/// Unknown of each element's local unknowns; the base is clamped.
+fn number(wall: &Wall) -> (usize, Vec<[Option<usize>; LOCAL]>) {
+    let mut next = 0;
+    let mut take = |wanted: bool| {
+        wanted.then(|| {
+            next += 1;
+            next - 1
+        })
+    };
+    let mut index = Vec::with_capacity(wall.elements.len());
+    let mut lower = [None; NODE];
+    for _ in &wall.elements {
+        let mut map = [None; LOCAL];
+        map[..NODE].copy_from_slice(&lower);
+        map[NODAL] = take(true);
+        map[NODAL + 1] = take(true);
+        for k in 0..NODE {
+            map[NODE + k] = take(wall.active[k]);
+        }
+        lower.copy_from_slice(&map[NODE..NODAL]);
+        index.push(map);
+    }
+    (next, index)
+}
+
+/// Consistent load of a weight per area (downwards) and an outward pressure over one element.
+fn element_load(wall: &Wall, bottom: f64, length: f64, weight: f64, pressure: impl Fn(f64) -> f64) -> LocalRow {
+    let mut out = [0.0; LOCAL];
+    for &(xi, gauss_weight) in gauss::FOUR {
+        let z = bottom + 0.5 * length * (1.0 + xi);
+        let measure = 0.5 * wall.factor * length * gauss_weight;
+        let (u, w) = (line::bubbled(xi, length)[0], line::hermite(xi, length)[0]);
+        for (n, place) in u.into_iter().zip([0, NODE, NODAL, NODAL + 1]) {
+            out[place] -= measure * weight * n;
+        }
+        for (n, place) in w.into_iter().zip([2, 3, NODE + 2, NODE + 3]) {
+            out[place] += measure * pressure(z) * n;
+        }
+    }
+    out
+}

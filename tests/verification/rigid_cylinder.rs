@@ -1,0 +1,277 @@
+//! Source:    potential flow in a rigid upright cylinder (Lamb 1932, §191; Veletsos & Yang 1977); zeros of J_m' from
+//!            Abramowitz & Stegun 1964, table 9.5
+//! Goal:      sloshing frequencies, convective and impulsive masses and levers of the liquid on its default mesh
+//! Model:     nine-node potential elements 5 × 8 (r × z), rigid wall
+//! Expected:  ω² = g λ/R tanh(λ H/R);  m_c/m = 2 tanh(a)/(a (λ² − 1)), a = λ H/R;  m_i = m − Σ m_c;  levers by series
+//! Tolerance: sloshing 0.05, 0.1, 0.3 % for the first three modes and masses as stated below: what the default mesh
+//!            reaches (the rate is asserted in `convergence`); translation of the whole liquid 1e-9, as φ = x is in the space
+
+use tankcheck::fe::linalg::{Cholesky, Matrix, dot, generalized_eigen};
+use tankcheck::fe::liquid::{Domain, LiquidMesh, Potential};
+
+use crate::tanks::{GRAVITY, assert_close};
+
+/// Zeros λ of J₁'.
+pub const ZEROS_1: [f64; 5] = [1.841183781, 5.331442774, 8.536316366, 11.706004903, 14.863588634];
+/// Zeros λ of J₀' (but 0).
+const ZEROS_0: [f64; 2] = [3.831705970, 7.015586670];
+/// Zeros λ of J₂' and J₃'.
+const ZERO_2: f64 = 3.054236928;
+const ZERO_3: f64 = 4.201188941;
+
+/// The liquid on the default mesh.
+pub fn liquid(radius: f64, depth: f64, harmonic: u32, refine: f64) -> Potential {
+    let mesh = LiquidMesh::graded(radius, depth, refine);
+    let trace = (0..=12).map(|k| depth * f64::from(k) / 12.0).collect();
+    Potential::new(Domain::Cylinder { radius, harmonic }, mesh, trace, 1000.0).unwrap()
+}
+
+/// K = ρ g S and M of the surface with a rigid wall; a floating liquid loses the elevation with the largest flux.
+fn surface_system(liquid: &Potential) -> (Matrix, Matrix) {
+    let columns: Vec<usize> = liquid.surface_columns().collect();
+    let mut k = liquid.surface_area.select(&columns, &columns);
+    k.data.iter_mut().for_each(|v| *v *= 1000.0 * GRAVITY);
+    let m = liquid.mass.select(&columns, &columns);
+    if !liquid.domain.is_floating() {
+        return (k, m);
+    }
+    let q: Vec<f64> = columns.iter().map(|&c| liquid.flux[c]).collect();
+    let e = (0..q.len()).max_by(|&a, &b| q[a].abs().total_cmp(&q[b].abs())).unwrap();
+    // Columns of T: x_e = −Σ q_j x_j / q_e.
+    let free: Vec<usize> = (0..q.len()).filter(|&i| i != e).collect();
+    let mut t = Matrix::zeros(q.len(), free.len());
+    for (j, &i) in free.iter().enumerate() {
+        t.add(i, j, 1.0);
+        t.add(e, j, -q[i] / q[e]);
+    }
+    let congruent = |a: &Matrix| {
+        let mut out = Matrix::zeros(free.len(), free.len());
+        for j in 0..free.len() {
+            let column = a.times(t.column(j));
+            for i in 0..free.len() {
+                out.add(i, j, dot(t.column(i), &column));
+            }
+        }
+        out
+    };
+    (congruent(&k), congruent(&m))
+}
+
+/// Sloshing frequencies with a rigid wall [rad/s].
+pub fn sloshing(liquid: &Potential) -> Vec<f64> {
+    let (k, m) = surface_system(liquid);
+    generalized_eigen(&k, &m, None).unwrap().omega
+}
+
+fn exact(radius: f64, depth: f64, zero: f64) -> f64 {
+    (GRAVITY * zero / radius * (zero * depth / radius).tanh()).sqrt()
+}
+
+#[test]
+fn f1_first_three_modes_of_8_1() {
+    let omega = sloshing(&liquid(1.83, 1.525, 1, 1.0));
+    for ((found, zero), tolerance) in omega.iter().zip(ZEROS_1).zip([0.0005, 0.001, 0.003]) {
+        assert_close("omega", *found, exact(1.83, 1.525, zero), tolerance);
+    }
+    // Printed values of the sheet, half a last digit.
+    for (zero, printed) in ZEROS_1.into_iter().zip([2.9989, 5.3453, 6.7646]) {
+        assert!((exact(1.83, 1.525, zero) - printed).abs() < 6e-5);
+    }
+}
+
+#[test]
+fn f2_other_harmonics() {
+    let omega = sloshing(&liquid(1.83, 1.525, 0, 1.0));
+    assert_close("m = 0", omega[0], exact(1.83, 1.525, ZEROS_0[0]), 0.001);
+    assert_close("m = 0, second", omega[1], exact(1.83, 1.525, ZEROS_0[1]), 0.003);
+    assert_close(
+        "m = 2",
+        sloshing(&liquid(1.83, 1.525, 2, 1.0))[0],
+        exact(1.83, 1.525, ZERO_2),
+        0.001,
+    );
+    assert_close(
+        "m = 3",
+        sloshing(&liquid(1.83, 1.525, 3, 1.0))[0],
+        exact(1.83, 1.525, ZERO_3),
+        0.001,
+    );
+}
+
+#[test]
+fn f3_model_tank_of_8_2() {
+    for (depth, printed) in [
+        (0.03, 1.5732),
+        (0.06, 1.9744),
+        (0.09, 2.1150),
+        (0.12, 2.1613),
+        (0.15, 2.1762),
+    ] {
+        let found = sloshing(&liquid(0.096, depth, 1, 1.0))[0] / (2.0 * std::f64::consts::PI);
+        let reference = exact(0.096, depth, ZEROS_1[0]) / (2.0 * std::f64::consts::PI);
+        assert_close("frequency", found, reference, 0.0005);
+        assert!((reference - printed).abs() < 6e-5, "{reference} {printed}");
+    }
+}
+
+#[test]
+fn f4_slender_tank_of_8_3() {
+    for (depth, printed) in [
+        (3.0, 3.1341),
+        (3.5, 3.1389),
+        (4.0, 3.1406),
+        (4.5, 3.1413),
+        (5.0, 3.1415),
+    ] {
+        let reference = exact(1.83, depth, ZEROS_1[0]);
+        assert_close("omega", sloshing(&liquid(1.83, depth, 1, 1.0))[0], reference, 0.0005);
+        assert!((reference - printed).abs() < 6e-5, "{reference} {printed}");
+    }
+}
+
+#[test]
+fn f6_rigid_translation_carries_the_whole_liquid() {
+    for (radius, depth) in [(1.83, 1.525), (10.0, 3.0), (0.096, 0.15), (20.0, 15.0)] {
+        let liquid = liquid(radius, depth, 1, 1.0);
+        let translation = liquid.rigid_translation();
+        let mass = dot(&translation, &liquid.mass.times(&translation));
+        let exact = 1000.0 * std::f64::consts::PI * radius * radius * depth;
+        assert_close("mass", mass, exact, 1e-9);
+    }
+}
+
+/// Convective masses of the liquid: (φᵀ M ι)² of the rigid-wall modes.
+fn convective_masses(liquid: &Potential) -> Vec<f64> {
+    let columns: Vec<usize> = liquid.surface_columns().collect();
+    let (k, m) = surface_system(liquid);
+    let eigen = generalized_eigen(&k, &m, None).unwrap();
+    let load = liquid.mass.times(&liquid.rigid_translation());
+    let load: Vec<f64> = columns.iter().map(|&c| load[c]).collect();
+    (0..eigen.omega.len())
+        .map(|j| dot(eigen.vectors.column(j), &load).powi(2))
+        .collect()
+}
+
+#[test]
+fn f7_convective_masses_of_8_1() {
+    let liquid = liquid(1.83, 1.525, 1, 1.0);
+    let total = 1000.0 * std::f64::consts::PI * 1.83_f64.powi(2) * 1.525;
+    let found = convective_masses(&liquid);
+    let printed = [(0.49696, 5e-6), (0.0164, 5e-5), (0.0039, 5e-5)];
+    for (n, tolerance) in [0.001, 0.005, 0.03].into_iter().enumerate() {
+        let a = ZEROS_1[n] * 1.525 / 1.83;
+        let exact = 2.0 * a.tanh() / (a * (ZEROS_1[n] * ZEROS_1[n] - 1.0));
+        assert_close("m_c/m", found[n] / total, exact, tolerance);
+        assert!((exact - printed[n].0).abs() < printed[n].1, "{exact}");
+    }
+}
+
+/// Impulsive mass, and its lever without and with the bottom pressure: rigid wall, pressure-free surface.
+fn impulsive(liquid: &Potential) -> (f64, f64, f64) {
+    let surface: Vec<usize> = liquid.surface_columns().collect();
+    let translation = liquid.rigid_translation();
+    // Acceleration of the surface that keeps it free of pressure: M_ηη a = −M_ηw ι.
+    let load = liquid.mass.times(&translation);
+    let right: Vec<f64> = surface.iter().map(|&c| -load[c]).collect();
+    let fall = Cholesky::factor(&liquid.mass.select(&surface, &surface))
+        .unwrap()
+        .solve_vector(&right);
+    let mut motion = translation.clone();
+    surface.iter().zip(&fall).for_each(|(&c, a)| motion[c] = *a);
+    let force = liquid.mass.times(&motion);
+    let arm: Vec<f64> = (0..liquid.columns())
+        .map(|c| match c < surface[0] {
+            true if c % 2 == 0 => liquid.trace[c / 2],
+            true => 1.0,
+            false => 0.0,
+        })
+        .collect();
+    let mass = dot(&translation, &force);
+    let moment = dot(&arm, &force);
+    (
+        mass,
+        moment / mass,
+        (moment + dot(&liquid.bottom_moment(), &motion)) / mass,
+    )
+}
+
+#[test]
+fn f8_impulsive_masses_and_levers() {
+    let cases = [
+        (1.83, 1.525, [0.4791, 0.4018, 0.8474]),
+        (1.83, 5.0, [0.8264, 0.4349, 0.4749]),
+        (10.0, 3.0, [0.1762, 0.3995, 2.637]),
+    ];
+    for (radius, depth, printed) in cases {
+        let found = impulsive(&liquid(radius, depth, 1, 1.0));
+        let (mass, lever, lever_below) = exact_impulsive(radius, depth);
+        let total = 1000.0 * std::f64::consts::PI * radius * radius * depth;
+        assert_close("m_i/m", found.0 / total, mass, 0.005);
+        assert_close("h_i/H", found.1 / depth, lever, 0.005);
+        assert_close("h_i'/H", found.2 / depth, lever_below, 0.005);
+        // The printed values of the sheet are the series, to half a last digit.
+        for (series, printed) in [mass, lever, lever_below].into_iter().zip(printed) {
+            assert!((series / printed - 1.0).abs() < 2.5e-4, "{series} {printed}");
+        }
+    }
+}
+
+/// m_i/m, h_i/H, h_i'/H from total translation minus the convective series (Veletsos & Yang 1977), with
+///
+/// ```text
+/// h_n/H  = 1 − (cosh a − 1)/(a sinh a)          h_n'/H = 1 − (cosh a − 2)/(a sinh a)
+/// m H/2 = Σ m_n h_n + m_i h_i                   m (H/2 + R²/(4 H)) = Σ m_n h_n' + m_i h_i'
+/// ```
+fn exact_impulsive(radius: f64, depth: f64) -> (f64, f64, f64) {
+    let (mut mass, mut moment, mut below) = (1.0, 0.5, 0.5 + radius * radius / (4.0 * depth * depth));
+    for n in 0..4000 {
+        let zero = zero_of_derivative(n);
+        let a = zero * depth / radius;
+        let share = 2.0 * a.tanh() / (a * (zero * zero - 1.0));
+        mass -= share;
+        moment -= share * (1.0 - (1.0 - 1.0 / a.cosh()) / (a * a.tanh()));
+        below -= share * (1.0 - (1.0 - 2.0 / a.cosh()) / (a * a.tanh()));
+    }
+    (mass, moment / mass, below / mass)
+}
+
+/// Zero number n (from 0) of J₁': table, then McMahon's expansion (A&S 9.5.13), μ = 4.
+fn zero_of_derivative(n: usize) -> f64 {
+    if let Some(zero) = ZEROS_1.get(n) {
+        return *zero;
+    }
+    let b = (n as f64 + 1.0 - 0.25) * std::f64::consts::PI;
+    b - 7.0 / (8.0 * b) - 4.0 * (7.0 * 16.0 + 82.0 * 4.0 - 9.0) / (3.0 * (8.0 * b).powi(3))
+}
+
+#[test]
+fn impulsive_and_convective_masses_make_the_whole() {
+    for (radius, depth) in [(1.83, 1.525), (1.83, 5.0), (10.0, 3.0)] {
+        let liquid = liquid(radius, depth, 1, 1.0);
+        let total = 1000.0 * std::f64::consts::PI * radius * radius * depth;
+        let sum = impulsive(&liquid).0 + convective_masses(&liquid).iter().sum::<f64>();
+        assert_close("m_i + Σ m_c", sum, total, 1e-9);
+    }
+}
+
+#[test]
+fn f17_scale() {
+    let small = sloshing(&liquid(1.83, 1.525, 1, 1.0));
+    let large = sloshing(&liquid(183.0, 152.5, 1, 1.0));
+    for (s, l) in small.iter().zip(&large).take(3) {
+        assert_close("omega", *l, 0.1 * s, 1e-6);
+    }
+}
+
+/// S and B do not depend on the liquid's mesh: Σ S is the area's share, Σ F the volume that leaves the tank.
+#[test]
+fn flux_is_exact_on_any_mesh() {
+    for refine in [0.5, 1.0, 1.7] {
+        let liquid = liquid(1.83, 1.525, 0, refine);
+        let area = std::f64::consts::PI * 1.83_f64.powi(2);
+        let elevation: f64 = liquid.surface_columns().map(|c| liquid.flux[c]).sum();
+        assert_close("surface", elevation, area, 1e-12);
+        let wall = dot(&liquid.flux, &liquid.rigid_translation());
+        assert_close("wall", wall, 2.0 * std::f64::consts::PI * 1.83 * 1.525, 1e-12);
+    }
+}

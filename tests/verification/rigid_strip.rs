@@ -1,0 +1,45 @@
+//! Source:    potential flow in a rigid rectangular tank (Lamb 1932, §190)
+//! Goal:      sloshing frequencies of plane strips; total mass of a translation
+//! Model:     nine-node potential elements 5 × 8 on half the strip, antisymmetric (odd n) and symmetric (even n)
+//! Expected:  ω² = (n π g/L₀) tanh(n π H/L₀), L₀ the full length
+//! Tolerance: 0.05, 0.1, 0.3 % for n = 1, 2, 3, as for the cylinder
+
+use tankcheck::fe::linalg::dot;
+use tankcheck::fe::liquid::{Domain, LiquidMesh, Potential};
+
+use crate::rigid_cylinder::sloshing;
+use crate::tanks::{GRAVITY, assert_close};
+
+fn strip(length: f64, depth: f64, symmetric: bool) -> Potential {
+    let domain = Domain::Strip {
+        half_length: 0.5 * length,
+        breadth: 1.5,
+        symmetric,
+    };
+    let mesh = LiquidMesh::graded(0.5 * length, depth, 1.0);
+    let trace = (0..=12).map(|k| depth * f64::from(k) / 12.0).collect();
+    Potential::new(domain, mesh, trace, 1000.0).unwrap()
+}
+
+#[test]
+fn f5_strips_of_8_4_and_5_by_5() {
+    for (depth, printed) in [(2.57, [2.3863, 3.5056, 4.2999]), (5.0, [2.4781, 3.5111, 4.3002])] {
+        let odd = sloshing(&strip(5.0, depth, false));
+        let even = sloshing(&strip(5.0, depth, true));
+        let found = [odd[0], even[0], odd[1]];
+        for (n, tolerance) in [0.0005, 0.001, 0.003].into_iter().enumerate() {
+            let k = (n + 1) as f64 * std::f64::consts::PI / 5.0;
+            let exact = (GRAVITY * k * (k * depth).tanh()).sqrt();
+            assert_close("omega", found[n], exact, tolerance);
+            assert!((exact - printed[n]).abs() < 6e-5, "{exact} {}", printed[n]);
+        }
+    }
+}
+
+#[test]
+fn f6_rigid_translation_carries_the_whole_liquid() {
+    let liquid = strip(5.0, 2.57, false);
+    let translation = liquid.rigid_translation();
+    let mass = dot(&translation, &liquid.mass.times(&translation));
+    assert_close("mass", mass, 1000.0 * 5.0 * 1.5 * 2.57, 1e-9);
+}
