@@ -70,7 +70,7 @@ fn terms(slenderness: f64) -> usize {
 
 /// `ν_n = (2n+1) π/2` and `(−1)ⁿ`.
 fn nu(n: usize) -> (f64, f64) {
-    ((n as f64 + 0.5) * PI, if n % 2 == 0 { 1.0 } else { -1.0 })
+    ((n as f64 + 0.5) * PI, if n.is_multiple_of(2) { 1.0 } else { -1.0 })
 }
 
 /// `F_n`, the ratio of pressure to normal gradient of the impulsive term at the wall.
