@@ -1,1 +1,7 @@
-//! Housner's procedure.
+//! Housner's two-mass procedure (1957/1963), and stresses from it.
+
+pub mod coefficients;
+pub mod model;
+pub mod slender;
+pub mod statics;
+pub mod stress;

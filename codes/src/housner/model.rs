@@ -1,0 +1,304 @@
+//! The two-mass model: pure functions of plain numbers.
+
+use std::f64::consts::PI;
+
+use super::coefficients::Coefficients;
+use super::slender;
+use crate::case::Combination;
+
+/// Spectral input of the sloshing mode: one of two equivalent ordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Spectral {
+    /// Pseudo-velocity S_v [m/s].
+    Velocity(f64),
+    /// Spectral displacement A₁ = S_v/ω [m].
+    Displacement(f64),
+    /// Pseudo-acceleration S_a = ω S_v [m/s²].
+    Acceleration(f64),
+}
+
+/// What the model needs to know.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Input {
+    /// a: radius R, or half length L in the direction of motion [m].
+    pub half_length: f64,
+    /// Liquid depth H [m].
+    pub depth: f64,
+    /// Liquid mass m [kg].
+    pub mass: f64,
+    /// Peak ground acceleration a_B [m/s²].
+    pub ground_acceleration: f64,
+    /// Spectral ordinate of the sloshing mode.
+    pub spectral: Spectral,
+    /// g [m/s²].
+    pub gravity: f64,
+    /// Constants of the convective part; they also say whether the tank is circular or rectangular.
+    pub coefficients: Coefficients,
+}
+
+/// A value the model cannot work with.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum InputError {
+    /// A length, mass or gravity that must be positive is not.
+    #[error("{what} is {value}; it must be positive and finite")]
+    NotPositive {
+        /// Which.
+        what: &'static str,
+        /// Found.
+        value: f64,
+    },
+    /// An acceleration or spectral ordinate is negative.
+    #[error("{what} is {value}; it must be zero or positive and finite")]
+    Negative {
+        /// Which.
+        what: &'static str,
+        /// Found.
+        value: f64,
+    },
+}
+
+/// Whether the base pressure takes part in a moment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arms {
+    /// Wall pressure only (EBP): bending moment of the wall just above the base.
+    Wall,
+    /// Wall and base pressure (IBP): overturning moment below the base plate.
+    WallAndBase,
+}
+
+/// Forces and moments of one part of the liquid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Resultant {
+    /// Horizontal force [N].
+    pub force: f64,
+    /// Moment of the wall pressure at the base (EBP) [N·m].
+    pub wall_moment: f64,
+    /// Moment of wall and base pressure (IBP) [N·m].
+    pub base_moment: f64,
+}
+
+/// Highest point of the surface at the wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wave {
+    /// `g/(ω² θ_h a)`; Housner's formula has a solution if it is above 1.
+    pub ratio: f64,
+    /// Housner's `d_max` with the finite-angle term [m]; none outside his theory (`ratio ≤ 1`).
+    pub finite: Option<f64>,
+    /// Linear value [m].
+    pub linear: f64,
+}
+
+impl Wave {
+    /// Housner's value, or the linear one outside his theory [m].
+    pub fn height(&self) -> f64 {
+        self.finite.unwrap_or(self.linear)
+    }
+}
+
+/// All values of the model. Levers are heights above the bottom of the part that can slosh, which lies `rigid_depth`
+/// above the tank bottom (0 in a squat tank).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Response {
+    /// True for H/a > 1.5.
+    pub slender: bool,
+    /// Depth of the part that can slosh, H_b = min(H, 1.5 a) [m].
+    pub sloshing_depth: f64,
+    /// Its mass m_b [kg].
+    pub sloshing_mass: f64,
+    /// Depth of the constrained lower part H_r [m].
+    pub rigid_depth: f64,
+    /// Mass of the constrained lower part m_r [kg].
+    pub rigid_mass: f64,
+    /// q = √3 a/H_b.
+    pub q: f64,
+    /// r = tanh(q)/q.
+    pub r: f64,
+    /// x = k H_b/a.
+    pub x: f64,
+    /// Sloshing frequency ω [rad/s].
+    pub omega: f64,
+    /// Sloshing period T [s].
+    pub period: f64,
+    /// Impulsive mass of the upper part m_i = m_b r [kg].
+    pub impulsive_mass: f64,
+    /// Convective mass m_k [kg].
+    pub convective_mass: f64,
+    /// Spectral displacement A₁ [m].
+    pub displacement: f64,
+    /// Pseudo-acceleration S_a = ω² A₁ [m/s²].
+    pub acceleration: f64,
+    /// Amplitude of the surface angle θ_h [rad].
+    pub angle: f64,
+    /// h_i = 3/8 H_b [m].
+    pub impulsive_lever: f64,
+    /// h_i′ with base pressure [m].
+    pub impulsive_lever_with_base: f64,
+    /// h_k [m].
+    pub convective_lever: f64,
+    /// h_k′ with base pressure [m].
+    pub convective_lever_with_base: f64,
+    /// P_i, force of the impulsive mass of the upper part [N].
+    pub impulsive_force: f64,
+    /// P_r, force of the constrained lower part [N].
+    pub rigid_force: f64,
+    /// P_k, convective force [N].
+    pub convective_force: f64,
+    /// Impulsive part with the constrained lower part.
+    pub impulsive: Resultant,
+    /// Convective part.
+    pub convective: Resultant,
+    /// Wave.
+    pub wave: Wave,
+}
+
+impl Response {
+    /// Base shear [N].
+    pub fn base_shear(&self, combination: Combination) -> f64 {
+        combine(self.impulsive.force, self.convective.force, combination)
+    }
+
+    /// Moment at the base [N·m].
+    pub fn moment(&self, arms: Arms, combination: Combination) -> f64 {
+        match arms {
+            Arms::Wall => combine(self.impulsive.wall_moment, self.convective.wall_moment, combination),
+            Arms::WallAndBase => combine(self.impulsive.base_moment, self.convective.base_moment, combination),
+        }
+    }
+}
+
+/// Sum of absolute values, or square root of the sum of squares.
+pub fn combine(impulsive: f64, convective: f64, combination: Combination) -> f64 {
+    match combination {
+        Combination::Abs => impulsive.abs() + convective.abs(),
+        Combination::Srss => impulsive.hypot(convective),
+    }
+}
+
+/// Ratio H/a above which the lower part is constrained.
+pub const SLENDER_LIMIT: f64 = 1.5;
+
+/// Housner's model of a tank on a rigid base under horizontal motion.
+///
+/// Squat tanks (H/a ≤ 1.5), with the constants of [`Coefficients`]:
+///
+/// ```text
+/// q = √3 a/H      r = tanh(q)/q      m_i = m r       P_i = a_B m_i
+/// x = k H/a       ω² = (k g/a) tanh x                m_k = m c_m (a/H) tanh x
+/// θ_h = c_t (A₁/a) tanh x            P_k = c_p m_k g θ_h  (= m_k S_a)
+/// h_i = 3/8 H                        h_i′ = H (1/(2r) − 1/8)
+/// h_k = H [1 − (cosh x − 1)/(x sinh x)]      h_k′ = H [1 − (cosh x − 2)/(x sinh x)]
+/// d_max = c_d a coth(x)/(g/(ω² θ_h a) − 1)
+/// ```
+///
+/// Slender tanks: [`slender`]. Error: inadmissible numbers.
+///
+/// Source: Housner 1957, 1963; TID-7024 (1963); dissertation table D.1. `h_i′` and the 2 in `h_k′` re-derived.
+///
+/// Check: R = 1.83 m, H = 1.525 m, m = 16.3 t, a_B = 0.5 g, S_v = 0.80 m/s, constants of 1957: P_i = 37.28 kN,
+/// P_k = 13.59 kN, d_max = 0.425 m, moment above the base 33.33 kNm.
+pub fn respond(input: &Input) -> Result<Response, InputError> {
+    check(input)?;
+    let Input {
+        half_length: a,
+        gravity: g,
+        coefficients: c,
+        ..
+    } = *input;
+    let split = slender::split(input.depth, a, input.mass);
+    let (h, m) = (split.sloshing_depth, split.sloshing_mass);
+
+    let q = 3.0_f64.sqrt() * a / h;
+    let r = q.tanh() / q;
+    let x = c.frequency * h / a;
+    let omega = c.omega(a, h, g);
+    let displacement = match input.spectral {
+        Spectral::Velocity(s_v) => s_v / omega,
+        Spectral::Displacement(a_1) => a_1,
+        Spectral::Acceleration(s_a) => s_a / (omega * omega),
+    };
+    let acceleration = omega * omega * displacement;
+    let impulsive_mass = m * r;
+    let convective_mass = m * c.mass * a / h * x.tanh();
+    let angle = c.angle * displacement / a * x.tanh();
+
+    let impulsive_force = input.ground_acceleration * impulsive_mass;
+    let rigid_force = input.ground_acceleration * split.rigid_mass;
+    let convective_force = c.force * convective_mass * g * angle;
+
+    let impulsive_lever = 0.375 * h;
+    let impulsive_lever_with_base = h * (0.5 / r - 0.125);
+    let convective_lever = h * crate::mechanical::convective_lever(x, 1.0);
+    let convective_lever_with_base = h * crate::mechanical::convective_lever(x, 2.0);
+    let raised = split.rigid_depth;
+    let rigid_moment = rigid_force * raised / 2.0;
+
+    Ok(Response {
+        slender: split.rigid_depth > 0.0,
+        sloshing_depth: h,
+        sloshing_mass: m,
+        rigid_depth: raised,
+        rigid_mass: split.rigid_mass,
+        q,
+        r,
+        x,
+        omega,
+        period: 2.0 * PI / omega,
+        impulsive_mass,
+        convective_mass,
+        displacement,
+        acceleration,
+        angle,
+        impulsive_lever,
+        impulsive_lever_with_base,
+        convective_lever,
+        convective_lever_with_base,
+        impulsive_force,
+        rigid_force,
+        convective_force,
+        impulsive: Resultant {
+            force: impulsive_force + rigid_force,
+            wall_moment: impulsive_force * (raised + impulsive_lever) + rigid_moment,
+            base_moment: impulsive_force * (raised + impulsive_lever_with_base) + rigid_moment,
+        },
+        convective: Resultant {
+            force: convective_force,
+            wall_moment: convective_force * (raised + convective_lever),
+            base_moment: convective_force * (raised + convective_lever_with_base),
+        },
+        wave: wave(&c, a, g, x, omega, angle, acceleration),
+    })
+}
+
+/// Wave height at the wall. With `ω² a/g = k tanh x` the finite-angle formula is `(c_d k a θ_h)/(1 − ω² θ_h a/g)`.
+fn wave(c: &Coefficients, a: f64, g: f64, x: f64, omega: f64, angle: f64, acceleration: f64) -> Wave {
+    let ratio = g / (omega * omega * angle * a);
+    Wave {
+        ratio,
+        finite: (ratio > 1.0).then(|| c.wave * a / x.tanh() / (ratio - 1.0)),
+        linear: c.wave_linear * a * acceleration / g,
+    }
+}
+
+fn check(input: &Input) -> Result<(), InputError> {
+    for (what, value) in [
+        ("the radius or half length", input.half_length),
+        ("the liquid depth", input.depth),
+        ("the liquid mass", input.mass),
+        ("gravity", input.gravity),
+    ] {
+        if !(value > 0.0 && value.is_finite()) {
+            return Err(InputError::NotPositive { what, value });
+        }
+    }
+    let spectral = match input.spectral {
+        Spectral::Velocity(v) => ("the spectral velocity", v),
+        Spectral::Displacement(v) => ("the spectral displacement", v),
+        Spectral::Acceleration(v) => ("the spectral acceleration", v),
+    };
+    for (what, value) in [("the peak ground acceleration", input.ground_acceleration), spectral] {
+        if !(value >= 0.0 && value.is_finite()) {
+            return Err(InputError::Negative { what, value });
+        }
+    }
+    Ok(())
+}
