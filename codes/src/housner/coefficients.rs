@@ -33,25 +33,22 @@ pub const CIRCLE_1957: Coefficients = Coefficients {
     wave_linear: 0.408 * 1.534,
 };
 
-impl Coefficients {
-    /// Rectangular tank as printed in TID-7024 (1963): √(5/2) = 1.58, √(5/2)/3 = 0.527, 1.58, 1.0, 0.527.
-    pub fn rectangle_1957() -> Coefficients {
-        let k = 2.5_f64.sqrt();
-        Coefficients {
-            frequency: k,
-            mass: k / 3.0,
-            angle: k,
-            force: 1.0,
-            wave: k / 3.0,
-            wave_linear: k * k / 3.0,
-        }
-    }
+/// Rectangular tank as printed in TID-7024 (1963): 1.58 (= √(5/2)), 0.527 (= √(5/2)/3), 1.58, 1.0, 0.527.
+pub const RECTANGLE_1957: Coefficients = Coefficients {
+    frequency: 1.58,
+    mass: 0.527,
+    angle: 1.58,
+    force: 1.0,
+    wave: 0.527,
+    wave_linear: 0.527 * 1.58,
+};
 
+impl Coefficients {
     /// The constants as published.
     pub fn housner_1957(plan: Plan) -> Coefficients {
         match plan {
             Plan::Circle => CIRCLE_1957,
-            Plan::Rectangle => Coefficients::rectangle_1957(),
+            Plan::Rectangle => RECTANGLE_1957,
         }
     }
 

@@ -5,3 +5,6 @@ pub mod model;
 pub mod slender;
 pub mod statics;
 pub mod stress;
+
+#[cfg(test)]
+mod tests;

@@ -32,11 +32,12 @@ pub struct Split {
 /// * `depth`: H [m]; `half_length`: a [m]; `mass`: m [kg]
 pub fn split(depth: f64, half_length: f64, mass: f64) -> Split {
     let sloshing_depth = depth.min(SLENDER_LIMIT * half_length);
-    let sloshing_mass = mass * sloshing_depth / depth;
+    let rigid_depth = depth - sloshing_depth;
+    // Both by proportion: a difference of masses could round to a negative one.
     Split {
         sloshing_depth,
-        sloshing_mass,
-        rigid_depth: depth - sloshing_depth,
-        rigid_mass: mass - sloshing_mass,
+        sloshing_mass: mass * sloshing_depth / depth,
+        rigid_depth,
+        rigid_mass: mass * rigid_depth / depth,
     }
 }

@@ -4,7 +4,7 @@
 //! Expected:  the printed values, met with H = 1.52 m and γ = 9.81 kN/m³ (the dissertation states neither in D.4; with
 //!            1.525 m and 10 kN/m³ of Bild 8.1 they are not met)
 //! Tolerance: values of an independent finite-element solution (7320 cubic elements, converged to all digits given):
-//!            their last digit. Printed values: 1 % for w (0.0159 cm at 0.85 m is 0.8 % above the 0.01578 that any input
+//!            2e-6, what its condition leaves. Printed values: 1 % for w (0.0159 cm at 0.85 m is 0.8 % above the 0.01578 that any input
 //!            near the stated one gives), 0.1 % for n_φ (0.97 m and 0.14 m are rounded places of extrema); these are
 //!            regression bounds, set knowing the differences
 
@@ -39,7 +39,7 @@ fn broad_tank_meets_the_computed_and_the_printed_values() {
         (0.14, 0.033_849_9, 0.0339),
     ] {
         let cm = 100.0 * wall.at(z).displacement;
-        near(cm, computed, 0.5e-7);
+        near(cm, computed, 2e-7);
         near(cm, printed, 1e-2 * printed);
     }
     for (z, computed, printed) in [
@@ -48,7 +48,7 @@ fn broad_tank_meets_the_computed_and_the_printed_values() {
         (0.14, 25909.02, 25930.0),
     ] {
         let force = wall.at(z).hoop_force;
-        near(force, computed, 0.01);
+        near(force, computed, 2e-6 * computed);
         near(force, printed, 1e-3 * printed);
     }
     // Printed: 0.003 and -0.016 kNm/m.
@@ -57,7 +57,7 @@ fn broad_tank_meets_the_computed_and_the_printed_values() {
     let highest = (0..=9000)
         .map(|i| wall.at(1e-4 * f64::from(i)).hoop_force)
         .fold(0.0, f64::max);
-    near(highest, 25925.40, 0.01);
+    near(highest, 25925.40, 0.05);
 }
 
 /// Long uniform wall, four wave lengths: the closed form of the clamped base holds to e^{−2π·4}.
