@@ -1,14 +1,19 @@
-//! `tankcheck schema`.
+//! `tankcheck schema`: the JSON Schema of the tank file.
 
-use crate::cli::Global;
-use crate::error::{EXIT_COMPUTATION, Error};
+use crate::cli::{Global, print};
+use crate::error::{EXIT_OK, Error};
 
 /// Arguments.
 #[derive(clap::Args)]
+#[command(after_help = "\
+Examples:
+  tankcheck schema > tank.schema.json
+
+Put \"$schema\": \"./tank.schema.json\" into tank.json, and your editor helps while you type.")]
 pub struct Args {}
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
-    let _ = (args, global);
-    Ok(EXIT_COMPUTATION)
+pub fn run(_: Args, _: &Global) -> Result<u8, Error> {
+    print(&format!("{:#}\n", crate::input::tank::json_schema()))?;
+    Ok(EXIT_OK)
 }

@@ -169,6 +169,11 @@ impl Faults {
         &self.list
     }
 
+    /// Whether some fault comes with this very help.
+    pub fn suggest(&self, help: &str) -> bool {
+        self.list.iter().any(|f| f.help.as_deref() == Some(help))
+    }
+
     /// The message for people: every fault, then their number. Coloured if `styled`.
     pub fn render(&self, source: &Source, styled: bool) -> String {
         let renderer = if styled { Renderer::styled() } else { Renderer::plain() };

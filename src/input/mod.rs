@@ -24,6 +24,8 @@ pub struct TankFile {
     pub procedures: Vec<String>,
     /// Options of the finite-element engine.
     pub fe: crate::fe::Options,
+    /// What is worth saying though it is no fault ("nothing is made of the material `steel`"), one sentence each.
+    pub remarks: Vec<String>,
     /// SHA-256 of the file.
     pub sha256: String,
 }

@@ -1,14 +1,44 @@
-//! `tank.json`: mirror of the file (`schema`), and its resolution into a case (`resolve`).
+//! `tank.json`: text → tree (`syntax`) → mirror of the file (`schema`) → case in SI (`resolve`).
+//!
+//! Every station notes its faults and goes on as far as it can, so that all faults of a file are shown at once.
+
+mod bytes;
+mod read;
+mod resolve;
+mod schema;
+mod syntax;
+mod values;
 
 use std::path::Path;
 
 use crate::error::Error;
 use crate::input::TankFile;
+use crate::input::diagnostic::{Faults, Source};
+
+pub use schema::json_schema;
 
 /// See [`crate::input::read_tank`].
 pub fn read(path: &Path) -> Result<TankFile, Error> {
-    Err(Error::File {
-        path: path.into(),
-        what: "not connected yet".into(),
-    })
+    let (source, sha256) = bytes::read(path)?;
+    match parse(&source) {
+        Ok(file) => Ok(TankFile { sha256, ..file }),
+        Err(faults) => Err(faults.into_error(&source)),
+    }
+}
+
+/// Reads and resolves the text of a tank file; the hash is left empty. All faults are returned at once.
+pub fn parse(source: &Source) -> Result<TankFile, Faults> {
+    let mut faults = Faults::new();
+    let file = syntax::parse(source, &mut faults).and_then(|mut root| {
+        // Editors find the schema by this key.
+        if let syntax::Kind::Object(members) = &mut root.kind {
+            members.retain(|m| m.key != "$schema");
+        }
+        let file = <schema::TankFile as read::FromNode>::from_node(&root, &mut faults)?;
+        resolve::resolve(&file, &mut faults)
+    });
+    match file {
+        Some(file) if faults.is_empty() => Ok(file),
+        _ => Err(faults),
+    }
 }

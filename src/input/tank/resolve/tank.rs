@@ -1,0 +1,403 @@
+//! Tank, liquid and materials.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use codes::tank::{Anchors, Bottom, Course, Liquid, Material, Roof, Shape, Support, Tank};
+use codes::units::{Dimension, Unit};
+
+use super::{Limits, Resolver, like_field, range_fault};
+use crate::input::tank::read::{Field, nearest};
+use crate::input::tank::schema;
+use crate::input::tank::syntax::join;
+use crate::input::tank::values::{Length, Named};
+
+/// Plan dimensions and heights; the upper bound catches mm written as m.
+const SIZE: Limits = Limits::above(0.0).to(1000.0);
+/// Wall and plate thicknesses.
+const THICKNESS: Limits = Limits::above(0.0).to(10.0);
+/// Moduli and strengths; "rigid" walls of benchmarks are allowed.
+const STRESS: Limits = Limits::above(0.0).to(1e18);
+/// Liquids (hydrogen 71, mercury 13 600) and wall materials.
+const DENSITY: Limits = Limits::above(0.0).to(30_000.0);
+/// Most courses a wall may have.
+const MAX_COURSES: usize = 200;
+/// Slack for heights that are sums of decimal fractions.
+const ROUNDING: f64 = 1e-9;
+
+/// Materials by name.
+pub(super) type Materials = BTreeMap<String, Option<Material>>;
+
+/// Reads all materials; `None` for a faulty one, so that its users are not blamed.
+pub(super) fn materials(r: &mut Resolver<'_>, field: &Field<Named<schema::Material>>) -> Materials {
+    let mut all = Materials::new();
+    let Some(named) = &field.value else {
+        return all;
+    };
+    if named.0.is_empty() {
+        r.faults
+            .push(range_fault(field, "no material", "at least one material"));
+    }
+    for (name, field) in &named.0 {
+        let material = field.value.as_ref().map(|m| {
+            let path = |key: &str| join(&field.path, key);
+            Material {
+                name: name.clone(),
+                youngs_modulus: r.number(&m.youngs_modulus, STRESS),
+                poisson_ratio: r.number(&m.poisson_ratio, Limits::from(0.0).below(0.5)),
+                density: r.number(&m.density, DENSITY),
+                yield_strength: r.optional(
+                    &path("yield_strength"),
+                    &m.yield_strength,
+                    STRESS,
+                    "checks that need it are left out",
+                ),
+                allowable_stress: r.optional(
+                    &path("allowable_stress"),
+                    &m.allowable_stress,
+                    STRESS,
+                    "the API hoop-stress check is left out",
+                ),
+            }
+        });
+        all.insert(name.clone(), material);
+    }
+    all
+}
+
+/// The material of this name; an unknown name is a fault, a faulty material is not another one.
+fn material(r: &mut Resolver<'_>, field: &Field<String>, materials: &Materials) -> Option<Material> {
+    r.echo_given(field);
+    let name = field.value.as_ref()?;
+    if let Some(material) = materials.get(name) {
+        return material.clone();
+    }
+    let known: Vec<&str> = materials.keys().map(String::as_str).collect();
+    let allowed = match known.as_slice() {
+        [] => "a name from `materials`, which has none".into(),
+        names => format!(
+            "a name from `materials`: {}",
+            crate::input::tank::read::list(names, "or")
+        ),
+    };
+    let mut fault = range_fault(field, &format!("unknown material `{name}`"), &allowed);
+    if let Some(near) = nearest(name, known) {
+        fault = fault.help(format!("did you mean \"{near}\"?"));
+    }
+    r.faults.push(fault);
+    None
+}
+
+/// The tank.
+pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<schema::Tank>, materials: &Materials) -> Option<Tank> {
+    let t = field.value.as_ref()?;
+    let shape = shape(r, field, t);
+    r.echo_given(&t.support);
+    let support = t.support.value.map(|s| match s {
+        schema::Support::Anchored => Support::Anchored,
+        schema::Support::Unanchored => Support::Unanchored,
+    });
+    let courses = courses(r, &t.courses, materials);
+    let roof = match &t.roof {
+        Some(Field {
+            value: Some(roof),
+            path,
+            ..
+        }) => Roof {
+            mass: r.number(&roof.mass, Limits::from(0.0).to(1e9)),
+            height: r.optional(&join(path, "height"), &roof.height, SIZE, "the top of the wall"),
+        },
+        Some(_) => Roof::default(),
+        None => {
+            r.echo_default("tank.roof.mass", "0 kg", "no roof given");
+            Roof::default()
+        }
+    };
+    let bottom = match &t.bottom {
+        Some(Field {
+            value: Some(bottom), ..
+        }) => {
+            let thickness = r.number(&bottom.thickness, THICKNESS);
+            material(r, &bottom.material, materials).map(|material| Bottom { thickness, material })
+        }
+        Some(_) => None,
+        None => {
+            r.echo_default(
+                "tank.bottom",
+                "not given",
+                "checks of uplift and anchorage are left out",
+            );
+            None
+        }
+    };
+    let anchors = t
+        .anchors
+        .as_ref()
+        .and_then(|f| f.value.as_ref().map(|a| (a, &f.path)))
+        .map(|(a, path)| {
+            r.echo_given(&a.count);
+            let count = a.count.value.map_or(0, |c| c.0);
+            if a.count.value.is_some() && !(1..=10_000).contains(&count) {
+                r.faults
+                    .push(range_fault(&a.count, "out of range", "a whole number from 1 to 10000"));
+            }
+            let capacity = r.optional(
+                &join(path, "capacity"),
+                &a.capacity,
+                Limits::above(0.0).to(1e9),
+                "the force of an anchor is given without a check",
+            );
+            Anchors { count, capacity }
+        });
+    if support == Some(Support::Unanchored)
+        && let Some(anchors) = &t.anchors
+    {
+        r.faults.push(range_fault(
+            anchors,
+            "an unanchored tank with anchors",
+            "either \"support\": \"anchored\" or no anchors",
+        ));
+    }
+    Some(Tank {
+        shape: shape?,
+        support: support?,
+        courses: courses?,
+        roof,
+        bottom,
+        anchors,
+    })
+}
+
+fn shape(r: &mut Resolver<'_>, field: &Field<schema::Tank>, t: &schema::Tank) -> Option<Shape> {
+    r.echo_given(&t.shape);
+    let kind = t.shape.value?;
+    let (word, foreign): (_, Vec<(&str, Option<&Field<Length>>)>) = match kind {
+        schema::Shape::Cylinder => (
+            "cylinder",
+            vec![("length", t.length.as_ref()), ("breadth", t.breadth.as_ref())],
+        ),
+        schema::Shape::Rectangle => ("rectangle", vec![("radius", t.radius.as_ref())]),
+    };
+    let allowed = match kind {
+        schema::Shape::Cylinder => "radius for a cylinder",
+        schema::Shape::Rectangle => "length and breadth (or strip) for a rectangle",
+    };
+    for (key, given) in foreign {
+        if let Some(given) = given {
+            r.faults
+                .push(range_fault(given, &format!("a {word} has no {key}"), allowed));
+        }
+    }
+    match kind {
+        schema::Shape::Cylinder => {
+            if let Some(strip) = &t.strip {
+                r.faults.push(range_fault(strip, "a cylinder has no strip", allowed));
+            }
+            Some(Shape::Cylinder {
+                radius: required(r, field, "radius", &t.radius),
+            })
+        }
+        schema::Shape::Rectangle => {
+            let length = required(r, field, "length", &t.length);
+            if let Some(strip) = &t.strip {
+                r.echo_given(strip);
+            }
+            let strip = t.strip.as_ref().is_some_and(|s| s.value == Some(true));
+            let breadth = match (&t.breadth, strip) {
+                (Some(breadth), true) => {
+                    r.faults.push(range_fault(
+                        breadth,
+                        "a strip has no breadth",
+                        "either breadth or \"strip\": true",
+                    ));
+                    f64::NAN
+                }
+                (None, true) => {
+                    r.echo_default("tank.breadth", "1 m", "strip: results are per metre of breadth");
+                    1.0
+                }
+                (_, false) => required(r, field, "breadth", &t.breadth),
+            };
+            Some(Shape::Rectangle { length, breadth, strip })
+        }
+    }
+}
+
+/// A dimension that the shape requires.
+fn required(r: &mut Resolver<'_>, tank: &Field<schema::Tank>, key: &str, field: &Option<Field<Length>>) -> f64 {
+    match field {
+        Some(field) => r.number(field, SIZE),
+        // A misspelt key has been noted already, with this one as the suggestion.
+        None if r.faults.suggest(&format!("did you mean `{key}`?")) => f64::NAN,
+        None => {
+            let alternative = if key == "breadth" { ", or \"strip\": true" } else { "" };
+            let missing = Field::<Length> {
+                value: None,
+                span: tank.span.start..tank.span.start + 1,
+                path: join(&tank.path, key),
+                text: String::new(),
+            };
+            let allowed = SIZE.describe(Dimension::Length);
+            r.faults.push(
+                range_fault(&missing, &format!("the key `{key}` is missing"), &allowed)
+                    .help(format!("add \"{key}\": \"1.83 m\"{alternative}")),
+            );
+            f64::NAN
+        }
+    }
+}
+
+fn courses(
+    r: &mut Resolver<'_>,
+    field: &Field<Vec<Field<schema::Course>>>,
+    materials: &Materials,
+) -> Option<Vec<Course>> {
+    let list = field.value.as_ref()?;
+    if list.is_empty() || list.len() > MAX_COURSES {
+        let fault = range_fault(
+            field,
+            "too few or too many courses",
+            &format!("1 to {MAX_COURSES} courses"),
+        );
+        r.faults.push(fault.found(format!("{} courses", list.len())));
+        return None;
+    }
+    let mut courses = Vec::with_capacity(list.len());
+    for course in list {
+        let Some(c) = &course.value else { continue };
+        let height = r.number(&c.height, SIZE);
+        let thickness = r.number(&c.thickness, THICKNESS);
+        if let Some(material) = material(r, &c.material, materials) {
+            courses.push(Course {
+                height,
+                thickness,
+                material,
+            });
+        }
+    }
+    // A course that dropped out has left a fault; the others still serve the cross-checks if all are there.
+    (courses.len() == list.len()).then_some(courses)
+}
+
+/// The liquid.
+pub(super) fn liquid(r: &mut Resolver<'_>, field: &Field<schema::Liquid>) -> Option<Liquid> {
+    let l = field.value.as_ref()?;
+    Some(Liquid {
+        density: r.number(&l.density, DENSITY),
+        fill_height: r.number(&l.fill_height, SIZE),
+    })
+}
+
+/// What must hold between values, each of which is right on its own.
+pub(super) fn cross_checks(r: &mut Resolver<'_>, file: &schema::TankFile, tank: Option<&Tank>, liquid: Option<Liquid>) {
+    let Some(t) = &file.tank.value else { return };
+    if let (Some(liquid), Some(given), Some(courses)) = (liquid, &file.liquid.value, &t.courses.value) {
+        // Heights alone decide, so that a misspelt material does not hide this fault.
+        let heights: Option<Vec<f64>> = courses
+            .iter()
+            .map(|c| c.value.as_ref().and_then(|c| c.height.value).map(|h| h.0))
+            .collect();
+        let wall = heights.map_or(f64::NAN, |h| h.iter().sum());
+        if liquid.fill_height > wall * (1.0 + ROUNDING) {
+            let field = &given.fill_height;
+            r.faults.push(
+                range_fault(
+                    field,
+                    "the liquid stands above the wall: the courses end below fill_height",
+                    &format!(
+                        "at most {}, the sum of the heights of tank.courses",
+                        like_field(field, wall)
+                    ),
+                )
+                .help("lower fill_height or add a course"),
+            );
+        }
+    }
+    let Some(tank) = tank else { return };
+    if let (Some(Field { value: Some(roof), .. }), Some(height)) = (&t.roof, tank.roof.height)
+        && let Some(field) = &roof.height
+        && height < 0.5 * tank.wall_height()
+    {
+        let allowed = format!(
+            "at least {}, half the height of the wall",
+            like_field(field, 0.5 * tank.wall_height())
+        );
+        r.faults.push(range_fault(
+            field,
+            "the roof lies in the lower half of the wall",
+            &allowed,
+        ));
+    }
+    let half = tank.shape.half_length();
+    let (thickest, what) = match tank.shape {
+        Shape::Cylinder { .. } => (half / 5.0, "a fifth of the radius"),
+        Shape::Rectangle { .. } => (half / 2.0, "a quarter of the length"),
+    };
+    let thinnest = half / 20_000.0;
+    let mut plates: Vec<&Field<Length>> = t
+        .courses
+        .value
+        .iter()
+        .flatten()
+        .filter_map(|c| c.value.as_ref())
+        .map(|c| &c.thickness)
+        .collect();
+    plates.extend(t.bottom.as_ref().and_then(|b| b.value.as_ref()).map(|b| &b.thickness));
+    for field in plates {
+        let Some(Length(thickness)) = field.value.filter(|l| THICKNESS.hold(l.0)) else {
+            continue;
+        };
+        let (message, allowed) = if thickness > thickest {
+            (
+                "the wall is thicker than any tank's",
+                format!("at most {}, {what}", like_field(field, thickest)),
+            )
+        } else if thickness < thinnest {
+            (
+                "the wall is thinner than any tank's",
+                format!("at least {}, R/20000", like_field(field, thinnest)),
+            )
+        } else {
+            continue;
+        };
+        let mut fault = range_fault(field, message, &allowed);
+        if let Some(meant) = meant_thickness(&field.text, half) {
+            fault = fault.help(format!("did you mean \"{meant}\"?"));
+        }
+        r.faults.push(fault);
+    }
+}
+
+/// The same number with the unit that makes it a usual thickness (R/t from 20 to 5000), if there is one.
+fn meant_thickness(text: &str, half: f64) -> Option<String> {
+    let number = text
+        .trim()
+        .trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.')
+        .trim_end();
+    let value: f64 = number.parse().ok()?;
+    ["mm", "cm", "m", "in"].into_iter().find_map(|unit| {
+        let thickness = value * Unit::find(unit, Dimension::Length)?.factor();
+        (half / 5000.0..=half / 20.0)
+            .contains(&thickness)
+            .then(|| format!("{number} {unit}"))
+    })
+}
+
+/// Materials that nothing is made of: no fault, but worth saying.
+pub(super) fn unused(r: &mut Resolver<'_>, file: &schema::TankFile) {
+    let (Some(tank), Some(materials)) = (&file.tank.value, &file.materials.value) else {
+        return;
+    };
+    let courses = tank
+        .courses
+        .value
+        .iter()
+        .flatten()
+        .filter_map(|c| c.value.as_ref())
+        .map(|c| &c.material);
+    let bottom = tank.bottom.iter().filter_map(|b| b.value.as_ref()).map(|b| &b.material);
+    let used: BTreeSet<&String> = courses.chain(bottom).filter_map(|m| m.value.as_ref()).collect();
+    for (name, field) in materials.0.iter().filter(|(name, _)| !used.contains(name)) {
+        r.remarks
+            .push(format!("{}: nothing is made of the material `{name}`", field.path));
+    }
+}

@@ -1,0 +1,320 @@
+//! Text → tree of values, each with its place and path.
+//!
+//! JSON with comments (`//`, `/* */`) and trailing commas; everything else is as JSON wants it, and a key may stand only
+//! once in an object. Nesting is limited, so that no file can exhaust the stack.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use jsonc_parser::common::Ranged;
+use jsonc_parser::tokens::Token;
+use jsonc_parser::{CollectOptions, ParseOptions, Scanner, ScannerOptions, ast, parse_to_ast};
+
+use crate::input::diagnostic::{Fault, Faults, Source};
+
+/// Deepest nesting of objects and lists.
+const MAX_DEPTH: usize = 32;
+
+/// A value with its place.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Node {
+    /// Bytes of the file.
+    pub span: Range<usize>,
+    /// Path (`tank.courses[0].thickness`), empty for the whole document.
+    pub path: String,
+    /// The value.
+    pub kind: Kind,
+}
+
+/// A JSON value.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Kind {
+    Null,
+    Bool(bool),
+    /// A number as written.
+    Number(String),
+    Text(String),
+    List(Vec<Node>),
+    Object(Vec<Member>),
+}
+
+/// A key and its value.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Member {
+    pub key: String,
+    pub key_span: Range<usize>,
+    pub value: Node,
+}
+
+impl Node {
+    /// The kind of value, in words with its article.
+    pub fn noun(&self) -> &'static str {
+        match self.kind {
+            Kind::Null => "null",
+            Kind::Bool(_) => "true or false",
+            Kind::Number(_) => "a number",
+            Kind::Text(_) => "a text",
+            Kind::List(_) => "a list",
+            Kind::Object(_) => "an object",
+        }
+    }
+
+    /// The value as written, for messages: scalars in full, the others by name.
+    pub fn shown(&self) -> String {
+        match &self.kind {
+            Kind::Bool(value) => value.to_string(),
+            Kind::Number(text) => text.clone(),
+            Kind::Text(text) => format!("\"{text}\""),
+            Kind::Null | Kind::List(_) | Kind::Object(_) => self.noun().into(),
+        }
+    }
+}
+
+/// Path of a member of the object at `path`.
+pub(super) fn join(path: &str, key: &str) -> String {
+    let plain = !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
+    match (plain, path.is_empty()) {
+        (true, true) => key.into(),
+        (true, false) => format!("{path}.{key}"),
+        (false, _) => format!("{path}[{key:?}]"),
+    }
+}
+
+/// Reads the text; on failure there is one fault, because nothing can be said of what follows it. Duplicate keys are
+/// added to `faults`, the first one counts.
+pub(super) fn parse(source: &Source, faults: &mut Faults) -> Option<Node> {
+    let text = source.text.as_str();
+    if text.trim().is_empty() {
+        faults.push(
+            Fault::new("the file is empty")
+                .allowed("an object { … } with at least name, tank, liquid and materials")
+                .help("`tankcheck init` writes a commented file to start from"),
+        );
+        return None;
+    }
+    if let Err(fault) = check_tokens(text) {
+        faults.push(fault);
+        return None;
+    }
+    let options = ParseOptions {
+        allow_comments: true,
+        allow_trailing_commas: true,
+        allow_loose_object_property_names: false,
+        allow_missing_commas: false,
+        allow_single_quoted_strings: false,
+        allow_hexadecimal_numbers: false,
+        allow_unary_plus_numbers: false,
+    };
+    match parse_to_ast(text, &CollectOptions::default(), &options) {
+        Ok(result) => match result.value {
+            Some(value) => Some(build(value, String::new(), source, faults)),
+            None => {
+                faults.push(Fault::new("the file holds comments only").allowed("an object { … }"));
+                None
+            }
+        },
+        Err(error) => {
+            let span = error.range().start..error.range().end;
+            faults.push(explain(&error.kind().to_string(), span, text));
+            None
+        }
+    }
+}
+
+/// What the parser does not refuse, or refuses unclearly: deep nesting, missing commas in lists, bare words, and numbers
+/// that run into what follows them.
+fn check_tokens(text: &str) -> Result<(), Fault> {
+    let mut scanner = Scanner::new(
+        text,
+        &ScannerOptions {
+            allow_single_quoted_strings: false,
+            allow_hexadecimal_numbers: false,
+            allow_unary_plus_numbers: false,
+        },
+    );
+    let mut depth = 0_usize;
+    // End of the last token if it ended a value, and whether it was a number.
+    let mut value_end: Option<(usize, bool)> = None;
+    loop {
+        let token = match scanner.scan() {
+            Ok(Some(token)) => token,
+            Ok(None) => return Ok(()),
+            Err(error) => {
+                return Err(explain(
+                    &error.kind().to_string(),
+                    error.range().start..error.range().end,
+                    text,
+                ));
+            }
+        };
+        let span = scanner.token_start()..scanner.token_end();
+        let begins_value = match token {
+            Token::CommentLine(_) | Token::CommentBlock(_) => continue,
+            Token::Word(_) => return Err(word(span, text)),
+            Token::OpenBrace | Token::OpenBracket => {
+                depth += 1;
+                if depth > MAX_DEPTH {
+                    return Err(Fault::new("nested too deeply")
+                        .at(span)
+                        .found(format!("{depth} levels"))
+                        .allowed(format!("at most {MAX_DEPTH} levels of objects and lists")));
+                }
+                true
+            }
+            Token::CloseBrace | Token::CloseBracket => {
+                depth = depth.saturating_sub(1);
+                false
+            }
+            Token::String(_) | Token::Boolean(_) | Token::Number(_) | Token::Null => true,
+            Token::Comma | Token::Colon => false,
+        };
+        if let (true, Some((end, number))) = (begins_value, value_end) {
+            return Err(if number && end == span.start {
+                malformed_number(end, text)
+            } else {
+                Fault::new("a comma is missing")
+                    .at(end..end)
+                    .allowed("a comma between two values")
+            });
+        }
+        value_end = match token {
+            Token::OpenBrace | Token::OpenBracket | Token::Comma | Token::Colon => None,
+            Token::Number(_) => Some((span.end, true)),
+            _ => Some((span.end, false)),
+        };
+    }
+}
+
+/// The run of characters around a place that looks like one word.
+fn run_around(at: usize, text: &str) -> Range<usize> {
+    let stops = |c: char| c.is_whitespace() || "{}[],:\"".contains(c);
+    let start = text[..at]
+        .rfind(stops)
+        .map_or(0, |i| i + text[i..].chars().next().map_or(1, char::len_utf8));
+    let end = text[at..].find(stops).map_or(text.len(), |i| at + i);
+    start..end
+}
+
+fn malformed_number(at: usize, text: &str) -> Fault {
+    let span = run_around(at, text);
+    Fault::new("this is not a number")
+        .found(&text[span.clone()])
+        .at(span)
+        .allowed("a number such as 0.02 or 1.5e-3; a value with a unit stands in quotes: \"1.83 m\"")
+}
+
+fn word(span: Range<usize>, text: &str) -> Fault {
+    let run = run_around(span.start, text);
+    let found = &text[run.clone()];
+    let fault = Fault::new("text without quotes").at(run.clone()).found(found);
+    let bare = found.trim_start_matches(['+', '-']).to_lowercase();
+    if ["nan", "inf", "infinity"].contains(&bare.as_str()) {
+        return Fault::new("not a finite number")
+            .at(run.clone())
+            .found(found)
+            .allowed("finite numbers");
+    }
+    if ["true", "false", "null"].contains(&bare.as_str()) {
+        return fault.allowed("lower case").help(format!("did you mean `{bare}`?"));
+    }
+    // `1.83 m`: the unit of a value that should stand in quotes as a whole.
+    let number = text[..run.start].trim_end_matches([' ', '\t']);
+    if number.ends_with(|c: char| c.is_ascii_digit()) {
+        let start = run_around(number.len() - 1, text).start;
+        return Fault::new("a value with a unit stands in quotes")
+            .at(start..run.end)
+            .found(&text[start..run.end])
+            .help(format!("write \"{}\"", &text[start..run.end]));
+    }
+    fault.allowed("texts and keys in double quotes")
+}
+
+/// The parser's refusal in our words.
+fn explain(kind: &str, span: Range<usize>, text: &str) -> Fault {
+    let at = span.start.min(text.len());
+    let rest = &text[at..];
+    let ahead = rest.chars().next();
+    if ahead.is_some_and(char::is_alphabetic) && kind.starts_with("Unexpected token") {
+        return word(span, text);
+    }
+    if ahead.is_some_and(|c| "+-.0123456789".contains(c)) || kind.contains("digit") || kind.contains("Unary") {
+        let run = run_around(at, text);
+        let bare = text[run.clone()].trim_start_matches(['+', '-']).to_lowercase();
+        if bare.starts_with("inf") || bare.starts_with("nan") {
+            return word(run, text);
+        }
+        return malformed_number(at, text);
+    }
+    let fault = |message: &str| Fault::new(message).at(span.clone());
+    if kind.starts_with("Unterminated") || (rest.is_empty() && kind.starts_with("Expected")) {
+        let what = if kind.contains("object") {
+            "this { is never closed by }"
+        } else if kind.contains("array") {
+            "this [ is never closed by ]"
+        } else if kind.contains("comment") {
+            "this /* is never closed by */"
+        } else if kind.contains("string") {
+            "this text is never closed by a quote"
+        } else {
+            "the file ends in the middle of a value"
+        };
+        return Fault::new(what)
+            .at(at..(at + ahead.map_or(0, char::len_utf8)))
+            .help("the file may have been cut off");
+    }
+    match kind {
+        k if k.contains("Single-quoted") => fault("single quotes").allowed("texts and keys in double quotes"),
+        k if k.contains("more than one") => fault("something follows the document").allowed("one object { … }"),
+        k if k.contains("colon after") => fault("a colon is missing after the key").allowed("\"key\": value"),
+        other => {
+            let mut words = other.to_lowercase();
+            if let Some(found) = ahead {
+                words.push_str(&format!(" before `{}`", found.escape_debug()));
+            }
+            fault(&words)
+        }
+    }
+}
+
+fn build(value: ast::Value<'_>, path: String, source: &Source, faults: &mut Faults) -> Node {
+    let range = value.range();
+    let kind = match value {
+        ast::Value::NullKeyword(_) => Kind::Null,
+        ast::Value::BooleanLit(literal) => Kind::Bool(literal.value),
+        ast::Value::NumberLit(literal) => Kind::Number(literal.value.into()),
+        ast::Value::StringLit(literal) => Kind::Text(literal.value.into_owned()),
+        ast::Value::Array(array) => Kind::List(
+            (array.elements.into_iter().enumerate())
+                .map(|(i, element)| build(element, format!("{path}[{i}]"), source, faults))
+                .collect(),
+        ),
+        ast::Value::Object(object) => {
+            let mut seen: BTreeMap<String, usize> = BTreeMap::new();
+            let mut members = Vec::with_capacity(object.properties.len());
+            for property in object.properties {
+                let key_span = property.name.range().start..property.name.range().end;
+                let key = property.name.into_string();
+                let path = join(&path, &key);
+                if let Some(first) = seen.get(&key) {
+                    faults.push(
+                        Fault::new(format!("duplicate key `{key}`"))
+                            .at(key_span)
+                            .path(path)
+                            .allowed("each key once in an object")
+                            .help(format!("it stands first in line {}", source.line_column(*first).0)),
+                    );
+                    continue;
+                }
+                seen.insert(key.clone(), key_span.start);
+                let value = build(property.value, path, source, faults);
+                members.push(Member { key, key_span, value });
+            }
+            Kind::Object(members)
+        }
+    };
+    Node {
+        span: range.start..range.end,
+        path,
+        kind,
+    }
+}

@@ -1,0 +1,378 @@
+//! What stands in the fields of the file: quantities, numbers, words, lists.
+
+use std::borrow::Cow;
+
+use codes::units::{self, Dimension, UnitError};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+
+use super::read::{Field, FromNode, wrong_kind, wrong_value};
+use super::syntax::{Kind, Node};
+use crate::input::diagnostic::{Fault, Faults};
+
+/// Reads a quantity of a dimension; a bare number is one only where there is no unit.
+pub(super) fn quantity(node: &Node, dimension: Dimension, faults: &mut Faults) -> Option<f64> {
+    let text = match &node.kind {
+        Kind::Text(text) | Kind::Number(text) => text,
+        _ => {
+            faults.push(wrong_kind(node, &dimension.allowed()));
+            return None;
+        }
+    };
+    match units::parse(text, dimension) {
+        Ok(value) => Some(value),
+        Err(error) => {
+            faults.push(quantity_fault(node, &error, &dimension.allowed()));
+            None
+        }
+    }
+}
+
+pub(super) fn quantity_fault(node: &Node, error: &UnitError, allowed: &str) -> Fault {
+    let fault = Fault::new(error.to_string())
+        .at(node.span.clone())
+        .path(node.path.clone())
+        .found(node.shown())
+        .allowed(allowed);
+    match error.help() {
+        Some(help) => fault.help(help),
+        None => fault,
+    }
+}
+
+/// Pattern of the texts that are quantities of a dimension.
+pub(super) fn pattern(dimension: Dimension) -> String {
+    let mut spellings: Vec<String> = Vec::new();
+    for spelling in dimension.units().flat_map(|u| u.spellings().collect::<Vec<_>>()) {
+        let mut regex = String::new();
+        for c in spelling.chars() {
+            match c {
+                '/' => regex.push_str(" ?/ ?"),
+                '2' | '²' => regex.push_str("\\^?[2²]"),
+                '3' | '³' => regex.push_str("\\^?[3³]"),
+                '·' | '*' => regex.push_str("[·*]"),
+                c => regex.push(c),
+            }
+        }
+        if !spellings.contains(&regex) {
+            spellings.push(regex);
+        }
+    }
+    let unit = spellings.join("|");
+    let optional = if dimension == Dimension::Dimensionless { "?" } else { "" };
+    format!("^[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)? ?({unit}){optional}$")
+}
+
+/// JSON Schema of a quantity.
+pub(super) fn quantity_schema(dimension: Dimension) -> Schema {
+    if dimension == Dimension::Dimensionless {
+        return json_schema!({ "anyOf": [{ "type": "number" }, { "type": "string", "pattern": pattern(dimension) }] });
+    }
+    json_schema!({ "type": "string", "pattern": pattern(dimension), "examples": [dimension.example()] })
+}
+
+/// Declares a quantity type of one dimension.
+macro_rules! quantity {
+    ($($(#[$doc:meta])* $name:ident : $dimension:expr;)*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub(in crate::input::tank) struct $name(pub f64);
+
+        impl FromNode for $name {
+            fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
+                quantity(node, $dimension, faults).map($name)
+            }
+            fn allowed() -> String {
+                $dimension.allowed()
+            }
+            fn example() -> String {
+                match $dimension {
+                    Dimension::Dimensionless => $dimension.example().into(),
+                    dimension => format!("\"{}\"", dimension.example()),
+                }
+            }
+        }
+
+        impl Si for $name {
+            const DIMENSION: Dimension = $dimension;
+            fn si(self) -> f64 {
+                self.0
+            }
+        }
+
+        impl JsonSchema for $name {
+            fn schema_name() -> Cow<'static, str> {
+                stringify!($name).into()
+            }
+            fn json_schema(_: &mut SchemaGenerator) -> Schema {
+                quantity_schema($dimension)
+            }
+        }
+    )*};
+}
+
+/// A number with a dimension.
+pub(super) trait Si: Copy {
+    const DIMENSION: Dimension;
+    /// Value in SI.
+    fn si(self) -> f64;
+}
+
+quantity! {
+    /// A bare number, or a percentage.
+    Number: Dimension::Dimensionless;
+    /// A length.
+    Length: Dimension::Length;
+    /// A time.
+    Time: Dimension::Time;
+    /// A mass.
+    Mass: Dimension::Mass;
+    /// A density.
+    Density: Dimension::Density;
+    /// An acceleration.
+    Acceleration: Dimension::Acceleration;
+    /// A force.
+    Force: Dimension::Force;
+    /// A stress, pressure or modulus.
+    Stress: Dimension::Stress;
+}
+
+/// Declares a quantity that may also be a bare number in one conventional unit.
+macro_rules! conventional {
+    ($($(#[$doc:meta])* $name:ident : $dimension:expr, $unit:literal, $factor:expr, $example:literal;)*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub(in crate::input::tank) struct $name(pub f64);
+
+        impl FromNode for $name {
+            fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
+                let factor: f64 = $factor;
+                match &node.kind {
+                    Kind::Number(_) => quantity(node, Dimension::Dimensionless, faults).map($name),
+                    _ => quantity(node, $dimension, faults).map(|si| $name(si / factor)),
+                }
+            }
+            fn allowed() -> String {
+                format!("a number in {} such as {}, or {}", $unit, $example, $dimension.allowed())
+            }
+            fn example() -> String {
+                $example.into()
+            }
+        }
+
+        impl Si for $name {
+            const DIMENSION: Dimension = Dimension::Dimensionless;
+            fn si(self) -> f64 {
+                self.0
+            }
+        }
+
+        impl JsonSchema for $name {
+            fn schema_name() -> Cow<'static, str> {
+                stringify!($name).into()
+            }
+            fn json_schema(_: &mut SchemaGenerator) -> Schema {
+                json_schema!({ "anyOf": [{ "type": "number" }, { "type": "string", "pattern": pattern($dimension) }] })
+            }
+        }
+    )*};
+}
+
+conventional! {
+    /// A mapped acceleration, kept in units of g.
+    InG: Dimension::Acceleration, "units of g", codes::STANDARD_GRAVITY, "0.5";
+    /// A period, kept in seconds.
+    Seconds: Dimension::Time, "seconds", 1.0, "4.0";
+}
+
+/// Where on the frequency axis: `"3 rad/s"`, `"0.48 Hz"` or the period `"2.1 s"`; kept as circular frequency [rad/s].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pitch(pub f64);
+
+impl Pitch {
+    const DIMENSIONS: [Dimension; 3] = [Dimension::AngularFrequency, Dimension::Frequency, Dimension::Time];
+}
+
+impl FromNode for Pitch {
+    fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
+        let Kind::Text(text) = &node.kind else {
+            faults.push(wrong_kind(node, &Self::allowed()));
+            return None;
+        };
+        let mut results = Self::DIMENSIONS
+            .map(|d| units::parse(text, d))
+            .into_iter()
+            .zip(Self::DIMENSIONS);
+        let two_pi = 2.0 * std::f64::consts::PI;
+        let Some((value, dimension)) = results.find_map(|(r, d)| r.ok().map(|v| (v, d))) else {
+            let error = match units::parse(text, Dimension::AngularFrequency) {
+                Err(error) => error,
+                Ok(_) => UnitError::Empty,
+            };
+            faults.push(quantity_fault(node, &error, &Self::allowed()));
+            return None;
+        };
+        let omega = match dimension {
+            Dimension::AngularFrequency => value,
+            Dimension::Frequency => two_pi * value,
+            _ => two_pi / value,
+        };
+        if value > 0.0 && omega.is_finite() && omega > 0.0 {
+            return Some(Pitch(omega));
+        }
+        faults.push(
+            Fault::new("a frequency or period must be positive")
+                .at(node.span.clone())
+                .path(node.path.clone())
+                .found(node.shown())
+                .allowed(Self::allowed()),
+        );
+        None
+    }
+    fn allowed() -> String {
+        "a circular frequency, frequency or period such as \"3 rad/s\", \"0.48 Hz\" or \"2.1 s\"".into()
+    }
+    fn example() -> String {
+        "\"3 rad/s\"".into()
+    }
+}
+
+impl JsonSchema for Pitch {
+    fn schema_name() -> Cow<'static, str> {
+        "Frequency".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let patterns: Vec<Schema> = Self::DIMENSIONS
+            .map(|d| json_schema!({ "pattern": pattern(d) }))
+            .into_iter()
+            .collect();
+        json_schema!({ "type": "string", "anyOf": patterns, "examples": ["3 rad/s", "0.48 Hz", "2.1 s"] })
+    }
+}
+
+/// A whole number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Whole(pub u32);
+
+impl FromNode for Whole {
+    fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
+        if let Kind::Number(text) = &node.kind
+            && let Ok(value) = text.parse()
+        {
+            return Some(Whole(value));
+        }
+        faults.push(wrong_value(node, "not a whole number", &Self::allowed()));
+        None
+    }
+    fn allowed() -> String {
+        "a whole number without quotes such as 1".into()
+    }
+    fn example() -> String {
+        "1".into()
+    }
+}
+
+impl JsonSchema for Whole {
+    fn schema_name() -> Cow<'static, str> {
+        "Whole".into()
+    }
+    fn inline_schema() -> bool {
+        true
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "integer", "minimum": 0 })
+    }
+}
+
+impl FromNode for String {
+    fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
+        match &node.kind {
+            Kind::Text(text) => Some(text.clone()),
+            _ => {
+                faults.push(wrong_kind(node, &Self::allowed()));
+                None
+            }
+        }
+    }
+    fn allowed() -> String {
+        "a text in quotes".into()
+    }
+    fn example() -> String {
+        "\"…\"".into()
+    }
+}
+
+impl FromNode for bool {
+    fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
+        match &node.kind {
+            Kind::Bool(value) => Some(*value),
+            _ => {
+                faults.push(wrong_kind(node, &Self::allowed()));
+                None
+            }
+        }
+    }
+    fn allowed() -> String {
+        "true or false, without quotes".into()
+    }
+    fn example() -> String {
+        "true".into()
+    }
+}
+
+/// A list.
+impl<T: FromNode> FromNode for Vec<Field<T>> {
+    fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
+        match &node.kind {
+            Kind::List(nodes) => Some(nodes.iter().map(|n| Field::from_node(n, faults)).collect()),
+            _ => {
+                faults.push(wrong_kind(node, &Self::allowed()));
+                None
+            }
+        }
+    }
+    fn allowed() -> String {
+        "a list [ … ]".into()
+    }
+    fn example() -> String {
+        format!("[{}]", T::example())
+    }
+}
+
+/// Objects of one kind under names of the user's choice, in the order of the file.
+#[derive(Clone, Debug)]
+pub(super) struct Named<T>(pub Vec<(String, Field<T>)>);
+
+impl<T: FromNode> FromNode for Named<T> {
+    fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
+        match &node.kind {
+            Kind::Object(members) => Some(Named(
+                members
+                    .iter()
+                    .map(|m| (m.key.clone(), Field::from_node(&m.value, faults)))
+                    .collect(),
+            )),
+            _ => {
+                faults.push(wrong_kind(node, &Self::allowed()));
+                None
+            }
+        }
+    }
+    fn allowed() -> String {
+        "an object { \"name\": { … } }".into()
+    }
+    fn example() -> String {
+        "{ … }".into()
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for Named<T> {
+    fn schema_name() -> Cow<'static, str> {
+        format!("Named{}", T::schema_name()).into()
+    }
+    fn inline_schema() -> bool {
+        true
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "object", "additionalProperties": generator.subschema_for::<T>() })
+    }
+}
