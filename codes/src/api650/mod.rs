@@ -3,5 +3,9 @@
 //! | module | idea |
 //! |---|---|
 //! | [`ground_motion`] | ASCE 7 site coefficients and design spectrum |
+//! | [`masses`] | effective masses, heights and periods, closed forms of the charts |
 
 pub mod ground_motion;
+pub mod hold_down;
+pub mod hoop;
+pub mod masses;
