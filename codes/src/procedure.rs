@@ -189,4 +189,4 @@ pub trait Procedure: Sync {
 }
 
 /// All procedures in report order.
-pub const ALL: &[&dyn Procedure] = &[];
+pub const ALL: &[&dyn Procedure] = &[&crate::housner::Housner];

@@ -169,6 +169,9 @@ pub fn with_unit(value: f64, dimension: Dimension) -> String {
 }
 
 #[cfg(test)]
+pub(crate) mod arithmetic;
+
+#[cfg(test)]
 mod tests {
     use super::*;
 

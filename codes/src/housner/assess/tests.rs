@@ -1,0 +1,243 @@
+//! Source:    EN 1998-1 and ASCE 7 spectra by hand; the model's own tests hold its numbers
+//! Goal:      the procedure on whole cases: every line reads back, profiles meet the quantities, limits are said
+//! Tolerance: substitutions carry five digits
+
+use super::*;
+use crate::case::{
+    Api650Site, ConvectiveCoefficient, Damping, Ec8Site, GroundMotion, GroundType, ProcedureOptions, Site, SiteClass,
+};
+use crate::record::Record;
+use crate::sheet::arithmetic;
+use crate::tank::{Course, Liquid, Material, Roof, Support, Tank};
+
+fn course(height: f64, thickness: f64) -> Course {
+    Course {
+        height,
+        thickness,
+        material: Material {
+            name: "steel".into(),
+            youngs_modulus: 210e9,
+            poisson_ratio: 0.3,
+            density: 7850.0,
+            yield_strength: None,
+            allowable_stress: None,
+        },
+    }
+}
+
+/// EN 1998-1, ground A, type 1, a_g = 0.5 g.
+fn ec8_site() -> Ec8Site {
+    Ec8Site {
+        ground: GroundType::A,
+        spectrum: 1,
+        ag: 0.5 * 9.81,
+        importance: 1.0,
+        behaviour_factor: 1.0,
+        construction_quality: 1.0,
+        vertical: false,
+    }
+}
+
+fn case(shape: Shape, depth: f64) -> Case {
+    Case {
+        name: "test".into(),
+        tank: Tank {
+            shape,
+            support: Support::Anchored,
+            courses: vec![course(0.6 * depth, 4e-3), course(0.6 * depth, 3e-3)],
+            roof: Roof::default(),
+            bottom: None,
+            anchors: None,
+        },
+        liquid: Liquid {
+            density: 1000.0,
+            fill_height: depth,
+        },
+        gravity: 9.81,
+        ground_motion: None,
+        damping: Damping {
+            sloshing: 0.005,
+            impulsive: 0.02,
+        },
+        site: Site {
+            ec8: Some(ec8_site()),
+            api650: None,
+        },
+        procedures: ProcedureOptions::default(),
+        measured: Vec::new(),
+        published: Vec::new(),
+    }
+}
+
+fn cylinder(depth: f64) -> Case {
+    case(Shape::Cylinder { radius: 1.83 }, depth)
+}
+
+fn strip() -> Case {
+    case(
+        Shape::Rectangle {
+            length: 5.0,
+            breadth: 1.0,
+            strip: true,
+        },
+        2.57,
+    )
+}
+
+fn assess(case: &Case) -> Assessment {
+    Housner.assess(case, Excitation::Site).expect("the procedure applies")
+}
+
+#[test]
+fn every_substitution_gives_its_value() {
+    for mut case in [cylinder(1.525), cylinder(4.0), strip()] {
+        for convective in [ConvectiveCoefficient::Exact, ConvectiveCoefficient::Housner1957] {
+            for combination in [Combination::Abs, Combination::Srss] {
+                case.procedures.housner_convective = convective;
+                case.procedures.housner_combination = combination;
+                let out = assess(&case);
+                arithmetic::check(&out.steps, 25);
+                for step in &out.steps {
+                    assert!(step.value.is_finite() && !step.clause.is_empty() && !step.section.is_empty());
+                }
+            }
+        }
+    }
+}
+
+/// EN 1998-1: T between T_C = 0.4 s and T_D = 2 s or beyond; η = √(10/5.5) at 0.5 %; at T > 2 s, S_e = 2.5 a_g η T_C T_D/T².
+#[test]
+fn site_spectrum_enters_as_in_en_1998_1() {
+    let out = assess(&cylinder(1.525));
+    let value = |symbol: &str| out.steps.iter().find(|s| s.symbol == symbol).expect("a line").value;
+    let t: f64 = out.values[&Quantity::SloshingPeriod];
+    assert!((t - 2.0953).abs() < 1e-3, "{t}");
+    let by_hand = 2.5 * 4.905 * (10.0_f64 / 5.5).sqrt() * 0.4 * 2.0 / (t * t);
+    assert!((value("S_a") - by_hand).abs() < 1e-9);
+    assert_eq!(value("a_B"), 4.905);
+    assert!(out.assumptions.iter().any(|a| a.contains("EN 1998-1")));
+}
+
+/// ASCE 7-10, class B (F = 1), S_s = 0.9, S_1 = 0.3: S_DS = 0.6, S_D1 = 0.2; a_B = 0.4 S_DS g, S_a = 1.5 S_D1/T g.
+#[test]
+fn asce_spectrum_stands_in_without_ec8() {
+    let mut case = cylinder(1.525);
+    case.site = Site {
+        ec8: None,
+        api650: Some(Api650Site {
+            ss: 0.9,
+            s1: 0.3,
+            s0: None,
+            site_class: SiteClass::B,
+            asce7: 2010,
+            fa: None,
+            fv: None,
+            q: 2.0 / 3.0,
+            sug: 1,
+            tl: 8.0,
+            av: None,
+            design_pressure: 0.0,
+            joint_efficiency: 1.0,
+            friction: 0.4,
+            zone_factor: None,
+            soil_factor: 1.0,
+            importance_1993: 1.0,
+        }),
+    };
+    let out = assess(&case);
+    let value = |symbol: &str| out.steps.iter().find(|s| s.symbol == symbol).expect("a line").value;
+    let g = crate::STANDARD_GRAVITY;
+    assert!((value("a_B") - 0.24 * g).abs() < 1e-9);
+    assert!((value("S_a") - 1.5 * 0.2 * g / out.values[&Quantity::SloshingPeriod]).abs() < 1e-9);
+    assert!(out.assumptions.iter().any(|a| a.contains("ASCE 7")));
+}
+
+/// A record that is a step to a constant acceleration: the undamped oscillator doubles its static answer, S_a = 2 a_B.
+#[test]
+fn record_spectrum_enters_as_pseudo_acceleration() {
+    let mut case = cylinder(1.525);
+    case.damping.sloshing = 0.0;
+    case.ground_motion = Some(GroundMotion {
+        horizontal: Record {
+            name: "step".into(),
+            dt: 0.01,
+            acceleration: vec![1.0; 1000],
+            processing: Vec::new(),
+        },
+        vertical: None,
+    });
+    let out = Housner
+        .assess(&case, Excitation::Record)
+        .expect("the procedure applies");
+    let value = |symbol: &str| out.steps.iter().find(|s| s.symbol == symbol).expect("a line").value;
+    // Peaks lie between samples of the sub-stepped response: cos(2π/128) of the peak at worst.
+    assert!((value("S_a") - 2.0).abs() < 2.5e-3);
+    assert_eq!(value("a_B"), 1.0);
+    assert!((value("P_k") - out.values[&Quantity::ConvectiveMass] * value("S_a")).abs() < 1e-6 * value("P_k"));
+}
+
+#[test]
+fn profiles_meet_the_quantities() {
+    for case in [cylinder(1.525), cylinder(4.0), strip()] {
+        let out = assess(&case);
+        let find = |id: &str| out.profiles.iter().find(|p| p.id == id);
+        for profile in &out.profiles {
+            assert_eq!(profile.z.len(), profile.values.len());
+            assert!(profile.z.windows(2).all(|w| w[0] < w[1]));
+            assert!(profile.values.iter().all(|v| *v >= 0.0 && v.is_finite()));
+        }
+        let near =
+            |value: f64, reference: f64| assert!((value - reference).abs() < 1e-9 * reference, "{value} {reference}");
+        match case.tank.shape {
+            Shape::Cylinder { .. } => {
+                near(
+                    find("axial_membrane_stress").unwrap().values[0],
+                    out.values[&Quantity::AxialMembraneStress],
+                );
+                let highest = find("hoop_stress")
+                    .unwrap()
+                    .values
+                    .iter()
+                    .fold(0.0, |m: f64, v| m.max(*v));
+                near(highest, out.values[&Quantity::HoopStress]);
+                // M = W sigma.
+                let modulus = stress::section_modulus_circle(3.66, 4e-3);
+                near(
+                    out.values[&Quantity::AxialMembraneStress] * modulus,
+                    out.values[&Quantity::BaseMoment],
+                );
+            }
+            Shape::Rectangle { .. } => {
+                near(
+                    find("bending_stress").unwrap().values[0],
+                    out.values[&Quantity::BendingStress],
+                );
+                assert!(!out.values.contains_key(&Quantity::HoopStress));
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_missing_or_outside_is_said() {
+    let mut case = cylinder(1.525);
+    let error = Housner.applies(&case, Excitation::Record).expect_err("no record");
+    assert!(error.reason.contains("no record"));
+    assert!(Housner.assess(&case, Excitation::Record).is_err());
+    // Ten times the acceleration: no wave by Housner's formula, the linear one stands in and is announced.
+    if let Some(site) = &mut case.site.ec8 {
+        site.ag *= 10.0;
+    }
+    let out = assess(&case);
+    assert!(out.notes.iter().any(|n| n.contains("outside Housner's theory")));
+    assert!(out.values[&Quantity::SloshingHeight].is_finite());
+    case.site = Site::default();
+    assert!(Housner.applies(&case, Excitation::Site).is_err());
+    // Published constants announce their error, unanchored tanks their limit.
+    let mut case = cylinder(1.525);
+    case.procedures.housner_convective = ConvectiveCoefficient::Housner1957;
+    case.tank.support = Support::Unanchored;
+    let out = assess(&case);
+    assert!(out.notes.iter().any(|n| n.contains("0.318")));
+    assert!(out.notes.iter().any(|n| n.contains("uplift")));
+}
