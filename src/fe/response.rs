@@ -1,1 +1,0 @@
-//! Response analyses of a coupled system: modal, direct.
