@@ -6,7 +6,8 @@ use codes::units::Dimension;
 /// ẍ_total = ẍ + ι a_g their absolute acceleration.
 ///
 /// Wall displacements and stresses use `displacement` only; pressures and base reactions `absolute_acceleration` and
-/// `ground_acceleration` (pressures of m = 0 also `displacement`: the surface sinks when the wall bulges).
+/// `ground_acceleration`. With m = 0 pressures also use `displacement` (the surface sinks when the wall bulges), and axial
+/// stresses the accelerations (the wall's weight within an element).
 /// Vectors have the length of the model's unknowns; an empty vector stands for zeros.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Probe {

@@ -1,6 +1,11 @@
 //! Verification: closed forms, published benchmarks, convergence, and an independent second formulation.
 
 mod bulging;
+mod convergence;
+mod observables;
 mod rigid_cylinder;
 mod rigid_strip;
+mod strip_wall;
 mod tanks;
+mod wall_modes;
+mod wall_statics;

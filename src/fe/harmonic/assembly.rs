@@ -9,7 +9,7 @@ use crate::fe::linalg::Matrix;
 use crate::fe::liquid::Potential;
 
 use super::reduce::Reduction;
-use super::wall::{LocalRow, NODAL, NODE, Wall};
+use super::wall::{NODAL, NODE, Wall};
 
 /// Wall and liquid of one harmonic, joined.
 pub(super) struct Assembly {
@@ -105,10 +105,9 @@ impl Assembly {
         out
     }
 
-    /// A row of element `e` as a row of all unknowns, times `factor`, added to `out`.
-    pub(super) fn add_element_row(&self, e: usize, row: &LocalRow, factor: f64, out: &mut [f64]) {
-        let nodal = self.wall.elements[e].condensed_row(row);
-        for (i, value) in element_unknowns(&self.node, e).into_iter().zip(nodal) {
+    /// A row on the nodal unknowns of element `e`, times `factor`, added to the row `out` of all unknowns.
+    pub(super) fn add_nodal_row(&self, e: usize, row: &[f64; NODAL], factor: f64, out: &mut [f64]) {
+        for (i, value) in element_unknowns(&self.node, e).into_iter().zip(row) {
             if let Some(i) = i {
                 out[i] += factor * value;
             }

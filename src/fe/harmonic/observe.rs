@@ -164,18 +164,27 @@ impl Observer<'_> {
 
     fn wall_probe(&self, id: &str, title: &str, dimension: Dimension, output: Output, place: &Place) -> Probe {
         let share = 1.0 / place.at.len() as f64;
-        let mut row = vec![0.0; self.assembly.size];
+        let assembly = self.assembly;
+        let (mut row, mut inertia) = (vec![0.0; assembly.size], vec![0.0; assembly.size]);
         let mut static_value = 0.0;
         for &(e, xi) in &place.at {
-            let local = self.assembly.wall.output(e, xi, output);
-            self.assembly.add_element_row(e, &local, share, &mut row);
+            let element = &assembly.wall.elements[e];
+            let local = assembly.wall.output(e, xi, output);
+            assembly.add_nodal_row(e, &element.condensed_row(&local), share, &mut row);
+            assembly.add_nodal_row(e, &element.inertia_row(&local), share, &mut inertia);
             static_value += share * self.state.value(e, xi, output);
         }
-        Probe {
-            displacement: self.assembly.reduction.row(&row),
+        let probe = Probe {
+            displacement: assembly.reduction.row(&row),
             static_value,
             ..empty(id, title, dimension)
+        };
+        // The wall's own weight matters beside its axial stress under vertical motion only (m = 0).
+        if assembly.harmonic == 0 && output == Output::AxialStress {
+            let rigid = dot(&inertia, &assembly.translation);
+            return self.acceleration_probe(probe, &inertia, rigid);
         }
+        probe
     }
 
     fn gauge(&self, r: f64, place: &str, options: &Options) -> Probe {

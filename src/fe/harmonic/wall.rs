@@ -69,8 +69,10 @@ pub struct Element {
     pub stiffness: LocalMatrix,
     /// Consistent mass matrix.
     pub mass: LocalMatrix,
-    /// Bubbles that follow from the nodal unknowns.
+    /// Bubbles that follow from the nodal unknowns, T_b = −K_bb⁻¹ K_ba.
     pub bubbles: [[f64; NODAL]; 4],
+    /// Bubbles that their own inertia adds per nodal acceleration, −K_bb⁻¹ (M_ba + M_bb T_b).
+    pub bubble_inertia: [[f64; NODAL]; 4],
 }
 
 /// The wall of one harmonic.
@@ -146,12 +148,14 @@ impl Wall {
                 }
             }
         }
+        let (bubbles, bubble_inertia) = bubble_recovery(&stiffness, &mass);
         Element {
             bottom,
             length,
             thickness,
             material: material.clone(),
-            bubbles: bubble_recovery(&stiffness),
+            bubbles,
+            bubble_inertia,
             stiffness,
             mass,
         }
@@ -229,6 +233,11 @@ impl Element {
         std::array::from_fn(|j| row[j] + (0..4).map(|b| self.bubbles[b][j] * row[NODAL + b]).sum::<f64>())
     }
 
+    /// The part of a functional that the inertia of the bubbles adds, on the nodal accelerations.
+    pub fn inertia_row(&self, row: &LocalRow) -> [f64; NODAL] {
+        std::array::from_fn(|j| (0..4).map(|b| self.bubble_inertia[b][j] * row[NODAL + b]).sum::<f64>())
+    }
+
     /// All unknowns from the nodal ones: T x.
     fn expand(&self, nodal: &[f64; NODAL]) -> LocalRow {
         std::array::from_fn(|i| match i.checked_sub(NODAL) {
@@ -277,15 +286,18 @@ fn spread(n: [f64; 4], places: [usize; 4]) -> LocalRow {
     row
 }
 
-/// −K_bb⁻¹ K_ba: the bubbles that make the elastic energy least for given nodal unknowns.
-fn bubble_recovery(k: &LocalMatrix) -> [[f64; NODAL]; 4] {
-    let inner = nalgebra::Matrix4::from_fn(|i, j| k[NODAL + i][NODAL + j]);
-    let outer = nalgebra::SMatrix::<f64, 4, NODAL>::from_fn(|i, j| -k[NODAL + i][j]);
-    let recovered = inner
+/// −K_bb⁻¹ K_ba, the bubbles that make the elastic energy least for given nodal unknowns, and −K_bb⁻¹ (M_ba + M_bb T_b).
+fn bubble_recovery(k: &LocalMatrix, m: &LocalMatrix) -> ([[f64; NODAL]; 4], [[f64; NODAL]; 4]) {
+    type Block = nalgebra::SMatrix<f64, 4, NODAL>;
+    let inner = |a: &LocalMatrix| nalgebra::Matrix4::from_fn(|i, j| a[NODAL + i][NODAL + j]);
+    let outer = |a: &LocalMatrix| Block::from_fn(|i, j| a[NODAL + i][j]);
+    let factor = inner(k)
         .cholesky()
-        .expect("bubbles vanish at both ends, so none is free of strain")
-        .solve(&outer);
-    std::array::from_fn(|i| std::array::from_fn(|j| recovered[(i, j)]))
+        .expect("bubbles vanish at both ends, so none is free of strain");
+    let elastic: Block = -factor.solve(&outer(k));
+    let inertia: Block = -factor.solve(&(outer(m) + inner(m) * elastic));
+    let rows = |b: &Block| std::array::from_fn(|i| std::array::from_fn(|j| b[(i, j)]));
+    (rows(&elastic), rows(&inertia))
 }
 
 #[cfg(test)]
