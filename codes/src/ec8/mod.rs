@@ -4,4 +4,9 @@
 //! |---|---|---|
 //! | [`spectrum`] | elastic and design spectra | EN 1998-1:2004 3.2.2, ENV 1998-1-1:1994 4.2 |
 
+pub mod buckling;
+pub mod flexible;
+pub mod shell_mode;
+pub mod simplified;
 pub mod spectrum;
+pub mod vertical;
