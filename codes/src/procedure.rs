@@ -189,4 +189,4 @@ pub trait Procedure: Sync {
 }
 
 /// All procedures in report order.
-pub const ALL: &[&dyn Procedure] = &[&crate::housner::Housner];
+pub const ALL: &[&dyn Procedure] = &[&crate::housner::Housner, &crate::ec8::Env1998, &crate::ec8::En2006];

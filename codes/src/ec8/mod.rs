@@ -1,12 +1,154 @@
 //! Eurocode 8 part 4: EN 1998-4:2006 annex A and the pre-standard ENV 1998-4:1998 annex B.
 //!
-//! | module | idea | clause |
+//! | module | idea | clause (EN) |
 //! |---|---|---|
 //! | [`spectrum`] | elastic and design spectra | EN 1998-1:2004 3.2.2, ENV 1998-1-1:1994 4.2 |
+//! | [`demand`] | accelerations of one assessment, from a site or a record | 2.1, 2.3.3, 4.4 |
+//! | [`simplified`] | simplified procedure, table A.2 | A.3.2.2 |
+//! | [`flexible`], [`shell_mode`] | flexible impulsive part, first mode of the wall with liquid | A.3.1 |
+//! | [`vertical`] | vertical motion | A.2.2, A.3.3 |
+//! | [`plate`] | deflection of rectangular walls | A.4 |
+//! | [`uplift`] | estimate for unanchored walls | in place of the diagrams of A.9 |
+//! | [`buckling`] | stability of steel walls | A.10 |
+//!
+//! Masses, levers and pressures of the rigid tank (A.2.1, A.4) are those of [`crate::mechanical`]. The sheets themselves are
+//! filled by `cylinder` and `rectangle`. `docs/theory/eurocode8.md` maps the clauses and lists what is not implemented.
 
 pub mod buckling;
+mod cylinder;
+mod cylinder_base;
+mod cylinder_checks;
+mod cylinder_stress;
+mod cylinder_vertical;
+pub mod demand;
+#[cfg(test)]
+mod example;
 pub mod flexible;
+pub mod plate;
+mod rectangle;
 pub mod shell_mode;
 pub mod simplified;
 pub mod spectrum;
+pub mod uplift;
 pub mod vertical;
+mod work;
+
+use demand::{Demand, Edition};
+use work::Work;
+
+use crate::case::{Case, Combination, FlexibleImpulsive};
+use crate::procedure::{Assessment, CodeError, Excitation, NotApplicable, Procedure};
+use crate::sheet::Sheet;
+use crate::tank::Shape;
+
+/// EN 1998-4:2006 annex A with EN 1998-1:2004 (`ec8-2006`).
+#[derive(Clone, Copy, Debug)]
+pub struct En2006;
+
+/// ENV 1998-4:1998 annex B with ENV 1998-1-1:1994, as used in the dissertation (`ec8-env`).
+#[derive(Clone, Copy, Debug)]
+pub struct Env1998;
+
+impl Procedure for En2006 {
+    fn id(&self) -> &'static str {
+        "ec8-2006"
+    }
+
+    fn title(&self) -> &'static str {
+        "EN 1998-4:2006, annex A"
+    }
+
+    fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
+        applies(case, excitation, Edition::En2006)
+    }
+
+    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
+        assess(case, excitation, Edition::En2006)
+    }
+}
+
+impl Procedure for Env1998 {
+    fn id(&self) -> &'static str {
+        "ec8-env"
+    }
+
+    fn title(&self) -> &'static str {
+        "ENV 1998-4:1998, annex B"
+    }
+
+    fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
+        applies(case, excitation, Edition::Env1998)
+    }
+
+    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
+        assess(case, excitation, Edition::Env1998)
+    }
+}
+
+/// The only limits are those of the ground motion: a missing record or site, a ground type the pre-standard lacks.
+fn applies(case: &Case, excitation: Excitation, edition: Edition) -> Result<(), NotApplicable> {
+    match Demand::new(case, excitation, edition) {
+        Err(CodeError::NotApplicable(reason)) => Err(reason),
+        // Inadmissible data are faults, not limits of scope: `assess` reports them.
+        Ok(_) | Err(_) => Ok(()),
+    }
+}
+
+fn assess(case: &Case, excitation: Excitation, edition: Edition) -> Result<Assessment, CodeError> {
+    let demand = Demand::new(case, excitation, edition)?;
+    let mut work = Work {
+        case,
+        edition,
+        demand,
+        sheet: Sheet::new(),
+        out: Assessment::default(),
+    };
+    assumptions(&mut work, excitation);
+    match case.tank.shape {
+        Shape::Cylinder { radius } => cylinder::assess(&mut work, radius)?,
+        Shape::Rectangle { length, breadth, strip } => rectangle::assess(&mut work, length, breadth, strip),
+    }
+    let Work { sheet, mut out, .. } = work;
+    out.steps = sheet.into_steps();
+    Ok(out)
+}
+
+fn assumptions(work: &mut Work, excitation: Excitation) {
+    let case = work.case;
+    let out = &mut work.out.assumptions;
+    out.push("Inviscid liquid, small waves; rigid ground, no soil-structure interaction.".into());
+    out.push(match excitation {
+        Excitation::Record => "The spectrum of the record stands for the design spectrum; q = 1, γ_I = 1.".into(),
+        Excitation::Site => {
+            "Impulsive part: elastic spectrum at its damping divided by q; sloshing: elastic spectrum, q = 1. Recommended values of \
+             the standard; a national annex may differ."
+                .to_string()
+        }
+    });
+    out.push(match case.procedures.ec8_combination {
+        Combination::Abs => "Impulsive and convective maxima are added as absolute values.".into(),
+        Combination::Srss => {
+            "Impulsive and convective maxima are combined by SRSS; the annex recommends absolute values.".to_string()
+        }
+    });
+    if let Shape::Cylinder { .. } = case.tank.shape {
+        out.push("Impulsive part: rigid pressure field with the spectral acceleration at T_f (Veletsos).".into());
+        out.push(match (work.edition, case.procedures.ec8_impulsive) {
+            (Edition::En2006, FlexibleImpulsive::Simplified) => {
+                "Masses, levers and periods of table A.2 (A.3.2.2).".into()
+            }
+            (Edition::Env1998, FlexibleImpulsive::Simplified) => "T_f by the approximate formula of B.3.1.".to_string(),
+            (_, FlexibleImpulsive::Iterative) => "T_f of the coupled first mode of the clamped wall.".into(),
+        });
+        out.push(
+            "Membrane stresses; the bending of the wall near its base and at joints of courses is not included.".into(),
+        );
+    } else {
+        out.push("Impulsive part: rigid pressure field with the spectral acceleration at T_f of the wall.".into());
+    }
+    if work.demand.vertical {
+        work.out.assumptions.push(
+            "Horizontal and vertical motion: E_x + 0.3 E_z and 0.3 E_x + E_z; breathing mode at 3 % damping.".into(),
+        );
+    }
+}

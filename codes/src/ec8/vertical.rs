@@ -76,7 +76,7 @@ mod tests {
         assert_eq!(breathing_factor(4.0), None);
     }
 
-    /// Coupled finite elements, clamped shells: 175.8, 105.2, 45.9 rad/s; the formula's printed values 180.4, 109.4, 47.1.
+    /// Printed values of the formula [rad/s], half the last digit; coupled finite elements give 175.8, 105.2, 45.9, 105.1.
     #[test]
     fn formula_values_beside_finite_elements() {
         for (r, h, rho, e, nu, s, omega) in [
@@ -86,13 +86,12 @@ mod tests {
             (10.0, 3.0, 1000.0, 210e9, 0.3, 0.01, 104.2),
         ] {
             let found = 2.0 * PI * breathing_frequency(r, h, rho, e, nu, s);
-            println!("{found} {omega}");
-            assert!((found / omega - 1.0).abs() < 0.02, "{found} {omega}");
+            assert!((found - omega).abs() <= 0.05 + 1e-9, "{found} {omega}");
         }
     }
 
-    /// A tall tank's column is a ring of liquid on a spring: for γ → ∞ I₁/I₀ → γ₁/2 and f_vd → √(E s/(2ρR(1−ν²)))/(4H), the
-    /// Korteweg wave of a pipe that is free to … (open at the top, closed at the base), c = √(E s/(2 ρ R (1−ν²))).
+    /// γ → ∞: I₁/I₀ → γ₁/2 and f_vd → c/(4H), the quarter wave of a pipe closed below and open above, with Korteweg's
+    /// c = √(E s/(2ρR(1−ν²))).
     #[test]
     fn slender_limit_is_the_wave_in_a_pipe() {
         let (r, h, rho, e, nu, s): (f64, f64, f64, f64, f64, f64) = (1.0, 200.0, 1000.0, 210e9, 0.3, 0.01);

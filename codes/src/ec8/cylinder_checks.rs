@@ -1,0 +1,363 @@
+//! Checks of a cylinder's wall: hoop yielding and stability A.10.
+//!
+//! Stability is checked at the lower edge of every course under every combination of horizontal and vertical motion; the
+//! governing place is printed. The elastic check takes the smallest, the elastic-plastic one the largest interior pressure.
+
+use super::buckling::{classical, elastic, elastic_plastic};
+use super::cylinder_base;
+use super::cylinder_stress::{Factors, State};
+use super::work::Work;
+use crate::sheet::{number, with_unit};
+use crate::tank::{Course, Support};
+use crate::units::Dimension::*;
+
+/// Compression and pressures at the lower edge of a course under one combination.
+#[derive(Clone, Copy)]
+struct Place<'a> {
+    course: &'a Course,
+    number: usize,
+    z: f64,
+    factors: Factors,
+    /// Seismic axial force [N/m].
+    axial: f64,
+    /// Axial force of the weight [N/m].
+    weight: f64,
+    /// Smallest and largest interior pressure [Pa].
+    p_min: f64,
+    p_max: f64,
+    yield_strength: f64,
+}
+
+impl Place<'_> {
+    /// σ_m [Pa].
+    fn compression(&self) -> f64 {
+        (self.axial + self.weight) / self.course.thickness
+    }
+
+    fn young(&self) -> f64 {
+        self.course.material.youngs_modulus
+    }
+
+    fn describe(&self, vertical: bool) -> String {
+        let place = format!("course {} at z = {}", self.number, with_unit(self.z, Length));
+        if vertical {
+            format!(
+                "{place}, {} E_x + {} E_z",
+                number(self.factors.0),
+                number(self.factors.1)
+            )
+        } else {
+            place
+        }
+    }
+}
+
+/// The place with the largest demand/capacity, and its capacity.
+fn governing<'a>(
+    places: &[Place<'a>],
+    demand: impl Fn(&Place) -> f64,
+    capacity: impl Fn(&Place) -> f64,
+) -> Option<(Place<'a>, f64)> {
+    let utilisation = |p: &Place| {
+        let limit = capacity(p);
+        if limit > 0.0 { demand(p) / limit } else { f64::INFINITY }
+    };
+    let worst = places.iter().max_by(|a, b| {
+        // Equal utilisation: the lower place.
+        utilisation(a).total_cmp(&utilisation(b)).then(b.z.total_cmp(&a.z))
+    })?;
+    Some((*worst, capacity(worst)))
+}
+
+/// Writes the checks.
+pub(super) fn assess(work: &mut Work, state: &State, vertical: bool) {
+    let amplification = match state.tank.support {
+        Support::Anchored => {
+            cylinder_base::anchorage(work, state, vertical);
+            1.0
+        }
+        Support::Unanchored => cylinder_base::unanchored(work, state),
+    };
+    let clause = work.edition.clause("10");
+    let missing = state.tank.courses.iter().find(|c| c.material.yield_strength.is_none());
+    if let Some(course) = missing {
+        work.out.notes.push(format!(
+            "{clause}, stability of the wall: not checked, yield_strength missing in material `{}`.",
+            course.material.name
+        ));
+        return;
+    }
+    if !amplification.is_finite() {
+        work.out.notes.push(format!(
+            "{clause}, stability of the wall: not checked, the unanchored tank overturns."
+        ));
+        return;
+    }
+    let places = places(state, vertical, amplification);
+    hoop_yield(work, state, &places, vertical);
+    elastic_check(work, state, &places, vertical);
+    collapse_check(work, state, &places, vertical);
+}
+
+fn places<'a>(state: &State<'a>, vertical: bool, amplification: f64) -> Vec<Place<'a>> {
+    let mut out = Vec::new();
+    let mut z = 0.0;
+    for (index, course) in state.tank.courses.iter().enumerate() {
+        for factors in state.combinations(vertical) {
+            let (p_min, p_max) = state.pressure_range(z, *factors);
+            let weight = state.weight(z) * state.weight_factor(factors.1);
+            let axial = factors.0 * state.axial(z);
+            // At its base an unanchored wall carries a multiple of the anchored wall's whole force.
+            let axial = if z == 0.0 {
+                amplification * (axial + weight) - weight
+            } else {
+                axial
+            };
+            out.push(Place {
+                course,
+                number: index + 1,
+                z,
+                factors: *factors,
+                axial,
+                weight,
+                p_min,
+                p_max,
+                yield_strength: course.material.yield_strength.unwrap_or_default(),
+            });
+        }
+        z += course.height;
+    }
+    out
+}
+
+fn hoop_yield(work: &mut Work, state: &State, places: &[Place], vertical: bool) {
+    let hoop = |p: &Place| p.p_max * state.radius / p.course.thickness;
+    let Some((place, capacity)) = governing(places, hoop, |p| p.yield_strength) else {
+        return;
+    };
+    let clause = work.edition.clause("10.3");
+    work.sheet.section("Hoop stress with the static state");
+    let terms = [
+        ("p_max", place.p_max, Stress),
+        ("R", state.radius, Length),
+        ("s", place.course.thickness, Length),
+    ];
+    let name = format!("largest hoop stress, {}", place.describe(vertical));
+    work.sheet
+        .calc("σ_θ,max", &name, "p_max·R/s", &terms, hoop(&place), Stress, &clause);
+    let note = format!("p R/(s f_y) < 1, {}", place.describe(vertical));
+    work.check(
+        "hoop_yield",
+        "Hoop stress below yield",
+        hoop(&place),
+        capacity,
+        Stress,
+        &clause,
+        &note,
+    );
+}
+
+fn compression_lines(work: &mut Work, place: &Place, clause: &str) {
+    let terms = [
+        ("n_z", place.axial, LineForce),
+        ("N_0", place.weight, LineForce),
+        ("s", place.course.thickness, Length),
+    ];
+    work.sheet
+        .input("n_z", "seismic axial compression", place.axial, LineForce, clause);
+    work.sheet.input(
+        "N_0",
+        "axial compression of the weight above",
+        place.weight,
+        LineForce,
+        clause,
+    );
+    work.sheet.calc(
+        "σ_m",
+        "vertical membrane compression",
+        "(n_z + N_0)/s",
+        &terms,
+        place.compression(),
+        Stress,
+        clause,
+    );
+}
+
+fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: bool) {
+    let site = work.demand.site;
+    let quality = site.map_or(1.0, |s| s.construction_quality);
+    let radius = state.radius;
+    let of = |p: &Place| {
+        elastic(
+            p.young(),
+            p.yield_strength,
+            p.course.thickness,
+            radius,
+            p.p_min,
+            quality,
+        )
+    };
+    let Some((place, limit)) = governing(places, |p| p.compression(), |p| of(p).limit) else {
+        return;
+    };
+    let e = of(&place);
+    let clause = work.edition.clause("10.2");
+    work.sheet
+        .section(&format!("Elastic buckling, {}", place.describe(vertical)));
+    compression_lines(work, &place, &clause);
+    let pressure = place.p_min.max(0.0);
+    let terms = [
+        ("E", place.young(), Stress),
+        ("s", place.course.thickness, Length),
+        ("R", radius, Length),
+        ("a", quality, Dimensionless),
+        ("δ_s", e.imperfection, Dimensionless),
+        ("k_s", e.knock_down, Dimensionless),
+        ("λ2", e.slenderness_squared, Dimensionless),
+        ("f_y", place.yield_strength, Stress),
+        ("σ_c1", e.classical, Stress),
+        ("σ_o", e.unpressurised, Stress),
+        ("σ_p", e.pressurised, Stress),
+        ("p_min", pressure, Stress),
+        ("p_r", e.pressure, Dimensionless),
+    ];
+    let unpressurised = if e.slenderness_squared <= 2.0 {
+        "f_y·(1 - λ2/4)"
+    } else {
+        "k_s·σ_c1"
+    };
+    let pressurised = if e.pressure < 5.0 {
+        "σ_c1·√(1 - (1 - p_r/5)²·(1 - σ_o/σ_c1)²)"
+    } else {
+        "σ_c1"
+    };
+    for (symbol, name, formula, value, dimension) in [
+        ("σ_c1", "ideal buckling stress", "0.6·E·s/R", e.classical, Stress),
+        (
+            "δ_s",
+            "imperfection δ/s, a = quality of construction",
+            "0.06/a·√(R/s)",
+            e.imperfection,
+            Dimensionless,
+        ),
+        (
+            "k_s",
+            "knock-down s̄ without pressure",
+            "1 - 1.24·δ_s·(√(1 + 2/(1.24·δ_s)) - 1)",
+            e.knock_down,
+            Dimensionless,
+        ),
+        (
+            "λ2",
+            "slenderness λ²",
+            "f_y/(k_s·σ_c1)",
+            e.slenderness_squared,
+            Dimensionless,
+        ),
+        (
+            "σ_o",
+            "buckling stress without pressure",
+            unpressurised,
+            e.unpressurised,
+            Stress,
+        ),
+        (
+            "p_r",
+            "pressure parameter p̄, smallest interior pressure",
+            "p_min·R/(s·σ_c1)",
+            e.pressure,
+            Dimensionless,
+        ),
+        (
+            "σ_p",
+            "buckling stress with pressure",
+            pressurised,
+            e.pressurised,
+            Stress,
+        ),
+        (
+            "σ_lim",
+            "limit of elastic buckling",
+            "0.19·σ_c1 + 0.81·σ_p",
+            e.limit,
+            Stress,
+        ),
+    ] {
+        work.sheet
+            .calc(symbol, name, formula, &terms, value, dimension, &clause);
+    }
+    if place.p_min < 0.0 {
+        work.out.notes.push(format!(
+            "{clause}: the smallest interior pressure would be a suction of {} ({}); it is taken as zero.",
+            with_unit(-place.p_min, Stress),
+            place.describe(vertical)
+        ));
+    }
+    if site.is_none() {
+        work.out.notes.push(format!(
+            "{clause}: normal quality of construction (a = 1) assumed, `site.ec8` is not given."
+        ));
+    }
+    let note = place.describe(vertical);
+    work.check(
+        "buckling_elastic",
+        "Elastic buckling of the wall",
+        place.compression(),
+        limit,
+        Stress,
+        &clause,
+        &note,
+    );
+}
+
+fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bool) {
+    let radius = state.radius;
+    let of = |p: &Place| elastic_plastic(p.young(), p.yield_strength, p.course.thickness, radius, p.p_max);
+    let Some((place, limit)) = governing(places, |p| p.compression(), of) else {
+        return;
+    };
+    let clause = work.edition.clause("10.3");
+    work.sheet
+        .section(&format!("Elastic-plastic collapse, {}", place.describe(vertical)));
+    compression_lines(work, &place, &clause);
+    let thickness = place.course.thickness;
+    let r = radius / thickness / 400.0;
+    let terms = [
+        ("E", place.young(), Stress),
+        ("s", thickness, Length),
+        ("R", radius, Length),
+        ("f_y", place.yield_strength, Stress),
+        ("p_max", place.p_max, Stress),
+        ("r", r, Dimensionless),
+        ("σ_c1", classical(place.young(), thickness, radius), Stress),
+    ];
+    work.sheet.calc(
+        "r",
+        "radius to thickness over 400",
+        "R/s/400",
+        &terms,
+        r,
+        Dimensionless,
+        &clause,
+    );
+    work.sheet.calc(
+        "σ_lim",
+        "limit of elastic-plastic collapse, largest interior pressure",
+        "σ_c1·(1 - (p_max·R/(s·f_y))²)·(1 - 1/(1.12 + r^1.15))·(r + f_y/250 MPa)/(r + 1)",
+        &terms,
+        limit,
+        Stress,
+        &clause,
+    );
+    let note = place.describe(vertical);
+    let name = "Elastic-plastic collapse of the wall";
+    work.check(
+        "buckling_elastic_plastic",
+        name,
+        place.compression(),
+        limit,
+        Stress,
+        &clause,
+        &note,
+    );
+}

@@ -1,0 +1,276 @@
+//! Pressures, membrane stresses over the height and stability checks of a cylinder.
+//!
+//! ```text
+//! p_i(z) = ρ H C(ζ) A_i      p_c(z) = ρ R w_1 cosh(λ_1 γ ζ)/cosh(λ_1 γ) A_c       largest at θ = 0
+//! n_θ = p R      n_z = M(z)/(π R²)      N_0 = (m_w + m_r above z) g/(2πR)        (membrane)
+//! ```
+//!
+//! M(z) is the moment of wall pressure, wall and roof inertia above z. Horizontal (E_x) and vertical (E_z) motion are combined as
+//! E_x + 0.3 E_z and 0.3 E_x + E_z.
+
+use std::f64::consts::PI;
+
+use super::cylinder_vertical::VerticalMotion;
+use super::work::{Work, combined};
+use super::{cylinder_checks, vertical};
+use crate::case::Combination;
+use crate::mechanical::{ConvectiveField, ImpulsiveField, Plan};
+use crate::quantity::Quantity;
+use crate::sheet::with_unit;
+use crate::tank::{Liquid, Tank};
+use crate::units::Dimension::*;
+
+/// Seismic state of the wall over the height.
+pub(super) struct State<'a> {
+    pub tank: &'a Tank,
+    liquid: Liquid,
+    pub radius: f64,
+    pub gravity: f64,
+    impulsive: ImpulsiveField,
+    convective: ConvectiveField,
+    a_i: f64,
+    a_c: f64,
+    combination: Combination,
+    motion: VerticalMotion,
+    /// M just above the base plate [N·m], as the procedure gives it.
+    pub base_moment: f64,
+}
+
+/// Factors of horizontal and vertical motion in one combination.
+pub(super) type Factors = (f64, f64);
+
+impl State<'_> {
+    fn zeta(&self, z: f64) -> f64 {
+        z / self.liquid.fill_height
+    }
+
+    fn pressure_impulsive(&self, z: f64) -> f64 {
+        let zeta = self.zeta(z);
+        if zeta >= 1.0 {
+            return 0.0;
+        }
+        self.liquid.density * self.liquid.fill_height * self.impulsive.wall(zeta) * self.a_i
+    }
+
+    fn pressure_convective(&self, z: f64) -> f64 {
+        let zeta = self.zeta(z);
+        if zeta > 1.0 {
+            return 0.0;
+        }
+        self.liquid.density * self.radius * self.convective.wall(zeta) * self.a_c
+    }
+
+    fn pressure_horizontal(&self, z: f64) -> f64 {
+        combined(
+            self.combination,
+            self.pressure_impulsive(z),
+            self.pressure_convective(z),
+        )
+    }
+
+    fn pressure_vertical(&self, z: f64) -> f64 {
+        let zeta = self.zeta(z);
+        let scale = self.liquid.density * self.liquid.fill_height;
+        let rigid = vertical::rigid_pressure(zeta) * self.motion.ground;
+        let breathing = vertical::breathing_pressure(self.motion.factor, zeta) * self.motion.breathing;
+        scale * rigid.hypot(breathing)
+    }
+
+    pub fn pressure_hydrostatic(&self, z: f64) -> f64 {
+        self.liquid.density * self.gravity * (self.liquid.fill_height - z).max(0.0)
+    }
+
+    /// Smallest and largest interior pressure of a combination.
+    pub fn pressure_range(&self, z: f64, (x, v): Factors) -> (f64, f64) {
+        let still = self.pressure_hydrostatic(z);
+        let seismic = x * self.pressure_horizontal(z) + v * self.pressure_vertical(z);
+        (still - seismic, still + seismic)
+    }
+
+    pub fn combinations(&self, vertical: bool) -> &'static [Factors] {
+        if vertical {
+            &[(1.0, 0.3), (0.3, 1.0)]
+        } else {
+            &[(1.0, 0.0)]
+        }
+    }
+
+    /// Largest seismic pressure over the combinations.
+    fn pressure_seismic(&self, z: f64, vertical: bool) -> f64 {
+        let of = |(x, v): &Factors| x * self.pressure_horizontal(z) + v * self.pressure_vertical(z);
+        self.combinations(vertical).iter().map(of).fold(0.0, f64::max)
+    }
+
+    /// Mass of wall and roof above z [kg], and its moment about z [kg·m].
+    fn mass_above(&self, z: f64) -> (f64, f64) {
+        let roof = self.tank.roof.mass;
+        let (mut mass, mut moment) = (roof, roof * (self.tank.roof_height() - z));
+        let mut base = 0.0;
+        for c in &self.tank.courses {
+            let top = base + c.height;
+            let from = base.max(z);
+            if top > from {
+                let part = self.tank.perimeter() * (top - from) * c.thickness * c.material.density;
+                mass += part;
+                moment += part * (0.5 * (top + from) - z);
+            }
+            base = top;
+        }
+        (mass, moment)
+    }
+
+    /// Moment of the wall's cross-section at z [N·m].
+    fn moment(&self, z: f64) -> f64 {
+        let zeta = self.zeta(z).min(1.0);
+        let scale = self.liquid.mass(self.tank.shape) * self.liquid.fill_height;
+        let (_, wall) = self.mass_above(z);
+        let impulsive = (scale * self.impulsive.moment_above(zeta) + wall) * self.a_i;
+        let convective = scale * self.convective.moment_above(zeta) * self.a_c;
+        combined(self.combination, impulsive, convective)
+    }
+
+    /// Largest seismic axial force per length at z [N/m].
+    pub fn axial(&self, z: f64) -> f64 {
+        let moment = if z == 0.0 { self.base_moment } else { self.moment(z) };
+        moment / (PI * self.radius * self.radius)
+    }
+
+    /// Axial force per length of the weight above z [N/m].
+    pub fn weight(&self, z: f64) -> f64 {
+        self.mass_above(z).0 * self.gravity / (2.0 * PI * self.radius)
+    }
+
+    /// `1 ± v A_v/g` on the weight.
+    pub fn weight_factor(&self, v: f64) -> f64 {
+        1.0 + v * self.motion.ground / self.gravity
+    }
+}
+
+/// Writes pressures, stresses, profiles and checks.
+///
+/// * `moment`: M just above the base plate [N·m]; `a_i`, `a_c`: accelerations of the impulsive part and of the first sloshing mode
+pub(super) fn assess(work: &mut Work, radius: f64, moment: f64, a_i: f64, a_c: f64, motion: Option<VerticalMotion>) {
+    let case = work.case;
+    let gamma = case.liquid.fill_height / radius;
+    let state = State {
+        tank: &case.tank,
+        liquid: case.liquid,
+        radius,
+        gravity: case.gravity,
+        impulsive: ImpulsiveField::new(Plan::Circle, gamma),
+        convective: ConvectiveField::new(Plan::Circle, gamma, 1),
+        a_i,
+        a_c,
+        combination: case.procedures.ec8_combination,
+        motion: motion.unwrap_or_default(),
+        base_moment: moment,
+    };
+    base_pressures(work, &state);
+    stresses(work, &state, motion.is_some());
+    cylinder_checks::assess(work, &state, motion.is_some());
+}
+
+fn base_pressures(work: &mut Work, state: &State) {
+    work.sheet.section("Pressures on the wall at its base");
+    let liquid = state.liquid;
+    let (p_i, p_c) = (state.pressure_impulsive(0.0), state.pressure_convective(0.0));
+    let terms = [
+        ("ρ", liquid.density, Density),
+        ("g", state.gravity, Acceleration),
+        ("H", liquid.fill_height, Length),
+        ("R", state.radius, Length),
+        ("A_i", state.a_i, Acceleration),
+        ("A_c1", state.a_c, Acceleration),
+        ("C", state.impulsive.wall(0.0), Dimensionless),
+        ("c_1", state.convective.wall(0.0), Dimensionless),
+        ("p_i", p_i, Stress),
+        ("p_c", p_c, Stress),
+    ];
+    let [impulsive, convective] = ["2.1.2", "2.1.3"].map(|n| work.edition.clause(n));
+    let hydrostatic = state.pressure_hydrostatic(0.0);
+    work.sheet
+        .calc("p_0", "hydrostatic", "ρ·g·H", &terms, hydrostatic, Stress, "definition");
+    work.sheet.calc(
+        "p_i",
+        "impulsive, C = C_i(ξ = 1, ζ = 0)",
+        "ρ·H·C·A_i",
+        &terms,
+        p_i,
+        Stress,
+        &impulsive,
+    );
+    work.sheet.calc(
+        "p_c",
+        "convective, mode 1",
+        "ρ·R·c_1·A_c1",
+        &terms,
+        p_c,
+        Stress,
+        &convective,
+    );
+    let formula = match state.combination {
+        Combination::Abs => "p_i + p_c",
+        Combination::Srss => "√(p_i² + p_c²)",
+    };
+    let clause = work.edition.clause("2.1");
+    work.sheet.calc(
+        "p",
+        "horizontal motion",
+        formula,
+        &terms,
+        state.pressure_horizontal(0.0),
+        Stress,
+        &clause,
+    );
+}
+
+fn stresses(work: &mut Work, state: &State, vertical: bool) {
+    let z = work.heights();
+    let base = &state.tank.courses[0];
+    let hoop = |z: f64| state.pressure_seismic(z, vertical) * state.radius / state.tank.course_at(z).thickness;
+    let axial = |z: f64| state.axial(z) / state.tank.course_at(z).thickness;
+    work.profile("pressure_impulsive", "Impulsive pressure", Stress, &z, |z| {
+        state.pressure_impulsive(z)
+    });
+    work.profile("pressure_convective", "Convective pressure", Stress, &z, |z| {
+        state.pressure_convective(z)
+    });
+    work.profile("pressure_dynamic", "Seismic pressure", Stress, &z, |z| {
+        state.pressure_seismic(z, vertical)
+    });
+    work.profile("hoop_stress", "Hoop stress (membrane)", Stress, &z, hoop);
+    work.profile("axial_membrane_stress", "Axial membrane stress", Stress, &z, axial);
+
+    work.sheet.section("Membrane stresses (seismic part)");
+    let (mut at, mut largest) = (0.0, 0.0);
+    for z in z {
+        if hoop(z) > largest {
+            (at, largest) = (z, hoop(z));
+        }
+    }
+    let terms = [
+        ("p", state.pressure_seismic(at, vertical), Stress),
+        ("R", state.radius, Length),
+        ("s", state.tank.course_at(at).thickness, Length),
+    ];
+    let name = format!("largest hoop stress, at z = {}", with_unit(at, Length));
+    work.sheet
+        .calc("σ_θ", &name, "p·R/s", &terms, largest, Stress, "membrane theory");
+    let terms = [
+        ("M", state.base_moment, Moment),
+        ("R", state.radius, Length),
+        ("s", base.thickness, Length),
+    ];
+    let sigma = axial(0.0);
+    work.sheet.calc(
+        "σ_z",
+        "axial membrane stress at the base",
+        "M/(π·R²·s)",
+        &terms,
+        sigma,
+        Stress,
+        "membrane theory",
+    );
+    work.out.values.insert(Quantity::HoopStress, largest);
+    work.out.values.insert(Quantity::AxialMembraneStress, sigma);
+}

@@ -1,0 +1,393 @@
+//! Seismic action of one assessment: accelerations at the tank's periods from a design spectrum or a record's spectrum.
+
+use super::spectrum::{
+    Branch, EN_HORIZONTAL, EN_VERTICAL, ENV_HORIZONTAL, ElasticSpectrum, EnvSpectrum, LONGEST_PERIOD,
+    damping_correction, damping_correction_env,
+};
+use super::vertical::BREATHING_DAMPING;
+use crate::case::{Case, Ec8Site};
+use crate::procedure::{CodeError, Excitation, NotApplicable};
+use crate::record::Record;
+use crate::sheet::{Sheet, number, with_unit};
+use crate::spectrum::ordinates;
+use crate::units::Dimension;
+
+/// Edition of part 4.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edition {
+    /// EN 1998-4:2006, annex A, with EN 1998-1:2004.
+    En2006,
+    /// ENV 1998-4:1998, annex B, with ENV 1998-1-1:1994.
+    Env1998,
+}
+
+impl Edition {
+    /// Clause of the annex, `2.1.2` → `EN 1998-4:2006 A.2.1.2`. The pre-standard numbers its annex alike.
+    pub fn clause(self, number: &str) -> String {
+        match self {
+            Edition::En2006 => format!("EN 1998-4:2006 A.{number}"),
+            Edition::Env1998 => format!("ENV 1998-4:1998 B.{number}"),
+        }
+    }
+
+    /// Clause of the main text.
+    pub fn main(self, number: &str) -> String {
+        match self {
+            Edition::En2006 => format!("EN 1998-4:2006 {number}"),
+            Edition::Env1998 => format!("ENV 1998-4:1998 {number}"),
+        }
+    }
+}
+
+/// Where accelerations come from.
+#[derive(Clone, Copy, Debug)]
+enum Source<'a> {
+    En(ElasticSpectrum),
+    Env(EnvSpectrum),
+    Record {
+        horizontal: &'a Record,
+        vertical: Option<&'a Record>,
+    },
+}
+
+/// The seismic action of one assessment.
+#[derive(Clone, Copy, Debug)]
+pub struct Demand<'a> {
+    source: Source<'a>,
+    /// Site data, where the case has them.
+    pub site: Option<Ec8Site>,
+    /// Behaviour factor q of the impulsive part; 1 with a record.
+    pub behaviour_factor: f64,
+    /// Whether vertical motion is considered.
+    pub vertical: bool,
+}
+
+/// Largest behaviour factor of the impulsive part of tanks on the ground.
+const LARGEST_BEHAVIOUR_FACTOR: f64 = 1.5;
+
+impl<'a> Demand<'a> {
+    /// The action of a case; not applicable without the data it needs.
+    pub fn new(case: &'a Case, excitation: Excitation, edition: Edition) -> Result<Demand<'a>, CodeError> {
+        let site = case.site.ec8;
+        match excitation {
+            Excitation::Record => {
+                let motion = case.ground_motion.as_ref().ok_or_else(|| NotApplicable {
+                    clause: edition.main("2.1"),
+                    reason: "no record given".into(),
+                })?;
+                Ok(Demand {
+                    source: Source::Record {
+                        horizontal: &motion.horizontal,
+                        vertical: motion.vertical.as_ref(),
+                    },
+                    site,
+                    behaviour_factor: 1.0,
+                    vertical: motion.vertical.is_some(),
+                })
+            }
+            Excitation::Site => {
+                let site = site.ok_or_else(|| NotApplicable {
+                    clause: edition.main("2.1"),
+                    reason: "`site.ec8` is not given, so there is no design spectrum".into(),
+                })?;
+                let q = site.behaviour_factor;
+                if !(1.0..=LARGEST_BEHAVIOUR_FACTOR).contains(&q) {
+                    return Err(CodeError::Data {
+                        clause: edition.main("4.4"),
+                        reason: format!(
+                            "behaviour factor {q} found, allowed for the impulsive part of a tank on the ground is 1 to 1.5"
+                        ),
+                    });
+                }
+                let source = match edition {
+                    Edition::En2006 => Source::En(ElasticSpectrum::new(&site)?),
+                    Edition::Env1998 => Source::Env(EnvSpectrum::new(&site)?),
+                };
+                Ok(Demand {
+                    source,
+                    site: Some(site),
+                    behaviour_factor: q,
+                    vertical: site.vertical,
+                })
+            }
+        }
+    }
+
+    /// Peak horizontal ground acceleration [m/s²].
+    pub fn ground(&self) -> f64 {
+        match &self.source {
+            Source::En(s) => s.peak(),
+            Source::Env(s) => s.peak(),
+            Source::Record { horizontal, .. } => horizontal.pga(),
+        }
+    }
+
+    /// Peak vertical ground acceleration [m/s²]; zero if vertical motion is not considered.
+    pub fn vertical_ground(&self) -> f64 {
+        match &self.source {
+            _ if !self.vertical => 0.0,
+            Source::En(s) => s.vertical_peak(),
+            Source::Env(s) => s.vertical_peak(),
+            Source::Record { vertical, .. } => vertical.map_or(0.0, Record::pga),
+        }
+    }
+
+    /// Adds the lines of the ground motion.
+    pub fn describe(&self, sheet: &mut Sheet) {
+        sheet.section("Ground motion");
+        match &self.source {
+            Source::Record { horizontal, vertical } => {
+                let source = format!("record {}", horizontal.name);
+                sheet.input(
+                    "PGA",
+                    "peak ground acceleration",
+                    horizontal.pga(),
+                    Dimension::Acceleration,
+                    &source,
+                );
+                if let Some(v) = vertical {
+                    let source = format!("record {}", v.name);
+                    sheet.input(
+                        "PGA_v",
+                        "vertical peak ground acceleration",
+                        v.pga(),
+                        Dimension::Acceleration,
+                        &source,
+                    );
+                }
+            }
+            Source::En(s) => {
+                self.describe_site(sheet, s.ag, s.soil, s.corners, EN_HORIZONTAL);
+                if self.vertical {
+                    sheet.calc(
+                        "a_vg",
+                        "vertical ground acceleration",
+                        "k_v·a_g",
+                        &[
+                            ("k_v", s.vertical_ratio, Dimension::Dimensionless),
+                            ("a_g", s.ag, Dimension::Acceleration),
+                        ],
+                        s.vertical_peak(),
+                        Dimension::Acceleration,
+                        EN_VERTICAL,
+                    );
+                }
+            }
+            Source::Env(s) => {
+                self.describe_site(sheet, s.ag, s.soil, s.corners, ENV_HORIZONTAL);
+                if self.vertical {
+                    sheet.calc(
+                        "a_vg",
+                        "vertical ground acceleration",
+                        "0.7·a_g·S",
+                        &[
+                            ("a_g", s.ag, Dimension::Acceleration),
+                            ("S", s.soil, Dimension::Dimensionless),
+                        ],
+                        s.vertical_peak(),
+                        Dimension::Acceleration,
+                        "ENV 1998-1-1:1994 4.2.1",
+                    );
+                }
+            }
+        }
+    }
+
+    fn describe_site(&self, sheet: &mut Sheet, ag: f64, soil: f64, corners: [f64; 3], clause: &str) {
+        let Some(site) = self.site else { return };
+        let given = format!("site.ec8, ground {:?}", site.ground);
+        sheet.input(
+            "a_gR",
+            "reference ground acceleration",
+            site.ag,
+            Dimension::Acceleration,
+            &given,
+        );
+        sheet.input(
+            "γ_I",
+            "importance factor",
+            site.importance,
+            Dimension::Dimensionless,
+            &given,
+        );
+        let terms = [
+            ("γ_I", site.importance, Dimension::Dimensionless),
+            ("a_gR", site.ag, Dimension::Acceleration),
+        ];
+        sheet.calc(
+            "a_g",
+            "design ground acceleration",
+            "γ_I·a_gR",
+            &terms,
+            ag,
+            Dimension::Acceleration,
+            clause,
+        );
+        sheet.input("S", "soil factor", soil, Dimension::Dimensionless, clause);
+        for (symbol, value) in ["T_B", "T_C", "T_D"].into_iter().zip(corners) {
+            sheet.input(symbol, "control period", value, Dimension::Time, clause);
+        }
+        let q = self.behaviour_factor;
+        sheet.input(
+            "q",
+            "behaviour factor of the impulsive part",
+            q,
+            Dimension::Dimensionless,
+            &given,
+        );
+    }
+
+    /// Horizontal acceleration of the impulsive part [m/s²]: `S_e(T, ξ)/q`. Adds its line as `symbol`.
+    pub fn impulsive(
+        &self,
+        sheet: &mut Sheet,
+        notes: &mut Vec<String>,
+        symbol: &str,
+        period: f64,
+        damping: f64,
+    ) -> f64 {
+        self.horizontal(
+            sheet,
+            notes,
+            symbol,
+            "impulsive",
+            period,
+            damping,
+            self.behaviour_factor,
+        )
+    }
+
+    /// Horizontal acceleration of a sloshing mode [m/s²]; q = 1 always. Adds its line as `symbol`.
+    pub fn convective(
+        &self,
+        sheet: &mut Sheet,
+        notes: &mut Vec<String>,
+        symbol: &str,
+        period: f64,
+        damping: f64,
+    ) -> f64 {
+        self.horizontal(sheet, notes, symbol, "convective", period, damping, 1.0)
+    }
+
+    fn horizontal(
+        &self,
+        sheet: &mut Sheet,
+        notes: &mut Vec<String>,
+        symbol: &str,
+        part: &str,
+        period: f64,
+        damping: f64,
+        q: f64,
+    ) -> f64 {
+        let percent = number(100.0 * damping);
+        let (value, branch, eta, corners, ag, soil, clause) = match &self.source {
+            Source::Record { horizontal, .. } => {
+                let value = ordinates(horizontal, period, damping).psa;
+                return sheet.step(
+                    symbol,
+                    &format!("{part} spectral acceleration of the record"),
+                    "PSA(T, ξ)",
+                    &format!("PSA({}, {percent} %)", with_unit(period, Dimension::Time)),
+                    value,
+                    Dimension::Acceleration,
+                    "spectrum of the record",
+                );
+            }
+            Source::En(s) => {
+                let (value, branch) = s.horizontal_with_branch(period, damping);
+                (
+                    value,
+                    branch,
+                    damping_correction(damping),
+                    s.corners,
+                    s.ag,
+                    s.soil,
+                    EN_HORIZONTAL,
+                )
+            }
+            Source::Env(s) => {
+                let (value, branch) = s.horizontal_with_branch(period, damping);
+                (
+                    value,
+                    branch,
+                    damping_correction_env(damping),
+                    s.corners,
+                    s.ag,
+                    s.soil,
+                    ENV_HORIZONTAL,
+                )
+            }
+        };
+        let formula = match branch {
+            Branch::Rising => "a_g·S·(1 + T/T_B·(2.5·η - 1))",
+            Branch::Plateau => "a_g·S·2.5·η",
+            Branch::ConstantVelocity => "a_g·S·2.5·η·T_C/T",
+            Branch::ConstantDisplacement | Branch::Continued => "a_g·S·2.5·η·T_C·T_D/T²",
+            Branch::AnnexA => "S_De·(2·π/T)²",
+        };
+        let formula = if q == 1.0 {
+            formula.to_string()
+        } else {
+            format!("{formula}/q")
+        };
+        let mut terms = vec![
+            ("a_g", ag, Dimension::Acceleration),
+            ("S", soil, Dimension::Dimensionless),
+            ("η", eta, Dimension::Dimensionless),
+            ("T_B", corners[0], Dimension::Time),
+            ("T_C", corners[1], Dimension::Time),
+            ("T_D", corners[2], Dimension::Time),
+            ("T", period, Dimension::Time),
+            ("q", q, Dimension::Dimensionless),
+        ];
+        if let (Source::En(s), Branch::AnnexA) = (&self.source, branch)
+            && let Some(displacement) = s.displacement_long(period, damping)
+        {
+            terms.push(("S_De", displacement, Dimension::Length));
+        }
+        if let (Source::En(s), true) = (&self.source, period > LONGEST_PERIOD) {
+            notes.push(format!(
+                "{symbol}: T = {} lies beyond the 4 s of EN 1998-1:2004 3.2.2.2; {}: {} (the 1/T² branch continued: {}).",
+                with_unit(period, Dimension::Time),
+                branch.describe(),
+                with_unit(value / q, Dimension::Acceleration),
+                with_unit(s.horizontal_continued(period, damping) / q, Dimension::Acceleration),
+            ));
+        }
+        sheet.calc(
+            symbol,
+            &format!("{part} spectral acceleration, ξ = {percent} %, {}", branch.describe()),
+            &formula,
+            &terms,
+            value / q,
+            Dimension::Acceleration,
+            clause,
+        )
+    }
+
+    /// Vertical acceleration of the breathing mode [m/s²] at its period and 3 % damping. Adds its line.
+    pub fn breathing(&self, sheet: &mut Sheet, period: f64) -> f64 {
+        let damping = BREATHING_DAMPING;
+        let (value, clause) = match &self.source {
+            Source::En(s) => (s.vertical(period, damping), EN_VERTICAL),
+            Source::Env(s) => (s.vertical(period, damping), "ENV 1998-1-1:1994 4.2.1"),
+            Source::Record { vertical, .. } => (
+                vertical.map_or(0.0, |v| ordinates(v, period, damping).psa),
+                "spectrum of the vertical record",
+            ),
+        };
+        sheet.step(
+            "S_ve(T_vd)",
+            "vertical spectral acceleration of the breathing mode",
+            "S_ve(T_vd, ξ)",
+            &format!(
+                "S_ve({}, {} %)",
+                with_unit(period, Dimension::Time),
+                number(100.0 * damping)
+            ),
+            value,
+            Dimension::Acceleration,
+            clause,
+        )
+    }
+}

@@ -1,0 +1,294 @@
+//! What the sheets of cylinders and rectangles share: the case, the growing sheet, masses, resultants, wave height.
+
+use super::demand::{Demand, Edition};
+use crate::case::{Case, Combination};
+use crate::mechanical::Lumped;
+use crate::procedure::{Assessment, Check, Profile};
+use crate::quantity::Quantity;
+use crate::sheet::{Sheet, Term, number, with_unit};
+use crate::tank::Shape;
+use crate::units::Dimension::{self, *};
+
+/// An assessment under way.
+pub(super) struct Work<'a> {
+    pub case: &'a Case,
+    pub edition: Edition,
+    pub demand: Demand<'a>,
+    pub sheet: Sheet,
+    pub out: Assessment,
+}
+
+/// Masses [kg] and levers [m] of a resultant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Masses {
+    pub impulsive: Lumped,
+    pub convective: Lumped,
+}
+
+impl Masses {
+    /// From ratios to the liquid mass and the depth.
+    pub fn of(case: &Case, [impulsive, convective]: [Lumped; 2]) -> Masses {
+        let (m, h) = (case.liquid_mass(), case.liquid.fill_height);
+        let scale = |part: Lumped| Lumped {
+            mass: part.mass * m,
+            lever: part.lever * h,
+            lever_with_base: part.lever_with_base * h,
+        };
+        Masses {
+            impulsive: scale(impulsive),
+            convective: scale(convective),
+        }
+    }
+}
+
+/// Sum of absolute values, or root of the sum of squares.
+pub(super) fn combined(method: Combination, impulsive: f64, convective: f64) -> f64 {
+    match method {
+        Combination::Abs => impulsive.abs() + convective.abs(),
+        Combination::Srss => impulsive.hypot(convective),
+    }
+}
+
+impl Work<'_> {
+    /// Section on tank and liquid; `symbol` is R or L.
+    pub fn tank(&mut self, symbol: &str, name: &str, half_length: f64) {
+        let case = self.case;
+        let depth = case.liquid.fill_height;
+        let sheet = &mut self.sheet;
+        sheet.section("Tank and liquid");
+        sheet.input(symbol, name, half_length, Length, "input");
+        sheet.input("H", "depth of the liquid", depth, Length, "input");
+        let terms = [("H", depth, Length), (symbol, half_length, Length)];
+        let formula = format!("H/{symbol}");
+        sheet.calc(
+            "γ",
+            "slenderness",
+            &formula,
+            &terms,
+            depth / half_length,
+            Dimensionless,
+            "definition",
+        );
+        sheet.input("ρ", "density of the liquid", case.liquid.density, Density, "input");
+        let (formula, breadth) = match case.tank.shape {
+            Shape::Cylinder { .. } => ("ρ·π·R²·H", 0.0),
+            Shape::Rectangle { breadth, .. } => ("ρ·2·L·b·H", breadth),
+        };
+        let terms = [
+            ("ρ", case.liquid.density, Density),
+            (symbol, half_length, Length),
+            ("b", breadth, Length),
+            ("H", depth, Length),
+        ];
+        sheet.calc(
+            "m",
+            "mass of the liquid",
+            formula,
+            &terms,
+            case.liquid_mass(),
+            Mass,
+            "definition",
+        );
+        sheet.input("m_w", "mass of the wall", case.tank.wall_mass(), Mass, "input");
+        sheet.input(
+            "h_w",
+            "height of its centre",
+            case.tank.wall_centroid(),
+            Length,
+            "input",
+        );
+        sheet.input("m_r", "mass of the roof", case.tank.roof.mass, Mass, "input");
+        sheet.input("h_r", "height of its centre", case.tank.roof_height(), Length, "input");
+        sheet.input("g", "acceleration of free fall", case.gravity, Acceleration, "input");
+        let [i, c] = [case.damping.impulsive, case.damping.sloshing];
+        let clause = self.edition.main("2.3.3");
+        self.sheet
+            .input("ξ_i", "damping ratio of the impulsive part", i, Dimensionless, &clause);
+        self.sheet
+            .input("ξ_c", "damping ratio of sloshing", c, Dimensionless, &clause);
+    }
+
+    /// A line `whole·ratio` whose formula is a series.
+    pub fn ratio(&mut self, (symbol, name): (&str, &str), formula: &str, whole: Term, ratio: f64, clause: &str) -> f64 {
+        let (_, value, dimension) = whole;
+        let substitution = format!("{}·{}", with_unit(value, dimension), number(ratio));
+        self.sheet
+            .step(symbol, name, formula, &substitution, value * ratio, dimension, clause)
+    }
+
+    /// Wave height `d = c·a·S_e(T_c1)/g`; with the second mode for information. Adds quantity and freeboard check.
+    pub fn wave(&mut self, symbol: &str, factor: f64, clause: &str, s_1: f64, second: Option<(f64, f64)>) {
+        let gravity = self.case.gravity;
+        let half_length = self.case.tank.shape.half_length();
+        let clause = self.edition.clause(clause);
+        self.sheet.section("Wave height");
+        let height = factor * half_length * s_1 / gravity;
+        let terms = [
+            (symbol, half_length, Length),
+            ("S_1", s_1, Acceleration),
+            ("g", gravity, Acceleration),
+        ];
+        let formula = format!("{}·{symbol}·S_1/g", number(factor));
+        self.sheet.calc(
+            "d_max",
+            "wave height, S_1 = S_e(T_c1)",
+            &formula,
+            &terms,
+            height,
+            Length,
+            &clause,
+        );
+        if let Some((factor_2, s_2)) = second {
+            let terms = [terms[0], terms[1], ("S_2", s_2, Acceleration), terms[2]];
+            let formula = format!(
+                "{symbol}·√(({}·S_1/g)² + ({}·S_2/g)²)",
+                number(factor),
+                number(factor_2)
+            );
+            let both = half_length * (factor * s_1 / gravity).hypot(factor_2 * s_2 / gravity);
+            let name = "wave height with the second mode, for information";
+            self.sheet.calc("d_2", name, &formula, &terms, both, Length, &clause);
+        }
+        self.out.values.insert(Quantity::SloshingHeight, height);
+        let note = "the wave needs this freeboard if the liquid must neither spill nor strike the roof";
+        let freeboard = self.case.freeboard();
+        self.check("freeboard", "Freeboard", height, freeboard, Length, &clause, note);
+    }
+
+    /// Base shear and moments; adds lines and quantities. Returns the moment just above the base plate [N·m].
+    pub fn resultants(&mut self, masses: &Masses, a_i: f64, a_c: f64, clause: &str) -> f64 {
+        let case = self.case;
+        let (m_w, h_w) = (case.tank.wall_mass(), case.tank.wall_centroid());
+        let (m_r, h_r) = (case.tank.roof.mass, case.tank.roof_height());
+        let (i, c) = (masses.impulsive, masses.convective);
+        let method = case.procedures.ec8_combination;
+        let combination = self.edition.clause("2.1");
+        let terms = [
+            ("m_i", i.mass, Mass),
+            ("m_w", m_w, Mass),
+            ("m_r", m_r, Mass),
+            ("m_c", c.mass, Mass),
+            ("h_i", i.lever, Length),
+            ("h_i′", i.lever_with_base, Length),
+            ("h_w", h_w, Length),
+            ("h_r", h_r, Length),
+            ("h_c", c.lever, Length),
+            ("h_c′", c.lever_with_base, Length),
+            ("A_i", a_i, Acceleration),
+            ("A_c", a_c, Acceleration),
+        ];
+        self.sheet.section("Base shear and moments");
+        let extra = m_w * h_w + m_r * h_r;
+        let mut moment = 0.0;
+        for (symbol, name, quantity, dimension, impulsive, convective) in [
+            (
+                "Q",
+                "base shear",
+                Quantity::BaseShear,
+                Force,
+                ((i.mass + m_w + m_r) * a_i, "(m_i + m_w + m_r)·A_i"),
+                (c.mass * a_c, "m_c·A_c"),
+            ),
+            (
+                "M",
+                "moment just above the base plate",
+                Quantity::BaseMoment,
+                Moment,
+                ((i.mass * i.lever + extra) * a_i, "(m_i·h_i + m_w·h_w + m_r·h_r)·A_i"),
+                (c.mass * c.lever * a_c, "m_c·h_c·A_c"),
+            ),
+            (
+                "M′",
+                "moment below the base plate",
+                Quantity::OverturningMoment,
+                Moment,
+                (
+                    (i.mass * i.lever_with_base + extra) * a_i,
+                    "(m_i·h_i′ + m_w·h_w + m_r·h_r)·A_i",
+                ),
+                (c.mass * c.lever_with_base * a_c, "m_c·h_c′·A_c"),
+            ),
+        ] {
+            let (part_i, part_c) = (format!("{symbol}_i"), format!("{symbol}_c"));
+            self.sheet.calc(
+                &part_i,
+                &format!("{name}, impulsive"),
+                impulsive.1,
+                &terms,
+                impulsive.0,
+                dimension,
+                clause,
+            );
+            self.sheet.calc(
+                &part_c,
+                &format!("{name}, convective"),
+                convective.1,
+                &terms,
+                convective.0,
+                dimension,
+                clause,
+            );
+            let value = combined(method, impulsive.0, convective.0);
+            let parts = [
+                (part_i.as_str(), impulsive.0, dimension),
+                (part_c.as_str(), convective.0, dimension),
+            ];
+            let formula = match method {
+                Combination::Abs => format!("{part_i} + {part_c}"),
+                Combination::Srss => format!("√({part_i}² + {part_c}²)"),
+            };
+            self.sheet
+                .calc(symbol, name, &formula, &parts, value, dimension, &combination);
+            self.out.values.insert(quantity, value);
+            if quantity == Quantity::BaseMoment {
+                moment = value;
+            }
+        }
+        self.out.values.insert(Quantity::ImpulsiveMass, i.mass);
+        self.out.values.insert(Quantity::ConvectiveMass, c.mass);
+        moment
+    }
+
+    /// Adds a check.
+    pub fn check(
+        &mut self,
+        id: &str,
+        name: &str,
+        demand: f64,
+        capacity: f64,
+        dimension: Dimension,
+        clause: &str,
+        note: &str,
+    ) {
+        self.out
+            .checks
+            .push(Check::new(id, name, demand, capacity, dimension, clause, note));
+    }
+
+    /// Adds a profile over the heights `z`.
+    pub fn profile(&mut self, id: &str, title: &str, dimension: Dimension, z: &[f64], value: impl Fn(f64) -> f64) {
+        self.out.profiles.push(Profile {
+            id: id.into(),
+            title: title.into(),
+            dimension,
+            z: z.to_vec(),
+            values: z.iter().map(|z| value(*z)).collect(),
+        });
+    }
+
+    /// Heights of the profiles: 40 steps over the depth, and both sides of every joint of courses below the surface.
+    pub fn heights(&self) -> Vec<f64> {
+        let depth = self.case.liquid.fill_height;
+        let mut z: Vec<f64> = (0..=40).map(|i| depth * f64::from(i) / 40.0).collect();
+        let mut joint = 0.0;
+        for course in &self.case.tank.courses {
+            joint += course.height;
+            if joint < depth * (1.0 - 1e-6) {
+                z.extend([joint - 1e-6 * depth, joint]);
+            }
+        }
+        z.sort_by(f64::total_cmp);
+        z.dedup();
+        z
+    }
+}
