@@ -1,14 +1,176 @@
 //! The report: a function of the results folder alone.
+//!
+//! ```text
+//! results.json ─┐
+//!               ├─ sections (text, tables, figures) ─ templates ─ report.html
+//! series.csv  ──┘                                               └ figures/*.svg
+//! ```
+//!
+//! `report.html` is one file that needs nothing else: no script, figures as inline SVG with title, description and data
+//! table, styles inline, dark mode and A4 print by CSS. It is deterministic; what may differ between two runs stands in
+//! the one element `#volatile`.
+//!
+//! | module | does |
+//! |---|---|
+//! | [`sections`] | decides what is shown, one file a section |
+//! | [`figure`] | draws |
+//! | [`math`] | sets formulas |
+//! | [`number`] | prints numbers |
+//! | [`template`] | holds the templates, embedded or the user's |
 
-use std::path::Path;
+pub mod figure;
+pub mod math;
+pub mod methods;
+pub mod number;
+pub mod sections;
+pub mod table;
+pub mod template;
+
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use tera::Context;
 
 use crate::error::Error;
+use crate::results::{self, Results, Series, describe};
+use figure::Figure;
+use sections::Source;
+use template::Templates;
+
+/// Name of the report in a results folder.
+pub const REPORT_FILE: &str = "report.html";
+/// Folder of the figures in a results folder.
+pub const FIGURES_FOLDER: &str = "figures";
+
+/// A report in memory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// `report.html`.
+    pub html: String,
+    /// Figures as files of their own: name and SVG.
+    pub figures: Vec<(String, String)>,
+}
 
 /// Reads `results.json` and `series.csv` in `folder` and writes `report.html` and `figures/*.svg` there.
 ///
 /// `templates`: a folder whose files replace the embedded templates of the same name.
 /// Returns the path of the report.
-pub fn render(folder: &Path, templates: Option<&Path>) -> Result<std::path::PathBuf, Error> {
-    let _ = (folder, templates);
-    Err(Error::Report("not connected yet".into()))
+pub fn render(folder: &Path, templates: Option<&Path>) -> Result<PathBuf, Error> {
+    let results = results::read(folder)?;
+    let series = results::read_series(folder)?;
+    let report = build(&results, &series, &Templates::new(templates)?)?;
+    let write = |path: &Path, text: &str| {
+        std::fs::write(path, text).map_err(|e| Error::File {
+            path: path.into(),
+            what: describe(&e),
+        })
+    };
+    let figures = folder.join(FIGURES_FOLDER);
+    std::fs::create_dir_all(&figures).map_err(|e| Error::File {
+        path: figures.clone(),
+        what: describe(&e),
+    })?;
+    for (name, svg) in &report.figures {
+        write(&figures.join(name), svg)?;
+    }
+    let path = folder.join(REPORT_FILE);
+    write(&path, &report.html)?;
+    Ok(path)
+}
+
+/// A rendered section as the page template sees it.
+#[derive(Serialize)]
+struct SectionView {
+    id: &'static str,
+    title: &'static str,
+    html: String,
+}
+
+/// Renders results and histories.
+///
+/// Errors: a template that fails, a section that renders without content.
+pub fn build(results: &Results, series: &Series, templates: &Templates) -> Result<Report, Error> {
+    let source = Source { results, series };
+    let mut views = Vec::new();
+    let mut figures: Vec<Figure> = Vec::new();
+    for make in sections::ALL {
+        let Some(section) = make(&source)? else {
+            continue;
+        };
+        let template = format!("sections/{}.html", section.id);
+        let html = templates.render(&template, &section.context)?;
+        if is_empty(&html) {
+            return Err(Error::Report(format!(
+                "section `{}` has no content (template {template})",
+                section.id
+            )));
+        }
+        views.push(SectionView {
+            id: section.id,
+            title: section.title,
+            html,
+        });
+        figures.extend(section.figures);
+    }
+    let mut page = Context::new();
+    page.insert("name", &results.name);
+    page.insert("sections", &views);
+    page.insert("style", templates.css("style.css"));
+    page.insert("figure_style", templates.css("figure.css"));
+    let html = templates.render("report.html", &page)?;
+    let css = templates.css("figure.css");
+    let figures = figures
+        .iter()
+        .map(|f| (format!("{}.svg", file_name(&f.id)), f.standalone(css)))
+        .collect();
+    Ok(Report { html, figures })
+}
+
+/// Whether markup holds nothing to see: no text, no figure.
+fn is_empty(html: &str) -> bool {
+    if html.contains("<svg") {
+        return false;
+    }
+    let mut inside_tag = false;
+    !html.chars().any(|c| {
+        match c {
+            '<' => inside_tag = true,
+            '>' => {
+                inside_tag = false;
+                return false;
+            }
+            _ => {}
+        }
+        !inside_tag && !c.is_whitespace()
+    })
+}
+
+/// An id as the name of a file: letters, digits, `-`, `_` and `.`, the rest as `_`.
+fn file_name(id: &str) -> String {
+    id.chars()
+        .map(|c| {
+            if c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.') {
+                c
+            } else {
+                '_'
+            }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markup_without_text_is_empty() {
+        assert!(is_empty("<div>\n <p></p></div>"));
+        assert!(!is_empty("<p>x</p>"));
+        assert!(!is_empty("<svg></svg>"));
+    }
+
+    #[test]
+    fn ids_become_file_names() {
+        assert_eq!(file_name("history_hoop@0.1/../x"), "history_hoop_0.1_.._x");
+    }
 }

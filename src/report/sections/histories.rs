@@ -1,0 +1,166 @@
+//! Time histories with their maxima marked.
+
+use codes::units::Dimension;
+
+use super::motion::is_ground_motion;
+use super::{Section, Source};
+use crate::error::Error;
+use crate::report::figure::chart::{Axis, Chart, Line, Mark};
+use crate::report::figure::decimate::decimate;
+use crate::report::figure::{Figure, Room, WIDE};
+use crate::report::number::{Scale, fixed, with_unit};
+use crate::report::table::{Column, Table};
+use crate::results::SeriesInfo;
+
+/// Histories drawn at most; the rest stands in the table of peaks and in `series.csv`.
+const MOST: usize = 9;
+/// Histories that come first, by the beginning of their id.
+const FIRST: [&str; 5] = [
+    "wave_height",
+    "base_shear",
+    "base_moment",
+    "axial_membrane_stress",
+    "overturning_moment",
+];
+
+/// Makes the section.
+pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let Some(fe) = &source.results.fe else {
+        return Ok(None);
+    };
+    let mut infos: Vec<&SeriesInfo> = fe.series.iter().filter(|s| !is_ground_motion(&s.id)).collect();
+    infos.sort_by_key(|s| FIRST.iter().position(|f| s.id.starts_with(f)).unwrap_or(FIRST.len()));
+    if infos.is_empty() {
+        return Ok(None);
+    }
+    let mut figures = Vec::new();
+    if let Some(values) = source.column("ground_acceleration") {
+        let figure = history(
+            source,
+            "history_ground_acceleration",
+            "Ground acceleration",
+            Dimension::Acceleration,
+            values,
+            None,
+            "k-ground",
+        )?;
+        figures.extend(figure);
+    }
+    for info in infos.iter().take(MOST) {
+        let Some(values) = source.column(&info.id) else {
+            continue;
+        };
+        let id = format!("history_{}", info.id);
+        figures.extend(history(
+            source,
+            &id,
+            &info.title,
+            info.dimension,
+            values,
+            Some(info),
+            "k-fe",
+        )?);
+    }
+    let mut table = Table::new(vec![
+        Column::words("History"),
+        Column::words("Unit"),
+        Column::numbers("Largest absolute value", ""),
+        Column::numbers("Time", "s"),
+        Column::numbers("Static value", ""),
+    ]);
+    for info in &infos {
+        let scale = Scale::of(info.dimension, [info.peak]);
+        table.row(vec![
+            info.title.clone(),
+            scale.symbol().into(),
+            scale.text(info.peak),
+            fixed(info.time, 3),
+            if info.static_value == 0.0 {
+                "–".into()
+            } else {
+                scale.text(info.static_value)
+            },
+        ]);
+    }
+    let mut section = Section::new("histories", "Time histories");
+    section.set("undrawn", &infos.len().saturating_sub(MOST));
+    section.set("peaks", &table);
+    section.set_figures("figures", figures);
+    Ok(Some(section))
+}
+
+/// A history as a figure, its largest absolute value marked; `None` if the column is empty.
+pub fn history(
+    source: &Source,
+    id: &str,
+    title: &str,
+    dimension: Dimension,
+    values: &[f64],
+    info: Option<&SeriesInfo>,
+    class: &str,
+) -> Result<Option<Figure>, Error> {
+    let time = &source.series.time;
+    let n = time.len().min(values.len());
+    if n < 2 {
+        return Ok(None);
+    }
+    let (time, values) = (&time[..n], &values[..n]);
+    let extreme =
+        |better: fn(f64, f64) -> bool| (0..n).fold(0, |best, i| if better(values[i], values[best]) { i } else { best });
+    let (lowest, highest) = (extreme(|a, b| a < b), extreme(|a, b| a > b));
+    let peak = if -values[lowest] > values[highest] {
+        lowest
+    } else {
+        highest
+    };
+    let scale = Scale::of(dimension, [values[peak]]);
+
+    let points = decimate(time, values, (WIDE - 60.0) as usize);
+    let x = Axis::exact("Time", Dimension::Time, (time[0], time[n - 1]), 8);
+    let y = Axis::linear(title, dimension, [values[lowest], values[highest], 0.0], 4);
+    let mut chart = Chart::new((WIDE, 158.0), x, y);
+    chart.lines.push(Line {
+        points,
+        class: format!("{class} hist"),
+        label: String::new(),
+    });
+    chart.marks.push(Mark {
+        at: (time[peak], values[peak]),
+        label: format!("{} at {} s", with_unit(values[peak], dimension), fixed(time[peak], 2)),
+        class: "peak".into(),
+    });
+    let mut table = Table::new(vec![
+        Column::words("Extreme"),
+        Column::numbers(title, scale.symbol()),
+        Column::numbers("Time", "s"),
+    ]);
+    for (label, i) in [("largest", highest), ("smallest", lowest)] {
+        table.row(vec![label.into(), scale.text(values[i]), fixed(time[i], 3)]);
+    }
+    let static_value = info.map_or(0.0, |i| i.static_value);
+    let caption = if static_value == 0.0 {
+        String::new()
+    } else {
+        format!(
+            "Seismic part; the static value {} is not contained.",
+            with_unit(static_value, dimension)
+        )
+    };
+    Ok(Some(Figure {
+        id: id.into(),
+        title: title.into(),
+        caption,
+        description: format!(
+            "{title} over {} s. Largest {} at {} s, smallest {} at {} s.",
+            fixed(time[n - 1], 1),
+            with_unit(values[highest], dimension),
+            fixed(time[highest], 2),
+            with_unit(values[lowest], dimension),
+            fixed(time[lowest], 2)
+        ),
+        size: chart.size,
+        markup: chart.draw()?,
+        table,
+        room: Room::Wide,
+    }))
+}

@@ -1,0 +1,149 @@
+//! The tank: sketch to scale, courses, masses, deformability.
+
+use codes::tank::{Shape, Support};
+use codes::units::Dimension;
+use serde::Serialize;
+
+use super::{Section, Source};
+use crate::error::Error;
+use crate::report::figure::{Figure, Room, sketch};
+use crate::report::number::{Scale, fixed, plain, significant, with_unit};
+use crate::report::table::{Column, Table};
+
+#[derive(Serialize)]
+struct Deformability {
+    as_printed: String,
+    corrected: String,
+    note: String,
+}
+
+/// Makes the section.
+pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let summary = &source.results.tank;
+    let tank = &summary.tank;
+    let mut section = Section::new("tank", "Tank and liquid");
+    let (size, markup, exaggeration) = sketch::draw(summary);
+    let plan = match tank.shape {
+        Shape::Cylinder { .. } => "upright cylinder",
+        Shape::Rectangle { strip: true, .. } => "strip of a long rectangular tank",
+        Shape::Rectangle { .. } => "rectangle",
+    };
+    let support = match tank.support {
+        Support::Anchored => "anchored",
+        Support::Unanchored => "resting on the ground",
+    };
+    let caption = if exaggeration > 1.0 {
+        format!(
+            "Section and plan to one scale; wall thickness drawn {} times.",
+            plain(exaggeration, 0)
+        )
+    } else {
+        "Section and plan to one scale.".into()
+    };
+    section.set_figures(
+        "figures",
+        vec![Figure {
+            id: "sketch".into(),
+            title: "Tank".into(),
+            caption,
+            description: format!(
+                "Section through the tank ({plan}, {support}), wall {} high in {} courses, liquid {} deep.",
+                with_unit(tank.wall_height(), Dimension::Length),
+                tank.courses.len(),
+                with_unit(summary.liquid.fill_height, Dimension::Length)
+            ),
+            size,
+            markup,
+            table: courses(source),
+            room: Room::Wide,
+        }],
+    );
+    let mut facts = Table::new(vec![
+        Column::words("Property"),
+        Column::numbers("Value", ""),
+        Column::words("Unit"),
+    ]);
+    let mut fact = |label: &str, value: f64, dimension| {
+        let (number, unit) = crate::report::number::parts(value, dimension);
+        facts.row(vec![label.into(), number, unit.into()]);
+    };
+    fact("Liquid mass", summary.liquid_mass, Dimension::Mass);
+    fact("Liquid density", summary.liquid.density, Dimension::Density);
+    fact("Wall mass", summary.wall_mass, Dimension::Mass);
+    if tank.roof.mass > 0.0 {
+        fact("Roof mass", tank.roof.mass, Dimension::Mass);
+        fact(
+            "Height of the roof's centre of mass",
+            tank.roof_height(),
+            Dimension::Length,
+        );
+    }
+    fact(
+        "Freeboard",
+        tank.wall_height() - summary.liquid.fill_height,
+        Dimension::Length,
+    );
+    fact("Acceleration of free fall", summary.gravity, Dimension::Acceleration);
+    if let Some(bottom) = &tank.bottom {
+        fact(
+            "Thickness of the bottom plate under the shell",
+            bottom.thickness,
+            Dimension::Length,
+        );
+    }
+    if let Some(anchors) = &tank.anchors {
+        fact("Number of anchors", f64::from(anchors.count), Dimension::Dimensionless);
+        if let Some(capacity) = anchors.capacity {
+            fact("Capacity of one anchor", capacity, Dimension::Force);
+        }
+    }
+    section.set("plan", plan);
+    section.set("support", support);
+    section.set("facts", &facts);
+    section.set("courses", &courses(source));
+    let deformability: Vec<Deformability> = summary
+        .deformability
+        .iter()
+        .map(|d| Deformability {
+            as_printed: significant(d.as_printed, 4),
+            corrected: significant(d.corrected, 4),
+            note: d.note.clone(),
+        })
+        .collect();
+    section.set("deformability", &deformability);
+    Ok(Some(section))
+}
+
+fn courses(source: &Source) -> Table {
+    let courses = &source.results.tank.tank.courses;
+    let height = Scale::of(Dimension::Length, courses.iter().map(|c| c.height));
+    let thickness = Scale::of(Dimension::Length, courses.iter().map(|c| c.thickness));
+    let modulus = Scale::of(Dimension::Stress, courses.iter().map(|c| c.material.youngs_modulus));
+    let density = Scale::of(Dimension::Density, courses.iter().map(|c| c.material.density));
+    let yields = courses.iter().filter_map(|c| c.material.yield_strength);
+    let strength = Scale::of(Dimension::Stress, yields);
+    let mut table = Table::new(vec![
+        Column::numbers("Course", ""),
+        Column::numbers("Height", height.symbol()),
+        Column::numbers("Thickness", thickness.symbol()),
+        Column::words("Material"),
+        Column::numbers("Young’s modulus", modulus.symbol()),
+        Column::numbers("Poisson’s ratio", ""),
+        Column::numbers("Density", density.symbol()),
+        Column::numbers("Yield strength", strength.symbol()),
+    ]);
+    for (i, c) in courses.iter().enumerate() {
+        table.row(vec![
+            format!("{}", i + 1),
+            height.text(c.height),
+            thickness.text(c.thickness),
+            c.material.name.clone(),
+            modulus.text(c.material.youngs_modulus),
+            fixed(c.material.poisson_ratio, 2),
+            density.text(c.material.density),
+            c.material.yield_strength.map_or("–".into(), |f| strength.text(f)),
+        ]);
+    }
+    table.caption = "Courses from the base up".into();
+    table
+}
