@@ -14,7 +14,7 @@ use crate::compare::{self, Context};
 use crate::error::Error;
 use crate::fe::{self, Simulation};
 use crate::job::Job;
-use crate::results::{FORMAT, Method, Results, Series, Status, TankSummary, Value, Verdict, Volatile};
+use crate::results::{Deformability, FORMAT, Method, Results, Series, Status, TankSummary, Value, Verdict, Volatile};
 
 pub use output::{OUTPUT, OutputFolder, copy_results};
 
@@ -80,7 +80,11 @@ pub fn run(job: &Job) -> Result<(Results, Series), Error> {
             gravity: job.case.gravity,
             liquid_mass: job.case.liquid_mass(),
             wall_mass: job.case.tank.wall_mass(),
-            deformability: None,
+            deformability: codes::deformability::of(&job.case).map(|k| Deformability {
+                as_printed: k.as_printed,
+                corrected: k.corrected,
+                note: k.note,
+            }),
         },
         records,
         spectra,
