@@ -1,12 +1,44 @@
-//! Accelerograms: sniff the format, read, process.
+//! Accelerograms: load, recognise the format, read, process.
+//!
+//! | file | format |
+//! |---|---|
+//! | [`columns`] | CSV and plain text: one column (acceleration) or two (time, acceleration) |
+//! | [`at2`] | PEER `.AT2`, headers of 1999 and NGA |
+//! | [`foreign`] | formats that are recognised only to say so |
+//! | [`process`](mod@process) | scaling, time stretching, resampling |
+//!
+//! The unit of acceleration comes from the format, the header or [`ReadOptions::unit`], never from the size of the
+//! numbers. Whatever is wrong is an [`Error::Input`] with file, line, what was found and what is allowed.
+
+pub mod at2;
+pub mod columns;
+pub mod foreign;
+mod load;
+mod number;
+mod process;
+mod time;
+mod unit;
 
 use std::path::Path;
 
 use codes::record::Record;
 
 use crate::error::Error;
+use crate::input::diagnostic::{Fault, Faults, Source};
 
-/// What `tank.json` asks to be done to a record, in this order: scale, stretch.
+pub use process::process;
+pub use unit::AccelerationUnit;
+
+/// Most samples of a record: 5.5 hours at 100 Hz. Beyond that the histories of the engine would not fit in memory.
+pub const MAX_SAMPLES: usize = 2_000_000;
+/// Largest file that is read [bytes].
+pub const MAX_BYTES: u64 = 128 << 20;
+/// Largest plausible peak ground acceleration, 5 g [m/s²]; the largest recorded are near 3 g.
+pub const MAX_PLAUSIBLE: f64 = 5.0 * codes::STANDARD_GRAVITY;
+/// Reading stops after this many faults.
+const MAX_FAULTS: usize = 20;
+
+/// What `tank.json` asks to be done to a record, in the order of the fields.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Processing {
     /// Scale to this peak [m/s²].
@@ -17,17 +49,6 @@ pub struct Processing {
     pub time_factor: Option<f64>,
     /// Resample (linear) to this time step [s].
     pub resample: Option<f64>,
-}
-
-/// Unit of the numbers in a file that does not name it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AccelerationUnit {
-    /// m/s²
-    MetrePerSecondSquared,
-    /// cm/s² (gal)
-    Gal,
-    /// standard gravity
-    G,
 }
 
 /// How to read a file.
@@ -46,26 +67,201 @@ pub struct ReadOptions {
 pub struct ReadRecord {
     /// The record, unprocessed.
     pub record: Record,
-    /// Format and where its unit came from, in words.
+    /// Format, in words.
     pub format: String,
+    /// Unit of the numbers in the file.
+    pub unit: AccelerationUnit,
+    /// Where the unit came from, in words.
+    pub unit_source: String,
+    /// Remarks: a time axis that does not begin at zero, a time column without a unit.
+    pub notes: Vec<String>,
     /// SHA-256 of the file.
     pub sha256: String,
 }
 
+/// What a format's reader makes of a text: numbers in the unit of the file.
+struct Draft {
+    title: Option<String>,
+    format: String,
+    unit: AccelerationUnit,
+    unit_source: String,
+    dt: f64,
+    values: Vec<f64>,
+    /// Byte of the text at which each value begins.
+    places: Vec<u32>,
+    notes: Vec<String>,
+}
+
 /// Reads an accelerogram (`-` reads standard input).
+///
+/// # Errors
+/// A file that cannot be read or is too large, and every fault of its contents, up to a limit all at once.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadRecord, Error> {
-    let _ = options;
-    Err(Error::File {
-        path: path.into(),
-        what: "not connected yet".into(),
+    read_bytes(&load::load(path)?, path, options)
+}
+
+/// Reads an accelerogram from the bytes of the file at `path` (for its name only).
+///
+/// # Errors
+/// As [`read`].
+pub fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<ReadRecord, Error> {
+    if let Some(dt) = options.dt.filter(|dt| !(dt.is_finite() && *dt > 0.0)) {
+        return Err(Error::Input(format!(
+            "error: --dt: found {dt}, allowed a time step in seconds greater than 0"
+        )));
+    }
+    let text = load::decode(bytes).map_err(|fault| Faults::from(fault).into_error(&Source::at(path, "")))?;
+    let source = Source::at(path, text);
+    let draft = draft(&source.text, options).map_err(|faults| faults.into_error(&source))?;
+    let scale = draft.unit.si();
+    let record = Record {
+        name: draft.title.unwrap_or_else(|| stem(path)),
+        dt: draft.dt,
+        acceleration: draft.values.iter().map(|a| a * scale).collect(),
+        processing: Vec::new(),
+    };
+    Ok(ReadRecord {
+        record,
+        format: draft.format,
+        unit: draft.unit,
+        unit_source: draft.unit_source,
+        notes: draft.notes,
+        sha256: load::sha256(bytes),
     })
 }
 
-/// Applies the processing; every step is stated in [`Record::processing`].
-///
-/// # Errors
-/// A factor or step that is not positive and finite, or a result of more samples than a record may have.
-pub fn process(record: &Record, processing: &Processing) -> Result<Record, Error> {
-    let _ = processing;
-    Ok(record.clone())
+fn draft(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
+    if let Some(fault) = foreign::recognise(text) {
+        return Err(fault.into());
+    }
+    let draft = if at2::sniff(text) {
+        at2::read(text, options)
+    } else {
+        columns::read(text, options)
+    }?;
+    plausible(&draft, text, options)?;
+    Ok(draft)
+}
+
+/// Refuses what no accelerogram can be: fewer than two samples, no motion at all, peaks above 5 g.
+fn plausible(draft: &Draft, text: &str, options: &ReadOptions) -> Result<(), Faults> {
+    if draft.values.len() < 2 {
+        return Err(Fault::new("a record needs at least two samples")
+            .found(format!("{} sample(s)", draft.values.len()))
+            .into());
+    }
+    let (place, peak) =
+        draft.places.iter().zip(&draft.values).fold(
+            (0, 0.0),
+            |best: (u32, f64), (&place, a)| if a.abs() > best.1 { (place, a.abs()) } else { best },
+        );
+    if peak == 0.0 {
+        return Err(Fault::new("all accelerations are zero")
+            .allowed("a record with motion in it")
+            .into());
+    }
+    let peak_si = peak * draft.unit.si();
+    if peak_si > MAX_PLAUSIBLE && !options.allow_implausible {
+        let g = peak_si / codes::STANDARD_GRAVITY;
+        return Err(Fault::new(format!("implausible peak ground acceleration of {g:.4} g"))
+            .at(token_at(text, place as usize))
+            .found(format!("{peak} {}, unit from {}", draft.unit, draft.unit_source))
+            .allowed("up to 5 g (the largest recorded are near 3 g)")
+            .help("mend the unit in the header or --units; if the peak is meant, give --allow-implausible")
+            .into());
+    }
+    Ok(())
+}
+
+/// Bytes of the number or word that begins at `start`.
+fn token_at(text: &str, start: usize) -> std::ops::Range<usize> {
+    let rest = text.get(start..).unwrap_or_default();
+    let end = rest
+        .find(|c: char| c.is_whitespace() || c == ',' || c == ';')
+        .unwrap_or(rest.len());
+    start..start + end
+}
+
+/// Collects faults up to the limit.
+struct Collector {
+    faults: Faults,
+}
+
+impl Collector {
+    fn new() -> Collector {
+        Collector { faults: Faults::new() }
+    }
+
+    /// Adds a fault; true if it was the last one that is taken.
+    #[must_use]
+    fn push(&mut self, fault: Fault) -> bool {
+        self.faults.push(fault);
+        if self.faults.list().len() < MAX_FAULTS {
+            return false;
+        }
+        self.faults
+            .push(Fault::new(format!("reading stopped after {MAX_FAULTS} faults")));
+        true
+    }
+
+    fn finish(self) -> Result<(), Faults> {
+        if self.faults.is_empty() {
+            Ok(())
+        } else {
+            Err(self.faults)
+        }
+    }
+}
+
+/// The unit to read with: that of the file, that of the options, or a fault. `named` is the file's own unit with its
+/// source in words.
+fn settle_unit(
+    named: Option<(AccelerationUnit, String)>,
+    options: &ReadOptions,
+    example: &str,
+) -> Result<(AccelerationUnit, String), Fault> {
+    match (named, options.unit) {
+        (Some((unit, source)), None) => Ok((unit, source)),
+        (Some((unit, source)), Some(given)) if unit == given => Ok((unit, source)),
+        (Some((unit, source)), Some(given)) => Err(Fault::new("the file and --units disagree")
+            .found(format!("{unit} in the {source}, --units {given}"))
+            .allowed("one unit")
+            .help("leave --units out, or mend the header")),
+        (None, Some(given)) => Ok((given, format!("--units {given}"))),
+        (None, None) => Err(Fault::new("the file does not name the unit of acceleration")
+            .allowed(format!(
+                "{example}, or --units with one of {}",
+                AccelerationUnit::ALLOWED
+            ))
+            .help("the unit is never guessed from the size of the numbers")),
+    }
+}
+
+/// The time step to read with: that of the file, that of the options, or `None`.
+fn settle_dt(named: Option<f64>, options: &ReadOptions) -> Result<Option<f64>, Fault> {
+    match (named, options.dt) {
+        (Some(dt), Some(given)) if (dt - given).abs() > 1e-6 * dt => Err(Fault::new("the file and --dt disagree")
+            .found(format!("a step of {dt} s in the file, --dt {given}"))
+            .help("leave --dt out; to stretch the time axis use the time factor")),
+        (Some(dt), _) => Ok(Some(dt)),
+        (None, given) => Ok(given),
+    }
+}
+
+/// File name without folders and extension.
+fn stem(path: &Path) -> String {
+    if path == Path::new("-") {
+        return "stdin".into();
+    }
+    path.file_stem()
+        .map_or_else(|| "record".into(), |s| printable(&s.to_string_lossy()))
+}
+
+/// Without control characters and surplus spaces.
+fn printable(text: &str) -> String {
+    let words: Vec<&str> = text
+        .split(|c: char| c.is_whitespace() || c.is_control())
+        .filter(|w| !w.is_empty())
+        .collect();
+    words.join(" ")
 }

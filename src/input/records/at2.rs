@@ -1,0 +1,206 @@
+//! PEER `.AT2`: a header of text lines, then accelerations in reading order, several to a line.
+//!
+//! ```text
+//! PEER NGA STRONG MOTION DATABASE RECORD
+//! Imperial Valley-02, 5/19/1940, El Centro Array #9, 180
+//! ACCELERATION TIME SERIES IN UNITS OF G
+//! NPTS=   5372, DT=   .0100 SEC,
+//!    .9984852E-03   .9991426E-03   …
+//! ```
+//!
+//! The line with `NPTS` and `DT` ends the header; before NGA it was also written `5372 .0100 NPTS, DT`. The unit stands
+//! after the word `UNITS`. The last line may be partial. NPTS must be the number of values: a file that was cut off
+//! must not pass.
+
+use crate::input::diagnostic::{Fault, Faults};
+use crate::input::records::number::{parse, split_glued};
+use crate::input::records::{
+    AccelerationUnit, Collector, Draft, MAX_SAMPLES, ReadOptions, printable, settle_dt, settle_unit,
+};
+
+/// The header ends within this many lines.
+const HEADER_LINES: usize = 30;
+
+/// Whether one of the first lines is the line with NPTS.
+pub fn sniff(text: &str) -> bool {
+    header_end(text).is_some()
+}
+
+/// Number (from 0) of the line with NPTS.
+fn header_end(text: &str) -> Option<usize> {
+    text.lines()
+        .take(HEADER_LINES)
+        .position(|line| line.to_ascii_uppercase().contains("NPTS"))
+}
+
+/// Reads the text; call [`sniff`] before.
+pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
+    let lines = lines_with_places(text);
+    let last = header_end(text).unwrap_or(0);
+    let header = &lines[..(last + 1).min(lines.len())];
+    let (start, line) = header.last().copied().unwrap_or((0, ""));
+    let (samples, dt) = counts(line).map_err(|fault| fault.at(start..start + line.len()))?;
+    let dt = settle_dt(dt, options)?.ok_or_else(|| {
+        Fault::new("the header has no time step")
+            .at(start..start + line.len())
+            .allowed("`NPTS= 4000, DT= .01000 SEC`, or --dt")
+    })?;
+    acceleration(header)?;
+    let (unit, unit_source) = settle_unit(unit_of(header), options, "a header line such as `IN UNITS OF G`")?;
+    let (values, places) = values(&lines[header.len()..], samples, text)?;
+    Ok(Draft {
+        title: title(header),
+        format: format!("PEER .AT2 (NPTS = {samples}, DT = {dt} s)"),
+        unit,
+        unit_source,
+        dt,
+        values,
+        places,
+        notes: Vec::new(),
+    })
+}
+
+/// Lines and the byte at which each begins.
+fn lines_with_places(text: &str) -> Vec<(usize, &str)> {
+    let mut start = 0;
+    text.split_inclusive('\n')
+        .map(|line| {
+            let place = start;
+            start += line.len();
+            (place, line.trim_end_matches(['\n', '\r']))
+        })
+        .collect()
+}
+
+/// NPTS and DT of the line that names them; DT may be missing.
+fn counts(line: &str) -> Result<(usize, Option<f64>), Fault> {
+    let upper = line.to_ascii_uppercase();
+    let after = |word: &str| {
+        let place = upper.find(word)? + word.len();
+        let rest = upper.get(place..)?.trim_start_matches([' ', '=', ':', '\t']);
+        let token = rest.split([' ', ',', ';', '\t']).next()?;
+        parse(token).ok()
+    };
+    let mut leading = upper
+        .split([' ', ',', ';', '\t'])
+        .filter(|t| !t.is_empty())
+        .map_while(|t| parse(t).ok());
+    let (npts, dt) = match after("NPTS") {
+        Some(npts) => (Some(npts), after("DT")),
+        None => (leading.next(), leading.next()),
+    };
+    let shape = "`NPTS= 4000, DT= .01000 SEC` or `4000 .01000 NPTS, DT`";
+    let fault = |what: &str| Fault::new(what).found(line.trim()).allowed(shape);
+    let npts = npts.ok_or_else(|| fault("no number of points beside NPTS"))?;
+    if npts.fract() != 0.0 || npts < 2.0 {
+        return Err(fault("NPTS must be a whole number of at least 2"));
+    }
+    if npts > MAX_SAMPLES as f64 {
+        return Err(fault("the record is too long").allowed(format!("up to {MAX_SAMPLES} samples")));
+    }
+    if dt.is_some_and(|dt| dt <= 0.0) {
+        return Err(fault("DT must be greater than 0"));
+    }
+    Ok((npts as usize, dt))
+}
+
+/// Refuses the companions of `.AT2`: `.VT2` (velocity) and `.DT2` (displacement).
+fn acceleration(header: &[(usize, &str)]) -> Result<(), Fault> {
+    for &(start, line) in header {
+        let upper = line.to_ascii_uppercase();
+        let series = upper.contains("TIME SERIES") || upper.contains("TIME HISTORY");
+        if series && !upper.contains("ACC") && (upper.contains("VELOCITY") || upper.contains("DISPLACEMENT")) {
+            return Err(Fault::new("this is not an acceleration record")
+                .at(start..start + line.len())
+                .found(line.trim())
+                .allowed("an acceleration time series (.AT2)"));
+        }
+    }
+    Ok(())
+}
+
+/// The unit after the word UNITS, with its source in words.
+fn unit_of(header: &[(usize, &str)]) -> Option<(AccelerationUnit, String)> {
+    header.iter().enumerate().find_map(|(i, (_, line))| {
+        let upper = line.to_ascii_uppercase();
+        let mut rest = upper
+            .get(upper.find("UNIT")?..)?
+            .trim_start_matches(|c: char| c.is_alphabetic());
+        loop {
+            rest = rest.trim_start_matches([' ', '=', ':', '(', '[', '\t']);
+            match ["OF ", "ARE ", "IS ", "IN "]
+                .iter()
+                .find_map(|word| rest.strip_prefix(word))
+            {
+                Some(shorter) => rest = shorter,
+                None => break,
+            }
+        }
+        let token = rest.split([' ', ',', ';', ')', ']', '\t']).next()?;
+        let unit = AccelerationUnit::parse(token.trim_end_matches('.'))?;
+        Some((unit, format!("header, line {} (`{}`)", i + 1, printable(line))))
+    })
+}
+
+/// Event, station and component: the second line of a PEER header.
+fn title(header: &[(usize, &str)]) -> Option<String> {
+    let peer = header.first()?.1.trim_start().to_ascii_uppercase().starts_with("PEER");
+    let title = printable(header.get(1)?.1);
+    (peer && header.len() >= 4 && !title.is_empty()).then_some(title)
+}
+
+/// All values after the header; their number must be `expected`.
+fn values(lines: &[(usize, &str)], expected: usize, text: &str) -> Result<(Vec<f64>, Vec<u32>), Faults> {
+    let (mut values, mut places) = (Vec::new(), Vec::new());
+    let mut faults = Collector::new();
+    let mut surplus = None;
+    'file: for &(start, line) in lines {
+        for (offset, token) in words(line) {
+            for (inner, number) in split_glued(token) {
+                let place = start + offset + inner;
+                match parse(number) {
+                    Ok(value) if values.len() < expected => {
+                        values.push(value);
+                        places.push(u32::try_from(place).unwrap_or(u32::MAX));
+                    }
+                    Ok(_) => {
+                        surplus = Some(place..place + number.len());
+                        break 'file;
+                    }
+                    Err(wrong) => {
+                        let fault = Fault::new(wrong.message("the acceleration"))
+                            .at(place..place + number.len())
+                            .found(number)
+                            .allowed("finite numbers such as -.123E-01");
+                        if faults.push(fault) {
+                            break 'file;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    faults.finish()?;
+    if let Some(span) = surplus {
+        return Err(Fault::new("the file holds more values than NPTS says")
+            .at(span)
+            .found(format!("a value after the {expected} of NPTS"))
+            .help("mend NPTS, or remove what follows the record")
+            .into());
+    }
+    if values.len() < expected {
+        return Err(Fault::new("the file ends before NPTS values were read")
+            .at(text.trim_end().len()..text.trim_end().len())
+            .found(format!("{} values, NPTS = {expected}", values.len()))
+            .help("the file is cut off, or NPTS is wrong")
+            .into());
+    }
+    Ok((values, places))
+}
+
+/// Words of a line and where they begin.
+fn words(line: &str) -> impl Iterator<Item = (usize, &str)> {
+    line.split([' ', '\t', '\u{c}', '\r'])
+        .filter(|w| !w.is_empty())
+        .map(move |word| (word.as_ptr() as usize - line.as_ptr() as usize, word))
+}

@@ -1,0 +1,104 @@
+//! Bytes of a file, within limits, and their text.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use sha2::{Digest, Sha256};
+
+use crate::error::Error;
+use crate::input::diagnostic::Fault;
+use crate::input::records::MAX_BYTES;
+
+/// Reads the file, or standard input for `-`.
+pub fn load(path: &Path) -> Result<Vec<u8>, Error> {
+    let fail = |what: String| Error::File {
+        path: path.into(),
+        what,
+    };
+    if path == Path::new("-") {
+        return read_limited(std::io::stdin().lock(), path);
+    }
+    let metadata = std::fs::metadata(path).map_err(|e| fail(format!("cannot read the record: {e}")))?;
+    if metadata.is_dir() {
+        return Err(fail(
+            "found a directory, allowed a record file (CSV, two-column text, PEER .AT2)".into(),
+        ));
+    }
+    if metadata.len() > MAX_BYTES {
+        return Err(fail(too_large(metadata.len())));
+    }
+    let file = File::open(path).map_err(|e| fail(format!("cannot read the record: {e}")))?;
+    read_limited(file, path)
+}
+
+fn read_limited(reader: impl Read, path: &Path) -> Result<Vec<u8>, Error> {
+    let mut bytes = Vec::new();
+    let outcome = reader.take(MAX_BYTES + 1).read_to_end(&mut bytes);
+    let what = match outcome {
+        Err(e) => format!("cannot read the record: {e}"),
+        Ok(n) if n as u64 > MAX_BYTES => too_large(n as u64),
+        Ok(_) => return Ok(bytes),
+    };
+    Err(Error::File {
+        path: path.into(),
+        what,
+    })
+}
+
+fn too_large(bytes: u64) -> String {
+    format!(
+        "found a file of {} MB or more, allowed a record of up to {} MB and {} samples; cut it to the shaking",
+        bytes >> 20,
+        MAX_BYTES >> 20,
+        super::MAX_SAMPLES
+    )
+}
+
+/// Text of the bytes: UTF-8 with or without byte order mark, otherwise Latin-1 (only words can differ, not numbers).
+///
+/// # Errors
+/// An empty file, UTF-16, bytes that are no text.
+pub fn decode(bytes: &[u8]) -> Result<String, Fault> {
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        return Err(Fault::new("the file is UTF-16 text")
+            .allowed("UTF-8 or ASCII")
+            .help("save it as UTF-8"));
+    }
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    // Tab, line feed, form feed, carriage return and the end-of-file mark of DOS (0x1a) occur in text files.
+    let control = |&b: &u8| (b < 0x20 && !matches!(b, b'\t' | b'\n' | 0x0c | b'\r' | 0x1a)) || b == 0x7f;
+    if let Some(at) = bytes.iter().position(|b| control(b)) {
+        return Err(Fault::new("the file is not text")
+            .found(format!("byte 0x{:02x} at position {at}", bytes[at]))
+            .allowed("CSV, two-column text or PEER .AT2"));
+    }
+    if bytes.iter().all(|b| b.is_ascii_whitespace() || *b == 0x1a) {
+        let found = if bytes.is_empty() {
+            "0 bytes".into()
+        } else {
+            format!("{} bytes of white space", bytes.len())
+        };
+        return Err(Fault::new("the file is empty")
+            .found(found)
+            .allowed("CSV, two-column text or PEER .AT2"));
+    }
+    // Old Macintosh line ends and the DOS mark are made plain, byte for byte, so that places stay true.
+    let plain = |text: String| {
+        let text = text.replace('\u{1a}', " ");
+        if text.contains('\n') {
+            text
+        } else {
+            text.replace('\r', "\n")
+        }
+    };
+    Ok(match std::str::from_utf8(bytes) {
+        Ok(text) => plain(text.into()),
+        Err(_) => plain(bytes.iter().map(|&b| char::from(b)).collect()),
+    })
+}
+
+/// SHA-256, hexadecimal.
+pub fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
+}
