@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use serde::{Deserialize, Serialize};
 
 use crate::record::Record;
-use crate::sdof::Recurrence;
+use crate::sdof::{self, History, Recurrence};
 
 /// Maxima of one oscillator's response to a record.
 ///
@@ -30,6 +30,18 @@ pub struct Ordinates {
 }
 
 impl Ordinates {
+    /// No ordinates: an argument was out of its range.
+    fn nan() -> Ordinates {
+        let nan = f64::NAN;
+        Ordinates {
+            sd: nan,
+            psv: nan,
+            psa: nan,
+            sv: nan,
+            sa: nan,
+        }
+    }
+
     /// The rigid oscillator, T = 0: it moves with the ground.
     pub fn rigid(pga: f64) -> Ordinates {
         Ordinates {
@@ -42,18 +54,124 @@ impl Ordinates {
     }
 }
 
+/// How the oscillators of a spectrum are integrated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// [`sdof::Recurrence`], maxima of the continuous response.
+    Exact,
+    /// [`sdof::duhamel`] with at least [`POINTS_PER_PERIOD`] Simpson points a period, maxima at these points.
+    Duhamel,
+    /// [`sdof::newmark`] with at least [`POINTS_PER_PERIOD`] steps a period, maxima at these points.
+    Newmark,
+}
+
+/// Points a period of the two reference methods. A maximum lies at most (2π/64)²/8 = 0.12 % above the largest point.
+pub const POINTS_PER_PERIOD: f64 = 64.0;
+
+impl Method {
+    /// How the maxima of this method are found, in words for the output.
+    pub fn statement(self) -> &'static str {
+        match self {
+            Method::Exact => {
+                "exact recurrence; maxima of the continuous response (between samples and in the free vibration after \
+                 the end), within 1e-6"
+            }
+            Method::Duhamel => {
+                "Duhamel integral, Simpson's rule; maxima over points at most T/64 apart, one period of free vibration \
+                 included: up to 0.12 % below those of the continuous response"
+            }
+            Method::Newmark => {
+                "Newmark's average acceleration with steps of at most T/64; maxima over these steps, one period of \
+                 free vibration included: up to 0.12 % below those of the continuous response, period 0.08 % too long"
+            }
+        }
+    }
+}
+
+/// Spectral ordinates over periods and damping ratios.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Spectrum {
+    /// Periods [s], as asked for.
+    pub periods: Vec<f64>,
+    /// Damping ratios, as asked for.
+    pub dampings: Vec<f64>,
+    /// One row a damping ratio, one entry a period.
+    pub ordinates: Vec<Vec<Ordinates>>,
+}
+
+/// Response spectra of `record` for all `periods` ≥ 0 [s] and damping ratios 0 ≤ ξ < 1.
+///
+/// Entries are NaN where an argument is out of its range.
+pub fn spectrum(record: &Record, periods: &[f64], dampings: &[f64], method: Method) -> Spectrum {
+    let entry = |period: f64, damping: f64| match method {
+        Method::Exact => ordinates(record, period, damping),
+        _ => by_history(record, period, damping, method),
+    };
+    Spectrum {
+        periods: periods.to_vec(),
+        dampings: dampings.to_vec(),
+        ordinates: dampings
+            .iter()
+            .map(|&xi| periods.iter().map(|&t| entry(t, xi)).collect())
+            .collect(),
+    }
+}
+
+/// Ordinates by one of the reference methods: the record is refined to T/64, one period of silence added.
+fn by_history(record: &Record, period: f64, damping: f64, method: Method) -> Ordinates {
+    if !(period >= 0.0 && period.is_finite() && (0.0..1.0).contains(&damping)) {
+        return Ordinates::nan();
+    }
+    if period == 0.0 {
+        return Ordinates::rigid(record.pga());
+    }
+    let parts = (POINTS_PER_PERIOD * record.dt / period).ceil().max(1.0) as usize;
+    let h = record.dt / parts as f64;
+    let mut ground = Vec::with_capacity(record.acceleration.len() * parts);
+    for pair in record.acceleration.windows(2) {
+        ground.extend((0..parts).map(|j| pair[0] + (pair[1] - pair[0]) * (j as f64 / parts as f64)));
+    }
+    ground.extend(record.acceleration.last());
+    let omega = TAU / period;
+    let respond = |ground: &[f64]| match method {
+        Method::Newmark => sdof::newmark(ground, h, omega, damping, 1),
+        Method::Duhamel => sdof::duhamel(ground, h, omega, damping, 1),
+        Method::Exact => sdof::exact(ground, h, omega, damping),
+    };
+    let history = respond(&ground);
+    let free = free_vibration(&history, omega, damping, period / POINTS_PER_PERIOD);
+    let mut o = Ordinates::default();
+    for (&u, &v) in history.u.iter().zip(&history.v).chain(free.u.iter().zip(&free.v)) {
+        o.sd = o.sd.max(u.abs());
+        o.sv = o.sv.max(v.abs());
+        o.sa = o.sa.max((omega * omega * u + 2.0 * damping * omega * v).abs());
+    }
+    (o.psv, o.psa) = (omega * o.sd, omega * omega * o.sd);
+    o
+}
+
+/// One period of free vibration from the last state of a history.
+fn free_vibration(history: &History, omega: f64, damping: f64, h: f64) -> History {
+    let step = Recurrence::new(omega, damping, h);
+    let (mut u, mut v) = (
+        history.u.last().copied().unwrap_or(0.0),
+        history.v.last().copied().unwrap_or(0.0),
+    );
+    let mut free = History::default();
+    for _ in 0..POINTS_PER_PERIOD as usize {
+        (u, v) = step.step(u, v, 0.0, 0.0);
+        free.u.push(u);
+        free.v.push(v);
+    }
+    free
+}
+
 /// Spectral ordinates of `record` at `period` ≥ 0 [s] and `damping` ratio ≥ 0. Period 0 is the rigid oscillator.
 ///
 /// NaN where an argument is negative or not finite.
 pub fn ordinates(record: &Record, period: f64, damping: f64) -> Ordinates {
     if !(period >= 0.0 && period.is_finite() && damping >= 0.0 && damping.is_finite()) {
-        return Ordinates {
-            sd: f64::NAN,
-            psv: f64::NAN,
-            psa: f64::NAN,
-            sv: f64::NAN,
-            sa: f64::NAN,
-        };
+        return Ordinates::nan();
     }
     if period == 0.0 {
         return Ordinates::rigid(record.pga());

@@ -1,14 +1,152 @@
-//! `tankcheck quake`.
+//! `tankcheck quake`: look at an accelerogram.
 
-use crate::cli::Global;
-use crate::error::{EXIT_COMPUTATION, Error};
+use std::path::PathBuf;
+
+use codes::STANDARD_GRAVITY;
+use serde::Serialize;
+
+use crate::cli::inputs::Reading;
+use crate::cli::table::Table;
+use crate::cli::{Format, Global, print};
+use crate::error::{EXIT_OK, Error};
+use crate::input::records::{self, ReadRecord};
 
 /// Arguments.
 #[derive(clap::Args)]
-pub struct Args {}
+pub struct Args {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(clap::Subcommand)]
+enum Command {
+    /// Peaks, intensity and duration of a record, and what was understood of its format.
+    Info(Info),
+}
+
+#[derive(clap::Args)]
+#[command(after_help = "\
+Examples:
+  tankcheck quake info elcentro.csv
+  tankcheck quake info RSN6_IMPVALL.I_I-ELC180.AT2 --format json
+  tankcheck quake info column.txt --dt 0.01 --units gal
+
+Formats: CSV or plain text with one column (acceleration) or two (time, acceleration); PEER .AT2.
+The unit comes from the header or from --units, never from the size of the numbers.")]
+struct Info {
+    /// The record (`-` reads standard input).
+    #[arg(value_name = "FILE")]
+    record: PathBuf,
+    #[command(flatten)]
+    reading: Reading,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+}
+
+/// The facts of a record, SI.
+#[derive(Serialize)]
+struct Facts<'a> {
+    name: &'a str,
+    format: &'a str,
+    unit: String,
+    unit_source: &'a str,
+    notes: &'a [String],
+    samples: usize,
+    dt: f64,
+    duration: f64,
+    pga: f64,
+    pga_g: f64,
+    pgv: f64,
+    pgd: f64,
+    arias: f64,
+    cav: f64,
+    significant_duration: f64,
+    significant_start: f64,
+    final_velocity: f64,
+    final_displacement: f64,
+    sha256: &'a str,
+}
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
-    let _ = (args, global);
-    Ok(EXIT_COMPUTATION)
+pub fn run(args: Args, _: &Global) -> Result<u8, Error> {
+    let Command::Info(info) = args.command;
+    let read = records::read(&info.record, &info.reading.options())?;
+    let facts = facts(&read);
+    match info.format {
+        Format::Human => print(&human(&facts))?,
+        Format::Json => {
+            let text = serde_json::to_string_pretty(&facts).map_err(|e| Error::Report(e.to_string()))?;
+            print(&format!("{text}\n"))?;
+        }
+        Format::Csv => return Err(Error::Input("error: --format: found csv, allowed human or json".into())),
+    }
+    Ok(EXIT_OK)
+}
+
+fn facts(read: &ReadRecord) -> Facts<'_> {
+    let measures = read.record.measures();
+    Facts {
+        name: &read.record.name,
+        format: &read.format,
+        unit: read.unit.to_string(),
+        unit_source: &read.unit_source,
+        notes: &read.notes,
+        samples: read.record.acceleration.len(),
+        dt: read.record.dt,
+        duration: read.record.duration(),
+        pga: measures.pga,
+        pga_g: measures.pga / STANDARD_GRAVITY,
+        pgv: measures.pgv,
+        pgd: measures.pgd,
+        arias: measures.arias,
+        cav: measures.cav,
+        significant_duration: measures.significant_duration,
+        significant_start: measures.significant_start,
+        final_velocity: measures.final_velocity,
+        final_displacement: measures.final_displacement,
+        sha256: &read.sha256,
+    }
+}
+
+fn human(facts: &Facts) -> String {
+    let mut table = Table::new([facts.name, "", ""]);
+    let mut row = |name: &str, value: String, unit: &str| table.row([name, &value, unit]);
+    row("peak ground acceleration", format!("{:.4}", facts.pga_g), "g     ");
+    row("", format!("{:.4}", facts.pga), "m/s²  ");
+    row("peak ground velocity", format!("{:.4}", facts.pgv), "m/s   ");
+    row("peak ground displacement", format!("{:.4}", facts.pgd), "m     ");
+    row("Arias intensity", format!("{:.4}", facts.arias), "m/s   ");
+    row("cumulative absolute velocity", format!("{:.4}", facts.cav), "m/s   ");
+    row(
+        "significant duration D5-95",
+        format!("{:.3}", facts.significant_duration),
+        "s     ",
+    );
+    row("  from", format!("{:.3}", facts.significant_start), "s     ");
+    row("velocity at the end", format!("{:.4}", facts.final_velocity), "m/s   ");
+    row(
+        "displacement at the end",
+        format!("{:.4}", facts.final_displacement),
+        "m     ",
+    );
+    row("duration", format!("{:.3}", facts.duration), "s     ");
+    row("time step", format!("{}", facts.dt), "s     ");
+    row("samples", format!("{}", facts.samples), "      ");
+    let mut text = table.to_string();
+    text.push_str(&format!("\nformat   {}\n", facts.format));
+    text.push_str(&format!("unit     {}, from {}\n", facts.unit, facts.unit_source));
+    text.push_str(&format!("sha256   {}\n", facts.sha256));
+    for note in facts.notes {
+        text.push_str(&format!("note     {note}\n"));
+    }
+    text.push_str("note     velocity and displacement are exact integrals from rest, without baseline correction\n");
+    if facts.final_velocity.abs() > 0.02 * facts.pgv {
+        text.push_str(&format!(
+            "note     the ground does not come to rest ({:.1} % of the peak velocity at the end): the record is not \
+             baseline-corrected, its displacement drifts\n",
+            100.0 * facts.final_velocity.abs() / facts.pgv
+        ));
+    }
+    text
 }

@@ -155,6 +155,10 @@ fn values(lines: &[(usize, &str)], expected: usize, text: &str) -> Result<(Vec<f
     let mut faults = Collector::new();
     let mut surplus = None;
     'file: for &(start, line) in lines {
+        // Words after a complete record are a trailer; a further number would contradict NPTS.
+        if values.len() == expected && faults.is_empty() && !line.contains(|c: char| c.is_ascii_digit()) {
+            continue;
+        }
         for (offset, token) in words(line) {
             for (inner, number) in split_glued(token) {
                 let place = start + offset + inner;

@@ -171,7 +171,7 @@ fn draft(
     } else {
         "acceleration"
     };
-    let kind = if layout.header.is_some() && separator != Separator::Spaces {
+    let kind = if matches!(separator, Separator::Semicolon | Separator::Comma) {
         "CSV"
     } else {
         "text"

@@ -204,6 +204,10 @@ impl Collector {
         true
     }
 
+    fn is_empty(&self) -> bool {
+        self.faults.is_empty()
+    }
+
     fn finish(self) -> Result<(), Faults> {
         if self.faults.is_empty() {
             Ok(())
