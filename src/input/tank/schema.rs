@@ -5,6 +5,7 @@
 use std::borrow::Cow;
 
 use codes::Quantity;
+use codes::units::Dimension;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
 use super::read::{
@@ -296,7 +297,7 @@ object! {
 
     /// A measured value.
     Reported {
-        /// The value with its unit.
+        /// The value with its unit; a period may also be given as a frequency ("3.02 rad/s", "1.916 Hz").
         value: Field<Raw>,
         /// Who measured it, where it is published.
         source: Field<String>,
@@ -537,7 +538,10 @@ impl JsonSchema for Measured {
         for quantity in Quantity::ALL {
             let mut schema = generator.subschema_for::<Reported>();
             schema.insert("description".into(), quantity.title().into());
-            let value = quantity_schema(quantity.dimension());
+            let value = match quantity.dimension() {
+                Dimension::Time => generator.subschema_for::<Pitch>(),
+                dimension => quantity_schema(dimension),
+            };
             schema.insert("properties".into(), serde_json::json!({ "value": value }));
             properties.insert(quantity.id().into(), schema.into());
         }

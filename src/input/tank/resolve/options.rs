@@ -3,13 +3,14 @@
 use codes::Quantity;
 use codes::case::{self, ProcedureOptions, Reported};
 use codes::tank::{Shape, Tank};
+use codes::units::Dimension;
 
 use super::{Limits, Resolver, like_field, range_fault};
 use crate::fe;
 use crate::input::records::Processing;
-use crate::input::tank::read::Field;
+use crate::input::tank::read::{Field, FromNode};
 use crate::input::tank::schema;
-use crate::input::tank::values::{Length, Number, quantity};
+use crate::input::tank::values::{Length, Number, Pitch, quantity};
 
 /// Damping ratios.
 const RATIO: Limits = Limits::from(0.0).below(1.0);
@@ -354,10 +355,11 @@ fn damping_model(
 
 /// A value of this quantity, positive.
 fn value(r: &mut Resolver<'_>, field: &Field<schema::Raw>, what: Quantity) -> f64 {
-    let value = field
-        .value
-        .as_ref()
-        .and_then(|raw| quantity(&raw.0, what.dimension(), r.faults));
+    let value = field.value.as_ref().and_then(|raw| match what.dimension() {
+        // Periods are as often published as frequencies.
+        Dimension::Time => Pitch::from_node(&raw.0, r.faults).map(|p| 2.0 * std::f64::consts::PI / p.0),
+        dimension => quantity(&raw.0, dimension, r.faults),
+    });
     r.echo_given(field);
     match value {
         Some(value) if value >= 0.0 && value <= 1e18 => value,
