@@ -1,5 +1,6 @@
 //! What the report says of the ground motion: measures of the records, response and design spectra.
 
+use codes::api650::ground_motion::DesignSpectrum;
 use codes::case::Site;
 use codes::ec8::spectrum::ElasticSpectrum;
 use codes::record::Record;
@@ -58,6 +59,12 @@ fn design(site: &Site, dampings: [f64; 2]) -> Vec<SpectrumCurve> {
                 spectrum.horizontal(t, damping)
             }));
         }
+    }
+    if let Some(spectrum) = site.api650.as_ref().and_then(|site| DesignSpectrum::new(site).ok()) {
+        // ASCE 7 has one shape for all damping ratios; API 650 E.4.6 raises its sloshing branch by K = 1.5.
+        curves.push(curve("asce7-0.05", "ASCE 7 design, ξ = 5 %", 0.05, |t| {
+            spectrum.acceleration(t) * codes::STANDARD_GRAVITY
+        }));
     }
     curves
 }

@@ -1,0 +1,261 @@
+//! `compare`, `check`, `report` and `diff` as commands: what they write, print and return.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// Runs tankcheck with the repository as working folder.
+pub fn tankcheck(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .expect("tankcheck runs")
+}
+
+/// Standard error as text.
+pub fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+const TANK: &str = "examples/01_broad_tank/tank.json";
+const QUAKE: &str = "examples/records/elcentro.csv";
+
+fn path(path: &Path) -> &str {
+    path.to_str().expect("a temporary path is text")
+}
+
+fn compare(out: &Path) -> Output {
+    tankcheck(&["compare", TANK, "--quake", QUAKE, "--out", path(out)])
+}
+
+#[test]
+fn the_main_command_writes_report_results_series_and_figures() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    let run = compare(&out);
+    assert!(matches!(run.status.code(), Some(0 | 1)), "{}", stderr(&run));
+    for file in ["report.html", "results.json", "series.csv"] {
+        assert!(out.join(file).is_file(), "{file} is missing");
+    }
+    let figures = std::fs::read_dir(out.join("figures")).expect("figures/").count();
+    assert!(figures >= 5, "only {figures} figures");
+    let table = stdout(&run);
+    for word in ["Sloshing height", "housner", "ec8-2006", "api650-2020", "fe"] {
+        assert!(table.contains(word), "`{word}` is missing in\n{table}");
+    }
+    assert!(
+        stderr(&run).contains("report.html"),
+        "the last line says where the report is"
+    );
+}
+
+#[test]
+fn results_are_the_same_in_every_run_but_for_the_volatile_fields() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let read = |name: &str| {
+        let out = home.path().join(name);
+        compare(&out);
+        let text = std::fs::read_to_string(out.join("results.json")).expect("results");
+        let mut value: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        value
+            .as_object_mut()
+            .expect("an object")
+            .remove("volatile")
+            .expect("volatile fields");
+        (
+            value.to_string(),
+            std::fs::read(out.join("series.csv")).expect("series"),
+        )
+    };
+    assert_eq!(read("a"), read("b"));
+}
+
+#[test]
+fn quantities_carry_the_promised_ids_and_si_units() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    let run = tankcheck(&[
+        "compare",
+        TANK,
+        "--quake",
+        QUAKE,
+        "--out",
+        path(&out),
+        "--format",
+        "json",
+    ]);
+    let results: serde_json::Value = serde_json::from_slice(&run.stdout).expect("JSON on standard output");
+    let fe = results["methods"]
+        .as_array()
+        .and_then(|m| m.iter().find(|m| m["id"] == "fe"))
+        .expect("the engine is a method");
+    for (id, unit) in [
+        ("sloshing_period", "s"),
+        ("sloshing_height", "m"),
+        ("impulsive_period", "s"),
+        ("impulsive_mass", "kg"),
+        ("convective_mass", "kg"),
+        ("base_shear", "N"),
+        ("base_moment", "N*m"),
+        ("overturning_moment", "N*m"),
+        ("hoop_stress", "Pa"),
+        ("axial_membrane_stress", "Pa"),
+        ("bending_stress", "Pa"),
+    ] {
+        let quantity = &fe["quantities"][id];
+        assert!(quantity["value"].as_f64().is_some_and(|v| v > 0.0), "{id}: {quantity}");
+        assert_eq!(quantity["unit"], unit, "{id}");
+    }
+}
+
+#[test]
+fn a_results_folder_equals_itself_and_a_changed_one_is_found() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let (a, b) = (home.path().join("a"), home.path().join("b"));
+    compare(&a);
+    assert_eq!(tankcheck(&["diff", path(&a), path(&a)]).status.code(), Some(0));
+    let refined = tankcheck(&[
+        "compare",
+        TANK,
+        "--quake",
+        QUAKE,
+        "--out",
+        path(&b),
+        "--integrator",
+        "newmark",
+    ]);
+    assert!(matches!(refined.status.code(), Some(0 | 1)), "{}", stderr(&refined));
+    let diff = tankcheck(&["diff", path(&a), path(&b)]);
+    assert_eq!(diff.status.code(), Some(1), "{}", stderr(&diff));
+    assert!(stdout(&diff).contains("moved"));
+    let bless = tankcheck(&["diff", path(&a), path(&b), "--bless", "--reason", "another integrator"]);
+    assert_eq!(bless.status.code(), Some(0), "{}", stderr(&bless));
+    assert_eq!(tankcheck(&["diff", path(&a), path(&b)]).status.code(), Some(0));
+    assert!(
+        std::fs::read_to_string(a.join("accepted.json"))
+            .expect("kept")
+            .contains("another integrator")
+    );
+}
+
+#[test]
+fn the_report_is_rendered_again_from_the_folder_alone() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    compare(&out);
+    let first = std::fs::read(out.join("report.html")).expect("a report");
+    std::fs::remove_file(out.join("report.html")).expect("removable");
+    let run = tankcheck(&["report", path(&out)]);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    assert_eq!(first, std::fs::read(out.join("report.html")).expect("a report"));
+}
+
+#[test]
+fn check_runs_the_codes_on_the_design_spectrum_alone() {
+    let run = tankcheck(&["check", "examples/05_oil_tank/tank.json"]);
+    assert!(matches!(run.status.code(), Some(0 | 1)), "{}", stderr(&run));
+    let table = stdout(&run);
+    assert!(
+        table.contains("design spectrum of the site") && table.contains("ec8-2006"),
+        "{table}"
+    );
+}
+
+/// Runs a command that must be refused: exit code 2, a message with all of `words`, nothing on standard output, no
+/// output folder.
+fn refused(arguments: &[&str], out: &Path, words: &[&str]) {
+    let run = tankcheck(arguments);
+    let message = stderr(&run);
+    assert_eq!(run.status.code(), Some(2), "{arguments:?}: {message}");
+    for word in words {
+        assert!(message.contains(word), "`{word}` is missing in: {message}");
+    }
+    assert!(run.stdout.is_empty(), "{arguments:?} printed {}", stdout(&run));
+    assert!(!out.join("results.json").exists(), "{arguments:?} left results behind");
+}
+
+#[test]
+fn an_output_folder_with_a_foreign_file_is_refused_and_left_alone() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    std::fs::write(home.path().join("thesis.txt"), "mine").expect("writable");
+    refused(
+        &["compare", TANK, "--quake", QUAKE, "--out", path(home.path())],
+        home.path(),
+        &["thesis.txt", "--out"],
+    );
+    let left: Vec<PathBuf> = std::fs::read_dir(home.path())
+        .expect("readable")
+        .flatten()
+        .map(|e| e.path())
+        .collect();
+    assert_eq!(left, [home.path().join("thesis.txt")]);
+}
+
+#[test]
+fn a_file_in_place_of_the_output_folder_is_refused() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    std::fs::write(&out, "mine").expect("writable");
+    refused(
+        &["compare", TANK, "--quake", QUAKE, "--out", path(&out)],
+        &out,
+        &["is a file"],
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn a_read_only_output_folder_is_refused() {
+    use std::os::unix::fs::PermissionsExt;
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    std::fs::create_dir(&out).expect("writable");
+    std::fs::set_permissions(&out, std::fs::Permissions::from_mode(0o555)).expect("own folder");
+    refused(
+        &["compare", TANK, "--quake", QUAKE, "--out", path(&out)],
+        &out,
+        &["read-only"],
+    );
+}
+
+#[test]
+fn compare_without_a_record_says_how_to_give_one() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    refused(&["compare", TANK, "--out", path(&out)], &out, &["--quake"]);
+}
+
+#[test]
+fn an_unknown_procedure_is_refused_with_the_known_ones() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    refused(
+        &[
+            "compare",
+            TANK,
+            "--quake",
+            QUAKE,
+            "--procedures",
+            "ec9",
+            "--out",
+            path(&out),
+        ],
+        &out,
+        &["ec9", "ec8-2006", "housner"],
+    );
+}
+
+#[test]
+fn diff_of_something_else_is_refused() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    refused(
+        &["diff", path(home.path()), path(home.path())],
+        home.path(),
+        &["results.json", "no such file"],
+    );
+    refused(&["diff", "no_folder", path(home.path())], home.path(), &["no_folder"]);
+}
