@@ -2,6 +2,7 @@
 
 mod bulging;
 mod convergence;
+mod manual;
 mod observables;
 mod rigid_cylinder;
 mod rigid_strip;
