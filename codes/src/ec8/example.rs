@@ -13,7 +13,7 @@ use crate::tank::{Course, Liquid, Material, Roof, Support, Tank};
 
 const GRAVITY: f64 = 9.81;
 
-fn steel() -> Material {
+pub(super) fn steel() -> Material {
     Material {
         name: "steel".into(),
         youngs_modulus: 210e9,
@@ -24,7 +24,7 @@ fn steel() -> Material {
     }
 }
 
-fn site() -> Ec8Site {
+pub(super) fn site() -> Ec8Site {
     Ec8Site {
         ground: GroundType::C,
         spectrum: 1,
@@ -36,7 +36,7 @@ fn site() -> Ec8Site {
     }
 }
 
-fn case(shape: Shape, courses: Vec<Course>, roof: Roof, liquid: Liquid, site: Option<Ec8Site>) -> Case {
+pub(super) fn case(shape: Shape, courses: Vec<Course>, roof: Roof, liquid: Liquid, site: Option<Ec8Site>) -> Case {
     Case {
         name: "example".into(),
         tank: Tank {
@@ -64,7 +64,7 @@ fn case(shape: Shape, courses: Vec<Course>, roof: Roof, liquid: Liquid, site: Op
     }
 }
 
-fn oil_tank() -> Case {
+pub(super) fn oil_tank() -> Case {
     let courses = [14.0, 12.0, 10.0, 8.0, 8.0, 8.0]
         .into_iter()
         .map(|mm| Course {
@@ -84,7 +84,7 @@ fn oil_tank() -> Case {
     case(Shape::Cylinder { radius: 15.0 }, courses, roof, liquid, Some(site()))
 }
 
-fn close(value: f64, expected: f64, tolerance: f64) {
+pub(super) fn close(value: f64, expected: f64, tolerance: f64) {
     assert!(
         (value - expected).abs() <= tolerance,
         "{value} against {expected} ± {tolerance}"
@@ -92,7 +92,7 @@ fn close(value: f64, expected: f64, tolerance: f64) {
 }
 
 /// Value of the first line with this symbol.
-fn line(assessment: &Assessment, symbol: &str) -> f64 {
+pub(super) fn line(assessment: &Assessment, symbol: &str) -> f64 {
     assessment
         .steps
         .iter()
@@ -100,7 +100,7 @@ fn line(assessment: &Assessment, symbol: &str) -> f64 {
         .map_or(f64::NAN, |s| s.value)
 }
 
-fn check<'a>(assessment: &'a Assessment, id: &str) -> &'a crate::procedure::Check {
+pub(super) fn check<'a>(assessment: &'a Assessment, id: &str) -> &'a crate::procedure::Check {
     assessment.checks.iter().find(|c| c.id == id).unwrap()
 }
 

@@ -26,6 +26,8 @@ mod example;
 pub mod flexible;
 pub mod plate;
 mod rectangle;
+#[cfg(test)]
+mod scope;
 pub mod shell_mode;
 pub mod simplified;
 pub mod spectrum;

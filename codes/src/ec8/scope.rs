@@ -1,0 +1,508 @@
+//! Whole procedures: the dissertation's tank, records, rectangles, unanchored walls, limits of scope, invariances.
+//!
+//! Source:    dissertation tables 8.1 and D.3; closed forms; integration of the profiles; scaling laws
+//! Goal:      what the oil tank of `example` does not reach
+//! Tolerance: named beside each value
+
+use proptest::prelude::*;
+
+use super::example::{case, check, close, line, oil_tank, site, steel};
+use super::*;
+use crate::case::{Damping, Ec8Site, GroundMotion, GroundType};
+use crate::procedure::Profile;
+use crate::quantity::Quantity;
+use crate::record::Record;
+use crate::spectrum::ordinates;
+use crate::tank::{Anchors, Bottom, Course, Liquid, Material, Roof, Support};
+
+const GRAVITY: f64 = 9.81;
+
+/// The dissertation's broad aluminium tank, 8.1, on ground A with 0.5 g.
+fn broad_tank() -> Case {
+    let aluminium = Material {
+        name: "aluminium".into(),
+        youngs_modulus: 69e9,
+        poisson_ratio: 0.32,
+        density: 2750.0,
+        yield_strength: None,
+        allowable_stress: None,
+    };
+    let courses = [0.00203, 0.00127]
+        .into_iter()
+        .map(|thickness| Course {
+            height: 0.915,
+            thickness,
+            material: aluminium.clone(),
+        })
+        .collect();
+    let water = Liquid {
+        density: 1000.0,
+        fill_height: 1.525,
+    };
+    let site = Ec8Site {
+        ground: GroundType::A,
+        ag: 0.5 * GRAVITY,
+        importance: 1.0,
+        ..site()
+    };
+    case(
+        Shape::Cylinder { radius: 1.83 },
+        courses,
+        Roof::default(),
+        water,
+        Some(site),
+    )
+}
+
+/// A strip 2L = 5 m long, H = 2.5 m of water, concrete walls 0.3 m thick and 3 m high.
+fn strip() -> Case {
+    let concrete = Material {
+        name: "concrete".into(),
+        youngs_modulus: 30e9,
+        poisson_ratio: 0.2,
+        density: 2500.0,
+        yield_strength: None,
+        allowable_stress: None,
+    };
+    let course = Course {
+        height: 3.0,
+        thickness: 0.3,
+        material: concrete,
+    };
+    let shape = Shape::Rectangle {
+        length: 5.0,
+        breadth: 1.0,
+        strip: true,
+    };
+    let water = Liquid {
+        density: 1000.0,
+        fill_height: 2.5,
+    };
+    case(shape, vec![course], Roof::default(), water, Some(site()))
+}
+
+/// Two seconds of sine at 2 Hz, 3 m/s².
+fn record(scale: f64) -> Record {
+    Record {
+        name: "sine".into(),
+        dt: 0.01,
+        acceleration: (0..200)
+            .map(|i| scale * 3.0 * (4.0 * std::f64::consts::PI * 0.01 * f64::from(i)).sin())
+            .collect(),
+        processing: vec![],
+    }
+}
+
+fn profile<'a>(a: &'a Assessment, id: &str) -> &'a Profile {
+    a.profiles.iter().find(|p| p.id == id).unwrap()
+}
+
+/// ∫ f z^k dz over a profile by the trapezoidal rule.
+fn integral(p: &Profile, power: i32) -> f64 {
+    let f = |i: usize| p.values[i] * p.z[i].powi(power);
+    (1..p.z.len())
+        .map(|i| 0.5 * (f(i) + f(i - 1)) * (p.z[i] - p.z[i - 1]))
+        .sum()
+}
+
+/// Table D.3 with η unrounded: 0.84·1.83 m·0.3645 = 0.560 m (printed 55.0 cm comes from η = 1.5, see `spectrum`), and under
+/// EN 1998-1:2004 with 0.5 %: 0.472 m.
+#[test]
+fn broad_tank_wave_height() {
+    let mut case = broad_tank();
+    case.damping = Damping {
+        sloshing: 0.01,
+        impulsive: 0.01,
+    };
+    let env = Env1998.assess(&case, Excitation::Site).unwrap();
+    close(env.values[&Quantity::SloshingHeight], 0.560, 5e-4);
+    close(env.values[&Quantity::SloshingPeriod], 2.0952, 5e-5); // 2π/2.9989
+    close(line(&env, "T_B"), 0.1, 0.0);
+    case.damping.sloshing = 0.005;
+    let en = En2006.assess(&case, Excitation::Site).unwrap();
+    close(en.values[&Quantity::SloshingHeight], 0.472, 5e-4);
+    // 0.305 m of freeboard are not enough for either.
+    assert!(!check(&env, "freeboard").holds && !check(&en, "freeboard").holds);
+    // The coupled finite-element model has ω = 164.67 rad/s and h = 0.4205 H.
+    case.procedures.ec8_impulsive = FlexibleImpulsive::Iterative;
+    let en = En2006.assess(&case, Excitation::Site).unwrap();
+    close(
+        2.0 * std::f64::consts::PI / en.values[&Quantity::ImpulsivePeriod],
+        164.67,
+        0.5,
+    ); // 0.3 %, no sloshing here
+    close(line(&en, "m_f") / case.liquid_mass(), 0.475, 5e-3);
+}
+
+/// With a record every ordinate is the record's pseudo-acceleration; q of the site does not act.
+#[test]
+fn record_replaces_the_design_spectrum() {
+    let mut case = oil_tank();
+    case.site.ec8 = Some(Ec8Site {
+        behaviour_factor: 1.5,
+        ..site()
+    });
+    case.ground_motion = Some(GroundMotion {
+        horizontal: record(1.0),
+        vertical: None,
+    });
+    for procedure in [&En2006 as &dyn Procedure, &Env1998] {
+        let a = procedure.assess(&case, Excitation::Record).unwrap();
+        let psa = |period: &str, damping| ordinates(&record(1.0), line(&a, period), damping).psa;
+        close(line(&a, "S_e(T_c1)"), psa("T_c1", 0.005), 1e-12);
+        let t_i = a.values[&Quantity::ImpulsivePeriod];
+        close(line(&a, "S_e(T_i)"), ordinates(&record(1.0), t_i, 0.02).psa, 1e-12);
+        close(line(&a, "PGA"), record(1.0).pga(), 0.0);
+        close(
+            a.values[&Quantity::SloshingHeight],
+            0.84 * 15.0 * psa("T_c1", 0.005) / GRAVITY,
+            1e-12,
+        );
+        assert!(a.assumptions.iter().any(|n| n.contains("q = 1")));
+        assert!(a.steps.iter().all(|s| s.symbol != "q"));
+        assert!(a.notes.iter().all(|n| !n.contains("3.2.2.2")));
+    }
+    // The behaviour factor of the site divides the impulsive part only.
+    let q = En2006.assess(&case, Excitation::Site).unwrap();
+    let one = En2006.assess(&oil_tank(), Excitation::Site).unwrap();
+    close(line(&q, "Q_i"), line(&one, "Q_i") / 1.5, 1.0);
+    close(line(&q, "Q_c"), line(&one, "Q_c"), 1e-6);
+    close(line(&q, "d_max"), line(&one, "d_max"), 0.0);
+}
+
+/// A vertical record: rigid part with its peak, breathing part with its spectrum.
+#[test]
+fn vertical_record() {
+    let mut case = oil_tank();
+    case.ground_motion = Some(GroundMotion {
+        horizontal: record(1.0),
+        vertical: Some(record(0.5)),
+    });
+    let a = En2006.assess(&case, Excitation::Record).unwrap();
+    close(line(&a, "p_vr"), 900.0 * 12.0 * record(0.5).pga(), 1e-6);
+    let breathing = ordinates(&record(0.5), line(&a, "T_vd"), 0.03).psa;
+    close(line(&a, "p_vf"), 0.815 * line(&a, "f") * 900.0 * 12.0 * breathing, 1e-6);
+}
+
+/// Exact series and coupled mode: masses of the rigid tank, T_f of the shell, other combinations by hand.
+#[test]
+fn iterative_procedure() {
+    let mut case = oil_tank();
+    case.procedures.ec8_impulsive = FlexibleImpulsive::Iterative;
+    let a = En2006.assess(&case, Excitation::Site).unwrap();
+    let mode = flexible::coupled_mode(15.0, &case.tank.courses, case.liquid, shell_mode::Base::Clamped).unwrap();
+    close(a.values[&Quantity::ImpulsivePeriod], mode.period, 1e-12);
+    // Table A.2 (0.1905 s) is 1.3 % short of this mode; the formula of A.3.1 (massless uniform wall of the thickness at H/3) 8 %.
+    close(0.1905 / mode.period, 1.0, 0.02);
+    close(line(&a, "T_f") / mode.period, 1.0, 0.09);
+    close(a.values[&Quantity::ImpulsiveMass] / 7_634_070.0, 0.46364, 5e-6);
+    close(a.values[&Quantity::ConvectiveMass] / 7_634_070.0, 0.51140, 5e-6);
+    let (m, a_i, a_g) = (line(&a, "m"), line(&a, "S_e(T_i)"), 2.943 * 1.15);
+    let (m_i, m_f) = (a.values[&Quantity::ImpulsiveMass], line(&a, "m_f"));
+    let q_c = line(&a, "Q_c");
+    close(line(&a, "Q_a"), (m_i * a_g).hypot(m_f * a_i) + q_c, 1e-3 * m);
+    close(line(&a, "Q_c"), 0.51140 * m * line(&a, "S_e(T_c1)"), 1e-4 * m);
+    let three = a.steps.iter().rev().find(|s| s.symbol == "Q_c").unwrap().value;
+    close(three, ((m_i - m_f) * a_g).hypot(m_f * a_i) + q_c, 1e-3 * m);
+    // Same demand: ENV without the spectrum's differences has the same masses.
+    let env = Env1998.assess(&case, Excitation::Site).unwrap();
+    close(env.values[&Quantity::ImpulsivePeriod], mode.period, 1e-12);
+}
+
+/// Outside table A.2: exact series, coupled mode, and a note. Inside: no such note.
+#[test]
+fn outside_the_table() {
+    let mut case = oil_tank();
+    case.liquid.fill_height = 3.0;
+    let a = En2006.assess(&case, Excitation::Site).unwrap();
+    assert!(a.notes.iter().any(|n| n.contains("outside the 0.3 to 3.0")));
+    let exact = crate::mechanical::impulsive(crate::mechanical::Plan::Circle, 0.2);
+    close(
+        a.values[&Quantity::ImpulsiveMass] / case.liquid_mass(),
+        exact.mass,
+        1e-12,
+    );
+    let mode = flexible::coupled_mode(15.0, &case.tank.courses, case.liquid, shell_mode::Base::Clamped).unwrap();
+    close(a.values[&Quantity::ImpulsivePeriod], mode.period, 1e-12);
+    let inside = En2006.assess(&oil_tank(), Excitation::Site).unwrap();
+    assert!(inside.notes.iter().all(|n| !n.contains("outside")));
+}
+
+/// The profiles integrate to the resultants of the exact series: Q = πR∫p dz, M = πR∫p z dz (trapezoidal rule, 40 steps: 0.3 %).
+#[test]
+fn profiles_integrate_to_the_resultants() {
+    let mut case = oil_tank();
+    case.procedures.ec8_impulsive = FlexibleImpulsive::Iterative;
+    let a = En2006.assess(&case, Excitation::Site).unwrap();
+    let pi_r = std::f64::consts::PI * 15.0;
+    let (m_i, a_i) = (a.values[&Quantity::ImpulsiveMass], line(&a, "S_e(T_i)"));
+    let p_i = profile(&a, "pressure_impulsive");
+    close(pi_r * integral(p_i, 0) / (m_i * a_i), 1.0, 3e-3);
+    close(pi_r * integral(p_i, 1) / (m_i * line(&a, "h_i") * a_i), 1.0, 3e-3);
+    let (m_c, a_c) = (a.values[&Quantity::ConvectiveMass], line(&a, "S_e(T_c1)"));
+    let p_c = profile(&a, "pressure_convective");
+    close(pi_r * integral(p_c, 0) / (m_c * a_c), 1.0, 3e-3);
+    close(pi_r * integral(p_c, 1) / (m_c * line(&a, "h_c1") * a_c), 1.0, 3e-3);
+    for p in &a.profiles {
+        assert!(p.z.windows(2).all(|z| z[0] < z[1]), "{}", p.id);
+        assert!(p.values.iter().all(|v| v.is_finite() && *v >= 0.0), "{}", p.id);
+    }
+    // Hoop stress is p R/s; the largest is the quantity; the axial stress at the base is M/(πR² s).
+    let (p, hoop) = (profile(&a, "pressure_dynamic"), profile(&a, "hoop_stress"));
+    for i in 0..p.z.len() {
+        close(
+            hoop.values[i],
+            p.values[i] * 15.0 / case.tank.course_at(p.z[i]).thickness,
+            1.0,
+        );
+    }
+    close(
+        a.values[&Quantity::HoopStress],
+        hoop.values.iter().copied().fold(0.0, f64::max),
+        1e-6,
+    );
+    let axial = profile(&a, "axial_membrane_stress");
+    close(
+        axial.values[0],
+        a.values[&Quantity::BaseMoment] / (pi_r * 15.0 * 0.014),
+        1.0,
+    );
+    // Just above the base the moment of the fields takes over: the same to 0.1 % but for the step of the height.
+    let step = axial.z[1];
+    let slope = line(&a, "Q") * step / a.values[&Quantity::BaseMoment];
+    close(axial.values[1] / axial.values[0], 1.0 - slope, 5e-3);
+}
+
+/// Strip: masses of the published table at H/L = 1, wave 0.811 L S_e/g, T_f of a cantilever in closed form, clamping moment as
+/// the integral of pressure and inertia.
+#[test]
+fn rectangular_strip() {
+    let case = strip();
+    let a = En2006.assess(&case, Excitation::Site).unwrap();
+    let m = 5.0 * 2.5 * 1000.0;
+    close(line(&a, "m"), m, 1e-9);
+    close(line(&a, "m_i") / m, 0.5000, 5e-5);
+    close(line(&a, "h_i") / 2.5, 0.4047, 5e-5);
+    close(line(&a, "h_i′") / 2.5, 0.8093, 5e-5);
+    close(line(&a, "m_c1") / m, 0.4733, 5e-5);
+    close(line(&a, "h_c1") / 2.5, 0.5825, 5e-5);
+    close(line(&a, "h_c1′") / 2.5, 0.8591, 5e-5);
+    // q_0(0) = 0.6753 of the published table: p_i at the base over ρ L A_i.
+    close(line(&a, "p_i") / (1000.0 * 2.5 * line(&a, "S_e(T_f)")), 0.6753, 5e-5);
+    let s_1 = line(&a, "S_e(T_c1)");
+    close(
+        a.values[&Quantity::SloshingHeight],
+        0.811 * 2.5 * s_1 / GRAVITY,
+        5e-4 * 2.5 * s_1 / GRAVITY,
+    );
+    // Load on the lower a = 2.5 m of the wall: w(z) = q (z⁴ − 4 a z³ + 6 a² z²)/(24 D) for z ≤ a.
+    let q = (0.5 * line(&a, "m_i") + 3.0 * 0.3 * 2500.0) * GRAVITY / 2.5;
+    let d = 30e9 * 0.3f64.powi(3) / (12.0 * (1.0 - 0.04));
+    let z = line(&a, "h_i");
+    let w = q * (z.powi(4) - 10.0 * z.powi(3) + 37.5 * z * z) / (24.0 * d);
+    close(line(&a, "d_f") / w, 1.0, 1e-9);
+    close(line(&a, "T_f"), 2.0 * std::f64::consts::PI * (w / GRAVITY).sqrt(), 1e-9);
+    // One wall: ∫ (p_i + p_c) z dz and its own inertia (trapezoidal rule: 0.3 %).
+    let wall = 3.0 * 0.3 * 2500.0 * 1.5 * line(&a, "S_e(T_f)");
+    let moment =
+        integral(profile(&a, "pressure_impulsive"), 1) + integral(profile(&a, "pressure_convective"), 1) + wall;
+    close(line(&a, "m_z") / moment, 1.0, 3e-3);
+    close(a.values[&Quantity::BendingStress], 6.0 * line(&a, "m_z") / 0.09, 1e-6);
+    assert!(!a.values.contains_key(&Quantity::HoopStress));
+    // A tank with side walls is stiffer than the strip.
+    let mut boxed = strip();
+    boxed.tank.shape = Shape::Rectangle {
+        length: 5.0,
+        breadth: 5.0,
+        strip: false,
+    };
+    let b = En2006.assess(&boxed, Excitation::Site).unwrap();
+    assert!(line(&b, "T_f") < line(&a, "T_f"));
+    assert!(!b.values.contains_key(&Quantity::BendingStress));
+}
+
+/// Unanchored walls: the note, the estimate's factor at the base, overturning.
+#[test]
+fn unanchored_walls() {
+    let mut case = oil_tank();
+    case.tank.support = Support::Unanchored;
+    case.tank.bottom = Some(Bottom {
+        thickness: 0.010,
+        material: steel(),
+    });
+    // The full motion overturns this tank.
+    let a = En2006.assess(&case, Excitation::Site).unwrap();
+    assert!(a.notes.iter().any(|n| n.contains("needs the code's diagrams")));
+    assert!(!check(&a, "overturning").holds);
+    assert!(a.notes.iter().any(|n| n.contains("overturns")));
+    // A third of it lifts part of the wall.
+    case.site.ec8 = Some(Ec8Site {
+        ag: 0.08 * GRAVITY,
+        ..site()
+    });
+    let a = En2006.assess(&case, Excitation::Site).unwrap();
+    let x = line(&a, "x");
+    assert!(x > 0.8 && x < 1.5, "{x}");
+    let (w_t, w_l) = (line(&a, "w_t"), line(&a, "w_L"));
+    close(
+        w_l,
+        (0.010 * (105_948.0f64 * 235e6).sqrt()).min(0.02 * 30.0 * 105_948.0),
+        1.0,
+    );
+    let b = uplift::compression(x, w_t, w_l).unwrap();
+    close(
+        line(&a, "N_u/N_a"),
+        b / (w_t + line(&a, "M") / (std::f64::consts::PI * 225.0)),
+        1e-9,
+    );
+    assert!(line(&a, "N_u/N_a") > 1.0);
+    assert!(a.checks.iter().any(|c| c.id == "buckling_elastic"));
+    // Without the bottom plate's data only the weight holds down.
+    case.tank.bottom = None;
+    let a = En2006.assess(&case, Excitation::Site).unwrap();
+    close(line(&a, "w_L"), 0.0, 0.0);
+    assert!(a.notes.iter().any(|n| n.contains("bottom plate is not given")));
+}
+
+/// Anchors: demand n_a × spacing where capacity is given, a note where not.
+#[test]
+fn anchors() {
+    let mut case = oil_tank();
+    let a = En2006.assess(&case, Excitation::Site).unwrap();
+    assert!(a.notes.iter().any(|n| n.contains("anchors were not checked")));
+    case.tank.anchors = Some(Anchors {
+        count: 60,
+        capacity: Some(400e3),
+    });
+    let a = En2006.assess(&case, Excitation::Site).unwrap();
+    let spacing = std::f64::consts::PI * 30.0 / 60.0;
+    close(
+        check(&a, "anchorage").demand,
+        (line(&a, "n_z") - line(&a, "N_0")) * spacing,
+        1.0,
+    );
+    assert!((check(&a, "anchorage").utilisation - check(&a, "anchorage").demand / 400e3).abs() < 1e-12);
+}
+
+/// Every limit of scope and every inadmissible datum has its answer.
+#[test]
+fn limits_of_scope() {
+    let not_applicable = |p: &dyn Procedure, c: &Case, e| {
+        let reason = p.applies(c, e).expect_err("not applicable");
+        assert_eq!(p.assess(c, e), Err(CodeError::NotApplicable(reason.clone())));
+        reason.to_string()
+    };
+    let mut case = oil_tank();
+    assert!(not_applicable(&En2006, &case, Excitation::Record).contains("no record"));
+    case.site.ec8 = Some(Ec8Site {
+        ground: GroundType::D,
+        ..site()
+    });
+    assert!(not_applicable(&Env1998, &case, Excitation::Site).contains("ground type D"));
+    assert!(En2006.assess(&case, Excitation::Site).is_ok());
+    case.site.ec8 = None;
+    assert!(not_applicable(&En2006, &case, Excitation::Site).contains("site.ec8"));
+    case.site.ec8 = Some(Ec8Site {
+        behaviour_factor: 2.0,
+        ..site()
+    });
+    assert!(matches!(
+        En2006.assess(&case, Excitation::Site),
+        Err(CodeError::Data { .. })
+    ));
+    // Slender beyond A.3.3 with vertical motion.
+    case = oil_tank();
+    case.tank.shape = Shape::Cylinder { radius: 2.9 };
+    assert!(En2006.assess(&case, Excitation::Site).is_ok());
+    case.site.ec8 = Some(Ec8Site {
+        vertical: true,
+        ..site()
+    });
+    assert!(matches!(
+        En2006.assess(&case, Excitation::Site),
+        Err(CodeError::NotApplicable(_))
+    ));
+    // No yield strength: said, not skipped.
+    let a = En2006.assess(&broad_tank(), Excitation::Site).unwrap();
+    assert!(
+        a.notes
+            .iter()
+            .any(|n| n.contains("yield_strength missing in material `aluminium`"))
+    );
+    assert!(a.checks.iter().all(|c| !c.id.starts_with("buckling")));
+}
+
+fn procedures() -> [&'static dyn Procedure; 2] {
+    [&En2006, &Env1998]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Any sensible tank: all lines finite, named and cited; SRSS ≤ absolute sum ≤ √2 SRSS.
+    #[test]
+    fn sheets_are_complete(radius in 1.0f64..40.0, gamma in 0.1f64..3.9, freeboard in 0.0f64..0.3, s in 0.5e-3f64..3e-3,
+                           vertical: bool, iterative: bool, anchored: bool) {
+        let depth = gamma * radius;
+        let height = depth * (1.0 + freeboard);
+        let courses = [1.0, 0.7]
+            .map(|k| Course { height: 0.5 * height, thickness: k * s * radius, material: steel() })
+            .to_vec();
+        let shape = Shape::Cylinder { radius };
+        let liquid = Liquid { density: 900.0, fill_height: depth };
+        let mut case = case(shape, courses, Roof { mass: 100.0, height: None }, liquid, Some(Ec8Site { vertical, ..site() }));
+        case.tank.support = if anchored { Support::Anchored } else { Support::Unanchored };
+        if iterative {
+            case.procedures.ec8_impulsive = FlexibleImpulsive::Iterative;
+        }
+        for procedure in procedures() {
+            let a = procedure.assess(&case, Excitation::Site).unwrap();
+            for s in &a.steps {
+                prop_assert!(s.value.is_finite(), "{s:?}");
+                prop_assert!(!s.symbol.is_empty() && !s.name.is_empty() && !s.clause.is_empty() && !s.section.is_empty(), "{s:?}");
+            }
+            for c in &a.checks {
+                prop_assert!(c.demand.is_finite() && !c.utilisation.is_nan(), "{c:?}");
+            }
+            case.procedures.ec8_combination = Combination::Srss;
+            let srss = procedure.assess(&case, Excitation::Site).unwrap();
+            case.procedures.ec8_combination = Combination::Abs;
+            for q in [Quantity::BaseShear, Quantity::BaseMoment, Quantity::OverturningMoment, Quantity::HoopStress] {
+                let (sum, root) = (a.values[&q], srss.values[&q]);
+                prop_assert!(root <= sum * (1.0 + 1e-12) && sum <= std::f64::consts::SQRT_2 * root * (1.0 + 1e-12), "{q:?}");
+            }
+        }
+    }
+
+    /// Linear in the ground acceleration; liquid, wall and modulus scaled together leave periods and wave, and scale forces.
+    #[test]
+    fn scaling(k in 0.1f64..10.0, iterative: bool) {
+        let mut base = oil_tank();
+        if iterative {
+            base.procedures.ec8_impulsive = FlexibleImpulsive::Iterative;
+        }
+        let mut stronger = base.clone();
+        stronger.site.ec8 = Some(Ec8Site { ag: k * site().ag, ..site() });
+        let mut heavier = base.clone();
+        heavier.liquid.density *= k;
+        heavier.tank.roof.mass *= k;
+        for course in &mut heavier.tank.courses {
+            course.material.density *= k;
+            course.material.youngs_modulus *= k;
+        }
+        use Quantity::*;
+        for procedure in procedures() {
+            let [a, b, c] = [&base, &stronger, &heavier].map(|case| procedure.assess(case, Excitation::Site).unwrap().values);
+            for (q, value) in &a {
+                let (strong, heavy) = match q {
+                    SloshingPeriod | ImpulsivePeriod => (1.0, 1.0),
+                    SloshingHeight => (k, 1.0),
+                    ImpulsiveMass | ConvectiveMass => (1.0, k),
+                    _ => (k, k),
+                };
+                prop_assert!((b[q] / (strong * value) - 1.0).abs() < 1e-9, "{q:?}");
+                prop_assert!((c[q] / (heavy * value) - 1.0).abs() < 1e-6, "{q:?} {} {}", c[q], heavy * value);
+            }
+        }
+    }
+}
