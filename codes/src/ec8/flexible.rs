@@ -18,7 +18,7 @@
 //! ([`coupled_mode`]). The annex replaces the pressure by an equivalent density
 //! `ρ_eq(ζ) = p_f(ζ)/(2 g s(ζ)) + ρ_s`, A_f = g, the 2 because the liquid loads the radial part of the motion only
 //! ([`equivalent_density_period`]). That puts `p_f/g` where `p_f/(ψ f g)` belongs and half the mass on a tangential motion
-//! that is not as large as the radial one: its period is 25 % short at H/R ≤ 0.7, 18 % at 1, right at 2 and 7 % long at 3
+//! that is not as large as the radial one: its period is 21 to 23 % short at H/R ≤ 0.7, 17 % at 1, right at 2 and 7 % long at 3
 //! (tests). It is reported for information only.
 //!
 //! Sources: EN 1998-4:2006 A.3.1 (informative); Fischer, Rammerstorfer, Scharf 1991; formulas re-derived by integration of

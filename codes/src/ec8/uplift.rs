@@ -2,16 +2,13 @@
 //!
 //! EN 1998-4 A.9 gives diagrams from finite-element studies that are not reproduced here. As an estimate the wall is in contact
 //! over the half angle β with linearly varying compression of peak b; elsewhere it lifts and is held down by its weight w_t and
-//! a constant pull w_L of the bottom plate. Equilibrium of force and moment gives, with x = M/(D²(w_t + w_L)),
-//!
-//! ```text
-//! y = (b + w_L)/(w_t + w_L) = π (1 − cos β)/(sin β − β cos β)      x = (y/4)(β − sin β cos β)/(1 − cos β)
-//! ```
-//!
-//! β = π: x = π/4, no uplift; β → 0: x → π/2, overturning (the limits of API 650's appendix E). The pull is that of a plate
+//! a constant pull w_L of the bottom plate. Equilibrium of force and moment is the curve of API 650's figure E-5
+//! ([`figure_e5`]): no uplift up to x = M/(D²(w_t + w_L)) = π/4, overturning at π/2. The pull is that of a plate
 //! strip with two plastic hinges under the liquid, `w_L = t_b √(p f_y)`, at most the liquid on a strip of 0.02 D.
 
 use std::f64::consts::PI;
+
+use crate::api650::hold_down::figure_e5;
 
 /// `w_L = t_b √(p f_y) ≤ 0.02 D p` [N/m].
 ///
@@ -29,30 +26,7 @@ pub fn compression(x: f64, weight: f64, hold_down: f64) -> Option<f64> {
         // No uplift: M/(πR²) = 4M/(πD²) on top of the weight.
         return Some(weight + 4.0 / PI * x * sum);
     }
-    if x.is_nan() || x >= 0.5 * PI {
-        return None;
-    }
-    // x falls with β from π/2 to π/4; near β = 0 numerator and denominator cancel, x − π/2 there is below 1e-9 anyway.
-    let (mut low, mut high) = (1e-3, PI);
-    for _ in 0..100 {
-        let middle = 0.5 * (low + high);
-        if moment_ratio(middle) > x {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    Some(force_ratio(0.5 * (low + high)) * sum - hold_down)
-}
-
-/// y(β).
-fn force_ratio(beta: f64) -> f64 {
-    PI * (1.0 - beta.cos()) / (beta.sin() - beta * beta.cos())
-}
-
-/// x(β).
-fn moment_ratio(beta: f64) -> f64 {
-    0.25 * force_ratio(beta) * (beta - beta.sin() * beta.cos()) / (1.0 - beta.cos())
+    figure_e5(x).map(|y| y * sum - hold_down)
 }
 
 #[cfg(test)]
