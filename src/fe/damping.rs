@@ -12,7 +12,7 @@
 
 use codes::Case;
 
-use crate::fe::response::modal::{CoupledMode, Kind};
+use crate::fe::harmonic::{CoupledMode, Kind};
 use crate::fe::{DampingModel, FeError};
 use crate::results::DampingRow;
 
@@ -194,7 +194,7 @@ impl Damper {
         };
         modes
             .iter()
-            .filter(|m| m.effective_mass > 0.01 * total_mass)
+            .filter(|m| m.effective_mass() > 0.01 * total_mass)
             .map(|m| {
                 let ratio = rayleigh.ratio(m.omega);
                 DampingRow {

@@ -12,6 +12,9 @@ pub mod liquid;
 pub mod probe;
 pub mod response;
 pub mod shape;
+mod simulate;
+
+pub use simulate::simulate;
 
 use std::collections::BTreeMap;
 
@@ -146,12 +149,6 @@ pub enum FeError {
         /// Likely cause.
         cause: String,
     },
-}
-
-/// Time history of the coupled tank and liquid.
-pub fn simulate(case: &Case, options: &Options) -> Result<Simulation, FeError> {
-    let _ = (case, options);
-    Err(FeError::Unsupported("the engine is not connected yet".into()))
 }
 
 /// Coupled modes of the given harmonics (0, 1, 2, …), at most `count` of each kind and harmonic, by ascending frequency.

@@ -155,7 +155,7 @@ fn check_memory(wall: &Wall, mesh: &LiquidMesh) -> Result<(), FeError> {
 }
 
 /// Turns a failed factorisation into an error of the engine.
-pub(super) fn failure(matrix: &'static str) -> impl Fn(LinalgError) -> FeError {
+pub(crate) fn failure(matrix: &'static str) -> impl Fn(LinalgError) -> FeError {
     move |error| match error {
         LinalgError::NotPositiveDefinite { .. } => FeError::NotPositiveDefinite {
             matrix: matrix.into(),

@@ -12,6 +12,7 @@ mod state;
 mod wall;
 mod wall_mesh;
 
+pub(crate) use build::failure;
 pub use build::{build, check_options};
 pub use modes::{CoupledMode, Kind, modes, solve};
 pub use state::Static;

@@ -106,6 +106,11 @@ fn surface_energy(coupled: &Coupled, x: &[f64]) -> f64 {
 }
 
 impl CoupledMode {
+    /// Effective mass γ² [kg].
+    pub fn effective_mass(&self) -> f64 {
+        self.participation * self.participation
+    }
+
     /// The mode in the vocabulary of the results folder, with the damping ratio of its kind.
     pub fn to_result(&self, coupled: &Coupled, case: &Case) -> Mode {
         Mode {

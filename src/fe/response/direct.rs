@@ -20,13 +20,13 @@
 
 use codes::newmark::Newmark;
 
-use super::modal::{CoupledMode, Kind, failure};
 use super::motion::{Grid, Motion};
 use super::observe::{Chunk, Observed, Observer, Row};
 use super::superpose::Observable;
 use crate::fe::FeError;
 use crate::fe::coupled::Coupled;
 use crate::fe::damping::{Damper, Rayleigh};
+use crate::fe::harmonic::{CoupledMode, Kind, failure};
 use crate::fe::linalg::{Cholesky, Matrix, dot, product};
 use crate::fe::probe::{ModeSelection, Probe};
 use crate::results::EnergyBalance;
@@ -58,7 +58,7 @@ impl<'a> DirectSystem<'a> {
             Damper::ByKind { .. } => {
                 let mut shapes = Matrix::zeros(n, modes.len());
                 for (j, mode) in modes.iter().enumerate() {
-                    shapes.column_mut(j).copy_from_slice(&mode.shape);
+                    shapes.column_mut(j).copy_from_slice(&mode.vector);
                 }
                 let momenta = product(&system.mass, &shapes);
                 let mut weighted = Matrix::zeros(modes.len(), n);
@@ -99,8 +99,8 @@ impl<'a> DirectSystem<'a> {
                 let (mut on_x, mut on_a, mut ground) = (vec![0.0; n], vec![0.0; n], 0.0);
                 let selected = |m: &&CoupledMode| m.kind == Kind::Sloshing && m.number <= most;
                 for mode in self.modes.iter().filter(selected) {
-                    let (p, q) = (dot(d, &mode.shape), dot(a, &mode.shape));
-                    let momentum = self.system.mass.times(&mode.shape);
+                    let (p, q) = (dot(d, &mode.vector), dot(a, &mode.vector));
+                    let momentum = self.system.mass.times(&mode.vector);
                     for ((x, y), m) in on_x.iter_mut().zip(&mut on_a).zip(momentum) {
                         *x += p * m;
                         *y += q * m;
@@ -182,7 +182,7 @@ impl<'a> Run<'a> {
             system,
             motion,
             newmark,
-            factor: Cholesky::factor(&effective).map_err(failure)?,
+            factor: Cholesky::factor(&effective).map_err(failure("the effective matrix of a step"))?,
             stiffness: Rows::new(k),
             load: m.times(&system.system.influence),
             x: zero.clone(),

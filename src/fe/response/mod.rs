@@ -2,14 +2,12 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`modal`] | modes, participation, sorting into sloshing and structural |
 //! | [`motion`] | time steps and ground motion on them |
 //! | [`observe`] | histories of scalars, extremes of everything else, in chunks of time |
 //! | [`superpose`] | modal superposition, exact piecewise-linear, with missing mass |
 //! | [`direct`] | direct Newmark integration on all unknowns, with energy balance |
 
 pub mod direct;
-pub mod modal;
 pub mod motion;
 pub mod observe;
 pub mod superpose;

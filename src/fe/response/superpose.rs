@@ -20,12 +20,12 @@
 
 use codes::sdof::Recurrence;
 
-use super::modal::{CoupledMode, Kind, failure};
 use super::motion::{Grid, Motion};
 use super::observe::{Chunk, Observed, Observer, Row, Slope};
 use crate::fe::FeError;
 use crate::fe::coupled::Coupled;
 use crate::fe::damping::Damper;
+use crate::fe::harmonic::{CoupledMode, Kind, failure};
 use crate::fe::linalg::{Cholesky, dot};
 use crate::fe::probe::{ModeSelection, Probe};
 
@@ -51,7 +51,7 @@ pub struct ModalSystem<'a> {
 /// [`SLOSHING_MODES`] sloshing modes; all of them with Rayleigh damping, whose highest modes are so strongly damped that
 /// they do not follow the ground statically.
 pub fn keep<'a>(modes: &'a [CoupledMode], damper: &Damper, wave_modes: usize) -> Vec<&'a CoupledMode> {
-    let limit = match (damper, super::modal::first(modes, Kind::Structural)) {
+    let limit = match (damper, modes.iter().find(|m| m.kind == Kind::Structural)) {
         (Damper::ByKind { .. }, Some(first)) => FREQUENCY_FACTOR * first.omega,
         _ => f64::INFINITY,
     };
@@ -69,11 +69,11 @@ impl<'a> ModalSystem<'a> {
     pub fn new(system: &'a Coupled, modes: Vec<&'a CoupledMode>, damper: &Damper) -> Result<ModalSystem<'a>, FeError> {
         let load = system.mass.times(&system.influence);
         let mut residual = Cholesky::factor(&system.stiffness)
-            .map_err(failure)?
+            .map_err(failure("the coupled stiffness matrix"))?
             .solve_vector(&load);
         for mode in &modes {
             let factor = mode.participation / (mode.omega * mode.omega);
-            for (r, phi) in residual.iter_mut().zip(&mode.shape) {
+            for (r, phi) in residual.iter_mut().zip(&mode.vector) {
                 *r -= factor * phi;
             }
         }
@@ -106,8 +106,8 @@ impl<'a> ModalSystem<'a> {
             ModeSelection::FirstSloshing(_) => 0.0,
         };
         for (j, mode) in self.modes.iter().enumerate().filter(|(_, mode)| counts(mode)) {
-            let p = mode.participation * dot(d, &mode.shape);
-            let q = mode.participation * dot(a, &mode.shape);
+            let p = mode.participation * dot(d, &mode.vector);
+            let q = mode.participation * dot(a, &mode.vector);
             let (c, k) = (2.0 * self.damping[j] * mode.omega, mode.omega * mode.omega);
             if probe.modes == ModeSelection::All {
                 rigid -= q;

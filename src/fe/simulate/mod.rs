@@ -1,0 +1,197 @@
+//! Time history of a case: model, analysis, second mesh, and everything the results folder holds of them.
+
+mod analysis;
+mod describe;
+mod limits;
+mod model;
+mod series;
+
+use std::collections::BTreeMap;
+
+use codes::case::GroundMotion;
+use codes::record::Record;
+use codes::tank::{Shape, Support};
+use codes::{Case, Quantity};
+
+use analysis::{Analysis, analyse};
+use model::{Harmonic, Model};
+
+use super::{FeError, Integrator, Options, Simulation};
+use crate::results::{Envelope, FeResult, Mode};
+
+/// Modes of each kind and harmonic that are listed in the results.
+const LISTED_MODES: usize = 6;
+/// Smallest mesh refinement of the engine.
+const COARSEST: f64 = 0.25;
+
+/// Time history of the coupled tank and liquid.
+///
+/// Errors: no ground motion or a record without samples; an option out of range; a model that cannot be built or
+/// factored; a response that is not finite.
+pub fn simulate(case: &Case, options: &Options) -> Result<Simulation, FeError> {
+    let motion = case.ground_motion.as_ref().ok_or(FeError::NoRecord)?;
+    check_record("horizontal record", &motion.horizontal)?;
+    if let Some(vertical) = &motion.vertical {
+        check_record("vertical record", vertical)?;
+    }
+    let vertical = motion.vertical.is_some();
+    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
+    // The two meshes share nothing: they are worked out side by side.
+    let (fine, coarse) = std::thread::scope(|scope| {
+        let coarse = coarse_options(options).map(|coarse| {
+            scope.spawn(move || -> Result<BTreeMap<Quantity, f64>, FeError> {
+                let model = Model::new(case, &coarse, vertical)?;
+                let analysis = analyse(&model, motion, &coarse)?;
+                Ok(analysis.values(&model, round))
+            })
+        });
+        let fine = Model::new(case, options, vertical).and_then(|model| complete(case, options, motion, &model, round));
+        let coarse = coarse.map(|handle| match handle.join() {
+            Ok(values) => values,
+            Err(panic) => std::panic::resume_unwind(panic),
+        });
+        (fine, coarse)
+    });
+    let mut simulation = fine?;
+    if let Some(coarse) = coarse.transpose()? {
+        simulation.result.mesh_error = simulation
+            .values
+            .iter()
+            .filter(|(_, fine)| **fine != 0.0)
+            .filter_map(|(q, fine)| Some((q.id().to_owned(), ((fine - coarse.get(q)?) / fine).abs())))
+            .collect();
+    } else if options.mesh_error {
+        simulation
+            .notes
+            .push("No coarser mesh exists: the discretisation error is not estimated.".into());
+    }
+    Ok(simulation)
+}
+
+/// Options of the second mesh: every element twice as long. Modal superposition serves for it whatever the integrator.
+fn coarse_options(options: &Options) -> Option<Options> {
+    let refine = (0.5 * options.refine).max(COARSEST);
+    (options.mesh_error && refine < options.refine).then(|| Options {
+        refine,
+        integrator: Integrator::Modal,
+        gauges: Vec::new(),
+        stations: Vec::new(),
+        ..options.clone()
+    })
+}
+
+fn check_record(which: &str, record: &Record) -> Result<(), FeError> {
+    let refuse = |found: String, allowed: &str| {
+        Err(FeError::Option {
+            option: which.into(),
+            found,
+            allowed: allowed.into(),
+        })
+    };
+    if record.acceleration.len() < 2 {
+        return refuse(format!("{} samples", record.acceleration.len()), "2 samples or more");
+    }
+    if !(record.dt > 0.0 && record.dt.is_finite()) {
+        return refuse(format!("time step {} s", record.dt), "a positive time step");
+    }
+    match record.acceleration.iter().position(|a| !a.is_finite()) {
+        Some(i) => refuse(
+            format!("{} at sample {}", record.acceleration[i], i + 1),
+            "finite accelerations",
+        ),
+        None => Ok(()),
+    }
+}
+
+/// The run on the wanted mesh with everything that is reported of it.
+fn complete(
+    case: &Case,
+    options: &Options,
+    motion: &GroundMotion,
+    model: &Model,
+    round: bool,
+) -> Result<Simulation, FeError> {
+    let mut notes = Vec::new();
+    for harmonic in model.systems() {
+        notes.extend(model.damper.review(&harmonic.modes)?);
+    }
+    let analysis = analyse(model, motion, options)?;
+    if case.tank.support == Support::Unanchored {
+        notes.push("The tank is unanchored; the linear engine holds the wall down and does not let it uplift.".into());
+    }
+    if let Shape::Rectangle { strip: false, .. } = case.tank.shape {
+        notes.push(
+            "The rectangular tank is modelled as a plane strip of its breadth with rigid side walls: plate bending and \
+             corners are left out."
+                .into(),
+        );
+    }
+    if motion.vertical.as_ref().is_some_and(|v| v.dt != motion.horizontal.dt) {
+        notes.push(
+            "The records differ in their time step: the vertical one is linearised within the steps of the analysis."
+                .into(),
+        );
+    }
+    let coupled = &model.horizontal.coupled;
+    let (info, series) = series::histories(motion, &analysis);
+    let result = FeResult {
+        engine: "harmonic".into(),
+        mesh: coupled.mesh.clone(),
+        modes: modes(case, model),
+        integration: describe::integration(model, options, &analysis, motion),
+        damping_table: model
+            .systems()
+            .flat_map(|h| {
+                model
+                    .damper
+                    .table(&h.modes, h.coupled.liquid_mass + h.coupled.wall_mass)
+            })
+            .collect(),
+        mesh_error: BTreeMap::new(),
+        mass_balance: describe::mass_balance(model),
+        energy: analysis.energy,
+        envelopes: envelopes(model, &analysis),
+        series: info,
+        limits: limits::limits(case, model, &analysis, motion.horizontal.dt),
+    };
+    Ok(Simulation {
+        values: analysis.values(model, round),
+        result,
+        series,
+        assumptions: describe::assumptions(round, options),
+        notes,
+    })
+}
+
+/// The first modes of each kind, harmonic by harmonic, with the damping they were given.
+fn modes(case: &Case, model: &Model) -> Vec<Mode> {
+    let listed = |h: &Harmonic| -> Vec<Mode> {
+        h.modes
+            .iter()
+            .filter(|m| m.number <= LISTED_MODES)
+            .map(|m| Mode {
+                damping: model.damper.ratio(m.kind, m.omega),
+                ..m.to_result(&h.coupled, case)
+            })
+            .collect()
+    };
+    model.systems().flat_map(listed).collect()
+}
+
+/// Envelopes at θ = 0 with the static state.
+fn envelopes(model: &Model, analysis: &Analysis) -> Vec<Envelope> {
+    let lines = &model.horizontal.coupled.lines;
+    lines
+        .iter()
+        .zip(&analysis.lines)
+        .map(|(line, extremes)| Envelope {
+            id: line.id.clone(),
+            title: line.title.clone(),
+            dimension: line.dimension,
+            z: line.z.clone(),
+            static_: line.probes.iter().map(|p| p.static_value).collect(),
+            min: extremes.front.iter().map(|e| e.min).collect(),
+            max: extremes.front.iter().map(|e| e.max).collect(),
+        })
+        .collect()
+}
