@@ -3,14 +3,15 @@
 //! `results.json` is ordered and deterministic; everything that may differ between two identical runs stands in
 //! [`Volatile`]. All values are SI, each with its unit beside it. The report, `diff` and users' scripts read nothing else.
 
+mod store;
+
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use codes::procedure::{Check, Excitation, Profile, Step};
 use codes::units::Dimension;
 use serde::{Deserialize, Serialize};
 
-use crate::error::Error;
+pub use store::{RESULTS_FILE, SERIES_FILE, describe, read, read_series, write};
 
 /// Version of the format; a reader refuses any other.
 pub const FORMAT: &str = "tankcheck-results/1";
@@ -486,160 +487,4 @@ pub struct Series {
     pub ids: Vec<String>,
     /// Columns, SI.
     pub columns: Vec<Vec<f64>>,
-}
-
-/// Name of the results file in a results folder.
-pub const RESULTS_FILE: &str = "results.json";
-/// Name of the time histories in a results folder.
-pub const SERIES_FILE: &str = "series.csv";
-
-/// Reads `results.json` of a results folder.
-///
-/// Errors: missing or unreadable file, text that is not JSON, another format version.
-pub fn read(folder: &Path) -> Result<Results, Error> {
-    let path = folder.join(RESULTS_FILE);
-    let fault = |what: String| Error::File {
-        path: path.clone(),
-        what,
-    };
-    if !folder.is_dir() {
-        return Err(Error::File {
-            path: folder.into(),
-            what: "no such results folder; `tankcheck compare` writes one".into(),
-        });
-    }
-    let text = std::fs::read_to_string(&path).map_err(|e| fault(describe(&e)))?;
-    #[derive(Deserialize)]
-    struct Head {
-        format: String,
-    }
-    let head: Head = serde_json::from_str(&text).map_err(|e| fault(format!("not a results file: {e}")))?;
-    if head.format != FORMAT {
-        return Err(fault(format!(
-            "format `{}`, this version reads `{FORMAT}`",
-            head.format
-        )));
-    }
-    serde_json::from_str(&text).map_err(|e| fault(format!("not a results file: {e}")))
-}
-
-/// Reads `series.csv` of a results folder; empty if there is none (`check` writes none).
-pub fn read_series(folder: &Path) -> Result<Series, Error> {
-    let path = folder.join(SERIES_FILE);
-    if !path.exists() {
-        return Ok(Series::default());
-    }
-    let fault = |what: String| Error::File {
-        path: path.clone(),
-        what,
-    };
-    let mut reader = csv::Reader::from_path(&path).map_err(|e| fault(e.to_string()))?;
-    let header = reader.headers().map_err(|e| fault(e.to_string()))?.clone();
-    if header.get(0) != Some("time_s") {
-        return Err(fault(format!(
-            "first column is `{}`, expected `time_s`",
-            header.get(0).unwrap_or("")
-        )));
-    }
-    let mut series = Series {
-        ids: header.iter().skip(1).map(str::to_owned).collect(),
-        ..Series::default()
-    };
-    series.columns = vec![Vec::new(); series.ids.len()];
-    for row in reader.records() {
-        let row = row.map_err(|e| fault(e.to_string()))?;
-        let line = row.position().map_or(0, |p| p.line());
-        let number = |text: &str| {
-            text.parse::<f64>()
-                .map_err(|_| fault(format!("line {line}: `{text}` is not a number")))
-        };
-        series.time.push(number(row.get(0).unwrap_or(""))?);
-        for (column, text) in series.columns.iter_mut().zip(row.iter().skip(1)) {
-            column.push(number(text)?);
-        }
-    }
-    Ok(series)
-}
-
-/// Writes `results.json` and `series.csv` (unless empty) into an existing folder.
-///
-/// Numbers of `results.json` are written with 10 significant digits: far below the accuracy of any method, and enough
-/// for differences between processors to vanish.
-pub fn write(folder: &Path, results: &Results, series: &Series) -> Result<(), Error> {
-    let path = folder.join(RESULTS_FILE);
-    let mut value = serde_json::to_value(results).map_err(|e| Error::Report(e.to_string()))?;
-    round_numbers(&mut value);
-    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::Report(e.to_string()))?;
-    text.push('\n');
-    std::fs::write(&path, text).map_err(|e| Error::File {
-        path: path.clone(),
-        what: describe(&e),
-    })?;
-    if series.time.is_empty() {
-        return Ok(());
-    }
-    let path = folder.join(SERIES_FILE);
-    std::fs::write(&path, series_csv(series)).map_err(|e| Error::File {
-        path: path.clone(),
-        what: describe(&e),
-    })
-}
-
-/// `series.csv` as text; 7 significant digits.
-fn series_csv(series: &Series) -> String {
-    use std::fmt::Write;
-    let mut text = String::with_capacity(series.time.len() * (series.columns.len() + 1) * 14);
-    text.push_str("time_s");
-    for id in &series.ids {
-        text.push(',');
-        text.push_str(id);
-    }
-    text.push('\n');
-    for (i, t) in series.time.iter().enumerate() {
-        let _ = write!(text, "{}", round_significant(*t, 9));
-        for column in &series.columns {
-            let _ = write!(text, ",{:e}", round_significant(column[i], 7));
-        }
-        text.push('\n');
-    }
-    text
-}
-
-/// Rounds every number of a JSON value to 10 significant digits.
-fn round_numbers(value: &mut serde_json::Value) {
-    use serde_json::Value;
-    match value {
-        Value::Number(number) if number.is_f64() => {
-            if let Some(rounded) = number
-                .as_f64()
-                .and_then(|x| serde_json::Number::from_f64(round_significant(x, 10)))
-            {
-                *number = rounded;
-            }
-        }
-        Value::Array(items) => items.iter_mut().for_each(round_numbers),
-        Value::Object(map) => map.values_mut().for_each(round_numbers),
-        _ => {}
-    }
-}
-
-/// `x` rounded to `digits` significant digits, by a decimal round trip (exact to the last bit, unlike scaling).
-fn round_significant(x: f64, digits: usize) -> f64 {
-    if x == 0.0 {
-        return 0.0;
-    }
-    format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
-}
-
-/// An input/output error in words.
-pub fn describe(error: &std::io::Error) -> String {
-    use std::io::ErrorKind;
-    match error.kind() {
-        ErrorKind::NotFound => "no such file".into(),
-        ErrorKind::PermissionDenied => "permission denied".into(),
-        ErrorKind::IsADirectory => "is a folder, expected a file".into(),
-        ErrorKind::ReadOnlyFilesystem => "the file system is read-only".into(),
-        ErrorKind::StorageFull => "no space left on the device".into(),
-        _ => error.to_string(),
-    }
 }

@@ -9,7 +9,7 @@ use tankcheck::fe::Options;
 use tankcheck::fe::harmonic::{Kind, build, solve};
 use tankcheck::fe::linalg::dot;
 
-use crate::rigid_cylinder::{ZEROS_1, liquid, sloshing};
+use crate::rigid_cylinder::{ZEROS_1, sloshing, tank};
 use crate::tanks::{GRAVITY, assert_close, broad, slender};
 use codes::Case;
 
@@ -19,7 +19,7 @@ fn sloshing_converges_with_the_fourth_power() {
     let errors: Vec<[f64; 3]> = [1.0, 2.0, 4.0]
         .iter()
         .map(|&refine| {
-            let omega = sloshing(&liquid(1.83, 1.525, 1, refine));
+            let omega = sloshing(&tank(1.83, 1.525, 1, refine));
             std::array::from_fn(|n| omega[n] / exact(ZEROS_1[n]) - 1.0)
         })
         .collect();

@@ -6,8 +6,9 @@
 //! Tolerance: sloshing 0.05, 0.1, 0.3 % for the first three modes and masses as stated below: what the default mesh
 //!            reaches (the rate is asserted in `convergence`); translation of the whole liquid 1e-9, as φ = x is in the space
 
-use tankcheck::fe::linalg::{Cholesky, Matrix, dot, generalized_eigen};
-use tankcheck::fe::liquid::{Domain, LiquidMesh, Potential};
+use tankcheck::fe::linalg::dot;
+use tankcheck::fe::liquid::Domain;
+use tankcheck::verify::rigid::RigidTank;
 
 use crate::tanks::{GRAVITY, assert_close};
 
@@ -19,48 +20,14 @@ const ZEROS_0: [f64; 2] = [3.831705970, 7.015586670];
 const ZERO_2: f64 = 3.054236928;
 const ZERO_3: f64 = 4.201188941;
 
-/// The liquid on the default mesh.
-pub fn liquid(radius: f64, depth: f64, harmonic: u32, refine: f64) -> Potential {
-    let mesh = LiquidMesh::graded(radius, depth, refine);
-    let trace = (0..=12).map(|k| depth * f64::from(k) / 12.0).collect();
-    Potential::new(Domain::Cylinder { radius, harmonic }, mesh, trace, 1000.0).unwrap()
-}
-
-/// K = ρ g S and M of the surface with a rigid wall; a floating liquid loses the elevation with the largest flux.
-fn surface_system(liquid: &Potential) -> (Matrix, Matrix) {
-    let columns: Vec<usize> = liquid.surface_columns().collect();
-    let mut k = liquid.surface_area.select(&columns, &columns);
-    k.data.iter_mut().for_each(|v| *v *= 1000.0 * GRAVITY);
-    let m = liquid.mass.select(&columns, &columns);
-    if !liquid.domain.is_floating() {
-        return (k, m);
-    }
-    let q: Vec<f64> = columns.iter().map(|&c| liquid.flux[c]).collect();
-    let e = (0..q.len()).max_by(|&a, &b| q[a].abs().total_cmp(&q[b].abs())).unwrap();
-    // Columns of T: x_e = −Σ q_j x_j / q_e.
-    let free: Vec<usize> = (0..q.len()).filter(|&i| i != e).collect();
-    let mut t = Matrix::zeros(q.len(), free.len());
-    for (j, &i) in free.iter().enumerate() {
-        t.add(i, j, 1.0);
-        t.add(e, j, -q[i] / q[e]);
-    }
-    let congruent = |a: &Matrix| {
-        let mut out = Matrix::zeros(free.len(), free.len());
-        for j in 0..free.len() {
-            let column = a.times(t.column(j));
-            for i in 0..free.len() {
-                out.add(i, j, dot(t.column(i), &column));
-            }
-        }
-        out
-    };
-    (congruent(&k), congruent(&m))
+/// A rigid cylinder on the default mesh, refined by `refine`.
+pub fn tank(radius: f64, depth: f64, harmonic: u32, refine: f64) -> RigidTank {
+    RigidTank::new(Domain::Cylinder { radius, harmonic }, depth, GRAVITY, refine).unwrap()
 }
 
 /// Sloshing frequencies with a rigid wall [rad/s].
-pub fn sloshing(liquid: &Potential) -> Vec<f64> {
-    let (k, m) = surface_system(liquid);
-    generalized_eigen(&k, &m, None).unwrap().omega
+pub fn sloshing(tank: &RigidTank) -> Vec<f64> {
+    tank.sloshing().unwrap()
 }
 
 fn exact(radius: f64, depth: f64, zero: f64) -> f64 {
@@ -69,7 +36,7 @@ fn exact(radius: f64, depth: f64, zero: f64) -> f64 {
 
 #[test]
 fn f1_first_three_modes_of_8_1() {
-    let omega = sloshing(&liquid(1.83, 1.525, 1, 1.0));
+    let omega = sloshing(&tank(1.83, 1.525, 1, 1.0));
     for ((found, zero), tolerance) in omega.iter().zip(ZEROS_1).zip([0.0005, 0.001, 0.003]) {
         assert_close("omega", *found, exact(1.83, 1.525, zero), tolerance);
     }
@@ -81,18 +48,18 @@ fn f1_first_three_modes_of_8_1() {
 
 #[test]
 fn f2_other_harmonics() {
-    let omega = sloshing(&liquid(1.83, 1.525, 0, 1.0));
+    let omega = sloshing(&tank(1.83, 1.525, 0, 1.0));
     assert_close("m = 0", omega[0], exact(1.83, 1.525, ZEROS_0[0]), 0.001);
     assert_close("m = 0, second", omega[1], exact(1.83, 1.525, ZEROS_0[1]), 0.003);
     assert_close(
         "m = 2",
-        sloshing(&liquid(1.83, 1.525, 2, 1.0))[0],
+        sloshing(&tank(1.83, 1.525, 2, 1.0))[0],
         exact(1.83, 1.525, ZERO_2),
         0.001,
     );
     assert_close(
         "m = 3",
-        sloshing(&liquid(1.83, 1.525, 3, 1.0))[0],
+        sloshing(&tank(1.83, 1.525, 3, 1.0))[0],
         exact(1.83, 1.525, ZERO_3),
         0.001,
     );
@@ -107,7 +74,7 @@ fn f3_model_tank_of_8_2() {
         (0.12, 2.1613),
         (0.15, 2.1762),
     ] {
-        let found = sloshing(&liquid(0.096, depth, 1, 1.0))[0] / (2.0 * std::f64::consts::PI);
+        let found = sloshing(&tank(0.096, depth, 1, 1.0))[0] / (2.0 * std::f64::consts::PI);
         let reference = exact(0.096, depth, ZEROS_1[0]) / (2.0 * std::f64::consts::PI);
         assert_close("frequency", found, reference, 0.0005);
         assert!((reference - printed).abs() < 6e-5, "{reference} {printed}");
@@ -124,7 +91,7 @@ fn f4_slender_tank_of_8_3() {
         (5.0, 3.1415),
     ] {
         let reference = exact(1.83, depth, ZEROS_1[0]);
-        assert_close("omega", sloshing(&liquid(1.83, depth, 1, 1.0))[0], reference, 0.0005);
+        assert_close("omega", sloshing(&tank(1.83, depth, 1, 1.0))[0], reference, 0.0005);
         assert!((reference - printed).abs() < 6e-5, "{reference} {printed}");
     }
 }
@@ -132,31 +99,18 @@ fn f4_slender_tank_of_8_3() {
 #[test]
 fn f6_rigid_translation_carries_the_whole_liquid() {
     for (radius, depth) in [(1.83, 1.525), (10.0, 3.0), (0.096, 0.15), (20.0, 15.0)] {
-        let liquid = liquid(radius, depth, 1, 1.0);
-        let translation = liquid.rigid_translation();
-        let mass = dot(&translation, &liquid.mass.times(&translation));
+        let tank = tank(radius, depth, 1, 1.0);
+        let mass = tank.translated_mass();
         let exact = 1000.0 * std::f64::consts::PI * radius * radius * depth;
         assert_close("mass", mass, exact, 1e-9);
     }
 }
 
-/// Convective masses of the liquid: (φᵀ M ι)² of the rigid-wall modes.
-fn convective_masses(liquid: &Potential) -> Vec<f64> {
-    let columns: Vec<usize> = liquid.surface_columns().collect();
-    let (k, m) = surface_system(liquid);
-    let eigen = generalized_eigen(&k, &m, None).unwrap();
-    let load = liquid.mass.times(&liquid.rigid_translation());
-    let load: Vec<f64> = columns.iter().map(|&c| load[c]).collect();
-    (0..eigen.omega.len())
-        .map(|j| dot(eigen.vectors.column(j), &load).powi(2))
-        .collect()
-}
-
 #[test]
 fn f7_convective_masses_of_8_1() {
-    let liquid = liquid(1.83, 1.525, 1, 1.0);
+    let tank = tank(1.83, 1.525, 1, 1.0);
     let total = 1000.0 * std::f64::consts::PI * 1.83_f64.powi(2) * 1.525;
-    let found = convective_masses(&liquid);
+    let found = tank.convective_masses().unwrap();
     let printed = [(0.49696, 5e-6), (0.0164, 5e-5), (0.0039, 5e-5)];
     for (n, tolerance) in [0.001, 0.005, 0.03].into_iter().enumerate() {
         let a = ZEROS_1[n] * 1.525 / 1.83;
@@ -164,35 +118,6 @@ fn f7_convective_masses_of_8_1() {
         assert_close("m_c/m", found[n] / total, exact, tolerance);
         assert!((exact - printed[n].0).abs() < printed[n].1, "{exact}");
     }
-}
-
-/// Impulsive mass, and its lever without and with the bottom pressure: rigid wall, pressure-free surface.
-fn impulsive(liquid: &Potential) -> (f64, f64, f64) {
-    let surface: Vec<usize> = liquid.surface_columns().collect();
-    let translation = liquid.rigid_translation();
-    // Acceleration of the surface that keeps it free of pressure: M_ηη a = −M_ηw ι.
-    let load = liquid.mass.times(&translation);
-    let right: Vec<f64> = surface.iter().map(|&c| -load[c]).collect();
-    let fall = Cholesky::factor(&liquid.mass.select(&surface, &surface))
-        .unwrap()
-        .solve_vector(&right);
-    let mut motion = translation.clone();
-    surface.iter().zip(&fall).for_each(|(&c, a)| motion[c] = *a);
-    let force = liquid.mass.times(&motion);
-    let arm: Vec<f64> = (0..liquid.columns())
-        .map(|c| match c < surface[0] {
-            true if c % 2 == 0 => liquid.trace[c / 2],
-            true => 1.0,
-            false => 0.0,
-        })
-        .collect();
-    let mass = dot(&translation, &force);
-    let moment = dot(&arm, &force);
-    (
-        mass,
-        moment / mass,
-        (moment + dot(&liquid.bottom_moment(), &motion)) / mass,
-    )
 }
 
 #[test]
@@ -203,12 +128,12 @@ fn f8_impulsive_masses_and_levers() {
         (10.0, 3.0, [0.1762, 0.3995, 2.637]),
     ];
     for (radius, depth, printed) in cases {
-        let found = impulsive(&liquid(radius, depth, 1, 1.0));
+        let found = tank(radius, depth, 1, 1.0).impulsive().unwrap();
         let (mass, lever, lever_below) = exact_impulsive(radius, depth);
         let total = 1000.0 * std::f64::consts::PI * radius * radius * depth;
-        assert_close("m_i/m", found.0 / total, mass, 0.005);
-        assert_close("h_i/H", found.1 / depth, lever, 0.005);
-        assert_close("h_i'/H", found.2 / depth, lever_below, 0.005);
+        assert_close("m_i/m", found.mass / total, mass, 0.005);
+        assert_close("h_i/H", found.lever / depth, lever, 0.005);
+        assert_close("h_i'/H", found.lever_below / depth, lever_below, 0.005);
         // The printed values of the sheet are the series, to half a last digit.
         for (series, printed) in [mass, lever, lever_below].into_iter().zip(printed) {
             assert!((series / printed - 1.0).abs() < 2.5e-4, "{series} {printed}");
@@ -247,17 +172,17 @@ fn zero_of_derivative(n: usize) -> f64 {
 #[test]
 fn impulsive_and_convective_masses_make_the_whole() {
     for (radius, depth) in [(1.83, 1.525), (1.83, 5.0), (10.0, 3.0)] {
-        let liquid = liquid(radius, depth, 1, 1.0);
+        let tank = tank(radius, depth, 1, 1.0);
         let total = 1000.0 * std::f64::consts::PI * radius * radius * depth;
-        let sum = impulsive(&liquid).0 + convective_masses(&liquid).iter().sum::<f64>();
+        let sum = tank.impulsive().unwrap().mass + tank.convective_masses().unwrap().iter().sum::<f64>();
         assert_close("m_i + Σ m_c", sum, total, 1e-9);
     }
 }
 
 #[test]
 fn f17_scale() {
-    let small = sloshing(&liquid(1.83, 1.525, 1, 1.0));
-    let large = sloshing(&liquid(183.0, 152.5, 1, 1.0));
+    let small = sloshing(&tank(1.83, 1.525, 1, 1.0));
+    let large = sloshing(&tank(183.0, 152.5, 1, 1.0));
     for (s, l) in small.iter().zip(&large).take(3) {
         assert_close("omega", *l, 0.1 * s, 1e-6);
     }
@@ -267,7 +192,7 @@ fn f17_scale() {
 #[test]
 fn flux_is_exact_on_any_mesh() {
     for refine in [0.5, 1.0, 1.7] {
-        let liquid = liquid(1.83, 1.525, 0, refine);
+        let liquid = tank(1.83, 1.525, 0, refine).liquid;
         let area = std::f64::consts::PI * 1.83_f64.powi(2);
         let elevation: f64 = liquid.surface_columns().map(|c| liquid.flux[c]).sum();
         assert_close("surface", elevation, area, 1e-12);
