@@ -189,4 +189,10 @@ pub trait Procedure: Sync {
 }
 
 /// All procedures in report order.
-pub const ALL: &[&dyn Procedure] = &[&crate::housner::Housner, &crate::ec8::Env1998, &crate::ec8::En2006];
+pub const ALL: &[&dyn Procedure] = &[
+    &crate::housner::Housner,
+    &crate::ec8::Env1998,
+    &crate::ec8::En2006,
+    &crate::api650::edition1993::Api6501993,
+    &crate::api650::edition2020::Api6502020,
+];

@@ -2,10 +2,25 @@
 //!
 //! | module | idea |
 //! |---|---|
-//! | [`ground_motion`] | ASCE 7 site coefficients and design spectrum |
+//! | [`ground_motion`] | ASCE 7 site coefficients and design spectrum; plateau of a record |
 //! | [`masses`] | effective masses, heights and periods, closed forms of the charts |
+//! | [`hold_down`] | hold-down by the bottom plate, figure E-5, allowable shell compression |
+//! | [`hoop`] | hoop forces over the height |
+//! | [`basis`] | the tank in the standard's terms, lines that both editions share |
+//! | [`edition1993`], [`edition2020`] | the procedures |
+//!
+//! Inside all is SI; the standard's SI forms (mm, MPa, kN) are converted in the formula that uses them. Both unit forms of
+//! the standard are printed rounded, so they differ by up to 0.6 %; the SI one is used. `docs/theory/api650.md` maps the
+//! clauses and lists errata and what is not implemented.
 
+pub mod basis;
+pub mod edition1993;
+pub mod edition2020;
+#[cfg(test)]
+mod example;
 pub mod ground_motion;
 pub mod hold_down;
 pub mod hoop;
 pub mod masses;
+#[cfg(test)]
+mod tests1993;

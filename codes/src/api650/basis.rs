@@ -1,0 +1,305 @@
+//! The tank in the terms of API 650, and the lines that both editions share.
+
+use crate::case::Case;
+use crate::procedure::{Assessment, Check, NotApplicable};
+use crate::sheet::Sheet;
+use crate::tank::{Shape, Support};
+use crate::units::Dimension::{Dimensionless, Force, Length, LineForce};
+
+use super::hold_down;
+use super::masses::{EffectiveMasses, SQUAT, effective_masses};
+
+/// Elastic modulus of steel [Pa] that the constants 83 MPa and 7.5 MPa of the allowable compression stand for.
+const STEEL: f64 = 206e9;
+
+/// Tank and product as the standard sees them; weights in N.
+#[derive(Clone, Copy, Debug)]
+pub struct Basis<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// Nominal diameter D [m].
+    pub d: f64,
+    /// Design liquid level H [m].
+    pub h: f64,
+    /// Specific gravity G.
+    pub g: f64,
+    /// Weight of the shell W_s.
+    pub w_s: f64,
+    /// Height of its centre X_s [m].
+    pub x_s: f64,
+    /// Weight of the roof W_r.
+    pub w_r: f64,
+    /// Weight of the floor W_f, all of it as thick as the bottom plate under the shell; 0 if that is not given.
+    pub w_f: f64,
+    /// Weight of the product W_p.
+    pub w_p: f64,
+    /// Weight of shell and roof per length of shell w_t [N/m].
+    pub w_t: f64,
+    /// Thickness of the bottom course t_s [m].
+    pub t_s: f64,
+    /// Effective weights and heights.
+    pub masses: EffectiveMasses,
+}
+
+impl<'a> Basis<'a> {
+    /// The basis of a case.
+    ///
+    /// Errors: not applicable to rectangles, the standard covers upright cylinders (1.1).
+    pub fn new(case: &'a Case, edition: &str) -> Result<Basis<'a>, NotApplicable> {
+        let Shape::Cylinder { radius } = case.tank.shape else {
+            return Err(NotApplicable {
+                clause: format!("{edition} 1.1"),
+                reason: "the standard covers upright cylindrical tanks; this tank is rectangular".into(),
+            });
+        };
+        let (tank, h) = (&case.tank, case.liquid.fill_height);
+        let d = 2.0 * radius;
+        let (w_s, w_r) = (case.gravity * tank.wall_mass(), case.gravity * tank.roof.mass);
+        Ok(Basis {
+            case,
+            d,
+            h,
+            g: case.liquid.density / 1000.0,
+            w_s,
+            x_s: tank.wall_centroid(),
+            w_r,
+            w_f: case.tank.bottom.as_ref().map_or(0.0, |plate| {
+                case.gravity * plate.material.density * plate.thickness * tank.shape.plan_area()
+            }),
+            w_p: case.gravity * case.liquid_mass(),
+            w_t: (w_s + w_r) / (std::f64::consts::PI * d),
+            t_s: tank.courses[0].thickness,
+            masses: effective_masses(d / h),
+        })
+    }
+
+    /// Whether the tank is mechanically anchored.
+    pub fn anchored(&self) -> bool {
+        self.case.tank.support == Support::Anchored
+    }
+
+    /// Whether the squat branches of the charts hold.
+    pub fn squat(&self) -> bool {
+        self.d / self.h >= SQUAT
+    }
+
+    /// Yield strength of the bottom course [Pa].
+    pub fn shell_yield(&self) -> Option<f64> {
+        self.case.tank.courses[0].material.yield_strength
+    }
+
+    /// Bottom plate under the shell (thickness [m], yield strength [Pa]), or what is missing.
+    pub fn bottom(&self) -> Result<(f64, f64), String> {
+        let Some(bottom) = &self.case.tank.bottom else {
+            return Err("`tank.bottom` is missing".into());
+        };
+        match bottom.material.yield_strength {
+            Some(f_y) => Ok((bottom.thickness, f_y)),
+            None => Err(format!(
+                "yield_strength is missing in material `{}`",
+                bottom.material.name
+            )),
+        }
+    }
+
+    /// Inputs of the sheet; `roof` is the height of the roof's weight that the edition uses.
+    pub fn inputs(&self, sheet: &mut Sheet, roof: (&str, f64), edition: &str) {
+        sheet.section("Tank and product");
+        for (symbol, name, value, dimension, source) in [
+            (
+                "D",
+                "nominal diameter (twice the inner radius)",
+                self.d,
+                Length,
+                "tank.radius",
+            ),
+            ("H", "design liquid level", self.h, Length, "liquid.fill_height"),
+            (
+                "G",
+                "specific gravity of the product, ρ/1000 kg/m³",
+                self.g,
+                Dimensionless,
+                "liquid.density",
+            ),
+            (
+                "t_s",
+                "thickness of the bottom course",
+                self.t_s,
+                Length,
+                "tank.courses",
+            ),
+            ("W_s", "weight of the shell", self.w_s, Force, "tank.courses"),
+            ("X_s", "height of its centre of mass", self.x_s, Length, "tank.courses"),
+            ("W_r", "weight of the roof", self.w_r, Force, "tank.roof"),
+            (roof.0, "height of the roof's weight", roof.1, Length, "tank.roof"),
+            ("W_p", "weight of the product", self.w_p, Force, "liquid"),
+        ] {
+            sheet.input(symbol, name, value, dimension, &format!("{source} ({edition})"));
+        }
+    }
+
+    /// Line for the weight per length of shell.
+    pub fn weight_line(&self, sheet: &mut Sheet, clause: &str) {
+        sheet.calc(
+            "w_t",
+            "weight of shell and roof per length of shell",
+            "(W_s + W_r)/(π·D)",
+            &[
+                ("W_s", self.w_s, Force),
+                ("W_r", self.w_r, Force),
+                ("D", self.d, Length),
+            ],
+            self.w_t,
+            LineForce,
+            clause,
+        );
+    }
+
+    /// Assumptions common to both editions.
+    pub fn assumptions(&self, out: &mut Assessment) {
+        out.assumptions.extend([
+            "Rigid wall and ground for the masses; the effective masses are those of the standard's charts in closed form."
+                .to_string(),
+            "The nominal diameter is twice the inner radius; thicknesses as given, without corrosion allowance.".into(),
+            "The constants of the standard contain g = 9.81 m/s² and water of 1000 kg/m³.".into(),
+        ]);
+        if self.case.tank.roof.mass > 0.0 {
+            out.assumptions.push("The shell carries the whole roof.".into());
+        }
+        let modulus = self.case.tank.courses[0].material.youngs_modulus;
+        if (modulus / STEEL - 1.0).abs() > 0.1 {
+            out.notes.push(format!(
+                "The allowable shell compression stands for steel; the bottom course has E = {}, {:.2} times that of \
+                 steel, and buckling stresses are proportional to E.",
+                crate::sheet::with_unit(modulus, crate::units::Dimension::Stress),
+                modulus / STEEL
+            ));
+        }
+    }
+
+    /// Allowable compression of the bottom course with its lines, or what is missing.
+    pub fn allowable_compression(&self, sheet: &mut Sheet, symbol: &str, clause: &str) -> Result<f64, String> {
+        use crate::units::Dimension::Stress;
+        let (d, h, g, t) = (self.d, self.h, self.g, self.t_s);
+        let ratio = sheet.calc(
+            "G·H·D²/t_s²",
+            "pressure parameter of the shell [m³/mm²]",
+            "G·H·(D/t_s)²/10⁶",
+            &[
+                ("G", g, Dimensionless),
+                ("H", h, Length),
+                ("D", d, Length),
+                ("t_s", t, Length),
+            ],
+            hold_down::slenderness(t, d, g, h),
+            Dimensionless,
+            clause,
+        );
+        let f_ty = self.shell_yield();
+        let Some(allowable) = hold_down::allowable_compression(t, d, g, h, f_ty) else {
+            let material = &self.case.tank.courses[0].material.name;
+            return Err(format!("yield_strength is missing in material `{material}`"));
+        };
+        let formula = match (ratio >= 44.0, f_ty) {
+            (true, None) => "83 GPa·t_s/D",
+            (true, Some(_)) => "min(83 GPa·t_s/D, 0.5·F_ty)",
+            (false, _) => "min(83 GPa·t_s/(2.5·D) + 7.5 MPa·√(G·H), 0.5·F_ty)",
+        };
+        Ok(sheet.calc(
+            symbol,
+            "allowable shell compression",
+            formula,
+            &[
+                ("t_s", t, Length),
+                ("D", d, Length),
+                ("G", g, Dimensionless),
+                ("H", h, Length),
+                ("F_ty", f_ty.unwrap_or(0.0), Stress),
+            ],
+            allowable,
+            Stress,
+            clause,
+        ))
+    }
+
+    /// Anchor tension from the uplift `w_ab` per length [N/m] with its lines and check, or a remark why not.
+    pub fn anchors(&self, sheet: &mut Sheet, out: &mut Assessment, w_ab: f64, symbol: &str, clause: &str, note: &str) {
+        if w_ab <= 0.0 {
+            out.notes.push(format!(
+                "{clause}: the weight outweighs the uplift; the anchors carry no tension."
+            ));
+            return;
+        }
+        let Some(anchors) = self.case.tank.anchors.filter(|a| a.count > 0) else {
+            out.notes.push(format!(
+                "{clause}, anchor tension: not checked, `tank.anchors` is missing."
+            ));
+            return;
+        };
+        let n = f64::from(anchors.count);
+        let tension = sheet.calc(
+            "P_AB",
+            "tension of an anchor",
+            &format!("{symbol}·π·D/n_A"),
+            &[
+                (symbol, w_ab, LineForce),
+                ("D", self.d, Length),
+                ("n_A", n, Dimensionless),
+            ],
+            w_ab * std::f64::consts::PI * self.d / n,
+            Force,
+            clause,
+        );
+        match anchors.capacity {
+            Some(capacity) => out.checks.push(Check::new(
+                "anchor_tension",
+                "Tension of an anchor",
+                tension,
+                capacity,
+                Force,
+                clause,
+                note,
+            )),
+            None => out.notes.push(format!(
+                "{clause}, anchor tension: not checked, `tank.anchors.capacity` is missing."
+            )),
+        }
+    }
+
+    /// Heights of the profiles [m]: 40 steps over the depth, and both sides of each joint below the surface (the lower
+    /// side 1e-6 H beneath it, so that heights ascend).
+    pub fn heights(&self) -> Vec<f64> {
+        let mut z: Vec<f64> = (0..=40).map(|i| self.h * f64::from(i) / 40.0).collect();
+        let mut joint = 0.0;
+        for course in &self.case.tank.courses {
+            joint += course.height;
+            if joint < self.h * (1.0 - 1e-6) {
+                z.extend([joint - 1e-6 * self.h, joint]);
+            }
+        }
+        z.sort_by(f64::total_cmp);
+        // A joint on a step but for rounding would show twice.
+        z.dedup_by(|b, a| (*b - *a).abs() < 1e-9 * self.h);
+        z
+    }
+}
+
+/// Equivalent uniform thickness of the wetted shell [m]: the mean weighted with the depth below the surface.
+///
+/// ```text
+/// t_u = ∫ t (H − z) dz / ∫ (H − z) dz,   0 ≤ z ≤ H
+/// ```
+///
+/// The annex leaves the averaging open; this weight (that of the hydrostatic pressure) is the one EN 1998-4 A.3.2.2
+/// prescribes for the same formula. Check: 14, 12, 10, 8, 8 mm to 2.4 m each, H = 12 m: 11.680 mm.
+pub fn equivalent_thickness(courses: &[crate::tank::Course], depth: f64) -> f64 {
+    let (mut sum, mut base) = (0.0, 0.0);
+    for course in courses {
+        let top = (base + course.height).min(depth);
+        if top > base {
+            sum += course.thickness * ((depth - base).powi(2) - (depth - top).powi(2));
+        }
+        base += course.height;
+    }
+    sum / (depth * depth)
+}

@@ -1,0 +1,530 @@
+//! Appendix E of the 9th edition (1993): overturning moment, hold-down, shell compression.
+//!
+//! ```text
+//! M = Z I (C_1 W_s X_s + C_1 W_r H_t + C_1 W_1 X_1 + C_2 W_2 X_2)
+//! C_1 = 0.60      C_2 = 0.75 S/T  (T ≤ 4.5 s),  3.375 S/T²  above      T = k √D[ft]
+//! ```
+//!
+//! * [`Excitation::Site`]: zone method, needs `zone_factor` in the site data.
+//! * [`Excitation::Record`]: the spectrum alternative of E.3.3. `Z I C_1` becomes the largest spectral acceleration in the
+//!   impulsive range at 2 % damping ([`impulsive_plateau`]), `Z I C_2` becomes S_a(T) at 0.5 % damping. The appendix fixes
+//!   both damping ratios.
+//!
+//! The ratio `x = M/(D² (w_t + w_L))` gives the shell compression b per length: the linear `w_t + 1.273 M/D²` up to 0.785
+//! or if anchored, figure E-5 (exact, [`super::hold_down::figure_e5`]) up to 1.5, the printed formula up to 1.57.
+//!
+//! The appendix has no base shear, no moment with base pressure, no wave height and no vertical motion.
+
+use crate::case::Case;
+use crate::procedure::{Assessment, Check, CodeError, Excitation, NotApplicable, Procedure};
+use crate::quantity::Quantity;
+use crate::sheet::Sheet;
+use crate::spectrum::ordinates;
+use crate::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, Stress, Time};
+
+use super::basis::Basis;
+use super::ground_motion::{IMPULSIVE_RANGE, impulsive_plateau};
+use super::hold_down as hd;
+use super::masses::{sloshing_coefficient_1993, sloshing_period_1993};
+
+const EDITION: &str = "API 650:1993";
+const E3_1: &str = "API 650:1993 E.3.1";
+const E3_2: &str = "API 650:1993 E.3.2, figures E-2, E-3";
+const E3_3: &str = "API 650:1993 E.3.3";
+const E4: &str = "API 650:1993 E.4";
+const E5_1: &str = "API 650:1993 E.5.1, figure E-5";
+const E5_2: &str = "API 650:1993 E.5.2";
+const E5_3: &str = "API 650:1993 E.5.3";
+const E6: &str = "API 650:1993 E.6";
+
+/// Lateral force coefficient C_1.
+const C_1: f64 = 0.60;
+/// Damping ratios of the spectrum alternative.
+const DAMPING: (f64, f64) = (0.02, 0.005);
+
+/// Appendix E, 9th edition (`api650-1993`).
+#[derive(Clone, Copy, Debug)]
+pub struct Api6501993;
+
+/// Lateral force coefficient C_2 of the sloshing mass.
+///
+/// * `soil_factor`: S, 1.0 to 2.0
+/// * `period`: T [s]
+pub fn convective_coefficient(soil_factor: f64, period: f64) -> f64 {
+    if period <= 4.5 {
+        0.75 * soil_factor / period
+    } else {
+        3.375 * soil_factor / (period * period)
+    }
+}
+
+/// Shell compression b per length of an unanchored tank [N/m]; `None` if it is not stable (x ≥ 1/0.637 = 1.5699).
+///
+/// * `w_t`: weight per length [N/m]; `w_l`: hold-down force per length [N/m]; `x`: M/(D² (w_t + w_L))
+pub fn compression(w_t: f64, w_l: f64, x: f64) -> Option<f64> {
+    if x <= hd::NO_UPLIFT {
+        // 1.273 M/D² = 1.273 x (w_t + w_L)
+        Some(w_t + 1.273 * x * (w_t + w_l))
+    } else if x <= 1.5 {
+        hd::figure_e5(x).map(|y| y * (w_t + w_l) - w_l)
+    } else {
+        hd::figure_e5_tail(x).map(|y| y * (w_t + w_l) - w_l)
+    }
+}
+
+/// Overturning moment `a_1 (W_s X_s + W_r H_t + W_1 X_1) + a_2 W_2 X_2` as its impulsive and convective parts.
+///
+/// * `a_1`, `a_2`: Z I C_1 and Z I C_2, or the spectral accelerations in their place
+/// * `solid`, `impulsive`, `convective`: (weight, height) of shell and roof, W_1 and W_2
+pub fn overturning_moment(
+    a_1: f64,
+    a_2: f64,
+    solid: &[(f64, f64)],
+    impulsive: (f64, f64),
+    convective: (f64, f64),
+) -> (f64, f64) {
+    let solid: f64 = solid.iter().map(|(w, x)| w * x).sum();
+    (
+        a_1 * (solid + impulsive.0 * impulsive.1),
+        a_2 * convective.0 * convective.1,
+    )
+}
+
+/// Accelerations in g that multiply the impulsive and the convective weights.
+struct Coefficients {
+    impulsive: f64,
+    convective: f64,
+}
+
+impl Procedure for Api6501993 {
+    fn id(&self) -> &'static str {
+        "api650-1993"
+    }
+
+    fn title(&self) -> &'static str {
+        "API 650, appendix E (9th edition, 1993)"
+    }
+
+    fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
+        Basis::new(case, EDITION)?;
+        let reason = match excitation {
+            Excitation::Record if case.ground_motion.is_none() => "no record given",
+            Excitation::Site if case.site.api650.is_none() => "`site.api650` is not given",
+            Excitation::Site if case.site.api650.is_some_and(|s| s.zone_factor.is_none()) => {
+                "`site.api650.zone_factor` is not given, which the zone method needs"
+            }
+            _ => return Ok(()),
+        };
+        Err(NotApplicable {
+            clause: E3_3.into(),
+            reason: reason.into(),
+        })
+    }
+
+    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
+        self.applies(case, excitation)?;
+        let basis = Basis::new(case, EDITION)?;
+        let mut sheet = Sheet::new();
+        let mut out = Assessment::default();
+        basis.assumptions(&mut out);
+        let shell_height = case.tank.wall_height();
+        basis.inputs(&mut sheet, ("H_t", shell_height), EDITION);
+
+        let period = masses(&basis, &mut sheet, &mut out);
+        let c = coefficients(&basis, excitation, period, &mut sheet, &mut out)?;
+        let moment = moment(&basis, &c, shell_height, &mut sheet);
+        let axial = sheet.calc(
+            "σ_M",
+            "axial membrane stress of the moment, linear over the section",
+            "1.273·M/D²/t_s",
+            &[
+                ("M", moment, Moment),
+                ("D", basis.d, Length),
+                ("t_s", basis.t_s, Length),
+            ],
+            1.273 * moment / (basis.d * basis.d) / basis.t_s,
+            Stress,
+            E5_2,
+        );
+        resistance(&basis, moment, &mut sheet, &mut out);
+
+        let g = case.gravity;
+        out.values.extend([
+            (Quantity::SloshingPeriod, period),
+            (Quantity::ImpulsiveMass, basis.masses.w_i * basis.w_p / g),
+            (Quantity::ConvectiveMass, basis.masses.w_c * basis.w_p / g),
+            (Quantity::BaseMoment, moment),
+            (Quantity::AxialMembraneStress, axial),
+        ]);
+        out.steps = sheet.into_steps();
+        Ok(out)
+    }
+}
+
+/// Effective masses and sloshing period; returns the period.
+fn masses(basis: &Basis, sheet: &mut Sheet, out: &mut Assessment) -> f64 {
+    let Basis {
+        d, h, w_p, masses: m, ..
+    } = *basis;
+    let terms = [("D", d, Length), ("H", h, Length), ("W_p", w_p, Force)];
+    sheet.section("Effective masses");
+    let (w_1, x_1) = if basis.squat() {
+        ("W_p·tanh(0.866·D/H)/(0.866·D/H)", "0.375·H")
+    } else {
+        ("W_p·(1 - 0.218·D/H)", "(0.5 - 0.094·D/H)·H")
+    };
+    sheet.calc("W_1", "impulsive weight", w_1, &terms, m.w_i * w_p, Force, E3_2);
+    let w_2 = "W_p·0.23·D/H·tanh(3.67·H/D)";
+    sheet.calc("W_2", "convective weight", w_2, &terms, m.w_c * w_p, Force, E3_2);
+    sheet.calc("X_1", "height of W_1", x_1, &terms, m.x_i * h, Length, E3_2);
+    let u = sheet.calc(
+        "u",
+        "argument of the sloshing mode",
+        "3.67·H/D",
+        &terms,
+        3.67 * h / d,
+        Dimensionless,
+        E3_2,
+    );
+    let terms = [("u", u, Dimensionless), ("H", h, Length), ("D", d, Length)];
+    let x_2 = "H·(1 - (cosh(u) - 1)/(u·sinh(u)))";
+    sheet.calc("X_2", "height of W_2", x_2, &terms, m.x_c * h, Length, E3_2);
+    let k = sloshing_coefficient_1993(d / h);
+    let figure = "API 650:1993 E.3.3, figure E-4";
+    sheet.calc(
+        "k",
+        "sloshing coefficient",
+        "0.578/√(tanh(u))",
+        &terms,
+        k,
+        Dimensionless,
+        figure,
+    );
+    let period = sloshing_period_1993(d, d / h);
+    let terms = [("k", k, Dimensionless), ("D", d, Length)];
+    sheet.calc(
+        "T",
+        "period of the first sloshing mode",
+        "k·√(D/0.3048 m)",
+        &terms,
+        period,
+        Time,
+        E3_3,
+    );
+    out.assumptions
+        .push("The 9th edition has the masses as charts; the closed forms are those of the current annex.".into());
+    period
+}
+
+/// Coefficients of the zone method or of the record's spectrum, with their lines.
+fn coefficients(
+    basis: &Basis,
+    excitation: Excitation,
+    period: f64,
+    sheet: &mut Sheet,
+    out: &mut Assessment,
+) -> Result<Coefficients, CodeError> {
+    sheet.section("Ground motion");
+    let case = basis.case;
+    match (excitation, &case.ground_motion, &case.site.api650) {
+        (Excitation::Record, Some(motion), _) => {
+            let record = &motion.horizontal;
+            let (at, plateau) = impulsive_plateau(record, DAMPING.0);
+            let source = format!("{E3_3}, spectrum of `{}`", record.name);
+            let impulsive = sheet.input(
+                "A_1",
+                &format!("largest spectral acceleration, 2 % damping, at T = {at:.3} s [g]"),
+                plateau / case.gravity,
+                Dimensionless,
+                &source,
+            );
+            let convective = sheet.input(
+                "A_2",
+                "spectral acceleration at T, 0.5 % damping [g]",
+                ordinates(record, period, DAMPING.1).psa / case.gravity,
+                Dimensionless,
+                &source,
+            );
+            out.assumptions.push(format!(
+                "Z·I·C_1 is the largest spectral acceleration of the record at T = 0 and between {} and {} s, 2 % damping; \
+                 Z·I·C_2 is its value at T, 0.5 % damping. I = 1.",
+                IMPULSIVE_RANGE.0, IMPULSIVE_RANGE.1
+            ));
+            let damping = case.damping;
+            if (damping.impulsive, damping.sloshing) != DAMPING {
+                out.notes.push(format!(
+                    "The appendix fixes 2 % and 0.5 % damping; the case has {} % (impulsive) and {} % (sloshing).",
+                    100.0 * damping.impulsive,
+                    100.0 * damping.sloshing
+                ));
+            }
+            Ok(Coefficients { impulsive, convective })
+        }
+        (Excitation::Site, _, Some(site)) => {
+            let z = site.zone_factor.unwrap_or(0.0);
+            let (s, i) = (site.soil_factor, site.importance_1993);
+            for (key, value, least, most) in [
+                ("zone_factor", z, 0.0, 1.0),
+                ("soil_factor", s, 1.0, 2.0),
+                ("importance_1993", i, 1.0, 1.5),
+            ] {
+                if !(least..=most).contains(&value) {
+                    return Err(CodeError::Data {
+                        clause: format!("{E3_3} (site.api650.{key})"),
+                        reason: format!("found {value}, allowed {least} to {most}"),
+                    });
+                }
+            }
+            for (symbol, name, value, table) in [
+                ("Z", "zone factor", z, "table E-2"),
+                ("I", "importance factor", i, "E.3.1"),
+                ("S", "site amplification", s, "table E-3"),
+                ("C_1", "lateral force coefficient, impulsive", C_1, "E.3.3"),
+            ] {
+                sheet.input(symbol, name, value, Dimensionless, &format!("{EDITION} {table}"));
+            }
+            let formula = if period <= 4.5 { "0.75·S/T" } else { "3.375·S/T²" };
+            let c_2 = convective_coefficient(s, period);
+            let name = "lateral force coefficient, convective";
+            sheet.calc(
+                "C_2",
+                name,
+                formula,
+                &[("S", s, Dimensionless), ("T", period, Time)],
+                c_2,
+                Dimensionless,
+                E3_3,
+            );
+            if ![0.0, 0.075, 0.15, 0.20, 0.30, 0.40].contains(&z) {
+                out.notes.push(format!(
+                    "Z = {z} is not a zone factor of table E-2 (0, 0.075, 0.15, 0.20, 0.30, 0.40)."
+                ));
+            }
+            Ok(Coefficients {
+                impulsive: z * i * C_1,
+                convective: z * i * c_2,
+            })
+        }
+        // `applies` has asked before.
+        _ => Err(CodeError::Data {
+            clause: E3_3.into(),
+            reason: "neither record nor site data".into(),
+        }),
+    }
+}
+
+/// Overturning moment [N·m].
+fn moment(basis: &Basis, c: &Coefficients, shell_height: f64, sheet: &mut Sheet) -> f64 {
+    let Basis {
+        h,
+        w_s,
+        x_s,
+        w_r,
+        w_p,
+        masses: m,
+        ..
+    } = *basis;
+    let (w_1, x_1, w_2, x_2) = (m.w_i * w_p, m.x_i * h, m.w_c * w_p, m.x_c * h);
+    let solid = [(w_s, x_s), (w_r, shell_height)];
+    let (m_1, m_2) = overturning_moment(c.impulsive, c.convective, &solid, (w_1, x_1), (w_2, x_2));
+    sheet.section("Overturning moment");
+    let a = ("a_1", c.impulsive, Dimensionless);
+    let impulsive = sheet.calc(
+        "M_1",
+        "moment of shell, roof and impulsive liquid; a_1 = Z·I·C_1 or A_1",
+        "a_1·(W_s·X_s + W_r·H_t + W_1·X_1)",
+        &[
+            a,
+            ("W_s", w_s, Force),
+            ("X_s", x_s, Length),
+            ("W_r", w_r, Force),
+            ("H_t", shell_height, Length),
+            ("W_1", w_1, Force),
+            ("X_1", x_1, Length),
+        ],
+        m_1,
+        Moment,
+        E3_1,
+    );
+    let convective = sheet.calc(
+        "M_2",
+        "moment of the convective liquid; a_2 = Z·I·C_2 or A_2",
+        "a_2·W_2·X_2",
+        &[
+            ("a_2", c.convective, Dimensionless),
+            ("W_2", w_2, Force),
+            ("X_2", x_2, Length),
+        ],
+        m_2,
+        Moment,
+        E3_1,
+    );
+    let terms = [("M_1", impulsive, Moment), ("M_2", convective, Moment)];
+    sheet.calc(
+        "M",
+        "overturning moment at the bottom of the shell",
+        "M_1 + M_2",
+        &terms,
+        impulsive + convective,
+        Moment,
+        E3_1,
+    )
+}
+
+/// Hold-down, stability, shell compression, anchors.
+fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessment) {
+    let Basis { d, w_t, t_s, .. } = *basis;
+    sheet.section("Resistance");
+    basis.weight_line(sheet, E4);
+    let linear = [("w_t", w_t, LineForce), ("M", moment, Moment), ("D", d, Length)];
+    let b = if basis.anchored() {
+        let b = w_t + 1.273 * moment / (d * d);
+        let name = "compression at the bottom of the shell, anchored";
+        Some(sheet.calc("b", name, "w_t + 1.273·M/D²", &linear, b, LineForce, E5_2))
+    } else {
+        match basis.bottom() {
+            Ok((thickness, f_by)) => self_anchored(basis, moment, thickness, f_by, sheet, out),
+            Err(missing) => {
+                out.notes.push(format!(
+                    "{E4}, stability and shell compression: not checked, {missing}."
+                ));
+                None
+            }
+        }
+    };
+    if let Some(b) = b {
+        let terms = [("b", b, LineForce), ("t_s", t_s, Length)];
+        let f = sheet.calc(
+            "f",
+            "compressive stress of the bottom course",
+            "b/t_s",
+            &terms,
+            b / t_s,
+            Stress,
+            E5_3,
+        );
+        match basis.allowable_compression(sheet, "F_a", E5_3) {
+            Ok(allowable) => out.checks.push(Check::new(
+                "shell_compression",
+                "Compression of the bottom course",
+                f,
+                allowable,
+                Stress,
+                E5_3,
+                "",
+            )),
+            Err(missing) => out
+                .notes
+                .push(format!("{E5_3}, shell compression: not checked, {missing}.")),
+        }
+    }
+    if basis.anchored() {
+        let uplift = 1.273 * moment / (d * d) - w_t;
+        let name = "uplift per length that the anchors resist";
+        sheet.calc("w_AB", name, "1.273·M/D² - w_t", &linear, uplift, LineForce, E6);
+        basis.anchors(sheet, out, uplift, "w_AB", E6, "Internal pressure is not added.");
+    }
+}
+
+/// Hold-down of an unanchored tank; the compression b per length [N/m] unless it is unstable.
+fn self_anchored(
+    basis: &Basis,
+    moment: f64,
+    thickness: f64,
+    f_by: f64,
+    sheet: &mut Sheet,
+    out: &mut Assessment,
+) -> Option<f64> {
+    let Basis { d, h, g, w_t, t_s, .. } = *basis;
+    // E.4.2: not more than the larger of 6 mm and the bottom course.
+    let t_b = thickness.min(t_s.max(0.006));
+    let name = "thickness of the bottom plate that counts (at most the larger of 6 mm and t_s)";
+    sheet.input("t_b", name, t_b, Length, "API 650:1993 E.4.2");
+    sheet.input(
+        "F_by",
+        "yield strength of the bottom plate",
+        f_by,
+        Stress,
+        "tank.bottom",
+    );
+    let w_l = hd::plate_force(t_b, f_by, g, h).min(hd::plate_limit_1993(g, h, d));
+    sheet.calc(
+        "w_L",
+        "hold-down force of the bottom strip per length [N/m]",
+        "min(99·t_b·√(F_by·G·H), 196·G·H·D)",
+        &[
+            ("t_b", t_b, Length),
+            ("F_by", f_by, Stress),
+            ("G", g, Dimensionless),
+            ("H", h, Length),
+            ("D", d, Length),
+        ],
+        w_l,
+        LineForce,
+        E4,
+    );
+    let x = hd::anchorage_ratio(moment, d, w_t + w_l);
+    let terms = [
+        ("M", moment, Moment),
+        ("D", d, Length),
+        ("w_t", w_t, LineForce),
+        ("w_L", w_l, LineForce),
+    ];
+    sheet.calc(
+        "x",
+        "ratio of moment and hold-down",
+        "M/(D²·(w_t + w_L))",
+        &terms,
+        x,
+        Dimensionless,
+        E5_1,
+    );
+    let last = 1.0 / 0.637;
+    let note = "1.57 as printed; the formula above 1.5 has no value from 1/0.637 = 1.5699 on.";
+    out.checks.push(Check::new(
+        "stability",
+        "Stability of the unanchored tank",
+        x,
+        last,
+        Dimensionless,
+        E5_1,
+        note,
+    ));
+    let b = compression(w_t, w_l, x);
+    let Some(b) = b else {
+        out.notes.push(format!(
+            "{E5_1}: unstable at x = {x:.3}; anchor the tank or thicken the bottom plate."
+        ));
+        return None;
+    };
+    let name = "compression at the bottom of the shell";
+    if x <= hd::NO_UPLIFT {
+        sheet.calc("b", name, "w_t + 1.273·M/D²", &terms, b, LineForce, E5_1);
+    } else {
+        let y = (b + w_l) / (w_t + w_l);
+        if x <= 1.5 {
+            let what = "(b + w_L)/(w_t + w_L) of figure E-5, from equilibrium of the bearing arc";
+            sheet.input("y", what, y, Dimensionless, E5_1);
+        } else {
+            let what = "(b + w_L)/(w_t + w_L) above x = 1.5";
+            sheet.calc(
+                "y",
+                what,
+                "1.490/√(1 - 0.637·x)",
+                &[("x", x, Dimensionless)],
+                y,
+                Dimensionless,
+                E5_1,
+            );
+        }
+        let terms = [
+            ("y", y, Dimensionless),
+            ("w_t", w_t, LineForce),
+            ("w_L", w_l, LineForce),
+        ];
+        sheet.calc("b", name, "y·(w_t + w_L) - w_L", &terms, b, LineForce, E5_1);
+        out.notes
+            .push(format!("{E5_1}: the shell lifts (x = {x:.3} above 0.785)."));
+    }
+    Some(b)
+}

@@ -1,0 +1,214 @@
+//! Hoop stresses over the height and their check (E.6.1.4, E.6.2.4).
+
+use crate::procedure::Profile;
+use crate::sheet::with_unit;
+use crate::units::Dimension::{Dimensionless, Length, LineForce, Stress};
+
+use super::super::hoop::{HoopForces, hoop_forces};
+use super::Run;
+use super::accelerations::Accelerations;
+
+const E6_1_4: &str = "API 650:2020 E.6.1.4";
+const E6_2_4: &str = "API 650:2020 E.6.2.4";
+
+/// Hoop state of one height.
+#[derive(Clone, Copy, Debug)]
+struct Station {
+    /// Height above the bottom [m].
+    z: f64,
+    /// Thickness of the course there [m].
+    t: f64,
+    /// Number of the course, from 0.
+    course: usize,
+    /// Hoop forces.
+    n: HoopForces,
+}
+
+impl Station {
+    fn dynamic(&self) -> f64 {
+        self.n.dynamic() / self.t
+    }
+
+    fn total(&self) -> f64 {
+        (self.n.hydrostatic + self.n.dynamic()) / self.t
+    }
+}
+
+impl Run<'_> {
+    /// Profiles, lines and check; returns the largest seismic hoop stress over the height [Pa].
+    pub(super) fn hoop(&mut self, a: &Accelerations) -> f64 {
+        let stations = self.stations(a);
+        self.hoop_profiles(&stations);
+        // Never empty: the heights hold the bottom and the surface.
+        let largest = |f: &dyn Fn(&Station) -> f64| {
+            stations
+                .iter()
+                .fold(stations[0], |best, s| if f(s) > f(&best) { *s } else { best })
+        };
+        let seismic = largest(&Station::dynamic);
+        let allowable = self.allowable_hoop();
+        let governing = match &allowable {
+            Ok(allowed) => largest(&|s: &Station| s.total() / allowed[s.course]),
+            Err(_) => largest(&Station::total),
+        };
+        self.sheet.section("Hoop stress: largest seismic part");
+        let dynamic = self.hoop_lines(&seismic, a, "σ_s", "largest seismic hoop stress", false);
+        self.sheet.section("Hoop stress: hydrostatic and seismic");
+        let total = self.hoop_lines(
+            &governing,
+            a,
+            "σ_T",
+            "largest hoop stress, hydrostatic and seismic",
+            true,
+        );
+        match allowable {
+            Ok(allowed) => {
+                let note = format!(
+                    "Course {} from the bottom, {} above the bottom.",
+                    governing.course + 1,
+                    with_unit(governing.z, Length)
+                );
+                let capacity = allowed[governing.course];
+                let name = "Hoop stress, hydrostatic and seismic";
+                self.check("hoop_stress", name, total, capacity, Stress, E6_2_4, &note);
+            }
+            Err(missing) => self.not_checked(E6_2_4, "hoop stress", &missing),
+        }
+        dynamic
+    }
+
+    fn stations(&self, a: &Accelerations) -> Vec<Station> {
+        let b = &self.basis;
+        let courses = &b.case.tank.courses;
+        b.heights()
+            .into_iter()
+            .map(|z| {
+                let mut top = 0.0;
+                let course = courses.iter().position(|c| {
+                    top += c.height;
+                    z < top
+                });
+                let course = course.unwrap_or(courses.len() - 1);
+                Station {
+                    z,
+                    t: courses[course].thickness,
+                    course,
+                    n: hoop_forces(b.h - z, b.d, b.h, b.g, a.a_i, a.a_c, a.a_v),
+                }
+            })
+            .collect()
+    }
+
+    fn hoop_profiles(&mut self, stations: &[Station]) {
+        let d = self.basis.d;
+        let z: Vec<f64> = stations.iter().map(|s| s.z).collect();
+        let mut add = |id: &str, title: &str, f: &dyn Fn(&Station) -> f64| {
+            self.out.profiles.push(Profile {
+                id: id.into(),
+                title: title.into(),
+                dimension: Stress,
+                z: z.clone(),
+                values: stations.iter().map(f).collect(),
+            });
+        };
+        // The annex gives forces N = p D/2.
+        add("pressure_impulsive", "Impulsive pressure", &|s| 2.0 * s.n.impulsive / d);
+        add("pressure_convective", "Convective pressure", &|s| {
+            2.0 * s.n.convective / d
+        });
+        add("pressure_dynamic", "Seismic pressure", &|s| 2.0 * s.n.dynamic() / d);
+        add("hoop_stress", "Hoop stress (membrane)", &Station::dynamic);
+    }
+
+    /// Allowable hoop stress of each course [Pa], or what is missing.
+    fn allowable_hoop(&self) -> Result<Vec<f64>, String> {
+        let Some(site) = self.site else {
+            return Err("`site.api650` (joint efficiency) is missing".into());
+        };
+        let e = site.joint_efficiency;
+        self.basis
+            .case
+            .tank
+            .courses
+            .iter()
+            .map(|c| match (c.material.allowable_stress, c.material.yield_strength) {
+                (Some(s_d), Some(f_y)) => Ok((1.33 * s_d * e).min(0.9 * f_y * e)),
+                (None, Some(_)) => Err(format!("allowable_stress is missing in material `{}`", c.material.name)),
+                (_, None) => Err(format!("yield_strength is missing in material `{}`", c.material.name)),
+            })
+            .collect()
+    }
+
+    /// Lines at one station; returns the seismic or the total stress [Pa].
+    fn hoop_lines(&mut self, s: &Station, a: &Accelerations, symbol: &str, name: &str, total: bool) -> f64 {
+        let b = self.basis;
+        let (d, h, y) = (b.d, b.h, b.h - s.z);
+        let terms = [
+            ("A_i", a.a_i, Dimensionless),
+            ("A_c", a.a_c, Dimensionless),
+            ("A_v", a.a_v, Dimensionless),
+            ("G", b.g, Dimensionless),
+            ("D", d, Length),
+            ("H", h, Length),
+            ("Y", y, Length),
+            ("N_h", s.n.hydrostatic, LineForce),
+            ("N_i", s.n.impulsive, LineForce),
+            ("N_c", s.n.convective, LineForce),
+            ("t", s.t, Length),
+        ];
+        let n_i = if b.squat() {
+            "8480·A_i·G·D·H·(Y/H - 0.5·(Y/H)²)·tanh(0.866·D/H)"
+        } else if y < 0.75 * d {
+            "5220·A_i·G·D²·(Y/(0.75·D) - 0.5·(Y/(0.75·D))²)"
+        } else {
+            "2600·A_i·G·D²"
+        };
+        let n_c = "1850·A_c·G·D²·cosh(3.68·(H - Y)/D)/cosh(3.68·H/D)";
+        let stress = if total { s.total() } else { s.dynamic() };
+        let formula = match (total, a.a_v > 0.0) {
+            (true, true) => "(N_h + √(N_i² + N_c² + (A_v·N_h/2.5)²))/t",
+            (true, false) => "(N_h + √(N_i² + N_c²))/t",
+            (false, true) => "√(N_i² + N_c² + (A_v·N_h/2.5)²)/t",
+            (false, false) => "√(N_i² + N_c²)/t",
+        };
+        let sheet = &mut self.sheet;
+        sheet.input(
+            "Y",
+            &format!("depth below the surface of the {name}"),
+            y,
+            Length,
+            E6_1_4,
+        );
+        sheet.input("t", "thickness there", s.t, Length, "tank.courses");
+        if total || a.a_v > 0.0 {
+            sheet.calc(
+                "N_h",
+                "hydrostatic hoop force",
+                "4900·G·Y·D",
+                &terms,
+                s.n.hydrostatic,
+                LineForce,
+                E6_1_4,
+            );
+        }
+        sheet.calc(
+            "N_i",
+            "impulsive hoop force",
+            n_i,
+            &terms,
+            s.n.impulsive,
+            LineForce,
+            E6_1_4,
+        );
+        sheet.calc(
+            "N_c",
+            "convective hoop force",
+            n_c,
+            &terms,
+            s.n.convective,
+            LineForce,
+            E6_1_4,
+        );
+        sheet.calc(symbol, name, formula, &terms, stress, Stress, E6_1_4)
+    }
+}

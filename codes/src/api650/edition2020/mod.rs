@@ -1,0 +1,151 @@
+//! Annex E of the 12th and 13th edition (2013, 2020).
+//!
+//! ```text
+//! A_i = S_DS I/R_wi                          not below 0.007, on site classes E and F not below 0.5 S_1 I/R_wi
+//! A_c = K S_D1 (1/T_c or T_L/T_c²) I/R_wc    not above A_i;  K = 1.5 takes 5 % to 0.5 % damping
+//! A_v = 0.47 S_DS
+//!
+//! V    = √(V_i² + V_c²)        V_i = A_i (W_s + W_r + W_f + W_i)      V_c = A_c W_c
+//! M_rw = √([A_i (W_i X_i  + W_s X_s + W_r X_r)]² + [A_c W_c X_c ]²)   ringwall: just above the bottom
+//! M_s  = √([A_i (W_i X_is + W_s X_s + W_r X_r)]² + [A_c W_c X_cs]²)   slab: with base pressure
+//! J    = M_rw/(D² [w_t (1 − 0.4 A_v) + w_a − F_p w_int])
+//! δ_s  = 0.42 D A_f
+//! ```
+//!
+//! * [`Excitation::Site`]: the annex as it stands, with all its checks.
+//! * [`Excitation::Record`]: A_i and A_c are the record's spectral accelerations at T_i and T_c with the damping of the
+//!   case, unreduced (R_w = 1, I = 1, no K, no limit of A_c by A_i), so that like stands with like beside a linear time
+//!   history. The annex sizes tanks for reduced forces, so its checks are not made there; their terms are shown.
+//!
+//! Modules: [`accelerations`] (E.4), [`forces`] (E.6.1, E.7.2), `hoop_check` (E.6.1.4, E.6.2.4), `resistance` (E.6.2, E.7).
+
+pub mod accelerations;
+pub mod forces;
+mod hoop_check;
+mod resistance;
+#[cfg(test)]
+mod tests;
+
+use crate::case::{Api650Site, Case};
+use crate::procedure::{Assessment, Check, CodeError, Excitation, NotApplicable, Procedure};
+use crate::quantity::Quantity;
+use crate::sheet::Sheet;
+use crate::units::Dimension;
+
+use super::basis::Basis;
+
+/// Edition as cited.
+const EDITION: &str = "API 650:2020";
+
+/// Annex E, 12th and 13th edition (`api650-2020`).
+#[derive(Clone, Copy, Debug)]
+pub struct Api6502020;
+
+/// One run: the tank, the actions found so far, and what is being written.
+struct Run<'a> {
+    basis: Basis<'a>,
+    /// Site data; present under [`Excitation::Site`], and under a record where the case has them.
+    site: Option<&'a Api650Site>,
+    excitation: Excitation,
+    sheet: Sheet,
+    out: Assessment,
+}
+
+impl Run<'_> {
+    /// Adds a check of the annex; none under a record's unreduced forces (module description).
+    fn check(
+        &mut self,
+        id: &str,
+        name: &str,
+        demand: f64,
+        capacity: f64,
+        dimension: Dimension,
+        clause: &str,
+        note: &str,
+    ) {
+        if self.excitation == Excitation::Site {
+            self.out
+                .checks
+                .push(Check::new(id, name, demand, capacity, dimension, clause, note));
+        }
+    }
+
+    /// A remark that something was not checked for want of data.
+    fn not_checked(&mut self, clause: &str, what: &str, missing: &str) {
+        self.out
+            .notes
+            .push(format!("{clause}, {what}: not checked, {missing}."));
+    }
+
+    /// Design pressure above the liquid [Pa].
+    fn pressure(&self) -> f64 {
+        self.site.map_or(0.0, |s| s.design_pressure)
+    }
+}
+
+impl Procedure for Api6502020 {
+    fn id(&self) -> &'static str {
+        "api650-2020"
+    }
+
+    fn title(&self) -> &'static str {
+        "API 650, annex E (12th and 13th edition, 2020)"
+    }
+
+    fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
+        Basis::new(case, EDITION)?;
+        let reason = match excitation {
+            Excitation::Record if case.ground_motion.is_none() => "no record given",
+            Excitation::Site if case.site.api650.is_none() => "`site.api650` is not given",
+            _ => return Ok(()),
+        };
+        Err(NotApplicable {
+            clause: "API 650:2020 E.4".into(),
+            reason: reason.into(),
+        })
+    }
+
+    fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError> {
+        self.applies(case, excitation)?;
+        let basis = Basis::new(case, EDITION)?;
+        let mut run = Run {
+            basis,
+            site: case.site.api650.as_ref(),
+            excitation,
+            sheet: Sheet::new(),
+            out: Assessment::default(),
+        };
+        basis.assumptions(&mut run.out);
+        basis.inputs(&mut run.sheet, ("X_r", case.tank.roof_height()), EDITION);
+        let periods = run.periods();
+        let a = run.accelerations(&periods)?;
+        let forces = run.forces(&a);
+        let delta = run.sloshing(&a);
+        let hoop = run.hoop(&a);
+        let axial = run.resistance(&a, &forces);
+
+        let g = case.gravity;
+        let values = &mut run.out.values;
+        values.extend([
+            (Quantity::SloshingPeriod, periods.convective),
+            (Quantity::SloshingHeight, delta),
+            (Quantity::ImpulsiveMass, basis.masses.w_i * basis.w_p / g),
+            (Quantity::ConvectiveMass, basis.masses.w_c * basis.w_p / g),
+            (Quantity::BaseShear, forces.v),
+            (Quantity::BaseMoment, forces.m_rw),
+            (Quantity::OverturningMoment, forces.m_s),
+            (Quantity::HoopStress, hoop),
+            (Quantity::AxialMembraneStress, axial),
+        ]);
+        if let Some(t_i) = periods.impulsive {
+            values.insert(Quantity::ImpulsivePeriod, t_i);
+        }
+        if excitation == Excitation::Record {
+            run.out.notes.push(
+                "The annex sizes tanks for forces reduced by R_w; its checks are made under `site` only, with those forces.".into(),
+            );
+        }
+        run.out.steps = run.sheet.into_steps();
+        Ok(run.out)
+    }
+}
