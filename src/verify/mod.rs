@@ -7,6 +7,7 @@
 pub mod cases;
 pub mod coupled;
 pub mod manual;
+pub mod response;
 pub mod rigid;
 pub mod rigid_rows;
 
@@ -105,7 +106,6 @@ pub struct Manual {
 ///
 /// Errors: a failure of the engine; an unreadable record.
 pub fn run(records: Option<&Path>) -> Result<Manual, Error> {
-    let _ = records;
     let mut manual = Manual {
         convergence: rigid_rows::convergence()?,
         ..Manual::default()
@@ -120,5 +120,13 @@ pub fn run(records: Option<&Path>) -> Result<Manual, Error> {
     manual
         .rows
         .extend(coupled::published_rows()?.into_iter().map(tagged(Reference::Published)));
+    match records {
+        Some(folder) => manual.rows.extend(
+            response::rows(folder)?
+                .into_iter()
+                .map(tagged(Reference::SecondFormulation)),
+        ),
+        None => manual.not_run.extend(response::not_run()),
+    }
     Ok(manual)
 }
