@@ -67,8 +67,8 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
     }
 }
 
-/// Factor by which uplift raises the compression at the base, estimated by equilibrium; infinite if the tank overturns.
-pub(super) fn unanchored(work: &mut Work, state: &State) -> f64 {
+/// Factor by which uplift raises the compression at the base, estimated by equilibrium; none if the tank overturns.
+pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
     let clause = work.edition.clause("9");
     work.out.notes.push(format!(
         "{clause}: the axial amplification of an unanchored wall needs the code's diagrams, which are not reproduced. The value \
@@ -130,9 +130,7 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> f64 {
         &clause,
         note,
     );
-    let Some(compression) = uplift::compression(x, weight, hold_down) else {
-        return f64::INFINITY;
-    };
+    let compression = uplift::compression(x, weight, hold_down)?;
     let anchored = weight + state.axial(0.0);
     let amplification = compression / anchored;
     let terms = [("N_u", compression, LineForce), ("N_a", anchored, LineForce)];
@@ -154,5 +152,5 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> f64 {
         Dimensionless,
         &clause,
     );
-    amplification
+    Some(amplification)
 }

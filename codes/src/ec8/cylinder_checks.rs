@@ -74,7 +74,7 @@ pub(super) fn assess(work: &mut Work, state: &State, vertical: bool) {
     let amplification = match state.tank.support {
         Support::Anchored => {
             cylinder_base::anchorage(work, state, vertical);
-            1.0
+            Some(1.0)
         }
         Support::Unanchored => cylinder_base::unanchored(work, state),
     };
@@ -87,12 +87,13 @@ pub(super) fn assess(work: &mut Work, state: &State, vertical: bool) {
         ));
         return;
     }
-    if !amplification.is_finite() {
+    let amplification = amplification.unwrap_or_else(|| {
         work.out.notes.push(format!(
-            "{clause}, stability of the wall: not checked, the unanchored tank overturns."
+            "{clause}, stability of the wall: checked with the compression of an anchored wall, a lower bound, because the \
+             unanchored tank overturns."
         ));
-        return;
-    }
+        1.0
+    });
     let places = places(state, vertical, amplification);
     hoop_yield(work, state, &places, vertical);
     elastic_check(work, state, &places, vertical);
