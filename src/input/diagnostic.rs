@@ -36,11 +36,11 @@ pub struct Fault {
     /// Bytes of the file to underline; `None` if no place is to blame.
     pub span: Option<Range<usize>>,
     /// Path in the document (`tank.courses[0].thickness`), or empty.
-    pub path: String,
+    pub path: Box<str>,
     /// What was found, as written; may be empty.
-    pub found: String,
+    pub found: Box<str>,
     /// What is allowed; may be empty.
-    pub allowed: String,
+    pub allowed: Box<str>,
     /// How to mend it, where that can be told.
     pub help: Option<String>,
 }
@@ -62,19 +62,19 @@ impl Fault {
 
     /// Where: path in the document.
     pub fn path(mut self, path: impl Into<String>) -> Fault {
-        self.path = path.into();
+        self.path = path.into().into();
         self
     }
 
     /// What was found.
     pub fn found(mut self, found: impl Into<String>) -> Fault {
-        self.found = found.into();
+        self.found = found.into().into();
         self
     }
 
     /// What is allowed.
     pub fn allowed(mut self, allowed: impl Into<String>) -> Fault {
-        self.allowed = allowed.into();
+        self.allowed = allowed.into().into();
         self
     }
 
@@ -212,7 +212,7 @@ impl From<Fault> for Faults {
 
 fn render_one(fault: &Fault, source: &Source, renderer: &Renderer) -> String {
     let mut group = annotate_snippets::Group::with_title(Level::ERROR.primary_title(one_line(&fault.message)));
-    let label = match fault.found.as_str() {
+    let label = match &*fault.found {
         "" => String::new(),
         found => format!("found {}", one_line(found)),
     };

@@ -7,6 +7,8 @@ mod read;
 mod resolve;
 mod schema;
 mod syntax;
+#[cfg(test)]
+mod tests;
 mod values;
 
 use std::path::Path;

@@ -132,57 +132,82 @@ fn check_tokens(text: &str) -> Result<(), Fault> {
             allow_unary_plus_numbers: false,
         },
     );
-    let mut depth = 0_usize;
-    // End of the last token if it ended a value, and whether it was a number.
-    let mut value_end: Option<(usize, bool)> = None;
+    // Containers that are open: whether each is an object.
+    let mut open: Vec<bool> = Vec::new();
+    let mut last = Last::Separator;
     loop {
         let token = match scanner.scan() {
             Ok(Some(token)) => token,
             Ok(None) => return Ok(()),
             Err(error) => {
-                return Err(explain(
-                    &error.kind().to_string(),
-                    error.range().start..error.range().end,
-                    text,
-                ));
+                let span = error.range().start..error.range().end;
+                return Err(explain(&error.kind().to_string(), span, text));
             }
         };
         let span = scanner.token_start()..scanner.token_end();
+        let (inside, in_object) = (!open.is_empty(), open.last() == Some(&true));
         let begins_value = match token {
             Token::CommentLine(_) | Token::CommentBlock(_) => continue,
             Token::Word(_) => return Err(word(span, text)),
             Token::OpenBrace | Token::OpenBracket => {
-                depth += 1;
-                if depth > MAX_DEPTH {
+                open.push(token == Token::OpenBrace);
+                if open.len() > MAX_DEPTH {
                     return Err(Fault::new("nested too deeply")
                         .at(span)
-                        .found(format!("{depth} levels"))
+                        .found(format!("{} levels", open.len()))
                         .allowed(format!("at most {MAX_DEPTH} levels of objects and lists")));
                 }
                 true
             }
             Token::CloseBrace | Token::CloseBracket => {
-                depth = depth.saturating_sub(1);
+                open.pop();
                 false
             }
             Token::String(_) | Token::Boolean(_) | Token::Number(_) | Token::Null => true,
             Token::Comma | Token::Colon => false,
         };
-        if let (true, Some((end, number))) = (begins_value, value_end) {
-            return Err(if number && end == span.start {
-                malformed_number(end, text)
-            } else {
-                Fault::new("a comma is missing")
-                    .at(end..end)
-                    .allowed("a comma between two values")
-            });
+        let missing = |what: &str, end: usize| Fault::new(format!("a {what} is missing")).at(end..end);
+        match last {
+            Last::Key(end) if token != Token::Colon => {
+                return Err(missing("colon", end).allowed("a colon between a key and its value"));
+            }
+            Last::Value { end, number: true } if begins_value && end == span.start => {
+                return Err(malformed_number(end, text));
+            }
+            Last::Value { end, .. } if begins_value && inside => {
+                return Err(missing("comma", end).allowed("a comma between two values"));
+            }
+            _ => {}
         }
-        value_end = match token {
-            Token::OpenBrace | Token::OpenBracket | Token::Comma | Token::Colon => None,
-            Token::Number(_) => Some((span.end, true)),
-            _ => Some((span.end, false)),
+        last = match (&token, last) {
+            (Token::String(_), Last::Separator) if in_object => Last::Key(span.end),
+            (Token::OpenBrace | Token::OpenBracket | Token::Comma, _) => Last::Separator,
+            (Token::Colon, _) => Last::Colon,
+            (Token::Number(_), _) => Last::Value {
+                end: span.end,
+                number: true,
+            },
+            _ => Last::Value {
+                end: span.end,
+                number: false,
+            },
         };
     }
+}
+
+/// What the last token was.
+#[derive(Clone, Copy)]
+enum Last {
+    /// An opening brace or bracket, a comma, or the beginning of the file.
+    Separator,
+    /// A key that ends there.
+    Key(usize),
+    Colon,
+    /// A value that ends there.
+    Value {
+        end: usize,
+        number: bool,
+    },
 }
 
 /// The run of characters around a place that looks like one word.
@@ -217,14 +242,21 @@ fn word(span: Range<usize>, text: &str) -> Fault {
     if ["true", "false", "null"].contains(&bare.as_str()) {
         return fault.allowed("lower case").help(format!("did you mean `{bare}`?"));
     }
-    // `1.83 m`: the unit of a value that should stand in quotes as a whole.
-    let number = text[..run.start].trim_end_matches([' ', '\t']);
-    if number.ends_with(|c: char| c.is_ascii_digit()) {
-        let start = run_around(number.len() - 1, text).start;
-        return Fault::new("a value with a unit stands in quotes")
-            .at(start..run.end)
-            .found(&text[start..run.end])
-            .help(format!("write \"{}\"", &text[start..run.end]));
+    // `1.83m` or `1.83 m`: a value with its unit.
+    let in_quotes = |number: &str, unit: &str, span: Range<usize>| {
+        Fault::new("a value with a unit stands in quotes")
+            .found(&text[span.clone()])
+            .at(span)
+            .help(format!("write \"{number} {unit}\""))
+    };
+    let digits = found.find(|c: char| !c.is_ascii_digit() && !"+-.".contains(c));
+    if let Some((number, unit)) = digits.filter(|d| *d > 0).and_then(|d| found.split_at_checked(d)) {
+        return in_quotes(number, unit, run);
+    }
+    let before = text[..run.start].trim_end_matches([' ', '\t']);
+    if before.ends_with(|c: char| c.is_ascii_digit()) {
+        let number = run_around(before.len() - 1, text);
+        return in_quotes(&text[number.clone()], found, number.start..run.end);
     }
     fault.allowed("texts and keys in double quotes")
 }
@@ -265,7 +297,6 @@ fn explain(kind: &str, span: Range<usize>, text: &str) -> Fault {
     match kind {
         k if k.contains("Single-quoted") => fault("single quotes").allowed("texts and keys in double quotes"),
         k if k.contains("more than one") => fault("something follows the document").allowed("one object { … }"),
-        k if k.contains("colon after") => fault("a colon is missing after the key").allowed("\"key\": value"),
         other => {
             let mut words = other.to_lowercase();
             if let Some(found) = ahead {

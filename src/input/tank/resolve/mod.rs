@@ -290,7 +290,7 @@ impl Limits {
         } else {
             dimension.noun()
         };
-        let low = if self.low_allowed { "from" } else { "greater than" };
+        let low = if self.low_allowed { "at least" } else { "greater than" };
         let mut text = format!("{noun} {low} {}", show(self.low));
         if self.high.is_finite() {
             let high = if self.high_allowed { "at most" } else { "less than" };

@@ -362,7 +362,7 @@ fn value(r: &mut Resolver<'_>, field: &Field<schema::Raw>, what: Quantity) -> f6
     });
     r.echo_given(field);
     match value {
-        Some(value) if value >= 0.0 && value <= 1e18 => value,
+        Some(value) if (0.0..=1e18).contains(&value) => value,
         Some(_) => {
             r.faults.push(range_fault(
                 field,

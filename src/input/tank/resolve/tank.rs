@@ -170,7 +170,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<schema::Tank>, materials:
 fn shape(r: &mut Resolver<'_>, field: &Field<schema::Tank>, t: &schema::Tank) -> Option<Shape> {
     r.echo_given(&t.shape);
     let kind = t.shape.value?;
-    let (word, foreign): (_, Vec<(&str, Option<&Field<Length>>)>) = match kind {
+    let (word, foreign) = match kind {
         schema::Shape::Cylinder => (
             "cylinder",
             vec![("length", t.length.as_ref()), ("breadth", t.breadth.as_ref())],

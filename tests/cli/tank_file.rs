@@ -1,0 +1,91 @@
+//! `init`, `schema` and `completions`; the committed schema is fresh; the examples are good.
+
+use std::path::Path;
+use std::process::Command;
+
+fn stdout(args: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+        .args(args)
+        .output()
+        .unwrap();
+    assert_eq!(
+        output.status.code(),
+        Some(0),
+        "{args:?}: {}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    assert!(
+        output.stderr.is_empty(),
+        "{args:?}: {}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn read(path: &Path) -> tankcheck::input::TankFile {
+    tankcheck::input::read_tank(path).unwrap_or_else(|error| panic!("{}", error))
+}
+
+#[test]
+fn committed_schema_is_fresh() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("schema/tank.schema.json");
+    let committed = std::fs::read_to_string(path).unwrap_or_default();
+    assert!(
+        committed == stdout(&["schema"]),
+        "schema/tank.schema.json is out of date; refresh it with\n\n    cargo run -- schema > schema/tank.schema.json\n"
+    );
+}
+
+#[test]
+fn init_writes_what_we_read() {
+    let folder = tempfile::tempdir().unwrap();
+    for (args, shape) in [
+        (vec!["init"], "cylinder"),
+        (vec!["init", "--shape", "rectangle"], "rectangle"),
+    ] {
+        let path = folder.path().join(format!("{shape}.json"));
+        std::fs::write(&path, stdout(&args)).unwrap();
+        let file = read(&path);
+        assert!(file.remarks.is_empty(), "{:?}", file.remarks);
+        assert_eq!(
+            file.echo
+                .iter()
+                .find(|e| e.path == "tank.shape")
+                .map(|e| e.text.as_str()),
+            Some(shape)
+        );
+    }
+}
+
+#[test]
+fn examples_are_read_without_remarks() {
+    let mut seen = 0;
+    for folder in std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples")).unwrap() {
+        for entry in std::fs::read_dir(folder.unwrap().path()).unwrap() {
+            let path = entry.unwrap().path();
+            if path.extension().is_some_and(|e| e == "json") {
+                let file = read(&path);
+                assert!(file.remarks.is_empty(), "{}: {:?}", path.display(), file.remarks);
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen >= 9, "{seen} example files");
+}
+
+#[test]
+fn completions_and_manual_page() {
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let text = stdout(&["completions", shell]);
+        assert!(text.contains("tankcheck") && text.contains("compare"), "{shell}");
+    }
+    let page = stdout(&["completions", "--man"]);
+    assert!(page.contains(".TH tankcheck 1"), "{page}");
+    assert!(stdout(&["completions", "--man", "compare"]).contains("\\-\\-quake"));
+    let output = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+        .args(["completions", "--man", "compute"])
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("compare"));
+}
