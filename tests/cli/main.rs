@@ -1,1 +1,6 @@
+//! The command line: bad input, exit codes, output folders; and what must hold of the repository itself.
 
+mod bad_tank;
+mod compare;
+mod licences;
+mod tank_file;
