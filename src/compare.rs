@@ -51,14 +51,21 @@ pub struct Context {
     pub pga: f64,
     /// S_a of the record at the engine's first structural period and impulsive damping [m/s²].
     pub impulsive_acceleration: f64,
+    /// Base shear of the engine's first structural mode at its spectral peak [N].
+    pub impulsive_shear: f64,
+    /// Base shear of the engine's first sloshing mode at its spectral peak [N].
+    pub convective_shear: f64,
+    /// Largest base shear of the history [N].
+    pub history_shear: f64,
     /// Sloshing damping ratio.
     pub sloshing_damping: f64,
-    /// Impulsive damping ratio.
-    pub impulsive_damping: f64,
-    /// Largest relative mesh error of the engine over the quantities.
-    pub mesh_error: f64,
-    /// True for an upright cylinder.
-    pub cylinder: bool,
+}
+
+impl Context {
+    /// S_a(T_impulsive) over the peak ground acceleration.
+    pub fn amplification(&self) -> f64 {
+        self.impulsive_acceleration / self.pga
+    }
 }
 
 /// Counts the checks of all methods and finds the governing one.

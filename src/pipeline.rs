@@ -204,20 +204,24 @@ fn measured(job: &Job) -> Option<Method> {
 
 /// What the explanations of the comparison need to know.
 fn context(job: &Job, simulation: Option<&Simulation>) -> Context {
-    let case = &job.case;
+    let damping = job.case.damping;
     let mut context = Context {
-        sloshing_damping: case.damping.sloshing,
-        impulsive_damping: case.damping.impulsive,
-        cylinder: matches!(case.tank.shape, codes::tank::Shape::Cylinder { .. }),
+        sloshing_damping: damping.sloshing,
         ..Context::default()
     };
-    let (Some(motion), Some(simulation)) = (&case.ground_motion, simulation) else {
+    let (Some(motion), Some(simulation)) = (&job.case.ground_motion, simulation) else {
         return context;
     };
+    let value = |quantity: Quantity| simulation.values.get(&quantity).copied();
+    let peak = |period: f64, damping: f64| spectrum::ordinates(&motion.horizontal, period, damping).psa;
     context.pga = motion.horizontal.pga();
-    context.mesh_error = simulation.result.mesh_error.values().fold(0.0, |m, e| e.max(m));
-    if let Some(&period) = simulation.values.get(&Quantity::ImpulsivePeriod) {
-        context.impulsive_acceleration = spectrum::ordinates(&motion.horizontal, period, case.damping.impulsive).psa;
+    context.history_shear = value(Quantity::BaseShear).unwrap_or(0.0);
+    if let (Some(period), Some(mass)) = (value(Quantity::ImpulsivePeriod), value(Quantity::ImpulsiveMass)) {
+        context.impulsive_acceleration = peak(period, damping.impulsive);
+        context.impulsive_shear = mass * context.impulsive_acceleration;
+    }
+    if let (Some(period), Some(mass)) = (value(Quantity::SloshingPeriod), value(Quantity::ConvectiveMass)) {
+        context.convective_shear = mass * peak(period, damping.sloshing);
     }
     context
 }

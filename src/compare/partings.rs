@@ -1,11 +1,12 @@
 //! Where the methods part, and why.
 //!
 //! A parting is reported where a procedure under the *record's* spectrum differs from the finite-element history by more
-//! than 10 %: there both saw the same ground motion, so the difference is the procedure's. The causes are those of the
-//! theory manual, with the numbers of this case put in.
+//! than 10 %: there both saw the same ground motion, so the difference is the procedure's. Quantities that part for the
+//! same cause stand together. The causes are those of the theory manual, with the numbers of this case put in.
 
 use codes::Quantity;
 use codes::procedure::Excitation;
+use codes::units;
 
 use super::{Context, FE};
 use crate::results::{ComparisonRow, Method, Parting};
@@ -13,138 +14,195 @@ use crate::results::{ComparisonRow, Method, Parting};
 /// Differences below this are within what record processing and damping assumptions move (theory manual).
 const THRESHOLD: f64 = 0.10;
 
-/// One paragraph a quantity and method that parts from the engine.
+/// Quantities whose differences have one cause.
+const GROUPS: [(Cause, &[Quantity]); 6] = [
+    (Cause::SloshingPeriod, &[Quantity::SloshingPeriod]),
+    (Cause::Wave, &[Quantity::SloshingHeight]),
+    (Cause::ImpulsivePeriod, &[Quantity::ImpulsivePeriod]),
+    (Cause::ImpulsiveMass, &[Quantity::ImpulsiveMass]),
+    (Cause::ConvectiveMass, &[Quantity::ConvectiveMass]),
+    (
+        Cause::Forces,
+        &[
+            Quantity::BaseShear,
+            Quantity::BaseMoment,
+            Quantity::OverturningMoment,
+            Quantity::HoopStress,
+            Quantity::AxialMembraneStress,
+            Quantity::BendingStress,
+        ],
+    ),
+];
+
+/// Why a group of quantities parts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Cause {
+    SloshingPeriod,
+    Wave,
+    ImpulsivePeriod,
+    ImpulsiveMass,
+    ConvectiveMass,
+    Forces,
+}
+
+/// One paragraph a cause and method that parts from the engine, causes first.
 pub fn explain(methods: &[Method], rows: &[ComparisonRow], context: &Context) -> Vec<Parting> {
     let mut partings = Vec::new();
-    for row in rows {
-        let Some(quantity) = Quantity::from_id(&row.quantity) else {
-            continue;
-        };
-        for (method, cell) in methods.iter().zip(&row.cells) {
-            let ratio = cell.and_then(|c| c.ratio);
-            let Some(ratio) = ratio else { continue };
-            if method.excitation != Excitation::Record || method.id == FE || (ratio - 1.0).abs() <= THRESHOLD {
+    for (cause, quantities) in GROUPS {
+        for (column, method) in methods.iter().enumerate() {
+            if method.excitation != Excitation::Record || method.id == FE {
                 continue;
             }
+            let parted: Vec<(Quantity, f64)> = quantities
+                .iter()
+                .filter_map(|&quantity| {
+                    let row = rows.iter().find(|row| row.quantity == quantity.id())?;
+                    let ratio = row.cells[column]?.ratio?;
+                    ((ratio - 1.0).abs() > THRESHOLD).then_some((quantity, ratio))
+                })
+                .collect();
+            let Some(&(first, ratio)) = parted.first() else {
+                continue;
+            };
             partings.push(Parting {
-                quantity: row.quantity.clone(),
-                what: format!(
-                    "{}: {} gives {:.2} times the finite-element value ({:+.0} %).",
-                    quantity.title(),
-                    method.title,
-                    ratio,
-                    (ratio - 1.0) * 100.0
-                ),
-                why: cause(quantity, method, ratio, context),
+                quantity: first.id().into(),
+                what: what(method, &parted),
+                why: why(cause, method, ratio, context),
             });
         }
     }
     partings
 }
 
+/// "EN 1998-4: base shear 1.19, base moment 1.27 times the finite-element value."
+fn what(method: &Method, parted: &[(Quantity, f64)]) -> String {
+    let list: Vec<String> = parted
+        .iter()
+        .map(|(quantity, ratio)| {
+            let title = quantity.title();
+            let name = title.split(" (").next().unwrap_or(title);
+            let mut letters = name.chars();
+            let lower: String = letters
+                .next()
+                .map_or(String::new(), |c| c.to_lowercase().chain(letters).collect());
+            format!("{lower} {ratio:.2}")
+        })
+        .collect();
+    format!("{}: {} times the finite-element value.", method.title, list.join(", "))
+}
+
 /// The cause of a difference, as far as the theory knows it.
-fn cause(quantity: Quantity, method: &Method, ratio: f64, context: &Context) -> String {
+fn why(cause: Cause, method: &Method, ratio: f64, context: &Context) -> String {
     let id = method.id.as_str();
     if id == "measured" {
-        return "A measured value: scatter of the test, of its instruments and of the table motion stand beside the \
-                assumptions of linear theory (small waves, perfect shell, rigid base)."
-            .into();
+        return measured(cause).into();
     }
-    let amplification = if context.pga > 0.0 {
-        context.impulsive_acceleration / context.pga
-    } else {
-        f64::NAN
-    };
-    let wall = format!(
-        "In the engine the wall is flexible and the liquid that moves with it follows S_a(T_impulsive, {:.1} %) = {:.2} \
-         times the peak ground acceleration",
-        context.impulsive_damping * 100.0,
-        amplification
-    );
-    match quantity {
-        Quantity::SloshingPeriod => "Both are first-mode formulas of the same potential flow; a difference points to \
-                                     another liquid depth (slender tanks) or to a rounded constant."
+    match cause {
+        Cause::SloshingPeriod => "Both are first-mode formulas of the same potential flow; a difference points to another \
+                                  liquid depth (slender tanks) or to a rounded constant."
             .into(),
-        Quantity::SloshingHeight => sloshing_height(id, context),
-        Quantity::ImpulsivePeriod => {
-            "The procedure takes the period from a one-term formula for a uniform wall that ends \
-                                      at the liquid; the engine has the real courses, the wall above the liquid, the \
-                                      wall's and the roof's mass."
-                .into()
-        }
-        Quantity::ImpulsiveMass => {
-            "The procedure counts all liquid that does not slosh as impulsive (rigid wall); the \
-                                    engine's value is the mass of the first structural mode alone, the rest moves with \
-                                    the higher modes and with the ground."
-                .into()
-        }
-        Quantity::ConvectiveMass => match id {
-            "ec8-2006" => {
-                "Table A.2 lumps all sloshing modes into one convective mass (m − m_i); the engine's value is \
+        Cause::Wave => wave(id, context),
+        Cause::ImpulsivePeriod => "The procedure takes the period from a one-term formula for a uniform wall that ends at \
+                                   the liquid; the engine has the real courses, the wall above the liquid, and the mass \
+                                   of wall and roof."
+            .into(),
+        Cause::ImpulsiveMass => "The procedure counts all liquid that does not slosh as impulsive (rigid wall); the \
+                                 engine's value is the mass of the first structural mode alone, the rest moves with the \
+                                 higher modes and with the ground."
+            .into(),
+        Cause::ConvectiveMass => match id {
+            "ec8-2006" => "Table A.2 lumps all sloshing modes into one convective mass (m − m_i); the engine's value is \
                            the first mode alone."
-                    .into()
-            }
-            "housner" => {
-                "The 1957 coefficient 0.318 (circular tank) is 30 % below potential flow (0.4545 at first mode); \
-                          select the exact coefficient to remove this difference."
-                    .into()
-            }
-            _ => "The coefficient 0.230 D/H is a fit to the first mode; differences stem from the fit.".into(),
+                .into(),
+            "housner" => "The 1957 coefficient (0.318 for circular tanks) is 30 % below potential flow (0.4545); the exact \
+                          coefficient removes this difference."
+                .into(),
+            _ => "The coefficient 0.230 D/H is a fit to the first mode; the difference is that of the fit.".into(),
         },
-        Quantity::BaseShear
-        | Quantity::BaseMoment
-        | Quantity::OverturningMoment
-        | Quantity::HoopStress
-        | Quantity::AxialMembraneStress
-        | Quantity::BendingStress => forces(id, ratio, &wall),
+        Cause::Forces => forces(id, ratio, context),
+    }
+}
+
+/// What stands between a test and linear theory.
+fn measured(cause: Cause) -> &'static str {
+    match cause {
+        Cause::Forces => {
+            "A test value. It was read at the height of the strain gauges, inside the edge disturbance, while the engine's \
+             value is the largest over the height or that of the base; the test wall could uplift and is not a perfect \
+             shell. See the remark beside the value."
+        }
+        _ => {
+            "A test value: scatter of the test and of its instruments stands beside the assumptions of linear theory \
+             (small waves, perfect shell, rigid base)."
+        }
     }
 }
 
 /// Causes for the wave height.
-fn sloshing_height(id: &str, context: &Context) -> String {
+fn wave(id: &str, context: &Context) -> String {
     let damping = format!("{:.1} %", context.sloshing_damping * 100.0);
     match id {
         "housner" => format!(
-            "Housner's wave has one mode, the constant 0.408 (25 % below potential flow for small waves) and a \
-             finite-angle denominator that raises large waves; the engine sums five modes of linear theory at {damping} \
-             damping."
+            "Housner's wave has one mode, a constant 25 % below potential flow for small waves, and a finite-angle \
+             denominator that raises large ones; the engine sums five modes of linear theory at {damping} damping."
         ),
         "ec8-env" | "ec8-2006" => format!(
-            "0.84 R S_e/g is the first mode alone at its spectral peak; the engine adds the second to fifth mode with \
-             their phases at {damping} damping."
+            "The code's wave, 0.84 R S_e/g, is the first mode alone at its spectral peak; in the history the second to \
+             fifth mode, at {damping} damping like the first, have other phases and may lower or raise the largest wave."
         ),
         _ => format!(
-            "0.42 D A_f is the first mode alone with the spectral ordinate at the code's sloshing period (1.8 K_s √D); \
-             the engine has the exact period and five modes at {damping} damping. Where the spectrum is steep, half a \
-             percent of period already moves the ordinate."
+            "0.42 D A_f is the first mode alone, with the ordinate at the code's sloshing period (1.8 K_s √D); the engine \
+             has the exact period and five modes at {damping} damping. Where the spectrum is steep, half a percent of \
+             period already moves the ordinate."
         ),
     }
 }
 
 /// Causes for shear, moments and stresses.
-fn forces(id: &str, ratio: f64, wall: &str) -> String {
+fn forces(id: &str, ratio: f64, context: &Context) -> String {
+    let modes = modal_maxima(context);
     match id {
         "housner" => format!(
-            "Housner's wall is rigid: the impulsive mass moves with the ground. {wall}. Peaks of the impulsive and \
-             convective parts are added although they do not coincide."
+            "Housner's wall is rigid: the impulsive mass moves with the ground. In the engine it moves with the wall, at \
+             {:.2} times the peak ground acceleration. {modes}",
+            context.amplification()
         ),
-        "ec8-env" | "ec8-2006" => {
-            let sum = "The code gives the whole impulsive mass one period and one acceleration and adds the convective \
-                       maximum to the impulsive one; in the history the higher structural modes have their own \
-                       accelerations and the maxima do not coincide.";
+        "ec8-env" | "ec8-2006" => format!(
+            "The code gives the whole impulsive mass {} and adds the convective maximum to the impulsive one. {modes}",
             if ratio > 1.0 {
-                sum.to_string()
+                "the acceleration of the first mode"
             } else {
-                format!("{sum} {wall}.")
+                "one period and one acceleration"
             }
-        }
+        ),
         "api650-1993" => format!(
-            "The 9th edition takes the largest spectral acceleration of the impulsive range, whatever the tank's period. \
-             {wall}."
+            "The 9th edition takes one acceleration of the impulsive range, whatever the tank's period, and adds maxima. \
+             {modes}"
         ),
         _ => format!(
-            "The code takes a period from a fitted coefficient for a uniform wall, one acceleration for the whole \
-             impulsive mass, and combines by square roots. {wall}."
+            "The code gives the whole impulsive mass one acceleration at a period from a fitted coefficient, and combines \
+             the maxima by square roots. {modes}"
         ),
     }
+}
+
+/// The largest shear of the first structural and the first sloshing mode beside that of the history.
+fn modal_maxima(context: &Context) -> String {
+    let sum = context.impulsive_shear + context.convective_shear;
+    if sum <= 0.0 || context.history_shear <= 0.0 {
+        return String::new();
+    }
+    let unit = units::column_unit(
+        [context.impulsive_shear, context.history_shear],
+        Quantity::BaseShear.dimension(),
+    );
+    let print = |value: f64| units::display_in(value, unit, 3);
+    format!(
+        "Alone, the first structural mode has a base shear of {}, the first sloshing mode {}; the history, where the maxima \
+         do not coincide and higher modes act against them, peaks at {} ({:.2} of their sum).",
+        print(context.impulsive_shear),
+        print(context.convective_shear),
+        print(context.history_shear),
+        context.history_shear / sum
+    )
 }
