@@ -21,7 +21,7 @@
 use crate::case::{Api650Site, SiteClass};
 use crate::procedure::CodeError;
 use crate::record::Record;
-use crate::spectrum::ordinates;
+use crate::spectrum::{Method, spectrum};
 
 /// Abscissae and values of one row of a site-coefficient table; `values` is shorter where the table asks for a study.
 struct Row {
@@ -247,10 +247,16 @@ pub const IMPULSIVE_RANGE: (f64, f64) = (0.05, 0.5);
 /// covers the impulsive periods of steel tanks; neighbouring periods are 6 % apart.
 pub fn impulsive_plateau(record: &Record, damping: f64) -> (f64, f64) {
     let (first, last) = IMPULSIVE_RANGE;
-    (0..=40)
+    let periods: Vec<f64> = (0..=40)
         .map(|i| first * (last / first).powf(f64::from(i) / 40.0))
-        .map(|period| (period, ordinates(record, period, damping).psa))
-        .fold((0.0, record.pga()), |best, at| if at.1 > best.1 { at } else { best })
+        .collect();
+    let row = &spectrum(record, &periods, &[damping], Method::Exact).ordinates[0];
+    periods.iter().zip(row).fold(
+        (0.0, record.pga()),
+        |best, (&period, o)| {
+            if o.psa > best.1 { (period, o.psa) } else { best }
+        },
+    )
 }
 
 #[cfg(test)]
