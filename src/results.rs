@@ -488,3 +488,9 @@ pub struct Series {
     /// Columns, SI.
     pub columns: Vec<Vec<f64>>,
 }
+
+/// Columns of `series.csv` that hold the ground motion as computed with: acceleration [m/s²], velocity [m/s],
+/// displacement [m]; those of a vertical record carry [`VERTICAL_PREFIX`].
+pub const GROUND_COLUMNS: [&str; 3] = ["ground_acceleration", "ground_velocity", "ground_displacement"];
+/// Prefix of [`GROUND_COLUMNS`] for the vertical record.
+pub const VERTICAL_PREFIX: &str = "vertical_";

@@ -17,15 +17,17 @@ use super::figure::svg::escape;
 
 /// Longest piece that is not broken further, in characters.
 const LONG: usize = 26;
+/// Widest piece that fits its column, in characters.
+const WIDEST: usize = 52;
 
 /// The formula as HTML.
 pub fn formula(text: &str) -> String {
     let tokens = tokens(text);
     let mut parser = Parser { tokens: &tokens, at: 0 };
     match parser.formula() {
-        Some(pieces) if parser.at == tokens.len() && pieces.iter().all(|p| p.width <= 2 * LONG) => pieces
+        Some(pieces) if parser.at == tokens.len() && pieces.iter().all(|p| p.width <= WIDEST) => pieces
             .iter()
-            .map(|p| format!("<math>{}</math>", p.markup))
+            .map(|p| format!("<math displaystyle=\"true\">{}</math>", p.markup))
             .collect::<Vec<_>>()
             .join(" "),
         _ => words(text),
@@ -166,8 +168,8 @@ fn lowered(c: char) -> char {
 struct Set {
     markup: String,
     width: usize,
-    /// A parenthesised group: markup and width without the parentheses.
-    inner: Option<(String, usize)>,
+    /// The terms of a parenthesised group.
+    terms: Vec<Set>,
 }
 
 impl Set {
@@ -175,16 +177,17 @@ impl Set {
         Set {
             markup,
             width,
-            inner: None,
+            terms: Vec::new(),
         }
     }
 
     /// Without its parentheses, where a fraction bar or a root makes them idle.
     fn bare(self) -> Set {
-        match self.inner {
-            Some((markup, width)) => Set::new(markup, width),
-            None => self,
+        if self.terms.is_empty() {
+            return self;
         }
+        let inside: String = self.terms.iter().map(|t| t.markup.as_str()).collect();
+        Set::new(format!("<mrow>{inside}</mrow>"), self.width.saturating_sub(2))
     }
 }
 
@@ -219,9 +222,13 @@ impl Parser<'_> {
                     let before = if i == 0 {
                         std::mem::take(&mut lead)
                     } else {
-                        operator('·')
+                        leading('·')
                     };
-                    pieces.push(Set::new(before + &factor.markup, factor.width + 1));
+                    pieces.extend(broken(before, factor));
+                }
+            } else if width > LONG {
+                for factor in factors {
+                    pieces.extend(broken(std::mem::take(&mut lead), factor));
                 }
             } else {
                 let product = join(factors);
@@ -235,7 +242,7 @@ impl Parser<'_> {
                             last.markup.push_str(&operator(c));
                         }
                     } else {
-                        lead = operator(c);
+                        lead = leading(c);
                     }
                 }
                 None if self.at == self.tokens.len() => return Some(pieces),
@@ -244,22 +251,26 @@ impl Parser<'_> {
         }
     }
 
-    /// A sum within parentheses, as one piece.
-    fn sum(&mut self) -> Option<Set> {
-        let mut markup = String::new();
-        let mut width = 0;
+    /// The terms of a sum within parentheses, each with its sign.
+    fn sum(&mut self) -> Option<Vec<Set>> {
+        let mut terms: Vec<Set> = Vec::new();
+        let mut lead = String::new();
         loop {
-            let factors = self.factors()?;
-            let product = join(factors);
-            markup.push_str(&product.markup);
-            width += product.width;
+            let product = join(self.factors()?);
+            let width = product.width + if lead.is_empty() { 0 } else { 2 };
+            terms.push(Set::new(std::mem::take(&mut lead) + &product.markup, width));
             match self.sign() {
-                Some(c) if is_relation(c) || matches!(c, '+' | '−' | '±' | ',' | ';') => {
+                Some(c @ (',' | ';')) => {
                     self.at += 1;
-                    markup.push_str(&operator(c));
-                    width += 2;
+                    if let Some(last) = terms.last_mut() {
+                        last.markup.push_str(&operator(c));
+                    }
                 }
-                _ => return Some(Set::new(markup, width)),
+                Some(c) if is_relation(c) || matches!(c, '+' | '−' | '±') => {
+                    self.at += 1;
+                    lead = leading(c);
+                }
+                _ => return Some(terms),
             }
         }
     }
@@ -283,12 +294,10 @@ impl Parser<'_> {
                     self.at += 1;
                     let below = self.power()?.bare();
                     // a·b/c is (a·b)/c; long products keep their other factors outside the bar.
-                    let above = if factors.len() > 2 {
-                        factors.pop()?.bare()
-                    } else if factors.len() == 1 {
-                        factors.pop()?.bare()
-                    } else {
+                    let above = if factors.len() == 2 {
                         join(std::mem::take(&mut factors))
+                    } else {
+                        factors.pop()?.bare()
                     };
                     factors.push(fraction(&above, &below));
                 }
@@ -366,15 +375,15 @@ impl Parser<'_> {
                     '{' => '}',
                     _ => '|',
                 };
-                let sum = self.sum()?;
+                let terms = self.sum()?;
                 if !self.eat(close) {
                     return None;
                 }
-                let markup = format!("<mrow><mo>{open}</mo>{}<mo>{close}</mo></mrow>", sum.markup);
+                let inside: String = terms.iter().map(|t| t.markup.as_str()).collect();
                 Some(Set {
-                    markup,
-                    width: sum.width + 2,
-                    inner: (open == '(').then(|| (format!("<mrow>{}</mrow>", sum.markup), sum.width)),
+                    markup: format!("<mrow><mo>{open}</mo>{inside}<mo>{close}</mo></mrow>"),
+                    width: terms.iter().map(|t| t.width).sum::<usize>() + 2,
+                    terms: if open == '(' { terms } else { Vec::new() },
                 })
             }
             Token::Sign('Σ' | '∑') => Some(Set::new("<mo>∑</mo>".into(), 1)),
@@ -383,6 +392,26 @@ impl Parser<'_> {
             _ => None,
         }
     }
+}
+
+/// A factor as pieces: a long group in parentheses is broken between its terms.
+fn broken(lead: String, factor: Set) -> Vec<Set> {
+    if factor.width <= LONG || factor.terms.len() < 2 {
+        let width = factor.width + 1;
+        return vec![Set::new(lead + &factor.markup, width)];
+    }
+    let last = factor.terms.len() - 1;
+    let mut lead = Some(lead);
+    let terms = factor.terms.into_iter().enumerate();
+    terms
+        .map(|(i, term)| {
+            let open = lead
+                .take()
+                .map_or(String::new(), |l| l + "<mo stretchy=\"false\">(</mo>");
+            let close = if i == last { "<mo stretchy=\"false\">)</mo>" } else { "" };
+            Set::new(open + &term.markup + close, term.width + 1)
+        })
+        .collect()
 }
 
 fn raised(base: &Set, exponent: &str, width: usize) -> Set {
@@ -417,6 +446,11 @@ fn join(mut factors: Vec<Set>) -> Set {
 
 fn operator(c: char) -> String {
     format!("<mo>{}</mo>", escape(&c.to_string()))
+}
+
+/// An operator that begins a piece: still one between two terms, so that it keeps its space.
+fn leading(c: char) -> String {
+    format!("<mo form=\"infix\">{}</mo>", escape(&c.to_string()))
 }
 
 fn is_relation(c: char) -> bool {
@@ -460,7 +494,7 @@ mod tests {
     fn fractions_roots_and_functions() {
         assert_eq!(
             formula("√(R/g)"),
-            "<math><msqrt><mrow><mfrac><mrow><mi>R</mi></mrow><mrow><mi>g</mi></mrow></mfrac></mrow></msqrt></math>"
+            "<math displaystyle=\"true\"><msqrt><mrow><mfrac><mrow><mi>R</mi></mrow><mrow><mi>g</mi></mrow></mfrac></mrow></msqrt></math>"
         );
         let html = formula("2·π·√(R/(g·λ_1·tanh(λ_1·H/R)))");
         assert!(
@@ -473,8 +507,15 @@ mod tests {
     #[test]
     fn sums_break_into_pieces() {
         let html = formula("Q = a + b − c");
-        assert_eq!(html.matches("<math>").count(), 4);
-        assert!(html.contains("<math><mo>=</mo><mi>a</mi></math>"));
+        assert_eq!(html.matches("<math ").count(), 4);
+        assert!(html.contains("<math displaystyle=\"true\"><mo form=\"infix\">=</mo><mi>a</mi></math>"));
+    }
+
+    #[test]
+    fn long_groups_break_between_their_terms() {
+        let html = formula("(m_i·h_i + m_w·h_w + m_r·h_r + m_s·h_s)·S_e(T_imp)");
+        assert_eq!(html.matches("<math ").count(), 5, "{html}");
+        assert!(html.contains("<mo stretchy=\"false\">(</mo>"), "{html}");
     }
 
     #[test]

@@ -3,64 +3,83 @@
 //! Values are stored in SI and printed with four significant digits and an engineer's unit. Within a table row or an
 //! axis all values share one unit and one number of decimals ([`Scale`]), so that they can be compared by eye.
 
-use codes::units::Dimension;
+use codes::units::{Dimension, Unit, column_unit, in_unit};
 
-/// Narrow no-break space: groups digits, and stands between number and unit.
+/// Narrow no-break space: groups digits.
 const THIN: char = '\u{202f}';
+/// No-break space: stands between number and unit.
+const GAP: char = '\u{a0}';
 
 /// Unit and decimals shared by a group of values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
-    factor: f64,
-    symbol: &'static str,
+    unit: &'static Unit,
     decimals: usize,
 }
 
 impl Scale {
-    /// The scale that prints the largest of `values` (SI) with four significant digits.
+    /// The scale that prints the largest of `values` (SI) with four significant digits in an engineer's unit.
     pub fn of(dimension: Dimension, values: impl IntoIterator<Item = f64>) -> Scale {
         let largest = values
             .into_iter()
             .filter(|v| v.is_finite())
             .fold(0.0_f64, |m, v| m.max(v.abs()));
-        let (factor, symbol) = engineering_unit(dimension, largest);
+        let unit = column_unit([largest], dimension);
         Scale {
-            factor,
-            symbol,
-            decimals: decimals_for(largest / factor, 4),
+            unit,
+            decimals: decimals_for(in_unit(largest, unit), 4),
         }
     }
 
     /// Symbol of the unit, empty for a bare number.
     pub fn symbol(&self) -> &'static str {
-        self.symbol
+        self.unit.symbol
     }
 
     /// `value` (SI) in this unit.
     pub fn convert(&self, value: f64) -> f64 {
-        value / self.factor
+        in_unit(value, self.unit)
     }
 
     /// `value` (SI) as text without unit.
     pub fn text(&self, value: f64) -> String {
-        fixed(value / self.factor, self.decimals)
+        if value == 0.0 {
+            return "0".into();
+        }
+        fixed(self.convert(value), self.decimals)
+    }
+
+    /// `value` (SI) as text without unit and without idle zeros, for what was given and not computed.
+    pub fn given(&self, value: f64) -> String {
+        plain(self.convert(value), self.decimals)
     }
 }
 
-/// A value (SI) with four significant digits and its unit, `13.70 mm`.
+/// A computed value (SI) with four significant digits and its unit, `137.0 mm`.
 pub fn with_unit(value: f64, dimension: Dimension) -> String {
     let (number, symbol) = parts(value, dimension);
+    joined(number, symbol)
+}
+
+/// A given value (SI) with its unit and without idle zeros, `2.03 mm`.
+pub fn given(value: f64, dimension: Dimension) -> String {
+    let unit = column_unit([value], dimension);
+    let converted = in_unit(value, unit);
+    joined(plain(converted, decimals_for(converted, 6)), unit.symbol)
+}
+
+/// A computed value (SI) as number and unit.
+pub fn parts(value: f64, dimension: Dimension) -> (String, &'static str) {
+    let unit = column_unit([value], dimension);
+    (significant(in_unit(value, unit), 4), unit.symbol)
+}
+
+fn joined(number: String, symbol: &str) -> String {
     if symbol.is_empty() {
         number
     } else {
-        format!("{number}{THIN}{symbol}")
+        format!("{number}{GAP}{symbol}")
     }
-}
-
-/// A value (SI) as number and unit.
-pub fn parts(value: f64, dimension: Dimension) -> (String, &'static str) {
-    let (factor, symbol) = engineering_unit(dimension, value.abs());
-    (significant(value / factor, 4), symbol)
 }
 
 /// `value` with this many significant digits; a power of ten below 10⁻⁴ and from 10⁷.
@@ -93,10 +112,10 @@ pub fn percent(fraction: f64) -> String {
     }
     let decimals = match value.abs() {
         v if v == 0.0 || v >= 9.95 => 0,
-        v if v < 1e-3 => return format!("{}{THIN}%", significant(value, 2)),
+        v if v < 1e-3 => return format!("{}{GAP}%", significant(value, 2)),
         _ => trim_decimals(value, decimals_for(value, 2)),
     };
-    format!("{}{THIN}%", fixed(value, decimals))
+    format!("{}{GAP}%", fixed(value, decimals))
 }
 
 /// A whole number with grouped digits.
@@ -131,33 +150,6 @@ pub fn plain(value: f64, decimals: usize) -> String {
         text.trim_end_matches('0').trim_end_matches('.').into()
     } else {
         text
-    }
-}
-
-/// The engineer's unit for values of about this size: its size in SI and its symbol.
-pub fn engineering_unit(dimension: Dimension, size: f64) -> (f64, &'static str) {
-    let zero = size == 0.0;
-    match dimension {
-        Dimension::Length if size < 0.1 && !zero => (1e-3, "mm"),
-        Dimension::Length => (1.0, "m"),
-        Dimension::Mass if size >= 1e3 => (1e3, "t"),
-        Dimension::Mass => (1.0, "kg"),
-        Dimension::Density => (1.0, "kg/m³"),
-        Dimension::Acceleration => (1.0, "m/s²"),
-        Dimension::Force if size >= 1e6 => (1e6, "MN"),
-        Dimension::Force if size >= 100.0 || zero => (1e3, "kN"),
-        Dimension::Moment if size >= 1e6 => (1e6, "MNm"),
-        Dimension::Moment if size >= 100.0 || zero => (1e3, "kNm"),
-        Dimension::Moment => (1.0, "Nm"),
-        Dimension::Stress if size >= 1e10 => (1e9, "GPa"),
-        Dimension::Stress if size >= 1e5 || zero => (1e6, "MPa"),
-        Dimension::Stress => (1e3, "kPa"),
-        Dimension::LineForce if size >= 100.0 || zero => (1e3, "kN/m"),
-        Dimension::LineMoment if size >= 100.0 || zero => (1e3, "kNm/m"),
-        Dimension::LineMoment => (1.0, "Nm/m"),
-        Dimension::Energy if size >= 100.0 || zero => (1e3, "kJ"),
-        Dimension::Dimensionless => (1.0, ""),
-        other => (1.0, other.si_symbol()),
     }
 }
 
@@ -243,22 +235,24 @@ mod tests {
     #[test]
     fn a_scale_prints_a_row_in_one_unit_with_one_number_of_decimals() {
         let scale = Scale::of(Dimension::Moment, [15_800.0, 910.0, -3.0]);
-        assert_eq!(scale.symbol(), "kNm");
+        assert_eq!(scale.symbol(), "kN·m");
         assert_eq!(scale.text(15_800.0), "15.80");
         assert_eq!(scale.text(910.0), "0.91");
         assert_eq!(scale.text(-3.0), "0.00");
+        assert_eq!(scale.text(0.0), "0");
+        assert_eq!(scale.given(15_800.0), "15.8");
     }
 
     #[test]
     fn percentages() {
         for (value, text) in [
-            (0.005, "0.5\u{202f}%"),
-            (0.02, "2\u{202f}%"),
-            (0.634, "63\u{202f}%"),
-            (0.0123, "1.2\u{202f}%"),
-            (1.28, "128\u{202f}%"),
-            (0.0, "0\u{202f}%"),
-            (3e-9, "3.0·10⁻⁷\u{202f}%"),
+            (0.005, "0.5\u{a0}%"),
+            (0.02, "2\u{a0}%"),
+            (0.634, "63\u{a0}%"),
+            (0.0123, "1.2\u{a0}%"),
+            (1.28, "128\u{a0}%"),
+            (0.0, "0\u{a0}%"),
+            (3e-9, "3.0·10⁻⁷\u{a0}%"),
         ] {
             assert_eq!(percent(value), text);
         }
@@ -266,10 +260,11 @@ mod tests {
 
     #[test]
     fn values_carry_an_engineers_unit() {
-        assert_eq!(with_unit(0.002_03, Dimension::Length), "2.030\u{202f}mm");
-        assert_eq!(with_unit(1.525, Dimension::Length), "1.525\u{202f}m");
-        assert_eq!(with_unit(16_044.0, Dimension::Mass), "16.04\u{202f}t");
-        assert_eq!(with_unit(69e9, Dimension::Stress), "69.00\u{202f}GPa");
+        assert_eq!(with_unit(0.137, Dimension::Length), "137.0\u{a0}mm");
+        assert_eq!(given(0.002_03, Dimension::Length), "2.03\u{a0}mm");
+        assert_eq!(given(1.525, Dimension::Length), "1.525\u{a0}m");
+        assert_eq!(given(9.806_65, Dimension::Acceleration), "9.80665\u{a0}m/s²");
+        assert_eq!(with_unit(16_044.0, Dimension::Mass), "16.04\u{a0}t");
         assert_eq!(with_unit(0.5, Dimension::Dimensionless), "0.5000");
     }
 }

@@ -585,9 +585,10 @@ fn procedure(
     };
     let quantities = values
         .iter()
-        .filter(|(q, _)| {
-            !(id.starts_with("api") && *q == Quantity::BendingStress)
-                && !(id == "housner" && *q == Quantity::HoopStress)
+        .filter(|(q, _)| match q {
+            Quantity::BendingStress => !id.starts_with("api"),
+            Quantity::HoopStress => id != "housner",
+            _ => true,
         })
         .enumerate()
         .map(|(i, (q, v))| {

@@ -9,7 +9,7 @@ use crate::report::methods::Look;
 use crate::report::number::{Scale, ratio};
 use crate::report::table::{Column, Table};
 
-const ROW: f64 = 19.0;
+const ROW: f64 = 17.0;
 const TOP: f64 = 24.0;
 const WIDTH: f64 = super::HALF;
 
@@ -37,7 +37,7 @@ pub fn bars(id: &str, title: &str, dimension: Dimension, bars: &[Bar]) -> Option
         .map(|b| text_width(&b.look.full_label()) * FONT)
         .fold(0.0, f64::max);
     let left = labels.ceil() + 8.0;
-    let right = WIDTH - 84.0;
+    let right = WIDTH - 86.0;
     let height = TOP + ROW * bars.len() as f64 + 4.0;
     let at = |value: f64| left + value.abs() / largest * (right - left);
 
@@ -52,20 +52,19 @@ pub fn bars(id: &str, title: &str, dimension: Dimension, bars: &[Bar]) -> Option
     for (i, bar) in bars.iter().enumerate() {
         let y = TOP + ROW * i as f64;
         let class = if bar.look.site { "bar site" } else { "bar" };
-        svg.text((left - 6.0, y + 11.5), Anchor::End, "lb", &bar.look.full_label());
+        svg.text((left - 6.0, y + 10.5), Anchor::End, "lb", &bar.look.full_label());
         svg.rect(
             left,
             y + 2.0,
             at(bar.value) - left,
-            ROW - 7.0,
+            ROW - 6.0,
             &format!("{class} {}", bar.look.class),
         );
         let text = scale.text(bar.value);
-        svg.text((at(bar.value) + 5.0, y + 11.5), Anchor::Start, "vl", &text);
+        svg.text((WIDTH - 38.0, y + 10.5), Anchor::End, "vl", &text);
         let compared = bar.ratio.map_or("–".to_owned(), ratio);
         if let (Some(_), false) = (bar.ratio, bar.look.class == "k-fe") {
-            let x = at(bar.value) + 5.0 + text_width(&text) * FONT + 7.0;
-            svg.text((x, y + 11.5), Anchor::Start, "mu", &format!("× {compared}"));
+            svg.text((WIDTH, y + 10.5), Anchor::End, "mu", &format!("× {compared}"));
         }
         table.row(vec![
             bar.look.label.clone(),
@@ -90,6 +89,7 @@ pub fn bars(id: &str, title: &str, dimension: Dimension, bars: &[Bar]) -> Option
         id: id.into(),
         title: title.into(),
         caption: String::new(),
+        titled: true,
         description,
         size: (WIDTH, height),
         markup: svg.into_markup(),

@@ -15,6 +15,8 @@ use crate::report::number::{Scale, plain};
 pub const FONT: f64 = 11.0;
 const LEGEND_LINE: f64 = 16.0;
 const SAMPLE: f64 = 24.0;
+/// Room below the plot: ticks and axis title.
+const BELOW: f64 = 34.0;
 
 /// An axis. Positions are in drawing space: the value in the printed unit, or its decimal logarithm.
 #[derive(Clone, Debug, PartialEq)]
@@ -225,6 +227,9 @@ pub struct Chart {
     pub marks: Vec<Mark>,
 }
 
+/// Entry of a legend: whether it is an area, classes, text.
+type Entry<'a> = (bool, &'a str, &'a str);
+
 /// Where the plot stands within the figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
@@ -254,13 +259,24 @@ impl Chart {
 
     /// Where the plot will stand.
     pub fn frame(&self) -> Frame {
-        let rules = if self.rules.is_empty() { 0.0 } else { 14.0 };
         Frame {
             left: (self.y.widest_label() + 10.0).max(34.0),
-            top: 20.0 + LEGEND_LINE * self.legend_rows().len() as f64 + rules,
+            top: self.above(),
             right: self.size.0 - 12.0,
-            bottom: self.size.1 - 36.0,
+            bottom: self.size.1 - BELOW,
         }
+    }
+
+    /// Room above the plot: legend, labels of the rules, title of the vertical axis.
+    fn above(&self) -> f64 {
+        let rules = if self.rules.is_empty() { 0.0 } else { 15.0 };
+        20.0 + LEGEND_LINE * self.legend_rows().len() as f64 + rules
+    }
+
+    /// Makes the figure so high that the plot itself has this height.
+    pub fn with_plot_height(mut self, height: f64) -> Chart {
+        self.size.1 = self.above() + height + BELOW;
+        self
     }
 
     /// Point of the figure that stands for a point in SI.
@@ -299,7 +315,7 @@ impl Chart {
         let mut chart = ChartBuilder::on(&root)
             .margin_top(px(frame.top))
             .margin_right(px(self.size.0 - frame.right))
-            .margin_bottom(px(self.size.1 - frame.bottom - 20.0))
+            .margin_bottom(px(BELOW - 20.0))
             .x_label_area_size(px(20.0))
             .y_label_area_size(px(frame.left))
             .build_cartesian_2d(Span::of(&self.x), Span::of(&self.y))
@@ -355,7 +371,8 @@ impl Chart {
 
     /// Axis titles and the labels of rules and marks.
     fn annotate(&self, svg: &mut Svg, frame: Frame) {
-        svg.text((1.0, 12.0), Anchor::Start, "at", &self.y.title);
+        let rules = if self.rules.is_empty() { 0.0 } else { 15.0 };
+        svg.text((1.0, frame.top - rules - 8.0), Anchor::Start, "at", &self.y.title);
         svg.text((frame.right, self.size.1 - 4.0), Anchor::End, "at", &self.x.title);
         let mut free_from = f64::NEG_INFINITY;
         let mut rules: Vec<&Rule> = self.rules.iter().filter(|r| self.x.holds(r.x)).collect();
@@ -363,8 +380,11 @@ impl Chart {
         for rule in rules {
             let (x, _) = self.place(frame, (rule.x, 0.0_f64.max(f64::MIN_POSITIVE)));
             let width = text_width(&rule.label) * FONT;
-            let left = (x - width / 2.0).max(free_from).min(frame.right - width);
-            svg.text((left, frame.top - 4.0), Anchor::Start, "lb", &rule.label);
+            let left = (x - width / 2.0)
+                .max(free_from)
+                .min(frame.right - width)
+                .max(frame.left + 2.0);
+            svg.symbol_text((left, frame.top - 5.0), "lb", &rule.label);
             free_from = left + width + 5.0;
         }
         for mark in &self.marks {
@@ -380,13 +400,13 @@ impl Chart {
         }
     }
 
-    fn legend_items(&self) -> Vec<(bool, &str, &str)> {
+    fn legend_items(&self) -> Vec<Entry<'_>> {
         let bands = self.bands.iter().map(|b| (true, b.class.as_str(), b.label.as_str()));
         let lines = self.lines.iter().map(|l| (false, l.class.as_str(), l.label.as_str()));
         lines.chain(bands).filter(|(_, _, label)| !label.is_empty()).collect()
     }
 
-    fn legend_rows(&self) -> Vec<Vec<(f64, (bool, &str, &str))>> {
+    fn legend_rows(&self) -> Vec<Vec<(f64, Entry<'_>)>> {
         let mut rows: Vec<Vec<_>> = Vec::new();
         let mut x = f64::INFINITY;
         for item in self.legend_items() {
@@ -405,7 +425,7 @@ impl Chart {
 
     fn legend(&self, svg: &mut Svg) {
         for (i, row) in self.legend_rows().into_iter().enumerate() {
-            let y = 20.0 + LEGEND_LINE * i as f64 + 8.0;
+            let y = LEGEND_LINE * i as f64 + 8.0;
             for (x, (area, class, label)) in row {
                 if area {
                     svg.rect(x, y - 5.0, SAMPLE, 10.0, &format!("ar {class}"));

@@ -9,12 +9,12 @@
 
 use codes::units::Dimension;
 
-use super::chart::{Axis, Chart, Line, Rule};
+use super::chart::{Axis, Chart, Frame, Line, Rule};
 use super::svg::{Anchor, Svg};
 use crate::error::Error;
 use crate::report::number::plain;
 
-const DECADE: f64 = 170.0;
+const DECADE: f64 = 140.0;
 
 /// A curve PSV(T).
 #[derive(Clone, Debug, PartialEq)]
@@ -82,19 +82,28 @@ pub fn draw(curves: &[Curve], rules: Vec<Rule>, gravity: f64) -> Result<((f64, f
     let frame = chart.frame();
     chart.size.0 = frame.left + width;
     let frame = chart.frame();
-    chart.size.1 = frame.top + DECADE * (v.1 / v.0).log10() + 36.0;
-    let frame = chart.frame();
+    let chart = chart.with_plot_height(DECADE * (v.1 / v.0).log10());
+    let frame = Frame {
+        bottom: chart.frame().bottom,
+        ..frame
+    };
 
     let mut markup = chart.draw()?;
     let mut overlay = Svg::new();
+    let mut taken: Vec<(f64, f64)> = Vec::new();
     for (end, start, label) in labels {
         let (a, b) = (chart.place(frame, end), chart.place(frame, start));
         let length = ((a.0 - b.0).powi(2) + (a.1 - b.1).powi(2)).sqrt();
-        if length < 90.0 {
-            continue;
-        }
-        let inwards = 8.0 / length;
-        let at = (a.0 + (b.0 - a.0) * inwards, a.1 + (b.1 - a.1) * inwards);
+        // Along the line from its right end until clear of other labels.
+        let place = (0..6)
+            .map(|step| 8.0 + 44.0 * f64::from(step))
+            .map(|d| (d, (a.0 + (b.0 - a.0) * d / length, a.1 + (b.1 - a.1) * d / length)))
+            .find(|(d, at)| {
+                let clear = |t: &(f64, f64)| (t.0 - at.0).hypot(t.1 - at.1) > 46.0;
+                d + 40.0 < length && taken.iter().all(clear)
+            });
+        let Some((_, at)) = place else { continue };
+        taken.push(at);
         let degrees = if end.1 > start.1 { -45.0 } else { 45.0 };
         overlay.rotated_text((at.0, at.1 - 2.0), degrees, Anchor::End, "dl halo", &label);
     }

@@ -23,6 +23,9 @@ pub const WIDE: f64 = 720.0;
 /// Width of a figure half as wide as the text.
 pub const HALF: f64 = 352.0;
 
+/// Pixels of the screen a user unit takes at most.
+const SCREEN: f64 = 1.2;
+
 /// How much room a figure takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -44,6 +47,8 @@ pub struct Figure {
     pub title: String,
     /// The rest of the caption, may be empty.
     pub caption: String,
+    /// Whether the drawing itself says its title, so that the caption need not.
+    pub titled: bool,
     /// What is to be seen, for those who do not see it.
     pub description: String,
     /// Size in user units.
@@ -74,9 +79,9 @@ impl Figure {
     fn element(&self, namespace: &str, style: &str) -> String {
         let id = escape(&self.id);
         let (width, height) = (n(self.size.0), n(self.size.1));
-        // A figure of its own has a size; inside the page the style sheet gives it one.
+        // A figure of its own has a size; inside the page it is as wide as its place, but type stays type.
         let size = if namespace.is_empty() {
-            String::new()
+            format!(r#" style="max-width:{}px""#, n(SCREEN * self.size.0))
         } else {
             format!(r#" width="{width}" height="{height}""#)
         };

@@ -3,19 +3,23 @@
 use super::svg::Svg;
 use crate::results::Mode;
 
-/// Size of one picture.
-pub const SIZE: (f64, f64) = (230.0, 168.0);
+/// Width of a picture, its greatest height, and the largest displacement drawn.
+const WIDTH: f64 = 230.0;
+const HIGHEST: f64 = 210.0;
+const AMPLITUDE: f64 = 20.0;
 
-/// Draws a mode of a tank of this half length, wall height and depth [m]; returns markup.
+/// Draws a mode of a tank of this half length, wall height and depth [m]; returns size and markup.
 ///
-/// The shape is scaled so that its largest displacement is an eighth of the drawing.
-pub fn draw(mode: &Mode, half_length: f64, wall_height: f64, depth: f64) -> String {
+/// The shape is scaled so that its largest displacement is the same in every picture.
+pub fn draw(mode: &Mode, half_length: f64, wall_height: f64, depth: f64) -> ((f64, f64), String) {
     let mut svg = Svg::new();
-    let room = (SIZE.0 - 64.0, SIZE.1 - 62.0);
-    let scale = (room.0 / (2.0 * half_length)).min(room.1 / wall_height.max(depth));
-    let centre = SIZE.0 / 2.0;
-    let ground = SIZE.1 - 30.0;
-    let amplitude = 21.0;
+    let tallest = wall_height.max(depth);
+    let above = AMPLITUDE + 6.0;
+    let scale = ((WIDTH - 2.0 * AMPLITUDE - 20.0) / (2.0 * half_length)).min((HIGHEST - above - 8.0) / tallest);
+    let centre = WIDTH / 2.0;
+    let ground = above + tallest * scale;
+    let size = (WIDTH, ground + 8.0);
+    let amplitude = AMPLITUDE;
     // cos mθ at θ = π.
     let sign = if mode.harmonic.is_multiple_of(2) { 1.0 } else { -1.0 };
     let x = |r: f64| centre + r * scale;
@@ -66,5 +70,5 @@ pub fn draw(mode: &Mode, half_length: f64, wall_height: f64, depth: f64) -> Stri
             .collect();
         svg.path(&wall, false, "ln k-fe");
     }
-    svg.into_markup()
+    (size, svg.into_markup())
 }

@@ -5,7 +5,7 @@ use codes::tank::{Shape, Support};
 use codes::units::Dimension;
 
 use super::svg::{Anchor, Svg, text_width};
-use crate::report::number::{plain, with_unit};
+use crate::report::number::{given, plain};
 use crate::results::TankSummary;
 
 const WIDTH: f64 = super::WIDE;
@@ -23,7 +23,7 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     };
     // Section and plan share one scale; room is left for dimensions at the left and for the courses' labels.
     let left = 118.0;
-    let scale = ((WIDTH - left - 250.0) / (4.0 * half))
+    let scale = ((WIDTH - left - 200.0) / (4.0 * half))
         .min(280.0 / wall)
         .min(280.0 / plan_depth);
     let thickest = tank.courses.iter().map(|c| c.thickness).fold(0.0, f64::max);
@@ -33,7 +33,7 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     let roof = if tank.roof.mass > 0.0 { 34.0 } else { 8.0 };
     let top = 10.0 + roof;
     let ground = top + wall * scale;
-    let height = (ground + 66.0).max(top + plan_depth * scale + 50.0);
+    let height = (ground + 70.0).max(top + plan_depth * scale + 22.0);
     let x = |r: f64| left + (r + half) * scale;
     let y = |z: f64| ground - z * scale;
     let mut svg = Svg::new();
@@ -55,7 +55,7 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
         (x(0.0), y(depth / 2.0) + 4.0),
         Anchor::Middle,
         "lb halo",
-        &format!("ρ = {}", with_unit(summary.liquid.density, Dimension::Density)),
+        &format!("ρ = {}", given(summary.liquid.density, Dimension::Density)),
     );
     // Axis of symmetry.
     svg.line((x(0.0), top - roof), (x(0.0), ground + 8.0), "cl");
@@ -67,7 +67,7 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
             false,
             "dash",
         );
-        let text = format!("roof {}", with_unit(tank.roof.mass, Dimension::Mass));
+        let text = format!("roof {}", given(tank.roof.mass, Dimension::Mass));
         svg.text((x(0.0), apex - 4.0), Anchor::Middle, "lb", &text);
     }
     // Ground and support.
@@ -92,26 +92,26 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
         d,
         y(0.0),
         y(depth),
-        &format!("H = {}", with_unit(depth, Dimension::Length)),
+        &format!("H = {}", given(depth, Dimension::Length)),
     );
     let d = x(-half) - 90.0;
-    let text = format!("wall {}", with_unit(wall, Dimension::Length));
+    let text = format!("wall {}", given(wall, Dimension::Length));
     vertical_dimension(&mut svg, d, y(0.0), y(wall), &text);
     let below = ground + 34.0;
     match tank.shape {
         Shape::Cylinder { radius } => {
-            let text = format!("R = {}", with_unit(radius, Dimension::Length));
+            let text = format!("R = {}", given(radius, Dimension::Length));
             horizontal_dimension(&mut svg, below, x(0.0), x(half), &text);
         }
         Shape::Rectangle { length, .. } => {
-            let text = format!("2L = {}", with_unit(length, Dimension::Length));
+            let text = format!("2L = {}", given(length, Dimension::Length));
             horizontal_dimension(&mut svg, below, x(-half), x(half), &text);
         }
     }
 
     let middle = (top + (plan_depth * scale / 2.0).max(20.0)).max((top + ground) / 2.0);
     plan(&mut svg, summary, (WIDTH - 12.0 - half * scale, middle), scale);
-    scale_bar(&mut svg, (10.0, height - 8.0), scale, half.max(wall));
+    scale_bar(&mut svg, (x(-half), ground + 64.0), scale, half.max(wall));
     ((WIDTH, height), svg.into_markup(), exaggeration)
 }
 
@@ -133,8 +133,8 @@ fn courses(
         svg.rect(right, upper, width, lower - upper, "wall");
         let text = format!(
             "{} × {} {}",
-            with_unit(course.height, Dimension::Length),
-            with_unit(course.thickness, Dimension::Length),
+            given(course.height, Dimension::Length),
+            given(course.thickness, Dimension::Length),
             course.material.name
         );
         labels.push(((lower + upper) / 2.0, text));
@@ -193,7 +193,7 @@ fn plan(svg: &mut Svg, summary: &TankSummary, (cx, cy): (f64, f64), scale: f64) 
             let text = format!(
                 "{} {}",
                 if strip { "strip of" } else { "breadth" },
-                with_unit(breadth, Dimension::Length)
+                given(breadth, Dimension::Length)
             );
             svg.text((cx, cy - b / 2.0 - 6.0), Anchor::Middle, "lb", &text);
         }
@@ -238,7 +238,7 @@ fn horizontal_dimension(svg: &mut Svg, y: f64, left: f64, right: f64, text: &str
 
 /// A bar of a round length, about a third of the tank, in two halves.
 fn scale_bar(svg: &mut Svg, at: (f64, f64), scale: f64, size: f64) {
-    let length = nice_factor(size / 2.0);
+    let length = nice_factor(size / 1.2);
     let width = length * scale;
     svg.rect(at.0, at.1 - 5.0, width / 2.0, 5.0, "sb");
     svg.rect(at.0 + width / 2.0, at.1 - 5.0, width / 2.0, 5.0, "sb open");

@@ -92,6 +92,27 @@ impl Svg {
         self.rotated_text(at, 0.0, anchor, class, text);
     }
 
+    /// A text whose `_` begins a subscript that ends with the word (`T_c1 = 2.1 s`).
+    pub fn symbol_text(&mut self, at: (f64, f64), class: &str, text: &str) {
+        let _ = write!(
+            self.markup,
+            r#"<text class="{}" x="{}" y="{}">"#,
+            escape(class),
+            n(at.0),
+            n(at.1)
+        );
+        let (base, rest) = text.split_once('_').unwrap_or((text, ""));
+        let (sub, tail) = rest.split_once(' ').map_or((rest, ""), |(s, t)| (s, t));
+        self.markup.push_str(&escape(base));
+        if !sub.is_empty() {
+            let _ = write!(self.markup, r#"<tspan class="sub" dy="2">{}</tspan>"#, escape(sub));
+        }
+        if !tail.is_empty() {
+            let _ = write!(self.markup, r#"<tspan dy="-2"> {}</tspan>"#, escape(tail));
+        }
+        self.markup.push_str("</text>");
+    }
+
     /// A text turned by `degrees` (clockwise) about its anchor point.
     pub fn rotated_text(&mut self, at: (f64, f64), degrees: f64, anchor: Anchor, class: &str, text: &str) {
         let _ = write!(

@@ -117,8 +117,13 @@ pub fn history(
 
     let points = decimate(time, values, (WIDE - 60.0) as usize);
     let x = Axis::exact("Time", Dimension::Time, (time[0], time[n - 1]), 8);
-    let y = Axis::linear(title, dimension, [values[lowest], values[highest], 0.0], 4);
-    let mut chart = Chart::new((WIDE, 158.0), x, y);
+    let y = Axis::linear(
+        title,
+        dimension,
+        [1.12 * values[lowest], 1.12 * values[highest], 0.0],
+        5,
+    );
+    let mut chart = Chart::new((WIDE, 0.0), x, y).with_plot_height(96.0);
     chart.lines.push(Line {
         points,
         class: format!("{class} hist"),
@@ -150,6 +155,7 @@ pub fn history(
         id: id.into(),
         title: title.into(),
         caption,
+        titled: true,
         description: format!(
             "{title} over {} s. Largest {} at {} s, smallest {} at {} s.",
             fixed(time[n - 1], 1),

@@ -101,11 +101,18 @@ fn shape(source: &Source, mode: &Mode) -> Figure {
             fixed(mode.shape.wall.get(i).copied().unwrap_or(0.0), 4),
         ]);
     }
+    let (size, markup) = shapes::draw(
+        mode,
+        summary.tank.shape.half_length(),
+        summary.tank.wall_height(),
+        summary.liquid.fill_height,
+    );
     Figure {
         id: format!("mode_{}_{}_{}", mode.harmonic, mode.kind, mode.number),
         title,
+        titled: false,
         caption: format!(
-            "T = {} s, f = {} Hz",
+            "T = {}\u{a0}s, {}\u{a0}Hz",
             significant(mode.period, 4),
             significant(1.0 / mode.period, 4)
         ),
@@ -117,13 +124,8 @@ fn shape(source: &Source, mode: &Mode) -> Figure {
             mode.harmonic,
             significant(mode.period, 4)
         ),
-        size: shapes::SIZE,
-        markup: shapes::draw(
-            mode,
-            summary.tank.shape.half_length(),
-            summary.tank.wall_height(),
-            summary.liquid.fill_height,
-        ),
+        size,
+        markup,
         table,
         room: Room::Third,
     }

@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::report::figure::Figure;
 use crate::report::number::{count, fixed, significant};
 use crate::report::table::{Column, Table};
-use crate::results::RecordSummary;
+use crate::results::{GROUND_COLUMNS, RecordSummary, VERTICAL_PREFIX};
 
 #[derive(Serialize)]
 struct Record {
@@ -18,17 +18,16 @@ struct Record {
     processing: Vec<String>,
 }
 
-/// Columns of `series.csv` that hold the ground motion: id, title, dimension.
-const COLUMNS: [(&str, &str, Dimension); 3] = [
-    ("ground_acceleration", "Ground acceleration", Dimension::Acceleration),
-    ("ground_velocity", "Ground velocity", Dimension::Velocity),
-    ("ground_displacement", "Ground displacement", Dimension::Length),
+/// Titles and dimensions of [`GROUND_COLUMNS`].
+const TITLES: [(&str, Dimension); 3] = [
+    ("Ground acceleration", Dimension::Acceleration),
+    ("Ground velocity", Dimension::Velocity),
+    ("Ground displacement", Dimension::Length),
 ];
 
 /// Whether this column of `series.csv` is ground motion.
 pub fn is_ground_motion(id: &str) -> bool {
-    let id = id.strip_prefix("vertical_").unwrap_or(id);
-    COLUMNS.iter().any(|(column, _, _)| *column == id)
+    GROUND_COLUMNS.contains(&id.strip_prefix(VERTICAL_PREFIX).unwrap_or(id))
 }
 
 /// Makes the section.
@@ -59,9 +58,9 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
 fn curves(source: &Source, record: &RecordSummary) -> Result<Vec<Figure>, Error> {
     let vertical = record.direction == "vertical";
     let mut figures = Vec::new();
-    for (id, title, dimension) in COLUMNS {
+    for (id, (title, dimension)) in GROUND_COLUMNS.into_iter().zip(TITLES) {
         let (id, title) = if vertical {
-            (format!("vertical_{id}"), format!("{title}, vertical"))
+            (format!("{VERTICAL_PREFIX}{id}"), format!("{title}, vertical"))
         } else {
             (id.to_owned(), title.to_owned())
         };

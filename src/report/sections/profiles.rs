@@ -25,11 +25,16 @@ const ORDER: [&str; 7] = [
     "radial_displacement",
 ];
 
+/// Height of the plots in user units.
+const PLOT: f64 = 185.0;
+
 /// What is drawn into one panel: the engine's envelope and the codes' profiles.
 #[derive(Default)]
 struct Group<'a> {
     envelope: Option<&'a Envelope>,
     profiles: Vec<(Look, &'a Profile)>,
+    /// Profiles under the design spectrum of the site, drawn apart: another excitation.
+    site: Vec<(Look, &'a Profile)>,
 }
 
 /// Makes the section.
@@ -50,28 +55,37 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
                 "pressure_dynamic" => "pressure",
                 id => id,
             };
-            groups
-                .entry((rank(id), id))
-                .or_default()
-                .profiles
-                .push((look(method), profile));
+            let group = groups.entry((rank(id), id)).or_default();
+            let look = look(method);
+            let list = if look.site {
+                &mut group.site
+            } else {
+                &mut group.profiles
+            };
+            list.push((look, profile));
         }
     }
     let height = source.results.tank.tank.wall_height();
-    let mut figures = Vec::new();
+    let (mut figures, mut site) = (Vec::new(), Vec::new());
     for ((_, id), group) in &groups {
-        figures.extend(seismic(id, group, height)?);
+        if !group.profiles.is_empty() {
+            figures.push(seismic(id, group.envelope, &group.profiles, height)?);
+        }
         if let Some(envelope) = group.envelope {
             figures.push(combined(envelope, height)?);
         }
+        if !group.site.is_empty() {
+            site.push(seismic(&format!("{id}_site"), None, &group.site, height)?);
+        }
     }
-    if figures.is_empty() {
+    if figures.is_empty() && site.is_empty() {
         return Ok(None);
     }
     let mut section = Section::new("profiles", "Pressure and stress over the height");
     section.set("has_fe", &source.results.fe.is_some());
     section.set("has_codes", &groups.values().any(|g| !g.profiles.is_empty()));
     section.set_figures("figures", figures);
+    section.set_figures("site_figures", site);
     Ok(Some(section))
 }
 
@@ -99,25 +113,22 @@ fn band(envelope: &Envelope, offset: bool) -> Vec<(f64, f64)> {
     points
 }
 
-/// The seismic part: codes on the record and on the site's spectrum, the engine's largest and smallest values.
-fn seismic(id: &str, group: &Group, height: f64) -> Result<Option<Figure>, Error> {
-    let (title, dimension) = match (group.envelope, group.profiles.first()) {
+/// The seismic part: profiles of the codes, and the engine's largest and smallest values where they are comparable.
+fn seismic(id: &str, envelope: Option<&Envelope>, profiles: &[(Look, &Profile)], height: f64) -> Result<Figure, Error> {
+    let (title, dimension) = match (envelope, profiles.first()) {
         (Some(e), _) => (e.title.clone(), e.dimension),
         (None, Some((_, p))) => (p.title.clone(), p.dimension),
-        (None, None) => return Ok(None),
+        (None, None) => (String::new(), Dimension::Dimensionless),
     };
-    if group.profiles.is_empty() {
-        return Ok(None);
-    }
     let mut values: Vec<f64> = vec![0.0];
-    if let Some(e) = group.envelope {
+    if let Some(e) = envelope {
         values.extend(e.min.iter().chain(&e.max));
     }
-    for (_, p) in &group.profiles {
+    for (_, p) in profiles {
         values.extend(&p.values);
     }
-    let mut chart = chart(&format!("{title}, seismic part"), dimension, values, height);
-    if let Some(e) = group.envelope {
+    let mut chart = chart(&title, dimension, values, height);
+    if let Some(e) = envelope {
         chart.bands.push(Band {
             points: band(e, false),
             class: "k-fe".into(),
@@ -131,37 +142,39 @@ fn seismic(id: &str, group: &Group, height: f64) -> Result<Option<Figure>, Error
             });
         }
     }
-    for (look, p) in &group.profiles {
+    for (look, p) in profiles {
         chart.lines.push(Line {
             points: pairs(&p.values, &p.z),
             class: look.line_class(),
-            label: look.full_label(),
+            label: look.label.clone(),
         });
     }
-    Ok(Some(Figure {
+    let chart = chart.with_plot_height(PLOT);
+    Ok(Figure {
         id: format!("profile_{id}"),
         title: format!("{title}, seismic part"),
         caption: String::new(),
+        titled: false,
         description: format!(
             "{title} over the height: {}{} procedures.",
-            if group.envelope.is_some() {
+            if envelope.is_some() {
                 "envelope of the finite elements and "
             } else {
                 ""
             },
-            group.profiles.len()
+            profiles.len()
         ),
         size: chart.size,
         markup: chart.draw()?,
-        table: table(group, dimension),
+        table: table(envelope, profiles, dimension),
         room: Room::Half,
-    }))
+    })
 }
 
 fn chart(title: &str, dimension: Dimension, values: Vec<f64>, height: f64) -> Chart {
     let x = Axis::linear(title, dimension, values, 5);
     let y = Axis::exact("Height z", Dimension::Length, (0.0, height), 5);
-    Chart::new((HALF, 310.0), x, y)
+    Chart::new((HALF, 0.0), x, y)
 }
 
 /// Static state and static plus seismic range of the finite elements.
@@ -173,7 +186,7 @@ fn combined(e: &Envelope, height: f64) -> Result<Figure, Error> {
         .chain(e.static_.iter().copied())
         .chain([0.0])
         .collect();
-    let mut chart = chart(&format!("{}, with static state", e.title), e.dimension, values, height);
+    let mut chart = chart(&e.title, e.dimension, values, height);
     chart.bands.push(Band {
         points: corners,
         class: "k-fe".into(),
@@ -197,6 +210,7 @@ fn combined(e: &Envelope, height: f64) -> Result<Figure, Error> {
             label: String::new(),
         });
     }
+    let chart = chart.with_plot_height(PLOT);
     let scale = Scale::of(e.dimension, e.static_.iter().chain(&e.min).chain(&e.max).copied());
     let mut table = Table::new(vec![
         Column::numbers("z", "m"),
@@ -212,6 +226,7 @@ fn combined(e: &Envelope, height: f64) -> Result<Figure, Error> {
         id: format!("envelope_{}", e.id),
         title: format!("{}, finite elements with static state", e.title),
         caption: String::new(),
+        titled: false,
         description: format!(
             "{} over the height: static state and the range with the earthquake.",
             e.title
@@ -224,40 +239,35 @@ fn combined(e: &Envelope, height: f64) -> Result<Figure, Error> {
 }
 
 /// Values at the stations of the first profile; others interpolated.
-fn table(group: &Group, dimension: Dimension) -> Table {
-    let mut values: Vec<f64> = group
-        .profiles
-        .iter()
-        .flat_map(|(_, p)| p.values.iter().copied())
-        .collect();
-    if let Some(e) = group.envelope {
+fn table(envelope: Option<&Envelope>, profiles: &[(Look, &Profile)], dimension: Dimension) -> Table {
+    let mut values: Vec<f64> = profiles.iter().flat_map(|(_, p)| p.values.iter().copied()).collect();
+    if let Some(e) = envelope {
         values.extend(e.min.iter().chain(&e.max));
     }
     let scale = Scale::of(dimension, values);
     let mut columns = vec![Column::numbers("z", "m")];
-    if group.envelope.is_some() {
+    if envelope.is_some() {
         columns.push(Column::numbers("Finite elements min", scale.symbol()));
         columns.push(Column::numbers("Finite elements max", scale.symbol()));
     }
     columns.extend(
-        group
-            .profiles
+        profiles
             .iter()
             .map(|(l, _)| Column::numbers(&l.full_label(), scale.symbol())),
     );
     let mut table = Table::new(columns);
-    let stations = group.profiles.first().map_or(&[][..], |(_, p)| &p.z);
+    let stations = profiles.first().map_or(&[][..], |(_, p)| &p.z);
     for i in spread(stations.len(), 21) {
         let z = stations[i];
         let mut row = vec![fixed(z, 3)];
         let mut add = |zs: &[f64], values: &[f64]| {
             row.push(interpolate(zs, values, z).map_or("–".into(), |v| scale.text(v)));
         };
-        if let Some(e) = group.envelope {
+        if let Some(e) = envelope {
             add(&e.z, &e.min);
             add(&e.z, &e.max);
         }
-        for (_, p) in &group.profiles {
+        for (_, p) in profiles {
             add(&p.z, &p.values);
         }
         table.row(row);

@@ -45,6 +45,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
         return Ok(None);
     }
     let mut section = Section::new("reported", "Measured and published values");
+    section.set("has_fe", &source.fe().is_some());
     section.set("rows", &rows);
     section.set("remarks", &remarks);
     Ok(Some(section))

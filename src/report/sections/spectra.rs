@@ -41,12 +41,12 @@ fn periods(source: &Source) -> Vec<(String, f64)> {
         for (kind, letter, most) in [("sloshing", "c", 2), ("structural", "i", 1)] {
             let modes = fe.modes.iter().filter(|m| m.kind == kind && m.harmonic == 1);
             for mode in modes.take(most) {
-                periods.push((format!("T {letter}{}", mode.number), mode.period));
+                periods.push((format!("T_{letter}{}", mode.number), mode.period));
             }
         }
     }
     if periods.is_empty() {
-        for (id, name) in [("sloshing_period", "T c1"), ("impulsive_period", "T i1")] {
+        for (id, name) in [("sloshing_period", "T_c1"), ("impulsive_period", "T_i1")] {
             periods.extend(source.best(id).map(|t| (name.to_owned(), t)));
         }
     }
@@ -81,13 +81,13 @@ fn linear(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error> {
     let values: Vec<f64> = curves.iter().flat_map(|c| shown(c)).map(|p| p.1).collect();
     let x = Axis::exact("Period T", Dimension::Time, (0.0, end), 8);
     let mut y = Axis::linear(
-        "Pseudo-acceleration S",
+        "Pseudo-acceleration",
         Dimension::Dimensionless,
         values.into_iter().chain([0.0]),
         5,
     );
     y.title = "Pseudo-acceleration PSA [g]".into();
-    let mut chart = Chart::new((WIDE, 330.0), x, y);
+    let mut chart = Chart::new((WIDE, 0.0), x, y);
     chart.rules = rules(source);
     for (i, c) in curves.iter().enumerate() {
         chart.lines.push(Line {
@@ -96,6 +96,7 @@ fn linear(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error> {
             label: c.title.clone(),
         });
     }
+    let chart = chart.with_plot_height(190.0);
     let mut columns = vec![Column::numbers("Period", "s")];
     columns.extend(curves.iter().map(|c| Column::numbers(&c.title, "g")));
     let mut table = Table::new(columns);
@@ -117,6 +118,7 @@ fn linear(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error> {
         id: "spectrum_linear".into(),
         title: "Pseudo-acceleration spectra".into(),
         caption: "Vertical lines: periods of the tank (c sloshing, i structural).".into(),
+        titled: false,
         description: format!(
             "Pseudo-acceleration over period up to {} s for {} spectra.",
             plain(end, 2),
@@ -169,6 +171,7 @@ fn four_way(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error>
         caption: "Pseudo-velocity upwards; falling lines of equal displacement, rising lines of equal \
                   pseudo-acceleration."
             .into(),
+        titled: false,
         description: format!("Tripartite plot of {} spectra on logarithmic axes.", curves.len()),
         size,
         markup,
@@ -196,7 +199,7 @@ fn at_periods(source: &Source, curves: &[&SpectrumCurve]) -> Table {
     let periods = periods(source);
     for (name, t) in &periods {
         columns.push(Column::numbers(
-            &format!("PSA at {name} = {} s", significant(*t, 3)),
+            &format!("PSA at {} = {} s", name.replace('_', ""), significant(*t, 3)),
             "g",
         ));
     }

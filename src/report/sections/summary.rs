@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::report::figure::Figure;
 use crate::report::figure::bars::{Bar, bars};
 use crate::report::methods::{excitation, figure_order, look};
-use crate::report::number::{Scale, percent, ratio, with_unit};
+use crate::report::number::{Scale, fixed, given, percent, ratio, with_unit};
 use crate::results::Results;
 
 /// Headline quantities: sloshing height, base moment, membrane stresses.
@@ -158,16 +158,16 @@ fn facts(source: &Source) -> Vec<Fact> {
     };
     match summary.tank.shape {
         Shape::Cylinder { radius } => {
-            add("Radius R", with_unit(radius, Dimension::Length));
-            add("Liquid depth H", with_unit(depth, Dimension::Length));
+            add("Radius R", given(radius, Dimension::Length));
+            add("Liquid depth H", given(depth, Dimension::Length));
             add("H / R", ratio(depth / radius));
         }
         Shape::Rectangle { length, breadth, strip } => {
-            add("Length 2L", with_unit(length, Dimension::Length));
+            add("Length 2L", given(length, Dimension::Length));
             if !strip {
-                add("Breadth", with_unit(breadth, Dimension::Length));
+                add("Breadth", given(breadth, Dimension::Length));
             }
-            add("Liquid depth H", with_unit(depth, Dimension::Length));
+            add("Liquid depth H", given(depth, Dimension::Length));
             add("H / L", ratio(2.0 * depth / length));
         }
     }
@@ -181,7 +181,7 @@ fn facts(source: &Source) -> Vec<Fact> {
     if let Some(record) = source.results.records.first() {
         add(
             "Peak ground acceleration",
-            format!("{} g", ratio_3(record.pga / summary.gravity)),
+            format!("{}\u{a0}g", fixed(record.pga / summary.gravity, 3)),
         );
     }
     if let Some(t) = source.best("sloshing_period") {
@@ -191,10 +191,6 @@ fn facts(source: &Source) -> Vec<Fact> {
         add("First structural period", with_unit(t, Dimension::Time));
     }
     facts
-}
-
-fn ratio_3(value: f64) -> String {
-    crate::report::number::fixed(value, 3)
 }
 
 fn warnings(results: &Results) -> Vec<Warning> {

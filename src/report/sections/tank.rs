@@ -4,10 +4,10 @@ use codes::tank::{Shape, Support};
 use codes::units::Dimension;
 use serde::Serialize;
 
-use super::{Section, Source};
+use super::{Section, Source, capital};
 use crate::error::Error;
 use crate::report::figure::{Figure, Room, sketch};
-use crate::report::number::{Scale, fixed, plain, significant, with_unit};
+use crate::report::number::{Scale, given, plain, significant};
 use crate::report::table::{Column, Table};
 
 #[derive(Serialize)]
@@ -46,11 +46,12 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
             id: "sketch".into(),
             title: "Tank".into(),
             caption,
+            titled: false,
             description: format!(
                 "Section through the tank ({plan}, {support}), wall {} high in {} courses, liquid {} deep.",
-                with_unit(tank.wall_height(), Dimension::Length),
+                given(tank.wall_height(), Dimension::Length),
                 tank.courses.len(),
-                with_unit(summary.liquid.fill_height, Dimension::Length)
+                given(summary.liquid.fill_height, Dimension::Length)
             ),
             size,
             markup,
@@ -64,8 +65,8 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
         Column::words("Unit"),
     ]);
     let mut fact = |label: &str, value: f64, dimension| {
-        let (number, unit) = crate::report::number::parts(value, dimension);
-        facts.row(vec![label.into(), number, unit.into()]);
+        let scale = Scale::of(dimension, [value]);
+        facts.row(vec![label.into(), scale.given(value), scale.symbol().into()]);
     };
     fact("Liquid mass", summary.liquid_mass, Dimension::Mass);
     fact("Liquid density", summary.liquid.density, Dimension::Density);
@@ -97,7 +98,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
             fact("Capacity of one anchor", capacity, Dimension::Force);
         }
     }
-    section.set("plan", plan);
+    section.set("plan", &capital(plan));
     section.set("support", support);
     section.set("facts", &facts);
     section.set("courses", &courses(source));
@@ -135,13 +136,13 @@ fn courses(source: &Source) -> Table {
     for (i, c) in courses.iter().enumerate() {
         table.row(vec![
             format!("{}", i + 1),
-            height.text(c.height),
-            thickness.text(c.thickness),
+            height.given(c.height),
+            thickness.given(c.thickness),
             c.material.name.clone(),
-            modulus.text(c.material.youngs_modulus),
-            fixed(c.material.poisson_ratio, 2),
-            density.text(c.material.density),
-            c.material.yield_strength.map_or("–".into(), |f| strength.text(f)),
+            modulus.given(c.material.youngs_modulus),
+            plain(c.material.poisson_ratio, 3),
+            density.given(c.material.density),
+            c.material.yield_strength.map_or("–".into(), |f| strength.given(f)),
         ]);
     }
     table.caption = "Courses from the base up".into();
