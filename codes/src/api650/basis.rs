@@ -2,8 +2,8 @@
 
 use crate::case::Case;
 use crate::procedure::{Assessment, Check, NotApplicable};
-use crate::sheet::Sheet;
-use crate::tank::{Shape, Support};
+use crate::sheet::{Sheet, with_unit};
+use crate::tank::{Course, Shape, Support};
 use crate::units::Dimension::{Dimensionless, Force, Length, LineForce};
 
 use super::hold_down;
@@ -103,7 +103,7 @@ impl<'a> Basis<'a> {
     }
 
     /// Inputs of the sheet; `roof` is the height of the roof's weight that the edition uses.
-    pub fn inputs(&self, sheet: &mut Sheet, roof: (&str, f64), edition: &str) {
+    pub fn inputs(&self, sheet: &mut Sheet, roof: (&str, f64)) {
         sheet.section("Tank and product");
         for (symbol, name, value, dimension, source) in [
             (
@@ -134,7 +134,7 @@ impl<'a> Basis<'a> {
             (roof.0, "height of the roof's weight", roof.1, Length, "tank.roof"),
             ("W_p", "weight of the product", self.w_p, Force, "liquid"),
         ] {
-            sheet.input(symbol, name, value, dimension, &format!("{source} ({edition})"));
+            sheet.input(symbol, name, value, dimension, source);
         }
     }
 
@@ -171,7 +171,7 @@ impl<'a> Basis<'a> {
             out.notes.push(format!(
                 "The allowable shell compression stands for steel; the bottom course has E = {}, {:.2} times that of \
                  steel, and buckling stresses are proportional to E.",
-                crate::sheet::with_unit(modulus, crate::units::Dimension::Stress),
+                with_unit(modulus, crate::units::Dimension::Stress),
                 modulus / STEEL
             ));
         }
@@ -288,18 +288,36 @@ impl<'a> Basis<'a> {
 ///
 /// ```text
 /// t_u = ∫ t (H − z) dz / ∫ (H − z) dz,   0 ≤ z ≤ H
+///     = Σ t_k [(H − z_k)² − (H − z_{k+1})²] / H²      course k from z_k to z_{k+1} ≤ H
 /// ```
 ///
 /// The annex leaves the averaging open; this weight (that of the hydrostatic pressure) is the one EN 1998-4 A.3.2.2
 /// prescribes for the same formula. Check: 14, 12, 10, 8, 8 mm to 2.4 m each, H = 12 m: 11.680 mm.
-pub fn equivalent_thickness(courses: &[crate::tank::Course], depth: f64) -> f64 {
-    let (mut sum, mut base) = (0.0, 0.0);
-    for course in courses {
-        let top = (base + course.height).min(depth);
-        if top > base {
-            sum += course.thickness * ((depth - base).powi(2) - (depth - top).powi(2));
-        }
-        base += course.height;
-    }
+pub fn equivalent_thickness(courses: &[Course], depth: f64) -> f64 {
+    let sum: f64 = wetted(courses, depth)
+        .map(|(t, above, below)| t * (below * below - above * above))
+        .sum();
     sum / (depth * depth)
+}
+
+/// The numbers put into the formula of [`equivalent_thickness`].
+pub fn equivalent_thickness_in_numbers(courses: &[Course], depth: f64) -> String {
+    let metres = |x: f64| with_unit(x, Length);
+    let terms: Vec<String> = wetted(courses, depth)
+        .map(|(t, above, below)| format!("{}·(({})² - ({})²)", metres(t), metres(below), metres(above)))
+        .collect();
+    format!("({})/({})²", terms.join(" + "), metres(depth))
+}
+
+/// Wetted courses: thickness, depths of their upper and lower edge below the surface [m].
+fn wetted(courses: &[Course], depth: f64) -> impl Iterator<Item = (f64, f64, f64)> {
+    courses
+        .iter()
+        .scan(0.0, |base, course| {
+            let z = *base;
+            *base += course.height;
+            Some((course.thickness, z, *base))
+        })
+        .filter(move |(_, z, _)| *z < depth)
+        .map(move |(t, z, top)| (t, (depth - top).max(0.0), depth - z))
 }

@@ -128,7 +128,7 @@ impl Procedure for Api6501993 {
         let mut out = Assessment::default();
         basis.assumptions(&mut out);
         let shell_height = case.tank.wall_height();
-        basis.inputs(&mut sheet, ("H_t", shell_height), EDITION);
+        basis.inputs(&mut sheet, ("H_t", shell_height));
 
         let period = masses(&basis, &mut sheet, &mut out);
         let c = coefficients(&basis, excitation, period, &mut sheet, &mut out)?;

@@ -5,7 +5,7 @@ use crate::procedure::{CodeError, Excitation};
 use crate::spectrum::ordinates;
 use crate::units::Dimension::{Density, Dimensionless, Length, Stress, Time};
 
-use super::super::basis::equivalent_thickness;
+use super::super::basis::{equivalent_thickness, equivalent_thickness_in_numbers};
 use super::super::ground_motion::{DesignSpectrum, impulsive_plateau};
 use super::super::masses::{impulsive_coefficient, impulsive_period, sloshing_coefficient, sloshing_period};
 use super::Run;
@@ -104,12 +104,13 @@ impl Run<'_> {
         let rho = case.liquid.density;
         let t_u = equivalent_thickness(&case.tank.courses, h);
         let name = "equivalent uniform thickness of the wetted shell";
-        let formula = "∫t·(H - z)dz/∫(H - z)dz";
+        let formula = "Σt_k·((H - z_k)² - (H - z_k+1)²)/H²";
+        let numbers = equivalent_thickness_in_numbers(&case.tank.courses, h);
         sheet.step(
             "t_u",
             name,
             formula,
-            "",
+            &numbers,
             t_u,
             Length,
             "API 650:2020 E.4.5.1, weighted as EN 1998-4 A.3.2.2",

@@ -116,7 +116,7 @@ impl Procedure for Api6502020 {
             out: Assessment::default(),
         };
         basis.assumptions(&mut run.out);
-        basis.inputs(&mut run.sheet, ("X_r", case.tank.roof_height()), EDITION);
+        basis.inputs(&mut run.sheet, ("X_r", case.tank.roof_height()));
         let periods = run.periods();
         let a = run.accelerations(&periods)?;
         let forces = run.forces(&a);

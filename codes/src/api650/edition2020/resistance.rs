@@ -139,9 +139,11 @@ impl Run<'_> {
         } else {
             self.not_checked(E6_2_2, "shell compression", "it has no value for J above 1.54");
         }
-        // Where the limit of w_a counts, the thickness that gives it.
-        let t_w = t_a * (w_a / force).min(1.0);
-        self.annulus(f_y, g_e, t_a, t_w, j > hd::NO_UPLIFT);
+        if j <= hd::NOT_SELF_ANCHORED {
+            // Where the limit of w_a counts, the thickness that gives it.
+            let t_w = t_a * (w_a / force).min(1.0);
+            self.annulus(f_y, g_e, t_a, t_w, j > hd::NO_UPLIFT);
+        }
     }
 
     /// Width of the annulus and uplift.
