@@ -149,6 +149,23 @@ impl Tank {
         &self.courses[self.courses.len() - 1]
     }
 
+    /// Heights [m] for values over the wetted wall, ascending: 40 steps over `depth`, and both sides of each joint of
+    /// courses below the surface (the lower side 1e-6 of the depth beneath it).
+    pub fn profile_heights(&self, depth: f64) -> Vec<f64> {
+        let mut z: Vec<f64> = (0..=40).map(|i| depth * f64::from(i) / 40.0).collect();
+        let mut joint = 0.0;
+        for course in &self.courses {
+            joint += course.height;
+            if joint < depth * (1.0 - 1e-6) {
+                z.extend([joint - 1e-6 * depth, joint]);
+            }
+        }
+        z.sort_by(f64::total_cmp);
+        // A joint on a step but for rounding would show twice.
+        z.dedup_by(|b, a| (*b - *a).abs() < 1e-9 * depth);
+        z
+    }
+
     /// Mass of the wall [kg]: circumference × Σ height × thickness × density. A rectangle counts the two walls across
     /// the shaking and, unless it is a strip, the two along it.
     pub fn wall_mass(&self) -> f64 {

@@ -1,9 +1,10 @@
 //! The tank in the terms of API 650, and the lines that both editions share.
 
 use crate::case::Case;
+use crate::ec8::simplified::weighted_mean;
 use crate::procedure::{Assessment, Check, NotApplicable};
 use crate::sheet::{Sheet, with_unit};
-use crate::tank::{Course, Shape, Support};
+use crate::tank::{Shape, Support, Tank};
 use crate::units::Dimension::{Dimensionless, Force, Length, LineForce};
 
 use super::hold_down;
@@ -265,23 +266,6 @@ impl<'a> Basis<'a> {
             )),
         }
     }
-
-    /// Heights of the profiles [m]: 40 steps over the depth, and both sides of each joint below the surface (the lower
-    /// side 1e-6 H beneath it, so that heights ascend).
-    pub fn heights(&self) -> Vec<f64> {
-        let mut z: Vec<f64> = (0..=40).map(|i| self.h * f64::from(i) / 40.0).collect();
-        let mut joint = 0.0;
-        for course in &self.case.tank.courses {
-            joint += course.height;
-            if joint < self.h * (1.0 - 1e-6) {
-                z.extend([joint - 1e-6 * self.h, joint]);
-            }
-        }
-        z.sort_by(f64::total_cmp);
-        // A joint on a step but for rounding would show twice.
-        z.dedup_by(|b, a| (*b - *a).abs() < 1e-9 * self.h);
-        z
-    }
 }
 
 /// Equivalent uniform thickness of the wetted shell [m]: the mean weighted with the depth below the surface.
@@ -293,31 +277,22 @@ impl<'a> Basis<'a> {
 ///
 /// The annex leaves the averaging open; this weight (that of the hydrostatic pressure) is the one EN 1998-4 A.3.2.2
 /// prescribes for the same formula. Check: 14, 12, 10, 8, 8 mm to 2.4 m each, H = 12 m: 11.680 mm.
-pub fn equivalent_thickness(courses: &[Course], depth: f64) -> f64 {
-    let sum: f64 = wetted(courses, depth)
-        .map(|(t, above, below)| t * (below * below - above * above))
-        .sum();
-    sum / (depth * depth)
+pub fn equivalent_thickness(tank: &Tank, depth: f64) -> f64 {
+    weighted_mean(tank, depth, |course| course.thickness)
 }
 
 /// The numbers put into the formula of [`equivalent_thickness`].
-pub fn equivalent_thickness_in_numbers(courses: &[Course], depth: f64) -> String {
+pub fn equivalent_thickness_in_numbers(tank: &Tank, depth: f64) -> String {
     let metres = |x: f64| with_unit(x, Length);
-    let terms: Vec<String> = wetted(courses, depth)
-        .map(|(t, above, below)| format!("{}·(({})² - ({})²)", metres(t), metres(below), metres(above)))
-        .collect();
+    let (mut base, mut terms) = (0.0, Vec::new());
+    for course in &tank.courses {
+        if base >= depth {
+            break;
+        }
+        let top = (base + course.height).min(depth);
+        let (t, below, above) = (metres(course.thickness), metres(depth - base), metres(depth - top));
+        terms.push(format!("{t}·(({below})² - ({above})²)"));
+        base += course.height;
+    }
     format!("({})/({})²", terms.join(" + "), metres(depth))
-}
-
-/// Wetted courses: thickness, depths of their upper and lower edge below the surface [m].
-fn wetted(courses: &[Course], depth: f64) -> impl Iterator<Item = (f64, f64, f64)> {
-    courses
-        .iter()
-        .scan(0.0, |base, course| {
-            let z = *base;
-            *base += course.height;
-            Some((course.thickness, z, *base))
-        })
-        .filter(move |(_, z, _)| *z < depth)
-        .map(move |(t, z, top)| (t, (depth - top).max(0.0), depth - z))
 }

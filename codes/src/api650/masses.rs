@@ -21,6 +21,8 @@
 //!
 //! Sources: API 650, 12th edition, E.4.5, E.6.1.1, E.6.1.2; 9th edition, figures E-2, E-3, E-4.
 
+use crate::ec8::simplified;
+
 /// Ratio D/H that parts squat from slender tanks.
 pub const SQUAT: f64 = 1.333;
 
@@ -87,31 +89,17 @@ pub fn sloshing_period(diameter: f64, d_over_h: f64) -> f64 {
     1.8 * sloshing_coefficient(d_over_h) * diameter.sqrt()
 }
 
-/// H/R and C_i of figure E.1, read in the table of EN 1998-4:2006 (table A.2), which is the same curve.
-const IMPULSIVE_COEFFICIENT: [(f64, f64); 8] = [
-    (0.3, 9.28),
-    (0.5, 7.74),
-    (0.7, 6.97),
-    (1.0, 6.36),
-    (1.5, 6.06),
-    (2.0, 6.21),
-    (2.5, 6.56),
-    (3.0, 7.03),
-];
-
 /// Coefficient C_i of the impulsive period (figure E.1) for H/D, linear between H/D = 0.15 and 1.5; `None` outside.
+///
+/// Figure E.1 is the curve of EN 1998-4:2006 table A.2, which has it in numbers.
 pub fn impulsive_coefficient(h_over_d: f64) -> Option<f64> {
+    let (first, last) = simplified::LIMITS;
     let gamma = 2.0 * h_over_d;
     // Rounding of a ratio at the ends of the figure must not put a tank outside of it.
-    let gamma = if (0.3 * (1.0 - 1e-12)..=3.0 * (1.0 + 1e-12)).contains(&gamma) {
-        gamma.clamp(0.3, 3.0)
-    } else {
+    if !(first * (1.0 - 1e-12)..=last * (1.0 + 1e-12)).contains(&gamma) {
         return None;
-    };
-    IMPULSIVE_COEFFICIENT.windows(2).find_map(|w| {
-        let ((x0, y0), (x1, y1)) = (w[0], w[1]);
-        (gamma <= x1).then(|| y0 + (gamma - x0) / (x1 - x0) * (y1 - y0))
-    })
+    }
+    simplified::table(gamma.clamp(first, last)).map(|row| row.impulsive_period)
 }
 
 /// Impulsive period [s], `None` outside figure E.1.
@@ -125,7 +113,14 @@ pub fn impulsive_coefficient(h_over_d: f64) -> Option<f64> {
 /// lb/in³.
 pub fn impulsive_period(diameter: f64, depth: f64, density: f64, thickness: f64, modulus: f64) -> Option<f64> {
     let c_i = impulsive_coefficient(depth / diameter)?;
-    Some(c_i * depth * density.sqrt() / ((2.0 * thickness / diameter).sqrt() * modulus.sqrt()))
+    Some(simplified::impulsive_period(
+        c_i,
+        density,
+        depth,
+        diameter / 2.0,
+        thickness,
+        modulus,
+    ))
 }
 
 #[cfg(test)]

@@ -102,10 +102,10 @@ impl Run<'_> {
         sheet.section("Periods");
         let e = case.tank.courses[0].material.youngs_modulus;
         let rho = case.liquid.density;
-        let t_u = equivalent_thickness(&case.tank.courses, h);
+        let t_u = equivalent_thickness(&case.tank, h);
         let name = "equivalent uniform thickness of the wetted shell";
         let formula = "Σt_k·((H - z_k)² - (H - z_k+1)²)/H²";
-        let numbers = equivalent_thickness_in_numbers(&case.tank.courses, h);
+        let numbers = equivalent_thickness_in_numbers(&case.tank, h);
         sheet.step(
             "t_u",
             name,

@@ -80,7 +80,9 @@ impl Run<'_> {
     fn stations(&self, a: &Accelerations) -> Vec<Station> {
         let b = &self.basis;
         let courses = &b.case.tank.courses;
-        b.heights()
+        b.case
+            .tank
+            .profile_heights(b.h)
             .into_iter()
             .map(|z| {
                 let mut top = 0.0;
