@@ -329,8 +329,11 @@ mod tests {
         let wall = wall(1);
         let radius = 1.83;
         let ovalling = energy(&wall, |_| [0.0, 0.0, 1.0, 0.0]);
-        assert!(energy(&wall, |_| [0.0, -1.0, 1.0, 0.0]).abs() < 1e-12 * ovalling);
-        assert!(energy(&wall, |z| [-radius, -z, z, 1.0]).abs() < 1e-12 * ovalling);
+        let translation = energy(&wall, |_| [0.0, -1.0, 1.0, 0.0]);
+        let rotation = energy(&wall, |z| [-radius, -z, z, 1.0]);
+        // Entries of K are up to 10⁴ times what this field feels, and rounding is of the entries.
+        assert!(translation.abs() < 1e-10 * ovalling, "{translation:e} {ovalling:e}");
+        assert!(rotation.abs() < 1e-10 * ovalling, "{rotation:e} {ovalling:e}");
     }
 
     /// m = 0: uniform expansion w = 1 with u' free to contract costs E t/R² per area (uniaxial hoop stress).
