@@ -1,14 +1,190 @@
-//! `tankcheck modes`.
+//! `tankcheck modes`: coupled modes of tank and liquid.
 
-use crate::cli::Global;
-use crate::error::{EXIT_COMPUTATION, Error};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+use codes::tank::Shape;
+use serde_json::json;
+
+use crate::cli::table::Table;
+use crate::cli::{Format, Global, print};
+use crate::error::{EXIT_OK, Error};
+use crate::fe::harmonic;
+use crate::input;
+use crate::results::Mode;
+
+/// Largest circumferential harmonic offered: beyond it the default meshes no longer resolve the waves.
+const MAX_HARMONIC: u32 = 20;
+
+/// Most modes of each kind.
+const MAX_COUNT: usize = 100;
 
 /// Arguments.
 #[derive(clap::Args)]
-pub struct Args {}
+#[command(after_help = "\
+Examples:
+  tankcheck modes tank.json
+  tankcheck modes tank.json --harmonics 1 --count 5 --format json
+
+Harmonic 1 answers horizontal motion, 0 vertical motion (its effective mass is that of pressure and weight), 2 and more
+no uniform motion of the ground at all. A rectangle has the symmetric half (0) and the antisymmetric half (1) of its plane
+strip.")]
+pub struct Args {
+    /// The tank (`-` reads standard input).
+    #[arg(value_name = "TANK")]
+    tank: PathBuf,
+    /// Circumferential harmonics, separated by commas [default: 0,1,2; rectangle 0,1].
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    harmonics: Option<Vec<u32>>,
+    /// Modes of each kind (sloshing, structural) and harmonic.
+    #[arg(long, value_name = "N", default_value_t = 3)]
+    count: usize,
+    /// Multiply every element count of the mesh [default: that of the tank file, else 1].
+    #[arg(long, value_name = "FACTOR")]
+    refine: Option<f64>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+}
 
 /// Runs the subcommand; returns the exit code.
 pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
-    let _ = (args, global);
-    Ok(EXIT_COMPUTATION)
+    let tank = input::read_tank(&args.tank)?;
+    let case = tank.case;
+    let mut options = tank.fe;
+    options.refine = args.refine.unwrap_or(options.refine);
+    let harmonics = args.harmonics.unwrap_or(match case.tank.shape {
+        Shape::Cylinder { .. } => vec![0, 1, 2],
+        Shape::Rectangle { .. } => vec![0, 1],
+    });
+    check(&harmonics, args.count, case.tank.shape)?;
+    let modes = crate::fe::modes(&case, &options, &harmonics, args.count)?;
+    let notes = harmonic::notes(&case, &modes);
+    match args.format {
+        Format::Human => {
+            let mut text = format!("{}\n\n{}", case.name, table(&modes, case.liquid_mass()));
+            for note in &notes {
+                let _ = writeln!(text, "\nnote: {note}");
+            }
+            print(&text)?;
+        }
+        Format::Json => {
+            let value = json!({ "name": case.name, "liquid_mass": case.liquid_mass(), "modes": modes, "notes": notes });
+            print(&format!("{value:#}\n"))?;
+        }
+        Format::Csv => print(&csv(&modes))?,
+    }
+    if args.format == Format::Csv && !global.quiet {
+        for note in &notes {
+            anstream::eprintln!("note: {note}");
+        }
+    }
+    Ok(EXIT_OK)
+}
+
+fn check(harmonics: &[u32], count: usize, shape: Shape) -> Result<(), Error> {
+    let usage = |option: &str, found: String, allowed: String| {
+        Error::Input(format!("error: {option}: found `{found}`, allowed {allowed}"))
+    };
+    let largest = match shape {
+        Shape::Cylinder { .. } => MAX_HARMONIC,
+        Shape::Rectangle { .. } => 1,
+    };
+    if let Some(m) = harmonics.iter().find(|&&m| m > largest) {
+        return Err(usage(
+            "--harmonics",
+            m.to_string(),
+            format!("0 to {largest} for this tank"),
+        ));
+    }
+    let mut seen = harmonics.to_vec();
+    seen.sort_unstable();
+    if let Some(pair) = seen.windows(2).find(|p| p[0] == p[1]) {
+        return Err(usage(
+            "--harmonics",
+            format!("{} twice", pair[0]),
+            "each harmonic once".to_owned(),
+        ));
+    }
+    if !(1..=MAX_COUNT).contains(&count) {
+        return Err(usage("--count", count.to_string(), format!("1 to {MAX_COUNT}")));
+    }
+    Ok(())
+}
+
+fn table(modes: &[Mode], liquid_mass: f64) -> Table {
+    let mut table = Table::new([
+        "mode",
+        "m",
+        "T [s]",
+        "f [Hz]",
+        "ω [rad/s]",
+        "eff. mass [t]",
+        "of liquid [%]",
+        "height [m]",
+    ]);
+    for mode in modes {
+        let moved = mode.harmonic <= 1;
+        let cell = |shown: bool, text: String| if shown { text } else { "–".to_owned() };
+        table.row([
+            format!("{} {}", mode.kind, mode.number),
+            mode.harmonic.to_string(),
+            format!("{:.5}", mode.period),
+            format!("{:.4}", 1.0 / mode.period),
+            format!("{:.4}", mode.omega),
+            cell(moved, format!("{:.4}", mode.effective_mass / 1000.0)),
+            cell(moved, format!("{:.2}", 100.0 * mode.effective_mass / liquid_mass)),
+            cell(mode.harmonic == 1, format!("{:.4}", mode.effective_height)),
+        ]);
+    }
+    table
+}
+
+fn csv(modes: &[Mode]) -> String {
+    let mut text = String::from(
+        "harmonic,kind,number,period_s,omega_rad_s,damping,participation,effective_mass_kg,effective_height_m\n",
+    );
+    for m in modes {
+        let _ = writeln!(
+            text,
+            "{},{},{},{},{},{},{},{},{}",
+            m.harmonic,
+            m.kind,
+            m.number,
+            m.period,
+            m.omega,
+            m.damping,
+            m.participation,
+            m.effective_mass,
+            m.effective_height
+        );
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CYLINDER: Shape = Shape::Cylinder { radius: 1.0 };
+    const BOX: Shape = Shape::Rectangle {
+        length: 5.0,
+        breadth: 1.0,
+        strip: true,
+    };
+
+    #[test]
+    fn ranges() {
+        assert!(check(&[0, 1, 2], 3, CYLINDER).is_ok());
+        assert!(check(&[0, 1], 1, BOX).is_ok());
+        for (harmonics, count, shape) in [
+            (vec![21], 3, CYLINDER),
+            (vec![2], 3, BOX),
+            (vec![1, 0, 1], 3, CYLINDER),
+            (vec![1], 0, CYLINDER),
+            (vec![1], 101, CYLINDER),
+        ] {
+            assert!(matches!(check(&harmonics, count, shape), Err(Error::Input(_))));
+        }
+    }
 }

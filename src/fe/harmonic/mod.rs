@@ -5,6 +5,7 @@
 
 mod assembly;
 mod build;
+mod limits;
 mod modes;
 mod observe;
 mod reduce;
@@ -14,6 +15,7 @@ mod wall_mesh;
 
 pub(crate) use build::failure;
 pub use build::{build, check_options};
+pub use limits::{assumptions, notes};
 pub use modes::{CoupledMode, Kind, modes, solve};
 pub use state::Static;
 pub use wall::{Element, LOCAL, LocalMatrix, LocalRow, NODAL, NODE, Output, Wall};
