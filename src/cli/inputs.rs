@@ -31,6 +31,9 @@ impl Inputs {
     /// Reads everything; the job's finite-element options are those of the tank file.
     pub fn job(&self) -> Result<Job, Error> {
         let tank = input::read_tank(&self.tank)?;
+        for remark in &tank.remarks {
+            anstream::eprintln!("note: {remark}");
+        }
         let mut case = tank.case;
         let mut files = vec![source("tank", &self.tank, &tank.sha256)];
         let mut raw_records = Vec::new();

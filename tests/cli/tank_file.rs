@@ -74,6 +74,29 @@ fn examples_are_read_without_remarks() {
 }
 
 #[test]
+fn remarks_go_to_standard_error_and_stop_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("tank.json");
+    let text = stdout(&["init"]).replace(
+        "\"materials\": {",
+        "\"materials\": { \"gold\": { \"youngs_modulus\": \"79 GPa\", \"poisson_ratio\": 0.4, \"density\": \"19300 kg/m3\" },",
+    );
+    std::fs::write(&path, text).unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+        .arg("check")
+        .arg(&path)
+        .output()
+        .unwrap();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{message}");
+    assert!(
+        message.contains("note: materials.gold: nothing is made of the material `gold`"),
+        "{message}"
+    );
+    assert!(!output.stdout.is_empty());
+}
+
+#[test]
 fn completions_and_manual_page() {
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let text = stdout(&["completions", shell]);

@@ -263,6 +263,17 @@ fn options() {
     }
 }
 
+#[test]
+fn every_procedure_can_be_named() {
+    for procedure in codes::procedure::ALL {
+        let file = read(&small(&format!(
+            r#", "procedures": {{ "run": ["{}"] }}"#,
+            procedure.id()
+        )));
+        assert_eq!(file.procedures, [procedure.id()]);
+    }
+}
+
 /// The dissertation's own pairs (8.1.4) need a negative mass coefficient, and say so.
 #[test]
 fn negative_rayleigh_coefficients_need_consent() {
