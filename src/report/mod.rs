@@ -17,6 +17,7 @@
 //! | [`math`] | sets formulas |
 //! | [`number`] | prints numbers |
 //! | [`template`] | holds the templates, embedded or the user's |
+//! | [`verification`] | the figure of the verification manual |
 
 pub mod figure;
 pub mod math;
@@ -25,6 +26,7 @@ pub mod number;
 pub mod sections;
 pub mod table;
 pub mod template;
+pub mod verification;
 
 use std::path::{Path, PathBuf};
 
