@@ -387,6 +387,24 @@ fn record() {
     );
 }
 
+/// Vertical record: A_v is its plateau; it enters the hoop stress as A_v N_h/2.5 and lightens the tank.
+#[test]
+fn vertical_record() {
+    let mut c = with_record(case());
+    let flat = assess(&c, Excitation::Record);
+    let motion = c.ground_motion.as_mut().unwrap();
+    let mut vertical = motion.horizontal.clone();
+    // Resonant as it is, it would lift the tank off the ground (A_v above 2.5 g).
+    vertical.acceleration.iter_mut().for_each(|a| *a *= 0.2);
+    motion.vertical = Some(vertical.clone());
+    let out = assess(&c, Excitation::Record);
+    let a_v = super::super::ground_motion::impulsive_plateau(&vertical, 0.02).1 / 9.81;
+    close(line(&out, "A_v"), a_v, 1e-12, "A_v");
+    close(line(&out, "G_e"), 0.9 * (1.0 - 0.4 * a_v), 1e-12, "G_e");
+    assert!(out.values[&Quantity::HoopStress] > flat.values[&Quantity::HoopStress]);
+    assert_eq!(out.values[&Quantity::BaseMoment], flat.values[&Quantity::BaseMoment]);
+}
+
 #[test]
 fn profiles_meet_the_quantities() {
     let out = assess(&case(), Excitation::Site);
