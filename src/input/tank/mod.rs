@@ -4,6 +4,7 @@
 
 mod bytes;
 mod read;
+mod reported;
 mod resolve;
 mod schema;
 mod syntax;

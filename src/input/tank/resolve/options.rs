@@ -9,6 +9,7 @@ use super::{Limits, Resolver, like_field, range_fault};
 use crate::fe;
 use crate::input::records::Processing;
 use crate::input::tank::read::{Field, FromNode};
+use crate::input::tank::reported::{Measured, Raw};
 use crate::input::tank::schema;
 use crate::input::tank::values::{Length, Number, Pitch, quantity};
 
@@ -354,7 +355,7 @@ fn damping_model(
 }
 
 /// A value of this quantity, positive.
-fn value(r: &mut Resolver<'_>, field: &Field<schema::Raw>, what: Quantity) -> f64 {
+fn value(r: &mut Resolver<'_>, field: &Field<Raw>, what: Quantity) -> f64 {
     let value = field.value.as_ref().and_then(|raw| match what.dimension() {
         // Periods are as often published as frequencies.
         Dimension::Time => Pitch::from_node(&raw.0, r.faults).map(|p| 2.0 * std::f64::consts::PI / p.0),
@@ -376,7 +377,7 @@ fn value(r: &mut Resolver<'_>, field: &Field<schema::Raw>, what: Quantity) -> f6
 }
 
 /// Measured values.
-pub(super) fn measured(r: &mut Resolver<'_>, field: &Option<Field<schema::Measured>>) -> Vec<Reported> {
+pub(super) fn measured(r: &mut Resolver<'_>, field: &Option<Field<Measured>>) -> Vec<Reported> {
     let mut all = Vec::new();
     for (quantity, field) in field.iter().filter_map(|f| f.value.as_ref()).flat_map(|m| &m.0) {
         let Some(given) = &field.value else { continue };
