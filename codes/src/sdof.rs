@@ -105,28 +105,40 @@ fn from_impulse(omega: f64, damping: f64, t: f64, g: f64, g_dot: f64) -> Impulse
     Impulse { g, g_dot, g1, g2 }
 }
 
+/// 1/k! for k < 32.
+const INVERSE_FACTORIAL: [f64; 32] = {
+    let mut values = [1.0; 32];
+    let mut k = 1;
+    while k < 32 {
+        values[k] = values[k - 1] / k as f64;
+        k += 1;
+    }
+    values
+};
+
 /// Power series: g = Σ c_k tᵏ/k! with c₀ = 0, c₁ = 1, c_{k+2} = −2ξω c_{k+1} − ω² c_k.
 fn impulse_series(omega: f64, damping: f64, t: f64) -> Impulse {
     // Scaled coefficients b_k = c_k tᵏ⁻¹; with ωt < 1 and 2ξωt < 1 they grow at most like Fibonacci numbers, so the
     // term k = 28 is below 1e-23.
     let (y, z) = (2.0 * damping * omega * t, (omega * t) * (omega * t));
     let (mut previous, mut b) = (0.0, 1.0);
-    let mut factorial = 1.0; // k!
-    let mut sum = [0.0; 4];
+    let [mut g, mut g_dot, mut g1, mut g2] = [0.0; 4];
     for k in 1..28 {
-        let k = f64::from(k);
-        factorial *= k;
-        sum[0] += b / factorial;
-        sum[1] += b * k / factorial;
-        sum[2] += b / (factorial * (k + 1.0));
-        sum[3] += b / (factorial * (k + 1.0) * (k + 2.0));
+        g += b * INVERSE_FACTORIAL[k];
+        g_dot += b * INVERSE_FACTORIAL[k - 1];
+        g1 += b * INVERSE_FACTORIAL[k + 1];
+        g2 += b * INVERSE_FACTORIAL[k + 2];
         (previous, b) = (b, -y * b - z * previous);
+        // Two small terms in a row: one alone can vanish by chance.
+        if f64::max(b.abs(), previous.abs()) * INVERSE_FACTORIAL[k] < 1e-18 {
+            break;
+        }
     }
     Impulse {
-        g: t * sum[0],
-        g_dot: sum[1],
-        g1: t * t * sum[2],
-        g2: t * t * t * sum[3],
+        g: t * g,
+        g_dot,
+        g1: t * t * g1,
+        g2: t * t * t * g2,
     }
 }
 

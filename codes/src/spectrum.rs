@@ -5,7 +5,10 @@
 //! reference methods ([`Method`]) stand beside it.
 
 mod kernel;
+mod lanes;
 mod peaks;
+mod soft;
+mod stiff;
 
 use std::f64::consts::TAU;
 
@@ -39,13 +42,13 @@ pub struct Ordinates {
 
 impl Ordinates {
     /// From the largest ω²|u|, ω|u̇| and |ü + a_g|.
-    fn from_scaled(omega: f64, [psa, v, sa]: [f64; 3]) -> Ordinates {
+    fn from_scaled(omega: f64, maxima: Maxima) -> Ordinates {
         Ordinates {
-            sd: psa / (omega * omega),
-            psv: psa / omega,
-            psa,
-            sv: v / omega,
-            sa,
+            sd: maxima.y / (omega * omega),
+            psv: maxima.y / omega,
+            psa: maxima.y,
+            sv: maxima.y1 / omega,
+            sa: maxima.a,
         }
     }
 
@@ -175,7 +178,7 @@ fn admissible(period: f64, damping: f64) -> bool {
 }
 
 /// Ordinates by one of the reference methods, on the record refined to T/64. The maxima between points are found by
-/// [`peaks`], as in the kernel, with all lanes alike.
+/// [`peaks`], as in the kernel.
 fn by_history(record: &Record, period: f64, damping: f64, method: Method) -> Ordinates {
     if !admissible(period, damping) {
         return Ordinates::nan();
@@ -196,25 +199,22 @@ fn by_history(record: &Record, period: f64, damping: f64, method: Method) -> Ord
         Method::Duhamel => sdof::duhamel(&ground, h, omega, damping, 1),
         Method::Exact => sdof::exact(&ground, h, omega, damping),
     };
-    let all = |x: f64| [x; kernel::LANES];
-    let (two_xi, phi) = (all(2.0 * damping), omega * h);
-    let mut m = Maxima::NONE;
+    let phi = omega * h;
+    let mut m = Maxima::default();
     for k in 1..ground.len() {
         let sigma = (ground[k - 1] - ground[k]) / phi;
         let state = |k: usize| {
             let (y, y1) = (omega * omega * history.u[k], omega * history.v[k]);
-            State::new(all(y), all(y1), &all(-ground[k]), &all(sigma), &two_xi)
+            State::new(y, y1, -ground[k], sigma, damping)
         };
         let (s0, s1) = (state(k - 1), state(k));
-        // A bound on the oscillation: what is left of the displacement and the velocity beside the line.
-        let x1 = (s0.y[0] + ground[k - 1] + 2.0 * damping * sigma).abs();
-        let r = x1 + (s0.y1[0] - sigma).abs() + x1 * damping;
-        m.take_interval(&s0, &s1, &all(phi), &all(r / (1.0 - damping * damping).sqrt()), &two_xi);
+        let (x1, x2) = s0.oscillation(-ground[k - 1], sigma, damping);
+        m.take_interval(&s0, &s1, phi, x1.abs() + x2.abs(), damping);
     }
     if let (Some(u), Some(v)) = (history.u.last(), history.v.last()) {
-        m.take_free_vibration(&all(omega * omega * u), &all(omega * v), &all(damping));
+        m.take_free_vibration(omega * omega * u, omega * v, damping);
     }
-    Ordinates::from_scaled(omega, [m.y[0], m.y1[0], m.a[0]])
+    Ordinates::from_scaled(omega, m)
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Maxima of the continuous response within a step.
+//! Maxima of the continuous response between two points.
 //!
 //! Everything is scaled by the frequency: φ = ωt, and
 //!
@@ -28,108 +28,105 @@
 //! there. With Δφ ≤ 2π/16 its error is Δφ⁶/46080 R = 8e-8 R; the place is wrong by at most 0.008 Δφ³ = 5e-4, which
 //! changes the value, flat there, by 1.2e-7 R.
 
-use super::kernel::{LANES, Lanes, any, lanes, larger};
-
-/// Scaled state of the lanes at one time.
-#[derive(Clone, Copy)]
+/// Scaled state at one time.
+#[derive(Clone, Copy, Debug)]
 pub struct State {
-    pub y: Lanes,
-    pub y1: Lanes,
+    pub y: f64,
+    pub y1: f64,
     /// y''.
-    pub y2: Lanes,
+    pub y2: f64,
     /// y'''.
-    pub y3: Lanes,
+    pub y3: f64,
 }
 
 /// Largest |y|, |y'| and |A| so far.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Maxima {
-    pub y: Lanes,
-    pub y1: Lanes,
-    pub a: Lanes,
+    pub y: f64,
+    pub y1: f64,
+    pub a: f64,
+}
+
+/// The larger of two numbers, without the rules of `f64::max` for NaN.
+#[inline(always)]
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 impl State {
     /// Completes y and y' under the load `p` with the slope `sigma` = dp/dφ.
-    #[inline(always)]
-    pub fn new(y: Lanes, y1: Lanes, p: &Lanes, sigma: &Lanes, two_xi: &Lanes) -> State {
-        let y2 = lanes(|i| p[i] - y[i] - two_xi[i] * y1[i]);
-        let y3 = lanes(|i| sigma[i] - y1[i] - two_xi[i] * y2[i]);
-        State { y, y1, y2, y3 }
+    #[inline]
+    pub fn new(y: f64, y1: f64, p: f64, sigma: f64, xi: f64) -> State {
+        let y2 = p - y - 2.0 * xi * y1;
+        State {
+            y,
+            y1,
+            y2,
+            y3: sigma - y1 - 2.0 * xi * y2,
+        }
+    }
+
+    /// R² of the oscillation beside the line of the load, (x₁, x₂) being its state.
+    #[inline]
+    pub fn oscillation(&self, p: f64, sigma: f64, xi: f64) -> (f64, f64) {
+        let x1 = self.y - p + 2.0 * xi * sigma;
+        (x1, (self.y1 - sigma + xi * x1) / ((1.0 - xi) * (1.0 + xi)).sqrt())
     }
 
     /// A and its first two derivatives.
-    #[inline(always)]
-    fn absolute(&self, two_xi: &Lanes) -> [Lanes; 3] {
-        [
-            lanes(|i| self.y[i] + two_xi[i] * self.y1[i]),
-            lanes(|i| self.y1[i] + two_xi[i] * self.y2[i]),
-            lanes(|i| self.y2[i] + two_xi[i] * self.y3[i]),
-        ]
+    #[inline]
+    fn absolute(&self, xi: f64) -> [f64; 3] {
+        let c = 2.0 * xi;
+        [self.y + c * self.y1, self.y1 + c * self.y2, self.y2 + c * self.y3]
     }
 }
 
 impl Maxima {
-    pub const NONE: Maxima = Maxima {
-        y: [0.0; LANES],
-        y1: [0.0; LANES],
-        a: [0.0; LANES],
-    };
-
     /// Takes the values at one time.
-    #[inline(always)]
-    pub fn take(&mut self, y: &Lanes, y1: &Lanes, two_xi: &Lanes) {
-        self.y = lanes(|i| larger(self.y[i], y[i].abs()));
-        self.y1 = lanes(|i| larger(self.y1[i], y1[i].abs()));
-        self.a = lanes(|i| larger(self.a[i], (y[i] + two_xi[i] * y1[i]).abs()));
+    #[inline]
+    pub fn take(&mut self, y: f64, y1: f64, xi: f64) {
+        self.y = larger(y.abs(), self.y);
+        self.y1 = larger(y1.abs(), self.y1);
+        self.a = larger((y + 2.0 * xi * y1).abs(), self.a);
     }
 
-    /// Takes the end `s1` of an interval of length `phi` = Δφ ≤ 2π/16 and what lies between; `r` bounds R.
-    #[inline(always)]
-    pub fn take_interval(&mut self, s0: &State, s1: &State, phi: &Lanes, r: &Lanes, two_xi: &Lanes) {
-        self.take(&s1.y, &s1.y1, two_xi);
-        between(&mut self.y, [&s0.y, &s0.y1, &s0.y2], [&s1.y, &s1.y1, &s1.y2], phi, r);
-        between(&mut self.y1, [&s0.y1, &s0.y2, &s0.y3], [&s1.y1, &s1.y2, &s1.y3], phi, r);
-        let (a0, a1) = (s0.absolute(two_xi), s1.absolute(two_xi));
-        between(&mut self.a, a0.each_ref(), a1.each_ref(), phi, r);
+    /// Takes the end `s1` of an interval of length `phi` = Δφ ≤ 2π/16 and what lies between; `r` ≥ R.
+    #[inline]
+    pub fn take_interval(&mut self, s0: &State, s1: &State, phi: f64, r: f64, xi: f64) {
+        self.take(s1.y, s1.y1, xi);
+        between(&mut self.y, [s0.y, s0.y1, s0.y2], [s1.y, s1.y1, s1.y2], phi, r);
+        between(&mut self.y1, [s0.y1, s0.y2, s0.y3], [s1.y1, s1.y2, s1.y3], phi, r);
+        between(&mut self.a, s0.absolute(xi), s1.absolute(xi), phi, r);
     }
 
     /// Takes the free vibration from the state y, y' on.
     ///
-    /// e^{−ξφ} (α cos κφ + β sin κφ), κ = √(1 − ξ²), has its first extremum where tan κφ = f'/(ακ + ξβ) in (0, π]; all
+    /// e^{−ξφ} (α cos κφ + β sin κφ), κ = √(1 − ξ²), has its first extremum where tan κφ = f'/(ακ + ξβ) in [0, π); all
     /// later ones are smaller.
-    pub fn take_free_vibration(&mut self, y: &Lanes, y1: &Lanes, xi: &Lanes) {
-        for i in 0..LANES {
-            let (xi, kappa) = (xi[i], ((1.0 - xi[i]) * (1.0 + xi[i])).sqrt());
-            let peak = |f: f64, slope: f64| {
-                let beta = (slope + xi * f) / kappa;
-                let angle = slope.atan2(f * kappa + xi * beta).rem_euclid(std::f64::consts::PI);
-                let (sin, cos) = angle.sin_cos();
-                ((-xi * angle / kappa).exp() * (f * cos + beta * sin)).abs()
-            };
-            let y2 = -y[i] - 2.0 * xi * y1[i];
-            let y3 = -y1[i] - 2.0 * xi * y2;
-            self.y[i] = larger(self.y[i], peak(y[i], y1[i]));
-            self.y1[i] = larger(self.y1[i], peak(y1[i], y2));
-            self.a[i] = larger(self.a[i], peak(-y2, -y3));
-        }
+    pub fn take_free_vibration(&mut self, y: f64, y1: f64, xi: f64) {
+        let kappa = ((1.0 - xi) * (1.0 + xi)).sqrt();
+        let peak = |f: f64, slope: f64| {
+            let beta = (slope + xi * f) / kappa;
+            let angle = slope.atan2(f * kappa + xi * beta).rem_euclid(std::f64::consts::PI);
+            let (sin, cos) = angle.sin_cos();
+            ((-xi * angle / kappa).exp() * (f * cos + beta * sin)).abs()
+        };
+        let y2 = -y - 2.0 * xi * y1;
+        let y3 = -y1 - 2.0 * xi * y2;
+        self.y = larger(peak(y, y1), self.y);
+        self.y1 = larger(peak(y1, y2), self.y1);
+        self.a = larger(peak(-y2, -y3), self.a);
     }
 }
 
 /// Raises `m` to the maximum of |f| between two points, each given with f, f', f''.
-#[inline(always)]
-fn between(m: &mut Lanes, f0: [&Lanes; 3], f1: [&Lanes; 3], phi: &Lanes, r: &Lanes) {
-    let bound = lanes(|i| {
-        let e = phi[i] * phi[i] / 8.0;
-        larger(f0[0][i].abs(), f1[0][i].abs()) + e * (larger(f0[2][i].abs(), f1[2][i].abs()) + e * r[i])
-    });
-    if any(|i| bound[i] > m[i]) {
-        for i in 0..LANES {
-            if bound[i] > m[i] {
-                let at = |f: [&Lanes; 3]| [f[0][i], f[1][i] * phi[i], f[2][i] * phi[i] * phi[i]];
-                m[i] = larger(m[i], extremum(at(f0), at(f1)));
-            }
-        }
+#[inline]
+fn between(m: &mut f64, f0: [f64; 3], f1: [f64; 3], phi: f64, r: f64) {
+    let e = phi * phi / 8.0;
+    let bound = larger(f0[0].abs(), f1[0].abs()) + e * (larger(f0[2].abs(), f1[2].abs()) + e * r);
+    if bound > *m {
+        let scaled = |f: [f64; 3]| [f[0], f[1] * phi, f[2] * phi * phi];
+        *m = larger(extremum(scaled(f0), scaled(f1)), *m);
     }
 }
 
@@ -154,7 +151,7 @@ fn extremum([f0, d0, c0]: [f64; 3], [f1, d1, c1]: [f64; 3]) -> f64 {
             let h4 = x3 * (-4.0 + x * (7.0 - 3.0 * x));
             let h2 = 0.5 * x2 * (1.0 + x * (-3.0 + x * (3.0 - x)));
             let h5 = 0.5 * x3 * (1.0 + x * (-2.0 + x));
-            m = larger(m, (f0 + h3 * rise + h1 * d0 + h4 * d1 + h2 * c0 + h5 * c1).abs());
+            m = larger((f0 + h3 * rise + h1 * d0 + h4 * d1 + h2 * c0 + h5 * c1).abs(), m);
         }
     }
     m
@@ -185,5 +182,22 @@ mod tests {
         let f = |x: f64| x * (x - 0.5) * (x - 0.5);
         let m = extremum([0.0, 0.25, -2.0], [0.25, 1.25, 4.0]);
         assert!((m - f(1.0 / 6.0)).abs() < 1e-15, "{m}");
+    }
+
+    #[test]
+    fn free_vibration() {
+        // y = cos φ with φ₀ = −1: the peak 1 is ahead; undamped, y' = −sin φ reaches 1 later.
+        let mut m = Maxima::default();
+        m.take_free_vibration(1f64.cos(), 1f64.sin(), 0.0);
+        assert!((m.y - 1.0).abs() < 1e-15 && (m.y1 - 1.0).abs() < 1e-15 && (m.a - 1.0).abs() < 1e-15);
+        // From rest at y = 1 with damping: the largest A is that of the start, the largest y' e^{−ξφ} at tan κφ = κ/ξ.
+        let (xi, mut m) = (0.2f64, Maxima::default());
+        m.take_free_vibration(1.0, 0.0, xi);
+        let kappa = (1.0 - xi * xi).sqrt();
+        let angle = (kappa / xi).atan();
+        assert!(
+            (m.y1 - (-xi * angle / kappa).exp() * angle.sin() / kappa).abs() < 1e-15,
+            "{m:?}"
+        );
     }
 }
