@@ -39,6 +39,31 @@ pub fn symbol(text: &str) -> String {
     formula(text)
 }
 
+/// A sentence as HTML: escaped, short symbols (`S_e`, `T_c1`, `d_max`) with their subscripts; keys of the input file
+/// (`zone_factor`) stay as they are.
+pub fn prose(text: &str) -> String {
+    let mut out = String::with_capacity(text.len() + 16);
+    let mut rest = text;
+    while let Some(at) = rest.find('_') {
+        let (before, after) = (&rest[..at], &rest[at + 1..]);
+        let base = before.chars().rev().take_while(|&c| in_symbol(c) || c == '.').count();
+        let end = after.find(|c| !in_symbol(c)).unwrap_or(after.len());
+        let sub = &after[..end];
+        out.push_str(&escape(before));
+        if (1..=2).contains(&base) && (1..=4).contains(&sub.chars().count()) && !sub.contains('_') {
+            out.push_str(&format!("<sub>{}</sub>", escape(sub)));
+            rest = &after[end..];
+        } else {
+            // The whole word stays, with all its underscores.
+            out.push('_');
+            out.push_str(&escape(sub));
+            rest = &after[end..];
+        }
+    }
+    out.push_str(&escape(rest));
+    out
+}
+
 /// Text with subscripts, for what the grammar does not know.
 fn words(text: &str) -> String {
     let mut out = String::from("<span class=\"words\">");
@@ -535,6 +560,17 @@ mod tests {
         assert!(symbol("h_i′").contains("<msubsup><mi>h</mi><mtext>i</mtext><mo>′</mo></msubsup>"));
         assert!(symbol("λ1").contains("<msub><mi>λ</mi><mn>1</mn></msub>"));
         assert!(symbol("K_rw2").contains("<mtext>rw2</mtext>"));
+    }
+
+    #[test]
+    fn prose_lowers_short_symbols_and_keeps_keys() {
+        assert_eq!(prose("S_e(T_c1) < 2"), "S<sub>e</sub>(T<sub>c1</sub>) &lt; 2");
+        assert_eq!(
+            prose("`site.api650.zone_factor` and a_b_c"),
+            "`site.api650.zone_factor` and a_b_c"
+        );
+        assert_eq!(prose("plain & simple"), "plain &amp; simple");
+        assert_eq!(prose("_"), "_");
     }
 
     #[test]

@@ -6,6 +6,7 @@ use std::path::Path;
 use tera::{Context, Tera};
 
 use crate::error::Error;
+use crate::report::math;
 use crate::results::describe;
 
 /// The embedded templates by name.
@@ -99,6 +100,9 @@ impl Templates {
         tera.autoescape_on([".html"]);
         tera.register_filter("css_text", |text: &str, _: tera::Kwargs, _: &tera::State| {
             css_text(text)
+        });
+        tera.register_filter("prose", |text: &str, _: tera::Kwargs, _: &tera::State| {
+            math::prose(text)
         });
         let pages = sources.iter().filter(|(name, _)| name.ends_with(".html"));
         tera.add_raw_templates(pages.map(|(name, text)| (name.as_str(), text.as_str())))

@@ -96,6 +96,19 @@ fn check_leaves_out_what_it_has_not_computed() {
 }
 
 #[test]
+fn a_sheet_on_the_site_repeats_nothing_of_the_sheet_on_the_record() {
+    let html = report(Kind::Compare).html;
+    let sheet = |id: &str| {
+        let start = html.find(&format!("id=\"sheet-{id}\"")).expect("the sheet exists");
+        &html[start..start + html[start..].find("</details>").expect("it is closed")]
+    };
+    let (record, site) = (sheet("housner-record"), sheet("housner-site"));
+    assert!(record.contains("inner radius") && !site.contains("inner radius"));
+    assert!(record.contains("base shear") && site.contains("base shear"));
+    assert!(site.contains("href=\"#sheet-housner-record\""));
+}
+
+#[test]
 fn every_heading_is_followed_by_content() {
     for kind in [Kind::Compare, Kind::Check, Kind::Rectangle] {
         let html = report(kind).html;

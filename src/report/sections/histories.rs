@@ -108,49 +108,62 @@ pub fn history(
     let extreme =
         |better: fn(f64, f64) -> bool| (0..n).fold(0, |best, i| if better(values[i], values[best]) { i } else { best });
     let (lowest, highest) = (extreme(|a, b| a < b), extreme(|a, b| a > b));
-    let peak = if -values[lowest] > values[highest] {
+    let sampled = if -values[lowest] > values[highest] {
         lowest
     } else {
         highest
     };
-    let scale = Scale::of(dimension, [values[peak]]);
+    // The engine knows the peak between samples; its sign is that of the nearest sample.
+    let (time_of_peak, peak) = match info {
+        Some(info) if info.peak.is_finite() => {
+            let nearest = time.partition_point(|t| *t < info.time).min(n - 1);
+            (info.time, info.peak.copysign(values[nearest]))
+        }
+        _ => (time[sampled], values[sampled]),
+    };
+    let scale = Scale::of(dimension, [peak]);
 
     let points = decimate(time, values, (WIDE - 60.0) as usize);
+    let extent = [values[lowest], values[highest], peak, 0.0].map(|v| 1.12 * v);
     let x = Axis::exact("Time", Dimension::Time, (time[0], time[n - 1]), 8);
-    let y = Axis::linear(
-        title,
-        dimension,
-        [1.12 * values[lowest], 1.12 * values[highest], 0.0],
-        5,
-    );
+    let y = Axis::linear(title, dimension, extent, 5);
     let mut chart = Chart::new((WIDE, 0.0), x, y).with_plot_height(96.0);
     chart.lines.push(Line {
         points,
         class: format!("{class} hist"),
         label: String::new(),
     });
-    chart.marks.push(Mark {
-        at: (time[peak], values[peak]),
-        label: format!("{} at {} s", with_unit(values[peak], dimension), fixed(time[peak], 2)),
-        class: "peak".into(),
-    });
+    if chart.x.holds(time_of_peak) {
+        chart.marks.push(Mark {
+            at: (time_of_peak, peak),
+            label: format!("{} at {} s", with_unit(peak, dimension), fixed(time_of_peak, 2)),
+            class: "peak".into(),
+        });
+    }
     let mut table = Table::new(vec![
         Column::words("Extreme"),
         Column::numbers(title, scale.symbol()),
         Column::numbers("Time", "s"),
     ]);
-    for (label, i) in [("largest", highest), ("smallest", lowest)] {
+    for (label, i) in [("largest sample", highest), ("smallest sample", lowest)] {
         table.row(vec![label.into(), scale.text(values[i]), fixed(time[i], 3)]);
     }
+    table.row(vec![
+        "largest absolute value".into(),
+        scale.text(peak.abs()),
+        fixed(time_of_peak, 3),
+    ]);
     let static_value = info.map_or(0.0, |i| i.static_value);
-    let caption = if static_value == 0.0 {
-        String::new()
-    } else {
-        format!(
-            "Seismic part; the static value {} is not contained.",
+    let mut caption = String::new();
+    if static_value != 0.0 {
+        caption = format!(
+            "Seismic part; the static value {} is not contained. ",
             with_unit(static_value, dimension)
-        )
-    };
+        );
+    }
+    if peak.abs() > 1.02 * values[sampled].abs() {
+        caption.push_str("The largest value lies between the samples drawn.");
+    }
     Ok(Some(Figure {
         id: id.into(),
         title: title.into(),

@@ -1,5 +1,7 @@
-//! Calculation sheets: symbol = formula = numbers = value, unit, clause.
+//! Calculation sheets: symbol = formula = numbers = value, unit, clause. The sheet of a procedure on the spectrum of the
+//! site shows only the lines that differ from its sheet on the record.
 
+use codes::procedure::Excitation;
 use serde::Serialize;
 
 use super::{Section, Source};
@@ -15,6 +17,9 @@ struct Sheet {
     title: String,
     excitation: &'static str,
     not_applicable: Vec<String>,
+    /// Lines left out because they are those of the sheet for the record, and its id.
+    shared: usize,
+    base: String,
     parts: Vec<Part>,
     assumptions: Vec<String>,
     notes: Vec<String>,
@@ -48,7 +53,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
             let said = !m.steps.is_empty() || !m.assumptions.is_empty() || !m.notes.is_empty();
             m.id != "measured" && (said || m.status != Status::Computed)
         })
-        .map(sheet)
+        .map(|m| sheet(m, source.results.methods.iter().find(|r| is_base(r, m))))
         .collect();
     if sheets.is_empty() {
         return Ok(None);
@@ -58,9 +63,24 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     Ok(Some(section))
 }
 
-fn sheet(method: &Method) -> Sheet {
+fn sheet_id(method: &Method) -> String {
+    format!("sheet-{}-{}", method.id, excitation(method))
+}
+
+/// Whether `base` is the same procedure as `method` on the record, where `method` is on the spectrum of the site.
+fn is_base(base: &Method, method: &Method) -> bool {
+    base.id == method.id && base.excitation == Excitation::Record && method.excitation == Excitation::Site
+}
+
+fn sheet(method: &Method, base: Option<&Method>) -> Sheet {
+    let known = base.map_or(&[][..], |b| &b.steps);
+    let mut shared = 0;
     let mut sections: Vec<Part> = Vec::new();
     for step in &method.steps {
+        if known.contains(step) {
+            shared += 1;
+            continue;
+        }
         if sections.last().is_none_or(|s| s.title != step.section) {
             sections.push(Part {
                 title: step.section.clone(),
@@ -75,6 +95,12 @@ fn sheet(method: &Method) -> Sheet {
                 math::formula(text)
             }
         };
+        // "H/R = H/R" says nothing.
+        let formula = if step.formula == step.symbol {
+            ""
+        } else {
+            step.formula.as_str()
+        };
         let substitution = if step.substitution == step.formula {
             ""
         } else {
@@ -84,7 +110,7 @@ fn sheet(method: &Method) -> Sheet {
             part.lines.push(LineView {
                 name: step.name.clone(),
                 symbol: math::symbol(&step.symbol),
-                formula: set(&step.formula),
+                formula: set(formula),
                 substitution: set(substitution),
                 value,
                 unit,
@@ -93,13 +119,15 @@ fn sheet(method: &Method) -> Sheet {
         }
     }
     Sheet {
-        id: format!("sheet-{}-{}", method.id, excitation(method)),
+        id: sheet_id(method),
         title: method.title.clone(),
         excitation: excitation(method),
         not_applicable: match &method.status {
             Status::Computed => Vec::new(),
             Status::NotApplicable { clause, reason } => vec![format!("{clause}: {reason}")],
         },
+        shared,
+        base: base.map_or(String::new(), sheet_id),
         parts: sections,
         assumptions: method.assumptions.clone(),
         notes: method.notes.clone(),

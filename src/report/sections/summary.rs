@@ -203,7 +203,7 @@ fn warnings(results: &Results) -> Vec<Warning> {
             Warning {
                 name: capital(&l.name),
                 found: format!("{} against {} {unit}", scale.text(l.value), scale.text(l.limit)),
-                note: l.note.clone(),
+                note: capital(&l.note),
             }
         })
         .collect()
