@@ -48,6 +48,7 @@ enum Cause {
 /// One paragraph a cause and method that parts from the engine, causes first.
 pub fn explain(methods: &[Method], rows: &[ComparisonRow], context: &Context) -> Vec<Parting> {
     let mut partings = Vec::new();
+    let mut modal_maxima = Some(modal_maxima(context));
     for (cause, quantities) in GROUPS {
         for (column, method) in methods.iter().enumerate() {
             if method.excitation != Excitation::Record || method.id == FE {
@@ -64,10 +65,15 @@ pub fn explain(methods: &[Method], rows: &[ComparisonRow], context: &Context) ->
             let Some(&(first, ratio)) = parted.first() else {
                 continue;
             };
+            let mut why = why(cause, method, ratio, context);
+            if cause == Cause::Forces && method.id != "measured" {
+                // Once is enough: it holds for all methods.
+                why.push_str(&modal_maxima.take().unwrap_or_default());
+            }
             partings.push(Parting {
                 quantity: first.id().into(),
                 what: what(method, &parted),
-                why: why(cause, method, ratio, context),
+                why,
             });
         }
     }
@@ -160,29 +166,27 @@ fn wave(id: &str, context: &Context) -> String {
 
 /// Causes for shear, moments and stresses.
 fn forces(id: &str, ratio: f64, context: &Context) -> String {
-    let modes = modal_maxima(context);
     match id {
         "housner" => format!(
             "Housner's wall is rigid: the impulsive mass moves with the ground. In the engine it moves with the wall, at \
-             {:.2} times the peak ground acceleration. {modes}",
+             {:.2} times the peak ground acceleration.",
             context.amplification()
         ),
         "ec8-env" | "ec8-2006" => format!(
-            "The code gives the whole impulsive mass {} and adds the convective maximum to the impulsive one. {modes}",
+            "The code gives the whole impulsive mass {} and adds the convective maximum to the impulsive one.",
             if ratio > 1.0 {
                 "the acceleration of the first mode"
             } else {
                 "one period and one acceleration"
             }
         ),
-        "api650-1993" => format!(
-            "The 9th edition takes one acceleration of the impulsive range, whatever the tank's period, and adds maxima. \
-             {modes}"
-        ),
-        _ => format!(
-            "The code gives the whole impulsive mass one acceleration at a period from a fitted coefficient, and combines \
-             the maxima by square roots. {modes}"
-        ),
+        "api650-1993" => {
+            "The 9th edition takes one acceleration of the impulsive range, whatever the tank's period, and adds maxima."
+                .into()
+        }
+        _ => "The code gives the whole impulsive mass one acceleration at a period from a fitted coefficient, and combines \
+              the maxima by square roots."
+            .into(),
     }
 }
 
@@ -198,7 +202,7 @@ fn modal_maxima(context: &Context) -> String {
     );
     let print = |value: f64| units::display_in(value, unit, 3);
     format!(
-        "Alone, the first structural mode has a base shear of {}, the first sloshing mode {}; the history, where the maxima \
+        " Alone, the first structural mode has a base shear of {}, the first sloshing mode {}; the history, where the maxima \
          do not coincide and higher modes act against them, peaks at {} ({:.2} of their sum).",
         print(context.impulsive_shear),
         print(context.convective_shear),
