@@ -107,7 +107,7 @@ impl Exact {
         let factor = nalgebra::Complex::new(-lambda, lambda).powi(derivative as i32);
         let wave = |x: f64| factor * nalgebra::Complex::new(-lambda * x, lambda * x).exp();
         let (up, down) = (wave(z - bottom), wave(top - z));
-        let sign = if derivative % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if derivative.is_multiple_of(2) { 1.0 } else { -1.0 };
         [up.re, up.im, sign * down.re, sign * down.im]
     }
 

@@ -97,7 +97,7 @@ impl Assembly {
     }
 
     /// A row of the liquid's x as a row of all unknowns.
-    pub(super) fn from_liquid(&self, row: &[f64]) -> Vec<f64> {
+    pub(super) fn liquid_row(&self, row: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; self.size];
         for (value, &i) in row.iter().zip(&self.column) {
             out[i] += value;
@@ -162,7 +162,7 @@ impl Assembly {
             .liquid
             .domain
             .is_floating()
-            .then(|| self.from_liquid(&self.liquid.flux));
+            .then(|| self.liquid_row(&self.liquid.flux));
         Reduction::new(&held, flux.as_deref().map(|q| (q, self.surface_start()..self.size)))
     }
 }

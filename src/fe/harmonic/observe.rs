@@ -188,7 +188,7 @@ impl Observer<'_> {
     }
 
     fn gauge(&self, r: f64, place: &str, options: &Options) -> Probe {
-        let row = self.assembly.from_liquid(&self.assembly.liquid.elevation(r));
+        let row = self.assembly.liquid_row(&self.assembly.liquid.elevation(r));
         let title = match place {
             "wall" => "Wave height at the wall".to_owned(),
             at => format!("Wave height at {at} m from the centre"),
@@ -210,7 +210,7 @@ impl Observer<'_> {
             shear = assembly.mass.times(&assembly.translation);
             moment = assembly.mass.times(&assembly.rotation);
             below = moment.clone();
-            let bottom = assembly.from_liquid(&assembly.liquid.bottom_moment());
+            let bottom = assembly.liquid_row(&assembly.liquid.bottom_moment());
             below.iter_mut().zip(&bottom).for_each(|(v, b)| *v += b);
             (rigid_mass, rigid_moment) = self.rigid;
         }
@@ -258,13 +258,13 @@ impl Observer<'_> {
             .collect();
         let probes = wetted.iter().enumerate().map(|(i, &z)| {
             let (row, displacement) = self.assembly.liquid.wall_pressure(z, self.case.gravity);
-            let row = self.assembly.from_liquid(&row);
+            let row = self.assembly.liquid_row(&row);
             let rigid = match self.assembly.harmonic {
                 0 => self.case.liquid.density * (depth - z).max(0.0),
                 _ => dot(&row, &self.assembly.translation),
             };
             let displacement = displacement.map_or(Vec::new(), |d| {
-                self.assembly.reduction.row(&self.assembly.from_liquid(&d))
+                self.assembly.reduction.row(&self.assembly.liquid_row(&d))
             });
             let probe = Probe {
                 displacement,

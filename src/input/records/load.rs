@@ -68,7 +68,7 @@ pub fn decode(bytes: &[u8]) -> Result<String, Fault> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     // Tab, line feed, form feed, carriage return and the end-of-file mark of DOS (0x1a) occur in text files.
     let control = |&b: &u8| (b < 0x20 && !matches!(b, b'\t' | b'\n' | 0x0c | b'\r' | 0x1a)) || b == 0x7f;
-    if let Some(at) = bytes.iter().position(|b| control(b)) {
+    if let Some(at) = bytes.iter().position(control) {
         return Err(Fault::new("the file is not text")
             .found(format!("byte 0x{:02x} at position {at}", bytes[at]))
             .allowed("CSV, two-column text or PEER .AT2"));

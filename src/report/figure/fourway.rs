@@ -170,7 +170,7 @@ mod tests {
         // S_d = 0.1 m at T = 1 s: PSV = 0.628 m/s; the line leaves the window at PSV = 1 (T = 0.628) and 0.1 (T = 6.28).
         let ends = clip((0.1, 10.0), (0.1, 1.0), -1.0, std::f64::consts::TAU * 0.1).unwrap();
         assert!((ends[0].0 - 0.6283).abs() < 1e-3 && (ends[0].1 - 1.0).abs() < 1e-12);
-        assert!((ends[1].0 - 6.283).abs() < 1e-2 && (ends[1].1 - 0.1).abs() < 1e-12);
+        assert!((ends[1].0 - std::f64::consts::TAU).abs() < 1e-2 && (ends[1].1 - 0.1).abs() < 1e-12);
         assert!(clip((0.1, 10.0), (0.1, 1.0), -1.0, 1e6).is_none());
     }
 }
