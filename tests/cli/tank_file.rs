@@ -59,10 +59,16 @@ fn init_writes_what_we_read() {
 
 #[test]
 fn examples_are_read_without_remarks() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let entries = |folder: &Path| -> Vec<std::path::PathBuf> {
+        std::fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().path())
+            .collect()
+    };
     let mut seen = 0;
-    for folder in std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples")).unwrap() {
-        for entry in std::fs::read_dir(folder.unwrap().path()).unwrap() {
-            let path = entry.unwrap().path();
+    for folder in entries(&root).into_iter().filter(|path| path.is_dir()) {
+        for path in entries(&folder) {
             if path.extension().is_some_and(|e| e == "json") {
                 let file = read(&path);
                 assert!(file.remarks.is_empty(), "{}: {:?}", path.display(), file.remarks);
