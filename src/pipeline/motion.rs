@@ -4,7 +4,7 @@ use codes::api650::ground_motion::DesignSpectrum;
 use codes::case::Site;
 use codes::ec8::spectrum::ElasticSpectrum;
 use codes::record::Record;
-use codes::spectrum;
+use codes::spectrum::{self, Method};
 
 use crate::job::Job;
 use crate::results::{RecordSummary, SpectrumCurve};
@@ -21,39 +21,40 @@ fn periods() -> Vec<f64> {
 
 /// Spectra of the horizontal record and design spectra of the site, at the damping ratios of the case.
 pub fn spectra(job: &Job) -> Vec<SpectrumCurve> {
-    let dampings = [job.case.damping.sloshing, job.case.damping.impulsive];
+    let mut dampings = vec![job.case.damping.sloshing, job.case.damping.impulsive];
+    dampings.dedup();
     let mut curves = Vec::new();
     if let Some(motion) = &job.case.ground_motion {
-        for damping in dampings {
-            curves.push(response(&motion.horizontal, damping));
-        }
+        curves.extend(response(&motion.horizontal, &dampings));
     }
-    curves.extend(design(&job.case.site, dampings));
+    curves.extend(design(&job.case.site, &dampings));
     curves
 }
 
-fn response(record: &Record, damping: f64) -> SpectrumCurve {
+/// Response spectra of a record, one a damping ratio, all in one sweep.
+fn response(record: &Record, dampings: &[f64]) -> Vec<SpectrumCurve> {
     let period = periods();
-    let ordinates: Vec<_> = period
+    let found = spectrum::spectrum(record, &period, dampings, Method::Exact);
+    dampings
         .iter()
-        .map(|&t| spectrum::ordinates(record, t, damping))
-        .collect();
-    SpectrumCurve {
-        id: format!("record-{damping}"),
-        title: format!("{}, ξ = {:.1} %", record.name, damping * 100.0),
-        damping,
-        sd: ordinates.iter().map(|o| o.sd).collect(),
-        psv: ordinates.iter().map(|o| o.psv).collect(),
-        psa: ordinates.iter().map(|o| o.psa).collect(),
-        period,
-    }
+        .zip(&found.ordinates)
+        .map(|(&damping, ordinates)| SpectrumCurve {
+            id: format!("record-{damping}"),
+            title: format!("{}, ξ = {:.1} %", record.name, damping * 100.0),
+            damping,
+            sd: ordinates.iter().map(|o| o.sd).collect(),
+            psv: ordinates.iter().map(|o| o.psv).collect(),
+            psa: ordinates.iter().map(|o| o.psa).collect(),
+            period: period.clone(),
+        })
+        .collect()
 }
 
 /// Design spectra; a site the code does not cover gives none (its procedure says why).
-fn design(site: &Site, dampings: [f64; 2]) -> Vec<SpectrumCurve> {
+fn design(site: &Site, dampings: &[f64]) -> Vec<SpectrumCurve> {
     let mut curves = Vec::new();
     if let Some(spectrum) = site.ec8.as_ref().and_then(|site| ElasticSpectrum::new(site).ok()) {
-        for damping in dampings {
+        for &damping in dampings {
             let title = format!("EN 1998-1 elastic, ξ = {:.1} %", damping * 100.0);
             curves.push(curve(&format!("ec8-{damping}"), &title, damping, |t| {
                 spectrum.horizontal(t, damping)
