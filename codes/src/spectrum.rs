@@ -339,7 +339,7 @@ mod tests {
         let duhamel = spectrum(&r, &periods, &[0.02, 0.2], Method::Duhamel);
         let newmark = spectrum(&r, &periods, &[0.02, 0.2], Method::Newmark);
         for i in 0..2 {
-            for k in 0..periods.len() {
+            for (k, period) in periods.iter().enumerate() {
                 let (e, d, n) = (exact.ordinates[i][k], duhamel.ordinates[i][k], newmark.ordinates[i][k]);
                 for (e, d, n) in [
                     (e.sd, d.sd, n.sd),
@@ -352,7 +352,7 @@ mod tests {
                         "T {}: {e} {d}",
                         periods[k]
                     );
-                    assert!((n / e - 1.0).abs() < 2e-2, "T {}: {e} {n}", periods[k]);
+                    assert!((n / e - 1.0).abs() < 2e-2, "T {period}: {e} {n}");
                 }
             }
         }

@@ -269,3 +269,6 @@ fn printable(text: &str) -> String {
         .collect();
     words.join(" ")
 }
+
+#[cfg(test)]
+mod tests;

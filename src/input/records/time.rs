@@ -49,9 +49,13 @@ pub fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
     let count = (stamps.len() - 1) as f64;
     let mean = (last.time - first.time) / count;
     let uncertainty = (first.rounding + last.rounding) / count * (1.0 + 1e-6) + 1e-12 * mean;
-    let dt = fewest_decimals(mean, uncertainty);
     let digit = 2.0 * stamps.iter().map(|s| s.rounding).fold(0.0, f64::max);
-    let printed_exactly = digit > 0.0 && ((dt / digit).round() * digit - dt).abs() < 1e-6 * dt;
+    let printable = |dt: f64| digit > 0.0 && ((dt / digit).round() * digit - dt).abs() < 1e-6 * dt;
+    let dt = match fewest_decimals(mean, 1e-9 * mean) {
+        exact if printable(exact) => exact,
+        _ => fewest_decimals(mean, uncertainty),
+    };
+    let printed_exactly = printable(dt);
     let allowed = |p: &[Stamp]| {
         let rounding = if printed_exactly {
             0.0
@@ -114,6 +118,7 @@ mod tests {
         assert_eq!(step(&["0.00", "0.02", "0.04", "0.06"]), Ok(0.02));
         assert_eq!(step(&["0.020", "0.040", "0.060"]), Ok(0.02));
         assert_eq!(step(&["0", "1e-2", "2e-2"]), Ok(0.01));
+        assert_eq!(step(&["0.000", "0.013"]), Ok(0.013));
         // 1/256 s printed with four digits.
         let times: Vec<String> = (0..2000).map(|k| format!("{:.4}", f64::from(k) / 256.0)).collect();
         let dt = step(&times.iter().map(String::as_str).collect::<Vec<_>>()).unwrap();
