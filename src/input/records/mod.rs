@@ -5,7 +5,7 @@
 //! | [`columns`] | CSV and plain text: one column (acceleration) or two (time, acceleration) |
 //! | [`at2`] | PEER `.AT2`, headers of 1999 and NGA |
 //! | [`foreign`] | formats that are recognised only to say so |
-//! | [`process`](mod@process) | scaling, time stretching, resampling |
+//! | `process` | scaling, time stretching, resampling |
 //!
 //! The unit of acceleration comes from the format, the header or [`ReadOptions::unit`], never from the size of the
 //! numbers. Whatever is wrong is an [`Error::Input`] with file, line, what was found and what is allowed.
