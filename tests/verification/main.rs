@@ -3,7 +3,11 @@
 mod bulging;
 mod convergence;
 mod manual;
+mod motions;
 mod observables;
+mod response_oscillators;
+mod response_simulate;
+mod response_tank;
 mod rigid_cylinder;
 mod rigid_strip;
 mod strip_wall;

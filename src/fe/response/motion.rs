@@ -23,13 +23,10 @@ impl Grid {
         Grid {
             dt,
             // A sub-step longer than asked for by rounding alone is none.
-            sub_steps: ((dt / longest_step - 1e-9).ceil() as usize).clamp(1, Grid::MOST_SUB_STEPS),
+            sub_steps: ((dt / longest_step - 1e-9).ceil() as usize).max(1),
             samples: ((((duration + tail) / dt) - 1e-9).ceil() as usize).max(1) + 1,
         }
     }
-
-    /// Most sub-steps in a step of the record. A mode so much faster than the record follows it statically.
-    pub const MOST_SUB_STEPS: usize = 400;
 
     /// Length of a sub-step [s].
     pub fn h(&self) -> f64 {

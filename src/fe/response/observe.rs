@@ -27,7 +27,7 @@ pub struct Chunk {
 
 impl Chunk {
     /// Steps in a full chunk.
-    pub const LENGTH: usize = 128;
+    pub const LENGTH: usize = 32;
     const STRIDE: usize = Chunk::LENGTH + 1;
 
     /// An empty chunk of `rows` states.

@@ -33,6 +33,8 @@ use crate::fe::probe::{ModeSelection, Probe};
 pub const FREQUENCY_FACTOR: f64 = 6.0;
 /// Sloshing modes kept at least.
 pub const SLOSHING_MODES: usize = 10;
+/// Structural modes kept at least.
+pub const STRUCTURAL_MODES: usize = 4;
 
 /// A quantity to be observed: Σ factor × probe of a system (by its number).
 pub type Observable<'a> = Vec<(usize, f64, &'a Probe)>;
@@ -47,18 +49,24 @@ pub struct ModalSystem<'a> {
     residual: Vec<f64>,
 }
 
-/// The modes to keep of `modes` for `damper`: up to [`FREQUENCY_FACTOR`] × the first structural frequency and at least
-/// [`SLOSHING_MODES`] sloshing modes; all of them with Rayleigh damping, whose highest modes are so strongly damped that
-/// they do not follow the ground statically.
+/// The modes to keep of `modes` for `damper`: up to [`FREQUENCY_FACTOR`] × the first structural frequency, at least
+/// [`SLOSHING_MODES`] sloshing and [`STRUCTURAL_MODES`] structural ones; all of them with Rayleigh damping, whose highest
+/// modes are so strongly damped that they do not follow the ground statically.
+///
+/// Peaks of every output then differ from those of all modes by less than 0.1 % (measured on tanks 8.1, 8.3 and strip 8.4:
+/// 0.002 %, 0.02 %, 0.02 %; three times the first structural frequency would leave 0.02 %, 0.16 %, 0.36 %).
 pub fn keep<'a>(modes: &'a [CoupledMode], damper: &Damper, wave_modes: usize) -> Vec<&'a CoupledMode> {
     let limit = match (damper, modes.iter().find(|m| m.kind == Kind::Structural)) {
         (Damper::ByKind { .. }, Some(first)) => FREQUENCY_FACTOR * first.omega,
         _ => f64::INFINITY,
     };
-    let sloshing = SLOSHING_MODES.max(wave_modes);
+    let least = |kind: Kind| match kind {
+        Kind::Sloshing => SLOSHING_MODES.max(wave_modes),
+        Kind::Structural => STRUCTURAL_MODES,
+    };
     modes
         .iter()
-        .filter(|m| m.omega <= limit || (m.kind == Kind::Sloshing && m.number <= sloshing))
+        .filter(|m| m.omega <= limit || m.number <= least(m.kind))
         .collect()
 }
 

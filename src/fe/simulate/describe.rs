@@ -7,7 +7,7 @@ use super::analysis::Analysis;
 use super::model::{FREE_PERIODS, Harmonic, Model};
 use crate::fe::harmonic::{CoupledMode, Kind};
 use crate::fe::linalg::dot;
-use crate::fe::response::superpose::{FREQUENCY_FACTOR, SLOSHING_MODES};
+use crate::fe::response::superpose::{FREQUENCY_FACTOR, SLOSHING_MODES, STRUCTURAL_MODES};
 use crate::fe::{DampingModel, Integrator, Options};
 use crate::results::{Balance, Labelled};
 
@@ -83,7 +83,10 @@ fn kept_modes(h: &Harmonic, kept: &[&CoupledMode], options: &Options) -> Labelle
     let total = dot(&load, &h.coupled.influence);
     let carried: f64 = kept.iter().map(|m| m.effective_mass()).sum();
     let rule = if options.damping == DampingModel::Modal {
-        format!("up to {FREQUENCY_FACTOR} × the first structural frequency, at least {SLOSHING_MODES} sloshing")
+        format!(
+            "up to {FREQUENCY_FACTOR} × the first structural frequency, at least {SLOSHING_MODES} sloshing and \
+             {STRUCTURAL_MODES} structural"
+        )
     } else {
         "all".into()
     };

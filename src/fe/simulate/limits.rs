@@ -74,7 +74,8 @@ fn suction(case: &Case, model: &Model, analysis: &Analysis) -> Option<Limit> {
     let fall = |(front, back): (Extreme, Extreme)| -front.min.min(back.min);
     let trough = case.liquid.fill_height - analysis.sides("wave_height_theta_0").map_or(0.0, fall);
     let mut worst: Option<(f64, f64, f64, &str)> = None;
-    for (i, &z) in line.z.iter().enumerate().filter(|(_, z)| **z < trough) {
+    // The base is tested even where linear waves would lay it dry.
+    for (i, &z) in line.z.iter().enumerate().filter(|(i, z)| *i == 0 || **z < trough) {
         for (side, extreme) in [("0°", &extremes.front[i]), ("180°", &extremes.back[i])] {
             let total = line.probes[i].static_value + extreme.min;
             if worst.is_none_or(|w| total < w.0) {
