@@ -2,7 +2,7 @@
 //! Goal:      rates: sloshing with quadratic elements h⁴; coupled bulging and base stresses on refined meshes
 //! Model:     refine = 1, 2, 4
 //! Expected:  error ratios of 16 for the first two sloshing modes of a rigid cylinder; default mesh within 0.1 % of
-//!            refine = 4 in bulging frequency and 1 % in the axial stress at the base
+//!            refine = 4 in bulging frequency and 0.2 % in the axial stress at the base
 //! Tolerance: observed orders above 3.5 (mode 1 and 2); frequencies and stresses as the theory manual states
 
 use tankcheck::fe::Options;
@@ -56,7 +56,7 @@ fn bulging(case: &Case, refine: f64) -> [f64; 4] {
 fn default_mesh_keeps_its_promise() {
     for case in [broad(1000.0), slender(1000.0, 5.0)] {
         let (coarse, fine) = (bulging(&case, 1.0), bulging(&case, 3.0));
-        for (i, (what, tolerance)) in [("omega", 0.001), ("mass", 0.002), ("axial", 0.01), ("bending", 0.015)]
+        for (i, (what, tolerance)) in [("omega", 0.001), ("mass", 0.002), ("axial", 0.002), ("bending", 0.015)]
             .into_iter()
             .enumerate()
         {

@@ -5,7 +5,8 @@
 //!            moment and shear; the 12 constants are solved for here
 //! Tolerance: displacement and hoop stress 0.5 % of their largest values (the error sits at the course joint, where the
 //!            element is as long as √(R t), and falls with h⁴), bending moment at the base 1 % (linear curvature within the elements of
-//!            the base layer; 16 elements within 3 √(R t)), axial force 1e-6
+//!            the base layer; 16 elements within 3 √(R t)), axial force 1e-8 (statically determinate, and
+//!            quartic u makes it exact whatever the hoop strain does)
 
 use nalgebra::{DMatrix, DVector};
 use tankcheck::fe::harmonic::{Output, Static};
@@ -216,7 +217,6 @@ fn edge_bending_of_a_uniform_wall() {
 #[test]
 fn self_weight_of_8_1() {
     let mut case = broad(1000.0);
-    case.liquid.density = 1e-9;
     case.tank.roof.mass = 100.0;
     let found = Static::solve(&case, 1.0, case.tank.roof.mass).unwrap();
     let density = 2750.0;
@@ -224,7 +224,7 @@ fn self_weight_of_8_1() {
     let above = |z: f64| density * 9.81 * (1.27e-3 * (1.83 - z.max(0.915)) + 2.03e-3 * (0.915 - z).max(0.0)) + roof;
     for z in [0.0, 0.05, 0.4, 0.9, 1.2, 1.8] {
         let t = if z < 0.915 { 2.03e-3 } else { 1.27e-3 };
-        assert_close("n_x", found.at(z, true, Output::AxialStress) * t, -above(z), 1e-3);
+        assert_close("n_x", found.at(z, true, Output::AxialStress) * t, -above(z), 1e-8);
     }
     // The sheet: n_x −0.0815 kN/m at the base from the shell alone.
     assert!((above(0.0) - roof - 81.5).abs() < 0.05);

@@ -21,11 +21,12 @@ pub fn assumptions(case: &Case) -> Vec<String> {
     let mut out = vec![
         "The liquid is inviscid and incompressible, its waves are small (linear potential theory about the state of rest)."
             .to_owned(),
+        "The liquid stays in contact with the wall everywhere; the bottom is rigid and follows the ground.".to_owned(),
         "The wall is linear elastic and thin; hydrostatic and self-weight stresses do not stiffen it.".to_owned(),
     ];
     match case.tank.shape {
         Shape::Cylinder { .. } => {
-            out.push("The wall is clamped at its base; the bottom is rigid.".to_owned());
+            out.push("The wall is clamped at its base to rigid ground.".to_owned());
             if case.tank.support == Support::Unanchored {
                 out.push(
                     "The tank is unanchored, but the engine keeps it in contact with the ground: no uplift.".to_owned(),

@@ -9,9 +9,9 @@
 use codes::Case;
 
 use crate::fe::linalg::{LinalgError, Matrix, SparseCholesky, Triplets};
-use crate::fe::shape::{gauss, line};
+use crate::fe::shape::gauss;
 
-use super::wall::{LOCAL, LocalRow, NODAL, NODE, Output, Wall};
+use super::wall::{LOCAL, LocalRow, NODAL, NODE, Output, U_BUBBLES, Wall, displacements};
 
 /// Solved static state of the wall.
 #[derive(Clone, Debug)]
@@ -43,9 +43,9 @@ impl Static {
             for i in 0..LOCAL {
                 let Some(p) = map[i] else { continue };
                 load.add(p, 0, local[i]);
-                for j in 0..LOCAL {
-                    if let Some(q) = map[j] {
-                        k.add(p, q, element.stiffness[i][j]);
+                for (q, value) in map.iter().zip(element.stiffness[i]) {
+                    if let Some(q) = q {
+                        k.add(p, *q, value);
                     }
                 }
             }
@@ -97,8 +97,8 @@ fn number(wall: &Wall) -> (usize, Vec<[Option<usize>; LOCAL]>) {
     for _ in &wall.elements {
         let mut map = [None; LOCAL];
         map[..NODE].copy_from_slice(&lower);
-        map[NODAL] = take(true);
-        map[NODAL + 1] = take(true);
+        // The bubbles of v play no part in an axisymmetric state.
+        map[NODAL..NODAL + U_BUBBLES].fill_with(|| take(true));
         for k in 0..NODE {
             map[NODE + k] = take(wall.active[k]);
         }
@@ -114,12 +114,9 @@ fn element_load(wall: &Wall, bottom: f64, length: f64, weight: f64, pressure: im
     for &(xi, gauss_weight) in gauss::FOUR {
         let z = bottom + 0.5 * length * (1.0 + xi);
         let measure = 0.5 * wall.factor * length * gauss_weight;
-        let (u, w) = (line::bubbled(xi, length)[0], line::hermite(xi, length)[0]);
-        for (n, place) in u.into_iter().zip([0, NODE, NODAL, NODAL + 1]) {
-            out[place] -= measure * weight * n;
-        }
-        for (n, place) in w.into_iter().zip([2, 3, NODE + 2, NODE + 3]) {
-            out[place] += measure * pressure(z) * n;
+        let [u, _, w] = displacements(xi, length);
+        for (i, value) in out.iter_mut().enumerate() {
+            *value += measure * (pressure(z) * w[i] - weight * u[i]);
         }
     }
     out

@@ -14,8 +14,9 @@
 //! c = π R (m ≥ 1), 2 π R (m = 0). A strip is the same with 1/R = 0, m = 0 and c = twice its breadth (both walls): a beam
 //! of stiffness D in plane strain. Rotary inertia and transverse shear are neglected (thin wall); R is the inner radius.
 //!
-//! w is cubic Hermite; u and v are cubic and continuous, with two bubbles an element that are eliminated statically
-//! (their own frequencies lie far above all modes of interest), so that u' may jump at a course joint.
+//! w is cubic Hermite, v cubic and u quartic, both continuous only, so that u' may jump at a course joint. u' and ν w/R
+//! are then of one degree, and an axial force that is constant does not oscillate within an element. The bubbles of u
+//! (three) and v (two) are eliminated statically; their own frequencies lie far above all modes of interest.
 //!
 //! Source: Novozhilov 1964 (strains); Love 1888. Check: rigid translation and rotation cost no energy (tests).
 
@@ -30,8 +31,12 @@ use super::wall_mesh::wall_nodes;
 pub const NODE: usize = 4;
 /// Nodal unknowns of an element.
 pub const NODAL: usize = 2 * NODE;
+/// Bubbles of u in an element.
+pub const U_BUBBLES: usize = 3;
+/// Bubbles of an element: those of u, then two of v.
+const BUBBLES: usize = U_BUBBLES + 2;
 /// All unknowns of an element: u₁ v₁ w₁ w₁' u₂ v₂ w₂ w₂', then the bubbles of u and of v.
-pub const LOCAL: usize = NODAL + 4;
+pub const LOCAL: usize = NODAL + BUBBLES;
 
 /// A linear functional of one element's unknowns.
 pub type LocalRow = [f64; LOCAL];
@@ -70,9 +75,9 @@ pub struct Element {
     /// Consistent mass matrix.
     pub mass: LocalMatrix,
     /// Bubbles that follow from the nodal unknowns, T_b = −K_bb⁻¹ K_ba.
-    pub bubbles: [[f64; NODAL]; 4],
+    pub bubbles: [[f64; NODAL]; BUBBLES],
     /// Bubbles that their own inertia adds per nodal acceleration, −K_bb⁻¹ (M_ba + M_bb T_b).
-    pub bubble_inertia: [[f64; NODAL]; 4],
+    pub bubble_inertia: [[f64; NODAL]; BUBBLES],
 }
 
 /// The wall of one harmonic.
@@ -128,7 +133,7 @@ impl Wall {
     fn element(&self, bottom: f64, length: f64, thickness: f64, material: &Material) -> Element {
         let (c, d, nu) = rigidities(thickness, material);
         let (mut stiffness, mut mass) = ([[0.0; LOCAL]; LOCAL], [[0.0; LOCAL]; LOCAL]);
-        for &(xi, weight) in gauss::FOUR {
+        for &(xi, weight) in gauss::FIVE {
             let measure = 0.5 * self.factor * length * weight;
             let [ex, et, g, kx, kt, twist] = self.strains(xi, length);
             let fields = displacements(xi, length);
@@ -230,12 +235,16 @@ impl Element {
 
     /// A functional of all unknowns as one of the nodal unknowns: Tᵀ a.
     pub fn condensed_row(&self, row: &LocalRow) -> [f64; NODAL] {
-        std::array::from_fn(|j| row[j] + (0..4).map(|b| self.bubbles[b][j] * row[NODAL + b]).sum::<f64>())
+        std::array::from_fn(|j| row[j] + (0..BUBBLES).map(|b| self.bubbles[b][j] * row[NODAL + b]).sum::<f64>())
     }
 
     /// The part of a functional that the inertia of the bubbles adds, on the nodal accelerations.
     pub fn inertia_row(&self, row: &LocalRow) -> [f64; NODAL] {
-        std::array::from_fn(|j| (0..4).map(|b| self.bubble_inertia[b][j] * row[NODAL + b]).sum::<f64>())
+        std::array::from_fn(|j| {
+            (0..BUBBLES)
+                .map(|b| self.bubble_inertia[b][j] * row[NODAL + b])
+                .sum::<f64>()
+        })
     }
 
     /// All unknowns from the nodal ones: T x.
@@ -254,8 +263,8 @@ fn rigidities(thickness: f64, material: &Material) -> (f64, f64, f64) {
     (c, c * thickness * thickness / 12.0, nu)
 }
 
-/// u, v, w at ξ.
-fn displacements(xi: f64, length: f64) -> [LocalRow; 3] {
+/// u, v, w at ξ of an element of the given length.
+pub fn displacements(xi: f64, length: f64) -> [LocalRow; 3] {
     let [smooth, _] = line::bubbled(xi, length);
     [on_u(smooth), on_v(smooth), on_w(line::hermite(xi, length)[0])]
 }
@@ -266,19 +275,21 @@ fn membrane_slopes(xi: f64, length: f64) -> [LocalRow; 2] {
     [on_u(slope), on_v(slope)]
 }
 
-fn on_u(n: [f64; 4]) -> LocalRow {
-    spread(n, [0, NODE, NODAL, NODAL + 1])
+fn on_u(n: [f64; 5]) -> LocalRow {
+    spread(n, [0, NODE, NODAL, NODAL + 1, NODAL + 2])
 }
 
-fn on_v(n: [f64; 4]) -> LocalRow {
-    spread(n, [1, NODE + 1, NODAL + 2, NODAL + 3])
+/// v has no quartic bubble.
+fn on_v([a, b, c, d, _]: [f64; 5]) -> LocalRow {
+    let bubbles = NODAL + U_BUBBLES;
+    spread([a, b, c, d], [1, NODE + 1, bubbles, bubbles + 1])
 }
 
 fn on_w(n: [f64; 4]) -> LocalRow {
     spread(n, [2, 3, NODE + 2, NODE + 3])
 }
 
-fn spread(n: [f64; 4], places: [usize; 4]) -> LocalRow {
+fn spread<const N: usize>(n: [f64; N], places: [usize; N]) -> LocalRow {
     let mut row = [0.0; LOCAL];
     for (value, place) in n.into_iter().zip(places) {
         row[place] = value;
@@ -287,9 +298,10 @@ fn spread(n: [f64; 4], places: [usize; 4]) -> LocalRow {
 }
 
 /// −K_bb⁻¹ K_ba, the bubbles that make the elastic energy least for given nodal unknowns, and −K_bb⁻¹ (M_ba + M_bb T_b).
-fn bubble_recovery(k: &LocalMatrix, m: &LocalMatrix) -> ([[f64; NODAL]; 4], [[f64; NODAL]; 4]) {
-    type Block = nalgebra::SMatrix<f64, 4, NODAL>;
-    let inner = |a: &LocalMatrix| nalgebra::Matrix4::from_fn(|i, j| a[NODAL + i][NODAL + j]);
+fn bubble_recovery(k: &LocalMatrix, m: &LocalMatrix) -> ([[f64; NODAL]; BUBBLES], [[f64; NODAL]; BUBBLES]) {
+    type Block = nalgebra::SMatrix<f64, BUBBLES, NODAL>;
+    type Inner = nalgebra::SMatrix<f64, BUBBLES, BUBBLES>;
+    let inner = |a: &LocalMatrix| Inner::from_fn(|i, j| a[NODAL + i][NODAL + j]);
     let outer = |a: &LocalMatrix| Block::from_fn(|i, j| a[NODAL + i][j]);
     let factor = inner(k)
         .cholesky()

@@ -274,9 +274,9 @@ fn stiffness(domain: &Domain, mesh: &LiquidMesh, unknown: &[Option<usize>]) -> T
                 for &(eta, wy) in gauss::THREE {
                     let s = quad9::shape(xi, eta);
                     let measure = weight * wx * wy;
-                    for i in 0..9 {
-                        for j in 0..=i {
-                            local[i][j] += measure
+                    for (i, row) in local.iter_mut().enumerate() {
+                        for (j, entry) in row.iter_mut().enumerate().take(i + 1) {
+                            *entry += measure
                                 * (s.dxi[i] * s.dxi[j] / (half_r * half_r)
                                     + s.deta[i] * s.deta[j] / (half_z * half_z)
                                     + angular * s.n[i] * s.n[j]);

@@ -36,13 +36,27 @@ pub fn hermite(xi: f64, h: f64) -> [[f64; 4]; 3] {
     [value, slope, curvature]
 }
 
-/// Cubic functions that are continuous, not smooth: two linear ones and the bubbles 1 − ξ², ξ (1 − ξ²).
+/// Functions that are continuous, not smooth: two linear ones and the bubbles 1 − ξ², ξ (1 − ξ²), (5 ξ² − 1)(1 − ξ²),
+/// whose slopes are orthogonal. The first four span the cubics, all five the quartics.
 ///
 /// Rows: the functions and their derivatives in z on an element of length h.
-pub fn bubbled(xi: f64, h: f64) -> [[f64; 4]; 2] {
-    let bubble = 1.0 - xi * xi;
-    let value = [0.5 * (1.0 - xi), 0.5 * (1.0 + xi), bubble, xi * bubble];
-    let slope = [-1.0 / h, 1.0 / h, -4.0 * xi / h, 2.0 * (1.0 - 3.0 * xi * xi) / h];
+pub fn bubbled(xi: f64, h: f64) -> [[f64; 5]; 2] {
+    let square = xi * xi;
+    let bubble = 1.0 - square;
+    let value = [
+        0.5 * (1.0 - xi),
+        0.5 * (1.0 + xi),
+        bubble,
+        xi * bubble,
+        (5.0 * square - 1.0) * bubble,
+    ];
+    let slope = [
+        -1.0 / h,
+        1.0 / h,
+        -4.0 * xi / h,
+        2.0 * (1.0 - 3.0 * square) / h,
+        8.0 * xi * (3.0 - 5.0 * square) / h,
+    ];
     [value, slope]
 }
 
@@ -63,6 +77,8 @@ mod tests {
             for i in 0..4 {
                 assert!(((b[0][i] - a[0][i]) / (2.0 * dz) - c[1][i]).abs() < 1e-8);
                 assert!(((b[1][i] - a[1][i]) / (2.0 * dz) - c[2][i]).abs() < 1e-7);
+            }
+            for i in 0..5 {
                 assert!(((e[0][i] - d[0][i]) / (2.0 * dz) - f[1][i]).abs() < 1e-8);
             }
             for i in 0..3 {

@@ -1,11 +1,12 @@
 //! The run in words: integration, damping, modes, balances, assumptions.
 
+use codes::Case;
 use codes::case::GroundMotion;
 use codes::units::significant;
 
 use super::analysis::Analysis;
 use super::model::{FREE_PERIODS, Harmonic, Model};
-use crate::fe::harmonic::{CoupledMode, Kind};
+use crate::fe::harmonic::{self, CoupledMode, Kind};
 use crate::fe::linalg::dot;
 use crate::fe::response::superpose::{FREQUENCY_FACTOR, SLOSHING_MODES, STRUCTURAL_MODES};
 use crate::fe::{DampingModel, Integrator, Options};
@@ -117,19 +118,11 @@ pub fn mass_balance(model: &Model) -> Vec<Balance> {
 }
 
 /// What the engine assumes.
-pub fn assumptions(round: bool, options: &Options) -> Vec<String> {
-    let mut list = vec![
-        "Liquid: incompressible, without friction, small waves.".to_owned(),
-        "Wall: linear elastic, in contact with the liquid everywhere; the bottom is rigid and follows the ground."
-            .into(),
-        "The wall is clamped at its base to rigid ground.".into(),
-        format!(
-            "Wave height: the first {} sloshing modes (more only chase the singularity at the contact line).",
-            options.wave_modes
-        ),
-    ];
-    if round {
-        list.push("The stiffening of the wall by the hydrostatic hoop tension is neglected.".into());
-    }
+pub fn assumptions(case: &Case, options: &Options) -> Vec<String> {
+    let mut list = harmonic::assumptions(case);
+    list.push(format!(
+        "Wave height: the first {} sloshing modes (more only chase the singularity at the contact line).",
+        options.wave_modes
+    ));
     list
 }

@@ -158,7 +158,7 @@ fn complete(
         values: analysis.values(model, round),
         result,
         series,
-        assumptions: describe::assumptions(round, options),
+        assumptions: describe::assumptions(case, options),
         notes,
     })
 }
