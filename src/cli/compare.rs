@@ -111,7 +111,12 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
 /// Fills in what differs between identical runs.
 pub fn stamp(results: &mut Results, started: Instant) {
     results.volatile.created = jiff::Timestamp::now().to_string();
-    results.volatile.command = std::env::args().collect::<Vec<_>>().join(" ");
+    // The name of the command, not where this machine keeps it.
+    let arguments = std::env::args().skip(1);
+    results.volatile.command = std::iter::once("tankcheck".to_string())
+        .chain(arguments)
+        .collect::<Vec<_>>()
+        .join(" ");
     results.volatile.seconds = started.elapsed().as_secs_f64();
 }
 

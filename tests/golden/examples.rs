@@ -9,15 +9,25 @@ use std::process::Command;
 
 use tankcheck::numdiff;
 
-/// One tank file, its record and its accepted report.
+/// One tank file, its record and its accepted report, relative to the root of the repository.
 struct Example {
     tank: PathBuf,
     record: PathBuf,
     golden: PathBuf,
 }
 
+/// Root of the repository.
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// A path below the root, relative to it: it goes into the report as part of the command line.
+fn relative(path: &Path) -> PathBuf {
+    path.strip_prefix(root()).expect("below the root").to_path_buf()
+}
+
 fn examples() -> Vec<Example> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     let mut folders: Vec<PathBuf> = std::fs::read_dir(root.join("examples"))
         .expect("examples/ exists")
         .map(|entry| entry.expect("readable").path())
@@ -51,9 +61,9 @@ fn examples() -> Vec<Example> {
                 None => golden,
             };
             examples.push(Example {
-                tank,
-                record: record.clone(),
-                golden,
+                tank: relative(&tank),
+                record: relative(&record),
+                golden: relative(&golden),
             });
         }
     }
@@ -69,15 +79,7 @@ fn examples_give_their_accepted_reports() {
     for example in &examples {
         let home = tempfile::tempdir().expect("a temporary folder");
         let out = home.path().join("out");
-        let run = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
-            .arg("compare")
-            .arg(&example.tank)
-            .arg("--quake")
-            .arg(&example.record)
-            .arg("--out")
-            .arg(&out)
-            .output()
-            .expect("tankcheck runs");
+        let run = compare(example, &out);
         let code = run.status.code();
         if !matches!(code, Some(0 | 1)) {
             faults.push(format!(
@@ -89,8 +91,10 @@ fn examples_give_their_accepted_reports() {
         }
         if let Some(reason) = &bless {
             accept(&out, &example.golden, reason);
+            // Once more into its place, so that the report's command line is the one a reader would type.
+            compare(example, &example.golden);
         }
-        match numdiff::folders(&example.golden, &out, &numdiff::Options::default()) {
+        match numdiff::folders(&root().join(&example.golden), &out, &numdiff::Options::default()) {
             Err(error) => faults.push(format!("{}: {error}", example.golden.display())),
             Ok(report) => {
                 for moved in report.moved.iter().take(10) {
@@ -113,8 +117,23 @@ fn examples_give_their_accepted_reports() {
     );
 }
 
+/// Runs the command of an example in the root of the repository.
+fn compare(example: &Example, out: &Path) -> std::process::Output {
+    Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+        .current_dir(root())
+        .arg("compare")
+        .arg(&example.tank)
+        .arg("--quake")
+        .arg(&example.record)
+        .arg("--out")
+        .arg(out)
+        .output()
+        .expect("tankcheck runs")
+}
+
 fn accept(out: &Path, golden: &Path, reason: &str) {
     let status = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+        .current_dir(root())
         .args(["diff", "--quiet", "--bless", "--reason", reason, "--format", "csv"])
         .arg(golden)
         .arg(out)
