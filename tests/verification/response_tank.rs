@@ -285,7 +285,6 @@ fn integrators_agree_on_the_broad_tank() {
 }
 
 #[test]
-#[ignore = "slow: direct integration of all unknowns"]
 fn integrators_agree_on_other_tanks() {
     integrators_agree(broad(1000.0), broad_band(0.0115, 12.0), 1.0);
     integrators_agree(slender(1000.0, 5.0), broad_band(0.0115, 12.0), 1.0);
