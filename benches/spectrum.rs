@@ -7,8 +7,12 @@ use codes::sdof;
 use codes::spectrum::{Method, spectrum};
 use criterion::{Criterion, criterion_group, criterion_main};
 
-/// Noise under an envelope.
+/// The record named by `SPECTRUM_RECORD` (columns `time_s,acceleration_…`), or noise under an envelope.
 fn record() -> Record {
+    if let Ok(path) = std::env::var("SPECTRUM_RECORD") {
+        let options = tankcheck::input::records::ReadOptions::default();
+        return tankcheck::input::records::read(path.as_ref(), &options).expect("a readable record").record;
+    }
     let mut seed = 1u64;
     let acceleration = (0..2688)
         .map(|k| {

@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use crate::fe::FeError;
+
 /// Exit code 0: computed, every applicable check holds (or `diff` found no change).
 pub const EXIT_OK: u8 = 0;
 /// Exit code 1: computed, but a check fails (or `diff` found a change).
@@ -35,7 +37,7 @@ pub enum Error {
     },
     /// The finite-element computation failed.
     #[error("finite elements: {0}")]
-    Fe(#[from] crate::fe::FeError),
+    Fe(#[from] FeError),
     /// The report could not be rendered.
     #[error("report: {0}")]
     Report(String),
@@ -46,6 +48,7 @@ impl Error {
     pub fn exit_code(&self) -> u8 {
         match self {
             Error::Input(_) | Error::File { .. } => EXIT_INPUT,
+            Error::Fe(FeError::Option { .. } | FeError::NoRecord | FeError::Memory { .. }) => EXIT_INPUT,
             Error::Code { .. } | Error::Fe(_) | Error::Report(_) => EXIT_COMPUTATION,
         }
     }

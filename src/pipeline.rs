@@ -45,15 +45,16 @@ pub fn run(job: &Job) -> Result<(Results, Series), Error> {
             .fe
             .as_ref()
             .map(|options| scope.spawn(|| fe::simulate(&job.case, options)));
-        let codes = assess(job).map(|methods| (methods, motion::spectra(job), motion::records(job)));
+        let codes = assess(job).map(|methods| (methods, motion::records(job)));
         let simulation = engine.map(|handle| match handle.join() {
             Ok(outcome) => outcome,
             Err(panic) => std::panic::resume_unwind(panic),
         });
         (simulation, codes)
     });
-    let (mut methods, spectra, records) = codes?;
+    let (mut methods, records) = codes?;
     let simulation = simulation.transpose()?;
+    let spectra = motion::spectra(job, &tank_periods(&methods, simulation.as_ref()));
     let context = context(job, simulation.as_ref());
     let (fe, series) = match simulation {
         Some(simulation) => {
@@ -157,6 +158,27 @@ fn quantities(values: &BTreeMap<Quantity, f64>) -> BTreeMap<String, Value> {
             )
         })
         .collect()
+}
+
+/// Periods of the tank [s]: the engine's modes with their first numbers, or those of the procedures where there is none.
+fn tank_periods(methods: &[Method], simulation: Option<&Simulation>) -> Vec<f64> {
+    match simulation {
+        Some(simulation) => {
+            let modes = simulation
+                .result
+                .modes
+                .iter()
+                .filter(|m| m.harmonic == 1 && m.number <= 3);
+            modes.map(|m| m.period).collect()
+        }
+        None => {
+            let ids = [Quantity::SloshingPeriod.id(), Quantity::ImpulsivePeriod.id()];
+            let values = methods
+                .iter()
+                .flat_map(|m| ids.iter().filter_map(|id| m.quantities.get(*id)));
+            values.map(|v| v.value).collect()
+        }
+    }
 }
 
 /// The engine as a column of the comparison.

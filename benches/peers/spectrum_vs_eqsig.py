@@ -17,7 +17,8 @@ peer = r'''
 import sys, time, json, numpy as np
 from eqsig import sdof
 data = np.loadtxt(sys.argv[1], delimiter=",", skiprows=1)
-dt, a = round(data[1, 0] - data[0, 0], 6), data[:, 1]
+unit = 9.80665 if open(sys.argv[1]).readline().strip().endswith("_g") else 1.0
+dt, a = round(data[1, 0] - data[0, 0], 6), unit * data[:, 1]
 periods = 0.02 * 1000 ** (np.arange(200) / 199)
 start = time.perf_counter()
 sd, sv, sa = sdof.pseudo_response_spectra(a, dt, periods, 0.02)

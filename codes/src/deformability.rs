@@ -69,9 +69,9 @@ pub fn of(case: &Case) -> Option<Deformability> {
         as_printed: printed,
         corrected,
         note: format!(
-            "Eq. (3.1) as printed, √(H_T/R)·√(s/R) = {}, says that failure grows more probable with a thicker wall, which \
+            "Eq. (3.1) of Brüggemann 2002 as printed, √(H_T/R)·√(s/R) = {}, says that failure grows more probable with a thicker wall, which \
              cannot be. Deflection and period of the filled wall grow with √(H/R)·√(R/s) = {} instead (our derivation: the \
-             hoop strain is (ρ·a·R/E)·H/s); the source of (3.1) was not at hand. With s = {} of the lowest course; \
+             hoop strain is (ρ·a·R/E)·H/s); (3.1) is given without one. With s = {} of the lowest course; \
              information only, no check rests on it.",
             number(printed),
             number(corrected),

@@ -36,8 +36,8 @@ pub struct Args {
     /// Time integration [default: modal, or as in the tank file].
     #[arg(long, value_enum)]
     integrator: Option<IntegratorArg>,
-    /// Multiply every element count of the default mesh.
-    #[arg(long, value_name = "FACTOR")]
+    /// Multiply every element count of the default mesh, 0.25 to 16.
+    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     refine: Option<f64>,
     /// Leave out the second, coarser mesh that estimates the discretisation error.
     #[arg(long)]
@@ -161,7 +161,7 @@ fn print_table(results: &Results, excitation: Excitation) {
     }
     let corner = match excitation {
         Excitation::Record => "record spectrum / history (ratio to fe)",
-        Excitation::Site => "design spectrum of the site (ratio to fe)",
+        Excitation::Site => "design spectrum of the site (ratio to fe under the record)",
     };
     let head = std::iter::once(corner).chain(columns.iter().map(|&i| results.methods[i].id.as_str()));
     let mut table = Table::new(head);

@@ -39,8 +39,8 @@ pub struct Args {
     /// Modes of each kind (sloshing, structural) and harmonic.
     #[arg(long, value_name = "N", default_value_t = 3)]
     count: usize,
-    /// Multiply every element count of the mesh [default: that of the tank file, else 1].
-    #[arg(long, value_name = "FACTOR")]
+    /// Multiply every element count of the mesh, 0.25 to 16 [default: that of the tank file, else 1].
+    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     refine: Option<f64>,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Human)]

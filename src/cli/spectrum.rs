@@ -31,10 +31,15 @@ pub struct Args {
     #[arg(value_name = "RECORD")]
     record: PathBuf,
     /// Damping ratios, as `5%` or `0.05`, separated by commas.
-    #[arg(long, value_name = "LIST", default_value = "5%")]
+    #[arg(long, value_name = "LIST", default_value = "5%", allow_hyphen_values = true)]
     damping: String,
     /// Periods [s]: a range `0.02..20` (evenly spaced in log T) or a list `0.1,0.5,2`.
-    #[arg(long, value_name = "RANGE or LIST", default_value = "0.02..20")]
+    #[arg(
+        long,
+        value_name = "RANGE or LIST",
+        default_value = "0.02..20",
+        allow_hyphen_values = true
+    )]
     periods: String,
     /// Number of periods of a range.
     #[arg(long, value_name = "N", default_value_t = 200)]

@@ -10,31 +10,37 @@ use crate::job::Job;
 use crate::results::{RecordSummary, SpectrumCurve};
 
 /// Periods of the curves: 160 from 0.02 s to 20 s, evenly spaced in log T (50 or more a decade show every peak of a
-/// lightly damped spectrum at the width of a page).
-fn periods() -> Vec<f64> {
+/// lightly damped spectrum at the width of a page), and those of `marks` between them, so that a value read off a curve
+/// at a period of the tank is computed, not interpolated.
+fn periods(marks: &[f64]) -> Vec<f64> {
     const COUNT: usize = 160;
     let (first, last) = (0.02_f64, 20.0_f64);
-    (0..COUNT)
-        .map(|i| first * (last / first).powf(i as f64 / (COUNT - 1) as f64))
-        .collect()
+    let grid = (0..COUNT).map(|i| first * (last / first).powf(i as f64 / (COUNT - 1) as f64));
+    let mut periods: Vec<f64> = grid
+        .chain(marks.iter().copied().filter(|t| *t > first && *t < last))
+        .collect();
+    periods.sort_by(f64::total_cmp);
+    periods.dedup();
+    periods
 }
 
-/// Spectra of the horizontal record and design spectra of the site, at the damping ratios of the case.
-pub fn spectra(job: &Job) -> Vec<SpectrumCurve> {
+/// Spectra of the horizontal record and design spectra of the site, at the damping ratios of the case; `marks` are
+/// periods of the tank [s].
+pub fn spectra(job: &Job, marks: &[f64]) -> Vec<SpectrumCurve> {
     let mut dampings = vec![job.case.damping.sloshing, job.case.damping.impulsive];
     dampings.dedup();
+    let periods = periods(marks);
     let mut curves = Vec::new();
     if let Some(motion) = &job.case.ground_motion {
-        curves.extend(response(&motion.horizontal, &dampings));
+        curves.extend(response(&motion.horizontal, &periods, &dampings));
     }
-    curves.extend(design(&job.case.site, &dampings));
+    curves.extend(design(&job.case.site, &periods, &dampings));
     curves
 }
 
 /// Response spectra of a record, one a damping ratio, all in one sweep.
-fn response(record: &Record, dampings: &[f64]) -> Vec<SpectrumCurve> {
-    let period = periods();
-    let found = spectrum::spectrum(record, &period, dampings, Method::Exact);
+fn response(record: &Record, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCurve> {
+    let found = spectrum::spectrum(record, period, dampings, Method::Exact);
     dampings
         .iter()
         .zip(&found.ordinates)
@@ -45,33 +51,32 @@ fn response(record: &Record, dampings: &[f64]) -> Vec<SpectrumCurve> {
             sd: ordinates.iter().map(|o| o.sd).collect(),
             psv: ordinates.iter().map(|o| o.psv).collect(),
             psa: ordinates.iter().map(|o| o.psa).collect(),
-            period: period.clone(),
+            period: period.to_vec(),
         })
         .collect()
 }
 
 /// Design spectra; a site the code does not cover gives none (its procedure says why).
-fn design(site: &Site, dampings: &[f64]) -> Vec<SpectrumCurve> {
+fn design(site: &Site, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCurve> {
     let mut curves = Vec::new();
     if let Some(spectrum) = site.ec8.as_ref().and_then(|site| ElasticSpectrum::new(site).ok()) {
         for &damping in dampings {
             let title = format!("EN 1998-1 elastic, ξ = {:.1} %", damping * 100.0);
-            curves.push(curve(&format!("ec8-{damping}"), &title, damping, |t| {
+            curves.push(curve(&format!("ec8-{damping}"), &title, damping, period, |t| {
                 spectrum.horizontal(t, damping)
             }));
         }
     }
     if let Some(spectrum) = site.api650.as_ref().and_then(|site| DesignSpectrum::new(site).ok()) {
         // ASCE 7 has one shape for all damping ratios; API 650 E.4.6 raises its sloshing branch by K = 1.5.
-        curves.push(curve("asce7-0.05", "ASCE 7 design, ξ = 5 %", 0.05, |t| {
+        curves.push(curve("asce7-0.05", "ASCE 7 design, ξ = 5 %", 0.05, period, |t| {
             spectrum.acceleration(t) * codes::STANDARD_GRAVITY
         }));
     }
     curves
 }
 
-fn curve(id: &str, title: &str, damping: f64, acceleration: impl Fn(f64) -> f64) -> SpectrumCurve {
-    let period = periods();
+fn curve(id: &str, title: &str, damping: f64, period: &[f64], acceleration: impl Fn(f64) -> f64) -> SpectrumCurve {
     let psa: Vec<f64> = period.iter().map(|&t| acceleration(t)).collect();
     let omega = |t: f64| 2.0 * std::f64::consts::PI / t;
     SpectrumCurve {
@@ -81,7 +86,7 @@ fn curve(id: &str, title: &str, damping: f64, acceleration: impl Fn(f64) -> f64)
         sd: period.iter().zip(&psa).map(|(&t, a)| a / omega(t).powi(2)).collect(),
         psv: period.iter().zip(&psa).map(|(&t, a)| a / omega(t)).collect(),
         psa,
-        period,
+        period: period.to_vec(),
     }
 }
 

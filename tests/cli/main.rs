@@ -3,4 +3,5 @@
 mod bad_tank;
 mod compare;
 mod licences;
+mod records;
 mod tank_file;

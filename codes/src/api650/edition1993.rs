@@ -102,7 +102,7 @@ impl Procedure for Api6501993 {
     }
 
     fn title(&self) -> &'static str {
-        "API 650, appendix E (9th edition, 1993)"
+        "API 650, appendix E (9th edition, 1993, superseded)"
     }
 
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {

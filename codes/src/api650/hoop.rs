@@ -38,7 +38,7 @@ impl HoopForces {
     }
 }
 
-/// Hoop forces at the depth `y` [m] below the surface; zero above it.
+/// Hoop forces at the depth `y` [m] below the surface; zero above it. At the surface itself the convective part has its largest value.
 ///
 /// * `diameter` D, `depth` H [m]; `specific_gravity` G
 /// * `a_i`, `a_c`, `a_v`: impulsive, convective and vertical acceleration [g]
@@ -51,7 +51,7 @@ pub fn hoop_forces(
     a_c: f64,
     a_v: f64,
 ) -> HoopForces {
-    if y <= 0.0 {
+    if y < 0.0 {
         return HoopForces::default();
     }
     let (d, h, g) = (diameter, depth, specific_gravity);
@@ -154,7 +154,17 @@ mod tests {
         // At D/H = 1.333 both are the same parabola but for the rounding of 8.48, 5.22 and 0.75.
         let g = |h: f64| hoop_forces(h, 13.33, h, 1.0, 0.3, 0.0, 0.0).impulsive;
         close(g(10.0 - 1e-4) / g(10.0 + 1e-4), 1.0, 4e-3);
-        assert_eq!(hoop_forces(0.0, 10.0, 20.0, 1.0, 0.3, 0.1, 0.1), HoopForces::default());
+        // At the surface the wave's weight alone, 1.85 A_c G D²; above it nothing.
+        let surface = hoop_forces(0.0, 10.0, 20.0, 1.0, 0.3, 0.1, 0.1);
+        close(surface.convective, 18.5e3, 1e-6);
+        assert_eq!(
+            HoopForces {
+                convective: 0.0,
+                ..surface
+            },
+            HoopForces::default()
+        );
+        assert_eq!(hoop_forces(-0.1, 10.0, 20.0, 1.0, 0.3, 0.1, 0.1), HoopForces::default());
     }
 
     proptest! {

@@ -75,7 +75,7 @@ impl Procedure for Env1998 {
     }
 
     fn title(&self) -> &'static str {
-        "ENV 1998-4:1998, annex B"
+        "ENV 1998-4:1998, annex B (superseded)"
     }
 
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {

@@ -51,37 +51,75 @@ pub fn maxima(ground: &[f64], h: f64, oscillators: &[Oscillator]) -> Vec<Maxima>
     order.sort_by(|&i, &j| oscillators[j].omega.total_cmp(&oscillators[i].omega));
     let border = order.partition_point(|&i| oscillators[i].omega * h * STIFF > TAU);
     let loads = Loads::new(ground, h);
-    let mut trace = vec![Trace::default(); loads.blocks.len()];
-    let mut candidates = Vec::new();
+    let stiff = order[..border].chunks(LANES).map(|group| (true, group));
+    let groups: Vec<(bool, &[usize])> = stiff
+        .chain(order[border..].chunks(LANES).map(|group| (false, group)))
+        .collect();
     let mut result = vec![Maxima::default(); oscillators.len()];
-    let arch = pulp::Arch::new();
-    for group in order[..border].chunks(LANES) {
-        let stiff = Stiff::new(&members(group, oscillators), h);
-        let traced = arch.dispatch(StiffTrace {
-            stiff: &stiff,
-            loads: &loads,
-            trace: &mut trace,
-        });
-        let first: [Maxima; LANES] = std::array::from_fn(|lane| stiff.begin(lane, &loads, &trace, &traced));
-        select(&trace, &first, &mut candidates);
-        for (lane, &place) in group.iter().enumerate() {
-            result[place] = stiff.search(lane, &loads, &trace, &candidates, first[lane]);
+    // A thread costs some 30 µs to start, a group of a usual record about as much: four groups a thread pay for it.
+    let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
+    let workers = cores.min(groups.len() / 4).max(1);
+    let share = &|worker: usize| {
+        // By turns, as neighbours in frequency cost alike.
+        run(&loads, h, oscillators, groups.iter().skip(worker).step_by(workers))
+    };
+    let found: Vec<(usize, Maxima)> = std::thread::scope(|scope| {
+        let others: Vec<_> = (1..workers).map(|worker| scope.spawn(move || share(worker))).collect();
+        let mut found = share(0);
+        for handle in others {
+            match handle.join() {
+                Ok(part) => found.extend(part),
+                Err(panic) => std::panic::resume_unwind(panic),
+            }
         }
-    }
-    for group in order[border..].chunks(LANES) {
-        let soft = Soft::new(&members(group, oscillators), h);
-        let traced = arch.dispatch(SoftTrace {
-            soft: &soft,
-            loads: &loads,
-            trace: &mut trace,
-        });
-        let first: [Maxima; LANES] = std::array::from_fn(|lane| soft.begin(lane, &traced));
-        select(&trace, &first, &mut candidates);
-        for (lane, &place) in group.iter().enumerate() {
-            result[place] = soft.search(lane, &loads, &trace, &candidates, first[lane]);
-        }
+        found
+    });
+    for (place, maxima) in found {
+        result[place] = maxima;
     }
     result
+}
+
+/// Maxima of some groups of oscillators, each (whether it is stiff, places of its members).
+fn run<'a>(
+    loads: &Loads,
+    h: f64,
+    oscillators: &[Oscillator],
+    groups: impl Iterator<Item = &'a (bool, &'a [usize])>,
+) -> Vec<(usize, Maxima)> {
+    let mut trace = vec![Trace::default(); loads.blocks.len()];
+    let mut candidates = Vec::new();
+    let mut found = Vec::new();
+    let arch = pulp::Arch::new();
+    for &(is_stiff, group) in groups {
+        let members = members(group, oscillators);
+        if is_stiff {
+            let stiff = Stiff::new(&members, h);
+            let traced = arch.dispatch(StiffTrace {
+                stiff: &stiff,
+                loads,
+                trace: &mut trace,
+            });
+            let first: [Maxima; LANES] = std::array::from_fn(|lane| stiff.begin(lane, loads, &trace, &traced));
+            select(&trace, &first, &mut candidates);
+            for (lane, &place) in group.iter().enumerate() {
+                found.push((place, stiff.search(lane, loads, &trace, &candidates, first[lane])));
+            }
+        } else {
+            let soft = Soft::new(&members, h);
+            let traced = arch.dispatch(SoftTrace {
+                soft: &soft,
+                loads,
+                trace: &mut trace,
+            });
+            let first: [Maxima; LANES] = std::array::from_fn(|lane| soft.begin(lane, &traced));
+            select(&trace, &first, &mut candidates);
+            for (lane, &place) in group.iter().enumerate() {
+                found.push((place, soft.search(lane, loads, &trace, &candidates, first[lane])));
+            }
+        }
+    }
+    found
 }
 
 /// The oscillators of a group; a short one is filled up with its last.

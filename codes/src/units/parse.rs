@@ -62,7 +62,9 @@ impl UnitError {
     pub fn help(&self) -> Option<String> {
         match self {
             UnitError::NotANumber { instead, .. } => instead.as_ref().map(|i| format!("did you mean `{i}`?")),
-            UnitError::MissingUnit { number, example } => Some(format!("write the unit: \"{number} {example}\"")),
+            UnitError::MissingUnit { number, example } => Some(format!(
+                "write the unit in which {number} is meant, for example \"{number} {example}\" if it is {example}"
+            )),
             UnitError::UnknownUnit { nearest, .. } => nearest.map(|n| format!("did you mean `{n}`?")),
             UnitError::Empty | UnitError::NotFinite { .. } | UnitError::WrongDimension { .. } => None,
         }
@@ -317,7 +319,10 @@ mod tests {
                 example: "GPa"
             }
         );
-        assert_eq!(error.help().as_deref(), Some("write the unit: \"69 GPa\""));
+        assert_eq!(
+            error.help().as_deref(),
+            Some("write the unit in which 69 is meant, for example \"69 GPa\" if it is GPa")
+        );
         for (text, dimension, near) in [
             ("69 Gpa", Dimension::Stress, Some("GPa")),
             ("69 mpa", Dimension::Stress, Some("MPa")),

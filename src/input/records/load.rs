@@ -19,16 +19,18 @@ pub fn load(path: &Path) -> Result<Vec<u8>, Error> {
     if path == Path::new("-") {
         return read_limited(std::io::stdin().lock(), path);
     }
-    let metadata = std::fs::metadata(path).map_err(|e| fail(format!("cannot read the record: {e}")))?;
+    let metadata = std::fs::metadata(path)
+        .map_err(|e| fail(format!("cannot read the record: {}", crate::results::describe(&e))))?;
     if metadata.is_dir() {
         return Err(fail(
-            "found a directory, allowed a record file (CSV, two-column text, PEER .AT2)".into(),
+            "found a folder, allowed a record file (CSV, two-column text, PEER .AT2)".into(),
         ));
     }
     if metadata.len() > MAX_BYTES {
         return Err(fail(too_large(metadata.len())));
     }
-    let file = File::open(path).map_err(|e| fail(format!("cannot read the record: {e}")))?;
+    let file =
+        File::open(path).map_err(|e| fail(format!("cannot read the record: {}", crate::results::describe(&e))))?;
     read_limited(file, path)
 }
 
@@ -36,7 +38,7 @@ fn read_limited(reader: impl Read, path: &Path) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     let outcome = reader.take(MAX_BYTES + 1).read_to_end(&mut bytes);
     let what = match outcome {
-        Err(e) => format!("cannot read the record: {e}"),
+        Err(e) => format!("cannot read the record: {}", crate::results::describe(&e)),
         Ok(n) if n as u64 > MAX_BYTES => too_large(n as u64),
         Ok(_) => return Ok(bytes),
     };

@@ -142,12 +142,7 @@ fn faults_name_line_found_and_allowed() {
 fn too_many_samples_are_refused_before_they_cost() {
     let text = "0\n".repeat(MAX_SAMPLES + 10);
     assert!(with(text.as_bytes(), &gal()).unwrap_err().contains("too long"));
-    assert!(
-        read(Path::new("."), &gal())
-            .unwrap_err()
-            .to_string()
-            .contains("directory")
-    );
+    assert!(read(Path::new("."), &gal()).unwrap_err().to_string().contains("folder"));
     assert!(read(Path::new("no/such/file.csv"), &gal()).is_err());
 }
 

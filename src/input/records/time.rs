@@ -49,7 +49,13 @@ pub fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
     let count = (stamps.len() - 1) as f64;
     let mean = (last.time - first.time) / count;
     let uncertainty = (first.rounding + last.rounding) / count * (1.0 + 1e-6) + 1e-12 * mean;
-    let digit = 2.0 * stamps.iter().map(|s| s.rounding).fold(0.0, f64::max);
+    // The finest printed digit: trailing zeros may have been dropped, so that `0.1` stands among `0.08` and `0.12`.
+    let finest = stamps
+        .iter()
+        .map(|s| s.rounding)
+        .filter(|r| *r > 0.0)
+        .fold(f64::INFINITY, f64::min);
+    let digit = if finest.is_finite() { 2.0 * finest } else { 0.0 };
     let printable = |dt: f64| digit > 0.0 && ((dt / digit).round() * digit - dt).abs() < 1e-6 * dt;
     let dt = match fewest_decimals(mean, 1e-9 * mean) {
         exact if printable(exact) => exact,

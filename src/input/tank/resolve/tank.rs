@@ -17,7 +17,11 @@ const SIZE: Limits = Limits::above(0.0).to(1000.0);
 const THICKNESS: Limits = Limits::above(0.0).to(10.0);
 /// Moduli and strengths; "rigid" walls of benchmarks are allowed.
 const STRESS: Limits = Limits::above(0.0).to(1e18);
-/// Liquids (hydrogen 71, mercury 13 600) and wall materials.
+/// Moduli from soft plastics (0.8 GPa) up: `210 MPa` for steel is a slip of the unit.
+const MODULUS: Limits = Limits::above(0.5e9).to(1e18);
+/// Liquids, from hydrogen (71 kg/m³) to mercury (13 600 kg/m³): `1 kg/m3` for water is a slip of the unit.
+const LIQUID_DENSITY: Limits = Limits::above(50.0).to(15_000.0);
+/// Wall materials.
 const DENSITY: Limits = Limits::above(0.0).to(30_000.0);
 /// Most courses a wall may have.
 const MAX_COURSES: usize = 200;
@@ -42,7 +46,7 @@ pub(super) fn materials(r: &mut Resolver<'_>, field: &Field<Named<schema::Materi
             let path = |key: &str| join(&field.path, key);
             Material {
                 name: name.clone(),
-                youngs_modulus: r.number(&m.youngs_modulus, STRESS),
+                youngs_modulus: r.number(&m.youngs_modulus, MODULUS),
                 poisson_ratio: r.number(&m.poisson_ratio, Limits::from(0.0).below(0.5)),
                 density: r.number(&m.density, DENSITY),
                 yield_strength: r.optional(
@@ -282,7 +286,7 @@ fn courses(
 pub(super) fn liquid(r: &mut Resolver<'_>, field: &Field<schema::Liquid>) -> Option<Liquid> {
     let l = field.value.as_ref()?;
     Some(Liquid {
-        density: r.number(&l.density, DENSITY),
+        density: r.number(&l.density, LIQUID_DENSITY),
         fill_height: r.number(&l.fill_height, SIZE),
     })
 }

@@ -1,0 +1,156 @@
+//! Accelerograms through the command line: what `quake info` and `spectrum` print, and what is refused how.
+
+use std::path::{Path, PathBuf};
+
+use crate::compare::{stderr, tankcheck};
+
+const TANK: &str = "examples/01_broad_tank/tank.json";
+const QUAKE: &str = "examples/records/elcentro.csv";
+
+/// Runs `compare` with this record: it must end with exit code 2, name the file and all of `words`, print nothing on
+/// standard output and leave no output folder.
+fn refused(record: &Path, words: &[&str]) {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    let text = |path: &Path| path.to_str().expect("a temporary path is text").to_owned();
+    let run = tankcheck(&["compare", TANK, "--quake", &text(record), "--out", &text(&out)]);
+    let message = stderr(&run);
+    assert_eq!(run.status.code(), Some(2), "{message}");
+    let name = record.file_name().expect("a name").to_string_lossy();
+    assert!(message.contains(name.as_ref()), "the file is not named in: {message}");
+    for word in words {
+        assert!(message.contains(word), "`{word}` is missing in: {message}");
+    }
+    assert!(run.stdout.is_empty());
+    assert_eq!(
+        std::fs::read_dir(home.path()).expect("readable").count(),
+        0,
+        "something was left behind"
+    );
+}
+
+/// A record file with this content in a temporary folder.
+fn file(home: &Path, name: &str, content: &[u8]) -> PathBuf {
+    let path = home.join(name);
+    std::fs::write(&path, content).expect("writable");
+    path
+}
+
+#[test]
+fn bad_records_are_refused_with_file_and_place() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let head = "time_s,acceleration_m_s2\n";
+    let record = |name: &str, rows: &str| file(home.path(), name, format!("{head}{rows}").as_bytes());
+    refused(&record("one.csv", "0,0.1\n"), &["1 sample"]);
+    refused(&record("nan.csv", "0,0\n0.01,NaN\n0.02,0.1\n"), &[":3", "NaN"]);
+    refused(&record("inf.csv", "0,0\n0.01,inf\n0.02,0.1\n"), &[":3", "inf"]);
+    refused(&record("step.csv", "0,0\n0.01,0.1\n0.03,0.2\n0.04,0.1\n"), &["step"]);
+    refused(&record("back.csv", "0,0\n0.01,0.1\n0.005,0.2\n"), &[":4"]);
+    refused(&record("word.csv", "0,0\n0.01,abc\n0.02,0.1\n"), &[":3", "abc"]);
+    refused(
+        &record("huge_peak.csv", "0,0\n0.01,600\n0.02,0.1\n"),
+        &["--allow-implausible"],
+    );
+    refused(&file(home.path(), "empty.csv", b""), &["empty"]);
+    refused(
+        &file(home.path(), "garbage.csv", &[0, 159, 146, 150, 7, 0, 255, 254, 1, 2]),
+        &["not text"],
+    );
+    refused(&file(home.path(), "unit.csv", b"0,0\n0.01,0.1\n0.02,0\n"), &["--units"]);
+    refused(&home.path().join("missing.csv"), &["no such file"]);
+    std::fs::create_dir(home.path().join("folder")).expect("writable");
+    refused(&home.path().join("folder"), &["folder"]);
+}
+
+#[test]
+fn a_count_that_does_not_match_is_refused() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let at2 = "PEER NGA STRONG MOTION DATABASE RECORD\nSomewhere, component\nACCELERATION TIME HISTORY IN UNITS OF G\n\
+               NPTS=    9, DT=   .0100 SEC\n  .100E-02  .200E-02  .300E-02  .400E-02  .500E-02\n  .600E-02  .700E-02\n";
+    refused(&file(home.path(), "short.at2", at2.as_bytes()), &["NPTS", "9", "7"]);
+}
+
+#[test]
+fn ten_million_samples_are_refused_in_bounded_time_and_memory() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let mut content = b"acceleration_m_s2\n".to_vec();
+    content.extend_from_slice("0.1\n".repeat(10_000_000).as_bytes());
+    refused(&file(home.path(), "long.csv", &content), &["too long", "2000000"]);
+}
+
+#[test]
+fn quake_info_tells_what_is_in_a_record() {
+    let run = tankcheck(&["quake", "info", QUAKE, "--format", "json"]);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let info: serde_json::Value = serde_json::from_slice(&run.stdout).expect("JSON");
+    let text = info.to_string();
+    // The table's own peak, 0.31882 g, in m/s².
+    let pga = info["pga"].as_f64().or_else(|| info["pga"]["value"].as_f64());
+    assert!(pga.is_some_and(|pga| (pga - 0.31882 * 9.80665).abs() < 1e-4), "{text}");
+}
+
+#[test]
+fn spectra_have_the_promised_form_in_one_call() {
+    let arguments = [
+        "spectrum",
+        QUAKE,
+        "--damping",
+        "0.5%,1%,2%,5%",
+        "--periods",
+        "0.02..20",
+        "--format",
+        "json",
+    ];
+    let run = tankcheck(&arguments);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let found: serde_json::Value = serde_json::from_slice(&run.stdout).expect("JSON");
+    let spectra = found["spectra"].as_array().expect("spectra");
+    assert_eq!(
+        spectra.iter().map(|s| s["damping"].as_f64()).collect::<Vec<_>>(),
+        [0.005, 0.01, 0.02, 0.05].map(Some)
+    );
+    for spectrum in spectra {
+        let points = spectrum["points"].as_array().expect("points");
+        assert_eq!(points.len(), 200);
+        for point in points {
+            let value = |key: &str| point[key].as_f64().expect("a number");
+            let omega = 2.0 * std::f64::consts::PI / value("period");
+            assert!((value("psv") / (omega * value("sd")) - 1.0).abs() < 1e-9);
+            assert!((value("psa") / (omega * omega * value("sd")) - 1.0).abs() < 1e-9);
+            assert!(value("sv") > 0.0 && value("sa") > 0.0);
+        }
+    }
+    let list = tankcheck(&[
+        "spectrum",
+        QUAKE,
+        "--damping",
+        "5%",
+        "--periods",
+        "0.1,0.5,2",
+        "--format",
+        "json",
+    ]);
+    let found: serde_json::Value = serde_json::from_slice(&list.stdout).expect("JSON");
+    let periods: Vec<f64> = found["spectra"][0]["points"]
+        .as_array()
+        .expect("points")
+        .iter()
+        .filter_map(|p| p["period"].as_f64())
+        .collect();
+    assert_eq!(periods, [0.1, 0.5, 2.0]);
+}
+
+#[test]
+fn senseless_dampings_and_periods_are_refused() {
+    for (option, value) in [
+        ("--damping", "150%"),
+        ("--damping", "abc"),
+        ("--periods", "2..1"),
+        ("--periods", "-1"),
+    ] {
+        let argument = format!("{option}={value}");
+        let run = tankcheck(&["spectrum", QUAKE, &argument]);
+        assert_eq!(run.status.code(), Some(2), "{argument}: {}", stderr(&run));
+        assert!(run.stdout.is_empty());
+    }
+}
