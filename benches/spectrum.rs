@@ -11,7 +11,9 @@ use criterion::{Criterion, criterion_group, criterion_main};
 fn record() -> Record {
     if let Ok(path) = std::env::var("SPECTRUM_RECORD") {
         let options = tankcheck::input::records::ReadOptions::default();
-        return tankcheck::input::records::read(path.as_ref(), &options).expect("a readable record").record;
+        return tankcheck::input::records::read(path.as_ref(), &options)
+            .expect("a readable record")
+            .record;
     }
     let mut seed = 1u64;
     let acceleration = (0..2688)

@@ -60,11 +60,14 @@ pub fn annulus_width(thickness: f64, yield_strength: f64, effective_gravity: f64
 
 /// Ordinates (x, y) of figure E-5 at the half angle 0 < β ≤ π of the bearing arc.
 pub fn figure_e5_at(beta: f64) -> (f64, f64) {
-    // Near β = 0 the differences cancel; series to β² have an error of β⁴.
-    if beta < 1e-3 {
+    // For small β the differences cancel: 1 − cos β = β²/2 p, sin β − β cos β = β³/3 q, β − sin β cos β = 2β³/3 r with
+    // series whose first neglected terms are below 1e-13.
+    if beta < 0.1 {
         let b2 = beta * beta;
-        let y = 1.5 * PI / beta * (1.0 + b2 / 60.0);
-        return (PI / 2.0 * (1.0 - b2 / 10.0), y);
+        let p = 1.0 - b2 / 12.0 * (1.0 - b2 / 30.0 * (1.0 - b2 / 56.0));
+        let q = 1.0 - b2 / 10.0 * (1.0 - b2 / 28.0 * (1.0 - b2 / 54.0));
+        let r = 1.0 - b2 / 5.0 * (1.0 - b2 * 2.0 / 21.0 * (1.0 - b2 / 18.0));
+        return (PI / 2.0 * r / q, 1.5 * PI / beta * p / q);
     }
     let (s, c) = beta.sin_cos();
     let y = PI * (1.0 - c) / (s - beta * c);
