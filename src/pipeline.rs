@@ -91,6 +91,7 @@ pub fn run(job: &Job) -> Result<(Results, Series), Error> {
         spectra,
         methods,
         fe,
+        fe_solid: None,
         comparison,
         verdict,
     };

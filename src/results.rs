@@ -3,6 +3,7 @@
 //! `results.json` is ordered and deterministic; everything that may differ between two identical runs stands in
 //! [`Volatile`]. All values are SI, each with its unit beside it. The report, `diff` and users' scripts read nothing else.
 
+mod fields;
 mod store;
 
 use std::collections::BTreeMap;
@@ -11,6 +12,7 @@ use codes::procedure::{Check, Excitation, Profile, Step};
 use codes::units::Dimension;
 use serde::{Deserialize, Serialize};
 
+pub use fields::{DeformedShape, Fields, Picture, WallMap};
 pub use store::{RESULTS_FILE, SERIES_FILE, describe, read, read_series, write};
 
 /// Version of the format; a reader refuses any other.
@@ -39,6 +41,9 @@ pub struct Results {
     pub methods: Vec<Method>,
     /// The finite-element run; absent in `check`.
     pub fe: Option<FeResult>,
+    /// The run of the three-dimensional engine beside the harmonic one (`--fe both`).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fe_solid: Option<FeResult>,
     /// Quantities × methods.
     pub comparison: Comparison,
     /// The verdict.
@@ -247,7 +252,7 @@ pub struct Method {
 /// The finite-element run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FeResult {
-    /// Engine (`harmonic`).
+    /// Engine (`harmonic`, `solid`).
     pub engine: String,
     /// Mesh and unknowns, as label → text ("liquid elements (r × z)" → "5 × 8, quadratic").
     pub mesh: Vec<Labelled>,
@@ -269,6 +274,12 @@ pub struct FeResult {
     pub series: Vec<SeriesInfo>,
     /// Limits of validity: what was tested and what was found.
     pub limits: Vec<Limit>,
+    /// Fields of the three-dimensional engine for pictures.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fields: Option<Fields>,
+    /// True if the run was interrupted: histories and extremes end at the time said in `integration`.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub incomplete: bool,
 }
 
 /// A label and its text.

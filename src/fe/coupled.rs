@@ -3,9 +3,9 @@
 //! One harmonic (m = 1 for horizontal, m = 0 for vertical motion) of a cylinder, or the antisymmetric half of a plane
 //! strip. Built once, then read-only.
 
-use crate::fe::linalg::Matrix;
 use crate::fe::probe::{Probe, ProbeLine};
 use crate::results::ModeShape;
+use fem::linalg::Matrix;
 
 /// Matrices, loads and observations of one harmonic.
 #[derive(Clone, Debug)]

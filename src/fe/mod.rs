@@ -7,12 +7,11 @@
 pub mod coupled;
 pub mod damping;
 pub mod harmonic;
-pub mod linalg;
 pub mod liquid;
 pub mod probe;
 pub mod response;
-pub mod shape;
 mod simulate;
+pub mod solid;
 
 pub use simulate::simulate;
 

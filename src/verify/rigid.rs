@@ -7,8 +7,8 @@
 //! ```
 
 use crate::fe::FeError;
-use crate::fe::linalg::{Cholesky, LinalgError, Matrix, dot, generalized_eigen};
 use crate::fe::liquid::{Domain, LiquidMesh, Potential};
+use fem::linalg::{Cholesky, LinalgError, Matrix, dot, generalized_eigen};
 
 /// Heights at which the held wall may translate, as a share of the depth: any partition will do.
 const TRACE: u32 = 12;

@@ -5,8 +5,8 @@
 //! Tolerance: 0.3 % on frequencies (measured discretisation error of the default mesh 0.1 %), 0.5 % on effective masses,
 //!            2 % against C_i, which are printed with three digits and fitted
 
+use fem::linalg::dot;
 use tankcheck::fe::harmonic::{CoupledMode, Kind, build, solve};
-use tankcheck::fe::linalg::dot;
 use tankcheck::fe::{Options, modes};
 
 use crate::tanks::{assert_close, broad, case, material, slender};

@@ -6,10 +6,10 @@
 //!            stresses at the base, π R² n_x + π R m_x (the ground drags the base along: tension in front)
 //! Tolerance: 1e-6 for exact states (condition of K), 0.5 % for stresses at the base (see the convergence of the sheet)
 
+use fem::linalg::{Cholesky, dot};
 use tankcheck::fe::Options;
 use tankcheck::fe::coupled::Coupled;
 use tankcheck::fe::harmonic::build;
-use tankcheck::fe::linalg::{Cholesky, dot};
 use tankcheck::fe::probe::Probe;
 
 use crate::tanks::{GRAVITY, assert_close, broad, case, material, slender};

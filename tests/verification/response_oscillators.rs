@@ -6,10 +6,10 @@
 
 use codes::record::Record;
 use codes::units::Dimension;
+use fem::linalg::Matrix;
 use tankcheck::fe::coupled::{Coupled, ShapeRows};
 use tankcheck::fe::damping::{Damper, Rayleigh};
 use tankcheck::fe::harmonic::{CoupledMode, Kind, solve};
-use tankcheck::fe::linalg::Matrix;
 use tankcheck::fe::probe::{ModeSelection, Probe};
 use tankcheck::fe::response::direct::{self, DirectSystem};
 use tankcheck::fe::response::motion::{Grid, Motion};

@@ -6,7 +6,7 @@
 //! Tolerance: sloshing 0.05, 0.1, 0.3 % for the first three modes and masses as stated below: what the default mesh
 //!            reaches (the rate is asserted in `convergence`); translation of the whole liquid 1e-9, as φ = x is in the space
 
-use tankcheck::fe::linalg::dot;
+use fem::linalg::dot;
 use tankcheck::fe::liquid::Domain;
 use tankcheck::verify::rigid::RigidTank;
 

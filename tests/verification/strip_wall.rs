@@ -3,8 +3,8 @@
 //! Model:     example 8.4: 5.0 m × 2.57 m, concrete wall 0.3 m, per metre of breadth
 //! Tolerance: 0.01 % for two modes with 30 cubic elements; masses 1e-9
 
+use fem::linalg::dot;
 use tankcheck::fe::harmonic::{Kind, build, solve};
-use tankcheck::fe::linalg::dot;
 use tankcheck::fe::{FeError, Options};
 
 use crate::tanks::{assert_close, case, material};

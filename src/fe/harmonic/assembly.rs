@@ -5,8 +5,8 @@
 use codes::Case;
 use codes::tank::Shape;
 
-use crate::fe::linalg::Matrix;
 use crate::fe::liquid::Potential;
+use fem::linalg::Matrix;
 
 use super::reduce::Reduction;
 use super::wall::{NODAL, NODE, Wall};

@@ -4,10 +4,10 @@ use codes::Case;
 use codes::tank::Shape;
 
 use crate::fe::coupled::{Coupled, ShapeRows};
-use crate::fe::linalg::{Cholesky, LinalgError};
 use crate::fe::liquid::{Domain, LiquidMesh, Potential};
 use crate::fe::{FeError, Options};
 use crate::results::Labelled;
+use fem::linalg::{Cholesky, LinalgError};
 
 use super::assembly::{Assembly, RoofShare};
 use super::observe::Observer;

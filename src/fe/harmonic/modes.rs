@@ -10,9 +10,9 @@
 use codes::Case;
 
 use crate::fe::coupled::Coupled;
-use crate::fe::linalg::{dot, generalized_eigen};
 use crate::fe::{FeError, Options};
 use crate::results::Mode;
+use fem::linalg::{dot, generalized_eigen};
 
 use super::build::{build, failure};
 

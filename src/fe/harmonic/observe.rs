@@ -7,8 +7,8 @@ use codes::Case;
 use codes::units::Dimension;
 
 use crate::fe::Options;
-use crate::fe::linalg::dot;
 use crate::fe::probe::{ModeSelection, Probe, ProbeLine};
+use fem::linalg::dot;
 
 use super::assembly::Assembly;
 use super::state::Static;

@@ -1,6 +1,6 @@
 //! From all unknowns to the free ones: held unknowns drop out, one elevation follows from the balance of volume.
 
-use crate::fe::linalg::Matrix;
+use fem::linalg::Matrix;
 
 /// Linear map x_all = T x_free.
 #[derive(Clone, Debug)]
@@ -67,7 +67,7 @@ impl Reduction {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fe::linalg::dot;
+    use fem::linalg::dot;
 
     #[test]
     fn elimination_keeps_the_quadratic_form() {

@@ -8,8 +8,8 @@
 
 use codes::Case;
 
-use crate::fe::linalg::{LinalgError, Matrix, SparseCholesky, Triplets};
-use crate::fe::shape::gauss;
+use fem::linalg::{LinalgError, Matrix, SparseCholesky, Triplets};
+use fem::shape::gauss;
 
 use super::wall::{LOCAL, LocalRow, NODAL, NODE, Output, U_BUBBLES, Wall, displacements};
 

@@ -23,7 +23,7 @@
 use codes::tank::{Material, Shape, Tank};
 use std::f64::consts::PI;
 
-use crate::fe::shape::{gauss, line};
+use fem::shape::{gauss, line};
 
 use super::wall_mesh::wall_nodes;
 

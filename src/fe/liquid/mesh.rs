@@ -51,7 +51,7 @@ impl LiquidMesh {
         self.r.len() * self.z.len()
     }
 
-    /// Numbers of the nine nodes of element (a, b), in the order of [`crate::fe::shape::quad9`].
+    /// Numbers of the nine nodes of element (a, b), in the order of [`fem::shape::quad9`].
     pub fn element_nodes(&self, a: usize, b: usize) -> [usize; 9] {
         std::array::from_fn(|k| (2 * a + k % 3) + (2 * b + k / 3) * self.r.len())
     }

@@ -17,8 +17,8 @@
 //!
 //! Source: Morand & Ohayon 1995, chapter 5 (potential forms). Limits: small waves, upright walls, flat bottom.
 
-use crate::fe::linalg::{LinalgError, Matrix, SparseCholesky, Triplets, transposed_product};
-use crate::fe::shape::{gauss, line, quad9};
+use fem::linalg::{LinalgError, Matrix, SparseCholesky, Triplets, transposed_product};
+use fem::shape::{gauss, line, quad9};
 
 use super::mesh::locate;
 use super::{Domain, LiquidMesh};

@@ -27,9 +27,9 @@ use crate::fe::FeError;
 use crate::fe::coupled::Coupled;
 use crate::fe::damping::{Damper, Rayleigh};
 use crate::fe::harmonic::{CoupledMode, Kind, failure};
-use crate::fe::linalg::{Cholesky, Matrix, dot, product};
 use crate::fe::probe::{ModeSelection, Probe};
 use crate::results::EnergyBalance;
+use fem::linalg::{Cholesky, Matrix, dot, product};
 
 /// Steps in the period of the highest significant mode: the period is lengthened by (2π/80)²/12 = 0.05 %.
 pub const STEPS_PER_PERIOD: f64 = 80.0;

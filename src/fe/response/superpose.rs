@@ -26,8 +26,8 @@ use crate::fe::FeError;
 use crate::fe::coupled::Coupled;
 use crate::fe::damping::Damper;
 use crate::fe::harmonic::{CoupledMode, Kind, failure};
-use crate::fe::linalg::{Cholesky, dot};
 use crate::fe::probe::{ModeSelection, Probe};
+use fem::linalg::{Cholesky, dot};
 
 /// Modes kept by default: all up to this multiple of the first structural frequency.
 pub const FREQUENCY_FACTOR: f64 = 6.0;

@@ -7,10 +7,10 @@ use codes::units::significant;
 use super::analysis::Analysis;
 use super::model::{FREE_PERIODS, Harmonic, Model};
 use crate::fe::harmonic::{self, CoupledMode, Kind};
-use crate::fe::linalg::dot;
 use crate::fe::response::superpose::{FREQUENCY_FACTOR, SLOSHING_MODES, STRUCTURAL_MODES};
 use crate::fe::{DampingModel, Integrator, Options};
 use crate::results::{Balance, Labelled};
+use fem::linalg::dot;
 
 /// Time integration, damping and number of modes, in words.
 pub fn integration(model: &Model, options: &Options, analysis: &Analysis, motion: &GroundMotion) -> Vec<Labelled> {

@@ -153,6 +153,8 @@ fn complete(
         envelopes: envelopes(model, &analysis),
         series: info,
         limits: limits::limits(case, model, &analysis, motion.horizontal.dt),
+        fields: None,
+        incomplete: false,
     };
     Ok(Simulation {
         values: analysis.values(model, round),

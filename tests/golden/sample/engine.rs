@@ -160,6 +160,8 @@ pub(super) fn fe_result(
                 note: "suction of 0.2 kPa at z = 1.48 m, t = 4.31 s; the liquid would part from the wall".into(),
             },
         ],
+        fields: None,
+        incomplete: false,
     }
 }
 

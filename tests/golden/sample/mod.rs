@@ -164,6 +164,7 @@ pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
         comparison: comparison(&methods, with_fe),
         methods,
         fe,
+        fe_solid: None,
         verdict,
     };
     (results, series)

@@ -5,11 +5,15 @@
 
 mod dense;
 mod eigen;
+mod factor;
 mod sparse;
+mod symmetric;
 
 pub use dense::{Cholesky, product, transposed_product};
 pub use eigen::{Eigen, generalized_eigen};
+pub use factor::{Factor, Kind, Ordering, Symbolic};
 pub use sparse::{SparseCholesky, Triplets};
+pub use symmetric::{Pattern, Symmetric};
 
 /// Failure of a factorisation or of the eigenvalue solver.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

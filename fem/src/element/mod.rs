@@ -1,0 +1,211 @@
+//! Elements: one file a kind.
+//!
+//! An element is pure: it holds parameters, reads the committed history and writes the trial history it is handed, and
+//! knows neither equations nor supports. Its local vector runs node by node over [`Element::dofs`] of each node; all
+//! vector components are global Cartesian (the model turns them into the frames of its nodes).
+
+use nalgebra::UnitQuaternion;
+
+use crate::dofs::Dof;
+
+pub use local::LocalMatrix;
+
+mod local;
+
+/// What the nodes of an element do.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<'a> {
+    /// Values of the element's dofs, total, node by node. Rotational dofs hold the rotation vector of linear theory and
+    /// are read by linear elements only; elements with finite rotations read `rotations`.
+    pub values: &'a [f64],
+    /// Rotation of each node since the reference state (identity at nodes without rotational dofs).
+    pub rotations: &'a [UnitQuaternion<f64>],
+}
+
+/// What [`Element::respond`] is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Want {
+    /// Internal force.
+    pub force: bool,
+    /// Consistent tangent.
+    pub tangent: bool,
+}
+
+impl Want {
+    /// Force and tangent.
+    pub const ALL: Want = Want {
+        force: true,
+        tangent: true,
+    };
+    /// The tangent alone.
+    pub const TANGENT: Want = Want {
+        force: false,
+        tangent: true,
+    };
+    /// The force alone.
+    pub const FORCE: Want = Want {
+        force: true,
+        tangent: false,
+    };
+}
+
+/// Force and tangent of one element, reused from element to element.
+#[derive(Clone, Debug, Default)]
+pub struct Response {
+    /// Internal force f_int, one entry a local dof.
+    pub force: Vec<f64>,
+    /// Tangent ∂f_int/∂u (rotations: with respect to a spin superposed on the current rotation).
+    pub tangent: LocalMatrix,
+}
+
+/// Failure of an element.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ElementError {
+    /// The Jacobian determinant is not positive.
+    #[error(
+        "{kind}: the Jacobian determinant is {determinant:.3e} at an integration point, allowed > 0 (nodes {nodes:?})"
+    )]
+    Jacobian {
+        /// Kind of element.
+        kind: &'static str,
+        /// Determinant found.
+        determinant: f64,
+        /// Its nodes.
+        nodes: Vec<usize>,
+    },
+    /// A parameter out of range.
+    #[error("{kind}: {parameter} is {found}, allowed {allowed}")]
+    Parameter {
+        /// Kind of element.
+        kind: &'static str,
+        /// Name of the parameter.
+        parameter: &'static str,
+        /// Found.
+        found: String,
+        /// Allowed.
+        allowed: &'static str,
+    },
+    /// The material or the kinematics has no answer.
+    #[error("{kind}: {reason}")]
+    NoAnswer {
+        /// Kind of element.
+        kind: &'static str,
+        /// Why.
+        reason: String,
+    },
+}
+
+/// A quantity at a point of an element as a linear function of its dofs at the reference state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    /// Name: `n_11`, `m_22`, `q_1`, `pressure`, `stress_33`, …
+    pub name: &'static str,
+    /// Global Cartesian position [m].
+    pub position: [f64; 3],
+    /// Coefficients, one a local dof: value = row · u.
+    pub row: Vec<f64>,
+    /// Whether the row multiplies accelerations instead of displacements (pressure of a potential).
+    pub of_acceleration: bool,
+}
+
+/// A finite element.
+pub trait Element: Send + Sync {
+    /// Kind, as users name it (`fluid8`, `shell4`, …).
+    fn kind(&self) -> &'static str;
+
+    /// Its nodes, in local order.
+    fn nodes(&self) -> &[usize];
+
+    /// Dofs that the element uses at its local node `node`, in local order.
+    fn dofs(&self, node: usize) -> &'static [Dof];
+
+    /// Number of history variables, all integration points together.
+    fn history_len(&self) -> usize {
+        0
+    }
+
+    /// Writes the virgin history.
+    fn init_history(&self, _slots: &mut [f64]) {}
+
+    /// Consistent mass matrix at the reference state (zeros by default). `out` has the element's size and is zero.
+    ///
+    /// The blocks that join a potential to its boundary stand here too: they multiply accelerations.
+    fn mass(&self, _out: &mut LocalMatrix) {}
+
+    /// Whether [`Element::mass`] may be non-zero.
+    fn has_mass(&self) -> bool {
+        true
+    }
+
+    /// Internal force and consistent tangent at `motion`, with the committed history `old`; writes the trial history
+    /// `new`. `out` has the element's size and is zero.
+    ///
+    /// Errors: a state without an answer.
+    fn respond(
+        &self,
+        motion: Motion<'_>,
+        old: &[f64],
+        new: &mut [f64],
+        want: Want,
+        out: &mut Response,
+    ) -> Result<(), ElementError>;
+
+    /// Viscous damping matrix of the element itself (dashpots, element Rayleigh); returns false if it has none.
+    fn damping(&self, _out: &mut LocalMatrix) -> bool {
+        false
+    }
+
+    /// Adds the consistent nodal forces of a uniform acceleration field b (gravity: b = (0, 0, −g)), ∫ ρ Nᵀ b dV.
+    fn body_force(&self, _acceleration: [f64; 3], _out: &mut [f64]) {}
+
+    /// Stresses, resultants or pressure as linear functions of the dofs at the reference state.
+    fn samples(&self) -> Vec<Sample> {
+        Vec::new()
+    }
+}
+
+/// Sum of the dofs of all nodes.
+pub fn local_size(element: &dyn Element) -> usize {
+    (0..element.nodes().len()).map(|a| element.dofs(a).len()).sum()
+}
+
+/// Stiffness of `element` at rest in its reference state.
+///
+/// Errors: those of [`Element::respond`].
+pub fn reference_stiffness(element: &dyn Element) -> Result<LocalMatrix, ElementError> {
+    let n = local_size(element);
+    let mut old = vec![0.0; element.history_len()];
+    element.init_history(&mut old);
+    let mut new = old.clone();
+    let mut response = Response::sized(n);
+    let rest = Motion {
+        values: &vec![0.0; n],
+        rotations: &vec![UnitQuaternion::identity(); element.nodes().len()],
+    };
+    element.respond(rest, &old, &mut new, Want::TANGENT, &mut response)?;
+    Ok(response.tangent)
+}
+
+/// Mass matrix of `element`.
+pub fn reference_mass(element: &dyn Element) -> LocalMatrix {
+    let mut out = LocalMatrix::zeros(local_size(element));
+    element.mass(&mut out);
+    out
+}
+
+impl Response {
+    /// Zeros for `n` dofs.
+    pub fn sized(n: usize) -> Response {
+        Response {
+            force: vec![0.0; n],
+            tangent: LocalMatrix::zeros(n),
+        }
+    }
+
+    /// Zeros for `n` dofs, keeping the storage.
+    pub fn reset(&mut self, n: usize) {
+        self.force.clear();
+        self.force.resize(n, 0.0);
+        self.tangent.reset(n);
+    }
+}

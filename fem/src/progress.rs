@@ -1,0 +1,23 @@
+//! How a long analysis tells where it is, and is told to stop.
+
+/// Listener of a long analysis.
+pub trait Progress: Sync {
+    /// A stage begins that takes `steps` steps.
+    fn stage(&self, name: &str, steps: u64);
+    /// So many steps of the stage are done.
+    fn advance(&self, steps: u64);
+    /// True if the user wants to stop: the analysis returns what it has, marked incomplete.
+    fn interrupted(&self) -> bool;
+}
+
+/// Says nothing and never stops.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Silent;
+
+impl Progress for Silent {
+    fn stage(&self, _name: &str, _steps: u64) {}
+    fn advance(&self, _steps: u64) {}
+    fn interrupted(&self) -> bool {
+        false
+    }
+}
