@@ -10,8 +10,10 @@ pub const EXIT_OK: u8 = 0;
 pub const EXIT_CHECK_FAILED: u8 = 1;
 /// Exit code 2: bad input or usage.
 pub const EXIT_INPUT: u8 = 2;
-/// Exit code 3: the computation failed.
+/// Exit code 3: the computation failed, or was interrupted and its results are incomplete.
 pub const EXIT_COMPUTATION: u8 = 3;
+/// Exit code 130: ended by Ctrl-C, nothing is written (128 + SIGINT, as shells have it).
+pub const EXIT_INTERRUPTED: u8 = 130;
 
 /// Any failure the command line reports.
 #[derive(Debug, thiserror::Error)]

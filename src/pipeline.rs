@@ -16,7 +16,7 @@ use crate::fe::{self, Simulation};
 use crate::job::Job;
 use crate::results::{Deformability, FORMAT, Method, Results, Series, Status, TankSummary, Value, Verdict, Volatile};
 
-pub use output::{OUTPUT, OutputFolder, copy_results};
+pub use output::{OUTPUT, OutputFolder, copy_results, discard_unfinished};
 
 /// Ids of the procedures to run, in report order; an empty list stands for all.
 ///

@@ -4,6 +4,7 @@
 //! [`Volatile`]. All values are SI, each with its unit beside it. The report, `diff` and users' scripts read nothing else.
 
 mod fields;
+mod snapshots;
 mod store;
 
 use std::collections::BTreeMap;
@@ -13,6 +14,7 @@ use codes::units::Dimension;
 use serde::{Deserialize, Serialize};
 
 pub use fields::{DeformedShape, Fields, Picture, WallMap};
+pub use snapshots::{Resultants, Snapshot, Snapshots};
 pub use store::{RESULTS_FILE, SERIES_FILE, describe, read, read_series, write};
 
 /// Version of the format; a reader refuses any other.
@@ -296,6 +298,9 @@ pub struct Labelled {
 pub struct Mode {
     /// Circumferential harmonic m; 1 for a plane strip's antisymmetric modes.
     pub harmonic: u32,
+    /// Axial wave number of a wall mode (half waves over the height), where the engine counts it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub axial: Option<u32>,
     /// `sloshing` or `structural`.
     pub kind: String,
     /// Number within harmonic and kind, from 1.

@@ -6,7 +6,7 @@ use codes::case::GroundMotion;
 
 use crate::error::Error;
 use crate::input::{self, records};
-use crate::job::Job;
+use crate::job::{Engines, Job};
 use crate::results::SourceFile;
 
 /// The tank file, the records and how to read them.
@@ -73,6 +73,8 @@ impl Inputs {
             case,
             procedures: crate::pipeline::select_procedures(&procedures)?,
             fe: Some(tank.fe),
+            engines: Engines::default(),
+            solid: tank.solid,
             echo: tank.echo,
             files,
             raw_records,

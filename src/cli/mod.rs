@@ -15,6 +15,7 @@ mod diff;
 mod init;
 mod inputs;
 mod modes;
+mod progress;
 mod quake;
 mod report;
 mod schema;

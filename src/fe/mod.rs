@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 
 use codes::{Case, Quantity};
 
-use crate::results::{FeResult, Mode, Series};
+use crate::results::{FeResult, Mode, Series, Snapshots};
 
 /// Time integration of the linear engine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,6 +100,8 @@ pub struct Simulation {
     pub assumptions: Vec<String>,
     /// Warnings, one sentence each.
     pub notes: Vec<String>,
+    /// States of the three-dimensional model at moments, where they were asked for.
+    pub snapshots: Option<Snapshots>,
 }
 
 /// Failure of the engine.
@@ -133,12 +135,20 @@ pub enum FeError {
     #[error("eigenvalue solver: {0}")]
     Eigen(String),
     /// More unknowns than memory allows.
-    #[error("the mesh needs about {needed_mib} MiB, more than the allowed {allowed_mib} MiB: lower --refine")]
+    #[error(
+        "the mesh needs about {needed_mib} MiB, more than the allowed {allowed_mib} MiB: coarsen it (--refine, --mesh) or raise --memory-limit"
+    )]
     Memory {
         /// Estimate [MiB].
         needed_mib: u64,
         /// Limit [MiB].
         allowed_mib: u64,
+    },
+    /// The user stopped the run before it had anything to show.
+    #[error("interrupted during {stage}: nothing is computed yet")]
+    Interrupted {
+        /// What was under way.
+        stage: String,
     },
     /// The response grows without bound or is not a number.
     #[error("the response is not finite at t = {time:.4} s ({cause})")]

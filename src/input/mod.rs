@@ -24,6 +24,8 @@ pub struct TankFile {
     pub procedures: Vec<String>,
     /// Options of the finite-element engine.
     pub fe: crate::fe::Options,
+    /// Options of the three-dimensional engine.
+    pub solid: crate::fe::solid::SolidOptions,
     /// What is worth saying though it is no fault ("nothing is made of the material `steel`"), one sentence each.
     pub remarks: Vec<String>,
     /// SHA-256 of the file.

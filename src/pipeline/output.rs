@@ -4,6 +4,7 @@
 //! neither a half-written nor a mixed results folder. A folder that holds anything tankcheck did not write is refused.
 
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use crate::error::Error;
 use crate::results::{self, describe};
@@ -14,18 +15,43 @@ pub const OUTPUT: [&str; 4] = [results::RESULTS_FILE, results::SERIES_FILE, "rep
 /// Kept in golden folders beside the results: why they were accepted, and what they show.
 const COMPANIONS: [&str; 2] = ["accepted.json", "README.md"];
 
+/// Staging folders of this process, for [`discard_unfinished`].
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Removes what is half-written, before the process is ended without unwinding.
+pub fn discard_unfinished() {
+    for staging in UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
+        // Already moved, or litter that cannot be removed: nothing to do either way.
+        let _ = std::fs::remove_dir_all(staging);
+    }
+}
+
+/// Whether a verification writes an entry of this name.
+fn is_output(name: &str) -> bool {
+    OUTPUT.contains(&name)
+}
+
 /// An output folder under construction; dropped without [`OutputFolder::commit`] it vanishes.
 #[derive(Debug)]
 pub struct OutputFolder {
     target: PathBuf,
     staging: PathBuf,
+    /// Names this kind of folder is written with: an earlier run's are replaced, all others are foreign.
+    owns: fn(&str) -> bool,
 }
 
 impl OutputFolder {
-    /// Prepares to write into `target`.
+    /// Prepares to write the results of a verification into `target`.
     ///
     /// Errors: the target is a file, holds foreign files, or cannot be written.
     pub fn prepare(target: &Path) -> Result<OutputFolder, Error> {
+        OutputFolder::of(target, is_output, "--out")
+    }
+
+    /// Prepares to write files whose names `owns` knows into `target`, given by `option`.
+    ///
+    /// Errors: as [`OutputFolder::prepare`].
+    pub fn of(target: &Path, owns: fn(&str) -> bool, option: &str) -> Result<OutputFolder, Error> {
         let fault = |what: String| Error::File {
             path: target.into(),
             what,
@@ -40,9 +66,9 @@ impl OutputFolder {
                     .file_name()
                     .to_string_lossy()
                     .into_owned();
-                if !OUTPUT.contains(&name.as_str()) && !COMPANIONS.contains(&name.as_str()) {
+                if !owns(&name) && !COMPANIONS.contains(&name.as_str()) {
                     return Err(fault(format!(
-                        "holds `{name}`, which tankcheck did not write; give an empty or new folder with --out"
+                        "holds `{name}`, which tankcheck did not write; give an empty or new folder with {option}"
                     )));
                 }
             }
@@ -65,9 +91,14 @@ impl OutputFolder {
         let home = if target.exists() { target.to_path_buf() } else { parent };
         let staging = home.join(format!(".{name}.{}.partial", std::process::id()));
         std::fs::create_dir(&staging).map_err(|e| fault(describe(&e)))?;
+        UNFINISHED
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .push(staging.clone());
         Ok(OutputFolder {
             target: target.into(),
             staging,
+            owns,
         })
     }
 
@@ -85,16 +116,20 @@ impl OutputFolder {
         if !self.target.exists() {
             return std::fs::rename(&self.staging, &self.target).map_err(|e| fault(&self.target, e));
         }
-        for entry in OUTPUT {
-            let (source, target) = (self.staging.join(entry), self.target.join(entry));
-            if target.is_dir() {
-                std::fs::remove_dir_all(&target).map_err(|e| fault(&target, e))?;
-            } else if target.exists() {
-                std::fs::remove_file(&target).map_err(|e| fault(&target, e))?;
+        for entry in names(&self.target).map_err(|e| fault(&self.target, e))? {
+            let old = self.target.join(&entry);
+            if !(self.owns)(&entry) {
+                continue;
             }
-            if source.exists() {
-                std::fs::rename(&source, &target).map_err(|e| fault(&target, e))?;
+            if old.is_dir() {
+                std::fs::remove_dir_all(&old).map_err(|e| fault(&old, e))?;
+            } else {
+                std::fs::remove_file(&old).map_err(|e| fault(&old, e))?;
             }
+        }
+        for entry in names(&self.staging).map_err(|e| fault(&self.staging, e))? {
+            let (source, target) = (self.staging.join(&entry), self.target.join(&entry));
+            std::fs::rename(&source, &target).map_err(|e| fault(&target, e))?;
         }
         Ok(())
     }
@@ -104,7 +139,16 @@ impl Drop for OutputFolder {
     fn drop(&mut self) {
         // Nothing to do if it was moved; a staging folder that cannot be removed is only litter.
         let _ = std::fs::remove_dir_all(&self.staging);
+        let mut unfinished = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
+        unfinished.retain(|staging| *staging != self.staging);
     }
+}
+
+/// Names of the entries of a folder.
+fn names(folder: &Path) -> std::io::Result<Vec<String>> {
+    std::fs::read_dir(folder)?
+        .map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()))
+        .collect()
 }
 
 /// Copies the files of a results folder over another one.

@@ -115,6 +115,7 @@ impl CoupledMode {
     pub fn to_result(&self, coupled: &Coupled, case: &Case) -> Mode {
         Mode {
             harmonic: coupled.harmonic,
+            axial: None,
             kind: self.kind.id().into(),
             number: self.number,
             omega: self.omega,

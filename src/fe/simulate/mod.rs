@@ -162,6 +162,7 @@ fn complete(
         series,
         assumptions: describe::assumptions(case, options),
         notes,
+        snapshots: None,
     })
 }
 

@@ -3,10 +3,15 @@
 //! [`simulate`] turns a case into a model of the crate `fem` (liquid, shell wall, contact between them), runs it, and
 //! returns what the harmonic engine returns, so that both stand side by side in every report.
 
+mod mesh_size;
+
 use codes::Case;
 use fem::progress::Progress;
 
 use super::{FeError, Options, Simulation};
+use crate::results::Mode;
+
+pub use mesh_size::{MeshSize, MeshSizeError};
 
 /// Formulation of the liquid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,17 +23,6 @@ pub enum Liquid {
     Potential,
 }
 
-/// Numbers of elements.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct MeshSize {
-    /// Over the radius (or half length).
-    pub radial: usize,
-    /// Over the circumference (or the breadth of a rectangle).
-    pub sectors: usize,
-    /// Over the height of the wall.
-    pub vertical: usize,
-}
-
 /// Options of the three-dimensional engine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolidOptions {
@@ -38,6 +32,8 @@ pub struct SolidOptions {
     pub liquid: Liquid,
     /// Largest memory of matrices and factors [MiB]; a larger model is refused before the run.
     pub memory_limit_mib: u64,
+    /// Time between the states kept in [`Simulation::snapshots`] [s]; `None` keeps none.
+    pub snapshot_interval: Option<f64>,
 }
 
 impl Default for SolidOptions {
@@ -46,8 +42,46 @@ impl Default for SolidOptions {
             mesh: None,
             liquid: Liquid::Potential,
             memory_limit_mib: 4096,
+            snapshot_interval: None,
         }
     }
+}
+
+/// What a run will take, said before it begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// Numbers of elements.
+    pub mesh: MeshSize,
+    /// Unknowns.
+    pub unknowns: usize,
+    /// Memory of matrices and factors [MiB].
+    pub memory_mib: u64,
+    /// Time [s] on this machine, roughly.
+    pub seconds: f64,
+}
+
+/// What [`simulate`] will take.
+///
+/// Errors: a mesh that cannot be built; more memory than allowed.
+pub fn estimate(_case: &Case, _options: &Options, _solid: &SolidOptions) -> Result<Estimate, FeError> {
+    Err(FeError::Unsupported(
+        "the three-dimensional engine is not built yet".into(),
+    ))
+}
+
+/// The `count` lowest modes of each kind (`sloshing`, `structural`), named by circumferential and axial wave number.
+///
+/// Errors: as [`simulate`].
+pub fn modes(
+    _case: &Case,
+    _options: &Options,
+    _solid: &SolidOptions,
+    _count: usize,
+    _progress: &dyn Progress,
+) -> Result<Vec<Mode>, FeError> {
+    Err(FeError::Unsupported(
+        "the three-dimensional engine is not built yet".into(),
+    ))
 }
 
 /// Time history of a case by the three-dimensional engine.

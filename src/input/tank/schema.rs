@@ -12,7 +12,7 @@ use super::read::{
 use super::reported::{Measured, QuantityId, Raw};
 use super::syntax::{Kind, Node};
 use super::values::{
-    Acceleration, Density, Force, InG, Length, Mass, Named, Number, Pitch, Seconds, Stress, Time, Whole,
+    Acceleration, Density, Force, InG, Length, Mass, Mesh, Named, Number, Pitch, Seconds, Stress, Time, Whole,
 };
 use crate::input::diagnostic::Faults;
 
@@ -257,6 +257,19 @@ object! {
         stations: Option<Field<Vec<Field<Length>>>>,
         /// Damping model; the modal ratios of damping unless given.
         damping: Option<Field<AnalysisDamping>>,
+        /// Options of the three-dimensional engine (--fe solid, --fe both).
+        solid: Option<Field<Solid>>,
+    }
+
+    /// Options of the three-dimensional engine.
+    Solid {
+        /// Numbers of elements over radius (or half length), circumference (or breadth) and height of the wall, such as
+        /// "12x16x20"; by the size of the tank unless given.
+        mesh: Option<Field<Mesh>>,
+        /// Formulation of the liquid; potential unless given.
+        liquid: Option<Field<LiquidElement>>,
+        /// Largest memory of matrices and factors in MiB; 4096 unless given.
+        memory_limit: Option<Field<Whole>>,
     }
 
     /// Damping model of the finite-element analysis instead of modal ratios. Give one of the two.
@@ -407,6 +420,14 @@ choice! {
         Modal = "modal",
         /// Direct integration by Newmark's method.
         Newmark = "newmark",
+    }
+
+    /// Formulation of the liquid in the three-dimensional engine.
+    LiquidElement {
+        /// Displacement potential on hexahedra.
+        Potential = "potential",
+        /// Displacements in convective coordinates with a rotation penalty, joined to the wall by contact elements.
+        Displacement = "displacement",
     }
 }
 

@@ -7,6 +7,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
 use super::read::{Field, FromNode, wrong_kind, wrong_value};
 use super::syntax::{Kind, Node};
+use crate::fe::solid::MeshSize;
 use crate::input::diagnostic::{Fault, Faults};
 
 /// Reads a quantity of a dimension; a bare number is one only where there is no unit.
@@ -246,6 +247,46 @@ impl JsonSchema for Pitch {
             .into_iter()
             .collect();
         json_schema!({ "type": "string", "anyOf": patterns, "examples": ["3 rad/s", "0.48 Hz", "2.1 s"] })
+    }
+}
+
+/// Numbers of elements of a spatial mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Mesh(pub MeshSize);
+
+impl FromNode for Mesh {
+    fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
+        let Kind::Text(text) = &node.kind else {
+            faults.push(wrong_kind(node, &Self::allowed()));
+            return None;
+        };
+        match text.parse() {
+            Ok(mesh) => Some(Mesh(mesh)),
+            Err(_) => {
+                faults.push(wrong_value(node, "not a mesh", &Self::allowed()));
+                None
+            }
+        }
+    }
+    fn allowed() -> String {
+        MeshSize::ALLOWED.into()
+    }
+    fn example() -> String {
+        "\"12x16x20\"".into()
+    }
+}
+
+impl JsonSchema for Mesh {
+    fn schema_name() -> Cow<'static, str> {
+        "Mesh".into()
+    }
+    fn inline_schema() -> bool {
+        true
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let count = "(1000|[1-9][0-9]{0,2})";
+        let pattern = format!("^ *{count} *[xX×] *{count} *[xX×] *{count} *$");
+        json_schema!({ "type": "string", "pattern": pattern, "examples": ["12x16x20"] })
     }
 }
 

@@ -175,6 +175,7 @@ fn modes(r: f64, h: f64, wall: f64, mass: f64, omega_c: f64, omega_i: f64) -> Ve
         let bulge = |z: f64| (z / wall * (2.0 * n - 1.0) * std::f64::consts::FRAC_PI_2).sin();
         Mode {
             harmonic: 1,
+            axial: None,
             kind: kind.into(),
             number,
             omega,

@@ -45,6 +45,7 @@ pub(super) fn resolve(file: &schema::TankFile, faults: &mut Faults) -> Option<Ta
     let site = site::site(&mut r, &file.site);
     let (procedures, run) = options::procedures(&mut r, &file.procedures);
     let fe = options::analysis(&mut r, &file.analysis, tank.as_ref());
+    let solid = options::solid(&mut r, &file.analysis);
     let measured = options::measured(&mut r, &file.measured);
     let published = options::published(&mut r, &file.published);
     let (echo, remarks) = (r.echo, r.remarks);
@@ -65,6 +66,7 @@ pub(super) fn resolve(file: &schema::TankFile, faults: &mut Faults) -> Option<Ta
         echo,
         procedures: run,
         fe,
+        solid,
         remarks,
         sha256: String::new(),
     })

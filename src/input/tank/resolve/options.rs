@@ -7,11 +7,12 @@ use codes::units::Dimension;
 
 use super::{Limits, Resolver, like_field, range_fault};
 use crate::fe;
+use crate::fe::solid::{Liquid, SolidOptions};
 use crate::input::records::Processing;
 use crate::input::tank::read::{Field, FromNode};
 use crate::input::tank::reported::{Measured, Raw};
 use crate::input::tank::schema;
-use crate::input::tank::values::{Length, Number, Pitch, quantity};
+use crate::input::tank::values::{Length, Number, Pitch, Whole, quantity};
 
 /// Damping ratios.
 const RATIO: Limits = Limits::from(0.0).below(1.0);
@@ -262,6 +263,39 @@ pub(super) fn analysis(
         }
     } else {
         r.echo_default("analysis.damping", "modal", "the ratios of `damping`");
+    }
+    options
+}
+
+/// Options of the three-dimensional engine; what is not given is the engine's own default, echoed where the engine runs.
+pub(super) fn solid(r: &mut Resolver<'_>, field: &Option<Field<schema::Analysis>>) -> SolidOptions {
+    let mut options = SolidOptions::default();
+    let analysis = field.as_ref().and_then(|f| f.value.as_ref());
+    let Some(given) = analysis.and_then(|a| a.solid.as_ref()).and_then(|f| f.value.as_ref()) else {
+        return options;
+    };
+    if let Some(field) = &given.mesh {
+        r.echo_given(field);
+        options.mesh = field.value.map(|mesh| mesh.0);
+    }
+    if let Some(field) = &given.liquid {
+        r.echo_given(field);
+        options.liquid = match field.value {
+            Some(schema::LiquidElement::Displacement) => Liquid::Displacement,
+            _ => Liquid::Potential,
+        };
+    }
+    if let Some(field) = &given.memory_limit {
+        r.echo_given(field);
+        match field.value {
+            Some(Whole(0)) => r.faults.push(range_fault(
+                field,
+                "no memory at all",
+                "a whole number of MiB from 1 on",
+            )),
+            Some(Whole(mib)) => options.memory_limit_mib = mib.into(),
+            None => {}
+        }
     }
     options
 }
