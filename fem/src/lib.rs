@@ -15,6 +15,7 @@
 //! * [`model`]: nodes, elements, supports and groups, built once and then read-only; [`dofs`] numbers its unknowns.
 //! * [`state`]: committed and trial fields and the elements' history. [`assembly`]: element matrices to global ones.
 //! * [`progress`]: how a long analysis tells where it is, and is told to stop.
+//! * [`verify`]: models whose answers are known from elsewhere.
 //! * [`analysis`]: static, eigen, modal, spectral, frequency-domain and direct time integration.
 //!
 //! Units are SI throughout unless a test's source fixes others.
@@ -30,3 +31,4 @@ pub mod model;
 pub mod progress;
 pub mod shape;
 pub mod state;
+pub mod verify;
