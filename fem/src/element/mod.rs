@@ -8,8 +8,16 @@ use nalgebra::UnitQuaternion;
 
 use crate::dofs::Dof;
 
+pub use fluid::{LiquidProperties, RotationPart, VolumePart};
+pub use fluid4::Fluid4;
+pub use fluid8::Fluid8;
+pub use free_surface::{FreeSurface, FreeSurfaceLine};
 pub use local::LocalMatrix;
 
+mod fluid;
+mod fluid4;
+mod fluid8;
+mod free_surface;
 mod local;
 
 /// What the nodes of an element do.

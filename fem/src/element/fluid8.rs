@@ -1,0 +1,389 @@
+//! `fluid8`: liquid in displacements, trilinear hexahedron.
+//!
+//! The covariant components u_i of the chart are interpolated, u_i = Σ N_a û_i^a, with û_i^a = base_i(x_a) · U_a of the
+//! global Cartesian displacement U_a at each corner. In the cylindrical chart
+//!
+//! ```text
+//! û₁ = u_r        û₂ = r u_θ        û₃ = u_z
+//! e = u₁,₁ + u₂,₂/r² + u₁/r + u₃,₃        (Γʳ_θθ = −r)
+//! ½ K_rot ω_ij ω^ij = ¼ K_rot [ (u₁,₂ − u₂,₁)²/r² + (u₁,₃ − u₃,₁)² + (u₂,₃ − u₃,₂)²/r² ]
+//! ½ ρ u̇² = ½ ρ (u̇₁² + u̇₂²/r² + u̇₃²)
+//! ```
+//!
+//! A corner on the axis has its own θ: û₁ = u_x cos θ + u_y sin θ, while û₂ = 0, so the nodes of a level on the axis can
+//! be one node with three Cartesian unknowns. A rigid horizontal translation is free of strain to O(Δθ²/12) only.
+//!
+//! Numbering: [`crate::shape::hex8`]. Source: dissertation, chapter 5 and appendix C; Flanagan & Belytschko 1981 (mean
+//! dilatation). Checked in [`crate::verify::fluid`].
+
+use std::sync::LazyLock;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::fluid::{LiquidProperties, VolumePart};
+use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use crate::chart::Chart;
+use crate::dofs::Dof;
+use crate::mesh::Hexahedron;
+use crate::shape::{gauss, hex8};
+
+const KIND: &str = "fluid8";
+
+/// Shape functions at a point of the reference cube: values, derivatives by direction, weight.
+struct Reference {
+    n: [f64; 8],
+    d: [[f64; 8]; 3],
+    weight: f64,
+}
+
+impl Reference {
+    fn at(r: f64, s: f64, t: f64, weight: f64) -> Reference {
+        let slope = hex8::slope(r, s, t);
+        Reference {
+            n: hex8::value(r, s, t),
+            d: std::array::from_fn(|k| slope.map(|row| row[k])),
+            weight,
+        }
+    }
+}
+
+/// The eight points of full quadrature.
+static FULL: LazyLock<[Reference; 8]> = LazyLock::new(|| {
+    std::array::from_fn(|q| {
+        let ((r, wr), (s, ws), (t, wt)) = (gauss::TWO[q & 1], gauss::TWO[(q >> 1) & 1], gauss::TWO[(q >> 2) & 1]);
+        Reference::at(r, s, t, wr * ws * wt)
+    })
+});
+
+/// The centre, for one-point quadrature.
+static CENTRE: LazyLock<[Reference; 1]> = LazyLock::new(|| [Reference::at(0.0, 0.0, 0.0, 8.0)]);
+
+/// An integration point.
+struct Point {
+    /// N.
+    n: [f64; 8],
+    /// N,₁ N,₂ N,₃: derivatives by the chart coordinates.
+    d: [[f64; 8]; 3],
+    /// Chart coordinates.
+    x: [f64; 3],
+    /// g¹¹, g²², g³³.
+    metric: [f64; 3],
+    /// Weight · det J · √g [m³].
+    volume: f64,
+}
+
+/// Liquid in displacements.
+#[derive(Clone, Debug)]
+pub struct Fluid8 {
+    nodes: [usize; 8],
+    /// Chart coordinates of the corners.
+    corners: [[f64; 3]; 8],
+    chart: Chart,
+    liquid: LiquidProperties,
+}
+
+/// Matrix of the covariant components: `blocks[i][k][a][b]` couples û_i^a and û_k^b; only i ≤ k is kept.
+type Blocks = [[[[f64; 8]; 8]; 3]; 3];
+
+impl Fluid8 {
+    /// An element on the corners of `cell`.
+    ///
+    /// Errors: Jacobian determinant not positive at an integration point (the cell is inside out, flat, or has a negative
+    /// radius), density or bulk modulus not positive, negative penalty.
+    pub fn new(cell: &Hexahedron, chart: Chart, liquid: LiquidProperties) -> Result<Fluid8, ElementError> {
+        liquid.check(KIND)?;
+        let element = Fluid8 {
+            nodes: cell.nodes,
+            corners: cell.chart,
+            chart,
+            liquid,
+        };
+        for reference in FULL.iter().chain(CENTRE.iter()) {
+            let volume = element.point(reference).volume;
+            if !(volume > 0.0 && volume.is_finite()) {
+                return Err(ElementError::Jacobian {
+                    kind: KIND,
+                    determinant: volume / reference.weight,
+                    nodes: cell.nodes.to_vec(),
+                });
+            }
+        }
+        Ok(element)
+    }
+
+    /// Its liquid.
+    pub fn liquid(&self) -> &LiquidProperties {
+        &self.liquid
+    }
+
+    /// Volume, by full quadrature [m³].
+    pub fn volume(&self) -> f64 {
+        FULL.iter().map(|q| self.point(q).volume).sum()
+    }
+
+    fn point(&self, reference: &Reference) -> Point {
+        // J[k][i] = ∂xⁱ/∂ξᵏ
+        let mut j = [[0.0; 3]; 3];
+        let mut x = [0.0; 3];
+        for (a, corner) in self.corners.iter().enumerate() {
+            for i in 0..3 {
+                x[i] += reference.n[a] * corner[i];
+                for k in 0..3 {
+                    j[k][i] += reference.d[k][a] * corner[i];
+                }
+            }
+        }
+        let cofactor = |k: usize, i: usize| {
+            let (k1, k2, i1, i2) = ((k + 1) % 3, (k + 2) % 3, (i + 1) % 3, (i + 2) % 3);
+            j[k1][i1] * j[k2][i2] - j[k1][i2] * j[k2][i1]
+        };
+        let c: [[f64; 3]; 3] = std::array::from_fn(|k| std::array::from_fn(|i| cofactor(k, i)));
+        let det = j[0][0] * c[0][0] + j[0][1] * c[0][1] + j[0][2] * c[0][2];
+        let inverse = 1.0 / det;
+        // ∂ξᵏ/∂xⁱ = C[k][i]/det
+        let d = std::array::from_fn(|i| {
+            let (f0, f1, f2) = (c[0][i] * inverse, c[1][i] * inverse, c[2][i] * inverse);
+            std::array::from_fn(|a| f0 * reference.d[0][a] + f1 * reference.d[1][a] + f2 * reference.d[2][a])
+        });
+        Point {
+            n: reference.n,
+            d,
+            x,
+            metric: self.chart.inverse_metric(x),
+            volume: reference.weight * det * self.chart.volume_factor(x),
+        }
+    }
+
+    /// Row of e over the covariant components: g^ii N,_i − N g^jj Γⁱ_jj.
+    fn dilatation(&self, p: &Point) -> [[f64; 8]; 3] {
+        let hoop = match self.chart {
+            Chart::Cartesian => 0.0,
+            Chart::Cylindrical => 1.0 / p.x[0],
+        };
+        [
+            std::array::from_fn(|a| p.metric[0] * p.d[0][a] + hoop * p.n[a]),
+            p.d[1].map(|d| p.metric[1] * d),
+            p.d[2].map(|d| p.metric[2] * d),
+        ]
+    }
+
+    /// (1/V) ∫ e dV as a row, and V.
+    fn mean_dilatation(&self, points: &[Point; 8]) -> ([[f64; 8]; 3], f64) {
+        let (mut row, mut volume) = ([[0.0; 8]; 3], 0.0);
+        for p in points {
+            volume += p.volume;
+            let own = self.dilatation(p);
+            for i in 0..3 {
+                for a in 0..8 {
+                    row[i][a] += p.volume * own[i][a];
+                }
+            }
+        }
+        (row.map(|r| r.map(|v| v / volume)), volume)
+    }
+
+    /// Covariant base vectors of the corners: û^a = T_a U_a.
+    fn bases(&self) -> [Matrix3<f64>; 8] {
+        self.corners.map(|x| self.chart.covariant_base(x))
+    }
+
+    /// Turns a row over covariant components into one over the local dofs.
+    fn to_cartesian(&self, row: &[[f64; 8]; 3]) -> [f64; 24] {
+        let mut out = [0.0; 24];
+        for (a, base) in self.bases().iter().enumerate() {
+            let v = base.tr_mul(&Vector3::new(row[0][a], row[1][a], row[2][a]));
+            out[3 * a..3 * a + 3].copy_from_slice(v.as_slice());
+        }
+        out
+    }
+
+    /// K + R, column by column.
+    fn stiffness(&self, out: &mut [f64]) {
+        let mut blocks = [[[[0.0; 8]; 8]; 3]; 3];
+        let (full, one) = self.liquid.rotation.penalties();
+        let points: [Point; 8] = std::array::from_fn(|q| self.point(&FULL[q]));
+        let centre = self.point(&CENTRE[0]);
+        if full != 0.0 {
+            points.iter().for_each(|p| add_rotation(&mut blocks, p, full));
+        }
+        if one != 0.0 {
+            add_rotation(&mut blocks, &centre, one);
+        }
+        let k = self.liquid.bulk_modulus;
+        match self.liquid.volume {
+            VolumePart::Full => {
+                for p in &points {
+                    add_square(&mut blocks, &self.dilatation(p), k * p.volume);
+                }
+            }
+            VolumePart::OnePoint => add_square(&mut blocks, &self.dilatation(&centre), k * centre.volume),
+            VolumePart::MeanDilatation => {
+                let (row, volume) = self.mean_dilatation(&points);
+                add_square(&mut blocks, &row, k * volume);
+            }
+        }
+        self.write(&blocks, out);
+    }
+
+    /// Turns covariant blocks into the local matrix, column by column.
+    fn write(&self, blocks: &Blocks, out: &mut [f64]) {
+        let bases = self.bases();
+        for b in 0..8 {
+            for a in 0..=b {
+                let mut block = Matrix3::from_fn(|i, k| if i <= k { blocks[i][k][a][b] } else { blocks[k][i][b][a] });
+                if self.chart == Chart::Cylindrical {
+                    block = bases[a].tr_mul(&(block * bases[b]));
+                }
+                for i in 0..3 {
+                    for k in 0..3 {
+                        out[3 * a + i + 24 * (3 * b + k)] = block[(i, k)];
+                        out[3 * b + k + 24 * (3 * a + i)] = block[(i, k)];
+                    }
+                }
+            }
+        }
+    }
+
+    /// Row of the pressure −K e of the element (mean, or at the centre) over the local dofs.
+    fn pressure_row(&self) -> [f64; 24] {
+        let row = match self.liquid.volume {
+            VolumePart::MeanDilatation => self.mean_dilatation(&std::array::from_fn(|q| self.point(&FULL[q]))).0,
+            VolumePart::Full | VolumePart::OnePoint => self.dilatation(&self.point(&CENTRE[0])),
+        };
+        self.to_cartesian(&row).map(|v| -self.liquid.bulk_modulus * v)
+    }
+
+    /// Rows of ω₁₂, ω₁₃, ω₂₃ at the centre over the local dofs, in orthonormal components (ω_12/√(g₁₁ g₂₂), …).
+    pub fn rotation_rows(&self) -> [[f64; 24]; 3] {
+        let p = self.point(&CENTRE[0]);
+        [(0, 1), (0, 2), (1, 2)].map(|(i, j)| {
+            let scale = 0.5 * (p.metric[i] * p.metric[j]).sqrt();
+            let mut row = [[0.0; 8]; 3];
+            row[i] = p.d[j].map(|d| scale * d);
+            row[j] = p.d[i].map(|d| -scale * d);
+            self.to_cartesian(&row)
+        })
+    }
+}
+
+/// Adds weight · rowᵀ row.
+fn add_square(blocks: &mut Blocks, row: &[[f64; 8]; 3], weight: f64) {
+    for i in 0..3 {
+        for k in i..3 {
+            for a in 0..8 {
+                let f = weight * row[i][a];
+                for b in 0..8 {
+                    blocks[i][k][a][b] += f * row[k][b];
+                }
+            }
+        }
+    }
+}
+
+/// Adds the rotation part of one point: ½ K_rot Σ_{i<j} g^ii g^jj (u_i,j − u_j,i)² dV.
+fn add_rotation(blocks: &mut Blocks, p: &Point, penalty: f64) {
+    let half = 0.5 * penalty * p.volume;
+    let [g1, g2, g3] = p.metric;
+    let (w12, w13, w23) = (half * g1 * g2, half * g1 * g3, half * g2 * g3);
+    let [d1, d2, d3] = &p.d;
+    for a in 0..8 {
+        let (p12, q12) = (w12 * d1[a], w12 * d2[a]);
+        let (p13, q13) = (w13 * d1[a], w13 * d3[a]);
+        let (p23, q23) = (w23 * d2[a], w23 * d3[a]);
+        for b in 0..8 {
+            blocks[0][0][a][b] += q12 * d2[b] + q13 * d3[b];
+            blocks[1][1][a][b] += p12 * d1[b] + q23 * d3[b];
+            blocks[2][2][a][b] += p13 * d1[b] + p23 * d2[b];
+            blocks[0][1][a][b] -= q12 * d1[b];
+            blocks[0][2][a][b] -= q13 * d1[b];
+            blocks[1][2][a][b] -= q23 * d2[b];
+        }
+    }
+}
+
+impl Element for Fluid8 {
+    fn kind(&self) -> &'static str {
+        KIND
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn dofs(&self, _node: usize) -> &'static [Dof] {
+        Dof::TRANSLATIONS
+    }
+
+    fn mass(&self, out: &mut LocalMatrix) {
+        let mut blocks = [[[[0.0; 8]; 8]; 3]; 3];
+        for q in FULL.iter() {
+            let p = self.point(q);
+            let weights = p.metric.map(|g| self.liquid.density * p.volume * g);
+            for a in 0..8 {
+                for i in 0..3 {
+                    let f = weights[i] * p.n[a];
+                    for b in 0..8 {
+                        blocks[i][i][a][b] += f * p.n[b];
+                    }
+                }
+            }
+        }
+        self.write(&blocks, &mut out.data);
+    }
+
+    fn respond(
+        &self,
+        motion: Motion<'_>,
+        _old: &[f64],
+        _new: &mut [f64],
+        want: Want,
+        out: &mut Response,
+    ) -> Result<(), ElementError> {
+        self.stiffness(&mut out.tangent.data);
+        if want.force {
+            for (column, &u) in out.tangent.data.chunks_exact(24).zip(motion.values) {
+                for (f, k) in out.force.iter_mut().zip(column) {
+                    *f += k * u;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// With the quadrature of the volume part: a liquid without shear stiffness answers the least mismatch between nodal
+    /// weight and nodal pressure force with free circulation.
+    fn body_force(&self, acceleration: [f64; 3], out: &mut [f64]) {
+        let points: &[Reference] = match self.liquid.volume {
+            VolumePart::OnePoint => &*CENTRE,
+            VolumePart::Full | VolumePart::MeanDilatation => &*FULL,
+        };
+        let mut force = [[0.0; 8]; 3];
+        for q in points {
+            let p = self.point(q);
+            let covariant = self.chart.covariant_base(p.x) * Vector3::from(acceleration);
+            for i in 0..3 {
+                let f = self.liquid.density * p.volume * p.metric[i] * covariant[i];
+                for a in 0..8 {
+                    force[i][a] += f * p.n[a];
+                }
+            }
+        }
+        for (o, f) in out.iter_mut().zip(self.to_cartesian(&force)) {
+            *o += f;
+        }
+    }
+
+    /// The pressure −K e, positive in compression, of the element's centre. Not a wall pressure.
+    fn samples(&self) -> Vec<Sample> {
+        vec![Sample {
+            name: "pressure",
+            position: self.chart.position(self.point(&CENTRE[0]).x),
+            row: self.pressure_row().to_vec(),
+            of_acceleration: false,
+        }]
+    }
+}
+
+#[cfg(test)]
+#[path = "fluid8_tests.rs"]
+mod tests;
