@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Matrix3;
 
-use crate::dofs::Dof;
+use crate::dofs::{Dof, KINDS};
 use crate::element::{Element, ElementError, LocalMatrix, Motion, Response, Want, local_size, reference_stiffness};
 use crate::linalg::{Pattern, Symmetric};
 use crate::model::Model;
@@ -160,6 +160,39 @@ impl Assembler {
             if element.damping(&mut local) {
                 self.scatter(model, e, &mut local, &mut out.values);
             }
+        }
+        out
+    }
+
+    /// M x of a field given at every node in global components, **held dofs included**.
+    ///
+    /// With a rigid translation this is the load −f/a_g of a ground motion: it holds the inertia that joins the unknowns
+    /// to held nodes (a clamped edge, a rigid wetted wall), which M times a vector of unknowns lacks.
+    pub fn inertia(&self, model: &Model, field: impl Fn(usize) -> [f64; KINDS]) -> Vec<f64> {
+        let mut out = vec![0.0; model.dofs().len()];
+        let mut mass = LocalMatrix::default();
+        let (mut values, mut product) = (Vec::new(), Vec::new());
+        for (e, element) in model.elements().iter().enumerate() {
+            if !element.has_mass() {
+                continue;
+            }
+            values.clear();
+            for (a, &node) in element.nodes().iter().enumerate() {
+                let global = field(node);
+                values.extend(element.dofs(a).iter().map(|d| global[d.index()]));
+            }
+            mass.reset(values.len());
+            element.mass(&mut mass);
+            product.clear();
+            product.resize(values.len(), 0.0);
+            for (column, &x) in mass.data.chunks_exact(values.len()).zip(&values) {
+                if x != 0.0 {
+                    for (y, a) in product.iter_mut().zip(column) {
+                        *y += a * x;
+                    }
+                }
+            }
+            self.scatter_vector(model, e, &mut product, &mut out);
         }
         out
     }

@@ -26,6 +26,7 @@ pub mod chart;
 pub mod dofs;
 pub mod element;
 pub mod linalg;
+pub mod liquid;
 pub mod mesh;
 pub mod model;
 pub mod progress;

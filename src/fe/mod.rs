@@ -7,12 +7,13 @@
 pub mod coupled;
 pub mod damping;
 pub mod harmonic;
-pub mod liquid;
+
 pub mod probe;
 pub mod response;
 mod simulate;
 pub mod solid;
 
+pub use fem::liquid;
 pub use simulate::simulate;
 
 use std::collections::BTreeMap;

@@ -13,12 +13,19 @@ pub use fluid4::Fluid4;
 pub use fluid8::Fluid8;
 pub use free_surface::{FreeSurface, FreeSurfaceLine};
 pub use local::LocalMatrix;
+pub use potential_surface::PotentialSurface;
+pub use potential8::Potential8;
+pub use wet_face::WetFace;
 
 mod fluid;
 mod fluid4;
 mod fluid8;
 mod free_surface;
 mod local;
+mod potential8;
+mod potential_face;
+mod potential_surface;
+mod wet_face;
 
 /// What the nodes of an element do.
 #[derive(Clone, Copy, Debug)]

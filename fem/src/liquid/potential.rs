@@ -17,8 +17,8 @@
 //!
 //! Source: Morand & Ohayon 1995, chapter 5 (potential forms). Limits: small waves, upright walls, flat bottom.
 
-use fem::linalg::{LinalgError, Matrix, SparseCholesky, Triplets, transposed_product};
-use fem::shape::{gauss, line, quad9};
+use crate::linalg::{LinalgError, Matrix, SparseCholesky, Triplets, transposed_product};
+use crate::shape::{gauss, line, quad9};
 
 use super::mesh::locate;
 use super::{Domain, LiquidMesh};

@@ -5,6 +5,6 @@ mod mesh;
 mod potential;
 
 pub use domain::Domain;
-pub use mesh::LiquidMesh;
-pub(crate) use mesh::scaled;
+pub use mesh::{LiquidMesh, scaled};
+
 pub use potential::{Potential, Row};

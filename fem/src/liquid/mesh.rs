@@ -51,14 +51,14 @@ impl LiquidMesh {
         self.r.len() * self.z.len()
     }
 
-    /// Numbers of the nine nodes of element (a, b), in the order of [`fem::shape::quad9`].
+    /// Numbers of the nine nodes of element (a, b), in the order of [`crate::shape::quad9`].
     pub fn element_nodes(&self, a: usize, b: usize) -> [usize; 9] {
         std::array::from_fn(|k| (2 * a + k % 3) + (2 * b + k / 3) * self.r.len())
     }
 }
 
 /// Element count n × refine, at least 2.
-pub(crate) fn scaled(n: f64, refine: f64) -> usize {
+pub fn scaled(n: f64, refine: f64) -> usize {
     ((n * refine).round() as usize).max(2)
 }
 
