@@ -6,7 +6,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Face, Hexahedron, MeshError};
+use super::{Face, Hexahedron, MeshError, check_ascending};
 use crate::chart::Chart;
 
 /// Places of the nodes of a cylinder mesh.
@@ -52,27 +52,6 @@ pub struct Wall {
     pub cells: Vec<Face>,
     /// Node numbers: `rows[level][sector]`.
     pub rows: Vec<Vec<usize>>,
-}
-
-fn check_ascending(what: &'static str, values: &[f64], least: usize) -> Result<(), MeshError> {
-    if values.len() < least {
-        return Err(MeshError::Range {
-            what,
-            found: format!("{} values", values.len()),
-            allowed: "at least one element",
-        });
-    }
-    match values
-        .windows(2)
-        .find(|w| !(w[1] > w[0] && w[0].is_finite() && w[1].is_finite()))
-    {
-        Some(w) => Err(MeshError::Range {
-            what,
-            found: format!("{} after {}", w[1], w[0]),
-            allowed: "finite ascending values",
-        }),
-        None => Ok(()),
-    }
 }
 
 impl Cylinder {

@@ -1,9 +1,15 @@
 //! Generators of structured meshes. A mesh is nodes, cells and named faces; it becomes a model when elements are made of
 //! its cells.
 
+pub mod grading;
+
 mod cylinder;
+mod rectangle;
+mod strip;
 
 pub use cylinder::{Cylinder, Volume, Wall};
+pub use rectangle::{Block, Rectangle, Side};
+pub use strip::{Plane, Strip};
 
 /// A quadrilateral face with the chart coordinates of its own corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,4 +42,26 @@ pub enum MeshError {
         /// Allowed.
         allowed: &'static str,
     },
+}
+
+/// Refuses fewer than `least` values, and values that do not ascend.
+fn check_ascending(what: &'static str, values: &[f64], least: usize) -> Result<(), MeshError> {
+    if values.len() < least {
+        return Err(MeshError::Range {
+            what,
+            found: format!("{} values", values.len()),
+            allowed: "at least one element",
+        });
+    }
+    match values
+        .windows(2)
+        .find(|w| !(w[1] > w[0] && w[0].is_finite() && w[1].is_finite()))
+    {
+        Some(w) => Err(MeshError::Range {
+            what,
+            found: format!("{} after {}", w[1], w[0]),
+            allowed: "finite ascending values",
+        }),
+        None => Ok(()),
+    }
 }
