@@ -151,6 +151,47 @@ impl Assembler {
         self.mass_of(model, |_| true)
     }
 
+    /// Geometric stiffness of the linear solution `u`: buckling at λ times its load, (K + λ K_G) φ = 0.
+    ///
+    /// Errors: those of the elements.
+    pub fn geometric_stiffness(&self, model: &Model, u: &[f64]) -> Result<Symmetric, ElementError> {
+        let mut out = Symmetric::zeros(self.pattern.clone());
+        let mut local = LocalMatrix::default();
+        for (e, element) in model.elements().iter().enumerate() {
+            local.reset(local_size(&**element));
+            if element.geometric_stiffness(&local_values(model, &**element, u), &mut local)? {
+                self.scatter(model, e, &mut local, &mut out.values);
+            }
+        }
+        Ok(out)
+    }
+
+    /// Forces K_e u_e that the elements for which `which(element number)` holds put up at every node, held or not,
+    /// under the linear solution `u`; global components. Reaction of a support: this less the load applied there.
+    ///
+    /// Errors: those of the elements.
+    pub fn nodal_forces(
+        &self,
+        model: &Model,
+        u: &[f64],
+        which: impl Fn(usize) -> bool,
+    ) -> Result<Vec<[f64; KINDS]>, ElementError> {
+        let mut out = vec![[0.0; KINDS]; model.nodes().len()];
+        for (_, element) in model.elements().iter().enumerate().filter(|(e, _)| which(*e)) {
+            let force = reference_stiffness(&**element)?
+                .to_matrix()
+                .times(&local_values(model, &**element, u));
+            let mut k = 0;
+            for (a, &node) in element.nodes().iter().enumerate() {
+                for dof in element.dofs(a) {
+                    out[node][dof.index()] += force[k];
+                    k += 1;
+                }
+            }
+        }
+        Ok(out)
+    }
+
     /// Sum of the elements' own damping matrices.
     pub fn damping(&self, model: &Model) -> Symmetric {
         let mut out = Symmetric::zeros(self.pattern.clone());
@@ -248,6 +289,16 @@ impl Assembler {
         }
         Ok(force)
     }
+}
+
+/// Values of an element's dofs under the unknowns `u`, global components.
+pub fn local_values(model: &Model, element: &dyn Element, u: &[f64]) -> Vec<f64> {
+    let mut out = Vec::with_capacity(local_size(element));
+    for (a, &node) in element.nodes().iter().enumerate() {
+        let global = model.at_node(u, node);
+        out.extend(element.dofs(a).iter().map(|d| global[d.index()]));
+    }
+    out
 }
 
 /// Calls `turn(first local dof, frame)` for every triple of dofs that has a frame.

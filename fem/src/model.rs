@@ -77,6 +77,11 @@ impl Builder {
         first
     }
 
+    /// Position of a node that was added [m].
+    pub fn position(&self, node: usize) -> [f64; 3] {
+        self.nodes[node]
+    }
+
     /// Adds an element to the group called `group`; returns its number.
     pub fn element(&mut self, group: &str, element: impl Element + 'static) -> usize {
         let id = match self.groups.iter().position(|g| g == group) {

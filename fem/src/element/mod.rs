@@ -25,6 +25,8 @@ mod local;
 mod potential8;
 mod potential_face;
 mod potential_surface;
+pub mod shell;
+pub mod shell4;
 mod wet_face;
 
 /// What the nodes of an element do.
@@ -168,6 +170,14 @@ pub trait Element: Send + Sync {
     /// Viscous damping matrix of the element itself (dashpots, element Rayleigh); returns false if it has none.
     fn damping(&self, _out: &mut LocalMatrix) -> bool {
         false
+    }
+
+    /// Geometric stiffness at the reference state of the stresses that belong to the linear displacement `values`;
+    /// returns false if it has none. Buckling at λ times the load: (K + λ K_G) φ = 0.
+    ///
+    /// Errors: a material without an answer at rest.
+    fn geometric_stiffness(&self, _values: &[f64], _out: &mut LocalMatrix) -> Result<bool, ElementError> {
+        Ok(false)
     }
 
     /// Adds the consistent nodal forces of a uniform acceleration field b (gravity: b = (0, 0, −g)), ∫ ρ Nᵀ b dV.

@@ -17,3 +17,5 @@ fn assert_rows(rows: &[Row]) {
         failed.join("\n")
     );
 }
+
+mod shell_element;

@@ -1,0 +1,197 @@
+//! Loads on shells: pressure on faces, line loads on edges, nodal loads.
+//!
+//! ```text
+//! f_a = ∫ p N_a (x,r × x,s) dr ds                                             positive along the normal
+//! K_p(a, b) = ∫ p N_a (−skew(x,s) N_b,r + skew(x,r) N_b,s) dr ds              K = K_int − K_p
+//! ```
+//!
+//! K_p is unsymmetric element by element and symmetric after assembly on a closed or edge-fixed surface with constant p;
+//! its symmetric part is used. Dead loads take the reference geometry.
+
+use std::collections::BTreeMap;
+
+use nalgebra::Vector3;
+
+use super::geometry::{base, blend};
+use crate::dofs::{Dof, KINDS};
+use crate::element::{Element, ElementError, Motion, Response, Want};
+use crate::model::Model;
+use crate::shape::{gauss, quad4};
+
+/// Forces [N] and moments [N m] at nodes, global components.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct NodalLoads(BTreeMap<usize, [f64; KINDS]>);
+
+impl NodalLoads {
+    /// No load.
+    pub fn new() -> NodalLoads {
+        NodalLoads::default()
+    }
+
+    /// Adds a force.
+    pub fn force(&mut self, node: usize, force: [f64; 3]) {
+        let to = self.0.entry(node).or_insert([0.0; KINDS]);
+        (0..3).for_each(|i| to[i] += force[i]);
+    }
+
+    /// Adds a moment. On a smooth node only its part normal to the director acts.
+    pub fn moment(&mut self, node: usize, moment: [f64; 3]) {
+        let to = self.0.entry(node).or_insert([0.0; KINDS]);
+        (0..3).for_each(|i| to[3 + i] += moment[i]);
+    }
+
+    /// Adds a dead pressure `pressure(position)` [Pa] on a face, positive along its normal (corners counter-clockwise).
+    ///
+    /// 2 × 2 points: exact for a pressure linear over the face. A liquid level belongs on an edge of the mesh.
+    pub fn pressure(&mut self, nodes: &[usize; 4], positions: &[[f64; 3]; 4], pressure: impl Fn([f64; 3]) -> f64) {
+        let x = positions.map(Vector3::from);
+        for &(r, wr) in gauss::TWO {
+            for &(s, ws) in gauss::TWO {
+                let n = quad4::value(r, s);
+                let [g_r, g_s] = base(&x, r, s);
+                let p = pressure(blend(&n, &x).into());
+                let force = g_r.cross(&g_s) * (p * wr * ws);
+                for (&node, n) in nodes.iter().zip(n) {
+                    self.force(node, (force * n).into());
+                }
+            }
+        }
+    }
+
+    /// Adds a line load `force(position)` [N/m] along the edge from node `a` to `b`.
+    pub fn edge_force(&mut self, nodes: [usize; 2], positions: [[f64; 3]; 2], force: impl Fn([f64; 3]) -> [f64; 3]) {
+        for (node, f) in along_edge(nodes, positions, force) {
+            self.force(node, f);
+        }
+    }
+
+    /// Adds a line moment `moment(position)` [N m/m] along the edge from node `a` to `b`.
+    pub fn edge_moment(&mut self, nodes: [usize; 2], positions: [[f64; 3]; 2], moment: impl Fn([f64; 3]) -> [f64; 3]) {
+        for (node, m) in along_edge(nodes, positions, moment) {
+            self.moment(node, m);
+        }
+    }
+
+    /// Load at a node.
+    pub fn at(&self, node: usize) -> [f64; KINDS] {
+        self.0.get(&node).copied().unwrap_or([0.0; KINDS])
+    }
+
+    /// Sum of all forces.
+    pub fn resultant(&self) -> [f64; 3] {
+        let mut sum = [0.0; 3];
+        for load in self.0.values() {
+            (0..3).for_each(|i| sum[i] += load[i]);
+        }
+        sum
+    }
+
+    /// The load over the unknowns; what falls on supports is left out.
+    pub fn vector(&self, model: &Model) -> Vec<f64> {
+        model.vector(|node| self.at(node))
+    }
+}
+
+fn along_edge(
+    nodes: [usize; 2],
+    positions: [[f64; 3]; 2],
+    load: impl Fn([f64; 3]) -> [f64; 3],
+) -> Vec<(usize, [f64; 3])> {
+    let [a, b] = positions.map(Vector3::from);
+    let length = (b - a).norm();
+    let mut out = Vec::with_capacity(4);
+    for &(xi, w) in gauss::TWO {
+        let n = [0.5 * (1.0 - xi), 0.5 * (1.0 + xi)];
+        let value = Vector3::from(load((a * n[0] + b * n[1]).into())) * (0.5 * length * w);
+        out.extend(nodes.iter().zip(n).map(|(&node, n)| (node, (value * n).into())));
+    }
+    out
+}
+
+/// Uniform pressure that follows the deformed face.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FollowerPressure {
+    nodes: [usize; 4],
+    x: [Vector3<f64>; 4],
+    pressure: f64,
+}
+
+impl FollowerPressure {
+    /// Pressure [Pa], positive along the normal of the face with corners at `positions` [m].
+    pub fn new(nodes: [usize; 4], positions: [[f64; 3]; 4], pressure: f64) -> FollowerPressure {
+        FollowerPressure {
+            nodes,
+            x: positions.map(Vector3::from),
+            pressure,
+        }
+    }
+
+    /// Nodal forces, and K_p as it is (unsymmetric; row i, column j at `[i][j]`), at the displacements `u`.
+    pub fn force_and_tangent(&self, u: &[f64]) -> ([f64; 12], [[f64; 12]; 12]) {
+        let x: [Vector3<f64>; 4] =
+            std::array::from_fn(|a| self.x[a] + Vector3::from_column_slice(&u[3 * a..3 * a + 3]));
+        let mut force = [0.0; 12];
+        let mut tangent = [[0.0; 12]; 12];
+        for &(r, wr) in gauss::TWO {
+            for &(s, ws) in gauss::TWO {
+                let (n, slope) = (quad4::value(r, s), quad4::slope(r, s));
+                let [g_r, g_s] = base(&x, r, s);
+                let weight = self.pressure * wr * ws;
+                let normal = g_r.cross(&g_s) * weight;
+                let (skew_r, skew_s) = (g_r.cross_matrix() * weight, g_s.cross_matrix() * weight);
+                for a in 0..4 {
+                    for i in 0..3 {
+                        force[3 * a + i] += n[a] * normal[i];
+                        for b in 0..4 {
+                            for j in 0..3 {
+                                let turn = skew_r[(i, j)] * slope[b][1] - skew_s[(i, j)] * slope[b][0];
+                                tangent[3 * a + i][3 * b + j] += n[a] * turn;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        (force, tangent)
+    }
+}
+
+impl Element for FollowerPressure {
+    fn kind(&self) -> &'static str {
+        "follower_pressure"
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn dofs(&self, _node: usize) -> &'static [Dof] {
+        Dof::TRANSLATIONS
+    }
+
+    fn has_mass(&self) -> bool {
+        false
+    }
+
+    fn respond(
+        &self,
+        motion: Motion<'_>,
+        _old: &[f64],
+        _new: &mut [f64],
+        want: Want,
+        out: &mut Response,
+    ) -> Result<(), ElementError> {
+        let (force, tangent) = self.force_and_tangent(motion.values);
+        for i in 0..12 {
+            if want.force {
+                out.force[i] -= force[i];
+            }
+            if want.tangent {
+                for j in 0..12 {
+                    out.tangent.add(i, j, -0.5 * (tangent[i][j] + tangent[j][i]));
+                }
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,671 @@
+//! Four-node shell with finite rotations: MITC4 with centre-point membrane shear, total Lagrangian.
+//!
+//! ```text
+//!   4 ─────── 3      s       x = Σ N_a x_a          reference surface
+//!   │         │      ▲       d = Σ N_a d_a          director, d_a = R_a D_a
+//!   │         │      └─► r   x + ζ d                material point
+//!   1 ─────── 2
+//! ```
+//!
+//! Green-Lagrange strains in the Cartesian tangent frame e_1, e_2 of each point (quadratic terms in ζ dropped):
+//!
+//! ```text
+//! ε_ij = ½ (x,i · x,j − X,i · X,j)
+//! κ_ij = ½ (x,i · d,j + x,j · d,i − X,i · D,j − X,j · D,i)
+//! γ_α  = x,α · d − X,α · D                 at the mid-points of the edges, interpolated linearly (MITC)
+//! 2ε_12 := 2ε_12 at r = s = 0              at all four Gauss points (centre-point membrane shear)
+//! ```
+//!
+//! All of them are polynomials of degree two in q = (x_a, d_a), so that ∂²(strain)/∂q² is constant:
+//!
+//! ```text
+//! f_q = ∫ Bᵀ S dA ,  K_q = ∫ Bᵀ C B dA + ∫ S : ∂²(strain)/∂q² dA
+//! f_θ = d × f_d ,  δd = θ × d = P θ ,  P = −skew(d)
+//! K_uθ = K_xd P ,  K_θθ = Pᵀ K_dd P + ½ (f_d dᵀ + d f_dᵀ) − (f_d · d) 1       at every node
+//! ```
+//!
+//! The last block is the second derivative of the energy along exp(skew θ) R: the tangent is symmetric everywhere. The
+//! derivative of f_θ itself differs from it by ½ skew(f_θ), which vanishes with the nodal moments at equilibrium.
+//!
+//! Strains are evaluated from displacements u = x − X and w = d − D, never as differences of the two metrics: these would
+//! leave a residual of 10⁻¹⁶ E t |X|.
+//!
+//! Source: Dvorkin & Bathe 1984 (tying), Simo & Fox 1989 (measures); the centre-point shear and its reason are derived in
+//! `docs/theory/shell-element.md`. Thickness change is not represented.
+
+use std::sync::Arc;
+
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+use super::shell::drilling::{Corner, turned};
+use super::shell::geometry::{Point, blend};
+use super::shell::section::{Section, SectionResponse};
+use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use crate::dofs::Dof;
+
+/// Number of local dofs.
+pub const SIZE: usize = 24;
+
+/// Row over the local dofs.
+pub type Row = [f64; SIZE];
+
+/// Names of the resultants, in the order of the section.
+pub const RESULTANTS: [&str; 8] = ["n_11", "n_22", "n_12", "m_11", "m_22", "m_12", "q_1", "q_2"];
+
+/// How the membrane shear strain is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum MembraneShear {
+    /// Its value at the centre at all points.
+    #[default]
+    CentrePoint,
+    /// Point by point: plain MITC4. Locks in thin cylinders; for comparison only.
+    Full,
+}
+
+/// Distribution of the mass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum MassKind {
+    /// ∫ ρ Nᵀ N.
+    #[default]
+    Consistent,
+    /// ∫ ρ N_a at node a, without coupling between nodes.
+    Lumped,
+}
+
+/// Frame in which resultants are given out: e_1 by this rule, projected on the tangent plane; e_2 = n × e_1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Axes {
+    /// e_1 along X,r of the element's centre.
+    Element,
+    /// e_1 along a given vector.
+    Along([f64; 3]),
+    /// e_1 in hoop direction about the axis through `origin` along `axis`: axis × radius. On a wall whose normal points
+    /// outwards e_2 is then the meridian, along the axis.
+    Hoop {
+        /// A point of the axis [m].
+        origin: [f64; 3],
+        /// Direction of the axis.
+        axis: [f64; 3],
+    },
+}
+
+impl Axes {
+    /// Hoop direction about the global z axis.
+    pub const HOOP_Z: Axes = Axes::Hoop {
+        origin: [0.0; 3],
+        axis: [0.0, 0.0, 1.0],
+    };
+
+    /// Unit e_1 at `position` on a surface with the unit normal `normal`; `None` where the rule has no answer.
+    pub fn first(&self, position: Vector3<f64>, normal: Vector3<f64>) -> Option<Vector3<f64>> {
+        let wish = match *self {
+            Axes::Element => return None,
+            Axes::Along(v) => Vector3::from(v),
+            Axes::Hoop { origin, axis } => Vector3::from(axis).cross(&(position - Vector3::from(origin))),
+        };
+        let scale = wish.norm();
+        let tangent = wish - normal * normal.dot(&wish);
+        // Within 0.06 degrees of the normal (or on the axis) there is no direction to project.
+        (tangent.norm() > 1e-3 * scale).then(|| tangent.normalize())
+    }
+}
+
+/// The four edges (from, to) with the strain they sample: along r at s = −1 and 1, along s at r = 1 and −1.
+const EDGES: [(usize, usize); 4] = [(0, 1), (3, 2), (1, 2), (0, 3)];
+
+/// Four-node shell.
+#[derive(Clone)]
+pub struct Shell4 {
+    nodes: [usize; 4],
+    x: [Vector3<f64>; 4],
+    directors: [Vector3<f64>; 4],
+    section: Arc<dyn Section>,
+    points: [Point; 4],
+    centre: Point,
+    membrane_shear: MembraneShear,
+    mass: MassKind,
+    axes: Axes,
+    drilling: Vec<Corner>,
+}
+
+/// Positions, directors and their increments.
+struct Configuration {
+    x: [Vector3<f64>; 4],
+    u: [Vector3<f64>; 4],
+    d: [Vector3<f64>; 4],
+    w: [Vector3<f64>; 4],
+}
+
+/// Strain rows at one point and the derivatives of position and director they are made of.
+struct Kinematics {
+    rows: [Row; 8],
+    strain: [f64; 8],
+}
+
+/// Membrane shear and edge shears, common to all points.
+struct Common {
+    shear: Option<(Row, f64)>,
+    edges: [(Row, f64); 4],
+}
+
+/// Weighted resultants that multiply the constant second derivatives of the strains.
+#[derive(Default)]
+struct Stressed {
+    /// Coefficients of x_a · x_b.
+    xx: [[f64; 4]; 4],
+    /// Coefficients of x_a · d_b.
+    xd: [[f64; 4]; 4],
+}
+
+impl Shell4 {
+    /// A shell with corners at `positions` [m] and initial unit directors `directors`.
+    ///
+    /// Errors: a quadrilateral that is degenerate or folded over, a director that is not a unit vector within 90 degrees
+    /// of the normal.
+    pub fn new(
+        nodes: [usize; 4],
+        positions: [[f64; 3]; 4],
+        directors: [Vector3<f64>; 4],
+        section: Arc<dyn Section>,
+    ) -> Result<Shell4, ElementError> {
+        const A: f64 = 0.577_350_269_189_625_8;
+        let x = positions.map(Vector3::from);
+        let at = |r, s, weight| Point::new(&x, r, s, weight, &nodes);
+        let points = [at(-A, -A, 1.0)?, at(A, -A, 1.0)?, at(A, A, 1.0)?, at(-A, A, 1.0)?];
+        let centre = at(0.0, 0.0, 4.0)?;
+        for d in &directors {
+            if (d.norm() - 1.0).abs() > 1e-9 || d.dot(&centre.axis(2)) <= 0.0 {
+                return Err(ElementError::Parameter {
+                    kind: "shell4",
+                    parameter: "director",
+                    found: format!("({:.3e}, {:.3e}, {:.3e})", d.x, d.y, d.z),
+                    allowed: "a unit vector within 90 degrees of the normal",
+                });
+            }
+        }
+        Ok(Shell4 {
+            nodes,
+            x,
+            directors,
+            section,
+            points,
+            centre,
+            membrane_shear: MembraneShear::default(),
+            mass: MassKind::default(),
+            axes: Axes::Element,
+            drilling: Vec::new(),
+        })
+    }
+
+    /// The same with another membrane shear.
+    pub fn with_membrane_shear(mut self, membrane_shear: MembraneShear) -> Shell4 {
+        self.membrane_shear = membrane_shear;
+        self
+    }
+
+    /// The same with another distribution of mass.
+    pub fn with_mass(mut self, mass: MassKind) -> Shell4 {
+        self.mass = mass;
+        self
+    }
+
+    /// The same with another frame for [`Element::samples`].
+    pub fn with_axes(mut self, axes: Axes) -> Shell4 {
+        self.axes = axes;
+        self
+    }
+
+    /// The same with drilling energy at the corners with `at[corner]` (those with six dofs), `factor` k_d ≥ 0.
+    ///
+    /// Errors: a degenerate corner, a negative factor.
+    pub fn with_drilling(mut self, at: [bool; 4], factor: f64) -> Result<Shell4, ElementError> {
+        if !(factor >= 0.0 && factor.is_finite()) {
+            return Err(ElementError::Parameter {
+                kind: "shell4",
+                parameter: "drilling factor",
+                found: factor.to_string(),
+                allowed: "≥ 0 and finite",
+            });
+        }
+        self.drilling.clear();
+        for corner in (0..4).filter(|&c| at[c]) {
+            let area: f64 = self.points.iter().map(|p| p.n[corner] * p.area).sum();
+            let stiffness = factor * self.section.shear_stiffness() * area;
+            self.drilling
+                .push(Corner::new(&self.x, corner, stiffness, &self.nodes)?);
+        }
+        Ok(self)
+    }
+
+    /// Area of the reference surface [m²].
+    pub fn area(&self) -> f64 {
+        self.points.iter().map(|p| p.area).sum()
+    }
+
+    /// The Gauss points, counter-clockwise as the corners.
+    pub fn points(&self) -> &[Point; 4] {
+        &self.points
+    }
+
+    /// The centre.
+    pub fn centre(&self) -> &Point {
+        &self.centre
+    }
+
+    fn configuration(&self, motion: &Motion<'_>) -> Configuration {
+        let u: [Vector3<f64>; 4] =
+            std::array::from_fn(|a| Vector3::from_column_slice(&motion.values[6 * a..6 * a + 3]));
+        let w: [Vector3<f64>; 4] = std::array::from_fn(|a| turned(&motion.rotations[a], &self.directors[a]));
+        Configuration {
+            x: std::array::from_fn(|a| self.x[a] + u[a]),
+            d: std::array::from_fn(|a| self.directors[a] + w[a]),
+            u,
+            w,
+        }
+    }
+
+    fn reference(&self) -> Configuration {
+        Configuration {
+            x: self.x,
+            u: [Vector3::zeros(); 4],
+            d: self.directors,
+            w: [Vector3::zeros(); 4],
+        }
+    }
+
+    /// 2ε_12 at a point: row and value.
+    fn membrane_shear_at(&self, p: &Point, c: &Configuration) -> (Row, f64) {
+        let (x1, x2) = (blend(&p.d1, &c.x), blend(&p.d2, &c.x));
+        let (u1, u2) = (blend(&p.d1, &c.u), blend(&p.d2, &c.u));
+        let (g1, g2) = (blend(&p.d1, &self.x), blend(&p.d2, &self.x));
+        let mut row = [0.0; SIZE];
+        for a in 0..4 {
+            put(&mut row, 6 * a, x2 * p.d1[a] + x1 * p.d2[a]);
+        }
+        (row, g1.dot(&u2) + g2.dot(&u1) + u1.dot(&u2))
+    }
+
+    fn common(&self, c: &Configuration) -> Common {
+        let shear = match self.membrane_shear {
+            MembraneShear::CentrePoint => Some(self.membrane_shear_at(&self.centre, c)),
+            MembraneShear::Full => None,
+        };
+        let edges = EDGES.map(|(a, b)| {
+            // At the middle of the edge: x,α = ½ (x_b − x_a), d = ½ (d_a + d_b).
+            let along = (c.x[b] - c.x[a]) * 0.25;
+            let director = (c.d[a] + c.d[b]) * 0.25;
+            let mut row = [0.0; SIZE];
+            put(&mut row, 6 * a, -director);
+            put(&mut row, 6 * b, director);
+            put(&mut row, 6 * a + 3, c.d[a].cross(&along));
+            put(&mut row, 6 * b + 3, c.d[b].cross(&along));
+            let stretch = (c.u[b] - c.u[a]) * 0.25;
+            let turn = c.w[a] + c.w[b];
+            let value = stretch.dot(&(self.directors[a] + self.directors[b] + turn))
+                + (self.x[b] - self.x[a]).dot(&turn) * 0.25;
+            (row, value)
+        });
+        Common { shear, edges }
+    }
+
+    /// Factors of the four edge shears in γ_1 and γ_2 at a point.
+    fn tying(p: &Point) -> [[f64; 4]; 2] {
+        let [r, s] = p.natural;
+        let weight = [0.5 * (1.0 - s), 0.5 * (1.0 + s), 0.5 * (1.0 + r), 0.5 * (1.0 - r)];
+        [0, 1].map(|i| std::array::from_fn(|e| weight[e] * p.contravariant[e / 2][i]))
+    }
+
+    fn kinematics(&self, p: &Point, c: &Configuration, common: &Common) -> Kinematics {
+        let (x1, x2) = (blend(&p.d1, &c.x), blend(&p.d2, &c.x));
+        let (d1, d2) = (blend(&p.d1, &c.d), blend(&p.d2, &c.d));
+        let (u1, u2) = (blend(&p.d1, &c.u), blend(&p.d2, &c.u));
+        let (w1, w2) = (blend(&p.d1, &c.w), blend(&p.d2, &c.w));
+        let (g1, g2) = (blend(&p.d1, &self.x), blend(&p.d2, &self.x));
+        let (b1, b2) = (blend(&p.d1, &self.directors), blend(&p.d2, &self.directors));
+        let mut rows = [[0.0; SIZE]; 8];
+        for a in 0..4 {
+            let (n1, n2, k) = (p.d1[a], p.d2[a], 6 * a);
+            put(&mut rows[0], k, x1 * n1);
+            put(&mut rows[1], k, x2 * n2);
+            put(&mut rows[3], k, d1 * n1);
+            put(&mut rows[4], k, d2 * n2);
+            put(&mut rows[5], k, d2 * n1 + d1 * n2);
+            let t1 = c.d[a].cross(&x1);
+            let t2 = c.d[a].cross(&x2);
+            put(&mut rows[3], k + 3, t1 * n1);
+            put(&mut rows[4], k + 3, t2 * n2);
+            put(&mut rows[5], k + 3, t2 * n1 + t1 * n2);
+        }
+        let (shear_row, shear) = match &common.shear {
+            Some(shear) => *shear,
+            None => self.membrane_shear_at(p, c),
+        };
+        rows[2] = shear_row;
+        let mut strain = [
+            g1.dot(&u1) + 0.5 * u1.dot(&u1),
+            g2.dot(&u2) + 0.5 * u2.dot(&u2),
+            shear,
+            u1.dot(&d1) + g1.dot(&w1),
+            u2.dot(&d2) + g2.dot(&w2),
+            u1.dot(&d2) + g1.dot(&w2) + u2.dot(&d1) + g2.dot(&w1),
+            0.0,
+            0.0,
+        ];
+        // d1 = b1 + w1 stands in the products above, so that they hold the terms linear in u and w and their product.
+        debug_assert!(
+            (d1 - b1 - w1).norm() <= 1e-9 * (1.0 + d1.norm()) && (d2 - b2 - w2).norm() <= 1e-9 * (1.0 + d2.norm())
+        );
+        for (i, tying) in Self::tying(p).iter().enumerate() {
+            for (&factor, (row, value)) in tying.iter().zip(&common.edges) {
+                strain[6 + i] += factor * value;
+                for (to, from) in rows[6 + i].iter_mut().zip(row) {
+                    *to += factor * from;
+                }
+            }
+        }
+        Kinematics { rows, strain }
+    }
+
+    /// Adds what the weighted resultants of one point multiply.
+    fn stress(&self, p: &Point, resultants: &[f64; 8], out: &mut Stressed) {
+        let [n11, n22, n12, m11, m22, m12, q1, q2] = resultants.map(|v| v * p.area);
+        let twist = match self.membrane_shear {
+            MembraneShear::CentrePoint => &self.centre,
+            MembraneShear::Full => p,
+        };
+        for a in 0..4 {
+            for b in 0..4 {
+                let (aa, bb) = (p.d1[a] * p.d1[b], p.d2[a] * p.d2[b]);
+                out.xx[a][b] += n11 * aa + n22 * bb + n12 * (twist.d1[a] * twist.d2[b] + twist.d2[a] * twist.d1[b]);
+                out.xd[a][b] += m11 * aa + m22 * bb + m12 * (p.d1[a] * p.d2[b] + p.d2[a] * p.d1[b]);
+            }
+        }
+        let tying = Self::tying(p);
+        for (e, &(a, b)) in EDGES.iter().enumerate() {
+            let q = 0.25 * (q1 * tying[0][e] + q2 * tying[1][e]);
+            for n in [a, b] {
+                out.xd[b][n] += q;
+                out.xd[a][n] -= q;
+            }
+        }
+    }
+
+    /// Adds the geometric stiffness: second derivatives of the strains, and the diagonal blocks of the directors.
+    ///
+    /// The director's force follows from the same coefficients: f_d,b = Σ_a xd_ab x_a, because bending and transverse
+    /// shear strains are bilinear in x and d.
+    fn add_geometric(&self, c: &Configuration, stressed: &Stressed, out: &mut LocalMatrix) {
+        for b in 0..4 {
+            let f = (0..4).fold(Vector3::zeros(), |sum, a| sum + c.x[a] * stressed.xd[a][b]);
+            add_turn_block(out, b, &f, &c.d[b]);
+            let p = -c.d[b].cross_matrix();
+            for a in 0..4 {
+                for i in 0..3 {
+                    out.add(6 * a + i, 6 * b + i, stressed.xx[a][b]);
+                    for j in 0..3 {
+                        out.add_symmetric(6 * a + i, 6 * b + 3 + j, stressed.xd[a][b] * p[(i, j)]);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Rows of the resultants at `p` over the local dofs, at the reference state, in the frame of [`Axes`].
+    ///
+    /// Errors: those of the section.
+    pub fn resultant_rows(&self, p: &Point) -> Result<[Row; 8], ElementError> {
+        let reference = self.reference();
+        let kinematics = self.kinematics(p, &reference, &self.common(&reference));
+        let tangent = self.virgin_tangent()?;
+        let mut rows = [[0.0; SIZE]; 8];
+        for (i, row) in rows.iter_mut().enumerate() {
+            for (k, b) in kinematics.rows.iter().enumerate() {
+                let c = tangent[i][k];
+                if c != 0.0 {
+                    for (to, from) in row.iter_mut().zip(b) {
+                        *to += c * from;
+                    }
+                }
+            }
+        }
+        let position = blend(&p.n, &self.x);
+        if let Some(first) = self.axes.first(position, p.axis(2)) {
+            let (c, s) = (first.dot(&p.axis(0)), first.dot(&p.axis(1)));
+            let old = rows;
+            for j in 0..SIZE {
+                for k in [0, 3] {
+                    let [n11, n22, n12] = [old[k][j], old[k + 1][j], old[k + 2][j]];
+                    rows[k][j] = c * c * n11 + s * s * n22 + 2.0 * c * s * n12;
+                    rows[k + 1][j] = s * s * n11 + c * c * n22 - 2.0 * c * s * n12;
+                    rows[k + 2][j] = c * s * (n22 - n11) + (c * c - s * s) * n12;
+                }
+                rows[6][j] = c * old[6][j] + s * old[7][j];
+                rows[7][j] = c * old[7][j] - s * old[6][j];
+            }
+        }
+        Ok(rows)
+    }
+
+    fn virgin_tangent(&self) -> Result<[[f64; 8]; 8], ElementError> {
+        let mut old = vec![0.0; self.section.history_len()];
+        self.section.init_history(&mut old);
+        let mut new = old.clone();
+        let mut response = SectionResponse::default();
+        self.section.respond(&[0.0; 8], &old, &mut new, &mut response)?;
+        Ok(response.tangent)
+    }
+}
+
+/// Adds a vector to three entries of a row.
+fn put(row: &mut Row, at: usize, v: Vector3<f64>) {
+    row[at] += v.x;
+    row[at + 1] += v.y;
+    row[at + 2] += v.z;
+}
+
+/// Adds ½ (f dᵀ + d fᵀ) − (f · d) 1 to the rotational block of a node.
+pub(super) fn add_turn_block(out: &mut LocalMatrix, node: usize, f: &Vector3<f64>, d: &Vector3<f64>) {
+    let product = f.dot(d);
+    for i in 0..3 {
+        for j in 0..3 {
+            let unit = if i == j { product } else { 0.0 };
+            out.add(
+                6 * node + 3 + i,
+                6 * node + 3 + j,
+                0.5 * (f[i] * d[j] + d[i] * f[j]) - unit,
+            );
+        }
+    }
+}
+
+/// out ← out + w Bᵀ C B, lower triangle only.
+fn add_material(rows: &[Row; 8], tangent: &[[f64; 8]; 8], weight: f64, out: &mut LocalMatrix) {
+    let mut product = [[0.0; SIZE]; 8];
+    for (to, c) in product.iter_mut().zip(tangent) {
+        for (&c, row) in c.iter().zip(rows) {
+            if c != 0.0 {
+                let c = c * weight;
+                for (t, b) in to.iter_mut().zip(row) {
+                    *t += c * b;
+                }
+            }
+        }
+    }
+    for (j, column) in out.data.chunks_exact_mut(SIZE).enumerate() {
+        // Whole quarters of a column, so that the inner loop stays straight.
+        let first = j & !3;
+        for (row, cb) in rows.iter().zip(&product) {
+            let f = cb[j];
+            for (k, b) in column[first..].iter_mut().zip(&row[first..]) {
+                *k += f * b;
+            }
+        }
+    }
+}
+
+impl Element for Shell4 {
+    fn kind(&self) -> &'static str {
+        "shell4"
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn dofs(&self, _node: usize) -> &'static [Dof] {
+        Dof::SHELL
+    }
+
+    fn history_len(&self) -> usize {
+        4 * self.section.history_len()
+    }
+
+    fn init_history(&self, slots: &mut [f64]) {
+        let len = self.section.history_len();
+        if len > 0 {
+            slots.chunks_exact_mut(len).for_each(|s| self.section.init_history(s));
+        }
+    }
+
+    fn mass(&self, out: &mut LocalMatrix) {
+        let [m0, m1, m2] = self.section.inertia();
+        let spin = self.directors.map(|d| -d.cross_matrix());
+        let mut pair = |a: usize, b: usize, area: f64| {
+            let turn: Matrix3<f64> = spin[a].transpose() * spin[b] * (m2 * area);
+            for i in 0..3 {
+                out.add(6 * a + i, 6 * b + i, m0 * area);
+                for j in 0..3 {
+                    out.add(6 * a + 3 + i, 6 * b + 3 + j, turn[(i, j)]);
+                    if m1 != 0.0 {
+                        out.add_symmetric(6 * a + i, 6 * b + 3 + j, m1 * area * spin[b][(i, j)]);
+                    }
+                }
+            }
+        };
+        for p in &self.points {
+            for a in 0..4 {
+                match self.mass {
+                    MassKind::Lumped => pair(a, a, p.n[a] * p.area),
+                    MassKind::Consistent => (0..4).for_each(|b| pair(a, b, p.n[a] * p.n[b] * p.area)),
+                }
+            }
+        }
+    }
+
+    fn has_mass(&self) -> bool {
+        self.section.inertia()[0] > 0.0
+    }
+
+    fn respond(
+        &self,
+        motion: Motion<'_>,
+        old: &[f64],
+        new: &mut [f64],
+        want: Want,
+        out: &mut Response,
+    ) -> Result<(), ElementError> {
+        let c = self.configuration(&motion);
+        let common = self.common(&c);
+        let mut stressed = Stressed::default();
+        let mut any = false;
+        let mut section = SectionResponse::default();
+        let len = self.section.history_len();
+        for (g, p) in self.points.iter().enumerate() {
+            let k = self.kinematics(p, &c, &common);
+            let slots = g * len..(g + 1) * len;
+            self.section
+                .respond(&k.strain, &old[slots.clone()], &mut new[slots], &mut section)?;
+            if want.force {
+                for (row, n) in k.rows.iter().zip(&section.resultants) {
+                    let n = n * p.area;
+                    for (f, b) in out.force.iter_mut().zip(row) {
+                        *f += n * b;
+                    }
+                }
+            }
+            if want.tangent {
+                add_material(&k.rows, &section.tangent, p.area, &mut out.tangent);
+                if section.resultants.iter().any(|&n| n != 0.0) {
+                    any = true;
+                    self.stress(p, &section.resultants, &mut stressed);
+                }
+            }
+        }
+        if want.tangent {
+            out.tangent.mirror();
+            if any {
+                self.add_geometric(&c, &stressed, &mut out.tangent);
+            }
+        }
+        for corner in &self.drilling {
+            corner.respond(&c.u, &motion.rotations[corner.node], want, out);
+        }
+        Ok(())
+    }
+
+    fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<bool, ElementError> {
+        let reference = self.reference();
+        let common = self.common(&reference);
+        let tangent = self.virgin_tangent()?;
+        let mut stressed = Stressed::default();
+        for p in &self.points {
+            let k = self.kinematics(p, &reference, &common);
+            let strain = k
+                .rows
+                .map(|row| row.iter().zip(values).map(|(b, v)| b * v).sum::<f64>());
+            let resultants = tangent.map(|row| row.iter().zip(&strain).map(|(c, e)| c * e).sum());
+            self.stress(p, &resultants, &mut stressed);
+        }
+        self.add_geometric(&reference, &stressed, out);
+        Ok(true)
+    }
+
+    fn body_force(&self, acceleration: [f64; 3], out: &mut [f64]) {
+        let [m0, m1, _] = self.section.inertia();
+        let b = Vector3::from(acceleration);
+        for p in &self.points {
+            for a in 0..4 {
+                let weight = p.n[a] * p.area;
+                let turn = self.directors[a].cross(&b);
+                for i in 0..3 {
+                    out[6 * a + i] += m0 * weight * b[i];
+                    out[6 * a + 3 + i] += m1 * weight * turn[i];
+                }
+            }
+        }
+    }
+
+    /// Resultants in the frame of [`Axes`]: at the centre, then at the four Gauss points counter-clockwise, eight each
+    /// in the order of [`RESULTANTS`]. m > 0 stretches the side to which the directors point.
+    fn samples(&self) -> Vec<Sample> {
+        let mut out = Vec::with_capacity(40);
+        for p in std::iter::once(&self.centre).chain(&self.points) {
+            let position = blend(&p.n, &self.x).into();
+            // A section without an answer at rest has no samples.
+            let Ok(rows) = self.resultant_rows(p) else {
+                return Vec::new();
+            };
+            out.extend(RESULTANTS.iter().zip(&rows).map(|(&name, row)| Sample {
+                name,
+                position,
+                row: row.to_vec(),
+                of_acceleration: false,
+            }));
+        }
+        out
+    }
+}
+
+/// Motion of a rigid body for tests and checks: local values and rotations under x → c + R (x − c) + v.
+pub fn rigid_motion(
+    positions: &[[f64; 3]; 4],
+    rotation: UnitQuaternion<f64>,
+    translation: [f64; 3],
+) -> ([f64; SIZE], [UnitQuaternion<f64>; 4]) {
+    let mut values = [0.0; SIZE];
+    for (a, &x) in positions.iter().enumerate() {
+        let x = Vector3::from(x);
+        put(&mut values, 6 * a, turned(&rotation, &x) + Vector3::from(translation));
+    }
+    (values, [rotation; 4])
+}
