@@ -27,6 +27,8 @@ mod potential_face;
 mod potential_surface;
 pub mod shell;
 pub mod shell4;
+pub mod solid8;
+pub mod solid8_law;
 mod wet_face;
 
 /// What the nodes of an element do.
