@@ -17,9 +17,11 @@ pub use potential_surface::PotentialSurface;
 pub use potential8::Potential8;
 pub use wet_face::WetFace;
 
-mod fluid;
+pub mod contact8;
+mod contact8_area;
 mod fluid4;
 mod fluid8;
+mod fluid;
 mod free_surface;
 mod local;
 mod potential8;

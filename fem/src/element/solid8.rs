@@ -172,11 +172,9 @@ impl Solid8 {
             material,
             kinematics,
         };
-        // The centre and the corners' points; an element turned inside out has a negative determinant everywhere.
-        for q in 0..POINTS {
-            let determinant = element.jacobian(&SLOPES[q]).determinant();
-            // A NaN from coordinates is refused as well.
-            if !(determinant > 0.0) {
+        for slopes in &SLOPES {
+            let determinant = element.jacobian(slopes).determinant();
+            if determinant.is_nan() || determinant <= 0.0 {
                 return Err(ElementError::Jacobian {
                     kind: KIND,
                     determinant,

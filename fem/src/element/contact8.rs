@@ -1,0 +1,364 @@
+//! Contact of zero thickness between two faces of four nodes each: a liquid and its wall, or two blocks.
+//!
+//! ```text
+//! gap at node a     g_a = n_a · (u_top,a − u_bottom,a)          n_a points from bottom to top
+//! gap               g = Σ N_a g_a
+//! traction          t = k_n g where closed (g < 0), r k_n g where open;  bonded: t = k_n g everywhere
+//! force             f_top,a = n_a Σ_b A_ab g_b = −f_bottom,a,   A_ab = ∫ k N_a N_b dA
+//! tangent           ∂f/∂u = A_ab n_a n_bᵀ with the signs of top and bottom
+//! ```
+//!
+//! **Nodal normals.** On a curved wall two facets meet at a node. If each took its own flat normal, the node would feel two
+//! different normals n₁, n₂; closing both gaps holds two components of the slip and locks the liquid to the wall along the
+//! circumference. With one normal a node, taken from the exact geometry or averaged, a slip along the wall is free:
+//! Σ N_a n_a · u_a vanishes identically for u_a ⟂ n_a.
+//!
+//! **Area.** dA comes from the chart of the face: r dθ dz on a cylinder, not the area of the flat facet, so that nodal areas
+//! are those of the liquid behind it.
+//!
+//! **Partly closed faces** are cut at g = 0 (`contact8_area`). The moving boundary adds nothing to the tangent, as
+//! the integrand vanishes there. The normals are those of the reference state (small rotations of the face).
+//!
+//! Penalty: k_n = 10² … 10³ max(K_liquid/h, E t/R²); measured effect in docs/theory/solid-and-contact.md.
+//!
+//! Source: dissertation, chapter 7; integration after Heinen and its improvement, theory document.
+
+use nalgebra::Vector3;
+
+use super::contact8_area::Gap;
+pub use super::contact8_area::Integration;
+use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use crate::chart::Chart;
+use crate::dofs::Dof;
+use crate::mesh::Face;
+use crate::shape::quad4;
+
+const KIND: &str = "contact8";
+
+/// What the joint transmits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactLaw {
+    /// Normal penalty stiffness k_n [N/m³], > 0.
+    pub normal_stiffness: f64,
+    /// Tangential stiffness k_t [N/m³], ≥ 0 (0 for liquids). It acts on the whole face, open or closed.
+    pub tangential_stiffness: f64,
+    /// What an open joint does.
+    pub opening: Opening,
+    /// How partly closed faces are integrated.
+    pub integration: Integration,
+}
+
+/// What an open joint does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Opening {
+    /// It cannot open: tension is transmitted like pressure.
+    Bonded,
+    /// Only the residual stiffness r k_n acts where g > 0; 0 ≤ r < 1, usually 1e-6.
+    Unilateral {
+        /// r.
+        residual: f64,
+    },
+}
+
+impl ContactLaw {
+    /// Bonded normal to the face, free along it; k_n [N/m³].
+    pub fn bonded(normal_stiffness: f64) -> ContactLaw {
+        ContactLaw {
+            normal_stiffness,
+            tangential_stiffness: 0.0,
+            opening: Opening::Bonded,
+            integration: Integration::Clipped,
+        }
+    }
+
+    /// Pressure only, residual stiffness 1e-6 k_n where open; k_n [N/m³].
+    pub fn unilateral(normal_stiffness: f64) -> ContactLaw {
+        ContactLaw {
+            opening: Opening::Unilateral { residual: 1e-6 },
+            ..ContactLaw::bonded(normal_stiffness)
+        }
+    }
+
+    /// The same with a tangential stiffness k_t [N/m³].
+    pub fn with_tangential(self, tangential_stiffness: f64) -> ContactLaw {
+        ContactLaw {
+            tangential_stiffness,
+            ..self
+        }
+    }
+
+    fn check(&self) -> Result<(), ElementError> {
+        let refuse = |parameter, found: f64, allowed| {
+            Err(ElementError::Parameter {
+                kind: KIND,
+                parameter,
+                found: found.to_string(),
+                allowed,
+            })
+        };
+        if !(self.normal_stiffness > 0.0 && self.normal_stiffness.is_finite()) {
+            return refuse("normal_stiffness", self.normal_stiffness, "> 0");
+        }
+        if !(self.tangential_stiffness >= 0.0 && self.tangential_stiffness.is_finite()) {
+            return refuse("tangential_stiffness", self.tangential_stiffness, "≥ 0");
+        }
+        match self.opening {
+            Opening::Unilateral { residual } if !(0.0..1.0).contains(&residual) => {
+                refuse("residual", residual, "from 0 to below 1")
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The element. Its local nodes are the four of the top, then the four of the bottom.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contact8 {
+    nodes: [usize; 8],
+    chart: Chart,
+    corners: [[f64; 3]; 4],
+    normals: [Vector3<f64>; 4],
+    law: ContactLaw,
+}
+
+impl Contact8 {
+    /// Joint on `face`, whose chart coordinates give place and area.
+    ///
+    /// * `top`, `bottom`: nodes of both sides in the order of the face's corners
+    /// * `normals`: unit normal at each corner, global Cartesian, from bottom to top; one a node for all faces that meet
+    ///   there
+    ///
+    /// Errors: a parameter out of range, a normal that is no unit vector, a face without area.
+    pub fn new(
+        face: &Face,
+        chart: Chart,
+        top: [usize; 4],
+        bottom: [usize; 4],
+        normals: [[f64; 3]; 4],
+        law: ContactLaw,
+    ) -> Result<Contact8, ElementError> {
+        law.check()?;
+        for normal in normals {
+            let length = Vector3::from(normal).norm();
+            // Normals are given to working accuracy; a longer one would scale the penalty by its square.
+            if length.is_nan() || (length - 1.0).abs() > 1e-9 {
+                return Err(ElementError::Parameter {
+                    kind: KIND,
+                    parameter: "normal",
+                    found: format!("{normal:?} of length {length}"),
+                    allowed: "unit vectors",
+                });
+            }
+        }
+        let mut nodes = [0; 8];
+        nodes[..4].copy_from_slice(&top);
+        nodes[4..].copy_from_slice(&bottom);
+        let element = Contact8 {
+            nodes,
+            chart,
+            corners: face.chart,
+            normals: normals.map(Vector3::from),
+            law,
+        };
+        let mut least = f64::INFINITY;
+        Gap::whole(|r, s, _| least = least.min(element.area_factor(r, s)));
+        if least.is_nan() || least <= 0.0 {
+            return Err(ElementError::Jacobian {
+                kind: KIND,
+                determinant: least,
+                nodes: nodes.to_vec(),
+            });
+        }
+        Ok(element)
+    }
+
+    /// Area of the face [m²].
+    pub fn area(&self) -> f64 {
+        let mut sum = 0.0;
+        Gap::whole(|r, s, w| sum += w * self.area_factor(r, s));
+        sum
+    }
+
+    /// Gap at the four corners [m] for the values of the element's dofs; negative where pressed.
+    pub fn gaps(&self, values: &[f64]) -> [f64; 4] {
+        std::array::from_fn(|a| {
+            (0..3)
+                .map(|i| self.normals[a][i] * (values[3 * a + i] - values[12 + 3 * a + i]))
+                .sum()
+        })
+    }
+
+    /// Chart coordinates at (r, s).
+    fn chart_at(&self, r: f64, s: f64) -> [f64; 3] {
+        let n = quad4::value(r, s);
+        std::array::from_fn(|k| (0..4).map(|a| n[a] * self.corners[a][k]).sum())
+    }
+
+    /// dA/(dr ds): the length of the cross product of both tangents of the face in the chart's orthonormal base.
+    fn area_factor(&self, r: f64, s: f64) -> f64 {
+        let slopes = quad4::slope(r, s);
+        let mut tangents =
+            [0, 1].map(|d| Vector3::from_fn(|k, _| (0..4).map(|a| slopes[a][d] * self.corners[a][k]).sum::<f64>()));
+        if self.chart == Chart::Cylindrical {
+            let radius = self.chart_at(r, s)[0];
+            for tangent in &mut tangents {
+                tangent[1] *= radius;
+            }
+        }
+        tangents[0].cross(&tangents[1]).norm()
+    }
+
+    /// ∫ N_a N_b dA over the whole face.
+    fn whole(&self) -> [[f64; 4]; 4] {
+        let mut sum = [[0.0; 4]; 4];
+        Gap::whole(|r, s, w| self.add_products(r, s, w, &mut sum));
+        sum
+    }
+
+    fn add_products(&self, r: f64, s: f64, weight: f64, sum: &mut [[f64; 4]; 4]) {
+        let n = quad4::value(r, s);
+        let area = weight * self.area_factor(r, s);
+        for a in 0..4 {
+            for b in 0..4 {
+                sum[a][b] += area * n[a] * n[b];
+            }
+        }
+    }
+
+    /// A_ab = ∫ k N_a N_b dA with k = k_n where closed and r k_n where open [N/m].
+    fn normal_matrix(&self, gaps: [f64; 4]) -> [[f64; 4]; 4] {
+        let mut matrix = self.whole();
+        let k_n = self.law.normal_stiffness;
+        if let Opening::Unilateral { residual } = self.law.opening {
+            let mut closed = [[0.0; 4]; 4];
+            Gap(gaps).closed(self.law.integration, |r, s, w| self.add_products(r, s, w, &mut closed));
+            for a in 0..4 {
+                for b in 0..4 {
+                    matrix[a][b] = residual * matrix[a][b] + (1.0 - residual) * closed[a][b];
+                }
+            }
+        }
+        matrix.map(|row| row.map(|x| k_n * x))
+    }
+
+    /// Adds value · x yᵀ between nodes a and b, with the signs of top and bottom.
+    fn add_pair(a: usize, b: usize, block: impl Fn(usize, usize) -> f64, out: &mut LocalMatrix) {
+        for j in 0..3 {
+            for i in 0..3 {
+                let value = block(i, j);
+                for (row, sign_row) in [(3 * a + i, 1.0), (12 + 3 * a + i, -1.0)] {
+                    for (column, sign_column) in [(3 * b + j, 1.0), (12 + 3 * b + j, -1.0)] {
+                        out.add(row, column, sign_row * sign_column * value);
+                    }
+                }
+            }
+        }
+    }
+
+    /// 1 − n_a n_aᵀ.
+    fn tangential_projector(&self, a: usize) -> nalgebra::Matrix3<f64> {
+        nalgebra::Matrix3::identity() - self.normals[a] * self.normals[a].transpose()
+    }
+}
+
+impl Element for Contact8 {
+    fn kind(&self) -> &'static str {
+        KIND
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn dofs(&self, _node: usize) -> &'static [Dof] {
+        Dof::TRANSLATIONS
+    }
+
+    fn has_mass(&self) -> bool {
+        false
+    }
+
+    /// At rest (all gaps zero) the tangent of a unilateral joint is that of the bonded one: the reference state is closed.
+    fn respond(
+        &self,
+        motion: Motion<'_>,
+        _old: &[f64],
+        _new: &mut [f64],
+        want: Want,
+        out: &mut Response,
+    ) -> Result<(), ElementError> {
+        let gaps = self.gaps(motion.values);
+        let normal = if gaps == [0.0; 4] {
+            self.whole().map(|row| row.map(|x| self.law.normal_stiffness * x))
+        } else {
+            self.normal_matrix(gaps)
+        };
+        let mut add_force = |a: usize, force: Vector3<f64>| {
+            for i in 0..3 {
+                out.force[3 * a + i] += force[i];
+                out.force[12 + 3 * a + i] -= force[i];
+            }
+        };
+        if want.force {
+            for a in 0..4 {
+                let sum: f64 = (0..4).map(|b| normal[a][b] * gaps[b]).sum();
+                add_force(a, sum * self.normals[a]);
+            }
+        }
+        if want.tangent {
+            for a in 0..4 {
+                for b in 0..4 {
+                    let (na, nb) = (&self.normals[a], &self.normals[b]);
+                    Contact8::add_pair(a, b, |i, j| normal[a][b] * na[i] * nb[j], &mut out.tangent);
+                }
+            }
+        }
+        if self.law.tangential_stiffness > 0.0 {
+            let whole = self.whole();
+            for a in 0..4 {
+                for b in 0..4 {
+                    let block = self.tangential_projector(a)
+                        * self.tangential_projector(b)
+                        * (self.law.tangential_stiffness * whole[a][b]);
+                    if want.force {
+                        let jump = Vector3::from_fn(|i, _| motion.values[3 * b + i] - motion.values[12 + 3 * b + i]);
+                        add_force(a, block * jump);
+                    }
+                    if want.tangent {
+                        Contact8::add_pair(a, b, |i, j| block[(i, j)], &mut out.tangent);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// `gap` [m] and `contact_pressure` −k_n g [Pa] (pressed: positive; of the bonded joint) at the 2 × 2 points.
+    fn samples(&self) -> Vec<Sample> {
+        let mut samples = Vec::new();
+        Gap::whole(|r, s, _| {
+            let n = quad4::value(r, s);
+            let mut gap = vec![0.0; 24];
+            for a in 0..4 {
+                for i in 0..3 {
+                    gap[3 * a + i] = n[a] * self.normals[a][i];
+                    gap[12 + 3 * a + i] = -n[a] * self.normals[a][i];
+                }
+            }
+            let position = self.chart.position(self.chart_at(r, s));
+            let pressure = gap.iter().map(|c| -self.law.normal_stiffness * c).collect();
+            for (name, row) in [("gap", gap), ("contact_pressure", pressure)] {
+                samples.push(Sample {
+                    name,
+                    position,
+                    row,
+                    of_acceleration: false,
+                });
+            }
+        });
+        samples
+    }
+}
+
+#[cfg(test)]
+mod tests;
