@@ -19,9 +19,9 @@ pub use wet_face::WetFace;
 
 pub mod contact8;
 mod contact8_area;
+mod fluid;
 mod fluid4;
 mod fluid8;
-mod fluid;
 mod free_surface;
 mod local;
 mod potential8;
