@@ -1,1 +1,88 @@
-//! Analyses of a model. An analysis knows matrices, loads and histories, and no element and no tank.
+//! Analyses of a model. An analysis knows matrices, loads and histories, and no tank; only [`statics`] looks at elements,
+//! to find reactions.
+//!
+//! ```text
+//! M ẍ + C ẋ + K x = −M ι a_g(t) + p(t)          x relative to the ground
+//! ```
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`system`] | matrices and influence vectors of a model |
+//! | [`statics`] | linear static analysis, reactions at supports |
+//! | [`damping`] | Rayleigh, by group, modal, dashpots |
+//! | [`motion`] | time steps, and ground motion or the time function of a force on them |
+//! | [`observe`] | histories of scalars, extremes of everything else; [`observable`] says of what |
+//! | [`scheme`] | generalised-α and its special cases: Newmark, Hilber-Hughes-Taylor, trapezoidal rule |
+//! | [`transient`] | direct time integration, one factor for many records, with energy balance |
+
+pub mod damping;
+pub mod motion;
+pub mod observable;
+pub mod observe;
+pub mod scheme;
+pub mod statics;
+pub mod sweep;
+pub mod system;
+pub mod transient;
+
+use crate::element::ElementError;
+use crate::linalg::LinalgError;
+
+/// Failure of an analysis.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum AnalysisError {
+    /// A factorisation or an eigenvalue analysis failed.
+    #[error("{what}: {source}")]
+    Linalg {
+        /// What was being factored or solved.
+        what: &'static str,
+        /// The failure.
+        source: LinalgError,
+    },
+    /// An element failed.
+    #[error("element {number}: {source}")]
+    Element {
+        /// Number of the element.
+        number: usize,
+        /// The failure.
+        source: ElementError,
+    },
+    /// Damping without a meaning.
+    #[error(transparent)]
+    Damping(#[from] damping::DampingError),
+    /// A parameter out of range.
+    #[error("{option}: found {found}, allowed {allowed}")]
+    Option {
+        /// Name of the parameter.
+        option: &'static str,
+        /// Found.
+        found: String,
+        /// Allowed.
+        allowed: String,
+    },
+    /// A response that is not finite.
+    #[error("the response is not finite at t = {time:.4} s: {cause}")]
+    NotFinite {
+        /// Time [s].
+        time: f64,
+        /// Likely cause.
+        cause: &'static str,
+    },
+}
+
+/// Names what failed in the linear algebra.
+pub(crate) fn failed(what: &'static str) -> impl Fn(LinalgError) -> AnalysisError {
+    move |source| AnalysisError::Linalg { what, source }
+}
+
+/// Checks the length of a vector.
+pub(crate) fn check_length(option: &'static str, found: usize, expected: usize) -> Result<(), AnalysisError> {
+    if found == expected {
+        return Ok(());
+    }
+    Err(AnalysisError::Option {
+        option,
+        found: format!("{found} entries"),
+        allowed: format!("{expected}, one an equation"),
+    })
+}

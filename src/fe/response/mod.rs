@@ -8,6 +8,6 @@
 //! | [`direct`] | direct Newmark integration on all unknowns, with energy balance |
 
 pub mod direct;
-pub mod motion;
-pub mod observe;
 pub mod superpose;
+
+pub use fem::analysis::{motion, observe};

@@ -12,6 +12,8 @@
 //! through values and slopes at both ends of a step, where the analysis knows slopes: with 20 steps a period its error
 //! is (2π/20)⁴/384 = 2.5e-5 of the amplitude, while the samples alone may miss 1 − cos(π/20) = 1.2 %.
 
+use super::motion::Grid;
+
 /// A stretch of the state: `rows` states at `len` consecutive instants, the first of which is the last of the chunk
 /// before.
 #[derive(Clone, Debug)]
@@ -198,14 +200,14 @@ pub struct Observed {
 pub struct Observer<'a> {
     scalars: &'a [Row],
     others: &'a [Row],
-    grid: super::motion::Grid,
+    grid: Grid,
     buffer: Vec<f64>,
     observed: Observed,
 }
 
 impl<'a> Observer<'a> {
     /// Observes histories of `scalars` and extremes of `others` on `grid`.
-    pub fn new(scalars: &'a [Row], others: &'a [Row], grid: super::motion::Grid) -> Observer<'a> {
+    pub fn new(scalars: &'a [Row], others: &'a [Row], grid: Grid) -> Observer<'a> {
         let empty = History {
             values: Vec::with_capacity(grid.samples),
             extreme: Extreme::REST,
@@ -251,7 +253,7 @@ impl<'a> Observer<'a> {
 }
 
 /// Widens `extreme` by the values `y` of `row` at the instants of `chunk` and the cubics on both sides of their extremes.
-fn widen(row: &Row, chunk: &Chunk, y: &[f64], grid: &super::motion::Grid, extreme: &mut Extreme) {
+fn widen(row: &Row, chunk: &Chunk, y: &[f64], grid: &Grid, extreme: &mut Extreme) {
     let (mut low, mut high) = (0, 0);
     for (k, &value) in y.iter().enumerate() {
         if value < y[low] {
@@ -306,7 +308,6 @@ fn stationary(y0: f64, m0: f64, y1: f64, m1: f64) -> [Option<f64>; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::motion::Grid;
     use super::*;
 
     /// Two states sin ωt, cos ωt with 20 samples a period; rows of known amplitude and extreme.

@@ -54,15 +54,20 @@ impl Motion {
     /// `record` on `grid`. Exact if the record's step is that of the grid, or a multiple of a sub-step; else a sub-step in
     /// which the record has a kink is linearised.
     pub fn new(record: &Record, grid: &Grid) -> Motion {
-        let a = &record.acceleration;
-        let last = ((record.duration() / grid.h() + 1e-6).floor() as usize).min(grid.steps());
+        Motion::sampled(record.dt, &record.acceleration, grid)
+    }
+
+    /// Samples `dt` [s] apart on `grid`, as [`Motion::new`]. Serves for the time function of a force as well.
+    pub fn sampled(dt: f64, a: &[f64], grid: &Grid) -> Motion {
+        let duration = dt * a.len().saturating_sub(1) as f64;
+        let last = ((duration / grid.h() + 1e-6).floor() as usize).min(grid.steps());
         let value = |i: usize| {
-            if record.dt == grid.dt {
+            if dt == grid.dt {
                 let (k, rest) = (i / grid.sub_steps, i % grid.sub_steps);
                 let s = rest as f64 / grid.sub_steps as f64;
                 if rest == 0 { a[k] } else { a[k] + s * (a[k + 1] - a[k]) }
             } else {
-                let s = (grid.time(i) / record.dt).min((a.len() - 1) as f64);
+                let s = (grid.time(i) / dt).min((a.len() - 1) as f64);
                 let k = (s as usize).min(a.len().saturating_sub(2));
                 let next = a.get(k + 1).copied().unwrap_or(a[k]);
                 a[k] + (s - k as f64) * (next - a[k])

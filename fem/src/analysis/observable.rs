@@ -1,0 +1,191 @@
+//! What is observed of a response: linear functionals of displacement, velocity and total acceleration.
+//!
+//! ```text
+//! y = d·x + e·ẋ + c·(ẍ + Σ ι_k a_k) + Σ b_k a_k
+//! ```
+//!
+//! A support reaction is one of them: by virtual work, the resultant of all reactions for a rigid motion w of the supports
+//! is wᵀ (K x + C ẋ + M ẍ_total) over the held dofs, whose rows are summed from the elements.
+
+use std::collections::BTreeMap;
+
+use super::AnalysisError;
+use super::damping::Rayleigh;
+use super::system::unit;
+use crate::dofs::{Dof, KINDS};
+use crate::element::{Element, LocalMatrix, Sample, local_size, reference_mass, reference_stiffness};
+use crate::model::Model;
+
+/// Sparse row: (equation, coefficient).
+pub type SparseRow = Vec<(usize, f64)>;
+
+/// A linear functional of the response.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Observable {
+    /// Name, for results.
+    pub name: String,
+    /// d, on displacements relative to the ground.
+    pub displacement: SparseRow,
+    /// e, on velocities relative to the ground.
+    pub velocity: SparseRow,
+    /// c, on total accelerations.
+    pub acceleration: SparseRow,
+    /// b, on the ground acceleration (of held dofs, which move with the ground).
+    pub ground: [f64; 3],
+}
+
+impl Observable {
+    /// Displacement (rotation, potential, elevation) of a node in a global component, relative to the ground.
+    pub fn displacement(model: &Model, node: usize, dof: Dof) -> Observable {
+        Observable {
+            name: format!("{dof} of node {node}"),
+            displacement: model.row(node, dof),
+            ..Observable::default()
+        }
+    }
+
+    /// Total acceleration of a node in a global component.
+    pub fn acceleration(model: &Model, node: usize, dof: Dof) -> Observable {
+        let mut ground = [0.0; 3];
+        if dof.index() < 3 {
+            // What the supports hold of this component moves with the ground.
+            for (k, b) in ground.iter_mut().enumerate() {
+                let own = held_part(model, node, &unit(k));
+                *b = own[dof.index()];
+            }
+        }
+        Observable {
+            name: format!("total acceleration {dof} of node {node}"),
+            acceleration: model.row(node, dof),
+            ground,
+            ..Observable::default()
+        }
+    }
+
+    /// A sample of an element: stress, resultant, pressure.
+    pub fn sample(model: &Model, element: &dyn Element, sample: &Sample) -> Observable {
+        let row: SparseRow = model.spread(element, &sample.row).into_iter().collect();
+        let mut out = Observable {
+            name: sample.name.to_owned(),
+            ..Observable::default()
+        };
+        if sample.of_acceleration {
+            for (k, b) in out.ground.iter_mut().enumerate() {
+                *b = local_held(model, element, &|_| unit(k))
+                    .iter()
+                    .zip(&sample.row)
+                    .map(|(w, r)| w * r)
+                    .sum();
+            }
+            out.acceleration = row;
+        } else {
+            out.displacement = row;
+        }
+        out
+    }
+
+    /// Resultant of all support reactions in the rigid motion `field` (global components at every node): (1, 0, 0, …) is
+    /// the force along x that the ground exerts on the model, (0, −z, y, 1, 0, 0, …) the moment about x.
+    ///
+    /// `rayleigh(e)`: coefficients of element e, for the viscous part; the elements' own damping is included.
+    ///
+    /// Errors: those of the elements.
+    pub fn reaction(
+        model: &Model,
+        name: &str,
+        field: impl Fn(usize) -> [f64; KINDS],
+        rayleigh: impl Fn(usize) -> Rayleigh,
+    ) -> Result<Observable, AnalysisError> {
+        let (mut d, mut e, mut c) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
+        let mut ground = [0.0; 3];
+        for (number, element) in model.elements().iter().enumerate() {
+            let element = &**element;
+            let virtual_motion = local_held(model, element, &field);
+            if virtual_motion.iter().all(|w| *w == 0.0) {
+                continue;
+            }
+            let k = reference_stiffness(element).map_err(|source| AnalysisError::Element { number, source })?;
+            let m = reference_mass(element);
+            let r = rayleigh(number);
+            let mut damper = LocalMatrix::zeros(local_size(element));
+            if !element.damping(&mut damper) {
+                damper = LocalMatrix::zeros(local_size(element));
+            }
+            let (on_k, on_m) = (rows(&k, &virtual_motion), rows(&m, &virtual_motion));
+            let on_c: Vec<f64> = rows(&damper, &virtual_motion)
+                .iter()
+                .zip(on_k.iter().zip(&on_m))
+                .map(|(c, (k, m))| c + r.stiffness * k + r.mass * m)
+                .collect();
+            for (out, local) in [(&mut d, &on_k), (&mut e, &on_c), (&mut c, &on_m)] {
+                for (equation, value) in model.spread(element, local) {
+                    *out.entry(equation).or_insert(0.0) += value;
+                }
+            }
+            for (axis, b) in ground.iter_mut().enumerate() {
+                let carried = local_held(model, element, &|_| unit(axis));
+                *b += carried.iter().zip(&on_m).map(|(x, m)| x * m).sum::<f64>();
+            }
+        }
+        let sparse = |map: BTreeMap<usize, f64>| map.into_iter().filter(|&(_, v)| v != 0.0).collect();
+        Ok(Observable {
+            name: name.to_owned(),
+            displacement: sparse(d),
+            velocity: sparse(e),
+            acceleration: sparse(c),
+            ground,
+        })
+    }
+
+    /// Coefficients of the ground acceleration with c·ι_k a_k taken in.
+    pub(crate) fn total_ground(&self, influence: &[Vec<f64>; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|k| self.ground[k] + apply(&self.acceleration, &influence[k]))
+    }
+}
+
+/// Σ c_i x_i.
+pub fn apply(row: &[(usize, f64)], x: &[f64]) -> f64 {
+    row.iter().map(|&(i, c)| c * x[i]).sum()
+}
+
+/// Aᵀ w of a symmetric local matrix.
+fn rows(a: &LocalMatrix, w: &[f64]) -> Vec<f64> {
+    let column = |j: usize| (0..a.n).map(|i| a.get(i, j) * w[i]).sum();
+    (0..a.n).map(column).collect()
+}
+
+/// The part of a vector of global components at a node that lies along held dofs.
+fn held_part(model: &Model, node: usize, global: &[f64; KINDS]) -> [f64; KINDS] {
+    let mut out = [0.0; KINDS];
+    for dof in Dof::ALL {
+        if !model.is_held(node, dof) {
+            continue;
+        }
+        let i = dof.index();
+        let (frame, first) = match i {
+            0..3 => (model.frame(node), 0),
+            3..6 => (model.rotation_frame(node), 3),
+            _ => (None, 0),
+        };
+        match frame {
+            Some(f) => {
+                let along: f64 = (0..3).map(|j| f[(i - first, j)] * global[first + j]).sum();
+                for j in 0..3 {
+                    out[first + j] += f[(i - first, j)] * along;
+                }
+            }
+            None => out[i] += global[i],
+        }
+    }
+    out
+}
+
+/// Local vector of the held part of a field.
+fn local_held(model: &Model, element: &dyn Element, field: &impl Fn(usize) -> [f64; KINDS]) -> Vec<f64> {
+    let mut out = Vec::new();
+    for (a, &node) in element.nodes().iter().enumerate() {
+        let held = held_part(model, node, &field(node));
+        out.extend(element.dofs(a).iter().map(|d| held[d.index()]));
+    }
+    out
+}
