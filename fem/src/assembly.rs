@@ -251,31 +251,6 @@ impl Assembler {
         out
     }
 
-    /// M x for a field x given at every node in global components, **held dofs included**: with a unit translation, the
-    /// load of a unit ground acceleration is −M ι.
-    pub fn inertia(&self, model: &Model, field: impl Fn(usize) -> [f64; KINDS]) -> Vec<f64> {
-        let mut out = vec![0.0; model.dofs().len()];
-        let mut matrix = LocalMatrix::default();
-        let (mut x, mut force) = (Vec::new(), Vec::new());
-        for (e, element) in model.elements().iter().enumerate() {
-            if !element.has_mass() {
-                continue;
-            }
-            let n = local_size(&**element);
-            matrix.reset(n);
-            element.mass(&mut matrix);
-            x.clear();
-            for (a, &node) in element.nodes().iter().enumerate() {
-                let global = field(node);
-                x.extend(element.dofs(a).iter().map(|d| global[d.index()]));
-            }
-            force.clear();
-            force.extend((0..n).map(|i| (0..n).map(|j| matrix.get(i, j) * x[j]).sum::<f64>()));
-            self.scatter_vector(model, e, &mut force, &mut out);
-        }
-        out
-    }
-
     /// Internal force and, if wanted, tangent at the trial state; writes the trial history.
     ///
     /// Errors: the first element without an answer, with its number.

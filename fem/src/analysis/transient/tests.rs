@@ -15,7 +15,7 @@ fn chain(n: usize) -> System {
     let cliques: Vec<Vec<usize>> = (0..n.max(2) - 1).map(|i| vec![i, (i + 1).min(n - 1)]).collect();
     let pattern = Arc::new(Pattern::from_cliques(n, cliques.iter().map(Vec::as_slice)));
     let (mut m, mut k) = (Symmetric::zeros(pattern.clone()), Symmetric::zeros(pattern.clone()));
-    let mut put = |a: &mut Symmetric, i: usize, j: usize, v: f64| {
+    let put = |a: &mut Symmetric, i: usize, j: usize, v: f64| {
         let place = pattern.place(i, j).expect("neighbours are in the pattern");
         a.values[place] += v;
     };
