@@ -6,7 +6,7 @@ use nalgebra::Matrix3;
 
 use crate::dofs::{Dof, KINDS};
 use crate::element::{Element, ElementError, LocalMatrix, Motion, Response, Want, local_size, reference_stiffness};
-use crate::linalg::{Pattern, Symmetric};
+use crate::linalg::{Ordering, Pattern, Symmetric};
 use crate::model::Model;
 use crate::state::{Gather, State};
 
@@ -299,6 +299,14 @@ pub fn local_values(model: &Model, element: &dyn Element, u: &[f64]) -> Vec<f64>
         out.extend(element.dofs(a).iter().map(|d| global[d.index()]));
     }
     out
+}
+
+/// Order of elimination for the matrices of a model: nested dissection by the positions of its nodes, or minimum degree if
+/// that is cheaper.
+pub fn order(model: &Model, pattern: &Pattern) -> Ordering {
+    let dofs = model.dofs();
+    let node_of: Vec<usize> = (0..dofs.len()).map(|e| dofs.unknown(e).0).collect();
+    Ordering::best(pattern, &node_of, model.nodes())
 }
 
 /// Calls `turn(first local dof, frame)` for every triple of dofs that has a frame.

@@ -90,7 +90,7 @@ fn inverse_operator(factor: &Cholesky, m: &Matrix) -> Matrix {
 }
 
 /// All eigenvalues (ascending) and orthonormal eigenvectors of a symmetric matrix.
-fn symmetric_eigen(a: &Matrix) -> Result<(Vec<f64>, Matrix), LinalgError> {
+pub(super) fn symmetric_eigen(a: &Matrix) -> Result<(Vec<f64>, Matrix), LinalgError> {
     let size = a.rows;
     let scratch = self_adjoint_evd_scratch::<f64>(size, ComputeEigenvectors::Yes, Par::Seq, Default::default());
     let mut buffer = MemBuffer::try_new(scratch).map_err(|_| LinalgError::Memory { size })?;
@@ -123,7 +123,7 @@ fn relative_residual(mu: f64, y: &[f64], image: &[f64]) -> f64 {
 }
 
 /// The sign of a mode is arbitrary; its largest component is made positive so that results repeat.
-fn orient(x: &mut [f64]) {
+pub(super) fn orient(x: &mut [f64]) {
     let peak = x.iter().fold(0.0_f64, |m, v| if v.abs() > m.abs() { *v } else { m });
     if peak < 0.0 {
         x.iter_mut().for_each(|v| *v = -*v);

@@ -3,17 +3,32 @@
 //! Everything runs on the calling thread (`Par::Seq`): the systems of the harmonic engine are too small to gain from a
 //! second one.
 
+mod basis;
 mod dense;
 mod eigen;
 mod factor;
+mod krylov;
+mod lanczos;
+mod ordering;
+mod pencil;
 mod sparse;
+mod symbolic;
 mod symmetric;
+#[cfg(test)]
+mod tests;
+mod three_field;
 
 pub use dense::{Cholesky, product, transposed_product};
 pub use eigen::{Eigen, generalized_eigen};
-pub use factor::{Factor, Kind, Ordering, Symbolic};
+pub use factor::{Factor, Inertia, Kind};
+pub use krylov::{Reduced, Reduction, reduce};
+pub use lanczos::{Modes, Search, modes, modes_between};
+pub use ordering::Ordering;
+pub use pencil::{Pencil, Shifted, Sparse};
 pub use sparse::{SparseCholesky, Triplets};
+pub use symbolic::Symbolic;
 pub use symmetric::{Pattern, Symmetric};
+pub use three_field::ThreeField;
 
 /// Failure of a factorisation or of the eigenvalue solver.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -25,6 +40,64 @@ pub enum LinalgError {
         pivot: usize,
         /// Number of rows.
         size: usize,
+    },
+    /// A zero pivot.
+    #[error("singular matrix ({size} unknowns)")]
+    Singular {
+        /// Number of rows.
+        size: usize,
+    },
+    /// A factor larger than what the caller allows.
+    #[error(
+        "the factor of {size} unknowns needs {:.2} GB, allowed {:.2} GB: take a coarser mesh or allow more",
+        *needed as f64 / 1e9, *allowed as f64 / 1e9
+    )]
+    TooLarge {
+        /// Number of rows.
+        size: usize,
+        /// Memory needed [bytes].
+        needed: usize,
+        /// Memory allowed [bytes].
+        allowed: usize,
+    },
+    /// An order of elimination that does not list every unknown once.
+    #[error("the order of elimination does not list each of the {size} unknowns once")]
+    Order {
+        /// Number of rows.
+        size: usize,
+    },
+    /// An inertia count that disagrees with the eigenpairs found.
+    #[error(
+        "{found} eigenvalues found between {from:.6e} and {to:.6e} rad2/s2, but the signs of the pivots say that there are {counted}"
+    )]
+    Count {
+        /// Eigenpairs found.
+        found: usize,
+        /// Number by inertia.
+        counted: usize,
+        /// Lower end of the interval [rad²/s²].
+        from: f64,
+        /// Upper end [rad²/s²].
+        to: f64,
+    },
+    /// A reduction without a pole.
+    #[error("a reduction needs at least one pole")]
+    Poles,
+    /// A stiffness in a row of an unknown that is to be condensed.
+    #[error("entry ({row}, {column}) of the stiffness belongs to an unknown that is to be condensed, allowed: zero")]
+    NotCondensable {
+        /// Row of the entry.
+        row: usize,
+        /// Its column.
+        column: usize,
+    },
+    /// A liquid that nothing bounds and nothing moves.
+    #[error(
+        "the liquid of unknown {unknown} is coupled to nothing: neither a surface, nor a wall, nor a held potential"
+    )]
+    UncoupledLiquid {
+        /// One of its unknowns.
+        unknown: usize,
     },
     /// Not enough memory, or indices that overflow.
     #[error("out of memory: {size} unknowns")]

@@ -133,6 +133,61 @@ impl Symmetric {
         y
     }
 
+    /// A X. The matrix is read once for up to four columns.
+    pub fn times_block(&self, x: &Matrix) -> Matrix {
+        let mut y = Matrix::zeros(x.rows, x.cols);
+        let mut j = 0;
+        while j + 4 <= x.cols {
+            self.add_four(&x.data[j * x.rows..], &mut y.data[j * x.rows..]);
+            j += 4;
+        }
+        for j in j..x.cols {
+            self.add_product(1.0, x.column(j), y.column_mut(j));
+        }
+        y
+    }
+
+    /// Y ← Y + A X for the first four columns of length `size` in `x` and `y`. Values of one row lie side by side meanwhile.
+    fn add_four(&self, x: &[f64], y: &mut [f64]) {
+        let (n, pattern) = (self.size(), &*self.pattern);
+        let rows: Vec<[f64; 4]> = (0..n).map(|i| [0, 1, 2, 3].map(|c| x[i + c * n])).collect();
+        let mut sums = vec![[0.0; 4]; n];
+        for j in 0..n {
+            let (first, last) = (pattern.starts[j], pattern.starts[j + 1]);
+            let xj = rows[j];
+            let mut sum = xj.map(|v| self.values[first] * v);
+            for (&i, &a) in pattern.rows[first + 1..last].iter().zip(&self.values[first + 1..last]) {
+                for c in 0..4 {
+                    sums[i][c] += a * xj[c];
+                    sum[c] += a * rows[i][c];
+                }
+            }
+            for c in 0..4 {
+                sums[j][c] += sum[c];
+            }
+        }
+        for (i, sum) in sums.iter().enumerate() {
+            for c in 0..4 {
+                y[i + c * n] += sum[c];
+            }
+        }
+    }
+
+    /// |A| |x|: the size of the terms whose sum is A x.
+    pub fn terms(&self, x: &[f64]) -> Vec<f64> {
+        let mut y = vec![0.0; x.len()];
+        for j in 0..self.size() {
+            for p in self.pattern.starts[j]..self.pattern.starts[j + 1] {
+                let (i, a) = (self.pattern.rows[p], self.values[p].abs());
+                y[i] += a * x[j].abs();
+                if i != j {
+                    y[j] += a * x[i].abs();
+                }
+            }
+        }
+        y
+    }
+
     /// A ← A + factor B, on the same pattern.
     ///
     /// Panics if the patterns differ.

@@ -1,0 +1,212 @@
+use super::Box3;
+use crate::linalg::{Kind, LinalgError, Matrix, Pencil, Reduction, Search, Sparse, dot, modes, modes_between, reduce};
+
+/// A cube has eigenvalues of multiplicity 3 and 6.
+#[test]
+fn lowest_modes_with_multiplicities() {
+    let model = Box3::new([10, 10, 10], 1);
+    let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
+    let exact = model.exact();
+    for count in [1, 2, 17, 40] {
+        let found = modes(&pencil, &Search::lowest(count)).unwrap();
+        assert_eq!(found.lambda.len(), count);
+        let (from, to) = found.complete_in.unwrap();
+        assert!(from == f64::NEG_INFINITY && to > exact[count - 1]);
+        for (f, e) in found.lambda.iter().zip(&exact) {
+            assert!((f / e - 1.0).abs() < 1e-10, "{count}: {f} {e}");
+        }
+        for i in 0..count {
+            for j in 0..=i {
+                let product = dot(found.vectors.column(i), found.vectors.column(j));
+                assert!((product - f64::from(u8::from(i == j))).abs() < 1e-8);
+            }
+        }
+    }
+}
+
+/// A block of one vector sees one mode of a multiple eigenvalue at first; the count finds out.
+#[test]
+fn inertia_reveals_missed_modes() {
+    let model = Box3::new([7, 7, 7], 1);
+    let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
+    let search = Search {
+        block: 1,
+        ..Search::lowest(10)
+    };
+    let found = modes(&pencil, &search).unwrap();
+    for (f, e) in found.lambda.iter().zip(&model.exact()) {
+        assert!((f / e - 1.0).abs() < 1e-9, "{f} {e}");
+    }
+}
+
+#[test]
+fn modes_around_and_between() {
+    let model = Box3::new([9, 8, 7], 1);
+    let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
+    let exact = model.exact();
+    let omega = 2.0_f64;
+    let found = modes(&pencil, &Search::around(omega, 9)).unwrap();
+    let mut nearest = exact.clone();
+    nearest.sort_by(|a, b| (a - 4.0).abs().total_cmp(&(b - 4.0).abs()));
+    nearest.truncate(9);
+    nearest.sort_by(f64::total_cmp);
+    for (f, e) in found.lambda.iter().zip(&nearest) {
+        assert!((f / e - 1.0).abs() < 1e-10, "{f} {e}");
+    }
+    for (from, to) in [(0.0, 1.3), (1.3, 1.7)] {
+        let found = modes_between(&pencil, from, to).unwrap();
+        let expected: Vec<f64> = exact
+            .iter()
+            .copied()
+            .filter(|l| (from * from..to * to).contains(l))
+            .collect();
+        assert_eq!(found.lambda.len(), expected.len());
+        for (f, e) in found.lambda.iter().zip(&expected) {
+            assert!((f / e - 1.0).abs() < 1e-10, "{f} {e}");
+        }
+    }
+}
+
+/// Nearly all modes: the basis fills the space, and restarts come before that.
+#[test]
+fn all_modes_of_a_small_system() {
+    let model = Box3::new([4, 3, 2], 1);
+    let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
+    for count in [20, 24, 30] {
+        let found = modes(&pencil, &Search::lowest(count)).unwrap();
+        assert_eq!(found.lambda.len(), count.min(24));
+        for (f, e) in found.lambda.iter().zip(&model.exact()) {
+            assert!((f / e - 1.0).abs() < 1e-10, "{f} {e}");
+        }
+    }
+}
+
+/// Unknowns without mass have no modes: those of the rest with the massless part condensed.
+#[test]
+fn mass_may_be_semidefinite() {
+    let mut model = Box3::new([6, 5, 4], 1);
+    let massless: Vec<usize> = (0..120).filter(|i| i % 3 == 1).collect();
+    for &i in &massless {
+        model.mass.values[model.mass.pattern.starts[i]] = 0.0;
+    }
+    let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
+    // Reference: the dense solver.
+    let dense =
+        crate::linalg::generalized_eigen(&model.stiffness.to_dense(), &model.mass.to_dense(), Some(12)).unwrap();
+    let found = modes(&pencil, &Search::lowest(12)).unwrap();
+    for (f, e) in found.omega().iter().zip(&dense.omega) {
+        assert!((f / e - 1.0).abs() < 1e-9, "{f} {e}");
+    }
+    let all = modes(&pencil, &Search::lowest(119)).unwrap();
+    assert_eq!(all.lambda.len(), 80);
+}
+
+/// A free body has eigenvalue zero: without a shift the factor refuses, with one the mode is found.
+#[test]
+fn singular_stiffness_needs_a_shift() {
+    let mut model = Box3::new([6, 6, 6], 1);
+    // Free ends: the rows of the Laplacian sum to zero.
+    let sums = model.stiffness.times(&[1.0; 216]);
+    for (j, s) in sums.iter().enumerate() {
+        model.stiffness.values[model.stiffness.pattern.starts[j]] -= s;
+    }
+    let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
+    let search = Search {
+        shift: 0.1,
+        ..Search::lowest(4)
+    };
+    let found = modes(&pencil, &search).unwrap();
+    // 4 sin²(π/12) = 2 − √3, three times.
+    let first = 2.0 - 3.0_f64.sqrt();
+    for (f, e) in found.lambda.iter().zip([0.0, first, first, first]) {
+        assert!((f - e).abs() < 1e-10, "{f} {e}");
+    }
+}
+
+#[test]
+fn indefinite_stiffness_is_refused() {
+    let mut model = Box3::new([6, 6, 6], 1);
+    model.stiffness.values.iter_mut().for_each(|v| *v = -*v);
+    let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
+    assert!(matches!(
+        modes(&pencil, &Search::lowest(3)),
+        Err(LinalgError::NotPositiveDefinite { .. })
+    ));
+}
+
+/// Soft and 10¹⁰ times stiffer copies side by side: the soft modes keep their digits.
+#[test]
+fn low_modes_survive_a_stiff_neighbour() {
+    let mut model = Box3::new([8, 7, 6], 2);
+    let pattern = model.stiffness.pattern.clone();
+    for j in (1..pattern.size()).step_by(2) {
+        for p in pattern.starts[j]..pattern.starts[j + 1] {
+            model.stiffness.values[p] *= 1e10;
+        }
+    }
+    let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
+    let found = modes(&pencil, &Search::lowest(8)).unwrap();
+    for (f, e) in found.lambda.iter().zip(&model.exact()) {
+        assert!((f / e - 1.0).abs() < 1e-10, "{f} {e}");
+    }
+}
+
+/// Steady state (K − ω² M) u = f of the reduced system against the factored full one, between the modes of the band; and the
+/// static response, which must be contained exactly.
+#[test]
+fn reduced_system_responds_as_the_full_one() {
+    let model = Box3::new([12, 11, 10], 1);
+    let symbolic = model.symbolic();
+    let pencil = Sparse::new(&model.stiffness, &model.mass, symbolic.clone());
+    let n = pencil.size();
+    let mut loads = Matrix::zeros(n, 2);
+    loads.column_mut(0).fill(1.0);
+    for (i, v) in loads.column_mut(1).iter_mut().enumerate() {
+        *v = model.coordinates[i][2] - 4.5;
+    }
+    let reduction = Reduction {
+        accuracy: 1e-6,
+        ..Reduction::up_to(1.2)
+    };
+    let reduced = reduce(&pencil, &loads, &reduction).unwrap();
+    assert!(
+        reduced.converged && reduced.lambda.len() < n / 4,
+        "{}",
+        reduced.lambda.len()
+    );
+    // A uniform load excites the symmetric modes alone: exact eigenvalues that are not among the Ritz values must exist.
+    let exact = model.exact();
+    for (j, r) in reduced.residual.iter().enumerate() {
+        if r.is_some() {
+            let error = exact
+                .iter()
+                .map(|e| (reduced.lambda[j] / e - 1.0).abs())
+                .fold(1.0, f64::min);
+            assert!(error < 1e-9, "{error:e}");
+        }
+    }
+    assert!(reduced.lambda.iter().filter(|&&l| l < 1.44).count() < exact.iter().filter(|&&l| l < 1.44).count());
+    for (omega, tolerance) in [(0.0, 1e-12), (0.45, 1e-9), (0.8, 1e-8), (1.05, 1e-7)] {
+        let mut shifted = model.stiffness.clone();
+        shifted.add(-omega * omega, &model.mass);
+        let mut full = loads.clone();
+        symbolic
+            .factor(&shifted, Kind::Indefinite)
+            .unwrap()
+            .solve(&mut full)
+            .unwrap();
+        for l in 0..2 {
+            let modal: Vec<f64> = (reduced.participation.column(l).iter().zip(&reduced.lambda))
+                .map(|(p, lambda)| p / (lambda - omega * omega))
+                .collect();
+            let response = reduced.vectors.times(&modal);
+            let scale = dot(full.column(l), full.column(l)).sqrt();
+            let rest: f64 = response.iter().zip(full.column(l)).map(|(r, f)| (r - f).powi(2)).sum();
+            assert!(
+                rest.sqrt() < tolerance * scale,
+                "{omega} {l}: {:e}",
+                rest.sqrt() / scale
+            );
+        }
+    }
+}
