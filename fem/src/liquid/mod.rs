@@ -1,10 +1,19 @@
-//! The liquid: displacement potential on the meridional section of a cylinder or on the plane of a strip.
+//! The liquid by its displacement potential, condensed.
+//!
+//! [`Potential`]: the meridional section of a cylinder, one Fourier harmonic at a time, or the plane of a strip, condensed
+//! to the wall's trace and the free surface. [`HarmonicLiquid`] gathers the harmonics into the added mass of a wall of
+//! spatial elements; [`WallPencil`] and [`WallSolver`] join it to an assembled wall.
 
+mod condensed;
 mod domain;
+mod harmonic;
 mod mesh;
 mod potential;
+mod wall;
 
+pub use condensed::Condensed;
 pub use domain::Domain;
+pub use harmonic::HarmonicLiquid;
 pub use mesh::{LiquidMesh, scaled};
-
-pub use potential::{Potential, Row};
+pub use potential::{Potential, Row, Trace};
+pub use wall::{NormalRow, WallPencil, WallSolver};

@@ -8,8 +8,8 @@
 //! H φ = F x      X = H⁻¹ F      M_f = ρ Fᵀ X      K_η = ρ g S
 //! ```
 //!
-//! x holds the trace of the wall displacement (value and slope at each trace node, cubic Hermite) and then the surface
-//! elevations η. The trace nodes need not match the liquid mesh: B is integrated on the union of both partitions, so
+//! x holds the trace of the wall displacement ([`Trace`]: value and slope at each trace node, cubic Hermite, for a shell of
+//! revolution; the value alone, linear, for a wall of flat elements) and then the surface elevations η. The trace nodes need not match the liquid mesh: B is integrated on the union of both partitions, so
 //! that every integral is exact but for 1/r.
 //!
 //! With m = 0 (and the symmetric half of a strip) a constant φ costs nothing: one value is held, x must satisfy the
@@ -26,6 +26,33 @@ use super::{Domain, LiquidMesh};
 /// Coefficients of a linear functional of x: trace first, then η.
 pub type Row = Vec<f64>;
 
+/// Interpolation of the wall's normal displacement between the trace nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trace {
+    /// Value and slope at each node, cubic Hermite.
+    Hermite,
+    /// Value at each node, linear.
+    Linear,
+}
+
+impl Trace {
+    /// Columns of x a node.
+    pub fn width(self) -> usize {
+        match self {
+            Trace::Hermite => 2,
+            Trace::Linear => 1,
+        }
+    }
+
+    /// Functions of the two nodes at ξ ∈ [−1, 1] of an interval of length h.
+    fn functions(self, xi: f64, h: f64) -> Vec<f64> {
+        match self {
+            Trace::Hermite => line::hermite(xi, h)[0].to_vec(),
+            Trace::Linear => vec![0.5 * (1.0 - xi), 0.5 * (1.0 + xi)],
+        }
+    }
+}
+
 /// The condensed liquid.
 #[derive(Clone, Debug)]
 pub struct Potential {
@@ -35,6 +62,8 @@ pub struct Potential {
     pub mesh: LiquidMesh,
     /// Heights of the trace nodes [m], from 0 to H.
     pub trace: Vec<f64>,
+    /// Interpolation between them.
+    pub interpolation: Trace,
     /// Column of x for the elevation at each surface node of the mesh; `None` on an axis where it vanishes.
     pub surface: Vec<Option<usize>>,
     /// M_f = ρ Fᵀ H⁻¹ F.
@@ -50,14 +79,27 @@ pub struct Potential {
 }
 
 impl Potential {
-    /// Assembles and condenses the liquid.
+    /// Assembles and condenses the liquid, with a cubic trace.
     ///
     /// * `trace`: heights of the wall nodes from 0 to the surface [m]
     /// * `density`: ρ [kg/m³]
     ///
     /// Errors: H not positive definite (degenerate mesh) or too large.
     pub fn new(domain: Domain, mesh: LiquidMesh, trace: Vec<f64>, density: f64) -> Result<Potential, LinalgError> {
-        let columns_w = 2 * trace.len();
+        Potential::with_trace(domain, mesh, trace, Trace::Hermite, density)
+    }
+
+    /// The same with another interpolation of the trace.
+    ///
+    /// Errors: as [`Potential::new`].
+    pub fn with_trace(
+        domain: Domain,
+        mesh: LiquidMesh,
+        trace: Vec<f64>,
+        interpolation: Trace,
+        density: f64,
+    ) -> Result<Potential, LinalgError> {
+        let columns_w = interpolation.width() * trace.len();
         let mut columns = columns_w;
         let surface: Vec<Option<usize>> = (0..mesh.r.len())
             .map(|i| {
@@ -72,7 +114,7 @@ impl Potential {
         let unknown = number_nodes(&domain, &mesh);
         let h = stiffness(&domain, &mesh, &unknown);
         let mut f = Matrix::zeros(mesh.nodes(), columns);
-        couple_wall(&domain, &mesh, &trace, &mut f);
+        couple_wall(&domain, &mesh, &trace, interpolation, &mut f);
         let mut surface_area = Matrix::zeros(columns, columns);
         couple_surface(&domain, &mesh, &surface, &mut f, &mut surface_area);
 
@@ -96,6 +138,7 @@ impl Potential {
             domain,
             mesh,
             trace,
+            interpolation,
             surface,
             mass,
             surface_area,
@@ -112,7 +155,7 @@ impl Potential {
 
     /// Columns of x that are surface elevations.
     pub fn surface_columns(&self) -> std::ops::Range<usize> {
-        2 * self.trace.len()..self.columns()
+        self.interpolation.width() * self.trace.len()..self.columns()
     }
 
     /// Pressure p' = −ρ φ̈ on the wall at height z: coefficients of ẍ, and of x (floating domains only).
@@ -179,7 +222,7 @@ impl Potential {
     /// Rigid translation along x (m = 1, antisymmetric half): w = 1 at the wall, η = 0.
     pub fn rigid_translation(&self) -> Row {
         let mut row = vec![0.0; self.columns()];
-        (0..self.trace.len()).for_each(|k| row[2 * k] = 1.0);
+        (0..self.trace.len()).for_each(|k| row[self.interpolation.width() * k] = 1.0);
         row
     }
 
@@ -193,8 +236,8 @@ impl Potential {
             for &(xi, w) in gauss::THREE {
                 let z = 0.5 * (a + b) + 0.5 * (b - a) * xi;
                 let force = self.density * gravity * (depth - z) * c * 0.5 * (b - a) * w;
-                for (i, n) in line::hermite(xi, b - a)[0].into_iter().enumerate() {
-                    load[2 * k + i] += force * n;
+                for (i, n) in self.interpolation.functions(xi, b - a).into_iter().enumerate() {
+                    load[self.interpolation.width() * k + i] += force * n;
                 }
             }
         }
@@ -298,7 +341,7 @@ fn stiffness(domain: &Domain, mesh: &LiquidMesh, unknown: &[Option<usize>]) -> T
 }
 
 /// B, on the union of the partitions of liquid and trace.
-fn couple_wall(domain: &Domain, mesh: &LiquidMesh, trace: &[f64], f: &mut Matrix) {
+fn couple_wall(domain: &Domain, mesh: &LiquidMesh, trace: &[f64], interpolation: Trace, f: &mut Matrix) {
     let depth = mesh.z[mesh.z.len() - 1];
     let mut cuts: Vec<f64> = mesh.z.iter().step_by(2).chain(trace).copied().collect();
     cuts.sort_by(f64::total_cmp);
@@ -318,12 +361,12 @@ fn couple_wall(domain: &Domain, mesh: &LiquidMesh, trace: &[f64], f: &mut Matrix
         for &(xi, w) in gauss::THREE {
             let z = middle + 0.5 * (b - a) * xi;
             let shape = line::quadratic((2.0 * z - z0 - z1) / (z1 - z0));
-            let wall = line::hermite((2.0 * z - t0 - t1) / (t1 - t0), t1 - t0)[0];
+            let wall = interpolation.functions((2.0 * z - t0 - t1) / (t1 - t0), t1 - t0);
             let measure = c * 0.5 * (b - a) * w;
             for (i, n) in shape.into_iter().enumerate() {
                 let node = last + (2 * e + i) * mesh.r.len();
-                for (j, v) in wall.into_iter().enumerate() {
-                    f.add(node, 2 * k + j, measure * n * v);
+                for (j, v) in wall.iter().enumerate() {
+                    f.add(node, interpolation.width() * k + j, measure * n * v);
                 }
             }
         }

@@ -1,0 +1,146 @@
+//! E(s) = K_f + s M_f of the harmonic liquid with its elevations condensed, for solves with a wall:
+//!
+//! ```text
+//! A(s) = E_ww − E_wη E_ηη⁻¹ E_ηw          η = E_ηη⁻¹ (h − E_ηw w)
+//! ```
+//!
+//! harmonic by harmonic; A is block-circulant like M_f.
+
+use super::HarmonicLiquid;
+use super::harmonic::{Block, matrix};
+use crate::linalg::{Factor, LinalgError, Matrix, product, transposed_product};
+
+/// A(s) and the factors of E_ηη.
+#[derive(Debug)]
+pub struct Condensed<'a> {
+    liquid: &'a HarmonicLiquid,
+    /// A of each harmonic.
+    wall: Vec<Matrix>,
+    /// E_ηw and the factor of E_ηη of each harmonic with elevations.
+    surface: Vec<Option<(Matrix, Factor)>>,
+}
+
+impl<'a> Condensed<'a> {
+    /// Condenses K_f + s M_f.
+    ///
+    /// Errors: E_ηη singular, that is −s an eigenvalue ω² of the liquid in a rigid tank.
+    pub fn new(liquid: &'a HarmonicLiquid, s: f64) -> Result<Condensed<'a>, LinalgError> {
+        let levels = liquid.heights.len();
+        let (mut wall, mut surface) = (Vec::new(), Vec::new());
+        for block in &liquid.blocks {
+            let mut e = block.mass.clone();
+            for (v, k) in e.data.iter_mut().zip(&block.stiffness.data) {
+                *v = s * *v + k;
+            }
+            let (w, eta): (Vec<usize>, Vec<usize>) = ((0..levels).collect(), (levels..e.rows).collect());
+            let mut a = e.select(&w, &w);
+            if eta.is_empty() {
+                surface.push(None);
+            } else {
+                let coupling = e.select(&eta, &w);
+                let factor = super::wall::dense_factor(&e.select(&eta, &eta))?;
+                let mut follow = coupling.clone();
+                factor.solve(&mut follow)?;
+                let part = transposed_product(&coupling, &follow);
+                for (v, p) in a.data.iter_mut().zip(&part.data) {
+                    *v -= p;
+                }
+                surface.push(Some((coupling, factor)));
+            }
+            wall.push(a);
+        }
+        Ok(Condensed { liquid, wall, surface })
+    }
+
+    /// Number of negative eigenvalues of E_ηη.
+    pub fn negative(&self) -> usize {
+        let count = |(block, surface): (&Block, &Option<(Matrix, Factor)>)| {
+            surface.as_ref().map_or(0, |(_, f)| f.inertia().negative * block.columns.len())
+        };
+        self.liquid.blocks.iter().zip(&self.surface).map(count).sum()
+    }
+
+    /// A as a matrix over all wall nodes.
+    pub fn matrix(&self) -> Matrix {
+        let liquid = self.liquid;
+        let (levels, n) = (liquid.heights.len(), liquid.sectors);
+        let mut out = Matrix::zeros(liquid.wall(), liquid.wall());
+        for l in 0..levels {
+            for p in 0..levels {
+                // Circulant: the first row says it all.
+                let mut row = vec![0.0; n];
+                for (block, a) in liquid.blocks.iter().zip(&self.wall) {
+                    for &(column, _) in &block.columns {
+                        let value = liquid.fourier.get(0, column) * a.get(l, p);
+                        for (k, v) in row.iter_mut().enumerate() {
+                            *v += value * liquid.fourier.get(k, column);
+                        }
+                    }
+                }
+                for k in 0..n {
+                    for q in 0..n {
+                        out.add(l * n + k, p * n + q, row[(q + n - k) % n]);
+                    }
+                }
+            }
+        }
+        out
+    }
+
+    /// A w, without forming the matrix.
+    pub fn times(&self, w: &[f64]) -> Vec<f64> {
+        let liquid = self.liquid;
+        let levels = liquid.heights.len();
+        let waves = transposed_product(&liquid.fourier, &matrix(liquid.sectors, levels, w));
+        let mut image = Matrix::zeros(liquid.sectors, levels);
+        for (block, a) in liquid.blocks.iter().zip(&self.wall) {
+            for &(column, _) in &block.columns {
+                let local: Vec<f64> = (0..levels).map(|l| waves.get(column, l)).collect();
+                for (l, force) in a.times(&local).into_iter().enumerate() {
+                    image.add(column, l, force);
+                }
+            }
+        }
+        product(&liquid.fourier, &image).data
+    }
+
+    /// η = E_ηη⁻¹ (h − E_ηw w).
+    ///
+    /// Errors: not enough memory.
+    pub fn elevations(&self, w: &[f64], h: &[f64]) -> Result<Vec<f64>, LinalgError> {
+        let liquid = self.liquid;
+        let levels = liquid.heights.len();
+        let waves = transposed_product(&liquid.fourier, &matrix(liquid.sectors, levels, w));
+        let mut eta = vec![0.0; liquid.elevations()];
+        for (block, surface) in liquid.blocks.iter().zip(&self.surface) {
+            let Some((coupling, factor)) = surface else { continue };
+            for &(column, first) in &block.columns {
+                let local: Vec<f64> = (0..levels).map(|l| waves.get(column, l)).collect();
+                let mut right = coupling.times(&local);
+                for (v, h) in right.iter_mut().zip(&h[first..]) {
+                    *v = h - *v;
+                }
+                let found = factor.solve_vector(&right)?;
+                eta[first..first + found.len()].copy_from_slice(&found);
+            }
+        }
+        Ok(eta)
+    }
+
+    /// E_wη η: the wall forces of elevations.
+    pub fn wall_forces(&self, eta: &[f64]) -> Vec<f64> {
+        let liquid = self.liquid;
+        let levels = liquid.heights.len();
+        let mut image = Matrix::zeros(liquid.sectors, levels);
+        for (block, surface) in liquid.blocks.iter().zip(&self.surface) {
+            let Some((coupling, factor)) = surface else { continue };
+            for &(column, first) in &block.columns {
+                let force = coupling.transposed_times(&eta[first..first + factor.size()]);
+                for (l, f) in force.into_iter().enumerate() {
+                    image.add(column, l, f);
+                }
+            }
+        }
+        product(&liquid.fourier, &image).data
+    }
+}

@@ -1,0 +1,236 @@
+//! The liquid of an upright cylinder as added mass of a wall of spatial elements.
+//!
+//! The wall has its nodes on N equally spaced meridians. The normal displacement w of the wetted nodes is taken apart into
+//! the N orthonormal trigonometric functions of θ that the meridians can tell apart; each harmonic m is a meridional
+//! section of its own ([`Potential`]):
+//!
+//! ```text
+//! w_k = Σ_c F_kc ŵ_c ,   F_kc = √(2/N) cos mθ_k or √(2/N) sin mθ_k (√(1/N) for m = 0 and m = N/2)
+//! M_f = (F ⊗ 1) diag(M^(m)) (F ⊗ 1)ᵀ        K_f = diag(ρ g S^(m)) on the elevations
+//! ```
+//!
+//! so that the added mass is block-circulant. Between the meridians the displacement is the trigonometric interpolant: a
+//! rigid translation carries the exact liquid mass on every mesh, ιᵀ M_f ι = ρ π R² H, and a breathing wall displaces the
+//! exact volume. Along z it is linear between the wall's levels.
+//!
+//! The elevations of the harmonics up to `sloshing` are unknowns; above, the surface is free of pressure (M^(m) with η
+//! condensed at φ = 0 on the surface): what is left out there is gravity's part, of order g m/(R ω²).
+//!
+//! For m = 0 the volume is kept by eliminating one elevation, x = T x': K_f then couples wall and elevations.
+//!
+//! F is applied as a dense N × N matrix. At N = 16 … 96 the transform costs less than the products with M^(m), so that a
+//! fast Fourier transform would save nothing.
+
+use std::f64::consts::TAU;
+
+use super::{Domain, LiquidMesh, Potential, Trace};
+use crate::linalg::{Cholesky, LinalgError, Matrix, product, transposed_product};
+
+/// Liquid whose wall displacement is given at nodes on equally spaced meridians.
+#[derive(Clone, Debug)]
+pub struct HarmonicLiquid {
+    pub(super) sectors: usize,
+    pub(super) heights: Vec<f64>,
+    /// F.
+    pub(super) fourier: Matrix,
+    pub(super) blocks: Vec<Block>,
+    elevations: usize,
+}
+
+/// One harmonic.
+#[derive(Clone, Debug)]
+pub(super) struct Block {
+    /// Its columns of F: cos, and sin unless m = 0 or N/2; with the first of its elevations among all.
+    pub columns: Vec<(usize, usize)>,
+    /// M^(m) and K^(m) over (ŵ at the levels, elevations that are unknowns).
+    pub mass: Matrix,
+    pub stiffness: Matrix,
+}
+
+impl Block {
+    pub fn elevations(&self, levels: usize) -> usize {
+        self.mass.rows - levels
+    }
+}
+
+impl HarmonicLiquid {
+    /// Assembles and condenses all harmonics that `sectors` meridians can tell apart.
+    ///
+    /// * `radius` R [m], `density` ρ [kg/m³], `gravity` g [m/s²]
+    /// * `heights`: levels of the wetted wall nodes, from 0 to the surface [m]
+    /// * `mesh`: of the meridional section
+    /// * `sloshing`: highest harmonic whose elevations are unknowns
+    ///
+    /// Errors: a singular liquid matrix (degenerate mesh).
+    ///
+    /// Panics if there are fewer than 3 sectors or 2 levels.
+    pub fn new(
+        radius: f64,
+        density: f64,
+        gravity: f64,
+        sectors: usize,
+        heights: &[f64],
+        mesh: &LiquidMesh,
+        sloshing: u32,
+    ) -> Result<HarmonicLiquid, LinalgError> {
+        assert!(
+            sectors >= 3 && heights.len() >= 2,
+            "a wall has 3 or more meridians and 2 or more levels"
+        );
+        let mut fourier = Matrix::zeros(sectors, sectors);
+        let mut blocks = Vec::new();
+        let (mut column, mut elevations) = (0, 0);
+        for m in 0..=sectors / 2 {
+            let single = m == 0 || 2 * m == sectors;
+            let square = if single { 1.0 } else { 2.0 } / sectors as f64;
+            let domain = Domain::Cylinder {
+                radius,
+                harmonic: m as u32,
+            };
+            let potential = Potential::with_trace(domain, mesh.clone(), heights.to_vec(), Trace::Linear, density)?;
+            let (mut mass, mut stiffness) = matrices(&potential, gravity, m as u32 <= sloshing)?;
+            mass.data.iter_mut().chain(&mut stiffness.data).for_each(|v| *v *= square);
+            let mut block = Block {
+                columns: Vec::new(),
+                mass,
+                stiffness,
+            };
+            for part in 0..if single { 1 } else { 2 } {
+                for k in 0..sectors {
+                    let angle = TAU * ((m * k) % sectors) as f64 / sectors as f64;
+                    let value = if part == 0 { angle.cos() } else { angle.sin() };
+                    fourier.add(k, column, square.sqrt() * value);
+                }
+                block.columns.push((column, elevations));
+                elevations += block.elevations(heights.len());
+                column += 1;
+            }
+            blocks.push(block);
+        }
+        Ok(HarmonicLiquid {
+            sectors,
+            heights: heights.to_vec(),
+            fourier,
+            blocks,
+            elevations,
+        })
+    }
+
+    /// Number of meridians.
+    pub fn sectors(&self) -> usize {
+        self.sectors
+    }
+
+    /// Levels of the wetted wall nodes [m].
+    pub fn heights(&self) -> &[f64] {
+        &self.heights
+    }
+
+    /// Number of wall nodes; node (level, sector) has the index `level * sectors + sector`.
+    pub fn wall(&self) -> usize {
+        self.sectors * self.heights.len()
+    }
+
+    /// Number of elevations.
+    pub fn elevations(&self) -> usize {
+        self.elevations
+    }
+
+    /// M_f x for x = (w, elevations), column by column.
+    pub fn mass(&self, x: &Matrix) -> Matrix {
+        self.apply(x, |b| &b.mass)
+    }
+
+    /// K_f x for x = (w, elevations), column by column.
+    pub fn stiffness(&self, x: &Matrix) -> Matrix {
+        self.apply(x, |b| &b.stiffness)
+    }
+
+    fn apply(&self, x: &Matrix, of: impl Fn(&Block) -> &Matrix) -> Matrix {
+        let levels = self.heights.len();
+        let mut out = Matrix::zeros(x.rows, x.cols);
+        for j in 0..x.cols {
+            // Node (level, sector) is entry (sector, level) of a sectors × levels matrix.
+            let (wall, eta) = x.column(j).split_at(self.wall());
+            let waves = transposed_product(&self.fourier, &matrix(self.sectors, levels, wall));
+            let mut image = Matrix::zeros(self.sectors, levels);
+            for block in &self.blocks {
+                let n = block.elevations(levels);
+                let mut local = Matrix::zeros(levels + n, block.columns.len());
+                for (k, &(column, first)) in block.columns.iter().enumerate() {
+                    let entries = local.column_mut(k);
+                    for l in 0..levels {
+                        entries[l] = waves.get(column, l);
+                    }
+                    entries[levels..].copy_from_slice(&eta[first..first + n]);
+                }
+                let force = product(of(block), &local);
+                for (k, &(column, first)) in block.columns.iter().enumerate() {
+                    for l in 0..levels {
+                        image.add(column, l, force.get(l, k));
+                    }
+                    let start = self.wall() + first;
+                    out.column_mut(j)[start..start + n].copy_from_slice(&force.column(k)[levels..]);
+                }
+            }
+            let back = product(&self.fourier, &image);
+            out.column_mut(j)[..self.wall()].copy_from_slice(&back.data);
+        }
+        out
+    }
+
+    /// (K_f + s M_f) x.
+    pub fn effective(&self, s: f64, x: &Matrix) -> Matrix {
+        let mut out = self.stiffness(x);
+        for (v, m) in out.data.iter_mut().zip(&self.mass(x).data) {
+            *v += s * m;
+        }
+        out
+    }
+}
+
+/// M and K over (w, elevations) of one harmonic, elevations condensed unless they are unknowns.
+fn matrices(potential: &Potential, gravity: f64, sloshing: bool) -> Result<(Matrix, Matrix), LinalgError> {
+    let weight = potential.density * gravity;
+    let mut mass = potential.mass.clone();
+    let mut stiffness = potential.surface_area.clone();
+    stiffness.data.iter_mut().for_each(|v| *v *= weight);
+    let surface = potential.surface_columns();
+    let wall: Vec<usize> = (0..surface.start).collect();
+    if potential.domain.is_floating() {
+        let q = &potential.flux;
+        let last = surface
+            .clone()
+            .max_by(|&a, &b| q[a].abs().total_cmp(&q[b].abs()))
+            .expect("the surface has nodes");
+        let keep: Vec<usize> = (0..surface.end).filter(|&i| i != last).collect();
+        let mut t = Matrix::zeros(surface.end, keep.len());
+        for (j, &i) in keep.iter().enumerate() {
+            t.add(i, j, 1.0);
+            t.add(last, j, -q[i] / q[last]);
+        }
+        mass = transposed_product(&t, &product(&mass, &t));
+        stiffness = transposed_product(&t, &product(&stiffness, &t));
+    }
+    if sloshing {
+        return Ok((mass, stiffness));
+    }
+    let free: Vec<usize> = (surface.start..mass.rows).collect();
+    let coupling = mass.select(&free, &wall);
+    let mut follow = coupling.clone();
+    Cholesky::factor(&mass.select(&free, &free))?.solve(&mut follow);
+    let part = transposed_product(&coupling, &follow);
+    let mut added = mass.select(&wall, &wall);
+    for (v, p) in added.data.iter_mut().zip(&part.data) {
+        *v -= p;
+    }
+    Ok((added, Matrix::zeros(wall.len(), wall.len())))
+}
+
+pub(super) fn matrix(rows: usize, cols: usize, data: &[f64]) -> Matrix {
+    Matrix {
+        rows,
+        cols,
+        data: data.to_vec(),
+    }
+}
