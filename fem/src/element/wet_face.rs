@@ -8,6 +8,17 @@
 //! n_b belong to the wall's nodes and point out of the liquid. As normal components are interpolated, not vectors, a
 //! tangential motion of a round wall moves no liquid, and a uniform radial one the exact volume of the chart.
 //!
+//! **Round walls.** Between two meridians, Δ apart, the chord of a smooth w lies within it. ∫ N_a N_b dθ has the
+//! weights Δ (1, 4, 1)/6, and a translation of the wall would move a mass 5Δ²/24 too small (3.2 % with 16 sectors).
+//! On a face r = const whose wall has the same meridians the integral along θ is therefore that of the smooth function
+//! through the nodal values, of fourth order:
+//!
+//! ```text
+//! ∫ N_a w dθ ≈ Δ (w_{a−1} + 10 w_a + w_{a+1})/12        element: Δ/12 [5 1; 1 5], half consistent, half lumped
+//! ```
+//!
+//! which leaves Δ²/24 (0.6 %) and keeps the areas. Source: Numerov's weights, e.g. Hairer, Nørsett & Wanner 1993, III.10.
+//!
 //! The faces match corner by corner ([`WetFace::new`]), or they are rectangles of one coordinate surface of the chart and
 //! overlap in part ([`WetFace::overlapping`]): the integral is then taken over the overlap, so that wall and liquid may
 //! be divided differently and the wall may stand partly above the liquid.
@@ -65,6 +76,7 @@ impl WetFace {
         for p in gauss_points(liquid, chart) {
             add_products(&mut areas, p.n, p.n, p.area);
         }
+        smooth(&mut areas, chart, liquid, liquid);
         let middle = point(liquid, chart, 0.0, 0.0);
         Ok(WetFace {
             nodes: join(liquid.nodes, wall_nodes),
@@ -123,6 +135,7 @@ impl WetFace {
                 add_products(&mut areas, own.shape(at), other.shape(at), measure * wr * ws);
             }
         }
+        smooth(&mut areas, chart, liquid, wall);
         let middle = place(lower, upper, [0.0, 0.0]);
         let mut x = [own.level; 3];
         (x[own.axes[0]], x[own.axes[1]]) = (middle[0], middle[1]);
@@ -150,6 +163,48 @@ fn add_products(areas: &mut [[f64; 4]; 4], liquid: [f64; 4], wall: [f64; 4], are
     for (row, na) in areas.iter_mut().zip(liquid) {
         for (entry, nb) in row.iter_mut().zip(wall) {
             *entry += na * nb * area;
+        }
+    }
+}
+
+/// Takes the integral along θ as that of a smooth function, if both faces lie on r = const between the same meridians.
+fn smooth(areas: &mut [[f64; 4]; 4], chart: Chart, liquid: &Face, wall: &Face) {
+    if chart != Chart::Cylindrical {
+        return;
+    }
+    let theta = |f: &Face| f.chart.map(|c| c[1]);
+    let (own, other) = (theta(liquid), theta(wall));
+    let (low, high) = (
+        own.iter().copied().fold(f64::INFINITY, f64::min),
+        own.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+    );
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-6 * (high - low);
+    let radius = liquid.chart[0][0];
+    let round = liquid
+        .chart
+        .iter()
+        .chain(&wall.chart)
+        .all(|c| (c[0] - radius).abs() <= 1e-6 * radius);
+    let paired = own.iter().chain(&other).all(|&t| near(t, low) || near(t, high));
+    let two_each = [own, other]
+        .iter()
+        .all(|f| f.iter().filter(|&&t| near(t, low)).count() == 2);
+    if !(round && paired && two_each && high > low) {
+        return;
+    }
+    let consistent = *areas;
+    for a in 0..4 {
+        for b in 0..4 {
+            if near(own[a], other[b]) {
+                // The neighbour of b along θ: the corner beside it on the other meridian.
+                let beside = [(b + 1) % 4, (b + 3) % 4]
+                    .into_iter()
+                    .find(|&c| !near(other[c], other[b]));
+                let beside = beside.expect("two corners lie on each meridian");
+                let moved = 0.5 * consistent[a][beside];
+                areas[a][b] += moved;
+                areas[a][beside] -= moved;
+            }
         }
     }
 }

@@ -89,7 +89,10 @@ impl HarmonicLiquid {
             };
             let potential = Potential::with_trace(domain, mesh.clone(), heights.to_vec(), Trace::Linear, density)?;
             let (mut mass, mut stiffness) = matrices(&potential, gravity, m as u32 <= sloshing)?;
-            mass.data.iter_mut().chain(&mut stiffness.data).for_each(|v| *v *= square);
+            mass.data
+                .iter_mut()
+                .chain(&mut stiffness.data)
+                .for_each(|v| *v *= square);
             let mut block = Block {
                 columns: Vec::new(),
                 mass,

@@ -25,9 +25,7 @@ use std::sync::Arc;
 
 use super::HarmonicLiquid;
 use super::condensed::Condensed;
-use crate::linalg::{
-    Factor, Kind, LinalgError, Matrix, Ordering, Pattern, Pencil, Shifted, Symbolic, Symmetric, dot,
-};
+use crate::linalg::{Factor, Kind, LinalgError, Matrix, Ordering, Pattern, Pencil, Shifted, Symbolic, Symmetric, dot};
 
 /// Row of R: (unknown of the wall, coefficient).
 pub type NormalRow = Vec<(usize, f64)>;
@@ -88,7 +86,10 @@ impl<'a> WallPencil<'a> {
 
     /// w = R u.
     fn normal(&self, u: &[f64]) -> Vec<f64> {
-        self.normals.iter().map(|row| row.iter().map(|&(e, c)| c * u[e]).sum()).collect()
+        self.normals
+            .iter()
+            .map(|row| row.iter().map(|&(e, c)| c * u[e]).sum())
+            .collect()
     }
 
     /// u ← u + factor Rᵀ f.
@@ -177,7 +178,9 @@ impl<'a> DenseWet<'a> {
         let kind = if s >= 0.0 { Kind::Definite } else { Kind::Indefinite };
         let wall = pencil.symbolic.factor(&pencil.effective(s), kind)?;
         let condensed = Condensed::new(pencil.liquid, s)?;
-        let free: Vec<usize> = (0..pencil.normals.len()).filter(|&i| !pencil.normals[i].is_empty()).collect();
+        let free: Vec<usize> = (0..pencil.normals.len())
+            .filter(|&i| !pencil.normals[i].is_empty())
+            .collect();
         let size = free.len();
         let mut c = Matrix::zeros(size, size);
         // In blocks: solves with many right-hand sides are cheaper, but all at once would need memory.
@@ -241,7 +244,8 @@ impl Shifted for DenseWet<'_> {
         for j in 0..b.cols {
             let (own, surface) = b.column_mut(j).split_at_mut(n);
             let free_surface = self.condensed.elevations(&still, surface)?;
-            self.pencil.add_normal(-1.0, &self.condensed.wall_forces(&free_surface), own);
+            self.pencil
+                .add_normal(-1.0, &self.condensed.wall_forces(&free_surface), own);
             self.solve_wall(own)?;
             surface.copy_from_slice(&self.condensed.elevations(&self.pencil.normal(own), surface)?);
         }
@@ -311,7 +315,8 @@ impl<'a> WallSolver<'a> {
         let still = vec![0.0; self.pencil.normals.len()];
         let mut r = own.to_vec();
         let free_surface = self.condensed.elevations(&still, surface)?;
-        self.pencil.add_normal(-1.0, &self.condensed.wall_forces(&free_surface), &mut r);
+        self.pencil
+            .add_normal(-1.0, &self.condensed.wall_forces(&free_surface), &mut r);
         let size = dot(&r, &self.preconditioner.solve_vector(&r)?);
         let mut x = guess[..n].to_vec();
         for (r, a) in r.iter_mut().zip(self.times(&x)) {

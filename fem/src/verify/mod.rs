@@ -3,6 +3,8 @@
 //! One module a topic. The tests assert that every row holds, the verification manual prints them. A row says what the
 //! reference *is*: one that only repeats our own earlier output is a [`Reference::Regression`] and verifies nothing.
 
+pub mod potential;
+
 /// What a reference value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reference {

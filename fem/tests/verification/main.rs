@@ -2,6 +2,8 @@
 //!
 //! One module a topic. The models are library functions, so that the verification manual shows the numbers tested here.
 
+mod potential;
+
 use fem::verify::Row;
 
 /// Asserts that there are rows and that every one holds, and prints all that do not.
