@@ -83,6 +83,16 @@ pub enum LinalgError {
     /// A reduction without a pole.
     #[error("a reduction needs at least one pole")]
     Poles,
+    /// Conjugate gradients without convergence.
+    #[error("no convergence in {iterations} iterations: relative residual {residual:.1e}, allowed {allowed:.0e}")]
+    Iteration {
+        /// Iterations done.
+        iterations: usize,
+        /// Relative residual reached.
+        residual: f64,
+        /// Relative residual allowed.
+        allowed: f64,
+    },
     /// A stiffness in a row of an unknown that is to be condensed.
     #[error("entry ({row}, {column}) of the stiffness belongs to an unknown that is to be condensed, allowed: zero")]
     NotCondensable {

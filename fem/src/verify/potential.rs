@@ -1,5 +1,6 @@
 //! The potential liquid on hexahedra: sloshing, masses, walls.
 
+pub mod coupled;
 pub mod rigid;
 
 use std::f64::consts::PI;

@@ -59,7 +59,13 @@ impl RigidTank {
         let volume = mesh.volume()?;
         let mut builder = Builder::new();
         builder.nodes(&volume.nodes);
-        fill(&mut builder, &volume.cells, &volume.surface, Chart::Cylindrical)?;
+        fill(
+            &mut builder,
+            &volume.cells,
+            &volume.surface,
+            Chart::Cylindrical,
+            DENSITY,
+        )?;
         for face in &volume.wall {
             let normals = face.chart.map(|c| [c[1].cos(), c[1].sin(), 0.0]);
             hold(&mut builder, face, Chart::Cylindrical, normals)?;
@@ -123,7 +129,7 @@ impl RigidTank {
                 }
             }
         }
-        fill(&mut builder, &cells, &surface, Chart::Cartesian)?;
+        fill(&mut builder, &cells, &surface, Chart::Cartesian, DENSITY)?;
         for (wall, normal) in &walls {
             hold(&mut builder, wall, Chart::Cartesian, [*normal; 4])?;
         }
@@ -222,12 +228,18 @@ impl RigidTank {
 /// Adds liquid and free surface.
 ///
 /// Errors: those of the elements.
-pub fn fill(builder: &mut Builder, cells: &[Hexahedron], surface: &[Face], chart: Chart) -> Result<(), Failure> {
+pub fn fill(
+    builder: &mut Builder,
+    cells: &[Hexahedron],
+    surface: &[Face],
+    chart: Chart,
+    density: f64,
+) -> Result<(), Failure> {
     for cell in cells {
-        builder.element("liquid", Potential8::new(cell, chart, DENSITY)?);
+        builder.element("liquid", Potential8::new(cell, chart, density)?);
     }
     for face in surface {
-        builder.element("surface", PotentialSurface::new(face, chart, DENSITY, GRAVITY)?);
+        builder.element("surface", PotentialSurface::new(face, chart, density, GRAVITY)?);
     }
     Ok(())
 }

@@ -1,0 +1,391 @@
+//! Anchored cylinders of `shell4` with the potential liquid: on hexahedra, or harmonic by harmonic.
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+
+use super::Failure;
+use super::rigid::{DENSITY, GRAVITY, fill, uniform};
+use crate::assembly::{Assembler, order};
+use crate::chart::Chart;
+use crate::dofs::{Dof, KINDS};
+use crate::element::WetFace;
+use crate::element::shell::section::{ElasticSection, Section};
+use crate::element::shell::surface::{Normals, ShellCell, ShellSurface};
+use crate::element::shell4::Axes;
+use crate::linalg::{Matrix, Pencil, Search, Symbolic, Symmetric, ThreeField, dot, modes};
+use crate::liquid::{HarmonicLiquid, LiquidMesh, NormalRow, WallPencil};
+use crate::mesh::{Cylinder, Wall};
+use crate::model::{Builder, Model};
+
+/// An anchored upright cylinder, partly filled.
+#[derive(Clone, Debug)]
+pub struct Tank {
+    /// Radius R [m].
+    pub radius: f64,
+    /// Depth of the liquid H [m].
+    pub depth: f64,
+    /// Density of the liquid [kg/m³].
+    pub liquid_density: f64,
+    /// E [Pa], ν, density [kg/m³] of the wall.
+    pub material: [f64; 3],
+    /// (upper edge [m], thickness [m]) of the courses, from below.
+    pub courses: Vec<(f64, f64)>,
+}
+
+impl Tank {
+    /// Tank 8.1 of the dissertation (Manos & Clough 1982): aluminium, R = 1.83 m, H = 1.525 m, courses of 2.03 and 1.27 mm.
+    pub fn broad() -> Tank {
+        Tank {
+            radius: 1.83,
+            depth: 1.525,
+            liquid_density: DENSITY,
+            material: [69e9, 0.32, 2750.0],
+            courses: vec![(0.915, 2.03e-3), (1.83, 1.27e-3)],
+        }
+    }
+}
+
+/// Divisions of a model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Division {
+    /// Sectors of wall and liquid.
+    pub sectors: usize,
+    /// Levels of the wall [m]; courses and surface must be among them.
+    pub wall: Vec<f64>,
+    /// Radii of the liquid's nodes [m].
+    pub radii: Vec<f64>,
+    /// Levels of the liquid's nodes [m].
+    pub liquid: Vec<f64>,
+}
+
+impl Division {
+    /// 16 k sectors, 8 k × 10 k elements of liquid (radius × height); the wall with intervals of √(Rt)/(1.25 k) or so in the lowest
+    /// 2.5 √(Rt), where it bends, and 10 k above.
+    pub fn refined(tank: &Tank, k: usize) -> Division {
+        let layer = 2.5 * (tank.radius * tank.courses[0].1).sqrt();
+        let top = tank.courses[tank.courses.len() - 1].0;
+        let mut breaks = vec![0.0, layer, tank.depth];
+        breaks.extend(tank.courses.iter().map(|c| c.0));
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * top);
+        let mut wall = vec![0.0];
+        for pair in breaks.windows(2) {
+            let size = if pair[0] == 0.0 {
+                layer / (3 * k) as f64
+            } else {
+                top / (10 * k) as f64
+            };
+            let count = ((pair[1] - pair[0]) / size).round().max(1.0) as usize;
+            wall.extend((1..=count).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / count as f64));
+        }
+        Division {
+            sectors: 16 * k,
+            wall,
+            radii: uniform(tank.radius, 8 * k),
+            liquid: uniform(tank.depth, 10 * k),
+        }
+    }
+}
+
+/// Global components of a unit translation along x.
+pub fn along_x(_position: [f64; 3]) -> [f64; KINDS] {
+    let mut out = [0.0; KINDS];
+    out[0] = 1.0;
+    out
+}
+
+/// Global components of a unit radial displacement.
+pub fn radial(position: [f64; 3]) -> [f64; KINDS] {
+    let mut out = [0.0; KINDS];
+    let r = position[0].hypot(position[1]);
+    if r > 0.0 {
+        (out[0], out[1]) = (position[0] / r, position[1] / r);
+    }
+    out
+}
+
+/// A mode and its participation in a field.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Participating {
+    /// ω [rad/s].
+    pub omega: f64,
+    /// (φᵀ M ι)² [kg].
+    pub mass: f64,
+}
+
+/// The assembled wall, with or without liquid elements.
+pub struct Assembled {
+    /// Model.
+    pub model: Model,
+    /// Assembler.
+    pub assembler: Assembler,
+    /// M.
+    pub mass: Symmetric,
+    /// K.
+    pub stiffness: Symmetric,
+    /// Symbolic factor.
+    pub symbolic: Arc<Symbolic>,
+    /// Wall nodes: `rows[level][sector]`.
+    pub rows: Vec<Vec<usize>>,
+}
+
+impl Assembled {
+    fn new(builder: Builder, rows: Vec<Vec<usize>>) -> Result<Assembled, Failure> {
+        let model = builder.build()?;
+        let assembler = Assembler::new(&model);
+        let pattern = assembler.pattern().clone();
+        Ok(Assembled {
+            mass: assembler.mass(&model),
+            stiffness: assembler.stiffness(&model)?,
+            symbolic: Arc::new(Symbolic::new(pattern.clone(), &order(&model, &pattern))?),
+            model,
+            assembler,
+            rows,
+        })
+    }
+
+    /// M ι of a field, held dofs included.
+    pub fn inertia(&self, field: fn([f64; 3]) -> [f64; KINDS]) -> Vec<f64> {
+        self.assembler
+            .inertia(&self.model, |node| field(self.model.nodes()[node]))
+    }
+}
+
+/// The wall, clamped at its base.
+fn place_wall(builder: &mut Builder, tank: &Tank, division: &Division) -> Result<Wall, Failure> {
+    let mesh = Cylinder {
+        radii: vec![0.0, tank.radius],
+        sectors: division.sectors,
+        heights: division.wall.clone(),
+    };
+    let mut wall = mesh.wall()?;
+    let first = builder.nodes(&wall.nodes);
+    wall.cells
+        .iter_mut()
+        .for_each(|c| c.nodes.iter_mut().for_each(|n| *n += first));
+    wall.rows.iter_mut().flatten().for_each(|n| *n += first);
+    let [e, nu, density] = tank.material;
+    let sections = tank
+        .courses
+        .iter()
+        .map(|&(_, t)| Ok(Arc::new(ElasticSection::new(e, nu, t, density)?) as Arc<dyn Section>))
+        .collect::<Result<Vec<_>, Failure>>()?;
+    let cells = wall
+        .cells
+        .iter()
+        .map(|cell| {
+            let middle = 0.5 * (cell.chart[0][2] + cell.chart[2][2]);
+            let course = tank
+                .courses
+                .iter()
+                .position(|c| middle < c.0)
+                .unwrap_or(tank.courses.len() - 1);
+            ShellCell {
+                nodes: cell.nodes,
+                section: sections[course].clone(),
+                group: "wall".to_owned(),
+            }
+        })
+        .collect();
+    let positions = wall.nodes.clone();
+    let outwards = |_: usize, node: usize| Vector3::new(positions[node - first][0], positions[node - first][1], 0.0);
+    ShellSurface {
+        normals: Normals::Exact(&outwards),
+        axes: Axes::HOOP_Z,
+        ..ShellSurface::new(cells)
+    }
+    .place(builder)?;
+    for &node in &wall.rows[0] {
+        for dof in Dof::SHELL {
+            builder.hold(node, *dof);
+        }
+    }
+    Ok(wall)
+}
+
+/// Wall and hexahedra.
+///
+/// Errors: no mesh, an element out of range.
+pub fn with_hexahedra(tank: &Tank, division: &Division) -> Result<Assembled, Failure> {
+    let mesh = Cylinder {
+        radii: division.radii.clone(),
+        sectors: division.sectors,
+        heights: division.liquid.clone(),
+    };
+    let volume = mesh.volume()?;
+    let mut builder = Builder::new();
+    builder.nodes(&volume.nodes);
+    fill(
+        &mut builder,
+        &volume.cells,
+        &volume.surface,
+        Chart::Cylindrical,
+        tank.liquid_density,
+    )?;
+    let wall = place_wall(&mut builder, tank, division)?;
+    // Only faces of one sector can overlap; they stand in the order of the sectors.
+    for own in &volume.wall {
+        for other in &wall.cells {
+            if (own.chart[0][1] - other.chart[0][1]).abs() > 1e-9 {
+                continue;
+            }
+            let normals = other.chart.map(|c| [c[1].cos(), c[1].sin(), 0.0]);
+            let face = WetFace::overlapping(own, other, Chart::Cylindrical, normals, tank.liquid_density)?;
+            if let Some(face) = face {
+                builder.element("wet", face);
+            }
+        }
+    }
+    Assembled::new(builder, wall.rows)
+}
+
+/// The modes nearest `omega` [rad/s] with their participation in `field`, on hexahedra.
+///
+/// Errors: those of the eigenvalue solver.
+pub fn modes_of_hexahedra(
+    tank: &Assembled,
+    omega: f64,
+    count: usize,
+    field: fn([f64; 3]) -> [f64; KINDS],
+) -> Result<Vec<Participating>, Failure> {
+    let phi = tank.model.dofs().of_kind(Dof::Phi);
+    let pencil = ThreeField::new(&tank.stiffness, &tank.mass, tank.symbolic.clone(), phi)?;
+    let load = tank.inertia(field);
+    let found = modes(&pencil, &search(omega, count))?;
+    let all = pencil.expand(&found.vectors)?;
+    Ok(participating(&found.omega(), &all, &load))
+}
+
+fn search(omega: f64, count: usize) -> Search {
+    Search::around(omega, count)
+}
+
+fn participating(omega: &[f64], vectors: &Matrix, load: &[f64]) -> Vec<Participating> {
+    omega
+        .iter()
+        .enumerate()
+        .map(|(j, &omega)| Participating {
+            omega,
+            mass: dot(vectors.column(j), load).powi(2),
+        })
+        .collect()
+}
+
+/// The one with the largest participation; the two modes of a harmonic count together.
+pub fn strongest(modes: &[Participating]) -> Participating {
+    let mut joined: Vec<Participating> = Vec::new();
+    for mode in modes {
+        match joined.last_mut() {
+            Some(last) if (mode.omega / last.omega - 1.0).abs() < 1e-6 => last.mass += mode.mass,
+            _ => joined.push(*mode),
+        }
+    }
+    let largest = joined.iter().copied().max_by(|a, b| a.mass.total_cmp(&b.mass));
+    largest.unwrap_or(Participating {
+        omega: f64::NAN,
+        mass: 0.0,
+    })
+}
+
+/// Wall alone, with the harmonic liquid on a meridional section refined by `refine`.
+pub struct WithHarmonics {
+    /// The wall.
+    pub wall: Assembled,
+    /// The liquid.
+    pub liquid: HarmonicLiquid,
+    /// R.
+    pub normals: Vec<NormalRow>,
+}
+
+/// Wall and harmonic liquid.
+///
+/// Errors: no mesh, an element out of range.
+pub fn with_harmonics(tank: &Tank, division: &Division, refine: f64, sloshing: u32) -> Result<WithHarmonics, Failure> {
+    let mut builder = Builder::new();
+    let wall = place_wall(&mut builder, tank, division)?;
+    let wall = Assembled::new(builder, wall.rows)?;
+    let wetted = division
+        .wall
+        .iter()
+        .filter(|&&z| z <= tank.depth * (1.0 + 1e-9))
+        .count();
+    let mesh = LiquidMesh::graded(tank.radius, tank.depth, refine);
+    let liquid = HarmonicLiquid::new(
+        tank.radius,
+        tank.liquid_density,
+        GRAVITY,
+        division.sectors,
+        &division.wall[..wetted],
+        &mesh,
+        sloshing,
+    )?;
+    let mut normals = Vec::new();
+    for row in &wall.rows[..wetted] {
+        for &node in row {
+            let n = radial(wall.model.nodes()[node]);
+            let mut entries: NormalRow = Vec::new();
+            for (dof, c) in [(Dof::Ux, n[0]), (Dof::Uy, n[1])] {
+                entries.extend(wall.model.row(node, dof).into_iter().map(|(e, v)| (e, v * c)));
+            }
+            normals.push(entries);
+        }
+    }
+    Ok(WithHarmonics { wall, liquid, normals })
+}
+
+impl WithHarmonics {
+    /// The pencil of wall and liquid.
+    pub fn pencil(&self) -> WallPencil<'_> {
+        WallPencil::new(
+            &self.wall.stiffness,
+            &self.wall.mass,
+            self.wall.symbolic.clone(),
+            self.normals.clone(),
+            &self.liquid,
+        )
+    }
+
+    /// M ι over (u, η): wall with its held dofs, liquid with the rigid motion of all wetted nodes.
+    pub fn inertia(&self, field: fn([f64; 3]) -> [f64; KINDS]) -> Vec<f64> {
+        let mut load = self.wall.inertia(field);
+        let mut motion = vec![0.0; self.liquid.wall() + self.liquid.elevations()];
+        for (i, &node) in self.wall.rows.iter().flatten().take(self.liquid.wall()).enumerate() {
+            let (at, n) = (
+                field(self.wall.model.nodes()[node]),
+                radial(self.wall.model.nodes()[node]),
+            );
+            motion[i] = at[0] * n[0] + at[1] * n[1];
+        }
+        let force = self
+            .liquid
+            .mass(&Matrix {
+                rows: motion.len(),
+                cols: 1,
+                data: motion,
+            })
+            .data;
+        for (row, f) in self.normals.iter().zip(&force) {
+            for &(e, c) in row {
+                load[e] += c * f;
+            }
+        }
+        load.extend_from_slice(&force[self.liquid.wall()..]);
+        load
+    }
+
+    /// The modes nearest `omega` [rad/s] with their participation in `field`.
+    ///
+    /// Errors: those of the eigenvalue solver.
+    pub fn modes(
+        &self,
+        omega: f64,
+        count: usize,
+        field: fn([f64; 3]) -> [f64; KINDS],
+    ) -> Result<Vec<Participating>, Failure> {
+        let pencil = self.pencil();
+        let found = modes(&pencil, &search(omega, count))?;
+        debug_assert_eq!(found.vectors.rows, pencil.size());
+        Ok(participating(&found.omega(), &found.vectors, &self.inertia(field)))
+    }
+}
