@@ -2,12 +2,17 @@
 
 mod partings;
 
+use std::collections::BTreeMap;
+
 use codes::Quantity;
 
 use crate::results::{Cell, Comparison, ComparisonRow, Governing, Method, Verdict};
 
 /// Id of the finite-element column, the reference of all ratios.
 pub const FE: &str = "fe";
+
+/// Id of the three-dimensional engine's column beside the harmonic one's.
+pub const FE_SOLID: &str = "fe-solid";
 
 /// Lays the methods side by side.
 ///
@@ -59,6 +64,8 @@ pub struct Context {
     pub history_shear: f64,
     /// Sloshing damping ratio.
     pub sloshing_damping: f64,
+    /// Estimated discretisation error of the three-dimensional engine by quantity id, relative.
+    pub solid_mesh_error: BTreeMap<String, f64>,
 }
 
 impl Context {

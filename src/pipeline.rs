@@ -4,17 +4,22 @@
 
 mod motion;
 mod output;
+mod series;
 
 use std::collections::BTreeMap;
 
 use codes::procedure::{Assessment, CodeError, Excitation};
 use codes::{Procedure, Quantity, spectrum};
+use fem::progress::Progress;
 
 use crate::compare::{self, Context};
 use crate::error::Error;
-use crate::fe::{self, Simulation};
-use crate::job::Job;
-use crate::results::{Deformability, FORMAT, Method, Results, Series, Status, TankSummary, Value, Verdict, Volatile};
+use crate::fe::{self, FeError, Simulation};
+use crate::job::{Engines, Job};
+use crate::results::{
+    Deformability, FORMAT, Method, Results, SOLID_PREFIX, Series, Snapshots, Status, TankSummary, Value, Verdict,
+    Volatile,
+};
 
 pub use output::{OUTPUT, OutputFolder, copy_results, discard_unfinished};
 
@@ -36,15 +41,28 @@ pub fn select_procedures(ids: &[String]) -> Result<Vec<String>, Error> {
         .collect())
 }
 
-/// Runs a job: procedures, engine, comparison. `volatile` is left empty but for the version.
+/// What a job gives.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// For `results.json`.
+    pub results: Results,
+    /// For `series.csv`.
+    pub series: Series,
+    /// States of the three-dimensional model, where they were asked for.
+    pub snapshots: Option<Snapshots>,
+}
+
+/// Runs a job: procedures, engines, comparison. `volatile` is left empty but for the version.
 ///
-/// Errors: a procedure that does not converge, a failure of the engine.
-pub fn run(job: &Job) -> Result<(Results, Series), Error> {
+/// Errors: a procedure that does not converge, a failure of an engine.
+pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     let (simulation, codes) = std::thread::scope(|scope| {
-        let engine = job
-            .fe
-            .as_ref()
-            .map(|options| scope.spawn(|| fe::simulate(&job.case, options)));
+        let engine = job.fe.as_ref().map(|options| {
+            scope.spawn(|| match job.engines {
+                Engines::Solid => fe::solid::simulate(&job.case, options, &job.solid, progress),
+                Engines::Harmonic | Engines::Both => fe::simulate(&job.case, options),
+            })
+        });
         let codes = assess(job).map(|methods| (methods, motion::records(job)));
         let simulation = engine.map(|handle| match handle.join() {
             Ok(outcome) => outcome,
@@ -53,19 +71,43 @@ pub fn run(job: &Job) -> Result<(Results, Series), Error> {
         (simulation, codes)
     });
     let (mut methods, records) = codes?;
-    let simulation = simulation.transpose()?;
+    let mut simulation = simulation.transpose()?;
+    // Stopped before it has anything, the second engine leaves the first one's report, marked incomplete.
+    let mut stopped = false;
+    let mut solid = match (&job.fe, job.engines) {
+        (Some(options), Engines::Both) => match fe::solid::simulate(&job.case, options, &job.solid, progress) {
+            Err(FeError::Interrupted { .. }) => {
+                stopped = true;
+                None
+            }
+            outcome => Some(outcome?),
+        },
+        _ => None,
+    };
+    let snapshots = [&mut solid, &mut simulation]
+        .into_iter()
+        .flatten()
+        .find_map(|s| s.snapshots.take());
     let spectra = motion::spectra(job, &tank_periods(&methods, simulation.as_ref()));
-    let context = context(job, simulation.as_ref());
-    let (fe, series) = match simulation {
+    let mut context = context(job, simulation.as_ref());
+    let (fe, mut series) = match simulation {
         Some(simulation) => {
-            methods.push(fe_method(&simulation));
+            methods.push(fe_method(compare::FE, &simulation));
             (Some(simulation.result), simulation.series)
         }
         None => (None, Series::default()),
     };
+    let fe_solid = solid.map(|simulation| {
+        methods.push(fe_method(compare::FE_SOLID, &simulation));
+        context.solid_mesh_error = simulation.result.mesh_error.clone();
+        series::append(&mut series, &simulation.series, SOLID_PREFIX);
+        simulation.result
+    });
     methods.extend(measured(job));
     let comparison = compare::compare(&methods, &context, job.case.published.clone());
-    let verdict: Verdict = compare::verdict(&methods);
+    let mut verdict: Verdict = compare::verdict(&methods);
+    verdict.incomplete = stopped || fe.iter().chain(&fe_solid).any(|fe| fe.incomplete);
+    verdict.holds &= !verdict.incomplete;
     let results = Results {
         format: FORMAT.into(),
         volatile: Volatile {
@@ -91,11 +133,15 @@ pub fn run(job: &Job) -> Result<(Results, Series), Error> {
         spectra,
         methods,
         fe,
-        fe_solid: None,
+        fe_solid,
         comparison,
         verdict,
     };
-    Ok((results, series))
+    Ok(Outcome {
+        results,
+        series,
+        snapshots,
+    })
 }
 
 /// All chosen procedures under all excitations the case offers.
@@ -182,11 +228,15 @@ fn tank_periods(methods: &[Method], simulation: Option<&Simulation>) -> Vec<f64>
     }
 }
 
-/// The engine as a column of the comparison.
-fn fe_method(simulation: &Simulation) -> Method {
+/// An engine as a column of the comparison.
+fn fe_method(id: &str, simulation: &Simulation) -> Method {
+    let title = match simulation.result.engine.as_str() {
+        "solid" => "Finite elements in three dimensions, time history",
+        _ => "Finite elements, time history",
+    };
     Method {
-        id: compare::FE.into(),
-        title: "Finite elements, time history".into(),
+        id: id.into(),
+        title: title.into(),
         excitation: Excitation::Record,
         status: Status::Computed,
         quantities: quantities(&simulation.values),

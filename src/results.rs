@@ -6,6 +6,7 @@
 mod fields;
 mod snapshots;
 mod store;
+pub mod vtu;
 
 use std::collections::BTreeMap;
 
@@ -229,7 +230,7 @@ pub enum Status {
 /// One column of the comparison.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Method {
-    /// `housner`, `ec8-env`, `ec8-2006`, `api650-1993`, `api650-2020`, `fe`, `measured`.
+    /// `housner`, `ec8-env`, `ec8-2006`, `api650-1993`, `api650-2020`, `fe`, `fe-solid`, `measured`.
     pub id: String,
     /// Title with edition.
     pub title: String,
@@ -473,8 +474,11 @@ pub struct Parting {
 /// The verdict of the verification.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
-    /// True if every applicable check holds.
+    /// True if every applicable check holds (and no run was interrupted).
     pub holds: bool,
+    /// True if a finite-element run was interrupted: its extremes are those of a part of the ground motion.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub incomplete: bool,
     /// Number of checks.
     pub checks: usize,
     /// Number that fail.
@@ -494,7 +498,8 @@ pub struct Governing {
     pub check: Check,
 }
 
-/// Time histories of `series.csv`: a time column and the columns of [`FeResult::series`] in order.
+/// Time histories of `series.csv`: a time column and the columns of [`FeResult::series`] in order, then those of
+/// [`Results::fe_solid`] with [`SOLID_PREFIX`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Series {
     /// Time [s].
@@ -508,5 +513,7 @@ pub struct Series {
 /// Columns of `series.csv` that hold the ground motion as computed with: acceleration [m/s²], velocity [m/s],
 /// displacement [m]; those of a vertical record carry [`VERTICAL_PREFIX`].
 pub const GROUND_COLUMNS: [&str; 3] = ["ground_acceleration", "ground_velocity", "ground_displacement"];
+/// Prefix of the columns of the three-dimensional engine beside the harmonic one.
+pub const SOLID_PREFIX: &str = "solid_";
 /// Prefix of [`GROUND_COLUMNS`] for the vertical record.
 pub const VERTICAL_PREFIX: &str = "vertical_";

@@ -2,10 +2,12 @@
 
 use std::time::Instant;
 
+use fem::progress::Silent;
+
 use crate::cli::inputs::Inputs;
 use crate::cli::{Format, Global, compare};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
-use crate::pipeline::{self, OutputFolder};
+use crate::pipeline::{self, Outcome, OutputFolder};
 use crate::{report, results};
 
 /// Arguments.
@@ -42,7 +44,9 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         ));
     }
     let folder = args.out.as_deref().map(OutputFolder::prepare).transpose()?;
-    let (mut results, series) = pipeline::run(&job)?;
+    let Outcome {
+        mut results, series, ..
+    } = pipeline::run(&job, &Silent)?;
     compare::stamp(&mut results, started);
     if let Some(folder) = folder {
         results::write(folder.path(), &results, &series)?;

@@ -7,13 +7,15 @@ use codes::procedure::Excitation;
 use codes::units;
 
 use crate::cli::inputs::Inputs;
+use crate::cli::progress::Watch;
 use crate::cli::table::Table;
-use crate::cli::{Format, Global};
-use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
-use crate::fe::Integrator;
-use crate::pipeline::{self, OutputFolder};
+use crate::cli::{Format, Global, solid};
+use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_OK, Error};
+use crate::fe::{FeError, Integrator};
+use crate::job::{Engines, Job};
+use crate::pipeline::{self, Outcome, OutputFolder};
 use crate::report;
-use crate::results::{self, Method, Results, Series, Status};
+use crate::results::{self, Method, Results, Series, Status, vtu};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -22,8 +24,13 @@ Examples:
   tankcheck compare tank.json --quake elcentro.csv --out out/
   tankcheck compare tank.json --quake ns.at2 --vertical up.at2 --out out/
   tankcheck compare tank.json --quake rec.txt --units g --integrator newmark --out out/
+  tankcheck compare tank.json --quake elcentro.csv --fe both --mesh 12x16x20 --out out/
+  tankcheck compare tank.json --quake elcentro.csv --fe solid --liquid displacement --vtu paraview/
 
-Exit codes: 0 every check holds; 1 a check fails; 2 bad input; 3 the computation failed.")]
+Ctrl-C stops a three-dimensional run and keeps what it has, marked incomplete; pressed again it drops everything.
+
+Exit codes: 0 every check holds; 1 a check fails; 2 bad input; 3 the computation failed or was interrupted;
+130 dropped by a second Ctrl-C.")]
 pub struct Args {
     #[command(flatten)]
     inputs: Inputs,
@@ -33,6 +40,14 @@ pub struct Args {
     /// Finite-element engine.
     #[arg(long, value_enum, default_value_t = Engine::Harmonic)]
     fe: Engine,
+    #[command(flatten)]
+    solid: solid::Args,
+    /// Write ParaView files (tank.pvd) of the three-dimensional run into this folder.
+    #[arg(long, value_name = "FOLDER")]
+    vtu: Option<PathBuf>,
+    /// Time between two states in the ParaView files [default: a hundredth of the record].
+    #[arg(long, value_name = "SECONDS", requires = "vtu", allow_negative_numbers = true)]
+    vtu_every: Option<f64>,
     /// Time integration [default: modal, or as in the tank file].
     #[arg(long, value_enum)]
     integrator: Option<IntegratorArg>,
@@ -55,6 +70,10 @@ pub struct Args {
 enum Engine {
     /// One Fourier harmonic at a time: potential liquid and shell of revolution (linear).
     Harmonic,
+    /// Three-dimensional elements: shell, liquid, contact between them.
+    Solid,
+    /// Both, side by side.
+    Both,
     /// No engine: the codes alone.
     None,
 }
@@ -78,34 +97,96 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         ));
     }
     let mut job = args.inputs.job()?;
-    match (&mut job.fe, args.fe) {
-        (fe, Engine::None) => *fe = None,
-        (Some(options), Engine::Harmonic) => {
-            if let Some(refine) = args.refine {
-                options.refine = refine;
-            }
-            options.mesh_error &= !args.no_mesh_error;
-            match args.integrator {
-                Some(IntegratorArg::Modal) => options.integrator = Integrator::Modal,
-                Some(IntegratorArg::Newmark) => options.integrator = Integrator::Newmark,
-                None => {}
-            }
-        }
-        (None, Engine::Harmonic) => {}
+    choose(&mut job, &args)?;
+    if let (Some(options), true) = (&job.fe, job.engines.solid()) {
+        solid::announce(&job.case, options, &job.solid, global)?;
     }
     let folder = OutputFolder::prepare(&args.out)?;
-    let spinner = super::spinner(global, "codes and finite elements");
-    let (mut results, series) = pipeline::run(&job)?;
+    let vtu = match &args.vtu {
+        Some(target) => Some(OutputFolder::of(target, vtu::owns, "--vtu")?),
+        None => None,
+    };
+    let watch = Watch::new(global, "codes and finite elements", job.engines.solid());
+    let Outcome {
+        mut results,
+        series,
+        snapshots,
+    } = pipeline::run(&job, &watch)?;
     stamp(&mut results, started);
     write(&folder, &results, &series, args.templates.as_deref())?;
+    if let (Some(vtu), Some(snapshots)) = (&vtu, &snapshots) {
+        vtu::write(vtu.path(), snapshots)?;
+    }
     folder.commit()?;
-    spinner.finish_and_clear();
+    vtu.map_or(Ok(()), OutputFolder::commit)?;
+    watch.finish();
     print(&results, Some(&args.out), args.format, global)?;
-    Ok(if results.verdict.holds {
-        EXIT_OK
-    } else {
-        EXIT_CHECK_FAILED
+    if let (Some(folder), false) = (&args.vtu, global.quiet) {
+        anstream::eprintln!("ParaView: {}", folder.join(vtu::COLLECTION).display());
+    }
+    Ok(match &results.verdict {
+        verdict if verdict.incomplete => EXIT_COMPUTATION,
+        verdict if verdict.holds => EXIT_OK,
+        _ => EXIT_CHECK_FAILED,
     })
+}
+
+/// Lays the options of the command line over those of the tank file.
+fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
+    job.engines = match args.fe {
+        Engine::None => {
+            job.fe = None;
+            Engines::Harmonic
+        }
+        Engine::Harmonic => Engines::Harmonic,
+        Engine::Solid => Engines::Solid,
+        Engine::Both => Engines::Both,
+    };
+    if let Some(options) = &mut job.fe {
+        if let Some(refine) = args.refine {
+            options.refine = refine;
+        }
+        options.mesh_error &= !args.no_mesh_error;
+        match args.integrator {
+            Some(IntegratorArg::Modal) => options.integrator = Integrator::Modal,
+            Some(IntegratorArg::Newmark) => options.integrator = Integrator::Newmark,
+            None => {}
+        }
+    }
+    if !job.engines.solid() {
+        let unused = args.solid.given().or(args.vtu.as_ref().map(|_| "--vtu"));
+        return match unused {
+            Some(option) => Err(Error::Input(format!(
+                "error: {option} belongs to the three-dimensional engine\n  help: add --fe solid or --fe both"
+            ))),
+            None => Ok(()),
+        };
+    }
+    args.solid.apply(job);
+    if args.vtu.is_some() {
+        job.solid.snapshot_interval = Some(interval(job, args.vtu_every)?);
+    }
+    Ok(())
+}
+
+/// States in the ParaView files unless the user says otherwise: enough for a smooth animation.
+const STATES: f64 = 100.0;
+
+/// Time between two states in the ParaView files [s].
+fn interval(job: &Job, given: Option<f64>) -> Result<f64, Error> {
+    let Some(motion) = &job.case.ground_motion else {
+        return Err(Error::Fe(FeError::NoRecord));
+    };
+    let record = &motion.horizontal;
+    let duration = record.dt * record.acceleration.len() as f64;
+    match given {
+        None => Ok((duration / STATES).max(record.dt)),
+        Some(every) if every >= record.dt && every.is_finite() => Ok(every),
+        Some(every) => Err(Error::Input(format!(
+            "error: --vtu-every: found `{every}`, allowed a time [s] from the time step of the record, {}, on",
+            record.dt
+        ))),
+    }
 }
 
 /// Fills in what differs between identical runs.
@@ -215,6 +296,9 @@ fn print_csv(results: &Results) {
 
 fn print_verdict(results: &Results) {
     let verdict = &results.verdict;
+    if verdict.incomplete {
+        anstream::println!("INCOMPLETE: the finite-element run was interrupted, its extremes are not final");
+    }
     if let Some(governing) = &verdict.governing {
         let state = if verdict.holds { "all hold" } else { "NOT all hold" };
         let excitation = match governing.excitation {
@@ -230,7 +314,7 @@ fn print_verdict(results: &Results) {
             governing.check.utilisation
         );
     }
-    if let Some(fe) = &results.fe {
+    for fe in results.fe.iter().chain(&results.fe_solid) {
         for limit in fe.limits.iter().filter(|l| !l.holds) {
             anstream::println!("warning: {}: {}", limit.name, limit.note);
         }

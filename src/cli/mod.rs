@@ -19,6 +19,7 @@ mod progress;
 mod quake;
 mod report;
 mod schema;
+mod solid;
 mod spectrum;
 mod table;
 mod verify;
@@ -96,6 +97,7 @@ const EXAMPLES: &str = "\
 Examples:
   tankcheck init > tank.json
   tankcheck compare tank.json --quake elcentro.csv --out out/
+  tankcheck compare tank.json --quake elcentro.csv --fe both --mesh 12x16x20 --vtu paraview/ --out out/
   tankcheck check tank.json
   tankcheck modes tank.json --format json
   tankcheck spectrum elcentro.csv --damping 0.5%,2%,5% --periods 0.02..20
@@ -103,7 +105,7 @@ Examples:
   tankcheck diff golden/ out/
 
 Exit codes: 0 done and every check holds; 1 a check fails or diff found a change; 2 bad input or usage;
-3 the computation failed.";
+3 the computation failed or was interrupted.";
 
 /// A spinner on standard error while `what` is computed; invisible unless a person watches a terminal.
 pub(crate) fn spinner(global: &Global, what: &'static str) -> indicatif::ProgressBar {

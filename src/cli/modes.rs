@@ -6,8 +6,9 @@ use std::path::PathBuf;
 use codes::tank::Shape;
 use serde_json::json;
 
+use crate::cli::progress::Watch;
 use crate::cli::table::Table;
-use crate::cli::{Format, Global, print};
+use crate::cli::{Format, Global, print, solid};
 use crate::error::{EXIT_OK, Error};
 use crate::fe::harmonic;
 use crate::input;
@@ -25,6 +26,7 @@ const MAX_COUNT: usize = 100;
 Examples:
   tankcheck modes tank.json
   tankcheck modes tank.json --harmonics 1 --count 5 --format json
+  tankcheck modes tank.json --fe solid --mesh 12x16x20 --count 10
 
 Harmonic 1 answers horizontal motion, 0 vertical motion (its effective mass is that of pressure and weight), 2 and more
 no uniform motion of the ground at all. A rectangle has the symmetric half (0) and the antisymmetric half (1) of its plane
@@ -33,7 +35,12 @@ pub struct Args {
     /// The tank (`-` reads standard input).
     #[arg(value_name = "TANK")]
     tank: PathBuf,
-    /// Circumferential harmonics, separated by commas [default: 0,1,2; rectangle 0,1].
+    /// Finite-element engine.
+    #[arg(long, value_enum, default_value_t = Engine::Harmonic)]
+    fe: Engine,
+    #[command(flatten)]
+    solid: solid::Args,
+    /// Circumferential harmonics, separated by commas [default: 0,1,2; rectangle 0,1; three-dimensional: all].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     harmonics: Option<Vec<u32>>,
     /// Modes of each kind (sloshing, structural) and harmonic.
@@ -47,22 +54,52 @@ pub struct Args {
     format: Format,
 }
 
+/// Finite-element engine.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+enum Engine {
+    /// One Fourier harmonic at a time.
+    Harmonic,
+    /// Three-dimensional elements: the lowest modes of all circumferential wave numbers at once.
+    Solid,
+}
+
 /// Runs the subcommand; returns the exit code.
 pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let tank = input::read_tank(&args.tank)?;
     let case = tank.case;
     let mut options = tank.fe;
     options.refine = args.refine.unwrap_or(options.refine);
-    let harmonics = args.harmonics.unwrap_or(match case.tank.shape {
-        Shape::Cylinder { .. } => vec![0, 1, 2],
-        Shape::Rectangle { .. } => vec![0, 1],
-    });
+    let default = match (args.fe, case.tank.shape) {
+        (Engine::Solid, _) => Vec::new(),
+        (_, Shape::Cylinder { .. }) => vec![0, 1, 2],
+        (_, Shape::Rectangle { .. }) => vec![0, 1],
+    };
+    let harmonics = args.harmonics.unwrap_or(default);
     check(&harmonics, args.count, case.tank.shape)?;
-    let modes = crate::fe::modes(&case, &options, &harmonics, args.count)?;
-    let notes = harmonic::notes(&case, &modes);
+    let (modes, notes) = match args.fe {
+        Engine::Harmonic => {
+            if let Some(option) = args.solid.given() {
+                return Err(Error::Input(format!(
+                    "error: {option} belongs to the three-dimensional engine\n  help: add --fe solid"
+                )));
+            }
+            let modes = crate::fe::modes(&case, &options, &harmonics, args.count)?;
+            let notes = harmonic::notes(&case, &modes);
+            (modes, notes)
+        }
+        Engine::Solid => {
+            let solid = args.solid.over(&tank.solid);
+            solid::announce(&case, &options, &solid, global)?;
+            let watch = Watch::new(global, "modes", false);
+            let mut modes = crate::fe::solid::modes(&case, &options, &solid, args.count, &watch)?;
+            watch.finish();
+            modes.retain(|m| harmonics.is_empty() || harmonics.contains(&m.harmonic));
+            (modes, Vec::new())
+        }
+    };
     match args.format {
         Format::Human => {
-            let mut text = format!("{}\n\n{}", case.name, table(&modes, case.liquid_mass()));
+            let mut text = format!("{}\n\n{}", case.name, table(&modes, case.liquid_mass(), args.fe));
             for note in &notes {
                 let _ = writeln!(text, "\nnote: {note}");
             }
@@ -112,10 +149,13 @@ fn check(harmonics: &[u32], count: usize, shape: Shape) -> Result<(), Error> {
     Ok(())
 }
 
-fn table(modes: &[Mode], liquid_mass: f64) -> Table {
-    let mut table = Table::new([
-        "mode",
-        "m",
+fn table(modes: &[Mode], liquid_mass: f64, engine: Engine) -> Table {
+    // Wave numbers as the theory manual names them: the harmonic engine has one, the wall of the other two.
+    let waves: &[&str] = match engine {
+        Engine::Harmonic => &["m"],
+        Engine::Solid => &["n (around)", "m (axial)"],
+    };
+    let head = ["mode"].iter().chain(waves).chain(&[
         "T [s]",
         "f [Hz]",
         "ω [rad/s]",
@@ -123,31 +163,36 @@ fn table(modes: &[Mode], liquid_mass: f64) -> Table {
         "of liquid [%]",
         "height [m]",
     ]);
+    let mut table = Table::new(head.copied());
     for mode in modes {
         let moved = mode.harmonic <= 1;
         let cell = |shown: bool, text: String| if shown { text } else { "–".to_owned() };
-        table.row([
-            format!("{} {}", mode.kind, mode.number),
-            mode.harmonic.to_string(),
-            format!("{:.5}", mode.period),
-            format!("{:.4}", 1.0 / mode.period),
-            format!("{:.4}", mode.omega),
-            cell(moved, format!("{:.4}", mode.effective_mass / 1000.0)),
-            cell(moved, format!("{:.2}", 100.0 * mode.effective_mass / liquid_mass)),
-            cell(mode.harmonic == 1, format!("{:.4}", mode.effective_height)),
-        ]);
+        let axial = mode.axial.map_or("–".to_owned(), |m| m.to_string());
+        let name = [format!("{} {}", mode.kind, mode.number), mode.harmonic.to_string()];
+        table.row(
+            name.into_iter()
+                .chain((engine == Engine::Solid).then_some(axial))
+                .chain([
+                    format!("{:.5}", mode.period),
+                    format!("{:.4}", 1.0 / mode.period),
+                    format!("{:.4}", mode.omega),
+                    cell(moved, format!("{:.4}", mode.effective_mass / 1000.0)),
+                    cell(moved, format!("{:.2}", 100.0 * mode.effective_mass / liquid_mass)),
+                    cell(mode.harmonic == 1, format!("{:.4}", mode.effective_height)),
+                ]),
+        );
     }
     table
 }
 
 fn csv(modes: &[Mode]) -> String {
     let mut text = String::from(
-        "harmonic,kind,number,period_s,omega_rad_s,damping,participation,effective_mass_kg,effective_height_m\n",
+        "harmonic,kind,number,period_s,omega_rad_s,damping,participation,effective_mass_kg,effective_height_m,axial\n",
     );
     for m in modes {
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{},{},{},{}",
+            "{},{},{},{},{},{},{},{},{},{}",
             m.harmonic,
             m.kind,
             m.number,
@@ -156,7 +201,8 @@ fn csv(modes: &[Mode]) -> String {
             m.damping,
             m.participation,
             m.effective_mass,
-            m.effective_height
+            m.effective_height,
+            m.axial.map_or(String::new(), |a| a.to_string())
         );
     }
     text

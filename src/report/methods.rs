@@ -19,6 +19,7 @@ pub struct Look {
 pub fn look(method: &Method) -> Look {
     let (label, class) = match method.id.as_str() {
         "fe" => ("Finite elements", "k-fe"),
+        "fe-solid" => ("3-D elements", "k-fe-solid"),
         "measured" => ("Measured", "k-measured"),
         "housner" => ("Housner", "k-housner"),
         "ec8-env" => ("ENV 1998-4", "k-ec8-env"),
@@ -63,13 +64,14 @@ pub fn excitation(method: &Method) -> &'static str {
     }
 }
 
-/// Indices of the methods for figures: finite elements, measurement, procedures on the record, on the site's spectrum.
+/// Indices of the methods for figures: finite elements, those in three dimensions, measurement, procedures on the record, on the site's spectrum.
 pub fn figure_order(results: &Results) -> Vec<usize> {
     let rank = |m: &Method| match (m.id.as_str(), m.excitation) {
         ("fe", _) => 0,
-        ("measured", _) => 1,
-        (_, Excitation::Record) => 2,
-        (_, Excitation::Site) => 3,
+        ("fe-solid", _) => 1,
+        ("measured", _) => 2,
+        (_, Excitation::Record) => 3,
+        (_, Excitation::Site) => 4,
     };
     let mut order: Vec<usize> = (0..results.methods.len()).collect();
     order.sort_by_key(|&i| rank(&results.methods[i]));

@@ -114,16 +114,20 @@ pub fn build(results: &Results, series: &Series, templates: &Templates) -> Resul
         });
         figures.extend(section.figures);
     }
+    // The styles of spatial figures burden only the reports that have them.
+    let mut css = templates.css("figure.css").to_owned();
+    if views.iter().any(|v| v.id == "spatial") || results.fe_solid.is_some() {
+        css.push_str(templates.css("fields.css"));
+    }
     let mut page = Context::new();
     page.insert("name", &results.name);
     page.insert("sections", &views);
     page.insert("style", templates.css("style.css"));
-    page.insert("figure_style", templates.css("figure.css"));
+    page.insert("figure_style", &css);
     let html = templates.render("report.html", &page)?;
-    let css = templates.css("figure.css");
     let figures = figures
         .iter()
-        .map(|f| (format!("{}.svg", file_name(&f.id)), f.standalone(css)))
+        .map(|f| (format!("{}.svg", file_name(&f.id)), f.standalone(&css)))
         .collect();
     Ok(Report { html, figures })
 }

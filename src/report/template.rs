@@ -15,6 +15,7 @@ const EMBEDDED: &[(&str, &str)] = &[
     ("components.html", include_str!("../../templates/components.html")),
     ("style.css", include_str!("../../templates/style.css")),
     ("figure.css", include_str!("../../templates/figure.css")),
+    ("fields.css", include_str!("../../templates/fields.css")),
     (
         "sections/summary.html",
         include_str!("../../templates/sections/summary.html"),
@@ -55,6 +56,10 @@ const EMBEDDED: &[(&str, &str)] = &[
     (
         "sections/histories.html",
         include_str!("../../templates/sections/histories.html"),
+    ),
+    (
+        "sections/spatial.html",
+        include_str!("../../templates/sections/spatial.html"),
     ),
     (
         "sections/checks.html",

@@ -96,6 +96,58 @@ fn check_leaves_out_what_it_has_not_computed() {
 }
 
 #[test]
+fn the_three_dimensional_run_shows_its_pictures() {
+    for kind in [Kind::Both, Kind::Solid] {
+        let html = report(kind).html;
+        assert!(sections(&html).contains(&"spatial"), "{kind:?}");
+        for figure in [
+            "mesh_spatial",
+            "mode_spatial_1",
+            "mode_spatial_3",
+            "moment_1",
+            "moment_2",
+            "map_1_pressure",
+            "map_2_hoop_stress",
+        ] {
+            assert!(html.contains(&format!("id=\"fig-{figure}\"")), "{kind:?}: {figure}");
+        }
+        // The scale factors are printed: 12 % of 3.66 m over 0.137 m, rounded down.
+        assert!(html.contains("of the free surface × 2;"), "{kind:?}");
+        let both = kind == Kind::Both;
+        assert_eq!(html.contains("Difference between the engines"), both);
+        assert_eq!(html.contains("id=\"fig-both_base_shear\""), both);
+        assert_eq!(html.contains("+2.00\u{a0}%"), both);
+        assert!(html.contains(".fig .v15"), "the palette of the maps");
+    }
+    assert!(!report(Kind::Compare).html.contains(".fig .v15"));
+}
+
+#[test]
+fn an_interrupted_run_is_no_verdict() {
+    let (mut results, series) = sample(Kind::Both, TITLE);
+    results.fe_solid.as_mut().expect("two engines").incomplete = true;
+    results.verdict.incomplete = true;
+    let html = rendered(&results, &series).html;
+    let summary = &html[..html.find("id=\"comparison\"").expect("a second section")];
+    assert!(summary.contains("Incomplete") && summary.contains("verdict fail"));
+    assert!(!summary.contains("checks hold"));
+}
+
+#[test]
+fn broken_fields_are_an_error_and_no_panic() {
+    let (mut results, series) = sample(Kind::Solid, TITLE);
+    let fields = results
+        .fe
+        .as_mut()
+        .and_then(|fe| fe.fields.as_mut())
+        .expect("a spatial run has fields");
+    fields.modes[0].displacement.pop();
+    let templates = Templates::new(None).expect("the embedded templates parse");
+    let error = build(&results, &series, &templates).expect_err("a node without displacement");
+    assert!(error.to_string().contains("fields"), "{error}");
+}
+
+#[test]
 fn a_sheet_on_the_site_repeats_nothing_of_the_sheet_on_the_record() {
     let html = report(Kind::Compare).html;
     let sheet = |id: &str| {
@@ -110,7 +162,7 @@ fn a_sheet_on_the_site_repeats_nothing_of_the_sheet_on_the_record() {
 
 #[test]
 fn every_heading_is_followed_by_content() {
-    for kind in [Kind::Compare, Kind::Check, Kind::Rectangle] {
+    for kind in [Kind::Compare, Kind::Check, Kind::Rectangle, Kind::Both, Kind::Solid] {
         let html = report(kind).html;
         for level in 2..=4 {
             for rest in html.split(&format!("</h{level}>")).skip(1) {
@@ -183,7 +235,7 @@ fn the_report_stands_alone() {
 
 #[test]
 fn figures_are_well_formed_described_and_have_their_data() {
-    for kind in [Kind::Compare, Kind::Check, Kind::Rectangle] {
+    for kind in [Kind::Compare, Kind::Check, Kind::Rectangle, Kind::Both, Kind::Solid] {
         let report = report(kind);
         let inline = figures(&report.html);
         assert_eq!(inline.len(), report.figures.len(), "{kind:?}");

@@ -2,13 +2,15 @@
 //! style sheet.
 //!
 //! Line charts are drawn by plotters on a backend that writes classes instead of colours ([`backend`]); what plotters
-//! has no form for (bars, the sketch of the tank, mode shapes, the four-way grid) by the small writer [`svg`].
+//! has no form for (bars, the sketch of the tank, mode shapes, the four-way grid, scenes in space, maps) by the small writer [`svg`].
 
 pub mod backend;
 pub mod bars;
 pub mod chart;
 pub mod decimate;
 pub mod fourway;
+pub mod map;
+pub mod scene;
 pub mod shapes;
 pub mod sketch;
 pub mod svg;

@@ -8,6 +8,7 @@ use super::{Section, Source, capital};
 use crate::error::Error;
 use crate::report::number::{Scale, percent, significant};
 use crate::report::table::{Column, Table};
+use crate::results::FeResult;
 
 #[derive(Serialize)]
 struct Pair {
@@ -20,6 +21,13 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let Some(fe) = &source.results.fe else {
         return Ok(None);
     };
+    let mut section = Section::new("engine", "Finite-element model");
+    fill(&mut section, fe);
+    Ok(Some(section))
+}
+
+/// Hands what the template `sections/engine.html` shows of a run to a section.
+pub(super) fn fill(section: &mut Section, fe: &FeResult) {
     let pairs = |list: &[crate::results::Labelled]| -> Vec<Pair> {
         list.iter()
             .map(|l| Pair {
@@ -28,7 +36,6 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
             })
             .collect()
     };
-    let mut section = Section::new("engine", "Finite-element model");
     section.set("engine", &fe.engine);
     section.set("mesh", &pairs(&fe.mesh));
     section.set("integration", &pairs(&fe.integration));
@@ -83,5 +90,4 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
         section.set("energy_error", &percent(e.error));
     }
     section.set("energy", &energy);
-    Ok(Some(section))
 }

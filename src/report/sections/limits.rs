@@ -18,12 +18,15 @@ struct Row {
 
 /// Makes the section.
 pub fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let limits = source.results.fe.iter().flat_map(|fe| &fe.limits);
+    let results = source.results;
+    let limits = results.fe.iter().flat_map(|fe| &fe.limits).map(|l| (l, ""));
+    let spatial = results.fe_solid.iter().flat_map(|fe| &fe.limits);
     let rows: Vec<Row> = limits
-        .map(|l| {
+        .chain(spatial.map(|l| (l, " (three-dimensional)")))
+        .map(|(l, run)| {
             let scale = Scale::of(l.dimension, [l.value, l.limit]);
             Row {
-                name: capital(&l.name),
+                name: capital(&l.name) + run,
                 value: scale.text(l.value),
                 limit: scale.text(l.limit),
                 unit: scale.symbol(),

@@ -14,6 +14,7 @@ mod profiles;
 mod provenance;
 mod reported;
 mod sheets;
+mod spatial;
 mod spectra;
 mod summary;
 mod tank;
@@ -63,6 +64,7 @@ pub const ALL: &[Maker] = &[
     modes::make,
     profiles::make,
     histories::make,
+    spatial::make,
     sheets::make,
     engine::make,
     limits::make,

@@ -11,7 +11,7 @@ use crate::report::figure::Figure;
 use crate::report::figure::bars::{Bar, bars};
 use crate::report::methods::{excitation, figure_order, look};
 use crate::report::number::{Scale, fixed, given, percent, ratio, with_unit};
-use crate::results::Results;
+use crate::results::{Limit, Results};
 
 /// Headline quantities: sloshing height, base moment, membrane stresses.
 const HEADLINES: [Quantity; 4] = [
@@ -85,7 +85,13 @@ fn subtitle(source: &Source) -> String {
 fn verdict(results: &Results) -> Verdict {
     let v = &results.verdict;
     let checks = |n: usize| if n == 1 { "check" } else { "checks" };
-    if v.checks == 0 {
+    if v.incomplete {
+        Verdict {
+            class: "fail",
+            sign: "✗",
+            headline: "Incomplete: the finite-element run was interrupted, its extremes are not final".into(),
+        }
+    } else if v.checks == 0 {
         Verdict {
             class: "none",
             sign: "–",
@@ -194,9 +200,19 @@ fn facts(source: &Source) -> Vec<Fact> {
 }
 
 fn warnings(results: &Results) -> Vec<Warning> {
-    let limits = results.fe.iter().flat_map(|fe| &fe.limits);
-    limits
+    // A limit that both engines exceed is told once.
+    let harmonic: Vec<&Limit> = results
+        .fe
+        .iter()
+        .flat_map(|fe| &fe.limits)
         .filter(|l| !l.holds)
+        .collect();
+    let spatial = results.fe_solid.iter().flat_map(|fe| &fe.limits);
+    let others = spatial.filter(|l| !l.holds && harmonic.iter().all(|h| h.id != l.id));
+    harmonic
+        .iter()
+        .copied()
+        .chain(others)
         .map(|l| {
             let scale = Scale::of(l.dimension, [l.value, l.limit]);
             let unit = scale.symbol();
