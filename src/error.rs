@@ -40,6 +40,14 @@ pub enum Error {
     /// The finite-element computation failed.
     #[error("finite elements: {0}")]
     Fe(#[from] FeError),
+    /// A benchmark of the verification manual failed to run.
+    #[error("verification, {topic}: {what}")]
+    Verification {
+        /// Topic.
+        topic: String,
+        /// Cause.
+        what: String,
+    },
     /// The report could not be rendered.
     #[error("report: {0}")]
     Report(String),
@@ -51,7 +59,7 @@ impl Error {
         match self {
             Error::Input(_) | Error::File { .. } => EXIT_INPUT,
             Error::Fe(FeError::Option { .. } | FeError::NoRecord | FeError::Memory { .. }) => EXIT_INPUT,
-            Error::Code { .. } | Error::Fe(_) | Error::Report(_) => EXIT_COMPUTATION,
+            Error::Code { .. } | Error::Fe(_) | Error::Report(_) | Error::Verification { .. } => EXIT_COMPUTATION,
         }
     }
 }

@@ -3,34 +3,49 @@
 use std::path::PathBuf;
 
 use crate::cli::table::Table;
-use crate::cli::{Format, Global};
+use crate::cli::{Global, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
-use crate::results::describe;
-use crate::verify::{self, manual};
+use crate::report::verification;
+use crate::verify::{self, Choice, Entry, Manual, Pace, manual};
 
 /// Arguments.
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:
   tankcheck verify
-  tankcheck verify --records ~/records       also the rows that need records which may not be redistributed
-  tankcheck verify --out docs/verification   write the manual and its figure
+  tankcheck verify --format html > verification.html
+  tankcheck verify --records ~/records          also the rows that need records which may not be redistributed
+  tankcheck verify --slow                       also the rows that take minutes
+  tankcheck verify --write docs/verification    write the manual: index, a page and a figure a benchmark
 
 Exit codes: 0 every row that ran is within its tolerance; 1 one is not; 2 bad input; 3 the computation failed.")]
 pub struct Args {
     /// Folder with accelerograms (imperial-valley-1940-el-centro-ns.csv, …).
     #[arg(long, value_name = "FOLDER")]
     records: Option<PathBuf>,
-    /// Write manual.md and convergence.svg into this folder.
-    #[arg(long, short, value_name = "FOLDER")]
-    out: Option<PathBuf>,
+    /// Also run the rows that take minutes.
+    #[arg(long)]
+    slow: bool,
+    /// Write the manual into this folder; rows that do not run keep their last result there.
+    #[arg(long, short, alias = "out", value_name = "FOLDER")]
+    write: Option<PathBuf>,
     /// Form of the output.
-    #[arg(long, value_enum, default_value_t = Format::Human)]
-    format: Format,
+    #[arg(long, value_enum, default_value_t = Form::Human)]
+    format: Form,
 }
 
-/// Name of the convergence figure.
-const FIGURE: &str = "convergence.svg";
+/// Form of the output.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    /// A table for people.
+    Human,
+    /// JSON.
+    Json,
+    /// Comma-separated values.
+    Csv,
+    /// One page with a sheet a benchmark.
+    Html,
+}
 
 /// Runs the subcommand; returns the exit code.
 pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
@@ -40,55 +55,74 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
             what: "no such folder, expected one with accelerograms".into(),
         });
     }
+    let choice = Choice {
+        records: args.records.as_deref(),
+        slow: args.slow,
+    };
     let spinner = super::spinner(global, "benchmarks");
-    let found = verify::run(args.records.as_deref())?;
+    let found = verify::run(choice, &|topic| spinner.set_message(topic.to_owned()))?;
     spinner.finish_and_clear();
-    if let Some(folder) = &args.out {
-        let fault = |e: std::io::Error| Error::File {
-            path: folder.clone(),
-            what: describe(&e),
+    if let Some(folder) = &args.write {
+        let kept = if folder.join(manual::ROWS).exists() {
+            manual::read(folder)?
+        } else {
+            Vec::new()
         };
-        std::fs::create_dir_all(folder).map_err(fault)?;
-        std::fs::write(folder.join("manual.md"), manual::to_markdown(&found, FIGURE)).map_err(fault)?;
-        std::fs::write(folder.join(FIGURE), manual::convergence_figure(&found)?).map_err(fault)?;
+        let ran = |pace| match pace {
+            Pace::Fast => true,
+            Pace::Slow => choice.slow,
+            Pace::Record => choice.records.is_some(),
+        };
+        manual::write(folder, &manual::merge(&found.rows, &kept, ran))?;
     }
+    let failed = found.rows.iter().filter(|r| !r.holds()).count();
     match args.format {
-        Format::Json => anstream::println!("{:#}", manual::to_json(&found)),
-        Format::Csv => {
-            anstream::println!("id,what,reference,computed,error,tolerance,unit");
-            for row in &found.rows {
-                let m = &row.measured;
-                anstream::println!(
-                    "{},\"{}\",{:e},{:e},{:e},{:e},{}",
-                    m.id,
-                    m.what,
-                    m.reference,
-                    m.computed,
-                    m.error(),
-                    m.tolerance,
-                    m.unit
-                );
-            }
-        }
-        Format::Human => {
-            let mut table = Table::new(["row", "what", "reference", "computed", "error", "tolerance", "kind", ""]);
-            for row in &found.rows {
-                let state = if row.measured.holds() { "ok" } else { "OUTSIDE" };
-                table.row(manual::cells(row).into_iter().chain([state.to_string()]));
-            }
-            anstream::println!("{table}");
-            for n in &found.not_run {
-                anstream::println!("{}: not run: {} (needs {})", n.id, n.what, n.needs);
-            }
-        }
-    }
-    let failed = found.rows.iter().filter(|r| !r.measured.holds()).count();
-    if args.format == Format::Human {
-        anstream::println!(
-            "{} rows, {failed} outside their tolerance, {} not run",
-            found.rows.len(),
-            found.not_run.len()
-        );
+        Form::Json => print(&format!("{:#}\n", manual::to_json(&found)))?,
+        Form::Csv => print(&csv(&found))?,
+        Form::Html => print(&verification::html(&found)?)?,
+        Form::Human => print(&human(&found, failed))?,
     }
     Ok(if failed == 0 { EXIT_OK } else { EXIT_CHECK_FAILED })
+}
+
+fn human(found: &Manual, failed: usize) -> String {
+    let mut table = Table::new(["row", "what", "reference", "computed", "error", "tolerance", "kind", ""]);
+    for row in &found.rows {
+        let state = match row.holds() {
+            true if row.tolerance.is_none() => "shown",
+            true => "ok",
+            false => "OUTSIDE",
+        };
+        table.row(manual::cells(row).into_iter().chain([state.to_string()]));
+    }
+    let mut text = format!("{table}\n");
+    for n in &found.not_run {
+        text.push_str(&format!("{}: not run: {} (needs {})\n", n.id, n.what, n.needs));
+    }
+    let counted = found.rows.iter().filter(|r| r.counts()).count();
+    text.push_str(&format!(
+        "{} rows ({counted} count as verification), {failed} outside their tolerance, {} not run\n",
+        found.rows.len(),
+        found.not_run.len()
+    ));
+    text
+}
+
+fn csv(found: &Manual) -> String {
+    let number = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:e}"));
+    let line = |row: &Entry| {
+        format!(
+            "{},\"{}\",{:e},{},{},{},{},{}\n",
+            row.id,
+            row.what.replace('"', "\"\""),
+            row.reference,
+            number(row.computed),
+            number(row.computed.map(|_| row.error())),
+            number(row.tolerance),
+            row.unit,
+            row.kind
+        )
+    };
+    let lines = found.rows.iter().map(line).collect::<String>();
+    format!("id,what,reference,computed,error,tolerance,unit,kind\n{lines}")
 }

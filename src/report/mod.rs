@@ -17,7 +17,7 @@
 //! | [`math`] | sets formulas |
 //! | [`number`] | prints numbers |
 //! | [`template`] | holds the templates, embedded or the user's |
-//! | [`verification`] | the figure of the verification manual |
+//! | [`verification`] | the page and the figures of the verification manual |
 
 pub mod figure;
 pub mod math;

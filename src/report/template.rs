@@ -15,6 +15,7 @@ const EMBEDDED: &[(&str, &str)] = &[
     ("components.html", include_str!("../../templates/components.html")),
     ("style.css", include_str!("../../templates/style.css")),
     ("figure.css", include_str!("../../templates/figure.css")),
+    ("verification.html", include_str!("../../templates/verification.html")),
     ("fields.css", include_str!("../../templates/fields.css")),
     (
         "sections/summary.html",

@@ -1,35 +1,47 @@
-//! The figure of the verification manual.
+//! The verification manual as a page of its own, and its convergence figures.
 
 use codes::units::Dimension;
+use serde::Serialize;
+use tera::Context;
 
+use super::sections::FigureView;
+use super::template::Templates;
 use crate::error::Error;
 use crate::report::figure::chart::{Axis, Chart, Line};
 use crate::report::figure::{Figure, Room};
 use crate::report::table::{Column, Table};
+use crate::verify::{Manual, manual};
 
-/// Relative errors of the first three sloshing frequencies over the refinement of the mesh, both logarithmic, as a
-/// stand-alone SVG; `points` holds (refinement, errors).
+/// Curves that the palette tells apart.
+const CURVES: usize = 6;
+/// Letters of a legend entry at most.
+const LETTERS: usize = 60;
+
+/// Relative errors over the number of elements (or the mesh size), both logarithmic; `studies` holds a name and the
+/// points (mesh, error) each.
 ///
 /// Errors: a drawing that fails.
-pub fn convergence(points: &[(f64, [f64; 3])]) -> Result<String, Error> {
-    let place = |refine: f64, error: f64| (refine.log2(), error.abs().max(1e-16).log10());
-    let line = |n: usize| Line {
-        points: points
-            .iter()
-            .map(|(refine, errors)| place(*refine, errors[n]))
-            .collect(),
-        class: format!("k-s{}", n + 1),
-        label: format!("mode {}", n + 1),
-    };
-    let lines: Vec<Line> = (0..3).map(line).collect();
+pub fn convergence(id: &str, title: &str, studies: &[(String, &[(f64, f64)])]) -> Result<Figure, Error> {
+    // An error that vanishes has no logarithm: it stands at rounding.
+    let place = |n: f64, error: f64| (n.max(f64::MIN_POSITIVE).log10(), error.abs().max(1e-16).log10());
+    let lines: Vec<Line> = studies
+        .iter()
+        .take(CURVES)
+        .enumerate()
+        .map(|(k, (what, points))| Line {
+            points: points.iter().map(|&(n, error)| place(n, error)).collect(),
+            class: format!("k-s{}", k + 1),
+            label: shortened(what),
+        })
+        .collect();
     let all = || lines.iter().flat_map(|l| &l.points);
     let mut chart = Chart::new(
-        (520.0, 360.0),
+        (620.0, 0.0),
         Axis::linear(
-            "log₂ of the refinement",
+            "log₁₀ of the number of elements, or of the mesh size",
             Dimension::Dimensionless,
             all().map(|p| p.0),
-            4,
+            5,
         ),
         Axis::linear(
             "log₁₀ of the relative error",
@@ -38,35 +50,113 @@ pub fn convergence(points: &[(f64, [f64; 3])]) -> Result<String, Error> {
             7,
         ),
     );
-    // Order 4: the slope that quadratic elements owe to an eigenvalue.
-    if let Some((refine, errors)) = points.first() {
-        let start = place(*refine, errors[2]);
-        let steps = points.last().map_or(0.0, |(last, _)| (last / refine).log2());
-        let fall = 4.0 * 2.0_f64.log10() * steps;
-        chart.lines.push(Line {
-            points: vec![start, (start.0 + steps, start.1 - fall)],
-            class: "k-other thin".into(),
-            label: "order 4".into(),
-        });
+    chart.lines = lines;
+    let chart = chart.with_plot_height(240.0);
+    let mut table = Table::new(vec![
+        Column::words("What"),
+        Column::numbers("Elements or mesh size", ""),
+        Column::numbers("Relative error", ""),
+    ]);
+    for (what, points) in studies {
+        for (n, error) in *points {
+            table.row(vec![what.clone(), n.to_string(), format!("{error:.2e}")]);
+        }
     }
-    chart.lines.extend(lines);
-    let mut table = Table::new(vec![Column::numbers("Refinement", ""), Column::numbers("Mode 1", "")]);
-    for (refine, errors) in points {
-        table.row(vec![format!("{refine}"), format!("{:.2e}", errors[0])]);
-    }
-    let figure = Figure {
-        id: "convergence".into(),
-        title: "Convergence of the sloshing frequencies".into(),
-        caption: String::new(),
-        titled: true,
-        description:
-            "Relative error of the first three sloshing frequencies of tank 8.1 against the closed form, falling \
-                      with the fourth power of the element size."
-                .into(),
+    let left_out = match studies.len().saturating_sub(CURVES) {
+        0 => String::new(),
+        n => format!(" {n} more studies stand in the table."),
+    };
+    Ok(Figure {
+        id: id.into(),
+        title: format!("{title}: convergence"),
+        caption: left_out.trim().into(),
+        titled: false,
+        description: format!(
+            "Relative error over the mesh of {} studies: {}.{left_out}",
+            studies.len(),
+            studies
+                .iter()
+                .map(|(what, _)| what.as_str())
+                .collect::<Vec<_>>()
+                .join("; ")
+        ),
         size: chart.size,
         markup: chart.draw()?,
         table,
         room: Room::Wide,
-    };
-    Ok(figure.standalone(include_str!("../../templates/figure.css")))
+    })
+}
+
+fn shortened(text: &str) -> String {
+    if text.chars().count() <= LETTERS {
+        return text.into();
+    }
+    text.chars().take(LETTERS - 1).chain(['…']).collect()
+}
+
+/// A benchmark as the template sees it.
+#[derive(Serialize)]
+struct BenchmarkView {
+    id: String,
+    title: String,
+    model: String,
+    sources: Vec<String>,
+    table: Table,
+    figures: Vec<FigureView>,
+}
+
+/// The manual as one HTML page, a sheet a benchmark.
+///
+/// Errors: a template or a drawing that fails.
+pub fn html(found: &Manual) -> Result<String, Error> {
+    let mut views = Vec::new();
+    for benchmark in manual::benchmarks(&found.rows) {
+        let mut table = Table::new(vec![
+            Column::words("Row"),
+            Column::words("What"),
+            Column::numbers("Reference", ""),
+            Column::numbers("Computed", ""),
+            Column::numbers("Error", ""),
+            Column::numbers("Tolerance", ""),
+            Column::words("Reference is"),
+            Column::words(""),
+        ]);
+        let mut sources: Vec<String> = Vec::new();
+        for row in &benchmark.rows {
+            let source = format!("{}: {}", row.kind, row.source);
+            if !sources.contains(&source) {
+                sources.push(source);
+            }
+            let state = match row.holds() {
+                true if row.tolerance.is_none() => "for comparison",
+                true => "✓",
+                false => "✗ outside",
+            };
+            table.row(manual::cells(row).into_iter().chain([state.to_owned()]).collect());
+        }
+        views.push(BenchmarkView {
+            id: benchmark.id.into(),
+            title: benchmark.title.into(),
+            model: benchmark.model.into(),
+            sources,
+            table,
+            figures: benchmark.figure()?.iter().map(FigureView::of).collect(),
+        });
+    }
+    let templates = Templates::new(None)?;
+    let mut page = Context::new();
+    page.insert("benchmarks", &views);
+    page.insert("rows", &found.rows.len());
+    page.insert("counted", &found.rows.iter().filter(|r| r.counts()).count());
+    page.insert("outside", &found.rows.iter().filter(|r| !r.holds()).count());
+    let not_run: Vec<String> = found
+        .not_run
+        .iter()
+        .map(|n| format!("{}: {} (needs {})", n.id, n.what, n.needs))
+        .collect();
+    page.insert("not_run", &not_run);
+    page.insert("version", env!("CARGO_PKG_VERSION"));
+    page.insert("style", templates.css("style.css"));
+    page.insert("figure_style", templates.css("figure.css"));
+    templates.render("verification.html", &page)
 }

@@ -1,104 +1,381 @@
-//! The verification manual as text: Markdown for `docs/verification`, tables for the terminal, JSON for scripts.
+//! The verification manual as a folder: `rows.json`, an index, and a page with its figure a benchmark.
+//!
+//! `rows.json` holds what was computed; everything else is a function of it. Rows that a run leaves out (slow ones, those
+//! that need a record) keep their last result.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::path::Path;
 
-use serde_json::{Value, json};
+use serde_json::json;
 
-use super::{Manual, Row};
+use super::entry::KINDS;
+use super::{Entry, Manual, Pace, pages};
+use crate::error::Error;
+use crate::report::verification;
+use crate::results::describe;
+
+/// Name of the data file.
+pub const ROWS: &str = "rows.json";
+/// Name of the index.
+pub const INDEX: &str = "README.md";
+
+/// A benchmark with its rows.
+pub struct Benchmark<'a> {
+    /// Id, name of the file.
+    pub id: &'a str,
+    /// Title.
+    pub title: &'a str,
+    /// Model, empty if it is not described.
+    pub model: &'a str,
+    /// Its rows.
+    pub rows: Vec<&'a Entry>,
+}
+
+/// Rows by page, in the order of their first rows.
+pub fn benchmarks(rows: &[Entry]) -> Vec<Benchmark<'_>> {
+    let mut all: Vec<Benchmark> = Vec::new();
+    for row in rows {
+        match all.iter_mut().find(|b| b.id == row.page) {
+            Some(benchmark) => benchmark.rows.push(row),
+            None => {
+                let page = pages::find(&row.page);
+                all.push(Benchmark {
+                    id: &row.page,
+                    title: page.map_or(row.page.as_str(), |p| p.title),
+                    model: page.map_or("", |p| p.model),
+                    rows: vec![row],
+                });
+            }
+        }
+    }
+    all
+}
+
+impl Benchmark<'_> {
+    /// The convergence figure, `None` without a study.
+    pub fn figure(&self) -> Result<Option<crate::report::figure::Figure>, Error> {
+        let studies: Vec<(String, &[(f64, f64)])> = self
+            .rows
+            .iter()
+            .filter(|r| r.convergence.len() > 1)
+            .map(|r| (r.what.clone(), r.convergence.as_slice()))
+            .collect();
+        if studies.is_empty() {
+            return Ok(None);
+        }
+        verification::convergence(&format!("convergence-{}", self.id), self.title, &studies).map(Some)
+    }
+}
 
 /// Rows and what could not run, as JSON.
-pub fn to_json(manual: &Manual) -> Value {
-    let row = |row: &Row| {
-        let m = &row.measured;
+pub fn to_json(manual: &Manual) -> serde_json::Value {
+    let row = |row: &Entry| {
         json!({
-            "id": m.id, "what": m.what, "unit": m.unit, "reference": m.reference, "reference_kind": row.kind.title(),
-            "reference_source": m.reference_source, "computed": m.computed, "error": m.error(),
-            "tolerance": m.tolerance, "holds": m.holds(),
+            "id": row.id, "page": row.page, "what": row.what, "unit": row.unit, "reference": row.reference,
+            "reference_kind": row.kind, "reference_source": row.source, "computed": row.computed,
+            "error": row.computed.map(|_| row.error()), "tolerance": row.tolerance, "holds": row.holds(),
+            "counts": row.counts(), "pace": row.pace, "convergence": row.convergence,
         })
     };
     json!({
         "rows": manual.rows.iter().map(row).collect::<Vec<_>>(),
         "not_run": manual.not_run.iter()
             .map(|n| json!({"id": n.id, "what": n.what, "needs": n.needs})).collect::<Vec<_>>(),
-        "convergence": manual.convergence.iter()
-            .map(|(refine, errors)| json!({"refine": refine, "relative_error": errors})).collect::<Vec<_>>(),
     })
 }
 
 /// One line a row: id, what, reference, computed, error, tolerance, kind of the reference.
-pub fn cells(row: &Row) -> [String; 7] {
-    let m = &row.measured;
+pub fn cells(row: &Entry) -> [String; 7] {
     [
-        m.id.clone(),
-        m.what.clone(),
-        format!("{} {}", significant(m.reference), unit(&m.unit))
+        row.id.clone(),
+        row.what.clone(),
+        format!("{} {}", significant(row.reference), unit(&row.unit))
             .trim_end()
             .to_owned(),
-        significant(m.computed),
-        format!("{:+.3} %", 100.0 * m.error()),
-        if m.tolerance < 1e-5 {
-            format!("{:.0e}", m.tolerance)
-        } else {
-            format!("{} %", 100.0 * m.tolerance)
-        },
-        row.kind.title().to_owned(),
+        row.computed.map_or("none".into(), significant),
+        deviation(row, row.error(), true),
+        row.tolerance.map_or("–".into(), |t| deviation(row, t, false)),
+        row.kind.clone(),
     ]
+}
+
+/// A deviation or tolerance: in percent, or as a bare number where the reference is 0 or it is very small.
+fn deviation(row: &Entry, value: f64, sign: bool) -> String {
+    let plus = if sign && value > 0.0 { "+" } else { "" };
+    match value {
+        v if v.is_nan() => "–".into(),
+        0.0 => "0".into(),
+        v if row.reference == 0.0 || v.abs() < 1e-5 => format!("{plus}{v:.1e}"),
+        v if sign => format!("{plus}{:.3} %", 100.0 * v),
+        v => format!("{} %", significant_short(100.0 * v)),
+    }
 }
 
 fn unit(unit: &str) -> &str {
     if unit == "1" { "" } else { unit }
 }
 
-/// Six significant digits.
+/// Six significant digits, a power of ten where that is shorter.
 fn significant(x: f64) -> String {
-    codes::units::significant(x, 6)
+    match x.abs() {
+        0.0 => "0".into(),
+        size if !(1e-4..1e9).contains(&size) => format!("{x:.4e}"),
+        _ => codes::units::significant(x, 6),
+    }
 }
 
-/// The manual as Markdown; `figure` is the file name of the convergence figure.
-pub fn to_markdown(manual: &Manual, figure: &str) -> String {
-    let mut text = String::from(
-        "# Verification manual\n\n\
-         Generated by `tankcheck verify --records DIR --out docs/verification`. Each row holds a computed value beside a reference that \
-         was not made by this program; `tests/verification` asserts every row that needs no external record. Tolerances \
-         are those of the default mesh.\n\n",
-    );
-    let _ = writeln!(
-        text,
-        "| id | what | reference | computed | error | tolerance | kind of reference | source |"
-    );
-    let _ = writeln!(text, "|---|---|---|---|---|---|---|---|");
-    for row in &manual.rows {
-        let mark = if row.measured.holds() { "" } else { " **(outside)**" };
-        let [id, what, reference, computed, error, tolerance, kind] = cells(row);
-        let _ = writeln!(
-            text,
-            "| {id} | {what} | {reference} | {computed} | {error}{mark} | {tolerance} | {kind} | {} |",
-            row.measured.reference_source
-        );
+/// As few digits as say the same to three.
+fn significant_short(x: f64) -> String {
+    format!("{x:.2e}")
+        .parse::<f64>()
+        .map_or_else(|_| x.to_string(), |v| v.to_string())
+}
+
+/// Text in a cell of a Markdown table.
+fn cell(text: &str) -> String {
+    text.replace('|', "\\|")
+}
+
+/// A page as Markdown; `figure` says whether it has a convergence figure.
+pub fn page(benchmark: &Benchmark, figure: bool) -> String {
+    let mut text = format!("# {}\n\n", benchmark.title);
+    if !benchmark.model.is_empty() {
+        let _ = writeln!(text, "**Model.** {}\n", benchmark.model);
     }
-    if !manual.not_run.is_empty() {
-        let _ = writeln!(text, "\n## Not run\n\n| id | what | needs |\n|---|---|---|");
-        for n in &manual.not_run {
-            let _ = writeln!(text, "| {} | {} | {} |", n.id, n.what, n.needs);
+    text.push_str("**Sources of the references.**\n\n");
+    let mut sources: Vec<(&str, &str)> = Vec::new();
+    for row in &benchmark.rows {
+        let source = (row.kind.as_str(), row.source.as_str());
+        if !sources.contains(&source) {
+            sources.push(source);
         }
     }
-    let _ = writeln!(
-        text,
-        "\n## Convergence\n\nSloshing frequencies of tank 8.1 (rigid wall, m = 1) against the closed form on refined \
-         meshes; nine-node elements, observed order 4 in the element size.\n\n![relative error over refinement]({figure})\n\n\
-         | refine | mode 1 | mode 2 | mode 3 |\n|---|---|---|---|"
-    );
-    for (refine, errors) in &manual.convergence {
+    for (kind, source) in sources {
+        let _ = writeln!(text, "- {kind}: {source}");
+    }
+    text.push_str("\n| id | what | reference | computed | error | tolerance | reference is | |\n|---|---|---:|---:|---:|---:|---|---|\n");
+    for row in &benchmark.rows {
+        let cells = cells(row).map(|c| cell(&c)).join(" | ");
+        let _ = writeln!(text, "| {cells} | {} |", remark(row));
+    }
+    if figure {
         let _ = writeln!(
             text,
-            "| {refine} | {:.2e} | {:.2e} | {:.2e} |",
-            errors[0], errors[1], errors[2]
+            "\n## Convergence\n\nRelative error over the number of elements (or the mesh size) of each study.\n\n![relative error over the mesh]({}.svg)\n",
+            benchmark.id
+        );
+        text.push_str("| what | number of elements or mesh size: relative error |\n|---|---|\n");
+        for row in benchmark.rows.iter().filter(|r| r.convergence.len() > 1) {
+            let study = row.convergence.iter().map(|(n, e)| format!("{n}: {e:.2e}"));
+            let _ = writeln!(
+                text,
+                "| {} | {} |",
+                cell(&row.what),
+                study.collect::<Vec<_>>().join(", ")
+            );
+        }
+    }
+    text
+}
+
+/// What is to be said beside a row.
+pub fn remark(row: &Entry) -> &'static str {
+    match (row.holds(), row.tolerance, row.pace) {
+        (false, ..) => "**outside**",
+        (_, None, _) => "for comparison",
+        (.., Pace::Slow) => "slow",
+        (.., Pace::Record) => "needs a record",
+        _ => "",
+    }
+}
+
+/// The index: how many rows of each kind, and the pages.
+pub fn index(rows: &[Entry]) -> String {
+    let mut text = String::from(
+        "# Verification manual\n\n\
+         Generated from `rows.json` by `tankcheck verify --write docs/verification`; do not edit. Each row holds a \
+         computed value beside a reference that was not made by this program, and says of which kind the reference is. \
+         Rows marked *slow* run with `--slow`, those that need an accelerogram which may not be redistributed with \
+         `--records FOLDER` (`imperial-valley-1940-el-centro-ns.csv`: El Centro 1940 NS, Caltech Vol. II, 0.348 g, \
+         columns `time_s,acceleration_m_s2`); a run without them keeps their last result. `tests/verification` asserts \
+         every fast row and that this manual is fresh.\n\n\
+         | reference | what it is | rows | within tolerance | for comparison only |\n|---|---|---:|---:|---:|\n",
+    );
+    for (kind, meaning) in KINDS {
+        let of: Vec<&Entry> = rows.iter().filter(|r| r.kind == kind).collect();
+        let held = of.iter().filter(|r| r.tolerance.is_some() && r.holds()).count();
+        let shown = of.iter().filter(|r| r.tolerance.is_none()).count();
+        let _ = writeln!(text, "| {kind} | {meaning} | {} | {held} | {shown} |", of.len());
+    }
+    let counted = rows.iter().filter(|r| r.counts()).count();
+    let failed = rows.iter().filter(|r| !r.holds()).count();
+    let _ = writeln!(
+        text,
+        "\n{counted} rows count as verification (neither regressions nor rows for comparison only); {failed} rows are \
+         outside their tolerance.\n\n| benchmark | rows | references | largest error / tolerance |\n|---|---:|---|---:|"
+    );
+    for benchmark in benchmarks(rows) {
+        let mut kinds: Vec<&str> = Vec::new();
+        for row in &benchmark.rows {
+            if !kinds.contains(&row.kind.as_str()) {
+                kinds.push(&row.kind);
+            }
+        }
+        let worst = benchmark
+            .rows
+            .iter()
+            .filter_map(|r| Some((r.error().abs(), r.tolerance?)))
+            .map(|(e, t)| if e == 0.0 { 0.0 } else { e / t })
+            .fold(0.0, f64::max);
+        let _ = writeln!(
+            text,
+            "| [{}]({}.md) | {} | {} | {worst:.2} |",
+            cell(benchmark.title),
+            benchmark.id,
+            benchmark.rows.len(),
+            kinds.join(", ")
         );
     }
     text
 }
 
-/// The convergence figure: relative error over refinement, both logarithmic.
-pub fn convergence_figure(manual: &Manual) -> Result<String, crate::error::Error> {
-    crate::report::verification::convergence(&manual.convergence)
+/// All files of the manual but `rows.json`: name and text.
+pub fn files(rows: &[Entry]) -> Result<Vec<(String, String)>, Error> {
+    let mut files = vec![(INDEX.to_owned(), index(rows))];
+    for benchmark in benchmarks(rows) {
+        let figure = benchmark.figure()?;
+        files.push((format!("{}.md", benchmark.id), page(&benchmark, figure.is_some())));
+        if let Some(figure) = figure {
+            let css = include_str!("../../templates/figure.css");
+            files.push((format!("{}.svg", benchmark.id), figure.standalone(css)));
+        }
+    }
+    Ok(files)
+}
+
+/// Reads the rows of a manual.
+///
+/// Errors: a file that cannot be read or holds no rows.
+pub fn read(folder: &Path) -> Result<Vec<Entry>, Error> {
+    let path = folder.join(ROWS);
+    let fault = |what: String| Error::File {
+        path: path.clone(),
+        what,
+    };
+    let text = std::fs::read_to_string(&path).map_err(|e| fault(describe(&e)))?;
+    serde_json::from_str(&text).map_err(|e| fault(format!("not the rows of a verification manual: {e}")))
+}
+
+/// Fresh rows with the last results of those that did not run this time.
+pub fn merge(fresh: &[Entry], kept: &[Entry], ran: impl Fn(Pace) -> bool) -> Vec<Entry> {
+    let old = kept.iter().filter(|row| !ran(row.pace));
+    let mut rows: Vec<Entry> = fresh.iter().chain(old).cloned().collect();
+    // Pages stay where their first fresh row is; rows keep their order within a page.
+    let mut order: BTreeMap<String, usize> = BTreeMap::new();
+    for row in &rows {
+        let next = order.len();
+        order.entry(row.page.clone()).or_insert(next);
+    }
+    rows.sort_by_key(|row| order[&row.page]);
+    rows
+}
+
+/// Writes the manual: rows, index, pages and figures; removes pages of benchmarks that are gone.
+///
+/// Errors: a folder that cannot be written, a drawing that fails.
+pub fn write(folder: &Path, rows: &[Entry]) -> Result<(), Error> {
+    let fault = |path: &Path, e: std::io::Error| Error::File {
+        path: path.into(),
+        what: describe(&e),
+    };
+    // Everything is made before anything is written.
+    let mut files = files(rows)?;
+    let lines: Result<Vec<String>, _> = rows.iter().map(serde_json::to_string).collect();
+    let lines = lines.map_err(|e| Error::Report(e.to_string()))?;
+    files.push((ROWS.into(), format!("[\n{}\n]\n", lines.join(",\n"))));
+    let gone: Vec<String> = read(folder)
+        .map(|old| old.into_iter().map(|row| row.page).collect())
+        .unwrap_or_default();
+    std::fs::create_dir_all(folder).map_err(|e| fault(folder, e))?;
+    for page in gone {
+        for name in [format!("{page}.md"), format!("{page}.svg")] {
+            if !files.iter().any(|(file, _)| *file == name) {
+                // Gone already is as good.
+                let _ = std::fs::remove_file(folder.join(name));
+            }
+        }
+    }
+    for (name, text) in &files {
+        let path = folder.join(name);
+        std::fs::write(&path, text).map_err(|e| fault(&path, e))?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::verify::{Reference, Row};
+
+    fn entry(page: &'static str, kind: Reference, computed: f64, tolerance: f64, pace: Pace) -> Entry {
+        let row = Row {
+            id: "X1".into(),
+            page,
+            what: "a | b".into(),
+            reference: 2.0,
+            source: "by hand",
+            kind,
+            computed,
+            tolerance,
+            unit: "m",
+            convergence: vec![(10.0, 0.1), (20.0, 0.05)],
+        };
+        Entry::of(&row, pace)
+    }
+
+    #[test]
+    fn regressions_and_rows_without_tolerance_do_not_count() {
+        let rows = [
+            entry("p", Reference::ClosedForm, 2.001, 0.01, Pace::Fast),
+            entry("p", Reference::Regression, 2.0, 0.01, Pace::Fast),
+            entry("q", Reference::Dissertation, 3.0, f64::INFINITY, Pace::Fast),
+            entry("q", Reference::Published, f64::NAN, 0.01, Pace::Slow),
+        ];
+        assert_eq!(rows.iter().filter(|r| r.counts()).count(), 2);
+        assert_eq!(
+            rows.iter().map(Entry::holds).collect::<Vec<_>>(),
+            [true, true, true, false]
+        );
+        let text = index(&rows);
+        assert!(
+            text.contains("\n2 rows count as verification") && text.contains("1 rows are outside"),
+            "{text}"
+        );
+        assert!(page(&benchmarks(&rows)[0], true).contains("a \\| b"));
+    }
+
+    #[test]
+    fn what_did_not_run_keeps_its_last_result() {
+        let slow = entry("slow", Reference::Published, 2.0, 0.01, Pace::Slow);
+        let old = entry("fast", Reference::ClosedForm, 2.5, 0.01, Pace::Fast);
+        let new = entry("fast", Reference::ClosedForm, 2.0, 0.01, Pace::Fast);
+        let rows = merge(&[new.clone()], &[old, slow.clone()], |pace| pace == Pace::Fast);
+        assert_eq!(rows, [new, slow]);
+    }
+
+    #[test]
+    fn a_manual_is_read_as_it_was_written() {
+        let home = tempfile::tempdir().expect("a temporary folder");
+        let rows = vec![
+            entry("p", Reference::ClosedForm, 2.001, 0.01, Pace::Fast),
+            entry("q", Reference::Dissertation, 3.0, f64::INFINITY, Pace::Fast),
+        ];
+        write(home.path(), &rows).expect("writable");
+        assert_eq!(read(home.path()).expect("readable"), rows);
+        assert!(home.path().join("p.svg").exists());
+        // A benchmark that is gone takes its page along.
+        write(home.path(), &rows[1..]).expect("writable");
+        assert!(!home.path().join("p.md").exists() && home.path().join("q.md").exists());
+    }
 }

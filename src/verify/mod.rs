@@ -1,84 +1,31 @@
 //! The benchmarks of the verification manual.
 //!
-//! A row holds a computed value beside a reference that nobody here invented, and says of which kind the reference is.
-//! Rows that need an accelerogram which may not be redistributed run where its file is given, and are listed as not run
-//! elsewhere. `tests/verification` asserts every row that can run.
+//! A row holds a computed value beside a reference that nobody here invented, and says of which kind the reference is;
+//! one that only repeats our own earlier output is a regression and verifies nothing. Rows of the element library come
+//! from [`fem::verify`], those of whole tanks from here. Rows that need an accelerogram which may not be redistributed
+//! run where its file is given; those too slow for every day run with `--slow`, and the manual keeps their last result.
+//!
+//! ```text
+//! topics ─ Row ─ Entry ─ rows.json ─ pages (Markdown + SVG), HTML, table
+//! ```
+//!
+//! The pages are a function of `rows.json` alone ([`manual`]).
 
 pub mod cases;
 pub mod coupled;
+pub mod entry;
 pub mod manual;
+pub mod pages;
 pub mod response;
 pub mod rigid;
 pub mod rigid_rows;
 
 use std::path::Path;
 
+pub use entry::{Entry, Pace};
+pub use fem::verify::{Reference, Row};
+
 use crate::error::Error;
-
-/// One row: a computed value beside a reference that nobody here invented.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Measured {
-    /// Id of the acceptance row ("F12").
-    pub id: String,
-    /// What is compared.
-    pub what: String,
-    /// Reference value, in `unit`.
-    pub reference: f64,
-    /// Where the reference comes from.
-    pub reference_source: String,
-    /// Allowed |computed − reference| / |reference|.
-    pub tolerance: f64,
-    /// Computed value, in `unit`.
-    pub computed: f64,
-    /// Unit of both values.
-    pub unit: String,
-}
-
-impl Measured {
-    /// computed / reference − 1.
-    pub fn error(&self) -> f64 {
-        self.computed / self.reference - 1.0
-    }
-
-    /// Whether the error is within the tolerance.
-    pub fn holds(&self) -> bool {
-        self.error().abs() <= self.tolerance
-    }
-}
-
-/// What a reference is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reference {
-    /// Closed form or series evaluated to machine precision.
-    ClosedForm,
-    /// Published numbers.
-    Published,
-    /// An independent second formulation.
-    SecondFormulation,
-    /// A measurement.
-    Experiment,
-}
-
-impl Reference {
-    /// In words.
-    pub fn title(self) -> &'static str {
-        match self {
-            Reference::ClosedForm => "closed form",
-            Reference::Published => "published",
-            Reference::SecondFormulation => "second formulation",
-            Reference::Experiment => "experiment",
-        }
-    }
-}
-
-/// A row and the kind of its reference.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// Kind of the reference.
-    pub kind: Reference,
-    /// The numbers.
-    pub measured: Measured,
-}
 
 /// A row that could not run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -95,38 +42,60 @@ pub struct NotRun {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Manual {
     /// Rows that ran.
-    pub rows: Vec<Row>,
+    pub rows: Vec<Entry>,
     /// Rows that did not.
     pub not_run: Vec<NotRun>,
-    /// Relative error of the first three sloshing frequencies of tank 8.1 against the closed form, by refinement.
-    pub convergence: Vec<(f64, [f64; 3])>,
 }
 
-/// Computes all rows; those that need records take them from `records`.
+/// A function that gives the rows of one topic, its failure in words.
+type Topic = (&'static str, fn() -> Result<Vec<Row>, String>);
+
+/// Topics that run every day.
+const FAST: &[Topic] = &[
+    ("liquid in a rigid tank", || rigid_rows::rows().map_err(words)),
+    ("coupled modes", || coupled::rows().map_err(words)),
+    ("published coupled modes", || coupled::published_rows().map_err(words)),
+];
+
+/// Topics that take minutes.
+const SLOW: &[Topic] = &[];
+
+fn words(error: impl std::fmt::Display) -> String {
+    error.to_string()
+}
+
+/// What to run.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Choice<'a> {
+    /// Folder with accelerograms.
+    pub records: Option<&'a Path>,
+    /// Whether the slow topics run.
+    pub slow: bool,
+}
+
+/// Computes the chosen rows; `begin` hears the name of each topic before it runs.
 ///
-/// Errors: a failure of the engine; an unreadable record.
-pub fn run(records: Option<&Path>) -> Result<Manual, Error> {
-    let mut manual = Manual {
-        convergence: rigid_rows::convergence()?,
-        ..Manual::default()
-    };
-    let tagged = |kind: Reference| move |measured: Measured| Row { kind, measured };
-    manual
-        .rows
-        .extend(rigid_rows::rows()?.into_iter().map(tagged(Reference::ClosedForm)));
-    manual
-        .rows
-        .extend(coupled::rows()?.into_iter().map(tagged(Reference::SecondFormulation)));
-    manual
-        .rows
-        .extend(coupled::published_rows()?.into_iter().map(tagged(Reference::Published)));
-    match records {
-        Some(folder) => manual.rows.extend(
-            response::rows(folder)?
-                .into_iter()
-                .map(tagged(Reference::SecondFormulation)),
-        ),
-        None => manual.not_run.extend(response::not_run()),
+/// Errors: a failure of an engine; an unreadable record.
+pub fn run(choice: Choice, begin: &dyn Fn(&str)) -> Result<Manual, Error> {
+    let mut manual = Manual::default();
+    let slow = if choice.slow { SLOW } else { &[] };
+    for (topics, pace) in [(FAST, Pace::Fast), (slow, Pace::Slow)] {
+        for (name, rows) in topics {
+            begin(name);
+            let rows = rows().map_err(|what| Error::Verification {
+                topic: (*name).into(),
+                what,
+            })?;
+            manual.rows.extend(rows.iter().map(|row| Entry::of(row, pace)));
+        }
+    }
+    match choice.records {
+        Some(folder) => {
+            begin("responses");
+            let rows = response::rows(folder)?;
+            manual.rows.extend(rows.iter().map(|row| Entry::of(row, Pace::Record)));
+        }
+        None => manual.not_run = response::not_run(),
     }
     Ok(manual)
 }

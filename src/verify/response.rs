@@ -13,7 +13,7 @@ use codes::spectrum;
 use codes::tank::Shape;
 
 use super::cases::{broad, case, material};
-use super::{Measured, NotRun};
+use super::{NotRun, Reference, Row};
 use crate::error::Error;
 use crate::fe::{DampingModel, Options, Simulation, simulate};
 use crate::input::records::{Processing, ReadOptions, process, read};
@@ -29,7 +29,7 @@ pub fn not_run() -> Vec<NotRun> {
     let row = |id: &str, what: &str| NotRun {
         id: id.into(),
         what: what.into(),
-        needs: format!("{RECORD} (--records FOLDER)"),
+        needs: format!("`{RECORD}` (--records FOLDER)"),
     };
     vec![
         row("F12", "tank 8.1 under El Centro as described: S_v and wave height"),
@@ -48,7 +48,7 @@ pub fn not_run() -> Vec<NotRun> {
 /// F12 to F15 with the record in the folder `records`.
 ///
 /// Errors: a record that cannot be read, a failure of the engine.
-pub fn rows(records: &Path) -> Result<Vec<Measured>, Error> {
+pub fn rows(records: &Path) -> Result<Vec<Row>, Error> {
     let original = read(&records.join(RECORD), &ReadOptions::default())?.record;
     let scaled = process(
         &original,
@@ -64,19 +64,22 @@ pub fn rows(records: &Path) -> Result<Vec<Measured>, Error> {
     Ok(rows)
 }
 
-fn row(id: &str, what: &str, (reference, tolerance): (f64, f64), computed: f64, unit: &str) -> Measured {
-    Measured {
+fn row(id: &str, what: &str, (reference, tolerance): (f64, f64), computed: f64, unit: &'static str) -> Row {
+    Row {
         id: id.into(),
+        page: "responses-of-the-harmonic-engine",
         what: what.into(),
         reference,
-        reference_source: PROTOTYPES.into(),
+        source: PROTOTYPES,
+        kind: Reference::SecondFormulation,
         tolerance,
         computed,
-        unit: unit.into(),
+        unit,
+        convergence: Vec::new(),
     }
 }
 
-fn spectral(original: &Record, scaled: &Record) -> Vec<Measured> {
+fn spectral(original: &Record, scaled: &Record) -> Vec<Row> {
     let velocity = |record: &Record, omega: f64| spectrum::ordinates(record, std::f64::consts::TAU / omega, 0.01).psv;
     vec![
         row(
@@ -103,7 +106,7 @@ fn spectral(original: &Record, scaled: &Record) -> Vec<Measured> {
     ]
 }
 
-fn broad_tank(scaled: &Record) -> Result<Vec<Measured>, Error> {
+fn broad_tank(scaled: &Record) -> Result<Vec<Row>, Error> {
     let mut tank = broad(1e4 / G);
     tank.damping.sloshing = 0.01;
     shake(&mut tank, scaled);
@@ -155,7 +158,7 @@ fn broad_tank(scaled: &Record) -> Result<Vec<Measured>, Error> {
     ])
 }
 
-fn strip(original: &Record) -> Result<Vec<Measured>, Error> {
+fn strip(original: &Record) -> Result<Vec<Row>, Error> {
     // Concrete alone is stiff, and carries the mass of concrete, layer and lining (762 + 75 + 48 kg/m²) over its 30 cm.
     let shape = Shape::Rectangle {
         length: 5.0,

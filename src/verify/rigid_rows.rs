@@ -7,11 +7,11 @@ use std::f64::consts::PI;
 
 use codes::mechanical::{self, Plan};
 
-use super::Measured;
 use super::cases::GRAVITY;
 use super::rigid::RigidTank;
+use super::{Reference, Row};
 use crate::fe::FeError;
-use crate::fe::liquid::Domain;
+use crate::fe::liquid::{Domain, LiquidMesh};
 
 /// Potential flow in a rigid upright cylinder.
 const CYLINDER: &str = "ω² = g λ/R tanh(λ H/R), J_m'(λ) = 0 (Lamb 1932)";
@@ -31,24 +31,31 @@ fn exact(radius: f64, depth: f64, zero: f64) -> f64 {
 fn row(
     id: &str,
     what: String,
-    source: &str,
+    source: &'static str,
     (reference, tolerance): (f64, f64),
     computed: f64,
-    unit: &str,
-) -> Measured {
-    Measured {
+    unit: &'static str,
+) -> Row {
+    Row {
         id: id.into(),
+        page: match id {
+            "F6" | "F7" | "F8" => "rigid-tank-masses",
+            "F5" => "rigid-strip-sloshing",
+            _ => "rigid-tank-sloshing",
+        },
         what,
         reference,
-        reference_source: source.into(),
+        source,
+        kind: Reference::ClosedForm,
         tolerance,
         computed,
-        unit: unit.into(),
+        unit,
+        convergence: Vec::new(),
     }
 }
 
 /// All rows of this file.
-pub fn rows() -> Result<Vec<Measured>, FeError> {
+pub fn rows() -> Result<Vec<Row>, FeError> {
     let mut rows = Vec::new();
     sloshing(&mut rows)?;
     strips(&mut rows)?;
@@ -56,13 +63,17 @@ pub fn rows() -> Result<Vec<Measured>, FeError> {
     Ok(rows)
 }
 
-fn sloshing(rows: &mut Vec<Measured>) -> Result<(), FeError> {
+fn sloshing(rows: &mut Vec<Row>) -> Result<(), FeError> {
     let zero = codes::bessel::j_prime_zero;
     let omega = cylinder(1.83, 1.525, 1, 1.0)?.sloshing()?;
+    let mut studies = convergence()?;
     for (n, tolerance) in [0.0005, 0.001, 0.003].into_iter().enumerate() {
         let reference = exact(1.83, 1.525, zero(1, n + 1));
         let what = format!("tank 8.1, m = 1, sloshing mode {}", n + 1);
-        rows.push(row("F1", what, CYLINDER, (reference, tolerance), omega[n], "rad/s"));
+        rows.push(Row {
+            convergence: std::mem::take(&mut studies[n]),
+            ..row("F1", what, CYLINDER, (reference, tolerance), omega[n], "rad/s")
+        });
     }
     for harmonic in [0, 2] {
         let computed = cylinder(1.83, 1.525, harmonic, 1.0)?.sloshing()?[0];
@@ -97,7 +108,7 @@ fn sloshing(rows: &mut Vec<Measured>) -> Result<(), FeError> {
     Ok(())
 }
 
-fn strips(rows: &mut Vec<Measured>) -> Result<(), FeError> {
+fn strips(rows: &mut Vec<Row>) -> Result<(), FeError> {
     for depth in [2.57, 5.0] {
         let modes = |symmetric: bool| {
             let domain = Domain::Strip {
@@ -121,7 +132,7 @@ fn strips(rows: &mut Vec<Measured>) -> Result<(), FeError> {
     Ok(())
 }
 
-fn masses(rows: &mut Vec<Measured>) -> Result<(), FeError> {
+fn masses(rows: &mut Vec<Row>) -> Result<(), FeError> {
     let total = |radius: f64, depth: f64| RigidTank::DENSITY * PI * radius * radius * depth;
     let tank = cylinder(1.83, 1.525, 1, 1.0)?;
     let mass = total(1.83, 1.525);
@@ -163,14 +174,16 @@ fn masses(rows: &mut Vec<Measured>) -> Result<(), FeError> {
     Ok(())
 }
 
-/// Relative error of the first three sloshing frequencies of tank 8.1 against the closed form on refined meshes.
-pub fn convergence() -> Result<Vec<(f64, [f64; 3])>, FeError> {
-    [0.5, 1.0, 2.0, 4.0]
-        .into_iter()
-        .map(|refine| {
-            let omega = cylinder(1.83, 1.525, 1, refine)?.sloshing()?;
-            let error = |n: usize| omega[n] / exact(1.83, 1.525, codes::bessel::j_prime_zero(1, n + 1)) - 1.0;
-            Ok((refine, std::array::from_fn(error)))
-        })
-        .collect()
+/// (elements, relative error) of the first three sloshing frequencies of tank 8.1 on refined meshes.
+fn convergence() -> Result<[Vec<(f64, f64)>; 3], FeError> {
+    let mut studies = [const { Vec::new() }; 3];
+    for refine in [0.5, 1.0, 2.0, 4.0] {
+        let (radial, vertical) = LiquidMesh::graded(1.83, 1.525, refine).elements();
+        let omega = cylinder(1.83, 1.525, 1, refine)?.sloshing()?;
+        for (n, study) in studies.iter_mut().enumerate() {
+            let error = omega[n] / exact(1.83, 1.525, codes::bessel::j_prime_zero(1, n + 1)) - 1.0;
+            study.push(((radial * vertical) as f64, error));
+        }
+    }
+    Ok(studies)
 }

@@ -97,7 +97,7 @@ impl Section {
 
 /// A figure as the templates see it.
 #[derive(Serialize)]
-struct FigureView {
+pub(super) struct FigureView {
     id: String,
     title: String,
     caption: String,
@@ -108,7 +108,7 @@ struct FigureView {
 }
 
 impl FigureView {
-    fn of(figure: &Figure) -> FigureView {
+    pub(super) fn of(figure: &Figure) -> FigureView {
         FigureView {
             id: figure.id.clone(),
             title: figure.title.clone(),
