@@ -4,4 +4,6 @@ mod bad_tank;
 mod compare;
 mod licences;
 mod records;
+mod solid;
 mod tank_file;
+mod vtu;
