@@ -33,9 +33,13 @@
 //! Source: Dvorkin & Bathe 1984 (tying), Simo & Fox 1989 (measures); the centre-point shear and its reason are derived in
 //! `docs/theory/shell-element.md`. Thickness change is not represented.
 
+pub(super) mod strain;
+
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+use strain::{Stressed, add_material, put};
 
 use super::shell::drilling::{Corner, turned};
 use super::shell::geometry::{Point, blend};
@@ -110,9 +114,6 @@ impl Axes {
     }
 }
 
-/// The four edges (from, to) with the strain they sample: along r at s = −1 and 1, along s at r = 1 and −1.
-const EDGES: [(usize, usize); 4] = [(0, 1), (3, 2), (1, 2), (0, 3)];
-
 /// Four-node shell.
 #[derive(Clone)]
 pub struct Shell4 {
@@ -126,35 +127,6 @@ pub struct Shell4 {
     mass: MassKind,
     axes: Axes,
     drilling: Vec<Corner>,
-}
-
-/// Positions, directors and their increments.
-struct Configuration {
-    x: [Vector3<f64>; 4],
-    u: [Vector3<f64>; 4],
-    d: [Vector3<f64>; 4],
-    w: [Vector3<f64>; 4],
-}
-
-/// Strain rows at one point and the derivatives of position and director they are made of.
-struct Kinematics {
-    rows: [Row; 8],
-    strain: [f64; 8],
-}
-
-/// Membrane shear and edge shears, common to all points.
-struct Common {
-    shear: Option<(Row, f64)>,
-    edges: [(Row, f64); 4],
-}
-
-/// Weighted resultants that multiply the constant second derivatives of the strains.
-#[derive(Default)]
-struct Stressed {
-    /// Coefficients of x_a · x_b.
-    xx: [[f64; 4]; 4],
-    /// Coefficients of x_a · d_b.
-    xd: [[f64; 4]; 4],
 }
 
 impl Shell4 {
@@ -252,164 +224,6 @@ impl Shell4 {
         &self.centre
     }
 
-    fn configuration(&self, motion: &Motion<'_>) -> Configuration {
-        let u: [Vector3<f64>; 4] =
-            std::array::from_fn(|a| Vector3::from_column_slice(&motion.values[6 * a..6 * a + 3]));
-        let w: [Vector3<f64>; 4] = std::array::from_fn(|a| turned(&motion.rotations[a], &self.directors[a]));
-        Configuration {
-            x: std::array::from_fn(|a| self.x[a] + u[a]),
-            d: std::array::from_fn(|a| self.directors[a] + w[a]),
-            u,
-            w,
-        }
-    }
-
-    fn reference(&self) -> Configuration {
-        Configuration {
-            x: self.x,
-            u: [Vector3::zeros(); 4],
-            d: self.directors,
-            w: [Vector3::zeros(); 4],
-        }
-    }
-
-    /// 2ε_12 at a point: row and value.
-    fn membrane_shear_at(&self, p: &Point, c: &Configuration) -> (Row, f64) {
-        let (x1, x2) = (blend(&p.d1, &c.x), blend(&p.d2, &c.x));
-        let (u1, u2) = (blend(&p.d1, &c.u), blend(&p.d2, &c.u));
-        let (g1, g2) = (blend(&p.d1, &self.x), blend(&p.d2, &self.x));
-        let mut row = [0.0; SIZE];
-        for a in 0..4 {
-            put(&mut row, 6 * a, x2 * p.d1[a] + x1 * p.d2[a]);
-        }
-        (row, g1.dot(&u2) + g2.dot(&u1) + u1.dot(&u2))
-    }
-
-    fn common(&self, c: &Configuration) -> Common {
-        let shear = match self.membrane_shear {
-            MembraneShear::CentrePoint => Some(self.membrane_shear_at(&self.centre, c)),
-            MembraneShear::Full => None,
-        };
-        let edges = EDGES.map(|(a, b)| {
-            // At the middle of the edge: x,α = ½ (x_b − x_a), d = ½ (d_a + d_b).
-            let along = (c.x[b] - c.x[a]) * 0.25;
-            let director = (c.d[a] + c.d[b]) * 0.25;
-            let mut row = [0.0; SIZE];
-            put(&mut row, 6 * a, -director);
-            put(&mut row, 6 * b, director);
-            put(&mut row, 6 * a + 3, c.d[a].cross(&along));
-            put(&mut row, 6 * b + 3, c.d[b].cross(&along));
-            let stretch = (c.u[b] - c.u[a]) * 0.25;
-            let turn = c.w[a] + c.w[b];
-            let value = stretch.dot(&(self.directors[a] + self.directors[b] + turn))
-                + (self.x[b] - self.x[a]).dot(&turn) * 0.25;
-            (row, value)
-        });
-        Common { shear, edges }
-    }
-
-    /// Factors of the four edge shears in γ_1 and γ_2 at a point.
-    fn tying(p: &Point) -> [[f64; 4]; 2] {
-        let [r, s] = p.natural;
-        let weight = [0.5 * (1.0 - s), 0.5 * (1.0 + s), 0.5 * (1.0 + r), 0.5 * (1.0 - r)];
-        [0, 1].map(|i| std::array::from_fn(|e| weight[e] * p.contravariant[e / 2][i]))
-    }
-
-    fn kinematics(&self, p: &Point, c: &Configuration, common: &Common) -> Kinematics {
-        let (x1, x2) = (blend(&p.d1, &c.x), blend(&p.d2, &c.x));
-        let (d1, d2) = (blend(&p.d1, &c.d), blend(&p.d2, &c.d));
-        let (u1, u2) = (blend(&p.d1, &c.u), blend(&p.d2, &c.u));
-        let (w1, w2) = (blend(&p.d1, &c.w), blend(&p.d2, &c.w));
-        let (g1, g2) = (blend(&p.d1, &self.x), blend(&p.d2, &self.x));
-        let (b1, b2) = (blend(&p.d1, &self.directors), blend(&p.d2, &self.directors));
-        let mut rows = [[0.0; SIZE]; 8];
-        for a in 0..4 {
-            let (n1, n2, k) = (p.d1[a], p.d2[a], 6 * a);
-            put(&mut rows[0], k, x1 * n1);
-            put(&mut rows[1], k, x2 * n2);
-            put(&mut rows[3], k, d1 * n1);
-            put(&mut rows[4], k, d2 * n2);
-            put(&mut rows[5], k, d2 * n1 + d1 * n2);
-            let t1 = c.d[a].cross(&x1);
-            let t2 = c.d[a].cross(&x2);
-            put(&mut rows[3], k + 3, t1 * n1);
-            put(&mut rows[4], k + 3, t2 * n2);
-            put(&mut rows[5], k + 3, t2 * n1 + t1 * n2);
-        }
-        let (shear_row, shear) = match &common.shear {
-            Some(shear) => *shear,
-            None => self.membrane_shear_at(p, c),
-        };
-        rows[2] = shear_row;
-        let mut strain = [
-            g1.dot(&u1) + 0.5 * u1.dot(&u1),
-            g2.dot(&u2) + 0.5 * u2.dot(&u2),
-            shear,
-            u1.dot(&d1) + g1.dot(&w1),
-            u2.dot(&d2) + g2.dot(&w2),
-            u1.dot(&d2) + g1.dot(&w2) + u2.dot(&d1) + g2.dot(&w1),
-            0.0,
-            0.0,
-        ];
-        // d1 = b1 + w1 stands in the products above, so that they hold the terms linear in u and w and their product.
-        debug_assert!(
-            (d1 - b1 - w1).norm() <= 1e-9 * (1.0 + d1.norm()) && (d2 - b2 - w2).norm() <= 1e-9 * (1.0 + d2.norm())
-        );
-        for (i, tying) in Self::tying(p).iter().enumerate() {
-            for (&factor, (row, value)) in tying.iter().zip(&common.edges) {
-                strain[6 + i] += factor * value;
-                for (to, from) in rows[6 + i].iter_mut().zip(row) {
-                    *to += factor * from;
-                }
-            }
-        }
-        Kinematics { rows, strain }
-    }
-
-    /// Adds what the weighted resultants of one point multiply.
-    fn stress(&self, p: &Point, resultants: &[f64; 8], out: &mut Stressed) {
-        let [n11, n22, n12, m11, m22, m12, q1, q2] = resultants.map(|v| v * p.area);
-        let twist = match self.membrane_shear {
-            MembraneShear::CentrePoint => &self.centre,
-            MembraneShear::Full => p,
-        };
-        for a in 0..4 {
-            for b in 0..4 {
-                let (aa, bb) = (p.d1[a] * p.d1[b], p.d2[a] * p.d2[b]);
-                out.xx[a][b] += n11 * aa + n22 * bb + n12 * (twist.d1[a] * twist.d2[b] + twist.d2[a] * twist.d1[b]);
-                out.xd[a][b] += m11 * aa + m22 * bb + m12 * (p.d1[a] * p.d2[b] + p.d2[a] * p.d1[b]);
-            }
-        }
-        let tying = Self::tying(p);
-        for (e, &(a, b)) in EDGES.iter().enumerate() {
-            let q = 0.25 * (q1 * tying[0][e] + q2 * tying[1][e]);
-            for n in [a, b] {
-                out.xd[b][n] += q;
-                out.xd[a][n] -= q;
-            }
-        }
-    }
-
-    /// Adds the geometric stiffness: second derivatives of the strains, and the diagonal blocks of the directors.
-    ///
-    /// The director's force follows from the same coefficients: f_d,b = Σ_a xd_ab x_a, because bending and transverse
-    /// shear strains are bilinear in x and d.
-    fn add_geometric(&self, c: &Configuration, stressed: &Stressed, out: &mut LocalMatrix) {
-        for b in 0..4 {
-            let f = (0..4).fold(Vector3::zeros(), |sum, a| sum + c.x[a] * stressed.xd[a][b]);
-            add_turn_block(out, b, &f, &c.d[b]);
-            let p = -c.d[b].cross_matrix();
-            for a in 0..4 {
-                for i in 0..3 {
-                    out.add(6 * a + i, 6 * b + i, stressed.xx[a][b]);
-                    for j in 0..3 {
-                        out.add_symmetric(6 * a + i, 6 * b + 3 + j, stressed.xd[a][b] * p[(i, j)]);
-                    }
-                }
-            }
-        }
-    }
-
     /// Rows of the resultants at `p` over the local dofs, at the reference state, in the frame of [`Axes`].
     ///
     /// Errors: those of the section.
@@ -453,53 +267,6 @@ impl Shell4 {
         let mut response = SectionResponse::default();
         self.section.respond(&[0.0; 8], &old, &mut new, &mut response)?;
         Ok(response.tangent)
-    }
-}
-
-/// Adds a vector to three entries of a row.
-fn put(row: &mut Row, at: usize, v: Vector3<f64>) {
-    row[at] += v.x;
-    row[at + 1] += v.y;
-    row[at + 2] += v.z;
-}
-
-/// Adds ½ (f dᵀ + d fᵀ) − (f · d) 1 to the rotational block of a node.
-pub(super) fn add_turn_block(out: &mut LocalMatrix, node: usize, f: &Vector3<f64>, d: &Vector3<f64>) {
-    let product = f.dot(d);
-    for i in 0..3 {
-        for j in 0..3 {
-            let unit = if i == j { product } else { 0.0 };
-            out.add(
-                6 * node + 3 + i,
-                6 * node + 3 + j,
-                0.5 * (f[i] * d[j] + d[i] * f[j]) - unit,
-            );
-        }
-    }
-}
-
-/// out ← out + w Bᵀ C B, lower triangle only.
-fn add_material(rows: &[Row; 8], tangent: &[[f64; 8]; 8], weight: f64, out: &mut LocalMatrix) {
-    let mut product = [[0.0; SIZE]; 8];
-    for (to, c) in product.iter_mut().zip(tangent) {
-        for (&c, row) in c.iter().zip(rows) {
-            if c != 0.0 {
-                let c = c * weight;
-                for (t, b) in to.iter_mut().zip(row) {
-                    *t += c * b;
-                }
-            }
-        }
-    }
-    for (j, column) in out.data.chunks_exact_mut(SIZE).enumerate() {
-        // Whole quarters of a column, so that the inner loop stays straight.
-        let first = j & !3;
-        for (row, cb) in rows.iter().zip(&product) {
-            let f = cb[j];
-            for (k, b) in column[first..].iter_mut().zip(&row[first..]) {
-                *k += f * b;
-            }
-        }
     }
 }
 

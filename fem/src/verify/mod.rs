@@ -4,6 +4,7 @@
 //! reference *is*: one that only repeats our own earlier output is a [`Reference::Regression`] and verifies nothing.
 
 pub mod potential;
+pub mod shell;
 
 /// What a reference value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

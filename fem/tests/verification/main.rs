@@ -20,4 +20,5 @@ fn assert_rows(rows: &[Row]) {
     );
 }
 
+mod shell;
 mod shell_element;

@@ -12,7 +12,8 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::geometry::{Point, blend};
-use crate::element::shell4::{SIZE, add_turn_block};
+use crate::element::shell4::SIZE;
+use crate::element::shell4::strain::add_turn_block;
 use crate::element::{ElementError, Response, Want};
 use crate::shape::quad4;
 

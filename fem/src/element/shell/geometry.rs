@@ -54,8 +54,7 @@ impl Point {
         let along = normal.dot(&centre[0].cross(&centre[1]).normalize());
         // Relative to the diagonals: a sliver of 1e-9 is no area.
         let size = (x[2] - x[0]).norm_squared() + (x[3] - x[1]).norm_squared();
-        // Negated, so that NaN is refused, too.
-        if !(along > 1e-9 * size) {
+        if along <= 1e-9 * size || along.is_nan() {
             return Err(ElementError::Jacobian {
                 kind: "shell4",
                 determinant: along,

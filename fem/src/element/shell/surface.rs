@@ -56,6 +56,15 @@ pub struct Directors {
     pub nodes: BTreeMap<usize, NodeKind>,
 }
 
+/// A corner of a cell at a node.
+struct CornerNormal {
+    cell: usize,
+    corner: usize,
+    normal: Vector3<f64>,
+    /// Angle that the cell spans there.
+    angle: f64,
+}
+
 /// Directors of `cells` (node numbers counter-clockwise seen against the normal) with nodes at `position(node)`.
 ///
 /// Errors: a degenerate corner; neighbours whose normals are opposite.
@@ -64,8 +73,7 @@ pub fn directors(
     cells: &[[usize; 4]],
     normals: Normals<'_>,
 ) -> Result<Directors, ElementError> {
-    // (cell, corner, unit normal, angle spanned)
-    let mut around: BTreeMap<usize, Vec<(usize, usize, Vector3<f64>, f64)>> = BTreeMap::new();
+    let mut around: BTreeMap<usize, Vec<CornerNormal>> = BTreeMap::new();
     for (cell, nodes) in cells.iter().enumerate() {
         let x = nodes.map(|n| Vector3::from(position(n)));
         for (corner, &node) in nodes.iter().enumerate() {
@@ -73,8 +81,7 @@ pub fn directors(
             let [g_r, g_s] = base(&x, r, s);
             let own = g_r.cross(&g_s);
             let area = own.norm();
-            // Negated, so that NaN is refused, too.
-            if !(area > 1e-12 * (g_r.norm_squared() + g_s.norm_squared())) {
+            if area <= 1e-12 * (g_r.norm_squared() + g_s.norm_squared()) || area.is_nan() {
                 return Err(ElementError::Jacobian {
                     kind: "shell4",
                     determinant: area,
@@ -87,10 +94,12 @@ pub fn directors(
             };
             // g_r and g_s point along the edges, inwards or outwards: the sine of the angle is the same.
             let (before, after) = (x[(corner + 3) % 4] - x[corner], x[(corner + 1) % 4] - x[corner]);
-            around
-                .entry(node)
-                .or_default()
-                .push((cell, corner, normal, before.angle(&after)));
+            around.entry(node).or_default().push(CornerNormal {
+                cell,
+                corner,
+                normal,
+                angle: before.angle(&after),
+            });
         }
     }
     let mut out = Directors {
@@ -101,13 +110,13 @@ pub fn directors(
         let mut group: Vec<usize> = (0..list.len()).collect();
         for i in 0..list.len() {
             for j in 0..i {
-                let cosine = list[i].2.dot(&list[j].2);
+                let cosine = list[i].normal.dot(&list[j].normal);
                 if cosine < -0.9999 {
                     return Err(ElementError::NoAnswer {
                         kind: "shell4",
                         reason: format!(
                             "cells {:?} and {:?} meet at node {node} with opposite normals: number both in one sense",
-                            cells[list[i].0], cells[list[j].0]
+                            cells[list[i].cell], cells[list[j].cell]
                         ),
                     });
                 }
@@ -119,11 +128,11 @@ pub fn directors(
         }
         let mean = |g: usize| -> Vector3<f64> {
             let members = list.iter().zip(&group).filter(|(_, own)| **own == g);
-            let sum: Vector3<f64> = members.map(|((_, _, n, angle), _)| n * *angle).sum();
+            let sum: Vector3<f64> = members.map(|(c, _)| c.normal * c.angle).sum();
             sum.normalize()
         };
-        for (&(cell, corner, ..), &g) in list.iter().zip(&group) {
-            out.corners[cell][corner] = mean(g);
+        for (c, &g) in list.iter().zip(&group) {
+            out.corners[c.cell][c.corner] = mean(g);
         }
         let kind = match group.iter().all(|&g| g == group[0]) {
             true => NodeKind::Smooth(mean(group[0])),

@@ -1,0 +1,27 @@
+//! Shells: S1 to S12.
+
+use fem::verify::{Row, shell};
+
+fn print(rows: &[Row]) {
+    for row in rows {
+        println!("{}", row.line());
+        for (n, error) in &row.convergence {
+            println!("      {n:>6} {error:+.3e}");
+        }
+    }
+}
+
+#[test]
+fn shell_rows_hold() {
+    let rows = shell::shell().unwrap();
+    print(&rows);
+    super::assert_rows(&rows);
+}
+
+#[test]
+#[ignore = "slow: fine meshes, a minute"]
+fn slow_shell_rows_hold() {
+    let rows = shell::shell_slow().unwrap();
+    print(&rows);
+    super::assert_rows(&rows);
+}
