@@ -17,6 +17,7 @@ pub use potential_surface::PotentialSurface;
 pub use potential8::Potential8;
 pub use wet_face::WetFace;
 
+pub mod beam2;
 pub mod contact8;
 mod contact8_area;
 mod fluid;
@@ -31,6 +32,7 @@ pub mod shell;
 pub mod shell4;
 pub mod solid8;
 pub mod solid8_law;
+pub mod spring;
 mod wet_face;
 
 /// What the nodes of an element do.
