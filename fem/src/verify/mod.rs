@@ -5,6 +5,7 @@
 
 pub mod potential;
 pub mod shell;
+pub mod solid;
 
 /// What a reference value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

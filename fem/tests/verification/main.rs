@@ -22,3 +22,4 @@ fn assert_rows(rows: &[Row]) {
 
 mod shell;
 mod shell_element;
+mod solid;

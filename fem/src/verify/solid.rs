@@ -1,0 +1,71 @@
+//! Solid, joint and layered wall.
+//!
+//! | rows | model | reference |
+//! |---|---|---|
+//! | C1-C4 | cantilever of bricks, dissertation figure 6.5 | beam theory, and the locking ratio of the brick |
+//! | C6 | the same under a harmonic tip force, three dampings | series of the beam's modes |
+//! | C7 | joint partly closed, blocks pressed together | integrals by hand, uniform pressure |
+//! | C9 | wall of two beams and a layer, dissertation figure 8.9 | two beams on an elastic layer |
+//! | C10 | the same wall alone under liquid pressure and its weight | cantilever |
+//!
+//! Units of the sources: m, kN, t, s.
+
+use std::sync::Arc;
+
+use super::{Reference, Row};
+use crate::analysis::statics::Statics;
+use crate::assembly::Assembler;
+use crate::linalg::{Kind, Ordering, Symbolic};
+use crate::model::Model;
+
+mod cantilever;
+mod joint;
+mod wall;
+
+/// Failure of a model that should have an answer.
+pub type Failure = Box<dyn std::error::Error + Send + Sync>;
+
+/// Rows that take seconds.
+///
+/// Errors: a model without an answer.
+pub fn solid() -> Result<Vec<Row>, Failure> {
+    let mut rows = cantilever::statics()?;
+    rows.extend(cantilever::frequencies()?);
+    rows.extend(cantilever::harmonic()?);
+    rows.extend(joint::rows()?);
+    rows.extend(wall::layered()?);
+    rows.extend(wall::alone()?);
+    Ok(rows)
+}
+
+/// A row of one of the pages of this topic.
+fn row(
+    id: &str,
+    page: &'static str,
+    what: impl Into<String>,
+    reference: (f64, &'static str, Reference),
+    computed: f64,
+    (tolerance, unit): (f64, &'static str),
+) -> Row {
+    Row {
+        id: id.to_owned(),
+        page,
+        what: what.into(),
+        reference: reference.0,
+        source: reference.1,
+        kind: reference.2,
+        computed,
+        tolerance,
+        unit,
+        convergence: Vec::new(),
+    }
+}
+
+/// Linear statics: displacements under nodal forces given by equation.
+fn solve(model: &Model, assembler: &Assembler, load: &[f64]) -> Result<Vec<f64>, Failure> {
+    let stiffness = assembler.stiffness(model)?;
+    let symbolic = Arc::new(Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree)?);
+    let statics = Statics::new(&symbolic, &stiffness, Kind::Definite)?;
+    let mut found = statics.solve(&stiffness, &[load])?;
+    Ok(found.swap_remove(0))
+}
