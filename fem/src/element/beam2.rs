@@ -92,7 +92,7 @@ impl Beam2 {
         let second = Vector3::from(second);
         let across = second - e1 * e1.dot(&second);
         // Below this angle the direction is rounding.
-        if !(across.norm() > 1e-6 * second.norm()) {
+        if across.norm().is_nan() || across.norm() <= 1e-6 * second.norm() {
             return refuse("second axis", format!("{second:?}"), "not along the beam");
         }
         let e2 = across.normalize();

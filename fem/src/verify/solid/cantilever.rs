@@ -340,17 +340,18 @@ fn compliance(omega: f64, ratio: f64) -> Complex<f64> {
         / Complex::new(omega * omega - FORCING * FORCING, 2.0 * ratio * omega * FORCING)
 }
 
-/// Amplitude and phase lag [rad] of P sin Ω t in the last whole period of a history.
+/// Amplitude and phase lag [rad] of P sin Ω t in the last second of a history, by least squares.
 fn fit(history: &[f64], dt: f64) -> (f64, f64) {
-    let samples = (2.0 * PI / FORCING / dt).round() as usize;
-    let first = history.len() - samples;
-    let (mut s, mut c) = (0.0, 0.0);
+    let first = history.len() - (1.0 / dt).round() as usize;
+    let (mut normal, mut right) = (nalgebra::Matrix2::zeros(), nalgebra::Vector2::zeros());
     for (i, w) in history.iter().enumerate().skip(first) {
-        let phase = FORCING * dt * i as f64;
-        s += 2.0 * w * phase.sin() / samples as f64;
-        c += 2.0 * w * phase.cos() / samples as f64;
+        let (s, c) = (FORCING * dt * i as f64).sin_cos();
+        let row = nalgebra::Vector2::new(s, c);
+        normal += row * row.transpose();
+        right += row * *w;
     }
-    (s.hypot(c), -c.atan2(s))
+    let found = normal.try_inverse().expect("sine and cosine differ over five periods") * right;
+    (found[0].hypot(found[1]), -found[1].atan2(found[0]))
 }
 
 /// P_v sin Ω t at the ends of the steps.
@@ -395,12 +396,22 @@ fn linear_history(bricks: usize, grid: Grid, damping: Rayleigh, of_elements: boo
     Ok(found[0].observed.scalars[0].values.clone())
 }
 
+/// Which stiffness the damping of a nonlinear element takes.
+#[derive(Clone, Copy, PartialEq)]
+enum DampingStiffness {
+    /// That of the reference state: the dissertation's constant element damping.
+    Initial,
+    /// The tangent of the last equilibrium.
+    Tangent,
+}
+
 /// History of the tip of the geometrically nonlinear cantilever with element damping: trapezoidal rule, Newton's method
 /// with the tangent of every iteration.
-fn nonlinear_history(bricks: usize, grid: Grid, damping: Rayleigh) -> Result<Vec<f64>, Failure> {
+fn nonlinear_history(bricks: usize, grid: Grid, damping: Rayleigh, of: DampingStiffness) -> Result<Vec<f64>, Failure> {
     let beam = Cantilever::new(bricks, Kinematics::GreenLagrange, damping)?;
     let (model, assembler) = (&beam.model, &beam.assembler);
-    let (mass, viscous) = (assembler.mass(model), assembler.damping(model));
+    let mass = assembler.mass(model);
+    let mut viscous = assembler.damping(model);
     let symbolic = symbolic(assembler)?;
     let (shape, time) = (beam.tip_load([0.0, 0.0, TRANSVERSE]), force(&grid));
     let scheme = TimeScheme::Trapezoidal.with_step(grid.h())?;
@@ -440,6 +451,11 @@ fn nonlinear_history(bricks: usize, grid: Grid, damping: Rayleigh) -> Result<Vec
         }
         scheme.correct(&state.committed, &mut state.trial);
         state.commit();
+        if of == DampingStiffness::Tangent {
+            viscous.values.copy_from_slice(&mass.values);
+            viscous.values.iter_mut().for_each(|m| *m *= damping.mass);
+            viscous.add(damping.stiffness, &tangent);
+        }
         history.push(beam.tip_motion(&state.committed.u)[2]);
     }
     Ok(history)
@@ -451,6 +467,10 @@ fn norm(x: &[f64]) -> f64 {
 
 /// C6. 2 % at ω₁ and 5 % at ω₂ (a_M 1.388 1/s, a_K 2.725e-4 s). With 400 bricks locking leaves 0.2 % in the deflection and
 /// 0.1 % in ω₁, which η = 0.56 turns into 0.3 % of the amplitude; tolerance 0.5 %.
+///
+/// A constant damping matrix a_K K(0) is not objective: in a finite rotation it resists the shortening −∫ w' ẇ' of the
+/// axis with a_K E A, which here outweighs the damping of bending. Amplitudes of the stationary state hardly show it, far
+/// below resonance; the phase doubles and the first peaks are 7 % lower. With the tangent in its place all agree.
 pub(super) fn harmonic() -> Result<Vec<Row>, Failure> {
     let damping = Rayleigh::fit(
         (beam_frequency(ROOTS[0]), 0.02),
@@ -462,8 +482,8 @@ pub(super) fn harmonic() -> Result<Vec<Row>, Failure> {
         sub_steps: 1,
         samples: (end / dt).round() as usize + 1,
     };
-    // Steps of 1/112 of the first period: 0.03 % in its length.
-    let fine = grid(1e-3, 5.0);
+    // Steps of 1/56 of the first period lengthen it by 0.1 %; after 8 s what is left of the start is exp(−9).
+    let fine = grid(2e-3, 8.0);
     let history = linear_history(400, fine, damping, false)?;
     let (amplitude, phase) = fit(&history, fine.dt);
     let series = Series::new(damping);
@@ -504,10 +524,17 @@ pub(super) fn harmonic() -> Result<Vec<Row>, Failure> {
     let coarse = grid(2e-3, 4.0);
     let system = linear_history(50, coarse, damping, false)?;
     let elements = linear_history(50, coarse, damping, true)?;
-    let nonlinear = nonlinear_history(50, coarse, damping)?;
+    let initial = nonlinear_history(50, coarse, damping, DampingStiffness::Initial)?;
+    let tangent = nonlinear_history(50, coarse, damping, DampingStiffness::Tangent)?;
     for (what, history, tolerance) in [
         ("element damping, linear", &elements, 1e-9),
-        ("element damping, Green-Lagrange strain", &nonlinear, 2e-2),
+        ("damping by the tangent, Green-Lagrange strain", &tangent, 2e-2),
+        // Shown, not asserted: a constant damping matrix resists rigid rotation, see the theory document.
+        (
+            "constant element damping, Green-Lagrange strain",
+            &initial,
+            f64::INFINITY,
+        ),
     ] {
         let second = "system Rayleigh damping, linear, the same mesh";
         for (quantity, value, reference) in [
