@@ -19,7 +19,7 @@ fn harmonic(c: &mut Criterion) {
             ..Options::default()
         };
         let coupled = build(&case, &options, 1).expect("the example is modelled");
-        let count = coupled.surface.len() + 20;
+        let count = coupled.surface.unknowns.len() + 20;
         let modes = solve(&coupled, Some(count)).expect("the modes are resolved");
         let bulging = modes
             .iter()

@@ -1,11 +1,11 @@
 //! A coupled linear system M ẍ + C ẋ + K x = −M ι a_g, ready for modal or direct analysis.
 //!
 //! One harmonic (m = 1 for horizontal, m = 0 for vertical motion) of a cylinder, or the antisymmetric half of a plane
-//! strip. Built once, then read-only.
+//! strip; or a three-dimensional model reduced to the space its load excites. Built once, then read-only.
 
 use crate::fe::probe::{Probe, ProbeLine};
 use crate::results::ModeShape;
-use fem::linalg::Matrix;
+use fem::linalg::{Matrix, dot};
 
 /// Matrices, loads and observations of one harmonic.
 #[derive(Clone, Debug)]
@@ -21,8 +21,10 @@ pub struct Coupled {
     /// clamped edge (m = 0: hydrostatic pressure and wall weight × a_v/g). ιᵀ M ι plus the `ground_acceleration` of the
     /// probe `base_shear` is `liquid_mass` + `wall_mass`.
     pub influence: Vec<f64>,
-    /// Unknowns that are free-surface elevations η: this range of indices.
-    pub surface: std::ops::Range<usize>,
+    /// Part of K that is gravity at the free surface.
+    pub surface: Part,
+    /// Part of K that resists rotation of a displacement liquid: a penalty, no physics. `None` where there is none.
+    pub rotation: Option<Part>,
     /// Scalar outputs: wave gauges, `base_shear`, `base_moment`, `overturning_moment`, `bending_stress` at the base, stations.
     pub probes: Vec<Probe>,
     /// Outputs over the height: `pressure`, `hoop_stress`, `axial_membrane_stress`, `bending_stress`, `radial_displacement`.
@@ -40,23 +42,56 @@ pub struct Coupled {
     pub shape_rows: ShapeRows,
 }
 
+/// A part of the stiffness matrix that holds energy of one kind.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// The unknowns it couples.
+    pub unknowns: std::ops::Range<usize>,
+    /// Symmetric matrix on these unknowns.
+    pub stiffness: Matrix,
+}
+
+impl Part {
+    /// The diagonal block of `stiffness` that belongs to `unknowns`.
+    pub fn block(stiffness: &Matrix, unknowns: std::ops::Range<usize>) -> Part {
+        let places: Vec<usize> = unknowns.clone().collect();
+        Part {
+            stiffness: stiffness.select(&places, &places),
+            unknowns,
+        }
+    }
+
+    /// Twice its energy, xᵀ K x.
+    pub fn energy(&self, x: &[f64]) -> f64 {
+        let own = &x[self.unknowns.clone()];
+        own.iter()
+            .enumerate()
+            .map(|(j, xj)| xj * dot(self.stiffness.column(j), own))
+            .sum()
+    }
+}
+
+/// A row over the unknowns by its non-zero entries (unknown, coefficient).
+pub type SparseRow = Vec<(usize, f64)>;
+
 /// Linear maps from the unknowns to a drawable shape: values at `z` are `wall · x`, at `r` `surface · x`.
 #[derive(Clone, Debug, Default)]
 pub struct ShapeRows {
     /// Heights [m].
     pub z: Vec<f64>,
-    /// Index of the unknown that is the radial displacement at each height, `None` where it is held.
-    pub wall: Vec<Option<usize>>,
+    /// Radial displacement at each height; empty where it is held.
+    pub wall: Vec<SparseRow>,
     /// Radii [m].
     pub r: Vec<f64>,
-    /// Index of the unknown that is the elevation at each radius, `None` where it is zero.
-    pub surface: Vec<Option<usize>>,
+    /// Elevation at each radius; empty where it is zero.
+    pub surface: Vec<SparseRow>,
 }
 
 impl ShapeRows {
     /// The shape of `x`, scaled so that its largest absolute value is 1.
     pub fn shape(&self, x: &[f64]) -> ModeShape {
-        let take = |rows: &[Option<usize>]| rows.iter().map(|i| i.map_or(0.0, |i| x[i])).collect::<Vec<f64>>();
+        let value = |row: &SparseRow| row.iter().map(|&(i, c)| c * x[i]).sum::<f64>();
+        let take = |rows: &[SparseRow]| rows.iter().map(value).collect::<Vec<f64>>();
         let mut shape = ModeShape {
             z: self.z.clone(),
             wall: take(&self.wall),

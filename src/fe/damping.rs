@@ -19,7 +19,7 @@ pub enum Damper {
     ByKind {
         /// Sloshing modes.
         sloshing: f64,
-        /// Structural modes.
+        /// Structural modes, and what else there is.
         structural: f64,
     },
     /// By frequency.
@@ -61,7 +61,7 @@ impl Damper {
         match *self {
             Damper::ByKind { sloshing, structural } => match kind {
                 Kind::Sloshing => sloshing,
-                Kind::Structural => structural,
+                Kind::Structural | Kind::Rotational => structural,
             },
             Damper::Rayleigh(rayleigh) => rayleigh.ratio(omega),
         }

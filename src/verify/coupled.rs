@@ -17,7 +17,7 @@ const MALHOTRA: &str = "C_i of Malhotra, Wenk & Wieland 2000 (EN 1998-4:2006 tab
 
 fn modes(case: &codes::Case) -> Result<Vec<CoupledMode>, FeError> {
     let coupled = build(case, &Options::default(), 1)?;
-    solve(&coupled, Some(coupled.surface.len() + 3))
+    solve(&coupled, Some(coupled.surface.unknowns.len() + 3))
 }
 
 fn first(modes: &[CoupledMode], kind: Kind) -> Result<&CoupledMode, FeError> {

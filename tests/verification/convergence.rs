@@ -38,7 +38,7 @@ fn bulging(case: &Case, refine: f64) -> [f64; 4] {
         ..Options::default()
     };
     let coupled = build(case, &options, 1).unwrap();
-    let modes = solve(&coupled, Some(coupled.surface.len() + 3)).unwrap();
+    let modes = solve(&coupled, Some(coupled.surface.unknowns.len() + 3)).unwrap();
     let mode = modes.iter().find(|m| m.kind == Kind::Structural).unwrap();
     let stress = |id: &str| {
         let probe = coupled.probes.iter().find(|p| p.id == id).unwrap();

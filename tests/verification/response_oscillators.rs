@@ -7,7 +7,7 @@
 use codes::record::Record;
 use codes::units::Dimension;
 use fem::linalg::Matrix;
-use tankcheck::fe::coupled::{Coupled, ShapeRows};
+use tankcheck::fe::coupled::{Coupled, Part, ShapeRows};
 use tankcheck::fe::damping::{Damper, Rayleigh};
 use tankcheck::fe::harmonic::{CoupledMode, Kind, solve};
 use tankcheck::fe::probe::{ModeSelection, Probe};
@@ -36,7 +36,8 @@ fn chain(masses: &[f64], springs: &[f64]) -> Coupled {
         mass,
         stiffness,
         influence: vec![1.0; n],
-        surface: n..n,
+        surface: Part::block(&Matrix::zeros(0, 0), 0..0),
+        rotation: None,
         probes: Vec::new(),
         lines: Vec::new(),
         liquid_mass: 0.0,

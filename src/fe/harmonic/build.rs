@@ -3,7 +3,7 @@
 use codes::Case;
 use codes::tank::Shape;
 
-use crate::fe::coupled::{Coupled, ShapeRows};
+use crate::fe::coupled::{Coupled, Part, ShapeRows};
 use crate::fe::liquid::{Domain, LiquidMesh, Potential};
 use crate::fe::{FeError, Options};
 use crate::results::Labelled;
@@ -62,7 +62,8 @@ pub fn build(case: &Case, options: &Options, harmonic: u32) -> Result<Coupled, F
         .count();
     Ok(Coupled {
         harmonic,
-        surface: first..assembly.reduction.len(),
+        surface: Part::block(&stiffness, first..assembly.reduction.len()),
+        rotation: None,
         probes,
         lines,
         liquid_mass: case.liquid_mass(),
@@ -208,12 +209,13 @@ fn free_surface(assembly: &Assembly) -> usize {
 
 fn shape_rows(assembly: &Assembly) -> ShapeRows {
     let start = assembly.surface_start() - assembly.liquid.surface_columns().start;
+    let row = |index: Option<usize>| index.map(|i| (i, 1.0)).into_iter().collect();
     let mut rows = ShapeRows {
         z: assembly.wall.nodes.clone(),
         wall: assembly
             .node
             .iter()
-            .map(|n| n[2].and_then(|i| assembly.reduction.index(i)))
+            .map(|n| row(n[2].and_then(|i| assembly.reduction.index(i))))
             .collect(),
         ..ShapeRows::default()
     };
@@ -222,7 +224,7 @@ fn shape_rows(assembly: &Assembly) -> ShapeRows {
         // The elevation that follows from the balance of volume is no unknown: its radius is left out.
         if index != Some(None) {
             rows.r.push(r);
-            rows.surface.push(index.flatten());
+            rows.surface.push(row(index.flatten()));
         }
     }
     rows

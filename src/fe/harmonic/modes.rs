@@ -5,11 +5,13 @@
 //! sloshing:  ηᵀ ρ g S η > ½ φ_jᵀ K φ_j, the surface holds more than half of the potential energy
 //! ```
 //!
+//! A displacement liquid resists rotation by a penalty; its modes that live on it are sorted out as *rotational*.
+//!
 //! With m = 0 the "effective mass" is that of the load of vertical motion, hydrostatic pressure and wall weight.
 
 use codes::Case;
 
-use crate::fe::coupled::Coupled;
+use crate::fe::coupled::{Coupled, Part};
 use crate::fe::{FeError, Options};
 use crate::results::Mode;
 use fem::linalg::{dot, generalized_eigen};
@@ -23,14 +25,17 @@ pub enum Kind {
     Sloshing,
     /// Elasticity of the wall.
     Structural,
+    /// The penalty against rotation of a displacement liquid: a mode that the liquid itself does not have.
+    Rotational,
 }
 
 impl Kind {
-    /// `sloshing` or `structural`.
+    /// `sloshing`, `structural` or `rotational`.
     pub fn id(self) -> &'static str {
         match self {
             Kind::Sloshing => "sloshing",
             Kind::Structural => "structural",
+            Kind::Rotational => "rotational",
         }
     }
 }
@@ -63,12 +68,16 @@ pub fn solve(coupled: &Coupled, count: Option<usize>) -> Result<Vec<CoupledMode>
     let load = coupled.mass.times(&coupled.influence);
     let moment = coupled.mass.times(&coupled.moment_arm);
     let total = dot(&load, &coupled.influence);
-    let (mut sloshing, mut structural) = (0, 0);
+    let (mut sloshing, mut structural, mut rotational) = (0, 0, 0);
     let mode = |(j, &omega): (usize, &f64)| {
         let vector = eigen.vectors.column(j).to_vec();
-        let surface_share = surface_energy(coupled, &vector) / (omega * omega);
+        // φᵀ M φ = 1, so that φᵀ K φ = ω².
+        let share = |part: &Part| part.energy(&vector) / (omega * omega);
+        let surface_share = share(&coupled.surface);
         let (kind, counter) = if surface_share > 0.5 {
             (Kind::Sloshing, &mut sloshing)
+        } else if coupled.rotation.as_ref().is_some_and(|part| share(part) > 0.5) {
+            (Kind::Rotational, &mut rotational)
         } else {
             (Kind::Structural, &mut structural)
         };
@@ -93,18 +102,6 @@ pub fn solve(coupled: &Coupled, count: Option<usize>) -> Result<Vec<CoupledMode>
     Ok(eigen.omega.iter().enumerate().map(mode).collect())
 }
 
-/// ηᵀ ρ g S η: the block of K that belongs to the elevations.
-fn surface_energy(coupled: &Coupled, x: &[f64]) -> f64 {
-    let range = coupled.surface.clone();
-    range
-        .clone()
-        .map(|j| {
-            let column = &coupled.stiffness.column(j)[range.clone()];
-            x[j] * dot(column, &x[range.clone()])
-        })
-        .sum()
-}
-
 impl CoupledMode {
     /// Effective mass γ² [kg].
     pub fn effective_mass(&self) -> f64 {
@@ -122,7 +119,7 @@ impl CoupledMode {
             period: 2.0 * std::f64::consts::PI / self.omega,
             damping: match self.kind {
                 Kind::Sloshing => case.damping.sloshing,
-                Kind::Structural => case.damping.impulsive,
+                Kind::Structural | Kind::Rotational => case.damping.impulsive,
             },
             participation: self.participation,
             effective_mass: self.participation * self.participation,
@@ -139,7 +136,7 @@ pub fn modes(case: &Case, options: &Options, harmonics: &[u32], count: usize) ->
     let mut found = Vec::new();
     for &harmonic in harmonics {
         let coupled = build(case, options, harmonic)?;
-        let wanted = (coupled.surface.len() + count).min(coupled.mass.rows);
+        let wanted = (coupled.surface.unknowns.len() + count).min(coupled.mass.rows);
         let modes = solve(&coupled, Some(wanted))?;
         found.extend(
             modes

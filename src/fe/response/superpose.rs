@@ -63,6 +63,7 @@ pub fn keep<'a>(modes: &'a [CoupledMode], damper: &Damper, wave_modes: usize) ->
     let least = |kind: Kind| match kind {
         Kind::Sloshing => SLOSHING_MODES.max(wave_modes),
         Kind::Structural => STRUCTURAL_MODES,
+        Kind::Rotational => 0,
     };
     modes
         .iter()

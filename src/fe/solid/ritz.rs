@@ -1,0 +1,100 @@
+//! Load-dependent Ritz vectors: the space that a load excites, orthonormal in M.
+//!
+//! ```text
+//! x₁ = K⁻¹ f          x_{k+1} = K⁻¹ M x_k          each orthogonalised to all before, xᵢᵀ M x_j = δ_ij
+//! ```
+//!
+//! The Krylov space of K⁻¹ M with the static response to the load as its first vector: static response exact, the modes
+//! that the load excites converge from the lowest up, those it does not excite never appear. Source: Wilson, Yuan & Dickens
+//! 1982; Lanczos 1950.
+//!
+//! A cyclic mesh keeps the symmetry of its load; `purify` takes out of every vector what rounding has put into other
+//! symmetries.
+
+use fem::linalg::{Matrix, dot, transposed_product};
+use fem::progress::Progress;
+
+use super::system::{System, columns};
+use crate::fe::FeError;
+
+/// A vector of which orthogonalisation leaves less than this part (in the norm of M) lies in the space already.
+const EXHAUSTED: f64 = 1e-9;
+
+/// The reduced system.
+pub struct Ritz {
+    /// Basis over all unknowns, potentials included, column by column.
+    pub basis: Matrix,
+    /// Vᵀ M V.
+    pub mass: Matrix,
+    /// Vᵀ K V.
+    pub stiffness: Matrix,
+}
+
+/// At most `count` Ritz vectors of `system` for the load `load`.
+///
+/// Errors: not enough memory; a load of zero.
+pub fn reduce(
+    system: &System,
+    load: &[f64],
+    count: usize,
+    purify: &dyn Fn(&mut [f64]),
+    progress: &dyn Progress,
+) -> Result<Ritz, FeError> {
+    let (mut basis, mut images): (Vec<Vec<f64>>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
+    let mut right = load.to_vec();
+    while basis.len() < count {
+        let mut x = system.solve(&right)?;
+        purify(&mut x);
+        system.complete(&mut x)?;
+        let mut image = system.mass_times(&x);
+        let before = dot(&x, &image).max(0.0).sqrt();
+        if before == 0.0 {
+            break;
+        }
+        // Twice is enough (Parlett 1998, section 6.9).
+        for _ in 0..2 {
+            for (v, m) in basis.iter().zip(&images) {
+                let share = dot(m, &x);
+                for (x, v) in x.iter_mut().zip(v) {
+                    *x -= share * v;
+                }
+                for (y, m) in image.iter_mut().zip(m) {
+                    *y -= share * m;
+                }
+            }
+        }
+        let after = dot(&x, &image).max(0.0).sqrt();
+        if after <= EXHAUSTED * before {
+            break;
+        }
+        x.iter_mut().for_each(|v| *v /= after);
+        // Afresh, so that rounding of the differences does not pile up.
+        image = system.mass_times(&x);
+        right.clone_from(&image);
+        basis.push(x);
+        images.push(image);
+        progress.advance(1);
+    }
+    if basis.is_empty() {
+        return Err(FeError::Unsupported("the ground motion loads nothing in the model".into()));
+    }
+    let elastic: Vec<Vec<f64>> = basis.iter().map(|x| system.stiffness_times(x)).collect();
+    let basis = columns(&basis);
+    Ok(Ritz {
+        mass: symmetric(transposed_product(&basis, &columns(&images))),
+        stiffness: symmetric(transposed_product(&basis, &columns(&elastic))),
+        basis,
+    })
+}
+
+/// The mean of a matrix and its transpose.
+pub fn symmetric(mut a: Matrix) -> Matrix {
+    for j in 0..a.cols {
+        for i in 0..j {
+            let mean = 0.5 * (a.get(i, j) + a.get(j, i));
+            a.data[i + j * a.rows] = mean;
+            a.data[j + i * a.rows] = mean;
+        }
+    }
+    a
+}
