@@ -249,7 +249,12 @@ mod tests {
         let twice = Division::new(&tank, 1.525, &fine, &SolidOptions::default(), true).unwrap();
         let ratio = twice.wall.len() as f64 / division.wall.len() as f64;
         assert!((1.8..2.2).contains(&ratio), "{ratio}");
-        assert!(twice.liquid.iter().all(|z| twice.wall.iter().any(|w| (w - z).abs() < 1e-9)));
+        assert!(
+            twice
+                .liquid
+                .iter()
+                .all(|z| twice.wall.iter().any(|w| (w - z).abs() < 1e-9))
+        );
     }
 
     #[test]
@@ -273,7 +278,12 @@ mod tests {
                 vertical: 20
             }
         );
-        for bad in [solid(0, 16, 20), solid(12, 3, 20), solid(12, 16, 0), solid(12, 16, 100_000)] {
+        for bad in [
+            solid(0, 16, 20),
+            solid(12, 3, 20),
+            solid(12, 16, 0),
+            solid(12, 16, 100_000),
+        ] {
             assert!(matches!(
                 Division::new(&tank, 1.525, &options, &bad, true),
                 Err(FeError::Option { .. })

@@ -5,6 +5,11 @@
 
 mod mesh_size;
 
+pub mod mesh;
+pub mod ritz;
+pub mod system;
+pub mod waves;
+
 use codes::Case;
 use fem::progress::Progress;
 

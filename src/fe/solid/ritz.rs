@@ -76,7 +76,9 @@ pub fn reduce(
         progress.advance(1);
     }
     if basis.is_empty() {
-        return Err(FeError::Unsupported("the ground motion loads nothing in the model".into()));
+        return Err(FeError::Unsupported(
+            "the ground motion loads nothing in the model".into(),
+        ));
     }
     let elastic: Vec<Vec<f64>> = basis.iter().map(|x| system.stiffness_times(x)).collect();
     let basis = columns(&basis);

@@ -57,9 +57,12 @@ pub fn classify(radial: &[Vec<f64>], z: &[f64]) -> Option<Waves> {
         }
     }
     let (energy, n, line) = best?;
-    let peak = line.iter().copied().fold((0.0, 0.0), |m, v| {
-        if v.0.hypot(v.1) > f64::hypot(m.0, m.1) { v } else { m }
-    });
+    let peak = line.iter().copied().fold(
+        (0.0, 0.0),
+        |m, v| {
+            if v.0.hypot(v.1) > f64::hypot(m.0, m.1) { v } else { m }
+        },
+    );
     let norm = peak.0.hypot(peak.1);
     let phase = (peak.0 / norm, peak.1 / norm);
     let (mut changes, mut last) = (0, 0.0_f64);
