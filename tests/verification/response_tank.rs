@@ -236,7 +236,7 @@ fn missing_mass_does_not_replace_the_wall_mode() {
     let moment = |structural: usize| {
         let keep = |m: &CoupledMode| match m.kind {
             Kind::Sloshing => m.number <= 12,
-            Kind::Structural => m.number <= structural,
+            Kind::Structural | Kind::Rotational => m.number <= structural,
         };
         let found = peaks(&tank, &modes, keep, &motion);
         found

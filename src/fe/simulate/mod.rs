@@ -1,9 +1,9 @@
 //! Time history of a case: model, analysis, second mesh, and everything the results folder holds of them.
 
-mod analysis;
-mod describe;
+pub(in crate::fe) mod analysis;
+pub(in crate::fe) mod describe;
 mod limits;
-mod model;
+pub(in crate::fe) mod model;
 mod series;
 
 use std::collections::BTreeMap;
@@ -29,11 +29,7 @@ const COARSEST: f64 = 0.25;
 /// Errors: no ground motion or a record without samples; an option out of range; a model that cannot be built or
 /// factored; a response that is not finite.
 pub fn simulate(case: &Case, options: &Options) -> Result<Simulation, FeError> {
-    let motion = case.ground_motion.as_ref().ok_or(FeError::NoRecord)?;
-    check_record("horizontal record", &motion.horizontal)?;
-    if let Some(vertical) = &motion.vertical {
-        check_record("vertical record", vertical)?;
-    }
+    let motion = checked_motion(case)?;
     let vertical = motion.vertical.is_some();
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     // The two meshes share nothing: they are worked out side by side.
@@ -53,7 +49,29 @@ pub fn simulate(case: &Case, options: &Options) -> Result<Simulation, FeError> {
         (fine, coarse)
     });
     let mut simulation = fine?;
-    if let Some(coarse) = coarse.transpose()? {
+    note_mesh_error(&mut simulation, coarse.transpose()?.as_ref(), options);
+    Ok(simulation)
+}
+
+/// The ground motion of a case.
+///
+/// Errors: none given; a record that is none.
+pub(in crate::fe) fn checked_motion(case: &Case) -> Result<&GroundMotion, FeError> {
+    let motion = case.ground_motion.as_ref().ok_or(FeError::NoRecord)?;
+    check_record("horizontal record", &motion.horizontal)?;
+    if let Some(vertical) = &motion.vertical {
+        check_record("vertical record", vertical)?;
+    }
+    Ok(motion)
+}
+
+/// Writes the difference to the values of a coarser mesh into a simulation.
+pub(in crate::fe) fn note_mesh_error(
+    simulation: &mut Simulation,
+    coarse: Option<&BTreeMap<Quantity, f64>>,
+    options: &Options,
+) {
+    if let Some(coarse) = coarse {
         simulation.result.mesh_error = simulation
             .values
             .iter()
@@ -65,11 +83,10 @@ pub fn simulate(case: &Case, options: &Options) -> Result<Simulation, FeError> {
             .notes
             .push("No coarser mesh exists: the discretisation error is not estimated.".into());
     }
-    Ok(simulation)
 }
 
 /// Options of the second mesh: every element twice as long. Modal superposition serves for it whatever the integrator.
-fn coarse_options(options: &Options) -> Option<Options> {
+pub(in crate::fe) fn coarse_options(options: &Options) -> Option<Options> {
     let refine = (0.5 * options.refine).max(COARSEST);
     (options.mesh_error && refine < options.refine).then(|| Options {
         refine,
@@ -104,7 +121,7 @@ fn check_record(which: &str, record: &Record) -> Result<(), FeError> {
 }
 
 /// The run on the wanted mesh with everything that is reported of it.
-fn complete(
+pub(in crate::fe) fn complete(
     case: &Case,
     options: &Options,
     motion: &GroundMotion,

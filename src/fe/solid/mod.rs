@@ -5,16 +5,21 @@
 
 mod mesh_size;
 
+pub mod fields;
 pub mod mesh;
+pub mod model;
+pub mod moments;
+pub mod reduce;
 pub mod ritz;
+mod roof;
+pub mod rows;
+mod run;
+pub mod spectrum;
+mod symmetry;
 pub mod system;
 pub mod waves;
 
-use codes::Case;
-use fem::progress::Progress;
-
-use super::{FeError, Options, Simulation};
-use crate::results::Mode;
+pub use run::{estimate, modes, simulate};
 
 pub use mesh_size::{MeshSize, MeshSizeError};
 
@@ -63,42 +68,4 @@ pub struct Estimate {
     pub memory_mib: u64,
     /// Time [s] on this machine, roughly.
     pub seconds: f64,
-}
-
-/// What [`simulate`] will take.
-///
-/// Errors: a mesh that cannot be built; more memory than allowed.
-pub fn estimate(_case: &Case, _options: &Options, _solid: &SolidOptions) -> Result<Estimate, FeError> {
-    Err(FeError::Unsupported(
-        "the three-dimensional engine is not built yet".into(),
-    ))
-}
-
-/// The `count` lowest modes of each kind (`sloshing`, `structural`), named by circumferential and axial wave number.
-///
-/// Errors: as [`simulate`].
-pub fn modes(
-    _case: &Case,
-    _options: &Options,
-    _solid: &SolidOptions,
-    _count: usize,
-    _progress: &dyn Progress,
-) -> Result<Vec<Mode>, FeError> {
-    Err(FeError::Unsupported(
-        "the three-dimensional engine is not built yet".into(),
-    ))
-}
-
-/// Time history of a case by the three-dimensional engine.
-///
-/// Errors: as [`crate::fe::simulate`]; a mesh that cannot be built; more memory than allowed.
-pub fn simulate(
-    _case: &Case,
-    _options: &Options,
-    _solid: &SolidOptions,
-    _progress: &dyn Progress,
-) -> Result<Simulation, FeError> {
-    Err(FeError::Unsupported(
-        "the three-dimensional engine is not built yet".into(),
-    ))
 }

@@ -1,12 +1,13 @@
 //! Load-dependent Ritz vectors: the space that a load excites, orthonormal in M.
 //!
 //! ```text
-//! x₁ = K⁻¹ f          x_{k+1} = K⁻¹ M x_k          each orthogonalised to all before, xᵢᵀ M x_j = δ_ij
+//! x₁ = (K + s M)⁻¹ f      x_{k+1} = (K + s M)⁻¹ M x_k      each orthogonalised to all before, xᵢᵀ M x_j = δ_ij
 //! ```
 //!
-//! The Krylov space of K⁻¹ M with the static response to the load as its first vector: static response exact, the modes
-//! that the load excites converge from the lowest up, those it does not excite never appear. Source: Wilson, Yuan & Dickens
-//! 1982; Lanczos 1950.
+//! for one pole s after the other. With s = 0 this is the Krylov space of K⁻¹ M with the static response to the load as
+//! its first vector: static response exact, the modes that the load excites converge from the lowest up, those it does
+//! not excite never appear. A displacement liquid has hundreds of rotational modes between the sloshing and the wall's
+//! modes, which the load hardly excites; a pole s = ω² leaps over them. Source: Wilson, Yuan & Dickens 1982; Ruhe 1984.
 //!
 //! A cyclic mesh keeps the symmetry of its load; `purify` takes out of every vector what rounding has put into other
 //! symmetries.
@@ -41,39 +42,21 @@ pub fn reduce(
     progress: &dyn Progress,
 ) -> Result<Ritz, FeError> {
     let (mut basis, mut images): (Vec<Vec<f64>>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
-    let mut right = load.to_vec();
-    while basis.len() < count {
-        let mut x = system.solve(&right)?;
-        purify(&mut x);
-        system.complete(&mut x)?;
-        let mut image = system.mass_times(&x);
-        let before = dot(&x, &image).max(0.0).sqrt();
-        if before == 0.0 {
-            break;
+    for pole in 0..system.poles() {
+        let most = (pole + 1) * count / system.poles();
+        let mut right = load.to_vec();
+        while basis.len() < most {
+            let mut x = system.solve_at(pole, &right)?;
+            purify(&mut x);
+            system.complete(&mut x)?;
+            let Some((x, image)) = orthogonal(system, x, &basis, &images) else {
+                break;
+            };
+            right.clone_from(&image);
+            basis.push(x);
+            images.push(image);
+            progress.advance(1);
         }
-        // Twice is enough (Parlett 1998, section 6.9).
-        for _ in 0..2 {
-            for (v, m) in basis.iter().zip(&images) {
-                let share = dot(m, &x);
-                for (x, v) in x.iter_mut().zip(v) {
-                    *x -= share * v;
-                }
-                for (y, m) in image.iter_mut().zip(m) {
-                    *y -= share * m;
-                }
-            }
-        }
-        let after = dot(&x, &image).max(0.0).sqrt();
-        if after <= EXHAUSTED * before {
-            break;
-        }
-        x.iter_mut().for_each(|v| *v /= after);
-        // Afresh, so that rounding of the differences does not pile up.
-        image = system.mass_times(&x);
-        right.clone_from(&image);
-        basis.push(x);
-        images.push(image);
-        progress.advance(1);
     }
     if basis.is_empty() {
         return Err(FeError::Unsupported(
@@ -87,6 +70,33 @@ pub fn reduce(
         stiffness: symmetric(transposed_product(&basis, &columns(&elastic))),
         basis,
     })
+}
+
+/// `x` without its shares in `basis`, of unit norm, and M x; `None` if nothing new is left.
+fn orthogonal(
+    system: &System,
+    mut x: Vec<f64>,
+    basis: &[Vec<f64>],
+    images: &[Vec<f64>],
+) -> Option<(Vec<f64>, Vec<f64>)> {
+    let norm = |x: &[f64]| dot(x, &system.mass_times(x)).max(0.0).sqrt();
+    let before = norm(&x);
+    // Twice is enough (Parlett 1998, section 6.9).
+    for _ in 0..2 {
+        for (v, m) in basis.iter().zip(images) {
+            let share = dot(m, &x);
+            for (x, v) in x.iter_mut().zip(v) {
+                *x -= share * v;
+            }
+        }
+    }
+    let after = norm(&x);
+    if after.is_nan() || after <= EXHAUSTED * before {
+        return None;
+    }
+    x.iter_mut().for_each(|v| *v /= after);
+    let image = system.mass_times(&x);
+    Some((x, image))
 }
 
 /// The mean of a matrix and its transpose.

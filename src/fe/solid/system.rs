@@ -25,6 +25,7 @@ use fem::dofs::Dof;
 use fem::linalg::{Factor, Kind, Matrix, Ordering, Symbolic, Symmetric, dot};
 use fem::model::Model;
 
+use super::model::element_error;
 use crate::fe::FeError;
 use crate::fe::coupled::SparseRow;
 use crate::fe::harmonic::failure;
@@ -63,40 +64,97 @@ pub struct System {
     pub mean_elevation: SparseRow,
     /// Bytes of the factors.
     pub bytes: u64,
+    /// Factors of K + s M for further poles s, displacement liquids only.
+    poles: Vec<Factor>,
 }
 
-impl System {
-    /// Factors the matrices of `model`; `limit` is the memory allowed for them [bytes].
-    ///
-    /// Errors: more memory than allowed, before anything is factored; a matrix that is not positive definite.
-    pub fn new(model: &Model, assembler: &Assembler, limit: u64) -> Result<System, FeError> {
-        let stiffness = assembler
-            .stiffness(model)
-            .map_err(|e| FeError::Unsupported(e.to_string()))?;
-        let full_mass = assembler.mass(model);
+/// Matrices and their symbolic factors.
+struct Phase {
+    stiffness: Symmetric,
+    mass: Symmetric,
+    own: Vec<usize>,
+    phi: Vec<usize>,
+    own_stiffness: Symmetric,
+    symbolic: Arc<Symbolic>,
+    /// Equations of φ but for the held one, ρ H, its symbolic factor.
+    liquid: Option<(Vec<usize>, Symmetric, Arc<Symbolic>)>,
+    bytes: u64,
+}
+
+impl Phase {
+    fn new(model: &Model, assembler: &Assembler, poles: usize) -> Result<Phase, FeError> {
+        let stiffness = assembler.stiffness(model).map_err(element_error)?;
+        let mass = assembler.mass(model);
         let dofs = model.dofs();
         let (phi, own): (Vec<usize>, Vec<usize>) = (0..dofs.len()).partition(|&e| dofs.unknown(e).1 == Dof::Phi);
         let own_stiffness = stiffness.submatrix(&own);
-        let symbolic = symbolic(&own_stiffness)?;
-        let mut entries = symbolic.entries();
+        let symbolic = self::symbolic(&own_stiffness)?;
+        let mut entries = (1 + poles) * symbolic.entries();
         let liquid = if phi.is_empty() {
             None
         } else {
             let free = phi[1..].to_vec();
-            let mut h = full_mass.submatrix(&free);
+            let mut h = mass.submatrix(&free);
             h.values.iter_mut().for_each(|v| *v = -*v);
             let symbolic = self::symbolic(&h)?;
             entries += symbolic.entries();
             Some((free, h, symbolic))
         };
-        // Factors, the matrices themselves, and the vectors of a reduction.
-        let bytes = 8 * (entries + 4 * stiffness.pattern.places() + 400 * dofs.len()) as u64;
-        if bytes > limit {
+        // Factors, the matrices themselves, and the vectors of a reduction with their images.
+        let vectors = 3 * super::reduce::VECTORS;
+        let bytes = 8 * (entries + 4 * stiffness.pattern.places() + vectors * dofs.len()) as u64;
+        Ok(Phase {
+            stiffness,
+            mass,
+            own,
+            phi,
+            own_stiffness,
+            symbolic,
+            liquid,
+            bytes,
+        })
+    }
+
+    fn check(&self, limit: u64) -> Result<(), FeError> {
+        if self.bytes > limit {
             return Err(FeError::Memory {
-                needed_mib: bytes.div_ceil(1 << 20),
+                needed_mib: self.bytes.div_ceil(1 << 20),
                 allowed_mib: limit >> 20,
             });
         }
+        Ok(())
+    }
+}
+
+impl System {
+    /// Memory for the factors of `model` [bytes], from the symbolic phase alone.
+    ///
+    /// Errors: more than `limit`.
+    pub fn bytes(model: &Model, assembler: &Assembler, poles: usize, limit: u64) -> Result<u64, FeError> {
+        let phase = Phase::new(model, assembler, poles)?;
+        phase.check(limit)?;
+        Ok(phase.bytes)
+    }
+
+    /// Factors the matrices of `model`; `limit` is the memory allowed for them [bytes]. `poles` s > 0 [rad²/s²] at which
+    /// K + s M is factored as well are for models without potentials.
+    ///
+    /// Errors: more memory than allowed, before anything is factored; a matrix that is not positive definite.
+    pub fn new(model: &Model, assembler: &Assembler, poles: &[f64], limit: u64) -> Result<System, FeError> {
+        let phase = Phase::new(model, assembler, poles.len())?;
+        phase.check(limit)?;
+        let Phase {
+            stiffness,
+            mass: full_mass,
+            own,
+            phi,
+            own_stiffness,
+            symbolic,
+            liquid,
+            bytes,
+        } = phase;
+        let dofs = model.dofs();
+        let own_symbolic = symbolic.clone();
         let factor = symbolic
             .factor(&own_stiffness, Kind::Definite)
             .map_err(failure("the stiffness matrix"))?;
@@ -118,7 +176,14 @@ impl System {
             potential: None,
             mean_elevation: Vec::new(),
             bytes,
+            poles: Vec::new(),
         };
+        for &pole in poles {
+            let mut shifted = system.stiffness.clone();
+            shifted.add(pole, &system.mass);
+            let factor = own_symbolic.factor(&shifted, Kind::Definite).map_err(failure("K + s M"))?;
+            system.poles.push(factor);
+        }
         if let Some((free, h, symbolic)) = liquid {
             system.add_potential(model, &full_mass, &phi, (free, h, symbolic))?;
         }
@@ -209,6 +274,21 @@ impl System {
         Ok(x)
     }
 
+    /// Number of poles: s = 0 and those asked for.
+    pub fn poles(&self) -> usize {
+        1 + self.poles.len()
+    }
+
+    /// (K + s M)⁻¹ b for pole `pole`; the first is s = 0.
+    ///
+    /// Errors: not enough memory.
+    pub fn solve_at(&self, pole: usize, b: &[f64]) -> Result<Vec<f64>, FeError> {
+        match pole {
+            0 => self.solve(b),
+            pole => self.poles[pole - 1].solve_vector(b).map_err(failure("K + s M")),
+        }
+    }
+
     /// Sets the entries of φ in `x` to H⁺ F x, with mean zero over the surface; nothing with a displacement liquid.
     ///
     /// Errors: not enough memory.
@@ -267,7 +347,10 @@ impl System {
     }
 }
 
-fn symbolic(matrix: &Symmetric) -> Result<Arc<Symbolic>, FeError> {
+/// Symbolic factor of a matrix.
+///
+/// Errors: not enough memory.
+pub fn symbolic(matrix: &Symmetric) -> Result<Arc<Symbolic>, FeError> {
     Symbolic::new(matrix.pattern.clone(), &Ordering::MinimumDegree)
         .map(Arc::new)
         .map_err(failure("the symbolic factor"))

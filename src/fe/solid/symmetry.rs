@@ -1,0 +1,111 @@
+//! The symmetry that a load keeps on a cyclic mesh: horizontal motion along x stays in cos θ, vertical motion in cos 0 θ,
+//! and a load with cos mθ in cos mθ.
+//!
+//! ```text
+//! scalars, u_r, u_z      (2 − δ_m0)/N Σ_s f_s cos mθ_s · cos mθ
+//! u_θ                    (2 − δ_m0)/N Σ_s f_s sin mθ_s · sin mθ
+//! rotation vector        as an axial vector: about e_θ like cos, about e_r and e_z like sin
+//! ```
+
+use fem::dofs::{Dof, KINDS};
+
+use super::model::TankModel;
+
+/// Projection on the motions of harmonic m that are symmetric about the plane y = 0.
+pub struct Harmonic<'a> {
+    tank: &'a TankModel,
+    rings: Vec<Vec<usize>>,
+    axis: Vec<usize>,
+    harmonic: u32,
+}
+
+impl<'a> Harmonic<'a> {
+    /// The projection for harmonic `harmonic`.
+    pub fn new(tank: &'a TankModel, harmonic: u32) -> Harmonic<'a> {
+        let (rings, axis) = tank.rings();
+        Harmonic {
+            tank,
+            rings,
+            axis,
+            harmonic,
+        }
+    }
+
+    /// A load of the harmonic that excites all its modes: forces of irregular size on every ring, all directions.
+    pub fn load(&self) -> Vec<f64> {
+        // A linear congruential generator: the same numbers every time.
+        let mut state = 1_u64;
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            0.5 + (state >> 40) as f64 / (1_u64 << 24) as f64
+        };
+        let model = &self.tank.model;
+        let mut field = vec![[0.0; KINDS]; model.nodes().len()];
+        let m = f64::from(self.harmonic);
+        for ring in &self.rings {
+            let step = std::f64::consts::TAU / ring.len() as f64;
+            let mut own = [0.0; KINDS];
+            for dof in [Dof::Ux, Dof::Uz, Dof::Eta] {
+                own[dof.index()] = next();
+            }
+            for (s, &node) in ring.iter().enumerate() {
+                let cosine = (m * step * s as f64).cos();
+                field[node] = cylindrical(&own.map(|v| v * cosine), -step * s as f64);
+            }
+        }
+        model.vector(|node| field[node])
+    }
+
+    /// Takes out of `x` what does not belong to the harmonic.
+    pub fn project(&self, x: &mut [f64]) {
+        let model = &self.tank.model;
+        let mut field = vec![[0.0; KINDS]; model.nodes().len()];
+        let m = f64::from(self.harmonic);
+        for ring in &self.rings {
+            let step = std::f64::consts::TAU / ring.len() as f64;
+            let mut amplitude = [0.0; KINDS];
+            for (s, &node) in ring.iter().enumerate() {
+                let own = cylindrical(&model.at_node(x, node), step * s as f64);
+                let (sine, cosine) = (m * step * s as f64).sin_cos();
+                for (k, a) in amplitude.iter_mut().enumerate() {
+                    *a += own[k] * if is_odd(k) { sine } else { cosine };
+                }
+            }
+            let alone = self.harmonic == 0 || 2 * self.harmonic as usize == ring.len();
+            let factor = if alone { 1.0 } else { 2.0 } / ring.len() as f64;
+            for (s, &node) in ring.iter().enumerate() {
+                let (sine, cosine) = (m * step * s as f64).sin_cos();
+                let own: [f64; KINDS] =
+                    std::array::from_fn(|k| factor * amplitude[k] * if is_odd(k) { sine } else { cosine });
+                field[node] = cylindrical(&own, -step * s as f64);
+            }
+        }
+        for &node in &self.axis {
+            let own = model.at_node(x, node);
+            for (k, value) in own.into_iter().enumerate() {
+                let kept = match (self.harmonic, Dof::ALL[k]) {
+                    (0, Dof::Uz | Dof::Phi | Dof::Eta) | (1, Dof::Ux | Dof::Ry) => true,
+                    _ => false,
+                };
+                field[node][k] = if kept { value } else { 0.0 };
+            }
+        }
+        x.copy_from_slice(&model.vector(|node| field[node]));
+    }
+}
+
+/// Components of displacement and rotation along (e_r, e_θ, e_z) at the angle θ; with −θ back to (x, y, z).
+fn cylindrical(global: &[f64; KINDS], theta: f64) -> [f64; KINDS] {
+    let (s, c) = theta.sin_cos();
+    let mut own = *global;
+    for first in [0, 3] {
+        own[first] = c * global[first] + s * global[first + 1];
+        own[first + 1] = -s * global[first] + c * global[first + 1];
+    }
+    own
+}
+
+/// Whether a component changes sign by reflection at the plane y = 0: u_θ, and rotations about e_r and e_z.
+fn is_odd(k: usize) -> bool {
+    matches!(Dof::ALL[k], Dof::Uy | Dof::Rx | Dof::Rz)
+}
