@@ -37,7 +37,9 @@ fn thinned(count: usize, most: usize) -> Vec<usize> {
     if count <= most {
         return (0..count).collect();
     }
-    (0..most).map(|k| (k * (count - 1) + (most - 1) / 2) / (most - 1)).collect()
+    (0..most)
+        .map(|k| (k * (count - 1) + (most - 1) / 2) / (most - 1))
+        .collect()
 }
 
 impl Drawing {
@@ -107,7 +109,11 @@ pub fn title(mode: &TankMode) -> String {
     };
     match (mode.kind, mode.waves) {
         (Kind::Sloshing, _) => format!("sloshing, {waves}"),
-        (_, Some(w)) => format!("wall, {waves}, {} half wave{}", w.axial, if w.axial == 1 { "" } else { "s" }),
+        (_, Some(w)) => format!(
+            "wall, {waves}, {} half wave{}",
+            w.axial,
+            if w.axial == 1 { "" } else { "s" }
+        ),
         (_, None) => format!("wall, {waves}"),
     }
 }
@@ -241,7 +247,12 @@ pub fn snapshots(tank: &TankModel, spaces: &[Space], histories: &Histories, inte
             .volume
             .cells
             .iter()
-            .map(|cell| cell.nodes.iter().map(|&n| 0.125 * seismic_pressure(tank, &moment, n)).sum())
+            .map(|cell| {
+                cell.nodes
+                    .iter()
+                    .map(|&n| 0.125 * seismic_pressure(tank, &moment, n))
+                    .sum()
+            })
             .collect();
         let resultants = centre_resultants(&tank.model, &tank.wall.elements, &moment.displacement)
             .into_iter()

@@ -3,13 +3,13 @@
 //! Along the wall the element length follows the edge bending, whose wave length is proportional to l = √(R t):
 //!
 //! ```text
-//! h(z) = min over features f of (h_f + (q − 1) |z − z_f|),  at most 1.6 l         q = 1.15
-//! clamped base: h_f = l/2;   thickness step, liquid level: h_f = l
+//! h(z) = min over features f of (h_f + (q − 1) |z − z_f|),  at most 1.3 l         q = 1.15
+//! clamped base: h_f = 0.4 l;   thickness step, liquid level: h_f = 0.8 l
 //! ```
 //!
-//! with l of the thinner course at a feature. Nodes lie where ∫ dz/h is a multiple of its mean step between two
-//! features, so that no element is a needle. Measured on tank 8.1: h_f = l/2 at the base gives hoop force and base moment
-//! to 1 % (theory of the shell element, mesh rule). The liquid has its own division, finer towards wall and surface.
+//! with l of the thinner course at a feature (1.3 of a 24th of the height at most on a plane wall). Nodes lie where ∫ dz/h is a multiple of its mean step between two
+//! features, so that no element is a needle. Under hydrostatic load
+//! h_f = l/2 at the base gives hoop force and base moment of tank 8.1 to 1 % (theory of the shell element). The liquid has its own division, finer towards wall and surface.
 //! A division given in numbers is uniform.
 
 use codes::tank::{Shape, Tank};
@@ -18,21 +18,21 @@ use super::{MeshSize, SolidOptions};
 use crate::fe::{FeError, Options};
 
 /// Element length at the clamped base, in √(R t).
-const BASE: f64 = 0.5;
+const BASE: f64 = 0.4;
 /// Element length at thickness steps and the liquid level, in √(R t).
-const STEP: f64 = 1.0;
+const STEP: f64 = 0.8;
 /// Largest element length, in √(R t).
-const LARGEST: f64 = 1.6;
+const LARGEST: f64 = 1.3;
 /// Growth of the element length from one element to the next.
 const GROWTH: f64 = 1.15;
 /// Sectors of the full circle.
-const SECTORS: f64 = 48.0;
+const SECTORS: f64 = 56.0;
 /// Liquid elements over the radius.
-const RADIAL: f64 = 14.0;
+const RADIAL: f64 = 16.0;
 /// Exponent of the grading r/R = 1 − (1 − s)^p towards the wall.
 const RADIAL_GRADING: f64 = 1.4;
 /// Liquid elements over the depth of a tank no deeper than its radius.
-const VERTICAL: f64 = 14.0;
+const VERTICAL: f64 = 16.0;
 /// Exponent of the grading z/H = 1 − (1 − s)^p towards the surface.
 const VERTICAL_GRADING: f64 = 1.4;
 /// Largest count of elements in one direction that is accepted.

@@ -10,10 +10,11 @@ use codes::tank::Shape;
 use fem::assembly::Assembler;
 use fem::chart::Chart;
 use fem::dofs::Dof;
+use fem::element::contact8::{Contact8, ContactLaw};
 use fem::element::shell::section::{ElasticSection, Section};
 use fem::element::shell::surface::{Normals, ShellCell, ShellSurface};
 use fem::element::shell4::Axes;
-use fem::element::{ElementError, Potential8, PotentialSurface, WetFace};
+use fem::element::{ElementError, Fluid8, FreeSurface, LiquidProperties, Potential8, PotentialSurface, WetFace};
 use fem::mesh::{Cylinder, Face, MeshError, Volume};
 use fem::model::{Builder, Model, ModelError};
 use nalgebra::Vector3;
@@ -33,6 +34,12 @@ pub const LIQUID: &str = "liquid";
 pub const SURFACE: &str = "surface";
 /// Group of what joins liquid and wall.
 pub const JOINT: &str = "joint";
+
+/// Bulk modulus of water [Pa] (dissertation, section 5).
+const BULK_MODULUS: f64 = 2.06e9;
+/// Factor of the joint's penalty: the gap is 1 % of the liquid's own compression in the outermost element, which is small
+/// itself (theory of contact).
+const PENALTY: f64 = 1e2;
 
 /// Where the wall is in the model.
 #[derive(Clone, Debug)]
@@ -71,6 +78,8 @@ pub struct TankModel {
     pub density: f64,
     /// Acceleration of free fall [m/s²].
     pub gravity: f64,
+    /// Normal stiffness of the joint of a displacement liquid [N/m³]; 0 with a potential.
+    pub joint: f64,
 }
 
 impl TankModel {
@@ -80,7 +89,8 @@ impl TankModel {
     pub fn new(case: &Case, options: &Options, solid: &SolidOptions) -> Result<TankModel, FeError> {
         let Shape::Cylinder { radius } = case.tank.shape else {
             return Err(FeError::Unsupported(
-                "the three-dimensional engine models upright cylinders; take --fe harmonic for a rectangular tank".into(),
+                "the three-dimensional engine models upright cylinders; take --fe harmonic for a rectangular tank"
+                    .into(),
             ));
         };
         let matching = solid.liquid == Liquid::Displacement;
@@ -89,7 +99,13 @@ impl TankModel {
         let mut builder = Builder::new();
         let wall = add_wall(case, &division, &mut builder)?;
         let volume = add_liquid(case, &division, solid.liquid, &wall, &mut builder)?;
-        let model = builder.build().map_err(|e: ModelError| FeError::Unsupported(e.to_string()))?;
+        let joint = match solid.liquid {
+            Liquid::Displacement => joint_stiffness(case, &division),
+            Liquid::Potential => 0.0,
+        };
+        let model = builder
+            .build()
+            .map_err(|e: ModelError| FeError::Unsupported(e.to_string()))?;
         let assembler = Assembler::new(&model);
         Ok(TankModel {
             division,
@@ -102,6 +118,7 @@ impl TankModel {
             radius,
             density: case.liquid.density,
             gravity: case.gravity,
+            joint,
         })
     }
 
@@ -144,9 +161,7 @@ fn add_wall(case: &Case, division: &Division, builder: &mut Builder) -> Result<W
     let wall = mesh.wall().map_err(mesh_error)?;
     builder.nodes(&wall.nodes);
     let levels = division.wall.windows(2);
-    let courses: Vec<_> = levels
-        .map(|z| case.tank.course_at(0.5 * (z[0] + z[1])))
-        .collect();
+    let courses: Vec<_> = levels.map(|z| case.tank.course_at(0.5 * (z[0] + z[1]))).collect();
     let sections = courses
         .iter()
         .map(|c| {
@@ -226,12 +241,51 @@ fn add_liquid(
             join_potential(division, &volume, wall, density, builder).map_err(element_error)?;
         }
         Liquid::Displacement => {
-            return Err(FeError::Unsupported(
-                "the displacement liquid is not joined to the wall yet".into(),
-            ));
+            let liquid = displacement_liquid(case);
+            for cell in &volume.cells {
+                let element = Fluid8::new(cell, Chart::Cylindrical, liquid).map_err(element_error)?;
+                builder.element(LIQUID, element);
+            }
+            for face in &volume.surface {
+                let element = FreeSurface::new(face, Chart::Cylindrical, density * gravity).map_err(element_error)?;
+                builder.element(SURFACE, element);
+            }
+            // The bottom is rigid; the liquid slides on it.
+            for &node in &volume.bottom_nodes {
+                builder.hold(node, Dof::Uz);
+            }
+            let law = ContactLaw::bonded(joint_stiffness(case, division));
+            for (face, wall) in volume.wall.iter().zip(&wall.faces) {
+                let normals = face.chart.map(|c| [c[1].cos(), c[1].sin(), 0.0]);
+                let joint = Contact8::new(face, Chart::Cylindrical, wall.nodes, face.nodes, normals, law)
+                    .map_err(element_error)?;
+                builder.element(JOINT, joint);
+            }
         }
     }
     Ok(volume)
+}
+
+/// Properties of the displacement liquid of a case: bulk modulus of water, nothing calibrated.
+pub fn displacement_liquid(case: &Case) -> LiquidProperties {
+    let radius = case.tank.shape.half_length();
+    LiquidProperties::new(case.liquid.density, BULK_MODULUS, case.gravity, radius)
+}
+
+/// Normal stiffness of the joint between displacement liquid and wall [N/m³]: [`PENALTY`] times the larger of K/h of the
+/// liquid's outermost elements and E t/R² of the wall.
+pub fn joint_stiffness(case: &Case, division: &Division) -> f64 {
+    let n = division.radii.len();
+    let thickness = division.radii[n - 1] - division.radii[n - 2];
+    let radius = case.tank.shape.half_length();
+    let wall = |c: &codes::tank::Course| c.material.youngs_modulus * c.thickness / (radius * radius);
+    PENALTY
+        * case
+            .tank
+            .courses
+            .iter()
+            .map(wall)
+            .fold(BULK_MODULUS / thickness, f64::max)
 }
 
 /// Wetted faces of liquid and wall, sector by sector, wherever they overlap.
@@ -263,8 +317,16 @@ fn join_potential(
 
 /// Adds `first` to all node numbers of a volume.
 fn shift(volume: &mut Volume, first: usize) {
-    volume.cells.iter_mut().flat_map(|c| &mut c.nodes).for_each(|n| *n += first);
-    let faces = volume.wall.iter_mut().chain(&mut volume.bottom).chain(&mut volume.surface);
+    volume
+        .cells
+        .iter_mut()
+        .flat_map(|c| &mut c.nodes)
+        .for_each(|n| *n += first);
+    let faces = volume
+        .wall
+        .iter_mut()
+        .chain(&mut volume.bottom)
+        .chain(&mut volume.surface);
     faces.flat_map(|f| &mut f.nodes).for_each(|n| *n += first);
     let lists = volume.wall_nodes.iter_mut().flatten().chain(&mut volume.axis);
     lists

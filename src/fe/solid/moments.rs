@@ -78,7 +78,11 @@ impl Histories {
                         *value -= iota * a;
                     }
                 }
-                Direction { q, acceleration, ground }
+                Direction {
+                    q,
+                    acceleration,
+                    ground,
+                }
             })
             .collect();
         Ok(Histories {

@@ -19,11 +19,16 @@
 
 use codes::Case;
 use codes::units::Dimension;
+use fem::assembly::local_values;
+use fem::chart::Chart;
 use fem::dofs::Dof;
+use fem::element::{Fluid8, LiquidProperties, reference_stiffness};
 use fem::linalg::{Cholesky, Matrix, dot, transposed_product};
 use fem::progress::Progress;
 
-use super::model::{SURFACE, TankModel, WALL, element_error};
+use super::Liquid;
+use super::SolidOptions;
+use super::model::{SURFACE, TankModel, WALL, displacement_liquid, element_error};
 use super::ritz::{Ritz, reduce, symmetric};
 use super::rows::{Observer, Resultant, Row, sparse_dot, static_load, tilt};
 use super::symmetry::Harmonic;
@@ -36,6 +41,28 @@ use crate::results::Labelled;
 
 /// Ritz vectors of one direction of motion.
 pub const VECTORS: usize = 80;
+
+/// Poles of the reduction beside s = 0 [rad²/s²]: none with a potential; with a displacement liquid, ω² and (2.5 ω)² with ω
+/// near the first mode of the wall,
+///
+/// ```text
+/// ω = 2π/(C H) √(E t/(ρ R))     C = 6.5, t the mean thickness (Malhotra, Wenk & Wieland 2000: C = 6.1 … 9.3)
+/// ```
+pub fn poles(case: &Case, solid: &SolidOptions) -> Vec<f64> {
+    if solid.liquid == Liquid::Potential {
+        return Vec::new();
+    }
+    let tank = &case.tank;
+    let height = tank.wall_height();
+    let stiffness: f64 = tank
+        .courses
+        .iter()
+        .map(|c| c.material.youngs_modulus * c.thickness * c.height)
+        .sum();
+    let (depth, radius) = (case.liquid.fill_height, tank.shape.half_length());
+    let omega = std::f64::consts::TAU / (6.5 * depth) * (stiffness / height / (case.liquid.density * radius)).sqrt();
+    vec![omega * omega, 6.25 * omega * omega]
+}
 
 /// What leads from the reduced coordinates of one direction of motion back to the model.
 pub struct Space {
@@ -133,8 +160,7 @@ pub fn new(
 ) -> Result<(Coupled, Space), FeError> {
     let (rigid, load) = rigid_motion(tank, system, harmonic)?;
     let symmetry = Harmonic::new(tank, harmonic);
-    let Ritz { basis, mass, stiffness } =
-        reduce(system, &load, VECTORS, &|x| symmetry.project(x), progress)?;
+    let Ritz { basis, mass, stiffness } = reduce(system, &load, VECTORS, &|x| symmetry.project(x), progress)?;
     let factor = Cholesky::factor(&mass).map_err(failure("the reduced mass matrix"))?;
     let influence = factor.solve_vector(&basis.transposed_times(&load));
     let statics = statics(tank)?;
@@ -159,7 +185,7 @@ pub fn new(
     let coupled = Coupled {
         harmonic,
         surface,
-        rotation: None,
+        rotation: rotation_part(case, tank, &basis)?,
         probes,
         lines,
         liquid_mass: case.liquid_mass(),
@@ -195,6 +221,37 @@ fn surface_part(tank: &TankModel, basis: &Matrix) -> Result<Part, FeError> {
     })
 }
 
+/// Vᵀ R V of the rotation penalty of a displacement liquid.
+fn rotation_part(case: &Case, tank: &TankModel, basis: &Matrix) -> Result<Option<Part>, FeError> {
+    if tank.liquid == Liquid::Potential {
+        return Ok(None);
+    }
+    // The same elements with a bulk modulus of nothing beside the penalty.
+    let own = displacement_liquid(case);
+    let rotation_only = LiquidProperties {
+        bulk_modulus: 1e-9 * own.density * case.gravity * tank.radius,
+        ..own
+    };
+    let n = basis.cols;
+    let mut sum = Matrix::zeros(n, n);
+    for cell in &tank.volume.cells {
+        let element = Fluid8::new(cell, Chart::Cylindrical, rotation_only).map_err(element_error)?;
+        let stiffness = reference_stiffness(&element).map_err(element_error)?.to_matrix();
+        let values: Vec<Vec<f64>> = (0..n)
+            .map(|j| local_values(&tank.model, &element, basis.column(j)))
+            .collect();
+        let local = columns(&values);
+        let energy = transposed_product(&local, &fem::linalg::product(&stiffness, &local));
+        for (s, e) in sum.data.iter_mut().zip(&energy.data) {
+            *s += e;
+        }
+    }
+    Ok(Some(Part {
+        unknowns: 0..n,
+        stiffness: symmetric(sum),
+    }))
+}
+
 fn describe(tank: &TankModel, system: &System, vectors: usize) -> Vec<Labelled> {
     let division = &tank.division;
     let label = |label: &str, text: String| Labelled {
@@ -211,8 +268,8 @@ fn describe(tank: &TankModel, system: &System, vectors: usize) -> Vec<Labelled> 
                 division.sectors,
                 division.liquid.len() - 1,
                 match tank.liquid {
-                    super::Liquid::Potential => "displacement potential",
-                    super::Liquid::Displacement => "displacements, mean dilatation, split rotation penalty",
+                    Liquid::Potential => "displacement potential",
+                    Liquid::Displacement => "displacements, mean dilatation, split rotation penalty",
                 }
             ),
         ),
@@ -255,7 +312,9 @@ impl Projector<'_> {
         if row.is_empty() {
             return Vec::new();
         }
-        (0..self.basis.cols).map(|j| sparse_dot(row, self.basis.column(j))).collect()
+        (0..self.basis.cols)
+            .map(|j| sparse_dot(row, self.basis.column(j)))
+            .collect()
     }
 
     /// Completes `probe` from its row.
@@ -301,7 +360,7 @@ impl Projector<'_> {
         for &r in &options.gauges {
             probes.push(self.gauge(r, &r.to_string(), options));
         }
-        probes.extend(self.reactions());
+        probes.extend(self.reactions()?);
         probes.extend(self.base(case)?);
         for &z in &options.stations {
             for line in STRESSES {
@@ -325,18 +384,19 @@ impl Projector<'_> {
     }
 
     /// Base shear, moment above and below the bottom plate.
-    fn reactions(&self) -> Vec<Probe> {
-        let nodes = self.tank.model.nodes();
+    fn reactions(&self) -> Result<Vec<Probe>, FeError> {
         let (shear, moment, below) = if self.observer.harmonic == 1 {
             let ground = self.observer.ground();
-            let moment = self.observer.inertia(&|node| tilt(nodes[node]));
+            let moment = self.observer.base_moment()?;
+            let bottom = self.observer.bottom_moment()?;
             let mut below = moment.clone();
-            below.acceleration.extend(self.observer.bottom_moment().acceleration);
+            below.acceleration.extend(bottom.acceleration);
+            below.displacement.extend(bottom.displacement);
             (self.observer.inertia(&|_| ground), moment, below)
         } else {
             (Row::default(), Row::default(), Row::default())
         };
-        vec![
+        Ok(vec![
             self.probe(empty("base_shear", "Base shear", Dimension::Force), &shear),
             self.probe(
                 empty("base_moment", "Moment above the base plate", Dimension::Moment),
@@ -346,7 +406,7 @@ impl Projector<'_> {
                 empty("overturning_moment", "Moment below the base plate", Dimension::Moment),
                 &below,
             ),
-        ]
+        ])
     }
 
     /// Stresses of the clamped edge from its reactions.

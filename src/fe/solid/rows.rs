@@ -16,7 +16,8 @@ use fem::element::{local_size, reference_mass, reference_stiffness};
 use fem::linalg::dot;
 use fem::shape::{gauss, quad4};
 
-use super::model::{JOINT, LIQUID, ROOF, SURFACE, TankModel, WALL, element_error};
+use super::Liquid;
+use super::model::{JOINT, LIQUID, TankModel, element_error};
 use crate::fe::FeError;
 use crate::fe::coupled::SparseRow;
 
@@ -198,16 +199,25 @@ impl Observer<'_> {
         Ok(row.scaled(1.0 / length))
     }
 
-    /// Hydrodynamic pressure on the wall at a level of the liquid's nodes.
+    /// Hydrodynamic pressure on the wall at a level of the liquid's nodes: −ρ φ̈, or the pressure in the joint.
     pub fn pressure(&self, level: usize) -> Row {
         let node = self.tank.volume.wall_nodes[level][0];
-        Row {
-            acceleration: scaled(self.row(node, Dof::Phi), -self.tank.density),
-            ..Row::default()
+        match self.tank.liquid {
+            Liquid::Potential => Row {
+                acceleration: scaled(self.row(node, Dof::Phi), -self.tank.density),
+                ..Row::default()
+            },
+            Liquid::Displacement => {
+                // Nodes of wall and liquid lie together.
+                let mut row = scaled(self.row(node, Dof::Ux), self.tank.joint);
+                let wall = self.tank.wall.rows[level][0];
+                row.extend(scaled(self.row(wall, Dof::Ux), -self.tank.joint));
+                Row::of_displacement(row)
+            }
         }
     }
 
-    /// κᵀ M ẍ of a field κ over wall, roof and the liquid's pressure on the wall.
+    /// κᵀ M ẍ of a field κ over wall, roof and liquid.
     pub fn inertia(&self, field: Field) -> Row {
         let tank = self.tank;
         let ground = self.ground();
@@ -223,8 +233,36 @@ impl Observer<'_> {
         }
     }
 
+    /// Moment above the base plate: inertia of wall and roof, and the liquid's pressure on the wall.
+    ///
+    /// Errors: an element without stiffness.
+    pub fn base_moment(&self) -> Result<Row, FeError> {
+        let tank = self.tank;
+        let nodes = tank.model.nodes();
+        match tank.liquid {
+            // The mass matrix holds the pressure.
+            Liquid::Potential => Ok(self.inertia(&|node| tilt(nodes[node]))),
+            Liquid::Displacement => {
+                let count = tank.wall.rows.len() * tank.division.sectors;
+                let wall = |node: usize| if node < count { tilt(nodes[node]) } else { [0.0; KINDS] };
+                let joint = tank
+                    .assembler
+                    .stiffness_of(&tank.model, |e| tank.is_in(e, &[JOINT]))
+                    .map_err(element_error)?;
+                let mut row = self.inertia(&wall);
+                row.displacement = sparse(&joint.times(&tank.model.vector(wall)));
+                Ok(row)
+            }
+        }
+    }
+
     /// Moment of the pressure on the bottom, ∫ p x dA with the sign of an inertia force.
-    pub fn bottom_moment(&self) -> Row {
+    ///
+    /// Errors: an element without stiffness.
+    pub fn bottom_moment(&self) -> Result<Row, FeError> {
+        if self.tank.liquid == Liquid::Displacement {
+            return self.bottom_reaction();
+        }
         let mut row: BTreeMap<usize, f64> = BTreeMap::new();
         for face in &self.tank.volume.bottom {
             for &(s, ws) in gauss::THREE {
@@ -241,17 +279,52 @@ impl Observer<'_> {
                     let area = (j[0][0] * j[1][1] - j[0][1] * j[1][0]).abs() * x[0] * wr * ws;
                     for (a, &node) in face.nodes.iter().enumerate() {
                         for (e, c) in self.row(node, Dof::Phi) {
-                            *row.entry(e).or_insert(0.0) +=
-                                self.tank.density * area * n[a] * x[0] * x[1].cos() * c;
+                            *row.entry(e).or_insert(0.0) += self.tank.density * area * n[a] * x[0] * x[1].cos() * c;
                         }
                     }
                 }
             }
         }
-        Row {
+        Ok(Row {
             acceleration: row.into_iter().collect(),
             ..Row::default()
+        })
+    }
+
+    /// The same from the reactions of the liquid's bottom nodes, −Σ x R_z.
+    fn bottom_reaction(&self) -> Result<Row, FeError> {
+        let tank = self.tank;
+        let nodes = tank.model.nodes();
+        let lever: BTreeMap<usize, f64> = tank.volume.bottom_nodes.iter().map(|&n| (n, -nodes[n][0])).collect();
+        let (mut elastic, mut inertia) = (vec![0.0; tank.model.dofs().len()], vec![0.0; tank.model.dofs().len()]);
+        for (e, element) in tank.model.elements().iter().enumerate() {
+            if !tank.is_in(e, &[LIQUID]) || !element.nodes().iter().any(|n| lever.contains_key(n)) {
+                continue;
+            }
+            let n = local_size(&**element);
+            let mut weights = vec![0.0; n];
+            let mut k = 0;
+            for (a, node) in element.nodes().iter().enumerate() {
+                for dof in element.dofs(a) {
+                    if *dof == Dof::Uz {
+                        weights[k] = lever.get(node).copied().unwrap_or(0.0);
+                    }
+                    k += 1;
+                }
+            }
+            let stiffness = reference_stiffness(&**element).map_err(element_error)?.to_matrix();
+            let mass = reference_mass(&**element).to_matrix();
+            for (matrix, out) in [(&stiffness, &mut elastic), (&mass, &mut inertia)] {
+                for (i, c) in tank.model.spread(&**element, &matrix.times(&weights)) {
+                    out[i] += c;
+                }
+            }
         }
+        Ok(Row {
+            displacement: sparse(&elastic),
+            acceleration: sparse(&inertia),
+            held: 0.0,
+        })
     }
 }
 
@@ -262,10 +335,7 @@ fn scaled(row: SparseRow, factor: f64) -> SparseRow {
 /// aᵀ M b of two fields, held nodes included.
 fn product(tank: &TankModel, a: Field, b: Field) -> f64 {
     let mut sum = 0.0;
-    for (e, element) in tank.model.elements().iter().enumerate() {
-        if tank.is_in(e, &[LIQUID, SURFACE, JOINT]) && !tank.is_in(e, &[WALL, ROOF]) {
-            continue;
-        }
+    for element in tank.model.elements().iter().filter(|e| e.has_mass()) {
         let values = |field: Field| -> Vec<f64> {
             let mut out = Vec::new();
             for (k, &node) in element.nodes().iter().enumerate() {

@@ -54,10 +54,18 @@ impl Prepared {
         let tank = TankModel::new(case, options, solid)?;
         progress.advance(1);
         stop(progress, "the mesh")?;
-        let system = System::new(&tank.model, &tank.assembler, solid.memory_limit_mib << 20)?;
+        let system = System::new(
+            &tank.model,
+            &tank.assembler,
+            &reduce::poles(case, solid),
+            solid.memory_limit_mib << 20,
+        )?;
         progress.advance(1);
         let directions = if vertical { 2 } else { 1 };
-        progress.stage("reduction to what the ground motion excites", VECTORS as u64 * directions);
+        progress.stage(
+            "reduction to what the ground motion excites",
+            VECTORS as u64 * directions,
+        );
         let mut spaces = Vec::new();
         let mut prepare = |harmonic: u32| -> Result<Harmonic, FeError> {
             stop(progress, "the reduction")?;
@@ -106,7 +114,10 @@ impl Prepared {
     fn drawn_modes(&self, progress: &dyn Progress) -> Result<Vec<TankMode>, FeError> {
         let mut drawn = self.expanded(0, Kind::Sloshing, 3);
         drawn.extend(self.expanded(0, Kind::Structural, 2));
-        progress.stage("modes of other wave numbers", DRAWN_WAVES.len() as u64 * MODE_VECTORS as u64);
+        progress.stage(
+            "modes of other wave numbers",
+            DRAWN_WAVES.len() as u64 * MODE_VECTORS as u64,
+        );
         for n in DRAWN_WAVES {
             if n > spectrum::most_waves(&self.tank) || progress.interrupted() {
                 break;
@@ -207,7 +218,12 @@ pub fn simulate(
 pub fn estimate(case: &Case, options: &Options, solid: &SolidOptions) -> Result<Estimate, FeError> {
     check_options(case, options)?;
     let tank = TankModel::new(case, options, solid)?;
-    let bytes = System::bytes(&tank.model, &tank.assembler, solid.memory_limit_mib << 20)?;
+    let bytes = System::bytes(
+        &tank.model,
+        &tank.assembler,
+        reduce::poles(case, solid).len(),
+        solid.memory_limit_mib << 20,
+    )?;
     let unknowns = tank.model.dofs().len();
     Ok(Estimate {
         mesh: tank.division.size(),
@@ -231,7 +247,12 @@ pub fn modes(
     check_options(case, options)?;
     progress.stage("mesh, matrices and factors", 1);
     let tank = TankModel::new(case, options, solid)?;
-    let system = System::new(&tank.model, &tank.assembler, solid.memory_limit_mib << 20)?;
+    let system = System::new(
+        &tank.model,
+        &tank.assembler,
+        &reduce::poles(case, solid),
+        solid.memory_limit_mib << 20,
+    )?;
     progress.advance(1);
     let most = spectrum::most_waves(&tank).min(MOST_WAVES);
     progress.stage("modes by wave number", u64::from(most + 1) * MODE_VECTORS as u64);
@@ -283,7 +304,12 @@ fn shape(tank: &TankModel, x: &[f64]) -> ModeShape {
             .map(|level| value(observer.radial_displacement(level)))
             .collect(),
         r: tank.division.radii.clone(),
-        surface: tank.division.radii.iter().map(|&r| value(observer.elevation(r))).collect(),
+        surface: tank
+            .division
+            .radii
+            .iter()
+            .map(|&r| value(observer.elevation(r)))
+            .collect(),
     };
     let all = || shape.wall.iter().chain(&shape.surface);
     let peak = all().fold(0.0_f64, |m, v| m.max(v.abs()));

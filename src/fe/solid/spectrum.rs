@@ -14,7 +14,7 @@
 use fem::linalg::{dot, generalized_eigen};
 use fem::progress::Progress;
 
-use super::model::{TankModel, SURFACE, element_error};
+use super::model::{SURFACE, TankModel, element_error};
 use super::ritz::reduce;
 use super::symmetry::Harmonic;
 use super::system::System;
@@ -82,7 +82,11 @@ pub fn of_harmonic(
         }
         let surface_share = dot(&vector, &gravity.times(&vector)) / (omega * omega);
         found.push(TankMode {
-            kind: if surface_share > 0.5 { Kind::Sloshing } else { Kind::Structural },
+            kind: if surface_share > 0.5 {
+                Kind::Sloshing
+            } else {
+                Kind::Structural
+            },
             harmonic: n,
             omega,
             waves: classify(&radial(tank, &vector), &tank.wall.z),

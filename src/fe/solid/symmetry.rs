@@ -36,7 +36,9 @@ impl<'a> Harmonic<'a> {
         // A linear congruential generator: the same numbers every time.
         let mut state = 1_u64;
         let mut next = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             0.5 + (state >> 40) as f64 / (1_u64 << 24) as f64
         };
         let model = &self.tank.model;

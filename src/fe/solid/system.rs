@@ -181,7 +181,9 @@ impl System {
         for &pole in poles {
             let mut shifted = system.stiffness.clone();
             shifted.add(pole, &system.mass);
-            let factor = own_symbolic.factor(&shifted, Kind::Definite).map_err(failure("K + s M"))?;
+            let factor = own_symbolic
+                .factor(&shifted, Kind::Definite)
+                .map_err(failure("K + s M"))?;
             system.poles.push(factor);
         }
         if let Some((free, h, symbolic)) = liquid {
