@@ -54,6 +54,26 @@ pub struct WallPart {
     pub elements: Vec<usize>,
     /// Thickness of the faces of each level [m].
     pub thickness: Vec<f64>,
+    /// Poisson's ratio of the faces of each level.
+    pub poisson_ratio: Vec<f64>,
+}
+
+impl WallPart {
+    /// Levels of elements of equal thickness and material, from the base up.
+    pub fn courses(&self) -> Vec<std::ops::Range<usize>> {
+        let mut out = Vec::new();
+        let mut start = 0;
+        for level in 1..=self.thickness.len() {
+            let same = level < self.thickness.len()
+                && self.thickness[level] == self.thickness[start]
+                && self.poisson_ratio[level] == self.poisson_ratio[start];
+            if !same {
+                out.push(start..level);
+                start = level;
+            }
+        }
+        out
+    }
 }
 
 /// A tank as a model.
@@ -208,6 +228,7 @@ fn add_wall(case: &Case, division: &Division, builder: &mut Builder) -> Result<W
         faces: wall.cells,
         elements: placed.elements,
         thickness: courses.iter().map(|c| c.thickness).collect(),
+        poisson_ratio: courses.iter().map(|c| c.material.poisson_ratio).collect(),
     })
 }
 

@@ -30,7 +30,7 @@ use super::Liquid;
 use super::SolidOptions;
 use super::model::{SURFACE, TankModel, WALL, displacement_liquid, element_error};
 use super::ritz::{Ritz, reduce, symmetric};
-use super::rows::{Observer, Resultant, Row, sparse_dot, static_load, tilt};
+use super::rows::{Observer, Resultant, Row, sparse_dot, static_load};
 use super::symmetry::Harmonic;
 use super::system::{System, columns};
 use crate::fe::coupled::{Coupled, Part, ShapeRows, SparseRow};
@@ -92,7 +92,7 @@ pub fn statics(tank: &TankModel) -> Result<Vec<f64>, FeError> {
         .submatrix(&own);
     let load = static_load(tank, &tank.assembler);
     let right: Vec<f64> = own.iter().map(|&e| load[e]).collect();
-    let solved = super::system::symbolic(&stiffness)?
+    let solved = super::system::symbolic(&stiffness, &tank.model, &own)?
         .factor(&stiffness, fem::linalg::Kind::Definite)
         .and_then(|f| f.solve_vector(&right))
         .map_err(failure("the wall's static stiffness"))?;
@@ -173,12 +173,20 @@ pub fn new(
         statics: &statics,
         observer: Observer { tank, harmonic },
     };
-    let nodes = tank.model.nodes();
-    let tilting = projector.observer.inertia(&|node| tilt(nodes[node]));
     let probes = projector.probes(case, options)?;
-    let lines = projector.lines(case);
-    let moment_arm = match harmonic {
-        1 => factor.solve_vector(&projector.project(&tilting.acceleration)),
+    let lines = projector.lines(case, &probes);
+    let moment_arm = match probes.iter().find(|p| p.id == "base_moment") {
+        // In free vibration q = −K⁻¹ M q̈, so that d·q + a·q̈ = (M κ)·q̈ with κ = M⁻¹ a − K⁻¹ d.
+        Some(moment) if harmonic == 1 => {
+            let mut arm = factor.solve_vector(&moment.absolute_acceleration);
+            if !moment.displacement.is_empty() {
+                let elastic = Cholesky::factor(&stiffness).map_err(failure("the reduced stiffness matrix"))?;
+                for (a, d) in arm.iter_mut().zip(elastic.solve_vector(&moment.displacement)) {
+                    *a -= d;
+                }
+            }
+            arm
+        }
         _ => vec![0.0; influence.len()],
     };
     let surface = surface_part(tank, &basis)?;
@@ -363,16 +371,22 @@ impl Projector<'_> {
         probes.extend(self.reactions()?);
         probes.extend(self.base(case)?);
         for &z in &options.stations {
+            let level = self.level_of(z);
+            let courses = self.tank.wall.courses();
+            let Some(course) = courses.iter().find(|c| c.contains(&level)) else {
+                continue;
+            };
             for line in STRESSES {
                 let title = format!("{} at z = {z} m", line.title);
-                probes.push(self.wall_probe(&format!("{}@{z}", line.id), &title, line, self.level_of(z)));
+                probes.push(self.wall_probe(&format!("{}@{z}", line.id), &title, line, course, z));
             }
-            let level = self.tank.wall.z.partition_point(|x| *x < z);
-            let probe = self.displacement(&format!("radial_displacement@{z}"), level);
-            probes.push(Probe {
-                title: format!("Radial displacement at z = {z} m"),
-                ..probe
-            });
+            let nodes = &self.tank.wall.z;
+            let share = (z - nodes[level]) / (nodes[level + 1] - nodes[level]);
+            let mut row = self.observer.radial_displacement(level).scaled(1.0 - share);
+            let above = self.observer.radial_displacement(level + 1).scaled(share);
+            row.displacement.extend(above.displacement);
+            let title = format!("Radial displacement at z = {z} m");
+            probes.push(self.displacement(&format!("radial_displacement@{z}"), &title, &row));
         }
         Ok(probes)
     }
@@ -450,13 +464,16 @@ impl Projector<'_> {
         ])
     }
 
-    fn wall_probe(&self, id: &str, title: &str, line: Stress, level: usize) -> Probe {
-        let t = self.tank.wall.thickness[level];
+    /// A stress at the height z of a course.
+    fn wall_probe(&self, id: &str, title: &str, line: Stress, course: &std::ops::Range<usize>, z: f64) -> Probe {
+        let wall = &self.tank.wall;
+        let t = wall.thickness[course.start];
         let factor = match line.resultant {
             Resultant::Moment => 6.0 / (t * t),
             _ => 1.0 / t,
         };
-        let row = self.observer.resultant(level, line.resultant).scaled(factor);
+        let poisson = wall.poisson_ratio[course.start];
+        let row = self.observer.resultant(course, z, line.resultant, poisson).scaled(factor);
         let probe = Probe {
             static_value: sparse_dot(&row.displacement, self.statics) * self.static_factor(),
             ..empty(id, title, Dimension::Stress)
@@ -472,17 +489,16 @@ impl Projector<'_> {
         }
     }
 
-    fn displacement(&self, id: &str, level: usize) -> Probe {
-        let row = self.observer.radial_displacement(level);
+    fn displacement(&self, id: &str, title: &str, row: &Row) -> Probe {
         let probe = Probe {
             static_value: sparse_dot(&row.displacement, self.statics),
-            ..empty(id, "Radial displacement", Dimension::Length)
+            ..empty(id, title, Dimension::Length)
         };
-        self.probe(probe, &row)
+        self.probe(probe, row)
     }
 
-    /// Outputs over the height.
-    fn lines(&self, case: &Case) -> Vec<ProbeLine> {
+    /// Outputs over the height; the stresses of the base are those of `base`, from reactions.
+    fn lines(&self, case: &Case, base: &[Probe]) -> Vec<ProbeLine> {
         let title = "Hydrodynamic pressure on the wall";
         let wetted = &self.tank.division.liquid;
         let weight = case.liquid.density * case.gravity;
@@ -501,15 +517,28 @@ impl Projector<'_> {
             probes: pressure.collect(),
         }];
         let z = &self.tank.wall.z;
-        let middles: Vec<f64> = z.windows(2).map(|z| 0.5 * (z[0] + z[1])).collect();
+        // Both sides of a joint of courses.
+        let places: Vec<(f64, std::ops::Range<usize>)> = (self.tank.wall.courses().into_iter())
+            .flat_map(|course| (course.start..=course.end).map(move |level| (z[level], course.clone())))
+            .collect();
         for line in STRESSES {
-            let probes = (0..middles.len())
-                .map(|level| self.wall_probe(&format!("{}[{level}]", line.id), line.title, line, level));
+            let edge = base.iter().find(|p| p.id == format!("{}@base", line.id));
+            let probes = places.iter().enumerate().map(|(i, (z, course))| {
+                let id = format!("{}[{i}]", line.id);
+                match (i, edge) {
+                    (0, Some(edge)) => Probe {
+                        id,
+                        title: line.title.into(),
+                        ..edge.clone()
+                    },
+                    _ => self.wall_probe(&id, line.title, line, course, *z),
+                }
+            });
             lines.push(ProbeLine {
                 id: line.id.into(),
                 title: line.title.into(),
                 dimension: Dimension::Stress,
-                z: middles.clone(),
+                z: places.iter().map(|p| p.0).collect(),
                 probes: probes.collect(),
             });
         }
@@ -519,7 +548,10 @@ impl Projector<'_> {
             dimension: Dimension::Length,
             z: z.clone(),
             probes: (0..z.len())
-                .map(|level| self.displacement(&format!("radial_displacement[{level}]"), level))
+                .map(|level| {
+                    let row = self.observer.radial_displacement(level);
+                    self.displacement(&format!("radial_displacement[{level}]"), "Radial displacement", &row)
+                })
                 .collect(),
         });
         lines

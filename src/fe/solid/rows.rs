@@ -1,9 +1,9 @@
 //! What is observed of a tank in three dimensions, as rows over the unknowns of its model.
 //!
 //! Signs and places as in the harmonic engine: tension positive, liquid pressure positive in compression, reactions positive
-//! as inertia forces of a positive acceleration, values at θ = 0. Wall resultants belong to the centres of elements. Those
-//! of the two elements beside θ = 0 are averaged; under horizontal motion they vary with cos θ exactly, so that the mean
-//! divided by cos(π/N) is the value at θ = 0.
+//! as inertia forces of a positive acceleration, values at θ = 0. Wall resultants are those of the two elements beside
+//! θ = 0, averaged; under horizontal motion they vary with cos θ exactly, so that the mean divided by cos(π/N) is the
+//! value at θ = 0.
 //!
 //! Stresses at the base are reactions: nodal force and moment of the clamped edge over its length, less the load applied at
 //! the node (the inertia of the elements above).
@@ -65,7 +65,10 @@ fn sparse(row: &[f64]) -> SparseRow {
 /// Field of a rigid motion of the ground, at every node in global components.
 pub type Field<'a> = &'a dyn Fn(usize) -> [f64; KINDS];
 
-/// Resultants of the wall at the centres of elements.
+/// Natural coordinate of the Gauss points of a shell.
+const GAUSS: f64 = 0.577_350_269_189_625_8;
+
+/// Resultants of the wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Resultant {
     /// Hoop force n_φ.
@@ -135,21 +138,72 @@ impl Observer<'_> {
         Row::of_displacement(self.row(self.tank.wall.rows[level][0], Dof::Ux))
     }
 
-    /// A resultant in the middle of a level of the wall's elements.
-    pub fn resultant(&self, level: usize, resultant: Resultant) -> Row {
+    /// A combination Σ c × resultant of a level of the wall's elements at the natural height s, from the centre (s = 0) or
+    /// by the straight line through the Gauss points.
+    fn within(&self, level: usize, s: f64, terms: &[(Resultant, f64)], out: &mut BTreeMap<usize, f64>) {
         let (wall, sectors) = (&self.tank.wall, self.tank.division.sectors);
         let spread = match self.harmonic {
             0 => 1.0,
             _ => (std::f64::consts::PI / sectors as f64).cos(),
         };
-        let mut row: BTreeMap<usize, f64> = BTreeMap::new();
+        // Of each name the first sample is that of the centre, then come the Gauss points at s = −A, −A, A, A.
+        let slope = 0.25 * s / GAUSS;
+        let weights = if s == 0.0 {
+            [1.0, 0.0, 0.0, 0.0, 0.0]
+        } else {
+            [0.0, 0.25 - slope, 0.25 - slope, 0.25 + slope, 0.25 + slope]
+        };
         for sector in [0, sectors - 1] {
             let element = &*self.tank.model.elements()[wall.elements[level * sectors + sector]];
-            // The first sample of a name is that of the centre.
-            if let Some(sample) = element.samples().iter().find(|s| s.name == resultant.name()) {
-                for (i, c) in self.tank.model.spread(element, &sample.row) {
-                    *row.entry(i).or_insert(0.0) += 0.5 * c / spread;
+            let samples = element.samples();
+            for &(resultant, factor) in terms {
+                let own = samples.iter().filter(|sample| sample.name == resultant.name());
+                for (sample, weight) in own.zip(weights).filter(|(_, w)| *w != 0.0) {
+                    for (i, c) in self.tank.model.spread(element, &sample.row) {
+                        *out.entry(i).or_insert(0.0) += 0.5 * factor * weight * c / spread;
+                    }
                 }
+            }
+        }
+    }
+
+    /// A resultant at the height z in a course whose elements are the levels `course`.
+    ///
+    /// Meridional force and moment are best at the centres of elements and linear between them. The hoop strain is best
+    /// at nodes: n_φ = (n_φ − ν n_v) + ν n_v with the first part, E t ε_φ, from the element and the second from centres.
+    pub fn resultant(&self, course: &std::ops::Range<usize>, z: f64, resultant: Resultant, poisson: f64) -> Row {
+        let nodes = &self.tank.wall.z;
+        let middle = |level: usize| 0.5 * (nodes[level] + nodes[level + 1]);
+        let mut row = BTreeMap::new();
+        let meridional = match resultant {
+            Resultant::Hoop => (Resultant::Axial, poisson),
+            other => (other, 1.0),
+        };
+        if course.len() == 1 {
+            self.within(course.start, 0.0, &[meridional], &mut row);
+        } else {
+            let upper = course
+                .clone()
+                .find(|&level| middle(level) >= z)
+                .unwrap_or(course.end - 1)
+                .max(course.start + 1);
+            let share = (z - middle(upper - 1)) / (middle(upper) - middle(upper - 1));
+            for (level, weight) in [(upper - 1, 1.0 - share), (upper, share)] {
+                self.within(level, 0.0, &[(meridional.0, weight * meridional.1)], &mut row);
+            }
+        }
+        if resultant == Resultant::Hoop {
+            let tolerance = 1e-9 * nodes[nodes.len() - 1];
+            let beside: Vec<usize> = course
+                .clone()
+                .filter(|&l| nodes[l] <= z + tolerance && nodes[l + 1] >= z - tolerance)
+                .collect();
+            for &level in &beside {
+                let s = (2.0 * (z - middle(level)) / (nodes[level + 1] - nodes[level])).clamp(-1.0, 1.0);
+                let share = 1.0 / beside.len() as f64;
+                let terms = [(Resultant::Hoop, share), (Resultant::Axial, -poisson * share)];
+                // Exactly at the centre the centre's own sample serves.
+                self.within(level, s, &terms, &mut row);
             }
         }
         Row::of_displacement(row.into_iter().collect())

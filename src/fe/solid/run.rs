@@ -26,10 +26,12 @@ use crate::results::{FeResult, Mode, ModeShape};
 
 /// Ritz vectors of the search for modes of one wave number.
 const MODE_VECTORS: usize = 48;
+/// Ritz vectors of the search for one mode to be drawn.
+const DRAWN_VECTORS: usize = 32;
 /// Largest circumferential wave number that is searched for modes.
 const MOST_WAVES: u32 = 24;
 /// Wave numbers beyond 1 whose lowest wall modes are drawn.
-const DRAWN_WAVES: [u32; 4] = [2, 3, 4, 6];
+const DRAWN_WAVES: [u32; 3] = [2, 3, 5];
 
 /// A tank with its reductions and their modes.
 struct Prepared {
@@ -116,13 +118,13 @@ impl Prepared {
         drawn.extend(self.expanded(0, Kind::Structural, 2));
         progress.stage(
             "modes of other wave numbers",
-            DRAWN_WAVES.len() as u64 * MODE_VECTORS as u64,
+            DRAWN_WAVES.len() as u64 * DRAWN_VECTORS as u64,
         );
         for n in DRAWN_WAVES {
             if n > spectrum::most_waves(&self.tank) || progress.interrupted() {
                 break;
             }
-            let found = spectrum::of_harmonic(&self.tank, &self.system, n, MODE_VECTORS, progress)?;
+            let found = spectrum::of_harmonic(&self.tank, &self.system, n, (DRAWN_VECTORS, 1), progress)?;
             let first = |kind: Kind| found.iter().find(|m| m.kind == kind).cloned();
             if n == 2 {
                 drawn.extend(first(Kind::Sloshing));
@@ -260,7 +262,7 @@ pub fn modes(
     let mut found: Vec<Mode> = Vec::new();
     for n in 0..=most {
         stop(progress, "the search for modes")?;
-        let modes = spectrum::of_harmonic(&tank, &system, n, MODE_VECTORS, progress)?;
+        let modes = spectrum::of_harmonic(&tank, &system, n, (MODE_VECTORS, count), progress)?;
         let participation = match n {
             0 | 1 => Some(reduce::rigid_motion(&tank, &system, n)?.1),
             _ => None,

@@ -47,14 +47,14 @@ pub fn most_waves(tank: &TankModel) -> u32 {
     (tank.division.sectors / SECTORS_PER_WAVE).max(1) as u32
 }
 
-/// Converged modes of wave number n from `vectors` Ritz vectors, by ascending frequency.
+/// Converged modes of wave number n from `vectors` Ritz vectors, at most `most` of each kind, by ascending frequency.
 ///
 /// Errors: a matrix that is not positive definite; not enough memory.
 pub fn of_harmonic(
     tank: &TankModel,
     system: &System,
     n: u32,
-    vectors: usize,
+    (vectors, most): (usize, usize),
     progress: &dyn Progress,
 ) -> Result<Vec<TankMode>, FeError> {
     let symmetry = Harmonic::new(tank, n);
@@ -66,9 +66,14 @@ pub fn of_harmonic(
         .assembler
         .stiffness_of(&tank.model, |e| tank.is_in(e, &[SURFACE]))
         .map_err(element_error)?;
-    let mut found = Vec::new();
+    let mut found: Vec<TankMode> = Vec::new();
     for (j, &omega) in eigen.omega.iter().enumerate() {
         let vector = space.basis.times(eigen.vectors.column(j));
+        let surface_share = dot(&vector, &gravity.times(&vector)) / (omega * omega);
+        let kind = if surface_share > 0.5 { Kind::Sloshing } else { Kind::Structural };
+        if found.iter().filter(|m| m.kind == kind).count() >= most {
+            continue;
+        }
         let image = system.mass_times(&vector);
         let mut rest = system.solve(&image)?;
         for (r, v) in rest.iter_mut().zip(&vector) {
