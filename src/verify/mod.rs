@@ -13,12 +13,14 @@
 
 pub mod cases;
 pub mod coupled;
+pub mod dissertation;
 pub mod entry;
 pub mod manual;
 pub mod pages;
 pub mod response;
 pub mod rigid;
 pub mod rigid_rows;
+pub mod solid;
 
 use std::path::Path;
 
@@ -55,10 +57,11 @@ const FAST: &[Topic] = &[
     ("liquid in a rigid tank", || rigid_rows::rows().map_err(words)),
     ("coupled modes", || coupled::rows().map_err(words)),
     ("published coupled modes", || coupled::published_rows().map_err(words)),
+    ("three-dimensional engine, coarse", || solid::rows().map_err(words)),
 ];
 
 /// Topics that take minutes.
-const SLOW: &[Topic] = &[];
+const SLOW: &[Topic] = &[("three-dimensional engine", || solid::slow_rows().map_err(words))];
 
 fn words(error: impl std::fmt::Display) -> String {
     error.to_string()

@@ -473,7 +473,10 @@ impl Projector<'_> {
             _ => 1.0 / t,
         };
         let poisson = wall.poisson_ratio[course.start];
-        let row = self.observer.resultant(course, z, line.resultant, poisson).scaled(factor);
+        let row = self
+            .observer
+            .resultant(course, z, line.resultant, poisson)
+            .scaled(factor);
         let probe = Probe {
             static_value: sparse_dot(&row.displacement, self.statics) * self.static_factor(),
             ..empty(id, title, Dimension::Stress)

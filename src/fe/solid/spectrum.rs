@@ -70,7 +70,11 @@ pub fn of_harmonic(
     for (j, &omega) in eigen.omega.iter().enumerate() {
         let vector = space.basis.times(eigen.vectors.column(j));
         let surface_share = dot(&vector, &gravity.times(&vector)) / (omega * omega);
-        let kind = if surface_share > 0.5 { Kind::Sloshing } else { Kind::Structural };
+        let kind = if surface_share > 0.5 {
+            Kind::Sloshing
+        } else {
+            Kind::Structural
+        };
         if found.iter().filter(|m| m.kind == kind).count() >= most {
             continue;
         }

@@ -88,7 +88,7 @@ impl Phase {
         let dofs = model.dofs();
         let (phi, own): (Vec<usize>, Vec<usize>) = (0..dofs.len()).partition(|&e| dofs.unknown(e).1 == Dof::Phi);
         let own_stiffness = stiffness.submatrix(&own);
-        let symbolic = self::symbolic(&own_stiffness)?;
+        let symbolic = self::symbolic(&own_stiffness, model, &own)?;
         let mut entries = (1 + poles) * symbolic.entries();
         let liquid = if phi.is_empty() {
             None
@@ -96,7 +96,7 @@ impl Phase {
             let free = phi[1..].to_vec();
             let mut h = mass.submatrix(&free);
             h.values.iter_mut().for_each(|v| *v = -*v);
-            let symbolic = self::symbolic(&h)?;
+            let symbolic = self::symbolic(&h, model, &free)?;
             entries += symbolic.entries();
             Some((free, h, symbolic))
         };
@@ -349,11 +349,13 @@ impl System {
     }
 }
 
-/// Symbolic factor of a matrix.
+/// Symbolic factor of the part of a model's matrix that belongs to `equations`.
 ///
 /// Errors: not enough memory.
-pub fn symbolic(matrix: &Symmetric) -> Result<Arc<Symbolic>, FeError> {
-    Symbolic::new(matrix.pattern.clone(), &Ordering::MinimumDegree)
+pub fn symbolic(matrix: &Symmetric, model: &Model, equations: &[usize]) -> Result<Arc<Symbolic>, FeError> {
+    let nodes: Vec<usize> = equations.iter().map(|&e| model.dofs().unknown(e).0).collect();
+    let ordering = Ordering::best(&matrix.pattern, &nodes, model.nodes());
+    Symbolic::new(matrix.pattern.clone(), &ordering)
         .map(Arc::new)
         .map_err(failure("the symbolic factor"))
 }
