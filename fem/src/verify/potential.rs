@@ -2,10 +2,12 @@
 
 pub mod coupled;
 pub mod rigid;
+pub mod transient;
 
 use std::f64::consts::PI;
 
 use super::{Reference, Row};
+use coupled::{Division, Tank, along_x, mode_on_hexahedra, radial, with_harmonics, with_hexahedra};
 use rigid::{DENSITY, GRAVITY, RigidTank, Sloshing};
 
 /// Failure of a model that should have an answer.
@@ -24,6 +26,86 @@ pub fn potential() -> Result<Vec<Row>, Failure> {
     let mut rows = cylinder_rows()?;
     rows.extend(sector_rows()?);
     rows.extend(box_rows()?);
+    rows.extend(bulging_rows("8.1", &Tank::broad(), 164.67, true)?);
+    rows.extend(transient_rows()?);
+    Ok(rows)
+}
+
+/// Rows that take minutes: the other tanks, and the finest mesh of the first.
+///
+/// Errors: a model without an answer.
+pub fn potential_slow() -> Result<Vec<Row>, Failure> {
+    let mut rows = Vec::new();
+    for (depth, omega) in [(3.0, 158.09), (5.0, 86.91)] {
+        let what = format!("8.3, H = {depth} m");
+        rows.extend(bulging_rows(&what, &Tank::slender(depth, 1e4 / 9.81), omega, true)?);
+    }
+    let uniform = Tank {
+        courses: vec![(1.83, 2.03e-3)],
+        ..Tank::broad()
+    };
+    rows.extend(bulging_rows(
+        "8.1 with 2.03 mm throughout, m = 0",
+        &uniform,
+        175.8,
+        false,
+    )?);
+    rows.extend(bulging_rows(
+        "8.3, H = 5 m, ρ = 1 t/m³, m = 0",
+        &Tank::slender(5.0, 1000.0),
+        105.2,
+        false,
+    )?);
+    Ok(rows)
+}
+
+/// First wall mode that a horizontal (or, m = 0, a radial) motion excites, on two meshes and extrapolated, with the liquid
+/// on hexahedra and by harmonics.
+fn bulging_rows(tank: &str, data: &Tank, reference: f64, horizontal: bool) -> Result<Vec<Row>, Failure> {
+    let field = if horizontal { along_x } else { radial };
+    let mut rows = Vec::new();
+    let mut found: [Vec<(f64, f64)>; 2] = Default::default();
+    let mut mass = 0.0;
+    // Beside the mode, so that K − σM is not nearly singular.
+    let around = 1.003 * reference;
+    for k in [2, 3] {
+        let division = Division::refined(data, k);
+        let solid = with_hexahedra(data, &division)?;
+        let solid = mode_on_hexahedra(&solid, around, field)?;
+        let harmonic = with_harmonics(data, &division, 1.0, 2)?;
+        let harmonic = harmonic.mode(around, field)?;
+        found[0].push((division.sectors as f64, solid.omega / reference - 1.0));
+        found[1].push((division.sectors as f64, harmonic.omega / reference - 1.0));
+        mass = solid.mass / (data.liquid_density * PI * data.radius * data.radius * data.depth);
+    }
+    let source = "harmonic engine and an independent prototype, converged";
+    for (liquid, convergence) in ["hexahedra", "harmonics"].into_iter().zip(found) {
+        // Order 2. The reference has four or five digits; extrapolation from 16 and 24 sectors leaves a fifth of the
+        // finer error.
+        let ratio: f64 = convergence[1].0 / convergence[0].0;
+        let limit = convergence[1].1 + (convergence[1].1 - convergence[0].1) / (ratio * ratio - 1.0);
+        let tolerance = 0.0005 + 0.2 * convergence[1].1.abs();
+        rows.push(Row {
+            unit: "rad/s",
+            convergence,
+            ..row(
+                "F9",
+                format!("tank {tank}, first wall mode, liquid by {liquid}, extrapolated"),
+                (reference, source, Reference::SecondFormulation),
+                reference * (1.0 + limit),
+                tolerance,
+            )
+        });
+    }
+    if tank == "8.1" {
+        rows.push(row(
+            "F11",
+            "tank 8.1, effective mass of the first wall mode over liquid mass",
+            (0.475, source, Reference::SecondFormulation),
+            mass,
+            0.005,
+        ));
+    }
     Ok(rows)
 }
 
@@ -48,10 +130,11 @@ fn row(
     }
 }
 
-/// Observed order of convergence between the two last meshes, h halved.
+/// Observed order of convergence between the two last meshes.
 fn order(convergence: &[(f64, f64)]) -> f64 {
     let n = convergence.len();
-    (convergence[n - 2].1 / convergence[n - 1].1).abs().log2()
+    let (coarse, fine) = (convergence[n - 2], convergence[n - 1]);
+    (coarse.1 / fine.1).abs().ln() / (fine.0 / coarse.0).ln()
 }
 
 /// ω of the rigid cylinder: ω² = g λ/R tanh(λ H/R).
@@ -68,13 +151,13 @@ fn convective(lambda: f64, radius: f64, depth: f64) -> f64 {
 /// First zeros of J_m', m = 1; the third and later ones matter for the impulsive mass only.
 const LAMBDA_1: [f64; 3] = [1.841_183_781_340_659, 5.331_442_773_525_033, 8.536_316_366_346_286];
 
-/// F1, F7, F8 of tank 8.1 on 6 × 8 × 6, 12 × 16 × 12 and 24 × 32 × 24 elements.
+/// F1, F6, F7, F8 of tank 8.1 on 6 × 8 × 6, 12 × 16 × 12 and 18 × 24 × 18 elements.
 fn cylinder_rows() -> Result<Vec<Row>, Failure> {
     let (radius, depth) = BROAD;
     let liquid = DENSITY * PI * radius * radius * depth;
     let impulsive = impulsive_share(radius, depth);
     let mut found: Vec<(f64, Vec<Sloshing>, f64, f64)> = Vec::new();
-    for k in [1, 2, 4] {
+    for k in [1, 2, 3] {
         let tank = RigidTank::cylinder(radius, depth, 6 * k, 8 * k, 6 * k)?;
         found.push((
             (6 * k) as f64,
@@ -113,7 +196,7 @@ fn cylinder_rows() -> Result<Vec<Row>, Failure> {
     };
     let mode = |j: usize| found.iter().map(|f| f.1[j].omega).collect::<Vec<_>>();
     let share = |j: usize| found.iter().map(|f| f.1[j].mass / liquid).collect::<Vec<_>>();
-    // Tolerances on 24 × 32 × 24: less than twice the leading error of the sectors, (mΔ)²/24 = 0.16 %, and of r and z,
+    // Tolerances on 18 × 24 × 18: less than twice the leading error of the sectors, (mΔ)²/24 = 0.29 %, and of r and z,
     // (λh/R)²/24 each.
     add(
         "F1",
@@ -121,7 +204,7 @@ fn cylinder_rows() -> Result<Vec<Row>, Failure> {
         "rad/s",
         sloshing(LAMBDA_1[0], radius, depth),
         mode(0),
-        0.0015,
+        0.0025,
     );
     add(
         "F1",
@@ -129,7 +212,7 @@ fn cylinder_rows() -> Result<Vec<Row>, Failure> {
         "rad/s",
         sloshing(LAMBDA_1[1], radius, depth),
         mode(1),
-        0.005,
+        0.006,
     );
     add(
         "F7",
@@ -137,7 +220,7 @@ fn cylinder_rows() -> Result<Vec<Row>, Failure> {
         "",
         convective(LAMBDA_1[0], radius, depth),
         share(0),
-        0.004,
+        0.007,
     );
     add(
         "F6",
@@ -145,7 +228,7 @@ fn cylinder_rows() -> Result<Vec<Row>, Failure> {
         "",
         1.0,
         found.iter().map(|f| f.2).collect(),
-        0.003,
+        0.005,
     );
     add(
         "F8",
@@ -153,7 +236,7 @@ fn cylinder_rows() -> Result<Vec<Row>, Failure> {
         "",
         impulsive,
         found.iter().map(|f| f.3).collect(),
-        0.003,
+        0.005,
     );
     Ok(rows)
 }
@@ -313,4 +396,28 @@ fn box_rows() -> Result<Vec<Row>, Failure> {
         1e-11,
     ));
     Ok(rows)
+}
+
+/// Direct integration in three fields against the exact response of all condensed modes.
+fn transient_rows() -> Result<Vec<Row>, Failure> {
+    let both = transient::three_field_and_modal()?;
+    let source = "all modes of the condensed pencil, exact piecewise-linear recurrence";
+    Ok(both
+        .into_iter()
+        .map(|(what, direct, modal)| {
+            let peak = modal.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            let apart = direct
+                .iter()
+                .zip(&modal)
+                .fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+            // Trapezoidal rule: phase ω t (ωh)²/12 = 0.1 % of the first wall mode at the end, more of the higher ones.
+            row(
+                "three fields",
+                format!("{what}: largest difference of direct and modal histories over the peak"),
+                (0.0, source, Reference::SecondFormulation),
+                apart / peak,
+                0.005,
+            )
+        })
+        .collect())
 }

@@ -6,3 +6,9 @@ use fem::verify::potential;
 fn rows_hold() {
     super::assert_rows(&potential::potential().expect("the models have answers"));
 }
+
+#[test]
+#[ignore = "slow: four tanks on two meshes each"]
+fn slow_rows_hold() {
+    super::assert_rows(&potential::potential_slow().expect("the models have answers"));
+}

@@ -13,7 +13,7 @@ use crate::element::WetFace;
 use crate::element::shell::section::{ElasticSection, Section};
 use crate::element::shell::surface::{Normals, ShellCell, ShellSurface};
 use crate::element::shell4::Axes;
-use crate::linalg::{Matrix, Pencil, Search, Symbolic, Symmetric, ThreeField, dot, modes};
+use crate::linalg::{Matrix, Pencil, Symbolic, Symmetric, ThreeField, dot};
 use crate::liquid::{HarmonicLiquid, LiquidMesh, NormalRow, WallPencil};
 use crate::mesh::{Cylinder, Wall};
 use crate::model::{Builder, Model};
@@ -44,6 +44,17 @@ impl Tank {
             courses: vec![(0.915, 2.03e-3), (1.83, 1.27e-3)],
         }
     }
+
+    /// Tank 8.3 of the dissertation: steel, R = 1.83 m, wall 5.5 m high and 2 mm thick.
+    pub fn slender(depth: f64, liquid_density: f64) -> Tank {
+        Tank {
+            radius: 1.83,
+            depth,
+            liquid_density,
+            material: [210e9, 0.3, 7850.0],
+            courses: vec![(5.5, 2e-3)],
+        }
+    }
 }
 
 /// Divisions of a model.
@@ -60,8 +71,8 @@ pub struct Division {
 }
 
 impl Division {
-    /// 16 k sectors, 8 k × 10 k elements of liquid (radius × height); the wall with intervals of √(Rt)/(1.25 k) or so in the lowest
-    /// 2.5 √(Rt), where it bends, and 10 k above.
+    /// 8 k sectors, 4 k × 5 k elements of liquid (radius × height); the wall with ⌈3k/2⌉ elements in the lowest 2.5 √(Rt),
+    /// where it bends, and about 5 k above.
     pub fn refined(tank: &Tank, k: usize) -> Division {
         let layer = 2.5 * (tank.radius * tank.courses[0].1).sqrt();
         let top = tank.courses[tank.courses.len() - 1].0;
@@ -72,18 +83,18 @@ impl Division {
         let mut wall = vec![0.0];
         for pair in breaks.windows(2) {
             let size = if pair[0] == 0.0 {
-                layer / (3 * k) as f64
+                layer / (3 * k).div_ceil(2) as f64
             } else {
-                top / (10 * k) as f64
+                top / (5 * k) as f64
             };
             let count = ((pair[1] - pair[0]) / size).round().max(1.0) as usize;
             wall.extend((1..=count).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / count as f64));
         }
         Division {
-            sectors: 16 * k,
+            sectors: 8 * k,
             wall,
-            radii: uniform(tank.radius, 8 * k),
-            liquid: uniform(tank.depth, 10 * k),
+            radii: uniform(tank.radius, 4 * k),
+            liquid: uniform(tank.depth, 5 * k),
         }
     }
 }
@@ -240,52 +251,53 @@ pub fn with_hexahedra(tank: &Tank, division: &Division) -> Result<Assembled, Fai
     Assembled::new(builder, wall.rows)
 }
 
-/// The modes nearest `omega` [rad/s] with their participation in `field`, on hexahedra.
+/// The mode nearest `omega` [rad/s] among those of the harmonic of `field`, on hexahedra.
 ///
-/// Errors: those of the eigenvalue solver.
-pub fn modes_of_hexahedra(
+/// Errors: no convergence.
+pub fn mode_on_hexahedra(
     tank: &Assembled,
     omega: f64,
-    count: usize,
     field: fn([f64; 3]) -> [f64; KINDS],
-) -> Result<Vec<Participating>, Failure> {
+) -> Result<Participating, Failure> {
     let phi = tank.model.dofs().of_kind(Dof::Phi);
     let pencil = ThreeField::new(&tank.stiffness, &tank.mass, tank.symbolic.clone(), phi)?;
-    let load = tank.inertia(field);
-    let found = modes(&pencil, &search(omega, count))?;
-    let all = pencil.expand(&found.vectors)?;
-    Ok(participating(&found.omega(), &all, &load))
-}
-
-fn search(omega: f64, count: usize) -> Search {
-    Search::around(omega, count)
-}
-
-fn participating(omega: &[f64], vectors: &Matrix, load: &[f64]) -> Vec<Participating> {
-    omega
-        .iter()
-        .enumerate()
-        .map(|(j, &omega)| Participating {
-            omega,
-            mass: dot(vectors.column(j), load).powi(2),
-        })
-        .collect()
-}
-
-/// The one with the largest participation; the two modes of a harmonic count together.
-pub fn strongest(modes: &[Participating]) -> Participating {
-    let mut joined: Vec<Participating> = Vec::new();
-    for mode in modes {
-        match joined.last_mut() {
-            Some(last) if (mode.omega / last.omega - 1.0).abs() < 1e-6 => last.mass += mode.mass,
-            _ => joined.push(*mode),
-        }
-    }
-    let largest = joined.iter().copied().max_by(|a, b| a.mass.total_cmp(&b.mass));
-    largest.unwrap_or(Participating {
-        omega: f64::NAN,
-        mass: 0.0,
+    let start = tank.model.vector(|node| field(tank.model.nodes()[node]));
+    let (omega, vector) = iterate(&pencil, omega, pencil.restrict(&start))?;
+    let all = pencil.expand(&vector)?;
+    Ok(Participating {
+        omega,
+        mass: dot(&all.data, &tank.inertia(field)).powi(2),
     })
+}
+
+/// Inverse iteration with the shift `omega`². On a cyclic mesh it stays within the harmonic of its start, so that the many
+/// shell modes of other harmonics nearby do not disturb it. Returns ω and x with xᵀ M x = 1.
+fn iterate(pencil: &dyn Pencil, omega: f64, start: Vec<f64>) -> Result<(f64, Matrix), Failure> {
+    let sigma = omega * omega;
+    let shifted = pencil.shifted(-sigma)?;
+    let mut x = Matrix {
+        rows: start.len(),
+        cols: 1,
+        data: start,
+    };
+    let mut last = 0.0;
+    for _ in 0..60 {
+        let image = pencil.mass(&x)?;
+        let norm = dot(&x.data, &image.data).sqrt();
+        let mut y = image.clone();
+        shifted.solve(&mut y)?;
+        // θ = xᵀ M A x / xᵀ M x
+        let lambda = sigma + norm * norm / dot(&y.data, &image.data);
+        x.data.iter_mut().zip(&y.data).for_each(|(x, y)| *x = y / norm);
+        if (lambda - last).abs() <= 1e-10 * lambda {
+            let image = pencil.mass(&x)?;
+            let norm = dot(&x.data, &image.data).sqrt();
+            x.data.iter_mut().for_each(|v| *v /= norm);
+            return Ok((lambda.sqrt(), x));
+        }
+        last = lambda;
+    }
+    Err(format!("no convergence of the mode at {omega} rad/s").into())
 }
 
 /// Wall alone, with the harmonic liquid on a meridional section refined by `refine`.
@@ -374,18 +386,17 @@ impl WithHarmonics {
         load
     }
 
-    /// The modes nearest `omega` [rad/s] with their participation in `field`.
+    /// The mode nearest `omega` [rad/s] among those of the harmonic of `field`.
     ///
-    /// Errors: those of the eigenvalue solver.
-    pub fn modes(
-        &self,
-        omega: f64,
-        count: usize,
-        field: fn([f64; 3]) -> [f64; KINDS],
-    ) -> Result<Vec<Participating>, Failure> {
+    /// Errors: no convergence.
+    pub fn mode(&self, omega: f64, field: fn([f64; 3]) -> [f64; KINDS]) -> Result<Participating, Failure> {
         let pencil = self.pencil();
-        let found = modes(&pencil, &search(omega, count))?;
-        debug_assert_eq!(found.vectors.rows, pencil.size());
-        Ok(participating(&found.omega(), &found.vectors, &self.inertia(field)))
+        let mut start = self.wall.model.vector(|node| field(self.wall.model.nodes()[node]));
+        start.resize(pencil.size(), 0.0);
+        let (omega, vector) = iterate(&pencil, omega, start)?;
+        Ok(Participating {
+            omega,
+            mass: dot(&vector.data, &self.inertia(field)).powi(2),
+        })
     }
 }
