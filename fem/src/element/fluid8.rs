@@ -18,7 +18,7 @@
 
 use std::sync::LazyLock;
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 use super::fluid::{LiquidProperties, VolumePart};
 use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
@@ -76,14 +76,18 @@ struct Point {
 #[derive(Clone, Debug)]
 pub struct Fluid8 {
     nodes: [usize; 8],
-    /// Chart coordinates of the corners.
-    corners: [[f64; 3]; 8],
+    /// Chart coordinates of the corners, by coordinate.
+    corners: [[f64; 8]; 3],
+    /// Covariant base vectors of the corners, û_i^a = turn[i][j][a] U_j^a. All charts keep x³ = z, so only i, j < 2 are
+    /// kept.
+    turn: [[[f64; 8]; 2]; 2],
     chart: Chart,
     liquid: LiquidProperties,
 }
 
-/// Matrix of the covariant components: `blocks[i][k][a][b]` couples û_i^a and û_k^b; only i ≤ k is kept.
-type Blocks = [[[[f64; 8]; 8]; 3]; 3];
+/// Upper half of a symmetric matrix of the covariant components: K = B + Bᵀ, where block (i, k) couples û_i^a (row a)
+/// and û_k^b. Order of the blocks: 11, 22, 33, 12, 13, 23; a diagonal block holds half of its part of K.
+type Half = [[[f64; 8]; 8]; 6];
 
 impl Fluid8 {
     /// An element on the corners of `cell`.
@@ -92,9 +96,11 @@ impl Fluid8 {
     /// radius), density or bulk modulus not positive, negative penalty.
     pub fn new(cell: &Hexahedron, chart: Chart, liquid: LiquidProperties) -> Result<Fluid8, ElementError> {
         liquid.check(KIND)?;
+        let bases = cell.chart.map(|x| chart.covariant_base(x));
         let element = Fluid8 {
             nodes: cell.nodes,
-            corners: cell.chart,
+            corners: std::array::from_fn(|i| cell.chart.map(|x| x[i])),
+            turn: std::array::from_fn(|i| std::array::from_fn(|j| std::array::from_fn(|a| bases[a][(i, j)]))),
             chart,
             liquid,
         };
@@ -123,16 +129,8 @@ impl Fluid8 {
 
     fn point(&self, reference: &Reference) -> Point {
         // J[k][i] = ∂xⁱ/∂ξᵏ
-        let mut j = [[0.0; 3]; 3];
-        let mut x = [0.0; 3];
-        for (a, corner) in self.corners.iter().enumerate() {
-            for i in 0..3 {
-                x[i] += reference.n[a] * corner[i];
-                for k in 0..3 {
-                    j[k][i] += reference.d[k][a] * corner[i];
-                }
-            }
-        }
+        let x = std::array::from_fn(|i| dot(&reference.n, &self.corners[i]));
+        let j: [[f64; 3]; 3] = std::array::from_fn(|k| std::array::from_fn(|i| dot(&reference.d[k], &self.corners[i])));
         let cofactor = |k: usize, i: usize| {
             let (k1, k2, i1, i2) = ((k + 1) % 3, (k + 2) % 3, (i + 1) % 3, (i + 2) % 3);
             j[k1][i1] * j[k2][i2] - j[k1][i2] * j[k2][i1]
@@ -182,65 +180,85 @@ impl Fluid8 {
         (row.map(|r| r.map(|v| v / volume)), volume)
     }
 
-    /// Covariant base vectors of the corners: û^a = T_a U_a.
-    fn bases(&self) -> [Matrix3<f64>; 8] {
-        self.corners.map(|x| self.chart.covariant_base(x))
-    }
-
     /// Turns a row over covariant components into one over the local dofs.
     fn to_cartesian(&self, row: &[[f64; 8]; 3]) -> [f64; 24] {
-        let mut out = [0.0; 24];
-        for (a, base) in self.bases().iter().enumerate() {
-            let v = base.tr_mul(&Vector3::new(row[0][a], row[1][a], row[2][a]));
-            out[3 * a..3 * a + 3].copy_from_slice(v.as_slice());
-        }
-        out
+        let t = &self.turn;
+        std::array::from_fn(|c| match (c / 3, c % 3) {
+            (a, 2) => row[2][a],
+            (a, j) => row[0][a] * t[0][j][a] + row[1][a] * t[1][j][a],
+        })
     }
 
     /// K + R, column by column.
     fn stiffness(&self, out: &mut [f64]) {
-        let mut blocks = [[[[0.0; 8]; 8]; 3]; 3];
+        let mut half = [[[0.0; 8]; 8]; 6];
         let (full, one) = self.liquid.rotation.penalties();
         let points: [Point; 8] = std::array::from_fn(|q| self.point(&FULL[q]));
         let centre = self.point(&CENTRE[0]);
         if full != 0.0 {
-            points.iter().for_each(|p| add_rotation(&mut blocks, p, full));
+            add_rotation(&mut half, &points, full);
         }
         if one != 0.0 {
-            add_rotation(&mut blocks, &centre, one);
+            add_rotation(&mut half, std::slice::from_ref(&centre), one);
         }
         let k = self.liquid.bulk_modulus;
         match self.liquid.volume {
             VolumePart::Full => {
                 for p in &points {
-                    add_square(&mut blocks, &self.dilatation(p), k * p.volume);
+                    add_square(&mut half, &self.dilatation(p), k * p.volume);
                 }
             }
-            VolumePart::OnePoint => add_square(&mut blocks, &self.dilatation(&centre), k * centre.volume),
+            VolumePart::OnePoint => add_square(&mut half, &self.dilatation(&centre), k * centre.volume),
             VolumePart::MeanDilatation => {
                 let (row, volume) = self.mean_dilatation(&points);
-                add_square(&mut blocks, &row, k * volume);
+                add_square(&mut half, &row, k * volume);
             }
         }
-        self.write(&blocks, out);
+        self.write(&half, out);
     }
 
-    /// Turns covariant blocks into the local matrix, column by column.
-    fn write(&self, blocks: &Blocks, out: &mut [f64]) {
-        let bases = self.bases();
-        for b in 0..8 {
-            for a in 0..=b {
-                let mut block = Matrix3::from_fn(|i, k| if i <= k { blocks[i][k][a][b] } else { blocks[k][i][b][a] });
-                if self.chart == Chart::Cylindrical {
-                    block = bases[a].tr_mul(&(block * bases[b]));
-                }
-                for i in 0..3 {
+    /// Turns half a matrix into Cartesian components and writes the whole, column by column.
+    fn write(&self, half: &Half, out: &mut [f64]) {
+        let (columns, _) = out.as_chunks_mut::<24>();
+        let [[t00, t01], [t10, t11]] = &self.turn;
+        let [h00, h11, h22, h01, h02, h12] = half;
+        for a in 0..8 {
+            let (a00, a01, a10, a11) = (t00[a], t01[a], t10[a], t11[a]);
+            // Rows 1 and 2 of the half times the base vectors of b, then those of a; all b at once.
+            let mut rows = [[[0.0; 8]; 3]; 3];
+            for b in 0..8 {
+                let first = h00[a][b] * t00[b] + h01[a][b] * t10[b];
+                let second = h11[a][b] * t10[b];
+                rows[0][0][b] = a00 * first + a10 * second;
+                rows[1][0][b] = a01 * first + a11 * second;
+            }
+            for b in 0..8 {
+                let first = h00[a][b] * t01[b] + h01[a][b] * t11[b];
+                let second = h11[a][b] * t11[b];
+                rows[0][1][b] = a00 * first + a10 * second;
+                rows[1][1][b] = a01 * first + a11 * second;
+            }
+            for b in 0..8 {
+                rows[0][2][b] = a00 * h02[a][b] + a10 * h12[a][b];
+                rows[1][2][b] = a01 * h02[a][b] + a11 * h12[a][b];
+            }
+            rows[2][2] = h22[a];
+            for (i, row) in rows.iter().enumerate() {
+                let column = &mut columns[3 * a + i];
+                for b in 0..8 {
                     for k in 0..3 {
-                        out[3 * a + i + 24 * (3 * b + k)] = block[(i, k)];
-                        out[3 * b + k + 24 * (3 * a + i)] = block[(i, k)];
+                        column[3 * b + k] = row[k][b];
                     }
                 }
             }
+        }
+        for i in 0..24 {
+            for j in 0..i {
+                let sum = columns[i][j] + columns[j][i];
+                columns[i][j] = sum;
+                columns[j][i] = sum;
+            }
+            columns[i][i] *= 2.0;
         }
     }
 
@@ -266,39 +284,74 @@ impl Fluid8 {
     }
 }
 
+/// Scalar product.
+fn dot(a: &[f64; 8], b: &[f64; 8]) -> f64 {
+    let mut sum = [0.0; 4];
+    for i in 0..4 {
+        sum[i] = a[i] * b[i] + a[i + 4] * b[i + 4];
+    }
+    (sum[0] + sum[1]) + (sum[2] + sum[3])
+}
+
 /// Adds weight · rowᵀ row.
-fn add_square(blocks: &mut Blocks, row: &[[f64; 8]; 3], weight: f64) {
-    for i in 0..3 {
-        for k in i..3 {
-            for a in 0..8 {
-                let f = weight * row[i][a];
-                for b in 0..8 {
-                    blocks[i][k][a][b] += f * row[k][b];
-                }
+fn add_square(half: &mut Half, row: &[[f64; 8]; 3], weight: f64) {
+    const PAIRS: [(usize, usize, f64); 6] = [
+        (0, 0, 0.5),
+        (1, 1, 0.5),
+        (2, 2, 0.5),
+        (0, 1, 1.0),
+        (0, 2, 1.0),
+        (1, 2, 1.0),
+    ];
+    for (block, (i, k, part)) in half.iter_mut().zip(PAIRS) {
+        for (own, value) in block.iter_mut().zip(&row[i]) {
+            let f = part * weight * value;
+            for b in 0..8 {
+                own[b] += f * row[k][b];
             }
         }
     }
 }
 
-/// Adds the rotation part of one point: ½ K_rot Σ_{i<j} g^ii g^jj (u_i,j − u_j,i)² dV.
-fn add_rotation(blocks: &mut Blocks, p: &Point, penalty: f64) {
-    let half = 0.5 * penalty * p.volume;
-    let [g1, g2, g3] = p.metric;
-    let (w12, w13, w23) = (half * g1 * g2, half * g1 * g3, half * g2 * g3);
-    let [d1, d2, d3] = &p.d;
+/// Adds the rotation part of some points: ½ K_rot Σ_{i<j} g^ii g^jj (u_i,j − u_j,i)² dV.
+fn add_rotation(half: &mut Half, points: &[Point], penalty: f64) {
+    let [h00, h11, h22, h01, h02, h12] = half;
     for a in 0..8 {
-        let (p12, q12) = (w12 * d1[a], w12 * d2[a]);
-        let (p13, q13) = (w13 * d1[a], w13 * d3[a]);
-        let (p23, q23) = (w23 * d2[a], w23 * d3[a]);
-        for b in 0..8 {
-            blocks[0][0][a][b] += q12 * d2[b] + q13 * d3[b];
-            blocks[1][1][a][b] += p12 * d1[b] + q23 * d3[b];
-            blocks[2][2][a][b] += p13 * d1[b] + p23 * d2[b];
-            blocks[0][1][a][b] -= q12 * d1[b];
-            blocks[0][2][a][b] -= q13 * d1[b];
-            blocks[1][2][a][b] -= q23 * d2[b];
+        // The sums of a row stay in registers, three blocks at a time.
+        let (mut s00, mut s01, mut s02) = (h00[a], h01[a], h02[a]);
+        for p in points {
+            let (w12, w13, _) = rotation_weights(p, penalty);
+            let [d1, d2, d3] = &p.d;
+            let (q12, q13) = (w12 * d2[a], w13 * d3[a]);
+            let (r12, r13) = (0.5 * q12, 0.5 * q13);
+            for b in 0..8 {
+                s00[b] += r12 * d2[b] + r13 * d3[b];
+                s01[b] -= q12 * d1[b];
+                s02[b] -= q13 * d1[b];
+            }
         }
+        (h00[a], h01[a], h02[a]) = (s00, s01, s02);
+        let (mut s11, mut s22, mut s12) = (h11[a], h22[a], h12[a]);
+        for p in points {
+            let (w12, w13, w23) = rotation_weights(p, penalty);
+            let [d1, d2, d3] = &p.d;
+            let (r12, r13) = (0.5 * w12 * d1[a], 0.5 * w13 * d1[a]);
+            let (q23, r23) = (w23 * d3[a], 0.5 * w23 * d2[a]);
+            for b in 0..8 {
+                s11[b] += r12 * d1[b] + 0.5 * q23 * d3[b];
+                s22[b] += r13 * d1[b] + r23 * d2[b];
+                s12[b] -= q23 * d2[b];
+            }
+        }
+        (h11[a], h22[a], h12[a]) = (s11, s22, s12);
     }
+}
+
+/// ½ K_rot g^ii g^jj dV for 12, 13, 23.
+fn rotation_weights(p: &Point, penalty: f64) -> (f64, f64, f64) {
+    let [g1, g2, g3] = p.metric;
+    let w = 0.5 * penalty * p.volume;
+    (w * g1 * g2, w * g1 * g3, w * g2 * g3)
 }
 
 impl Element for Fluid8 {
@@ -315,20 +368,20 @@ impl Element for Fluid8 {
     }
 
     fn mass(&self, out: &mut LocalMatrix) {
-        let mut blocks = [[[[0.0; 8]; 8]; 3]; 3];
+        let mut half = [[[0.0; 8]; 8]; 6];
         for q in FULL.iter() {
             let p = self.point(q);
-            let weights = p.metric.map(|g| self.liquid.density * p.volume * g);
-            for a in 0..8 {
-                for i in 0..3 {
-                    let f = weights[i] * p.n[a];
+            let weights = p.metric.map(|g| 0.5 * self.liquid.density * p.volume * g);
+            for (i, weight) in weights.iter().enumerate() {
+                for a in 0..8 {
+                    let f = weight * p.n[a];
                     for b in 0..8 {
-                        blocks[i][i][a][b] += f * p.n[b];
+                        half[i][a][b] += f * p.n[b];
                     }
                 }
             }
         }
-        self.write(&blocks, &mut out.data);
+        self.write(&half, &mut out.data);
     }
 
     fn respond(

@@ -1,3 +1,5 @@
+use nalgebra::Matrix3;
+
 use super::*;
 use crate::element::{RotationPart, reference_mass, reference_stiffness};
 
@@ -123,8 +125,7 @@ fn covariant_derivative_is_the_spatial_gradient() {
         let p = element.point(&Reference::at(r, s, t, 1.0));
         let mut covariant = Vector3::zeros();
         for a in 0..8 {
-            let own =
-                element.chart.covariant_base(element.corners[a]) * Vector3::from_column_slice(&u[3 * a..3 * a + 3]);
+            let own = element.chart.covariant_base(cell().chart[a]) * Vector3::from_column_slice(&u[3 * a..3 * a + 3]);
             covariant += own * p.n[a];
         }
         // u = u_i g^ii base_i
