@@ -3,9 +3,40 @@
 //! One module a topic. The tests assert that every row holds, the verification manual prints them. A row says what the
 //! reference *is*: one that only repeats our own earlier output is a [`Reference::Regression`] and verifies nothing.
 
+use crate::element::ElementError;
+use crate::linalg::LinalgError;
+use crate::mesh::MeshError;
+use crate::model::ModelError;
+
+pub mod fluid;
 pub mod potential;
 pub mod shell;
 pub mod solid;
+
+/// A model that could not be made or solved.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum VerifyError {
+    /// Of a mesh.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// Of an element.
+    #[error(transparent)]
+    Element(#[from] ElementError),
+    /// Of a model.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// Of a factorisation or an eigenvalue solver.
+    #[error(transparent)]
+    Linalg(#[from] LinalgError),
+    /// A mode that was looked for is not among those computed.
+    #[error("{what} is not among the {found} modes computed")]
+    Mode {
+        /// What was looked for.
+        what: String,
+        /// Number of modes computed.
+        found: usize,
+    },
+}
 
 /// What a reference value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
