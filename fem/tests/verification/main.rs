@@ -23,4 +23,5 @@ fn assert_rows(rows: &[Row]) {
 
 mod shell;
 mod shell_element;
+mod shell_parts;
 mod solid;
