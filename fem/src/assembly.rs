@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 use crate::dofs::{Dof, KINDS};
 use crate::element::{Element, ElementError, LocalMatrix, Motion, Response, Want, local_size, reference_stiffness};
@@ -280,6 +280,9 @@ impl Assembler {
                     &mut response,
                 )
                 .map_err(|error| (e, error))?;
+            if self.turned[e] {
+                turn_back(model, &**element, &state.trial.rotation, want, &mut response);
+            }
             if want.force {
                 self.scatter_vector(model, e, &mut response.force, &mut force);
             }
@@ -309,6 +312,33 @@ pub fn order(model: &Model, pattern: &Pattern) -> Ordering {
     Ordering::best(pattern, &node_of, model.nodes())
 }
 
+/// Turns rotational components back with their nodes where these have a rotation frame: the frame F turns with the
+/// node, its rows are those of F Rᵀ, so that the third one stays the director of a smooth shell node.
+fn turn_back(
+    model: &Model,
+    element: &dyn Element,
+    rotation: &[UnitQuaternion<f64>],
+    want: Want,
+    response: &mut Response,
+) {
+    let mut k = 0;
+    for (a, &node) in element.nodes().iter().enumerate() {
+        for (i, &dof) in element.dofs(a).iter().enumerate() {
+            let turned = dof == Dof::Rx && model.rotation_frame(node).is_some();
+            if turned && rotation[node].imag() != Vector3::zeros() {
+                let back = rotation[node].inverse().to_rotation_matrix();
+                if want.force {
+                    turn_triple(&mut response.force, k + i, back.matrix());
+                }
+                if want.tangent {
+                    turn_rows_and_columns(&mut response.tangent, k + i, back.matrix());
+                }
+            }
+        }
+        k += element.dofs(a).len();
+    }
+}
+
 /// Calls `turn(first local dof, frame)` for every triple of dofs that has a frame.
 fn triples(model: &Model, element: &dyn Element, mut turn: impl FnMut(usize, &Matrix3<f64>)) {
     let mut k = 0;
@@ -330,29 +360,35 @@ fn triples(model: &Model, element: &dyn Element, mut turn: impl FnMut(usize, &Ma
 
 /// A ← T A Tᵀ with the frames of the nodes.
 fn turn_matrix(model: &Model, element: &dyn Element, local: &mut LocalMatrix) {
-    let n = local.n;
-    triples(model, element, |first, f| {
-        for j in 0..n {
-            let old = [0, 1, 2].map(|k| local.get(first + k, j));
-            for i in 0..3 {
-                local.data[first + i + j * n] = (0..3).map(|k| f[(i, k)] * old[k]).sum();
-            }
-        }
-        for i in 0..n {
-            let old = [0, 1, 2].map(|k| local.get(i, first + k));
-            for j in 0..3 {
-                local.data[i + (first + j) * n] = (0..3).map(|k| f[(j, k)] * old[k]).sum();
-            }
-        }
-    });
+    triples(model, element, |first, f| turn_rows_and_columns(local, first, f));
 }
 
 /// v ← T v with the frames of the nodes.
 fn turn_vector(model: &Model, element: &dyn Element, local: &mut [f64]) {
-    triples(model, element, |first, f| {
-        let old = [local[first], local[first + 1], local[first + 2]];
+    triples(model, element, |first, f| turn_triple(local, first, f));
+}
+
+/// A ← T A Tᵀ with T = f for three dofs from `first` on.
+fn turn_rows_and_columns(local: &mut LocalMatrix, first: usize, f: &Matrix3<f64>) {
+    let n = local.n;
+    for j in 0..n {
+        let old = [0, 1, 2].map(|k| local.get(first + k, j));
         for i in 0..3 {
-            local[first + i] = (0..3).map(|k| f[(i, k)] * old[k]).sum();
+            local.data[first + i + j * n] = (0..3).map(|k| f[(i, k)] * old[k]).sum();
         }
-    });
+    }
+    for i in 0..n {
+        let old = [0, 1, 2].map(|k| local.get(i, first + k));
+        for j in 0..3 {
+            local.data[i + (first + j) * n] = (0..3).map(|k| f[(j, k)] * old[k]).sum();
+        }
+    }
+}
+
+/// v ← T v with T = f for three dofs from `first` on.
+fn turn_triple(local: &mut [f64], first: usize, f: &Matrix3<f64>) {
+    let old = [local[first], local[first + 1], local[first + 2]];
+    for i in 0..3 {
+        local[first + i] = (0..3).map(|k| f[(i, k)] * old[k]).sum();
+    }
 }

@@ -106,7 +106,8 @@ impl Builder {
         self.frames.insert(node, frame);
     }
 
-    /// Rotation unknowns of `node` along the rows of `frame`; the third row is the director.
+    /// Rotation unknowns of `node` along the rows of `frame`; the third row is the director. Under finite rotations the
+    /// frame turns with the node.
     pub fn rotation_frame(&mut self, node: usize, frame: Matrix3<f64>) {
         self.rotation_frames.insert(node, frame);
     }

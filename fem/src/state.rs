@@ -82,7 +82,8 @@ impl State {
         self.new.copy_from_slice(&self.old);
     }
 
-    /// Adds an increment to the trial displacements; its rotational part is a spin superposed on the nodes' rotations.
+    /// Adds an increment to the trial displacements; its rotational part is a spin superposed on the nodes' rotations,
+    /// with components in the node's rotation frame as it has turned with the node.
     pub fn increment(&mut self, model: &Model, du: &[f64]) {
         for (u, d) in self.trial.u.iter_mut().zip(du) {
             *u += d;
@@ -93,8 +94,13 @@ impl State {
                 .any(|&dof| model.dofs().equation(node, dof).is_some());
             if rotates {
                 let spin = model.at_node(du, node);
-                let turn = UnitQuaternion::from_scaled_axis(Vector3::new(spin[3], spin[4], spin[5]));
                 let rotation = &mut self.trial.rotation[node];
+                let mut spin = Vector3::new(spin[3], spin[4], spin[5]);
+                if model.rotation_frame(node).is_some() {
+                    // The frame has turned with the node.
+                    spin = *rotation * spin;
+                }
+                let turn = UnitQuaternion::from_scaled_axis(spin);
                 *rotation = turn * *rotation;
                 rotation.renormalize();
             }

@@ -1,4 +1,4 @@
-//! Shells: S1 to S12.
+//! Shells: S1 to S14.
 //!
 //! Meshes, supports and loads are those of the sources. Where a row compares a coarse mesh, its reference is what an
 //! independent prototype of the same formulation gave on that mesh ([`Reference::SecondFormulation`]); the finest mesh
@@ -7,6 +7,7 @@
 mod buckling;
 mod cylinder_wall;
 mod element;
+mod finite;
 mod plane;
 mod shells;
 mod tank;
@@ -62,6 +63,8 @@ pub fn shell() -> Answer<Vec<Row>> {
         tank::static_tank()?,
         tank::sectors(&[16, 32, 64])?,
         buckling::buckling(&[(64, 8), (64, 12)])?,
+        finite::cantilever()?,
+        finite::roll_up(&[20, 40])?,
     ];
     Ok(parts.into_iter().flatten().collect())
 }
@@ -74,6 +77,7 @@ pub fn shell_slow() -> Answer<Vec<Row>> {
         shells::scordelis_lo(&[4, 8, 16, 32])?,
         shells::pinched_cylinder(&[4, 8, 16, 32, 48, 64])?,
         shells::hemisphere(&[4, 8, 16, 32])?,
+        plane::drilling()?,
         plane::cantilever_plate(&[8, 12, 16, 24])?,
         tank::locking(&[16, 32, 64, 128, 256])?,
         tank::gradings()?,
