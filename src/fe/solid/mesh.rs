@@ -4,7 +4,7 @@
 //!
 //! ```text
 //! h(z) = min over features f of (h_f + (q − 1) |z − z_f|),  at most 1.3 l         q = 1.15
-//! clamped base: h_f = 0.4 l;   thickness step, liquid level: h_f = 0.8 l
+//! clamped base: h_f = 0.3 l;   thickness step, liquid level: h_f = 0.4 l
 //! ```
 //!
 //! with l of the thinner course at a feature (1.3 of a 24th of the height at most on a plane wall). Nodes lie where ∫ dz/h is a multiple of its mean step between two
@@ -18,9 +18,9 @@ use super::{MeshSize, SolidOptions};
 use crate::fe::{FeError, Options};
 
 /// Element length at the clamped base, in √(R t).
-const BASE: f64 = 0.4;
+const BASE: f64 = 0.3;
 /// Element length at thickness steps and the liquid level, in √(R t).
-const STEP: f64 = 0.8;
+const STEP: f64 = 0.4;
 /// Largest element length, in √(R t).
 const LARGEST: f64 = 1.3;
 /// Growth of the element length from one element to the next.
@@ -235,7 +235,7 @@ mod tests {
             assert!(division.wall.iter().any(|n| (n - z).abs() < 1e-12), "no node at {z}");
         }
         let l = (1.83_f64 * 2.03e-3).sqrt();
-        assert!(division.wall[1] <= BASE * l * 1.2 && division.wall[1] > 0.3 * l);
+        assert!(division.wall[1] <= BASE * l * 1.2 && division.wall[1] > 0.6 * BASE * l);
         for w in division.wall.windows(3) {
             let ratio = (w[2] - w[1]) / (w[1] - w[0]);
             assert!((0.5..2.0).contains(&ratio), "neighbours {w:?}");
