@@ -14,12 +14,18 @@
 //! | [`observe`] | histories of scalars, extremes of everything else; [`observable`] says of what |
 //! | [`scheme`] | generalised-α and its special cases: Newmark, Hilber-Hughes-Taylor, trapezoidal rule |
 //! | [`transient`] | direct time integration, one factor for many records, with energy balance |
+//! | [`modal`] | modal superposition with missing mass |
+//! | [`spectrum`] | response-spectrum method: SRSS, CQC, missing mass, components |
+//! | [`frequency`] | frequency domain |
 
 pub mod damping;
+pub mod frequency;
+pub mod modal;
 pub mod motion;
 pub mod observable;
 pub mod observe;
 pub mod scheme;
+pub mod spectrum;
 pub mod statics;
 pub mod sweep;
 pub mod system;

@@ -167,7 +167,7 @@ impl Extreme {
         }
     }
 
-    fn include(&mut self, value: f64, time: f64) {
+    pub(crate) fn include(&mut self, value: f64, time: f64) {
         if value > self.max {
             (self.max, self.max_time) = (value, time);
         }

@@ -8,6 +8,7 @@ use crate::linalg::LinalgError;
 use crate::mesh::MeshError;
 use crate::model::ModelError;
 
+pub mod dynamics;
 pub mod fluid;
 pub mod potential;
 pub mod shell;

@@ -2,6 +2,7 @@
 //!
 //! One module a topic. The models are library functions, so that the verification manual shows the numbers tested here.
 
+mod dynamics;
 mod fluid;
 mod potential;
 

@@ -1,0 +1,19 @@
+//! Time integration, damping, modal, spectral and frequency-domain methods: rows D1 and D3 to D10.
+
+mod schemes;
+mod strip;
+
+pub use schemes::schemes;
+pub use strip::{Strip, strip};
+
+use super::Row;
+use crate::analysis::AnalysisError;
+
+/// All rows of this topic.
+///
+/// Errors: those of the analyses.
+pub fn dynamics() -> Result<Vec<Row>, AnalysisError> {
+    let mut rows = schemes()?;
+    rows.extend(strip()?);
+    Ok(rows)
+}

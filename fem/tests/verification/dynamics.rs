@@ -1,0 +1,16 @@
+//! Source:    theory of dynamics (Chung & Hulbert 1993; Nigam & Jennings 1969; Der Kiureghian 1981); strip 8.4
+//! Goal:      rows D1 and D3 to D10; four methods on one model
+//! Model:     amplification matrices, and strip 8.4 with the liquid condensed in closed form
+//! Tolerance: at each row
+
+use crate::assert_rows;
+
+#[test]
+fn schemes_and_coefficients() {
+    assert_rows(&fem::verify::dynamics::schemes().unwrap());
+}
+
+#[test]
+fn strip_of_chapter_8_4() {
+    assert_rows(&fem::verify::dynamics::strip().unwrap());
+}
