@@ -177,15 +177,12 @@ impl Reduced {
         let mut spectra = Vec::new();
         for (k, motion) in load.ground.iter().enumerate() {
             let Some(motion) = motion else { continue };
-            let mut a: Vec<f64> = (0..length)
-                .map(|i| {
-                    if i < count {
-                        motion.at(i) * (-sigma * h * i as f64).exp()
-                    } else {
-                        0.0
-                    }
-                })
-                .collect();
+            let mut a = vec![0.0; length];
+            for (i, a) in a.iter_mut().enumerate().take(count) {
+                // Where the record jumps (at its ends, as a rule) a sample counts with the mean of both sides.
+                let before = if i > 0 { motion.interval(i - 1).1 } else { 0.0 };
+                *a = 0.5 * (before + motion.interval(i).0) * (-sigma * h * i as f64).exp();
+            }
             let mut transform = forward.make_output_vec();
             (forward.process(&mut a, &mut transform)).expect("buffers were made by the plan");
             spectra.push((k, transform));

@@ -14,6 +14,7 @@
 //! | [`observe`] | histories of scalars, extremes of everything else; [`observable`] says of what |
 //! | [`scheme`] | generalised-α and its special cases: Newmark, Hilber-Hughes-Taylor, trapezoidal rule |
 //! | [`transient`] | direct time integration, one factor for many records, with energy balance |
+//! | [`newton`] | one nonlinear load or time step; static load paths |
 //! | [`modal`] | modal superposition with missing mass |
 //! | [`spectrum`] | response-spectrum method: SRSS, CQC, missing mass, components |
 //! | [`frequency`] | frequency domain |
@@ -22,6 +23,7 @@ pub mod damping;
 pub mod frequency;
 pub mod modal;
 pub mod motion;
+pub mod newton;
 pub mod observable;
 pub mod observe;
 pub mod scheme;
