@@ -6,13 +6,12 @@ mod strip;
 pub use schemes::schemes;
 pub use strip::{Strip, strip};
 
-use super::Row;
-use crate::analysis::AnalysisError;
+use super::{Row, VerifyError};
 
 /// All rows of this topic.
 ///
 /// Errors: those of the analyses.
-pub fn dynamics() -> Result<Vec<Row>, AnalysisError> {
+pub fn dynamics() -> Result<Vec<Row>, VerifyError> {
     let mut rows = schemes()?;
     rows.extend(strip()?);
     Ok(rows)

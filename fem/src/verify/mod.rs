@@ -3,6 +3,7 @@
 //! One module a topic. The tests assert that every row holds, the verification manual prints them. A row says what the
 //! reference *is*: one that only repeats our own earlier output is a [`Reference::Regression`] and verifies nothing.
 
+use crate::analysis::AnalysisError;
 use crate::element::ElementError;
 use crate::linalg::LinalgError;
 use crate::mesh::MeshError;
@@ -29,6 +30,9 @@ pub enum VerifyError {
     /// Of a factorisation or an eigenvalue solver.
     #[error(transparent)]
     Linalg(#[from] LinalgError),
+    /// Of an analysis.
+    #[error(transparent)]
+    Analysis(#[from] AnalysisError),
     /// A mode that was looked for is not among those computed.
     #[error("{what} is not among the {found} modes computed")]
     Mode {
