@@ -19,6 +19,7 @@ use crate::linalg::{Kind, Ordering, Symbolic};
 use crate::model::Model;
 
 mod cantilever;
+mod column;
 mod joint;
 mod wall;
 
@@ -33,6 +34,7 @@ pub fn solid() -> Result<Vec<Row>, Failure> {
     rows.extend(cantilever::frequencies()?);
     rows.extend(cantilever::harmonic()?);
     rows.extend(joint::rows()?);
+    rows.extend(column::rows()?);
     rows.extend(wall::layered()?);
     rows.extend(wall::alone()?);
     Ok(rows)
