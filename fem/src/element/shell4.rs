@@ -436,3 +436,51 @@ pub fn rigid_motion(
     }
     (values, [rotation; 4])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::reference_stiffness;
+    use super::super::shell::section::ElasticSection;
+    use super::*;
+
+    const SQUARE: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+
+    fn section() -> Arc<dyn Section> {
+        Arc::new(ElasticSection::new(1000.0, 0.25, 0.1, 1.0).expect("valid parameters"))
+    }
+
+    /// Stretch 0.01 along x: n_11 = E t/(1 − ν²) 0.01 = 16/15, n_22 = ν n_11; a pull n_11 · 1 m shared by two nodes.
+    #[test]
+    fn uniaxial_stretch_by_hand() {
+        let shell = Shell4::new([0, 1, 2, 3], SQUARE, [Vector3::z(); 4], section()).unwrap();
+        let mut u = vec![0.0; SIZE];
+        (u[6], u[12]) = (0.02, 0.02);
+        for sample in shell.samples() {
+            let value: f64 = sample.row.iter().zip(&u).map(|(a, b)| a * b).sum();
+            let expected = match sample.name {
+                "n_11" => 16.0 / 15.0,
+                "n_22" => 4.0 / 15.0,
+                _ => 0.0,
+            };
+            assert!((value - expected).abs() < 1e-13, "{}", sample.name);
+        }
+        let force = reference_stiffness(&shell).unwrap().to_matrix().times(&u);
+        assert!((force[6] - 8.0 / 15.0).abs() < 1e-13 && (force[0] + 8.0 / 15.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn bad_geometry_is_refused() {
+        let up = [Vector3::z(); 4];
+        assert!(Shell4::new([0, 1, 2, 3], SQUARE, [-Vector3::z(); 4], section()).is_err());
+        assert!(Shell4::new([0, 1, 2, 3], SQUARE, up.map(|d| d * 1.1), section()).is_err());
+        let bow_tie = [SQUARE[0], SQUARE[2], SQUARE[1], SQUARE[3]];
+        assert!(matches!(
+            Shell4::new([0, 1, 2, 3], bow_tie, up, section()),
+            Err(ElementError::Jacobian { .. })
+        ));
+        let nan = [[f64::NAN, 0.0, 0.0], SQUARE[1], SQUARE[2], SQUARE[3]];
+        assert!(Shell4::new([0, 1, 2, 3], nan, up, section()).is_err());
+        let shell = Shell4::new([0, 1, 2, 3], SQUARE, up, section()).unwrap();
+        assert!(shell.with_drilling([true; 4], -1.0).is_err());
+    }
+}

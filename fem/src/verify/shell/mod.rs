@@ -5,6 +5,7 @@
 //! is compared with the published value.
 
 mod buckling;
+mod cylinder_modes;
 mod cylinder_wall;
 mod element;
 mod finite;
@@ -63,6 +64,7 @@ pub fn shell() -> Answer<Vec<Row>> {
         tank::static_tank()?,
         tank::sectors(&[16, 32, 64])?,
         buckling::buckling(&[(64, 8), (64, 12)])?,
+        cylinder_modes::cylinder_modes(&[4, 8, 12, 16])?,
         finite::cantilever()?,
         finite::roll_up(&[20, 40])?,
     ];
