@@ -12,7 +12,7 @@ use crate::dofs::{Dof, KINDS};
 use crate::element::WetFace;
 use crate::element::shell::section::{ElasticSection, Section};
 use crate::element::shell::surface::{Normals, ShellCell, ShellSurface};
-use crate::element::shell4::Axes;
+use crate::element::shell4::{Axes, MembraneShear};
 use crate::linalg::{Matrix, Pencil, Symbolic, Symmetric, ThreeField, dot};
 use crate::liquid::{HarmonicLiquid, LiquidMesh, NormalRow, WallPencil};
 use crate::mesh::{Cylinder, Wall};
@@ -68,6 +68,8 @@ pub struct Division {
     pub radii: Vec<f64>,
     /// Levels of the liquid's nodes [m].
     pub liquid: Vec<f64>,
+    /// How the wall takes its membrane shear.
+    pub membrane_shear: MembraneShear,
 }
 
 impl Division {
@@ -95,6 +97,7 @@ impl Division {
             wall,
             radii: uniform(tank.radius, 4 * k),
             liquid: uniform(tank.depth, 5 * k),
+            membrane_shear: MembraneShear::default(),
         }
     }
 }
@@ -204,6 +207,7 @@ fn place_wall(builder: &mut Builder, tank: &Tank, division: &Division) -> Result
     ShellSurface {
         normals: Normals::Exact(&outwards),
         axes: Axes::HOOP_Z,
+        membrane_shear: division.membrane_shear,
         ..ShellSurface::new(cells)
     }
     .place(builder)?;

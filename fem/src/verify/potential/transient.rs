@@ -10,6 +10,7 @@ use crate::analysis::observable::Observable;
 use crate::analysis::system::System;
 use crate::analysis::transient::{Load, Settings, integrate};
 use crate::dofs::Dof;
+use crate::element::shell4::MembraneShear;
 use crate::linalg::{Matrix, Pencil, ThreeField, dot, generalized_eigen};
 use crate::progress::Silent;
 
@@ -27,6 +28,7 @@ pub fn three_field_and_modal() -> Result<Vec<Compared>, Failure> {
         wall: vec![0.0, 0.15, 0.4, 0.915, 1.2, 1.525, 1.83],
         radii: uniform(data.radius, 3),
         liquid: uniform(data.depth, 4),
+        membrane_shear: MembraneShear::default(),
     };
     let tank = with_hexahedra(&data, &division)?;
     let system = System::new(&tank.model, &tank.assembler)?;
