@@ -71,9 +71,13 @@ impl System {
     }
 }
 
-/// Global components of a unit translation along axis `k`.
+/// Global components of a unit translation along axis `k`. The surface of a potential liquid rises with the tank, so that
+/// its elevation relative to it, on which gravity acts, stays zero.
 pub(crate) fn unit(k: usize) -> [f64; crate::dofs::KINDS] {
     let mut out = [0.0; crate::dofs::KINDS];
     out[k] = 1.0;
+    if k == 2 {
+        out[crate::dofs::Dof::Eta.index()] = 1.0;
+    }
     out
 }

@@ -181,15 +181,6 @@ impl HarmonicLiquid {
         }
         out
     }
-
-    /// (K_f + s M_f) x.
-    pub fn effective(&self, s: f64, x: &Matrix) -> Matrix {
-        let mut out = self.stiffness(x);
-        for (v, m) in out.data.iter_mut().zip(&self.mass(x).data) {
-            *v += s * m;
-        }
-        out
-    }
 }
 
 /// M and K over (w, elevations) of one harmonic, elevations condensed unless they are unknowns.
@@ -235,5 +226,99 @@ pub(super) fn matrix(rows: usize, cols: usize, data: &[f64]) -> Matrix {
         rows,
         cols,
         data: data.to_vec(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+    use crate::linalg::dot;
+    use crate::liquid::Condensed;
+
+    const RADIUS: f64 = 1.83;
+    const DEPTH: f64 = 1.525;
+    const SECTORS: usize = 9;
+
+    fn liquid(sloshing: u32) -> HarmonicLiquid {
+        let mesh = LiquidMesh::graded(RADIUS, DEPTH, 1.0);
+        let heights: Vec<f64> = [0.0, 0.1, 0.4, 1.0, 1.525].to_vec();
+        HarmonicLiquid::new(RADIUS, 1000.0, 9.81, SECTORS, &heights, &mesh, sloshing).unwrap()
+    }
+
+    fn vector(liquid: &HarmonicLiquid, w: impl Fn(f64, usize) -> f64) -> Matrix {
+        let mut x: Vec<f64> = Vec::new();
+        for (l, _) in liquid.heights().iter().enumerate() {
+            x.extend((0..SECTORS).map(|k| w(TAU * k as f64 / SECTORS as f64, l)));
+        }
+        x.resize(liquid.wall() + liquid.elevations(), 0.0);
+        Matrix {
+            rows: x.len(),
+            cols: 1,
+            data: x,
+        }
+    }
+
+    /// F6 on any mesh: a translation in any direction carries the mass of the liquid. (φ = x is in the space; 10⁻⁹ as the
+    /// sheet asks.)
+    #[test]
+    fn translation_carries_the_liquid() {
+        let liquid = liquid(1);
+        let exact = 1000.0 * PI * RADIUS * RADIUS * DEPTH;
+        for direction in [0.0, 0.7] {
+            let x = vector(&liquid, |theta, _| (theta - direction).cos());
+            let mass = dot(&x.data, &liquid.mass(&x).data);
+            assert!((mass / exact - 1.0).abs() < 1e-9, "{mass} {exact}");
+        }
+    }
+
+    /// A breathing wall lifts the surface by the displaced volume: 2πR H w = πR² η in the mean, stiffness ρ g (2πRHw)²/(πR²)
+    /// when the elevation is that mean everywhere.
+    #[test]
+    fn breathing_keeps_the_volume() {
+        let liquid = liquid(1);
+        let x = vector(&liquid, |_, _| 1.0);
+        let condensed = Condensed::new(&liquid, 0.0).unwrap();
+        let w = &x.data[..liquid.wall()];
+        let stiffness = dot(w, &condensed.times(w));
+        let exact = 9810.0 * (TAU * RADIUS * DEPTH).powi(2) / (PI * RADIUS * RADIUS);
+        assert!((stiffness / exact - 1.0).abs() < 1e-9, "{stiffness} {exact}");
+    }
+
+    /// The operator, its matrix and the condensation say the same, and the matrix is symmetric.
+    #[test]
+    fn condensed_forms_agree() {
+        let liquid = liquid(2);
+        let s = 40.0;
+        let condensed = Condensed::new(&liquid, s).unwrap();
+        let a = condensed.matrix();
+        let w: Vec<f64> = (0..liquid.wall()).map(|i| ((i * 7 % 13) as f64 - 6.0) / 6.0).collect();
+        let times = condensed.times(&w);
+        let scale = times.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        for (x, y) in a.times(&w).iter().zip(&times) {
+            assert!((x - y).abs() < 1e-11 * scale);
+        }
+        // (K + s M)(w, η) with the η that follows from no force on the surface.
+        let eta = condensed.elevations(&w, &vec![0.0; liquid.elevations()]).unwrap();
+        let mut x = w.clone();
+        x.extend(&eta);
+        let n = x.len();
+        let x = Matrix {
+            rows: n,
+            cols: 1,
+            data: x,
+        };
+        let (k, m) = (liquid.stiffness(&x), liquid.mass(&x));
+        for i in 0..n {
+            let force = k.data[i] + s * m.data[i];
+            let expected = times.get(i).copied().unwrap_or(0.0);
+            assert!((force - expected).abs() < 1e-10 * scale, "{i}: {force} {expected}");
+        }
+        for i in 0..a.rows {
+            for j in 0..i {
+                assert!((a.get(i, j) - a.get(j, i)).abs() < 1e-12 * scale);
+            }
+        }
     }
 }

@@ -7,6 +7,8 @@ pub mod transient;
 use std::f64::consts::PI;
 
 use super::{Reference, Row};
+use crate::linalg::{Matrix, Pencil};
+use crate::liquid::WallSolver;
 use coupled::{Division, Tank, along_x, mode_on_hexahedra, radial, with_harmonics, with_hexahedra};
 use rigid::{DENSITY, GRAVITY, RigidTank, Sloshing};
 
@@ -28,6 +30,8 @@ pub fn potential() -> Result<Vec<Row>, Failure> {
     rows.extend(box_rows()?);
     rows.extend(bulging_rows("8.1", &Tank::broad(), 164.67, true)?);
     rows.extend(transient_rows()?);
+    rows.extend(vertical_rows()?);
+    rows.extend(solver_rows()?);
     Ok(rows)
 }
 
@@ -420,4 +424,71 @@ fn transient_rows() -> Result<Vec<Row>, Failure> {
             )
         })
         .collect())
+}
+
+/// A rigid box shaken vertically moves as one: p' = ρ a (H − z), the surface stays level with the tank.
+fn vertical_rows() -> Result<Vec<Row>, Failure> {
+    let tank = RigidTank::cuboid([2.0, 1.5, 1.0], [3, 2, 4], |_| [0.0; 3])?;
+    let (pressure, elevation) = tank.vertical()?;
+    let source = "p' = ρ a (H − z), hydrostatics in the moving tank";
+    Ok(vec![
+        row(
+            "vertical",
+            "rigid box, unit vertical acceleration: largest difference of pressures over ρ a H",
+            (0.0, source, Reference::ClosedForm),
+            pressure,
+            1e-12,
+        ),
+        row(
+            "vertical",
+            "rigid box, unit vertical acceleration: largest elevation over that of free fall",
+            (0.0, source, Reference::ClosedForm),
+            elevation,
+            1e-12,
+        ),
+    ])
+}
+
+/// The two solvers of a wall with the harmonic liquid.
+fn solver_rows() -> Result<Vec<Row>, Failure> {
+    let data = Tank::broad();
+    let model = with_harmonics(&data, &Division::refined(&data, 2), 1.0, 2)?;
+    let pencil = model.pencil();
+    let load = model.inertia(along_x);
+    let step: f64 = 2e-3;
+    let s = 4.0 / (step * step);
+    let mut dense = Matrix {
+        rows: load.len(),
+        cols: 1,
+        data: load.clone(),
+    };
+    pencil.shifted(s)?.solve(&mut dense)?;
+    let (iterated, _) = WallSolver::new(&pencil, s, 1e-10)?.solve(&load, &vec![0.0; load.len()])?;
+    let (k, m) = (pencil.stiffness(&dense), pencil.mass(&dense)?);
+    let size = |x: &[f64]| x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let residual: Vec<f64> = (0..load.len()).map(|i| k.data[i] + s * m.data[i] - load[i]).collect();
+    let apart: Vec<f64> = iterated.iter().zip(&dense.data).map(|(a, b)| a - b).collect();
+    let check = |what: &str, value: f64, tolerance: f64| {
+        row(
+            "solvers",
+            format!("tank 8.1 with the harmonic liquid, K + 4M/Δt²: {what}"),
+            (0.0, "the products with K and M", Reference::SecondFormulation),
+            value,
+            tolerance,
+        )
+    };
+    Ok(vec![
+        // The dense block passes through C⁻¹, whose condition is some 10⁶.
+        check(
+            "residual of the dense wet block over the load",
+            size(&residual) / size(&load),
+            1e-8,
+        ),
+        // Tolerance of the iteration 10⁻¹⁰ in the norm of the preconditioner.
+        check(
+            "conjugate gradients against the dense wet block",
+            size(&apart) / size(&dense.data),
+            1e-7,
+        ),
+    ])
 }

@@ -120,6 +120,9 @@ impl RigidTank {
                     if k + 1 == counts[2] {
                         surface.push(face([n[4], n[5], n[6], n[7]]));
                     }
+                    if k == 0 {
+                        walls.push((face([n[0], n[3], n[2], n[1]]), [0.0, 0.0, -1.0]));
+                    }
                     if i == 0 {
                         walls.push((face([n[0], n[4], n[7], n[3]]), [-1.0, 0.0, 0.0]));
                     }
@@ -205,6 +208,42 @@ impl RigidTank {
         let inner = |&e: &usize| dofs.equation(dofs.unknown(e).0, Dof::Eta).is_none();
         let phi: Vec<usize> = dofs.of_kind(Dof::Phi).into_iter().filter(inner).collect();
         self.added_mass(&phi)
+    }
+
+    /// Unit vertical acceleration of the ground from rest: M₃ ẍ = −M₃ ι with u = e_z and η = 1 in ι. Returns the largest
+    /// difference of p' = −ρ φ̈ from ρ (H − z), over ρ H, and the largest |η̈| relative to the tank.
+    ///
+    /// M₃ + K₃/s with s = 10¹² stands for M₃, which the factorisation without pivoting wants quasi-definite.
+    ///
+    /// Errors: a singular matrix.
+    pub fn vertical(&self) -> Result<(f64, f64), Failure> {
+        let mut unit = [0.0; crate::dofs::KINDS];
+        unit[Dof::Uz.index()] = 1.0;
+        unit[Dof::Eta.index()] = 1.0;
+        let assembler = Assembler::new(&self.model);
+        let load = assembler.inertia(&self.model, |_| unit);
+        let mut effective = self.mass.clone();
+        effective.add(1e-12, &self.stiffness);
+        let mut x = Matrix {
+            rows: load.len(),
+            cols: 1,
+            data: load.iter().map(|v| -v).collect(),
+        };
+        self.symbolic.factor(&effective, Kind::QuasiDefinite)?.solve(&mut x)?;
+        let dofs = self.model.dofs();
+        let depth = self.model.nodes().iter().fold(0.0_f64, |m, p| m.max(p[2]));
+        let (mut pressure, mut elevation) = (0.0_f64, 0.0_f64);
+        for (e, value) in x.data.iter().enumerate() {
+            let (node, dof) = dofs.unknown(e);
+            match dof {
+                Dof::Phi => {
+                    let expected = DENSITY * (depth - self.model.nodes()[node][2]);
+                    pressure = pressure.max((-DENSITY * value - expected).abs() / (DENSITY * depth));
+                }
+                _ => elevation = elevation.max(value.abs()),
+            }
+        }
+        Ok((pressure, elevation))
     }
 
     /// bᵀ (ρH)⁻¹ b with b = ρ B ι on some potentials.
