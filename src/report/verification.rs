@@ -135,12 +135,12 @@ pub fn html(found: &Manual) -> Result<String, Error> {
             table.row(manual::cells(row).into_iter().chain([state.to_owned()]).collect());
         }
         views.push(BenchmarkView {
-            id: benchmark.id.into(),
-            title: benchmark.title.into(),
+            figures: benchmark.figure()?.iter().map(FigureView::of).collect(),
+            id: benchmark.id,
+            title: benchmark.title,
             model: benchmark.model.into(),
             sources,
             table,
-            figures: benchmark.figure()?.iter().map(FigureView::of).collect(),
         });
     }
     let templates = Templates::new(None)?;

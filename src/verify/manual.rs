@@ -23,9 +23,9 @@ pub const INDEX: &str = "README.md";
 /// A benchmark with its rows.
 pub struct Benchmark<'a> {
     /// Id, name of the file.
-    pub id: &'a str,
+    pub id: String,
     /// Title.
-    pub title: &'a str,
+    pub title: String,
     /// Model, empty if it is not described.
     pub model: &'a str,
     /// Its rows.
@@ -36,13 +36,14 @@ pub struct Benchmark<'a> {
 pub fn benchmarks(rows: &[Entry]) -> Vec<Benchmark<'_>> {
     let mut all: Vec<Benchmark> = Vec::new();
     for row in rows {
-        match all.iter_mut().find(|b| b.id == row.page) {
+        let id = pages::slug(&row.page);
+        match all.iter_mut().find(|b| b.id == id) {
             Some(benchmark) => benchmark.rows.push(row),
             None => {
-                let page = pages::find(&row.page);
+                let page = pages::find(&id);
                 all.push(Benchmark {
-                    id: &row.page,
-                    title: page.map_or(row.page.as_str(), |p| p.title),
+                    id,
+                    title: page.map_or_else(|| pages::plain_title(&row.page), |p| p.title.to_owned()),
                     model: page.map_or("", |p| p.model),
                     rows: vec![row],
                 });
@@ -64,7 +65,7 @@ impl Benchmark<'_> {
         if studies.is_empty() {
             return Ok(None);
         }
-        verification::convergence(&format!("convergence-{}", self.id), self.title, &studies).map(Some)
+        verification::convergence(&format!("convergence-{}", self.id), &self.title, &studies).map(Some)
     }
 }
 
@@ -113,7 +114,7 @@ fn deviation(row: &Entry, value: f64, sign: bool) -> String {
 }
 
 fn unit(unit: &str) -> &str {
-    if unit == "1" { "" } else { unit }
+    if matches!(unit, "1" | "-") { "" } else { unit }
 }
 
 /// Six significant digits, a power of ten where that is shorter.
@@ -231,7 +232,7 @@ pub fn index(rows: &[Entry]) -> String {
         let _ = writeln!(
             text,
             "| [{}]({}.md) | {} | {} | {worst:.2} |",
-            cell(benchmark.title),
+            cell(&benchmark.title),
             benchmark.id,
             benchmark.rows.len(),
             kinds.join(", ")
@@ -295,7 +296,7 @@ pub fn write(folder: &Path, rows: &[Entry]) -> Result<(), Error> {
     let lines = lines.map_err(|e| Error::Report(e.to_string()))?;
     files.push((ROWS.into(), format!("[\n{}\n]\n", lines.join(",\n"))));
     let gone: Vec<String> = read(folder)
-        .map(|old| old.into_iter().map(|row| row.page).collect())
+        .map(|old| old.iter().map(|row| pages::slug(&row.page)).collect())
         .unwrap_or_default();
     std::fs::create_dir_all(folder).map_err(|e| fault(folder, e))?;
     for page in gone {

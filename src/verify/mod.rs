@@ -58,10 +58,18 @@ const FAST: &[Topic] = &[
     ("coupled modes", || coupled::rows().map_err(words)),
     ("published coupled modes", || coupled::published_rows().map_err(words)),
     ("three-dimensional engine, coarse", || solid::rows().map_err(words)),
+    ("shell", || fem::verify::shell::shell().map_err(words)),
+    ("solid, joint, layered wall", || fem::verify::solid::solid().map_err(words)),
+    ("potential liquid on hexahedra", || {
+        fem::verify::potential::potential().map_err(words)
+    }),
 ];
 
 /// Topics that take minutes.
-const SLOW: &[Topic] = &[("three-dimensional engine", || solid::slow_rows().map_err(words))];
+const SLOW: &[Topic] = &[
+    ("three-dimensional engine", || solid::slow_rows().map_err(words)),
+    ("shell", || fem::verify::shell::shell_slow().map_err(words)),
+];
 
 fn words(error: impl std::fmt::Display) -> String {
     error.to_string()

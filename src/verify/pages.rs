@@ -53,9 +53,199 @@ pub const PAGES: &[Page] = &[
                 at the refinement stated. Reference: harmonic engine, default mesh. Convergence over the mesh size, 1 at \
                 refinement 1.",
     },
+    Page {
+        id: "potential-liquid",
+        title: "Potential liquid on hexahedra",
+        model: "`potential8` in rigid cylinders, sectors and boxes; then with the anchored `shell4` walls of tanks 8.1 and \
+                8.3, the liquid on hexahedra or harmonic by harmonic. Meshes in each row.",
+    },
+    Page {
+        id: "fluid-rank",
+        title: "Rank of the displacement fluid elements",
+        model: "Unit square and unit cube of `fluid4` and `fluid8`, K = 2.06·10⁶ kPa, K_rot = 100 kPa: eigenvectors of the \
+                stiffness told apart by volume energy, rotation energy or none, for the four variants of table 5.3.",
+    },
+    Page {
+        id: "fluid-patch",
+        title: "Patch tests of the displacement fluid elements",
+        model: "Regular and distorted patches (MacNeal & Harder 1985), K = 2.06·10⁶ kPa, K_rot = 206 kPa, pressure of 10 kPa \
+                prescribed through the displacements of the outer nodes; Cartesian and cylindrical chart.",
+    },
+    Page {
+        id: "fluid-weight",
+        title: "Cylinder of liquid under its own weight",
+        model: "R = H = 5 m, 8 × 8 × 8 `fluid8` between rigid walls, free surface with its stiffness ρ g.",
+    },
+    Page {
+        id: "fluid-cylinder",
+        title: "Sloshing of the displacement liquid in rigid cylinders",
+        model: "`fluid8` with mean dilatation and split rotation penalty between rigid walls; tanks 8.1 to 8.3, meshes in \
+                each row.",
+    },
+    Page {
+        id: "fluid-rectangle",
+        title: "Sloshing of the displacement liquid in rectangles",
+        model: "Plane `fluid4` between rigid walls; strip 8.4 and equation (5.69), meshes in each row.",
+    },
+    Page {
+        id: "fluid-disc",
+        title: "Degenerate discs of table 5.4",
+        model: "Strip of (5.69), 5 × 5 m, as spatial elements one element thin in the cylindrical chart: a sector of 1° and \
+                a ring of one element.",
+    },
+    Page {
+        id: "fluid-impulsive",
+        title: "Impulsive mass of the displacement liquid",
+        model: "Tank 8.1, `fluid8`, the wall's normal acceleration prescribed, nearly incompressible.",
+    },
+    Page {
+        id: "fluid-box",
+        title: "Sloshing and acoustic modes of a box",
+        model: "Code_Aster V8.21.101: L = 0.8 m, H = 0.3 m, ρ = 1000 kg/m³, c = 1400 m/s, g = 9.81 m/s²; plane `fluid4`, \
+                default penalty, the modes told apart by their energies.",
+    },
+    Page {
+        id: "brick-cantilever",
+        title: "Cantilever of bricks",
+        model: "Dissertation 6.4.1, figure 6.5: `solid8`, L = 2.50 m, section 0.10 × 0.10 m, E = 3·10⁷ kN/m², ν = 0; static, \
+                modes, harmonic tip force.",
+    },
+    Page {
+        id: "contact-joint",
+        title: "Joint between two bodies",
+        model: "`contact8`: integrals over a partly closed face of 2 × 2 m; two blocks of bricks pressed by 1 MPa.",
+    },
+    Page {
+        id: "layered-wall",
+        title: "Layered wall of example 8.4",
+        model: "Concrete 0.30 m, layer 0.05 m, liner 6 mm; 3.00 m high, 2.57 m of liquid of 10 kN/m³, strip of 1 m in plane \
+                strain; beams with `solid8` of stiffness along its normal between them.",
+    },
+    Page {
+        id: "shell-element",
+        title: "Shell: one element",
+        model: "One distorted `shell4`: zero energies, finite rigid rotations, tangent against differences of the force.",
+    },
+    Page {
+        id: "shell-patch",
+        title: "Shell: patch test",
+        model: "Distorted patch of MacNeal & Harder 1985 under membrane and bending strains.",
+    },
+    Page {
+        id: "shell-scordelis-lo",
+        title: "Shell: Scordelis-Lo roof",
+        model: "Quarter of the roof, R = 25, L = 50, t = 0.25, E = 4.32·10⁸, 90 per area; meshes in each row.",
+    },
+    Page {
+        id: "shell-pinched-cylinder",
+        title: "Shell: pinched cylinder with end diaphragms",
+        model: "One eighth, R = 300, L = 600, t = 3, E = 3·10⁶, ν = 0.3; meshes in each row.",
+    },
+    Page {
+        id: "shell-hemisphere",
+        title: "Shell: pinched hemisphere",
+        model: "Quarter with a hole of 18°, R = 10, t = 0.04, E = 6.825·10⁷, ν = 0.3; meshes in each row.",
+    },
+    Page {
+        id: "shell-twisted-beam",
+        title: "Shell: twisted beam",
+        model: "Strip twisted by 90°, L = 12, b = 1.1, unit force at the tip in and out of plane (MacNeal & Harder 1985).",
+    },
+    Page {
+        id: "shell-cook",
+        title: "Shell: Cook's membrane",
+        model: "Tapered panel under shear at its free edge, plane stress; meshes in each row.",
+    },
+    Page {
+        id: "shell-z-cantilever",
+        title: "Shell: Z-section cantilever (NAFEMS LE5)",
+        model: "Cantilever of Z section under a torque; folds with drilling stiffness.",
+    },
+    Page {
+        id: "shell-square-frame",
+        title: "Shell: frame under a force in its plane",
+        model: "See the row and its source.",
+    },
+    Page {
+        id: "shell-cantilever-plate",
+        title: "Shell: cantilevered square plate (NAFEMS FV16)",
+        model: "Modes of a thin square plate clamped along one side.",
+    },
+    Page {
+        id: "shell-tank-static",
+        title: "Shell: wall of tank 8.1 under the liquid",
+        model: "One sector of the wall under hydrostatic pressure, clamped at the base; courses of the tank.",
+    },
+    Page {
+        id: "shell-tank-locking",
+        title: "Shell: membrane locking of a cylindrical wall",
+        model: "Sector of tank 8.1's wall with the membrane shear integrated fully and taken at the centre.",
+    },
+    Page {
+        id: "shell-tank-sectors",
+        title: "Shell: a polygon for a circle",
+        model: "Wall of tank 8.1 by the number of its sectors.",
+    },
+    Page {
+        id: "shell-tank-grading",
+        title: "Shell: mesh graded to the base",
+        model: "Wall of tank 8.1 by the grading of its mesh into the edge disturbance.",
+    },
+    Page {
+        id: "shell-axial-buckling",
+        title: "Shell: axial buckling of a cylinder",
+        model: "Linear buckling of one sector against 0.605 E t/R.",
+    },
+    Page {
+        id: "time-integration",
+        title: "Time integration",
+        model: "Oscillators without space: amplification, period and numerical damping of Newmark's method and the \
+                generalised-α method, the exact recurrence.",
+    },
+    Page {
+        id: "rayleigh-damping",
+        title: "Rayleigh damping",
+        model: "Coefficients from two ratios, the ratios that result, and the rule for admissible pairs.",
+    },
 ];
 
 /// The description of a page, if there is one.
 pub fn find(id: &str) -> Option<&'static Page> {
     PAGES.iter().find(|p| p.id == id)
+}
+
+/// Name of a page's file: lower-case letters and digits, all else a hyphen.
+pub fn slug(page: &str) -> String {
+    let letters = page.chars().map(|c| {
+        if c.is_ascii_alphanumeric() {
+            c.to_ascii_lowercase()
+        } else {
+            '-'
+        }
+    });
+    letters.collect()
+}
+
+/// Title of a page that is not described.
+pub fn plain_title(page: &str) -> String {
+    let words = page.replace('-', " ");
+    let mut letters = words.chars();
+    letters
+        .next()
+        .map_or(String::new(), |c| c.to_uppercase().chain(letters).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_are_names_of_files_and_unique() {
+        for (i, page) in PAGES.iter().enumerate() {
+            assert_eq!(slug(page.id), page.id);
+            assert!(PAGES[..i].iter().all(|other| other.id != page.id), "{}", page.id);
+        }
+        assert_eq!(slug("Time integration"), "time-integration");
+        assert_eq!(plain_title("layered-wall"), "Layered wall");
+    }
 }

@@ -205,6 +205,8 @@ fn look() {
         (Kind::Compare, "Broad tank of Manos and Clough, 1982", "compare"),
         (Kind::Check, "Broad tank, codes alone", "check"),
         (Kind::Rectangle, "Concrete strip", "rectangle"),
+        (Kind::Both, "Broad tank, two engines", "both"),
+        (Kind::Solid, "Broad tank, three-dimensional", "solid"),
     ];
     for (kind, name, sub) in names {
         let out = std::path::Path::new(&folder).join(sub);
