@@ -163,8 +163,8 @@ pub const PAGES: &[Page] = &[
     },
     Page {
         id: "shell-square-frame",
-        title: "Shell: frame under a force in its plane",
-        model: "See the row and its source.",
+        title: "Shell: closed frame under inner pressure",
+        model: "Square frame of plates with folds at its corners, a strip one element wide, under inner pressure.",
     },
     Page {
         id: "shell-cantilever-plate",
