@@ -7,7 +7,7 @@ use codes::procedure::Excitation;
 use codes::units;
 
 use crate::cli::inputs::Inputs;
-use crate::cli::progress::Watch;
+use crate::cli::progress::{self, Watch};
 use crate::cli::table::Table;
 use crate::cli::{Format, Global, solid};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_OK, Error};
@@ -98,6 +98,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     }
     let mut job = args.inputs.job()?;
     choose(&mut job, &args)?;
+    progress::listen(global, job.engines.solid());
     if let (Some(options), true) = (&job.fe, job.engines.solid()) {
         solid::announce(&job.case, options, &job.solid, global)?;
     }
@@ -106,7 +107,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         Some(target) => Some(OutputFolder::of(target, vtu::owns, "--vtu")?),
         None => None,
     };
-    let watch = Watch::new(global, "codes and finite elements", job.engines.solid());
+    let watch = Watch::new(global, "codes and finite elements");
     let Outcome {
         mut results,
         series,

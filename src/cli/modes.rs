@@ -90,7 +90,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         Engine::Solid => {
             let solid = args.solid.over(&tank.solid);
             solid::announce(&case, &options, &solid, global)?;
-            let watch = Watch::new(global, "modes", false);
+            let watch = Watch::new(global, "modes");
             let mut modes = crate::fe::solid::modes(&case, &options, &solid, args.count, &watch)?;
             watch.finish();
             modes.retain(|m| harmonics.is_empty() || harmonics.contains(&m.harmonic));

@@ -22,25 +22,29 @@ fn abort() -> ! {
     std::process::exit(i32::from(EXIT_INTERRUPTED));
 }
 
-/// A bar on standard error, invisible unless a person watches a terminal, that also hears Ctrl-C.
+/// Hears Ctrl-C from here on. Where the analysis can stop half-way (`graceful`) the first one asks it to; else it ends the
+/// process.
+pub fn listen(global: &Global, graceful: bool) {
+    let quiet = global.quiet;
+    // A handler that is already set (a second run in one process) does the same.
+    let _ = ctrlc::set_handler(move || {
+        if !graceful || STOP.swap(true, Ordering::SeqCst) {
+            abort();
+        }
+        if !quiet {
+            anstream::eprintln!("interrupted: finishing what is computed (Ctrl-C again to drop it)");
+        }
+    });
+}
+
+/// A bar on standard error, invisible unless a person watches a terminal, that also knows of Ctrl-C.
 pub struct Watch {
     bar: ProgressBar,
 }
 
 impl Watch {
-    /// Begins with a spinner that says `what`. Where the analysis can stop half-way (`graceful`) the first Ctrl-C asks
-    /// it to; else Ctrl-C ends the process.
-    pub fn new(global: &Global, what: &'static str, graceful: bool) -> Watch {
-        let quiet = global.quiet;
-        // A handler that is already set (a second run in one process) does the same.
-        let _ = ctrlc::set_handler(move || {
-            if !graceful || STOP.swap(true, Ordering::SeqCst) {
-                abort();
-            }
-            if !quiet {
-                anstream::eprintln!("interrupted: finishing what is computed (Ctrl-C again to drop it)");
-            }
-        });
+    /// Begins with a spinner that says `what`.
+    pub fn new(global: &Global, what: &'static str) -> Watch {
         Watch {
             bar: super::spinner(global, what),
         }

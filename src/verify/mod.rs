@@ -59,7 +59,9 @@ const FAST: &[Topic] = &[
     ("published coupled modes", || coupled::published_rows().map_err(words)),
     ("three-dimensional engine, coarse", || solid::rows().map_err(words)),
     ("shell", || fem::verify::shell::shell().map_err(words)),
-    ("solid, joint, layered wall", || fem::verify::solid::solid().map_err(words)),
+    ("solid, joint, layered wall", || {
+        fem::verify::solid::solid().map_err(words)
+    }),
     ("potential liquid on hexahedra", || {
         fem::verify::potential::potential().map_err(words)
     }),

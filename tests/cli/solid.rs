@@ -74,3 +74,69 @@ fn a_foreign_folder_is_no_place_for_paraview_files() {
     assert!(matches!(run.status.code(), Some(2)), "{}", stderr(&run));
     assert!(!out.exists(), "nothing is half-written");
 }
+
+/// Starts a run of both engines and waits until it says what it is about to do.
+#[cfg(unix)]
+fn begin(out: &std::path::Path) -> (std::process::Child, impl std::io::BufRead) {
+    use std::io::{BufRead, BufReader};
+
+    let mut run = std::process::Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+        .args([
+            "compare", TANK, "--quake", QUAKE, "--fe", "both", "--mesh", "10x24x16", "--out",
+        ])
+        .arg(out)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .stdout(std::process::Stdio::null())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .expect("tankcheck runs");
+    let mut messages = BufReader::new(run.stderr.take().expect("standard error is a pipe"));
+    let mut announced = String::new();
+    while !announced.contains("unknowns") {
+        assert!(messages.read_line(&mut announced).expect("text") > 0, "{announced}");
+    }
+    for word in ["10x24x16 elements", "MiB", "about"] {
+        assert!(announced.contains(word), "{announced}");
+    }
+    (run, messages)
+}
+
+/// Ctrl-C.
+#[cfg(unix)]
+fn interrupt(run: &std::process::Child) {
+    let sent = std::process::Command::new("kill")
+        .args(["-INT", &run.id().to_string()])
+        .status()
+        .expect("kill exists");
+    assert!(sent.success());
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_keeps_what_is_done_and_marks_it_incomplete() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    let (mut run, _messages) = begin(&out);
+    interrupt(&run);
+    assert_eq!(run.wait().expect("ends").code(), Some(3));
+    let report = std::fs::read_to_string(out.join("report.html")).expect("the harmonic engine was done");
+    assert!(report.contains("Incomplete"));
+    let results = tankcheck::results::read(&out).expect("results");
+    assert!(results.verdict.incomplete && !results.verdict.holds && results.fe.is_some());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_second_ctrl_c_leaves_nothing() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    let (mut run, mut messages) = begin(&out);
+    interrupt(&run);
+    // Signals of one kind are not counted: the second is sent when the first has been heard.
+    let mut heard = String::new();
+    std::io::BufRead::read_line(&mut messages, &mut heard).expect("text");
+    assert!(heard.contains("Ctrl-C again"), "{heard}");
+    interrupt(&run);
+    assert_eq!(run.wait().expect("ends").code(), Some(130));
+    assert_eq!(std::fs::read_dir(home.path()).expect("readable").count(), 0);
+}

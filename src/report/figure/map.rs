@@ -79,7 +79,7 @@ pub fn figure(id: &str, map: &WallMap) -> Option<Figure> {
     if high <= low {
         return None;
     }
-    let (levels, decimals) = ticks(low, high, 7);
+    let (levels, decimals) = ticks(low, high, 10);
     let right = WIDE - BAR;
     let bottom = TOP + PLOT;
     let (theta, z) = (ends(&field.theta), ends(&field.z));
