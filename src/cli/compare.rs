@@ -41,7 +41,7 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t = Engine::Harmonic)]
     fe: Engine,
     #[command(flatten)]
-    solid: solid::Args,
+    solid: solid::SolidArgs,
     /// Write ParaView files (tank.pvd) of the three-dimensional run into this folder.
     #[arg(long, value_name = "FOLDER")]
     vtu: Option<PathBuf>,

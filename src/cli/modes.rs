@@ -39,7 +39,7 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t = Engine::Harmonic)]
     fe: Engine,
     #[command(flatten)]
-    solid: solid::Args,
+    solid: solid::SolidArgs,
     /// Circumferential harmonics, separated by commas [default: 0,1,2; rectangle 0,1; three-dimensional: all].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     harmonics: Option<Vec<u32>>,

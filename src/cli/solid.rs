@@ -11,7 +11,7 @@ use crate::results::InputValue;
 
 /// How the three-dimensional engine meshes and what it may take.
 #[derive(clap::Args, Clone, Debug)]
-pub struct Args {
+pub struct SolidArgs {
     /// Elements over radius, circumference and height of the wall, as 12x16x20 [default: by the size of the tank].
     #[arg(long, value_name = "RxSxV", allow_hyphen_values = true)]
     mesh: Option<MeshSize>,
@@ -32,7 +32,7 @@ pub enum LiquidArg {
     Displacement,
 }
 
-impl Args {
+impl SolidArgs {
     /// The first of these options that was given.
     pub fn given(&self) -> Option<&'static str> {
         let mesh = self.mesh.map(|_| "--mesh");

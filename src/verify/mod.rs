@@ -58,6 +58,7 @@ const FAST: &[Topic] = &[
     ("coupled modes", || coupled::rows().map_err(words)),
     ("published coupled modes", || coupled::published_rows().map_err(words)),
     ("three-dimensional engine, coarse", || solid::rows().map_err(words)),
+    ("displacement liquid", || fem::verify::fluid::fluid().map_err(words)),
     ("shell", || fem::verify::shell::shell().map_err(words)),
     ("solid, joint, layered wall", || {
         fem::verify::solid::solid().map_err(words)
@@ -70,6 +71,9 @@ const FAST: &[Topic] = &[
 /// Topics that take minutes.
 const SLOW: &[Topic] = &[
     ("three-dimensional engine", || solid::slow_rows().map_err(words)),
+    ("displacement liquid", || {
+        fem::verify::fluid::fluid_slow().map_err(words)
+    }),
     ("shell", || fem::verify::shell::shell_slow().map_err(words)),
 ];
 
