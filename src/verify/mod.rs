@@ -71,9 +71,6 @@ const FAST: &[Topic] = &[
 /// Topics that take minutes.
 const SLOW: &[Topic] = &[
     ("three-dimensional engine", || solid::slow_rows().map_err(words)),
-    ("displacement liquid", || {
-        fem::verify::fluid::fluid_slow().map_err(words)
-    }),
     ("shell", || fem::verify::shell::shell_slow().map_err(words)),
 ];
 
