@@ -8,9 +8,8 @@ alternating, medians. The peers:
   OpenSees   stdBrick, Mumps, `Linear -factorOnce`. Runs `--steps` steps and half of them: the difference is the time a step,
              the rest set-up; from both the time of `--full` steps is extrapolated and said so.
   CalculiX   C3D8, C3D6 at the axis, *DYNAMIC,DIRECT,ALPHA=0 (refactorises), `--ccx-steps` steps.
-The displacement of a node at the edge of the top is compared every five steps. OpenSees lumps the brick's mass and
-CalculiX's C3D8 is a B-bar element, so that neither is the same discretisation; the deviation is printed, relative to the
-largest displacement.
+The displacement of a node at the edge of the top is compared every five steps: the three programs use the same trilinear
+brick with consistent mass and must agree to 1e-4 of the largest displacement.
 """
 import argparse, json, os, resource, statistics, subprocess, sys, tempfile
 
@@ -83,7 +82,8 @@ def calculix_input(model, steps):
     for line in open(model):
         kind, *v = line.split()
         if kind == "node":
-            nodes.append(f"{v[0]}, {v[1]}, {v[2]}, {v[3]}")
+            # Fields of more than 20 characters are misread.
+            nodes.append(f"{v[0]}, " + ", ".join(f"{float(x):.10e}" for x in v[1:4]))
             if v[4] == "1":
                 fixed.append(v[0])
         elif kind == "brick":
@@ -103,9 +103,9 @@ def calculix_input(model, steps):
     text += ["*NSET, NSET=TIP", tip, "*NSET, NSET=BASE"] + [f"{n}," for n in fixed]
     text += ["*MATERIAL, NAME=M", "*ELASTIC", "30e9, 0.2", "*DENSITY", "2500.", "*SOLID SECTION, ELSET=E, MATERIAL=M"]
     text += ["*BOUNDARY", "BASE, 1, 3", "*AMPLITUDE, NAME=A"]
-    text += [f"{i * DT:.9e}, {sin(2 * pi * FREQUENCY * i * DT):.15e}" for i in range(steps + 1)]
+    text += [f"{i * DT:.9e}, {sin(2 * pi * FREQUENCY * i * DT):.10e}" for i in range(steps + 1)]
     text += ["*STEP, INC=100000", "*DYNAMIC, DIRECT, ALPHA=0.", f"{DT}, {steps * DT}", "*CLOAD, AMPLITUDE=A"]
-    text += [f"{n}, 1, {f}" for n, f in loads]
+    text += [f"{n}, 1, {float(f):.10e}" for n, f in loads]
     text += ["*NODE PRINT, NSET=TIP, FREQUENCY=5", "U", "*END STEP", ""]
     return "\n".join(text)
 
@@ -115,7 +115,7 @@ def compare(name, mine, theirs):
     worst = max(abs(a - b) for a, b in zip(mine, theirs)) / largest
     for k in range(0, min(len(mine), len(theirs)), max(1, len(theirs) // 4)):
         print(f"  step {5 * k + 5}: {mine[k]:.6e} m, {name} {theirs[k]:.6e} m")
-    print(f"  largest difference {100 * worst:.2f} % of the largest displacement")
+    print(f"  largest difference {worst:.1e} of the largest displacement")
     return worst
 
 
@@ -172,5 +172,4 @@ with tempfile.TemporaryDirectory() as folder:
         worst.append(compare("CalculiX", short["tip"], calculix))
     same = max(abs(a - b) for a, b in zip(eight["tip"], mine["tip"])) / max(map(abs, mine["tip"]))
     print(f"first of eight records against one alone: {same:.1e}")
-    # Different masses and a B-bar brick: one per cent of the largest displacement over the first periods.
-    sys.exit(max(worst) > 0.01 or same > 1e-8)
+    sys.exit(max(worst) > 1e-4 or same > 1e-8)
