@@ -127,7 +127,9 @@ impl Fluid8 {
         FULL.iter().map(|q| self.point(q).volume).sum()
     }
 
-    fn point(&self, reference: &Reference) -> Point {
+    /// Place, inverse metric, weight · det J · √g and the cofactors C[k][i]/det J = ∂ξᵏ/∂xⁱ of a point.
+    #[inline]
+    fn place(&self, reference: &Reference) -> ([f64; 3], [f64; 3], f64, [[f64; 3]; 3]) {
         // J[k][i] = ∂xⁱ/∂ξᵏ
         let x = std::array::from_fn(|i| dot(&reference.n, &self.corners[i]));
         let j: [[f64; 3]; 3] = std::array::from_fn(|k| std::array::from_fn(|i| dot(&reference.d[k], &self.corners[i])));
@@ -138,17 +140,28 @@ impl Fluid8 {
         let c: [[f64; 3]; 3] = std::array::from_fn(|k| std::array::from_fn(|i| cofactor(k, i)));
         let det = j[0][0] * c[0][0] + j[0][1] * c[0][1] + j[0][2] * c[0][2];
         let inverse = 1.0 / det;
-        // ∂ξᵏ/∂xⁱ = C[k][i]/det
+        let volume = reference.weight * det * self.chart.volume_factor(x);
+        (
+            x,
+            self.chart.inverse_metric(x),
+            volume,
+            c.map(|row| row.map(|v| inverse * v)),
+        )
+    }
+
+    fn point(&self, reference: &Reference) -> Point {
+        let (x, metric, volume, f) = self.place(reference);
         let d = std::array::from_fn(|i| {
-            let (f0, f1, f2) = (c[0][i] * inverse, c[1][i] * inverse, c[2][i] * inverse);
-            std::array::from_fn(|a| f0 * reference.d[0][a] + f1 * reference.d[1][a] + f2 * reference.d[2][a])
+            std::array::from_fn(|a| {
+                f[0][i] * reference.d[0][a] + f[1][i] * reference.d[1][a] + f[2][i] * reference.d[2][a]
+            })
         });
         Point {
             n: reference.n,
             d,
             x,
-            metric: self.chart.inverse_metric(x),
-            volume: reference.weight * det * self.chart.volume_factor(x),
+            metric,
+            volume,
         }
     }
 
@@ -192,14 +205,14 @@ impl Fluid8 {
     /// K + R, column by column.
     fn stiffness(&self, out: &mut [f64]) {
         let mut half = [[[0.0; 8]; 8]; 6];
-        let (full, one) = self.liquid.rotation.penalties();
         let points: [Point; 8] = std::array::from_fn(|q| self.point(&FULL[q]));
         let centre = self.point(&CENTRE[0]);
+        let (full, one) = self.liquid.rotation.penalties();
         if full != 0.0 {
             add_rotation(&mut half, &points, full);
         }
         if one != 0.0 {
-            add_rotation(&mut half, std::slice::from_ref(&centre), one);
+            add_rotation(&mut half, std::array::from_ref(&centre), one);
         }
         let k = self.liquid.bulk_modulus;
         match self.liquid.volume {
@@ -314,13 +327,18 @@ fn add_square(half: &mut Half, row: &[[f64; 8]; 3], weight: f64) {
 }
 
 /// Adds the rotation part of some points: ½ K_rot Σ_{i<j} g^ii g^jj (u_i,j − u_j,i)² dV.
-fn add_rotation(half: &mut Half, points: &[Point], penalty: f64) {
+fn add_rotation<const N: usize>(half: &mut Half, points: &[Point; N], penalty: f64) {
+    // ½ K_rot g^ii g^jj dV for 12, 13, 23.
+    let weights: [[f64; 3]; N] = std::array::from_fn(|q| {
+        let [g1, g2, g3] = points[q].metric;
+        let w = 0.5 * penalty * points[q].volume;
+        [w * g1 * g2, w * g1 * g3, w * g2 * g3]
+    });
     let [h00, h11, h22, h01, h02, h12] = half;
     for a in 0..8 {
         // The sums of a row stay in registers, three blocks at a time.
         let (mut s00, mut s01, mut s02) = (h00[a], h01[a], h02[a]);
-        for p in points {
-            let (w12, w13, _) = rotation_weights(p, penalty);
+        for (p, [w12, w13, _]) in points.iter().zip(&weights) {
             let [d1, d2, d3] = &p.d;
             let (q12, q13) = (w12 * d2[a], w13 * d3[a]);
             let (r12, r13) = (0.5 * q12, 0.5 * q13);
@@ -332,26 +350,19 @@ fn add_rotation(half: &mut Half, points: &[Point], penalty: f64) {
         }
         (h00[a], h01[a], h02[a]) = (s00, s01, s02);
         let (mut s11, mut s22, mut s12) = (h11[a], h22[a], h12[a]);
-        for p in points {
-            let (w12, w13, w23) = rotation_weights(p, penalty);
+        for (p, [w12, w13, w23]) in points.iter().zip(&weights) {
             let [d1, d2, d3] = &p.d;
             let (r12, r13) = (0.5 * w12 * d1[a], 0.5 * w13 * d1[a]);
             let (q23, r23) = (w23 * d3[a], 0.5 * w23 * d2[a]);
+            let half_q23 = 0.5 * q23;
             for b in 0..8 {
-                s11[b] += r12 * d1[b] + 0.5 * q23 * d3[b];
+                s11[b] += r12 * d1[b] + half_q23 * d3[b];
                 s22[b] += r13 * d1[b] + r23 * d2[b];
                 s12[b] -= q23 * d2[b];
             }
         }
         (h11[a], h22[a], h12[a]) = (s11, s22, s12);
     }
-}
-
-/// ½ K_rot g^ii g^jj dV for 12, 13, 23.
-fn rotation_weights(p: &Point, penalty: f64) -> (f64, f64, f64) {
-    let [g1, g2, g3] = p.metric;
-    let w = 0.5 * penalty * p.volume;
-    (w * g1 * g2, w * g1 * g3, w * g2 * g3)
 }
 
 impl Element for Fluid8 {
@@ -370,17 +381,19 @@ impl Element for Fluid8 {
     fn mass(&self, out: &mut LocalMatrix) {
         let mut half = [[[0.0; 8]; 8]; 6];
         for q in FULL.iter() {
-            let p = self.point(q);
-            let weights = p.metric.map(|g| 0.5 * self.liquid.density * p.volume * g);
-            for (i, weight) in weights.iter().enumerate() {
-                for a in 0..8 {
-                    let f = weight * p.n[a];
-                    for b in 0..8 {
-                        half[i][a][b] += f * p.n[b];
-                    }
+            let (_, metric, volume, _) = self.place(q);
+            // All charts have g¹¹ = g³³ = 1.
+            let plain = 0.5 * self.liquid.density * volume;
+            let around = plain * metric[1];
+            for a in 0..8 {
+                let (f, g) = (plain * q.n[a], around * q.n[a]);
+                for b in 0..8 {
+                    half[0][a][b] += f * q.n[b];
+                    half[1][a][b] += g * q.n[b];
                 }
             }
         }
+        half[2] = half[0];
         self.write(&half, &mut out.data);
     }
 
