@@ -15,7 +15,7 @@ use fem::assembly::Assembler;
 use fem::dofs::Dof;
 use fem::element::solid8::{Elastic, Kinematics, Solid8};
 use fem::linalg::{Ordering, Symbolic};
-use fem::mesh::cylinder::Cylinder;
+use fem::mesh::Cylinder;
 use fem::model::Builder;
 use fem::progress::Silent;
 
