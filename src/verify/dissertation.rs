@@ -139,7 +139,7 @@ fn columns(case: &Case, damping: DampingModel, liquid: Liquid) -> Result<Vec<(St
             liquid,
             ..SolidOptions::default()
         };
-        let run = solid::simulate(case, &self::options(damping), &options, &Silent)?;
+        let run = solid::respond(case, &self::options(damping), &options, &Silent)?;
         out.push((format!("{name} {size}"), run));
     }
     out.push(("converged".to_owned(), simulate(case, &self::options(damping))?));
@@ -237,9 +237,10 @@ fn slender_tank(record: &Record) -> Result<String, Error> {
         "| depth [m] | ω₁ printed | ω₁ mesh D | ω₁ converged | axial stress printed [N/mm²] | mesh D | converged |\n",
     );
     text.push_str("|---|---|---|---|---|---|---|\n");
+    // 1 % and 2 % at the first two shapes, 3.17 and 4.32 rad/s; the coefficients are not printed.
     let printed = DampingModel::Coefficients {
         mass: -0.0646,
-        stiffness: 0.0132,
+        stiffness: 0.01273,
     };
     let size = MESHES[3].1;
     for (depth, stress) in [
@@ -254,7 +255,7 @@ fn slender_tank(record: &Record) -> Result<String, Error> {
             mesh: Some(size),
             ..SolidOptions::default()
         };
-        let coarse = solid::simulate(&case, &options(printed), &solid_options, &Silent)?;
+        let coarse = solid::respond(&case, &options(printed), &solid_options, &Silent)?;
         let fine = simulate(&case, &options(printed))?;
         let omega = |run: &Simulation| {
             let period = run.values.get(&Quantity::SloshingPeriod).copied().unwrap_or(f64::NAN);

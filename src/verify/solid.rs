@@ -84,7 +84,7 @@ fn tank_rows(name: &str, case: &Case, liquid: Liquid, meshes: &[f64], loosened: 
     };
     let runs = meshes
         .iter()
-        .map(|&refine| solid::simulate(case, &options(refine), &solid, &Silent))
+        .map(|&refine| solid::respond(case, &options(refine), &solid, &Silent))
         .collect::<Result<Vec<Simulation>, FeError>>()?;
     let mut rows = Vec::new();
     for (quantity, unit, scale, tolerance) in COMPARED {

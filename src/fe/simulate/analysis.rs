@@ -116,7 +116,7 @@ impl Analysis<'_> {
 }
 
 /// Without a vertical record everything at θ = 180° is the negative of θ = 0.
-fn mirrored(front: &Extreme) -> Extreme {
+pub(in crate::fe) fn mirrored(front: &Extreme) -> Extreme {
     Extreme {
         min: -front.max,
         min_time: front.max_time,
@@ -230,7 +230,11 @@ fn collect(model: &Model, found: &Observed, both_sides: bool) -> Vec<LineExtreme
 
 /// Largest relative difference of the peaks of two runs, and whose it is. Scalars that are rounding errors beside others
 /// of their dimension (the axial stress of a plane wall under horizontal motion) do not count.
-fn largest_difference(scalars: &[Scalar], modal: &[History], direct: &[History]) -> Option<(f64, String)> {
+pub(in crate::fe) fn largest_difference(
+    scalars: &[Scalar],
+    modal: &[History],
+    direct: &[History],
+) -> Option<(f64, String)> {
     let peak = |h: &History| h.extreme.peak().0;
     let counts = |s: &Scalar, m: &History| {
         let same = scalars.iter().zip(modal).filter(|(o, _)| o.dimension == s.dimension);

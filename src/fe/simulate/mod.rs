@@ -128,11 +128,33 @@ pub(in crate::fe) fn complete(
     model: &Model,
     round: bool,
 ) -> Result<Simulation, FeError> {
+    // What the damping does is looked at before anything is integrated with it.
+    let notes = review(model)?;
+    let analysis = analyse(model, motion, options)?;
+    Ok(report(case, options, motion, model, round, analysis, notes))
+}
+
+/// Warnings about the damping.
+///
+/// Errors: a ratio that has no meaning.
+pub(in crate::fe) fn review(model: &Model) -> Result<Vec<String>, FeError> {
     let mut notes = Vec::new();
     for harmonic in model.systems() {
         notes.extend(model.damper.review(&harmonic.modes)?);
     }
-    let analysis = analyse(model, motion, options)?;
+    Ok(notes)
+}
+
+/// Everything that is reported of a finished analysis.
+pub(in crate::fe) fn report(
+    case: &Case,
+    options: &Options,
+    motion: &GroundMotion,
+    model: &Model,
+    round: bool,
+    analysis: Analysis,
+    mut notes: Vec<String>,
+) -> Simulation {
     if case.tank.support == Support::Unanchored {
         notes.push("The tank is unanchored; the linear engine holds the wall down and does not let it uplift.".into());
     }
@@ -173,14 +195,14 @@ pub(in crate::fe) fn complete(
         fields: None,
         incomplete: false,
     };
-    Ok(Simulation {
+    Simulation {
         values: analysis.values(model, round),
         result,
         series,
         assumptions: describe::assumptions(case, options),
         notes,
         snapshots: None,
-    })
+    }
 }
 
 /// The first modes of each kind, harmonic by harmonic, with the damping they were given.

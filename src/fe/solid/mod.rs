@@ -5,6 +5,7 @@
 
 mod mesh_size;
 
+mod direct;
 pub mod fields;
 pub mod mesh;
 pub mod model;
@@ -19,7 +20,7 @@ mod symmetry;
 pub mod system;
 pub mod waves;
 
-pub use run::{estimate, modes, simulate};
+pub use run::{estimate, modes, respond, simulate};
 
 pub use mesh_size::{MeshSize, MeshSizeError};
 

@@ -17,6 +17,9 @@
 //! so that an observation of accelerations is exact for the rigid part whatever the basis. −ρ φ̈ has the mean ρ g η over
 //! the surface, which adds to d under vertical motion.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
 use codes::Case;
 use codes::units::Dimension;
 use fem::assembly::local_values;
@@ -76,6 +79,8 @@ pub struct Space {
     pub potentials: Vec<bool>,
     /// Mean elevation of a potential liquid's surface over the unknowns.
     pub mean_elevation: SparseRow,
+    /// Row of every probe over the unknowns, by id.
+    pub rows: BTreeMap<String, Row>,
 }
 
 /// Static displacements of the wall under hydrostatic pressure and weight.
@@ -172,6 +177,7 @@ pub fn new(
         influence: &influence,
         statics: &statics,
         observer: Observer { tank, harmonic },
+        rows: RefCell::new(BTreeMap::new()),
     };
     let probes = projector.probes(case, options)?;
     let lines = projector.lines(case, &probes);
@@ -189,6 +195,8 @@ pub fn new(
         }
         _ => vec![0.0; influence.len()],
     };
+    let shape_rows = projector.shape_rows();
+    let rows = projector.rows.into_inner();
     let surface = surface_part(tank, &basis)?;
     let coupled = Coupled {
         harmonic,
@@ -200,13 +208,14 @@ pub fn new(
         wall_mass: case.tank.wall_mass() + case.tank.roof.mass,
         moment_arm,
         mesh: describe(tank, system, basis.cols),
-        shape_rows: projector.shape_rows(),
+        shape_rows,
         mass,
         stiffness,
         influence,
     };
     let dofs = tank.model.dofs();
     let space = Space {
+        rows,
         basis,
         rigid,
         statics,
@@ -313,6 +322,8 @@ struct Projector<'a> {
     influence: &'a [f64],
     statics: &'a [f64],
     observer: Observer<'a>,
+    /// The rows that have been made into probes, by id.
+    rows: RefCell<BTreeMap<String, Row>>,
 }
 
 impl Projector<'_> {
@@ -327,6 +338,7 @@ impl Projector<'_> {
 
     /// Completes `probe` from its row.
     fn probe(&self, probe: Probe, row: &Row) -> Probe {
+        self.rows.borrow_mut().insert(probe.id.clone(), row.clone());
         let dofs = self.tank.model.dofs();
         let mut displacement = row.displacement.clone();
         // The mean of φ̈ over the surface is −g times the mean elevation.
@@ -529,11 +541,15 @@ impl Projector<'_> {
             let probes = places.iter().enumerate().map(|(i, (z, course))| {
                 let id = format!("{}[{i}]", line.id);
                 match (i, edge) {
-                    (0, Some(edge)) => Probe {
-                        id,
-                        title: line.title.into(),
-                        ..edge.clone()
-                    },
+                    (0, Some(edge)) => {
+                        let row = self.rows.borrow().get(&edge.id).cloned().unwrap_or_default();
+                        self.rows.borrow_mut().insert(id.clone(), row);
+                        Probe {
+                            id,
+                            title: line.title.into(),
+                            ..edge.clone()
+                        }
+                    }
                     _ => self.wall_probe(&id, line.title, line, course, *z),
                 }
             });

@@ -19,7 +19,10 @@ use super::system::{System, columns};
 use crate::fe::FeError;
 
 /// A vector of which orthogonalisation leaves less than this part (in the norm of M) lies in the space already.
-const EXHAUSTED: f64 = 1e-9;
+const EXHAUSTED: f64 = 1e-8;
+/// Largest share of an older vector that may be left in a new one: more is rounding of an exhausted space, and the Gram
+/// matrix would not be definite.
+const OVERLAP: f64 = 1e-6;
 
 /// The reduced system.
 pub struct Ritz {
@@ -96,7 +99,8 @@ fn orthogonal(
     }
     x.iter_mut().for_each(|v| *v /= after);
     let image = system.mass_times(&x);
-    Some((x, image))
+    let left = basis.iter().map(|v| dot(v, &image).abs()).fold(0.0, f64::max);
+    (left <= OVERLAP).then_some((x, image))
 }
 
 /// The mean of a matrix and its transpose.

@@ -8,6 +8,7 @@ use codes::tank::Shape;
 use fem::linalg::dot;
 use fem::progress::Progress;
 
+use super::direct::Direct;
 use super::model::TankModel;
 use super::moments::Histories;
 use super::reduce::{self, Space, VECTORS};
@@ -20,7 +21,7 @@ use crate::fe::damping::Damper;
 use crate::fe::harmonic::{Kind, check_options, solve};
 use crate::fe::simulate::analysis::analyse;
 use crate::fe::simulate::model::{Harmonic, Model};
-use crate::fe::simulate::{checked_motion, coarse_options, complete, note_mesh_error};
+use crate::fe::simulate::{self, checked_motion, coarse_options, note_mesh_error, report, review};
 use crate::fe::{FeError, Integrator, Options, Simulation};
 use crate::results::{FeResult, Mode, ModeShape};
 
@@ -189,22 +190,9 @@ pub fn simulate(
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
     let motion = checked_motion(case)?;
-    check_options(case, options)?;
     let vertical = motion.vertical.is_some();
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
-    let prepared = Prepared::new(case, options, solid, vertical, progress)?;
-    let mut simulation = complete(case, options, motion, &prepared.model, round)?;
-    simulation.result.engine = "solid".into();
-    if options.integrator == Integrator::Newmark {
-        for label in simulation.result.integration.iter_mut().filter(|l| l.label == "method") {
-            label.text = "direct integration of the reduced coordinates, Newmark's average acceleration".into();
-        }
-    }
-    simulation.assumptions.push(
-        "Three dimensions: four-node shells and eight-node liquid elements, reduced to the space that the ground motion \
-         excites."
-            .into(),
-    );
+    let (prepared, mut simulation) = integrated(case, options, solid, progress)?;
     let coarse = match coarse_options(options).filter(|_| solid.mesh.is_none() && !progress.interrupted()) {
         Some(coarse) => {
             let prepared = Prepared::new(case, &coarse, solid, vertical, progress)?;
@@ -214,9 +202,67 @@ pub fn simulate(
         None => None,
     };
     prepared.pictures(motion, options, solid, &mut simulation, progress)?;
-    simulation.result.incomplete = progress.interrupted();
+    simulation.result.incomplete |= progress.interrupted();
     note_mesh_error(&mut simulation, coarse.as_ref(), options);
     Ok(simulation)
+}
+
+/// The response alone, without pictures and a second mesh.
+///
+/// Errors: as [`simulate`].
+pub fn respond(
+    case: &Case,
+    options: &Options,
+    solid: &SolidOptions,
+    progress: &dyn Progress,
+) -> Result<Simulation, FeError> {
+    integrated(case, options, solid, progress).map(|(_, simulation)| simulation)
+}
+
+/// The model and its response.
+fn integrated(
+    case: &Case,
+    options: &Options,
+    solid: &SolidOptions,
+    progress: &dyn Progress,
+) -> Result<(Prepared, Simulation), FeError> {
+    let motion = checked_motion(case)?;
+    check_options(case, options)?;
+    let vertical = motion.vertical.is_some();
+    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
+    let prepared = Prepared::new(case, options, solid, vertical, progress)?;
+    let mut complete = true;
+    let mut simulation = if options.integrator == Integrator::Newmark && !vertical {
+        let notes = review(&prepared.model)?;
+        let modal = Options {
+            integrator: Integrator::Modal,
+            ..options.clone()
+        };
+        let mut analysis = analyse(&prepared.model, motion, &modal)?;
+        let direct = Direct {
+            tank: &prepared.tank,
+            system: &prepared.system,
+            model: &prepared.model,
+            space: &prepared.spaces[0],
+        };
+        complete = direct.replace(&mut analysis, motion, progress)?;
+        report(case, options, motion, &prepared.model, round, analysis, notes)
+    } else {
+        simulate::complete(case, options, motion, &prepared.model, round)?
+    };
+    simulation.result.engine = "solid".into();
+    if options.integrator == Integrator::Newmark && vertical {
+        for label in simulation.result.integration.iter_mut().filter(|l| l.label == "method") {
+            label.text = "direct integration of the reduced coordinates, Newmark's average acceleration".into();
+        }
+    }
+    simulation.assumptions.push(
+        "Three dimensions: four-node shells and eight-node liquid elements, reduced to the space that the ground motion \
+         excites."
+            .into(),
+    );
+    simulation.result.incomplete = !complete;
+    Ok((prepared, simulation))
 }
 
 /// What [`simulate`] will take.

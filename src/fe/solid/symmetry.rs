@@ -85,10 +85,10 @@ impl<'a> Harmonic<'a> {
         for &node in &self.axis {
             let own = model.at_node(x, node);
             for (k, value) in own.into_iter().enumerate() {
-                let kept = match (self.harmonic, Dof::ALL[k]) {
-                    (0, Dof::Uz | Dof::Phi | Dof::Eta) | (1, Dof::Ux | Dof::Ry) => true,
-                    _ => false,
-                };
+                let kept = matches!(
+                    (self.harmonic, Dof::ALL[k]),
+                    (0, Dof::Uz | Dof::Phi | Dof::Eta) | (1, Dof::Ux | Dof::Ry)
+                );
                 field[node][k] = if kept { value } else { 0.0 };
             }
         }
