@@ -58,7 +58,6 @@ const FAST: &[Topic] = &[
     ("coupled modes", || coupled::rows().map_err(words)),
     ("published coupled modes", || coupled::published_rows().map_err(words)),
     ("three-dimensional engine, coarse", || solid::rows().map_err(words)),
-    ("displacement liquid", || fem::verify::fluid::fluid().map_err(words)),
     ("shell", || fem::verify::shell::shell().map_err(words)),
     ("solid, joint, layered wall", || {
         fem::verify::solid::solid().map_err(words)
