@@ -1,5 +1,6 @@
 //! Global matrices and vectors from those of the elements: the pattern and every element's places are found once.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -13,6 +14,9 @@ use crate::state::{Gather, State};
 /// Marks local dofs and entries that go nowhere.
 const NONE: u32 = u32::MAX;
 
+/// Models with at least this many elements are assembled in two halves: below it a thread costs more than it saves.
+const HALVED: usize = 2000;
+
 /// Pattern of a model's matrices and, element by element, the places of its entries.
 pub struct Assembler {
     pattern: Arc<Pattern>,
@@ -24,6 +28,37 @@ pub struct Assembler {
     place_starts: Vec<usize>,
     /// Elements with a node that has a frame.
     turned: Vec<bool>,
+    /// Places that both halves of the elements write to lie in this range.
+    shared: Range<usize>,
+}
+
+/// Where the entries of a matrix are added: places `start ..` in `head`, places `border ..` in `tail`.
+struct Sink<'a> {
+    head: &'a mut [f64],
+    start: usize,
+    tail: &'a mut [f64],
+    border: usize,
+}
+
+impl<'a> Sink<'a> {
+    /// All places of a matrix.
+    fn whole(values: &'a mut [f64]) -> Sink<'a> {
+        Sink {
+            border: values.len(),
+            head: values,
+            start: 0,
+            tail: &mut [],
+        }
+    }
+
+    #[inline]
+    fn add(&mut self, place: usize, value: f64) {
+        if place < self.border {
+            self.head[place - self.start] += value;
+        } else {
+            self.tail[place - self.border] += value;
+        }
+    }
 }
 
 impl Assembler {
@@ -70,6 +105,13 @@ impl Assembler {
             }
             place_starts.push(places.len());
         }
+        let (first, second) = places.split_at(place_starts[(place_starts.len() - 1) / 2]);
+        let end = first
+            .iter()
+            .filter(|&&p| p != NONE)
+            .max()
+            .map_or(0, |&p| p as usize + 1);
+        let start = second.iter().min().map_or(end, |&p| (p as usize).min(end));
         Assembler {
             pattern: Arc::new(pattern),
             equations,
@@ -77,6 +119,7 @@ impl Assembler {
             places,
             place_starts,
             turned,
+            shared: start..end,
         }
     }
 
@@ -86,14 +129,14 @@ impl Assembler {
     }
 
     /// Adds the matrix of element `e`, given in global components.
-    fn scatter(&self, model: &Model, e: usize, local: &mut LocalMatrix, values: &mut [f64]) {
+    fn scatter(&self, model: &Model, e: usize, local: &mut LocalMatrix, sink: &mut Sink<'_>) {
         if self.turned[e] {
             turn_matrix(model, &*model.elements()[e], local);
         }
         let places = &self.places[self.place_starts[e]..self.place_starts[e + 1]];
         for (&place, &value) in places.iter().zip(&local.data) {
             if place != NONE {
-                values[place as usize] += value;
+                sink.add(place as usize, value);
             }
         }
     }
@@ -114,15 +157,14 @@ impl Assembler {
     /// Tangent stiffness in the reference state, of the elements for which `which(element number)` holds.
     ///
     /// Errors: those of the elements.
-    pub fn stiffness_of(&self, model: &Model, which: impl Fn(usize) -> bool) -> Result<Symmetric, ElementError> {
-        let mut out = Symmetric::zeros(self.pattern.clone());
-        for (e, element) in model.elements().iter().enumerate() {
+    pub fn stiffness_of(&self, model: &Model, which: impl Fn(usize) -> bool + Sync) -> Result<Symmetric, ElementError> {
+        let [stiffness] = self.gather(model, |e, work, [stiffness]| {
             if which(e) {
-                let mut local = reference_stiffness(&**element)?;
-                self.scatter(model, e, &mut local, &mut out.values);
+                self.scatter(model, e, work.stiffness(&*model.elements()[e])?, stiffness);
             }
-        }
-        Ok(out)
+            Ok(())
+        })?;
+        Ok(stiffness)
     }
 
     /// Tangent stiffness in the reference state.
@@ -133,22 +175,36 @@ impl Assembler {
     }
 
     /// Mass matrix of the elements for which `which(element number)` holds.
-    pub fn mass_of(&self, model: &Model, which: impl Fn(usize) -> bool) -> Symmetric {
-        let mut out = Symmetric::zeros(self.pattern.clone());
-        let mut local = LocalMatrix::default();
-        for (e, element) in model.elements().iter().enumerate() {
+    pub fn mass_of(&self, model: &Model, which: impl Fn(usize) -> bool + Sync) -> Symmetric {
+        let gathered = self.gather(model, |e, work, [mass]| {
+            let element = &*model.elements()[e];
             if which(e) && element.has_mass() {
-                local.reset(local_size(&**element));
-                element.mass(&mut local);
-                self.scatter(model, e, &mut local, &mut out.values);
+                self.scatter(model, e, work.mass(element), mass);
             }
-        }
-        out
+            Ok(())
+        });
+        let [mass] = gathered.expect("a mass matrix cannot fail");
+        mass
     }
 
     /// Mass matrix.
     pub fn mass(&self, model: &Model) -> Symmetric {
         self.mass_of(model, |_| true)
+    }
+
+    /// Stiffness and mass matrix, in one sweep over the elements.
+    ///
+    /// Errors: those of the elements.
+    pub fn stiffness_and_mass(&self, model: &Model) -> Result<(Symmetric, Symmetric), ElementError> {
+        let [stiffness, mass] = self.gather(model, |e, work, [stiffness, mass]| {
+            let element = &*model.elements()[e];
+            self.scatter(model, e, work.stiffness(element)?, stiffness);
+            if element.has_mass() {
+                self.scatter(model, e, work.mass(element), mass);
+            }
+            Ok(())
+        })?;
+        Ok((stiffness, mass))
     }
 
     /// Geometric stiffness of the linear solution `u`: buckling at λ times its load, (K + λ K_G) φ = 0.
@@ -160,7 +216,7 @@ impl Assembler {
         for (e, element) in model.elements().iter().enumerate() {
             local.reset(local_size(&**element));
             if element.geometric_stiffness(&local_values(model, &**element, u), &mut local)? {
-                self.scatter(model, e, &mut local, &mut out.values);
+                self.scatter(model, e, &mut local, &mut Sink::whole(&mut out.values));
             }
         }
         Ok(out)
@@ -192,6 +248,57 @@ impl Assembler {
         Ok(out)
     }
 
+    /// Calls `add(element, working space, N matrices)` for every element. Large models are cut in two halves that run side by
+    /// side: each writes to its own part of the values, the second to a copy of what both write to. The halves are the
+    /// same on every machine, so that the sums are, to the last digit.
+    fn gather<const N: usize>(
+        &self,
+        model: &Model,
+        add: impl Fn(usize, &mut Work, &mut [Sink<'_>; N]) -> Result<(), ElementError> + Sync,
+    ) -> Result<[Symmetric; N], ElementError> {
+        let count = model.elements().len();
+        let run = |range: Range<usize>, mut sinks: [Sink<'_>; N]| -> Result<(), ElementError> {
+            let mut work = Work::default();
+            range.into_iter().try_for_each(|e| add(e, &mut work, &mut sinks))
+        };
+        let mut values: [Vec<f64>; N] = std::array::from_fn(|_| vec![0.0; self.pattern.places()]);
+        if count < HALVED {
+            run(0..count, values.each_mut().map(|v| Sink::whole(v)))?;
+        } else {
+            let Range { start, end } = self.shared;
+            let mut copies: [Vec<f64>; N] = std::array::from_fn(|_| vec![0.0; end - start]);
+            let mut tails = copies.each_mut().map(|copy| Sink {
+                head: copy,
+                start,
+                tail: &mut [],
+                border: end,
+            });
+            let mut tail = tails.iter_mut();
+            let heads = values.each_mut().map(|v| {
+                let (head, rest) = v.split_at_mut(end);
+                if let Some(sink) = tail.next() {
+                    sink.tail = rest;
+                }
+                Sink::whole(head)
+            });
+            std::thread::scope(|scope| {
+                let second = scope.spawn(|| run(count / 2..count, tails));
+                let first = run(0..count / 2, heads);
+                let second = second.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+                first.and(second)
+            })?;
+            for (sum, copy) in values.iter_mut().zip(&copies) {
+                for (a, b) in sum[start..end].iter_mut().zip(copy) {
+                    *a += b;
+                }
+            }
+        }
+        Ok(values.map(|values| Symmetric {
+            pattern: self.pattern.clone(),
+            values,
+        }))
+    }
+
     /// Sum of the elements' own damping matrices.
     pub fn damping(&self, model: &Model) -> Symmetric {
         let mut out = Symmetric::zeros(self.pattern.clone());
@@ -199,7 +306,7 @@ impl Assembler {
         for (e, element) in model.elements().iter().enumerate() {
             local.reset(local_size(&**element));
             if element.damping(&mut local) {
-                self.scatter(model, e, &mut local, &mut out.values);
+                self.scatter(model, e, &mut local, &mut Sink::whole(&mut out.values));
             }
         }
         out
@@ -287,10 +394,48 @@ impl Assembler {
                 self.scatter_vector(model, e, &mut response.force, &mut force);
             }
             if want.tangent {
-                self.scatter(model, e, &mut response.tangent, &mut tangent.values);
+                self.scatter(model, e, &mut response.tangent, &mut Sink::whole(&mut tangent.values));
             }
         }
         Ok(force)
+    }
+}
+
+/// Room for one element's matrices, reused from element to element.
+#[derive(Default)]
+struct Work {
+    response: Response,
+    mass: LocalMatrix,
+    values: Vec<f64>,
+    rotations: Vec<UnitQuaternion<f64>>,
+    old: Vec<f64>,
+    new: Vec<f64>,
+}
+
+impl Work {
+    /// Stiffness of an element at rest in its reference state.
+    fn stiffness(&mut self, element: &dyn Element) -> Result<&mut LocalMatrix, ElementError> {
+        let (n, history) = (local_size(element), element.history_len());
+        self.response.reset(n);
+        self.values.resize(n, 0.0);
+        self.rotations.resize(element.nodes().len(), UnitQuaternion::identity());
+        self.old.clear();
+        self.old.resize(history, 0.0);
+        element.init_history(&mut self.old);
+        self.new.clone_from(&self.old);
+        let rest = Motion {
+            values: &self.values,
+            rotations: &self.rotations,
+        };
+        element.respond(rest, &self.old, &mut self.new, Want::TANGENT, &mut self.response)?;
+        Ok(&mut self.response.tangent)
+    }
+
+    /// Mass matrix of an element.
+    fn mass(&mut self, element: &dyn Element) -> &mut LocalMatrix {
+        self.mass.reset(local_size(element));
+        element.mass(&mut self.mass);
+        &mut self.mass
     }
 }
 
@@ -390,5 +535,65 @@ fn turn_triple(local: &mut [f64], first: usize, f: &Matrix3<f64>) {
     let old = [local[first], local[first + 1], local[first + 2]];
     for i in 0..3 {
         local[first + i] = (0..3).map(|k| f[(i, k)] * old[k]).sum();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::element::solid8::{Elastic, Kinematics, Solid8};
+    use crate::element::reference_mass;
+    use crate::model::Builder;
+
+    /// The matrices of a model large enough to be assembled in halves, times a vector, against the sum over the elements. With
+    /// the elements in shuffled order both halves write everywhere.
+    #[test]
+    fn halves_add_up() {
+        let n = 13;
+        let node = |x: usize, y: usize, z: usize| x + (n + 1) * (y + (n + 1) * z);
+        for stride in [1, 997] {
+            let mut builder = Builder::new();
+            for k in 0..(n + 1).pow(3) {
+                builder.node([k % (n + 1), k / (n + 1) % (n + 1), k / (n + 1).pow(2)].map(|i| i as f64));
+            }
+            for k in 0..n.pow(3) {
+                // 997 is a prime, so that every brick comes once.
+                let k = k * stride % n.pow(3);
+                let (x, y, z) = (k % n, k / n % n, k / n / n);
+                let corners = [(0, 0), (1, 0), (1, 1), (0, 1)];
+                let nodes = std::array::from_fn(|a| node(x + corners[a % 4].0, y + corners[a % 4].1, z + a / 4));
+                let positions =
+                    nodes.map(|k: usize| [k % (n + 1), k / (n + 1) % (n + 1), k / (n + 1).pow(2)].map(|i| i as f64));
+                let material = Elastic::isotropic(3.0 + (k % 7) as f64, 0.3, 2.0 + (k % 5) as f64);
+                builder.element(
+                    "solid",
+                    Solid8::new(nodes, positions, material, Kinematics::Linear).unwrap(),
+                );
+            }
+            builder.hold(3, Dof::Uy);
+            let model = builder.build().unwrap();
+            assert!(model.elements().len() >= HALVED);
+            let assembler = Assembler::new(&model);
+            let (stiffness, mass) = assembler.stiffness_and_mass(&model).unwrap();
+            assert_eq!(stiffness, assembler.stiffness(&model).unwrap());
+            assert_eq!(mass, assembler.mass(&model));
+            let x: Vec<f64> = (0..model.dofs().len())
+                .map(|i| ((i * 7919) % 101) as f64 - 50.0)
+                .collect();
+            let (mut kx, mut mx) = (vec![0.0; x.len()], vec![0.0; x.len()]);
+            for (e, element) in model.elements().iter().enumerate() {
+                let own = local_values(&model, &**element, &x);
+                let matrices = [reference_stiffness(&**element).unwrap(), reference_mass(&**element)];
+                for (local, out) in matrices.iter().zip([&mut kx, &mut mx]) {
+                    assembler.scatter_vector(&model, e, &mut local.to_matrix().times(&own), out);
+                }
+            }
+            for (found, expected) in [(stiffness.times(&x), kx), (mass.times(&x), mx)] {
+                for (f, e) in found.iter().zip(&expected) {
+                    // Some 10² terms of up to 10³.
+                    assert!((f - e).abs() < 1e-9, "{f} {e}");
+                }
+            }
+        }
     }
 }
