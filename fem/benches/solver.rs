@@ -8,6 +8,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use fem::assembly::{Assembler, order};
 use fem::linalg::{Kind, Matrix, Search, Sparse, Symbolic, Symmetric, modes};
 
+#[allow(dead_code, reason = "the comparison with peers uses the rest")]
 mod models;
 
 /// ‖b − A x‖∞/‖b‖∞ of the first column.

@@ -541,8 +541,8 @@ fn turn_triple(local: &mut [f64], first: usize, f: &Matrix3<f64>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::solid8::{Elastic, Kinematics, Solid8};
     use crate::element::reference_mass;
+    use crate::element::solid8::{Elastic, Kinematics, Solid8};
     use crate::model::Builder;
 
     /// The matrices of a model large enough to be assembled in halves, times a vector, against the sum over the elements. With
