@@ -361,7 +361,9 @@ mod tests {
         let slow = entry("slow", Reference::Published, 2.0, 0.01, Pace::Slow);
         let old = entry("fast", Reference::ClosedForm, 2.5, 0.01, Pace::Fast);
         let new = entry("fast", Reference::ClosedForm, 2.0, 0.01, Pace::Fast);
-        let rows = merge(&[new.clone()], &[old, slow.clone()], |pace| pace == Pace::Fast);
+        let rows = merge(std::slice::from_ref(&new), &[old, slow.clone()], |pace| {
+            pace == Pace::Fast
+        });
         assert_eq!(rows, [new, slow]);
     }
 

@@ -65,12 +65,17 @@ const FAST: &[Topic] = &[
     ("potential liquid on hexahedra", || {
         fem::verify::potential::potential().map_err(words)
     }),
+    ("displacement liquid", || fem::verify::fluid::fluid().map_err(words)),
+    ("dynamics", || fem::verify::dynamics::dynamics().map_err(words)),
 ];
 
 /// Topics that take minutes.
 const SLOW: &[Topic] = &[
     ("three-dimensional engine", || solid::slow_rows().map_err(words)),
     ("shell", || fem::verify::shell::shell_slow().map_err(words)),
+    ("potential liquid on hexahedra", || {
+        fem::verify::potential::potential_slow().map_err(words)
+    }),
 ];
 
 fn words(error: impl std::fmt::Display) -> String {

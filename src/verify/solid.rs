@@ -125,7 +125,7 @@ pub fn rows() -> Result<Vec<Row>, FeError> {
 /// Errors: a failure of an engine.
 pub fn slow_rows() -> Result<Vec<Row>, FeError> {
     let broad = shaken(broad(1000.0), 3.0);
-    let slender = shaken(slender(1000.0, 4.0), 3.14);
+    let slender = shaken(slender(1000.0, 4.0), 3.1);
     let mut rows = tank_rows("01", &broad, Liquid::Potential, &[0.75, 1.5], 1.0)?;
     rows.extend(tank_rows("03", &slender, Liquid::Potential, &[0.75, 1.5], 1.0)?);
     Ok(rows)

@@ -41,7 +41,7 @@ pub fn classify(radial: &[Vec<f64>], z: &[f64]) -> Option<Waves> {
         }
         (factor * c, factor * s)
     };
-    let mut best: Option<(f64, usize, Vec<(f64, f64)>)> = None;
+    let mut best = None::<(f64, usize, Vec<_>)>;
     let mut total = 0.0;
     for n in 0..=sectors / 2 {
         let line: Vec<(f64, f64)> = radial.iter().map(|level| amplitude(level, n)).collect();
