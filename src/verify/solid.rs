@@ -63,9 +63,12 @@ const COMPARED: [(Quantity, &str, f64, f64); 9] = [
     (Quantity::OverturningMoment, "kNm", 1e3, 0.01),
     (Quantity::HoopStress, "N/mm²", 1e6, 0.01),
     (Quantity::AxialMembraneStress, "N/mm²", 1e6, 0.01),
-    // The harmonic engine itself is 1 % off here.
-    (Quantity::BendingStress, "N/mm²", 1e6, 0.02),
+    (Quantity::BendingStress, "N/mm²", 1e6, 0.01),
 ];
+
+/// Refinement of the harmonic engine as the reference: its own errors, 0.5 % in the edge bending and the hoop stress at the
+/// water line of its default mesh, fall below 0.2 %.
+const REFERENCE: f64 = 4.0;
 
 fn options(refine: f64) -> Options {
     Options {
@@ -77,7 +80,7 @@ fn options(refine: f64) -> Options {
 
 /// Rows of one tank: `meshes` are refinements of the three-dimensional engine, the last of them is held to the tolerance.
 fn tank_rows(name: &str, case: &Case, liquid: Liquid, meshes: &[f64], loosened: f64) -> Result<Vec<Row>, FeError> {
-    let reference = simulate(case, &options(1.0))?;
+    let reference = simulate(case, &options(REFERENCE))?;
     let solid = SolidOptions {
         liquid,
         ..SolidOptions::default()
@@ -111,13 +114,13 @@ fn tank_rows(name: &str, case: &Case, liquid: Liquid, meshes: &[f64], loosened: 
     Ok(rows)
 }
 
-/// Tank of example 01 on a coarse mesh, for every day: errors fall with the square of the mesh size, so that this mesh may
-/// have several times the percent of the finer one.
+/// Tank of example 01 on a coarse mesh, for every day: errors fall with the square of the mesh size, so that 1 % at
+/// refinement 1.5 stands for (1.5/0.6)² % here.
 ///
 /// Errors: a failure of an engine.
 pub fn rows() -> Result<Vec<Row>, FeError> {
     let case = shaken(broad(1000.0), 3.0);
-    tank_rows("01-coarse", &case, Liquid::Potential, &[0.4, 0.6], 6.0)
+    tank_rows("01-coarse", &case, Liquid::Potential, &[0.4, 0.6], 6.25)
 }
 
 /// Tanks of examples 01 and 03 on two meshes, 1 % on the finer.
