@@ -1,7 +1,7 @@
 //! Pictures of a run: drawn mesh, modes, deformed shapes and maps of the wall at the moments of extreme response; and the
 //! states for other programs.
 //!
-//! Levels of the wall and rings of the surface are left out evenly until at most [`LEVELS`] and [`RINGS`] are drawn.
+//! Levels of the wall and rings of the surface are left out evenly until at most `LEVELS` and `RINGS` are drawn.
 
 use codes::units::Dimension;
 use fem::assembly::local_values;

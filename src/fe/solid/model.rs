@@ -116,6 +116,7 @@ impl TankModel {
         let matching = solid.liquid == Liquid::Displacement;
         let depth = case.liquid.fill_height;
         let division = Division::new(&case.tank, depth, options, solid, matching)?;
+        refuse_the_hopeless(&division, solid)?;
         let mut builder = Builder::new();
         let wall = add_wall(case, &division, &mut builder)?;
         let volume = add_liquid(case, &division, solid.liquid, &wall, &mut builder)?;
@@ -232,6 +233,31 @@ fn add_wall(case: &Case, division: &Division, builder: &mut Builder) -> Result<W
     })
 }
 
+/// Least memory of an unknown with its matrices and factors [bytes]: below what the smallest models need (3.7 kB), and the
+/// factor of a larger one needs more for each unknown.
+const LEAST_BYTES: f64 = 2048.0;
+
+/// Refuses a mesh that cannot fit, before its nodes and elements fill the memory themselves.
+///
+/// Errors: more unknowns than the allowed memory holds at `LEAST_BYTES` each.
+fn refuse_the_hopeless(division: &Division, solid: &SolidOptions) -> Result<(), FeError> {
+    let ring = division.sectors as f64;
+    let liquid = (division.radii.len() - 1) as f64 * ring * division.liquid.len() as f64;
+    let unknowns_of_liquid = match solid.liquid {
+        Liquid::Displacement => 3.0,
+        Liquid::Potential => 1.0,
+    };
+    let unknowns = unknowns_of_liquid * liquid + 5.0 * ring * (division.wall.len() - 1) as f64;
+    let needed = (unknowns * LEAST_BYTES / f64::from(1 << 20)).ceil() as u64;
+    if needed > solid.memory_limit_mib {
+        return Err(FeError::Memory {
+            needed_mib: needed,
+            allowed_mib: solid.memory_limit_mib,
+        });
+    }
+    Ok(())
+}
+
 fn add_liquid(
     case: &Case,
     division: &Division,
@@ -293,7 +319,7 @@ pub fn displacement_liquid(case: &Case) -> LiquidProperties {
     LiquidProperties::new(case.liquid.density, BULK_MODULUS, case.gravity, radius)
 }
 
-/// Normal stiffness of the joint between displacement liquid and wall [N/m³]: [`PENALTY`] times the larger of K/h of the
+/// Normal stiffness of the joint between displacement liquid and wall [N/m³]: `PENALTY` times the larger of K/h of the
 /// liquid's outermost elements and E t/R² of the wall.
 pub fn joint_stiffness(case: &Case, division: &Division) -> f64 {
     let n = division.radii.len();
