@@ -8,6 +8,7 @@ use fem::assembly::local_values;
 use fem::dofs::Dof;
 use fem::element::shell::recovery::centre_resultants;
 
+use super::Liquid;
 use super::model::TankModel;
 use super::moments::{Histories, Moment};
 use super::reduce::Space;
@@ -162,9 +163,47 @@ pub fn fields(
 }
 
 /// Pressure at a node of a potential liquid under the whole motion, without the hydrostatic part.
-fn seismic_pressure(tank: &TankModel, moment: &Moment, node: usize) -> f64 {
+fn potential_pressure(tank: &TankModel, moment: &Moment, node: usize) -> f64 {
     let phi = tank.model.at_node(&moment.acceleration, node)[Dof::Phi.index()];
     tank.density * (tank.gravity * moment.mean_elevation - phi)
+}
+
+/// Pressure on the wall at a level of the liquid's nodes, without the hydrostatic part: that of the potential, or that in
+/// the joint between a displacement liquid and the wall.
+fn wall_pressure(tank: &TankModel, moment: &Moment, level: usize, sector: usize) -> f64 {
+    let node = tank.volume.wall_nodes[level][sector];
+    match tank.liquid {
+        Liquid::Potential => potential_pressure(tank, moment, node),
+        Liquid::Displacement => {
+            // Nodes of wall and liquid lie together, level by level.
+            let liquid = displacement(tank, &moment.displacement, node);
+            let wall = displacement(tank, &moment.displacement, tank.wall.rows[level][sector]);
+            let (sine, cosine) = (std::f64::consts::TAU * sector as f64 / tank.division.sectors as f64).sin_cos();
+            tank.joint * ((liquid[0] - wall[0]) * cosine + (liquid[1] - wall[1]) * sine)
+        }
+    }
+}
+
+/// Pressures in the cells of the liquid, without the hydrostatic part: means of the nodes' potential, or −K div u of a
+/// displacement liquid.
+fn cell_pressures(tank: &TankModel, moment: &Moment) -> Vec<f64> {
+    match tank.liquid {
+        Liquid::Potential => {
+            let mean = |nodes: &[usize; 8]| nodes.iter().map(|&n| 0.125 * potential_pressure(tank, moment, n)).sum();
+            tank.volume.cells.iter().map(|cell| mean(&cell.nodes)).collect()
+        }
+        Liquid::Displacement => {
+            let liquid = tank.model.elements().iter().filter(|e| e.kind() == "fluid8");
+            liquid
+                .map(|element| {
+                    let local = local_values(&tank.model, &**element, &moment.displacement);
+                    let samples = element.samples();
+                    let sample = samples.iter().find(|sample| sample.name == "pressure");
+                    sample.map_or(0.0, |sample| sample.row.iter().zip(&local).map(|(c, v)| c * v).sum())
+                })
+                .collect()
+        }
+    }
 }
 
 fn pressure_map(tank: &TankModel, moment: &Moment, what: &str) -> WallMap {
@@ -175,7 +214,7 @@ fn pressure_map(tank: &TankModel, moment: &Moment, what: &str) -> WallMap {
         for &l in &levels {
             let z = tank.division.liquid[l];
             let hydrostatic = tank.density * tank.gravity * (tank.depth - z).max(0.0);
-            let seismic = seismic_pressure(tank, moment, tank.volume.wall_nodes[l][s]);
+            let seismic = wall_pressure(tank, moment, l, s);
             values.push(rounded(hydrostatic + seismic));
         }
     }
@@ -243,17 +282,7 @@ pub fn snapshots(tank: &TankModel, spaces: &[Space], histories: &Histories, inte
         let u: Vec<[f64; 3]> = (0..tank.model.nodes().len())
             .map(|node| displacement(tank, &moment.displacement, node))
             .collect();
-        let pressure = tank
-            .volume
-            .cells
-            .iter()
-            .map(|cell| {
-                cell.nodes
-                    .iter()
-                    .map(|&n| 0.125 * seismic_pressure(tank, &moment, n))
-                    .sum()
-            })
-            .collect();
+        let pressure = cell_pressures(tank, &moment);
         let resultants = centre_resultants(&tank.model, &tank.wall.elements, &moment.displacement)
             .into_iter()
             .map(|(_, r)| Resultants {
