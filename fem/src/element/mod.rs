@@ -4,7 +4,8 @@
 //! knows neither equations nor supports. Its local vector runs node by node over [`Element::dofs`] of each node; all
 //! vector components are global Cartesian (the model turns them into the frames of its nodes).
 
-use nalgebra::UnitQuaternion;
+use materials::{LawError, PointState};
+use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::dofs::Dof;
 
@@ -108,7 +109,15 @@ pub enum ElementError {
         /// Allowed.
         allowed: &'static str,
     },
-    /// The material or the kinematics has no answer.
+    /// A stress law has no answer.
+    #[error("{kind}: {source}")]
+    Law {
+        /// Kind of element.
+        kind: &'static str,
+        /// The law's failure.
+        source: LawError,
+    },
+    /// The kinematics has no answer.
     #[error("{kind}: {reason}")]
     NoAnswer {
         /// Kind of element.
@@ -129,6 +138,40 @@ pub struct Sample {
     pub row: Vec<f64>,
     /// Whether the row multiplies accelerations instead of displacements (pressure of a potential).
     pub of_acceleration: bool,
+}
+
+/// A material point as a picture shows it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inspection {
+    /// Integration point of the element, or of its reference surface or axis.
+    pub point: usize,
+    /// Layer or fibre over that point, bars after the layers.
+    pub layer: usize,
+    /// Global reference position [m].
+    pub position: [f64; 3],
+    /// Distance from the reference surface or axis along the director [m]; 0 in solids.
+    pub depth: f64,
+    /// Axes 1 and 2 of strain and stress.
+    pub axes: [Vector3<f64>; 2],
+    /// ε_11, ε_22, γ_12; fibres and bars have the first alone.
+    pub strain: [f64; 3],
+    /// σ_11, σ_22, σ_12 [Pa].
+    pub stress: [f64; 3],
+    /// State of the material.
+    pub state: PointState,
+}
+
+/// Strains and resultants of a shell's or beam's section at an integration point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SectionState {
+    /// Global reference position [m].
+    pub position: [f64; 3],
+    /// Axes 1 and 2.
+    pub axes: [Vector3<f64>; 2],
+    /// Strains in the order of [`shell::section`]; a beam uses ε_11, κ_11, γ_1.
+    pub strain: [f64; 8],
+    /// Resultants in the same order, per metre of width [N/m, N].
+    pub resultants: [f64; 8],
 }
 
 /// A finite element.
@@ -192,6 +235,22 @@ pub trait Element: Send + Sync {
     /// Stresses, resultants or pressure as linear functions of the dofs at the reference state.
     fn samples(&self) -> Vec<Sample> {
         Vec::new()
+    }
+
+    /// Energy that the element has dissipated so far [J], read from its committed history.
+    fn dissipated(&self, _history: &[f64]) -> f64 {
+        0.0
+    }
+
+    /// Shows every material point at the committed `motion` and `history`, in a fixed order.
+    fn inspect(&self, _motion: Motion<'_>, _history: &[f64], _see: &mut dyn FnMut(&Inspection)) {}
+
+    /// Strains and resultants of the sections at the committed `motion` and `history`; elements without sections have
+    /// none.
+    ///
+    /// Errors: those of [`Element::respond`].
+    fn sections(&self, _motion: Motion<'_>, _history: &[f64]) -> Result<Vec<SectionState>, ElementError> {
+        Ok(Vec::new())
     }
 }
 

@@ -15,6 +15,8 @@
 //! n_11 n_22 n_12    m_11 m_22 m_12    q_1 q_2
 //! ```
 
+use materials::PointState;
+
 use crate::element::ElementError;
 
 /// Resultants of one point and their derivatives.
@@ -33,6 +35,21 @@ impl Default for SectionResponse {
             tangent: [[0.0; 8]; 8],
         }
     }
+}
+
+/// A layer or bar as a picture shows it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LayerState {
+    /// Number, bars after the layers.
+    pub layer: usize,
+    /// Depth ζ [m].
+    pub depth: f64,
+    /// ε_11, ε_22, γ_12; of a bar the strain along it, alone.
+    pub strain: [f64; 3],
+    /// σ_11, σ_22, σ_12 [Pa]; of a bar its stress alone.
+    pub stress: [f64; 3],
+    /// State of the material.
+    pub state: PointState,
 }
 
 /// What a shell is made of through its thickness.
@@ -55,6 +72,14 @@ pub trait Section: Send + Sync {
         new: &mut [f64],
         out: &mut SectionResponse,
     ) -> Result<(), ElementError>;
+
+    /// Energy dissipated so far per area of the reference surface [J/m²], read from the committed history of one point.
+    fn dissipated(&self, _history: &[f64]) -> f64 {
+        0.0
+    }
+
+    /// Shows every layer and bar of one point: number, depth ζ [m], strain, stress [Pa], state; all in the section's frame.
+    fn inspect(&self, _strain: &[f64; 8], _history: &[f64], _see: &mut dyn FnMut(LayerState)) {}
 
     /// ∫ρ dζ, ∫ρ ζ dζ, ∫ρ ζ² dζ [kg/m², kg/m, kg].
     fn inertia(&self) -> [f64; 3];
