@@ -17,7 +17,9 @@
 //!
 //! Units are SI throughout: stresses and moduli [Pa], strains [-], lengths [m], fracture energies [N/m], dissipation [J/m³].
 
+mod check;
 pub mod elastic;
+pub mod von_mises;
 
 use std::fmt::Debug;
 

@@ -11,6 +11,7 @@ use crate::model::ModelError;
 
 pub mod dynamics;
 pub mod fluid;
+pub mod materials;
 pub mod potential;
 pub mod shell;
 pub mod solid;
@@ -33,6 +34,9 @@ pub enum VerifyError {
     /// Of an analysis.
     #[error(transparent)]
     Analysis(#[from] AnalysisError),
+    /// Of a stress law.
+    #[error(transparent)]
+    Law(#[from] ::materials::LawError),
     /// A mode that was looked for is not among those computed.
     #[error("{what} is not among the {found} modes computed")]
     Mode {

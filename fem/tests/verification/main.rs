@@ -4,6 +4,7 @@
 
 mod dynamics;
 mod fluid;
+mod materials;
 mod potential;
 
 use fem::verify::Row;

@@ -1,0 +1,17 @@
+//! Stress laws at one point: rows M1 to M9.
+//!
+//! No mesh: a strain path, its stresses, the energy dissipated.
+
+mod drive;
+mod steel;
+
+pub use steel::steel;
+
+use super::{Row, VerifyError};
+
+/// All rows of this topic.
+///
+/// Errors: a law without an answer.
+pub fn materials() -> Result<Vec<Row>, VerifyError> {
+    steel()
+}

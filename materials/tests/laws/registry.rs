@@ -1,0 +1,81 @@
+//! The laws under check.
+
+use materials::Law;
+use materials::elastic::Elastic;
+use materials::von_mises::VonMises;
+
+/// A law and the size of strains that make it work.
+pub struct Case<const N: usize> {
+    pub name: &'static str,
+    pub law: Box<dyn Law<N>>,
+    /// Largest strain component of random paths.
+    pub strain: f64,
+    /// A stress to compare with [Pa].
+    pub strength: f64,
+}
+
+fn case<const N: usize>(name: &'static str, law: impl Law<N> + 'static, strain: f64, strength: f64) -> Case<N> {
+    Case {
+        name,
+        law: Box::new(law),
+        strain,
+        strength,
+    }
+}
+
+fn elastic() -> Elastic {
+    Elastic::new(210e9, 0.3).unwrap()
+}
+
+fn steel(tangent_modulus: f64, kinematic: f64) -> VonMises {
+    VonMises::new(210e9, 0.3, 355e6, tangent_modulus, kinematic).unwrap()
+}
+
+fn low_cycle_steel() -> VonMises {
+    steel(2.1e9, 0.5)
+        .with_saturation(80e6, 25.0)
+        .and_then(|law| law.with_back_stress(60e9, 500.0))
+        .and_then(|law| law.with_back_stress(8e9, 60.0))
+        .unwrap()
+}
+
+/// Bars and fibres.
+pub fn bars() -> Vec<Case<1>> {
+    vec![
+        case("elastic", elastic(), 0.01, 355e6),
+        case("von Mises, ideal", steel(0.0, 1.0), 0.01, 355e6),
+        case("von Mises, mixed", steel(2.1e9, 0.5), 0.01, 355e6),
+        case("von Mises, low-cycle", low_cycle_steel(), 0.01, 355e6),
+    ]
+}
+
+/// Plane stress.
+pub fn plane() -> Vec<Case<3>> {
+    vec![
+        case("elastic", elastic(), 0.01, 355e6),
+        case("von Mises, ideal", steel(0.0, 1.0), 0.01, 355e6),
+        case("von Mises, isotropic", steel(2.1e9, 0.0), 0.01, 355e6),
+        case("von Mises, kinematic", steel(2.1e9, 1.0), 0.01, 355e6),
+        case("von Mises, low-cycle", low_cycle_steel(), 0.01, 355e6),
+    ]
+}
+
+/// Solids.
+pub fn solid() -> Vec<Case<6>> {
+    vec![
+        case("elastic", elastic(), 0.01, 355e6),
+        case("von Mises, ideal", steel(0.0, 1.0), 0.01, 355e6),
+        case("von Mises, mixed", steel(2.1e9, 0.5), 0.01, 355e6),
+        case("von Mises, low-cycle", low_cycle_steel(), 0.01, 355e6),
+    ]
+}
+
+/// Runs a generic check over all sizes.
+macro_rules! every_law {
+    ($check:path) => {
+        crate::registry::bars().iter().for_each($check);
+        crate::registry::plane().iter().for_each($check);
+        crate::registry::solid().iter().for_each($check);
+    };
+}
+pub(crate) use every_law;
