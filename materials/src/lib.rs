@@ -17,8 +17,11 @@
 //!
 //! Units are SI throughout: stresses and moduli [Pa], strains [-], lengths [m], fracture energies [N/m], dissipation [J/m³].
 
+pub mod bar;
 mod check;
+pub mod drucker_prager;
 pub mod elastic;
+mod modes;
 pub mod von_mises;
 
 use std::fmt::Debug;

@@ -33,14 +33,12 @@
 //! Source: Simo & Taylor 1986 (plane stress), Simo & Hughes 1998 ch. 3 (tangents), Armstrong & Frederick 1966, Voce 1948,
 //! Chaboche 1986 (several back stresses).
 
-mod modes;
 #[cfg(test)]
 mod tests;
 
-use modes::Modes;
-
 use crate::check::{below, positive, within};
 use crate::elastic::Elastic;
+use crate::modes::Modes;
 use crate::{Law, LawError, PointState, Response, refuse};
 
 const KIND: &str = "von_mises";

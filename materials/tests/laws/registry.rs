@@ -1,6 +1,8 @@
 //! The laws under check.
 
 use materials::Law;
+use materials::bar::{Bar, Rupture};
+use materials::drucker_prager::DruckerPrager;
 use materials::elastic::Elastic;
 use materials::von_mises::VonMises;
 
@@ -39,6 +41,16 @@ fn low_cycle_steel() -> VonMises {
         .unwrap()
 }
 
+fn cone(hardening: f64) -> DruckerPrager {
+    DruckerPrager::new(34e9, 0.2, 35e6, 1.16 * 35e6)
+        .and_then(|law| law.with_hardening(hardening))
+        .unwrap()
+}
+
+fn bar() -> Bar {
+    Bar::new(210e9, 500e6, 2.1e9).unwrap()
+}
+
 /// Bars and fibres.
 pub fn bars() -> Vec<Case<1>> {
     vec![
@@ -46,6 +58,13 @@ pub fn bars() -> Vec<Case<1>> {
         case("von Mises, ideal", steel(0.0, 1.0), 0.01, 355e6),
         case("von Mises, mixed", steel(2.1e9, 0.5), 0.01, 355e6),
         case("von Mises, low-cycle", low_cycle_steel(), 0.01, 355e6),
+        case("bar", bar(), 0.01, 500e6),
+        case(
+            "bar, rupture",
+            bar().with_rupture(0.008, Rupture::Drops).unwrap(),
+            0.01,
+            500e6,
+        ),
     ]
 }
 
@@ -57,6 +76,8 @@ pub fn plane() -> Vec<Case<3>> {
         case("von Mises, isotropic", steel(2.1e9, 0.0), 0.01, 355e6),
         case("von Mises, kinematic", steel(2.1e9, 1.0), 0.01, 355e6),
         case("von Mises, low-cycle", low_cycle_steel(), 0.01, 355e6),
+        case("Drucker-Prager, ideal", cone(0.0), 0.003, 35e6),
+        case("Drucker-Prager, kinematic", cone(3e9), 0.003, 35e6),
     ]
 }
 
@@ -67,6 +88,8 @@ pub fn solid() -> Vec<Case<6>> {
         case("von Mises, ideal", steel(0.0, 1.0), 0.01, 355e6),
         case("von Mises, mixed", steel(2.1e9, 0.5), 0.01, 355e6),
         case("von Mises, low-cycle", low_cycle_steel(), 0.01, 355e6),
+        case("Drucker-Prager, ideal", cone(0.0), 0.003, 35e6),
+        case("Drucker-Prager, kinematic", cone(3e9), 0.003, 35e6),
     ]
 }
 

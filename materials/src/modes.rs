@@ -18,7 +18,7 @@ use crate::elastic::Elastic;
 
 /// Eigenvalues of C and P; see the module.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Modes<const N: usize> {
+pub(crate) struct Modes<const N: usize> {
     /// Of C [Pa].
     pub c: [f64; N],
     /// Of P.
