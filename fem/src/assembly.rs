@@ -70,7 +70,8 @@ impl Assembler {
         for element in model.elements() {
             let mut any = false;
             for (a, &node) in element.nodes().iter().enumerate() {
-                any |= model.frame(node).is_some() || model.rotation_frame(node).is_some();
+                let framed = model.frame(node).is_some() || model.rotation_frame(node).is_some();
+                any |= framed && !element.own_axes();
                 for &dof in element.dofs(a) {
                     equations.push(dofs.equation(node, dof).map_or(NONE, |e| e as u32));
                 }
@@ -239,9 +240,16 @@ impl Assembler {
                 .times(&local_values(model, &**element, u));
             let mut k = 0;
             for (a, &node) in element.nodes().iter().enumerate() {
+                let mut at = [0.0; KINDS];
                 for dof in element.dofs(a) {
-                    out[node][dof.index()] += force[k];
+                    at[dof.index()] = force[k];
                     k += 1;
+                }
+                if element.own_axes() {
+                    at = model.to_global(node, at);
+                }
+                for (sum, f) in out[node].iter_mut().zip(at) {
+                    *sum += f;
                 }
             }
         }
@@ -327,7 +335,10 @@ impl Assembler {
             values.clear();
             for (a, &node) in element.nodes().iter().enumerate() {
                 let global = field(node);
-                values.extend(element.dofs(a).iter().map(|d| global[d.index()]));
+                values.extend(element.dofs(a).iter().map(|&d| match element.own_axes() {
+                    true => model.component(node, d, &global),
+                    false => global[d.index()],
+                }));
             }
             mass.reset(values.len());
             element.mass(&mut mass);
@@ -439,12 +450,15 @@ impl Work {
     }
 }
 
-/// Values of an element's dofs under the unknowns `u`, global components.
+/// Values of an element's dofs under the unknowns `u`, in the components that the element knows.
 pub fn local_values(model: &Model, element: &dyn Element, u: &[f64]) -> Vec<f64> {
     let mut out = Vec::with_capacity(local_size(element));
     for (a, &node) in element.nodes().iter().enumerate() {
-        let global = model.at_node(u, node);
-        out.extend(element.dofs(a).iter().map(|d| global[d.index()]));
+        let at = match element.own_axes() {
+            true => model.own_at_node(u, node),
+            false => model.at_node(u, node),
+        };
+        out.extend(element.dofs(a).iter().map(|d| at[d.index()]));
     }
     out
 }

@@ -22,18 +22,38 @@ pub enum Dof {
     Phi,
     /// Elevation of a liquid's free surface η [m].
     Eta,
+    /// Amplitude of a mode (sloshing mode, fixed-interface mode) at a node of its own; rests in rigid-body motions.
+    Amplitude,
 }
 
 /// Number of kinds.
-pub const KINDS: usize = 8;
+pub const KINDS: usize = 9;
 
 impl Dof {
     /// All kinds, in order.
-    pub const ALL: [Dof; KINDS] = [Dof::Ux, Dof::Uy, Dof::Uz, Dof::Rx, Dof::Ry, Dof::Rz, Dof::Phi, Dof::Eta];
+    pub const ALL: [Dof; KINDS] = [
+        Dof::Ux,
+        Dof::Uy,
+        Dof::Uz,
+        Dof::Rx,
+        Dof::Ry,
+        Dof::Rz,
+        Dof::Phi,
+        Dof::Eta,
+        Dof::Amplitude,
+    ];
 
     /// Position in [`Dof::ALL`].
     pub fn index(self) -> usize {
         self as usize
+    }
+
+    /// A run of kinds.
+    ///
+    /// Panics beyond the last kind.
+    pub fn slice(range: std::ops::Range<usize>) -> &'static [Dof] {
+        const ALL: &[Dof] = &Dof::ALL;
+        &ALL[range]
     }
 
     /// Displacements.
@@ -44,7 +64,7 @@ impl Dof {
 
 impl fmt::Display for Dof {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(["u_x", "u_y", "u_z", "r_x", "r_y", "r_z", "phi", "eta"][self.index()])
+        f.write_str(["u_x", "u_y", "u_z", "r_x", "r_y", "r_z", "phi", "eta", "amplitude"][self.index()])
     }
 }
 

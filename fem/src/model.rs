@@ -212,9 +212,10 @@ impl Model {
         self.rotation_frames.get(&node)
     }
 
-    /// The unknowns under a field given at every node: displacement, rotation (global components), potential, elevation.
+    /// The unknowns under a field given at every node: displacement, rotation (global components), potential, elevation,
+    /// amplitude.
     ///
-    /// Rigid translation along x: `|_| [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]`.
+    /// Rigid translation along x: `|_| [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]`.
     pub fn vector(&self, field: impl Fn(usize) -> [f64; KINDS]) -> Vec<f64> {
         (0..self.dofs.len())
             .map(|e| {
@@ -225,7 +226,7 @@ impl Model {
     }
 
     /// Component along an unknown's axis of global components at a node.
-    fn component(&self, node: usize, dof: Dof, global: &[f64; KINDS]) -> f64 {
+    pub(crate) fn component(&self, node: usize, dof: Dof, global: &[f64; KINDS]) -> f64 {
         let i = dof.index();
         let along = |frame: Option<&Matrix3<f64>>, first: usize| match frame {
             Some(f) => (0..3).map(|j| f[(i - first, j)] * global[first + j]).sum(),
@@ -238,14 +239,24 @@ impl Model {
         }
     }
 
-    /// Global components at `node` of a vector of unknowns; held and unused dofs are zero.
-    pub fn at_node(&self, x: &[f64], node: usize) -> [f64; KINDS] {
+    /// Components along the unknowns' own axes at `node` of a vector of unknowns; held and unused dofs are zero.
+    pub fn own_at_node(&self, x: &[f64], node: usize) -> [f64; KINDS] {
         let mut own = [0.0; KINDS];
         for dof in Dof::ALL {
             if let Some(e) = self.dofs.equation(node, dof) {
                 own[dof.index()] = x[e];
             }
         }
+        own
+    }
+
+    /// Global components at `node` of a vector of unknowns; held and unused dofs are zero.
+    pub fn at_node(&self, x: &[f64], node: usize) -> [f64; KINDS] {
+        self.to_global(node, self.own_at_node(x, node))
+    }
+
+    /// Global components at `node` of components along the unknowns' own axes.
+    pub fn to_global(&self, node: usize, own: [f64; KINDS]) -> [f64; KINDS] {
         let mut global = own;
         for (frame, first) in [(self.frame(node), 0), (self.rotation_frame(node), 3)] {
             if let Some(f) = frame {
@@ -280,7 +291,11 @@ impl Model {
         let mut k = 0;
         for (a, &node) in element.nodes().iter().enumerate() {
             for &dof in element.dofs(a) {
-                for (e, c) in self.row(node, dof) {
+                let row = match element.own_axes() {
+                    true => self.dofs.equation(node, dof).map(|e| (e, 1.0)).into_iter().collect(),
+                    false => self.row(node, dof),
+                };
+                for (e, c) in row {
                     *out.entry(e).or_insert(0.0) += c * local[k];
                 }
                 k += 1;

@@ -121,8 +121,11 @@ impl Gather {
         self.values.clear();
         self.rotations.clear();
         for (a, &node) in element.nodes().iter().enumerate() {
-            let global: [f64; KINDS] = model.at_node(&fields.u, node);
-            self.values.extend(element.dofs(a).iter().map(|d| global[d.index()]));
+            let at: [f64; KINDS] = match element.own_axes() {
+                true => model.own_at_node(&fields.u, node),
+                false => model.at_node(&fields.u, node),
+            };
+            self.values.extend(element.dofs(a).iter().map(|d| at[d.index()]));
             self.rotations.push(fields.rotation[node]);
         }
         Motion {

@@ -184,8 +184,13 @@ fn held_part(model: &Model, node: usize, global: &[f64; KINDS]) -> [f64; KINDS] 
 fn local_held(model: &Model, element: &dyn Element, field: &impl Fn(usize) -> [f64; KINDS]) -> Vec<f64> {
     let mut out = Vec::new();
     for (a, &node) in element.nodes().iter().enumerate() {
-        let held = held_part(model, node, &field(node));
-        out.extend(element.dofs(a).iter().map(|d| held[d.index()]));
+        let field = field(node);
+        let held = held_part(model, node, &field);
+        out.extend(element.dofs(a).iter().map(|&d| match element.own_axes() {
+            true if model.is_held(node, d) => model.component(node, d, &field),
+            true => 0.0,
+            false => held[d.index()],
+        }));
     }
     out
 }
@@ -244,7 +249,7 @@ mod tests {
         let lever = |node: usize| {
             let [x, _, z] = model.nodes()[node];
             // Rotation about y: u_x = z, u_z = −x.
-            [z, 0.0, -x, 0.0, 1.0, 0.0, 0.0, 0.0]
+            [z, 0.0, -x, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0]
         };
         let grid = Grid::new(0.02, 2.0, 0.0, 0.02);
         let record = |f: f64| -> Vec<f64> { (0..grid.samples).map(|k| (f * k as f64).sin()).collect() };

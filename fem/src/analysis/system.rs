@@ -71,6 +71,12 @@ impl System {
     }
 }
 
+/// Unit translation along x, at any node.
+#[cfg(test)]
+pub(crate) fn unit_x(_node: usize) -> [f64; crate::dofs::KINDS] {
+    unit(0)
+}
+
 /// Global components of a unit translation along axis `k`. The surface of a potential liquid rises with the tank, so that
 /// its elevation relative to it, on which gravity acts, stays zero.
 pub(crate) fn unit(k: usize) -> [f64; crate::dofs::KINDS] {

@@ -34,6 +34,7 @@ pub mod shell4;
 pub mod solid8;
 pub mod solid8_law;
 pub mod spring;
+pub mod super_element;
 mod wet_face;
 
 /// What the nodes of an element do.
@@ -184,6 +185,18 @@ pub trait Element: Send + Sync {
 
     /// Dofs that the element uses at its local node `node`, in local order.
     fn dofs(&self, node: usize) -> &'static [Dof];
+
+    /// Whether the element's local vector has components along the axes of the nodes' own frames instead of the global
+    /// axes. Vector dofs need not come in triples then.
+    fn own_axes(&self) -> bool {
+        false
+    }
+
+    /// Whether internal force and tangent are K u with a constant K, in small rotations: such elements are assembled once
+    /// for all steps.
+    fn is_linear(&self) -> bool {
+        false
+    }
 
     /// Number of history variables, all integration points together.
     fn history_len(&self) -> usize {

@@ -125,6 +125,10 @@ impl Element for Potential8 {
         &[Dof::Phi]
     }
 
+    fn is_linear(&self) -> bool {
+        true
+    }
+
     fn mass(&self, out: &mut LocalMatrix) {
         self.integrate(|(gradient, volume)| {
             let factor = -self.density * volume;

@@ -68,6 +68,10 @@ impl Element for PotentialSurface {
         &[Dof::Phi, Dof::Eta]
     }
 
+    fn is_linear(&self) -> bool {
+        true
+    }
+
     fn mass(&self, out: &mut LocalMatrix) {
         for (i, row) in self.areas().into_iter().enumerate() {
             for (j, s) in row.into_iter().enumerate() {

@@ -137,6 +137,10 @@ impl Element for Spring {
         self.link.dofs
     }
 
+    fn is_linear(&self) -> bool {
+        true
+    }
+
     fn has_mass(&self) -> bool {
         false
     }
@@ -214,6 +218,10 @@ impl Element for Dashpot {
         self.link.dofs
     }
 
+    fn is_linear(&self) -> bool {
+        true
+    }
+
     fn has_mass(&self) -> bool {
         false
     }
@@ -263,6 +271,10 @@ impl Element for PointMass {
 
     fn dofs(&self, _node: usize) -> &'static [Dof] {
         Dof::TRANSLATIONS
+    }
+
+    fn is_linear(&self) -> bool {
+        true
     }
 
     fn mass(&self, out: &mut LocalMatrix) {

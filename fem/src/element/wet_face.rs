@@ -326,6 +326,10 @@ impl Element for WetFace {
         if node < 4 { &[Dof::Phi] } else { Dof::TRANSLATIONS }
     }
 
+    fn is_linear(&self) -> bool {
+        true
+    }
+
     fn mass(&self, out: &mut LocalMatrix) {
         for (a, row) in self.areas.iter().enumerate() {
             for (b, area) in row.iter().enumerate() {

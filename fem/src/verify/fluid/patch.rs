@@ -132,7 +132,7 @@ fn solve(
     let k = assembler.stiffness(model)?;
     let mut u = model.vector(|node| {
         let [x, y, z] = field(model.nodes()[node]);
-        [x, y, z, 0.0, 0.0, 0.0, 0.0, 0.0]
+        [x, y, z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     });
     let free: Vec<usize> = (0..u.len()).filter(|&e| !outer(model.dofs().unknown(e).0)).collect();
     free.iter().for_each(|&e| u[e] = 0.0);

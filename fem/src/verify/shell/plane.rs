@@ -56,13 +56,14 @@ pub(super) fn patch() -> Answer<Vec<Row>> {
             0.0,
             0.0,
             0.0,
+            0.0,
         ]
     });
     let bending = model.vector(|n| {
         let [x, y] = plan[n];
         let w = 0.5 * scale * (x * x + x * y + y * y);
         let (w_x, w_y) = (scale * (x + 0.5 * y), scale * (y + 0.5 * x));
-        [0.0, 0.0, w, w_y, -w_x, 0.0, 0.0, 0.0]
+        [0.0, 0.0, w, w_y, -w_x, 0.0, 0.0, 0.0, 0.0]
     });
     let mut rows = Vec::new();
     // m = −D (w,xx + ν w,yy): the director turns against the slope.

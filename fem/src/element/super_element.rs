@@ -1,0 +1,388 @@
+//! Super-element: a linear part of a structure, or a liquid, given by its condensed matrices.
+//!
+//! ```text
+//! f_int = K u − p        M ü        C u̇        over any dofs of any nodes
+//! ```
+//!
+//! A liquid condensed onto the normal displacements w of the wetted wall and sloshing amplitudes q has
+//!
+//! ```text
+//! M = ⎡ M_a + Sᵀ c S   Sᵀ c ⎤     K = ⎡ 0  0 ⎤     C = ⎡ 0       0       ⎤
+//!     ⎣ c S            c    ⎦         ⎣ 0  k ⎦         ⎣ 0  2 ξ_n ω_n c_n ⎦
+//! ```
+//!
+//! and its ground-motion load −M ι a_g, ι = (1 along the motion, 0), follows from M as that of any element does: rows of
+//! held dofs belong into the matrices. Amplitudes live on nodes of their own ([`Dof::Amplitude`]), whose position is of no
+//! consequence.
+//!
+//! Components are along the axes of the nodes' frames ([`Element::own_axes`]), so that the radial displacement of a
+//! cylindrical wall is one dof. Small displacements and rotations.
+//!
+//! Source: Guyan 1965; Craig & Bampton 1968; Morand & Ohayon 1995, chapter 5.
+
+use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use crate::dofs::Dof;
+use crate::linalg::Matrix;
+
+const KIND: &str = "super_element";
+
+/// Largest |a_ij − a_ji| that counts as rounding, relative to the largest entry.
+const ASYMMETRY: f64 = 1e-9;
+
+/// The element.
+#[derive(Clone, Debug)]
+pub struct SuperElement {
+    nodes: Vec<usize>,
+    dofs: Vec<&'static [Dof]>,
+    mass: Option<Matrix>,
+    stiffness: Option<Matrix>,
+    damping: Option<Matrix>,
+    load: Option<Vec<f64>>,
+    samples: Vec<Sample>,
+}
+
+impl SuperElement {
+    /// Over `dofs[a]` of `nodes[a]`, node by node, without any matrix yet.
+    ///
+    /// Errors: no dofs, lists of different length, a node without dofs, a node or dof named twice.
+    pub fn new(nodes: Vec<usize>, dofs: Vec<&'static [Dof]>) -> Result<SuperElement, ElementError> {
+        if nodes.len() != dofs.len() || nodes.is_empty() {
+            return Err(refuse(
+                "nodes",
+                format!("{} nodes, dofs of {}", nodes.len(), dofs.len()),
+                "as many lists of dofs as nodes, at least one",
+            ));
+        }
+        let mut sorted = nodes.clone();
+        sorted.sort_unstable();
+        if let Some(pair) = sorted.windows(2).find(|p| p[0] == p[1]) {
+            return Err(refuse("nodes", format!("node {} twice", pair[0]), "every node once"));
+        }
+        for (node, own) in nodes.iter().zip(&dofs) {
+            let twice = own.iter().enumerate().any(|(i, d)| own[..i].contains(d));
+            if own.is_empty() || twice {
+                return Err(refuse(
+                    "dofs",
+                    format!("{own:?} at node {node}"),
+                    "one or more, each once",
+                ));
+            }
+        }
+        Ok(SuperElement {
+            nodes,
+            dofs,
+            mass: None,
+            stiffness: None,
+            damping: None,
+            load: None,
+            samples: Vec::new(),
+        })
+    }
+
+    /// Over single dofs, in this order; dofs of one node must follow each other in the order of [`Dof::ALL`] without gaps.
+    ///
+    /// Errors: those of [`SuperElement::new`]; dofs of a node apart or out of order.
+    pub fn over(unknowns: &[(usize, Dof)]) -> Result<SuperElement, ElementError> {
+        let (mut nodes, mut dofs): (Vec<usize>, Vec<&'static [Dof]>) = (Vec::new(), Vec::new());
+        let mut k = 0;
+        while k < unknowns.len() {
+            let (node, first) = unknowns[k];
+            let count = unknowns[k..].iter().take_while(|u| u.0 == node).count();
+            let range = first.index()..(first.index() + count).min(Dof::ALL.len());
+            let own = Dof::slice(range);
+            if own.len() != count || own.iter().zip(&unknowns[k..]).any(|(d, u)| *d != u.1) {
+                let found: Vec<Dof> = unknowns[k..k + count].iter().map(|u| u.1).collect();
+                return Err(refuse(
+                    "dofs",
+                    format!("{found:?} at node {node}"),
+                    "ascending without gaps",
+                ));
+            }
+            nodes.push(node);
+            dofs.push(own);
+            k += count;
+        }
+        SuperElement::new(nodes, dofs)
+    }
+
+    /// Number of local dofs.
+    pub fn size(&self) -> usize {
+        self.dofs.iter().map(|d| d.len()).sum()
+    }
+
+    /// With the mass matrix.
+    ///
+    /// Errors: wrong size, an entry that is not finite, a matrix that is not symmetric.
+    pub fn with_mass(mut self, mass: Matrix) -> Result<SuperElement, ElementError> {
+        self.mass = Some(self.checked("mass", mass)?);
+        Ok(self)
+    }
+
+    /// With the stiffness matrix.
+    ///
+    /// Errors: as [`SuperElement::with_mass`].
+    pub fn with_stiffness(mut self, stiffness: Matrix) -> Result<SuperElement, ElementError> {
+        self.stiffness = Some(self.checked("stiffness", stiffness)?);
+        Ok(self)
+    }
+
+    /// With the damping matrix.
+    ///
+    /// Errors: as [`SuperElement::with_mass`].
+    pub fn with_damping(mut self, damping: Matrix) -> Result<SuperElement, ElementError> {
+        self.damping = Some(self.checked("damping", damping)?);
+        Ok(self)
+    }
+
+    /// With a constant force p on the dofs (weight, pressure of rest).
+    ///
+    /// Errors: wrong length, an entry that is not finite.
+    pub fn with_load(mut self, load: Vec<f64>) -> Result<SuperElement, ElementError> {
+        if load.len() != self.size() || load.iter().any(|p| !p.is_finite()) {
+            let found = format!("{} entries for {} dofs", load.len(), self.size());
+            return Err(refuse("load", found, "one finite number a dof"));
+        }
+        self.load = Some(load);
+        Ok(self)
+    }
+
+    /// With quantities that are linear in the dofs or their accelerations (pressures).
+    pub fn with_samples(mut self, samples: Vec<Sample>) -> SuperElement {
+        self.samples = samples;
+        self
+    }
+
+    /// The mass matrix, if there is one.
+    pub fn mass_matrix(&self) -> Option<&Matrix> {
+        self.mass.as_ref()
+    }
+
+    /// The stiffness matrix, if there is one.
+    pub fn stiffness_matrix(&self) -> Option<&Matrix> {
+        self.stiffness.as_ref()
+    }
+
+    /// Node and dof of every local dof.
+    pub fn unknowns(&self) -> Vec<(usize, Dof)> {
+        let own = |(&node, dofs): (&usize, &&'static [Dof])| dofs.iter().map(move |&d| (node, d)).collect::<Vec<_>>();
+        self.nodes.iter().zip(&self.dofs).flat_map(own).collect()
+    }
+
+    /// Symmetric to the last digit, or refused.
+    fn checked(&self, parameter: &'static str, mut a: Matrix) -> Result<Matrix, ElementError> {
+        let n = self.size();
+        if a.rows != n || a.cols != n {
+            let found = format!("{} × {}", a.rows, a.cols);
+            return Err(refuse(parameter, found, "as many rows and columns as dofs"));
+        }
+        let largest = a.data.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        for j in 0..n {
+            for i in 0..=j {
+                let (upper, lower) = (a.get(i, j), a.get(j, i));
+                // Also false if one is not a number.
+                if (upper - lower).abs() <= ASYMMETRY * largest && largest.is_finite() {
+                    let mean = 0.5 * (upper + lower);
+                    a.data[i + j * n] = mean;
+                    a.data[j + i * n] = mean;
+                } else {
+                    let found = format!("{upper} in ({i}, {j}) and {lower} in ({j}, {i})");
+                    return Err(refuse(parameter, found, "a symmetric matrix of finite numbers"));
+                }
+            }
+        }
+        Ok(a)
+    }
+}
+
+fn refuse(parameter: &'static str, found: String, allowed: &'static str) -> ElementError {
+    ElementError::Parameter {
+        kind: KIND,
+        parameter,
+        found,
+        allowed,
+    }
+}
+
+fn copy(from: &Option<Matrix>, out: &mut LocalMatrix) {
+    if let Some(a) = from {
+        for (o, v) in out.data.iter_mut().zip(&a.data) {
+            *o += v;
+        }
+    }
+}
+
+impl Element for SuperElement {
+    fn kind(&self) -> &'static str {
+        KIND
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn dofs(&self, node: usize) -> &'static [Dof] {
+        self.dofs[node]
+    }
+
+    fn own_axes(&self) -> bool {
+        true
+    }
+
+    fn is_linear(&self) -> bool {
+        self.load.is_none()
+    }
+
+    fn mass(&self, out: &mut LocalMatrix) {
+        copy(&self.mass, out);
+    }
+
+    fn has_mass(&self) -> bool {
+        self.mass.is_some()
+    }
+
+    fn respond(
+        &self,
+        motion: Motion<'_>,
+        _old: &[f64],
+        _new: &mut [f64],
+        want: Want,
+        out: &mut Response,
+    ) -> Result<(), ElementError> {
+        if want.force {
+            if let Some(k) = &self.stiffness {
+                for (j, &u) in motion.values.iter().enumerate().filter(|(_, u)| **u != 0.0) {
+                    for (f, k) in out.force.iter_mut().zip(k.column(j)) {
+                        *f += k * u;
+                    }
+                }
+            }
+            for (f, p) in out.force.iter_mut().zip(self.load.iter().flatten()) {
+                *f -= p;
+            }
+        }
+        if want.tangent {
+            copy(&self.stiffness, &mut out.tangent);
+        }
+        Ok(())
+    }
+
+    fn damping(&self, out: &mut LocalMatrix) -> bool {
+        copy(&self.damping, out);
+        self.damping.is_some()
+    }
+
+    fn samples(&self) -> Vec<Sample> {
+        self.samples.clone()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Rotation3;
+
+    use super::*;
+    use crate::assembly::Assembler;
+    use crate::element::spring::{Direction, PointMass, Spring};
+    use crate::linalg::dot;
+    use crate::model::Builder;
+
+    fn matrix(n: usize, of: impl Fn(usize, usize) -> f64) -> Matrix {
+        let data = (0..n * n).map(|k| of(k % n, k / n)).collect();
+        Matrix { rows: n, cols: n, data }
+    }
+
+    /// Radial dofs of a ring whose nodes have frames, one of them held, with one amplitude: matrices and ground-motion load
+    /// as they follow by hand.
+    #[test]
+    fn radial_dofs_in_frames_with_an_amplitude() {
+        let count = 5;
+        let mut builder = Builder::new();
+        for k in 0..count {
+            let angle = 1.1 * k as f64;
+            let node = builder.node([angle.cos(), angle.sin(), 0.0]);
+            let frame = Rotation3::from_axis_angle(&nalgebra::Vector3::z_axis(), -angle);
+            builder.frame(node, frame.into_inner());
+            let spring = Spring::to_ground(node, Direction::Translation([0.0, 0.0, 1.0]), 1.0).unwrap();
+            builder.element("springs", spring);
+        }
+        builder.hold(2, Dof::Ux);
+        let amplitude = builder.node([0.0; 3]);
+        let mut unknowns: Vec<(usize, Dof)> = (0..count).map(|k| (k, Dof::Ux)).collect();
+        unknowns.push((amplitude, Dof::Amplitude));
+        let of = |i: usize, j: usize| (1 + i + j) as f64 + if i == j { 10.0 } else { 0.0 };
+        let part = SuperElement::over(&unknowns).unwrap();
+        let part = part.with_mass(matrix(6, of)).unwrap();
+        let part = part.with_stiffness(matrix(6, |i, j| 2.0 * of(i, j))).unwrap();
+        builder.element("liquid", part);
+        let model = builder.build().unwrap();
+        let assembler = Assembler::new(&model);
+        let (k, m) = assembler.stiffness_and_mass(&model).unwrap();
+        let equation = |i: usize| model.dofs().equation(unknowns[i].0, unknowns[i].1);
+        for i in 0..6 {
+            for j in 0..6 {
+                if let (Some(a), Some(b)) = (equation(i), equation(j)) {
+                    assert_eq!(m.get(a, b), of(i, j));
+                    assert_eq!(k.get(a, b), 2.0 * of(i, j));
+                }
+            }
+        }
+        // A translation along x has the radial parts cos θ; the held node's share is in, the amplitude rests.
+        let inertia = assembler.inertia(&model, crate::analysis::system::unit_x);
+        for i in (0..6).filter(|&i| i != 2) {
+            let expected: f64 = (0..count).map(|j| of(i, j) * (1.1 * j as f64).cos()).sum();
+            let found = inertia[equation(i).unwrap()];
+            assert!((found - expected).abs() < 1e-13, "{i}: {found} {expected}");
+        }
+    }
+
+    /// Two masses on springs, their upper half given as a super-element: the same matrices.
+    #[test]
+    fn part_of_a_structure() {
+        let x = Direction::Translation([1.0, 0.0, 0.0]);
+        let build = |condensed: bool| {
+            let mut builder = Builder::new();
+            builder.nodes(&[[0.0; 3], [1.0, 0.0, 0.0]]);
+            for node in 0..2 {
+                builder.hold(node, Dof::Uy);
+                builder.hold(node, Dof::Uz);
+            }
+            builder.element("a", Spring::to_ground(0, x, 5.0).unwrap());
+            builder.element("a", PointMass::new(0, 2.0).unwrap());
+            if condensed {
+                let part = SuperElement::over(&[(0, Dof::Ux), (1, Dof::Ux)]).unwrap();
+                let part = part.with_stiffness(matrix(2, |i, j| if i == j { 3.0 } else { -3.0 }));
+                let part = part.unwrap().with_mass(matrix(2, |i, j| f64::from(i == 1 && j == 1)));
+                let part = part.unwrap().with_load(vec![0.0, 4.0]).unwrap();
+                builder.element("b", part);
+            } else {
+                builder.element("b", Spring::between(0, 1, x, 3.0).unwrap());
+                builder.element("b", PointMass::new(1, 1.0).unwrap());
+            }
+            builder.build().unwrap()
+        };
+        let (part, whole) = (build(true), build(false));
+        let (a, b) = (Assembler::new(&part), Assembler::new(&whole));
+        assert_eq!(
+            a.stiffness_and_mass(&part).unwrap(),
+            b.stiffness_and_mass(&whole).unwrap()
+        );
+        let mut state = crate::state::State::new(&part);
+        state.trial.u = vec![0.3, -0.1];
+        let mut tangent = crate::linalg::Symmetric::zeros(a.pattern().clone());
+        let force = a.respond(&part, &mut state, Want::ALL, &mut tangent).unwrap();
+        assert!((force[0] - (1.5 + 1.2)).abs() < 1e-14 && (force[1] - (-1.2 - 4.0)).abs() < 1e-14);
+        assert!(dot(&force, &[1.0, 1.0]) < 0.0);
+    }
+
+    #[test]
+    fn nonsense_is_refused() {
+        assert!(SuperElement::over(&[]).is_err());
+        assert!(SuperElement::over(&[(0, Dof::Ux), (1, Dof::Ux), (0, Dof::Uy)]).is_err());
+        assert!(SuperElement::over(&[(0, Dof::Ux), (0, Dof::Uz)]).is_err());
+        let two = || SuperElement::over(&[(0, Dof::Eta), (0, Dof::Amplitude)]).unwrap();
+        assert!(two().with_mass(Matrix::zeros(3, 3)).is_err());
+        assert!(two().with_mass(matrix(2, |i, j| (i as f64) - (j as f64))).is_err());
+        assert!(two().with_damping(matrix(2, |_, _| f64::NAN)).is_err());
+        assert!(two().with_load(vec![f64::INFINITY, 0.0]).is_err());
+    }
+}
