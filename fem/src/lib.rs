@@ -8,7 +8,7 @@
 //!          element ◄─ shape, chart                     linalg
 //! ```
 //!
-//! * [`linalg`]: dense and sparse matrices, factors, eigenpairs; the only module that names faer.
+//! * [`linalg`]: dense and sparse matrices, factors, eigenpairs (a crate of its own, the only one that names faer).
 //! * [`shape`]: shape functions and quadrature. [`chart`]: Cartesian and cylindrical coordinates.
 //! * [`mesh`]: generators of structured meshes.
 //! * [`element`]: one file a kind; elements are pure, they hold parameters and read and write what they are handed.
@@ -25,7 +25,7 @@ pub mod assembly;
 pub mod chart;
 pub mod dofs;
 pub mod element;
-pub mod linalg;
+pub use linalg;
 pub mod liquid;
 pub mod mesh;
 pub mod model;

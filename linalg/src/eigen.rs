@@ -133,7 +133,7 @@ pub(super) fn orient(x: &mut [f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linalg::dot;
+    use crate::dot;
 
     /// Chain of n unit masses and springs, fixed at one end: ω_j = 2 sin((2j−1)π/(2(2n+1))) (Rayleigh 1894).
     fn chain(n: usize, stiffness: f64) -> (Matrix, Matrix) {

@@ -1,5 +1,5 @@
 use super::Box3;
-use crate::linalg::{Kind, LinalgError, Matrix, Pencil, Reduction, Search, Sparse, dot, modes, modes_between, reduce};
+use crate::{Kind, LinalgError, Matrix, Pencil, Reduction, Search, Sparse, dot, modes, modes_between, reduce};
 
 /// A cube has eigenvalues of multiplicity 3 and 6.
 #[test]
@@ -92,7 +92,7 @@ fn mass_may_be_semidefinite() {
     let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
     // Reference: the dense solver.
     let dense =
-        crate::linalg::generalized_eigen(&model.stiffness.to_dense(), &model.mass.to_dense(), Some(12)).unwrap();
+        crate::generalized_eigen(&model.stiffness.to_dense(), &model.mass.to_dense(), Some(12)).unwrap();
     let found = modes(&pencil, &Search::lowest(12)).unwrap();
     for (f, e) in found.omega().iter().zip(&dense.omega) {
         assert!((f / e - 1.0).abs() < 1e-9, "{f} {e}");

@@ -146,7 +146,7 @@ impl SparseCholesky {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linalg::Cholesky;
+    use crate::Cholesky;
 
     /// Five-point Laplacian on a 30 × 20 grid: the factor must solve what the dense factor solves.
     #[test]

@@ -1,4 +1,4 @@
-//! Plain `f64` linear algebra over faer: the only module that names it, so that it is compiled once.
+//! Plain `f64` linear algebra over faer: the only crate that names it, so that its generic code is compiled once.
 //!
 //! Everything runs on the calling thread (`Par::Seq`): the systems of the harmonic engine are too small to gain from a
 //! second one.
