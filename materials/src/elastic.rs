@@ -91,6 +91,10 @@ impl Law<1> for Elastic {
         "elastic"
     }
 
+    fn is_linear(&self) -> bool {
+        true
+    }
+
     fn respond(&self, strain: &[f64; 1], _old: &[f64], _new: &mut [f64]) -> Result<Response<1>, LawError> {
         Ok(linear([[self.young_modulus]], strain))
     }
@@ -101,6 +105,10 @@ impl Law<3> for Elastic {
         "elastic"
     }
 
+    fn is_linear(&self) -> bool {
+        true
+    }
+
     fn respond(&self, strain: &[f64; 3], _old: &[f64], _new: &mut [f64]) -> Result<Response<3>, LawError> {
         Ok(linear(self.plane(), strain))
     }
@@ -109,6 +117,10 @@ impl Law<3> for Elastic {
 impl Law<6> for Elastic {
     fn kind(&self) -> &'static str {
         "elastic"
+    }
+
+    fn is_linear(&self) -> bool {
+        true
     }
 
     fn respond(&self, strain: &[f64; 6], _old: &[f64], _new: &mut [f64]) -> Result<Response<6>, LawError> {

@@ -111,6 +111,11 @@ pub trait Law<const N: usize>: Debug + Send + Sync {
         slots.fill(0.0);
     }
 
+    /// Whether σ = C ε with one C for all time, without history: whoever integrates such a law may do it beforehand.
+    fn is_linear(&self) -> bool {
+        false
+    }
+
     /// Stress, tangent and dissipation at the total strain `strain`, with the committed history `old`; writes the new
     /// history. `old` and `new` have [`Law::history_len`] slots. Equal input gives bit-identical output.
     ///

@@ -33,18 +33,21 @@
 //! Source: Dvorkin & Bathe 1984 (tying), Simo & Fox 1989 (measures); the centre-point shear and its reason are derived in
 //! `docs/theory/shell-element.md`. Thickness change is not represented.
 
+mod observe;
 pub(super) mod strain;
+mod turn;
 
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 use strain::{Stressed, add_material, put};
+use turn::Turn;
 
 use super::shell::drilling::{Corner, turned};
 use super::shell::geometry::{Point, blend};
 use super::shell::section::{Section, SectionResponse};
-use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, Inspection, LocalMatrix, Motion, Response, Sample, SectionState, Want};
 use crate::dofs::Dof;
 
 /// Number of local dofs.
@@ -126,6 +129,8 @@ pub struct Shell4 {
     membrane_shear: MembraneShear,
     mass: MassKind,
     axes: Axes,
+    /// From the frames of the Gauss points to that of the section, where the section needs it.
+    turns: Option<[Turn; 4]>,
     drilling: Vec<Corner>,
 }
 
@@ -165,6 +170,7 @@ impl Shell4 {
             membrane_shear: MembraneShear::default(),
             mass: MassKind::default(),
             axes: Axes::Element,
+            turns: None,
             drilling: Vec::new(),
         })
     }
@@ -181,9 +187,13 @@ impl Shell4 {
         self
     }
 
-    /// The same with another frame for [`Element::samples`].
+    /// The same with another frame for the section and for all that is given out. Where its rule has no answer (on the
+    /// axis) the element's own frame is taken.
     pub fn with_axes(mut self, axes: Axes) -> Shell4 {
         self.axes = axes;
+        let turns = self.points.each_ref().map(|p| self.turn(p));
+        let needed = self.section.has_frame() && turns.iter().any(|t| *t != Turn::NONE);
+        self.turns = needed.then_some(turns);
         self
     }
 
@@ -224,42 +234,7 @@ impl Shell4 {
         &self.centre
     }
 
-    /// Rows of the resultants at `p` over the local dofs, at the reference state, in the frame of [`Axes`].
-    ///
-    /// Errors: those of the section.
-    pub fn resultant_rows(&self, p: &Point) -> Result<[Row; 8], ElementError> {
-        let reference = self.reference();
-        let kinematics = self.kinematics(p, &reference, &self.common(&reference));
-        let tangent = self.virgin_tangent()?;
-        let mut rows = [[0.0; SIZE]; 8];
-        for (i, row) in rows.iter_mut().enumerate() {
-            for (k, b) in kinematics.rows.iter().enumerate() {
-                let c = tangent[i][k];
-                if c != 0.0 {
-                    for (to, from) in row.iter_mut().zip(b) {
-                        *to += c * from;
-                    }
-                }
-            }
-        }
-        let position = blend(&p.n, &self.x);
-        if let Some(first) = self.axes.first(position, p.axis(2)) {
-            let (c, s) = (first.dot(&p.axis(0)), first.dot(&p.axis(1)));
-            let old = rows;
-            for j in 0..SIZE {
-                for k in [0, 3] {
-                    let [n11, n22, n12] = [old[k][j], old[k + 1][j], old[k + 2][j]];
-                    rows[k][j] = c * c * n11 + s * s * n22 + 2.0 * c * s * n12;
-                    rows[k + 1][j] = s * s * n11 + c * c * n22 - 2.0 * c * s * n12;
-                    rows[k + 2][j] = c * s * (n22 - n11) + (c * c - s * s) * n12;
-                }
-                rows[6][j] = c * old[6][j] + s * old[7][j];
-                rows[7][j] = c * old[7][j] - s * old[6][j];
-            }
-        }
-        Ok(rows)
-    }
-
+    /// Tangent of the virgin section, in its own frame.
     fn virgin_tangent(&self) -> Result<[[f64; 8]; 8], ElementError> {
         let mut old = vec![0.0; self.section.history_len()];
         self.section.init_history(&mut old);
@@ -340,8 +315,14 @@ impl Element for Shell4 {
         for (g, p) in self.points.iter().enumerate() {
             let k = self.kinematics(p, &c, &common);
             let slots = g * len..(g + 1) * len;
-            self.section
-                .respond(&k.strain, &old[slots.clone()], &mut new[slots], &mut section)?;
+            let turn = self.turns.as_ref().map_or(Turn::NONE, |t| t[g]);
+            self.section.respond(
+                &turn.strain(&k.strain),
+                &old[slots.clone()],
+                &mut new[slots],
+                &mut section,
+            )?;
+            turn.back(&mut section);
             if want.force {
                 for (row, n) in k.rows.iter().zip(&section.resultants) {
                     let n = n * p.area;
@@ -375,13 +356,15 @@ impl Element for Shell4 {
         let common = self.common(&reference);
         let tangent = self.virgin_tangent()?;
         let mut stressed = Stressed::default();
-        for p in &self.points {
+        for (g, p) in self.points.iter().enumerate() {
             let k = self.kinematics(p, &reference, &common);
             let strain = k
                 .rows
                 .map(|row| row.iter().zip(values).map(|(b, v)| b * v).sum::<f64>());
+            let turn = self.turns.as_ref().map_or(Turn::NONE, |t| t[g]);
+            let strain = turn.strain(&strain);
             let resultants = tangent.map(|row| row.iter().zip(&strain).map(|(c, e)| c * e).sum());
-            self.stress(p, &resultants, &mut stressed);
+            self.stress(p, &turn.resultants_back(&resultants), &mut stressed);
         }
         self.add_geometric(&reference, &stressed, out);
         Ok(true)
@@ -405,21 +388,21 @@ impl Element for Shell4 {
     /// Resultants in the frame of [`Axes`]: at the centre, then at the four Gauss points counter-clockwise, eight each
     /// in the order of [`RESULTANTS`]. m > 0 stretches the side to which the directors point.
     fn samples(&self) -> Vec<Sample> {
-        let mut out = Vec::with_capacity(40);
-        for p in std::iter::once(&self.centre).chain(&self.points) {
-            let position = blend(&p.n, &self.x).into();
-            // A section without an answer at rest has no samples.
-            let Ok(rows) = self.resultant_rows(p) else {
-                return Vec::new();
-            };
-            out.extend(RESULTANTS.iter().zip(&rows).map(|(&name, row)| Sample {
-                name,
-                position,
-                row: row.to_vec(),
-                of_acceleration: false,
-            }));
-        }
-        out
+        self.resultant_samples()
+    }
+
+    fn dissipated(&self, history: &[f64]) -> f64 {
+        self.dissipated_energy(history)
+    }
+
+    /// Layers and bars at the four Gauss points.
+    fn inspect(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(&Inspection)) {
+        self.show(&motion, history, see);
+    }
+
+    /// At the four Gauss points, in the frame of [`Axes`].
+    fn sections(&self, motion: Motion<'_>, history: &[f64]) -> Result<Vec<SectionState>, ElementError> {
+        self.section_states(&motion, history)
     }
 }
 
@@ -438,49 +421,4 @@ pub fn rigid_motion(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::reference_stiffness;
-    use super::super::shell::section::ElasticSection;
-    use super::*;
-
-    const SQUARE: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
-
-    fn section() -> Arc<dyn Section> {
-        Arc::new(ElasticSection::new(1000.0, 0.25, 0.1, 1.0).expect("valid parameters"))
-    }
-
-    /// Stretch 0.01 along x: n_11 = E t/(1 − ν²) 0.01 = 16/15, n_22 = ν n_11; a pull n_11 · 1 m shared by two nodes.
-    #[test]
-    fn uniaxial_stretch_by_hand() {
-        let shell = Shell4::new([0, 1, 2, 3], SQUARE, [Vector3::z(); 4], section()).unwrap();
-        let mut u = vec![0.0; SIZE];
-        (u[6], u[12]) = (0.02, 0.02);
-        for sample in shell.samples() {
-            let value: f64 = sample.row.iter().zip(&u).map(|(a, b)| a * b).sum();
-            let expected = match sample.name {
-                "n_11" => 16.0 / 15.0,
-                "n_22" => 4.0 / 15.0,
-                _ => 0.0,
-            };
-            assert!((value - expected).abs() < 1e-13, "{}", sample.name);
-        }
-        let force = reference_stiffness(&shell).unwrap().to_matrix().times(&u);
-        assert!((force[6] - 8.0 / 15.0).abs() < 1e-13 && (force[0] + 8.0 / 15.0).abs() < 1e-13);
-    }
-
-    #[test]
-    fn bad_geometry_is_refused() {
-        let up = [Vector3::z(); 4];
-        assert!(Shell4::new([0, 1, 2, 3], SQUARE, [-Vector3::z(); 4], section()).is_err());
-        assert!(Shell4::new([0, 1, 2, 3], SQUARE, up.map(|d| d * 1.1), section()).is_err());
-        let bow_tie = [SQUARE[0], SQUARE[2], SQUARE[1], SQUARE[3]];
-        assert!(matches!(
-            Shell4::new([0, 1, 2, 3], bow_tie, up, section()),
-            Err(ElementError::Jacobian { .. })
-        ));
-        let nan = [[f64::NAN, 0.0, 0.0], SQUARE[1], SQUARE[2], SQUARE[3]];
-        assert!(Shell4::new([0, 1, 2, 3], nan, up, section()).is_err());
-        let shell = Shell4::new([0, 1, 2, 3], SQUARE, up, section()).unwrap();
-        assert!(shell.with_drilling([true; 4], -1.0).is_err());
-    }
-}
+mod tests;

@@ -44,6 +44,8 @@ pub struct LayerState {
     pub layer: usize,
     /// Depth ζ [m].
     pub depth: f64,
+    /// Direction of the strain's first axis: angle from axis 1 of the section towards its axis 2 [rad]; 0 in layers.
+    pub angle: f64,
     /// ε_11, ε_22, γ_12; of a bar the strain along it, alone.
     pub strain: [f64; 3],
     /// σ_11, σ_22, σ_12 [Pa]; of a bar its stress alone.
@@ -61,6 +63,12 @@ pub trait Section: Send + Sync {
 
     /// Writes the virgin history of one point.
     fn init_history(&self, _slots: &mut [f64]) {}
+
+    /// Whether the answer depends on the directions of axes 1 and 2 (bars, orthotropy, anything with a history). The shell then
+    /// hands over strains in its [`Axes`](crate::element::shell4::Axes), else in any frame.
+    fn has_frame(&self) -> bool {
+        true
+    }
 
     /// Resultants and tangent at the strains ε, κ, γ, with the committed history `old`; writes the trial history `new`.
     ///
@@ -205,6 +213,10 @@ impl ElasticSection {
 }
 
 impl Section for ElasticSection {
+    fn has_frame(&self) -> bool {
+        false
+    }
+
     fn respond(
         &self,
         strain: &[f64; 8],

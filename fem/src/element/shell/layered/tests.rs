@@ -1,0 +1,260 @@
+//! Layers against closed forms and hand calculations.
+
+use std::f64::consts::PI;
+
+use materials::Elastic;
+
+use super::*;
+use crate::element::shell::section::ElasticSection;
+
+const E: f64 = 200e9;
+const YIELD: f64 = 250e6;
+
+/// Three uncoupled ideally plastic springs, for tests: σ_i = clamp(C_i (ε_i − p_i)), history p.
+#[derive(Debug)]
+pub(crate) struct Springs;
+
+const MODULI: [f64; 3] = [E, E, 0.5 * E];
+
+fn spring(modulus: f64, strain: f64, old: f64) -> (f64, f64, f64, f64) {
+    let trial = modulus * (strain - old);
+    let stress = trial.clamp(-YIELD, YIELD);
+    let plastic = (trial - stress) / modulus;
+    let tangent = if plastic == 0.0 { modulus } else { 0.0 };
+    (stress, tangent, old + plastic, stress * plastic)
+}
+
+impl Law<3> for Springs {
+    fn kind(&self) -> &'static str {
+        "springs"
+    }
+
+    fn history_len(&self) -> usize {
+        3
+    }
+
+    fn respond(&self, strain: &[f64; 3], old: &[f64], new: &mut [f64]) -> Result<Response<3>, LawError> {
+        let mut out = Response::default();
+        for i in 0..3 {
+            let (stress, tangent, plastic, energy) = spring(MODULI[i], strain[i], old[i]);
+            out.stress[i] = stress;
+            out.tangent[i][i] = tangent;
+            out.dissipation += energy;
+            new[i] = plastic;
+        }
+        Ok(out)
+    }
+}
+
+impl Law<1> for Springs {
+    fn kind(&self) -> &'static str {
+        "springs"
+    }
+
+    fn history_len(&self) -> usize {
+        1
+    }
+
+    fn respond(&self, strain: &[f64; 1], old: &[f64], new: &mut [f64]) -> Result<Response<1>, LawError> {
+        let (stress, tangent, plastic, dissipation) = spring(E, strain[0], old[0]);
+        new[0] = plastic;
+        Ok(Response {
+            stress: [stress],
+            tangent: [[tangent]],
+            dissipation,
+        })
+    }
+}
+
+fn ply(law: Arc<dyn Law<3>>, thickness: f64, rule: Rule) -> Ply {
+    Ply {
+        law,
+        thickness,
+        density: 7850.0,
+        rule,
+    }
+}
+
+fn respond(section: &LayeredSection, strain: &[f64; 8], old: &[f64], new: &mut [f64]) -> SectionResponse {
+    let mut out = SectionResponse::default();
+    section.respond(strain, old, new, &mut out).unwrap();
+    out
+}
+
+fn virgin(section: &LayeredSection) -> Vec<f64> {
+    let mut old = vec![f64::NAN; section.history_len()];
+    section.init_history(&mut old);
+    old
+}
+
+const STRAIN: [f64; 8] = [3e-4, -1e-4, 2e-4, 0.02, -0.01, 0.03, 1e-4, -2e-4];
+
+/// Plies of one elastic material in any rule that is exact for cubics are the homogeneous section, as seen from any
+/// reference surface; and the plain trapezoid is not.
+#[test]
+fn elastic_plies_are_the_elastic_section() {
+    let (t, e, nu) = (0.02, 0.007, 0.3);
+    let law: Arc<dyn Law<3>> = Arc::new(Elastic::new(E, nu).unwrap());
+    let expected = ElasticSection::new(E, nu, t, 7850.0).unwrap().eccentric(e).unwrap();
+    let mut reference = SectionResponse::default();
+    expected.respond(&STRAIN, &[], &mut [], &mut reference).unwrap();
+    let difference = |rules: [Rule; 2]| {
+        let plies = [ply(law.clone(), 0.3 * t, rules[0]), ply(law.clone(), 0.7 * t, rules[1])];
+        let section = LayeredSection::eccentric(&plies, &[], e).unwrap();
+        assert_eq!(section.history_len(), 0);
+        let found = respond(&section, &STRAIN, &[], &mut []);
+        for (a, b) in section.inertia().iter().zip(expected.inertia()) {
+            assert!((a / b - 1.0).abs() < 1e-13);
+        }
+        assert!((section.shear_stiffness() / expected.shear_stiffness() - 1.0).abs() < 1e-13);
+        let tangents = found.tangent.iter().flatten().zip(reference.tangent.iter().flatten());
+        let pairs = found.resultants.iter().zip(&reference.resultants).chain(tangents);
+        pairs.map(|(a, b)| (a - b).abs() / b.abs().max(1.0)).fold(0.0, f64::max)
+    };
+    for rules in [
+        [Rule::Gauss(2), Rule::Gauss(5)],
+        [Rule::Lobatto(3), Rule::Simpson(5)],
+        [Rule::MidPoint(2), Rule::MidPoint(20)],
+    ] {
+        assert!(difference(rules) < 1e-12, "{rules:?}");
+    }
+    assert!(difference([Rule::Trapezoid(5), Rule::Trapezoid(5)]) > 0.01);
+}
+
+/// Aluminium on steel, bent about the reference surface: A, B and D of the two plies by hand.
+#[test]
+fn two_materials_by_hand() {
+    let (ea, es, ta, ts) = (70e9, 210e9, 0.03, 0.01);
+    let law = |e: f64| -> Arc<dyn Law<3>> { Arc::new(Elastic::new(e, 0.0).unwrap()) };
+    let plies = [ply(law(es), ts, Rule::Gauss(2)), ply(law(ea), ta, Rule::Gauss(2))];
+    let section = LayeredSection::new(&plies, &[]).unwrap();
+    let mut strain = [0.0; 8];
+    (strain[0], strain[3]) = (1e-3, 0.1);
+    let found = respond(&section, &strain, &[], &mut []);
+    // Steel from −0.02 to −0.01, aluminium from −0.01 to 0.02.
+    let s1 = es * -0.5 * (0.02_f64.powi(2) - 0.01_f64.powi(2)) + ea * 0.5 * (0.02_f64.powi(2) - 0.01_f64.powi(2));
+    let s2 = (es * (0.02_f64.powi(3) - 0.01_f64.powi(3)) + ea * (0.02_f64.powi(3) + 0.01_f64.powi(3))) / 3.0;
+    let n = (es * ts + ea * ta) * 1e-3 + s1 * 0.1;
+    let m = s1 * 1e-3 + s2 * 0.1;
+    assert!((found.resultants[0] / n - 1.0).abs() < 1e-12);
+    assert!((found.resultants[3] / m - 1.0).abs() < 1e-12);
+}
+
+/// A bar at 30° in a ply that is next to nothing: N = A E (a · ε) a, M = ζ N; linear law and history law alike.
+#[test]
+fn bar_in_an_oblique_direction() {
+    let soft: Arc<dyn Law<3>> = Arc::new(Elastic::new(1.0, 0.0).unwrap());
+    let laws: [Arc<dyn Law<1>>; 2] = [Arc::new(Elastic::new(E, 0.0).unwrap()), Arc::new(Springs)];
+    let (area, depth, e, angle) = (7e-4, 0.11, 0.05, PI / 6.0);
+    for law in laws {
+        let bar = Bar {
+            law,
+            area,
+            depth,
+            angle,
+            density: 7850.0,
+        };
+        let section = LayeredSection::eccentric(&[ply(soft.clone(), 0.3, Rule::Gauss(2))], &[bar], e).unwrap();
+        let old = virgin(&section);
+        let found = respond(&section, &STRAIN, &old, &mut old.clone());
+        let a = [0.75, 0.25, 0.75_f64.sqrt() * 0.5];
+        let zeta = e + depth;
+        let along: f64 = (0..3).map(|i| a[i] * (STRAIN[i] + zeta * STRAIN[3 + i])).sum();
+        // Below yield for the spring as well?
+        let stress = (E * along).clamp(-YIELD, if section.history_len() > 0 { YIELD } else { f64::MAX });
+        for i in 0..3 {
+            let force = area * stress * a[i];
+            assert!((found.resultants[i] - force).abs() < 1e-6 * force.abs() + 1.0, "{i}");
+            assert!(
+                (found.resultants[3 + i] - zeta * force).abs() < 1e-6 * force.abs() + 1.0,
+                "{i}"
+            );
+        }
+        let inertia = section.inertia();
+        assert!((inertia[0] - 7850.0 * (0.3 + area)).abs() < 1e-9);
+        assert!((inertia[1] - 7850.0 * (0.3 * e + area * zeta)).abs() < 1e-9);
+        let mut bars = Vec::new();
+        section.inspect(&STRAIN, &old, &mut |l| {
+            if l.layer == 2 {
+                bars.push((l.depth, l.angle, l.strain[0]));
+            }
+        });
+        assert_eq!(bars.len(), 1);
+        assert!((bars[0].0 - zeta).abs() < 1e-15 && bars[0].1 == angle && (bars[0].2 - along).abs() < 1e-15);
+    }
+}
+
+/// Bending beyond yield and back: M = M_p (1 − (κ_y/κ)²/3), the tangent is the derivative, and the work done is what is stored
+/// and what is dissipated.
+#[test]
+fn plastic_bending_and_its_energy() {
+    let t = 0.02;
+    let law: Arc<dyn Law<3>> = Arc::new(Springs);
+    let plies = [
+        ply(law.clone(), 0.5 * t, Rule::MidPoint(200)),
+        ply(law, 0.5 * t, Rule::MidPoint(200)),
+    ];
+    let bar = Bar {
+        law: Arc::new(Springs),
+        area: 1e-4,
+        depth: -0.008,
+        angle: 0.0,
+        density: 0.0,
+    };
+    let yielding = 2.0 * YIELD / (E * t);
+    let plain = LayeredSection::new(&plies, &[]).unwrap();
+    let mut strain = [0.0; 8];
+    strain[3] = 3.0 * yielding;
+    let old = virgin(&plain);
+    let found = respond(&plain, &strain, &old, &mut old.clone());
+    let plastic = YIELD * t * t / 4.0;
+    // 400 layers: 1/400².
+    assert!((found.resultants[3] / (plastic * (1.0 - 1.0 / 27.0)) - 1.0).abs() < 1e-4);
+    assert!((found.tangent[3][3] / (E * t.powi(3) / 12.0 / 27.0) - 1.0).abs() < 1e-2);
+
+    let section = LayeredSection::new(&plies, &[bar]).unwrap();
+    let (mut old, mut work, mut moment, mut last) = (virgin(&section), 0.0, 0.0, 0.0);
+    let steps = 4000;
+    for k in 1..=steps {
+        let phase = f64::from(k) / f64::from(steps) * 2.25 * PI;
+        strain[3] = 3.0 * yielding * phase.sin();
+        let mut new = old.clone();
+        let found = respond(&section, &strain, &old, &mut new);
+        work += 0.5 * (found.resultants[3] + moment) * (strain[3] - last);
+        (moment, last) = (found.resultants[3], strain[3]);
+        assert!(section.dissipated(&new) >= section.dissipated(&old));
+        old = new;
+    }
+    let mut stored = 0.0;
+    section.inspect(&strain, &old, &mut |l| {
+        let weight = if l.layer < 400 { t / 400.0 } else { 1e-4 };
+        stored += weight * l.stress[0] * l.stress[0] / (2.0 * E);
+    });
+    let dissipated = section.dissipated(&old);
+    assert!(dissipated > 3.0 * stored && stored > 0.0);
+    // Steps of 1/4000 of the path: trapezoidal rule.
+    assert!(
+        (work / (stored + dissipated) - 1.0).abs() < 1e-4,
+        "{work} {stored} {dissipated}"
+    );
+}
+
+#[test]
+fn parameters_out_of_range_are_refused() {
+    let law: Arc<dyn Law<3>> = Arc::new(Springs);
+    let good = ply(law.clone(), 0.1, Rule::Gauss(3));
+    let bar = |area: f64, depth: f64| Bar {
+        law: Arc::new(Springs),
+        area,
+        depth,
+        angle: 0.0,
+        density: 0.0,
+    };
+    assert!(LayeredSection::new(&[], &[]).is_err());
+    assert!(LayeredSection::new(&[ply(law.clone(), 0.0, Rule::Gauss(3))], &[]).is_err());
+    assert!(LayeredSection::new(&[ply(law, 0.1, Rule::Gauss(0))], &[]).is_err());
+    assert!(LayeredSection::new(std::slice::from_ref(&good), &[bar(1e-3, 0.051)]).is_err());
+    assert!(LayeredSection::new(std::slice::from_ref(&good), &[bar(0.0, 0.0)]).is_err());
+    let section = LayeredSection::new(&[good], &[bar(1e-3, 0.05)]).unwrap();
+    assert!(section.with_shear_factor(0.0).is_err());
+}
