@@ -45,7 +45,7 @@ use strain::{Stressed, add_material, put};
 use turn::Turn;
 
 use super::shell::drilling::{Corner, turned};
-use super::shell::geometry::{Point, blend};
+use super::shell::geometry::Point;
 use super::shell::section::{Section, SectionResponse};
 use super::{Element, ElementError, Inspection, LocalMatrix, Motion, Response, Sample, SectionState, Want};
 use crate::dofs::Dof;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use materials::Elastic;
+use materials::elastic::Elastic;
 
 use super::*;
 use crate::element::shell::section::ElasticSection;
@@ -210,7 +210,8 @@ fn plastic_bending_and_its_energy() {
     let plastic = YIELD * t * t / 4.0;
     // 400 layers: 1/400².
     assert!((found.resultants[3] / (plastic * (1.0 - 1.0 / 27.0)) - 1.0).abs() < 1e-4);
-    assert!((found.tangent[3][3] / (E * t.powi(3) / 12.0 / 27.0) - 1.0).abs() < 1e-2);
+    // The elastic core is 133 layers: one more or less is 2.3 %.
+    assert!((found.tangent[3][3] / (E * t.powi(3) / 12.0 / 27.0) - 1.0).abs() < 3e-2);
 
     let section = LayeredSection::new(&plies, &[bar]).unwrap();
     let (mut old, mut work, mut moment, mut last) = (virgin(&section), 0.0, 0.0, 0.0);
