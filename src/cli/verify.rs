@@ -74,6 +74,13 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
             Pace::Record => choice.records.is_some(),
         };
         manual::write(folder, &manual::merge(&found.rows, &kept, ran))?;
+        if let (true, Some(records)) = (args.slow, &args.records) {
+            let path = folder.join("dissertation.md");
+            std::fs::write(&path, verify::dissertation::document(records)?).map_err(|e| Error::File {
+                path,
+                what: e.to_string(),
+            })?;
+        }
     }
     let failed = found.rows.iter().filter(|r| !r.holds()).count();
     match args.format {
