@@ -178,7 +178,10 @@ fn table(modes: &[Mode], liquid_mass: f64, engine: Engine) -> Table {
                     format!("{:.4}", mode.omega),
                     cell(moved, format!("{:.4}", mode.effective_mass / 1000.0)),
                     cell(moved, format!("{:.2}", 100.0 * mode.effective_mass / liquid_mass)),
-                    cell(mode.harmonic == 1, format!("{:.4}", mode.effective_height)),
+                    cell(
+                        mode.harmonic == 1 && engine == Engine::Harmonic,
+                        format!("{:.4}", mode.effective_height),
+                    ),
                 ]),
         );
     }
