@@ -1,5 +1,11 @@
 //! The tank and what is in it.
 
+mod behaviour;
+mod layers;
+
+pub use behaviour::{Bar, Behaviour, Concrete, ConcreteLaw, Interlayer, Softening, Steel};
+pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
+
 use serde::{Deserialize, Serialize};
 
 /// Plan shape of an upright tank.
@@ -50,7 +56,7 @@ pub enum Support {
     Unanchored,
 }
 
-/// Linear elastic material of a course.
+/// Material of a course, a layer or bars.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Material {
     /// Name in the input file.
@@ -65,6 +71,9 @@ pub struct Material {
     pub yield_strength: Option<f64>,
     /// Allowable design stress S_d [Pa] (API 650 table 5-2), needed by the API hoop check only.
     pub allowable_stress: Option<f64>,
+    /// What it does beyond its elastic range (nonlinear engine).
+    #[serde(default, skip_serializing_if = "Behaviour::is_elastic")]
+    pub behaviour: Behaviour,
 }
 
 /// A ring of the wall with constant thickness.
@@ -72,10 +81,13 @@ pub struct Material {
 pub struct Course {
     /// Height [m].
     pub height: f64,
-    /// Thickness s [m].
+    /// Thickness s [m]; of a layered course that of the equivalent homogeneous wall.
     pub thickness: f64,
-    /// Material.
+    /// Material; of a layered course that of the equivalent homogeneous wall.
     pub material: Material,
+    /// Layers from inside to outside; empty where the course is of one material.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub layers: Vec<Layer>,
 }
 
 /// Mass on top of the wall.

@@ -38,6 +38,7 @@ pub fn material(youngs_modulus: f64, poisson_ratio: f64, density: f64) -> Materi
         density,
         yield_strength: None,
         allowable_stress: None,
+        behaviour: Default::default(),
     }
 }
 
@@ -47,6 +48,7 @@ pub fn case(shape: Shape, courses: &[(f64, f64)], material: &Material, liquid: (
         height,
         thickness,
         material: material.clone(),
+        layers: Vec::new(),
     };
     Case {
         name: "verification".into(),

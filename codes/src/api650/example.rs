@@ -16,6 +16,7 @@ pub fn steel() -> Material {
         density: 7850.0,
         yield_strength: Some(235e6),
         allowable_stress: Some(157e6),
+        behaviour: Default::default(),
     }
 }
 
@@ -31,6 +32,7 @@ pub fn case() -> Case {
                     height: 2.4,
                     thickness,
                     material: steel(),
+                    layers: Vec::new(),
                 })
                 .to_vec(),
             roof: Roof {

@@ -21,6 +21,7 @@ pub(super) fn steel() -> Material {
         density: 7850.0,
         yield_strength: Some(235e6),
         allowable_stress: None,
+        behaviour: Default::default(),
     }
 }
 
@@ -71,6 +72,7 @@ pub(super) fn oil_tank() -> Case {
             height: 2.4,
             thickness: mm * 1e-3,
             material: steel(),
+            layers: Vec::new(),
         })
         .collect();
     let roof = Roof {

@@ -230,7 +230,9 @@ mod tests {
                 density: 2500.0,
                 yield_strength: None,
                 allowable_stress: None,
+                behaviour: Default::default(),
             },
+            layers: Vec::new(),
         }
     }
 

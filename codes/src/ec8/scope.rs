@@ -26,6 +26,7 @@ fn broad_tank() -> Case {
         density: 2750.0,
         yield_strength: None,
         allowable_stress: None,
+        behaviour: Default::default(),
     };
     let courses = [0.00203, 0.00127]
         .into_iter()
@@ -33,6 +34,7 @@ fn broad_tank() -> Case {
             height: 0.915,
             thickness,
             material: aluminium.clone(),
+            layers: Vec::new(),
         })
         .collect();
     let water = Liquid {
@@ -63,11 +65,13 @@ fn strip() -> Case {
         density: 2500.0,
         yield_strength: None,
         allowable_stress: None,
+        behaviour: Default::default(),
     };
     let course = Course {
         height: 3.0,
         thickness: 0.3,
         material: concrete,
+        layers: Vec::new(),
     };
     let shape = Shape::Rectangle {
         length: 5.0,
@@ -447,7 +451,7 @@ proptest! {
         let depth = gamma * radius;
         let height = depth * (1.0 + freeboard);
         let courses = [1.0, 0.7]
-            .map(|k| Course { height: 0.5 * height, thickness: k * s * radius, material: steel() })
+            .map(|k| Course { height: 0.5 * height, thickness: k * s * radius, material: steel(), layers: Vec::new(), })
             .to_vec();
         let shape = Shape::Cylinder { radius };
         let liquid = Liquid { density: 900.0, fill_height: depth };

@@ -50,11 +50,13 @@ pub enum Dimension {
     LineMoment,
     /// J
     Energy,
+    /// m²/m
+    LineArea,
 }
 
 impl Dimension {
     /// All dimensions.
-    pub const ALL: [Dimension; 16] = [
+    pub const ALL: [Dimension; 17] = [
         Dimension::Dimensionless,
         Dimension::Length,
         Dimension::Time,
@@ -71,6 +73,7 @@ impl Dimension {
         Dimension::LineForce,
         Dimension::LineMoment,
         Dimension::Energy,
+        Dimension::LineArea,
     ];
 
     /// The dimension with this SI symbol.
@@ -97,6 +100,7 @@ impl Dimension {
             Dimension::LineForce => "N/m",
             Dimension::LineMoment => "N*m/m",
             Dimension::Energy => "J",
+            Dimension::LineArea => "m2/m",
         }
     }
 
@@ -119,6 +123,7 @@ impl Dimension {
             Dimension::LineForce => "a force per length",
             Dimension::LineMoment => "a moment per length",
             Dimension::Energy => "an energy",
+            Dimension::LineArea => "an area per length",
         }
     }
 
@@ -141,6 +146,7 @@ impl Dimension {
             Dimension::LineForce => "25 kN/m",
             Dimension::LineMoment => "3 kNm/m",
             Dimension::Energy => "5 kJ",
+            Dimension::LineArea => "7.0 cm2/m",
         }
     }
 

@@ -160,6 +160,11 @@ pub const UNITS: &[Unit] = &[
     ten("J", "J", D::Energy, 0),
     ten("kJ", "kJ", D::Energy, 3),
     ten("MJ", "MJ", D::Energy, 6),
+    // area per length
+    read("mm²/m", "mm2/m", D::LineArea, -6),
+    ten("cm²/m", "cm2/m", D::LineArea, -4),
+    ten("m²/m", "m2/m", D::LineArea, 0),
+    by("in²/ft", "in2/ft", D::LineArea, INCH * INCH / FOOT),
 ];
 
 impl Unit {

@@ -13,6 +13,7 @@ pub(crate) fn case(shape: Shape, courses: &[(f64, f64)], material: (f64, f64, f6
         density: material.2,
         yield_strength: None,
         allowable_stress: None,
+        behaviour: Default::default(),
     };
     Case {
         name: "test".into(),
@@ -25,6 +26,7 @@ pub(crate) fn case(shape: Shape, courses: &[(f64, f64)], material: (f64, f64, f6
                     height,
                     thickness,
                     material: material.clone(),
+                    layers: Vec::new(),
                 })
                 .collect(),
             roof: Roof::default(),

@@ -77,11 +77,13 @@ mod tests {
             density: 2750.0,
             yield_strength: None,
             allowable_stress: None,
+            behaviour: Default::default(),
         };
         let course = |thickness| Course {
             height: 0.915,
             thickness,
             material: material.clone(),
+            layers: Vec::new(),
         };
         Tank {
             shape: Shape::Cylinder { radius: 1.83 },

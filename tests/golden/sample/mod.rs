@@ -217,6 +217,7 @@ fn tank(kind: Kind) -> Tank {
         density: rho,
         yield_strength: Some(f),
         allowable_stress: None,
+        behaviour: Default::default(),
     };
     let aluminium = material("aluminium", 69e9, 0.32, 2750.0, 110e6);
     let concrete = material("concrete", 30e9, 0.2, 2500.0, 20e6);
@@ -224,6 +225,7 @@ fn tank(kind: Kind) -> Tank {
         height,
         thickness,
         material: material.clone(),
+        layers: Vec::new(),
     };
     let (shape, courses) = if kind == Kind::Rectangle {
         let shape = Shape::Rectangle {

@@ -19,7 +19,9 @@ fn course(height: f64, thickness: f64, density: f64) -> Course {
             density,
             yield_strength: None,
             allowable_stress: None,
+            behaviour: Default::default(),
         },
+        layers: Vec::new(),
     }
 }
 

@@ -21,7 +21,9 @@ fn course(height: f64, thickness: f64) -> Course {
             density: 7850.0,
             yield_strength: None,
             allowable_stress: None,
+            behaviour: Default::default(),
         },
+        layers: Vec::new(),
     }
 }
 

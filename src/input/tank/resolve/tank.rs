@@ -61,6 +61,7 @@ pub(super) fn materials(r: &mut Resolver<'_>, field: &Field<Named<schema::Materi
                     STRESS,
                     "the API hoop-stress check is left out",
                 ),
+                behaviour: Default::default(),
             }
         });
         all.insert(name.clone(), material);
@@ -275,6 +276,7 @@ fn courses(
                 height,
                 thickness,
                 material,
+                layers: Vec::new(),
             });
         }
     }

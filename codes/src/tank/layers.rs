@@ -1,0 +1,242 @@
+//! Walls of layers: single shells, liners, and two shells with an interlayer between them.
+//!
+//! Layers of shell that touch are one shell (plane sections); an interlayer parts the wall into two. For the code
+//! procedures and the linear engines the wall is the homogeneous one with the same membrane and bending stiffness and mass:
+//!
+//! ```text
+//! A = Σ E_i t_i        D = Σ over the shells of Σ E_i (t_i³/12 + t_i y_i²)
+//! t = (12 D/A)^½       E = A/t       ν = Σ ν_i E_i t_i/A       ρ = Σ ρ_i t_i/t (interlayer included)
+//! ```
+//!
+//! with y_i from the elastic centroid of the shell to which the layer belongs. The interlayer passes no shear, so the
+//! shells bend on their own and their rigidities add; bars are left out.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Behaviour, Course, Material};
+
+/// A layer of a wall.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Layer {
+    /// Kind.
+    pub kind: LayerKind,
+    /// Thickness [m].
+    pub thickness: f64,
+    /// Material.
+    pub material: Material,
+    /// Bars; of concrete shells only.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub reinforcement: Vec<Reinforcement>,
+}
+
+/// Kind of a layer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LayerKind {
+    /// Carries membrane forces and bending.
+    Shell,
+    /// Keeps two shells apart.
+    Interlayer,
+}
+
+/// A layer of bars.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Reinforcement {
+    /// Direction of the bars.
+    pub direction: BarDirection,
+    /// Area of steel per length of wall [m²/m].
+    pub area: f64,
+    /// Distance of the axis of the bars from the inner face of their layer [m].
+    pub depth: f64,
+    /// Material.
+    pub material: Material,
+}
+
+/// Direction of bars.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BarDirection {
+    /// Around the tank; along the wall of a rectangle.
+    Hoop,
+    /// Up the wall.
+    Vertical,
+}
+
+/// Name of the material that stands for a layered wall.
+pub const EQUIVALENT: &str = "equivalent of the layers";
+
+impl Course {
+    /// A course of one material.
+    pub fn uniform(height: f64, thickness: f64, material: Material) -> Course {
+        Course {
+            height,
+            thickness,
+            material,
+            layers: Vec::new(),
+        }
+    }
+
+    /// A course of layers from inside to outside, at least one of them a shell: `thickness` and `material` are those of
+    /// the equivalent homogeneous wall of the [module](self). Its strengths are unknown: checks that need them are left out.
+    pub fn layered(height: f64, layers: Vec<Layer>) -> Course {
+        let shells = layers.iter().filter(|l| l.kind == LayerKind::Shell);
+        let membrane: f64 = shells.clone().map(Layer::membrane).sum();
+        let poisson: f64 = shells.map(|l| l.material.poisson_ratio * l.membrane()).sum();
+        let mass: f64 = layers.iter().map(|l| l.material.density * l.thickness).sum();
+        let bending: f64 = layers
+            .split(|l| l.kind == LayerKind::Interlayer)
+            .map(bending_stiffness)
+            .sum();
+        let thickness = (12.0 * bending / membrane).sqrt();
+        Course {
+            height,
+            thickness,
+            material: Material {
+                name: EQUIVALENT.into(),
+                youngs_modulus: membrane / thickness,
+                poisson_ratio: poisson / membrane,
+                density: mass / thickness,
+                yield_strength: None,
+                allowable_stress: None,
+                behaviour: Behaviour::Elastic,
+            },
+            layers,
+        }
+    }
+
+    /// Layers from inside to outside; the one of its material where the course is uniform.
+    pub fn build_up(&self) -> Vec<Layer> {
+        if !self.layers.is_empty() {
+            return self.layers.clone();
+        }
+        vec![Layer {
+            kind: LayerKind::Shell,
+            thickness: self.thickness,
+            material: self.material.clone(),
+            reinforcement: Vec::new(),
+        }]
+    }
+
+    /// Distance from the inner to the outer face [m].
+    pub fn total_thickness(&self) -> f64 {
+        match self.layers.as_slice() {
+            [] => self.thickness,
+            layers => layers.iter().map(|l| l.thickness).sum(),
+        }
+    }
+
+    /// What the code procedures and the linear engines assume of a layered course; `None` for a uniform one.
+    pub fn layer_assumption(&self) -> Option<&'static str> {
+        if self.layers.is_empty() {
+            return None;
+        }
+        Some(if self.layers.iter().any(|l| l.kind == LayerKind::Interlayer) {
+            "Layered wall: a homogeneous one with the same membrane stiffness, bending stiffness and mass. The interlayer passes \
+             no shear: the stiffnesses of the two shells add, each bends about its own axis, the interlayer counts for mass \
+             only. Bars are left out. Stresses are those of the homogeneous wall, not of a layer."
+        } else {
+            "Layered wall: a homogeneous one with the same membrane stiffness, bending stiffness and mass (plane sections). Bars \
+             are left out. Stresses are those of the homogeneous wall, not of a layer."
+        })
+    }
+}
+
+impl Layer {
+    /// E t [N/m].
+    fn membrane(&self) -> f64 {
+        self.material.youngs_modulus * self.thickness
+    }
+}
+
+/// Σ E (t³/12 + t y²) of layers that touch, about their elastic centroid [N·m²/m]; without the factor 1/(1 − ν²), which
+/// the equivalent wall has as well.
+fn bending_stiffness(layers: &[Layer]) -> f64 {
+    let (mut bottom, mut a, mut b, mut d) = (0.0, 0.0, 0.0, 0.0);
+    for layer in layers {
+        let (t, s) = (layer.thickness, layer.membrane());
+        let middle = bottom + t / 2.0;
+        a += s;
+        b += s * middle;
+        d += s * (t * t / 12.0 + middle * middle);
+        bottom += t;
+    }
+    if a > 0.0 { d - b * b / a } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn layer(kind: LayerKind, thickness: f64, youngs_modulus: f64, density: f64) -> Layer {
+        Layer {
+            kind,
+            thickness,
+            material: Material {
+                name: "m".into(),
+                youngs_modulus,
+                poisson_ratio: 0.2,
+                density,
+                yield_strength: Some(1e6),
+                allowable_stress: None,
+                behaviour: Behaviour::Elastic,
+            },
+            reinforcement: Vec::new(),
+        }
+    }
+
+    fn close(a: f64, b: f64) {
+        assert!((a - b).abs() <= 1e-12 * b.abs(), "{a} {b}");
+    }
+
+    /// Rounding of the sums only, throughout.
+    #[test]
+    fn one_shell_is_itself() {
+        let course = Course::layered(3.0, vec![layer(LayerKind::Shell, 0.3, 34e9, 2540.0)]);
+        close(course.thickness, 0.3);
+        close(course.material.youngs_modulus, 34e9);
+        close(course.material.poisson_ratio, 0.2);
+        close(course.material.density, 2540.0);
+        close(course.total_thickness(), 0.3);
+        assert_eq!(course.material.yield_strength, None);
+    }
+
+    #[test]
+    fn a_cut_shell_is_whole() {
+        let halves = vec![
+            layer(LayerKind::Shell, 0.1, 34e9, 2540.0),
+            layer(LayerKind::Shell, 0.2, 34e9, 2540.0),
+        ];
+        let course = Course::layered(3.0, halves);
+        close(course.thickness, 0.3);
+        close(course.material.youngs_modulus, 34e9);
+        assert!(course.layer_assumption().is_some_and(|a| a.contains("plane sections")));
+    }
+
+    #[test]
+    fn two_equal_shells_apart_double_the_modulus() {
+        // A = 2 E t and D = 2 E t³/12: the same thickness with twice the modulus and the mass of all three layers.
+        let course = Course::layered(
+            3.0,
+            vec![
+                layer(LayerKind::Shell, 0.01, 210e9, 7850.0),
+                layer(LayerKind::Interlayer, 0.05, 3e9, 1000.0),
+                layer(LayerKind::Shell, 0.01, 210e9, 7850.0),
+            ],
+        );
+        close(course.thickness, 0.01);
+        close(course.material.youngs_modulus, 420e9);
+        close(course.material.density * course.thickness, 2.0 * 78.5 + 50.0);
+        close(course.total_thickness(), 0.07);
+        assert!(course.layer_assumption().is_some_and(|a| a.contains("no shear")));
+    }
+
+    #[test]
+    fn uniform_course_has_one_layer() {
+        let material = layer(LayerKind::Shell, 0.3, 34e9, 2540.0).material;
+        let course = Course::uniform(3.0, 0.3, material.clone());
+        let layers = course.build_up();
+        assert_eq!(layers.len(), 1);
+        assert_eq!(layers[0].material, material);
+        assert_eq!(course.layer_assumption(), None);
+    }
+}
