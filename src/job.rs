@@ -2,6 +2,7 @@
 
 use codes::Case;
 
+use crate::fe::nonlinear::NonlinearOptions;
 use crate::fe::solid::SolidOptions;
 use crate::results::{InputValue, SourceFile};
 
@@ -15,12 +16,14 @@ pub enum Engines {
     Solid,
     /// The harmonic engine, and the three-dimensional one beside it.
     Both,
+    /// The harmonic engine, and the nonlinear one beside it.
+    Nonlinear,
 }
 
 impl Engines {
     /// Whether the three-dimensional engine runs.
     pub fn solid(self) -> bool {
-        self != Engines::Harmonic
+        matches!(self, Engines::Solid | Engines::Both)
     }
 }
 
@@ -37,10 +40,27 @@ pub struct Job {
     pub engines: Engines,
     /// Options of the three-dimensional engine alone.
     pub solid: SolidOptions,
+    /// Options of the nonlinear engine alone.
+    pub nonlinear: NonlinearOptions,
     /// Echo of the input, defaults marked.
     pub echo: Vec<InputValue>,
     /// Files the job was made from, with their hashes.
     pub files: Vec<SourceFile>,
     /// Horizontal (and vertical) record as read, before scaling, for the report's echo.
     pub raw_records: Vec<codes::record::Record>,
+}
+
+/// One incremental dynamic analysis: the nonlinear run of a job, once for each scale of its record.
+#[derive(Clone, Debug)]
+pub struct IdaJob {
+    /// The job, its record at the scale of the tank file.
+    pub job: Job,
+    /// Factors on the record, ascending and different, ≥ 0; never empty.
+    pub scales: Vec<f64>,
+    /// Runs at a time, ≥ 1.
+    pub jobs: usize,
+    /// Folder of the results.
+    pub out: std::path::PathBuf,
+    /// Whether runs that the folder has already are kept.
+    pub resume: bool,
 }

@@ -9,6 +9,7 @@ mod series;
 use std::collections::BTreeMap;
 
 use codes::procedure::{Assessment, CodeError, Excitation};
+use codes::tank::Course;
 use codes::{Procedure, Quantity, spectrum};
 use fem::progress::Progress;
 
@@ -60,7 +61,7 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         let engine = job.fe.as_ref().map(|options| {
             scope.spawn(|| match job.engines {
                 Engines::Solid => fe::solid::simulate(&job.case, options, &job.solid, progress),
-                Engines::Harmonic | Engines::Both => fe::simulate(&job.case, options),
+                Engines::Harmonic | Engines::Both | Engines::Nonlinear => fe::simulate(&job.case, options),
             })
         });
         let codes = assess(job).map(|methods| (methods, motion::records(job)));
@@ -103,6 +104,10 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         series::append(&mut series, &simulation.series, SOLID_PREFIX);
         simulation.result
     });
+    if let Some(layered) = job.case.tank.courses.iter().find_map(Course::layer_assumption) {
+        let computed = methods.iter_mut().filter(|m| matches!(m.status, Status::Computed));
+        computed.for_each(|m| m.assumptions.push(layered.into()));
+    }
     methods.extend(measured(job));
     let comparison = compare::compare(&methods, &context, job.case.published.clone());
     let mut verdict: Verdict = compare::verdict(&methods);

@@ -5,7 +5,7 @@ use std::time::Instant;
 use fem::progress::Silent;
 
 use crate::cli::inputs::Inputs;
-use crate::cli::{Format, Global, compare};
+use crate::cli::{Format, Global, compare, wall};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
 use crate::pipeline::{self, Outcome, OutputFolder};
 use crate::{report, results};
@@ -52,6 +52,11 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         results::write(folder.path(), &results, &series)?;
         report::render(folder.path(), None)?;
         folder.commit()?;
+    }
+    if args.format == Format::Human {
+        for line in wall::lines(&job.case.tank) {
+            anstream::println!("{line}");
+        }
     }
     compare::print(&results, args.out.as_deref(), args.format, global)?;
     Ok(if results.verdict.holds {

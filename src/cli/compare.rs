@@ -76,6 +76,9 @@ enum Engine {
     Both,
     /// No engine: the codes alone.
     None,
+    /// The harmonic engine, and beside it walls that yield and crack (nonlinear).
+    #[value(hide = true)]
+    Nonlinear,
 }
 
 /// Time integration.
@@ -142,6 +145,13 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
         Engine::Harmonic => Engines::Harmonic,
         Engine::Solid => Engines::Solid,
         Engine::Both => Engines::Both,
+        Engine::Nonlinear => {
+            return Err(Error::Input(
+                "error: --fe nonlinear does not run yet\n  help: this version has no nonlinear engine; --fe harmonic and --fe solid \
+                 are linear"
+                    .into(),
+            ));
+        }
     };
     if let Some(options) = &mut job.fe {
         if let Some(refine) = args.refine {

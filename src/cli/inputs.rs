@@ -75,6 +75,7 @@ impl Inputs {
             fe: Some(tank.fe),
             engines: Engines::default(),
             solid: tank.solid,
+            nonlinear: tank.nonlinear,
             echo: tank.echo,
             files,
             raw_records,

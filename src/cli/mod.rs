@@ -12,6 +12,7 @@ mod check;
 mod compare;
 mod completions;
 mod diff;
+mod ida;
 mod init;
 mod inputs;
 mod modes;
@@ -23,6 +24,7 @@ mod solid;
 mod spectrum;
 mod table;
 mod verify;
+mod wall;
 
 /// Seismic verification of liquid storage tanks.
 #[derive(Parser)]
@@ -73,6 +75,9 @@ enum Command {
     Compare(compare::Args),
     /// The code procedures alone.
     Check(check::Args),
+    /// Incremental dynamic analysis: nonlinear runs at rising scales of a record.
+    #[command(hide = true)]
+    Ida(ida::Args),
     /// Coupled modes of tank and liquid.
     Modes(modes::Args),
     /// Response spectra of a record.
@@ -147,6 +152,7 @@ pub fn main() -> ExitCode {
     let outcome: Result<u8, Error> = match cli.command {
         Command::Compare(args) => compare::run(args, &cli.global),
         Command::Check(args) => check::run(args, &cli.global),
+        Command::Ida(args) => ida::run(args, &cli.global),
         Command::Modes(args) => modes::run(args, &cli.global),
         Command::Spectrum(args) => spectrum::run(args, &cli.global),
         Command::Quake(args) => quake::run(args, &cli.global),

@@ -7,6 +7,7 @@
 pub mod coupled;
 pub mod damping;
 pub mod harmonic;
+pub mod nonlinear;
 
 pub mod probe;
 pub mod response;

@@ -26,6 +26,8 @@ pub struct TankFile {
     pub fe: crate::fe::Options,
     /// Options of the three-dimensional engine.
     pub solid: crate::fe::solid::SolidOptions,
+    /// Options of the nonlinear engine.
+    pub nonlinear: crate::fe::nonlinear::NonlinearOptions,
     /// What is worth saying though it is no fault ("nothing is made of the material `steel`"), one sentence each.
     pub remarks: Vec<String>,
     /// SHA-256 of the file.

@@ -3,6 +3,7 @@
 mod bad_tank;
 mod compare;
 mod licences;
+mod nonlinear_input;
 mod records;
 mod solid;
 mod tank_file;

@@ -2,6 +2,7 @@
 //!
 //! Every station notes its faults and goes on as far as it can, so that all faults of a file are shown at once.
 
+mod behaviour;
 mod bytes;
 mod read;
 mod reported;

@@ -47,6 +47,18 @@ impl<T: FromNode> Field<T> {
     }
 }
 
+impl<T> Field<T> {
+    /// The place alone.
+    pub fn place(&self) -> Field<()> {
+        Field {
+            value: None,
+            span: self.span.clone(),
+            path: self.path.clone(),
+            text: self.text.clone(),
+        }
+    }
+}
+
 /// A member of an object: required as [`Field`], optional as `Option<Field>`.
 pub(super) trait Property: Sized {
     type Inner: FromNode + JsonSchema;

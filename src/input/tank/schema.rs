@@ -6,13 +6,15 @@ use std::borrow::Cow;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
+use super::behaviour::{Behaviour, Rule};
 use super::read::{
     Field, FromNode, ObjectReader, ObjectSchema, choice, list, nearest, object, prose, wrong_kind, wrong_value,
 };
 use super::reported::{Measured, QuantityId, Raw};
 use super::syntax::{Kind, Node};
 use super::values::{
-    Acceleration, Density, Force, InG, Length, Mass, Mesh, Named, Number, Pitch, Seconds, Stress, Time, Whole,
+    Acceleration, Density, Force, InG, Length, LineArea, LineForce, Mass, Mesh, Named, Number, Pitch, Seconds, Stress,
+    Time, Whole,
 };
 use crate::input::diagnostic::Faults;
 
@@ -78,9 +80,39 @@ object! {
     Course {
         /// Height of the ring.
         height: Field<Length>,
-        /// Thickness of the wall.
+        /// Thickness of the wall. Give either this with a material, or layers.
+        thickness: Option<Field<Length>>,
+        /// Name of its material.
+        material: Option<Field<String>>,
+        /// Layers of the wall from inside to outside, instead of one thickness and material.
+        ///
+        /// A shell; shells that touch (a liner on concrete); or two shells with an interlayer between them.
+        layers: Option<Field<Vec<Field<Layer>>>>,
+    }
+
+    /// A layer of the wall.
+    Layer {
+        /// What it is.
+        kind: Field<LayerKind>,
+        /// Thickness of the layer.
         thickness: Field<Length>,
         /// Name of its material.
+        material: Field<String>,
+        /// Layers of bars in a concrete shell; nonlinear analysis only.
+        reinforcement: Option<Field<Vec<Field<Reinforcement>>>>,
+    }
+
+    /// A layer of bars. Give its distance either from the inner or from the outer face of the shell.
+    Reinforcement {
+        /// Direction of the bars.
+        direction: Field<BarDirection>,
+        /// Area of steel per metre of wall.
+        area: Field<LineArea>,
+        /// Distance of the axis of the bars from the inner face of their shell.
+        from_inner: Option<Field<Length>>,
+        /// Distance of the axis of the bars from the outer face of their shell.
+        from_outer: Option<Field<Length>>,
+        /// Name of their material.
         material: Field<String>,
     }
 
@@ -116,18 +148,100 @@ object! {
         fill_height: Field<Length>,
     }
 
-    /// A linear elastic material.
+    /// A material. Its elastic values serve the code procedures and the linear engines; its behaviour beyond them the
+    /// nonlinear engine.
     Material {
-        /// Young's modulus.
-        youngs_modulus: Field<Stress>,
-        /// Poisson's ratio, from 0 to below 0.5.
-        poisson_ratio: Field<Number>,
-        /// Density.
-        density: Field<Density>,
+        /// Grade that supplies what is not given here, such as "C30/37", "B35", "S355" or "BSt500".
+        grade: Option<Field<String>>,
+        /// Young's modulus; needed unless a grade supplies it or the material is an interlayer with e_normal.
+        youngs_modulus: Option<Field<Stress>>,
+        /// Poisson's ratio, from 0 to below 0.5; needed unless a grade supplies it or the material is an interlayer with
+        /// e_normal.
+        poisson_ratio: Option<Field<Number>>,
+        /// Density; needed unless a grade supplies it.
+        density: Option<Field<Density>>,
         /// Yield strength (characteristic), needed by the stability and anchorage checks.
         yield_strength: Option<Field<Stress>>,
         /// Allowable design stress S_d (API 650 table 5-2), needed by the API hoop-stress check.
         allowable_stress: Option<Field<Stress>>,
+        /// What the material does beyond its elastic range; that of the grade unless given, elastic without a grade.
+        behaviour: Option<Field<Behaviour>>,
+    }
+
+    /// What a material does beyond its elastic range. Give one of them.
+    BehaviourKinds {
+        /// Steel that yields.
+        steel: Option<Field<SteelBehaviour>>,
+        /// Concrete that cracks and crushes.
+        concrete: Option<Field<ConcreteBehaviour>>,
+        /// Bars in concrete.
+        reinforcement: Option<Field<BarBehaviour>>,
+        /// Elastic layer between two shells.
+        interlayer: Option<Field<InterlayerBehaviour>>,
+    }
+
+    /// Steel that yields: von Mises, linear hardening.
+    SteelBehaviour {
+        /// Yield strength of the law; yield_strength of the material unless given.
+        yield_strength: Option<Field<Stress>>,
+        /// Slope of the stress-strain line beyond yielding; 0 unless given here or by a grade. Give either this or
+        /// hardening_modulus.
+        tangent_modulus: Option<Field<Stress>>,
+        /// Slope of the stress against the plastic strain.
+        hardening_modulus: Option<Field<Stress>>,
+        /// Share of kinematic hardening, from 0 (isotropic) to 1 (kinematic); 1 unless given.
+        kinematic_share: Option<Field<Number>>,
+        /// Tensile strength: larger stresses are reported. No limit unless given here or by a grade.
+        ultimate_strength: Option<Field<Stress>>,
+    }
+
+    /// Concrete that cracks and crushes. Give at most one of fracture_energy, softening_strain and brittle.
+    ConcreteBehaviour {
+        /// Law; cracked unless given.
+        law: Option<Field<ConcreteLaw>>,
+        /// Uniaxial compressive strength; needed unless a grade supplies it.
+        compressive_strength: Option<Field<Stress>>,
+        /// Biaxial over uniaxial compressive strength; 1.16 unless given.
+        biaxial_ratio: Option<Field<Number>>,
+        /// Tensile strength; needed unless a grade supplies it.
+        tensile_strength: Option<Field<Stress>>,
+        /// Energy of a crack per area, such as "140 N/m"; 73 N/m times the mean compressive strength in MPa to the power 0.18
+        /// unless given (fib Model Code 2010).
+        fracture_energy: Option<Field<LineForce>>,
+        /// Strain over which the tensile stress falls to f_t/e, whatever the element: results depend on the mesh.
+        softening_strain: Option<Field<Number>>,
+        /// True if the tensile stress falls to nothing at the first crack: results depend on the mesh and the time step.
+        brittle: Option<Field<bool>>,
+        /// Least share of the shear stiffness in a cracked point, from 0 to 1; 0.1 unless given.
+        shear_retention: Option<Field<Number>>,
+        /// Crack strain over which the shear stiffness falls; 2e-4 unless given.
+        shear_retention_strain: Option<Field<Number>>,
+        /// Share of the tensile strength that stays between cracks while the bars across them are elastic; 0 unless given.
+        tension_stiffening: Option<Field<Number>>,
+        /// Spacing of cracks, where bars set it; the size of the element unless given.
+        crack_spacing: Option<Field<Length>>,
+    }
+
+    /// Bars in concrete: uniaxial, linear kinematic hardening.
+    BarBehaviour {
+        /// Yield strength of the law; yield_strength of the material unless given.
+        yield_strength: Option<Field<Stress>>,
+        /// Slope of the stress-strain line beyond yielding; 0 unless given here or by a grade.
+        tangent_modulus: Option<Field<Stress>>,
+        /// Strain at rupture: larger strains are reported. No limit unless given here or by a grade.
+        rupture_strain: Option<Field<Number>>,
+    }
+
+    /// Elastic layer between two shells.
+    InterlayerBehaviour {
+        /// Modulus along the normal of the wall.
+        e_normal: Field<Stress>,
+        /// Modulus in the plane of the wall; 0 unless given.
+        e_parallel: Option<Field<Stress>>,
+        /// Transverse shear modulus; 0 unless given: the layer passes no shear.
+        shear_modulus: Option<Field<Stress>>,
+        /// Whether the layer carries tension along the normal; true unless given.
+        tension: Option<Field<bool>>,
     }
 
     /// What to do to the accelerogram, in this order: scale, stretch the time axis, resample.
@@ -259,6 +373,78 @@ object! {
         damping: Option<Field<AnalysisDamping>>,
         /// Options of the three-dimensional engine (--fe solid, --fe both).
         solid: Option<Field<Solid>>,
+        /// Options of the nonlinear engine.
+        nonlinear: Option<Field<Nonlinear>>,
+    }
+
+    /// Options of the nonlinear engine: walls that yield and crack, large rotations, liquid of linear theory.
+    Nonlinear {
+        /// Numbers of elements of the wall; by its size and materials unless given.
+        elements: Option<Field<Elements>>,
+        /// Whether only the half of the tank on one side of the plane of shaking is computed; true unless given.
+        symmetry: Option<Field<bool>>,
+        /// Spectral radius of the time integration at high frequencies, from 0 to 1; 0.9 unless given, 1 is the trapezoidal
+        /// rule (generalised-alpha method of Chung and Hulbert).
+        spectral_radius: Option<Field<Number>>,
+        /// Time step; a twentieth of the period of the impulsive mode, at most half the step of the record, unless given.
+        time_step: Option<Field<Time>>,
+        /// Damping model; by_group with the ratios of damping unless given.
+        damping: Option<Field<NonlinearDamping>>,
+        /// Contact of liquid and wall; bonded unless given.
+        contact: Option<Field<Contact>>,
+        /// Whether the weight of the wall acts; true unless given.
+        self_weight: Option<Field<bool>>,
+        /// Whether the pressure turns with the wall; true unless given.
+        follower_pressure: Option<Field<bool>>,
+        /// Points through the thickness, by kind of material.
+        integration: Option<Field<Integration>>,
+        /// Computing time between two checkpoints from which a run can be resumed; 60 s unless given.
+        checkpoint: Option<Field<Time>>,
+    }
+
+    /// Numbers of elements of the wall.
+    Elements {
+        /// Over the height of the wall.
+        height: Field<Whole>,
+        /// Around a cylinder, or along the whole perimeter of a rectangle; not for a strip.
+        circumference: Option<Field<Whole>>,
+    }
+
+    /// Points through the thickness of a layer, by kind of material.
+    Integration {
+        /// Elastic layers; "gauss 2" unless given, which is exact.
+        elastic: Option<Field<Rule>>,
+        /// Steel; "gauss 5" unless given.
+        steel: Option<Field<Rule>>,
+        /// Concrete; "midpoint 20" unless given.
+        concrete: Option<Field<Rule>>,
+    }
+
+    /// Damping of the nonlinear engine. Give one of the three.
+    NonlinearDamping {
+        /// Stiffness-proportional in the wall, a ratio for every sloshing mode.
+        by_group: Option<Field<ByGroup>>,
+        /// Rayleigh damping fitted to two ratios.
+        rayleigh: Option<Field<Rayleigh>>,
+        /// Proportional to the mass. The wall is left next to undamped: a ratio at the first sloshing mode is a hundredth of
+        /// it and less at the modes of the wall.
+        mass_proportional: Option<Field<MassProportional>>,
+    }
+
+    /// Damping ratios by group.
+    ByGroup {
+        /// Of the first mode of wall and liquid; the impulsive ratio of damping unless given.
+        wall: Option<Field<Number>>,
+        /// Of every sloshing mode; the sloshing ratio of damping unless given.
+        sloshing: Option<Field<Number>>,
+    }
+
+    /// Damping proportional to the mass.
+    MassProportional {
+        /// Damping ratio.
+        ratio: Field<Number>,
+        /// Where it holds; at the first sloshing mode unless given.
+        at: Option<Field<Pitch>>,
     }
 
     /// Options of the three-dimensional engine.
@@ -344,6 +530,40 @@ choice! {
         Anchored = "anchored",
         /// Resting on the ground, may uplift (code procedures only; the linear finite elements assume contact).
         Unanchored = "unanchored",
+    }
+
+    /// Kind of a layer.
+    LayerKind {
+        /// Carries membrane forces and bending.
+        Shell = "shell",
+        /// Keeps two shells apart.
+        Interlayer = "interlayer",
+    }
+
+    /// Direction of bars.
+    BarDirection {
+        /// Around the tank; along the wall of a rectangle.
+        Hoop = "hoop",
+        /// Up the wall.
+        Vertical = "vertical",
+    }
+
+    /// Law of concrete.
+    ConcreteLaw {
+        /// Fixed cracks at right angles, Drucker-Prager compression.
+        Cracked = "cracked",
+        /// Uniaxial laws in the directions of the wall, for strips and rings.
+        Uniaxial = "uniaxial",
+        /// Plastic-fracturing theory.
+        PlasticFracturing = "plastic-fracturing",
+    }
+
+    /// Contact of liquid and wall.
+    Contact {
+        /// The liquid stays at the wall.
+        Bonded = "bonded",
+        /// It parts from the wall where the pressure would be tension.
+        Opening = "opening",
     }
 
     /// Ground type of EN 1998-1 table 3.1.
@@ -443,6 +663,13 @@ pub fn json_schema() -> serde_json::Value {
         properties.insert(
             "$schema".into(),
             serde_json::json!({ "description": "Where editors find this schema.", "type": "string" }),
+        );
+    }
+    // A course is of one material or of layers.
+    if let Some(course) = value.pointer_mut("/$defs/Course").and_then(|c| c.as_object_mut()) {
+        course.insert(
+            "oneOf".into(),
+            serde_json::json!([{ "required": ["thickness", "material"] }, { "required": ["layers"] }]),
         );
     }
     // What a shape needs follows from the shape.

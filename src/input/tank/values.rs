@@ -135,6 +135,10 @@ quantity! {
     Force: Dimension::Force;
     /// A stress, pressure or modulus.
     Stress: Dimension::Stress;
+    /// A force per length; an energy per area.
+    LineForce: Dimension::LineForce;
+    /// An area per length.
+    LineArea: Dimension::LineArea;
 }
 
 /// Declares a quantity that may also be a bare number in one conventional unit.

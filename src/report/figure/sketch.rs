@@ -26,7 +26,7 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     let scale = ((WIDTH - left - 200.0) / (4.0 * half))
         .min(280.0 / wall)
         .min(280.0 / plan_depth);
-    let thickest = tank.courses.iter().map(|c| c.thickness).fold(0.0, f64::max);
+    let thickest = tank.courses.iter().map(|c| c.total_thickness()).fold(0.0, f64::max);
     // The thickest course becomes 7 units wide, unless it is wider to scale.
     let exaggeration = nice_factor(7.0 / (thickest * scale)).max(1.0);
 
@@ -128,13 +128,13 @@ fn courses(
     let mut labels = Vec::new();
     for course in courses {
         let (lower, upper) = (y(base), y(base + course.height));
-        let width = (course.thickness * thickness_scale).max(1.0);
+        let width = (course.total_thickness() * thickness_scale).max(1.0);
         svg.rect(left - width, upper, width, lower - upper, "wall");
         svg.rect(right, upper, width, lower - upper, "wall");
         let text = format!(
             "{} × {} {}",
             given(course.height, Dimension::Length),
-            given(course.thickness, Dimension::Length),
+            given(course.total_thickness(), Dimension::Length),
             course.material.name
         );
         labels.push(((lower + upper) / 2.0, text));

@@ -1,6 +1,6 @@
 //! The tank: sketch to scale, courses, masses, deformability.
 
-use codes::tank::{Shape, Support};
+use codes::tank::{BarDirection, LayerKind, Shape, Support};
 use codes::units::Dimension;
 use serde::Serialize;
 
@@ -102,6 +102,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("support", support);
     section.set("facts", &facts);
     section.set("courses", &courses(source));
+    section.set("layers", &layers(source));
     let deformability: Vec<Deformability> = summary
         .deformability
         .iter()
@@ -147,4 +148,71 @@ fn courses(source: &Source) -> Table {
     }
     table.caption = "Courses from the base up".into();
     table
+}
+
+/// Layers and bars of layered courses: no table, or one or two.
+fn layers(source: &Source) -> Vec<Table> {
+    let courses = &source.results.tank.tank.courses;
+    let all = || {
+        let courses = courses.iter().enumerate();
+        courses.flat_map(|(i, c)| c.layers.iter().enumerate().map(move |(j, l)| (i + 1, j + 1, l)))
+    };
+    let thickness = Scale::of(Dimension::Length, all().map(|(_, _, l)| l.thickness));
+    let modulus = Scale::of(Dimension::Stress, all().map(|(_, _, l)| l.material.youngs_modulus));
+    let density = Scale::of(Dimension::Density, all().map(|(_, _, l)| l.material.density));
+    let mut table = Table::new(vec![
+        Column::numbers("Course", ""),
+        Column::numbers("Layer", ""),
+        Column::words("Kind"),
+        Column::numbers("Thickness", thickness.symbol()),
+        Column::words("Material"),
+        Column::words("Behaviour"),
+        Column::numbers("Modulus", modulus.symbol()),
+        Column::numbers("Density", density.symbol()),
+    ]);
+    for (course, layer, l) in all() {
+        table.row(vec![
+            course.to_string(),
+            layer.to_string(),
+            match l.kind {
+                LayerKind::Shell => "shell".into(),
+                LayerKind::Interlayer => "interlayer".into(),
+            },
+            thickness.given(l.thickness),
+            l.material.name.clone(),
+            l.material.behaviour.kind().into(),
+            modulus.given(l.material.youngs_modulus),
+            density.given(l.material.density),
+        ]);
+    }
+    table.caption = "Layers from inside to outside; the table above has the equivalent homogeneous wall".into();
+    let bars = || all().flat_map(|(i, j, l)| l.reinforcement.iter().map(move |b| (i, j, b)));
+    let area = Scale::of(Dimension::LineArea, bars().map(|(_, _, b)| b.area));
+    let depth = Scale::of(Dimension::Length, bars().map(|(_, _, b)| b.depth));
+    let mut steel = Table::new(vec![
+        Column::numbers("Course", ""),
+        Column::numbers("Layer", ""),
+        Column::words("Direction"),
+        Column::numbers("Area", area.symbol()),
+        Column::numbers("Distance from the inner face", depth.symbol()),
+        Column::words("Material"),
+    ]);
+    for (course, layer, b) in bars() {
+        steel.row(vec![
+            course.to_string(),
+            layer.to_string(),
+            match b.direction {
+                BarDirection::Hoop => "hoop".into(),
+                BarDirection::Vertical => "vertical".into(),
+            },
+            area.given(b.area),
+            depth.given(b.depth),
+            b.material.name.clone(),
+        ]);
+    }
+    steel.caption = "Bars (nonlinear engine)".into();
+    let mut tables = Vec::new();
+    tables.extend(all().next().map(|_| table));
+    tables.extend(bars().next().map(|_| steel));
+    tables
 }

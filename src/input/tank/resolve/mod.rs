@@ -2,9 +2,13 @@
 //!
 //! A faulty value is NaN from there on: no check objects to it a second time, and a file with any fault gives no case.
 
+mod grades;
+mod materials;
+mod nonlinear;
 mod options;
 mod site;
 mod tank;
+mod wall;
 
 use codes::case::Case;
 use codes::units::{Dimension, display_in, in_unit, unit_for};
@@ -35,7 +39,7 @@ pub(super) fn resolve(file: &schema::TankFile, faults: &mut Faults) -> Option<Ta
         "9.80665 m/s2",
         "standard gravity, ISO 80000-3",
     );
-    let materials = tank::materials(&mut r, &file.materials);
+    let materials = materials::materials(&mut r, &file.materials);
     let tank = tank::tank(&mut r, &file.tank, &materials);
     let liquid = tank::liquid(&mut r, &file.liquid);
     tank::cross_checks(&mut r, file, tank.as_ref(), liquid);
@@ -46,6 +50,7 @@ pub(super) fn resolve(file: &schema::TankFile, faults: &mut Faults) -> Option<Ta
     let (procedures, run) = options::procedures(&mut r, &file.procedures);
     let fe = options::analysis(&mut r, &file.analysis, tank.as_ref());
     let solid = options::solid(&mut r, &file.analysis);
+    let nonlinear = nonlinear::nonlinear(&mut r, &file.analysis, tank.as_ref(), damping);
     let measured = options::measured(&mut r, &file.measured);
     let published = options::published(&mut r, &file.published);
     let (echo, remarks) = (r.echo, r.remarks);
@@ -67,6 +72,7 @@ pub(super) fn resolve(file: &schema::TankFile, faults: &mut Faults) -> Option<Ta
         procedures: run,
         fe,
         solid,
+        nonlinear,
         remarks,
         sha256: String::new(),
     })
@@ -314,7 +320,19 @@ fn plain(number: f64, unit: &str) -> String {
 
 /// A length in the unit in which a field gives it, for messages that compare the two.
 fn like_field<T>(field: &Field<T>, length: f64) -> String {
-    let written = field.text.trim_start_matches(|c: char| !c.is_alphabetic()).trim();
-    let unit = codes::units::Unit::find(written, Dimension::Length);
-    display_in(length, unit.unwrap_or_else(|| unit_for(length, Dimension::Length)), 4)
+    like_unit(field, length, Dimension::Length)
+}
+
+/// A value of this dimension in the unit in which a field gives it.
+fn like_unit<T>(field: &Field<T>, value: f64, dimension: Dimension) -> String {
+    // The unit begins after the number and its exponent.
+    let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-');
+    let mut written = field.text.trim().trim_start_matches(number);
+    if let Some(exponent) = written.strip_prefix(['e', 'E'])
+        && exponent.starts_with(number)
+    {
+        written = exponent.trim_start_matches(number);
+    }
+    let unit = codes::units::Unit::find(written.trim(), dimension);
+    display_in(value, unit.unwrap_or_else(|| unit_for(value, dimension)), 4)
 }

@@ -15,7 +15,7 @@ use crate::input::tank::schema;
 use crate::input::tank::values::{Length, Number, Pitch, Whole, quantity};
 
 /// Damping ratios.
-const RATIO: Limits = Limits::from(0.0).below(1.0);
+pub(super) const RATIO: Limits = Limits::from(0.0).below(1.0);
 /// Young's modulus [Pa] below which a wall counts as concrete or plastic, not metal.
 const METAL: f64 = 60e9;
 
@@ -321,6 +321,48 @@ fn places(r: &mut Resolver<'_>, field: &Option<Field<Vec<Field<Length>>>>, end: 
     all
 }
 
+/// A (circular frequency [rad/s], ratio) pair.
+type Pair = (f64, f64);
+
+/// Both pairs of Rayleigh damping, and whether a negative coefficient is accepted.
+pub(super) fn rayleigh(r: &mut Resolver<'_>, rayleigh: &schema::Rayleigh) -> (Pair, Pair, bool) {
+    let mut pair = |f: &Field<schema::RatioAt>| {
+        let Some(pair) = &f.value else {
+            return (f64::NAN, f64::NAN);
+        };
+        r.echo_given(&pair.at);
+        (pair.at.value.map_or(f64::NAN, |p| p.0), r.number(&pair.ratio, RATIO))
+    };
+    let (first, second) = (pair(&rayleigh.first), pair(&rayleigh.second));
+    if (first.0 - second.0).abs() <= 1e-9 * first.0 {
+        r.faults.push(range_fault(
+            &rayleigh.second,
+            "both pairs have the same frequency",
+            "two frequencies",
+        ));
+    }
+    let allow_negative = rayleigh.allow_negative.as_ref().is_some_and(|f| f.value == Some(true));
+    if let Some(field) = &rayleigh.allow_negative {
+        r.echo_given(field);
+    }
+    // ζ = a_M/(2ω) + a_K ω/2 through both pairs.
+    let denominator = second.0.powi(2) - first.0.powi(2);
+    let stiffness = 2.0 * (second.1 * second.0 - first.1 * first.0) / denominator;
+    let mass = 2.0 * first.1 * first.0 - stiffness * first.0.powi(2);
+    if !allow_negative && (stiffness < 0.0 || mass < 0.0) {
+        r.faults.push(
+            range_fault(
+                &rayleigh.second,
+                "these pairs need a negative coefficient",
+                "both coefficients ≥ 0",
+            )
+            .found(format!("a_M = {mass:.4e} 1/s, a_K = {stiffness:.4e} s"))
+            .help("choose other pairs, or set allow_negative to repeat a published run"),
+        );
+    }
+    (first, second, allow_negative)
+}
+
 fn damping_model(
     r: &mut Resolver<'_>,
     field: &Field<schema::AnalysisDamping>,
@@ -333,40 +375,7 @@ fn damping_model(
             }),
             None,
         ) => {
-            let mut pair = |f: &Field<schema::RatioAt>| {
-                let Some(pair) = &f.value else {
-                    return (f64::NAN, f64::NAN);
-                };
-                r.echo_given(&pair.at);
-                (pair.at.value.map_or(f64::NAN, |p| p.0), r.number(&pair.ratio, RATIO))
-            };
-            let (first, second) = (pair(&rayleigh.first), pair(&rayleigh.second));
-            if (first.0 - second.0).abs() <= 1e-9 * first.0 {
-                r.faults.push(range_fault(
-                    &rayleigh.second,
-                    "both pairs have the same frequency",
-                    "two frequencies",
-                ));
-            }
-            let allow_negative = rayleigh.allow_negative.as_ref().is_some_and(|f| f.value == Some(true));
-            if let Some(field) = &rayleigh.allow_negative {
-                r.echo_given(field);
-            }
-            // ζ = a_M/(2ω) + a_K ω/2 through both pairs.
-            let denominator = second.0.powi(2) - first.0.powi(2);
-            let stiffness = 2.0 * (second.1 * second.0 - first.1 * first.0) / denominator;
-            let mass = 2.0 * first.1 * first.0 - stiffness * first.0.powi(2);
-            if !allow_negative && (stiffness < 0.0 || mass < 0.0) {
-                r.faults.push(
-                    range_fault(
-                        &rayleigh.second,
-                        "these pairs need a negative coefficient",
-                        "both coefficients ≥ 0",
-                    )
-                    .found(format!("a_M = {mass:.4e} 1/s, a_K = {stiffness:.4e} s"))
-                    .help("choose other pairs, or set allow_negative to repeat a published run"),
-                );
-            }
+            let (first, second, allow_negative) = self::rayleigh(r, rayleigh);
             fe::DampingModel::Rayleigh {
                 first,
                 second,

@@ -1,96 +1,26 @@
-//! Tank, liquid and materials.
+//! Tank and liquid, and what must hold between values.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
-use codes::tank::{Anchors, Bottom, Course, Liquid, Material, Roof, Shape, Support, Tank};
+use codes::tank::{Anchors, Bottom, Liquid, Roof, Shape, Support, Tank};
 use codes::units::{Dimension, Unit};
 
+use super::materials::Materials;
+use super::wall::{self, Use};
 use super::{Limits, Resolver, like_field, range_fault};
-use crate::input::tank::read::{Field, nearest};
+use crate::input::tank::read::Field;
 use crate::input::tank::schema;
 use crate::input::tank::syntax::join;
-use crate::input::tank::values::{Length, Named};
+use crate::input::tank::values::Length;
 
 /// Plan dimensions and heights; the upper bound catches mm written as m.
-const SIZE: Limits = Limits::above(0.0).to(1000.0);
+pub(super) const SIZE: Limits = Limits::above(0.0).to(1000.0);
 /// Wall and plate thicknesses.
-const THICKNESS: Limits = Limits::above(0.0).to(10.0);
-/// Moduli and strengths; "rigid" walls of benchmarks are allowed.
-const STRESS: Limits = Limits::above(0.0).to(1e18);
-/// Moduli from soft plastics (0.8 GPa) up: `210 MPa` for steel is a slip of the unit.
-const MODULUS: Limits = Limits::above(0.5e9).to(1e18);
+pub(super) const THICKNESS: Limits = Limits::above(0.0).to(10.0);
 /// Liquids, from hydrogen (71 kg/m³) to mercury (13 600 kg/m³): `1 kg/m3` for water is a slip of the unit.
 const LIQUID_DENSITY: Limits = Limits::above(50.0).to(15_000.0);
-/// Wall materials.
-const DENSITY: Limits = Limits::above(0.0).to(30_000.0);
-/// Most courses a wall may have.
-const MAX_COURSES: usize = 200;
 /// Slack for heights that are sums of decimal fractions.
 const ROUNDING: f64 = 1e-9;
-
-/// Materials by name.
-pub(super) type Materials = BTreeMap<String, Option<Material>>;
-
-/// Reads all materials; `None` for a faulty one, so that its users are not blamed.
-pub(super) fn materials(r: &mut Resolver<'_>, field: &Field<Named<schema::Material>>) -> Materials {
-    let mut all = Materials::new();
-    let Some(named) = &field.value else {
-        return all;
-    };
-    if named.0.is_empty() {
-        r.faults
-            .push(range_fault(field, "no material", "at least one material"));
-    }
-    for (name, field) in &named.0 {
-        let material = field.value.as_ref().map(|m| {
-            let path = |key: &str| join(&field.path, key);
-            Material {
-                name: name.clone(),
-                youngs_modulus: r.number(&m.youngs_modulus, MODULUS),
-                poisson_ratio: r.number(&m.poisson_ratio, Limits::from(0.0).below(0.5)),
-                density: r.number(&m.density, DENSITY),
-                yield_strength: r.optional(
-                    &path("yield_strength"),
-                    &m.yield_strength,
-                    STRESS,
-                    "checks that need it are left out",
-                ),
-                allowable_stress: r.optional(
-                    &path("allowable_stress"),
-                    &m.allowable_stress,
-                    STRESS,
-                    "the API hoop-stress check is left out",
-                ),
-                behaviour: Default::default(),
-            }
-        });
-        all.insert(name.clone(), material);
-    }
-    all
-}
-
-/// The material of this name; an unknown name is a fault, a faulty material is not another one.
-fn material(r: &mut Resolver<'_>, field: &Field<String>, materials: &Materials) -> Option<Material> {
-    r.echo_given(field);
-    let name = field.value.as_ref()?;
-    if let Some(material) = materials.get(name) {
-        return material.clone();
-    }
-    let known: Vec<&str> = materials.keys().map(String::as_str).collect();
-    let allowed = match known.as_slice() {
-        [] => "a name from `materials`, which has none".into(),
-        names => format!(
-            "a name from `materials`: {}",
-            crate::input::tank::read::list(names, "or")
-        ),
-    };
-    let mut fault = range_fault(field, &format!("unknown material `{name}`"), &allowed);
-    if let Some(near) = nearest(name, known) {
-        fault = fault.help(format!("did you mean \"{near}\"?"));
-    }
-    r.faults.push(fault);
-    None
-}
 
 /// The tank.
 pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<schema::Tank>, materials: &Materials) -> Option<Tank> {
@@ -101,7 +31,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<schema::Tank>, materials:
         schema::Support::Anchored => Support::Anchored,
         schema::Support::Unanchored => Support::Unanchored,
     });
-    let courses = courses(r, &t.courses, materials);
+    let courses = wall::courses(r, &t.courses, materials);
     let roof = match &t.roof {
         Some(Field {
             value: Some(roof),
@@ -122,7 +52,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<schema::Tank>, materials:
             value: Some(bottom), ..
         }) => {
             let thickness = r.number(&bottom.thickness, THICKNESS);
-            material(r, &bottom.material, materials).map(|material| Bottom { thickness, material })
+            wall::material(r, &bottom.material, materials, Use::Shell).map(|material| Bottom { thickness, material })
         }
         Some(_) => None,
         None => {
@@ -251,39 +181,6 @@ fn required(r: &mut Resolver<'_>, tank: &Field<schema::Tank>, key: &str, field: 
     }
 }
 
-fn courses(
-    r: &mut Resolver<'_>,
-    field: &Field<Vec<Field<schema::Course>>>,
-    materials: &Materials,
-) -> Option<Vec<Course>> {
-    let list = field.value.as_ref()?;
-    if list.is_empty() || list.len() > MAX_COURSES {
-        let fault = range_fault(
-            field,
-            "too few or too many courses",
-            &format!("1 to {MAX_COURSES} courses"),
-        );
-        r.faults.push(fault.found(format!("{} courses", list.len())));
-        return None;
-    }
-    let mut courses = Vec::with_capacity(list.len());
-    for course in list {
-        let Some(c) = &course.value else { continue };
-        let height = r.number(&c.height, SIZE);
-        let thickness = r.number(&c.thickness, THICKNESS);
-        if let Some(material) = material(r, &c.material, materials) {
-            courses.push(Course {
-                height,
-                thickness,
-                material,
-                layers: Vec::new(),
-            });
-        }
-    }
-    // A course that dropped out has left a fault; the others still serve the cross-checks if all are there.
-    (courses.len() == list.len()).then_some(courses)
-}
-
 /// The liquid.
 pub(super) fn liquid(r: &mut Resolver<'_>, field: &Field<schema::Liquid>) -> Option<Liquid> {
     let l = field.value.as_ref()?;
@@ -339,14 +236,11 @@ pub(super) fn cross_checks(r: &mut Resolver<'_>, file: &schema::TankFile, tank: 
         Shape::Rectangle { .. } => (half / 2.0, "a quarter of the length"),
     };
     let thinnest = half / 20_000.0;
-    let mut plates: Vec<&Field<Length>> = t
-        .courses
-        .value
-        .iter()
-        .flatten()
+    let courses: Vec<&schema::Course> = (t.courses.value.iter().flatten())
         .filter_map(|c| c.value.as_ref())
-        .map(|c| &c.thickness)
         .collect();
+    let mut plates: Vec<&Field<Length>> = courses.iter().filter_map(|c| c.thickness.as_ref()).collect();
+    plates.extend(courses.iter().flat_map(|c| layers(c)).map(|l| &l.thickness));
     plates.extend(t.bottom.as_ref().and_then(|b| b.value.as_ref()).map(|b| &b.thickness));
     for field in plates {
         let Some(Length(thickness)) = field.value.filter(|l| THICKNESS.hold(l.0)) else {
@@ -393,17 +287,25 @@ pub(super) fn unused(r: &mut Resolver<'_>, file: &schema::TankFile) {
     let (Some(tank), Some(materials)) = (&file.tank.value, &file.materials.value) else {
         return;
     };
-    let courses = tank
-        .courses
-        .value
-        .iter()
-        .flatten()
-        .filter_map(|c| c.value.as_ref())
-        .map(|c| &c.material);
+    let courses = (tank.courses.value.iter().flatten()).filter_map(|c| c.value.as_ref());
+    let layered = courses.clone().flat_map(layers);
+    let bars = layered.clone().filter_map(|l| l.reinforcement.as_ref()?.value.as_ref());
+    let bars = bars.flatten().filter_map(|b| b.value.as_ref());
     let bottom = tank.bottom.iter().filter_map(|b| b.value.as_ref()).map(|b| &b.material);
-    let used: BTreeSet<&String> = courses.chain(bottom).filter_map(|m| m.value.as_ref()).collect();
+    let used: BTreeSet<&String> = (courses.filter_map(|c| c.material.as_ref()))
+        .chain(layered.map(|l| &l.material))
+        .chain(bars.map(|b| &b.material))
+        .chain(bottom)
+        .filter_map(|m| m.value.as_ref())
+        .collect();
     for (name, field) in materials.0.iter().filter(|(name, _)| !used.contains(name)) {
         r.remarks
             .push(format!("{}: nothing is made of the material `{name}`", field.path));
     }
+}
+
+/// The layers of a course, as far as they can be read.
+fn layers(course: &schema::Course) -> impl Iterator<Item = &schema::Layer> + Clone {
+    let list = course.layers.as_ref().and_then(|f| f.value.as_ref());
+    list.into_iter().flatten().filter_map(|l| l.value.as_ref())
 }

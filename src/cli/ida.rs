@@ -1,0 +1,238 @@
+//! `tankcheck ida`: incremental dynamic analysis, one nonlinear run for each scale of a record.
+
+use std::path::PathBuf;
+
+use crate::cli::Global;
+use crate::cli::inputs::{Inputs, Reading};
+use crate::error::Error;
+use crate::job::{Engines, IdaJob};
+
+/// Most runs of one analysis.
+const MAX_RUNS: usize = 1000;
+/// Largest factor on a record.
+const MAX_SCALE: f64 = 100.0;
+
+/// Arguments.
+#[derive(clap::Args)]
+#[command(after_help = "\
+Examples:
+  tankcheck ida tank.json --quake elcentro.csv --scale 0..1.1 --steps 12 -o ida/
+  tankcheck ida tank.json --quake elcentro.csv --scale 0.5,0.85,0.9,1 --jobs 2 -o ida/
+  tankcheck ida tank.json --quake elcentro.csv --scale 0..1.1 --steps 12 -o ida/ --resume
+
+Exit codes: 0 done; 2 bad input; 3 the computation failed or was interrupted.")]
+pub struct Args {
+    /// The tank (`-` reads standard input).
+    tank: PathBuf,
+    /// Horizontal ground acceleration: CSV, two-column text or PEER .AT2.
+    #[arg(long, value_name = "RECORD")]
+    quake: PathBuf,
+    /// Vertical ground acceleration; scaled with the factor of the horizontal one.
+    #[arg(long, value_name = "RECORD")]
+    vertical: Option<PathBuf>,
+    #[command(flatten)]
+    reading: Reading,
+    /// Factors on the record as the tank file scales it: a range `0..1.1`, both ends included, or a list `0.5,0.9,1`.
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    scale: String,
+    /// Number of factors in a range, evenly spaced.
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    steps: Option<String>,
+    /// Runs at a time.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
+    jobs: u16,
+    /// Folder for the results of all runs.
+    #[arg(long, short, value_name = "FOLDER", default_value = "ida")]
+    out: PathBuf,
+    /// Go on with the runs that the folder does not have yet.
+    #[arg(long)]
+    resume: bool,
+}
+
+/// Runs the subcommand; returns the exit code.
+pub fn run(args: Args, _: &Global) -> Result<u8, Error> {
+    let job = args.job()?;
+    Err(Error::Input(format!(
+        "error: `tankcheck ida` does not run yet: {} runs at the scales {} to {} are understood\n  help: this version has no \
+         nonlinear engine; `tankcheck compare` runs the linear ones",
+        job.scales.len(),
+        job.scales[0],
+        job.scales[job.scales.len() - 1],
+    )))
+}
+
+impl Args {
+    /// Reads and checks everything.
+    fn job(&self) -> Result<IdaJob, Error> {
+        let scales = scales(&self.scale, self.steps.as_deref())?;
+        if self.resume && !self.out.is_dir() {
+            return Err(Error::Input(format!(
+                "error: --resume: there is no folder `{}`\n  help: name the folder of the interrupted run with -o, or leave \
+                 --resume out",
+                self.out.display()
+            )));
+        }
+        let inputs = Inputs {
+            tank: self.tank.clone(),
+            quake: Some(self.quake.clone()),
+            vertical: self.vertical.clone(),
+            reading: self.reading.clone(),
+            procedures: None,
+        };
+        let mut job = inputs.job()?;
+        job.engines = Engines::Nonlinear;
+        Ok(IdaJob {
+            job,
+            scales,
+            jobs: self.jobs.into(),
+            out: self.out.clone(),
+            resume: self.resume,
+        })
+    }
+}
+
+/// The factors of `--scale` and `--steps`, ascending.
+fn scales(text: &str, steps: Option<&str>) -> Result<Vec<f64>, Error> {
+    let refuse = |what: String, help: &str| Err(Error::Input(format!("error: {what}\n  help: {help}")));
+    let allowed = format!("allowed factors from 0 to {MAX_SCALE}");
+    let number = |part: &str| part.trim().parse::<f64>().ok();
+    let sound = |scale: &f64| (0.0..=MAX_SCALE).contains(scale);
+    let Some((from, to)) = text.split_once("..") else {
+        let Some(list) = text.split(',').map(number).collect::<Option<Vec<f64>>>() else {
+            return refuse(
+                format!("--scale: found `{text}`, {allowed}"),
+                "a range `0..1.1` with --steps 12, or a list `0.5,0.9,1`",
+            );
+        };
+        if let Some(bad) = list.iter().find(|s| !sound(s)) {
+            return refuse(
+                format!("--scale: found `{bad}`, {allowed}"),
+                "a negative factor turns the record round: turn the file",
+            );
+        }
+        if list.windows(2).any(|w| w[1] <= w[0]) {
+            return refuse(
+                format!("--scale: found `{text}`, allowed a list that ascends"),
+                "each run starts where the curve stands: order the factors",
+            );
+        }
+        if let Some(steps) = steps {
+            return refuse(
+                format!("--steps: found `{steps}` beside the list `{text}`, allowed with a range only"),
+                "leave --steps out, or give a range `0..1.1`",
+            );
+        }
+        if list.len() > MAX_RUNS {
+            return refuse(
+                format!("--scale: found {} factors, allowed at most {MAX_RUNS}", list.len()),
+                "fewer factors",
+            );
+        }
+        return Ok(list);
+    };
+    let (Some(low), Some(high)) = (number(from), number(to)) else {
+        return refuse(
+            format!("--scale: found `{text}`, {allowed}, such as `0..1.1`"),
+            "a range has two ends with two dots between them",
+        );
+    };
+    for end in [low, high] {
+        if !sound(&end) {
+            return refuse(
+                format!("--scale: found `{end}` in `{text}`, {allowed}"),
+                "a range such as `0..1.1`",
+            );
+        }
+    }
+    if low >= high {
+        let (what, help) = if low == high {
+            ("an empty range", format!("for one run write --scale {low}"))
+        } else {
+            ("a reversed range", format!("write {}..{}", to.trim(), from.trim()))
+        };
+        return refuse(
+            format!("--scale: found `{text}`, {what}, allowed a range that ascends"),
+            &help,
+        );
+    }
+    let Some(steps) = steps else {
+        return refuse(
+            format!("--steps is missing: the number of factors in `{text}`"),
+            "for example --steps 12",
+        );
+    };
+    let count = match steps.trim().parse::<usize>() {
+        Ok(count) if (2..=MAX_RUNS).contains(&count) => count,
+        _ => {
+            return refuse(
+                format!("--steps: found `{steps}`, allowed a whole number from 2 to {MAX_RUNS}"),
+                "a range has two ends; for one run write --scale 0.9",
+            );
+        }
+    };
+    // Weights of the ends instead of sums of steps: the last factor is the upper end to the digit.
+    let last = (count - 1) as f64;
+    Ok((0..count)
+        .map(|i| (low * (last - i as f64) + high * i as f64) / last)
+        .collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refused(text: &str, steps: Option<&str>) -> String {
+        match scales(text, steps) {
+            Err(Error::Input(message)) => message,
+            other => panic!("{text}: {other:?}"),
+        }
+    }
+
+    #[test]
+    fn ranges_and_lists() {
+        let found = scales("0..1.1", Some("12")).unwrap();
+        assert_eq!((found.len(), found[0], found[11]), (12, 0.0, 1.1));
+        // Tenths, to the rounding of one product and one quotient.
+        for (i, scale) in found.iter().enumerate() {
+            assert!((scale - i as f64 / 10.0).abs() < 1e-15, "{scale}");
+        }
+        assert_eq!(scales(" 0.5 .. 1 ", Some("2")).unwrap(), [0.5, 1.0]);
+        assert_eq!(scales("0.9", None).unwrap(), [0.9]);
+        assert_eq!(scales("0.5, 0.85,1", None).unwrap(), [0.5, 0.85, 1.0]);
+    }
+
+    #[test]
+    fn what_is_no_range() {
+        for (text, steps, parts) in [
+            ("", None, vec!["--scale", "found ``"]),
+            ("..", Some("3"), vec!["--scale", "`..`", "two ends"]),
+            ("0..", Some("3"), vec!["--scale", "`0..`"]),
+            ("1.1..0", Some("12"), vec!["reversed", "write 0..1.1"]),
+            ("0.5..0.5", Some("3"), vec!["empty range", "--scale 0.5"]),
+            ("-0.1..1", Some("3"), vec!["found `-0.1`", "from 0 to 100"]),
+            ("0..NaN", Some("3"), vec!["found `NaN`"]),
+            ("0..inf", Some("3"), vec!["found `inf`"]),
+            ("0..1e3", Some("3"), vec!["found `1000`"]),
+            ("0..1", None, vec!["--steps is missing", "--steps 12"]),
+            (
+                "0..1",
+                Some("1"),
+                vec!["--steps: found `1`", "from 2 to 1000", "--scale 0.9"],
+            ),
+            ("0..1", Some("0"), vec!["--steps: found `0`"]),
+            ("0..1", Some("-3"), vec!["--steps: found `-3`"]),
+            ("0..1", Some("2.5"), vec!["--steps: found `2.5`"]),
+            ("0..1", Some("5000"), vec!["--steps: found `5000`"]),
+            ("1,0.5", None, vec!["ascends"]),
+            ("0.5,0.5", None, vec!["ascends"]),
+            ("0.5,x", None, vec!["found `0.5,x`"]),
+            ("0.5,-1", None, vec!["found `-1`"]),
+            ("0.5,1", Some("3"), vec!["--steps", "a range only"]),
+        ] {
+            let message = refused(text, steps);
+            for part in parts {
+                assert!(message.contains(part), "`{part}` is missing in {message}");
+            }
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! The build-up of layered walls in words, for the summary of `check`.
+
+use codes::tank::{BarDirection, Behaviour, Layer, Tank};
+use codes::units::{Dimension, display};
+
+/// One line a layered course: `course 1: 6.00 mm liner (steel) | 250 mm wall (concrete; hoop 15.0 cm²/m at 40.0 mm of bars)`.
+pub fn lines(tank: &Tank) -> Vec<String> {
+    let layered = tank.courses.iter().enumerate().filter(|(_, c)| !c.layers.is_empty());
+    layered
+        .map(|(i, course)| {
+            let layers: Vec<String> = course.layers.iter().map(layer).collect();
+            format!(
+                "course {}: {} (inside to outside; codes and linear engines: {} of {} GPa)",
+                i + 1,
+                layers.join(" | "),
+                display(course.thickness, Dimension::Length),
+                codes::units::significant(course.material.youngs_modulus / 1e9, 3)
+            )
+        })
+        .collect()
+}
+
+fn layer(layer: &Layer) -> String {
+    let bars: String = (layer.reinforcement.iter())
+        .map(|bar| {
+            let direction = match bar.direction {
+                BarDirection::Hoop => "hoop",
+                BarDirection::Vertical => "vertical",
+            };
+            format!(
+                "; {direction} {} at {} of {}",
+                display(bar.area, Dimension::LineArea),
+                display(bar.depth, Dimension::Length),
+                bar.material.name
+            )
+        })
+        .collect();
+    let kind = match layer.material.behaviour {
+        Behaviour::Interlayer(l) if l.shear_modulus == 0.0 => "interlayer without shear",
+        ref behaviour => behaviour.kind(),
+    };
+    format!(
+        "{} {} ({kind}{bars})",
+        display(layer.thickness, Dimension::Length),
+        layer.material.name
+    )
+}

@@ -1,0 +1,5 @@
+//! The nonlinear engine: walls that yield and crack, in large rotations, with the liquid of linear theory.
+
+mod options;
+
+pub use options::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, ThicknessRule, WallElements};

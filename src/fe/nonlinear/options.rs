@@ -1,0 +1,142 @@
+//! What the user may choose. Plain data; nothing here is text.
+
+/// Options of the nonlinear engine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NonlinearOptions {
+    /// Numbers of elements of the wall; `None` lets the engine choose.
+    pub elements: Option<WallElements>,
+    /// Whether only the half of the tank on one side of the plane of shaking is computed; of no account for a strip.
+    pub symmetry: bool,
+    /// Spectral radius ρ∞ at infinite frequency of the generalised-α method, 0 to 1 (1: trapezoidal rule).
+    pub spectral_radius: f64,
+    /// Time step [s]; `None`: T_imp/20, at most half the step of the record.
+    pub time_step: Option<f64>,
+    /// Damping.
+    pub damping: Damping,
+    /// Contact of liquid and wall.
+    pub contact: Contact,
+    /// Whether the weight of the wall acts.
+    pub self_weight: bool,
+    /// Whether the pressure turns with the wall.
+    pub follower_pressure: bool,
+    /// Points through the thickness of each layer.
+    pub integration: Integration,
+    /// Computing time between two checkpoints [s].
+    pub checkpoint: f64,
+}
+
+impl NonlinearOptions {
+    /// The defaults, with the damping ratios of the case.
+    ///
+    /// * `damping`: of wall (impulsive) and sloshing
+    pub fn new(damping: codes::case::Damping) -> NonlinearOptions {
+        NonlinearOptions {
+            elements: None,
+            symmetry: true,
+            spectral_radius: 0.9,
+            time_step: None,
+            damping: Damping::ByGroup {
+                wall: damping.impulsive,
+                sloshing: damping.sloshing,
+            },
+            contact: Contact::Bonded,
+            self_weight: true,
+            follower_pressure: true,
+            integration: Integration::default(),
+            checkpoint: 60.0,
+        }
+    }
+}
+
+/// Numbers of elements of the wall.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WallElements {
+    /// Over its height.
+    pub height: u32,
+    /// Around the tank, the whole perimeter even where half of it is computed; 1 for a strip.
+    pub circumference: u32,
+}
+
+/// Contact of liquid and wall.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Contact {
+    /// The liquid stays at the wall.
+    #[default]
+    Bonded,
+    /// It parts from the wall where the pressure would be tension.
+    Opening,
+}
+
+/// Damping.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Damping {
+    /// C = (2 ξ_w/ω_imp) K_wall in the wall, a ratio for every sloshing mode.
+    ByGroup {
+        /// ξ_w of the first mode of wall and liquid.
+        wall: f64,
+        /// Of every sloshing mode.
+        sloshing: f64,
+    },
+    /// C = a_M M + a_K K through two (circular frequency [rad/s], ratio) pairs.
+    Rayleigh {
+        /// First pair.
+        first: (f64, f64),
+        /// Second pair.
+        second: (f64, f64),
+        /// Accept a negative coefficient (to repeat published runs), with a warning.
+        allow_negative: bool,
+    },
+    /// C = 2 ξ ω M.
+    MassProportional {
+        /// ξ.
+        ratio: f64,
+        /// Where it holds.
+        at: MassProportionalAt,
+    },
+}
+
+/// Where a mass-proportional ratio holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MassProportionalAt {
+    /// At the first sloshing mode.
+    FirstSloshing,
+    /// At this circular frequency [rad/s].
+    Frequency(f64),
+}
+
+/// Points through the thickness of a layer, by kind of material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Integration {
+    /// Elastic layers.
+    pub elastic: ThicknessRule,
+    /// Steel.
+    pub steel: ThicknessRule,
+    /// Concrete.
+    pub concrete: ThicknessRule,
+}
+
+impl Default for Integration {
+    /// Exact for elastic layers; 5 % of the moment of a yielding plate, 2 % of the compression of a cracked one.
+    fn default() -> Self {
+        Integration {
+            elastic: ThicknessRule::Gauss(2),
+            steel: ThicknessRule::Gauss(5),
+            concrete: ThicknessRule::MidPoint(20),
+        }
+    }
+}
+
+/// Quadrature through the thickness of a layer, with its number of points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ThicknessRule {
+    /// Gauss-Legendre.
+    Gauss(u32),
+    /// Gauss-Lobatto.
+    Lobatto(u32),
+    /// Middles of equal layers, stretched.
+    MidPoint(u32),
+    /// Simpson (Newton-Cotes, quadratic), an odd number.
+    Simpson(u32),
+    /// Trapezoidal (Newton-Cotes, linear).
+    Trapezoid(u32),
+}

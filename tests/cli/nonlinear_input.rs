@@ -1,0 +1,638 @@
+//! Input of the nonlinear engine: layered walls, behaviour of materials, options; what is read, and how faults are told.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use codes::tank::{BarDirection, Behaviour, ConcreteLaw, LayerKind, Softening};
+use tankcheck::fe::nonlinear::{Contact, Damping, MassProportionalAt, ThicknessRule, WallElements};
+use tankcheck::input::TankFile;
+use tankcheck::input::diagnostic::Source;
+use tankcheck::input::tank::parse;
+
+use super::bad_tank::{has, message};
+
+/// A valid file; the cases below spoil it in one place.
+const GOOD: &str = r#"{
+  "name": "sandwich",
+  "tank": {
+    "shape": "cylinder",
+    "radius": "10 m",
+    "support": "anchored",
+    "courses": [
+      { "height": "6 m",
+        "layers": [
+          { "kind": "shell", "thickness": "6 mm", "material": "liner" },
+          { "kind": "interlayer", "thickness": "5 cm", "material": "foam" },
+          { "kind": "shell", "thickness": "25 cm", "material": "concrete",
+            "reinforcement": [
+              { "direction": "hoop", "area": "15 cm2/m", "from_outer": "4 cm", "material": "bars" }
+            ] }
+        ] }
+    ]
+  },
+  "liquid": { "density": "1000 kg/m3", "fill_height": "5.5 m" },
+  "materials": {
+    "liner": { "grade": "S355" },
+    "foam": { "density": "40 kg/m3", "behaviour": { "interlayer": { "e_normal": "10 MPa", "tension": false } } },
+    "concrete": {
+      "youngs_modulus": "33 GPa", "poisson_ratio": 0.2, "density": "2500 kg/m3",
+      "behaviour": { "concrete": { "compressive_strength": "38 MPa", "tensile_strength": "2.9 MPa" } }
+    },
+    "bars": { "grade": "BSt500" }
+  },
+  "analysis": { "nonlinear": { "elements": { "height": 24, "circumference": 192 }, "contact": "opening" } }
+}
+"#;
+
+fn read(text: &str) -> TankFile {
+    let source = Source::new("tank.json", text);
+    parse(&source).unwrap_or_else(|faults| panic!("{}", faults.render(&source, false)))
+}
+
+/// The good file with one passage replaced.
+fn changed(from: &str, to: &str) -> String {
+    assert_eq!(
+        GOOD.matches(from).count(),
+        1,
+        "`{from}` must stand once in the good file"
+    );
+    GOOD.replace(from, to)
+}
+
+/// The message for the good file with one passage replaced, without running the program.
+fn spoiled(from: &str, to: &str) -> String {
+    let source = Source::new("tank.json", changed(from, to));
+    let faults = parse(&source).expect_err("a fault");
+    let text = faults.render(&source, false);
+    assert!(text.contains("tank.json:"), "{text}");
+    // One cause, one message.
+    assert!(text.contains("error: 1 fault in tank.json"), "{text}");
+    text
+}
+
+fn draft(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/nonlinear");
+    folder.join(name).join("tank.json")
+}
+
+#[test]
+fn what_the_good_file_means() {
+    let file = read(GOOD);
+    let course = &file.case.tank.courses[0];
+    let kinds: Vec<LayerKind> = course.layers.iter().map(|l| l.kind).collect();
+    assert_eq!(kinds, [LayerKind::Shell, LayerKind::Interlayer, LayerKind::Shell]);
+    let Behaviour::Steel(steel) = course.layers[0].material.behaviour else {
+        panic!("not steel")
+    };
+    // EN 1993-1-1, table 3.1.
+    assert_eq!((steel.yield_strength, steel.ultimate_strength), (355e6, Some(490e6)));
+    assert_eq!(steel.kinematic_share, 1.0);
+    assert_eq!(course.layers[0].material.yield_strength, Some(355e6));
+    let Behaviour::Interlayer(foam) = course.layers[1].material.behaviour else {
+        panic!("not an interlayer")
+    };
+    assert_eq!((foam.e_normal, foam.shear_modulus, foam.tension), (10e6, 0.0, false));
+    let Behaviour::Concrete(concrete) = course.layers[2].material.behaviour else {
+        panic!("not concrete")
+    };
+    assert_eq!(concrete.law, ConcreteLaw::Cracked);
+    assert_eq!(
+        (concrete.compressive_strength, concrete.tensile_strength),
+        (38e6, 2.9e6)
+    );
+    // 73 · 38^0.18, four digits by hand.
+    let Softening::FractureEnergy(energy) = concrete.softening else {
+        panic!("no fracture energy")
+    };
+    assert!((energy - 140.5).abs() < 0.05, "{energy}");
+    let bars = &course.layers[2].reinforcement[0];
+    assert_eq!(bars.direction, BarDirection::Hoop);
+    assert!((bars.area - 15e-4).abs() < 1e-18 && (bars.depth - 0.21).abs() < 1e-12);
+    assert!(matches!(bars.material.behaviour, Behaviour::Reinforcement(b) if b.yield_strength == 500e6));
+    let options = &file.nonlinear;
+    assert_eq!(
+        options.elements,
+        Some(WallElements {
+            height: 24,
+            circumference: 192
+        })
+    );
+    assert_eq!(options.contact, Contact::Opening);
+    assert!(options.symmetry && options.self_weight && options.follower_pressure);
+    // The equivalent wall is concrete by its modulus: 5 % of damping.
+    assert_eq!(
+        options.damping,
+        Damping::ByGroup {
+            wall: 0.05,
+            sloshing: 0.005
+        }
+    );
+    // What the grades supplied stands in the list of defaults.
+    for (path, text) in [
+        ("materials.liner.youngs_modulus", "210"),
+        ("materials.liner.behaviour.steel.ultimate_strength", "490"),
+        ("materials.bars.yield_strength", "500"),
+    ] {
+        let line = file.echo.iter().find(|e| e.path == path);
+        let line = line.unwrap_or_else(|| panic!("{path} is not echoed"));
+        assert!(line.default && line.source.contains("grade"), "{line:?}");
+        assert!(line.text.contains(text), "{line:?}");
+    }
+    assert!(file.remarks.is_empty(), "{:?}", file.remarks);
+}
+
+#[test]
+fn fields_override_the_grade_and_elastic_switches_it_off() {
+    let file = read(&changed(
+        "{ \"grade\": \"S355\" }",
+        "{ \"grade\": \"s 355\", \"yield_strength\": \"345 MPa\", \"behaviour\": { \"steel\": { \"kinematic_share\": 0 } } }",
+    ));
+    let material = &file.case.tank.courses[0].layers[0].material;
+    assert_eq!(material.yield_strength, Some(345e6));
+    assert!(
+        matches!(material.behaviour, Behaviour::Steel(s) if s.yield_strength == 345e6 && s.kinematic_share == 0.0),
+        "{material:?}"
+    );
+    let file = read(&changed(
+        "{ \"grade\": \"S355\" }",
+        "{ \"grade\": \"S355\", \"behaviour\": \"elastic\" }",
+    ));
+    assert!(file.case.tank.courses[0].layers[0].material.behaviour.is_elastic());
+}
+
+#[test]
+fn strip_of_the_dissertation() {
+    let file = tankcheck::input::read_tank(&draft("06_sandwich_strip")).unwrap();
+    let course = &file.case.tank.courses[0];
+    // By hand: A = 0.006·210 + 0.3·34 = 11.46 GN/m, 12 D = 34·0.3³ + 210·0.006³ = 0.91804536 GN·m;
+    // t = √(0.91804536/11.46) = 0.28303 m; the masses are 48 + 75 + 762 = 885 kg/m².
+    assert!((course.thickness - 0.28303).abs() < 5e-6, "{}", course.thickness);
+    assert!((course.material.youngs_modulus * course.thickness - 11.46e9).abs() < 1.0);
+    assert!((course.material.density * course.thickness - 885.0).abs() < 1e-9);
+    assert!((course.total_thickness() - 0.356).abs() < 1e-12);
+    let depths: Vec<f64> = course.layers[2].reinforcement.iter().map(|b| b.depth).collect();
+    assert!((depths[0] - 0.035).abs() < 1e-12 && (depths[1] - 0.265).abs() < 1e-12);
+    let options = &file.nonlinear;
+    assert_eq!(options.time_step, Some(0.0025));
+    assert_eq!(
+        options.damping,
+        Damping::MassProportional {
+            ratio: 0.022,
+            at: MassProportionalAt::Frequency(2.39)
+        }
+    );
+    assert_eq!(options.integration.concrete, ThicknessRule::MidPoint(20));
+    assert_eq!(
+        options.elements,
+        Some(WallElements {
+            height: 40,
+            circumference: 1
+        })
+    );
+    assert!(file.remarks.iter().any(|r| r.contains("next to undamped")));
+}
+
+/// The code procedures run on the equivalent wall, and say so.
+#[test]
+fn check_shows_the_layers() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, say) in [
+        ("07_steel_cylinder_buckling", ""),
+        (
+            "08_concrete_cylinder",
+            "course 1: 250 mm concrete (concrete; hoop 15.0 cm²/m at 40.0 mm of bars",
+        ),
+    ] {
+        let out = folder.path().join(name);
+        let output = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+            .args([
+                "check".as_ref(),
+                draft(name).as_os_str(),
+                "--out".as_ref(),
+                out.as_os_str(),
+            ])
+            .output()
+            .unwrap();
+        let text = String::from_utf8_lossy(&output.stdout);
+        let code = output.status.code();
+        assert!(
+            matches!(code, Some(0 | 1)),
+            "{name}: {code:?} {}",
+            String::from_utf8_lossy(&output.stderr)
+        );
+        has(&text, &[say]);
+        let report = std::fs::read_to_string(out.join("report.html")).unwrap();
+        let layered = !say.is_empty();
+        assert_eq!(report.contains("Layers from inside to outside"), layered, "{name}");
+        assert_eq!(report.contains("Layered wall: a homogeneous one"), layered, "{name}");
+    }
+}
+
+#[test]
+fn layers() {
+    let interlayer = "{ \"kind\": \"interlayer\", \"thickness\": \"5 cm\", \"material\": \"foam\" },\n";
+    let liner = "{ \"kind\": \"shell\", \"thickness\": \"6 mm\", \"material\": \"liner\" },\n";
+    has(
+        &spoiled(liner, ""),
+        &[
+            "tank.courses[0].layers[0]",
+            "an interlayer stands between two shells",
+            "no shell inside",
+            "shell, interlayer, shell",
+        ],
+    );
+    has(
+        &spoiled(interlayer, &format!("{interlayer}{interlayer}")),
+        &["tank.courses[0].layers[1]", "an interlayer beside it"],
+    );
+    has(
+        &spoiled(liner, &format!("{liner}{interlayer}{liner}")),
+        &["tank.courses[0].layers", "2 interlayers", "at most one"],
+    );
+    has(
+        &spoiled(
+            "{ \"height\": \"6 m\",",
+            "{ \"height\": \"6 m\", \"thickness\": \"30 cm\",",
+        ),
+        &[
+            "tank.courses[0].thickness",
+            "no thickness of its own",
+            "either thickness and material, or layers",
+        ],
+    );
+    has(
+        &spoiled("\"interlayer\", \"thickness\"", "\"core\", \"thickness\""),
+        &["tank.courses[0].layers[1].kind", "\"shell\" or \"interlayer\""],
+    );
+    has(
+        &spoiled("\"material\": \"foam\"", "\"material\": \"bars\""),
+        &[
+            "tank.courses[0].layers[1].material",
+            "`bars` is reinforcement",
+            "an elastic material or one with the behaviour interlayer",
+        ],
+    );
+    has(
+        &spoiled(
+            "\"support\": \"anchored\",",
+            "\"support\": \"anchored\", \"roof\": { \"mass\": \"1 t\", \"layers\": [] },",
+        ),
+        &["tank.roof.layers", "unknown key `layers`", "mass or height"],
+    );
+    has(
+        &spoiled("\"25 cm\"", "\"25 kg\""),
+        &["tank.courses[0].layers[2].thickness", "a mass", "found \"25 kg\""],
+    );
+}
+
+#[test]
+fn bars() {
+    has(
+        &spoiled("\"from_outer\": \"4 cm\"", "\"from_outer\": \"26 cm\""),
+        &[
+            "tank.courses[0].layers[2].reinforcement[0].from_outer",
+            "outside their shell",
+            "found \"26 cm\"",
+            "less than 25.00 cm",
+        ],
+    );
+    has(
+        &spoiled(
+            "\"from_outer\": \"4 cm\"",
+            "\"from_outer\": \"4 cm\", \"from_inner\": \"4 cm\"",
+        ),
+        &["reinforcement[0]", "either from_inner or from_outer"],
+    );
+    has(
+        &spoiled("\"15 cm2/m\"", "\"15 cm2\""),
+        &["reinforcement[0].area", "an area per length such as \"7.0 cm2/m\""],
+    );
+    has(
+        &spoiled(
+            "\"material\": \"liner\" },",
+            "\"material\": \"liner\", \"reinforcement\": [\n{ \"direction\": \"vertical\", \"area\": \"1 cm2/m\", \
+             \"from_inner\": \"3 mm\", \"material\": \"bars\" } ] },",
+        ),
+        &[
+            "tank.courses[0].layers[0].reinforcement",
+            "bars in a layer of steel",
+            "bars in shells of concrete only",
+        ],
+    );
+    has(
+        &spoiled(
+            "\"from_outer\": \"4 cm\", \"material\": \"bars\"",
+            "\"from_outer\": \"4 cm\", \"material\": \"concrete\"",
+        ),
+        &["reinforcement[0].material", "`concrete` is concrete, not one for bars"],
+    );
+}
+
+#[test]
+fn impossible_materials() {
+    has(
+        &spoiled("\"2.9 MPa\"", "\"39 MPa\""),
+        &[
+            "materials.concrete.behaviour.concrete.tensile_strength",
+            "weaker in tension",
+            "found \"39 MPa\"",
+            "less than the compressive strength, 38.00 MPa",
+        ],
+    );
+    has(
+        &spoiled("\"38 MPa\"", "\"38 kPa\""),
+        &["compressive_strength", "too small", "greater than 1 MPa"],
+    );
+    has(
+        &spoiled("\"2.9 MPa\"", "\"2.9 MPa\", \"softening_strain\": 1e-5"),
+        &["softening_strain", "snap back", "found 1e-5", "8.97e-5"],
+    );
+    has(
+        &spoiled(
+            "\"2.9 MPa\"",
+            "\"2.9 MPa\", \"brittle\": true, \"fracture_energy\": \"100 N/m\"",
+        ),
+        &[
+            "one softening",
+            "one of fracture_energy, softening_strain and \"brittle\": true",
+        ],
+    );
+    let steel =
+        |parameters: &str| format!("{{ \"grade\": \"S355\", \"behaviour\": {{ \"steel\": {{ {parameters} }} }} }}");
+    let liner = "{ \"grade\": \"S355\" }";
+    has(
+        &spoiled(liner, &steel("\"tangent_modulus\": \"-1 GPa\"")),
+        &[
+            "materials.liner.behaviour.steel.tangent_modulus",
+            "must not be negative",
+        ],
+    );
+    has(
+        &spoiled(liner, &steel("\"tangent_modulus\": \"210 GPa\"")),
+        &["rise faster", "less than Young's modulus, 210.0 GPa"],
+    );
+    has(
+        &spoiled(
+            liner,
+            &steel("\"tangent_modulus\": \"1 GPa\", \"hardening_modulus\": \"1 GPa\""),
+        ),
+        &["two slopes", "either tangent_modulus or hardening_modulus"],
+    );
+    has(
+        &spoiled(liner, &steel("\"ultimate_strength\": \"300 MPa\"")),
+        &["not above the yield strength", "355.0 MPa"],
+    );
+    has(
+        &spoiled(liner, &steel("\"kinematic_share\": 1.5")),
+        &["kinematic_share", "at least 0, at most 1"],
+    );
+    has(
+        &spoiled(
+            liner,
+            "{ \"youngs_modulus\": \"210 GPa\", \"poisson_ratio\": 0.3, \"density\": \"7850 kg/m3\", \"behaviour\": { \
+             \"steel\": {} } }",
+        ),
+        &[
+            "the key `yield_strength` is missing",
+            "materials.liner.behaviour.steel.yield_strength",
+        ],
+    );
+    has(
+        &spoiled(
+            "{ \"grade\": \"BSt500\" }",
+            "{ \"grade\": \"BSt500\", \"behaviour\": { \"reinforcement\": { \"rupture_strain\": 1e-3 } } }",
+        ),
+        &["rupture_strain", "break before they yield", "2.38e-3"],
+    );
+}
+
+#[test]
+fn grades_and_behaviours() {
+    has(
+        &spoiled("\"S355\"", "\"S356\""),
+        &[
+            "materials.liner.grade",
+            "unknown grade `S356`",
+            "did you mean \"S355\"?",
+            "S235",
+        ],
+    );
+    has(
+        &spoiled(
+            "{ \"grade\": \"S355\" }",
+            "{ \"grade\": \"S355\", \"behaviour\": { \"concrete\": {} } }",
+        ),
+        &[
+            "materials.liner.behaviour",
+            "the grade S355 is steel",
+            "\"elastic\" or steel",
+        ],
+    );
+    has(
+        &spoiled(
+            "{ \"grade\": \"S355\" }",
+            "{ \"grade\": \"S355\", \"behaviour\": \"steel\" }",
+        ),
+        &["unknown behaviour `steel`", "write { \"steel\": { … } }"],
+    );
+    has(
+        &spoiled("{ \"grade\": \"S355\" }", "{ \"grade\": \"S355\", \"behaviour\": {} }"),
+        &["one behaviour is wanted"],
+    );
+    has(
+        &spoiled("\"youngs_modulus\": \"33 GPa\",", ""),
+        &[
+            "the key `youngs_modulus` is missing",
+            "materials.concrete.youngs_modulus",
+        ],
+    );
+    has(
+        &spoiled("\"e_normal\": \"10 MPa\"", "\"e_normal\": \"10 Mpa\""),
+        &["e_normal", "unknown unit `Mpa`", "did you mean `MPa`?"],
+    );
+    has(
+        &spoiled(
+            "\"density\": \"40 kg/m3\"",
+            "\"density\": \"40 kg/m3\", \"poisson_ratio\": 0.3",
+        ),
+        &["materials.foam.poisson_ratio", "no poisson_ratio beside its e_normal"],
+    );
+}
+
+/// 3.0e9 kN/m² for 3.0e9 N/m²: a warning, no fault.
+#[test]
+fn stiff_interlayer_is_a_slip_of_the_unit() {
+    let file = read(&changed("\"10 MPa\"", "\"3.0e9 kN/m2\""));
+    let [remark] = file.remarks.as_slice() else {
+        panic!("{:?}", file.remarks)
+    };
+    has(
+        remark,
+        &[
+            "materials.foam.behaviour.interlayer.e_normal",
+            "3.0e9 kN/m2",
+            "1e8 kN/m2",
+        ],
+    );
+    assert!(read(&changed("\"10 MPa\"", "\"3.0e9 N/m2\"")).remarks.is_empty());
+}
+
+#[test]
+fn options() {
+    // 0.98 · 33e9 · 140.5/2.9e6² = 0.540 m; 6 m need 12 elements, 62.8 m around need 117.
+    has(
+        &spoiled("\"height\": 24", "\"height\": 8"),
+        &[
+            "analysis.nonlinear.elements.height",
+            "the softening of `concrete` is too steep for elements of 750 mm",
+            "found 8",
+            "540 mm",
+            "12 or more",
+            "crack_spacing",
+        ],
+    );
+    has(
+        &spoiled("\"circumference\": 192", "\"circumference\": 96"),
+        &["analysis.nonlinear.elements.circumference", "654 mm", "117 or more"],
+    );
+    // Bars that space the cracks mend it.
+    read(
+        &changed("\"height\": 24", "\"height\": 8").replace("\"2.9 MPa\"", "\"2.9 MPa\", \"crack_spacing\": \"15 cm\""),
+    );
+    has(
+        &spoiled(", \"circumference\": 192", ""),
+        &["the key `circumference` is missing"],
+    );
+    has(
+        &spoiled("\"height\": 24", "\"height\": 0"),
+        &["elements.height", "from 1 to 1000"],
+    );
+    let contact = "\"contact\": \"opening\"";
+    let with = |more: &str| spoiled(contact, &format!("{contact}, {more}"));
+    has(
+        &with("\"spectral_radius\": 1.2"),
+        &["analysis.nonlinear.spectral_radius", "at least 0, at most 1"],
+    );
+    has(
+        &with("\"time_step\": \"0 s\""),
+        &["analysis.nonlinear.time_step", "found \"0 s\""],
+    );
+    has(
+        &with("\"damping\": { \"by_group\": {}, \"mass_proportional\": { \"ratio\": 0.02 } }"),
+        &["one of by_group, rayleigh and mass_proportional"],
+    );
+    has(
+        &with(
+            "\"damping\": { \"rayleigh\": { \"first\": { \"at\": \"3 rad/s\", \"ratio\": 0.01 }, \"second\": { \"at\": \"4 rad/s\", \"ratio\": 0.02 } } }",
+        ),
+        &["need a negative coefficient"],
+    );
+    has(
+        &with("\"integration\": { \"steel\": \"gaus 5\" }"),
+        &["integration.steel", "\"gauss 5\"", "found \"gaus 5\""],
+    );
+    has(
+        &with("\"integration\": { \"concrete\": \"simpson 8\" }"),
+        &["integration.concrete", "odd number"],
+    );
+    has(
+        &with("\"integration\": { \"concrete\": \"midpoint 2000\" }"),
+        &["too few or too many points"],
+    );
+    has(
+        &spoiled("\"opening\"", "\"open\""),
+        &["analysis.nonlinear.contact", "\"bonded\" or \"opening\""],
+    );
+    // A strip has neither circumference nor plane of symmetry.
+    let strip = GOOD
+        .replace("\"shape\": \"cylinder\"", "\"shape\": \"rectangle\"")
+        .replace("\"radius\": \"10 m\"", "\"length\": \"20 m\", \"strip\": true")
+        .replace(contact, "\"symmetry\": true");
+    let source = Source::new("tank.json", strip);
+    let text = parse(&source).expect_err("faults").render(&source, false);
+    has(
+        &text,
+        &["a strip has no circumference", "a strip has no plane of symmetry"],
+    );
+}
+
+/// Through the program: exit code 2, everything at once, nothing written.
+#[test]
+fn all_faults_at_once() {
+    let text = GOOD
+        .replace("\"2.9 MPa\"", "\"39 MPa\"")
+        .replace("\"S355\"", "\"S356\"")
+        .replace("\"4 cm\"", "\"40 cm\"")
+        .replace("\"height\": 24", "\"height\": 0");
+    has(
+        &message(text),
+        &[
+            "weaker in tension",
+            "unknown grade",
+            "outside their shell",
+            "elements.height",
+            "4 faults in tank.json",
+        ],
+    );
+    // Contact needs something to touch.
+    let dry = GOOD.replace(
+        "  \"liquid\": { \"density\": \"1000 kg/m3\", \"fill_height\": \"5.5 m\" },\n",
+        "",
+    );
+    has(&message(dry), &["the key `liquid` is missing"]);
+}
+
+/// Runs the program; returns its exit code and what it says on standard error.
+fn run(arguments: &[&str]) -> (Option<i32>, String) {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("tank.json"), GOOD).unwrap();
+    std::fs::write(
+        folder.path().join("record.csv"),
+        "time_s,acceleration_m_s2\n0,0\n0.02,1\n0.04,0.5\n0.06,-1\n0.08,0\n",
+    )
+    .unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+        .current_dir(folder.path())
+        .args(arguments)
+        .output()
+        .unwrap();
+    assert!(output.stdout.is_empty());
+    assert!(!folder.path().join("out").exists());
+    (output.status.code(), String::from_utf8(output.stderr).unwrap())
+}
+
+#[test]
+fn ida_arguments() {
+    let ida = |more: &[&str]| {
+        let common = ["ida", "tank.json", "--quake", "record.csv", "--out", "out"];
+        run(&[&common[..], more].concat())
+    };
+    for (arguments, parts) in [
+        (
+            &["--scale", "1.1..0", "--steps", "12"][..],
+            &["--scale", "reversed", "write 0..1.1"][..],
+        ),
+        (&["--scale", "0.5..0.5", "--steps", "3"], &["empty range"]),
+        (
+            &["--scale", "-0.1..1", "--steps", "3"],
+            &["found `-0.1`", "from 0 to 100"],
+        ),
+        (&["--scale", "0..NaN", "--steps", "3"], &["found `NaN`"]),
+        (&["--scale", "0..1", "--steps", "1"], &["--steps", "from 2 to 1000"]),
+        (&["--scale", "0..1", "--steps", "-3"], &["--steps: found `-3`"]),
+        (&["--scale", "0..1"], &["--steps is missing"]),
+        (&["--scale", "0..1", "--steps", "3", "--jobs", "0"], &["--jobs"]),
+        (
+            &["--scale", "0..1", "--steps", "3", "--resume"],
+            &["--resume", "no folder `out`"],
+        ),
+        (&[], &["--scale"]),
+    ] {
+        let (code, text) = ida(arguments);
+        assert_eq!(code, Some(2), "{text}");
+        has(&text, parts);
+    }
+    let (code, text) = run(&["ida", "none.json", "--quake", "record.csv", "--scale", "0.5"]);
+    assert_eq!(code, Some(2));
+    has(&text, &["none.json", "no such file"]);
+}
