@@ -57,8 +57,11 @@ impl JsonSchema for Behaviour {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Rule(pub ThicknessRule);
 
-/// Names of the rules with the fewest and the most points they have.
-const RULES: [(&str, fn(u32) -> ThicknessRule, u32, u32); 5] = [
+/// Name of a rule, the rule, and the fewest and the most points it has.
+type Known = (&'static str, fn(u32) -> ThicknessRule, u32, u32);
+
+/// The rules.
+const RULES: [Known; 5] = [
     ("gauss", ThicknessRule::Gauss, 2, 64),
     ("lobatto", ThicknessRule::Lobatto, 3, 64),
     ("midpoint", ThicknessRule::MidPoint, 2, 200),
