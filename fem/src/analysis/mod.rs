@@ -18,9 +18,11 @@
 //! | [`modal`] | modal superposition with missing mass |
 //! | [`spectrum`] | response-spectrum method: SRSS, CQC, missing mass, components |
 //! | [`frequency`] | frequency domain |
+//! | [`ida`] | one model under one record at rising scales |
 
 pub mod damping;
 pub mod frequency;
+pub mod ida;
 pub mod modal;
 pub mod motion;
 pub mod newton;

@@ -19,8 +19,10 @@ pub use potential8::Potential8;
 pub use wet_face::WetFace;
 
 pub mod beam2;
+pub mod beam_section;
 pub mod contact8;
 mod contact8_area;
+pub mod fibre_beam;
 mod fluid;
 mod fluid4;
 mod fluid8;

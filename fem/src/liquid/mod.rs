@@ -2,13 +2,15 @@
 //!
 //! [`Potential`]: the meridional section of a cylinder, one Fourier harmonic at a time, or the plane of a strip, condensed
 //! to the wall's trace and the free surface. [`HarmonicLiquid`] gathers the harmonics into the added mass of a wall of
-//! spatial elements; [`WallPencil`] and [`WallSolver`] join it to an assembled wall.
+//! spatial elements; [`WallPencil`] and [`WallSolver`] join it to an assembled wall. [`strip`]: a rectangular tank in plane,
+//! in closed form.
 
 mod condensed;
 mod domain;
 mod harmonic;
 mod mesh;
 mod potential;
+pub mod strip;
 mod wall;
 
 pub use condensed::Condensed;

@@ -1,18 +1,8 @@
 //! Strip 8.4 of the dissertation, linear: a cantilever wall with the liquid condensed onto it in closed form.
 //!
-//! Half of a tank of width 2 L with liquid to the height H, antisymmetric motion; wall at x = L as a beam of plane strain
-//! with Hermite elements; unknowns are its free deflections and rotations and the amplitudes q_n of N sloshing modes:
-//!
-//! ```text
-//! M = ⎡ M_s + M_a + Sᵀ c S   Sᵀ c ⎤     K = ⎡ K_s   0   ⎤     c_n = k/ω_n²     k = ρ g L/2
-//!     ⎣ c S                  c    ⎦         ⎣ 0    k 1 ⎦
-//!
-//! ω_n² = g k_n tanh k_n H     k_n = (2n−1) π/(2L)     S_n(u) = (2/L) sin(k_n L) ∫₀ᴴ u cosh(k_n z)/cosh(k_n H) dz
-//! M_a: ρ Σ_j tanh(l_j L)/l_j (2/H) [∫₀ᴴ u cos(l_j z) dz]²     l_j = (2j−1) π/(2H)
-//! ```
-//!
-//! M_a is the added mass with p = 0 at the surface, q_n the elevation of sloshing mode n relative to what the wall pushes
-//! up: q̈_n + ω_n² q_n = −S_n(ü). The liquid is one function of the wall's deflection, without a mesh.
+//! Half of a tank of width 2 L with liquid to the height H, antisymmetric motion ([`crate::liquid::strip`]); wall at x = L
+//! as a beam of plane strain with Hermite elements; unknowns are its free deflections and rotations and the amplitudes q_n
+//! of N sloshing modes. The liquid is one function of the wall's deflection, without a mesh.
 
 use std::sync::Arc;
 
@@ -30,6 +20,7 @@ use crate::analysis::statics::Statics;
 use crate::analysis::system::System;
 use crate::analysis::transient::{Load, Settings, Transient, integrate};
 use crate::linalg::{Eigen, Kind, Matrix, Ordering, Pattern, Symbolic, Symmetric, dot, generalized_eigen};
+use crate::liquid::strip::StripLiquid;
 use crate::progress::Silent;
 use crate::verify::{Reference, Row};
 
@@ -55,27 +46,9 @@ const YOUNG: f64 = 34e9;
 const POISSON: f64 = 0.2;
 const WALL_DENSITY: f64 = 2950.0;
 const LIQUID_DENSITY: f64 = 1019.4;
-/// Terms of the added mass: the series converges with j⁻³ and faster.
-const TERMS: usize = 60;
 
-/// Gauss points and weights on −1 … 1.
-const GAUSS: [(f64, f64); 5] = [
-    (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
-    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.0, 0.568_888_888_888_888_9),
-    (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.906_179_845_938_664, 0.236_926_885_056_189_1),
-];
-
-/// Hermite's cubics at s in 0 … 1 on an element of length l.
-fn hermite(s: f64, l: f64) -> [f64; 4] {
-    let (s2, s3) = (s * s, s * s * s);
-    [
-        1.0 - 3.0 * s2 + 2.0 * s3,
-        l * (s - 2.0 * s2 + s3),
-        3.0 * s2 - 2.0 * s3,
-        l * (s3 - s2),
-    ]
+fn liquid() -> StripLiquid {
+    StripLiquid::new(HALF_WIDTH, DEPTH, LIQUID_DENSITY)
 }
 
 impl Strip {
@@ -89,61 +62,20 @@ impl Strip {
         let all = wall + sloshing;
         let (mut m, mut k) = (Matrix::zeros(all, all), Matrix::zeros(all, all));
         let bending = YOUNG / (1.0 - POISSON * POISSON) * THICKNESS.powi(3) / 12.0;
-        // ∫ N(z) f(z) dz over the wet height, for the functions f of the liquid.
-        let wave = |n: usize| (2 * n + 1) as f64 * std::f64::consts::FRAC_PI_2 / HALF_WIDTH;
-        let depth_wave = |j: usize| (2 * j + 1) as f64 * std::f64::consts::FRAC_PI_2 / DEPTH;
-        let mut sloshing_rows = vec![vec![0.0; wall]; sloshing];
-        let mut mass_rows = vec![vec![0.0; wall]; TERMS];
+        let density = WALL_DENSITY * THICKNESS;
         for e in 0..z.len() - 1 {
             let l = z[e + 1] - z[e];
-            let first = 2 * e;
-            for (i, row) in beam_stiffness(l).iter().enumerate() {
-                for (j, v) in row.iter().enumerate() {
-                    k.add(first + i, first + j, bending * v);
-                }
-            }
-            // Panels short against the shortest wave of the liquid.
-            let panels = 8;
-            for p in 0..panels {
-                for (x, weight) in GAUSS {
-                    let s = (p as f64 + 0.5 * (x + 1.0)) / panels as f64;
-                    let (at, w) = (z[e] + s * l, 0.5 * weight * l / panels as f64);
-                    let shape = hermite(s, l);
-                    for i in 0..4 {
-                        for j in 0..4 {
-                            m.add(first + i, first + j, WALL_DENSITY * THICKNESS * w * shape[i] * shape[j]);
-                        }
-                    }
-                    if e >= wet {
-                        continue;
-                    }
-                    for (n, row) in sloshing_rows.iter_mut().enumerate() {
-                        let kn = wave(n);
-                        let f = 2.0 / HALF_WIDTH * (kn * HALF_WIDTH).sin() * (kn * at).cosh() / (kn * DEPTH).cosh();
-                        (0..4).for_each(|i| row[first + i] += w * f * shape[i]);
-                    }
-                    for (j, row) in mass_rows.iter_mut().enumerate() {
-                        let f = (depth_wave(j) * at).cos();
-                        (0..4).for_each(|i| row[first + i] += w * f * shape[i]);
-                    }
+            let (stiffness, inertia) = (beam_stiffness(l), beam_mass(l));
+            for i in 0..4 {
+                for j in 0..4 {
+                    k.add(2 * e + i, 2 * e + j, bending * stiffness[i][j]);
+                    m.add(2 * e + i, 2 * e + j, density * inertia[i][j]);
                 }
             }
         }
-        for (j, row) in mass_rows.iter().enumerate() {
-            let lj = depth_wave(j);
-            let factor = LIQUID_DENSITY * (lj * HALF_WIDTH).tanh() / lj * 2.0 / DEPTH;
-            rank_one(&mut m, factor, row);
-        }
-        let spring = LIQUID_DENSITY * STANDARD_GRAVITY * HALF_WIDTH / 2.0;
-        for (n, row) in sloshing_rows.iter().enumerate() {
-            let c = spring / (STANDARD_GRAVITY * wave(n) * (wave(n) * DEPTH).tanh());
-            rank_one(&mut m, c, row);
-            for (i, s) in row.iter().enumerate() {
-                m.add(i, wall + n, c * s);
-                m.add(wall + n, i, c * s);
-            }
-            m.add(wall + n, wall + n, c);
-            k.add(wall + n, wall + n, spring);
+        let liquid = liquid().on_wall(&z, sloshing);
+        for (sum, part) in [(&mut m, &liquid.mass), (&mut k, &liquid.stiffness)] {
+            sum.data.iter_mut().zip(&part.data).for_each(|(a, b)| *a += b);
         }
         // A unit translation moves the clamped base as well.
         let translation: Vec<f64> = (0..all).map(|i| f64::from(i < wall && i % 2 == 0)).collect();
@@ -181,8 +113,11 @@ impl Strip {
             observable("deflection of the top of the wall", vec![(wall - 4, 1.0)]),
             observable(
                 "elevation of the surface at the wall",
-                (0..sloshing)
-                    .map(|n| (wall - 2 + n, (wave(n) * HALF_WIDTH).sin()))
+                liquid
+                    .elevation
+                    .iter()
+                    .enumerate()
+                    .map(|(n, e)| (wall - 2 + n, *e))
                     .collect(),
             ),
         ];
@@ -194,33 +129,6 @@ impl Strip {
             sloshing,
             symbolic: Arc::new(symbolic),
         })
-    }
-
-    /// Mass that a unit translation of wall and ground sets in motion, without the wall: ιᵀ (M_a + Sᵀ c S) ι [kg/m].
-    pub fn liquid_mass(sloshing: usize) -> f64 {
-        let integral = |f: &dyn Fn(f64) -> f64| -> f64 {
-            let panels = 200;
-            (0..panels)
-                .flat_map(|p| GAUSS.map(|(x, w)| (p, x, w)))
-                .map(|(p, x, w)| {
-                    let at = DEPTH * (p as f64 + 0.5 * (x + 1.0)) / panels as f64;
-                    0.5 * w * DEPTH / panels as f64 * f(at)
-                })
-                .sum()
-        };
-        let mut sum = 0.0;
-        for j in 0..400 {
-            let l = (2 * j + 1) as f64 * std::f64::consts::FRAC_PI_2 / DEPTH;
-            let own = (l * DEPTH).sin() / l;
-            sum += LIQUID_DENSITY * (l * HALF_WIDTH).tanh() / l * 2.0 / DEPTH * own * own;
-        }
-        for n in 0..sloshing {
-            let k = (2 * n + 1) as f64 * std::f64::consts::FRAC_PI_2 / HALF_WIDTH;
-            let c = LIQUID_DENSITY * HALF_WIDTH / (2.0 * k * (k * DEPTH).tanh());
-            let s = 2.0 / HALF_WIDTH * (k * HALF_WIDTH).sin() * integral(&|z| (k * z).cosh() / (k * DEPTH).cosh());
-            sum += c * s * s;
-        }
-        sum
     }
 
     /// Ratios: sloshing modes 0.5 %, wall modes 2 %.
@@ -293,13 +201,12 @@ fn beam_stiffness(l: f64) -> [[f64; 4]; 4] {
     [[a, b, -a, b], [b, c, -b, d], [-a, -b, a, -b], [b, d, -b, c]]
 }
 
-/// A ← A + factor v vᵀ in the first rows and columns.
-fn rank_one(a: &mut Matrix, factor: f64, v: &[f64]) {
-    for (j, y) in v.iter().enumerate() {
-        for (i, x) in v.iter().enumerate() {
-            a.add(i, j, factor * x * y);
-        }
-    }
+/// Consistent mass of a beam element with unit mass per length.
+fn beam_mass(l: f64) -> [[f64; 4]; 4] {
+    let f = l / 420.0;
+    let (a, b, c, d) = (156.0 * f, 22.0 * l * f, 54.0 * f, 13.0 * l * f);
+    let (e, h) = (4.0 * l * l * f, 3.0 * l * l * f);
+    [[a, b, c, -d], [b, e, d, -h], [c, d, a, -b], [-d, -h, -b, e]]
 }
 
 /// Broad-band ground motion without a name: 60 sines from 0.2 to 20 Hz with phases of the golden ratio under a hump, 0.1 g
@@ -349,7 +256,7 @@ pub fn strip() -> Result<Vec<Row>, AnalysisError> {
         LIQUID_DENSITY * HALF_WIDTH * DEPTH,
         "ρ L H",
         Reference::ClosedForm,
-        Strip::liquid_mass(12),
+        liquid().translated_mass(12),
         1e-3,
         "kg/m",
     ));
