@@ -21,7 +21,9 @@ pub mod bar;
 mod check;
 pub mod drucker_prager;
 pub mod elastic;
+pub mod grades;
 mod modes;
+pub mod plastic_fracturing;
 pub mod von_mises;
 
 use std::fmt::Debug;

@@ -9,3 +9,9 @@ use crate::assert_rows;
 fn steel() {
     assert_rows(&fem::verify::materials::steel().unwrap());
 }
+
+#[test]
+fn concrete_in_compression() {
+    assert_rows(&fem::verify::materials::drucker_prager().unwrap());
+    assert_rows(&fem::verify::materials::plastic_fracturing().unwrap());
+}

@@ -4,6 +4,7 @@ use materials::Law;
 use materials::bar::{Bar, Rupture};
 use materials::drucker_prager::DruckerPrager;
 use materials::elastic::Elastic;
+use materials::plastic_fracturing::{Parameters, PlasticFracturing};
 use materials::von_mises::VonMises;
 
 /// A law and the size of strains that make it work.
@@ -47,6 +48,19 @@ fn cone(hardening: f64) -> DruckerPrager {
         .unwrap()
 }
 
+fn plastic_fracturing() -> PlasticFracturing {
+    PlasticFracturing::new(&Parameters {
+        young_modulus: 34e9,
+        poisson_ratio: 0.2,
+        strength: 35e6,
+        biaxial: 1.16 * 35e6,
+        peak_strain: 2.2e-3,
+        crushing_energy: 25e3,
+        length: 0.1,
+    })
+    .unwrap()
+}
+
 fn bar() -> Bar {
     Bar::new(210e9, 500e6, 2.1e9).unwrap()
 }
@@ -78,6 +92,7 @@ pub fn plane() -> Vec<Case<3>> {
         case("von Mises, low-cycle", low_cycle_steel(), 0.01, 355e6),
         case("Drucker-Prager, ideal", cone(0.0), 0.003, 35e6),
         case("Drucker-Prager, kinematic", cone(3e9), 0.003, 35e6),
+        case("plastic-fracturing", plastic_fracturing(), 0.004, 35e6),
     ]
 }
 

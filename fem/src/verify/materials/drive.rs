@@ -30,11 +30,18 @@ impl<'a, const N: usize> Point<'a, N> {
         }
     }
 
+    /// Answers at `strain` without committing.
+    ///
+    /// Errors: no stress found.
+    pub fn answer(&mut self, strain: [f64; N]) -> Result<Response<N>, LawError> {
+        self.law.respond(&strain, &self.committed, &mut self.trial)
+    }
+
     /// Steps to `strain` and commits.
     ///
     /// Errors: no stress found.
     pub fn step(&mut self, strain: [f64; N]) -> Result<Response<N>, LawError> {
-        let response = self.law.respond(&strain, &self.committed, &mut self.trial)?;
+        let response = self.answer(strain)?;
         self.committed.copy_from_slice(&self.trial);
         self.strain = strain;
         self.dissipated += response.dissipation;
@@ -49,7 +56,7 @@ impl<'a, const N: usize> Point<'a, N> {
         let mut strain = self.strain;
         strain[0] = axial;
         for _ in 0..100 {
-            let response = self.law.respond(&strain, &self.committed, &mut self.trial)?;
+            let response = self.answer(strain)?;
             if response.stress[1..].iter().all(|s| s.abs() <= 1e-10 * strength) {
                 return self.step(strain);
             }

@@ -2,9 +2,11 @@
 //!
 //! No mesh: a strain path, its stresses, the energy dissipated.
 
+mod compression;
 mod drive;
 mod steel;
 
+pub use compression::{drucker_prager, plastic_fracturing};
 pub use steel::steel;
 
 use super::{Row, VerifyError};
@@ -13,5 +15,6 @@ use super::{Row, VerifyError};
 ///
 /// Errors: a law without an answer.
 pub fn materials() -> Result<Vec<Row>, VerifyError> {
-    steel()
+    let parts = [steel()?, drucker_prager()?, plastic_fracturing()?];
+    Ok(parts.into_iter().flatten().collect())
 }
