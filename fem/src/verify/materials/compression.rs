@@ -122,7 +122,7 @@ pub fn plastic_fracturing() -> Result<Vec<Row>, VerifyError> {
         }
         // Unloading is straight: two points of it give the strain at no stress.
         let part = point.step_uniaxial(-0.9 * x * peak, F_C)?.stress[0];
-        let left = -0.9 * x * peak + part * 0.1 * x * peak / (part - stress);
+        let left = -0.9 * x * peak + part * 0.1 * x * peak / (stress - part);
         let end = point.step_uniaxial(left, F_C)?.stress[0];
         let envelope = if x <= 1.0 {
             let k = 1.05 * E * peak / F_C;
