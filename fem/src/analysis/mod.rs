@@ -9,7 +9,9 @@
 //! |---|---|
 //! | [`system`] | matrices and influence vectors of a model |
 //! | [`statics`] | linear static analysis, reactions at supports |
+//! | [`contact`] | statics with joints that open: active sets, augmented Lagrangian |
 //! | [`damping`] | Rayleigh, by group, modal, dashpots |
+//! | [`moreau`] | time steps with one-sided joints, their force at the end of the step |
 //! | [`motion`] | time steps, and ground motion or the time function of a force on them |
 //! | [`observe`] | histories of scalars, extremes of everything else; [`observable`] says of what |
 //! | [`scheme`] | generalised-α and its special cases: Newmark, Hilber-Hughes-Taylor, trapezoidal rule |
@@ -20,10 +22,12 @@
 //! | [`frequency`] | frequency domain |
 //! | [`ida`] | one model under one record at rising scales |
 
+pub mod contact;
 pub mod damping;
 pub mod frequency;
 pub mod ida;
 pub mod modal;
+pub mod moreau;
 pub mod motion;
 pub mod newton;
 pub mod observable;

@@ -16,6 +16,12 @@
 //! **Area.** dA comes from the chart of the face: r dθ dz on a cylinder, not the area of the flat facet, so that nodal areas
 //! are those of the liquid behind it.
 //!
+//! **Initial gap.** g_a += g_0,a where the faces do not touch in the reference state.
+//!
+//! **Augmented Lagrangian.** With a multiplier λ_a (pressure, ≥ 0 where the joint may open) as history at each corner, the
+//! gap in all formulas is g_a − λ_a/k_n, and after a solution λ_a ← max(0, λ_a − k_n g_a) (Uzawa): the penetration goes to
+//! zero with the penalty as it is. [`crate::analysis::contact`] runs the passes.
+//!
 //! **Partly closed faces** are cut at g = 0 (`contact8_area`). The moving boundary adds nothing to the tangent, as
 //! the integrand vanishes there. The normals are those of the reference state (small rotations of the face).
 //!
@@ -46,6 +52,8 @@ pub struct ContactLaw {
     pub opening: Opening,
     /// How partly closed faces are integrated.
     pub integration: Integration,
+    /// Whether each corner keeps a multiplier, four history variables.
+    pub augmented: bool,
 }
 
 /// What an open joint does.
@@ -68,6 +76,7 @@ impl ContactLaw {
             tangential_stiffness: 0.0,
             opening: Opening::Bonded,
             integration: Integration::Clipped,
+            augmented: false,
         }
     }
 
@@ -83,6 +92,14 @@ impl ContactLaw {
     pub fn with_tangential(self, tangential_stiffness: f64) -> ContactLaw {
         ContactLaw {
             tangential_stiffness,
+            ..self
+        }
+    }
+
+    /// The same with multipliers.
+    pub fn augmented(self) -> ContactLaw {
+        ContactLaw {
+            augmented: true,
             ..self
         }
     }
@@ -119,6 +136,8 @@ pub struct Contact8 {
     corners: [[f64; 3]; 4],
     normals: [Vector3<f64>; 4],
     law: ContactLaw,
+    /// Gaps in the reference state [m].
+    initial: [f64; 4],
 }
 
 impl Contact8 {
@@ -159,6 +178,7 @@ impl Contact8 {
             corners: face.chart,
             normals: normals.map(Vector3::from),
             law,
+            initial: [0.0; 4],
         };
         let mut least = f64::INFINITY;
         Gap::whole(|r, s, _| least = least.min(element.area_factor(r, s)));
@@ -172,6 +192,22 @@ impl Contact8 {
         Ok(element)
     }
 
+    /// The same with gaps at the corners in the reference state [m], positive where open.
+    ///
+    /// Errors: a gap that is not finite.
+    pub fn with_initial_gaps(mut self, gaps: [f64; 4]) -> Result<Contact8, ElementError> {
+        if gaps.iter().any(|g| !g.is_finite()) {
+            return Err(ElementError::Parameter {
+                kind: KIND,
+                parameter: "initial gap",
+                found: format!("{gaps:?}"),
+                allowed: "finite",
+            });
+        }
+        self.initial = gaps;
+        Ok(self)
+    }
+
     /// Area of the face [m²].
     pub fn area(&self) -> f64 {
         let mut sum = 0.0;
@@ -182,10 +218,20 @@ impl Contact8 {
     /// Gap at the four corners [m] for the values of the element's dofs; negative where pressed.
     pub fn gaps(&self, values: &[f64]) -> [f64; 4] {
         std::array::from_fn(|a| {
-            (0..3)
+            let moved: f64 = (0..3)
                 .map(|i| self.normals[a][i] * (values[3 * a + i] - values[12 + 3 * a + i]))
-                .sum()
+                .sum();
+            moved + self.initial[a]
         })
+    }
+
+    /// g_a − λ_a/k_n.
+    fn shifted_gaps(&self, values: &[f64], history: &[f64]) -> [f64; 4] {
+        let mut gaps = self.gaps(values);
+        for (g, lambda) in gaps.iter_mut().zip(history) {
+            *g -= lambda / self.law.normal_stiffness;
+        }
+        gaps
     }
 
     /// Chart coordinates at (r, s).
@@ -278,16 +324,21 @@ impl Element for Contact8 {
         false
     }
 
+    fn history_len(&self) -> usize {
+        if self.law.augmented { 4 } else { 0 }
+    }
+
     /// At rest (all gaps zero) the tangent of a unilateral joint is that of the bonded one: the reference state is closed.
     fn respond(
         &self,
         motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
+        old: &[f64],
+        new: &mut [f64],
         want: Want,
         out: &mut Response,
     ) -> Result<(), ElementError> {
-        let gaps = self.gaps(motion.values);
+        new.copy_from_slice(old);
+        let gaps = self.shifted_gaps(motion.values, old);
         let normal = if gaps == [0.0; 4] {
             self.whole().map(|row| row.map(|x| self.law.normal_stiffness * x))
         } else {
@@ -357,6 +408,30 @@ impl Element for Contact8 {
             }
         });
         samples
+    }
+
+    /// Corners of a joint that may open: closed or open.
+    fn switches(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(bool)) {
+        if self.law.opening != Opening::Bonded {
+            let gaps = self.shifted_gaps(motion.values, history);
+            gaps.iter().for_each(|&g| see(g <= 0.0));
+        }
+    }
+
+    fn augment(&self, motion: Motion<'_>, history: &mut [f64]) {
+        let gaps = self.gaps(motion.values);
+        for (lambda, g) in history.iter_mut().zip(gaps) {
+            let next = *lambda - self.law.normal_stiffness * g;
+            *lambda = match self.law.opening {
+                Opening::Bonded => next,
+                Opening::Unilateral { .. } => next.max(0.0),
+            };
+        }
+    }
+
+    /// Largest penetration at the corners [m], ≥ 0.
+    fn penetration(&self, motion: Motion<'_>) -> Option<f64> {
+        Some(self.gaps(motion.values).iter().fold(0.0, |m, g| m.max(-g)))
     }
 }
 

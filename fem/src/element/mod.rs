@@ -27,6 +27,7 @@ mod fluid;
 mod fluid4;
 mod fluid8;
 mod free_surface;
+pub mod interlayer;
 mod local;
 mod potential8;
 mod potential_face;
@@ -37,6 +38,7 @@ pub mod solid8;
 pub mod solid8_law;
 pub mod spring;
 pub mod super_element;
+pub mod wall;
 mod wet_face;
 
 /// What the nodes of an element do.
@@ -266,6 +268,23 @@ pub trait Element: Send + Sync {
     /// Errors: those of [`Element::respond`].
     fn sections(&self, _motion: Motion<'_>, _history: &[f64]) -> Result<Vec<SectionState>, ElementError> {
         Ok(Vec::new())
+    }
+
+    /// Whether the element is stable only between shells or beams ([`interlayer::check`]).
+    fn only_between_shells(&self) -> bool {
+        false
+    }
+
+    /// Shows every yes or no of the element at `motion`, in a fixed order: joint closed, layer pressed. A solution counts only
+    /// when these repeat from one iteration to the next.
+    fn switches(&self, _motion: Motion<'_>, _history: &[f64], _see: &mut dyn FnMut(bool)) {}
+
+    /// Moves what is left of a penalty's violation at `motion` into `history` (augmented Lagrangian).
+    fn augment(&self, _motion: Motion<'_>, _history: &mut [f64]) {}
+
+    /// Largest penetration of a penalty at `motion` [m]; elements without contact have none.
+    fn penetration(&self, _motion: Motion<'_>) -> Option<f64> {
+        None
     }
 }
 

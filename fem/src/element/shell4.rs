@@ -224,6 +224,16 @@ impl Shell4 {
         self.points.iter().map(|p| p.area).sum()
     }
 
+    /// Corners of the reference surface [m].
+    pub fn corners(&self) -> &[Vector3<f64>; 4] {
+        &self.x
+    }
+
+    /// Initial unit directors at the corners.
+    pub fn directors(&self) -> &[Vector3<f64>; 4] {
+        &self.directors
+    }
+
     /// The Gauss points, counter-clockwise as the corners.
     pub fn points(&self) -> &[Point; 4] {
         &self.points

@@ -23,10 +23,11 @@
 //! Source: dissertation, section 6.3.1 and (6.10)-(6.30), its factors ½ in (6.21) and the current metric in (6.25)
 //! corrected (docs/theory/solid-and-contact.md).
 
+use materials::PointState;
 use nalgebra::{Matrix3, Vector3};
 
-use super::solid8_law::{Law, Moduli};
-use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use super::solid8_law::{Law, Moduli, Tension, dyad};
+use super::{Element, ElementError, Inspection, LocalMatrix, Motion, Response, Sample, Want};
 use crate::dofs::Dof;
 use crate::shape::hex8::CORNERS;
 
@@ -89,10 +90,35 @@ impl Elastic {
     /// Stiff along the layer's normal only: modulus [Pa], density ρ₀ [kg/m³].
     pub fn normal_only(e_normal: f64, density: f64) -> Elastic {
         Elastic {
-            law: Law::NormalOnly { e_normal },
+            law: Law::NormalOnly {
+                e_normal,
+                tension: Tension::Full,
+            },
             density,
             damping_mass: 0.0,
             damping_stiffness: 0.0,
+        }
+    }
+
+    /// The same without tension ([`Tension::NONE`]).
+    pub fn pressed_only(e_normal: f64, density: f64) -> Elastic {
+        Elastic {
+            law: Law::NormalOnly {
+                e_normal,
+                tension: Tension::NONE,
+            },
+            ..Elastic::normal_only(e_normal, density)
+        }
+    }
+
+    /// Bonded layer, stiff along its normal and in shear across it: moduli [Pa], density ρ₀ [kg/m³].
+    pub fn core(e_normal: f64, shear_modulus: f64, density: f64) -> Elastic {
+        Elastic {
+            law: Law::Core {
+                e_normal,
+                shear_modulus,
+            },
+            ..Elastic::normal_only(e_normal, density)
         }
     }
 
@@ -275,6 +301,26 @@ impl Solid8 {
         }
     }
 
+    /// F and the strain in Voigt's order at a point.
+    fn strain(&self, point: &Point, values: &[f64]) -> (Matrix3<f64>, [f64; 6]) {
+        let h = displacement_gradient(point, values);
+        match self.kinematics {
+            Kinematics::GreenLagrange => {
+                let e = 0.5 * (h + h.transpose() + h.transpose() * h);
+                (Matrix3::identity() + h, voigt(&e))
+            }
+            Kinematics::Linear => (Matrix3::identity(), voigt(&(0.5 * (h + h.transpose())))),
+        }
+    }
+
+    /// Strain along the layer's normal at the 2 × 2 × 2 points; positive where the layer is stretched.
+    pub fn normal_strains(&self, values: &[f64]) -> [f64; 8] {
+        self.points().map(|point| {
+            let (_, strain) = self.strain(&point, values);
+            dyad(&point.normal).iter().zip(strain).map(|(p, e)| p * e).sum()
+        })
+    }
+
     /// Stiffness at rest.
     fn rest_stiffness(&self, out: &mut LocalMatrix) {
         match self.material.law.lame() {
@@ -434,7 +480,7 @@ impl Element for Solid8 {
     ) -> Result<(), ElementError> {
         let nonlinear = self.kinematics == Kinematics::GreenLagrange;
         let at_rest = motion.values.iter().all(|&v| v == 0.0);
-        let quick = at_rest || !nonlinear;
+        let quick = at_rest || (!nonlinear && self.material.law.is_linear());
         if want.tangent && quick {
             self.rest_stiffness(&mut out.tangent);
         }
@@ -442,13 +488,8 @@ impl Element for Solid8 {
             return Ok(());
         }
         for point in &self.points() {
-            let h = displacement_gradient(point, motion.values);
-            let (f, strain) = if nonlinear {
-                (Matrix3::identity() + h, 0.5 * (h + h.transpose() + h.transpose() * h))
-            } else {
-                (Matrix3::identity(), 0.5 * (h + h.transpose()))
-            };
-            let (stress, moduli) = self.material.law.stress(&voigt(&strain), &point.normal);
+            let (f, strain) = self.strain(point, motion.values);
+            let (stress, moduli) = self.material.law.stress(&strain, &point.normal);
             if want.force {
                 let first_piola = f * tensor(&stress) * point.volume;
                 for (force, g) in out.force.as_chunks_mut::<3>().0.iter_mut().zip(&point.gradients) {
@@ -459,6 +500,8 @@ impl Element for Solid8 {
                 }
             }
             if want.tangent && !quick {
+                // Small displacements have no geometric stiffness.
+                let stress = if nonlinear { stress } else { [0.0; 6] };
                 match self.material.law.lame() {
                     Some(constants) => add_isotropic_stiffness(point, &f, constants, &stress, &mut out.tangent),
                     None => add_stiffness(point, &f, &moduli, &stress, &mut out.tangent),
@@ -466,6 +509,24 @@ impl Element for Solid8 {
             }
         }
         Ok(())
+    }
+
+    /// Stresses of the linear solution times products of gradients.
+    fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<bool, ElementError> {
+        for point in &self.points() {
+            let h = displacement_gradient(point, values);
+            let strain = voigt(&(0.5 * (h + h.transpose())));
+            let (stress, _) = self.material.law.stress(&strain, &point.normal);
+            let s = tensor(&stress);
+            for b in 0..8 {
+                let sg = s * Vector3::from(point.gradients[b]) * point.volume;
+                for a in 0..8 {
+                    let value = Vector3::from(point.gradients[a]).dot(&sg);
+                    (0..3).for_each(|i| out.add(3 * a + i, 3 * b + i, value));
+                }
+            }
+        }
+        Ok(true)
     }
 
     fn damping(&self, out: &mut LocalMatrix) -> bool {
@@ -507,11 +568,12 @@ impl Element for Solid8 {
         for (q, point) in self.points().iter().enumerate() {
             let position = std::array::from_fn(|k| (0..8).map(|a| VALUES[q][a] * self.coordinates[a][k]).sum());
             let columns = point.gradients.map(|g| strain_rows(&Matrix3::identity(), &g));
+            let (_, moduli) = self.material.law.stress(&[0.0; 6], &point.normal);
             // Stress of a unit displacement, column after column.
             let stresses: Vec<[f64; 6]> = columns
                 .as_flattened()
                 .iter()
-                .map(|strain| self.material.law.stress(strain, &point.normal).0)
+                .map(|strain| moduli.map(|row| row.iter().zip(strain).map(|(d, e)| d * e).sum()))
                 .collect();
             let mut push = |name, row: Vec<f64>| {
                 samples.push(Sample {
@@ -522,7 +584,7 @@ impl Element for Solid8 {
                 });
             };
             match self.material.law {
-                Law::NormalOnly { .. } => {
+                Law::NormalOnly { .. } | Law::Core { .. } => {
                     let n = point.normal;
                     push("stress_nn", stresses.iter().map(|s| n.dot(&(tensor(s) * n))).collect());
                 }
@@ -534,6 +596,45 @@ impl Element for Solid8 {
             }
         }
         samples
+    }
+
+    fn only_between_shells(&self) -> bool {
+        self.material.law.only_between_shells()
+    }
+
+    /// The points of a layer without tension: pressed or parted.
+    fn switches(&self, motion: Motion<'_>, _history: &[f64], see: &mut dyn FnMut(bool)) {
+        if !self.material.law.is_linear() {
+            self.normal_strains(motion.values).iter().for_each(|&e| see(e <= 0.0));
+        }
+    }
+
+    /// Strain and stress along the layer's normal at the 2 × 2 × 2 points, for layers only.
+    fn inspect(&self, motion: Motion<'_>, _history: &[f64], see: &mut dyn FnMut(&Inspection)) {
+        if !self.material.law.only_between_shells() {
+            return;
+        }
+        for (q, point) in self.points().iter().enumerate() {
+            let (_, strain) = self.strain(point, motion.values);
+            let p = dyad(&point.normal);
+            let (stress, _) = self.material.law.stress(&strain, &point.normal);
+            let along = point.normal.dot(&(tensor(&stress) * point.normal));
+            let wish = if point.normal.x.abs() < 0.7 {
+                Vector3::x()
+            } else {
+                Vector3::y()
+            };
+            see(&Inspection {
+                point: q,
+                layer: 0,
+                position: std::array::from_fn(|k| (0..8).map(|a| VALUES[q][a] * self.coordinates[a][k]).sum()),
+                depth: 0.0,
+                axes: [point.normal, point.normal.cross(&wish).normalize()],
+                strain: [p.iter().zip(strain).map(|(p, e)| p * e).sum(), 0.0, 0.0],
+                stress: [along, 0.0, 0.0],
+                state: PointState::default(),
+            });
+        }
     }
 }
 

@@ -45,7 +45,7 @@ pub enum MeshError {
 }
 
 /// Refuses fewer than `least` values, and values that do not ascend.
-fn check_ascending(what: &'static str, values: &[f64], least: usize) -> Result<(), MeshError> {
+pub(crate) fn check_ascending(what: &'static str, values: &[f64], least: usize) -> Result<(), MeshError> {
     if values.len() < least {
         return Err(MeshError::Range {
             what,

@@ -3,8 +3,11 @@
 //! | rows | model | reference |
 //! |---|---|---|
 //! | C1-C4 | cantilever of bricks, dissertation figure 6.5 | beam theory, and the locking ratio of the brick |
+//! | C5 | the same under large dead loads, bricks and shells | elastica, by shooting |
 //! | C6 | the same under a harmonic tip force, three dampings | series of the beam's modes |
 //! | C7 | joint partly closed, blocks pressed together | integrals by hand, uniform pressure |
+//! | C7 | joint that opens: stiff block beyond the kern, multipliers | equilibrium by hand |
+//! | C9 | wall element of shells and layer; sandwich beam | two beams on a layer; Plantema, Allen |
 //! | C9 | wall of two beams and a layer, dissertation figure 8.9 | two beams on an elastic layer |
 //! | C10 | the same wall alone under liquid pressure and its weight | cantilever |
 //!
@@ -20,7 +23,10 @@ use crate::model::Model;
 
 mod cantilever;
 mod column;
+mod elastica;
 mod joint;
+mod macro_wall;
+mod opening;
 mod wall;
 
 /// Failure of a model that should have an answer.
@@ -34,9 +40,12 @@ pub fn solid() -> Result<Vec<Row>, Failure> {
     rows.extend(cantilever::frequencies()?);
     rows.extend(cantilever::harmonic()?);
     rows.extend(joint::rows()?);
+    rows.extend(opening::rows()?);
     rows.extend(column::rows()?);
     rows.extend(wall::layered()?);
     rows.extend(wall::alone()?);
+    rows.extend(macro_wall::rows()?);
+    rows.extend(elastica::rows(&[100, 200])?);
     Ok(rows)
 }
 

@@ -29,23 +29,23 @@ use crate::progress::Silent;
 use crate::state::State;
 
 const PAGE: &str = "brick-cantilever";
-const LENGTH: f64 = 2.5;
-const DEPTH: f64 = 0.1;
-const MODULUS: f64 = 3.0e7;
+pub(super) const LENGTH: f64 = 2.5;
+pub(super) const DEPTH: f64 = 0.1;
+pub(super) const MODULUS: f64 = 3.0e7;
 const DENSITY: f64 = 2.5;
-const TRANSVERSE: f64 = 3.0;
-const AXIAL: f64 = 30.0;
+pub(super) const TRANSVERSE: f64 = 3.0;
+pub(super) const AXIAL: f64 = 30.0;
 /// Circular frequency of the harmonic force [rad/s].
 const FORCING: f64 = 31.42;
 
-struct Cantilever {
-    model: Model,
-    assembler: Assembler,
+pub(super) struct Cantilever {
+    pub(super) model: Model,
+    pub(super) assembler: Assembler,
     tip: [usize; 4],
 }
 
 impl Cantilever {
-    fn new(bricks: usize, kinematics: Kinematics, damping: Rayleigh) -> Result<Cantilever, Failure> {
+    pub(super) fn new(bricks: usize, kinematics: Kinematics, damping: Rayleigh) -> Result<Cantilever, Failure> {
         let mut builder = Builder::new();
         let h = 0.5 * DEPTH;
         let section = [[-h, -h], [h, -h], [h, h], [-h, h]];
@@ -82,7 +82,7 @@ impl Cantilever {
     }
 
     /// A force at the tip, a quarter at each node.
-    fn tip_load(&self, force: [f64; 3]) -> Vec<f64> {
+    pub(super) fn tip_load(&self, force: [f64; 3]) -> Vec<f64> {
         self.model.vector(|node| {
             let mut load = [0.0; crate::dofs::KINDS];
             if self.tip.contains(&node) {
@@ -93,7 +93,7 @@ impl Cantilever {
     }
 
     /// Mean displacement of the tip.
-    fn tip_motion(&self, u: &[f64]) -> [f64; 3] {
+    pub(super) fn tip_motion(&self, u: &[f64]) -> [f64; 3] {
         let mut mean = [0.0; 3];
         for node in self.tip {
             let at = self.model.at_node(u, node);
@@ -103,7 +103,7 @@ impl Cantilever {
     }
 }
 
-fn inertia() -> f64 {
+pub(super) fn inertia() -> f64 {
     DEPTH.powi(4) / 12.0
 }
 
@@ -187,7 +187,7 @@ pub(super) fn statics() -> Result<Vec<Row>, Failure> {
 }
 
 /// Factor L Lᵀ of a matrix in the pattern of a model.
-fn symbolic(assembler: &Assembler) -> Result<Arc<Symbolic>, Failure> {
+pub(super) fn symbolic(assembler: &Assembler) -> Result<Arc<Symbolic>, Failure> {
     Ok(Arc::new(Symbolic::new(
         assembler.pattern().clone(),
         &Ordering::MinimumDegree,

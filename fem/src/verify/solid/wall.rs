@@ -14,21 +14,22 @@ use super::{Failure, Reference, Row, row, solve};
 use crate::assembly::Assembler;
 use crate::dofs::{Dof, KINDS};
 use crate::element::beam2::{Beam2, BeamSection};
+use crate::element::interlayer;
 use crate::element::solid8::{Elastic, Kinematics, Solid8};
 use crate::mesh::grading;
 use crate::model::{Builder, Model};
 use crate::shape::{gauss, line};
 
 const PAGE: &str = "layered-wall";
-const HEIGHT: f64 = 3.0;
-const DEPTH: f64 = 2.57;
+pub(super) const HEIGHT: f64 = 3.0;
+pub(super) const DEPTH: f64 = 2.57;
 const GAMMA: f64 = 10.0;
-const LAYER: f64 = 0.05;
+pub(super) const LAYER: f64 = 0.05;
 /// Half of the tank's breadth.
 const HALF: f64 = 2.5;
 /// E, ν, thickness, weight.
-const CONCRETE: [f64; 4] = [3.4e7, 0.2, 0.3, 25.0];
-const LINER: [f64; 4] = [2.1e8, 0.3, 0.006, 78.5];
+pub(super) const CONCRETE: [f64; 4] = [3.4e7, 0.2, 0.3, 25.0];
+pub(super) const LINER: [f64; 4] = [2.1e8, 0.3, 0.006, 78.5];
 const GRAVITY: f64 = 9.81;
 
 /// Plane-strain E I of a strip of unit depth.
@@ -36,21 +37,34 @@ fn bending([e, nu, t, _]: [f64; 4]) -> f64 {
     e * t.powi(3) / 12.0 / (1.0 - nu * nu)
 }
 
+/// Whether beams and shells are flexible in shear.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shear {
+    /// Bernoulli.
+    Stiff,
+    /// Timoshenko, 5/6 G t.
+    Flexible,
+}
+
 /// Half of the strip as a beam; bends along e₂ (about e₃).
-fn half([e, nu, t, weight]: [f64; 4]) -> BeamSection {
+fn half([e, nu, t, weight]: [f64; 4], shear: Shear) -> BeamSection {
     let plane = 1.0 - nu * nu;
+    let shear_stiffness = match shear {
+        Shear::Stiff => f64::INFINITY,
+        Shear::Flexible => 0.5 * 5.0 / 6.0 * e * t / (2.0 * (1.0 + nu)),
+    };
     BeamSection {
         axial: 0.5 * e * t / plane,
         bending_2: 0.5 * e * t / plane / 12.0,
         bending_3: 0.5 * bending([e, nu, t, weight]),
         torsion: 0.0,
-        shear: [f64::INFINITY; 2],
+        shear: [shear_stiffness; 2],
         mass: 0.5 * weight / GRAVITY * t,
         polar_inertia: 0.0,
     }
 }
 
-fn pressure(z: f64) -> f64 {
+pub(super) fn pressure(z: f64) -> f64 {
     GAMMA * (DEPTH - z).max(0.0)
 }
 
@@ -66,7 +80,7 @@ struct Strip {
 
 impl Strip {
     /// `walls`: place and material of each, from the liquid outwards; `e_normal` of the layer between two.
-    fn new(walls: &[(f64, [f64; 4])], e_normal: f64, z: Vec<f64>) -> Result<Strip, Failure> {
+    fn new(walls: &[(f64, [f64; 4])], e_normal: f64, z: Vec<f64>, shear: Shear) -> Result<Strip, Failure> {
         let mut builder = Builder::new();
         let mut columns = Vec::new();
         for &(x, _) in walls {
@@ -93,7 +107,7 @@ impl Strip {
                 let nodes = [pair[0], pair[1]];
                 let ends = nodes.map(|n| builder.position(n));
                 // e₂ = x, e₃ = e₁ × e₂ = y: bending about y.
-                builder.element("wall", Beam2::new(nodes, ends, [1.0, 0.0, 0.0], half(material))?);
+                builder.element("wall", Beam2::new(nodes, ends, [1.0, 0.0, 0.0], half(material, shear))?);
                 beams += 1;
             }
         }
@@ -108,6 +122,7 @@ impl Strip {
             }
         }
         let model = builder.build()?;
+        interlayer::check(&model)?;
         let assembler = Assembler::new(&model);
         Ok(Strip {
             model,
@@ -159,7 +174,7 @@ impl Strip {
                 }
                 if weight {
                     let first = 0.5 * (self.z[1] - self.z[0]);
-                    sum[1] += first * half(CONCRETE).mass * GRAVITY;
+                    sum[1] += first * half(CONCRETE, Shear::Stiff).mass * GRAVITY;
                 }
             }
             sum
@@ -174,7 +189,7 @@ impl Strip {
 }
 
 /// Two beams with elastic layer: see the head of the file.
-struct TwoBeams {
+pub(super) struct TwoBeams {
     beta: f64,
     particular: f64,
     /// Coefficients below and above the liquid's surface, each with two functions that decay upwards from the piece's
@@ -183,7 +198,7 @@ struct TwoBeams {
 }
 
 impl TwoBeams {
-    fn new(e_normal: f64) -> Result<TwoBeams, Failure> {
+    pub(super) fn new(e_normal: f64) -> Result<TwoBeams, Failure> {
         let (ei_c, ei_l) = (bending(CONCRETE), bending(LINER));
         let four_beta4 = e_normal / LAYER * (1.0 / ei_c + 1.0 / ei_l);
         let mut found = TwoBeams {
@@ -234,7 +249,7 @@ impl TwoBeams {
     }
 
     /// k-th derivative of d at z ≤ the liquid's surface.
-    fn difference(&self, z: f64, k: usize) -> f64 {
+    pub(super) fn difference(&self, z: f64, k: usize) -> f64 {
         let homogeneous = self
             .basis(0, z, k)
             .dot(&self.coefficients.fixed_rows::<4>(0).into_owned());
@@ -247,7 +262,7 @@ impl TwoBeams {
     }
 
     /// Base moments of concrete and liner: both sum to γ H³/6, and d'' = M_l/E I_l − M_c/E I_c.
-    fn moments(&self) -> [f64; 2] {
+    pub(super) fn moments(&self) -> [f64; 2] {
         let (ei_c, ei_l) = (bending(CONCRETE), bending(LINER));
         let total = GAMMA * DEPTH.powi(3) / 6.0;
         let curvature = (total + ei_c * self.difference(0.0, 2)) / (ei_c + ei_l);
@@ -262,6 +277,16 @@ fn levels(count: usize) -> Result<Vec<f64>, Failure> {
     Ok(z)
 }
 
+/// Base moments of concrete and liner [kNm/m] and largest compression of the layer [m] by beams on `count` elements.
+pub(super) fn beams(e_normal: f64, count: usize, shear: Shear) -> Result<[f64; 3], Failure> {
+    let walls = [(0.0, LINER), (LAYER, CONCRETE)];
+    let strip = Strip::new(&walls, e_normal, levels(count)?, shear)?;
+    let (u, reactions) = strip.solve(false)?;
+    let gap = |level: usize| strip.deflection(&u, 0, level)[0] - strip.deflection(&u, 1, level)[0];
+    let pressed = (0..=count).map(gap).fold(0.0, f64::max);
+    Ok([-reactions[1][2], -reactions[0][2], pressed])
+}
+
 /// C9.
 pub(super) fn layered() -> Result<Vec<Row>, Failure> {
     let mut rows = Vec::new();
@@ -271,20 +296,9 @@ pub(super) fn layered() -> Result<Vec<Row>, Failure> {
         let mut found = Vec::new();
         let counts = [40, 80, 160];
         for count in counts {
-            let walls = [(0.0, LINER), (LAYER, CONCRETE)];
-            let strip = Strip::new(&walls, e_normal, levels(count)?)?;
-            let (u, reactions) = strip.solve(false)?;
-            let gap = |level: usize| strip.deflection(&u, 0, level)[0] - strip.deflection(&u, 1, level)[0];
-            let under_water: Vec<usize> = (0..=count).collect();
-            let pressed = under_water.iter().map(|&l| gap(l)).fold(0.0, f64::max);
-            let exact_pressed = under_water
-                .iter()
-                .map(|&l| exact.difference(strip.z[l], 0))
-                .fold(0.0, f64::max);
-            found.push((
-                [-reactions[1][2], -reactions[0][2], pressed],
-                [concrete, liner, exact_pressed],
-            ));
+            let z = levels(count)?;
+            let exact_pressed = z[..=count].iter().map(|&z| exact.difference(z, 0)).fold(0.0, f64::max);
+            found.push((beams(e_normal, count, Shear::Stiff)?, [concrete, liner, exact_pressed]));
         }
         let unit = ["kNm/m", "kNm/m", "m"];
         let names = [
@@ -316,7 +330,7 @@ pub(super) fn layered() -> Result<Vec<Row>, Failure> {
 /// C10. Beams are exact at their nodes under consistent loads, whatever the mesh; the settlement needs ∫ w dz, by the
 /// trapezoidal rule with its end correction.
 pub(super) fn alone() -> Result<Vec<Row>, Failure> {
-    let strip = Strip::new(&[(0.0, CONCRETE)], 1.0, levels(20)?)?;
+    let strip = Strip::new(&[(0.0, CONCRETE)], 1.0, levels(20)?, Shear::Stiff)?;
     let (u, reactions) = strip.solve(true)?;
     let ei = bending(CONCRETE);
     let mut volume = 0.0;

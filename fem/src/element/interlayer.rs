@@ -1,0 +1,88 @@
+//! Checks of layers between shells.
+//!
+//! A layer that is stiff along its normal only has 20 modes without energy (24 less its four fibres); it is held by the
+//! shells on both sides and by nothing else. So every node of such an element must belong to a shell or beam.
+
+use super::ElementError;
+use crate::dofs::Dof;
+use crate::model::Model;
+
+/// Largest modulus along the normal that is believed [Pa]: half of steel's. More is a slip of units: the dissertation's
+/// figure 8.9 prints 3.0e9 kN/m² (fourteen times steel) where 3.0e9 N/m² is meant.
+pub const LARGEST_E_NORMAL: f64 = 1e11;
+
+/// Says what is wrong with a modulus along the normal [Pa] that no layer has; `None` for a plausible one.
+pub fn unit_slip(e_normal: f64) -> Option<String> {
+    (e_normal > LARGEST_E_NORMAL).then(|| {
+        format!(
+            "interlayer: e_normal is {:.3} GPa, more than {:.0} GPa (steel has 210): kN/m² for N/m²?",
+            e_normal / 1e9,
+            LARGEST_E_NORMAL / 1e9
+        )
+    })
+}
+
+/// Refuses a model in which a node of a layer that is stable only between shells belongs to no shell and no beam.
+///
+/// Errors: the node, with its element.
+pub fn check(model: &Model) -> Result<(), ElementError> {
+    let mut carried = vec![false; model.nodes().len()];
+    for element in model.elements() {
+        for (a, &node) in element.nodes().iter().enumerate() {
+            if element.dofs(a).contains(&Dof::Rx) {
+                carried[node] = true;
+            }
+        }
+    }
+    for (number, element) in model.elements().iter().enumerate() {
+        if !element.only_between_shells() {
+            continue;
+        }
+        let held = |node: usize| Dof::TRANSLATIONS.iter().all(|&d| model.is_held(node, d));
+        if let Some(&node) = element.nodes().iter().find(|&&n| !carried[n] && !held(n)) {
+            return Err(ElementError::NoAnswer {
+                kind: "interlayer",
+                reason: format!(
+                    "node {node} of layer element {number} belongs to no shell or beam: a layer with stiffness along its \
+                     normal must lie between two shells"
+                ),
+            });
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::element::solid8::{Elastic, Kinematics, Solid8};
+    use crate::model::Builder;
+    use crate::shape::hex8::CORNERS;
+
+    fn brick(material: Elastic) -> Model {
+        let mut builder = Builder::new();
+        let corners = CORNERS;
+        builder.nodes(&corners);
+        let nodes = std::array::from_fn(|a| a);
+        builder.element(
+            "layer",
+            Solid8::new(nodes, corners, material, Kinematics::Linear).unwrap(),
+        );
+        builder.build().unwrap()
+    }
+
+    #[test]
+    fn a_free_layer_is_refused() {
+        assert!(check(&brick(Elastic::isotropic(1.0, 0.0, 0.0))).is_ok());
+        let error = check(&brick(Elastic::normal_only(1.0, 0.0))).unwrap_err().to_string();
+        assert!(error.contains("node 0") && error.contains("element 0"), "{error}");
+        assert!(check(&brick(Elastic::core(1.0, 1.0, 0.0))).is_err());
+    }
+
+    /// Figure 8.9 in the printed unit and in the one meant.
+    #[test]
+    fn the_printed_modulus_is_a_slip() {
+        assert!(unit_slip(3.0e9 * 1e3).is_some_and(|m| m.contains("3000.000 GPa")));
+        assert_eq!(unit_slip(3.0e9), None);
+    }
+}

@@ -1,0 +1,190 @@
+//! Where and when a liquid that is computed as joined to its wall would leave it.
+//!
+//! ```text
+//! p = p₀(z) + p'(z, t) − ρ g u_z(z, t) < 0          gauge pressure of the particle that was at z
+//! ```
+//!
+//! The pressure is that of the displaced particle: p₀ belongs to its place at rest, p' is the linear dynamic pressure, and one
+//! that has sunk by −u_z has come under −ρ g u_z more. Without the last term the test fails at the surface: p' = ρ g η there, so
+//! that p₀(z) + p' < 0 wherever the surface has fallen below z, where the wall is simply dry. (The classical way out is to
+//! look only below the trough; [`Place::below_trough`] tells.)
+//!
+//! This is a check of the linear result, not a correction of it. Liquid parts from a tight wall near −98 kPa, not at 0,
+//! unless air can enter; so a negative gauge pressure means something near the surface only.
+//!
+//! Source: theory sheet of this project; dissertation, section 8.4 (its contact elements).
+
+/// Liquid and places that are watched.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SeparationCheck {
+    /// ρ g [N/m³].
+    weight: f64,
+    /// Height of the surface at rest [m].
+    surface: f64,
+    heights: Vec<f64>,
+    /// Per place: first time, lowest pressure, its time, instants below zero.
+    seen: Vec<Seen>,
+    /// Lowest elevation of the surface so far [m], ≤ 0.
+    lowest: f64,
+    instants: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Seen {
+    first: Option<f64>,
+    pressure: f64,
+    time: f64,
+    instants: usize,
+}
+
+/// A place where the pressure was negative.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// Number of the place, as given.
+    pub number: usize,
+    /// Its height [m].
+    pub height: f64,
+    /// First time with negative pressure [s].
+    pub first: f64,
+    /// Lowest pressure [Pa].
+    pub pressure: f64,
+    /// Its time [s].
+    pub time: f64,
+    /// Share of the instants seen with negative pressure.
+    pub share: f64,
+    /// Whether the place stayed under the surface all the time: z < H − |η|max.
+    pub below_trough: bool,
+}
+
+/// What the check found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Separation {
+    /// Lowest level of the surface [m].
+    pub trough: f64,
+    /// Places with negative pressure, as given.
+    pub places: Vec<Place>,
+    /// Lowest pressure anywhere [Pa]; infinite if nothing was seen.
+    pub lowest_pressure: f64,
+}
+
+impl Separation {
+    /// Lowest of the places below the trough.
+    pub fn lowest_below_trough(&self) -> Option<&Place> {
+        let below = self.places.iter().filter(|p| p.below_trough);
+        below.min_by(|a, b| a.height.total_cmp(&b.height))
+    }
+}
+
+impl SeparationCheck {
+    /// * `weight`: ρ g [N/m³]
+    /// * `surface`: height of the surface at rest [m]
+    /// * `heights`: places on the wetted wall [m]
+    pub fn new(weight: f64, surface: f64, heights: Vec<f64>) -> SeparationCheck {
+        let seen = Seen {
+            first: None,
+            pressure: f64::INFINITY,
+            time: 0.0,
+            instants: 0,
+        };
+        SeparationCheck {
+            weight,
+            surface,
+            seen: vec![seen; heights.len()],
+            heights,
+            lowest: 0.0,
+            instants: 0,
+        }
+    }
+
+    /// Static gauge pressure at place `i` [Pa].
+    pub fn hydrostatic(&self, i: usize) -> f64 {
+        self.weight * (self.surface - self.heights[i])
+    }
+
+    /// Looks at one instant.
+    ///
+    /// * `pressure(i)`: dynamic pressure p' at place i [Pa]
+    /// * `rise(i)`: vertical displacement u_z of the particle there [m]; 0 for the plain test at the undeformed height
+    /// * `elevation`: lowest elevation of the surface at the wall [m]
+    pub fn see(&mut self, time: f64, pressure: impl Fn(usize) -> f64, rise: impl Fn(usize) -> f64, elevation: f64) {
+        self.instants += 1;
+        self.lowest = self.lowest.min(elevation);
+        for i in 0..self.heights.len() {
+            let total = self.hydrostatic(i) + pressure(i) - self.weight * rise(i);
+            let seen = &mut self.seen[i];
+            if total < seen.pressure {
+                (seen.pressure, seen.time) = (total, time);
+            }
+            if total < 0.0 {
+                seen.first.get_or_insert(time);
+                seen.instants += 1;
+            }
+        }
+    }
+
+    /// What was found so far.
+    pub fn result(&self) -> Separation {
+        let trough = self.surface + self.lowest;
+        let place = |(number, seen): (usize, &Seen)| {
+            let height = self.heights[number];
+            seen.first.map(|first| Place {
+                number,
+                height,
+                first,
+                pressure: seen.pressure,
+                time: seen.time,
+                share: seen.instants as f64 / self.instants.max(1) as f64,
+                below_trough: height < trough,
+            })
+        };
+        Separation {
+            trough,
+            places: self.seen.iter().enumerate().filter_map(place).collect(),
+            lowest_pressure: self.seen.iter().map(|s| s.pressure).fold(f64::INFINITY, f64::min),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A standing wave in deep liquid, p' = ρ g η e^{−ks}, u_z = η e^{−ks} at the depth s: the particle's pressure stays
+    /// ρ g s > 0 at any amplitude, while the plain test parts at every point that falls dry.
+    #[test]
+    fn a_wave_alone_does_not_part() {
+        let (weight, k, amplitude) = (9810.0, 1.3, 0.4);
+        let depths = [0.05, 0.2, 0.5, 1.0];
+        let heights: Vec<f64> = depths.iter().map(|s| 2.0 - s).collect();
+        let mut right = SeparationCheck::new(weight, 2.0, heights.clone());
+        let mut plain = SeparationCheck::new(weight, 2.0, heights);
+        for step in 0..100 {
+            let eta = amplitude * (0.1 * f64::from(step)).sin();
+            let decayed = |i: usize| eta * f64::exp(-k * depths[i]);
+            right.see(f64::from(step), |i| weight * decayed(i), decayed, eta);
+            plain.see(f64::from(step), |i| weight * decayed(i), |_| 0.0, eta);
+        }
+        let (right, plain) = (right.result(), plain.result());
+        assert!(right.places.is_empty() && (right.lowest_pressure - weight * 0.05).abs() < 1e-9);
+        assert!((right.trough - 1.6).abs() < 1e-3);
+        // At 0.05 and 0.2 m: above the trough.
+        assert_eq!(plain.places.len(), 2);
+        assert!(plain.places.iter().all(|p| !p.below_trough) && plain.lowest_below_trough().is_none());
+    }
+
+    /// A rigid acceleration of the wall away from the liquid: p' = −ρ a s; parts at all depths beyond g.
+    #[test]
+    fn pulled_away() {
+        let depths = [0.5, 1.0];
+        let heights: Vec<f64> = depths.iter().map(|s| 2.0 - s).collect();
+        let mut check = SeparationCheck::new(9810.0, 2.0, heights);
+        for (time, a) in [(0.0, 5.0), (0.1, 9.0), (0.2, 11.0), (0.3, 12.0), (0.4, 2.0)] {
+            check.see(time, |i| -1000.0 * a * depths[i], |_| 0.0, 0.0);
+        }
+        let found = check.result();
+        assert_eq!(found.places.len(), 2);
+        let lowest = found.lowest_below_trough().unwrap();
+        assert!(lowest.height == 1.0 && lowest.first == 0.2 && lowest.time == 0.3);
+        assert!((lowest.pressure - (9810.0 - 12000.0)).abs() < 1e-9 && (lowest.share - 0.4).abs() < 1e-12);
+    }
+}
