@@ -19,9 +19,11 @@
 
 pub mod bar;
 mod check;
+pub mod concrete;
 pub mod drucker_prager;
 pub mod elastic;
 pub mod grades;
+pub mod interlayer;
 mod modes;
 pub mod plastic_fracturing;
 pub mod von_mises;

@@ -1,0 +1,61 @@
+//! Concrete: cracks with fracture energy, plastic or crushing compression.
+//!
+//! ```text
+//! UniaxialConcrete   N = 1   one axis: fibres of beams, rings
+//! ```
+//!
+//! What opens is a crack strain e, added to the elastic and the plastic strain; its traction softens by the fracture energy
+//! G_f over the element size h ([`Tension`]), so that a localised crack consumes G_f whatever the mesh. A closed crack carries
+//! full compression, and reopens along the secant to its largest opening: no second cracking strength.
+//!
+//! Strengths are positive numbers, stresses and strains positive in tension.
+
+mod tension;
+pub mod uniaxial;
+
+pub use tension::{Softening, Stiffening, Tension};
+pub use uniaxial::{Compression, PostPeak, UniaxialConcrete};
+
+use crate::{LawError, refuse};
+
+/// Share of the snap-back bound E G_f/f_t² that an element may have.
+pub const SIZE_MARGIN: f64 = 0.98;
+
+/// Fracture energy G_f [N/m] of concrete of ordinary weight.
+///
+/// ```text
+/// G_f = 73 f_cm^0.18        f_cm in MPa
+/// ```
+///
+/// * `mean_strength`: mean compressive strength f_cm [Pa]
+///
+/// Source: fib Model Code 2010, eq. (5.1-9).
+pub fn fracture_energy(mean_strength: f64) -> f64 {
+    73.0 * (mean_strength / 1e6).powf(0.18)
+}
+
+/// Strain ε_c1 at the peak of the compressive stress, positive.
+///
+/// ```text
+/// ε_c1 = 0.7 f_cm^0.31 / 1000 ≤ 2.8 / 1000        f_cm in MPa
+/// ```
+///
+/// * `mean_strength`: mean compressive strength f_cm [Pa]
+///
+/// Source: EN 1992-1-1:2004, table 3.1.
+pub fn peak_strain(mean_strength: f64) -> f64 {
+    (0.7e-3 * (mean_strength / 1e6).powf(0.31)).min(2.8e-3)
+}
+
+/// Refuses what is not positive and finite.
+fn positive(law: &'static str, parameter: &'static str, value: f64, unit: &str) -> Result<(), LawError> {
+    if value > 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    Err(refuse(
+        law,
+        parameter,
+        format!("{value} {unit}").trim_end().to_owned(),
+        "> 0 and finite",
+    ))
+}

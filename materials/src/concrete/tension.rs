@@ -1,0 +1,229 @@
+//! Traction across a crack.
+//!
+//! ```text
+//! t(e) = f_t exp(−e/e_f)                 e = m, the largest opening strain so far
+//! t(e) = t(m) e/m                        e < m: secant, closes at e = 0
+//! e_f  = G_f/(f_t h)                     so that ∫ t de = G_f/h
+//! ```
+//!
+//! Tension stiffening replaces the tail by b_ts f_t, up to the strain ε_y at which the crossing bar yields; from there it
+//! fades linearly and is gone at 2 ε_y (the sheet's sources stop it at yield; a jump would not converge).
+//!
+//! The recoverable energy of a crack is ½ t(m) e²/m. What is left of the work is a function of m alone,
+//!
+//! ```text
+//! D(m) = ∫₀ᵐ t de − ½ m t(m) ,   D' = ½ (t − m t') ≥ 0
+//! ```
+//!
+//! so that the dissipation of a step is exact, D(m_new) − D(m_old), and G_f/h in the end.
+//!
+//! In series with the elastic concrete, u = e + t(e)/E; there is one e for every u when −t' < E, which for the exponential
+//! reads e_f > f_t/E, or h < E G_f/f_t².
+//!
+//! Source: Bažant & Oh 1983 (energy and size), Rots 1988 (crack strain, secant unloading).
+
+use super::{SIZE_MARGIN, positive};
+use crate::{LawError, refuse};
+
+/// How the traction of a crack falls.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Softening {
+    /// At once to zero. The energy depends on mesh and step: results with it are for comparison with older calculations.
+    Brittle,
+    /// Exponential, by energy.
+    Energy {
+        /// Fracture energy G_f [N/m] > 0; see [`super::fracture_energy`].
+        fracture_energy: f64,
+        /// Size h of the element normal to the crack [m], at most 0.98 E G_f/f_t². In reinforced layers the crack spacing if
+        /// that is smaller.
+        size: f64,
+    },
+    /// Exponential, by strain: e_f > f_t/(0.98 E). Right for one element size only.
+    Strain {
+        /// Strain e_f at which the traction is f_t/e.
+        softening_strain: f64,
+    },
+}
+
+/// Concrete between cracks of a reinforced layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stiffening {
+    /// Share b_ts of f_t that stays, from 0 (fatigue) to below 1; 0.2 to 0.4 under short loading.
+    pub share: f64,
+    /// Strain ε_y at which the crossing bar yields, > 0; may be infinite.
+    pub yield_strain: f64,
+}
+
+/// Tension of concrete.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tension {
+    /// Tensile strength f_t [Pa] > 0.
+    pub strength: f64,
+    /// What follows cracking.
+    pub softening: Softening,
+    /// What the bars keep alive; not together with [`Softening::Brittle`].
+    pub stiffening: Option<Stiffening>,
+}
+
+/// Traction over opening, checked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Traction {
+    /// f_t [Pa].
+    pub strength: f64,
+    /// e_f; 0: brittle.
+    pub softening_strain: f64,
+    /// Tail b_ts f_t [Pa]; 0: none.
+    tail: f64,
+    /// Opening at which the tail begins; infinite without tail.
+    tail_from: f64,
+    /// ε_y.
+    yield_strain: f64,
+}
+
+impl Traction {
+    /// Errors: a parameter out of range; with the largest admissible size where the element is too large.
+    pub fn new(law: &'static str, young_modulus: f64, tension: &Tension) -> Result<Traction, LawError> {
+        let f_t = tension.strength;
+        positive(law, "tensile_strength", f_t, "Pa")?;
+        let softening_strain = match tension.softening {
+            Softening::Brittle => 0.0,
+            Softening::Energy { fracture_energy, size } => {
+                positive(law, "fracture_energy", fracture_energy, "N/m")?;
+                positive(law, "size", size, "m")?;
+                let bound = SIZE_MARGIN * young_modulus * fracture_energy / (f_t * f_t);
+                if size > bound {
+                    return Err(refuse(
+                        law,
+                        "size",
+                        format!("{size} m"),
+                        &format!("at most {bound:.4} m (0.98 E G_f/f_t²: a larger element snaps back when it cracks)"),
+                    ));
+                }
+                fracture_energy / (f_t * size)
+            }
+            Softening::Strain { softening_strain } => {
+                positive(law, "softening_strain", softening_strain, "")?;
+                let bound = f_t / (SIZE_MARGIN * young_modulus);
+                if softening_strain < bound {
+                    return Err(refuse(
+                        law,
+                        "softening_strain",
+                        softening_strain.to_string(),
+                        &format!("at least {bound:.3e} (f_t/(0.98 E): a steeper branch snaps back)"),
+                    ));
+                }
+                softening_strain
+            }
+        };
+        let mut traction = Traction {
+            strength: f_t,
+            softening_strain,
+            tail: 0.0,
+            tail_from: f64::INFINITY,
+            yield_strain: f64::INFINITY,
+        };
+        if let Some(Stiffening { share, yield_strain }) = tension.stiffening {
+            if !(0.0..1.0).contains(&share) {
+                return Err(refuse(law, "stiffening", share.to_string(), "from 0 to below 1"));
+            }
+            if share > 0.0 {
+                let from = -softening_strain * share.ln();
+                // Beyond the beginning of the tail, so that the pieces come in order; the fall b f_t/ε_y is then no snap-back.
+                if softening_strain == 0.0
+                    || yield_strain.is_nan()
+                    || yield_strain <= from
+                    || share * f_t > SIZE_MARGIN * young_modulus * yield_strain
+                {
+                    return Err(refuse(
+                        law,
+                        "stiffening",
+                        format!("up to the strain {yield_strain}"),
+                        &format!("up to a strain > {from:.3e}, with softening that is not brittle"),
+                    ));
+                }
+                traction.tail = share * f_t;
+                traction.tail_from = from;
+                traction.yield_strain = yield_strain;
+            }
+        }
+        Ok(traction)
+    }
+
+    /// Neither strength nor energy.
+    pub fn none() -> Traction {
+        Traction {
+            strength: 0.0,
+            softening_strain: 0.0,
+            tail: 0.0,
+            tail_from: f64::INFINITY,
+            yield_strain: f64::INFINITY,
+        }
+    }
+
+    /// Whether the traction falls at once.
+    pub fn brittle(&self) -> bool {
+        self.softening_strain == 0.0 && self.strength > 0.0
+    }
+
+    /// D(m) [J/m³]: what a crack of largest opening m has dissipated; `traction` is t(m).
+    #[inline]
+    pub fn dissipated(&self, m: f64, traction: f64) -> f64 {
+        let work = if m <= self.tail_from {
+            self.softening_strain * (self.strength - traction)
+        } else {
+            let y = self.yield_strain;
+            let fade = (m.min(2.0 * y) - y).max(0.0);
+            self.softening_strain * (self.strength - self.tail)
+                + self.tail * (m.min(y) - self.tail_from)
+                + if fade > 0.0 {
+                    self.tail * fade * (1.0 - 0.5 * fade / y)
+                } else {
+                    0.0
+                }
+        };
+        work - 0.5 * m * traction
+    }
+
+    /// Opening, traction and slope dt/du when the strain u = e + t(e)/E ≥ f_t/E grows beyond all it has been;
+    /// `start` is an opening not far off.
+    ///
+    /// The exponential needs the root of x + a exp(−x) = u/e_f, a = f_t/(E e_f) < 1. The left side is convex and grows, so
+    /// Newton's method converges from anywhere, and after the first step from above.
+    #[inline]
+    pub fn opened(&self, u: f64, young_modulus: f64, start: f64) -> (f64, f64, f64) {
+        let e_f = self.softening_strain;
+        if e_f == 0.0 {
+            return (u, 0.0, 0.0);
+        }
+        if u > self.tail_from + self.tail / young_modulus {
+            let y = self.yield_strain;
+            if u <= y + self.tail / young_modulus {
+                return (u - self.tail / young_modulus, self.tail, 0.0);
+            }
+            if u >= 2.0 * y {
+                return (u, 0.0, 0.0);
+            }
+            // u = e + (tail/E)(2 − e/y)
+            let a = self.tail / young_modulus;
+            let e = (u - 2.0 * a) / (1.0 - a / y);
+            let slope = -self.tail / y;
+            return (e, self.tail * (2.0 - e / y), slope / (1.0 + slope / young_modulus));
+        }
+        let a = self.strength / (young_modulus * e_f);
+        let v = u / e_f;
+        let mut x = start / e_f;
+        // Quadratic: the step after one below 1e-8 is below rounding. 40 is never reached.
+        for _ in 0..40 {
+            let q = a * (-x).exp();
+            let step = (x + q - v) / (1.0 - q);
+            x = (x - step).max(0.0);
+            if step.abs() < 1e-8 {
+                break;
+            }
+        }
+        // From equilibrium, not from the exponential: u = e + t/E holds to rounding.
+        let t = (young_modulus * (u - x * e_f)).max(0.0);
+        let slope = -t / e_f;
+        (x * e_f, t, slope / (1.0 + slope / young_modulus))
+    }
+}
