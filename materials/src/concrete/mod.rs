@@ -1,6 +1,7 @@
 //! Concrete: cracks with fracture energy, plastic or crushing compression.
 //!
 //! ```text
+//! CrackedConcrete    N = 3   layers: two fixed orthogonal cracks, plastic compression
 //! UniaxialConcrete   N = 1   one axis: fibres of beams, rings
 //! ```
 //!
@@ -10,13 +11,14 @@
 //!
 //! Strengths are positive numbers, stresses and strains positive in tension.
 
+pub mod cracked;
+mod surface;
 mod tension;
 pub mod uniaxial;
 
+pub use cracked::{CrackAxes, CrackedConcrete, CrackedParameters, ShearRetention};
 pub use tension::{Softening, Stiffening, Tension};
 pub use uniaxial::{Compression, PostPeak, UniaxialConcrete};
-
-use crate::{LawError, refuse};
 
 /// Share of the snap-back bound E G_f/f_t² that an element may have.
 pub const SIZE_MARGIN: f64 = 0.98;
@@ -45,17 +47,4 @@ pub fn fracture_energy(mean_strength: f64) -> f64 {
 /// Source: EN 1992-1-1:2004, table 3.1.
 pub fn peak_strain(mean_strength: f64) -> f64 {
     (0.7e-3 * (mean_strength / 1e6).powf(0.31)).min(2.8e-3)
-}
-
-/// Refuses what is not positive and finite.
-fn positive(law: &'static str, parameter: &'static str, value: f64, unit: &str) -> Result<(), LawError> {
-    if value > 0.0 && value.is_finite() {
-        return Ok(());
-    }
-    Err(refuse(
-        law,
-        parameter,
-        format!("{value} {unit}").trim_end().to_owned(),
-        "> 0 and finite",
-    ))
 }

@@ -22,7 +22,8 @@
 //!
 //! Source: Bažant & Oh 1983 (energy and size), Rots 1988 (crack strain, secant unloading).
 
-use super::{SIZE_MARGIN, positive};
+use super::SIZE_MARGIN;
+use crate::check::positive;
 use crate::{LawError, refuse};
 
 /// How the traction of a crack falls.
@@ -78,6 +79,8 @@ pub(crate) struct Traction {
     tail_from: f64,
     /// ε_y.
     yield_strain: f64,
+    /// Whether e_f follows from the fracture energy.
+    by_energy: bool,
 }
 
 impl Traction {
@@ -121,6 +124,7 @@ impl Traction {
             tail: 0.0,
             tail_from: f64::INFINITY,
             yield_strain: f64::INFINITY,
+            by_energy: matches!(tension.softening, Softening::Energy { .. }),
         };
         if let Some(Stiffening { share, yield_strain }) = tension.stiffening {
             if !(0.0..1.0).contains(&share) {
@@ -157,12 +161,58 @@ impl Traction {
             tail: 0.0,
             tail_from: f64::INFINITY,
             yield_strain: f64::INFINITY,
+            by_energy: false,
         }
     }
 
     /// Whether the traction falls at once.
     pub fn brittle(&self) -> bool {
         self.softening_strain == 0.0 && self.strength > 0.0
+    }
+
+    /// Traction and slope [Pa] at a first opening e ≥ 0.
+    #[inline]
+    pub fn at(&self, e: f64) -> (f64, f64) {
+        if e <= self.tail_from {
+            if self.softening_strain == 0.0 {
+                return if e > 0.0 { (0.0, 0.0) } else { (self.strength, 0.0) };
+            }
+            let t = self.strength * (-e / self.softening_strain).exp();
+            return (t, -t / self.softening_strain);
+        }
+        let y = self.yield_strain;
+        if e <= y {
+            (self.tail, 0.0)
+        } else if e < 2.0 * y {
+            (self.tail * (2.0 - e / y), -self.tail / y)
+        } else {
+            (0.0, 0.0)
+        }
+    }
+
+    /// The same crack with a strength reduced by lateral compression; the fracture energy stays, if energy is given.
+    pub fn reduced(&self, strength: f64) -> Traction {
+        let share = strength / self.strength;
+        let stretch = if self.by_energy { 1.0 / share } else { 1.0 };
+        Traction {
+            strength,
+            softening_strain: self.softening_strain * stretch,
+            tail: self.tail * share,
+            tail_from: self.tail_from * stretch,
+            ..*self
+        }
+    }
+
+    /// ∂t/∂f_t at the opening e, along [`Traction::reduced`].
+    pub fn by_strength(&self, e: f64) -> f64 {
+        if self.softening_strain == 0.0 {
+            return if e > 0.0 { 0.0 } else { 1.0 };
+        }
+        if e > self.tail_from {
+            return self.at(e).0 / self.strength;
+        }
+        let x = e / self.softening_strain;
+        (-x).exp() * if self.by_energy { 1.0 - x } else { 1.0 }
     }
 
     /// D(m) [J/m³]: what a crack of largest opening m has dissipated; `traction` is t(m).
@@ -188,7 +238,7 @@ impl Traction {
     /// `start` is an opening not far off.
     ///
     /// The exponential needs the root of x + a exp(−x) = u/e_f, a = f_t/(E e_f) < 1. The left side is convex and grows, so
-    /// Newton's method converges from anywhere, and after the first step from above.
+    /// Newton's method converges from anywhere, and after the first step from above; near the root Halley's takes over.
     #[inline]
     pub fn opened(&self, u: f64, young_modulus: f64, start: f64) -> (f64, f64, f64) {
         let e_f = self.softening_strain;
@@ -212,12 +262,19 @@ impl Traction {
         let a = self.strength / (young_modulus * e_f);
         let v = u / e_f;
         let mut x = start / e_f;
-        // Quadratic: the step after one below 1e-8 is below rounding. 40 is never reached.
+        // Halley's step near the root, where it is cubic: its error is (step)³ (f''/2f')². 40 is never reached.
         for _ in 0..40 {
             let q = a * (-x).exp();
-            let step = (x + q - v) / (1.0 - q);
+            let (f, slope) = (x + q - v, 1.0 - q);
+            let newton = f / slope;
+            let bend = 0.5 * newton * q / slope;
+            let step = if bend.abs() < 0.25 {
+                newton / (1.0 - bend)
+            } else {
+                newton
+            };
             x = (x - step).max(0.0);
-            if step.abs() < 1e-8 {
+            if step.abs() < 1e-5 && bend.abs() < 1e-5 {
                 break;
             }
         }

@@ -1,5 +1,7 @@
 //! Laws of concrete against closed forms, published formulas and the theory sheet of this project.
 
+mod cracked;
+mod cycles;
 mod uniaxial;
 
 use materials::{Law, Response};

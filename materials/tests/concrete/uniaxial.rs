@@ -351,3 +351,9 @@ fn parameters_out_of_range_are_refused() {
     }
     assert!(UniaxialConcrete::new(0.0, Compression::Elastic, None).is_err());
 }
+
+#[test]
+fn strain_that_is_no_number_is_an_error() {
+    let law = plastic();
+    assert!(law.respond(&[f64::NAN], &[0.0; 5], &mut [0.0; 5]).is_err());
+}

@@ -2,6 +2,9 @@
 
 use materials::Law;
 use materials::bar::{Bar, Rupture};
+use materials::concrete::{
+    Compression, CrackAxes, CrackedConcrete, CrackedParameters, PostPeak, Softening, Tension, UniaxialConcrete,
+};
 use materials::drucker_prager::DruckerPrager;
 use materials::elastic::Elastic;
 use materials::plastic_fracturing::{Parameters, PlasticFracturing};
@@ -65,6 +68,40 @@ fn bar() -> Bar {
     Bar::new(210e9, 500e6, 2.1e9).unwrap()
 }
 
+fn tension() -> Tension {
+    Tension {
+        strength: 3.5e6,
+        softening: Softening::Energy {
+            fracture_energy: 100.0,
+            size: 0.1,
+        },
+        stiffening: None,
+    }
+}
+
+fn cracked(axes: CrackAxes) -> CrackedConcrete {
+    CrackedConcrete::new(&CrackedParameters {
+        axes,
+        ..CrackedParameters::new(34e9, 0.2, 35e6, tension())
+    })
+    .unwrap()
+}
+
+fn uniaxial(compression: Compression) -> UniaxialConcrete {
+    UniaxialConcrete::new(34e9, compression, Some(tension())).unwrap()
+}
+
+fn sargin() -> Compression {
+    Compression::Sargin {
+        strength: 35e6,
+        peak_strain: 2.1e-3,
+        post_peak: PostPeak::Crushing {
+            crushing_energy: 25e3,
+            size: 0.1,
+        },
+    }
+}
+
 /// Bars and fibres.
 pub fn bars() -> Vec<Case<1>> {
     vec![
@@ -79,6 +116,13 @@ pub fn bars() -> Vec<Case<1>> {
             0.01,
             500e6,
         ),
+        case(
+            "concrete, plastic",
+            uniaxial(Compression::Plastic { strength: 35e6 }),
+            0.003,
+            35e6,
+        ),
+        case("concrete, crushing", uniaxial(sargin()), 0.003, 35e6),
     ]
 }
 
@@ -93,6 +137,8 @@ pub fn plane() -> Vec<Case<3>> {
         case("Drucker-Prager, ideal", cone(0.0), 0.003, 35e6),
         case("Drucker-Prager, kinematic", cone(3e9), 0.003, 35e6),
         case("plastic-fracturing", plastic_fracturing(), 0.004, 35e6),
+        case("concrete, fixed cracks", cracked(CrackAxes::Fixed), 0.002, 35e6),
+        case("concrete, turning cracks", cracked(CrackAxes::Turning), 0.002, 35e6),
     ]
 }
 

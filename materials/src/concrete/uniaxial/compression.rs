@@ -22,7 +22,7 @@
 //! stiffness up again; below x ≈ 0.3 it would make unloading stiffer than the first loading. With them the unloading
 //! modulus only falls, and the dissipation D(s) = ∫σ ds − ½ σ (s − s_p) only grows.
 
-use crate::concrete::positive;
+use crate::check::positive;
 use crate::{LawError, refuse};
 
 /// Stress that is left of f_c after crushing.

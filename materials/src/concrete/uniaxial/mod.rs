@@ -20,8 +20,8 @@ pub use compression::PostPeak;
 
 use compression::Envelope;
 
-use super::positive;
 use super::tension::{Tension, Traction};
+use crate::check::positive;
 use crate::{Crack, Law, LawError, PointState, Response, refuse};
 
 /// Name in errors and files.
@@ -153,7 +153,7 @@ impl UniaxialConcrete {
         }
     }
 
-    /// [`Law::respond`] without its error: there is always a stress.
+    /// [`Law::respond`] without its error: there is a stress for every number.
     ///
     /// * `strain`: ε
     /// * `old`, `new`: committed and new history, five slots each
@@ -256,6 +256,12 @@ impl Law<1> for UniaxialConcrete {
 
     #[inline]
     fn respond(&self, strain: &[f64; 1], old: &[f64], new: &mut [f64]) -> Result<Response<1>, LawError> {
+        if strain[0].is_nan() {
+            return Err(LawError::NoConvergence {
+                law: KIND,
+                increment: strain[0],
+            });
+        }
         Ok(self.update(strain[0], old, new))
     }
 
