@@ -15,3 +15,8 @@ fn concrete_in_compression() {
     assert_rows(&fem::verify::materials::drucker_prager().unwrap());
     assert_rows(&fem::verify::materials::plastic_fracturing().unwrap());
 }
+
+#[test]
+fn concrete() {
+    assert_rows(&fem::verify::materials::concrete().unwrap());
+}

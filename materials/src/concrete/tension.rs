@@ -266,15 +266,14 @@ impl Traction {
         for _ in 0..40 {
             let q = a * (-x).exp();
             let (f, slope) = (x + q - v, 1.0 - q);
-            let newton = f / slope;
-            let bend = 0.5 * newton * q / slope;
-            let step = if bend.abs() < 0.25 {
-                newton / (1.0 - bend)
+            let (square, bend) = (slope * slope, 0.5 * f * q);
+            let step = if bend.abs() < 0.25 * square {
+                f * slope / (square - bend)
             } else {
-                newton
+                f / slope
             };
             x = (x - step).max(0.0);
-            if step.abs() < 1e-5 && bend.abs() < 1e-5 {
+            if step.abs() < 1e-5 && bend.abs() < 1e-5 * square {
                 break;
             }
         }

@@ -283,3 +283,34 @@ fn strain_that_is_no_number_is_an_error() {
         assert!(law.respond(&strain, &old, &mut new).is_err());
     }
 }
+
+/// Cracks as pictures show them: uniaxial stress at 0.5 rad from axis 1 opens one crack, its normal at that angle; the
+/// opening is what exceeds the elastic strain. Tension both ways opens two, at right angles.
+#[test]
+fn cracks_are_reported() {
+    let law = law();
+    let turned = |n: f64, s: f64| {
+        let (sin, cos) = 0.5_f64.sin_cos();
+        [
+            cos * cos * n + sin * sin * s,
+            sin * sin * n + cos * cos * s,
+            2.0 * sin * cos * (n - s),
+        ]
+    };
+    let mut point = Point::new(&law);
+    let strain = turned(3e-4, 0.0);
+    let response = point.step(&strain);
+    let state = law.inspect(&strain, &point.history);
+    let crack = state.cracks[0].unwrap();
+    assert!((crack.angle - 0.5).abs() < 1e-12 && state.cracks[1].is_none());
+    let trace = (response.stress[0] + response.stress[1]) / E;
+    // ε_n + ε_s = (1 − ν)(σ_n + σ_s)/E + e_n
+    assert!((crack.opening - (3e-4 - (1.0 - NU) * trace)).abs() < 1e-12);
+    assert!((crack.largest - crack.opening).abs() < 1e-12 && (state.utilisation - 1.0).abs() < 1e-9);
+    let strain = turned(2e-4, 4e-4);
+    point.step(&strain);
+    let state = law.inspect(&strain, &point.history);
+    let [first, second] = state.cracks.map(Option::unwrap);
+    assert!((second.angle - first.angle - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
+    assert!(first.opening < first.largest && second.opening > 2.5e-4 && state.damage > 0.9);
+}

@@ -1,7 +1,7 @@
 //! The plane law along random closed paths.
 
 use materials::Law;
-use materials::concrete::{CrackAxes, CrackedConcrete, CrackedParameters, Stiffening, Tension};
+use materials::concrete::{CrackAxes, CrackedConcrete, CrackedParameters, Softening, Stiffening, Tension};
 
 use super::cracked::{E, F_C, parameters};
 use super::{Noise, Point};
@@ -176,6 +176,54 @@ fn axes_are_found_wherever_they_lie() {
             let expected = turn(&straight.step(&strain).stress, 1.0);
             let found = turned.step(&turn(&strain, 0.5)).stress;
             assert!((0..3).all(|k| (found[k] - expected[k]).abs() < 1e-8 * F_C));
+        }
+    }
+}
+
+/// Jumps between strains that have nothing to do with each other, as a Newton iteration of a structure may ask for: always an
+/// answer, finite, no energy gained; elements up to the largest admissible size, and brittle cracks.
+#[test]
+fn wild_jumps_have_an_answer() {
+    for (number, softening) in [
+        Softening::Energy {
+            fracture_energy: 100.0,
+            size: 0.1,
+        },
+        Softening::Energy {
+            fracture_energy: 100.0,
+            size: 0.272,
+        },
+        Softening::Brittle,
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        for axes in [CrackAxes::Fixed, CrackAxes::Turning] {
+            let base = parameters();
+            let law = CrackedConcrete::new(&CrackedParameters {
+                axes,
+                tension: Tension {
+                    softening,
+                    ..base.tension
+                },
+                ..base
+            })
+            .unwrap();
+            let mut noise = Noise::new(200 + number as u64);
+            let (mut steps, mut cut) = (0, 0);
+            for run in 0..200 {
+                let size = [1e-4, 3e-4, 1e-3, 1e-2][run % 4];
+                let mut point = Point::new(&law);
+                for _ in 0..25 {
+                    let response = point.step(&std::array::from_fn(|_| size * noise.next()));
+                    assert!(response.stress.iter().all(|s| s.abs() < 20.0 * F_C));
+                    assert!(response.tangent.iter().flatten().all(|d| d.abs() < 100.0 * E));
+                    assert!(response.dissipation >= -1e-12 * F_C * size);
+                    steps += 1;
+                    cut += usize::from(law.parts(&point.history) > 1);
+                }
+            }
+            assert!(cut * 1000 <= steps, "{softening:?} {axes:?}: {cut} of {steps}");
         }
     }
 }

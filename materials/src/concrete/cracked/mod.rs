@@ -22,9 +22,9 @@
 //! ## Steps
 //!
 //! 1. A whole point whose elastic stress passes neither cone nor strength is elastic.
-//! 2. Cracks without plastic flow, [`local`]: nothing to iterate for closed cracks and cracks on their secant, one scalar
+//! 2. Cracks without plastic flow, `local.rs`: nothing to iterate for closed cracks and cracks on their secant, one scalar
 //!    equation for one that opens further.
-//! 3. If the cone is passed, all six unknowns, [`flow`].
+//! 3. If the cone is passed, all six unknowns, `flow.rs`.
 //! 4. If that fails, the strain increment in 2, 4, 8 parts. The tangent is then taken by central differences of the whole
 //!    sequence (six of them), which is what a chain of the parts' derivatives would give, of 1e-6 accuracy.
 //!

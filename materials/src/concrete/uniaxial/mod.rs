@@ -159,7 +159,8 @@ impl UniaxialConcrete {
     /// * `old`, `new`: committed and new history, five slots each
     #[inline]
     pub fn update(&self, strain: f64, old: &[f64], new: &mut [f64]) -> Response<1> {
-        new[..SLOTS].copy_from_slice(&old[..SLOTS]);
+        let (old, new) = (&old[..SLOTS], &mut new[..SLOTS]);
+        new.copy_from_slice(old);
         let u = strain - old[PLASTIC];
         if u >= 0.0 {
             if u <= old[LONGEST].max(self.cracking_strain) {
