@@ -28,6 +28,12 @@ pub struct Assembler {
     place_starts: Vec<usize>,
     /// Elements with a node that has a frame.
     turned: Vec<bool>,
+    /// Elements whose force is K u in components that do not turn with the nodes.
+    linear: Vec<bool>,
+    /// Held dofs that some element uses, by node.
+    supports: Vec<(usize, Dof)>,
+    /// Number in `supports` of the local dofs, element after element; [`NONE`] if free.
+    held: Vec<u32>,
     /// Places that both halves of the elements write to lie in this range.
     shared: Range<usize>,
 }
@@ -61,22 +67,51 @@ impl<'a> Sink<'a> {
     }
 }
 
+/// Internal forces of a model.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Forces {
+    /// Of the unknowns.
+    pub internal: Vec<f64>,
+    /// Of the held dofs, in the order of [`Assembler::supports`].
+    pub support: Vec<f64>,
+}
+
+/// Stiffness of the linear elements, assembled once for all steps.
+#[derive(Clone, Debug)]
+pub struct LinearPart {
+    tangent: Symmetric,
+    /// Rows of the held dofs: (support, unknown, coefficient).
+    support: Vec<(u32, u32, f64)>,
+}
+
 impl Assembler {
     /// Finds pattern and places.
     pub fn new(model: &Model) -> Assembler {
         let dofs = model.dofs();
         let (mut equations, mut equation_starts) = (Vec::new(), vec![0]);
-        let mut turned = Vec::new();
+        let (mut turned, mut linear, mut held) = (Vec::new(), Vec::new(), Vec::new());
+        let mut supports: Vec<(usize, Dof)> = Vec::new();
+        let mut number = std::collections::BTreeMap::new();
         for element in model.elements() {
-            let mut any = false;
+            let (mut any, mut fixed) = (false, element.is_linear());
             for (a, &node) in element.nodes().iter().enumerate() {
                 let framed = model.frame(node).is_some() || model.rotation_frame(node).is_some();
                 any |= framed && !element.own_axes();
                 for &dof in element.dofs(a) {
-                    equations.push(dofs.equation(node, dof).map_or(NONE, |e| e as u32));
+                    let equation = dofs.equation(node, dof);
+                    equations.push(equation.map_or(NONE, |e| e as u32));
+                    held.push(match equation {
+                        Some(_) => NONE,
+                        None => *number.entry((node, dof)).or_insert_with(|| {
+                            supports.push((node, dof));
+                            supports.len() as u32 - 1
+                        }),
+                    });
+                    fixed &= dof != Dof::Rx || model.rotation_frame(node).is_none() || element.own_axes();
                 }
             }
             turned.push(any);
+            linear.push(fixed);
             equation_starts.push(equations.len());
         }
         let cliques: Vec<Vec<usize>> = equation_starts
@@ -120,8 +155,16 @@ impl Assembler {
             places,
             place_starts,
             turned,
+            linear,
+            supports,
+            held,
             shared: start..end,
         }
+    }
+
+    /// Held dofs that some element uses, along the axes of their nodes.
+    pub fn supports(&self) -> &[(usize, Dof)] {
+        &self.supports
     }
 
     /// The pattern of all matrices of the model.
@@ -369,6 +412,32 @@ impl Assembler {
         out
     }
 
+    /// Assembles the linear elements once for all.
+    ///
+    /// Errors: the first element without an answer, with its number.
+    pub fn linear_part(&self, model: &Model) -> Result<LinearPart, (usize, ElementError)> {
+        let mut out = LinearPart {
+            tangent: Symmetric::zeros(self.pattern.clone()),
+            support: Vec::new(),
+        };
+        let mut work = Work::default();
+        for (e, element) in model.elements().iter().enumerate().filter(|(e, _)| self.linear[*e]) {
+            let local = work.stiffness(&**element).map_err(|error| (e, error))?;
+            self.scatter(model, e, local, &mut Sink::whole(&mut out.tangent.values));
+            let range = self.equation_starts[e]..self.equation_starts[e + 1];
+            let (equations, held) = (&self.equations[range.clone()], &self.held[range]);
+            for (i, &support) in held.iter().enumerate().filter(|(_, s)| **s != NONE) {
+                for (j, &equation) in equations.iter().enumerate() {
+                    let value = local.get(i, j);
+                    if equation != NONE && value != 0.0 {
+                        out.support.push((support, equation, value));
+                    }
+                }
+            }
+        }
+        Ok(out)
+    }
+
     /// Internal force and, if wanted, tangent at the trial state; writes the trial history.
     ///
     /// Errors: the first element without an answer, with its number.
@@ -379,16 +448,58 @@ impl Assembler {
         want: Want,
         tangent: &mut Symmetric,
     ) -> Result<Vec<f64>, (usize, ElementError)> {
-        let mut force = vec![0.0; model.dofs().len()];
-        if want.tangent {
-            tangent.values.fill(0.0);
+        let mut forces = Forces::default();
+        self.respond_into(model, state, want, None, tangent, &mut forces)?;
+        Ok(forces.internal)
+    }
+
+    /// The same with the forces at the supports, into storage that is kept; `linear` stands for the linear elements.
+    ///
+    /// Errors: the first element without an answer, with its number.
+    pub fn respond_into(
+        &self,
+        model: &Model,
+        state: &mut State,
+        want: Want,
+        linear: Option<&LinearPart>,
+        tangent: &mut Symmetric,
+        forces: &mut Forces,
+    ) -> Result<(), (usize, ElementError)> {
+        let Forces { internal, support } = forces;
+        for (out, len) in [
+            (&mut *internal, model.dofs().len()),
+            (&mut *support, self.supports.len()),
+        ] {
+            out.clear();
+            out.resize(len, 0.0);
         }
-        let mut gather = Gather::default();
-        let mut response = Response::default();
+        match linear {
+            Some(part) if want.tangent => tangent.values.copy_from_slice(&part.tangent.values),
+            None if want.tangent => tangent.values.fill(0.0),
+            _ => {}
+        }
+        if let (Some(part), true) = (linear, want.force) {
+            part.tangent.add_product(1.0, &state.trial.u, internal);
+            for &(s, e, k) in &part.support {
+                support[s as usize] += k * state.trial.u[e as usize];
+            }
+        }
+        let (mut gather, mut response) = (Gather::default(), Response::default());
         for (e, element) in model.elements().iter().enumerate() {
-            response.reset(local_size(&**element));
+            if linear.is_some() && self.linear[e] {
+                continue;
+            }
+            let dofs = self.equation_starts[e]..self.equation_starts[e + 1];
+            response.reset(dofs.len());
             let range = state.history(e);
-            let motion: Motion<'_> = gather.motion(model, &state.trial, &**element);
+            let motion: Motion<'_> = match self.turned[e] {
+                true => gather.motion(model, &state.trial, &**element),
+                // Components are the unknowns themselves.
+                false => {
+                    let value = |&q: &u32| if q == NONE { 0.0 } else { state.trial.u[q as usize] };
+                    gather.values(&state.trial, &**element, self.equations[dofs.clone()].iter().map(value))
+                }
+            };
             element
                 .respond(
                     motion,
@@ -402,14 +513,74 @@ impl Assembler {
                 turn_back(model, &**element, &state.trial.rotation, want, &mut response);
             }
             if want.force {
-                self.scatter_vector(model, e, &mut response.force, &mut force);
+                self.scatter_vector(model, e, &mut response.force, internal);
+                for (&s, f) in self.held[dofs].iter().zip(&response.force) {
+                    if s != NONE {
+                        support[s as usize] += f;
+                    }
+                }
             }
             if want.tangent {
                 self.scatter(model, e, &mut response.tangent, &mut Sink::whole(&mut tangent.values));
             }
         }
-        Ok(force)
+        Ok(())
     }
+}
+
+impl Assembler {
+    /// Adds Σ a_e K_e⁺ of the elements' tangents at the trial state, where K_e⁺ is the positive part of K_e and
+    /// a_e = `factor(e)`.
+    ///
+    /// Errors: the first element without an answer, with its number.
+    pub fn add_positive_tangent(
+        &self,
+        model: &Model,
+        state: &State,
+        factor: impl Fn(usize) -> f64,
+        out: &mut Symmetric,
+    ) -> Result<(), (usize, ElementError)> {
+        let (mut gather, mut response) = (Gather::default(), Response::default());
+        let mut new = Vec::new();
+        for (e, element) in model.elements().iter().enumerate() {
+            let a = factor(e);
+            if a == 0.0 {
+                continue;
+            }
+            response.reset(local_size(&**element));
+            let old = &state.old[state.history(e)];
+            new.clear();
+            new.extend_from_slice(old);
+            let motion = gather.motion(model, &state.trial, &**element);
+            element
+                .respond(motion, old, &mut new, Want::TANGENT, &mut response)
+                .map_err(|error| (e, error))?;
+            positive_part(&mut response.tangent);
+            response.tangent.data.iter_mut().for_each(|k| *k *= a);
+            if self.turned[e] {
+                turn_back(model, &**element, &state.trial.rotation, Want::TANGENT, &mut response);
+            }
+            self.scatter(model, e, &mut response.tangent, &mut Sink::whole(&mut out.values));
+        }
+        Ok(())
+    }
+}
+
+/// Leaves the eigenvalues ≥ 0 of a symmetric matrix.
+fn positive_part(a: &mut LocalMatrix) {
+    let n = a.n;
+    let largest = a.data.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let mut shifted = nalgebra::DMatrix::from_column_slice(n, n, &a.data);
+    for i in 0..n {
+        shifted[(i, i)] += 1e-9 * largest;
+    }
+    if shifted.clone().cholesky().is_some() {
+        return;
+    }
+    let eigen = nalgebra::DMatrix::from_column_slice(n, n, &a.data).symmetric_eigen();
+    let kept = eigen.eigenvalues.map(|l| l.max(0.0));
+    let positive = &eigen.eigenvectors * nalgebra::DMatrix::from_diagonal(&kept) * eigen.eigenvectors.transpose();
+    a.data.copy_from_slice(positive.as_slice());
 }
 
 /// Room for one element's matrices, reused from element to element.

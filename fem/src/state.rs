@@ -116,6 +116,19 @@ pub struct Gather {
 }
 
 impl Gather {
+    /// The given values, and the rotations of the nodes of `element` in `fields`.
+    pub fn values(&mut self, fields: &Fields, element: &dyn Element, values: impl Iterator<Item = f64>) -> Motion<'_> {
+        self.values.clear();
+        self.values.extend(values);
+        self.rotations.clear();
+        self.rotations
+            .extend(element.nodes().iter().map(|&n| fields.rotation[n]));
+        Motion {
+            values: &self.values,
+            rotations: &self.rotations,
+        }
+    }
+
     /// Gathers what the nodes of `element` do in `fields`.
     pub fn motion(&mut self, model: &Model, fields: &Fields, element: &dyn Element) -> Motion<'_> {
         self.values.clear();

@@ -309,19 +309,24 @@ impl Damping {
     /// y = C x.
     pub fn times(&self, mass: &Symmetric, stiffness: &Symmetric, x: &[f64]) -> Vec<f64> {
         let mut y = vec![0.0; x.len()];
-        if self.rayleigh.mass != 0.0 {
-            mass.add_product(self.rayleigh.mass, x, &mut y);
-        }
-        if self.rayleigh.stiffness != 0.0 {
-            stiffness.add_product(self.rayleigh.stiffness, x, &mut y);
-        }
-        if let Some(c) = &self.sparse {
-            c.add_product(1.0, x, &mut y);
-        }
+        self.add_sparse_product(mass, stiffness, 1.0, x, &mut y);
         if let Some(modal) = &self.modal {
             modal.add_product(x, &mut y);
         }
         y
+    }
+
+    /// y ← y + factor (C − W D Wᵀ) x: all but the modal part.
+    pub fn add_sparse_product(&self, mass: &Symmetric, stiffness: &Symmetric, factor: f64, x: &[f64], y: &mut [f64]) {
+        if self.rayleigh.mass != 0.0 {
+            mass.add_product(factor * self.rayleigh.mass, x, y);
+        }
+        if self.rayleigh.stiffness != 0.0 {
+            stiffness.add_product(factor * self.rayleigh.stiffness, x, y);
+        }
+        if let Some(c) = &self.sparse {
+            c.add_product(factor, x, y);
+        }
     }
 
     /// Ratios φᵀ C φ/(2 ω) of M-normalised modes; for damping that couples modes, the diagonal part.

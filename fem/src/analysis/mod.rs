@@ -17,15 +17,19 @@
 //! | [`scheme`] | generalised-α and its special cases: Newmark, Hilber-Hughes-Taylor, trapezoidal rule |
 //! | [`transient`] | direct time integration, one factor for many records, with energy balance |
 //! | [`newton`] | one nonlinear load or time step; static load paths |
+//! | [`march`] | nonlinear time histories: static start, cut steps, energy balance, observers |
+//! | [`checkpoint`] | files that a long march is resumed from |
 //! | [`modal`] | modal superposition with missing mass |
 //! | [`spectrum`] | response-spectrum method: SRSS, CQC, missing mass, components |
 //! | [`frequency`] | frequency domain |
 //! | [`ida`] | one model under one record at rising scales |
 
 pub mod contact;
+pub mod checkpoint;
 pub mod damping;
 pub mod frequency;
 pub mod ida;
+pub mod march;
 pub mod modal;
 pub mod moreau;
 pub mod motion;
@@ -64,6 +68,9 @@ pub enum AnalysisError {
     /// Damping without a meaning.
     #[error(transparent)]
     Damping(#[from] damping::DampingError),
+    /// A checkpoint that cannot be written or used.
+    #[error(transparent)]
+    Checkpoint(#[from] checkpoint::CheckpointError),
     /// A parameter out of range.
     #[error("{option}: found {found}, allowed {allowed}")]
     Option {

@@ -11,22 +11,40 @@
 //! |δu·r| ≤ 10⁻¹⁰ × first energy of the step        and        ‖r‖ ≤ 10⁻⁴ (‖f_int‖ + ‖M a‖ + ‖C v‖ + ‖p‖)
 //! ```
 //!
-//! of which the first is the sharp one: a criterion of forces alone never passes for thin plates. History and rotations are
-//! committed on success only; after a failure the state is the committed one, and [`load_path`] tries half the step.
+//! of which the first is the sharp one: a criterion of forces alone never passes for thin plates. A step in which next to
+//! nothing happens has no energy to compare with: there |δu·r| ≤ 10⁻²⁴ of the largest first energy so far is enough, or
+//! 10⁻¹⁸ if iterations make it no smaller. History and rotations are committed on success only; after a failure the state is
+//! the committed one, and [`load_path`] tries half the step.
 //!
-//! Source: Bathe 1996, section 8.4; criteria after the theory sheet of this project.
+//! Aids, all in [`Options`]:
+//!
+//! * **Modified Newton**: the factor is kept as long as every iteration cuts ‖r‖ to a quarter, and made anew when one
+//!   does not. Linear elements are assembled once ([`crate::assembly::LinearPart`]).
+//! * **Line search**: with g(s) = δu·r(u + s δu), s is looked for between 0.1 and 1 where |g(1)| > 0.8 |g(0)| and g has
+//!   changed its sign or grown.
+//! * **Initial stiffness**: a step that has failed is tried once more with the stiffness of the virgin model in place
+//!   of K_T, which softening cannot make indefinite.
+//! * **Tangent damping**: C_T = Σ a_K K_e⁺ of the last committed tangents, K_e⁺ the positive part of an element's.
+//!
+//! Source: Bathe 1996, section 8.4; Matthies & Strang 1979 (line search); criteria after the theory sheet of this project.
 
 use std::sync::Arc;
 
 use super::damping::Damping;
-use super::scheme::{LoadStep, Scheme};
+use super::scheme::{LoadStep, Scheme, Weights};
 use super::{AnalysisError, check_length, failed};
-use crate::assembly::Assembler;
+use crate::assembly::{Assembler, Forces, LinearPart};
 use crate::element::{ElementError, Want};
 use crate::linalg::{Factor, Kind, Symbolic, Symmetric, dot};
 use crate::model::Model;
 use crate::progress::Progress;
-use crate::state::State;
+use crate::state::{Fields, State};
+
+mod iterate;
+mod path;
+mod search;
+
+pub use path::{LoadPath, load_path, load_path_by};
 
 /// When a step has converged, and when it has failed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,8 +67,49 @@ impl Default for Criteria {
     }
 }
 
-/// A step that has converged.
+/// Aids of the iteration.
 #[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// When a step has converged, and when it has failed.
+    pub criteria: Criteria,
+    /// Keep the factor while it serves.
+    pub modified: bool,
+    /// Shorten increments that overshoot.
+    pub line_search: bool,
+    /// Iterations with the initial stiffness after a failure, 0 for none.
+    pub initial_stiffness: usize,
+    /// a_K [s] by group of elements, on the last committed tangent; empty for none.
+    pub tangent_damping: Vec<f64>,
+}
+
+impl Options {
+    /// Full Newton without aids.
+    pub fn plain(criteria: Criteria) -> Options {
+        Options {
+            criteria,
+            modified: false,
+            line_search: false,
+            initial_stiffness: 0,
+            tangent_damping: Vec::new(),
+        }
+    }
+}
+
+/// Modified Newton with line search, and the initial stiffness as a last resort.
+impl Default for Options {
+    fn default() -> Options {
+        Options {
+            criteria: Criteria::default(),
+            modified: true,
+            line_search: true,
+            initial_stiffness: 60,
+            tangent_damping: Vec::new(),
+        }
+    }
+}
+
+/// A step that has converged.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct StepReport {
     /// Iterations made.
     pub iterations: usize,
@@ -78,12 +137,16 @@ pub enum StepFailure {
         dof: crate::dofs::Dof,
     },
     /// The residual or the increment is not finite, or has grown beyond measure.
-    #[error("divergence in iteration {iteration}: residual {residual:.2e}")]
+    #[error("divergence in iteration {iteration}: residual {residual:.2e}; worst at node {node} ({dof})")]
     Divergence {
         /// Iteration, from 1.
         iteration: usize,
         /// ‖r‖.
         residual: f64,
+        /// Node of the largest component, or of the first that is not finite.
+        node: usize,
+        /// Its dof.
+        dof: crate::dofs::Dof,
     },
     /// An element has no answer.
     #[error("element {number}: {source}")]
@@ -98,17 +161,57 @@ pub enum StepFailure {
     Tangent(AnalysisError),
 }
 
-/// What is constant over the steps of an analysis.
+/// What the steps have cost so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cost {
+    /// Steps that converged.
+    pub steps: u64,
+    /// Steps that failed.
+    pub failures: u64,
+    /// Iterations (solves).
+    pub iterations: u64,
+    /// Evaluations of all elements.
+    pub evaluations: u64,
+    /// Factorisations.
+    pub factors: u64,
+    /// Line searches.
+    pub searches: u64,
+}
+
+/// What is constant over the steps of an analysis, and what is kept from one to the next.
 pub struct Newton<'a> {
     model: &'a Model,
     assembler: &'a Assembler,
     symbolic: &'a Arc<Symbolic>,
     inertia: Option<Inertia<'a>>,
-    criteria: Criteria,
+    options: Options,
     kind: Kind,
+    linear: LinearPart,
+    initial: Option<Symmetric>,
     tangent: Symmetric,
     effective: Symmetric,
-    factor: Option<Factor>,
+    /// Factor of `effective`, and the weights in it.
+    factor: Option<(Factor, Weights)>,
+    /// C_T.
+    viscous: Option<Symmetric>,
+    /// Forces at the committed state, and the displacements they belong to.
+    committed: Forces,
+    committed_at: Option<Vec<f64>>,
+    forces: Forces,
+    /// Largest first energy of a step so far.
+    reference: f64,
+    cost: Cost,
+    room: Room,
+}
+
+/// Vectors kept from iteration to iteration.
+#[derive(Default)]
+struct Room {
+    r: Vec<f64>,
+    du: Vec<f64>,
+    blend: Vec<f64>,
+    part: Vec<f64>,
+    base: Option<Fields>,
 }
 
 /// Constant mass and damping; Rayleigh's a_K multiplies the given stiffness, not the tangent.
@@ -123,9 +226,9 @@ pub struct Inertia<'a> {
 }
 
 impl<'a> Newton<'a> {
-    /// For the steps of one analysis; `inertia` is needed by time steps.
+    /// Full Newton for the steps of one analysis; `inertia` is needed by time steps.
     ///
-    /// Errors: modal damping, which is not a sparse matrix.
+    /// Errors: modal damping, which is not a sparse matrix; a linear element without a stiffness.
     pub fn new(
         model: &'a Model,
         assembler: &'a Assembler,
@@ -133,24 +236,93 @@ impl<'a> Newton<'a> {
         inertia: Option<Inertia<'a>>,
         criteria: Criteria,
     ) -> Result<Newton<'a>, AnalysisError> {
+        Newton::with_options(model, assembler, symbolic, inertia, Options::plain(criteria))
+    }
+
+    /// The same with aids.
+    ///
+    /// Errors: as [`Newton::new`]; tangent damping that is negative or of more groups than there are.
+    pub fn with_options(
+        model: &'a Model,
+        assembler: &'a Assembler,
+        symbolic: &'a Arc<Symbolic>,
+        inertia: Option<Inertia<'a>>,
+        options: Options,
+    ) -> Result<Newton<'a>, AnalysisError> {
         if inertia.is_some_and(|i| i.damping.modal.is_some()) {
             return Err(AnalysisError::Option {
                 option: "Newton's method",
                 found: "modal damping".into(),
-                allowed: "Rayleigh damping, by group, dashpots".into(),
+                allowed: "Rayleigh damping, by group, dashpots, damping matrices of super-elements".into(),
             });
         }
-        Ok(Newton {
+        let given = &options.tangent_damping;
+        if given.len() > model.groups().len() || given.iter().any(|a| !(*a >= 0.0 && a.is_finite())) {
+            return Err(AnalysisError::Option {
+                option: "tangent damping",
+                found: format!("{given:?} for {} groups", model.groups().len()),
+                allowed: "a finite a_K ≥ 0 a group".into(),
+            });
+        }
+        let viscous = given.iter().any(|a| *a != 0.0) && inertia.is_some();
+        let mut newton = Newton {
             model,
             assembler,
             symbolic,
             inertia,
-            criteria,
+            options,
             kind: Kind::QuasiDefinite,
+            linear: assembler
+                .linear_part(model)
+                .map_err(|(number, source)| AnalysisError::Element { number, source })?,
+            initial: None,
             tangent: Symmetric::zeros(assembler.pattern().clone()),
             effective: Symmetric::zeros(assembler.pattern().clone()),
             factor: None,
-        })
+            viscous: None,
+            committed: Forces::default(),
+            committed_at: None,
+            forces: Forces::default(),
+            reference: 0.0,
+            cost: Cost::default(),
+            room: Room::default(),
+        };
+        if viscous {
+            let state = State::new(model);
+            newton.viscous = Some(newton.tangent_damping(&state)?);
+        }
+        Ok(newton)
+    }
+
+    /// What the steps have cost so far.
+    pub fn cost(&self) -> Cost {
+        self.cost
+    }
+
+    /// C_T of the last committed step.
+    pub fn viscous(&self) -> Option<&Symmetric> {
+        self.viscous.as_ref()
+    }
+
+    /// Internal forces at the committed state; evaluated if they are not those of the last step.
+    ///
+    /// Errors: an element without an answer.
+    pub fn committed_forces(&mut self, state: &mut State) -> Result<&Forces, StepFailure> {
+        let known = self.committed_at.as_ref().is_some_and(|u| *u == state.committed.u);
+        if !known {
+            state.revert();
+            self.evaluate(state, Want::FORCE)?;
+            state.revert();
+            self.keep_forces(state);
+        }
+        Ok(&self.committed)
+    }
+
+    fn keep_forces(&mut self, state: &State) {
+        std::mem::swap(&mut self.committed, &mut self.forces);
+        let at = self.committed_at.get_or_insert_with(Vec::new);
+        at.clear();
+        at.extend_from_slice(&state.committed.u);
     }
 
     /// One step from the committed state under the loads `p0` at its beginning and `p1` at its end. On success the state is
@@ -164,216 +336,122 @@ impl<'a> Newton<'a> {
         p0: &[f64],
         p1: &[f64],
     ) -> Result<StepReport, StepFailure> {
-        let result = self.iterate(scheme, state, p0, p1);
+        let limit = self.options.criteria.iterations;
+        let mut result = self.iterate(scheme, state, [p0, p1], limit, false);
+        if result.is_err() && self.options.initial_stiffness > 0 {
+            self.factor = None;
+            let last = self.options.initial_stiffness;
+            result = self.iterate(scheme, state, [p0, p1], last, true);
+            self.factor = None;
+        }
+        if result.is_ok() && self.viscous.is_some() {
+            match self.tangent_damping(state) {
+                Ok(viscous) => self.viscous = Some(viscous),
+                Err(AnalysisError::Element { number, source }) => {
+                    result = Err(StepFailure::Element { number, source });
+                }
+                Err(other) => result = Err(StepFailure::Tangent(other)),
+            }
+        }
         match result {
-            Ok(_) => state.commit(),
-            Err(_) => state.revert(),
+            Ok(_) => {
+                state.commit();
+                self.keep_forces(state);
+                self.cost.steps += 1;
+            }
+            Err(_) => {
+                state.revert();
+                self.cost.failures += 1;
+            }
         }
         result
     }
 
-    fn respond(&mut self, state: &mut State, want: Want) -> Result<Vec<f64>, StepFailure> {
+    /// Σ a_K K_e⁺ at the trial state.
+    fn tangent_damping(&self, state: &State) -> Result<Symmetric, AnalysisError> {
+        let coefficients = &self.options.tangent_damping;
+        let of = |e: usize| coefficients.get(self.model.group_of(e)).copied().unwrap_or(0.0);
+        let mut out = Symmetric::zeros(self.assembler.pattern().clone());
         self.assembler
-            .respond(self.model, state, want, &mut self.tangent)
-            .map_err(|(number, source)| StepFailure::Element { number, source })
+            .add_positive_tangent(self.model, state, of, &mut out)
+            .map_err(|(number, source)| AnalysisError::Element { number, source })?;
+        Ok(out)
     }
 
-    fn iterate(
-        &mut self,
-        scheme: &dyn Scheme,
-        state: &mut State,
-        p0: &[f64],
-        p1: &[f64],
-    ) -> Result<StepReport, StepFailure> {
-        let (on_mass, on_force) = scheme.collocation();
+    /// Adds M⁻¹ `force` to the committed acceleration: what a jump of the loads does. M may be singular (rotations without
+    /// inertia): (M + ε K) Δa = Δp with ε = 10⁻⁶ h²/4 is solved and refined once against M.
+    ///
+    /// Errors: no inertia was given, a matrix that cannot be factored.
+    pub fn accelerate(&mut self, state: &mut State, force: &[f64], h: f64) -> Result<(), AnalysisError> {
+        let inertia = self.inertia.ok_or(AnalysisError::Option {
+            option: "Newton's method",
+            found: "no mass".into(),
+            allowed: "a mass matrix for time steps".into(),
+        })?;
+        let mut regular = inertia.mass.clone();
+        regular.add(0.25e-6 * h * h, inertia.stiffness);
+        let factor = self
+            .symbolic
+            .factor(&regular, self.kind)
+            .map_err(failed("the mass matrix"))?;
+        let solve = |b: &[f64]| factor.solve_vector(b).map_err(failed("the acceleration after a jump"));
+        let mut a = solve(force)?;
+        let mut rest = force.to_vec();
+        inertia.mass.add_product(-1.0, &a, &mut rest);
+        for (a, d) in a.iter_mut().zip(solve(&rest)?) {
+            *a += d;
+        }
+        for (total, a) in state.committed.a.iter_mut().zip(&a) {
+            *total += a;
+        }
         state.revert();
-        let held = if on_force == 1.0 {
-            None
-        } else {
-            Some(self.respond(state, Want::FORCE)?)
-        };
-        let guess = scheme.predict(&state.committed);
-        if guess.iter().any(|g| *g != 0.0) {
-            state.increment(self.model, &guess);
-        }
-        let mut residuals = Vec::new();
-        let (mut first, mut energy) = (0.0_f64, f64::INFINITY);
-        for iteration in 0..=self.criteria.iterations {
-            scheme.correct(&state.committed, &mut state.trial);
-            let force = self.respond(state, Want::ALL)?;
-            let (r, scale) = self.residual(state, [on_mass, on_force], &force, held.as_deref(), [p0, p1]);
-            let norm = dot(&r, &r).sqrt();
-            residuals.push(norm);
-            if !norm.is_finite() || norm > 1e8 * (residuals[0] + scale) {
-                return Err(StepFailure::Divergence {
-                    iteration,
-                    residual: norm,
-                });
-            }
-            // Nothing to do: in equilibrium to rounding.
-            let rounding = norm <= 1e-14 * scale;
-            if rounding || (energy <= self.criteria.energy * first && norm <= self.criteria.force * scale) {
-                return Ok(StepReport {
-                    iterations: iteration,
-                    residuals,
-                });
-            }
-            if iteration == self.criteria.iterations {
-                return Err(self.no_convergence(&r, norm, self.criteria.force * scale));
-            }
-            let du = self.solve(scheme, &r).map_err(StepFailure::Tangent)?;
-            energy = dot(&du, &r).abs();
-            if iteration == 0 {
-                first = energy;
-            }
-            state.increment(self.model, &du);
-        }
-        unreachable!("the last iteration returns")
+        Ok(())
     }
 
-    /// r, and the sum of the norms of what it is made of.
-    fn residual(
-        &self,
-        state: &State,
-        [on_mass, on_force]: [f64; 2],
-        force: &[f64],
-        held: Option<&[f64]>,
-        [p0, p1]: [&[f64]; 2],
-    ) -> (Vec<f64>, f64) {
-        let blend = |w: f64, x1: &[f64], x0: &[f64]| -> Vec<f64> {
-            x1.iter().zip(x0).map(|(a, b)| w * a + (1.0 - w) * b).collect()
-        };
-        let norm = |x: &[f64]| dot(x, x).sqrt();
-        let mut r = blend(on_force, p1, p0);
-        let internal = blend(on_force, force, held.unwrap_or(force));
-        let mut scale = norm(&r) + norm(&internal);
-        for (r, f) in r.iter_mut().zip(&internal) {
-            *r -= f;
+    /// The parts that the next steps depend on, besides the state: largest first energy, C_T, and the matrix that the kept
+    /// factor was made of with its weights.
+    pub(super) fn memory(&self) -> Memory {
+        let weights = self.factor.as_ref().map(|(_, w)| *w);
+        Memory {
+            reference: self.reference,
+            viscous: self.viscous.as_ref().map(|c| c.values.clone()),
+            kept: weights.map(|w| (w, self.effective.values.clone())),
+            forces: self.committed_at.is_some().then(|| self.committed.clone()),
+            cost: self.cost,
         }
-        if let Some(inertia) = self.inertia {
-            let a = blend(on_mass, &state.trial.a, &state.committed.a);
-            let v = blend(on_force, &state.trial.v, &state.committed.v);
-            let parts = [
-                inertia.mass.times(&a),
-                inertia.damping.times(inertia.mass, inertia.stiffness, &v),
-            ];
-            for part in parts {
-                scale += norm(&part);
-                for (r, f) in r.iter_mut().zip(&part) {
-                    *r -= f;
-                }
-            }
-        }
-        (r, scale)
     }
 
-    /// Solves with the effective tangent.
-    fn solve(&mut self, scheme: &dyn Scheme, r: &[f64]) -> Result<Vec<f64>, AnalysisError> {
-        let w = scheme.weights();
-        self.effective.values.fill(0.0);
-        self.effective.add(w.stiffness, &self.tangent);
-        if let Some(inertia) = self.inertia {
-            let c = &inertia.damping.rayleigh;
-            self.effective.add(w.mass + w.damping * c.mass, inertia.mass);
-            self.effective.add(w.damping * c.stiffness, inertia.stiffness);
-            if let Some(sparse) = &inertia.damping.sparse {
-                self.effective.add(w.damping, sparse);
-            }
+    /// Restores what [`Newton::memory`] gave, for a state with the same committed fields.
+    ///
+    /// Errors: a matrix that cannot be factored.
+    pub(super) fn recall(&mut self, memory: Memory, state: &State) -> Result<(), AnalysisError> {
+        self.reference = memory.reference;
+        self.cost = memory.cost;
+        if let (Some(c), Some(values)) = (&mut self.viscous, memory.viscous) {
+            c.values = values;
         }
-        let what = "the effective tangent";
-        // Taken out, so that a factor that failed is not used again.
-        let factor = match self.factor.take() {
-            Some(mut factor) => factor.refactor(&self.effective).map(|()| factor),
-            None => self.symbolic.factor(&self.effective, self.kind),
-        };
-        let factor = self.factor.insert(factor.map_err(failed(what))?);
-        factor.solve_vector(r).map_err(failed(what))
-    }
-
-    fn no_convergence(&self, r: &[f64], residual: f64, allowed: f64) -> StepFailure {
-        let worst = (0..r.len()).fold(0, |m, i| if r[i].abs() > r[m].abs() { i } else { m });
-        let (node, dof) = self.model.dofs().unknown(worst);
-        StepFailure::NoConvergence {
-            iterations: self.criteria.iterations,
-            residual,
-            allowed,
-            node,
-            dof,
+        self.factor = None;
+        if let Some((weights, values)) = memory.kept {
+            self.effective.values = values;
+            let factor = self.symbolic.factor(&self.effective, self.kind);
+            self.factor = Some((factor.map_err(failed("the effective tangent"))?, weights));
         }
+        if let Some(forces) = memory.forces {
+            self.forces = forces;
+            self.keep_forces(state);
+        }
+        Ok(())
     }
 }
 
-/// A static path that was followed.
+/// See [`Newton::memory`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct LoadPath {
-    /// Load factor reached: 1 at the end.
-    pub factor: f64,
-    /// (load factor, iterations) of every step.
-    pub steps: Vec<(f64, usize)>,
-    /// Why the path ended before 1.
-    pub failure: Option<StepFailure>,
-}
-
-/// Smallest part of the nominal step that is tried.
-const SMALLEST: f64 = 1.0 / 64.0;
-
-/// Applies `constant` + λ `load`, λ from 0 to 1 in `steps` nominal steps; a step that fails is halved, down to 1/64, and after
-/// four steps that converge the length is doubled again up to the nominal one. `each` sees every committed state.
-///
-/// Interrupted or at a limit point, it returns how far it came.
-///
-/// Errors: loads of wrong length, no step.
-pub fn load_path(
-    newton: &mut Newton<'_>,
-    state: &mut State,
-    constant: &[f64],
-    load: &[f64],
-    steps: usize,
-    progress: &dyn Progress,
-    mut each: impl FnMut(f64, &State),
-) -> Result<LoadPath, AnalysisError> {
-    let n = newton.model.dofs().len();
-    check_length("constant load", constant.len(), n)?;
-    check_length("load", load.len(), n)?;
-    if steps == 0 {
-        return Err(AnalysisError::Option {
-            option: "load steps",
-            found: "0".into(),
-            allowed: "1 or more".into(),
-        });
-    }
-    let at = |factor: f64| -> Vec<f64> { constant.iter().zip(load).map(|(c, p)| c + factor * p).collect() };
-    progress.stage("load steps", steps as u64);
-    let mut path = LoadPath {
-        factor: 0.0,
-        steps: Vec::new(),
-        failure: None,
-    };
-    let nominal = 1.0 / steps as f64;
-    let (mut part, mut easy, mut told) = (1.0, 0, 0);
-    while path.factor < 1.0 - 1e-12 && !progress.interrupted() {
-        let next = (path.factor + part * nominal).min(1.0);
-        match newton.step(&LoadStep, state, &at(path.factor), &at(next)) {
-            Ok(report) => {
-                path.factor = next;
-                path.steps.push((next, report.iterations));
-                each(next, state);
-                easy += 1;
-                if easy == 4 && part < 1.0 {
-                    (part, easy) = (2.0 * part, 0);
-                }
-                let done = (next * steps as f64 + 1e-9) as u64;
-                progress.advance(done - told);
-                told = done;
-            }
-            Err(_) if part > SMALLEST => (part, easy) = (0.5 * part, 0),
-            Err(failure) => {
-                path.failure = Some(failure);
-                break;
-            }
-        }
-    }
-    Ok(path)
+pub(super) struct Memory {
+    pub reference: f64,
+    pub viscous: Option<Vec<f64>>,
+    pub kept: Option<(Weights, Vec<f64>)>,
+    pub forces: Option<Forces>,
+    pub cost: Cost,
 }
 
 #[cfg(test)]

@@ -96,6 +96,28 @@ impl Observable {
         field: impl Fn(usize) -> [f64; KINDS],
         rayleigh: impl Fn(usize) -> Rayleigh,
     ) -> Result<Observable, AnalysisError> {
+        Observable::reaction_parts(model, name, field, rayleigh, true)
+    }
+
+    /// The part of [`Observable::reaction`] that inertia and damping have, for models whose internal forces are not linear.
+    ///
+    /// Errors: those of the elements.
+    pub fn reaction_of_motion(
+        model: &Model,
+        name: &str,
+        field: impl Fn(usize) -> [f64; KINDS],
+        rayleigh: impl Fn(usize) -> Rayleigh,
+    ) -> Result<Observable, AnalysisError> {
+        Observable::reaction_parts(model, name, field, rayleigh, false)
+    }
+
+    fn reaction_parts(
+        model: &Model,
+        name: &str,
+        field: impl Fn(usize) -> [f64; KINDS],
+        rayleigh: impl Fn(usize) -> Rayleigh,
+        with_stiffness: bool,
+    ) -> Result<Observable, AnalysisError> {
         let (mut d, mut e, mut c) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
         let mut ground = [0.0; 3];
         for (number, element) in model.elements().iter().enumerate() {
@@ -130,7 +152,7 @@ impl Observable {
         let sparse = |map: BTreeMap<usize, f64>| map.into_iter().filter(|&(_, v)| v != 0.0).collect();
         Ok(Observable {
             name: name.to_owned(),
-            displacement: sparse(d),
+            displacement: if with_stiffness { sparse(d) } else { Vec::new() },
             velocity: sparse(e),
             acceleration: sparse(c),
             ground,

@@ -1,0 +1,313 @@
+//! Files that a long analysis is resumed from.
+//!
+//! ```text
+//! magic "TANKSTOP" | version u32 | fingerprint u64 | length u64 | payload | checksum u64
+//! ```
+//!
+//! Little-endian throughout; numbers are stored bit by bit, so that a resumed run is the uninterrupted one to the last
+//! digit. The **fingerprint** is a hash of the model (nodes, elements and what they answer, supports, groups), of the
+//! matrices, the settings and the loads: a file of another analysis is refused. Checksum and fingerprint are FNV-1a (Fowler,
+//! Noll & Vo 1991): they find accidents, not forgeries. A file is written beside its place and renamed, so that a crash
+//! leaves the old one.
+
+use std::fs::{self, File};
+use std::io::{Read as _, Write as _};
+use std::path::Path;
+
+/// First bytes of a file.
+pub const MAGIC: [u8; 8] = *b"TANKSTOP";
+/// Version of the format.
+pub const VERSION: u32 = 1;
+/// Bytes before the payload.
+const HEAD: usize = 8 + 4 + 8 + 8;
+
+/// A file that cannot be written, read or used.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CheckpointError {
+    /// Of the file system.
+    #[error("checkpoint {path}: {reason}")]
+    File {
+        /// File.
+        path: String,
+        /// What the system says.
+        reason: String,
+    },
+    /// No checkpoint.
+    #[error("checkpoint: the file begins with {found:?}, allowed {:?}", MAGIC)]
+    Magic {
+        /// First bytes.
+        found: Vec<u8>,
+    },
+    /// Of another version of the program.
+    #[error("checkpoint: format version {found}, allowed {VERSION}")]
+    Version {
+        /// Version found.
+        found: u32,
+    },
+    /// Of another model, other settings or another record.
+    #[error(
+        "checkpoint: fingerprint {found:016x}, allowed {allowed:016x}: it belongs to another model, settings or records"
+    )]
+    Fingerprint {
+        /// Fingerprint found.
+        found: u64,
+        /// That of this analysis.
+        allowed: u64,
+    },
+    /// Truncated or longer than it should be.
+    #[error("checkpoint: {found} bytes, allowed {allowed}")]
+    Length {
+        /// Bytes found.
+        found: u64,
+        /// Bytes that there should be.
+        allowed: u64,
+    },
+    /// Damaged.
+    #[error("checkpoint: checksum {found:016x}, allowed {allowed:016x}: the file is damaged")]
+    Checksum {
+        /// Checksum found.
+        found: u64,
+        /// That of the payload.
+        allowed: u64,
+    },
+    /// A payload that does not fit the analysis.
+    #[error("checkpoint: {what} has {found} entries, allowed {allowed}")]
+    Shape {
+        /// Part of the payload.
+        what: &'static str,
+        /// Entries found.
+        found: usize,
+        /// Entries allowed.
+        allowed: usize,
+    },
+}
+
+/// FNV-1a over bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hash(u64);
+
+impl Default for Hash {
+    fn default() -> Hash {
+        Hash(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Hash {
+    /// Takes bytes in.
+    pub fn bytes(&mut self, bytes: &[u8]) {
+        for b in bytes {
+            self.0 = (self.0 ^ u64::from(*b)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
+
+    /// Takes numbers and their count in.
+    pub fn numbers(&mut self, values: &[f64]) {
+        self.count(values.len());
+        values.iter().for_each(|v| self.bytes(&v.to_le_bytes()));
+    }
+
+    /// Takes a count in.
+    pub fn count(&mut self, value: usize) {
+        self.bytes(&(value as u64).to_le_bytes());
+    }
+
+    /// Takes a text in.
+    pub fn text(&mut self, text: &str) {
+        self.count(text.len());
+        self.bytes(text.as_bytes());
+    }
+
+    /// The hash.
+    pub fn value(self) -> u64 {
+        self.0
+    }
+}
+
+/// Payload being written.
+#[derive(Clone, Debug, Default)]
+pub struct Writer {
+    bytes: Vec<u8>,
+}
+
+impl Writer {
+    /// A count.
+    pub fn count(&mut self, value: usize) {
+        self.bytes.extend((value as u64).to_le_bytes());
+    }
+
+    /// A number.
+    pub fn number(&mut self, value: f64) {
+        self.bytes.extend(value.to_le_bytes());
+    }
+
+    /// Numbers and their count.
+    pub fn numbers(&mut self, values: &[f64]) {
+        self.count(values.len());
+        values.iter().for_each(|&v| self.number(v));
+    }
+
+    /// A part with its length, so that a reader that does not know it can skip it.
+    pub fn part(&mut self, part: Writer) {
+        self.count(part.bytes.len());
+        self.bytes.extend(part.bytes);
+    }
+
+    /// Writes the file: beside its place, then renamed.
+    ///
+    /// Errors: those of the file system.
+    pub fn save(self, path: &Path, fingerprint: u64) -> Result<(), CheckpointError> {
+        let failed = |e: std::io::Error| CheckpointError::File {
+            path: path.display().to_string(),
+            reason: e.to_string(),
+        };
+        let mut hash = Hash::default();
+        hash.bytes(&self.bytes);
+        let mut beside = path.as_os_str().to_owned();
+        beside.push(".part");
+        let mut file = File::create(&beside).map_err(failed)?;
+        file.write_all(&MAGIC).map_err(failed)?;
+        file.write_all(&VERSION.to_le_bytes()).map_err(failed)?;
+        file.write_all(&fingerprint.to_le_bytes()).map_err(failed)?;
+        file.write_all(&(self.bytes.len() as u64).to_le_bytes())
+            .map_err(failed)?;
+        file.write_all(&self.bytes).map_err(failed)?;
+        file.write_all(&hash.value().to_le_bytes()).map_err(failed)?;
+        file.sync_all().map_err(failed)?;
+        drop(file);
+        fs::rename(&beside, path).map_err(failed)
+    }
+}
+
+/// Payload being read.
+#[derive(Clone, Debug, Default)]
+pub struct Reader {
+    bytes: Vec<u8>,
+    at: usize,
+}
+
+impl Reader {
+    /// Opens a file of this analysis.
+    ///
+    /// Errors: the file system's; no checkpoint, of another version, of another analysis, truncated, damaged.
+    pub fn open(path: &Path, fingerprint: u64) -> Result<Reader, CheckpointError> {
+        let failed = |e: std::io::Error| CheckpointError::File {
+            path: path.display().to_string(),
+            reason: e.to_string(),
+        };
+        let mut all = Vec::new();
+        File::open(path)
+            .map_err(failed)?
+            .read_to_end(&mut all)
+            .map_err(failed)?;
+        if !all.starts_with(&MAGIC) {
+            let found = all[..all.len().min(MAGIC.len())].to_vec();
+            return Err(CheckpointError::Magic { found });
+        }
+        let mut head = Reader { bytes: all, at: 8 };
+        let version = u32::from_le_bytes(head.take("version")?);
+        if version != VERSION {
+            return Err(CheckpointError::Version { found: version });
+        }
+        let found = u64::from_le_bytes(head.take("fingerprint")?);
+        if found != fingerprint {
+            return Err(CheckpointError::Fingerprint {
+                found,
+                allowed: fingerprint,
+            });
+        }
+        let length = u64::from_le_bytes(head.take("length")?);
+        let size = head.bytes.len() as u64;
+        let allowed = length.saturating_add(HEAD as u64 + 8);
+        if size != allowed {
+            return Err(CheckpointError::Length { found: size, allowed });
+        }
+        let payload = head.bytes[HEAD..HEAD + length as usize].to_vec();
+        head.at = HEAD + length as usize;
+        let found = u64::from_le_bytes(head.take("checksum")?);
+        let mut hash = Hash::default();
+        hash.bytes(&payload);
+        if found != hash.value() {
+            return Err(CheckpointError::Checksum {
+                found,
+                allowed: hash.value(),
+            });
+        }
+        Ok(Reader { bytes: payload, at: 0 })
+    }
+
+    fn take<const N: usize>(&mut self, what: &'static str) -> Result<[u8; N], CheckpointError> {
+        let slice = self.bytes.get(self.at..self.at + N);
+        let out = slice.and_then(|s| s.try_into().ok()).ok_or(CheckpointError::Shape {
+            what,
+            found: self.bytes.len().saturating_sub(self.at),
+            allowed: N,
+        })?;
+        self.at += N;
+        Ok(out)
+    }
+
+    /// A count.
+    ///
+    /// Errors: the end of the payload.
+    pub fn count(&mut self) -> Result<usize, CheckpointError> {
+        Ok(u64::from_le_bytes(self.take("a count")?) as usize)
+    }
+
+    /// A number.
+    ///
+    /// Errors: the end of the payload.
+    pub fn number(&mut self) -> Result<f64, CheckpointError> {
+        Ok(f64::from_le_bytes(self.take("a number")?))
+    }
+
+    /// Numbers.
+    ///
+    /// Errors: the end of the payload.
+    pub fn numbers(&mut self, what: &'static str) -> Result<Vec<f64>, CheckpointError> {
+        let count = self.count()?;
+        let left = (self.bytes.len() - self.at) / 8;
+        if count > left {
+            return Err(CheckpointError::Shape {
+                what,
+                found: left,
+                allowed: count,
+            });
+        }
+        (0..count).map(|_| self.number()).collect()
+    }
+
+    /// Numbers into a place of the right length.
+    ///
+    /// Errors: another length.
+    pub fn numbers_into(&mut self, what: &'static str, to: &mut [f64]) -> Result<(), CheckpointError> {
+        let found = self.numbers(what)?;
+        if found.len() != to.len() {
+            return Err(CheckpointError::Shape {
+                what,
+                found: found.len(),
+                allowed: to.len(),
+            });
+        }
+        to.copy_from_slice(&found);
+        Ok(())
+    }
+
+    /// A part that was written as one.
+    ///
+    /// Errors: the end of the payload.
+    pub fn part(&mut self) -> Result<Reader, CheckpointError> {
+        let length = self.count()?;
+        let bytes = self.bytes.get(self.at..self.at.saturating_add(length));
+        let bytes = bytes.ok_or(CheckpointError::Shape {
+            what: "a part",
+            found: self.bytes.len() - self.at,
+            allowed: length,
+        })?;
+        let part = Reader {
+            bytes: bytes.to_vec(),
+            at: 0,
+        };
+        self.at += length;
+        Ok(part)
+    }
+}

@@ -1,0 +1,480 @@
+//! The steps of a march.
+
+use std::time::Instant as Clock;
+
+use super::energy::{Balance, Meter};
+use super::fingerprint::fingerprint;
+use super::*;
+use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
+use crate::analysis::newton::{Inertia, Memory, Newton, load_path_by};
+use crate::analysis::scheme::{RegularLoadStep, Weights};
+
+/// Part of M in the matrix of a static iteration [1/s²]: unknowns without stiffness are carried along.
+const SHIFT: f64 = 1e-6;
+
+/// Where a march stands.
+#[derive(Clone, Copy, Debug)]
+struct Position {
+    /// Nominal step.
+    step: usize,
+    /// Beginning and length of the next part, in units of the shortest.
+    at: u32,
+    part: u32,
+    /// Steps that converged since the last change of length.
+    easy: usize,
+    cuts: u64,
+    shortest: f64,
+}
+
+pub(super) struct Driver<'a> {
+    problem: Problem<'a>,
+    load: &'a Load,
+    settings: &'a Settings,
+    newton: Newton<'a>,
+    state: State,
+    position: Position,
+    /// Time functions at the end of the last step: three components, then the forces.
+    functions: Vec<f64>,
+    meter: Meter<'a>,
+    balance: Balance,
+    statics: Option<LoadPath>,
+    fingerprint: u64,
+}
+
+impl<'a> Driver<'a> {
+    pub fn new(problem: Problem<'a>, load: &'a Load, settings: &'a Settings) -> Result<Driver<'a>, AnalysisError> {
+        let system = problem.system;
+        let inertia = Inertia {
+            mass: &system.mass,
+            stiffness: &system.stiffness,
+            damping: &system.damping,
+        };
+        let newton = Newton::with_options(
+            problem.model,
+            problem.assembler,
+            problem.symbolic,
+            Some(inertia),
+            settings.newton.clone(),
+        )?;
+        let state = match &settings.start {
+            Some(start) => start.clone(),
+            None => State::new(problem.model),
+        };
+        Ok(Driver {
+            fingerprint: match &settings.checkpoint {
+                Some(_) => fingerprint(problem, load, settings),
+                None => 0,
+            },
+            meter: Meter::new(problem, &state),
+            problem,
+            load,
+            settings,
+            newton,
+            state,
+            position: Position {
+                step: 0,
+                at: 0,
+                part: 1 << settings.halvings,
+                easy: 0,
+                cuts: 0,
+                shortest: f64::INFINITY,
+            },
+            functions: vec![0.0; 3 + load.forces.len()],
+            balance: Balance::default(),
+            statics: None,
+        })
+    }
+
+    pub fn run(mut self, observers: &mut [&mut dyn Observe], progress: &dyn Progress) -> Result<Run, AnalysisError> {
+        let settings = self.settings;
+        let file = settings.checkpoint.as_ref();
+        let resumed = match file {
+            Some(c) if c.resume && c.path.exists() => {
+                self.restore(&c.path, observers)?;
+                true
+            }
+            _ => false,
+        };
+        if !resumed {
+            if let Some(end) = self.start_static(progress)? {
+                return Ok(self.finish(end));
+            }
+            self.meter = Meter::new(self.problem, &self.state);
+            if let Err(failure) = self.show(observers, 0, 0.0) {
+                return Ok(self.finish(Outcome::Collapsed(Collapse::new(0.0, None, failure))));
+            }
+        }
+        let grid = &settings.grid;
+        progress.stage("time steps", grid.steps() as u64);
+        progress.advance(self.position.step as u64);
+        let mut written = (self.position.step, Clock::now());
+        let end = loop {
+            if self.position.step >= grid.steps() {
+                break Outcome::Completed;
+            }
+            if progress.interrupted() {
+                if let Some(c) = file {
+                    self.save(&c.path, observers)?;
+                }
+                break Outcome::Interrupted;
+            }
+            if self.position.at == 0 {
+                self.jump()?;
+            }
+            match self.advance(observers)? {
+                Ok(true) => progress.advance(1),
+                Ok(false) => {}
+                Err(failure) => {
+                    break Outcome::Collapsed(Collapse::new(self.time(), None, failure));
+                }
+            }
+            if let Some(reason) = observers.iter().find_map(|o| o.stop()) {
+                break Outcome::Stopped { reason };
+            }
+            if let Some(c) = file
+                && self.position.at == 0
+                && ((c.steps > 0 && self.position.step >= written.0 + c.steps)
+                    || written.1.elapsed().as_secs_f64() >= c.seconds)
+            {
+                self.save(&c.path, observers)?;
+                written = (self.position.step, Clock::now());
+            }
+        };
+        Ok(self.finish(end))
+    }
+
+    fn finish(self, outcome: Outcome) -> Run {
+        Run {
+            time: self.time(),
+            outcome,
+            state: self.state,
+            statics: self.statics,
+            balance: self.balance,
+            cost: self.newton.cost(),
+            cuts: self.position.cuts,
+            shortest: self.position.shortest,
+        }
+    }
+
+    fn unit(&self) -> f64 {
+        f64::from(1_u32 << self.settings.halvings)
+    }
+
+    fn time(&self) -> f64 {
+        let grid = &self.settings.grid;
+        let part = f64::from(self.position.at) / self.unit();
+        if self.position.at == 0 {
+            return grid.time(self.position.step);
+        }
+        grid.time(self.position.step) + part * grid.h()
+    }
+
+    /// Brings up the constant loads; returns the end of the march if they cannot be carried.
+    fn start_static(&mut self, progress: &dyn Progress) -> Result<Option<Outcome>, AnalysisError> {
+        let settings = self.settings;
+        if settings.start.is_some() || settings.constant.iter().all(|p| *p == 0.0) {
+            return Ok(None);
+        }
+        let zero = vec![0.0; self.problem.system.size()];
+        let path = load_path_by(
+            &mut self.newton,
+            &RegularLoadStep { shift: SHIFT },
+            &mut self.state,
+            &zero,
+            &settings.constant,
+            settings.load_steps,
+            progress,
+            |_, _| {},
+        )?;
+        let end = match &path.failure {
+            Some(failure) => Some(Outcome::Collapsed(Collapse::new(
+                0.0,
+                Some(path.factor),
+                failure.clone(),
+            ))),
+            None if path.factor < 1.0 - 1e-12 => Some(Outcome::Interrupted),
+            None => None,
+        };
+        self.statics = Some(path);
+        Ok(end)
+    }
+
+    /// Time functions at part `f` of the nominal step under way.
+    fn at(&self, f: f64) -> Vec<f64> {
+        let i = self.position.step;
+        let ground = self.load.ground.iter().map(Option::as_ref);
+        let motions = ground.chain(self.load.forces.iter().map(|(_, m)| Some(m)));
+        let value = |m: Option<&crate::analysis::motion::Motion>| {
+            m.map_or(0.0, |m| {
+                let (a, b) = m.interval(i);
+                if f == 1.0 { b } else { a + f * (b - a) }
+            })
+        };
+        motions.map(value).collect()
+    }
+
+    /// All loads at these values of the time functions.
+    fn load_vector(&self, functions: &[f64], out: &mut Vec<f64>) {
+        out.clear();
+        match self.settings.constant.is_empty() {
+            true => out.resize(self.problem.system.size(), 0.0),
+            false => out.extend_from_slice(&self.settings.constant),
+        }
+        self.add_functions(functions, out);
+    }
+
+    fn add_functions(&self, functions: &[f64], out: &mut [f64]) {
+        for (k, &f) in functions.iter().enumerate().filter(|(_, f)| **f != 0.0) {
+            let (shape, factor) = match k {
+                0..3 => (&self.problem.system.inertia[k], -f),
+                _ => (&self.load.forces[k - 3].0, f),
+            };
+            for (p, s) in out.iter_mut().zip(shape) {
+                *p += factor * s;
+            }
+        }
+    }
+
+    /// Lets the acceleration jump where the loads do.
+    fn jump(&mut self) -> Result<(), AnalysisError> {
+        let begin = self.at(0.0);
+        let change: Vec<f64> = begin.iter().zip(&self.functions).map(|(b, e)| b - e).collect();
+        if change.iter().all(|c| *c == 0.0) {
+            return Ok(());
+        }
+        let mut force = vec![0.0; self.problem.system.size()];
+        self.add_functions(&change, &mut force);
+        self.functions = begin;
+        self.newton.accelerate(&mut self.state, &force, self.settings.grid.h())
+    }
+
+    /// One step, cut as often as it needs; true if a nominal step is complete. The inner error is a collapse.
+    fn advance(&mut self, observers: &mut [&mut dyn Observe]) -> Result<Result<bool, StepFailure>, AnalysisError> {
+        let unit = 1_u32 << self.settings.halvings;
+        let (mut p0, mut p1) = (Vec::new(), Vec::new());
+        let begin = match self.newton.committed_forces(&mut self.state) {
+            Ok(forces) => &forces.internal,
+            Err(failure) => return Ok(Err(failure)),
+        };
+        self.meter.begin(&self.state, begin);
+        let viscous = self.newton.viscous().cloned();
+        loop {
+            let Position { at, part, .. } = self.position;
+            let ends = [at, at + part].map(|x| f64::from(x) / self.unit());
+            self.load_vector(&self.at(ends[0]), &mut p0);
+            let functions = self.at(ends[1]);
+            self.load_vector(&functions, &mut p1);
+            let h = self.settings.grid.h() * (ends[1] - ends[0]);
+            let scheme = self.settings.scheme.with_step(h)?;
+            match self.newton.step(&scheme, &mut self.state, &p0, &p1) {
+                Ok(report) => {
+                    let forces = match self.newton.committed_forces(&mut self.state) {
+                        Ok(forces) => forces,
+                        Err(failure) => return Ok(Err(failure)),
+                    };
+                    self.meter.end(
+                        &self.state,
+                        &forces.internal,
+                        [&p0, &p1],
+                        &self.settings.constant,
+                        &scheme,
+                        viscous.as_ref(),
+                    );
+                    self.functions = functions;
+                    self.position.shortest = self.position.shortest.min(h);
+                    let done = self.grow(unit);
+                    if let Err(failure) = self.show(observers, report.iterations, h) {
+                        return Ok(Err(failure));
+                    }
+                    return Ok(Ok(done));
+                }
+                Err(failure) if part == 1 => return Ok(Err(failure)),
+                Err(_) => {
+                    self.position.part = part / 2;
+                    self.position.easy = 0;
+                    self.position.cuts += 1;
+                }
+            }
+        }
+    }
+
+    /// Moves on by the part that has converged; true at the end of a nominal step.
+    fn grow(&mut self, unit: u32) -> bool {
+        let p = &mut self.position;
+        p.at += p.part;
+        p.easy += 1;
+        let done = p.at == unit;
+        if done {
+            p.at = 0;
+            p.step += 1;
+        }
+        if p.easy >= self.settings.recovery && p.part < unit && p.at.is_multiple_of(2 * p.part) {
+            p.part *= 2;
+            p.easy = 0;
+        }
+        done
+    }
+
+    /// Energies, and the observers.
+    fn show(&mut self, observers: &mut [&mut dyn Observe], iterations: usize, step: f64) -> Result<(), StepFailure> {
+        let Position { step: i, at, .. } = self.position;
+        let grid = &self.settings.grid;
+        let sample = (at == 0 && i.is_multiple_of(grid.sub_steps)).then(|| i / grid.sub_steps);
+        if sample.is_some() {
+            self.meter.sample(&self.state);
+            self.balance.samples.push(self.meter.now);
+        }
+        let energies = self.meter.now;
+        let b = &mut self.balance;
+        b.worst = b.worst.max(energies.residual().abs());
+        b.largest = b.largest.max(energies.input.abs()).max(energies.kinetic.abs());
+        let time = self.time();
+        let forces = self.newton.committed_forces(&mut self.state)?;
+        let now = Instant {
+            problem: self.problem,
+            time,
+            sample,
+            state: &self.state,
+            forces,
+            ground: [0, 1, 2].map(|k| self.functions[k]),
+            energies,
+            iterations,
+            step,
+        };
+        observers.iter_mut().for_each(|o| o.see(&now));
+        Ok(())
+    }
+
+    fn save(&self, path: &std::path::Path, observers: &mut [&mut dyn Observe]) -> Result<(), CheckpointError> {
+        let mut to = Writer::default();
+        let p = &self.position;
+        for count in [p.step, p.at as usize, p.part as usize, p.easy, p.cuts as usize] {
+            to.count(count);
+        }
+        to.number(p.shortest);
+        let fields = &self.state.committed;
+        for vector in [&fields.u, &fields.v, &fields.a, &self.state.old, &self.functions] {
+            to.numbers(vector);
+        }
+        let turns: Vec<f64> = fields.rotation.iter().flat_map(|q| q.coords.iter().copied()).collect();
+        to.numbers(&turns);
+        self.meter.save(&mut to);
+        self.balance.save(&mut to);
+        write_memory(&self.newton.memory(), &mut to);
+        to.count(observers.len());
+        for observer in observers.iter() {
+            let mut part = Writer::default();
+            observer.save(&mut part);
+            to.part(part);
+        }
+        to.save(path, self.fingerprint)
+    }
+
+    fn restore(&mut self, path: &std::path::Path, observers: &mut [&mut dyn Observe]) -> Result<(), AnalysisError> {
+        let mut from = Reader::open(path, self.fingerprint)?;
+        let p = &mut self.position;
+        p.step = from.count()?;
+        p.at = from.count()? as u32;
+        p.part = from.count()? as u32;
+        p.easy = from.count()?;
+        p.cuts = from.count()? as u64;
+        p.shortest = from.number()?;
+        let fields = &mut self.state.committed;
+        from.numbers_into("displacements", &mut fields.u)?;
+        from.numbers_into("velocities", &mut fields.v)?;
+        from.numbers_into("accelerations", &mut fields.a)?;
+        from.numbers_into("history", &mut self.state.old)?;
+        from.numbers_into("time functions", &mut self.functions)?;
+        let mut turns = vec![0.0; 4 * fields.rotation.len()];
+        from.numbers_into("rotations", &mut turns)?;
+        for (q, c) in fields.rotation.iter_mut().zip(turns.chunks_exact(4)) {
+            // Not normalised again: bit by bit what was written.
+            *q = nalgebra::Unit::new_unchecked(nalgebra::Quaternion::new(c[3], c[0], c[1], c[2]));
+        }
+        self.state.revert();
+        self.meter.restore(&mut from)?;
+        self.balance = Balance::restore(&mut from)?;
+        let memory = read_memory(&mut from)?;
+        self.newton.recall(memory, &self.state)?;
+        let found = from.count()?;
+        if found != observers.len() {
+            return Err(CheckpointError::Shape {
+                what: "observers",
+                found,
+                allowed: observers.len(),
+            }
+            .into());
+        }
+        for observer in observers.iter_mut() {
+            observer.restore(&mut from.part()?)?;
+        }
+        Ok(())
+    }
+}
+
+fn write_memory(memory: &Memory, to: &mut Writer) {
+    to.number(memory.reference);
+    let c = &memory.cost;
+    for count in [c.steps, c.failures, c.iterations, c.evaluations, c.factors, c.searches] {
+        to.count(count as usize);
+    }
+    to.count(usize::from(memory.viscous.is_some()));
+    memory.viscous.iter().for_each(|v| to.numbers(v));
+    to.count(usize::from(memory.kept.is_some()));
+    if let Some((w, values)) = &memory.kept {
+        to.numbers(&[w.mass, w.damping, w.stiffness]);
+        to.numbers(values);
+    }
+    to.count(usize::from(memory.forces.is_some()));
+    if let Some(forces) = &memory.forces {
+        to.numbers(&forces.internal);
+        to.numbers(&forces.support);
+    }
+}
+
+fn read_memory(from: &mut Reader) -> Result<Memory, CheckpointError> {
+    let reference = from.number()?;
+    let mut counts = [0; 6];
+    for count in &mut counts {
+        *count = from.count()? as u64;
+    }
+    let [steps, failures, iterations, evaluations, factors, searches] = counts;
+    let viscous = match from.count()? {
+        0 => None,
+        _ => Some(from.numbers("tangent damping")?),
+    };
+    let kept = match from.count()? {
+        0 => None,
+        _ => {
+            let mut w = [0.0; 3];
+            from.numbers_into("weights", &mut w)?;
+            let weights = Weights {
+                mass: w[0],
+                damping: w[1],
+                stiffness: w[2],
+            };
+            Some((weights, from.numbers("effective tangent")?))
+        }
+    };
+    let forces = match from.count()? {
+        0 => None,
+        _ => Some(Forces {
+            internal: from.numbers("internal forces")?,
+            support: from.numbers("support forces")?,
+        }),
+    };
+    Ok(Memory {
+        reference,
+        viscous,
+        kept,
+        forces,
+        cost: Cost {
+            steps,
+            failures,
+            iterations,
+            evaluations,
+            factors,
+            searches,
+        },
+    })
+}

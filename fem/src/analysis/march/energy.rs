@@ -1,0 +1,224 @@
+//! Energies of a march.
+
+use super::Problem;
+use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
+use crate::analysis::scheme::GeneralizedAlpha;
+use crate::linalg::{Symmetric, dot};
+use crate::state::{Fields, State};
+
+/// Energies since the start [J].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Energies {
+    /// Work of all loads, the constant ones included.
+    pub input: f64,
+    /// Work of the constant loads.
+    pub constant: f64,
+    /// Kinetic energy.
+    pub kinetic: f64,
+    /// Work done on the internal forces: stored and hysteretic.
+    pub internal: f64,
+    /// Work done on the viscous damping.
+    pub damping: f64,
+    /// What the scheme dissipates.
+    pub numerical: f64,
+    /// What the elements have dissipated, as of the last sample.
+    pub hysteretic: f64,
+}
+
+impl Energies {
+    /// E_in − E_kin − E_int − E_damp − E_num: the work of the residuals that were left.
+    pub fn residual(&self) -> f64 {
+        self.input - self.kinetic - self.internal - self.damping - self.numerical
+    }
+
+    const COUNT: usize = 7;
+
+    fn array(&self) -> [f64; Energies::COUNT] {
+        [
+            self.input,
+            self.constant,
+            self.kinetic,
+            self.internal,
+            self.damping,
+            self.numerical,
+            self.hysteretic,
+        ]
+    }
+
+    fn of(a: &[f64]) -> Energies {
+        Energies {
+            input: a[0],
+            constant: a[1],
+            kinetic: a[2],
+            internal: a[3],
+            damping: a[4],
+            numerical: a[5],
+            hysteretic: a[6],
+        }
+    }
+}
+
+/// Energies at the samples.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Balance {
+    /// At the samples reached.
+    pub samples: Vec<Energies>,
+    /// Largest |residual| after any step [J].
+    pub worst: f64,
+    /// Largest |E_in| or E_kin after any step [J].
+    pub largest: f64,
+}
+
+impl Balance {
+    /// Largest residual relative to the largest energy.
+    pub fn error(&self) -> f64 {
+        if self.largest > 0.0 {
+            self.worst / self.largest
+        } else {
+            0.0
+        }
+    }
+
+    pub(super) fn save(&self, to: &mut Writer) {
+        let all: Vec<f64> = self.samples.iter().flat_map(Energies::array).collect();
+        to.numbers(&all);
+        to.number(self.worst);
+        to.number(self.largest);
+    }
+
+    pub(super) fn restore(from: &mut Reader) -> Result<Balance, CheckpointError> {
+        Ok(Balance {
+            samples: from
+                .numbers("energies")?
+                .chunks_exact(Energies::COUNT)
+                .map(Energies::of)
+                .collect(),
+            worst: from.number()?,
+            largest: from.number()?,
+        })
+    }
+}
+
+/// Sums the energies from step to step.
+pub(super) struct Meter<'a> {
+    problem: Problem<'a>,
+    pub now: Energies,
+    initial: f64,
+    /// At the beginning of the step: fields, internal forces, M a, M v.
+    before: Fields,
+    force: Vec<f64>,
+    ma: Vec<f64>,
+    mv: Vec<f64>,
+    room: [Vec<f64>; 5],
+}
+
+impl<'a> Meter<'a> {
+    pub fn new(problem: Problem<'a>, state: &State) -> Meter<'a> {
+        Meter {
+            problem,
+            now: Energies::default(),
+            initial: hysteresis(problem, state),
+            before: state.committed.clone(),
+            force: Vec::new(),
+            ma: Vec::new(),
+            mv: Vec::new(),
+            room: Default::default(),
+        }
+    }
+
+    /// Before a step: the committed state with its internal forces.
+    pub fn begin(&mut self, state: &State, force: &[f64]) {
+        self.before.clone_from(&state.committed);
+        self.force.clear();
+        self.force.extend_from_slice(force);
+        let mass = &self.problem.system.mass;
+        product(mass, &self.before.a, &mut self.ma);
+        product(mass, &self.before.v, &mut self.mv);
+    }
+
+    /// After a step that converged; `viscous` is the tangent damping that held in it.
+    pub fn end(
+        &mut self,
+        state: &State,
+        force: &[f64],
+        loads: [&[f64]; 2],
+        constant: &[f64],
+        scheme: &GeneralizedAlpha,
+        viscous: Option<&Symmetric>,
+    ) {
+        let system = self.problem.system;
+        let n = force.len();
+        let after = &state.committed;
+        let [du, ma, mv, cv0, cv1] = &mut self.room;
+        du.clear();
+        du.extend(after.u.iter().zip(&self.before.u).map(|(a, b)| a - b));
+        product(&system.mass, &after.a, ma);
+        product(&system.mass, &after.v, mv);
+        for (v, out) in [(&self.before.v, &mut *cv0), (&after.v, &mut *cv1)] {
+            out.clear();
+            out.resize(n, 0.0);
+            system
+                .damping
+                .add_sparse_product(&system.mass, &system.stiffness, 1.0, v, out);
+            if let Some(c) = viscous {
+                c.add_product(1.0, v, out);
+            }
+        }
+        let (h, gamma, beta) = (scheme.h, scheme.gamma, scheme.beta);
+        let (on_mass, on_force) = (0.5 - scheme.alpha_m, 0.5 - scheme.alpha_f);
+        let (mut input, mut internal, mut damping, mut numerical) = (0.0, 0.0, 0.0, 0.0);
+        for i in 0..n {
+            let (d, p0, p1) = (du[i], loads[0][i], loads[1][i]);
+            input += 0.5 * (p0 + p1) * d;
+            internal += 0.5 * (self.force[i] + force[i]) * d;
+            damping += 0.5 * (cv0[i] + cv1[i]) * d;
+            let rate = cv1[i] - cv0[i] + force[i] - self.force[i] - p1 + p0;
+            let inertia = ma[i] - self.ma[i];
+            let (mean_v, mean_a) = (
+                0.5 * (self.before.v[i] + after.v[i]),
+                0.5 * (self.before.a[i] + after.a[i]),
+            );
+            numerical += on_force * rate * d
+                + inertia * (on_mass * d - h * (gamma - 0.5) * mean_v + h * h * (beta - 0.5 * gamma) * mean_a);
+        }
+        self.now.input += input;
+        self.now.internal += internal;
+        self.now.damping += damping;
+        self.now.numerical += numerical;
+        self.now.kinetic = 0.5 * dot(&after.v, mv);
+        if !constant.is_empty() {
+            self.now.constant += dot(constant, du);
+        }
+    }
+
+    /// At a sample: asks the elements.
+    pub fn sample(&mut self, state: &State) {
+        self.now.hysteretic = hysteresis(self.problem, state) - self.initial;
+    }
+
+    pub fn save(&self, to: &mut Writer) {
+        to.numbers(&self.now.array());
+        to.number(self.initial);
+    }
+
+    pub fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
+        let mut now = [0.0; Energies::COUNT];
+        from.numbers_into("energies", &mut now)?;
+        self.now = Energies::of(&now);
+        self.initial = from.number()?;
+        Ok(())
+    }
+}
+
+fn product(a: &Symmetric, x: &[f64], out: &mut Vec<f64>) {
+    out.clear();
+    out.resize(x.len(), 0.0);
+    a.add_product(1.0, x, out);
+}
+
+fn hysteresis(problem: Problem<'_>, state: &State) -> f64 {
+    let elements = problem.model.elements().iter().enumerate();
+    elements
+        .map(|(e, element)| element.dissipated(&state.old[state.history(e)]))
+        .sum()
+}

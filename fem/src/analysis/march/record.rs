@@ -1,0 +1,203 @@
+//! Ready observers: histories and ranges of linear observables and of support reactions.
+
+use super::{Instant, Observe, Problem};
+use crate::analysis::AnalysisError;
+use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
+use crate::analysis::damping::Rayleigh;
+use crate::analysis::observable::{Observable, apply};
+use crate::assembly::Forces;
+use crate::dofs::KINDS;
+
+/// Resultant of all support reactions in a rigid motion w of the supports,
+///
+/// ```text
+/// R = Σ w · (f_int + C u̇ + M (ü + Σ ι_k a_k))          over the held dofs
+/// ```
+///
+/// with the nonlinear internal forces; C holds Rayleigh's part of the initial stiffness and the elements' own damping, not the
+/// tangent damping. Loads applied to held dofs are not in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reaction {
+    /// (number among the assembler's supports, w).
+    rows: Vec<(usize, f64)>,
+    /// Inertia and damping.
+    moving: Observable,
+}
+
+impl Reaction {
+    /// For the rigid motion `field` (global components at every node): (1, 0, 0, …) gives the force along x that the ground
+    /// exerts on the model, (z, 0, −x, 0, 1, 0, …) the moment about y. Zero away from a part of the supports picks it out.
+    ///
+    /// `rayleigh(e)`: coefficients of element e.
+    ///
+    /// Errors: those of the elements.
+    pub fn new(
+        problem: Problem<'_>,
+        name: &str,
+        field: impl Fn(usize) -> [f64; KINDS],
+        rayleigh: impl Fn(usize) -> Rayleigh,
+    ) -> Result<Reaction, AnalysisError> {
+        let model = problem.model;
+        let rows = problem.assembler.supports().iter().enumerate();
+        let rows = rows.map(|(s, &(node, dof))| (s, model.component(node, dof, &field(node))));
+        Ok(Reaction {
+            rows: rows.filter(|(_, w)| *w != 0.0).collect(),
+            moving: Observable::reaction_of_motion(model, name, field, rayleigh)?,
+        })
+    }
+
+    fn static_part(&self, forces: &Forces) -> f64 {
+        self.rows.iter().map(|&(s, w)| w * forces.support[s]).sum()
+    }
+}
+
+/// What a [`Recorder`] records.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Quantity {
+    /// A linear functional of displacement, velocity and total acceleration.
+    Linear(Observable),
+    /// A reaction.
+    Reaction(Reaction),
+}
+
+impl Quantity {
+    /// Its name.
+    pub fn name(&self) -> &str {
+        match self {
+            Quantity::Linear(o) => &o.name,
+            Quantity::Reaction(r) => &r.moving.name,
+        }
+    }
+
+    /// Its value.
+    pub fn at(&self, now: &Instant<'_>) -> f64 {
+        let (row, still) = match self {
+            Quantity::Linear(o) => (o, 0.0),
+            Quantity::Reaction(r) => (&r.moving, r.static_part(now.forces)),
+        };
+        let fields = &now.state.committed;
+        let ground = row.total_ground(&now.problem.system.influence);
+        let mut y = still + apply(&row.displacement, &fields.u);
+        y += apply(&row.velocity, &fields.v) + apply(&row.acceleration, &fields.a);
+        y + ground.iter().zip(&now.ground).map(|(b, a)| b * a).sum::<f64>()
+    }
+}
+
+/// Smallest and largest value over the committed steps, the start included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Smallest value.
+    pub min: f64,
+    /// Its time [s].
+    pub min_time: f64,
+    /// Largest value.
+    pub max: f64,
+    /// Its time [s].
+    pub max_time: f64,
+}
+
+impl Range {
+    /// Of nothing yet.
+    pub const EMPTY: Range = Range {
+        min: f64::INFINITY,
+        min_time: 0.0,
+        max: f64::NEG_INFINITY,
+        max_time: 0.0,
+    };
+
+    /// Takes a value in.
+    pub fn include(&mut self, value: f64, time: f64) {
+        if value > self.max {
+            (self.max, self.max_time) = (value, time);
+        }
+        if value < self.min {
+            (self.min, self.min_time) = (value, time);
+        }
+    }
+
+    /// Largest absolute value and its time.
+    pub fn peak(&self) -> (f64, f64) {
+        if self.max.abs() >= self.min.abs() {
+            (self.max.abs(), self.max_time)
+        } else {
+            (self.min.abs(), self.min_time)
+        }
+    }
+}
+
+/// Histories at the samples, ranges over all steps.
+#[derive(Clone, Debug)]
+pub struct Recorder {
+    quantities: Vec<Quantity>,
+    /// Times of the samples reached [s].
+    pub times: Vec<f64>,
+    /// Value of each quantity at the samples.
+    pub histories: Vec<Vec<f64>>,
+    /// Range of each quantity.
+    pub ranges: Vec<Range>,
+}
+
+impl Recorder {
+    /// Of these quantities.
+    pub fn new(quantities: Vec<Quantity>) -> Recorder {
+        Recorder {
+            times: Vec::new(),
+            histories: vec![Vec::new(); quantities.len()],
+            ranges: vec![Range::EMPTY; quantities.len()],
+            quantities,
+        }
+    }
+
+    /// The quantities.
+    pub fn quantities(&self) -> &[Quantity] {
+        &self.quantities
+    }
+}
+
+impl Observe for Recorder {
+    fn see(&mut self, now: &Instant<'_>) {
+        if now.sample.is_some() {
+            self.times.push(now.time);
+        }
+        for (k, quantity) in self.quantities.iter().enumerate() {
+            let value = quantity.at(now);
+            self.ranges[k].include(value, now.time);
+            if now.sample.is_some() {
+                self.histories[k].push(value);
+            }
+        }
+    }
+
+    fn save(&self, to: &mut Writer) {
+        to.numbers(&self.times);
+        to.count(self.quantities.len());
+        for (history, r) in self.histories.iter().zip(&self.ranges) {
+            to.numbers(history);
+            to.numbers(&[r.min, r.min_time, r.max, r.max_time]);
+        }
+    }
+
+    fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
+        self.times = from.numbers("times")?;
+        let found = from.count()?;
+        if found != self.quantities.len() {
+            return Err(CheckpointError::Shape {
+                what: "recorded quantities",
+                found,
+                allowed: self.quantities.len(),
+            });
+        }
+        for (history, range) in self.histories.iter_mut().zip(&mut self.ranges) {
+            *history = from.numbers("a history")?;
+            let mut r = [0.0; 4];
+            from.numbers_into("a range", &mut r)?;
+            *range = Range {
+                min: r[0],
+                min_time: r[1],
+                max: r[2],
+                max_time: r[3],
+            };
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,261 @@
+//! The iterations of one step.
+
+use super::*;
+
+/// A factor serves as long as an iteration cuts ‖r‖ to this part.
+const SLOW: f64 = 0.25;
+/// A residual this small against the first one is that of a linear step.
+const LINEAR: f64 = 1e-10;
+/// ... and against the forces, rounding.
+const ROUNDING: f64 = 1e-14;
+/// Parts of the largest first energy that are nothing: outright, and if iterations make it no smaller.
+const NOTHING: [f64; 2] = [1e-24, 1e-18];
+/// So many iterations without a new smallest residual are a failure.
+const PATIENCE: usize = 10;
+
+impl Newton<'_> {
+    pub(super) fn evaluate(&mut self, state: &mut State, want: Want) -> Result<(), StepFailure> {
+        self.cost.evaluations += 1;
+        self.assembler
+            .respond_into(
+                self.model,
+                state,
+                want,
+                Some(&self.linear),
+                &mut self.tangent,
+                &mut self.forces,
+            )
+            .map_err(|(number, source)| StepFailure::Element { number, source })
+    }
+
+    /// Iterates from the committed state; `initial`: with the stiffness of the virgin model.
+    pub(super) fn iterate(
+        &mut self,
+        scheme: &dyn Scheme,
+        state: &mut State,
+        loads: [&[f64]; 2],
+        limit: usize,
+        initial: bool,
+    ) -> Result<StepReport, StepFailure> {
+        let modified = self.options.modified || initial;
+        state.revert();
+        if scheme.collocation().1 != 1.0 {
+            self.committed_forces(state)?;
+        }
+        let guess = scheme.predict(&state.committed);
+        if guess.iter().any(|g| *g != 0.0) {
+            state.increment(self.model, &guess);
+        }
+        let mut residuals: Vec<f64> = Vec::new();
+        let (mut first, mut energy, mut before) = (0.0_f64, f64::INFINITY, f64::INFINITY);
+        // du·r at the beginning of the last increment.
+        let mut slope = None;
+        let (mut best, mut best_at) = (f64::INFINITY, 0);
+        for iteration in 0..=limit {
+            scheme.correct(&state.committed, &mut state.trial);
+            let want = if modified { Want::FORCE } else { Want::ALL };
+            self.evaluate(state, want)?;
+            let mut scale = self.residual(scheme, state, loads);
+            if let Some(g0) = slope
+                && self.options.line_search
+                && self.overshoots(g0)
+            {
+                scale = self.search(scheme, state, loads, g0)?;
+                if !modified {
+                    self.evaluate(state, Want::ALL)?;
+                }
+            }
+            let norm = dot(&self.room.r, &self.room.r).sqrt();
+            residuals.push(norm);
+            if !norm.is_finite() || norm > 1e8 * (residuals[0] + scale) {
+                return Err(self.divergence(iteration, norm));
+            }
+            let tiny = energy <= NOTHING[0] * self.reference
+                || (energy <= NOTHING[1] * self.reference && energy >= SLOW * before);
+            let quiet = energy <= self.options.criteria.energy * first || tiny;
+            if norm <= ROUNDING * scale
+                || (iteration > 0 && norm <= LINEAR * residuals[0])
+                || (quiet && norm <= self.options.criteria.force * scale)
+            {
+                return Ok(StepReport {
+                    iterations: iteration,
+                    residuals,
+                });
+            }
+            if norm < 0.9 * best {
+                (best, best_at) = (norm, iteration);
+            }
+            if iteration == limit || (!initial && iteration >= best_at + PATIENCE) {
+                return Err(self.no_convergence(iteration, norm, self.options.criteria.force * scale));
+            }
+            let slow = iteration > 0 && norm > SLOW * residuals[iteration - 1];
+            let current = self.factor.as_ref().is_some_and(|(_, w)| *w == scheme.weights());
+            if initial {
+                if iteration == 0 {
+                    self.take_initial()?;
+                    self.refactor(scheme).map_err(StepFailure::Tangent)?;
+                }
+            } else if !modified || !current || slow {
+                if modified {
+                    self.evaluate(state, Want::ALL)?;
+                }
+                self.refactor(scheme).map_err(StepFailure::Tangent)?;
+            }
+            self.solve().map_err(StepFailure::Tangent)?;
+            let work = dot(&self.room.du, &self.room.r);
+            (before, energy) = (energy, work.abs());
+            if !work.is_finite() {
+                return Err(self.divergence(iteration, norm));
+            }
+            if iteration == 0 {
+                first = energy;
+                self.reference = self.reference.max(energy);
+            }
+            slope = Some(work);
+            if self.options.line_search {
+                match &mut self.room.base {
+                    Some(base) => base.clone_from(&state.trial),
+                    None => self.room.base = Some(state.trial.clone()),
+                }
+            }
+            state.increment(self.model, &self.room.du);
+        }
+        unreachable!("the last iteration returns")
+    }
+
+    /// r into its room; returns the sum of the norms of what it is made of.
+    pub(super) fn residual(&mut self, scheme: &dyn Scheme, state: &State, [p0, p1]: [&[f64]; 2]) -> f64 {
+        let (on_mass, on_force) = scheme.collocation();
+        let norm = |x: &[f64]| dot(x, x).sqrt();
+        let Room { r, blend, part, .. } = &mut self.room;
+        mix(on_force, p1, p0, r);
+        let mut scale = norm(r);
+        match on_force {
+            1.0 => blend.clone_from(&self.forces.internal),
+            w => mix(w, &self.forces.internal, &self.committed.internal, blend),
+        }
+        scale += norm(blend);
+        for (r, f) in r.iter_mut().zip(&*blend) {
+            *r -= f;
+        }
+        let Some(inertia) = self.inertia else { return scale };
+        if scheme.weights().damping == 0.0 {
+            // A static step: nothing moves.
+            return scale;
+        }
+        let mut take = |part: &[f64]| {
+            scale += norm(part);
+            for (r, f) in r.iter_mut().zip(part) {
+                *r -= f;
+            }
+        };
+        part.clear();
+        part.resize(blend.len(), 0.0);
+        mix(on_mass, &state.trial.a, &state.committed.a, blend);
+        inertia.mass.add_product(1.0, blend, part);
+        take(part);
+        part.fill(0.0);
+        mix(on_force, &state.trial.v, &state.committed.v, blend);
+        inertia
+            .damping
+            .add_sparse_product(inertia.mass, inertia.stiffness, 1.0, blend, part);
+        if let Some(viscous) = &self.viscous {
+            viscous.add_product(1.0, blend, part);
+        }
+        take(part);
+        scale
+    }
+
+    /// Puts the stiffness of the virgin model in place of the tangent.
+    fn take_initial(&mut self) -> Result<(), StepFailure> {
+        if self.initial.is_none() {
+            let stiffness = self.assembler.stiffness(self.model);
+            let failed = |source| StepFailure::Element { number: 0, source };
+            self.initial = Some(stiffness.map_err(failed)?);
+        }
+        if let Some(k) = &self.initial {
+            self.tangent.values.copy_from_slice(&k.values);
+        }
+        Ok(())
+    }
+
+    /// Factors the effective tangent.
+    fn refactor(&mut self, scheme: &dyn Scheme) -> Result<(), AnalysisError> {
+        let w = scheme.weights();
+        self.effective.values.fill(0.0);
+        self.effective.add(w.stiffness, &self.tangent);
+        if let Some(inertia) = self.inertia {
+            let c = &inertia.damping.rayleigh;
+            self.effective.add(w.mass + w.damping * c.mass, inertia.mass);
+            if w.damping * c.stiffness != 0.0 {
+                self.effective.add(w.damping * c.stiffness, inertia.stiffness);
+            }
+            for sparse in inertia.damping.sparse.iter().chain(&self.viscous) {
+                self.effective.add(w.damping, sparse);
+            }
+        }
+        self.cost.factors += 1;
+        // Taken out, so that a factor that failed is not used again.
+        let factor = match self.factor.take() {
+            Some((mut factor, _)) => factor.refactor(&self.effective).map(|()| factor),
+            None => self.symbolic.factor(&self.effective, self.kind),
+        };
+        self.factor = Some((factor.map_err(failed("the effective tangent"))?, w));
+        Ok(())
+    }
+
+    /// δu from r with the factor there is.
+    fn solve(&mut self) -> Result<(), AnalysisError> {
+        self.cost.iterations += 1;
+        let Room { r, du, .. } = &mut self.room;
+        let (factor, _) = self.factor.as_ref().ok_or(AnalysisError::Option {
+            option: "Newton's method",
+            found: "no factor".into(),
+            allowed: "a factor of the effective tangent".into(),
+        })?;
+        du.clone_from(r);
+        let mut x = crate::linalg::Matrix {
+            rows: du.len(),
+            cols: 1,
+            data: std::mem::take(du),
+        };
+        let solved = factor.solve(&mut x);
+        *du = x.data;
+        solved.map_err(failed("the effective tangent"))
+    }
+
+    /// Node and dof of the largest component of r, or of the first that is not finite.
+    fn worst(&self) -> (usize, crate::dofs::Dof) {
+        let r = &self.room.r;
+        let largest = || (0..r.len()).fold(0, |m, i| if r[i].abs() > r[m].abs() { i } else { m });
+        let at = r.iter().position(|x| !x.is_finite()).unwrap_or_else(largest);
+        self.model.dofs().unknown(at)
+    }
+
+    fn divergence(&self, iteration: usize, residual: f64) -> StepFailure {
+        let (node, dof) = self.worst();
+        StepFailure::Divergence {
+            iteration,
+            residual,
+            node,
+            dof,
+        }
+    }
+
+    fn no_convergence(&self, iterations: usize, residual: f64, allowed: f64) -> StepFailure {
+        let (node, dof) = self.worst();
+        StepFailure::NoConvergence {
+            iterations,
+            residual,
+            allowed,
+            node,
+            dof,
+        }
+    }
+}
+
+/// out = w x₁ + (1 − w) x₀.
+fn mix(w: f64, x1: &[f64], x0: &[f64], out: &mut Vec<f64>) {
+    out.clear();
+    out.extend(x1.iter().zip(x0).map(|(a, b)| w * a + (1.0 - w) * b));
+}
