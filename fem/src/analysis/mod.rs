@@ -24,8 +24,8 @@
 //! | [`frequency`] | frequency domain |
 //! | [`ida`] | one model under one record at rising scales |
 
-pub mod contact;
 pub mod checkpoint;
+pub mod contact;
 pub mod damping;
 pub mod frequency;
 pub mod ida;
