@@ -1,15 +1,4 @@
 //! Walls of layers: single shells, liners, and two shells with an interlayer between them.
-//!
-//! Layers of shell that touch are one shell (plane sections); an interlayer parts the wall into two. For the code
-//! procedures and the linear engines the wall is the homogeneous one with the same membrane and bending stiffness and mass:
-//!
-//! ```text
-//! A = Σ E_i t_i        D = Σ over the shells of Σ E_i (t_i³/12 + t_i y_i²)
-//! t = (12 D/A)^½       E = A/t       ν = Σ ν_i E_i t_i/A       ρ = Σ ρ_i t_i/t (interlayer included)
-//! ```
-//!
-//! with y_i from the elastic centroid of the shell to which the layer belongs. The interlayer passes no shear, so the
-//! shells bend on their own and their rigidities add; bars are left out.
 
 use serde::{Deserialize, Serialize};
 
@@ -76,8 +65,20 @@ impl Course {
         }
     }
 
-    /// A course of layers from inside to outside, at least one of them a shell: `thickness` and `material` are those of
-    /// the equivalent homogeneous wall of the [module](self). Its strengths are unknown: checks that need them are left out.
+    /// A course of layers from inside to outside, at least one of them a shell. Layers of shell that touch are one shell
+    /// (plane sections); an interlayer parts the wall into two.
+    ///
+    /// `thickness` and `material` are those of the homogeneous wall with the same membrane and bending stiffness and mass,
+    /// which stands for the layers in the code procedures and the linear engines:
+    ///
+    /// ```text
+    /// A = Σ E_i t_i        D = Σ over the shells of Σ E_i (t_i³/12 + t_i y_i²)
+    /// t = (12 D/A)^½       E = A/t       ν = Σ ν_i E_i t_i/A       ρ = Σ ρ_i t_i/t (interlayer included)
+    /// ```
+    ///
+    /// with y_i from the elastic centroid of the shell to which the layer belongs. The interlayer passes no shear, so the
+    /// shells bend on their own and their rigidities add; bars are left out. Strengths of the homogeneous wall are unknown:
+    /// checks that need them are left out.
     pub fn layered(height: f64, layers: Vec<Layer>) -> Course {
         let shells = layers.iter().filter(|l| l.kind == LayerKind::Shell);
         let membrane: f64 = shells.clone().map(Layer::membrane).sum();

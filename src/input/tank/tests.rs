@@ -417,6 +417,7 @@ proptest! {
         (dimension, text) in prop::sample::select(vec![
             Dimension::Length, Dimension::Mass, Dimension::Density, Dimension::Stress, Dimension::Force,
             Dimension::Acceleration, Dimension::Time, Dimension::Moment, Dimension::Dimensionless,
+            Dimension::LineForce, Dimension::LineArea,
         ]).prop_flat_map(|d| {
             // Exponents of one digit: larger ones overflow, which the pattern cannot tell.
             let pattern = values::pattern(d).replace("[0-9]+)?", "[0-9])?");
