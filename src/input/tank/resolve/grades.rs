@@ -1,5 +1,7 @@
 //! Grades of steel and concrete: what they supply where the file is silent.
 
+use materials::grades::{BARS, CONCRETES, STEELS};
+
 /// What a grade supplies, SI; `None`: the file must give it, if it is needed.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Preset {
@@ -41,63 +43,44 @@ impl Strengths {
 
 /// All grades: plates, concrete, bars.
 fn all() -> Vec<Preset> {
-    let steel = |name, yielding, ultimate| Preset {
-        name,
-        source: "EN 1993-1-1:2005, table 3.1 and 3.2.6",
-        youngs_modulus: 210e9,
-        poisson_ratio: 0.3,
-        density: 7850.0,
+    let plates = STEELS.iter().map(|g| Preset {
+        name: g.name,
+        source: g.source,
+        youngs_modulus: g.young_modulus,
+        poisson_ratio: g.poisson_ratio,
+        density: g.density,
         strengths: Strengths::Steel {
-            yielding,
-            ultimate,
-            tangent: 2.1e9,
+            yielding: g.yield_stress,
+            ultimate: g.ultimate_strength,
+            tangent: g.tangent_modulus,
         },
-    };
-    let concrete = |name, source, youngs_modulus, strengths| Preset {
-        name,
-        source,
-        youngs_modulus,
-        poisson_ratio: 0.2,
-        density: 2549.0,
-        strengths,
-    };
-    vec![
-        steel("S235", 235e6, 360e6),
-        steel("S275", 275e6, 430e6),
-        steel("S355", 355e6, 490e6),
-        concrete(
-            "C30/37",
-            "EN 1992-1-1:2004, table 3.1",
-            33e9,
-            Strengths::Concrete {
-                compressive: 30e6,
-                mean: 38e6,
-                tensile: 2.9e6,
-            },
-        ),
-        concrete(
-            "B35",
-            "DIN 1045:1988, tables 1 and 11",
-            34e9,
-            Strengths::Concrete {
-                compressive: 35e6,
-                mean: 34e6,
-                tensile: 2.67e6,
-            },
-        ),
-        Preset {
-            name: "BSt 500",
-            source: "DIN 488",
-            youngs_modulus: 210e9,
-            poisson_ratio: 0.3,
-            density: 7850.0,
-            strengths: Strengths::Bars {
-                yielding: 500e6,
-                tangent: 2.1e9,
-                rupture: 0.05,
-            },
+    });
+    let concretes = CONCRETES.iter().map(|g| Preset {
+        name: g.name,
+        source: g.source,
+        youngs_modulus: g.young_modulus,
+        poisson_ratio: g.poisson_ratio,
+        density: g.density,
+        strengths: Strengths::Concrete {
+            compressive: g.strength,
+            mean: g.mean_strength,
+            tensile: g.tensile_strength,
         },
-    ]
+    });
+    let bars = BARS.iter().map(|g| Preset {
+        name: g.name,
+        source: g.source,
+        youngs_modulus: g.young_modulus,
+        // Bars are uniaxial: the value has no effect.
+        poisson_ratio: 0.3,
+        density: g.density,
+        strengths: Strengths::Bars {
+            yielding: g.yield_stress,
+            tangent: g.tangent_modulus(),
+            rupture: g.ultimate_strain,
+        },
+    });
+    plates.chain(concretes).chain(bars).collect()
 }
 
 /// The grade of this name; case, blanks and hyphens do not count.
