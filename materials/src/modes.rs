@@ -23,6 +23,8 @@ pub(crate) struct Modes<const N: usize> {
     pub c: [f64; N],
     /// Of P.
     pub p: [f64; N],
+    /// C in components [Pa].
+    pub moduli: [[f64; N]; N],
 }
 
 impl Modes<1> {
@@ -30,6 +32,7 @@ impl Modes<1> {
         Modes {
             c: [elastic.young_modulus()],
             p: [2.0 / 3.0],
+            moduli: [[elastic.young_modulus()]],
         }
     }
 }
@@ -40,6 +43,7 @@ impl Modes<3> {
         Modes {
             c: [elastic.young_modulus() / (1.0 - elastic.poisson_ratio()), 2.0 * g, g],
             p: [1.0 / 3.0, 1.0, 2.0],
+            moduli: elastic.plane(),
         }
     }
 }
@@ -51,6 +55,7 @@ impl Modes<6> {
         Modes {
             c: [bulk, 2.0 * g, 2.0 * g, g, g, g],
             p: [0.0, 1.0, 1.0, 2.0, 2.0, 2.0],
+            moduli: elastic.solid(),
         }
     }
 }

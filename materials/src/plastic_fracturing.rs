@@ -208,7 +208,7 @@ impl Law<3> for PlasticFracturing {
         if measure <= strength * (1.0 + ON_SURFACE) {
             return Ok(Response {
                 stress: Modes::join(&trial).map(|s| whole * s),
-                tangent: self.elastic.plane().map(|row| row.map(|c| whole * c)),
+                tangent: self.modes.moduli.map(|row| row.map(|c| whole * c)),
                 dissipation: 0.0,
             });
         }

@@ -166,7 +166,7 @@ impl Law<3> for DruckerPrager {
         if plane::measure(self.cone.alpha, eta) <= strength + ON_SURFACE * self.cone.k {
             return Ok(Response {
                 stress: Modes::join(&trial),
-                tangent: self.elastic.plane(),
+                tangent: self.modes.moduli,
                 dissipation: 0.0,
             });
         }
