@@ -7,9 +7,13 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use materials::Law;
+use materials::bar::Bar;
 use materials::concrete::{
     Compression, CrackedConcrete, CrackedParameters, PostPeak, Softening, Tension, UniaxialConcrete,
 };
+use materials::drucker_prager::DruckerPrager;
+use materials::plastic_fracturing::{Parameters, PlasticFracturing};
+use materials::von_mises::VonMises;
 
 /// Runs a law along a path again and again, each time from the virgin state.
 fn along<const N: usize>(name: &str, law: &dyn Law<N>, path: &[[f64; N]]) {
@@ -91,6 +95,42 @@ fn concrete() {
     along("layer, cyclic", &layer, &path(1000, |t| plane(1e-3, wave(t))));
 }
 
+/// Steel and the cone: an elastic path, and one that flows at nearly every step.
+fn plasticity() {
+    let steel = VonMises::new(210e9, 0.3, 355e6, 2.1e9, 0.5).expect("admissible");
+    let low_cycle = steel
+        .with_saturation(80e6, 25.0)
+        .and_then(|law| law.with_back_stress(60e9, 500.0))
+        .expect("admissible");
+    let cone = DruckerPrager::new(34e9, 0.2, 35e6, 40.6e6).expect("admissible");
+    let damage = PlasticFracturing::new(&Parameters {
+        young_modulus: 34e9,
+        poisson_ratio: 0.2,
+        strength: 35e6,
+        biaxial: 40.6e6,
+        peak_strain: 2.2e-3,
+        crushing_energy: 25e3,
+        length: 0.1,
+    })
+    .expect("admissible");
+    let bar = Bar::new(210e9, 500e6, 2.1e9).expect("admissible");
+    let layer = |size: f64| path(1000, move |t| [1.0, -0.2, 0.4].map(|x| size * t * x));
+    let brick = |size: f64| path(1000, move |t| [1.0, -0.2, -0.4, 0.4, 0.0, 0.1].map(|x| size * t * x));
+    for (state, strain) in [("elastic", 1e-3), ("plastic", 0.2)] {
+        along(&format!("bar, {state}"), &bar, &path(1000, |t| [strain * t]));
+        along(&format!("steel fibre, {state}"), &steel, &path(1000, |t| [strain * t]));
+        along(&format!("steel layer, {state}"), &steel, &layer(strain));
+        along(&format!("low-cycle, {state}"), &low_cycle, &layer(strain));
+        along(&format!("steel brick, {state}"), &steel, &brick(strain));
+    }
+    for (state, strain) in [("elastic", -2e-4), ("plastic", -0.1)] {
+        along(&format!("cone layer, {state}"), &cone, &layer(strain));
+        along(&format!("cone brick, {state}"), &cone, &brick(strain));
+        along(&format!("damage layer, {state}"), &damage, &layer(strain));
+    }
+}
+
 fn main() {
     concrete();
+    plasticity();
 }
