@@ -76,6 +76,37 @@ pub struct Forces {
     pub support: Vec<f64>,
 }
 
+/// What the elements keep from one iteration of a step to the next ([`Element::respond_mixed`]).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Kept {
+    values: Vec<f64>,
+    /// Start of each element's part, with the total at the end.
+    offsets: Vec<usize>,
+}
+
+impl Kept {
+    /// Nothing yet.
+    pub fn new(model: &Model) -> Kept {
+        let mut offsets = vec![0];
+        for element in model.elements() {
+            offsets.push(offsets[offsets.len() - 1] + element.mixed_len());
+        }
+        Kept {
+            values: vec![0.0; offsets[offsets.len() - 1]],
+            offsets,
+        }
+    }
+
+    /// Forgets the iterate before: a step begins.
+    pub fn clear(&mut self) {
+        self.values.fill(0.0);
+    }
+
+    fn of(&mut self, e: usize) -> &mut [f64] {
+        &mut self.values[self.offsets[e]..self.offsets[e + 1]]
+    }
+}
+
 /// Stiffness of the linear elements, assembled once for all steps.
 #[derive(Clone, Debug)]
 pub struct LinearPart {
@@ -453,6 +484,22 @@ impl Assembler {
         Ok(forces.internal)
     }
 
+    /// The same by [`Element::respond_mixed`].
+    ///
+    /// Errors: those of [`Assembler::respond`].
+    pub fn respond_mixed(
+        &self,
+        model: &Model,
+        state: &mut State,
+        want: Want,
+        tangent: &mut Symmetric,
+        kept: &mut Kept,
+    ) -> Result<Vec<f64>, (usize, ElementError)> {
+        let mut forces = Forces::default();
+        self.answer(model, state, want, None, tangent, &mut forces, Some(kept))?;
+        Ok(forces.internal)
+    }
+
     /// The same with the forces at the supports, into storage that is kept; `linear` stands for the linear elements.
     ///
     /// Errors: the first element without an answer, with its number.
@@ -464,6 +511,21 @@ impl Assembler {
         linear: Option<&LinearPart>,
         tangent: &mut Symmetric,
         forces: &mut Forces,
+    ) -> Result<(), (usize, ElementError)> {
+        self.answer(model, state, want, linear, tangent, forces, None)
+    }
+
+    /// [`Assembler::respond_into`], by [`Element::respond_mixed`] if there is something `kept`.
+    #[allow(clippy::too_many_arguments, reason = "all that an evaluation reads and writes")]
+    pub(crate) fn answer(
+        &self,
+        model: &Model,
+        state: &mut State,
+        want: Want,
+        linear: Option<&LinearPart>,
+        tangent: &mut Symmetric,
+        forces: &mut Forces,
+        mut kept: Option<&mut Kept>,
     ) -> Result<(), (usize, ElementError)> {
         let Forces { internal, support } = forces;
         for (out, len) in [
@@ -500,15 +562,12 @@ impl Assembler {
                     gather.values(&state.trial, &**element, self.equations[dofs.clone()].iter().map(value))
                 }
             };
-            element
-                .respond(
-                    motion,
-                    &state.old[range.clone()],
-                    &mut state.new[range],
-                    want,
-                    &mut response,
-                )
-                .map_err(|error| (e, error))?;
+            let (old, new) = (&state.old[range.clone()], &mut state.new[range]);
+            match kept.as_deref_mut() {
+                Some(kept) => element.respond_mixed(motion, old, new, want, kept.of(e), &mut response),
+                None => element.respond(motion, old, new, want, &mut response),
+            }
+            .map_err(|error| (e, error))?;
             if self.turned[e] {
                 turn_back(model, &**element, &state.trial.rotation, want, &mut response);
             }

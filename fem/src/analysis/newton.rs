@@ -33,7 +33,7 @@ use std::sync::Arc;
 use super::damping::Damping;
 use super::scheme::{LoadStep, Scheme, Weights};
 use super::{AnalysisError, check_length, failed};
-use crate::assembly::{Assembler, Forces, LinearPart};
+use crate::assembly::{Assembler, Forces, Kept, LinearPart};
 use crate::element::{ElementError, Want};
 use crate::linalg::{Factor, Kind, Symbolic, Symmetric, dot};
 use crate::model::Model;
@@ -202,6 +202,7 @@ pub struct Newton<'a> {
     reference: f64,
     cost: Cost,
     room: Room,
+    kept: Option<Kept>,
 }
 
 /// Vectors kept from iteration to iteration.
@@ -286,12 +287,20 @@ impl<'a> Newton<'a> {
             reference: 0.0,
             cost: Cost::default(),
             room: Room::default(),
+            kept: None,
         };
         if viscous {
             let state = State::new(model);
             newton.viscous = Some(newton.tangent_damping(&state)?);
         }
         Ok(newton)
+    }
+
+    /// The same with geometric stiffness from extrapolated stresses
+    /// ([`Element::respond_mixed`](crate::element::Element::respond_mixed)); a step that fails is tried again without.
+    pub fn with_extrapolated_stresses(mut self) -> Newton<'a> {
+        self.kept = Some(Kept::new(self.model));
+        self
     }
 
     /// What the steps have cost so far.
@@ -338,6 +347,13 @@ impl<'a> Newton<'a> {
     ) -> Result<StepReport, StepFailure> {
         let limit = self.options.criteria.iterations;
         let mut result = self.iterate(scheme, state, [p0, p1], limit, false);
+        if result.is_err()
+            && let Some(kept) = self.kept.take()
+        {
+            self.factor = None;
+            result = self.iterate(scheme, state, [p0, p1], limit, false);
+            self.kept = Some(kept);
+        }
         if result.is_err() && self.options.initial_stiffness > 0 {
             self.factor = None;
             let last = self.options.initial_stiffness;

@@ -233,6 +233,29 @@ pub trait Element: Send + Sync {
         out: &mut Response,
     ) -> Result<(), ElementError>;
 
+    /// Number of variables that [`Element::respond_mixed`] keeps from one iteration to the next; zeros at the beginning of a
+    /// step. None: it is [`Element::respond`].
+    fn mixed_len(&self) -> usize {
+        0
+    }
+
+    /// [`Element::respond`] with a tangent whose geometric part takes stresses extrapolated from the iterate before: Newton's
+    /// method then needs far fewer iterations in thin bodies with large rotations. The force is that of
+    /// [`Element::respond`], and so is the tangent at equilibrium.
+    ///
+    /// Errors: those of [`Element::respond`].
+    fn respond_mixed(
+        &self,
+        motion: Motion<'_>,
+        old: &[f64],
+        new: &mut [f64],
+        want: Want,
+        _kept: &mut [f64],
+        out: &mut Response,
+    ) -> Result<(), ElementError> {
+        self.respond(motion, old, new, want, out)
+    }
+
     /// Viscous damping matrix of the element itself (dashpots, element Rayleigh); returns false if it has none.
     fn damping(&self, _out: &mut LocalMatrix) -> bool {
         false

@@ -33,6 +33,7 @@
 //! Source: Dvorkin & Bathe 1984 (tying), Simo & Fox 1989 (measures); the centre-point shear and its reason are derived in
 //! `docs/theory/shell-element.md`. Thickness change is not represented.
 
+mod mixed;
 mod observe;
 pub(super) mod strain;
 mod turn;
@@ -244,6 +245,72 @@ impl Shell4 {
         &self.centre
     }
 
+    /// Force and tangent; with `kept` the geometric part of the tangent takes extrapolated stresses.
+    fn answer(
+        &self,
+        motion: Motion<'_>,
+        old: &[f64],
+        new: &mut [f64],
+        want: Want,
+        mut kept: Option<&mut [f64]>,
+        out: &mut Response,
+    ) -> Result<(), ElementError> {
+        let c = self.configuration(&motion);
+        let common = self.common(&c);
+        let extrapolated = match &kept {
+            Some(kept) if want.tangent => self.extrapolate(kept, &motion),
+            _ => None,
+        };
+        let mut stressed = Stressed::default();
+        let mut any = false;
+        let mut section = SectionResponse::default();
+        let len = self.section.history_len();
+        for (g, p) in self.points.iter().enumerate() {
+            let k = self.kinematics(p, &c, &common);
+            let slots = g * len..(g + 1) * len;
+            let turn = self.turns.as_ref().map_or(Turn::NONE, |t| t[g]);
+            self.section.respond(
+                &turn.strain(&k.strain),
+                &old[slots.clone()],
+                &mut new[slots],
+                &mut section,
+            )?;
+            turn.back(&mut section);
+            if want.force {
+                for (row, n) in k.rows.iter().zip(&section.resultants) {
+                    let n = n * p.area;
+                    for (f, b) in out.force.iter_mut().zip(row) {
+                        *f += n * b;
+                    }
+                }
+            }
+            if want.tangent {
+                add_material(&k.rows, &section.tangent, p.area, &mut out.tangent);
+                let stress = extrapolated.as_ref().map_or(&section.resultants, |e| &e[g]);
+                if stress.iter().any(|&n| n != 0.0) {
+                    any = true;
+                    self.stress(p, stress, &mut stressed);
+                }
+                if let Some(kept) = kept.as_deref_mut() {
+                    mixed::keep_point(kept, g, &section);
+                }
+            }
+        }
+        if want.tangent {
+            out.tangent.mirror();
+            if any {
+                self.add_geometric(&c, &stressed, &mut out.tangent);
+            }
+            if let Some(kept) = kept {
+                mixed::keep_motion(kept, &motion);
+            }
+        }
+        for corner in &self.drilling {
+            corner.respond(&c.u, &motion.rotations[corner.node], want, out);
+        }
+        Ok(())
+    }
+
     /// Tangent of the virgin section, in its own frame.
     fn virgin_tangent(&self) -> Result<[[f64; 8]; 8], ElementError> {
         let mut old = vec![0.0; self.section.history_len()];
@@ -316,49 +383,23 @@ impl Element for Shell4 {
         want: Want,
         out: &mut Response,
     ) -> Result<(), ElementError> {
-        let c = self.configuration(&motion);
-        let common = self.common(&c);
-        let mut stressed = Stressed::default();
-        let mut any = false;
-        let mut section = SectionResponse::default();
-        let len = self.section.history_len();
-        for (g, p) in self.points.iter().enumerate() {
-            let k = self.kinematics(p, &c, &common);
-            let slots = g * len..(g + 1) * len;
-            let turn = self.turns.as_ref().map_or(Turn::NONE, |t| t[g]);
-            self.section.respond(
-                &turn.strain(&k.strain),
-                &old[slots.clone()],
-                &mut new[slots],
-                &mut section,
-            )?;
-            turn.back(&mut section);
-            if want.force {
-                for (row, n) in k.rows.iter().zip(&section.resultants) {
-                    let n = n * p.area;
-                    for (f, b) in out.force.iter_mut().zip(row) {
-                        *f += n * b;
-                    }
-                }
-            }
-            if want.tangent {
-                add_material(&k.rows, &section.tangent, p.area, &mut out.tangent);
-                if section.resultants.iter().any(|&n| n != 0.0) {
-                    any = true;
-                    self.stress(p, &section.resultants, &mut stressed);
-                }
-            }
-        }
-        if want.tangent {
-            out.tangent.mirror();
-            if any {
-                self.add_geometric(&c, &stressed, &mut out.tangent);
-            }
-        }
-        for corner in &self.drilling {
-            corner.respond(&c.u, &motion.rotations[corner.node], want, out);
-        }
-        Ok(())
+        self.answer(motion, old, new, want, None, out)
+    }
+
+    fn mixed_len(&self) -> usize {
+        mixed::LEN
+    }
+
+    fn respond_mixed(
+        &self,
+        motion: Motion<'_>,
+        old: &[f64],
+        new: &mut [f64],
+        want: Want,
+        kept: &mut [f64],
+        out: &mut Response,
+    ) -> Result<(), ElementError> {
+        self.answer(motion, old, new, want, Some(kept), out)
     }
 
     fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<bool, ElementError> {

@@ -17,13 +17,14 @@ impl Newton<'_> {
     pub(super) fn evaluate(&mut self, state: &mut State, want: Want) -> Result<(), StepFailure> {
         self.cost.evaluations += 1;
         self.assembler
-            .respond_into(
+            .answer(
                 self.model,
                 state,
                 want,
                 Some(&self.linear),
                 &mut self.tangent,
                 &mut self.forces,
+                self.kept.as_mut(),
             )
             .map_err(|(number, source)| StepFailure::Element { number, source })
     }
@@ -39,6 +40,9 @@ impl Newton<'_> {
     ) -> Result<StepReport, StepFailure> {
         let modified = self.options.modified || initial;
         state.revert();
+        if let Some(kept) = &mut self.kept {
+            kept.clear();
+        }
         if scheme.collocation().1 != 1.0 {
             self.committed_forces(state)?;
         }
@@ -75,14 +79,16 @@ impl Newton<'_> {
             let quiet = energy <= self.options.criteria.energy * first || tiny;
             if norm <= ROUNDING * scale
                 || (iteration > 0 && norm <= LINEAR * residuals[0])
-                || (quiet && norm <= self.options.criteria.force * scale)
+                // Loads that are elements themselves (follower pressure) stand in the forces and vanish with them.
+                || (quiet && norm <= self.options.criteria.force * scale.max(residuals[0]))
             {
                 return Ok(StepReport {
                     iterations: iteration,
                     residuals,
                 });
             }
-            if norm < 0.9 * best {
+            // The first increment of a thin shell bends it, and stretches it in second order: forces begin to fall after it.
+            if iteration == 1 || norm < 0.9 * best {
                 (best, best_at) = (norm, iteration);
             }
             if iteration == limit || (!initial && iteration >= best_at + PATIENCE) {
