@@ -19,6 +19,7 @@
 //! | [`newton`] | one nonlinear load or time step; static load paths |
 //! | [`march`] | nonlinear time histories: static start, cut steps, energy balance, observers |
 //! | [`checkpoint`] | files that a long march is resumed from |
+//! | [`continuation`] | static paths beyond limit points: displacement control, arc length |
 //! | [`modal`] | modal superposition with missing mass |
 //! | [`spectrum`] | response-spectrum method: SRSS, CQC, missing mass, components |
 //! | [`frequency`] | frequency domain |
@@ -26,6 +27,7 @@
 
 pub mod checkpoint;
 pub mod contact;
+pub mod continuation;
 pub mod damping;
 pub mod frequency;
 pub mod ida;

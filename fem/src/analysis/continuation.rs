@@ -1,0 +1,512 @@
+//! Static paths beyond limit points: displacement control and cylindrical arc length; where they lose stability.
+//!
+//! ```text
+//! f_int(u) = p₀ + λ p ,  g(u) = 0                      unknowns u and λ
+//! K_T δu_r = r ,  K_T δu_p = p ,  δu = δu_r + δλ δu_p          one factor, two right-hand sides
+//!
+//! displacement:  g = c · u − w                         δλ = (w − c · u − c · δu_r)/(c · δu_p)
+//! arc length:    g = ‖Δu‖² − s²                        δλ = −(‖Δu‖² − s² + 2 Δu · δu_r)/(2 Δu · δu_p)
+//! ```
+//!
+//! Δu is the increment since the committed state; the arc length takes translations only. The first step of an arc is
+//! δλ = ± s/‖δu_p‖, with the sign that goes on in the direction of the step before. Constraint and equilibrium are
+//! linearised together, so that the iteration is Newton's for both and no root has to be chosen.
+//!
+//! The signs of the pivots of K_T at a committed state count its negative eigenvalues: none is a stable state, a change
+//! at a maximum of λ is a limit point, any other a bifurcation. The eigenvector of the eigenvalue next to zero
+//! ([`Continuation::lowest_mode`]) is the buckling mode there, and the shape of the most harmful imperfection.
+//!
+//! Source: Batoz & Dhatt 1979 (two right-hand sides), Crisfield 1981 (cylindrical arc length), Ramm 1981; steps after the
+//! theory sheet of this project.
+
+use std::sync::Arc;
+
+use super::newton::{Criteria, StepFailure};
+use super::{AnalysisError, check_length, failed};
+use crate::assembly::{Assembler, Kept};
+use crate::dofs::Dof;
+use crate::element::Want;
+use crate::linalg::{Factor, Kind, Matrix, Symbolic, Symmetric, dot};
+use crate::model::Model;
+use crate::progress::Progress;
+use crate::state::State;
+
+/// What a step holds on to.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Constraint {
+    /// c · u = value: row (equation, coefficient) as from [`Model::row`], and the value at the end of the step.
+    Displacement(Vec<(usize, f64)>, f64),
+    /// ‖Δu‖ = s over all translations, s > 0.
+    Arc(f64),
+    /// λ at the end of the step.
+    Load(f64),
+}
+
+/// Where a path under growing load loses its stability.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Critical {
+    /// Largest load factor that was found stable.
+    pub stable: f64,
+    /// Smallest load factor beyond it that was not.
+    pub beyond: f64,
+    /// Negative eigenvalues there: 1 or more at a bifurcation, `None` where no equilibrium was found (a limit point).
+    pub negative: Option<usize>,
+}
+
+/// A committed state of a path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathPoint {
+    /// Load factor λ.
+    pub factor: f64,
+    /// Iterations of the step that led here.
+    pub iterations: usize,
+    /// Number of negative eigenvalues of K_T here, if watched.
+    pub negative: Option<usize>,
+}
+
+/// How long steps are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepLength {
+    /// First one.
+    pub first: f64,
+    /// Shortest before the path ends, > 0.
+    pub shortest: f64,
+    /// Longest.
+    pub longest: f64,
+}
+
+impl StepLength {
+    /// From 1/64 to 4 times the first one.
+    pub fn around(first: f64) -> StepLength {
+        StepLength {
+            first,
+            shortest: first.abs() / 64.0,
+            longest: 4.0 * first.abs(),
+        }
+    }
+
+    /// Length after a step of length `s` that took so many iterations: up to 7 double, up to 12 as it is, else 0.7 times.
+    fn after(&self, s: f64, iterations: usize) -> f64 {
+        let factor = match iterations {
+            0..=7 => 2.0,
+            8..=12 => 1.0,
+            _ => 0.7,
+        };
+        (factor * s).clamp(self.shortest, self.longest)
+    }
+}
+
+/// A path that was followed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Path {
+    /// Its states, the start excluded.
+    pub points: Vec<PathPoint>,
+    /// Why it ended early.
+    pub failure: Option<StepFailure>,
+}
+
+/// Path following of one model under p₀ + λ p.
+pub struct Continuation<'a> {
+    model: &'a Model,
+    assembler: &'a Assembler,
+    symbolic: &'a Arc<Symbolic>,
+    constant: Vec<f64>,
+    load: Vec<f64>,
+    criteria: Criteria,
+    kept: Option<Kept>,
+    watch: bool,
+    translations: Vec<usize>,
+    tangent: Symmetric,
+    factor: Option<Factor>,
+    /// λ of the committed state.
+    lambda: f64,
+    /// Increment of the last step.
+    last: Option<Vec<f64>>,
+}
+
+impl<'a> Continuation<'a> {
+    /// From λ = 0.
+    ///
+    /// * `constant`: p₀, `load`: p over the unknowns [N, N m]
+    ///
+    /// Errors: loads of wrong length.
+    pub fn new(
+        model: &'a Model,
+        assembler: &'a Assembler,
+        symbolic: &'a Arc<Symbolic>,
+        constant: &[f64],
+        load: &[f64],
+        criteria: Criteria,
+    ) -> Result<Continuation<'a>, AnalysisError> {
+        let n = model.dofs().len();
+        check_length("constant load", constant.len(), n)?;
+        check_length("load", load.len(), n)?;
+        let is_translation = |&e: &usize| matches!(model.dofs().unknown(e).1, Dof::Ux | Dof::Uy | Dof::Uz);
+        Ok(Continuation {
+            model,
+            assembler,
+            symbolic,
+            constant: constant.to_vec(),
+            load: load.to_vec(),
+            criteria,
+            kept: None,
+            watch: false,
+            translations: (0..n).filter(is_translation).collect(),
+            tangent: Symmetric::zeros(assembler.pattern().clone()),
+            factor: None,
+            lambda: 0.0,
+            last: None,
+        })
+    }
+
+    /// The same with geometric stiffness from extrapolated stresses
+    /// ([`Element::respond_mixed`](crate::element::Element::respond_mixed)); a step that fails is tried again without.
+    pub fn with_extrapolated_stresses(mut self) -> Continuation<'a> {
+        self.kept = Some(Kept::new(self.model));
+        self
+    }
+
+    /// The same, counting the negative eigenvalues at every committed state.
+    pub fn with_watch(mut self) -> Continuation<'a> {
+        self.watch = true;
+        self
+    }
+
+    /// λ of the committed state.
+    pub fn factor(&self) -> f64 {
+        self.lambda
+    }
+
+    /// One step from the committed state. On success the state is committed, else reverted.
+    ///
+    /// Errors: no convergence, divergence, an element without an answer, a singular tangent.
+    pub fn step(&mut self, state: &mut State, constraint: &Constraint) -> Result<PathPoint, StepFailure> {
+        let mut result = self.iterate(state, constraint);
+        if result.is_err()
+            && let Some(kept) = self.kept.take()
+        {
+            result = self.iterate(state, constraint);
+            self.kept = Some(kept);
+        }
+        match result {
+            Ok((lambda, iterations)) => {
+                self.lambda = lambda;
+                self.last = Some(self.increment(state));
+                state.commit();
+                let negative = match self.watch {
+                    true => Some(self.negative()?),
+                    false => None,
+                };
+                Ok(PathPoint {
+                    factor: lambda,
+                    iterations,
+                    negative,
+                })
+            }
+            Err(failure) => {
+                state.revert();
+                Err(failure)
+            }
+        }
+    }
+
+    /// Displacement c · u through all `targets`; steps are cut where they fail and lengthened where they are easy. `each`
+    /// sees the state at every target.
+    ///
+    /// Errors: a row without an unknown. A path that ends early says why in [`Path::failure`].
+    pub fn to_displacements(
+        &mut self,
+        state: &mut State,
+        row: &[(usize, f64)],
+        targets: &[f64],
+        length: StepLength,
+        progress: &dyn Progress,
+        mut each: impl FnMut(f64, &PathPoint, &State),
+    ) -> Result<Path, AnalysisError> {
+        if row.is_empty() {
+            return Err(AnalysisError::Option {
+                option: "controlled displacement",
+                found: "a held or unused dof".into(),
+                allowed: "an unknown".into(),
+            });
+        }
+        let value = |state: &State| row.iter().map(|&(e, c)| c * state.committed.u[e]).sum::<f64>();
+        let mut path = Path::default();
+        let mut step = length.first.abs();
+        progress.stage("displacement steps", targets.len() as u64);
+        for &target in targets {
+            loop {
+                let rest = target - value(state);
+                let whole = rest.abs() <= step * (1.0 + 1e-9);
+                let end = if whole {
+                    target
+                } else {
+                    target - rest + step.copysign(rest)
+                };
+                if progress.interrupted() {
+                    return Ok(path);
+                }
+                match self.step(state, &Constraint::Displacement(row.to_vec(), end)) {
+                    Ok(point) => {
+                        step = length.after(step, point.iterations);
+                        path.points.push(point.clone());
+                        if whole {
+                            each(target, &point, state);
+                            break;
+                        }
+                    }
+                    Err(_) if 0.5 * step.min(rest.abs()) >= length.shortest => step = 0.5 * step.min(rest.abs()),
+                    Err(failure) => {
+                        path.failure = Some(failure);
+                        return Ok(path);
+                    }
+                }
+            }
+            progress.advance(1);
+        }
+        Ok(path)
+    }
+
+    /// Arc-length steps until `done` says so, which sees every state.
+    ///
+    /// Errors: none of its own yet; a path that ends early says why in [`Path::failure`].
+    pub fn along(
+        &mut self,
+        state: &mut State,
+        length: StepLength,
+        progress: &dyn Progress,
+        mut done: impl FnMut(&PathPoint, &State) -> bool,
+    ) -> Result<Path, AnalysisError> {
+        let mut path = Path::default();
+        let mut step = length.first;
+        while !progress.interrupted() {
+            match self.step(state, &Constraint::Arc(step)) {
+                Ok(point) => {
+                    step = length.after(step, point.iterations);
+                    path.points.push(point.clone());
+                    if done(&point, state) {
+                        break;
+                    }
+                }
+                Err(_) if 0.5 * step >= length.shortest => step *= 0.5,
+                Err(failure) => {
+                    path.failure = Some(failure);
+                    break;
+                }
+            }
+        }
+        Ok(path)
+    }
+
+    /// Raises λ in steps of `step` up to `largest` and halves them where the state is unstable, or where there is none, down to
+    /// `tolerance`. `state` is then the last stable one, and [`Continuation::lowest_mode`] is the mode of buckling. A bifurcation
+    /// is seen although the path itself goes on undisturbed.
+    ///
+    /// Errors: no unstable state up to `largest`; a first state that is not stable.
+    pub fn first_instability(
+        &mut self,
+        state: &mut State,
+        step: f64,
+        tolerance: f64,
+        largest: f64,
+        progress: &dyn Progress,
+    ) -> Result<Critical, AnalysisError> {
+        let watched = std::mem::replace(&mut self.watch, true);
+        let mut step = step;
+        let mut found = None;
+        while self.lambda < largest && !progress.interrupted() {
+            let (before, start) = (state.clone(), self.lambda);
+            let next = start + step;
+            let negative = match self.step(state, &Constraint::Load(next)) {
+                Ok(point) if point.negative == Some(0) => continue,
+                Ok(point) => point.negative,
+                Err(_) => None,
+            };
+            *state = before;
+            self.lambda = start;
+            found = Some(Critical {
+                stable: start,
+                beyond: next,
+                negative,
+            });
+            if step <= tolerance {
+                break;
+            }
+            step = (0.5 * step).max(tolerance);
+        }
+        self.watch = watched;
+        found.ok_or_else(|| AnalysisError::Option {
+            option: "largest load factor of a search for instability",
+            found: format!("stable up to {:.4}", self.lambda),
+            allowed: "one beyond the first instability".into(),
+        })
+    }
+
+    /// Eigenpair of K_T of the committed state whose eigenvalue is next to zero: (φᵀ K_T φ/φᵀ φ, φ with its largest entry 1).
+    ///
+    /// Errors: an element without an answer, a singular tangent.
+    pub fn lowest_mode(&mut self, state: &mut State) -> Result<(f64, Vec<f64>), StepFailure> {
+        state.revert();
+        self.respond(state, false)?;
+        let n = self.model.dofs().len();
+        let factor = self.factorise().map_err(StepFailure::Tangent)?;
+        // Any vector that no symmetry of a structure makes orthogonal to a mode.
+        let mut x: Vec<f64> = (0..n).map(|i| 1.0 + (1.7 * i as f64).sin()).collect();
+        for _ in 0..60 {
+            let y = factor
+                .solve_vector(&x)
+                .map_err(|e| StepFailure::Tangent(failed("the tangent")(e)))?;
+            let size = y.iter().fold(0.0_f64, |m, v| if v.abs() > m.abs() { *v } else { m });
+            let next: Vec<f64> = y.iter().map(|v| v / size).collect();
+            let change = next.iter().zip(&x).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            x = next;
+            if change < 1e-8 {
+                break;
+            }
+        }
+        let value = dot(&self.tangent.times(&x), &x) / dot(&x, &x);
+        Ok((value, x))
+    }
+
+    fn increment(&self, state: &State) -> Vec<f64> {
+        let (new, old) = (&state.trial.u, &state.committed.u);
+        new.iter().zip(old).map(|(a, b)| a - b).collect()
+    }
+
+    /// Forces and, in `tangent`, K_T at the trial state.
+    fn respond(&mut self, state: &mut State, mixed: bool) -> Result<Vec<f64>, StepFailure> {
+        let kept = if mixed { self.kept.as_mut() } else { None };
+        let answer = match kept {
+            Some(kept) => self
+                .assembler
+                .respond_mixed(self.model, state, Want::ALL, &mut self.tangent, kept),
+            None => self.assembler.respond(self.model, state, Want::ALL, &mut self.tangent),
+        };
+        answer.map_err(|(number, source)| StepFailure::Element { number, source })
+    }
+
+    fn factorise(&mut self) -> Result<&Factor, AnalysisError> {
+        // Taken out, so that a factor that failed is not used again.
+        let factor = match self.factor.take() {
+            Some(mut factor) => factor.refactor(&self.tangent).map(|()| factor),
+            None => self.symbolic.factor(&self.tangent, Kind::QuasiDefinite),
+        };
+        Ok(self.factor.insert(factor.map_err(failed("the tangent"))?))
+    }
+
+    /// Negative eigenvalues of the tangent last assembled.
+    fn negative(&mut self) -> Result<usize, StepFailure> {
+        Ok(self.factorise().map_err(StepFailure::Tangent)?.inertia().negative)
+    }
+
+    fn iterate(&mut self, state: &mut State, constraint: &Constraint) -> Result<(f64, usize), StepFailure> {
+        state.revert();
+        if let Some(kept) = &mut self.kept {
+            kept.clear();
+        }
+        let n = self.model.dofs().len();
+        let mut lambda = self.lambda;
+        let (mut first, mut energy) = (0.0_f64, f64::INFINITY);
+        let (mut start, mut largest) = (f64::INFINITY, 0.0_f64);
+        let norm = |x: &[f64]| dot(x, x).sqrt();
+        for iteration in 0..=self.criteria.iterations {
+            let force = self.respond(state, true)?;
+            let applied: Vec<f64> = self
+                .constant
+                .iter()
+                .zip(&self.load)
+                .map(|(c, p)| c + lambda * p)
+                .collect();
+            let r: Vec<f64> = applied.iter().zip(&force).map(|(p, f)| p - f).collect();
+            let rest = norm(&r);
+            largest = largest.max(rest);
+            // Loads that are elements themselves (follower pressure) stand in the internal force and vanish with it.
+            let scale = (norm(&applied) + norm(&force)).max(largest);
+            if !rest.is_finite() || rest > 1e8 * start {
+                return Err(self.divergence(iteration, rest, &r));
+            }
+            if iteration > 0 && energy <= self.criteria.energy * first && rest <= self.criteria.force * scale {
+                return Ok((lambda, iteration));
+            }
+            if iteration == self.criteria.iterations {
+                let (node, dof) = self.worst(&r);
+                return Err(StepFailure::NoConvergence {
+                    iterations: iteration,
+                    residual: rest,
+                    allowed: self.criteria.force * scale,
+                    node,
+                    dof,
+                });
+            }
+            if iteration == 1 {
+                start = rest + scale;
+            }
+            let mut both = Matrix::zeros(n, 2);
+            both.column_mut(0).copy_from_slice(&r);
+            both.column_mut(1).copy_from_slice(&self.load);
+            let factor = self.factorise().map_err(StepFailure::Tangent)?;
+            factor
+                .solve(&mut both)
+                .map_err(|e| StepFailure::Tangent(failed("the tangent")(e)))?;
+            let (du_r, du_p) = (both.column(0), both.column(1));
+            let d_lambda = self.load_step(state, constraint, lambda, du_r, du_p, iteration);
+            if !d_lambda.is_finite() {
+                return Err(self.divergence(iteration, rest, &r));
+            }
+            let du: Vec<f64> = du_r.iter().zip(du_p).map(|(a, b)| a + d_lambda * b).collect();
+            energy = dot(&du, &r).abs() + (d_lambda * dot(&du, &self.load)).abs();
+            if iteration == 0 {
+                first = energy;
+            }
+            lambda += d_lambda;
+            state.increment(self.model, &du);
+        }
+        unreachable!("the last iteration returns")
+    }
+
+    /// Node and dof of the largest component of r, or of the first that is not finite.
+    fn worst(&self, r: &[f64]) -> (usize, Dof) {
+        let size = |i: usize| if r[i].is_finite() { r[i].abs() } else { f64::INFINITY };
+        let worst = (0..r.len()).fold(0, |m, i| if size(i) > size(m) { i } else { m });
+        self.model.dofs().unknown(worst)
+    }
+
+    fn divergence(&self, iteration: usize, residual: f64, r: &[f64]) -> StepFailure {
+        let (node, dof) = self.worst(r);
+        StepFailure::Divergence {
+            iteration,
+            residual,
+            node,
+            dof,
+        }
+    }
+
+    /// δλ that keeps the linearised constraint.
+    fn load_step(
+        &self,
+        state: &State,
+        constraint: &Constraint,
+        lambda: f64,
+        du_r: &[f64],
+        du_p: &[f64],
+        iteration: usize,
+    ) -> f64 {
+        match constraint {
+            Constraint::Load(value) => value - lambda,
+            Constraint::Displacement(row, value) => {
+                let along = |x: &[f64]| row.iter().map(|&(e, c)| c * x[e]).sum::<f64>();
+                (value - along(&state.trial.u) - along(du_r)) / along(du_p)
+            }
+            &Constraint::Arc(s) => {
+                let product = |a: &[f64], b: &[f64]| self.translations.iter().map(|&i| a[i] * b[i]).sum::<f64>();
+                if iteration == 0 {
+                    let onward = self.last.as_ref().map_or(1.0, |last| product(last, du_p));
+                    return (s / product(du_p, du_p).sqrt()).copysign(onward);
+                }
+                let d = self.increment(state);
+                let gap = product(&d, &d) - s * s;
+                -(gap + 2.0 * product(&d, du_r)) / (2.0 * product(&d, du_p))
+            }
+        }
+    }
+}
