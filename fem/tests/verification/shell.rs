@@ -25,3 +25,25 @@ fn slow_shell_rows_hold() {
     print(&rows);
     super::assert_rows(&rows);
 }
+
+#[test]
+fn large_shell_rows_hold() {
+    let rows = shell::shell_large().unwrap();
+    print(&rows);
+    super::assert_rows(&rows);
+}
+
+#[test]
+#[ignore = "slow: fine meshes, minutes"]
+fn slow_large_shell_rows_hold() {
+    let rows = shell::shell_large_slow().unwrap();
+    print(&rows);
+    super::assert_rows(&rows);
+}
+
+#[test]
+fn concrete_beam_rows_hold() {
+    let rows = shell::concrete_beams().unwrap();
+    print(&rows);
+    super::assert_rows(&rows);
+}

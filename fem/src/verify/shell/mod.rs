@@ -1,15 +1,21 @@
-//! Shells: S1 to S14.
+//! Shells: S1 to S21.
 //!
 //! Meshes, supports and loads are those of the sources. Where a row compares a coarse mesh, its reference is what an
 //! independent prototype of the same formulation gave on that mesh ([`Reference::SecondFormulation`]); the finest mesh
 //! is compared with the published value.
 
+mod beams;
 mod buckling;
 mod cylinder_modes;
 mod cylinder_wall;
 mod element;
 mod finite;
+mod large;
+mod panel;
+mod path;
 mod plane;
+mod plastic;
+mod pressure;
 mod shells;
 mod tank;
 
@@ -21,6 +27,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::{Reference, Row};
+use crate::analysis::AnalysisError;
 use crate::assembly::Assembler;
 use crate::dofs::{Dof, KINDS};
 use crate::element::ElementError;
@@ -42,6 +49,17 @@ pub enum ShellVerifyError {
     /// A solver.
     #[error(transparent)]
     Linalg(#[from] LinalgError),
+    /// An analysis.
+    #[error(transparent)]
+    Analysis(#[from] AnalysisError),
+    /// A path that ends early.
+    #[error("the path ends at {reached:.3} of its length: {why}")]
+    Path {
+        /// Part that was followed.
+        reached: f64,
+        /// Why it ended.
+        why: String,
+    },
 }
 
 type Answer<T> = Result<T, ShellVerifyError>;
@@ -65,8 +83,6 @@ pub fn shell() -> Answer<Vec<Row>> {
         tank::sectors(&[16, 32, 64])?,
         buckling::buckling(&[(64, 8), (64, 12)])?,
         cylinder_modes::cylinder_modes(&[4, 8, 12, 16])?,
-        finite::cantilever()?,
-        finite::roll_up(&[20, 40])?,
     ];
     Ok(parts.into_iter().flatten().collect())
 }
@@ -85,6 +101,48 @@ pub fn shell_slow() -> Answer<Vec<Row>> {
         tank::gradings()?,
         buckling::buckling(&[(32, 8), (64, 8), (64, 12), (64, 20)])?,
         buckling::plain_buckling()?,
+    ];
+    Ok(parts.into_iter().flatten().collect())
+}
+
+/// Reinforced-concrete beams of layers and bars: M10 to M12.
+///
+/// Errors: a model that cannot be solved.
+pub fn concrete_beams() -> Answer<Vec<Row>> {
+    Ok([beams::b3(16, 20)?, beams::c3(16, 20)?].concat())
+}
+
+/// Rows of large displacements that take seconds: S13 to S17, S19 to S21.
+///
+/// Errors: a model that cannot be solved.
+pub fn shell_large() -> Answer<Vec<Row>> {
+    let parts = [
+        finite::cantilever()?,
+        finite::roll_up(&[20, 40])?,
+        large::ring(false)?,
+        large::hemisphere(false)?,
+        large::pull_out(false)?,
+        large::roof(16)?,
+        pressure::follower(&[2, 4])?,
+        plastic::plates(&[4, 6])?,
+        panel::panels(12, &[0.02])?,
+    ];
+    Ok(parts.into_iter().flatten().collect())
+}
+
+/// The same on fine meshes, and S18.
+///
+/// Errors: a model that cannot be solved.
+pub fn shell_large_slow() -> Answer<Vec<Row>> {
+    let parts = [
+        large::ring(true)?,
+        large::hemisphere(true)?,
+        large::pull_out(true)?,
+        large::pinched(40)?,
+        large::snap_back(16)?,
+        pressure::follower(&[2, 4, 8])?,
+        plastic::plates(&[4, 8, 12])?,
+        panel::panels(16, &[0.01, 0.03, 0.1, 0.3])?,
     ];
     Ok(parts.into_iter().flatten().collect())
 }

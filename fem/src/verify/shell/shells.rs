@@ -15,13 +15,13 @@ use crate::model::Builder;
 use crate::verify::{Reference, Row};
 
 /// Hoop axes about the y axis: rotation frames are (hoop, y, radius).
-const ABOUT_Y: Axes = Axes::Hoop {
+pub(super) const ABOUT_Y: Axes = Axes::Hoop {
     origin: [0.0; 3],
     axis: [0.0, 1.0, 0.0],
 };
 
 /// Part of a cylinder about y: from the end y = 0 to `length`, angle from the z axis `from` to `to`.
-fn barrel(n: usize, radius: f64, length: f64, to: f64) -> (Grid, Builder) {
+pub(super) fn barrel(n: usize, radius: f64, length: f64, to: f64) -> (Grid, Builder) {
     // i along the angle, j along y: hoop × y is the radius.
     let grid = Grid::new(n, n);
     let mut builder = Builder::new();
