@@ -16,6 +16,7 @@ mod path;
 mod plane;
 mod plastic;
 mod pressure;
+mod roof;
 mod shells;
 mod tank;
 
@@ -122,7 +123,7 @@ pub fn shell_large() -> Answer<Vec<Row>> {
         large::ring(false)?,
         large::hemisphere(false)?,
         large::pull_out(false)?,
-        large::roof(16)?,
+        roof::roof(16)?,
         pressure::follower(&[2, 4])?,
         plastic::plates(&[4, 6])?,
         panel::panels(12, &[0.02])?,
@@ -139,7 +140,7 @@ pub fn shell_large_slow() -> Answer<Vec<Row>> {
         large::hemisphere(true)?,
         large::pull_out(true)?,
         large::pinched(40)?,
-        large::snap_back(16)?,
+        roof::snap_back(16)?,
         pressure::follower(&[2, 4, 8])?,
         plastic::plates(&[4, 8, 12])?,
         panel::panels(16, &[0.01, 0.03, 0.1, 0.3])?,
