@@ -1,9 +1,12 @@
-//! Time integration, damping, modal, spectral and frequency-domain methods: rows D1 and D3 to D10.
+//! Time integration, damping, modal, spectral and frequency-domain methods: rows D1 and D3 to D10;
+//! with a record, C8 ([`separation()`]).
 
 mod schemes;
+mod separation;
 mod strip;
 
 pub use schemes::schemes;
+pub use separation::separation;
 pub use strip::{Strip, strip};
 
 use super::{Row, VerifyError};

@@ -39,16 +39,21 @@ pub struct Strip {
 }
 
 const HALF_WIDTH: f64 = 2.5;
-const DEPTH: f64 = 2.57;
-const HEIGHT: f64 = 3.0;
-const THICKNESS: f64 = 0.3;
+pub(super) const DEPTH: f64 = 2.57;
+pub(super) const HEIGHT: f64 = 3.0;
+pub(super) const THICKNESS: f64 = 0.3;
 const YOUNG: f64 = 34e9;
 const POISSON: f64 = 0.2;
-const WALL_DENSITY: f64 = 2950.0;
+pub(super) const WALL_DENSITY: f64 = 2950.0;
 const LIQUID_DENSITY: f64 = 1019.4;
 
-fn liquid() -> StripLiquid {
+pub(super) fn liquid() -> StripLiquid {
     StripLiquid::new(HALF_WIDTH, DEPTH, LIQUID_DENSITY)
+}
+
+/// E I/(1 − ν²) of the wall [Nm].
+pub(super) fn bending_stiffness() -> f64 {
+    YOUNG / (1.0 - POISSON * POISSON) * THICKNESS.powi(3) / 12.0
 }
 
 impl Strip {
@@ -61,7 +66,7 @@ impl Strip {
         let wall = 2 * z.len();
         let all = wall + sloshing;
         let (mut m, mut k) = (Matrix::zeros(all, all), Matrix::zeros(all, all));
-        let bending = YOUNG / (1.0 - POISSON * POISSON) * THICKNESS.powi(3) / 12.0;
+        let bending = bending_stiffness();
         let density = WALL_DENSITY * THICKNESS;
         for e in 0..z.len() - 1 {
             let l = z[e + 1] - z[e];
@@ -175,6 +180,31 @@ impl Strip {
         Ok(observed.extremes.iter().map(|e| e.peak().0).collect())
     }
 
+    /// Peaks of the observables by direct integration with Rayleigh damping.
+    pub(super) fn rayleigh(
+        &self,
+        damping: Rayleigh,
+        scheme: TimeScheme,
+        load: &Load,
+        grid: Grid,
+    ) -> Result<Vec<f64>, AnalysisError> {
+        let system = self.system.clone().with_damping(Damping::rayleigh(damping));
+        let mut settings = Settings::new(grid);
+        settings.scheme = scheme;
+        let load = std::slice::from_ref(load);
+        let mut found = integrate(
+            &system,
+            &self.symbolic,
+            load,
+            &settings,
+            &self.observables,
+            &[],
+            &Silent,
+        )?;
+        let scalars = found.remove(0).observed.scalars;
+        Ok(scalars.iter().map(|s| s.extreme.peak().0.abs()).collect())
+    }
+
     /// Direct integration with modal damping of all modes.
     fn direct(&self, scheme: TimeScheme, load: &Load, grid: Grid) -> Result<Transient, AnalysisError> {
         let damping = Damping::modal(&self.system.mass, &self.modes, &self.ratios(), Rayleigh::NONE)?;
@@ -196,13 +226,13 @@ impl Strip {
 }
 
 /// Stiffness of a beam element with unit bending stiffness.
-fn beam_stiffness(l: f64) -> [[f64; 4]; 4] {
+pub(super) fn beam_stiffness(l: f64) -> [[f64; 4]; 4] {
     let (a, b, c, d) = (12.0 / l.powi(3), 6.0 / l.powi(2), 4.0 / l, 2.0 / l);
     [[a, b, -a, b], [b, c, -b, d], [-a, -b, a, -b], [b, d, -b, c]]
 }
 
 /// Consistent mass of a beam element with unit mass per length.
-fn beam_mass(l: f64) -> [[f64; 4]; 4] {
+pub(super) fn beam_mass(l: f64) -> [[f64; 4]; 4] {
     let f = l / 420.0;
     let (a, b, c, d) = (156.0 * f, 22.0 * l * f, 54.0 * f, 13.0 * l * f);
     let (e, h) = (4.0 * l * l * f, 3.0 * l * l * f);

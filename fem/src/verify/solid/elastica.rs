@@ -11,7 +11,7 @@
 //! E I φ'' = −[(1 + ε) Q − γ N]
 //! ```
 //!
-//! Tolerance: 0.3 % against the elastica with 400 bricks and with 40 shells, as the locking of the bricks is 0.2 % there;
+//! Tolerance: 0.3 % against the elastica with 40 shells, 0.4 % with 400 bricks, whose locking of 0.2 % compression enlarges;
 //!            0.05 % against an independent prototype of the same bricks
 
 use std::sync::Arc;
@@ -213,7 +213,7 @@ const PROTOTYPE: [Prototype; 4] = [
     (400, -1.0, [(1.0, 0.089155), (2.0, 0.308126), (3.0, 1.05035)]),
 ];
 
-/// C5 with rows of `meshes` bricks; the finest is compared with the elastica, at 0.3 % from 400 bricks on.
+/// C5 with rows of `meshes` bricks; the finest is compared with the elastica, at 0.4 % from 400 bricks on.
 ///
 /// Errors: a path without equilibrium.
 pub(super) fn rows(meshes: &[usize]) -> Result<Vec<Row>, Failure> {
@@ -283,8 +283,9 @@ pub(super) fn rows(meshes: &[usize]) -> Result<Vec<Row>, Failure> {
                         Reference::ClosedForm,
                     ),
                     values[i][1],
-                    // 200 bricks lock by 0.7 %, which compression beyond P_cr/3 triples.
-                    (if *bricks >= 400 { 3e-3 } else { 2.5e-2 }, "m"),
+                    // 200 bricks lock by 0.7 %, which compression beyond P_cr/3 triples; 400 lock by 0.2 %, and the prototype
+                    // of the sheet is then 0.35 % off at λ = 2.
+                    (if *bricks >= 400 { 4e-3 } else { 2.5e-2 }, "m"),
                 );
                 row.convergence = found
                     .iter()
