@@ -5,8 +5,7 @@
 //! ```
 //!
 //! 1. **Static start**: the constant loads p_c (weight, hydrostatic pressure) are brought up in load steps with the
-//!    committed history; then u̇ = 0. Where the model has unknowns without stiffness (a potential) 10⁻⁶ M is added to the
-//!    matrix of the iteration, never to the forces.
+//!    committed history; then u̇ = 0. Unknowns without stiffness (potentials) rest meanwhile.
 //! 2. **Steps** on the nominal grid; a step that does not converge is halved, down to 2⁻⁶, with the ground motion linear
 //!    inside it; ten steps that converge double it back. An unconverged step is never accepted.
 //! 3. **End**: completed, interrupted, stopped by an observer, or collapsed: no equilibrium with the shortest step, with time,

@@ -18,6 +18,7 @@
 //! | [`transient`] | direct time integration, one factor for many records, with energy balance |
 //! | [`newton`] | one nonlinear load or time step; static load paths |
 //! | [`march`] | nonlinear time histories: static start, cut steps, energy balance, observers |
+//! | [`substructure`] | a linear part of a structure as one element |
 //! | [`checkpoint`] | files that a long march is resumed from |
 //! | [`continuation`] | static paths beyond limit points: displacement control, arc length |
 //! | [`modal`] | modal superposition with missing mass |
@@ -41,6 +42,7 @@ pub mod observe;
 pub mod scheme;
 pub mod spectrum;
 pub mod statics;
+pub mod substructure;
 pub mod sweep;
 pub mod system;
 pub mod transient;

@@ -44,7 +44,7 @@ mod iterate;
 mod path;
 mod search;
 
-pub use path::{LoadPath, load_path, load_path_by};
+pub use path::{LoadPath, load_path};
 
 /// When a step has converged, and when it has failed.
 #[derive(Clone, Copy, Debug, PartialEq)]

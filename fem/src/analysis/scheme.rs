@@ -247,30 +247,3 @@ impl Scheme for LoadStep {
 
     fn correct(&self, _committed: &Fields, _trial: &mut Fields) {}
 }
-
-/// A static step of a model with unknowns without stiffness (potentials): `shift` M is added to the matrix of the iteration,
-/// not to the forces, so that the answer is that of [`LoadStep`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RegularLoadStep {
-    /// [1/s²], small against the square of the lowest circular frequency.
-    pub shift: f64,
-}
-
-impl Scheme for RegularLoadStep {
-    fn predict(&self, committed: &Fields) -> Vec<f64> {
-        LoadStep.predict(committed)
-    }
-
-    fn weights(&self) -> Weights {
-        Weights {
-            mass: self.shift,
-            ..LoadStep.weights()
-        }
-    }
-
-    fn collocation(&self) -> (f64, f64) {
-        LoadStep.collocation()
-    }
-
-    fn correct(&self, _committed: &Fields, _trial: &mut Fields) {}
-}

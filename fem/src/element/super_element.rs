@@ -33,7 +33,7 @@ const ASYMMETRY: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub struct SuperElement {
     nodes: Vec<usize>,
-    dofs: Vec<&'static [Dof]>,
+    dofs: Vec<Dof>,
     mass: Option<Matrix>,
     stiffness: Option<Matrix>,
     damping: Option<Matrix>,
@@ -44,33 +44,34 @@ pub struct SuperElement {
 impl SuperElement {
     /// Over `dofs[a]` of `nodes[a]`, node by node, without any matrix yet.
     ///
-    /// Errors: no dofs, lists of different length, a node without dofs, a node or dof named twice.
+    /// Errors: lists of different length; those of [`SuperElement::over`].
     pub fn new(nodes: Vec<usize>, dofs: Vec<&'static [Dof]>) -> Result<SuperElement, ElementError> {
-        if nodes.len() != dofs.len() || nodes.is_empty() {
-            return Err(refuse(
-                "nodes",
-                format!("{} nodes, dofs of {}", nodes.len(), dofs.len()),
-                "as many lists of dofs as nodes, at least one",
-            ));
+        if nodes.len() != dofs.len() {
+            let found = format!("{} nodes, dofs of {}", nodes.len(), dofs.len());
+            return Err(refuse("nodes", found, "as many lists of dofs as nodes"));
         }
-        let mut sorted = nodes.clone();
+        let own = |(node, dofs): (usize, &'static [Dof])| dofs.iter().map(move |&d| (node, d));
+        let unknowns: Vec<(usize, Dof)> = nodes.into_iter().zip(dofs).flat_map(own).collect();
+        SuperElement::over(&unknowns)
+    }
+
+    /// Over these dofs, in this order, without any matrix yet.
+    ///
+    /// Errors: no dof, a dof named twice.
+    pub fn over(unknowns: &[(usize, Dof)]) -> Result<SuperElement, ElementError> {
+        let mut sorted = unknowns.to_vec();
         sorted.sort_unstable();
-        if let Some(pair) = sorted.windows(2).find(|p| p[0] == p[1]) {
-            return Err(refuse("nodes", format!("node {} twice", pair[0]), "every node once"));
+        let twice = sorted.windows(2).find(|p| p[0] == p[1]).map(|p| p[0]);
+        if let Some((node, dof)) = twice {
+            return Err(refuse("dofs", format!("{dof} of node {node} twice"), "every dof once"));
         }
-        for (node, own) in nodes.iter().zip(&dofs) {
-            let twice = own.iter().enumerate().any(|(i, d)| own[..i].contains(d));
-            if own.is_empty() || twice {
-                return Err(refuse(
-                    "dofs",
-                    format!("{own:?} at node {node}"),
-                    "one or more, each once",
-                ));
-            }
+        if unknowns.is_empty() {
+            return Err(refuse("dofs", "none".into(), "one or more"));
         }
+        // One local node a dof.
         Ok(SuperElement {
-            nodes,
-            dofs,
+            nodes: unknowns.iter().map(|u| u.0).collect(),
+            dofs: unknowns.iter().map(|u| u.1).collect(),
             mass: None,
             stiffness: None,
             damping: None,
@@ -79,35 +80,9 @@ impl SuperElement {
         })
     }
 
-    /// Over single dofs, in this order; dofs of one node must follow each other in the order of [`Dof::ALL`] without gaps.
-    ///
-    /// Errors: those of [`SuperElement::new`]; dofs of a node apart or out of order.
-    pub fn over(unknowns: &[(usize, Dof)]) -> Result<SuperElement, ElementError> {
-        let (mut nodes, mut dofs): (Vec<usize>, Vec<&'static [Dof]>) = (Vec::new(), Vec::new());
-        let mut k = 0;
-        while k < unknowns.len() {
-            let (node, first) = unknowns[k];
-            let count = unknowns[k..].iter().take_while(|u| u.0 == node).count();
-            let range = first.index()..(first.index() + count).min(Dof::ALL.len());
-            let own = Dof::slice(range);
-            if own.len() != count || own.iter().zip(&unknowns[k..]).any(|(d, u)| *d != u.1) {
-                let found: Vec<Dof> = unknowns[k..k + count].iter().map(|u| u.1).collect();
-                return Err(refuse(
-                    "dofs",
-                    format!("{found:?} at node {node}"),
-                    "ascending without gaps",
-                ));
-            }
-            nodes.push(node);
-            dofs.push(own);
-            k += count;
-        }
-        SuperElement::new(nodes, dofs)
-    }
-
     /// Number of local dofs.
     pub fn size(&self) -> usize {
-        self.dofs.iter().map(|d| d.len()).sum()
+        self.dofs.len()
     }
 
     /// With the mass matrix.
@@ -164,8 +139,7 @@ impl SuperElement {
 
     /// Node and dof of every local dof.
     pub fn unknowns(&self) -> Vec<(usize, Dof)> {
-        let own = |(&node, dofs): (&usize, &&'static [Dof])| dofs.iter().map(move |&d| (node, d)).collect::<Vec<_>>();
-        self.nodes.iter().zip(&self.dofs).flat_map(own).collect()
+        self.nodes.iter().copied().zip(self.dofs.iter().copied()).collect()
     }
 
     /// Symmetric to the last digit, or refused.
@@ -221,7 +195,8 @@ impl Element for SuperElement {
     }
 
     fn dofs(&self, node: usize) -> &'static [Dof] {
-        self.dofs[node]
+        let own = self.dofs[node].index();
+        Dof::slice(own..own + 1)
     }
 
     fn own_axes(&self) -> bool {
@@ -377,8 +352,7 @@ mod tests {
     #[test]
     fn nonsense_is_refused() {
         assert!(SuperElement::over(&[]).is_err());
-        assert!(SuperElement::over(&[(0, Dof::Ux), (1, Dof::Ux), (0, Dof::Uy)]).is_err());
-        assert!(SuperElement::over(&[(0, Dof::Ux), (0, Dof::Uz)]).is_err());
+        assert!(SuperElement::over(&[(0, Dof::Ux), (1, Dof::Ux), (0, Dof::Ux)]).is_err());
         let two = || SuperElement::over(&[(0, Dof::Eta), (0, Dof::Amplitude)]).unwrap();
         assert!(two().with_mass(Matrix::zeros(3, 3)).is_err());
         assert!(two().with_mass(matrix(2, |i, j| (i as f64) - (j as f64))).is_err());

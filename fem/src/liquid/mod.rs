@@ -12,6 +12,7 @@ mod mesh;
 mod potential;
 pub mod separation;
 pub mod strip;
+mod super_liquid;
 mod wall;
 
 pub use condensed::Condensed;
@@ -19,4 +20,5 @@ pub use domain::Domain;
 pub use harmonic::HarmonicLiquid;
 pub use mesh::{LiquidMesh, scaled};
 pub use potential::{Potential, Row, Trace};
+pub use super_liquid::{CondenseError, CondensedLiquid, CondensedMesh};
 pub use wall::{NormalRow, WallPencil, WallSolver};

@@ -1,10 +1,12 @@
 //! Time integration, damping, modal, spectral and frequency-domain methods: rows D1 and D3 to D10;
 //! with a record, C8 ([`separation()`]).
 
+mod nonlinear;
 mod schemes;
 mod separation;
 mod strip;
 
+pub use nonlinear::nonlinear;
 pub use schemes::schemes;
 pub use separation::separation;
 pub use strip::{Strip, strip};

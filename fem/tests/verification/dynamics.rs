@@ -1,5 +1,5 @@
 //! Source:    theory of dynamics (Chung & Hulbert 1993; Nigam & Jennings 1969; Der Kiureghian 1981); strip 8.4
-//! Goal:      rows D1 and D3 to D10; four methods on one model
+//! Goal:      rows D1 to D11; four methods on one model; nonlinear histories
 //! Model:     amplification matrices, and strip 8.4 with the liquid condensed in closed form
 //! Tolerance: at each row
 
@@ -13,4 +13,9 @@ fn schemes_and_coefficients() {
 #[test]
 fn strip_of_chapter_8_4() {
     assert_rows(&fem::verify::dynamics::strip().unwrap());
+}
+
+#[test]
+fn nonlinear_histories() {
+    assert_rows(&fem::verify::dynamics::nonlinear().unwrap());
 }

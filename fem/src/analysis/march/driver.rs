@@ -6,11 +6,8 @@ use super::energy::{Balance, Meter};
 use super::fingerprint::fingerprint;
 use super::*;
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
-use crate::analysis::newton::{Inertia, Memory, Newton, load_path_by};
-use crate::analysis::scheme::{RegularLoadStep, Weights};
-
-/// Part of M in the matrix of a static iteration [1/s²]: unknowns without stiffness are carried along.
-const SHIFT: f64 = 1e-6;
+use crate::analysis::newton::{Inertia, Memory, Newton, load_path};
+use crate::analysis::scheme::Weights;
 
 /// Where a march stands.
 #[derive(Clone, Copy, Debug)]
@@ -176,9 +173,8 @@ impl<'a> Driver<'a> {
             return Ok(None);
         }
         let zero = vec![0.0; self.problem.system.size()];
-        let path = load_path_by(
+        let path = load_path(
             &mut self.newton,
-            &RegularLoadStep { shift: SHIFT },
             &mut self.state,
             &zero,
             &settings.constant,

@@ -291,6 +291,38 @@ fn hysteresis_and_balance() {
     assert!(apart < 1e-4 * peak, "{apart} {peak}");
 }
 
+/// A link that breaks: the march stops with the last equilibrium and everything recorded; as does a static start.
+#[test]
+fn collapse_is_an_outcome() {
+    let parts = Parts::new(chain(12.0, 1.0));
+    let mut settings = Settings::new(grid());
+    settings.constant = parts.weight();
+    let mut recorder = Recorder::new(vec![top(parts.problem())]);
+    let run = march(
+        parts.problem(),
+        &shaking(12.0),
+        &settings,
+        &mut [&mut recorder],
+        &Silent,
+    )
+    .unwrap();
+    let Outcome::Collapsed(collapse) = &run.outcome else {
+        panic!("{:?}", run.outcome)
+    };
+    assert!(collapse.time > 0.0 && collapse.time < 6.0 && collapse.load_factor.is_none());
+    assert!(collapse.element.is_some() && run.cuts >= 6);
+    assert_eq!(recorder.times.len(), recorder.histories[0].len());
+    assert!(run.time == collapse.time && run.shortest <= 0.02);
+    assert!(recorder.ranges[0].max > 0.1);
+    settings.constant.iter_mut().for_each(|p| *p *= 10.0);
+    let run = march(parts.problem(), &shaking(12.0), &settings, &mut [], &Silent).unwrap();
+    let Outcome::Collapsed(collapse) = &run.outcome else {
+        panic!("{:?}", run.outcome)
+    };
+    let factor = collapse.load_factor.unwrap();
+    assert!(factor > 0.1 && factor < 1.0 && collapse.time == 0.0, "{factor}");
+}
+
 /// Stops a march after some steps, as a user would.
 struct Patience(std::sync::atomic::AtomicU64, u64);
 

@@ -200,6 +200,15 @@ impl Newton<'_> {
                 self.effective.add(w.damping, sparse);
             }
         }
+        if w.mass == 0.0 {
+            // Unknowns without stiffness (potentials) rest in statics.
+            let pattern = self.effective.pattern.clone();
+            for &diagonal in &pattern.starts[..pattern.size()] {
+                if self.effective.values[diagonal] == 0.0 {
+                    self.effective.values[diagonal] = 1.0;
+                }
+            }
+        }
         self.cost.factors += 1;
         // Taken out, so that a factor that failed is not used again.
         let factor = match self.factor.take() {

@@ -29,22 +29,6 @@ pub fn load_path(
     load: &[f64],
     steps: usize,
     progress: &dyn Progress,
-    each: impl FnMut(f64, &State),
-) -> Result<LoadPath, AnalysisError> {
-    load_path_by(newton, &LoadStep, state, constant, load, steps, progress, each)
-}
-
-/// The same with a static scheme of one's own.
-///
-/// Errors: loads of wrong length, no step.
-pub fn load_path_by(
-    newton: &mut Newton<'_>,
-    scheme: &dyn Scheme,
-    state: &mut State,
-    constant: &[f64],
-    load: &[f64],
-    steps: usize,
-    progress: &dyn Progress,
     mut each: impl FnMut(f64, &State),
 ) -> Result<LoadPath, AnalysisError> {
     let n = newton.model.dofs().len();
@@ -68,7 +52,7 @@ pub fn load_path_by(
     let (mut part, mut easy, mut told) = (1.0, 0, 0);
     while path.factor < 1.0 - 1e-12 && !progress.interrupted() {
         let next = (path.factor + part * nominal).min(1.0);
-        match newton.step(scheme, state, &at(path.factor), &at(next)) {
+        match newton.step(&LoadStep, state, &at(path.factor), &at(next)) {
             Ok(report) => {
                 path.factor = next;
                 path.steps.push((next, report.iterations));

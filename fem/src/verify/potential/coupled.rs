@@ -14,8 +14,8 @@ use crate::element::shell::section::{ElasticSection, Section};
 use crate::element::shell::surface::{Normals, ShellCell, ShellSurface};
 use crate::element::shell4::{Axes, MembraneShear};
 use crate::linalg::{Matrix, Pencil, Symbolic, Symmetric, ThreeField, dot};
-use crate::liquid::{HarmonicLiquid, LiquidMesh, NormalRow, WallPencil};
-use crate::mesh::{Cylinder, Wall};
+use crate::liquid::{CondensedLiquid, HarmonicLiquid, LiquidMesh, NormalRow, WallPencil};
+use crate::mesh::{Cylinder, Volume, Wall};
 use crate::model::{Builder, Model};
 
 /// An anchored upright cylinder, partly filled.
@@ -166,8 +166,8 @@ impl Assembled {
     }
 }
 
-/// The wall, clamped at its base.
-fn place_wall(builder: &mut Builder, tank: &Tank, division: &Division) -> Result<Wall, Failure> {
+/// Nodes and faces of the wall.
+fn place_nodes(builder: &mut Builder, tank: &Tank, division: &Division) -> Result<Wall, Failure> {
     let mesh = Cylinder {
         radii: vec![0.0, tank.radius],
         sectors: division.sectors,
@@ -179,6 +179,12 @@ fn place_wall(builder: &mut Builder, tank: &Tank, division: &Division) -> Result
         .iter_mut()
         .for_each(|c| c.nodes.iter_mut().for_each(|n| *n += first));
     wall.rows.iter_mut().flatten().for_each(|n| *n += first);
+    Ok(wall)
+}
+
+/// The wall, clamped at its base.
+fn place_wall(builder: &mut Builder, tank: &Tank, division: &Division) -> Result<Wall, Failure> {
+    let wall = place_nodes(builder, tank, division)?;
     let [e, nu, density] = tank.material;
     let sections = tank
         .courses
@@ -202,7 +208,8 @@ fn place_wall(builder: &mut Builder, tank: &Tank, division: &Division) -> Result
             }
         })
         .collect();
-    let positions = wall.nodes.clone();
+    let first = wall.rows.iter().flatten().copied().min().unwrap_or(0);
+    let positions: Vec<[f64; 3]> = wall.nodes.clone();
     let outwards = |_: usize, node: usize| Vector3::new(positions[node - first][0], positions[node - first][1], 0.0);
     ShellSurface {
         normals: Normals::Exact(&outwards),
@@ -219,26 +226,29 @@ fn place_wall(builder: &mut Builder, tank: &Tank, division: &Division) -> Result
     Ok(wall)
 }
 
-/// Wall and hexahedra.
-///
-/// Errors: no mesh, an element out of range.
-pub fn with_hexahedra(tank: &Tank, division: &Division) -> Result<Assembled, Failure> {
+/// Nodes, hexahedra and surface of the liquid.
+fn place_liquid(builder: &mut Builder, tank: &Tank, division: &Division, elements: bool) -> Result<Volume, Failure> {
     let mesh = Cylinder {
         radii: division.radii.clone(),
         sectors: division.sectors,
         heights: division.liquid.clone(),
     };
     let volume = mesh.volume()?;
-    let mut builder = Builder::new();
     builder.nodes(&volume.nodes);
-    fill(
-        &mut builder,
-        &volume.cells,
-        &volume.surface,
-        Chart::Cylindrical,
-        tank.liquid_density,
-    )?;
-    let wall = place_wall(&mut builder, tank, division)?;
+    if elements {
+        fill(
+            builder,
+            &volume.cells,
+            &volume.surface,
+            Chart::Cylindrical,
+            tank.liquid_density,
+        )?;
+    }
+    Ok(volume)
+}
+
+/// Joins the liquid to the wall.
+fn join(builder: &mut Builder, tank: &Tank, volume: &Volume, wall: &Wall) -> Result<(), Failure> {
     // Only faces of one sector can overlap; they stand in the order of the sectors.
     for own in &volume.wall {
         for other in &wall.cells {
@@ -252,6 +262,53 @@ pub fn with_hexahedra(tank: &Tank, division: &Division) -> Result<Assembled, Fai
             }
         }
     }
+    Ok(())
+}
+
+/// Wall and hexahedra.
+///
+/// Errors: no mesh, an element out of range.
+pub fn with_hexahedra(tank: &Tank, division: &Division) -> Result<Assembled, Failure> {
+    let mut builder = Builder::new();
+    let volume = place_liquid(&mut builder, tank, division, true)?;
+    let wall = place_wall(&mut builder, tank, division)?;
+    join(&mut builder, tank, &volume, &wall)?;
+    Assembled::new(builder, wall.rows)
+}
+
+/// The same with the hexahedra condensed into one element over the radial displacements of the wetted nodes, which have
+/// frames, and the elevations, or the lowest sloshing modes of the tank at rest. Nodes have the same numbers.
+///
+/// Errors: as [`with_hexahedra`]; those of the condensation.
+pub fn with_condensed(tank: &Tank, division: &Division, sloshing: Option<usize>) -> Result<Assembled, Failure> {
+    let turn = |builder: &mut Builder, wall: &Wall| {
+        for &node in wall.rows.iter().flatten() {
+            let [x, y, _] = builder.position(node);
+            let (c, s) = (x / x.hypot(y), y / x.hypot(y));
+            builder.frame(node, nalgebra::Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0));
+        }
+    };
+    let mut liquid = Builder::new();
+    let volume = place_liquid(&mut liquid, tank, division, true)?;
+    let nodes = place_nodes(&mut liquid, tank, division)?;
+    turn(&mut liquid, &nodes);
+    join(&mut liquid, tank, &volume, &nodes)?;
+    let found = CondensedLiquid::of_mesh(&liquid.build()?)?;
+    let mut builder = Builder::new();
+    place_liquid(&mut builder, tank, division, false)?;
+    let wall = place_wall(&mut builder, tank, division)?;
+    turn(&mut builder, &wall);
+    let element = match sloshing {
+        None => found.element()?,
+        Some(count) => {
+            let amplitudes: Vec<(usize, Dof)> = (0..count).map(|_| (builder.node([0.0; 3]), Dof::Amplitude)).collect();
+            found
+                .liquid
+                .with_sloshing_modes(count)?
+                .element(&found.wall, &amplitudes, 0.0)?
+        }
+    };
+    builder.element("liquid", element);
     Assembled::new(builder, wall.rows)
 }
 

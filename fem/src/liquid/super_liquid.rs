@@ -1,0 +1,309 @@
+//! A linear liquid as one element of a model: condensed onto the wetted wall, and onto the surface or its sloshing modes.
+//!
+//! ```text
+//! x = (w, η)      M_f = ρ Fᵀ H⁻¹ F      K_f = ρ g S on η                       all unknowns of the surface: exact
+//! x = (w, q)      η = Ψ q − Σ_{n>N} ψ_n (ψ_nᵀ M_ηw) w                          N sloshing modes
+//! ```
+//!
+//! with the sloshing modes of the tank at rest, K_ηη ψ = ω² M_ηη ψ, ψᵀ M_ηη ψ = 1. The modes that are left out follow the wall
+//! as if gravity were nothing to them (p = 0 at the surface), so that the mass of the liquid is carried whatever N is; with
+//! all modes the basis is complete and the answer that of η. q_n is the true amplitude of mode n of the surface, and the
+//! matrices have the form of [`crate::element::super_element`] with c_n = 1.
+//!
+//! Source: Morand & Ohayon 1995, chapter 5; Craig & Bampton 1968.
+
+use std::sync::Arc;
+
+use super::HarmonicLiquid;
+use crate::assembly::{Assembler, order};
+use crate::dofs::Dof;
+use crate::element::ElementError;
+use crate::element::super_element::SuperElement;
+use crate::linalg::{
+    LinalgError, Matrix, Pencil, Symbolic, ThreeField, generalized_eigen, product, transposed_product,
+};
+use crate::model::Model;
+
+/// Entries of F below this part of the largest are rounding.
+const NOTHING: f64 = 1e-12;
+/// Columns that are solved for at once.
+const COLUMNS: usize = 64;
+
+/// Failure of a condensation.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CondenseError {
+    /// Of the linear algebra.
+    #[error(transparent)]
+    Linalg(#[from] LinalgError),
+    /// Of an element of the liquid, or of the one that is made.
+    #[error(transparent)]
+    Element(#[from] ElementError),
+    /// A liquid with something that is no liquid, or the other way round.
+    #[error("{what}: found {found}, allowed {allowed}")]
+    Option {
+        /// What.
+        what: &'static str,
+        /// Found.
+        found: String,
+        /// Allowed.
+        allowed: String,
+    },
+}
+
+/// Matrices of a liquid over wall displacements and then elevations or sloshing amplitudes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CondensedLiquid {
+    /// Number of wall displacements.
+    pub wall: usize,
+    /// M_f.
+    pub mass: Matrix,
+    /// K_f.
+    pub stiffness: Matrix,
+    /// Circular frequencies of the sloshing modes [rad/s], if amplitudes have taken the place of the elevations.
+    pub omega: Vec<f64>,
+}
+
+/// A liquid of elements, condensed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CondensedMesh {
+    /// The matrices.
+    pub liquid: CondensedLiquid,
+    /// Node and dof of each wall displacement.
+    pub wall: Vec<(usize, Dof)>,
+    /// Node and dof of each elevation.
+    pub elevations: Vec<(usize, Dof)>,
+}
+
+impl CondensedLiquid {
+    /// The liquid of [`HarmonicLiquid`]: wall displacements `level * sectors + sector`, outwards; then the amplitudes of its
+    /// elevations, which rest in horizontal translations. A vertical acceleration has no place in these coordinates: its load
+    /// is the hydrostatic pressure times a_z/g.
+    pub fn of_harmonic(liquid: &HarmonicLiquid) -> CondensedLiquid {
+        let n = liquid.wall() + liquid.elevations();
+        let unit = identity(n);
+        CondensedLiquid {
+            wall: liquid.wall(),
+            mass: liquid.mass(&unit),
+            stiffness: liquid.stiffness(&unit),
+            omega: Vec::new(),
+        }
+    }
+
+    /// The liquid of a model that has nothing but potential elements, surfaces and wet faces, with the potential eliminated.
+    /// The nodes of the wall must be free: what a support holds in the model of the tank belongs into the matrices.
+    ///
+    /// Where nothing bounds the potential the volume is kept by eliminating the elevation that moves most of it.
+    ///
+    /// Errors: stiffness that is not that of a surface, a singular liquid, no surface.
+    pub fn of_mesh(model: &Model) -> Result<CondensedMesh, CondenseError> {
+        let assembler = Assembler::new(model);
+        let (stiffness, mass) = assembler.stiffness_and_mass(model)?;
+        let pattern = assembler.pattern();
+        let symbolic = Arc::new(Symbolic::new(pattern.clone(), &order(model, pattern))?);
+        let phi = model.dofs().of_kind(Dof::Phi);
+        let pencil = ThreeField::new(&stiffness, &mass, symbolic, phi.clone())?;
+        // Columns of F: which wall displacements the liquid feels at all.
+        let mut weight = vec![0.0_f64; mass.size()];
+        let mut is_phi = vec![false; mass.size()];
+        phi.iter().for_each(|&e| is_phi[e] = true);
+        for j in 0..mass.size() {
+            for p in pattern.starts[j]..pattern.starts[j + 1] {
+                let (i, v) = (pattern.rows[p], mass.values[p].abs());
+                match (is_phi[i], is_phi[j]) {
+                    (true, false) => weight[j] = weight[j].max(v),
+                    (false, true) => weight[i] = weight[i].max(v),
+                    _ => {}
+                }
+            }
+        }
+        let largest = weight.iter().fold(0.0_f64, |m, v| m.max(*v));
+        let kept = pencil.kept();
+        let felt = |k: usize| weight[kept[k]] > NOTHING * largest;
+        let of = |k: usize| model.dofs().unknown(kept[k]);
+        let eta: Vec<usize> = (0..kept.len()).filter(|&k| of(k).1 == Dof::Eta).collect();
+        let wall: Vec<usize> = (0..kept.len()).filter(|&k| of(k).1 != Dof::Eta && felt(k)).collect();
+        let order: Vec<usize> = wall.iter().chain(&eta).copied().collect();
+        let mut basis = Matrix::zeros(kept.len(), order.len());
+        order.iter().enumerate().for_each(|(j, &k)| basis.add(k, j, 1.0));
+        let mut elevations = eta;
+        if pencil.constraints() > 0 {
+            basis = keep_volume(&pencil, &mass, model, &order, &mut elevations, wall.len())?;
+        }
+        let liquid = CondensedLiquid {
+            wall: wall.len(),
+            mass: projected_mass(&pencil, &basis)?,
+            stiffness: transposed_product(&basis, &pencil.stiffness(&basis)),
+            omega: Vec::new(),
+        };
+        Ok(CondensedMesh {
+            liquid,
+            wall: wall.iter().map(|&k| of(k)).collect(),
+            elevations: elevations.iter().map(|&k| of(k)).collect(),
+        })
+    }
+
+    /// Number of elevations or amplitudes.
+    pub fn surface(&self) -> usize {
+        self.mass.rows - self.wall
+    }
+
+    /// With the amplitudes of the lowest `count` sloshing modes instead of the elevations.
+    ///
+    /// Errors: more modes than elevations; a mass or stiffness of the surface that is not positive definite.
+    pub fn with_sloshing_modes(&self, count: usize) -> Result<CondensedLiquid, CondenseError> {
+        if count > self.surface() || !self.omega.is_empty() {
+            return Err(CondenseError::Option {
+                what: "sloshing modes",
+                found: format!("{count} of {} elevations", self.surface()),
+                allowed: "at most as many as there are elevations, once".into(),
+            });
+        }
+        let wall: Vec<usize> = (0..self.wall).collect();
+        let surface: Vec<usize> = (self.wall..self.mass.rows).collect();
+        let m = self.mass.select(&surface, &surface);
+        let eigen = generalized_eigen(&self.stiffness.select(&surface, &surface), &m, None)?;
+        if eigen.omega.len() < count {
+            return Err(CondenseError::Option {
+                what: "sloshing modes",
+                found: format!("{} that double precision resolves", eigen.omega.len()),
+                allowed: format!("{count} or more"),
+            });
+        }
+        // η of the modes left out: −M_ηη⁻¹ M_ηw w + Σ_{n≤N} ψ_n ψ_nᵀ M_ηw w.
+        let coupling = self.mass.select(&surface, &wall);
+        let mut follow = coupling.clone();
+        crate::linalg::Cholesky::factor(&m)?.solve(&mut follow);
+        let all: Vec<usize> = (0..surface.len()).collect();
+        let modes = eigen.vectors.select(&all, &(0..count).collect::<Vec<_>>());
+        let part = product(&modes, &transposed_product(&modes, &coupling));
+        let mut t = Matrix::zeros(self.mass.rows, self.wall + count);
+        for j in 0..self.wall {
+            t.add(j, j, 1.0);
+            for i in 0..surface.len() {
+                t.add(self.wall + i, j, part.get(i, j) - follow.get(i, j));
+            }
+        }
+        for j in 0..count {
+            for i in 0..surface.len() {
+                t.add(self.wall + i, self.wall + j, modes.get(i, j));
+            }
+        }
+        let project = |a: &Matrix| transposed_product(&t, &product(a, &t));
+        Ok(CondensedLiquid {
+            wall: self.wall,
+            mass: project(&self.mass),
+            stiffness: project(&self.stiffness),
+            omega: eigen.omega[..count].to_vec(),
+        })
+    }
+
+    /// The element over these wall dofs and these of the surface ([`Dof::Eta`] for elevations, [`Dof::Amplitude`] at nodes of
+    /// their own for amplitudes), with the damping ratio `ratio` of each sloshing mode.
+    ///
+    /// Errors: numbers of dofs that do not fit; a ratio where there are no modes.
+    pub fn element(
+        &self,
+        wall: &[(usize, Dof)],
+        surface: &[(usize, Dof)],
+        ratio: f64,
+    ) -> Result<SuperElement, CondenseError> {
+        let fits = wall.len() == self.wall && surface.len() == self.surface();
+        if !fits || !(ratio == 0.0 || (!self.omega.is_empty() && ratio > 0.0 && ratio < 1.0)) {
+            return Err(CondenseError::Option {
+                what: "element of a condensed liquid",
+                found: format!(
+                    "{} wall dofs, {} of the surface, damping ratio {ratio}",
+                    wall.len(),
+                    surface.len()
+                ),
+                allowed: format!(
+                    "{} and {}, a ratio from 0 to 1, 0 without sloshing modes",
+                    self.wall,
+                    self.surface()
+                ),
+            });
+        }
+        let unknowns: Vec<(usize, Dof)> = wall.iter().chain(surface).copied().collect();
+        let element = SuperElement::over(&unknowns)?
+            .with_mass(self.mass.clone())?
+            .with_stiffness(self.stiffness.clone())?;
+        if ratio == 0.0 {
+            return Ok(element);
+        }
+        let mut damping = Matrix::zeros(self.mass.rows, self.mass.rows);
+        for (j, omega) in self.omega.iter().enumerate() {
+            damping.add(self.wall + j, self.wall + j, 2.0 * ratio * omega);
+        }
+        Ok(element.with_damping(damping)?)
+    }
+}
+
+impl CondensedMesh {
+    /// The element over the dofs of the mesh itself: wall displacements and elevations.
+    ///
+    /// Errors: none but those of the element.
+    pub fn element(&self) -> Result<SuperElement, CondenseError> {
+        self.liquid.element(&self.wall, &self.elevations, 0.0)
+    }
+}
+
+/// Bᵀ M B in blocks of columns: each costs solves with as many right-hand sides, over all nodes of the liquid.
+fn projected_mass(pencil: &ThreeField<'_>, basis: &Matrix) -> Result<Matrix, LinalgError> {
+    let mut out = Matrix::zeros(basis.cols, basis.cols);
+    let rows: Vec<usize> = (0..basis.rows).collect();
+    let columns: Vec<usize> = (0..basis.cols).collect();
+    for block in columns.chunks(COLUMNS) {
+        let image = pencil.mass(&basis.select(&rows, block))?;
+        let part = transposed_product(basis, &image);
+        for (k, &j) in block.iter().enumerate() {
+            out.column_mut(j).copy_from_slice(part.column(k));
+        }
+    }
+    Ok(out)
+}
+
+/// Basis of the x that keep the volume: one elevation follows from all others.
+fn keep_volume(
+    pencil: &ThreeField<'_>,
+    mass: &crate::linalg::Symmetric,
+    model: &Model,
+    order: &[usize],
+    elevations: &mut Vec<usize>,
+    wall: usize,
+) -> Result<Matrix, CondenseError> {
+    if pencil.constraints() > 1 || elevations.is_empty() {
+        return Err(CondenseError::Option {
+            what: "liquid",
+            found: format!("{} liquids, {} elevations", pencil.constraints(), elevations.len()),
+            allowed: "one liquid with a surface; condense several one by one".into(),
+        });
+    }
+    let constant = model.vector(|_| {
+        let mut field = [0.0; crate::dofs::KINDS];
+        field[Dof::Phi.index()] = 1.0;
+        field
+    });
+    // −H 1 = 0, so that the rows of x are Fᵀ 1.
+    let flux = pencil.restrict(&mass.times(&constant));
+    let dependent = (wall..order.len())
+        .max_by(|&a, &b| flux[order[a]].abs().total_cmp(&flux[order[b]].abs()))
+        .unwrap_or(wall);
+    let last = order[dependent];
+    elevations.remove(dependent - wall);
+    let mut t = Matrix::zeros(pencil.kept().len(), order.len() - 1);
+    let free = order.iter().filter(|&&k| k != last);
+    for (j, &k) in free.enumerate() {
+        t.add(k, j, 1.0);
+        t.add(last, j, -flux[k] / flux[last]);
+    }
+    Ok(t)
+}
+
+fn identity(n: usize) -> Matrix {
+    let mut out = Matrix::zeros(n, n);
+    (0..n).for_each(|i| out.add(i, i, 1.0));
+    out
+}
+
+#[cfg(test)]
+mod tests;
