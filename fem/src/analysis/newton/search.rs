@@ -17,8 +17,10 @@ impl Newton<'_> {
     /// Whether a shorter step would be nearer to equilibrium along the last increment.
     pub(super) fn overshoots(&self, g0: f64) -> bool {
         let g1 = self.slope();
-        // Also true where g1 is not a number.
-        !(g1.abs() <= ENOUGH * g0.abs()) && !(g1 * g0 > 0.0 && g1.abs() <= g0.abs())
+        let enough = g1.abs() <= ENOUGH * g0.abs();
+        let smaller = g1 * g0 > 0.0 && g1.abs() <= g0.abs();
+        // A slope that is not a number overshoots.
+        !(enough || smaller)
     }
 
     /// Looks for s from 0.1 to 1, leaves the trial state and r there and returns the scale of r.
