@@ -14,6 +14,7 @@
 //! * [`element`]: one file a kind; elements are pure, they hold parameters and read and write what they are handed.
 //! * [`model`]: nodes, elements, supports and groups, built once and then read-only; [`dofs`] numbers its unknowns.
 //! * [`state`]: committed and trial fields and the elements' history. [`assembly`]: element matrices to global ones.
+//! * [`strip`]: a long rectangular tank as a strip, from fibre beams and condensed liquid.
 //! * [`progress`]: how a long analysis tells where it is, and is told to stop.
 //! * [`verify`]: models whose answers are known from elsewhere.
 //! * [`analysis`]: static, eigen, modal, spectral, frequency-domain and direct time integration.
@@ -32,4 +33,5 @@ pub mod model;
 pub mod progress;
 pub mod shape;
 pub mod state;
+pub mod strip;
 pub mod verify;

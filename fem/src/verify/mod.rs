@@ -15,6 +15,7 @@ pub mod materials;
 pub mod potential;
 pub mod shell;
 pub mod solid;
+pub mod strip;
 
 /// A model that could not be made or solved.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -27,3 +27,4 @@ mod shell;
 mod shell_element;
 mod shell_parts;
 mod solid;
+mod strip;

@@ -1,0 +1,116 @@
+//! A long rectangular tank as a strip: fibre walls, and the liquid condensed in closed form.
+//!
+//! ```text
+//!        z                       one wall of the strip at x = L, per metre of tank
+//!        ▲  ┃                    wall: fibre beams, clamped or on a rotation spring at the base
+//!    H_T ┤  ┃                    liquid: added mass and sloshing modes on its deflection (liquid::strip)
+//!      H ┤~~┃                    at rest: hydrostatic pressure, and the weight of the wall
+//!        └──┸──► x
+//! ```
+//!
+//! The liquid is that of the antisymmetric motion: both walls move by the same. Walls that crack do not quite, since the
+//! hydrostatic pressure bends them apart and the earthquake to one side; what is neglected is the liquid's answer to the
+//! difference of two wall deflections, far below that to the ground. The other wall is this one under the record with the
+//! opposite sign: [`Side`]. Corners of real tanks are outside the model; concrete between them bends in plane strain, which
+//! the caller puts into the law, E/(1 − ν²).
+//!
+//! * [`StripTank`]: parameters. [`StripModel`]: the model, its loads, damping and modes.
+//! * [`StripModel::run`]: one wall through an earthquake; [`StripModel::incremental`]: both at rising scales. [`Demand`]: what
+//!   is taken from every step.
+//! * [`levels`]: nodes along a wall.
+
+mod model;
+mod run;
+mod watch;
+
+pub use model::{Side, StripDamping, StripModel};
+pub use run::{StripLevel, StripQuake, StripRun};
+pub use watch::{Demand, FirstCrack};
+
+use std::sync::Arc;
+
+use crate::analysis::AnalysisError;
+use crate::element::ElementError;
+use crate::element::beam_section::FibreSection;
+use crate::element::fibre_beam::Options;
+use crate::liquid::strip::StripLiquid;
+use crate::model::ModelError;
+
+/// Parameters of the strip, per metre of tank.
+#[derive(Clone, Debug)]
+pub struct StripTank {
+    /// Heights of the wall's nodes [m], ascending from 0 to the wall's height.
+    pub levels: Vec<f64>,
+    /// Section of each element, from the bottom; one fewer than levels. ζ along +x: the wet face is at −h/2.
+    pub sections: Vec<Arc<FibreSection>>,
+    /// Integration along the beams, P-Δ.
+    pub options: Options,
+    /// Rotation spring at the base [N m/rad per m]; clamped without.
+    pub base_spring: Option<f64>,
+    /// The liquid.
+    pub liquid: StripLiquid,
+    /// Number of sloshing modes.
+    pub sloshing: usize,
+}
+
+/// A strip that cannot be made or solved.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum StripError {
+    /// A parameter out of range.
+    #[error("strip: {parameter} is {found}, allowed {allowed}")]
+    Parameter {
+        /// Name of the parameter.
+        parameter: &'static str,
+        /// Found.
+        found: String,
+        /// Allowed.
+        allowed: &'static str,
+    },
+    /// Of an element.
+    #[error(transparent)]
+    Element(#[from] ElementError),
+    /// Of the model.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// Of an analysis.
+    #[error(transparent)]
+    Analysis(#[from] AnalysisError),
+}
+
+/// Nodes of a wall: `wet` elements up to the surface and `dry` above it. Lengths of the wet elements grow upwards in
+/// geometric progression, the last `ratio` times as long as the first.
+///
+/// Errors: no wet element, lengths that are not positive, a surface above the wall.
+pub fn levels([depth, height]: [f64; 2], [wet, dry]: [usize; 2], ratio: f64) -> Result<Vec<f64>, StripError> {
+    let refuse = |parameter, found: String, allowed| {
+        Err(StripError::Parameter {
+            parameter,
+            found,
+            allowed,
+        })
+    };
+    if wet == 0 || (dry == 0) != (height == depth) {
+        let found = format!("{wet} wet, {dry} dry for a depth of {depth} m and a height of {height} m");
+        return refuse("elements", found, "1 or more wet, dry ones where the wall is dry");
+    }
+    if !(depth > 0.0 && height >= depth && height.is_finite()) {
+        return refuse("depth and height", format!("{depth}, {height} m"), "0 < depth ≤ height");
+    }
+    if !(ratio > 0.0 && ratio.is_finite()) {
+        return refuse("ratio", ratio.to_string(), "> 0");
+    }
+    let growth = if wet > 1 {
+        ratio.powf(1.0 / (wet - 1) as f64)
+    } else {
+        1.0
+    };
+    let lengths: Vec<f64> = (0..wet).map(|i| growth.powi(i as i32)).collect();
+    let total: f64 = lengths.iter().sum();
+    let mut z = vec![0.0];
+    for i in 1..wet {
+        z.push(z[i - 1] + depth * lengths[i - 1] / total);
+    }
+    z.push(depth);
+    z.extend((1..=dry).map(|i| depth + (height - depth) * i as f64 / dry as f64));
+    Ok(z)
+}

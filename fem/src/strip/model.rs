@@ -1,0 +1,377 @@
+//! The model of a strip: elements, loads, damping, modes.
+
+use std::sync::Arc;
+
+use super::{StripError, StripTank};
+use crate::analysis::damping::{Damping, RatioRow, Rayleigh};
+use crate::analysis::failed;
+use crate::analysis::observable::{Observable, apply};
+use crate::analysis::system::System;
+use crate::assembly::Assembler;
+use crate::dofs::{Dof, KINDS};
+use crate::element::fibre_beam::FibreBeam;
+use crate::element::spring::{Direction, Spring};
+use crate::element::super_element::SuperElement;
+use crate::element::{Response, Want, local_size};
+use crate::linalg::{Eigen, Matrix, Ordering, Symbolic, dot, generalized_eigen};
+use crate::liquid::strip::WallLiquid;
+use crate::model::{Builder, Model};
+use crate::state::{Gather, State};
+
+/// Which wall of the tank.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// The wall at x = +L.
+    Positive,
+    /// The wall at x = −L, which is the first under the record with the opposite sign.
+    Negative,
+}
+
+impl Side {
+    /// Both walls.
+    pub const BOTH: [Side; 2] = [Side::Positive, Side::Negative];
+
+    /// Sign of the record.
+    pub fn sign(self) -> f64 {
+        match self {
+            Side::Positive => 1.0,
+            Side::Negative => -1.0,
+        }
+    }
+}
+
+/// Viscous damping of a strip, on the stiffness of the virgin wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StripDamping {
+    /// Rayleigh's coefficients over wall and liquid. Mass-proportional damping alone leaves the wall mode practically
+    /// undamped; [`StripModel::ratios`] tells.
+    Rayleigh(Rayleigh),
+    /// Wall: stiffness-proportional with this ratio at the frequency of the first wall mode; every sloshing mode its ratio.
+    ByGroup {
+        /// ξ of the wall mode.
+        wall: f64,
+        /// ξ of the sloshing modes.
+        sloshing: f64,
+    },
+}
+
+/// The model, built once; runs only read it.
+pub struct StripModel {
+    /// Nodes and elements: the beams from the bottom, the liquid, the spring if there is one.
+    pub model: Model,
+    /// Its assembler.
+    pub assembler: Assembler,
+    /// Order of elimination.
+    pub symbolic: Arc<Symbolic>,
+    /// Mass and stiffness of the virgin strip, with the damping.
+    pub system: System,
+    /// Modes of the virgin strip.
+    pub modes: Eigen,
+    /// Number of the first mode that is not sloshing.
+    pub wall_mode: usize,
+    /// Ratios of all modes.
+    pub ratios: Vec<RatioRow>,
+    /// Nodal forces at rest: the weight of the wall (the pressure at rest belongs to the liquid's element).
+    pub weight: Vec<f64>,
+    /// Nodes of the wall upwards.
+    pub wall: Vec<usize>,
+    /// The liquid on the wall.
+    pub liquid: WallLiquid,
+    /// Parameters.
+    pub tank: StripTank,
+    /// Equations of the sloshing amplitudes.
+    pub amplitudes: Vec<usize>,
+    /// Reactions of the linear strip at the base, along [`BASE`].
+    base: [Observable; 3],
+}
+
+/// Group of the beams.
+const WALL: &str = "wall";
+/// Group of the liquid.
+const LIQUID: &str = "liquid";
+
+impl StripModel {
+    /// Errors: parameters out of range, those of elements, model and eigenvalue solver.
+    pub fn new(tank: &StripTank, damping: StripDamping) -> Result<StripModel, StripError> {
+        check(tank, damping)?;
+        let mut builder = Builder::new();
+        let wall: Vec<usize> = tank.levels.iter().map(|&z| builder.node([0.0, 0.0, z])).collect();
+        builder.hold(wall[0], Dof::Ux);
+        builder.hold(wall[0], Dof::Uz);
+        for (ends, section) in wall.windows(2).zip(&tank.sections) {
+            FibreBeam::add_to(&mut builder, WALL, [ends[0], ends[1]], section.clone(), tank.options)?;
+        }
+        let amplitude_nodes: Vec<usize> = (0..tank.sloshing)
+            .map(|_| builder.node([0.0, 0.0, tank.liquid.depth]))
+            .collect();
+        let liquid = tank.liquid.on_wall(&tank.levels, tank.sloshing);
+        let nodes: Vec<usize> = wall.iter().chain(&amplitude_nodes).copied().collect();
+        let dofs = nodes
+            .iter()
+            .map(|n| if wall.contains(n) { WALL_DOFS } else { AMPLITUDE })
+            .collect();
+        let pad = |row: &[f64]| [row, &vec![0.0; tank.sloshing]].concat();
+        let mut element = SuperElement::new(nodes, dofs)?
+            .with_mass(liquid.mass.clone())?
+            .with_stiffness(liquid.stiffness.clone())?
+            .with_load(pad(&liquid.hydrostatic))?;
+        if let StripDamping::ByGroup { sloshing, .. } = damping {
+            let n = liquid.mass.rows;
+            let mut c = Matrix::zeros(n, n);
+            for (i, (mass, omega)) in liquid.modal_masses.iter().zip(&liquid.omega).enumerate() {
+                let at = n - tank.sloshing + i;
+                c.add(at, at, 2.0 * sloshing * omega * mass);
+            }
+            element = element.with_damping(c)?;
+        }
+        builder.element(LIQUID, element);
+        match tank.base_spring {
+            Some(stiffness) => {
+                builder.hold(wall[0], Dof::Rx);
+                builder.hold(wall[0], Dof::Rz);
+                let about_y = Direction::Rotation([0.0, 1.0, 0.0]);
+                builder.element("base", Spring::to_ground(wall[0], about_y, stiffness)?);
+            }
+            None => builder.hold(wall[0], Dof::Ry),
+        }
+        let model = builder.build()?;
+        let assembler = Assembler::new(&model);
+        let symbolic = Symbolic::new(assembler.pattern().clone(), &Ordering::MinimumDegree);
+        let symbolic = Arc::new(symbolic.map_err(failed("the strip"))?);
+        let mut system = System::new(&model, &assembler)?;
+        let (k, m) = (system.stiffness.to_dense(), system.mass.to_dense());
+        let modes = generalized_eigen(&k, &m, None).map_err(failed("modes of the strip"))?;
+        let amplitudes: Vec<usize> = amplitude_nodes
+            .iter()
+            .filter_map(|&n| model.dofs().equation(n, Dof::Amplitude))
+            .collect();
+        // Sloshing modes have more than half of their potential energy in the amplitudes.
+        let spring = tank.liquid.spring();
+        let is_wall = |j: &usize| {
+            let phi = modes.vectors.column(*j);
+            let surface: f64 = amplitudes.iter().map(|&e| spring * phi[e] * phi[e]).sum();
+            surface < 0.5 * modes.omega[*j].powi(2)
+        };
+        let wall_mode = (0..modes.omega.len()).find(is_wall).unwrap_or(0);
+        // Coefficients of the wall and of the rest.
+        let rayleigh = match damping {
+            StripDamping::Rayleigh(all) => [all, all],
+            StripDamping::ByGroup { wall, .. } => [
+                Rayleigh::stiffness_proportional(modes.omega[wall_mode], wall),
+                Rayleigh::NONE,
+            ],
+        };
+        system.damping = match damping {
+            StripDamping::Rayleigh(all) => Damping::rayleigh(all),
+            StripDamping::ByGroup { .. } => {
+                let of = |name: &String| rayleigh[usize::from(name != WALL)];
+                let groups: Vec<Rayleigh> = model.groups().iter().map(of).collect();
+                Damping::by_group(&assembler, &model, &groups, false)?
+            }
+        };
+        let ratios = system.damping.ratios(&system.mass, &system.stiffness, &modes);
+        let base = base_rows(&model, wall[0], tank, rayleigh)?;
+        let weight = assembler.body_force(&model, [0.0, 0.0, -tank.liquid.gravity]);
+        Ok(StripModel {
+            model,
+            assembler,
+            symbolic,
+            system,
+            modes,
+            wall_mode,
+            ratios,
+            weight,
+            wall,
+            liquid,
+            tank: tank.clone(),
+            amplitudes,
+            base,
+        })
+    }
+
+    /// Equation of the top of the wall along x.
+    pub fn top(&self) -> usize {
+        let node = self.wall[self.wall.len() - 1];
+        self.model.dofs().equation(node, Dof::Ux).expect("the top is free")
+    }
+
+    /// ω of the first wall mode with the liquid [rad/s].
+    pub fn wall_frequency(&self) -> f64 {
+        self.modes.omega[self.wall_mode]
+    }
+
+    /// Ratio of the first wall mode.
+    pub fn wall_ratio(&self) -> f64 {
+        self.ratios[self.wall_mode].ratio
+    }
+
+    /// Elevation of the surface at the wall for the unknowns `u` [m].
+    pub fn elevation(&self, u: &[f64]) -> f64 {
+        let own: Vec<f64> = self.amplitudes.iter().map(|&e| u[e]).collect();
+        dot(&own, &self.liquid.elevation)
+    }
+
+    /// Settlement of the mean surface while both walls give way by the deflection in `u` [m]: ∫ w dz/L, the liquid being
+    /// incompressible.
+    pub fn settlement(&self, u: &[f64]) -> f64 {
+        let deflections = self.wall.iter().flat_map(|&node| {
+            let own = self.model.at_node(u, node);
+            [own[Dof::Ux.index()], own[Dof::Ry.index()]]
+        });
+        let area: f64 = deflections.zip(&self.liquid.area).map(|(x, a)| x * a).sum();
+        area / self.tank.liquid.half_width
+    }
+
+    /// What the ground exerts on the base of the wall along x and z and about y [N/m, N/m, N], weight, inertia and damping
+    /// included, at the committed `state`; `ground`: acceleration of the ground [m/s²].
+    ///
+    /// Errors: those of the elements.
+    pub fn base_reaction(&self, state: &State, ground: [f64; 3]) -> Result<[f64; 3], StripError> {
+        let mut out = [0.0; 3];
+        let base = self.wall[0];
+        let (mut gather, mut response) = (Gather::default(), Response::default());
+        let held = |dof: &Dof| self.model.is_held(base, *dof);
+        for (e, element) in self.model.elements().iter().enumerate() {
+            let Some(local) = element.nodes().iter().position(|&n| n == base) else {
+                continue;
+            };
+            let history = &state.old[state.history(e)];
+            response.reset(local_size(&**element));
+            let motion = gather.motion(&self.model, &state.committed, &**element);
+            element.respond(motion, history, &mut history.to_vec(), Want::FORCE, &mut response)?;
+            let mut weight = vec![0.0; response.force.len()];
+            element.body_force([0.0, 0.0, -self.tank.liquid.gravity], &mut weight);
+            let first: usize = (0..local).map(|a| element.dofs(a).len()).sum();
+            for (k, dof) in element.dofs(local).iter().enumerate() {
+                if let Some(i) = BASE.iter().position(|d| d == dof && held(d)) {
+                    out[i] += response.force[first + k] - weight[first + k];
+                }
+            }
+        }
+        let fields = &state.committed;
+        if self.tank.base_spring.is_some() {
+            out[2] = apply(&self.base[2].displacement, &fields.u);
+        }
+        for (sum, row) in out.iter_mut().zip(&self.base) {
+            *sum += apply(&row.velocity, &fields.v) + apply(&row.acceleration, &fields.a);
+            let total = row.total_ground(&self.system.influence);
+            *sum += total.iter().zip(ground).map(|(b, a)| b * a).sum::<f64>();
+        }
+        Ok(out)
+    }
+
+    /// Moment that the ground exerts on the base [N], of the linear strip, relative to the state at rest.
+    pub fn base_moment(&self) -> Observable {
+        self.base[2].clone()
+    }
+
+    /// Nodal forces of the pressure ρ (H − z) of a unit vertical acceleration of the ground, upwards.
+    pub fn vertical_pressure(&self) -> Vec<f64> {
+        let mut out = vec![0.0; self.model.dofs().len()];
+        for (i, &node) in self.wall.iter().enumerate() {
+            for (k, dof) in [Dof::Ux, Dof::Ry].into_iter().enumerate() {
+                if let Some(e) = self.model.dofs().equation(node, dof) {
+                    out[e] = self.liquid.hydrostatic[2 * i + k] / self.tank.liquid.gravity;
+                }
+            }
+        }
+        out
+    }
+
+    /// Observables of the linear strip, relative to the state at rest: deflection of the top [m], elevation of the surface
+    /// at the wall [m].
+    pub fn observables(&self) -> Vec<Observable> {
+        let observable = |name: &str, displacement| Observable {
+            name: name.into(),
+            displacement,
+            ..Observable::default()
+        };
+        vec![
+            observable("deflection of the top", vec![(self.top(), 1.0)]),
+            observable(
+                "elevation at the wall",
+                self.amplitudes
+                    .iter()
+                    .copied()
+                    .zip(self.liquid.elevation.iter().copied())
+                    .collect(),
+            ),
+        ]
+    }
+}
+
+/// Reactions on the base: along x and z, about y. On a rotation spring the last is that of the spring.
+fn base_rows(
+    model: &Model,
+    base: usize,
+    tank: &StripTank,
+    rayleigh: [Rayleigh; 2],
+) -> Result<[Observable; 3], StripError> {
+    let of = |e: usize| rayleigh[usize::from(e + 1 >= tank.levels.len())];
+    let row = |name: &str, dof: Dof| {
+        let field = |node: usize| {
+            let mut out = [0.0; KINDS];
+            out[dof.index()] = f64::from(node == base);
+            out
+        };
+        Observable::reaction(model, name, field, of)
+    };
+    let mut rows = [
+        row("shear force at the base", Dof::Ux)?,
+        row("normal force at the base", Dof::Uz)?,
+        row("moment at the base", Dof::Ry)?,
+    ];
+    if let Some(stiffness) = tank.base_spring {
+        rows[2].displacement = model
+            .row(base, Dof::Ry)
+            .iter()
+            .map(|&(e, c)| (e, -stiffness * c))
+            .collect();
+    }
+    Ok(rows)
+}
+
+/// Dofs of the reactions at the base.
+const BASE: [Dof; 3] = [Dof::Ux, Dof::Uz, Dof::Ry];
+const WALL_DOFS: &[Dof] = &[Dof::Ux, Dof::Ry];
+const AMPLITUDE: &[Dof] = &[Dof::Amplitude];
+
+fn check(tank: &StripTank, damping: StripDamping) -> Result<(), StripError> {
+    let refuse = |parameter, found: String, allowed| {
+        Err(StripError::Parameter {
+            parameter,
+            found,
+            allowed,
+        })
+    };
+    let (z, liquid) = (&tank.levels, &tank.liquid);
+    if z.len() < 2 || z[0] != 0.0 || !z.windows(2).all(|w| w[0] < w[1] && w[1].is_finite()) {
+        return refuse("levels", format!("{z:?} m"), "ascending from 0");
+    }
+    if tank.sections.len() + 1 != z.len() {
+        let found = format!("{} for {} elements", tank.sections.len(), z.len() - 1);
+        return refuse("sections", found, "one an element");
+    }
+    for (parameter, value) in [
+        ("half width", liquid.half_width),
+        ("depth", liquid.depth),
+        ("liquid density", liquid.density),
+        ("gravity", liquid.gravity),
+    ] {
+        if !(value > 0.0 && value.is_finite()) {
+            return refuse(parameter, value.to_string(), "> 0");
+        }
+    }
+    if liquid.depth > z[z.len() - 1] {
+        return refuse("depth", format!("{} m", liquid.depth), "at most the wall's height");
+    }
+    if tank.sloshing == 0 {
+        return refuse("sloshing modes", "0".into(), "1 or more");
+    }
+    if let StripDamping::ByGroup { wall, sloshing } = damping
+        && ![wall, sloshing].iter().all(|x| (0.0..1.0).contains(x))
+    {
+        return refuse("damping ratios", format!("{wall}, {sloshing}"), "0 to 1");
+    }
+    Ok(())
+}

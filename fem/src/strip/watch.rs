@@ -1,0 +1,98 @@
+//! What a nonlinear run of a strip is asked for, taken step by step.
+
+use super::{StripError, StripModel};
+use crate::state::{Gather, State};
+
+/// The first crack of a wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FirstCrack {
+    /// Time [s].
+    pub time: f64,
+    /// Height of the section [m].
+    pub height: f64,
+    /// Moment at the base then [N].
+    pub base_moment: f64,
+}
+
+/// Largest values of a run, and what the wall has become.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Demand {
+    /// Largest elevation of the surface at the wall, up or down [m].
+    pub wave: f64,
+    /// Largest deflection of the top, the state at rest included [m].
+    pub deflection: f64,
+    /// Its time [s].
+    pub deflection_time: f64,
+    /// Largest moment at the base, inertia and pressure of the lowest element included [N].
+    pub base_moment: f64,
+    /// The first crack.
+    pub first_crack: Option<FirstCrack>,
+    /// Highest section with a crack [m]; 0 without any.
+    pub highest_crack: f64,
+    /// Largest opening strain of any crack.
+    pub largest_crack: f64,
+    /// Largest stress of any bar [Pa].
+    pub bar_stress: f64,
+    /// Largest plastic strain of any bar.
+    pub bar_plastic_strain: f64,
+}
+
+impl Demand {
+    /// Takes in the committed `state` at the time `time`, under the ground acceleration `ground` along x [m/s²].
+    ///
+    /// Errors: those of the elements.
+    pub fn see(&mut self, strip: &StripModel, time: f64, state: &State, ground: f64) -> Result<(), StripError> {
+        let u = &state.committed.u;
+        self.wave = self.wave.max(strip.elevation(u).abs());
+        let deflection = u[strip.top()].abs();
+        if deflection > self.deflection {
+            (self.deflection, self.deflection_time) = (deflection, time);
+        }
+        let moment = strip.base_reaction(state, [ground, 0.0, 0.0])?[2].abs();
+        self.base_moment = self.base_moment.max(moment);
+        let mut gather = Gather::default();
+        let beams = strip.model.elements().iter().zip(&strip.tank.sections).enumerate();
+        for (e, (element, section)) in beams {
+            let motion = gather.motion(&strip.model, &state.committed, &**element);
+            element.inspect(motion, &state.old[state.history(e)], &mut |fibre| {
+                if fibre.layer >= section.layers() {
+                    self.bar_stress = self.bar_stress.max(fibre.stress[0].abs());
+                    self.bar_plastic_strain = self.bar_plastic_strain.max(fibre.state.plastic_strain);
+                    return;
+                }
+                for crack in fibre.state.cracks.iter().flatten() {
+                    let height = fibre.position[2];
+                    self.highest_crack = self.highest_crack.max(height);
+                    self.largest_crack = self.largest_crack.max(crack.largest);
+                    self.first_crack.get_or_insert(FirstCrack {
+                        time,
+                        height,
+                        base_moment: moment,
+                    });
+                }
+            });
+        }
+        Ok(())
+    }
+
+    /// The worse of two walls in every quantity; the first crack is the earlier one.
+    pub fn worse(&self, other: &Demand) -> Demand {
+        let (a, b) = (self, other);
+        let first = match (a.first_crack, b.first_crack) {
+            (Some(x), Some(y)) => Some(if x.time <= y.time { x } else { y }),
+            (x, y) => x.or(y),
+        };
+        let larger = if a.deflection >= b.deflection { a } else { b };
+        Demand {
+            wave: a.wave.max(b.wave),
+            deflection: larger.deflection,
+            deflection_time: larger.deflection_time,
+            base_moment: a.base_moment.max(b.base_moment),
+            first_crack: first,
+            highest_crack: a.highest_crack.max(b.highest_crack),
+            largest_crack: a.largest_crack.max(b.largest_crack),
+            bar_stress: a.bar_stress.max(b.bar_stress),
+            bar_plastic_strain: a.bar_plastic_strain.max(b.bar_plastic_strain),
+        }
+    }
+}
