@@ -9,7 +9,8 @@
 //! u_z = Σ q_n sin(k_n L) sinh(k_n z)/sinh(k_n H)            vertical displacement of the particle at the wall
 //! ```
 //!
-//!            of which u_z leaves out the wall's own deflection (1 mm against waves of 0.4 m)
+//! Here u_z leaves out the wall's own deflection (1 mm against waves of 0.4 m).
+//!
 //! Motion:    a record given by the caller (table 8.15: El Centro NS 1940, 0.348 g), both signs, one for each wall
 //! Damping:   Rayleigh, 1 % at 2.39 and 3.53 rad/s, as the published linear result needs
 //! Expected:  moment and wave of the joint that opens as of the bonded one; the test at the undeformed height opens falsely
