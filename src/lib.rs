@@ -13,7 +13,8 @@
 //! | [`input`] | reading `tank.json` and records; the only place that knows units in text and file formats |
 //! | [`job`] | what is to be computed: a `codes::Case`, the procedures, the finite-element options |
 //! | [`fe`] | the finite-element engine |
-//! | [`pipeline`] | the whole flow in one function |
+//! | [`pipeline`] | the whole flow of a verification in one function |
+//! | [`ida`] | that of an incremental dynamic analysis |
 //! | [`compare`] | the join of procedures and engine |
 //! | [`results`] | the results folder: `results.json`, `series.csv` |
 //! | [`numdiff`] | comparison of two results folders, number by number |
@@ -25,6 +26,7 @@ pub mod cli;
 pub mod compare;
 pub mod error;
 pub mod fe;
+pub mod ida;
 pub mod input;
 pub mod job;
 pub mod numdiff;

@@ -4,6 +4,7 @@
 //! [`Volatile`]. All values are SI, each with its unit beside it. The report, `diff` and users' scripts read nothing else.
 
 mod fields;
+mod ida;
 mod snapshots;
 mod store;
 pub mod vtu;
@@ -15,6 +16,9 @@ use codes::units::Dimension;
 use serde::{Deserialize, Serialize};
 
 pub use fields::{DeformedShape, Fields, Picture, WallMap};
+pub use ida::{
+    Collapse, Fact, FirstCrack, IDA_FILE, IDA_FORMAT, IDA_PARTIAL_FILE, Ida, IdaRun, ida_csv, read_ida, write_ida,
+};
 pub use snapshots::{Resultants, Snapshot, Snapshots};
 pub use store::{RESULTS_FILE, SERIES_FILE, describe, read, read_series, write};
 

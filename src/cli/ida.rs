@@ -1,11 +1,17 @@
 //! `tankcheck ida`: incremental dynamic analysis, one nonlinear run for each scale of a record.
 
 use std::path::PathBuf;
+use std::time::Instant;
 
-use crate::cli::Global;
 use crate::cli::inputs::{Inputs, Reading};
-use crate::error::Error;
+use crate::cli::progress::{self, Watch};
+use crate::cli::table::Table;
+use crate::cli::{Format, Global, print};
+use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
+use crate::ida;
 use crate::job::{Engines, IdaJob};
+use crate::report::{self, number::significant};
+use crate::results::{Ida, Volatile, ida_csv};
 
 /// Most runs of one analysis.
 const MAX_RUNS: usize = 1000;
@@ -47,18 +53,73 @@ pub struct Args {
     /// Go on with the runs that the folder does not have yet.
     #[arg(long)]
     resume: bool,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
 }
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, _: &Global) -> Result<u8, Error> {
+pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
+    let started = Instant::now();
     let job = args.job()?;
-    Err(Error::Input(format!(
-        "error: `tankcheck ida` does not run yet: {} runs at the scales {} to {} are understood\n  help: this version has no \
-         nonlinear engine; `tankcheck compare` runs the linear ones",
-        job.scales.len(),
-        job.scales[0],
-        job.scales[job.scales.len() - 1],
-    )))
+    progress::listen(global, true);
+    let watch = Watch::new(global, "incremental dynamic analysis");
+    let found = ida::run(&job, || stamp(started), &watch)?;
+    watch.finish();
+    match args.format {
+        Format::Human => print(&format!("{}\n\n{}", found.name, table(&found)))?,
+        Format::Json => {
+            let text = serde_json::to_string_pretty(&found).map_err(|e| Error::Report(e.to_string()))?;
+            print(&format!("{text}\n"))?;
+        }
+        Format::Csv => print(&ida_csv(&found))?,
+    }
+    if !global.quiet {
+        for run in &found.runs {
+            if let Some(collapse) = &run.collapse {
+                anstream::eprintln!(
+                    "scale {}: no equilibrium after {:.3} s: {}",
+                    significant(run.scale, 4),
+                    collapse.time,
+                    collapse.reason
+                );
+            }
+        }
+        if found.incomplete {
+            anstream::eprintln!("incomplete: the same command with --resume goes on");
+        }
+        anstream::eprintln!("report: {}", job.out.join("report.html").display());
+    }
+    Ok(match found.incomplete {
+        true => EXIT_COMPUTATION,
+        false => EXIT_OK,
+    })
+}
+
+/// What differs between identical runs.
+fn stamp(started: Instant) -> Volatile {
+    Volatile {
+        version: env!("CARGO_PKG_VERSION").into(),
+        created: jiff::Timestamp::now().to_string(),
+        command: std::iter::once("tankcheck".to_owned())
+            .chain(std::env::args().skip(1))
+            .collect::<Vec<_>>()
+            .join(" "),
+        seconds: started.elapsed().as_secs_f64(),
+    }
+}
+
+fn table(found: &Ida) -> Table {
+    let data = report::ida::table(found);
+    let head = data.columns.iter().map(|c| match c.unit.as_str() {
+        "" => c.title.clone(),
+        unit => format!("{} [{unit}]", c.title),
+    });
+    let mut table = Table::new(head);
+    for row in data.rows {
+        table.row(row);
+    }
+    table
 }
 
 impl Args {

@@ -76,7 +76,6 @@ enum Command {
     /// The code procedures alone.
     Check(check::Args),
     /// Incremental dynamic analysis: nonlinear runs at rising scales of a record.
-    #[command(hide = true)]
     Ida(ida::Args),
     /// Coupled modes of tank and liquid.
     Modes(modes::Args),
@@ -103,6 +102,7 @@ Examples:
   tankcheck init > tank.json
   tankcheck compare tank.json --quake elcentro.csv --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe both --mesh 12x16x20 --vtu paraview/ --out out/
+  tankcheck ida tank.json --quake elcentro.csv --scale 0..1.1 --steps 12 --out ida/
   tankcheck check tank.json
   tankcheck modes tank.json --format json
   tankcheck spectrum elcentro.csv --damping 0.5%,2%,5% --periods 0.02..20

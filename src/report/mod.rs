@@ -14,12 +14,14 @@
 //! |---|---|
 //! | [`sections`] | decides what is shown, one file a section |
 //! | [`figure`] | draws |
+//! | [`ida`] | the page of an incremental dynamic analysis |
 //! | [`math`] | sets formulas |
 //! | [`number`] | prints numbers |
 //! | [`template`] | holds the templates, embedded or the user's |
 //! | [`verification`] | the page and the figures of the verification manual |
 
 pub mod figure;
+pub mod ida;
 pub mod math;
 pub mod methods;
 pub mod number;

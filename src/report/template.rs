@@ -16,6 +16,7 @@ const EMBEDDED: &[(&str, &str)] = &[
     ("style.css", include_str!("../../templates/style.css")),
     ("figure.css", include_str!("../../templates/figure.css")),
     ("verification.html", include_str!("../../templates/verification.html")),
+    ("ida.html", include_str!("../../templates/ida.html")),
     ("fields.css", include_str!("../../templates/fields.css")),
     (
         "sections/summary.html",

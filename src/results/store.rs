@@ -125,7 +125,7 @@ fn series_csv(series: &Series) -> String {
 }
 
 /// Rounds every number of a JSON value to 10 significant digits.
-fn round_numbers(value: &mut serde_json::Value) {
+pub(super) fn round_numbers(value: &mut serde_json::Value) {
     use serde_json::Value;
     match value {
         Value::Number(number) if number.is_f64() => {

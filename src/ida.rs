@@ -1,0 +1,138 @@
+//! The whole flow of an incremental dynamic analysis: job → strip → runs → `ida.json`, `ida.csv`, report.
+//!
+//! Every run that is finished goes to `ida.partial.json` at once, so that an analysis that is killed can be resumed; a run
+//! does not depend on the others, and a resumed analysis gives the same numbers.
+
+use std::path::Path;
+
+use fem::progress::Progress;
+use sha2::{Digest, Sha256};
+
+use crate::error::Error;
+use crate::fe::nonlinear::Strip;
+use crate::job::IdaJob;
+use crate::pipeline::OutputFolder;
+use crate::report::{self, FIGURES_FOLDER, REPORT_FILE};
+use crate::results::{
+    IDA_FILE, IDA_FORMAT, IDA_PARTIAL_FILE, Ida, IdaRun, Volatile, describe, ida_csv, read_ida, write_ida,
+};
+
+/// Name of the table of runs.
+const CSV_FILE: &str = "ida.csv";
+
+/// Whether an analysis writes an entry of this name.
+pub fn owns(name: &str) -> bool {
+    [IDA_FILE, IDA_PARTIAL_FILE, CSV_FILE, REPORT_FILE, FIGURES_FOLDER].contains(&name)
+}
+
+/// Runs a job; `volatile` stamps the results.
+///
+/// Errors: a tank or option that the nonlinear engine does not know; a folder that holds another analysis or cannot be
+/// written; a failure of the engine. Collapse of the wall is none.
+pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progress) -> Result<Ida, Error> {
+    let key = key(job);
+    // Whatever is wrong with the folder is said before anything is computed.
+    let folder = OutputFolder::of(&job.out, owns, "--out")?;
+    let kept = if job.resume { kept(&job.out, &key)? } else { Vec::new() };
+    let strip = Strip::new(&job.job.case, &job.job.nonlinear)?;
+    let mut ida = Ida {
+        format: IDA_FORMAT.into(),
+        volatile: volatile(),
+        key,
+        name: job.job.case.name.clone(),
+        files: job.job.files.clone(),
+        model: strip.facts.clone(),
+        assumptions: strip.assumptions.clone(),
+        runs: kept,
+        incomplete: true,
+    };
+    ida.runs.retain(|run| job.scales.contains(&run.scale));
+    let missing: Vec<f64> = job
+        .scales
+        .iter()
+        .copied()
+        .filter(|scale| !ida.runs.iter().any(|run| run.scale == *scale))
+        .collect();
+    std::fs::create_dir_all(&job.out).map_err(|e| Error::File {
+        path: job.out.clone(),
+        what: describe(&e),
+    })?;
+    let partial = job.out.join(IDA_PARTIAL_FILE);
+    let mut unwritten = None;
+    strip.incremental(&missing, job.jobs, progress, |run| {
+        insert(&mut ida.runs, run);
+        // The first failure is kept; the runs go on, their results are still in memory.
+        unwritten = unwritten.take().or(write_ida(&partial, &ida).err());
+    })?;
+    if let Some(error) = unwritten {
+        return Err(error);
+    }
+    ida.incomplete = ida.runs.len() < job.scales.len();
+    ida.volatile = volatile();
+    write(&folder, &ida)?;
+    folder.commit()?;
+    Ok(ida)
+}
+
+fn insert(runs: &mut Vec<IdaRun>, run: IdaRun) {
+    let at = runs.partition_point(|r| r.scale < run.scale);
+    runs.insert(at, run);
+}
+
+/// Runs that the folder has of this very analysis.
+fn kept(folder: &Path, key: &str) -> Result<Vec<IdaRun>, Error> {
+    let mut runs: Vec<IdaRun> = Vec::new();
+    for name in [IDA_FILE, IDA_PARTIAL_FILE] {
+        let path = folder.join(name);
+        if !path.exists() {
+            continue;
+        }
+        let found = read_ida(&path)?;
+        if found.key != key {
+            return Err(Error::File {
+                path,
+                what: "belongs to another tank, record, option or version: choose another folder with --out, or leave --resume \
+                       out to begin anew"
+                    .into(),
+            });
+        }
+        for run in found.runs {
+            if !runs.iter().any(|r| r.scale == run.scale) {
+                insert(&mut runs, run);
+            }
+        }
+    }
+    Ok(runs)
+}
+
+/// Fingerprint of everything a run depends on but its scale.
+fn key(job: &IdaJob) -> String {
+    let mut hash = Sha256::new();
+    hash.update(env!("CARGO_PKG_VERSION"));
+    let job = &job.job;
+    // The debug form holds every number to the last digit.
+    hash.update(format!("{:?}", (&job.case, &job.nonlinear)));
+    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn write(folder: &OutputFolder, ida: &Ida) -> Result<(), Error> {
+    let fault = |path: &Path, e: std::io::Error| Error::File {
+        path: path.into(),
+        what: describe(&e),
+    };
+    write_ida(&folder.path().join(IDA_FILE), ida)?;
+    let put = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).map_err(|e| fault(&path, e))
+    };
+    put(CSV_FILE, &ida_csv(ida))?;
+    let figures = report::ida::figures(ida)?;
+    put(REPORT_FILE, &report::ida::html(ida, &figures)?)?;
+    let path = folder.path().join(FIGURES_FOLDER);
+    std::fs::create_dir(&path).map_err(|e| fault(&path, e))?;
+    let css = report::template::Templates::new(None)?.css("figure.css").to_owned();
+    for figure in &figures {
+        put(&format!("{FIGURES_FOLDER}/{}.svg", figure.id), &figure.standalone(&css))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,211 @@
+//! The page of an incremental dynamic analysis.
+
+use codes::units::Dimension;
+use tera::Context;
+
+use super::sections::FigureView;
+use super::template::Templates;
+use crate::error::Error;
+use crate::report::figure::chart::{Axis, Chart, Line, Mark};
+use crate::report::figure::{Figure, HALF, Room};
+use crate::report::number::{Scale, fixed, percent, significant, with_unit};
+use crate::report::table::{Column, Table};
+use crate::results::{Ida, IdaRun};
+
+/// A curve: id, title, dimension, value of a run.
+type Curve = (&'static str, &'static str, Dimension, fn(&IdaRun) -> f64);
+
+/// Demands that are drawn.
+const CURVES: [Curve; 6] = [
+    ("ida_wave", "Largest wave at the wall", Dimension::Length, |r| r.wave),
+    (
+        "ida_wall_displacement",
+        "Largest displacement of the top of the wall",
+        Dimension::Length,
+        |r| r.wall_displacement,
+    ),
+    (
+        "ida_base_moment",
+        "Largest moment at the base of a wall",
+        Dimension::LineMoment,
+        |r| r.base_moment,
+    ),
+    ("ida_bar_stress", "Largest stress of a bar", Dimension::Stress, |r| {
+        r.bar_stress
+    }),
+    (
+        "ida_crack_height",
+        "Height of the highest crack",
+        Dimension::Length,
+        |r| r.highest_crack,
+    ),
+    (
+        "ida_hysteretic_energy",
+        "Energy dissipated in a wall, per metre",
+        Dimension::Energy,
+        |r| r.hysteretic_energy,
+    ),
+];
+
+/// The figures, a curve each over the peak ground acceleration.
+///
+/// Errors: a drawing that fails.
+pub fn figures(ida: &Ida) -> Result<Vec<Figure>, Error> {
+    CURVES.iter().map(|curve| figure(ida, curve)).collect()
+}
+
+fn figure(ida: &Ida, &(id, title, dimension, value): &Curve) -> Result<Figure, Error> {
+    let runs = &ida.runs;
+    let with_zero = |values: &mut dyn Iterator<Item = f64>| -> Vec<f64> { values.chain([0.0]).collect() };
+    let x = Axis::linear(
+        "peak ground acceleration",
+        Dimension::Acceleration,
+        with_zero(&mut runs.iter().map(|r| r.pga)),
+        6,
+    );
+    let y = Axis::linear("", dimension, with_zero(&mut runs.iter().map(value)), 5);
+    let mut chart = Chart::new((HALF, 0.0), x, y);
+    chart.lines = vec![Line {
+        points: runs.iter().map(|r| (r.pga, value(r))).collect(),
+        class: "k-fe".into(),
+        label: String::new(),
+    }];
+    chart.marks = runs
+        .iter()
+        .map(|r| Mark {
+            at: (r.pga, value(r)),
+            label: match r.collapse {
+                Some(_) => "≥, collapse".into(),
+                None => String::new(),
+            },
+            class: "k-fe".into(),
+        })
+        .collect();
+    let chart = chart.with_plot_height(170.0);
+    let mut table = Table::new(vec![
+        Column::numbers("Scale", ""),
+        Column::numbers("Peak ground acceleration", "m/s²"),
+        Column::words(title),
+    ]);
+    for run in runs {
+        let bound = if run.collapse.is_some() { "≥ " } else { "" };
+        table.row(vec![
+            significant(run.scale, 4),
+            significant(run.pga, 4),
+            format!("{bound}{}", with_unit(value(run), dimension)),
+        ]);
+    }
+    Ok(Figure {
+        id: id.into(),
+        title: title.into(),
+        caption: match runs.iter().any(|r| r.collapse.is_some()) {
+            true => "Runs that found no equilibrium are lower bounds.".into(),
+            false => String::new(),
+        },
+        titled: false,
+        description: format!("{title} over the peak ground acceleration, {} runs.", runs.len()),
+        size: chart.size,
+        markup: chart.draw()?,
+        table,
+        room: Room::Half,
+    })
+}
+
+/// One line a run.
+pub fn table(ida: &Ida) -> Table {
+    let of = |dimension, value: fn(&IdaRun) -> f64| Scale::of(dimension, ida.runs.iter().map(value));
+    let wave = of(Dimension::Length, |r| r.wave);
+    let displacement = of(Dimension::Length, |r| r.wall_displacement);
+    let moment = of(Dimension::LineMoment, |r| r.base_moment);
+    let stress = of(Dimension::Stress, |r| r.bar_stress);
+    let mut table = Table::new(vec![
+        Column::numbers("Scale", ""),
+        Column::numbers("PGA", "m/s²"),
+        Column::words("End"),
+        Column::numbers("Wave", wave.symbol()),
+        Column::numbers("Wall displacement", displacement.symbol()),
+        Column::numbers("Base moment", moment.symbol()),
+        Column::numbers("First crack at", "s"),
+        Column::numbers("with base moment", moment.symbol()),
+        Column::numbers("Highest crack", "m"),
+        Column::numbers("Bar stress", stress.symbol()),
+        Column::numbers("Damping of the wall mode", "%"),
+        Column::numbers("Halved steps", ""),
+        Column::numbers("Energy residual", ""),
+    ]);
+    for run in &ida.runs {
+        let crack = |text: &dyn Fn(f64, f64) -> String| {
+            run.first_crack.map_or("–".to_owned(), |c| text(c.time, c.base_moment))
+        };
+        table.row(vec![
+            significant(run.scale, 4),
+            significant(run.pga, 4),
+            run.collapse.as_ref().map_or("completed".to_owned(), |c| {
+                format!("collapse at {} s", fixed(c.time, 2))
+            }),
+            wave.text(run.wave),
+            displacement.text(run.wall_displacement),
+            moment.text(run.base_moment),
+            crack(&|time, _| fixed(time, 2)),
+            crack(&|_, m| moment.text(m)),
+            fixed(run.highest_crack, 2),
+            stress.text(run.bar_stress),
+            significant(100.0 * run.wall_damping, 3),
+            run.halvings.to_string(),
+            format!("{:.0e}", run.energy_residual),
+        ]);
+    }
+    table
+}
+
+/// The page.
+///
+/// Errors: a template or a drawing that fails.
+pub fn html(ida: &Ida, figures: &[Figure]) -> Result<String, Error> {
+    let mut model = Table::new(vec![Column::words("What"), Column::words("Value")]);
+    for fact in &ida.model {
+        let value = match fact.name.starts_with("damping") {
+            true => percent(fact.value),
+            false => with_unit(fact.value, fact.dimension),
+        };
+        model.row(vec![fact.name.clone(), value]);
+    }
+    let mut files = Table::new(vec![
+        Column::words("Role"),
+        Column::words("File"),
+        Column::words("SHA-256"),
+    ]);
+    for file in &ida.files {
+        files.row(vec![file.role.clone(), file.name.clone(), file.sha256.clone()]);
+    }
+    let collapses: Vec<String> = ida
+        .runs
+        .iter()
+        .filter_map(|run| {
+            let collapse = run.collapse.as_ref()?;
+            Some(format!(
+                "Scale {}: no equilibrium after {} s. {}",
+                significant(run.scale, 4),
+                fixed(collapse.time, 3),
+                collapse.reason
+            ))
+        })
+        .collect();
+    let templates = Templates::new(None)?;
+    let mut page = Context::new();
+    let views: Vec<FigureView> = figures.iter().map(FigureView::of).collect();
+    page.insert("name", &ida.name);
+    page.insert("incomplete", &ida.incomplete);
+    page.insert("runs", &table(ida));
+    page.insert("model", &model);
+    page.insert("files", &files);
+    page.insert("assumptions", &ida.assumptions);
+    page.insert("collapses", &collapses);
+    page.insert("figures", &views);
+    page.insert("version", &ida.volatile.version);
+    page.insert("created", &ida.volatile.created);
+    page.insert("command", &ida.volatile.command);
+    page.insert("style", templates.css("style.css"));
+    page.insert("figure_style", templates.css("figure.css"));
+    templates.render("ida.html", &page)
+}

@@ -1,0 +1,243 @@
+//! `ida.json`: the runs of an incremental dynamic analysis.
+
+use std::path::Path;
+
+use codes::units::Dimension;
+use serde::{Deserialize, Serialize};
+
+use super::store::round_numbers;
+use super::{SourceFile, Volatile, describe};
+use crate::error::Error;
+
+/// Version of the format; a reader refuses any other.
+pub const IDA_FORMAT: &str = "tankcheck-ida/1";
+/// Name of the results of a finished analysis.
+pub const IDA_FILE: &str = "ida.json";
+/// Name of the results while runs are still under way.
+pub const IDA_PARTIAL_FILE: &str = "ida.partial.json";
+
+/// Everything in `ida.json`. Values are SI.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Ida {
+    /// Format version, [`IDA_FORMAT`].
+    pub format: String,
+    /// What may differ between identical runs; skipped by `diff`.
+    pub volatile: Volatile,
+    /// What the runs were made from: another key is another analysis.
+    pub key: String,
+    /// Title of the case.
+    pub name: String,
+    /// Files read, with hashes.
+    pub files: Vec<SourceFile>,
+    /// The model in numbers.
+    pub model: Vec<Fact>,
+    /// What the engine assumed, one sentence each.
+    pub assumptions: Vec<String>,
+    /// Runs by ascending scale.
+    pub runs: Vec<IdaRun>,
+    /// Whether runs that were asked for are missing.
+    pub incomplete: bool,
+}
+
+/// A number of the model.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Fact {
+    /// What it is.
+    pub name: String,
+    /// Value.
+    pub value: f64,
+    /// Dimension.
+    pub dimension: Dimension,
+}
+
+/// One run: the worse of both walls in every quantity.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct IdaRun {
+    /// Factor on the record.
+    pub scale: f64,
+    /// Peak ground acceleration [m/s²].
+    pub pga: f64,
+    /// Why and when no equilibrium was found; the demands are then lower bounds.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub collapse: Option<Collapse>,
+    /// Largest elevation of the surface at the wall, up or down [m].
+    pub wave: f64,
+    /// Largest deflection of the top of the wall, the state at rest included [m].
+    pub wall_displacement: f64,
+    /// Its time [s].
+    pub wall_displacement_time: f64,
+    /// Largest moment at the base of a wall, the state at rest included [N m/m].
+    pub base_moment: f64,
+    /// The first crack.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub first_crack: Option<FirstCrack>,
+    /// Height of the highest crack [m]; 0 without any.
+    pub highest_crack: f64,
+    /// Largest opening strain of a crack.
+    pub largest_crack: f64,
+    /// Largest stress of a bar [Pa].
+    pub bar_stress: f64,
+    /// Largest plastic strain of a bar.
+    pub bar_plastic_strain: f64,
+    /// Energy dissipated by the materials of one wall, the larger one [J/m].
+    pub hysteretic_energy: f64,
+    /// Damping ratio of the first mode of wall and liquid, virgin wall.
+    pub wall_damping: f64,
+    /// Number of times that a step was halved.
+    pub halvings: u64,
+    /// Steps done, both walls.
+    pub steps: u64,
+    /// Residual of the energy balance over the largest energy.
+    pub energy_residual: f64,
+}
+
+/// No equilibrium.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Collapse {
+    /// Time of the last equilibrium [s].
+    pub time: f64,
+    /// Reason, with the worst point.
+    pub reason: String,
+}
+
+/// The first crack of a wall.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FirstCrack {
+    /// Time [s].
+    pub time: f64,
+    /// Height above the base [m].
+    pub height: f64,
+    /// Moment at the base then [N m/m].
+    pub base_moment: f64,
+}
+
+/// Reads the results of an analysis from `path`.
+///
+/// Errors: an unreadable file, text that is not JSON, another format version.
+pub fn read_ida(path: &Path) -> Result<Ida, Error> {
+    let fault = |what: String| Error::File {
+        path: path.into(),
+        what,
+    };
+    let text = std::fs::read_to_string(path).map_err(|e| fault(describe(&e)))?;
+    let value: serde_json::Value =
+        serde_json::from_str(&text).map_err(|e| fault(format!("not the results of an analysis: {e}")))?;
+    match value.get("format").and_then(serde_json::Value::as_str) {
+        Some(IDA_FORMAT) => {}
+        Some(other) => return Err(fault(format!("format `{other}`, this version reads `{IDA_FORMAT}`"))),
+        None => return Err(fault("not the results of an analysis: no format".into())),
+    }
+    serde_json::from_value(value).map_err(|e| fault(format!("not the results of an analysis: {e}")))
+}
+
+/// Writes `ida` to `path`, whole or not at all; 10 significant digits.
+///
+/// Errors: a file that cannot be written.
+pub fn write_ida(path: &Path, ida: &Ida) -> Result<(), Error> {
+    let mut value = serde_json::to_value(ida).map_err(|e| Error::Report(e.to_string()))?;
+    round_numbers(&mut value);
+    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::Report(e.to_string()))?;
+    text.push('\n');
+    let fault = |e: std::io::Error| Error::File {
+        path: path.into(),
+        what: describe(&e),
+    };
+    let beside = path.with_extension("tmp");
+    std::fs::write(&beside, text).map_err(fault)?;
+    std::fs::rename(&beside, path).map_err(fault)
+}
+
+/// The runs as a table: head with units, one line a run.
+pub fn ida_csv(ida: &Ida) -> String {
+    use std::fmt::Write;
+    let mut text = String::from(
+        "scale,pga_m_s2,collapse_time_s,wave_m,wall_displacement_m,base_moment_nm_per_m,first_crack_time_s,\
+         first_crack_moment_nm_per_m,highest_crack_m,largest_crack,bar_stress_pa,bar_plastic_strain,wall_damping,halvings,\
+         energy_residual\n",
+    );
+    let option = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:.6}"));
+    for run in &ida.runs {
+        let _ = writeln!(
+            text,
+            "{:.6},{:.6},{},{:.6e},{:.6e},{:.6e},{},{},{:.4},{:.4e},{:.6e},{:.4e},{:.6e},{},{:.2e}",
+            run.scale,
+            run.pga,
+            option(run.collapse.as_ref().map(|c| c.time)),
+            run.wave,
+            run.wall_displacement,
+            run.base_moment,
+            option(run.first_crack.map(|c| c.time)),
+            option(run.first_crack.map(|c| c.base_moment)),
+            run.highest_crack,
+            run.largest_crack,
+            run.bar_stress,
+            run.bar_plastic_strain,
+            run.wall_damping,
+            run.halvings,
+            run.energy_residual
+        );
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sample() -> Ida {
+        Ida {
+            format: IDA_FORMAT.into(),
+            volatile: Volatile::default(),
+            key: "k".into(),
+            name: "strip".into(),
+            files: Vec::new(),
+            model: Vec::new(),
+            assumptions: Vec::new(),
+            runs: vec![IdaRun {
+                scale: 0.5,
+                pga: 1.7,
+                collapse: None,
+                wave: 0.2,
+                wall_displacement: 1e-3,
+                wall_displacement_time: 3.0,
+                base_moment: 5e4,
+                first_crack: Some(FirstCrack {
+                    time: 2.5,
+                    height: 0.1,
+                    base_moment: 5.3e4,
+                }),
+                highest_crack: 0.4,
+                largest_crack: 1e-3,
+                bar_stress: 3e8,
+                bar_plastic_strain: 0.0,
+                hysteretic_energy: 1.0,
+                wall_damping: 2e-4,
+                halvings: 3,
+                steps: 5000,
+                energy_residual: 1e-6,
+            }],
+            incomplete: false,
+        }
+    }
+
+    #[test]
+    fn written_and_read_back() {
+        let home = tempfile::tempdir().expect("a temporary folder");
+        let path = home.path().join(IDA_FILE);
+        write_ida(&path, &sample()).expect("writable");
+        assert_eq!(read_ida(&path).expect("readable"), sample());
+        assert_eq!(std::fs::read_dir(home.path()).expect("readable").count(), 1);
+        std::fs::write(&path, "{\"format\": \"tankcheck-ida/0\"}").expect("writable");
+        let message = read_ida(&path).expect_err("another version").to_string();
+        assert!(message.contains("tankcheck-ida/0"), "{message}");
+        std::fs::write(&path, "{").expect("writable");
+        assert!(read_ida(&path).is_err());
+    }
+
+    #[test]
+    fn a_line_has_a_number_a_column() {
+        let text = ida_csv(&sample());
+        let counts: Vec<usize> = text.lines().map(|l| l.split(',').count()).collect();
+        assert_eq!(counts, [15, 15]);
+    }
+}
