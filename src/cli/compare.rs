@@ -147,8 +147,8 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
         Engine::Both => Engines::Both,
         Engine::Nonlinear => {
             return Err(Error::Input(
-                "error: --fe nonlinear does not run yet\n  help: this version has no nonlinear engine; --fe harmonic and --fe solid \
-                 are linear"
+                "error: --fe nonlinear: compare runs the linear engines only\n  help: `tankcheck ida TANK --quake RECORD --scale 1` \
+                 runs the nonlinear strip"
                     .into(),
             ));
         }

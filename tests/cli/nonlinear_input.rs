@@ -71,8 +71,12 @@ fn spoiled(from: &str, to: &str) -> String {
 }
 
 fn draft(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/nonlinear");
-    folder.join(name).join("tank.json")
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let example = root.join("examples").join(name).join("tank.json");
+    if example.exists() {
+        return example;
+    }
+    root.join("tests/data/nonlinear").join(name).join("tank.json")
 }
 
 #[test]
