@@ -58,7 +58,9 @@ impl Error {
     pub fn exit_code(&self) -> u8 {
         match self {
             Error::Input(_) | Error::File { .. } => EXIT_INPUT,
-            Error::Fe(FeError::Option { .. } | FeError::NoRecord | FeError::Memory { .. }) => EXIT_INPUT,
+            Error::Fe(
+                FeError::Option { .. } | FeError::NoRecord | FeError::Memory { .. } | FeError::Unsupported(_),
+            ) => EXIT_INPUT,
             Error::Code { .. } | Error::Fe(_) | Error::Report(_) | Error::Verification { .. } => EXIT_COMPUTATION,
         }
     }

@@ -85,6 +85,11 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         },
         _ => None,
     };
+    if let (true, Some(first)) = (stopped, &mut simulation) {
+        first.notes.push(
+            "The three-dimensional run was interrupted before it had a result: it is missing in this report.".into(),
+        );
+    }
     let snapshots = [&mut solid, &mut simulation]
         .into_iter()
         .flatten()

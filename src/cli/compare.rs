@@ -105,6 +105,12 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     if let (Some(options), true) = (&job.fe, job.engines.solid()) {
         solid::announce(&job.case, options, &job.solid, global)?;
     }
+    if args.vtu.as_ref() == Some(&args.out) {
+        return Err(Error::Input(format!(
+            "error: --vtu and --out name one folder, `{}`\n  help: each needs a folder of its own",
+            args.out.display()
+        )));
+    }
     let folder = OutputFolder::prepare(&args.out)?;
     let vtu = match &args.vtu {
         Some(target) => Some(OutputFolder::of(target, vtu::owns, "--vtu")?),
@@ -122,11 +128,17 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         vtu::write(vtu.path(), snapshots)?;
     }
     folder.commit()?;
-    vtu.map_or(Ok(()), OutputFolder::commit)?;
+    // Without a state the folder stays as it was.
+    vtu.filter(|_| snapshots.is_some())
+        .map_or(Ok(()), OutputFolder::commit)?;
     watch.finish();
     print(&results, Some(&args.out), args.format, global)?;
-    if let (Some(folder), false) = (&args.vtu, global.quiet) {
-        anstream::eprintln!("ParaView: {}", folder.join(vtu::COLLECTION).display());
+    match (&args.vtu, &snapshots) {
+        (Some(folder), Some(_)) if !global.quiet => {
+            anstream::eprintln!("ParaView: {}", folder.join(vtu::COLLECTION).display());
+        }
+        (Some(_), None) => anstream::eprintln!("ParaView: interrupted before there was a state to write"),
+        _ => {}
     }
     Ok(match &results.verdict {
         verdict if verdict.incomplete => EXIT_COMPUTATION,

@@ -94,7 +94,19 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
             let mut modes = crate::fe::solid::modes(&case, &options, &solid, args.count, &watch)?;
             watch.finish();
             modes.retain(|m| harmonics.is_empty() || harmonics.contains(&m.harmonic));
-            (modes, Vec::new())
+            let mut notes = harmonic::notes(&case, &modes);
+            let most = crate::fe::solid::most_waves(&case, &options, &solid)?;
+            if let Some(n) = harmonics.iter().find(|n| **n > most) {
+                return Err(Error::Input(format!(
+                    "error: --harmonics: found {n}, allowed 0 to {most} on this mesh\n  help: a wave needs six sectors; give --mesh \
+                     more of them"
+                )));
+            }
+            notes.push(format!(
+                "wave numbers up to n = {most} are searched: a wave needs six sectors. A wall may have lower modes with more waves; \
+                 a mesh with more sectors shows them"
+            ));
+            (modes, notes)
         }
     };
     match args.format {

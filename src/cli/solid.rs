@@ -19,7 +19,7 @@ pub struct SolidArgs {
     #[arg(long, value_enum)]
     liquid: Option<LiquidArg>,
     /// Most memory for matrices and factors; a larger model is refused before the run [default: 4096].
-    #[arg(long, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=16_777_216))]
     memory_limit: Option<u64>,
 }
 
@@ -98,7 +98,11 @@ impl SolidArgs {
 pub fn announce(case: &Case, options: &fe::Options, solid: &SolidOptions, global: &Global) -> Result<(), Error> {
     let estimate = fe::solid::estimate(case, options, solid)?;
     if !global.quiet {
-        anstream::eprintln!("{}", sentence(&estimate));
+        let direct = match options.integrator {
+            fe::Integrator::Newmark => ", the direct integration on top of it (minutes on fine meshes)",
+            fe::Integrator::Modal => "",
+        };
+        anstream::eprintln!("{}{direct}", sentence(&estimate));
     }
     Ok(())
 }

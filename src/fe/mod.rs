@@ -146,9 +146,9 @@ pub enum FeError {
         /// Limit [MiB].
         allowed_mib: u64,
     },
-    /// The nonlinear engine failed.
-    #[error("nonlinear engine: {0}")]
-    Nonlinear(String),
+    /// An analysis failed.
+    #[error("{0}")]
+    Analysis(String),
     /// The user stopped the run before it had anything to show.
     #[error("interrupted during {stage}: nothing is computed yet")]
     Interrupted {

@@ -50,7 +50,7 @@ fn unsupported<T>(what: impl Into<String>) -> Result<T, FeError> {
 }
 
 fn failed(error: impl Into<StripError>) -> FeError {
-    FeError::Nonlinear(error.into().to_string())
+    FeError::Analysis(error.into().to_string())
 }
 
 fn refused(error: materials::LawError) -> FeError {
@@ -65,7 +65,7 @@ fn refused(error: materials::LawError) -> FeError {
             found,
             allowed,
         },
-        other => FeError::Nonlinear(other.to_string()),
+        other => FeError::Analysis(other.to_string()),
     }
 }
 

@@ -45,7 +45,7 @@ pub struct Direct<'a> {
 
 /// An error of the analysis as one of the engine.
 fn analysis_error(error: impl std::fmt::Display) -> FeError {
-    FeError::Unsupported(error.to_string())
+    FeError::Analysis(error.to_string())
 }
 
 impl Direct<'_> {
@@ -119,8 +119,8 @@ impl Direct<'_> {
         })
     }
 
-    /// Replaces the histories and extremes of `analysis` by those of direct integration; returns whether it came to its
-    /// end.
+    /// Replaces the histories and extremes of `analysis` by those of direct integration; returns the time at which it was
+    /// interrupted, if it was [s].
     ///
     /// Errors: an effective matrix that cannot be factored, a response that is not finite.
     pub fn replace(
@@ -128,7 +128,7 @@ impl Direct<'_> {
         analysis: &mut Analysis,
         motion: &GroundMotion,
         progress: &dyn Progress,
-    ) -> Result<bool, FeError> {
+    ) -> Result<Option<f64>, FeError> {
         let grid = self.model.grid(motion, Integrator::Newmark);
         let own = Grid {
             dt: grid.dt,
@@ -194,8 +194,8 @@ impl Direct<'_> {
                     found_extreme
                 },
             };
-            // What an interrupted run did not reach stays at rest.
-            history.values.resize(grid.samples, 0.0);
+            // What an interrupted run did not reach is unknown.
+            history.values.resize(grid.samples, f64::NAN);
         }
         let after: Vec<History> = analysis.scalars.iter().map(|(_, h)| h.clone()).collect();
         let scalars: Vec<_> = analysis.scalars.iter().map(|(s, _)| s.clone()).collect();
@@ -225,6 +225,7 @@ impl Direct<'_> {
             error: transient.energy.error(),
         });
         analysis.grid = grid;
-        Ok(transient.complete)
+        let reached = transient.observed.scalars.first().map_or(0, |s| s.values.len());
+        Ok((!transient.complete).then(|| grid.dt * reached.saturating_sub(1) as f64))
     }
 }

@@ -20,7 +20,7 @@ mod symmetry;
 pub mod system;
 pub mod waves;
 
-pub use run::{estimate, modes, respond, simulate};
+pub use run::{estimate, modes, most_waves, respond, simulate};
 
 pub use mesh_size::{MeshSize, MeshSizeError};
 

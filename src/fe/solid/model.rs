@@ -126,7 +126,7 @@ impl TankModel {
         };
         let model = builder
             .build()
-            .map_err(|e: ModelError| FeError::Unsupported(e.to_string()))?;
+            .map_err(|e: ModelError| FeError::Analysis(e.to_string()))?;
         let assembler = Assembler::new(&model);
         Ok(TankModel {
             division,
@@ -166,11 +166,11 @@ impl TankModel {
 
 /// An error of an element as one of the engine.
 pub fn element_error(error: ElementError) -> FeError {
-    FeError::Unsupported(error.to_string())
+    FeError::Analysis(error.to_string())
 }
 
 fn mesh_error(error: MeshError) -> FeError {
-    FeError::Unsupported(error.to_string())
+    FeError::Analysis(error.to_string())
 }
 
 fn add_wall(case: &Case, division: &Division, builder: &mut Builder) -> Result<WallPart, FeError> {

@@ -62,9 +62,7 @@ pub fn reduce(
         }
     }
     if basis.is_empty() {
-        return Err(FeError::Unsupported(
-            "the ground motion loads nothing in the model".into(),
-        ));
+        return Err(FeError::Analysis("the ground motion loads nothing in the model".into()));
     }
     let elastic: Vec<Vec<f64>> = basis.iter().map(|x| system.stiffness_times(x)).collect();
     let basis = columns(&basis);

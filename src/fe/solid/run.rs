@@ -231,7 +231,7 @@ fn integrated(
     let vertical = motion.vertical.is_some();
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     let prepared = Prepared::new(case, options, solid, vertical, progress)?;
-    let mut complete = true;
+    let mut interrupted = None;
     let mut simulation = if options.integrator == Integrator::Newmark && !vertical {
         let notes = review(&prepared.model)?;
         let modal = Options {
@@ -245,7 +245,7 @@ fn integrated(
             model: &prepared.model,
             space: &prepared.spaces[0],
         };
-        complete = direct.replace(&mut analysis, motion, progress)?;
+        interrupted = direct.replace(&mut analysis, motion, progress)?;
         report(case, options, motion, &prepared.model, round, analysis, notes)
     } else {
         simulate::complete(case, options, motion, &prepared.model, round)?
@@ -261,7 +261,20 @@ fn integrated(
          excites."
             .into(),
     );
-    simulation.result.incomplete = !complete;
+    if let Some(time) = interrupted {
+        simulation.result.incomplete = true;
+        simulation.notes.push(format!(
+            "The direct integration was interrupted at t = {time:.2} s: extremes are those until then, histories end there, and \
+             ratios to them mean nothing."
+        ));
+    }
+    if options.integrator == Integrator::Newmark {
+        simulation.notes.push(
+            "Pictures and ParaView files of the three-dimensional engine come from the reduced coordinates by modal \
+             superposition, also where the histories are integrated directly."
+                .into(),
+        );
+    }
     Ok((prepared, simulation))
 }
 
@@ -285,6 +298,14 @@ pub fn estimate(case: &Case, options: &Options, solid: &SolidOptions) -> Result<
         // Sweeps through the factors and the vectors to keep orthogonal, a gigabyte a second.
         seconds: VECTORS as f64 * (0.5 * bytes as f64 + 32.0 * VECTORS as f64 * unknowns as f64) / 1e9,
     })
+}
+
+/// Largest circumferential wave number that [`modes`] looks for on the mesh of a case.
+///
+/// Errors: a mesh that cannot be built.
+pub fn most_waves(case: &Case, options: &Options, solid: &SolidOptions) -> Result<u32, FeError> {
+    let tank = TankModel::new(case, options, solid)?;
+    Ok(spectrum::most_waves(&tank).min(MOST_WAVES))
 }
 
 /// The `count` lowest modes of each kind (`sloshing`, `structural`), named by circumferential and axial wave number.
@@ -318,7 +339,8 @@ pub fn modes(
             0 | 1 => Some(reduce::rigid_motion(&tank, &system, n)?.1),
             _ => None,
         };
-        for kind in [Kind::Sloshing, Kind::Structural, Kind::Rotational] {
+        // Modes of the rotation penalty of a displacement liquid are none of the tank's.
+        for kind in [Kind::Sloshing, Kind::Structural] {
             for (k, mode) in modes.iter().filter(|m| m.kind == kind).take(count).enumerate() {
                 let gamma = participation.as_ref().map_or(0.0, |load| dot(load, &mode.vector));
                 found.push(Mode {

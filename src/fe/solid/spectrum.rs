@@ -11,10 +11,10 @@
 //! so that no two of them have one frequency and hundreds of waves of the surface do not stand before the first mode of
 //! the wall.
 
-use fem::linalg::{dot, generalized_eigen};
+use fem::linalg::{Symmetric, dot, generalized_eigen};
 use fem::progress::Progress;
 
-use super::model::{SURFACE, TankModel, element_error};
+use super::model::{SURFACE, TankModel, WALL, element_error};
 use super::ritz::reduce;
 use super::symmetry::Harmonic;
 use super::system::System;
@@ -66,15 +66,25 @@ pub fn of_harmonic(
         .assembler
         .stiffness_of(&tank.model, |e| tank.is_in(e, &[SURFACE]))
         .map_err(element_error)?;
+    let wall = tank
+        .assembler
+        .stiffness_of(&tank.model, |e| tank.is_in(e, &[WALL]))
+        .map_err(element_error)?;
+    // Where the potential energy is; a displacement liquid keeps some in its rotation penalty.
+    let kind_of = |vector: &[f64], omega: f64| -> Kind {
+        let share = |part: &Symmetric| dot(vector, &part.times(vector)) / (omega * omega);
+        if share(&gravity) > 0.5 {
+            Kind::Sloshing
+        } else if share(&wall) > 0.5 {
+            Kind::Structural
+        } else {
+            Kind::Rotational
+        }
+    };
     let mut found: Vec<TankMode> = Vec::new();
     for (j, &omega) in eigen.omega.iter().enumerate() {
         let vector = space.basis.times(eigen.vectors.column(j));
-        let surface_share = dot(&vector, &gravity.times(&vector)) / (omega * omega);
-        let kind = if surface_share > 0.5 {
-            Kind::Sloshing
-        } else {
-            Kind::Structural
-        };
+        let kind = kind_of(&vector, omega);
         if found.iter().filter(|m| m.kind == kind).count() >= most {
             continue;
         }
@@ -89,13 +99,8 @@ pub fn of_harmonic(
         if error > RESIDUAL {
             continue;
         }
-        let surface_share = dot(&vector, &gravity.times(&vector)) / (omega * omega);
         found.push(TankMode {
-            kind: if surface_share > 0.5 {
-                Kind::Sloshing
-            } else {
-                Kind::Structural
-            },
+            kind,
             harmonic: n,
             omega,
             waves: classify(&radial(tank, &vector), &tank.wall.z),
