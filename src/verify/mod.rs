@@ -59,6 +59,7 @@ const FAST: &[Topic] = &[
     ("published coupled modes", || coupled::published_rows().map_err(words)),
     ("three-dimensional engine, coarse", || solid::rows().map_err(words)),
     ("shell", || fem::verify::shell::shell().map_err(words)),
+    ("stress laws", || fem::verify::materials::materials().map_err(words)),
     ("solid, joint, layered wall", || {
         fem::verify::solid::solid().map_err(words)
     }),
