@@ -68,12 +68,25 @@ const FAST: &[Topic] = &[
     }),
     ("displacement liquid", || fem::verify::fluid::fluid().map_err(words)),
     ("dynamics", || fem::verify::dynamics::dynamics().map_err(words)),
+    ("strip", || fem::verify::strip::strip().map_err(words)),
 ];
 
 /// Topics that take minutes.
 const SLOW: &[Topic] = &[
     ("three-dimensional engine", || solid::slow_rows().map_err(words)),
     ("shell", || fem::verify::shell::shell_slow().map_err(words)),
+    ("shell, large displacements", || {
+        fem::verify::shell::shell_large().map_err(words)
+    }),
+    ("shell, large displacements on fine meshes", || {
+        fem::verify::shell::shell_large_slow().map_err(words)
+    }),
+    ("reinforced-concrete beams", || {
+        fem::verify::shell::concrete_beams().map_err(words)
+    }),
+    ("nonlinear histories", || {
+        fem::verify::dynamics::nonlinear().map_err(words)
+    }),
     ("potential liquid on hexahedra", || {
         fem::verify::potential::potential_slow().map_err(words)
     }),
@@ -111,7 +124,9 @@ pub fn run(choice: Choice, begin: &dyn Fn(&str)) -> Result<Manual, Error> {
     match choice.records {
         Some(folder) => {
             begin("responses");
-            let rows = response::rows(folder)?;
+            let mut rows = response::rows(folder)?;
+            begin("strip under a record");
+            rows.extend(response::strip_rows(folder)?);
             manual.rows.extend(rows.iter().map(|row| Entry::of(row, Pace::Record)));
         }
         None => manual.not_run = response::not_run(),

@@ -146,9 +146,41 @@ pub const PAGES: &[Page] = &[
     },
     Page {
         id: "strip-at-rest",
-        title: "Strip 8.4 at rest, and its section",
+        title: "Strip 8.4 at rest",
         model: "Fibre beams and the liquid condensed onto them in closed form: L = 5 m, H = 2.57 m, wall 3.00 m × 0.30 m in plane \
                 strain, bars of 7.0 cm²/m on each face.",
+    },
+    Page {
+        id: "strip-section",
+        title: "Section of the wall of strip 8.4",
+        model: "Fibres of 30 cm of concrete with bars of 7.0 cm²/m on each face, under its own weight: moments over curvature.",
+    },
+    Page {
+        id: "liquid-separation",
+        title: "Does the liquid leave the wall",
+        model: "Strip 8.4: the liquid has a normal displacement of its own and a joint without tension to the elastic wall; \
+                Moreau's time stepping; El Centro, the Caltech record (0.348 g).",
+    },
+    Page {
+        id: "nonlinear-dynamics",
+        title: "Nonlinear time histories",
+        model: "Rest, energy balance, and condensed liquids against the full ones, with walls that yield.",
+    },
+    Page {
+        id: "shell-follower-pressure",
+        title: "Shell: follower pressure",
+        model: "Segments of closed shells under internal pressure that turns with them.",
+    },
+    Page {
+        id: "shell-plastic-plates",
+        title: "Shell: plastic plates",
+        model: "Circular plates and a strip of von Mises steel without hardening, loaded to collapse.",
+    },
+    Page {
+        id: "shell-concrete-beams",
+        title: "Shell: reinforced-concrete beams",
+        model: "Beam B-3 of Bresler & Scordelis (1963) and C3 of Vecchio & Shim (2004): half the span, layers of cracking \
+                concrete, bars at their depth, pushed by displacement control.",
     },
     Page {
         id: "strip-linear-response",

@@ -64,6 +64,24 @@ pub fn rows(records: &Path) -> Result<Vec<Row>, Error> {
     Ok(rows)
 }
 
+/// C8, C11 and C12 with the record in the folder `records`.
+///
+/// Errors: a record that cannot be read, a failure of the engine.
+pub fn strip_rows(records: &Path) -> Result<Vec<Row>, Error> {
+    let failed = |topic: &str, what: String| Error::Verification {
+        topic: topic.into(),
+        what,
+    };
+    let record = read(&records.join(RECORD), &ReadOptions::default())?.record;
+    let mut rows = fem::verify::dynamics::separation(&record.acceleration, record.dt)
+        .map_err(|e| failed("separation of the liquid", e.to_string()))?;
+    let of_strip = |e: fem::strip::StripError| failed("strip", e.to_string());
+    rows.extend(fem::verify::strip::linear(&record).map_err(of_strip)?);
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    rows.extend(fem::verify::strip::nonlinear(&record, threads, &fem::progress::Silent).map_err(of_strip)?);
+    Ok(rows)
+}
+
 fn row(id: &str, what: &str, (reference, tolerance): (f64, f64), computed: f64, unit: &'static str) -> Row {
     Row {
         id: id.into(),

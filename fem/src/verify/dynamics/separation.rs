@@ -29,7 +29,7 @@ use joints::{Criterion, DURATION, Jointing, MESH, Peaks, worse};
 
 mod joints;
 
-const PAGE: &str = "Separation of the liquid";
+const PAGE: &str = "liquid-separation";
 /// C8 for a ground motion: `samples` [m/s²] at steps of `dt` [s].
 ///
 /// Errors: those of the analyses.
