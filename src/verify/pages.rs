@@ -167,6 +167,31 @@ pub const PAGES: &[Page] = &[
         model: "Rest, energy balance, and condensed liquids against the full ones, with walls that yield.",
     },
     Page {
+        id: "shell-slit-ring",
+        title: "Shell: slit annular plate",
+        model: "Radii 6 and 10, t = 0.03, E = 21·10⁶, ν = 0, line load 0.8 on one lip of the slit; meshes in each row.",
+    },
+    Page {
+        id: "shell-hemisphere-large",
+        title: "Shell: hemisphere with a hole at large displacements",
+        model: "Hole of 18°, R = 10, t = 0.04, E = 6.825·10⁷, ν = 0.3, four radial forces of 400.",
+    },
+    Page {
+        id: "shell-pull-out",
+        title: "Shell: open cylinder pulled out",
+        model: "L = 10.35, R = 4.953, t = 0.094, E = 10.5·10⁶, ν = 0.3125, two forces of 40 000.",
+    },
+    Page {
+        id: "shell-pinched-large",
+        title: "Shell: pinched cylinder with diaphragms at large displacements",
+        model: "R = 100, L = 200, t = 1, E = 30·10³, ν = 0.3, an eighth in 40 × 40 elements, displacement control.",
+    },
+    Page {
+        id: "shell-hinged-roof",
+        title: "Shell: hinged cylindrical roof",
+        model: "R = 2540, L = 254, 0.1 rad, E = 3102.75, ν = 0.3; t = 12.7 snaps through, t = 6.35 snaps back.",
+    },
+    Page {
         id: "shell-follower-pressure",
         title: "Shell: follower pressure",
         model: "Segments of closed shells under internal pressure that turns with them.",
