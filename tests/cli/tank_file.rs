@@ -71,7 +71,15 @@ fn examples_are_read_without_remarks() {
         for path in entries(&folder) {
             if path.extension().is_some_and(|e| e == "json") {
                 let file = read(&path);
-                assert!(file.remarks.is_empty(), "{}: {:?}", path.display(), file.remarks);
+                // Example 06 takes the damping of the dissertation, of which the program says that it leaves the wall undamped.
+                let published = folder.ends_with("06_sandwich_strip");
+                assert_eq!(
+                    file.remarks.len(),
+                    usize::from(published),
+                    "{}: {:?}",
+                    path.display(),
+                    file.remarks
+                );
                 seen += 1;
             }
         }

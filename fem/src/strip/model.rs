@@ -232,19 +232,23 @@ impl StripModel {
         let (mut gather, mut response) = (Gather::default(), Response::default());
         let held = |dof: &Dof| self.model.is_held(base, *dof);
         for (e, element) in self.model.elements().iter().enumerate() {
-            let Some(local) = element.nodes().iter().position(|&n| n == base) else {
+            if !element.nodes().contains(&base) {
                 continue;
-            };
+            }
             let history = &state.old[state.history(e)];
             response.reset(local_size(&**element));
             let motion = gather.motion(&self.model, &state.committed, &**element);
             element.respond(motion, history, &mut history.to_vec(), Want::FORCE, &mut response)?;
             let mut weight = vec![0.0; response.force.len()];
             element.body_force([0.0, 0.0, -self.tank.liquid.gravity], &mut weight);
-            let first: usize = (0..local).map(|a| element.dofs(a).len()).sum();
-            for (k, dof) in element.dofs(local).iter().enumerate() {
-                if let Some(i) = BASE.iter().position(|d| d == dof && held(d)) {
-                    out[i] += response.force[first + k] - weight[first + k];
+            // A super-element has a local node for every dof: the base may be there more than once.
+            let mut k = 0;
+            for (local, &node) in element.nodes().iter().enumerate() {
+                for dof in element.dofs(local) {
+                    if let Some(i) = BASE.iter().position(|d| node == base && d == dof && held(d)) {
+                        out[i] += response.force[k] - weight[k];
+                    }
+                    k += 1;
                 }
             }
         }
