@@ -2,6 +2,7 @@
 
 mod bad_tank;
 mod compare;
+mod ida;
 mod licences;
 mod nonlinear_input;
 mod records;
