@@ -118,13 +118,7 @@ pub fn run(choice: Choice, begin: &dyn Fn(&str)) -> Result<Manual, Error> {
                 topic: (*name).into(),
                 what,
             })?;
-            for row in rows.iter().map(|row| Entry::of(row, pace)) {
-                // A study on finer meshes holds the rows of the coarser one again.
-                let again = |e: &Entry| e.pace == pace && (&e.page, &e.id, &e.what) == (&row.page, &row.id, &row.what);
-                if !manual.rows.iter().any(again) {
-                    manual.rows.push(row);
-                }
-            }
+            manual.rows.extend(rows.iter().map(|row| Entry::of(row, pace)));
         }
     }
     match choice.records {
