@@ -144,6 +144,7 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         methods,
         fe,
         fe_solid,
+        fe_nonlinear: None,
         comparison,
         verdict,
     };

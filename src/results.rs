@@ -5,6 +5,7 @@
 
 mod fields;
 mod ida;
+pub mod nonlinear;
 mod snapshots;
 mod store;
 pub mod vtu;
@@ -51,6 +52,9 @@ pub struct Results {
     /// The run of the three-dimensional engine beside the harmonic one (`--fe both`).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fe_solid: Option<FeResult>,
+    /// The run of the nonlinear engine beside the harmonic one (`--fe nonlinear`).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fe_nonlinear: Option<FeResult>,
     /// Quantities × methods.
     pub comparison: Comparison,
     /// The verdict.
@@ -284,6 +288,9 @@ pub struct FeResult {
     /// Fields of the three-dimensional engine for pictures.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fields: Option<Fields>,
+    /// What the wall has become, of the nonlinear engine.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub nonlinear: Option<nonlinear::Nonlinear>,
     /// True if the run was interrupted: histories and extremes end at the time said in `integration`.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub incomplete: bool,

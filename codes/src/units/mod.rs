@@ -52,11 +52,13 @@ pub enum Dimension {
     Energy,
     /// m²/m
     LineArea,
+    /// 1/m
+    Curvature,
 }
 
 impl Dimension {
     /// All dimensions.
-    pub const ALL: [Dimension; 17] = [
+    pub const ALL: [Dimension; 18] = [
         Dimension::Dimensionless,
         Dimension::Length,
         Dimension::Time,
@@ -74,6 +76,7 @@ impl Dimension {
         Dimension::LineMoment,
         Dimension::Energy,
         Dimension::LineArea,
+        Dimension::Curvature,
     ];
 
     /// The dimension with this SI symbol.
@@ -101,6 +104,7 @@ impl Dimension {
             Dimension::LineMoment => "N*m/m",
             Dimension::Energy => "J",
             Dimension::LineArea => "m2/m",
+            Dimension::Curvature => "1/m",
         }
     }
 
@@ -124,6 +128,7 @@ impl Dimension {
             Dimension::LineMoment => "a moment per length",
             Dimension::Energy => "an energy",
             Dimension::LineArea => "an area per length",
+            Dimension::Curvature => "a curvature",
         }
     }
 
@@ -147,6 +152,7 @@ impl Dimension {
             Dimension::LineMoment => "3 kNm/m",
             Dimension::Energy => "5 kJ",
             Dimension::LineArea => "7.0 cm2/m",
+            Dimension::Curvature => "0.01 1/m",
         }
     }
 

@@ -1,7 +1,46 @@
 //! The nonlinear engine: walls that yield and crack, in large rotations, with the liquid of linear theory.
+//!
+//! [`simulate`] runs a case once; [`Strip`] is the model of an incremental analysis.
 
+mod laws;
 mod options;
 mod strip;
 
+use std::path::PathBuf;
+
+use codes::Case;
+use codes::tank::Shape;
+use fem::progress::Progress;
+
+use super::{FeError, Simulation};
+
 pub use options::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, ThicknessRule, WallElements};
 pub use strip::Strip;
+
+/// Where a run keeps what it needs to be resumed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CheckpointFile {
+    /// File.
+    pub path: PathBuf,
+    /// Hash of the input: another key is another analysis.
+    pub key: String,
+    /// Go on from the file if there is one.
+    pub resume: bool,
+}
+
+/// Time history of a case by the nonlinear engine. Collapse is a result, not an error.
+///
+/// Errors: no record; a tank, a wall, a law or an option that the engine does not know; parameters out of range; a checkpoint
+/// that cannot be written or is of another analysis; interrupted before there is anything to show.
+pub fn simulate(
+    case: &Case,
+    options: &NonlinearOptions,
+    checkpoint: Option<&CheckpointFile>,
+    progress: &dyn Progress,
+) -> Result<Simulation, FeError> {
+    let _ = (options, checkpoint, progress);
+    match case.tank.shape {
+        Shape::Cylinder { .. } => laws::unsupported("the nonlinear engine does not run cylinders yet"),
+        Shape::Rectangle { .. } => laws::unsupported("the nonlinear engine runs strips by `tankcheck ida`"),
+    }
+}

@@ -3,23 +3,21 @@
 use std::sync::Arc;
 
 use codes::Case;
-use codes::tank::{Bar, BarDirection, Behaviour, Concrete, ConcreteLaw, Layer, LayerKind, Material, Shape, Softening};
+use codes::tank::{BarDirection, Behaviour, Layer, LayerKind, Shape};
 use codes::units::Dimension;
 use fem::analysis::damping::Rayleigh;
 use fem::analysis::march::Outcome;
 use fem::analysis::scheme::TimeScheme;
 use fem::element::beam_section::FibreSection;
 use fem::element::fibre_beam;
-use fem::element::shell::rule::Rule;
 use fem::liquid::strip::StripLiquid;
 use fem::progress::Progress;
 use fem::strip::{StripDamping, StripError, StripLevel, StripModel, StripQuake, StripTank};
 use materials::Law;
-use materials::bar::Rupture;
-use materials::concrete::{Compression, PostPeak, Stiffening, Tension, UniaxialConcrete, fracture_energy, peak_strain};
 use materials::elastic::Elastic;
 use materials::von_mises::VonMises;
 
+use super::laws::{bar_law, quadrature, refused, uniaxial_concrete, unsupported};
 use super::{Contact, Damping, MassProportionalAt, NonlinearOptions, ThicknessRule};
 use crate::fe::FeError;
 use crate::results::{Collapse, Fact, FirstCrack, IdaRun};
@@ -32,8 +30,6 @@ const ELEMENTS: u32 = 40;
 const STEPS_PER_PERIOD: f64 = 20.0;
 /// Share of the bending stiffness that a leaf beside the main one may have without being modelled.
 const NEGLIGIBLE: f64 = 1e-2;
-/// Crushing energy over fracture energy (theory of the laws of concrete).
-const CRUSHING: f64 = 250.0;
 
 /// A strip ready to be shaken.
 pub struct Strip {
@@ -45,28 +41,8 @@ pub struct Strip {
     pub assumptions: Vec<String>,
 }
 
-fn unsupported<T>(what: impl Into<String>) -> Result<T, FeError> {
-    Err(FeError::Unsupported(what.into()))
-}
-
 fn failed(error: impl Into<StripError>) -> FeError {
     FeError::Analysis(error.into().to_string())
-}
-
-fn refused(error: materials::LawError) -> FeError {
-    match error {
-        materials::LawError::Parameter {
-            law,
-            parameter,
-            found,
-            allowed,
-        } => FeError::Option {
-            option: format!("{law}: {parameter}"),
-            found,
-            allowed,
-        },
-        other => FeError::Analysis(other.to_string()),
-    }
 }
 
 impl Strip {
@@ -274,13 +250,7 @@ fn section(layers: &[Layer], element: f64, options: &NonlinearOptions) -> Result
 
 /// Depths and areas of a quadrature over a layer of 1 m breadth.
 fn fibres(rule: ThicknessRule, centre: f64, thickness: f64) -> Result<Vec<[f64; 2]>, FeError> {
-    let rule = match rule {
-        ThicknessRule::Gauss(n) => Rule::Gauss(n as usize),
-        ThicknessRule::Lobatto(n) => Rule::Lobatto(n as usize),
-        ThicknessRule::MidPoint(n) => Rule::MidPoint(n as usize),
-        ThicknessRule::Simpson(n) => Rule::Simpson(n as usize),
-        ThicknessRule::Trapezoid(n) => Rule::Trapezoid(n as usize),
-    };
+    let rule = quadrature(rule);
     let points = rule.points().map_err(failed)?;
     Ok(points
         .iter()
@@ -309,68 +279,10 @@ fn fibre_law(
             (Arc::new(law.map_err(refused)?), options.integration.steel)
         }
         Behaviour::Concrete(concrete) => (
-            Arc::new(concrete_law(&concrete, young, layer, element)?),
+            Arc::new(uniaxial_concrete(&concrete, young, layer, element)?),
             options.integration.concrete,
         ),
         Behaviour::Reinforcement(_) => return unsupported(format!("`{}` is for bars, not for a layer", material.name)),
-    })
-}
-
-fn concrete_law(concrete: &Concrete, young: f64, layer: &Layer, element: f64) -> Result<UniaxialConcrete, FeError> {
-    let size = concrete.band(element);
-    let strength = concrete.compressive_strength;
-    let compression = match concrete.law {
-        ConcreteLaw::Cracked => Compression::Plastic { strength },
-        ConcreteLaw::Uniaxial => Compression::Sargin {
-            strength,
-            peak_strain: peak_strain(strength),
-            post_peak: PostPeak::Crushing {
-                crushing_energy: CRUSHING * fracture_energy(strength),
-                size: element,
-            },
-        },
-        ConcreteLaw::PlasticFracturing => {
-            return unsupported(
-                "plastic-fracturing concrete is a law of shells: choose `cracked` or `uniaxial` for a strip",
-            );
-        }
-    };
-    use materials::concrete::Softening as Falls;
-    let softening = match concrete.softening {
-        Softening::FractureEnergy(fracture_energy) => Falls::Energy { fracture_energy, size },
-        Softening::Strain(softening_strain) => Falls::Strain { softening_strain },
-        Softening::Brittle => Falls::Brittle,
-    };
-    let yields = layer
-        .reinforcement
-        .iter()
-        .filter_map(|bars| match bars.material.behaviour {
-            Behaviour::Reinforcement(Bar { yield_strength, .. }) if bars.direction == BarDirection::Vertical => {
-                Some(yield_strength / bars.material.youngs_modulus)
-            }
-            _ => None,
-        });
-    let stiffening = (concrete.tension_stiffening > 0.0).then(|| Stiffening {
-        share: concrete.tension_stiffening,
-        yield_strain: yields.fold(f64::INFINITY, f64::min),
-    });
-    let tension = Tension {
-        strength: concrete.tensile_strength,
-        softening,
-        stiffening,
-    };
-    UniaxialConcrete::new(young, compression, Some(tension)).map_err(refused)
-}
-
-fn bar_law(material: &Material) -> Result<Arc<dyn Law<1>>, FeError> {
-    let young = material.youngs_modulus;
-    let Behaviour::Reinforcement(bar) = material.behaviour else {
-        return Ok(Arc::new(Elastic::new(young, 0.0).map_err(refused)?));
-    };
-    let law = materials::bar::Bar::new(young, bar.yield_strength, bar.tangent_modulus).map_err(refused)?;
-    Ok(match bar.rupture_strain {
-        Some(strain) => Arc::new(law.with_rupture(strain, Rupture::Recorded).map_err(refused)?),
-        None => Arc::new(law),
     })
 }
 

@@ -193,6 +193,7 @@ pub(in crate::fe) fn report(
         series: info,
         limits: limits::limits(case, model, &analysis, motion.horizontal.dt),
         fields: None,
+        nonlinear: None,
         incomplete: false,
     };
     Simulation {

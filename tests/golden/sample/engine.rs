@@ -161,6 +161,7 @@ pub(super) fn fe_result(
             },
         ],
         fields: None,
+        nonlinear: None,
         incomplete: false,
     }
 }

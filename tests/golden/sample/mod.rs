@@ -198,6 +198,7 @@ pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
         methods,
         fe,
         fe_solid,
+        fe_nonlinear: None,
         verdict,
     };
     (results, series)

@@ -1,0 +1,221 @@
+//! What a nonlinear run leaves behind beside histories and extremes: how it ended, what happened when, and what the wall has
+//! become.
+//!
+//! Places on the wall are cells of a grid over the developed wall, rows from the base up. Values are SI.
+
+use codes::units::Dimension;
+use serde::{Deserialize, Serialize};
+
+/// A nonlinear run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Nonlinear {
+    /// How it ended.
+    pub end: End,
+    /// First yield, first crack, first separation and the like, by time.
+    pub events: Vec<Event>,
+    /// Cells of the wall.
+    pub grid: WallGrid,
+    /// Quantities over the wall: plastic strain, utilisation, largest crack, …
+    pub maps: Vec<CellMap>,
+    /// Cracks at chosen times.
+    pub cracks: Vec<CrackPicture>,
+    /// Moment over curvature, force over displacement and the like.
+    pub loops: Vec<Loop>,
+    /// Energies over time.
+    pub energies: Energies,
+    /// What it cost, as label and number: steps, halvings, iterations, factorisations.
+    pub cost: Vec<Count>,
+}
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum End {
+    /// At the end of the record.
+    Completed,
+    /// By the user.
+    Interrupted {
+        /// Time reached [s].
+        time: f64,
+    },
+    /// No equilibrium was found with the shortest step: the results end here and are lower bounds.
+    Collapsed {
+        /// Time of the last equilibrium [s]; before 0 there is none.
+        time: f64,
+        /// Part of weight and pressure at rest that was carried, where these could not be carried whole.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        load_factor: Option<f64>,
+        /// Reason.
+        reason: String,
+        /// Where the forces are furthest from equilibrium, in words.
+        place: String,
+    },
+}
+
+/// Something that happened for the first time.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Event {
+    /// Id: `first_crack`, `first_yield`, `first_bar_yield`, `separation`, `bar_rupture`.
+    pub id: String,
+    /// What (`first crack`).
+    pub title: String,
+    /// When [s]; 0 is the state at rest.
+    pub time: f64,
+    /// Where, in words.
+    pub place: String,
+    /// What else is known, one sentence; may be empty.
+    pub note: String,
+}
+
+/// Columns of the grid.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum Columns {
+    /// Sectors of a cylinder.
+    Sectors {
+        /// Radius [m].
+        radius: f64,
+        /// Edges [rad] from the direction of shaking, ascending: one more than there are columns.
+        edges: Vec<f64>,
+        /// Whether the half from π to 2π is the mirror image of what is given.
+        mirrored: bool,
+    },
+    /// Plane walls side by side.
+    Walls {
+        /// Their names.
+        names: Vec<String>,
+    },
+}
+
+impl Columns {
+    /// Number of columns.
+    pub fn count(&self) -> usize {
+        match self {
+            Columns::Sectors { edges, .. } => edges.len().saturating_sub(1),
+            Columns::Walls { names } => names.len(),
+        }
+    }
+}
+
+/// Cells of the developed wall.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WallGrid {
+    /// Columns.
+    pub columns: Columns,
+    /// Heights of the edges of the rows [m], ascending: one more than there are rows.
+    pub z: Vec<f64>,
+    /// Height of the surface at rest [m].
+    pub surface: f64,
+}
+
+impl WallGrid {
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.z.len().saturating_sub(1)
+    }
+
+    /// Number of cells: a value a cell, row by row from the base.
+    pub fn cells(&self) -> usize {
+        self.rows() * self.columns.count()
+    }
+}
+
+/// A value in each cell.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CellMap {
+    /// Id: `plastic_strain`, `utilisation`, `crack_width`, `bar_stress`, `bar_plastic_strain`, `separation`.
+    pub id: String,
+    /// Title, with the face or layer where there are several.
+    pub title: String,
+    /// Dimension of the values.
+    pub dimension: Dimension,
+    /// Values, row by row from the base.
+    pub values: Vec<f64>,
+    /// Value at which something happens (yield: utilisation 1), where there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mark: Option<f64>,
+    /// What is shown, one sentence.
+    pub note: String,
+}
+
+/// A crack in a cell.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Crack {
+    /// Number of the cell.
+    pub cell: usize,
+    /// Direction of the crack (along it, not its normal): angle from the hoop direction towards the top [rad].
+    pub angle: f64,
+    /// Width now [m].
+    pub width: f64,
+    /// Largest width so far [m].
+    pub largest: f64,
+}
+
+/// All cracks of a face at one time.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CrackPicture {
+    /// What is special about the time (`largest base moment`).
+    pub title: String,
+    /// Face or layer (`inner face`).
+    pub face: String,
+    /// Time [s].
+    pub time: f64,
+    /// At most two a cell.
+    pub cracks: Vec<Crack>,
+}
+
+/// One axis of a loop.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LoopAxis {
+    /// Title.
+    pub title: String,
+    /// Dimension.
+    pub dimension: Dimension,
+}
+
+/// Two quantities over each other.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Loop {
+    /// Id: `moment_curvature_theta_0`, `shear_displacement`, …
+    pub id: String,
+    /// Title, with the place.
+    pub title: String,
+    /// Abscissa.
+    pub x: LoopAxis,
+    /// Ordinate.
+    pub y: LoopAxis,
+    /// Points in the order of time.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// Energies over time [J].
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Energies {
+    /// Times [s].
+    pub time: Vec<f64>,
+    /// Work of all loads.
+    pub input: Vec<f64>,
+    /// Kinetic.
+    pub kinetic: Vec<f64>,
+    /// Work done on the internal forces: stored and dissipated.
+    pub internal: Vec<f64>,
+    /// Dissipated by viscous damping.
+    pub damping: Vec<f64>,
+    /// Dissipated by the time integration.
+    pub numerical: Vec<f64>,
+    /// Dissipated by the materials; a part of `internal`.
+    pub hysteretic: Vec<f64>,
+    /// Largest |residual| of the balance over the largest energy.
+    pub error: f64,
+}
+
+/// A number of the computation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Count {
+    /// What.
+    pub label: String,
+    /// How many.
+    pub value: f64,
+    /// Dimension.
+    pub dimension: Dimension,
+}
