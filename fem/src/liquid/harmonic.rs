@@ -45,6 +45,8 @@ pub(super) struct Block {
     /// M^(m) and K^(m) over (ŵ at the levels, elevations that are unknowns).
     pub mass: Matrix,
     pub stiffness: Matrix,
+    /// Elevation at the wall over the same unknowns; `None` if the elevations are condensed.
+    pub rim: Option<Vec<f64>>,
 }
 
 impl Block {
@@ -88,7 +90,7 @@ impl HarmonicLiquid {
                 harmonic: m as u32,
             };
             let potential = Potential::with_trace(domain, mesh.clone(), heights.to_vec(), Trace::Linear, density)?;
-            let (mut mass, mut stiffness) = matrices(&potential, gravity, m as u32 <= sloshing)?;
+            let (mut mass, mut stiffness, rim) = matrices(&potential, gravity, m as u32 <= sloshing)?;
             mass.data
                 .iter_mut()
                 .chain(&mut stiffness.data)
@@ -97,6 +99,7 @@ impl HarmonicLiquid {
                 columns: Vec::new(),
                 mass,
                 stiffness,
+                rim,
             };
             for part in 0..if single { 1 } else { 2 } {
                 for k in 0..sectors {
@@ -183,14 +186,22 @@ impl HarmonicLiquid {
     }
 }
 
-/// M and K over (w, elevations) of one harmonic, elevations condensed unless they are unknowns.
-fn matrices(potential: &Potential, gravity: f64, sloshing: bool) -> Result<(Matrix, Matrix), LinalgError> {
+/// M, K and the elevation at the wall over (w, elevations) of one harmonic, elevations condensed unless they are unknowns.
+fn matrices(
+    potential: &Potential,
+    gravity: f64,
+    sloshing: bool,
+) -> Result<(Matrix, Matrix, Option<Vec<f64>>), LinalgError> {
     let weight = potential.density * gravity;
     let mut mass = potential.mass.clone();
     let mut stiffness = potential.surface_area.clone();
     stiffness.data.iter_mut().for_each(|v| *v *= weight);
     let surface = potential.surface_columns();
     let wall: Vec<usize> = (0..surface.start).collect();
+    let mut rim = vec![0.0; surface.end];
+    if let Some(Some(column)) = potential.surface.last() {
+        rim[*column] = 1.0;
+    }
     if potential.domain.is_floating() {
         let q = &potential.flux;
         let last = surface
@@ -205,9 +216,10 @@ fn matrices(potential: &Potential, gravity: f64, sloshing: bool) -> Result<(Matr
         }
         mass = transposed_product(&t, &product(&mass, &t));
         stiffness = transposed_product(&t, &product(&stiffness, &t));
+        rim = (0..t.cols).map(|j| crate::linalg::dot(&rim, t.column(j))).collect();
     }
     if sloshing {
-        return Ok((mass, stiffness));
+        return Ok((mass, stiffness, Some(rim)));
     }
     let free: Vec<usize> = (surface.start..mass.rows).collect();
     let coupling = mass.select(&free, &wall);
@@ -218,7 +230,7 @@ fn matrices(potential: &Potential, gravity: f64, sloshing: bool) -> Result<(Matr
     for (v, p) in added.data.iter_mut().zip(&part.data) {
         *v -= p;
     }
-    Ok((added, Matrix::zeros(wall.len(), wall.len())))
+    Ok((added, Matrix::zeros(wall.len(), wall.len()), None))
 }
 
 pub(super) fn matrix(rows: usize, cols: usize, data: &[f64]) -> Matrix {

@@ -20,5 +20,5 @@ pub use domain::Domain;
 pub use harmonic::HarmonicLiquid;
 pub use mesh::{LiquidMesh, scaled};
 pub use potential::{Potential, Row, Trace};
-pub use super_liquid::{CondenseError, CondensedLiquid, CondensedMesh};
+pub use super_liquid::{CondenseError, CondensedLiquid, CondensedMesh, Rim};
 pub use wall::{NormalRow, WallPencil, WallSolver};

@@ -61,6 +61,17 @@ pub struct CondensedLiquid {
     pub stiffness: Matrix,
     /// Circular frequencies of the sloshing modes [rad/s], if amplitudes have taken the place of the elevations.
     pub omega: Vec<f64>,
+    /// Elevation at the wall of a cylinder; empty where the harmonics are not known.
+    pub rim: Vec<Rim>,
+}
+
+/// One harmonic of the elevation at the wall: η(θ) = Σ (row · x) cos mθ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rim {
+    /// m.
+    pub harmonic: u32,
+    /// Coefficients over the unknowns of the liquid.
+    pub row: Vec<f64>,
 }
 
 /// A liquid of elements, condensed.
@@ -86,7 +97,90 @@ impl CondensedLiquid {
             mass: liquid.mass(&unit),
             stiffness: liquid.stiffness(&unit),
             omega: Vec::new(),
+            rim: Vec::new(),
         }
+    }
+
+    /// The half of it at 0 ≤ θ ≤ π, for motions that are symmetric about the plane θ = 0, π: wall displacements
+    /// `level * (N/2 + 1) + meridian`. With w = T w_half (every meridian but the first and the last stands for two) and the
+    /// cosines F_m of the harmonics
+    ///
+    /// ```text
+    /// M_half = ½ Tᵀ M T = ½ Σ_m (G_m ⊗ 1) M^(m) (G_m ⊗ 1)ᵀ ,   G_m = Tᵀ F_m
+    /// ```
+    ///
+    /// Errors: an odd number of meridians.
+    pub fn of_harmonic_half(liquid: &HarmonicLiquid) -> Result<CondensedLiquid, CondenseError> {
+        let (sectors, levels) = (liquid.sectors(), liquid.heights().len());
+        if !sectors.is_multiple_of(2) {
+            return Err(CondenseError::Option {
+                what: "meridians of half a liquid",
+                found: sectors.to_string(),
+                allowed: "an even number".into(),
+            });
+        }
+        let meridians = sectors / 2 + 1;
+        let wall = meridians * levels;
+        let surface: usize = liquid.blocks.iter().map(|b| b.elevations(levels)).sum();
+        let mut out = CondensedLiquid {
+            wall,
+            mass: Matrix::zeros(wall + surface, wall + surface),
+            stiffness: Matrix::zeros(wall + surface, wall + surface),
+            omega: Vec::new(),
+            rim: Vec::new(),
+        };
+        let mut first = wall;
+        for (m, block) in liquid.blocks.iter().enumerate() {
+            let Some(&(column, _)) = block.columns.first() else {
+                continue;
+            };
+            let g: Vec<f64> = (0..meridians)
+                .map(|k| {
+                    let twice = if k == 0 || 2 * k == sectors { 1.0 } else { 2.0 };
+                    twice * liquid.fourier.get(k, column)
+                })
+                .collect();
+            // Unknown of the half and its factor, for each unknown of the block and each meridian.
+            let elevations = block.elevations(levels);
+            let places = |i: usize| -> Vec<(usize, f64)> {
+                if i < levels {
+                    (0..meridians).map(|k| (i * meridians + k, g[k])).collect()
+                } else {
+                    vec![(first + i - levels, 1.0)]
+                }
+            };
+            let spread: Vec<Vec<(usize, f64)>> = (0..levels + elevations).map(places).collect();
+            for (from, to) in [(&block.mass, &mut out.mass), (&block.stiffness, &mut out.stiffness)] {
+                for j in 0..spread.len() {
+                    for i in 0..spread.len() {
+                        let value = 0.5 * from.get(i, j);
+                        if value == 0.0 {
+                            continue;
+                        }
+                        for &(column, b) in &spread[j] {
+                            let target = to.column_mut(column);
+                            for &(row, a) in &spread[i] {
+                                target[row] += a * b * value;
+                            }
+                        }
+                    }
+                }
+            }
+            if let Some(rim) = &block.rim {
+                let scale = liquid.fourier.get(0, column);
+                let mut row = vec![0.0; wall + surface];
+                for (value, to) in rim.iter().zip(&spread) {
+                    to.iter()
+                        .for_each(|&(place, factor)| row[place] += scale * value * factor);
+                }
+                out.rim.push(Rim {
+                    harmonic: m as u32,
+                    row,
+                });
+            }
+            first += elevations;
+        }
+        Ok(out)
     }
 
     /// The liquid of a model that has nothing but potential elements, surfaces and wet faces, with the potential eliminated.
@@ -134,6 +228,7 @@ impl CondensedLiquid {
             mass: projected_mass(&pencil, &basis)?,
             stiffness: transposed_product(&basis, &pencil.stiffness(&basis)),
             omega: Vec::new(),
+            rim: Vec::new(),
         };
         Ok(CondensedMesh {
             liquid,
@@ -194,6 +289,14 @@ impl CondensedLiquid {
             mass: project(&self.mass),
             stiffness: project(&self.stiffness),
             omega: eigen.omega[..count].to_vec(),
+            rim: self
+                .rim
+                .iter()
+                .map(|rim| Rim {
+                    harmonic: rim.harmonic,
+                    row: (0..t.cols).map(|j| crate::linalg::dot(&rim.row, t.column(j))).collect(),
+                })
+                .collect(),
         })
     }
 

@@ -108,22 +108,39 @@ fn along_edge(
     out
 }
 
-/// Uniform pressure that follows the deformed face.
+/// Pressure that follows the deformed face; each particle of the face keeps its pressure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FollowerPressure {
     nodes: [usize; 4],
     x: [Vector3<f64>; 4],
-    pressure: f64,
+    /// At the corners [Pa].
+    pressure: [f64; 4],
+    /// Forces on the undeformed face, which are taken off.
+    dead: Option<[f64; 12]>,
 }
 
 impl FollowerPressure {
     /// Pressure [Pa], positive along the normal of the face with corners at `positions` [m].
     pub fn new(nodes: [usize; 4], positions: [[f64; 3]; 4], pressure: f64) -> FollowerPressure {
+        FollowerPressure::varying(nodes, positions, [pressure; 4])
+    }
+
+    /// The same with its values at the corners, bilinear between them.
+    pub fn varying(nodes: [usize; 4], positions: [[f64; 3]; 4], pressure: [f64; 4]) -> FollowerPressure {
         FollowerPressure {
             nodes,
             x: positions.map(Vector3::from),
             pressure,
+            dead: None,
         }
+    }
+
+    /// What the deformation changes of it alone: its forces less those on the undeformed face, which a load that is brought up
+    /// in steps carries.
+    pub fn without_dead_part(mut self) -> FollowerPressure {
+        self.dead = None;
+        self.dead = Some(self.force_and_tangent(&[0.0; 12]).0);
+        self
     }
 
     /// Nodal forces, and K_p as it is (unsymmetric; row i, column j at `[i][j]`), at the displacements `u`.
@@ -136,7 +153,8 @@ impl FollowerPressure {
             for &(s, ws) in gauss::TWO {
                 let (n, slope) = (quad4::value(r, s), quad4::slope(r, s));
                 let [g_r, g_s] = base(&x, r, s);
-                let weight = self.pressure * wr * ws;
+                let pressure: f64 = n.iter().zip(&self.pressure).map(|(n, p)| n * p).sum();
+                let weight = pressure * wr * ws;
                 let normal = g_r.cross(&g_s) * weight;
                 let (skew_r, skew_s) = (g_r.cross_matrix() * weight, g_s.cross_matrix() * weight);
                 for a in 0..4 {
@@ -151,6 +169,9 @@ impl FollowerPressure {
                     }
                 }
             }
+        }
+        for (f, d) in force.iter_mut().zip(self.dead.iter().flatten()) {
+            *f -= d;
         }
         (force, tangent)
     }

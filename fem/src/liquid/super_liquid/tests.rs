@@ -128,3 +128,64 @@ fn harmonic_liquid() {
         assert!((modal.mass.get(24 + j, 24 + j) - 1.0).abs() < 1e-9);
     }
 }
+
+/// Half of a liquid has half the energy of every motion that is symmetric, and its rim rises as the whole one does.
+#[test]
+fn symmetric_half() {
+    let heights = [0.0, 0.5, 1.0, DEPTH];
+    let sectors = 8;
+    let mesh = LiquidMesh::graded(RADIUS, DEPTH, 1.0);
+    let liquid = HarmonicLiquid::new(RADIUS, DENSITY, GRAVITY, sectors, &heights, &mesh, 1).unwrap();
+    let (whole, half) = (
+        CondensedLiquid::of_harmonic(&liquid),
+        CondensedLiquid::of_harmonic_half(&liquid).unwrap(),
+    );
+    let meridians = sectors / 2 + 1;
+    assert_eq!((half.wall, half.rim.len()), (meridians * heights.len(), 2));
+    // A motion without pattern; elevations of the cosines only.
+    let w = |level: usize, k: usize| ((3 * level + 5 * k) as f64).sin();
+    let eta = |i: usize| (0.7 * i as f64).cos();
+    let mut x: Vec<f64> = (0..heights.len())
+        .flat_map(|l| (0..sectors).map(move |k| w(l, k.min(sectors - k))))
+        .collect();
+    let mut y: Vec<f64> = (0..heights.len())
+        .flat_map(|l| (0..meridians).map(move |k| w(l, k)))
+        .collect();
+    let own: Vec<usize> = liquid.blocks.iter().map(|b| b.elevations(heights.len())).collect();
+    x.extend((0..own[0] + own[1]).map(eta));
+    x.resize(whole.mass.rows, 0.0);
+    y.extend((0..own[0] + own[1]).map(eta));
+    assert_eq!(y.len(), half.mass.rows);
+    let energy = |a: &Matrix, x: &[f64]| crate::linalg::dot(x, &a.times(x));
+    for (a, b) in [(&whole.mass, &half.mass), (&whole.stiffness, &half.stiffness)] {
+        let (full, part) = (energy(a, &x), energy(b, &y));
+        assert!((2.0 * part / full - 1.0).abs() < 1e-12, "{part} {full}");
+    }
+    // With all modes the same energies, and at rest a rim that rises by what a breathing wall displaces less:
+    // π R² η = −2 π R H w for a uniform elevation, which is the only one without pressure from gravity alone.
+    let modal = half.with_sloshing_modes(half.surface()).unwrap();
+    let (mut k, mut f) = (modal.stiffness.clone(), vec![0.0; modal.mass.rows]);
+    (0..modal.wall).for_each(|i| k.add(i, i, 1.0));
+    // Wall held at w = 1 by stiff springs.
+    let stiff = 1e15;
+    for i in 0..modal.wall {
+        k.add(i, i, stiff);
+        f[i] = stiff;
+    }
+    let mut rest = Matrix {
+        rows: f.len(),
+        cols: 1,
+        data: f,
+    };
+    crate::linalg::Cholesky::factor(&k).unwrap().solve(&mut rest);
+    let rise = |rim: &Rim| crate::linalg::dot(&rim.row, &rest.data);
+    let exact = -2.0 * DEPTH / RADIUS;
+    assert!(
+        (rise(&modal.rim[0]) / exact - 1.0).abs() < 1e-6,
+        "{} {exact}",
+        rise(&modal.rim[0])
+    );
+    assert!(rise(&modal.rim[1]).abs() < 1e-6);
+    let odd = HarmonicLiquid::new(RADIUS, DENSITY, GRAVITY, 7, &heights, &mesh, 1).unwrap();
+    assert!(CondensedLiquid::of_harmonic_half(&odd).is_err());
+}
