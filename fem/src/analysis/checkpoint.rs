@@ -146,6 +146,12 @@ impl Writer {
         values.iter().for_each(|&v| self.number(v));
     }
 
+    /// A text.
+    pub fn text(&mut self, text: &str) {
+        self.count(text.len());
+        self.bytes.extend(text.as_bytes());
+    }
+
     /// A part with its length, so that a reader that does not know it can skip it.
     pub fn part(&mut self, part: Writer) {
         self.count(part.bytes.len());
@@ -292,22 +298,37 @@ impl Reader {
         Ok(())
     }
 
+    /// A text.
+    ///
+    /// Errors: the end of the payload, bytes that are no text.
+    pub fn text(&mut self) -> Result<String, CheckpointError> {
+        let bytes = self.rest("a text")?;
+        let found = bytes.len();
+        String::from_utf8(bytes).map_err(|e| CheckpointError::Shape {
+            what: "a text",
+            found,
+            allowed: e.utf8_error().valid_up_to(),
+        })
+    }
+
     /// A part that was written as one.
     ///
     /// Errors: the end of the payload.
     pub fn part(&mut self) -> Result<Reader, CheckpointError> {
+        let bytes = self.rest("a part")?;
+        Ok(Reader { bytes, at: 0 })
+    }
+
+    /// Bytes behind their number.
+    fn rest(&mut self, what: &'static str) -> Result<Vec<u8>, CheckpointError> {
         let length = self.count()?;
         let bytes = self.bytes.get(self.at..self.at.saturating_add(length));
         let bytes = bytes.ok_or(CheckpointError::Shape {
-            what: "a part",
+            what,
             found: self.bytes.len() - self.at,
             allowed: length,
         })?;
-        let part = Reader {
-            bytes: bytes.to_vec(),
-            at: 0,
-        };
         self.at += length;
-        Ok(part)
+        Ok(bytes.to_vec())
     }
 }

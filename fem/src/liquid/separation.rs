@@ -14,6 +14,8 @@
 //!
 //! Source: theory sheet of this project; dissertation, section 8.4 (its contact elements).
 
+use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
+
 /// Liquid and places that are watched.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeparationCheck {
@@ -120,6 +122,32 @@ impl SeparationCheck {
                 seen.instants += 1;
             }
         }
+    }
+
+    /// Writes what was seen to a checkpoint.
+    pub fn save(&self, to: &mut Writer) {
+        to.number(self.lowest);
+        to.count(self.instants);
+        for s in &self.seen {
+            to.numbers(&[s.first.unwrap_or(f64::NAN), s.pressure, s.time]);
+            to.count(s.instants);
+        }
+    }
+
+    /// Reads it back.
+    ///
+    /// Errors: a payload that is not its own.
+    pub fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
+        self.lowest = from.number()?;
+        self.instants = from.count()?;
+        for s in &mut self.seen {
+            let mut own = [0.0; 3];
+            from.numbers_into("a watched place", &mut own)?;
+            s.first = Some(own[0]).filter(|t| !t.is_nan());
+            [s.pressure, s.time] = [own[1], own[2]];
+            s.instants = from.count()?;
+        }
+        Ok(())
     }
 
     /// What was found so far.

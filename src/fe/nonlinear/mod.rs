@@ -2,6 +2,7 @@
 //!
 //! [`simulate`] runs a case once; [`Strip`] is the model of an incremental analysis.
 
+mod cylinder;
 mod laws;
 mod options;
 mod strip;
@@ -14,6 +15,7 @@ use fem::progress::Progress;
 
 use super::{FeError, Simulation};
 
+pub use cylinder::CylinderModel;
 pub use options::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, ThicknessRule, WallElements};
 pub use strip::Strip;
 
@@ -38,9 +40,8 @@ pub fn simulate(
     checkpoint: Option<&CheckpointFile>,
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
-    let _ = (options, checkpoint, progress);
     match case.tank.shape {
-        Shape::Cylinder { .. } => laws::unsupported("the nonlinear engine does not run cylinders yet"),
+        Shape::Cylinder { .. } => cylinder::simulate(case, options, checkpoint, progress),
         Shape::Rectangle { .. } => laws::unsupported("the nonlinear engine runs strips by `tankcheck ida`"),
     }
 }

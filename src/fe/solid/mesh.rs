@@ -75,7 +75,7 @@ impl Division {
             });
         }
         let refine = options.refine;
-        let wall = ruled_wall(tank, depth, refine);
+        let wall = wall_levels(tank, depth, refine);
         let count = |n: f64| ((n * refine).round() as usize).max(3);
         let slender = (depth / radius).max(1.0);
         Ok(Division {
@@ -177,8 +177,8 @@ fn uniform_wall(tank: &Tank, depth: f64, count: usize) -> Vec<f64> {
     z
 }
 
-/// Nodes by the rule of the module's theory.
-fn ruled_wall(tank: &Tank, depth: f64, refine: f64) -> Vec<f64> {
+/// Heights of the wall's nodes by the rule of the module's theory [m], in elements `refine` times as short.
+pub(in crate::fe) fn wall_levels(tank: &Tank, depth: f64, refine: f64) -> Vec<f64> {
     let cuts = features(tank, depth);
     let height = tank.wall_height();
     let radius = tank.shape.half_length();

@@ -12,7 +12,7 @@ pub mod model;
 pub mod moments;
 pub mod reduce;
 pub mod ritz;
-mod roof;
+pub(in crate::fe) mod roof;
 pub mod rows;
 mod run;
 pub mod spectrum;

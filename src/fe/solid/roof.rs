@@ -17,6 +17,8 @@ pub struct RoofRing {
     nodes: Vec<usize>,
     /// (cos θ, sin θ) of the nodes.
     directions: Vec<(f64, f64)>,
+    /// Share of each node in the ring; all of them add to 1.
+    shares: Vec<f64>,
     mass: f64,
     radius: f64,
     lever: f64,
@@ -25,10 +27,27 @@ pub struct RoofRing {
 impl RoofRing {
     /// A ring of `mass` [kg] on equally spaced nodes at `positions` about the z axis, its centre `lever` [m] above them.
     pub fn new(nodes: Vec<usize>, positions: &[[f64; 3]], mass: f64, lever: f64) -> RoofRing {
+        let share = 1.0 / nodes.len() as f64;
+        let shares = vec![share; nodes.len()];
+        RoofRing::of_shares(nodes, positions, shares, mass, lever)
+    }
+
+    /// The half at 0 ≤ θ ≤ π of a ring of `mass` [kg], for motions symmetric about that plane; nodes from θ = 0 to π.
+    pub fn half(nodes: Vec<usize>, positions: &[[f64; 3]], mass: f64, lever: f64) -> RoofRing {
+        let sectors = (nodes.len() - 1) as f64;
+        let mut shares = vec![1.0 / sectors; nodes.len()];
+        for end in [0, nodes.len() - 1] {
+            shares[end] *= 0.5;
+        }
+        RoofRing::of_shares(nodes, positions, shares, 0.5 * mass, lever)
+    }
+
+    fn of_shares(nodes: Vec<usize>, positions: &[[f64; 3]], shares: Vec<f64>, mass: f64, lever: f64) -> RoofRing {
         let radius = positions.first().map_or(1.0, |p| p[0].hypot(p[1]));
         RoofRing {
             directions: positions.iter().map(|p| (p[0] / radius, p[1] / radius)).collect(),
             nodes,
+            shares,
             mass,
             radius,
             lever,
@@ -50,20 +69,20 @@ impl Element for RoofRing {
     }
 
     fn mass(&self, out: &mut LocalMatrix) {
-        let n = self.nodes.len() as f64;
         for i in 0..out.n {
-            out.add(i, i, self.mass / n);
+            out.add(i, i, self.mass * self.shares[i / 3]);
         }
         if self.lever == 0.0 {
             return;
         }
         for (a, &(ca, sa)) in self.directions.iter().enumerate() {
             for (b, &(cb, sb)) in self.directions.iter().enumerate() {
+                let [pa, pb] = [self.shares[a], self.shares[b]];
                 for (c, da, db) in [(0, ca, cb), (1, sa, sb)] {
-                    let tilt = |d: f64| -2.0 * d / (n * self.radius) * self.lever;
-                    out.add(3 * a + c, 3 * b + 2, self.mass / n * tilt(db));
-                    out.add(3 * b + 2, 3 * a + c, self.mass / n * tilt(db));
-                    out.add(3 * a + 2, 3 * b + 2, self.mass * tilt(da) * tilt(db));
+                    let tilt = |d: f64, share: f64| -2.0 * d * share / self.radius * self.lever;
+                    out.add(3 * a + c, 3 * b + 2, self.mass * pa * tilt(db, pb));
+                    out.add(3 * b + 2, 3 * a + c, self.mass * pa * tilt(db, pb));
+                    out.add(3 * a + 2, 3 * b + 2, self.mass * tilt(da, pa) * tilt(db, pb));
                 }
             }
         }
@@ -81,10 +100,9 @@ impl Element for RoofRing {
     }
 
     fn body_force(&self, acceleration: [f64; 3], out: &mut [f64]) {
-        let share = self.mass / self.nodes.len() as f64;
-        for force in out.chunks_exact_mut(3) {
+        for (force, share) in out.chunks_exact_mut(3).zip(&self.shares) {
             for (f, b) in force.iter_mut().zip(acceleration) {
-                *f += share * b;
+                *f += self.mass * share * b;
             }
         }
     }
@@ -114,5 +132,12 @@ mod tests {
         let rotation: Vec<f64> = positions.iter().flat_map(|p| [p[2], 0.0, -p[0]]).collect();
         let exact = mass * ((z + lever).powi(2) + 0.5 * radius * radius);
         assert!((energy(&rotation) / exact - 1.0).abs() < 1e-12);
+        // The half has half of it, in what is symmetric.
+        let part = &positions[..=n as usize / 2];
+        let half = RoofRing::half((0..part.len()).collect(), part, mass, lever);
+        let m = reference_mass(&half).to_matrix();
+        let rotation: Vec<f64> = part.iter().flat_map(|p| [p[2], 0.0, -p[0]]).collect();
+        let own = fem::linalg::dot(&rotation, &m.times(&rotation));
+        assert!((2.0 * own / exact - 1.0).abs() < 1e-12);
     }
 }
