@@ -61,7 +61,7 @@ pub struct CondensedLiquid {
     pub stiffness: Matrix,
     /// Circular frequencies of the sloshing modes [rad/s], if amplitudes have taken the place of the elevations.
     pub omega: Vec<f64>,
-    /// Elevation at the wall of a cylinder; empty where the harmonics are not known.
+    /// Elevation at the wall of a cylinder, its cosines; empty where the harmonics are not known.
     pub rim: Vec<Rim>,
 }
 
@@ -90,14 +90,31 @@ impl CondensedLiquid {
     /// elevations, which rest in horizontal translations. A vertical acceleration has no place in these coordinates: its load
     /// is the hydrostatic pressure times a_z/g.
     pub fn of_harmonic(liquid: &HarmonicLiquid) -> CondensedLiquid {
-        let n = liquid.wall() + liquid.elevations();
+        let (n, levels) = (liquid.wall() + liquid.elevations(), liquid.heights().len());
         let unit = identity(n);
+        let rim = |(m, block): (usize, &super::harmonic::Block)| -> Option<Rim> {
+            let (own, &(column, first)) = (block.rim.as_ref()?, block.columns.first()?);
+            let scale = liquid.fourier.get(0, column);
+            let mut row = vec![0.0; n];
+            for (level, value) in own[..levels].iter().enumerate() {
+                for k in 0..liquid.sectors() {
+                    row[level * liquid.sectors() + k] = scale * value * liquid.fourier.get(k, column);
+                }
+            }
+            for (k, value) in own[levels..].iter().enumerate() {
+                row[liquid.wall() + first + k] = scale * value;
+            }
+            Some(Rim {
+                harmonic: m as u32,
+                row,
+            })
+        };
         CondensedLiquid {
             wall: liquid.wall(),
             mass: liquid.mass(&unit),
             stiffness: liquid.stiffness(&unit),
             omega: Vec::new(),
-            rim: Vec::new(),
+            rim: liquid.blocks.iter().enumerate().filter_map(rim).collect(),
         }
     }
 

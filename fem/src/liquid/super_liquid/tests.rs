@@ -161,6 +161,13 @@ fn symmetric_half() {
         let (full, part) = (energy(a, &x), energy(b, &y));
         assert!((2.0 * part / full - 1.0).abs() < 1e-12, "{part} {full}");
     }
+    for (a, b) in whole.rim.iter().zip(&half.rim) {
+        let (full, part) = (crate::linalg::dot(&a.row, &x), crate::linalg::dot(&b.row, &y));
+        assert!(
+            a.harmonic == b.harmonic && (part / full - 1.0).abs() < 1e-12,
+            "{part} {full}"
+        );
+    }
     // With all modes the same energies, and at rest a rim that rises by what a breathing wall displaces less:
     // π R² η = −2 π R H w for a uniform elevation, which is the only one without pressure from gravity alone.
     let modal = half.with_sloshing_modes(half.surface()).unwrap();
