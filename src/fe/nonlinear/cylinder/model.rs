@@ -43,9 +43,12 @@ const PRESSURE: &str = "pressure";
 /// Group of the roof's mass.
 const ROOF: &str = "roof";
 
-/// Sloshing modes of the condensed liquid, of the harmonics 0 and 1 together. The twelfth of each holds 1e-4 of the liquid's
-/// mass; those left out follow the wall without gravity.
-const SLOSHING_MODES: usize = 24;
+/// Sloshing modes of the condensed liquid of each family: harmonic 0, cosine and sine of harmonic 1. The twelfth holds 1e-4 of
+/// the liquid's mass; those left out follow the wall without gravity.
+const SLOSHING_MODES: usize = 12;
+/// Modes of harmonic 1 that count for the wave at the wall, as in the linear engines: more only chase the singularity at the
+/// contact line.
+const WAVE_MODES: usize = 5;
 /// Highest harmonic whose surface is free to slosh.
 const SLOSHING_HARMONICS: u32 = 1;
 /// Iterations that find the first mode of wall and liquid, at most: each makes the second mode smaller to a ninth or less.
@@ -237,12 +240,19 @@ impl CylinderModel {
         self.weight.iter().zip(&self.pressure).map(|(w, p)| w + p).collect()
     }
 
-    /// Row of the surface's elevation at the wall at the angle θ [rad].
+    /// Row of the surface's elevation at the wall at the angle θ [rad]: of harmonic 0 whole, of harmonic 1 the first modes.
     pub fn elevation(&self, theta: f64) -> Vec<(usize, f64)> {
         let mut row = vec![0.0; self.liquid.mass.rows];
         for rim in &self.liquid.rim {
             let c = (f64::from(rim.harmonic) * theta).cos();
-            row.iter_mut().zip(&rim.row).for_each(|(to, from)| *to += c * from);
+            let mut counted = 0;
+            for (k, (to, from)) in row.iter_mut().zip(&rim.row).enumerate() {
+                let amplitude = k >= self.liquid.wall && from.abs() > 1e-9;
+                counted += usize::from(amplitude);
+                if rim.harmonic == 0 || (amplitude && counted <= WAVE_MODES) {
+                    *to += c * from;
+                }
+            }
         }
         let unknowns = self.liquid_unknowns();
         let of = |(e, c): (&Option<usize>, &f64)| e.filter(|_| *c != 0.0).map(|e| (e, *c));
@@ -429,8 +439,9 @@ fn add_liquid(
         true => CondensedLiquid::of_harmonic_half(&harmonic).map_err(failed)?,
         false => CondensedLiquid::of_harmonic(&harmonic),
     };
+    let families = if cells.half { 2 } else { 3 };
     let liquid = whole
-        .with_sloshing_modes(SLOSHING_MODES.min(whole.surface()))
+        .with_sloshing_modes((families * SLOSHING_MODES).min(whole.surface()))
         .map_err(failed)?;
     let amplitudes: Vec<usize> = liquid.omega.iter().map(|_| builder.node([0.0, 0.0, depth])).collect();
     let ratio = match options.damping {

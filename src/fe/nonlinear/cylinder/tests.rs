@@ -72,6 +72,7 @@ fn translation_carries_everything() {
 /// Shaken gently, an elastic tank answers as the linear engine says. The liquid is the same; the wall is another element
 /// (flat shells on 48 sectors and 24 rows), whose discretisation costs 1 to 2 % of stresses (theory of the shell element); the
 /// geometric stiffness of the hydrostatic pressure, which the linear engine leaves out, raises the frequency by less than 1 %.
+/// Ten periods later that is up to half a radian of phase, by which histories of a wall that rings down part further: 8 %.
 #[test]
 fn small_shaking_is_linear() {
     let case = shaken(elastic(), 0.05, 60);
@@ -83,7 +84,7 @@ fn small_shaking_is_linear() {
     let linear = fe::simulate(&case, &linear_options).unwrap();
     let mut own = options(&case, 24, 48);
     own.spectral_radius = 1.0;
-    own.time_step = Some(0.002);
+    own.time_step = Some(0.001);
     let nonlinear = simulate(&case, &own, None, &Silent).unwrap();
     assert_eq!(nonlinear.result.nonlinear.as_ref().unwrap().end, End::Completed);
     let within = |q: Quantity, tolerance: f64| {
@@ -188,7 +189,7 @@ fn cracking() -> Case {
 /// to the next: 1e-3 of the largest value after 50 steps or so; a wrong half would miss by its order of magnitude.
 #[test]
 fn half_is_the_whole() {
-    let case = shaken(cracking(), 6.0, 25);
+    let case = shaken(cracking(), 12.0, 25);
     let mut own = options(&case, 6, 16);
     let half = simulate(&case, &own, None, &Silent).unwrap();
     own.symmetry = false;
@@ -211,8 +212,8 @@ fn half_is_the_whole() {
     // It has cracked, and the mirrored halves have the same cracks.
     let cracks = |s: &fe::Simulation| -> f64 {
         let nonlinear = s.result.nonlinear.as_ref().unwrap();
-        let map = nonlinear.maps.iter().find(|m| m.id == "crack_width_outer").unwrap();
-        map.values.iter().copied().fold(0.0, f64::max)
+        let maps = nonlinear.maps.iter().filter(|m| m.id.starts_with("crack_width"));
+        maps.flat_map(|m| m.values.iter().copied()).fold(0.0, f64::max)
     };
     assert!(cracks(&half) > 1e-6);
     assert!((cracks(&half) / cracks(&whole) - 1.0).abs() < 1e-2);
