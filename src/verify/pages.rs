@@ -295,6 +295,18 @@ pub const PAGES: &[Page] = &[
         model: "Linear buckling of one sector against 0.605 E t/R.",
     },
     Page {
+        id: "shell-pressurized-buckling",
+        title: "Shell: axial buckling under internal pressure",
+        model: "Panel between planes of symmetry, R/t = 400, follower pressure: perfect, with an axisymmetric imperfection, \
+                and bent into the computed buckling mode.",
+    },
+    Page {
+        id: "shell-elephant-foot",
+        title: "Shell: elastic-plastic collapse above the base",
+        model: "One sector of 180, height 10 √(R t), ideally plastic steel of 250 MPa with five Gauss points, constant follower \
+                pressure, axial load along an arc through its maximum; 1 is E t/R.",
+    },
+    Page {
         id: "time-integration",
         title: "Time integration",
         model: "Oscillators without space: amplification, period and numerical damping of Newmark's method and the \

@@ -1,4 +1,4 @@
-//! Shells: S1 to S21.
+//! Shells: S1 to S22.
 //!
 //! Meshes, supports and loads are those of the sources. Where a row compares a coarse mesh, its reference is what an
 //! independent prototype of the same formulation gave on that mesh ([`Reference::SecondFormulation`]); the finest mesh
@@ -9,6 +9,7 @@ mod buckling;
 mod cylinder_modes;
 mod cylinder_wall;
 mod element;
+mod elephant;
 mod finite;
 mod large;
 mod panel;
@@ -16,6 +17,7 @@ mod path;
 mod plane;
 mod plastic;
 mod pressure;
+mod pressurized;
 mod roof;
 mod shells;
 mod tank;
@@ -113,7 +115,7 @@ pub fn concrete_beams() -> Answer<Vec<Row>> {
     Ok([beams::b3(16, 20)?, beams::c3(16, 20)?].concat())
 }
 
-/// Rows of large displacements that take seconds: S13 to S17, S19 to S21.
+/// Rows of large displacements that take seconds: S13 to S17, S19 to S22, and S12 under internal pressure.
 ///
 /// Errors: a model that cannot be solved.
 pub fn shell_large() -> Answer<Vec<Row>> {
@@ -127,6 +129,8 @@ pub fn shell_large() -> Answer<Vec<Row>> {
         pressure::follower(&[2, 4])?,
         plastic::plates(&[4, 6])?,
         panel::panels(12, &[0.02])?,
+        pressurized::pressurized(12, &[0.5], &[0.1])?,
+        elephant::elephant(&[5, 10], &[(400.0, 0.5), (1000.0, 0.5)], false)?,
     ];
     Ok(parts.into_iter().flatten().collect())
 }
@@ -144,6 +148,19 @@ pub fn shell_large_slow() -> Answer<Vec<Row>> {
         pressure::follower(&[2, 4, 8])?,
         plastic::plates(&[4, 8, 12])?,
         panel::panels(16, &[0.01, 0.03, 0.1, 0.3])?,
+        pressurized::pressurized(16, &[0.0, 0.5, 1.0], &[0.03, 0.1, 0.3])?,
+        elephant::elephant(
+            &[5, 10, 20],
+            &[
+                (400.0, 0.3),
+                (400.0, 0.8),
+                (700.0, 0.5),
+                (1000.0, 0.3),
+                (1000.0, 0.5),
+                (1000.0, 0.8),
+            ],
+            true,
+        )?,
     ];
     Ok(parts.into_iter().flatten().collect())
 }

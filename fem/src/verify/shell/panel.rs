@@ -9,8 +9,8 @@
 //! (1 − λ)² = 3/2 √(3 (1 − ν²)) λ |δ|/t                               δ ≪ t
 //! ```
 //!
-//! Model: one half-wave of m₀/2 in both directions between planes of symmetry, 2π/m₀ by 2π/m₀. Only waves that fit between
-//! these planes can appear.
+//! Model: one half-wave of m₀/2 along the axis and one of s around it between planes of symmetry, 2π/m₀ by π/s. Only waves
+//! that fit between these planes can appear.
 //!
 //! Source: Koiter 1945 (the formula), 1963 (axisymmetric imperfections).
 
@@ -23,7 +23,7 @@ use super::path::{Problem, SHARP};
 use super::{Answer, Case, Grid, hold};
 use crate::analysis::continuation::{Continuation, Critical};
 use crate::dofs::Dof;
-use crate::element::shell::load::NodalLoads;
+use crate::element::shell::load::{FollowerPressure, NodalLoads};
 use crate::element::shell::section::{ElasticSection, Section};
 use crate::element::shell::surface::Normals;
 use crate::element::shell4::Axes;
@@ -34,60 +34,107 @@ use crate::state::State;
 use crate::verify::{Reference, Row};
 
 const RADIUS: f64 = 1.0;
-const THICKNESS: f64 = 1.0 / 400.0;
-const NU: f64 = 0.3;
+pub(super) const THICKNESS: f64 = 1.0 / 400.0;
+pub(super) const NU: f64 = 0.3;
 
-/// Panel of n × n elements with an imperfection of `delta` thicknesses inwards at its ends; the load is that of the classical
-/// stress.
-fn panel(n: usize, delta: f64) -> Answer<Problem> {
-    let section: Arc<dyn Section> = Arc::new(ElasticSection::new(1.0, NU, THICKNESS, 0.0)?);
-    let wave = (12.0_f64 * (1.0 - NU * NU)).powf(0.25) / (RADIUS * THICKNESS).sqrt();
-    let side = 2.0 * PI / wave;
-    let angle = side / RADIUS;
-    let grid = Grid::new(n, n);
-    let mut builder = Builder::new();
-    grid.nodes(&mut builder, |a, b| {
-        let r = RADIUS - delta * THICKNESS * (2.0 * PI * b).cos();
-        let (s, c) = (angle * a).sin_cos();
-        [r * c, r * s, side * b]
-    });
-    let positions: Vec<Vector3<f64>> = (0..(n + 1) * (n + 1)).map(|m| builder.position(m).into()).collect();
-    // r' of the imperfect meridian.
-    let slope = |z: f64| delta * THICKNESS * wave * (wave * z).sin();
-    let normal = |_: usize, node: usize| {
-        let p = positions[node];
-        let radial = Vector3::new(p.x, p.y, 0.0).normalize();
-        radial - Vector3::z() * slope(p.z)
-    };
-    for (node, p) in positions.iter().enumerate() {
-        let (s, c) = p.y.atan2(p.x).sin_cos();
-        // Displacements along e_r, e_φ, e_z.
-        builder.frame(node, Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0));
-    }
-    let mut shell = grid.surface(&section);
-    (shell.normals, shell.axes) = (Normals::Exact(&normal), Axes::HOOP_Z);
-    shell.place(&mut builder)?;
-    for ray in [0, n] {
-        hold(&mut builder, &grid.line_i(ray), &[Dof::Uy, Dof::Ry]);
-    }
-    hold(&mut builder, &grid.line_j(0), &[Dof::Uz, Dof::Rx]);
-    hold(&mut builder, &grid.line_j(n), &[Dof::Rx]);
-    // The upper plane of symmetry stays plane: its nodes hang on one, by springs a thousand times as stiff as the panel.
-    let master = builder.node([0.0, 0.0, side]);
-    let stiffness = 1e3 * THICKNESS * angle / side;
-    for node in grid.line_j(n) {
-        let spring = Spring::between(node, master, Direction::Translation([0.0, 0.0, 1.0]), stiffness)?;
-        builder.element("plane", spring);
-    }
-    hold(&mut builder, &[master], &[Dof::Ux, Dof::Uy]);
-    let classical = THICKNESS / (RADIUS * (3.0 * (1.0 - NU * NU)).sqrt());
-    let mut loads = NodalLoads::new();
-    loads.force(master, [0.0, 0.0, -classical * THICKNESS * angle * RADIUS]);
-    Problem::new(builder, &loads)
+/// A panel of n × n elements.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Panel {
+    /// n.
+    pub(super) elements: usize,
+    /// Circumferential wave number s/m₀.
+    pub(super) wave: f64,
+    /// Hoop stress p R/t of an internal pressure over the classical stress.
+    pub(super) pressure: f64,
 }
 
-fn critical(n: usize, delta: f64) -> Answer<Critical> {
-    let problem = panel(n, delta)?;
+/// Place of a node and its normal, of any length.
+pub(super) type Place = (Vector3<f64>, Vector3<f64>);
+
+impl Panel {
+    /// The panel of the square waves, without pressure.
+    pub(super) fn square(elements: usize) -> Panel {
+        Panel {
+            elements,
+            wave: 0.5,
+            pressure: 0.0,
+        }
+    }
+
+    /// m₀.
+    pub(super) fn axial_wave() -> f64 {
+        (12.0_f64 * (1.0 - NU * NU)).powf(0.25) / (RADIUS * THICKNESS).sqrt()
+    }
+
+    /// Node on the first meridian, level `j`.
+    pub(super) fn node(&self, j: usize) -> usize {
+        Grid::new(self.elements, self.elements).node(0, j)
+    }
+
+    /// The panel under the classical load; `place` moves the node at a position of the cylinder.
+    pub(super) fn problem(&self, place: impl Fn(usize, Vector3<f64>) -> Place) -> Answer<Problem> {
+        let section: Arc<dyn Section> = Arc::new(ElasticSection::new(1.0, NU, THICKNESS, 0.0)?);
+        let n = self.elements;
+        let height = 2.0 * PI / Panel::axial_wave();
+        let angle = PI / (self.wave * Panel::axial_wave() * RADIUS);
+        let grid = Grid::new(n, n);
+        let mut builder = Builder::new();
+        let mut normals = Vec::new();
+        for j in 0..=n {
+            for i in 0..=n {
+                let (s, c) = (angle * i as f64 / n as f64).sin_cos();
+                let z = height * j as f64 / n as f64;
+                let (position, normal) = place(grid.node(i, j), Vector3::new(RADIUS * c, RADIUS * s, z));
+                let node = builder.node(position.into());
+                normals.push(normal);
+                // Displacements along e_r, e_φ, e_z.
+                builder.frame(node, Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0));
+            }
+        }
+        let normal = |_: usize, node: usize| normals[node];
+        let mut shell = grid.surface(&section);
+        (shell.normals, shell.axes) = (Normals::Exact(&normal), Axes::HOOP_Z);
+        shell.place(&mut builder)?;
+        let classical = THICKNESS / (RADIUS * (3.0 * (1.0 - NU * NU)).sqrt());
+        if self.pressure > 0.0 {
+            let pressure = self.pressure * classical * THICKNESS / RADIUS;
+            for &nodes in &grid.cells {
+                let positions = nodes.map(|n| builder.position(n));
+                builder.element("pressure", FollowerPressure::new(nodes, positions, pressure));
+            }
+        }
+        for ray in [0, n] {
+            hold(&mut builder, &grid.line_i(ray), &[Dof::Uy, Dof::Ry]);
+        }
+        hold(&mut builder, &grid.line_j(0), &[Dof::Uz, Dof::Rx]);
+        hold(&mut builder, &grid.line_j(n), &[Dof::Rx]);
+        // The upper plane of symmetry stays plane: its nodes hang on one, by springs a thousand times as stiff as the panel.
+        let master = builder.node([0.0, 0.0, height]);
+        let stiffness = 1e3 * THICKNESS * angle / height;
+        for node in grid.line_j(n) {
+            let spring = Spring::between(node, master, Direction::Translation([0.0, 0.0, 1.0]), stiffness)?;
+            builder.element("plane", spring);
+        }
+        hold(&mut builder, &[master], &[Dof::Ux, Dof::Uy]);
+        let mut loads = NodalLoads::new();
+        loads.force(master, [0.0, 0.0, -classical * THICKNESS * angle * RADIUS]);
+        Problem::new(builder, &loads)
+    }
+
+    /// With the imperfection δ cos m₀ z, `delta` thicknesses inwards at its ends.
+    pub(super) fn axisymmetric(&self, delta: f64) -> Answer<Problem> {
+        let wave = Panel::axial_wave();
+        self.problem(|_, p| {
+            let radial = Vector3::new(p.x, p.y, 0.0) / RADIUS;
+            let depth = delta * THICKNESS;
+            let slope = depth * wave * (wave * p.z).sin();
+            (p - radial * (depth * (wave * p.z).cos()), radial - Vector3::z() * slope)
+        })
+    }
+}
+
+/// Last stable load of a panel to a thousandth of the classical one, with the path and the state there.
+pub(super) fn instability<'a>(problem: &'a Problem) -> Answer<(Critical, Continuation<'a>, State)> {
     let none = vec![0.0; problem.load.len()];
     let mut path = Continuation::new(
         &problem.model,
@@ -99,8 +146,8 @@ fn critical(n: usize, delta: f64) -> Answer<Critical> {
     )?
     .with_extrapolated_stresses();
     let mut state = State::new(&problem.model);
-    // To a thousandth of the classical load.
-    Ok(path.first_instability(&mut state, 0.1, 1e-3, 1.5, &Silent)?)
+    let critical = path.first_instability(&mut state, 0.1, 1e-3, 1.5, &Silent)?;
+    Ok((critical, path, state))
 }
 
 /// Root of (1 − λ)² = 3/2 √(3 (1 − ν²)) λ δ below 1.
@@ -117,8 +164,9 @@ pub(super) fn panels(n: usize, imperfections: &[f64]) -> Answer<Vec<Row>> {
         source: "Koiter 1945: (1 − λ)² = 3/2 √(3 (1 − ν²)) λ δ/t",
         unit: "classical load",
     };
+    let panel = Panel::square(n);
     let mut rows = Vec::new();
-    let perfect = critical(n, 0.0)?;
+    let perfect = instability(&panel.axisymmetric(0.0)?)?.0;
     // 8 elements a half-wave of the axisymmetric mode: π²/(12 · 8²) = 1.3 % of its bending energy; strain 0.15 %.
     rows.push(case.row(
         format!("perfect panel, nonlinear path, {n} × {n} elements"),
@@ -128,7 +176,7 @@ pub(super) fn panels(n: usize, imperfections: &[f64]) -> Answer<Vec<Row>> {
         0.03,
     ));
     for &delta in imperfections {
-        let found = critical(n, delta)?;
+        let found = instability(&panel.axisymmetric(delta)?)?.0;
         // Asymptotic: the next terms are of the order of δ/t itself. Convergence for δ → 0 is in the rows.
         let tolerance = 0.03_f64.max(delta);
         rows.push(case.row(
