@@ -1,11 +1,13 @@
 //! The join of procedures and engine: quantity × method, ratios to the finite-element column, partings, verdict.
 
+mod nonlinear;
 mod partings;
 
 use std::collections::BTreeMap;
 
 use codes::Quantity;
 
+use crate::results::nonlinear::{End, Event};
 use crate::results::{Cell, Comparison, ComparisonRow, Governing, Method, Verdict};
 
 /// Id of the finite-element column, the reference of all ratios.
@@ -13,6 +15,9 @@ pub const FE: &str = "fe";
 
 /// Id of the three-dimensional engine's column beside the harmonic one's.
 pub const FE_SOLID: &str = "fe-solid";
+
+/// Id of the nonlinear engine's column beside the harmonic one's.
+pub const FE_NONLINEAR: &str = "fe-nonlinear";
 
 /// Lays the methods side by side.
 ///
@@ -66,6 +71,23 @@ pub struct Context {
     pub sloshing_damping: f64,
     /// Estimated discretisation error of the three-dimensional engine by quantity id, relative.
     pub solid_mesh_error: BTreeMap<String, f64>,
+    /// What happened in the nonlinear run.
+    pub nonlinear: Option<Happened>,
+}
+
+/// What happened in a nonlinear run, as far as it explains where that parts from the linear one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Happened {
+    /// How it ended.
+    pub end: End,
+    /// First crack, first yield and the like, by time.
+    pub events: Vec<Event>,
+    /// Dissipated by the materials until the end of the run [J].
+    pub hysteretic: f64,
+    /// Work of the loads until then [J].
+    pub input: f64,
+    /// Damping of the linear and of the nonlinear run in words, where they say it.
+    pub damping: Option<[String; 2]>,
 }
 
 impl Context {

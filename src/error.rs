@@ -10,7 +10,7 @@ pub const EXIT_OK: u8 = 0;
 pub const EXIT_CHECK_FAILED: u8 = 1;
 /// Exit code 2: bad input or usage.
 pub const EXIT_INPUT: u8 = 2;
-/// Exit code 3: the computation failed, or was interrupted and its results are incomplete.
+/// Exit code 3: the computation failed, or its results are incomplete: it was interrupted, or the tank collapsed.
 pub const EXIT_COMPUTATION: u8 = 3;
 /// Exit code 130: ended by Ctrl-C, nothing is written (128 + SIGINT, as shells have it).
 pub const EXIT_INTERRUPTED: u8 = 130;
@@ -59,7 +59,11 @@ impl Error {
         match self {
             Error::Input(_) | Error::File { .. } => EXIT_INPUT,
             Error::Fe(
-                FeError::Option { .. } | FeError::NoRecord | FeError::Memory { .. } | FeError::Unsupported(_),
+                FeError::Option { .. }
+                | FeError::NoRecord
+                | FeError::Memory { .. }
+                | FeError::Unsupported(_)
+                | FeError::Checkpoint(_),
             ) => EXIT_INPUT,
             Error::Code { .. } | Error::Fe(_) | Error::Report(_) | Error::Verification { .. } => EXIT_COMPUTATION,
         }

@@ -6,7 +6,6 @@
 use std::path::Path;
 
 use fem::progress::Progress;
-use sha2::{Digest, Sha256};
 
 use crate::error::Error;
 use crate::fe::nonlinear::Strip;
@@ -30,7 +29,7 @@ pub fn owns(name: &str) -> bool {
 /// Errors: a tank or option that the nonlinear engine does not know; a folder that holds another analysis or cannot be
 /// written; a failure of the engine. Collapse of the wall is none.
 pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progress) -> Result<Ida, Error> {
-    let key = key(job);
+    let key = job.job.key();
     // Whatever is wrong with the folder is said before anything is computed.
     let folder = OutputFolder::of(&job.out, owns, "--out")?;
     let kept = if job.resume { kept(&job.out, &key)? } else { Vec::new() };
@@ -103,16 +102,6 @@ fn kept(folder: &Path, key: &str) -> Result<Vec<IdaRun>, Error> {
         }
     }
     Ok(runs)
-}
-
-/// Fingerprint of everything a run depends on but its scale.
-fn key(job: &IdaJob) -> String {
-    let mut hash = Sha256::new();
-    hash.update(env!("CARGO_PKG_VERSION"));
-    let job = &job.job;
-    // The debug form holds every number to the last digit.
-    hash.update(format!("{:?}", (&job.case, &job.nonlinear)));
-    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 fn write(folder: &OutputFolder, ida: &Ida) -> Result<(), Error> {

@@ -1,8 +1,9 @@
 //! What is to be computed: plain, validated data in SI.
 
 use codes::Case;
+use sha2::{Digest, Sha256};
 
-use crate::fe::nonlinear::NonlinearOptions;
+use crate::fe::nonlinear::{CheckpointFile, NonlinearOptions};
 use crate::fe::solid::SolidOptions;
 use crate::results::{InputValue, SourceFile};
 
@@ -42,12 +43,25 @@ pub struct Job {
     pub solid: SolidOptions,
     /// Options of the nonlinear engine alone.
     pub nonlinear: NonlinearOptions,
+    /// Where the nonlinear run is kept while it is under way.
+    pub checkpoint: Option<CheckpointFile>,
     /// Echo of the input, defaults marked.
     pub echo: Vec<InputValue>,
     /// Files the job was made from, with their hashes.
     pub files: Vec<SourceFile>,
     /// Horizontal (and vertical) record as read, before scaling, for the report's echo.
     pub raw_records: Vec<codes::record::Record>,
+}
+
+impl Job {
+    /// Fingerprint of everything a nonlinear run depends on: the version, the tank, the records as computed with, the options.
+    pub fn key(&self) -> String {
+        let mut hash = Sha256::new();
+        hash.update(env!("CARGO_PKG_VERSION"));
+        // The debug form holds every number to the last digit.
+        hash.update(format!("{:?}", (&self.case, &self.nonlinear)));
+        hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+    }
 }
 
 /// One incremental dynamic analysis: the nonlinear run of a job, once for each scale of its record.

@@ -4,6 +4,7 @@
 
 mod motion;
 mod output;
+mod second;
 mod series;
 
 use std::collections::BTreeMap;
@@ -13,13 +14,13 @@ use codes::tank::Course;
 use codes::{Procedure, Quantity, spectrum};
 use fem::progress::Progress;
 
-use crate::compare::{self, Context};
+use crate::compare::{self, Context, FE_NONLINEAR};
 use crate::error::Error;
-use crate::fe::{self, FeError, Simulation};
+use crate::fe::{self, Simulation};
 use crate::job::{Engines, Job};
 use crate::results::{
-    Deformability, FORMAT, Method, Results, SOLID_PREFIX, Series, Snapshots, Status, TankSummary, Value, Verdict,
-    Volatile,
+    Deformability, FORMAT, FeResult, Method, NONLINEAR_PREFIX, Results, SOLID_PREFIX, Series, Snapshots, Status,
+    TankSummary, Value, Verdict, Volatile,
 };
 
 pub use output::{OUTPUT, OutputFolder, copy_results, discard_unfinished};
@@ -73,24 +74,11 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     });
     let (mut methods, records) = codes?;
     let mut simulation = simulation.transpose()?;
-    // Stopped before it has anything, the second engine leaves the first one's report, marked incomplete.
-    let mut stopped = false;
-    let mut solid = match (&job.fe, job.engines) {
-        (Some(options), Engines::Both) => match fe::solid::simulate(&job.case, options, &job.solid, progress) {
-            Err(FeError::Interrupted { .. }) => {
-                stopped = true;
-                None
-            }
-            outcome => Some(outcome?),
-        },
-        _ => None,
-    };
-    if let (true, Some(first)) = (stopped, &mut simulation) {
-        first.notes.push(
-            "The three-dimensional run was interrupted before it had a result: it is missing in this report.".into(),
-        );
+    let mut second = second::run(job, progress)?;
+    if let (Some(missing), Some(first)) = (&second.missing, &mut simulation) {
+        first.notes.push(format!("Missing in this report: {missing}."));
     }
-    let snapshots = [&mut solid, &mut simulation]
+    let snapshots = [&mut second.run, &mut simulation]
         .into_iter()
         .flatten()
         .find_map(|s| s.snapshots.take());
@@ -103,20 +91,33 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         }
         None => (None, Series::default()),
     };
-    let fe_solid = solid.map(|simulation| {
-        methods.push(fe_method(compare::FE_SOLID, &simulation));
-        context.solid_mesh_error = simulation.result.mesh_error.clone();
-        series::append(&mut series, &simulation.series, SOLID_PREFIX);
-        simulation.result
-    });
+    let (mut fe_solid, mut fe_nonlinear): (Option<FeResult>, Option<FeResult>) = (None, None);
+    if let Some(simulation) = second.run {
+        let (id, prefix, place) = match job.engines {
+            Engines::Nonlinear => (FE_NONLINEAR, NONLINEAR_PREFIX, &mut fe_nonlinear),
+            Engines::Harmonic | Engines::Solid | Engines::Both => (compare::FE_SOLID, SOLID_PREFIX, &mut fe_solid),
+        };
+        methods.push(fe_method(id, &simulation));
+        series::append(&mut series, &simulation.series, prefix);
+        *place = Some(simulation.result);
+    }
+    if let Some(solid) = &fe_solid {
+        context.solid_mesh_error = solid.mesh_error.clone();
+    }
+    context.nonlinear = second::happened(fe.as_ref(), fe_nonlinear.as_ref());
     if let Some(layered) = job.case.tank.courses.iter().find_map(Course::layer_assumption) {
-        let computed = methods.iter_mut().filter(|m| matches!(m.status, Status::Computed));
+        // The nonlinear engine has the layers themselves.
+        let computed = methods
+            .iter_mut()
+            .filter(|m| matches!(m.status, Status::Computed) && m.id != FE_NONLINEAR);
         computed.for_each(|m| m.assumptions.push(layered.into()));
     }
     methods.extend(measured(job));
     let comparison = compare::compare(&methods, &context, job.case.published.clone());
     let mut verdict: Verdict = compare::verdict(&methods);
-    verdict.incomplete = stopped || fe.iter().chain(&fe_solid).any(|fe| fe.incomplete);
+    verdict.reason = second::incomplete(second.missing, fe_nonlinear.as_ref());
+    let mut runs = fe.iter().chain(&fe_solid).chain(&fe_nonlinear);
+    verdict.incomplete = !verdict.reason.is_empty() || runs.any(|fe| fe.incomplete);
     verdict.holds &= !verdict.incomplete;
     let results = Results {
         format: FORMAT.into(),
@@ -144,7 +145,7 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         methods,
         fe,
         fe_solid,
-        fe_nonlinear: None,
+        fe_nonlinear,
         comparison,
         verdict,
     };
@@ -243,6 +244,7 @@ fn tank_periods(methods: &[Method], simulation: Option<&Simulation>) -> Vec<f64>
 fn fe_method(id: &str, simulation: &Simulation) -> Method {
     let title = match simulation.result.engine.as_str() {
         "solid" => "Finite elements in three dimensions, time history",
+        "nonlinear" => "Finite elements, nonlinear, time history",
         _ => "Finite elements, time history",
     };
     Method {

@@ -238,7 +238,7 @@ pub enum Status {
 /// One column of the comparison.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Method {
-    /// `housner`, `ec8-env`, `ec8-2006`, `api650-1993`, `api650-2020`, `fe`, `fe-solid`, `measured`.
+    /// `housner`, `ec8-env`, `ec8-2006`, `api650-1993`, `api650-2020`, `fe`, `fe-solid`, `fe-nonlinear`, `measured`.
     pub id: String,
     /// Title with edition.
     pub title: String,
@@ -263,7 +263,7 @@ pub struct Method {
 /// The finite-element run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FeResult {
-    /// Engine (`harmonic`, `solid`).
+    /// Engine (`harmonic`, `solid`, `nonlinear`).
     pub engine: String,
     /// Mesh and unknowns, as label → text ("liquid elements (r × z)" → "5 × 8, quadratic").
     pub mesh: Vec<Labelled>,
@@ -485,11 +485,15 @@ pub struct Parting {
 /// The verdict of the verification.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
-    /// True if every applicable check holds (and no run was interrupted).
+    /// True if every applicable check holds (and every run is complete).
     pub holds: bool,
-    /// True if a finite-element run was interrupted: its extremes are those of a part of the ground motion.
+    /// True if a finite-element run did not reach the end of the ground motion (interrupted, collapsed): its extremes are
+    /// those of a part of it.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub incomplete: bool,
+    /// Why it is incomplete, a sentence without its full stop; empty for an interrupted run.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub reason: String,
     /// Number of checks.
     pub checks: usize,
     /// Number that fail.
@@ -510,7 +514,7 @@ pub struct Governing {
 }
 
 /// Time histories of `series.csv`: a time column and the columns of [`FeResult::series`] in order, then those of
-/// [`Results::fe_solid`] with [`SOLID_PREFIX`].
+/// [`Results::fe_solid`] with [`SOLID_PREFIX`] or of [`Results::fe_nonlinear`] with [`NONLINEAR_PREFIX`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Series {
     /// Time [s].
@@ -526,5 +530,7 @@ pub struct Series {
 pub const GROUND_COLUMNS: [&str; 3] = ["ground_acceleration", "ground_velocity", "ground_displacement"];
 /// Prefix of the columns of the three-dimensional engine beside the harmonic one.
 pub const SOLID_PREFIX: &str = "solid_";
+/// Prefix of the columns of the nonlinear engine beside the harmonic one.
+pub const NONLINEAR_PREFIX: &str = "nonlinear_";
 /// Prefix of [`GROUND_COLUMNS`] for the vertical record.
 pub const VERTICAL_PREFIX: &str = "vertical_";

@@ -9,7 +9,7 @@ use codes::units;
 use crate::cli::inputs::Inputs;
 use crate::cli::progress::{self, Watch};
 use crate::cli::table::Table;
-use crate::cli::{Format, Global, solid};
+use crate::cli::{Format, Global, nonlinear, solid};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::fe::{FeError, Integrator};
 use crate::job::{Engines, Job};
@@ -26,11 +26,14 @@ Examples:
   tankcheck compare tank.json --quake rec.txt --units g --integrator newmark --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe both --mesh 12x16x20 --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe solid --liquid displacement --vtu paraview/
+  tankcheck compare tank.json --quake elcentro.csv --fe nonlinear --out out/
+  tankcheck compare tank.json --quake elcentro.csv --fe nonlinear --out out/ --resume
 
-Ctrl-C stops a three-dimensional run and keeps what it has, marked incomplete; pressed again it drops everything.
+Ctrl-C stops a three-dimensional or nonlinear run and keeps what it has, marked incomplete; pressed again it drops
+everything but the checkpoint of a nonlinear run.
 
-Exit codes: 0 every check holds; 1 a check fails; 2 bad input; 3 the computation failed or was interrupted;
-130 dropped by a second Ctrl-C.")]
+Exit codes: 0 every check holds; 1 a check fails; 2 bad input; 3 the computation failed or was interrupted, or the tank
+collapsed; 130 dropped by a second Ctrl-C.")]
 pub struct Args {
     #[command(flatten)]
     inputs: Inputs,
@@ -42,6 +45,8 @@ pub struct Args {
     fe: Engine,
     #[command(flatten)]
     solid: solid::SolidArgs,
+    #[command(flatten)]
+    nonlinear: nonlinear::NonlinearArgs,
     /// Write ParaView files (tank.pvd) of the three-dimensional run into this folder.
     #[arg(long, value_name = "FOLDER")]
     vtu: Option<PathBuf>,
@@ -76,8 +81,7 @@ enum Engine {
     Both,
     /// No engine: the codes alone.
     None,
-    /// The harmonic engine, and beside it walls that yield and crack (nonlinear).
-    #[value(hide = true)]
+    /// The harmonic engine, and beside it walls that yield and crack, in large rotations.
     Nonlinear,
 }
 
@@ -101,10 +105,11 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     }
     let mut job = args.inputs.job()?;
     choose(&mut job, &args)?;
-    progress::listen(global, job.engines.solid());
+    progress::listen(global, job.engines != Engines::Harmonic);
     if let (Some(options), true) = (&job.fe, job.engines.solid()) {
         solid::announce(&job.case, options, &job.solid, global)?;
     }
+    nonlinear::announce(&job, global);
     if args.vtu.as_ref() == Some(&args.out) {
         return Err(Error::Input(format!(
             "error: --vtu and --out name one folder, `{}`\n  help: each needs a folder of its own",
@@ -131,8 +136,10 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     // Without a state the folder stays as it was.
     vtu.filter(|_| snapshots.is_some())
         .map_or(Ok(()), OutputFolder::commit)?;
+    nonlinear::tidy(&job, &results);
     watch.finish();
     print(&results, Some(&args.out), args.format, global)?;
+    nonlinear::advise(&job, &results, global);
     match (&args.vtu, &snapshots) {
         (Some(folder), Some(_)) if !global.quiet => {
             anstream::eprintln!("ParaView: {}", folder.join(vtu::COLLECTION).display());
@@ -157,13 +164,7 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
         Engine::Harmonic => Engines::Harmonic,
         Engine::Solid => Engines::Solid,
         Engine::Both => Engines::Both,
-        Engine::Nonlinear => {
-            return Err(Error::Input(
-                "error: --fe nonlinear: compare runs the linear engines only\n  help: `tankcheck ida TANK --quake RECORD --scale 1` \
-                 runs the nonlinear strip"
-                    .into(),
-            ));
-        }
+        Engine::Nonlinear => Engines::Nonlinear,
     };
     if let Some(options) = &mut job.fe {
         if let Some(refine) = args.refine {
@@ -176,6 +177,7 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
             None => {}
         }
     }
+    args.nonlinear.apply(job, &args.out)?;
     if !job.engines.solid() {
         let unused = args.solid.given().or(args.vtu.as_ref().map(|_| "--vtu"));
         return match unused {
@@ -320,7 +322,10 @@ fn print_csv(results: &Results) {
 fn print_verdict(results: &Results) {
     let verdict = &results.verdict;
     if verdict.incomplete {
-        anstream::println!("INCOMPLETE: the finite-element run was interrupted, its extremes are not final");
+        match verdict.reason.as_str() {
+            "" => anstream::println!("INCOMPLETE: the finite-element run was interrupted, its extremes are not final"),
+            reason => anstream::println!("{reason}"),
+        }
     }
     if let Some(governing) = &verdict.governing {
         let state = if verdict.holds { "all hold" } else { "NOT all hold" };
@@ -337,7 +342,7 @@ fn print_verdict(results: &Results) {
             governing.check.utilisation
         );
     }
-    for fe in results.fe.iter().chain(&results.fe_solid) {
+    for fe in results.fe.iter().chain(&results.fe_solid).chain(&results.fe_nonlinear) {
         for limit in fe.limits.iter().filter(|l| !l.holds) {
             anstream::println!("warning: {}: {}", limit.name, limit.note);
         }

@@ -76,6 +76,7 @@ impl Inputs {
             engines: Engines::default(),
             solid: tank.solid,
             nonlinear: tank.nonlinear,
+            checkpoint: None,
             echo: tank.echo,
             files,
             raw_records,

@@ -16,6 +16,7 @@ mod ida;
 mod init;
 mod inputs;
 mod modes;
+mod nonlinear;
 mod progress;
 mod quake;
 mod report;
@@ -102,6 +103,7 @@ Examples:
   tankcheck init > tank.json
   tankcheck compare tank.json --quake elcentro.csv --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe both --mesh 12x16x20 --vtu paraview/ --out out/
+  tankcheck compare tank.json --quake elcentro.csv --fe nonlinear --out out/
   tankcheck ida tank.json --quake elcentro.csv --scale 0..1.1 --steps 12 --out ida/
   tankcheck check tank.json
   tankcheck modes tank.json --format json
@@ -110,7 +112,7 @@ Examples:
   tankcheck diff golden/ out/
 
 Exit codes: 0 done and every check holds; 1 a check fails or diff found a change; 2 bad input or usage;
-3 the computation failed or was interrupted.";
+3 the computation failed or was interrupted, or the tank collapsed.";
 
 /// A spinner on standard error while `what` is computed; invisible unless a person watches a terminal.
 pub(crate) fn spinner(global: &Global, what: &'static str) -> indicatif::ProgressBar {

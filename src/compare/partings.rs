@@ -8,7 +8,7 @@ use codes::Quantity;
 use codes::procedure::Excitation;
 use codes::units;
 
-use super::{Context, FE, FE_SOLID};
+use super::{Context, FE, FE_NONLINEAR, FE_SOLID, nonlinear};
 use crate::results::{ComparisonRow, Method, Parting};
 
 /// Differences below this are within what record processing and damping assumptions move (theory manual).
@@ -53,9 +53,10 @@ pub fn explain(methods: &[Method], rows: &[ComparisonRow], context: &Context) ->
     let mut partings = Vec::new();
     let mut modal_maxima = Some(modal_maxima(context));
     partings.extend(engines(methods, rows, context));
+    partings.extend(nonlinear::explain(methods, rows, context));
     for (cause, quantities) in GROUPS {
         for (column, method) in methods.iter().enumerate() {
-            if method.excitation != Excitation::Record || method.id == FE || method.id == FE_SOLID {
+            if method.excitation != Excitation::Record || [FE, FE_SOLID, FE_NONLINEAR].contains(&method.id.as_str()) {
                 continue;
             }
             let parted: Vec<(Quantity, f64)> = quantities
@@ -87,14 +88,7 @@ pub fn explain(methods: &[Method], rows: &[ComparisonRow], context: &Context) ->
 /// Where the three-dimensional engine differs from the harmonic one: their meshes.
 fn engines(methods: &[Method], rows: &[ComparisonRow], context: &Context) -> Option<Parting> {
     let column = methods.iter().position(|m| m.id == FE_SOLID)?;
-    let parted: Vec<(Quantity, f64)> = Quantity::ALL
-        .into_iter()
-        .filter_map(|quantity| {
-            let row = rows.iter().find(|row| row.quantity == quantity.id())?;
-            let ratio = row.cells[column]?.ratio?;
-            ((ratio - 1.0).abs() > ENGINES).then_some((quantity, ratio))
-        })
-        .collect();
+    let parted = parted(rows, column, ENGINES);
     let &(first, _) = parted.first()?;
     let estimated: Vec<String> = parted
         .iter()
@@ -121,6 +115,18 @@ fn engines(methods: &[Method], rows: &[ComparisonRow], context: &Context) -> Opt
     })
 }
 
+/// Quantities of a column whose ratio to the engine's is off by more than a threshold.
+pub(super) fn parted(rows: &[ComparisonRow], column: usize, threshold: f64) -> Vec<(Quantity, f64)> {
+    Quantity::ALL
+        .into_iter()
+        .filter_map(|quantity| {
+            let row = rows.iter().find(|row| row.quantity == quantity.id())?;
+            let ratio = row.cells[column]?.ratio?;
+            ((ratio - 1.0).abs() > threshold).then_some((quantity, ratio))
+        })
+        .collect()
+}
+
 /// Title of a quantity within a sentence, without its symbol.
 fn lower(quantity: Quantity) -> String {
     let title = quantity.title();
@@ -131,7 +137,7 @@ fn lower(quantity: Quantity) -> String {
 }
 
 /// "EN 1998-4: base shear 1.19, base moment 1.27 times the finite-element value."
-fn what(method: &Method, parted: &[(Quantity, f64)]) -> String {
+pub(super) fn what(method: &Method, parted: &[(Quantity, f64)]) -> String {
     let list: Vec<String> = parted
         .iter()
         .map(|(quantity, ratio)| {

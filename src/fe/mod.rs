@@ -20,6 +20,7 @@ pub use simulate::simulate;
 use std::collections::BTreeMap;
 
 use codes::{Case, Quantity};
+use fem::analysis::checkpoint::CheckpointError;
 
 use crate::results::{FeResult, Mode, Series, Snapshots};
 
@@ -149,6 +150,9 @@ pub enum FeError {
     /// An analysis failed.
     #[error("{0}")]
     Analysis(String),
+    /// A checkpoint that cannot be written, read or used.
+    #[error("{0}")]
+    Checkpoint(#[from] CheckpointError),
     /// The user stopped the run before it had anything to show.
     #[error("interrupted during {stage}: nothing is computed yet")]
     Interrupted {

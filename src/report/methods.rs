@@ -20,6 +20,7 @@ pub fn look(method: &Method) -> Look {
     let (label, class) = match method.id.as_str() {
         "fe" => ("Finite elements", "k-fe"),
         "fe-solid" => ("3-D elements", "k-fe-solid"),
+        "fe-nonlinear" => ("Nonlinear elements", "k-fe-nonlinear"),
         "measured" => ("Measured", "k-measured"),
         "housner" => ("Housner", "k-housner"),
         "ec8-env" => ("ENV 1998-4", "k-ec8-env"),
@@ -64,11 +65,11 @@ pub fn excitation(method: &Method) -> &'static str {
     }
 }
 
-/// Indices of the methods for figures: finite elements, those in three dimensions, measurement, procedures on the record, on the site's spectrum.
+/// Indices of the methods for figures: finite elements, the second engine, measurement, procedures on the record, on the site's spectrum.
 pub fn figure_order(results: &Results) -> Vec<usize> {
     let rank = |m: &Method| match (m.id.as_str(), m.excitation) {
         ("fe", _) => 0,
-        ("fe-solid", _) => 1,
+        ("fe-solid" | "fe-nonlinear", _) => 1,
         ("measured", _) => 2,
         (_, Excitation::Record) => 3,
         (_, Excitation::Site) => 4,

@@ -116,10 +116,14 @@ pub fn build(results: &Results, series: &Series, templates: &Templates) -> Resul
         });
         figures.extend(section.figures);
     }
-    // The styles of spatial figures burden only the reports that have them.
+    // The styles of spatial and nonlinear figures burden only the reports that have them.
     let mut css = templates.css("figure.css").to_owned();
-    if views.iter().any(|v| v.id == "spatial") || results.fe_solid.is_some() {
+    let nonlinear = results.fe_nonlinear.is_some();
+    if views.iter().any(|v| v.id == "spatial") || results.fe_solid.is_some() || nonlinear {
         css.push_str(templates.css("fields.css"));
+    }
+    if nonlinear {
+        css.push_str(templates.css("nonlinear.css"));
     }
     let mut page = Context::new();
     page.insert("name", &results.name);

@@ -18,6 +18,7 @@ const EMBEDDED: &[(&str, &str)] = &[
     ("verification.html", include_str!("../../templates/verification.html")),
     ("ida.html", include_str!("../../templates/ida.html")),
     ("fields.css", include_str!("../../templates/fields.css")),
+    ("nonlinear.css", include_str!("../../templates/nonlinear.css")),
     (
         "sections/summary.html",
         include_str!("../../templates/sections/summary.html"),
@@ -62,6 +63,10 @@ const EMBEDDED: &[(&str, &str)] = &[
     (
         "sections/spatial.html",
         include_str!("../../templates/sections/spatial.html"),
+    ),
+    (
+        "sections/nonlinear.html",
+        include_str!("../../templates/sections/nonlinear.html"),
     ),
     (
         "sections/checks.html",

@@ -5,6 +5,7 @@ mod compare;
 mod ida;
 mod licences;
 mod nonlinear_input;
+mod nonlinear_run;
 mod records;
 mod solid;
 mod tank_file;

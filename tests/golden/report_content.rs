@@ -5,11 +5,21 @@ use std::collections::BTreeSet;
 use codes::units::Dimension;
 use tankcheck::report::template::Templates;
 use tankcheck::report::{Report, build};
-use tankcheck::results::{Results, Series, SeriesInfo};
+use tankcheck::results::nonlinear::{Columns, End, Energies, Nonlinear};
+use tankcheck::results::{NONLINEAR_PREFIX, Results, Series, SeriesInfo};
 
 use crate::sample::{Kind, sample};
 
 const TITLE: &str = "Broad tank of Manos and Clough, 1982";
+/// Every kind of report.
+const EVERY: [Kind; 6] = [
+    Kind::Compare,
+    Kind::Check,
+    Kind::Rectangle,
+    Kind::Both,
+    Kind::Solid,
+    Kind::Nonlinear,
+];
 
 fn rendered(results: &Results, series: &Series) -> Report {
     let templates = Templates::new(None).expect("the embedded templates parse");
@@ -123,6 +133,132 @@ fn the_three_dimensional_run_shows_its_pictures() {
 }
 
 #[test]
+fn the_nonlinear_run_shows_what_became_of_the_wall() {
+    let html = report(Kind::Nonlinear).html;
+    assert!(sections(&html).contains(&"nonlinear"));
+    for figure in [
+        "nonlinear_base_shear",
+        "nonlinear_wave_height",
+        "cracks_1",
+        "cracks_3",
+        "cells_1_plastic_strain",
+        "cells_2_utilisation",
+        "loop_1_moment_curvature_theta_0",
+        "loop_2_shear_displacement",
+        "envelope_nonlinear_hoop_stress",
+        "history_nonlinear_largest_crack",
+        "energies",
+    ] {
+        assert!(html.contains(&format!("id=\"fig-{figure}\"")), "{figure}");
+    }
+    // What there is no picture of is said in words.
+    for absent in ["cracks_4", "cells_4_separation", "loop_3_still"] {
+        assert!(!html.contains(&format!("id=\"fig-{absent}\"")), "{absent}");
+    }
+    assert!(html.contains("Outer face: no crack, at rest, t = 0.00\u{a0}s."));
+    assert!(html.contains("Separation: zero everywhere."));
+    for text in [
+        "First yield of a bar",
+        "0.81",
+        "14\u{202f}873",
+        "Nonlinear elements",
+        "to the end of the ground motion",
+    ] {
+        assert!(html.contains(text), "{text}");
+    }
+    assert!(html.contains(".fig .cr.c0") && !report(Kind::Compare).html.contains(".fig .cr.c0"));
+}
+
+#[test]
+fn a_collapse_is_told_first_and_its_numbers_are_bounds() {
+    let (mut results, mut series) = sample(Kind::Nonlinear, TITLE);
+    let run = results.fe_nonlinear.as_mut().and_then(|fe| fe.nonlinear.as_mut());
+    run.expect("a nonlinear run").end = End::Collapsed {
+        time: 7.312,
+        load_factor: None,
+        reason: "the step was halved 12 times".into(),
+        place: "θ = 0°, base <b>".into(),
+    };
+    results.verdict.incomplete = true;
+    results.verdict.reason = "Collapse: the nonlinear run finds no equilibrium after 7.31 s".into();
+    let end = series.time.iter().position(|t| *t > 7.315).expect("a longer record");
+    for (id, column) in series.ids.iter().zip(&mut series.columns) {
+        if id.starts_with(NONLINEAR_PREFIX) {
+            column[end..].fill(f64::NAN);
+        }
+    }
+    let html = rendered(&results, &series).html;
+    let summary = &html[..html.find("id=\"comparison\"").expect("a second section")];
+    assert!(summary.contains("Collapse: the nonlinear run") && summary.contains("verdict fail"));
+    for text in [
+        "no equilibrium after t = 7.312 s",
+        "θ = 0°, base &lt;b&gt;.",
+        "Reason: the step was halved 12 times.",
+        "lower bounds",
+        "<td class=\"n\">≥ ",
+        "The nonlinear run ends at 7.31 s.",
+    ] {
+        assert!(html.contains(text), "{text}");
+    }
+    for svg in figures(&html) {
+        assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    }
+}
+
+#[test]
+fn a_strip_shows_its_walls_side_by_side() {
+    let (mut results, series) = sample(Kind::Nonlinear, TITLE);
+    let run = results.fe_nonlinear.as_mut().and_then(|fe| fe.nonlinear.as_mut());
+    let run = run.expect("a nonlinear run");
+    run.grid.columns = Columns::Walls {
+        names: vec!["left wall".into(), "right wall".into()],
+    };
+    let cells = run.grid.cells();
+    for map in &mut run.maps {
+        map.values.truncate(cells);
+    }
+    for picture in &mut run.cracks {
+        picture.cracks.retain(|c| c.cell < cells);
+    }
+    let html = rendered(&results, &series).html;
+    for text in ["right wall", "id=\"fig-cracks_1\"", "id=\"fig-cells_3_bar_stress\""] {
+        assert!(html.contains(text), "{text}");
+    }
+    assert!(!html.contains("mirror image"));
+}
+
+#[test]
+fn a_nonlinear_run_without_anything_is_no_broken_section() {
+    let (mut results, series) = sample(Kind::Nonlinear, TITLE);
+    let fe = results.fe_nonlinear.as_mut().expect("a nonlinear run");
+    let run = fe.nonlinear.as_mut().expect("a nonlinear run");
+    run.events.clear();
+    run.maps.clear();
+    run.cracks.clear();
+    run.loops.clear();
+    run.cost.clear();
+    run.energies = Energies::default();
+    let short = rendered(&results, &series).html;
+    assert!(short.contains("id=\"nonlinear\"") && !short.contains("id=\"fig-energies\""));
+    results.fe_nonlinear.as_mut().expect("a nonlinear run").nonlinear = None;
+    assert!(rendered(&results, &series).html.contains("id=\"nonlinear\""));
+}
+
+#[test]
+fn a_map_without_a_value_for_each_cell_is_an_error_and_no_panic() {
+    let templates = Templates::new(None).expect("the embedded templates parse");
+    let spoil = |spoil: &dyn Fn(&mut Nonlinear)| {
+        let (mut results, series) = sample(Kind::Nonlinear, TITLE);
+        let run = results.fe_nonlinear.as_mut().and_then(|fe| fe.nonlinear.as_mut());
+        spoil(run.expect("a nonlinear run"));
+        build(&results, &series, &templates).expect_err("a fault").to_string()
+    };
+    assert!(spoil(&|run| run.maps[0].values.truncate(3)).contains("plastic_strain"));
+    assert!(spoil(&|run| run.cracks[0].cracks[0].cell = 100_000).contains("100000"));
+    assert!(spoil(&|run| run.energies.kinetic.truncate(3)).contains("energies"));
+}
+
+#[test]
 fn an_interrupted_run_is_no_verdict() {
     let (mut results, series) = sample(Kind::Both, TITLE);
     results.fe_solid.as_mut().expect("two engines").incomplete = true;
@@ -162,7 +298,7 @@ fn a_sheet_on_the_site_repeats_nothing_of_the_sheet_on_the_record() {
 
 #[test]
 fn every_heading_is_followed_by_content() {
-    for kind in [Kind::Compare, Kind::Check, Kind::Rectangle, Kind::Both, Kind::Solid] {
+    for kind in EVERY {
         let html = report(kind).html;
         for level in 2..=4 {
             for rest in html.split(&format!("</h{level}>")).skip(1) {
@@ -235,7 +371,7 @@ fn the_report_stands_alone() {
 
 #[test]
 fn figures_are_well_formed_described_and_have_their_data() {
-    for kind in [Kind::Compare, Kind::Check, Kind::Rectangle, Kind::Both, Kind::Solid] {
+    for kind in EVERY {
         let report = report(kind);
         let inline = figures(&report.html);
         assert_eq!(inline.len(), report.figures.len(), "{kind:?}");

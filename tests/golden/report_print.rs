@@ -61,7 +61,11 @@ fn rendered(folder: &Path, kind: Kind) -> PathBuf {
 fn it_prints_to_clean_pages() {
     let Some(program) = chromium() else { return };
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for (kind, pages) in [(Kind::Compare, 15..=40), (Kind::Check, 5..=20)] {
+    for (kind, pages) in [
+        (Kind::Compare, 15..=40),
+        (Kind::Check, 5..=20),
+        (Kind::Nonlinear, 15..=60),
+    ] {
         let report = rendered(folder.path(), kind);
         let pdf = folder.path().join("report.pdf");
         let to = format!("--print-to-pdf={}", pdf.display());
@@ -153,7 +157,7 @@ addEventListener("load", () => {
 fn nothing_is_cut_off_on_screen_phone_and_paper() {
     let Some(program) = chromium() else { return };
     let folder = tempfile::tempdir().expect("a temporary folder");
-    for kind in [Kind::Compare, Kind::Check, Kind::Rectangle] {
+    for kind in [Kind::Compare, Kind::Check, Kind::Rectangle, Kind::Nonlinear] {
         let report = rendered(folder.path(), kind);
         let html = std::fs::read_to_string(report).expect("readable");
         // On paper: the print rules for every medium, and no screen rules; 210 mm less the margins is 665 px.
@@ -207,6 +211,7 @@ fn look() {
         (Kind::Rectangle, "Concrete strip", "rectangle"),
         (Kind::Both, "Broad tank, two engines", "both"),
         (Kind::Solid, "Broad tank, three-dimensional", "solid"),
+        (Kind::Nonlinear, "Broad tank, nonlinear", "nonlinear"),
     ];
     for (kind, name, sub) in names {
         let out = std::path::Path::new(&folder).join(sub);

@@ -31,9 +31,61 @@ pub fn decimate(time: &[f64], values: &[f64], columns: usize) -> Vec<(f64, f64)>
     points
 }
 
+/// Points of a curve that need not run from left to right (a loop): the first, the last, the extremes of both
+/// coordinates, and every one that is at least a `part` of the curve's extent away from the one kept before it.
+pub fn thin(points: &[[f64; 2]], part: f64) -> Vec<(f64, f64)> {
+    let finite: Vec<[f64; 2]> = points
+        .iter()
+        .copied()
+        .filter(|p| p[0].is_finite() && p[1].is_finite())
+        .collect();
+    let Some(last) = finite.len().checked_sub(1) else {
+        return Vec::new();
+    };
+    let mut extremes = vec![0, last];
+    let mut room = [0.0; 2];
+    for k in 0..2 {
+        let order = |a: &usize, b: &usize| finite[*a][k].total_cmp(&finite[*b][k]);
+        let ends = [(0..=last).min_by(order), (0..=last).max_by(order)].map(|i| i.unwrap_or(0));
+        room[k] = part * (finite[ends[1]][k] - finite[ends[0]][k]);
+        extremes.extend(ends);
+    }
+    extremes.sort_unstable();
+    let mut kept = finite[0];
+    let mut out = Vec::new();
+    for (i, p) in finite.iter().enumerate() {
+        let far = (0..2).any(|k| (p[k] - kept[k]).abs() > room[k]);
+        if far || extremes.binary_search(&i).is_ok() {
+            out.push((p[0], p[1]));
+            kept = *p;
+        }
+    }
+    out
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn loops_keep_their_shape() {
+        let points: Vec<[f64; 2]> = (0..20_000)
+            .map(|i| {
+                let t = f64::from(i) * 1e-3;
+                [t.sin() * (1.0 + 0.1 * t), t.cos()]
+            })
+            .collect();
+        let thinned = thin(&points, 0.01);
+        assert!(thinned.len() < 3000 && thinned.len() > 300, "{}", thinned.len());
+        let most = |v: &mut dyn Iterator<Item = f64>| v.fold(0.0_f64, |m, x| m.max(x.abs()));
+        assert_eq!(
+            most(&mut thinned.iter().map(|p| p.0)),
+            most(&mut points.iter().map(|p| p[0]))
+        );
+        assert_eq!(thinned[thinned.len() - 1], (points[19_999][0], points[19_999][1]));
+        assert!(thin(&[], 0.01).is_empty());
+        assert_eq!(thin(&[[1.0, 2.0], [f64::NAN, 0.0]], 0.01), [(1.0, 2.0)]);
+    }
 
     #[test]
     fn extremes_survive() {

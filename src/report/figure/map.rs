@@ -5,23 +5,16 @@
 
 use codes::units::Dimension;
 
-use super::svg::{Anchor, Svg, n, path_data, text_width};
+use super::svg::{Anchor, Svg, n, path_data};
+use super::wall::{self, BAR, BELOW, LEFT, PLOT, STEPS, TOP};
 use super::{Figure, Room, WIDE, ticks};
 use crate::report::number::{Scale, fixed, plain, with_unit};
 use crate::report::table::{Column, Table, spread};
 use crate::results::WallMap;
 
-/// Colour steps: the classes `v0` to `v15` of `templates/fields.css`.
-const STEPS: usize = 16;
 /// Cells drawn over circumference and height.
 const COLUMNS: usize = 144;
 const ROWS: usize = 48;
-/// The plot within the figure.
-const LEFT: f64 = 46.0;
-const TOP: f64 = 22.0;
-const PLOT: f64 = 190.0;
-const BELOW: f64 = 36.0;
-const BAR: f64 = 84.0;
 
 /// A map with its angles closed to a full circle, on a regular grid.
 struct Field {
@@ -125,8 +118,16 @@ pub fn figure(id: &str, map: &WallMap) -> Option<Figure> {
             );
         }
     }
-    frame(&mut svg, &field, (x(theta.0), x(theta.1)), &x, &y);
-    bar(&mut svg, (low, high), &levels, decimals, scale.symbol());
+    frame(&mut svg, &field, (x(theta.0), x(theta.1)));
+    wall::bar(
+        &mut svg,
+        WIDE,
+        (TOP, bottom),
+        (low, high),
+        &levels,
+        decimals,
+        scale.symbol(),
+    );
     Some(Figure {
         id: id.into(),
         title: map.title.clone(),
@@ -237,83 +238,15 @@ fn contour(
 }
 
 /// Frame, ticks and titles of the plot.
-fn frame(svg: &mut Svg, field: &Field, across: (f64, f64), x: &impl Fn(f64) -> f64, y: &impl Fn(f64) -> f64) {
-    let (theta, z) = (ends(&field.theta), ends(&field.z));
+fn frame(svg: &mut Svg, field: &Field, across: (f64, f64)) {
     let bottom = TOP + PLOT;
     svg.path(
         &[(across.0, TOP), (across.1, TOP), (across.1, bottom), (across.0, bottom)],
         true,
         "ax",
     );
-    for degrees in (-360..=360).step_by(45) {
-        let angle = f64::from(degrees).to_radians();
-        if angle < theta.0 - 1e-6 || angle > theta.1 + 1e-6 {
-            continue;
-        }
-        svg.line((x(angle), bottom), (x(angle), bottom + 3.0), "ax");
-        svg.text(
-            (x(angle), bottom + 14.0),
-            Anchor::Middle,
-            "tk",
-            &fixed(f64::from(degrees), 0),
-        );
-    }
-    svg.text(
-        (across.1, bottom + 30.0),
-        Anchor::End,
-        "at",
-        "Angle θ from the direction of shaking [°]",
-    );
-    let scale = Scale::of(Dimension::Length, [z.0, z.1]);
-    let (heights, decimals) = ticks(scale.convert(z.0), scale.convert(z.1), 5);
-    for height in heights {
-        let level = y(height / scale.convert(1.0));
-        svg.line((across.0 - 3.0, level), (across.0, level), "ax");
-        svg.text(
-            (across.0 - 6.0, level + 3.8),
-            Anchor::End,
-            "tk",
-            &plain(height, decimals),
-        );
-    }
-    svg.text(
-        (1.0, TOP - 9.0),
-        Anchor::Start,
-        "at",
-        &super::chart::titled("Height z", scale.symbol()),
-    );
-}
-
-/// The colour bar at the right.
-fn bar(svg: &mut Svg, range: (f64, f64), levels: &[f64], decimals: usize, unit: &str) {
-    let left = WIDE - BAR + 18.0;
-    let step = PLOT / STEPS as f64;
-    for k in 0..STEPS {
-        let top = TOP + PLOT - (k + 1) as f64 * step;
-        svg.rect(left, top, 14.0, step + 0.3, &format!("v v{k}"));
-    }
-    svg.path(
-        &[
-            (left, TOP),
-            (left + 14.0, TOP),
-            (left + 14.0, TOP + PLOT),
-            (left, TOP + PLOT),
-        ],
-        true,
-        "ax",
-    );
-    for &level in levels {
-        let y = TOP + PLOT * (1.0 - (level - range.0) / (range.1 - range.0));
-        svg.line((left, y), (left + 17.0, y), "ax");
-        svg.text((left + 20.0, y + 3.8), Anchor::Start, "tk", &plain(level, decimals));
-    }
-    let width = text_width(unit) * super::chart::FONT;
-    svg.text(
-        ((left + width + 14.0).min(WIDE), TOP - 9.0),
-        Anchor::End,
-        "at",
-        &format!("[{unit}]"),
-    );
+    wall::angles(svg, ends(&field.theta), across, bottom);
+    wall::heights(svg, ends(&field.z), across.0, (TOP, bottom));
 }
 
 /// Largest and smallest value and where they are.

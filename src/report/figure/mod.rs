@@ -6,7 +6,9 @@
 
 pub mod backend;
 pub mod bars;
+pub mod cells;
 pub mod chart;
+pub mod cracks;
 pub mod decimate;
 pub mod fourway;
 pub mod map;
@@ -14,6 +16,7 @@ pub mod scene;
 pub mod shapes;
 pub mod sketch;
 pub mod svg;
+pub mod wall;
 
 use serde::Serialize;
 

@@ -21,8 +21,10 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let results = source.results;
     let limits = results.fe.iter().flat_map(|fe| &fe.limits).map(|l| (l, ""));
     let spatial = results.fe_solid.iter().flat_map(|fe| &fe.limits);
+    let nonlinear = results.fe_nonlinear.iter().flat_map(|fe| &fe.limits);
     let rows: Vec<Row> = limits
         .chain(spatial.map(|l| (l, " (three-dimensional)")))
+        .chain(nonlinear.map(|l| (l, " (nonlinear)")))
         .map(|(l, run)| {
             let scale = Scale::of(l.dimension, [l.value, l.limit]);
             Row {

@@ -9,6 +9,8 @@ mod input;
 mod limits;
 mod modes;
 mod motion;
+mod nonlinear;
+mod overlay;
 mod partings;
 mod profiles;
 mod provenance;
@@ -64,6 +66,7 @@ pub const ALL: &[Maker] = &[
     modes::make,
     profiles::make,
     histories::make,
+    nonlinear::make,
     spatial::make,
     sheets::make,
     engine::make,

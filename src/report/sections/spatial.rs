@@ -3,16 +3,14 @@
 
 use codes::units::Dimension;
 
-use super::{Section, Source, capital, engine};
+use super::{Section, Source, capital, engine, overlay};
 use crate::compare::{FE, FE_SOLID};
 use crate::error::Error;
-use crate::report::figure::chart::{Axis, Chart, Line};
-use crate::report::figure::decimate::decimate;
 use crate::report::figure::scene::{self, Face, Part};
-use crate::report::figure::{Figure, Room, WIDE, map};
+use crate::report::figure::{Figure, Room, map};
 use crate::report::number::{Scale, count, fixed, percent, ratio, significant, with_unit};
 use crate::report::table::{Column, Table, spread};
-use crate::results::{DeformedShape, Fields, Picture, SOLID_PREFIX, SeriesInfo};
+use crate::results::{DeformedShape, Fields, Picture, SOLID_PREFIX};
 
 /// Part of the tank's largest dimension that the largest displacement drawn takes.
 const SWING: f64 = 0.12;
@@ -111,85 +109,18 @@ fn signed(difference: f64) -> String {
 
 /// Histories of both engines.
 fn overlays(source: &Source) -> Result<Vec<Figure>, Error> {
-    let mut figures = Vec::new();
     let (Some(fe), Some(_)) = (&source.results.fe, &source.results.fe_solid) else {
-        return Ok(figures);
+        return Ok(Vec::new());
     };
-    for start in OVERLAID {
-        let shown =
-            |s: &&SeriesInfo| s.id.starts_with(start) && source.column(&format!("{SOLID_PREFIX}{}", s.id)).is_some();
-        if let Some(info) = fe.series.iter().find(shown) {
-            figures.extend(overlay(source, info)?);
-        }
-    }
-    Ok(figures)
-}
-
-/// One history of both engines; `None` if a column is missing or empty.
-fn overlay(source: &Source, info: &SeriesInfo) -> Result<Option<Figure>, Error> {
-    let columns = (
-        source.column(&info.id),
-        source.column(&format!("{SOLID_PREFIX}{}", info.id)),
-    );
-    let (Some(harmonic), Some(solid)) = columns else {
-        return Ok(None);
+    let second = overlay::Second {
+        prefix: SOLID_PREFIX,
+        id: "both",
+        title: "both engines",
+        class: "k-fe-solid hist",
+        names: ["harmonic", "three-dimensional"],
+        rules: &[],
     };
-    let time = &source.series.time;
-    let end = time.len().min(harmonic.len()).min(solid.len());
-    // An interrupted run ends before the record does.
-    let run = solid[..end].iter().take_while(|v| v.is_finite()).count();
-    if run < 2 {
-        return Ok(None);
-    }
-    let values = harmonic[..end].iter().chain(&solid[..run]).copied();
-    let (low, high) = values.fold((0.0_f64, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
-    let x = Axis::exact("Time", Dimension::Time, (time[0], time[end - 1]), 8);
-    let y = Axis::linear(&info.title, info.dimension, [1.05 * low, 1.05 * high], 5);
-    let mut chart = Chart::new((WIDE, 0.0), x, y).with_plot_height(96.0);
-    for (values, n, class, label) in [
-        (harmonic, end, "k-fe hist", "harmonic"),
-        (solid, run, "k-fe-solid hist", "three-dimensional"),
-    ] {
-        chart.lines.push(Line {
-            points: decimate(&time[..n], &values[..n], (WIDE - 60.0) as usize),
-            class: class.into(),
-            label: label.into(),
-        });
-    }
-    let chart = chart.with_plot_height(96.0);
-    let peak = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let apart = (0..run).map(|i| (harmonic[i] - solid[i]).abs()).fold(0.0, f64::max);
-    let largest = peak(&harmonic[..end]);
-    let scale = Scale::of(info.dimension, [largest]);
-    let mut table = Table::new(vec![
-        Column::words("Value"),
-        Column::numbers(&info.title, scale.symbol()),
-    ]);
-    table.row(vec!["largest sample, harmonic".into(), scale.text(largest)]);
-    table.row(vec![
-        "largest sample, three-dimensional".into(),
-        scale.text(peak(&solid[..run])),
-    ]);
-    table.row(vec!["largest difference of two samples".into(), scale.text(apart)]);
-    Ok(Some(Figure {
-        id: format!("both_{}", info.id),
-        title: format!("{}, both engines", info.title),
-        caption: format!(
-            "Samples differ by at most {} of the largest.",
-            percent(apart / largest.max(f64::MIN_POSITIVE))
-        ),
-        titled: false,
-        description: format!(
-            "{} over time by the harmonic and the three-dimensional engine; largest sample {} and {}.",
-            info.title,
-            with_unit(largest, info.dimension),
-            with_unit(peak(&solid[..run]), info.dimension)
-        ),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Wide,
-    }))
+    overlay::overlays(source, &fe.series, &OVERLAID, &second)
 }
 
 /// Faces with the displacements of wall and surface multiplied by a factor each.

@@ -89,7 +89,10 @@ fn verdict(results: &Results) -> Verdict {
         Verdict {
             class: "fail",
             sign: "✗",
-            headline: "Incomplete: the finite-element run was interrupted, its extremes are not final".into(),
+            headline: match v.reason.as_str() {
+                "" => "Incomplete: the finite-element run was interrupted, its extremes are not final".into(),
+                reason => reason.into(),
+            },
         }
     } else if v.checks == 0 {
         Verdict {
@@ -200,15 +203,19 @@ fn facts(source: &Source) -> Vec<Fact> {
 }
 
 fn warnings(results: &Results) -> Vec<Warning> {
-    // A limit that both engines exceed is told once.
+    // A limit that several engines exceed is told once.
     let harmonic: Vec<&Limit> = results
         .fe
         .iter()
         .flat_map(|fe| &fe.limits)
         .filter(|l| !l.holds)
         .collect();
-    let spatial = results.fe_solid.iter().flat_map(|fe| &fe.limits);
-    let others = spatial.filter(|l| !l.holds && harmonic.iter().all(|h| h.id != l.id));
+    let second = results
+        .fe_solid
+        .iter()
+        .chain(&results.fe_nonlinear)
+        .flat_map(|fe| &fe.limits);
+    let others = second.filter(|l| !l.holds && harmonic.iter().all(|h| h.id != l.id));
     harmonic
         .iter()
         .copied()

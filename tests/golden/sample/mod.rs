@@ -11,6 +11,7 @@ use tankcheck::results::*;
 mod engine;
 mod fields;
 mod methods;
+mod nonlinear;
 
 use engine::fe_result;
 use methods::{comparison, methods};
@@ -32,6 +33,8 @@ pub enum Kind {
     Both,
     /// `compare --fe solid`.
     Solid,
+    /// `compare --fe nonlinear`.
+    Nonlinear,
 }
 
 /// Results and series of this kind, with this title.
@@ -104,7 +107,10 @@ pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
         (None, Series::default())
     };
     let (mut methods, mut fe, mut series) = (methods, fe, series);
-    let mut fe_solid = None;
+    let (mut fe_solid, mut fe_nonlinear) = (None, None);
+    if let (Kind::Nonlinear, Some(engine)) = (kind, &fe) {
+        fe_nonlinear = Some(nonlinear::add(engine, &mut methods, &mut series, &tank, &liquid));
+    }
     if let (Kind::Both | Kind::Solid, Some(engine)) = (kind, fe.as_mut()) {
         let mut spatial = engine.clone();
         spatial.engine = "solid".into();
@@ -146,6 +152,7 @@ pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
     let verdict = Verdict {
         holds: failed == 0,
         incomplete: false,
+        reason: String::new(),
         checks: checks.len(),
         failed,
         governing,
@@ -198,7 +205,7 @@ pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
         methods,
         fe,
         fe_solid,
-        fe_nonlinear: None,
+        fe_nonlinear,
         verdict,
     };
     (results, series)

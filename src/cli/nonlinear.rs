@@ -1,0 +1,176 @@
+//! Arguments of the nonlinear engine in `compare`: where a run is kept while it is under way, and whether it goes on.
+
+use std::path::{Path, PathBuf};
+
+use fem::analysis::checkpoint::MAGIC;
+
+use crate::cli::Global;
+use crate::error::Error;
+use crate::fe::nonlinear::CheckpointFile;
+use crate::job::{Engines, Job};
+use crate::report::number::plain;
+use crate::results::nonlinear::End;
+use crate::results::{Results, describe};
+
+/// How a nonlinear run survives an interruption.
+#[derive(clap::Args, Clone, Debug)]
+pub struct NonlinearArgs {
+    /// File that keeps a nonlinear run while it is under way; removed when it is done [default: the output folder with
+    /// `.checkpoint` at its end].
+    #[arg(long, value_name = "FILE")]
+    checkpoint: Option<PathBuf>,
+    /// Go on with a nonlinear run where its checkpoint ends.
+    #[arg(long)]
+    resume: bool,
+}
+
+impl NonlinearArgs {
+    /// Lays these options over the job's; `out` is the output folder.
+    ///
+    /// Errors: options without a nonlinear run; a place where no checkpoint can be written; nothing to go on from.
+    pub fn apply(&self, job: &mut Job, out: &Path) -> Result<(), Error> {
+        if job.engines != Engines::Nonlinear {
+            let unused = self.checkpoint.as_ref().map(|_| "--checkpoint");
+            return match unused.or(self.resume.then_some("--resume")) {
+                Some(option) => refuse(
+                    &format!("{option} belongs to the nonlinear engine"),
+                    "add --fe nonlinear",
+                ),
+                None => Ok(()),
+            };
+        }
+        let path = self.checkpoint.clone().unwrap_or_else(|| beside(out));
+        let shown = path.display();
+        if path.is_dir() {
+            return refuse(
+                &format!("--checkpoint: `{shown}` is a folder, expected a file"),
+                "name a file",
+            );
+        }
+        match path.parent() {
+            Some(parent) if self.checkpoint.is_some() && !parent.as_os_str().is_empty() && !parent.is_dir() => {
+                return refuse(
+                    &format!("--checkpoint: there is no folder `{}`", parent.display()),
+                    "make it, or name a file in another one",
+                );
+            }
+            _ => {}
+        }
+        match begins(&path)? {
+            None if self.resume => {
+                return refuse(
+                    &format!("--resume: there is no checkpoint `{shown}`"),
+                    "name that of the interrupted run with --checkpoint, or leave --resume out",
+                );
+            }
+            Some(head) if head != MAGIC => {
+                return refuse(
+                    &format!("--checkpoint: `{shown}` is a file that is no checkpoint"),
+                    "name another file; this one is left alone",
+                );
+            }
+            _ => {}
+        }
+        job.checkpoint = Some(CheckpointFile {
+            path,
+            key: job.key(),
+            resume: self.resume,
+        });
+        Ok(())
+    }
+}
+
+fn refuse(what: &str, help: &str) -> Result<(), Error> {
+    Err(Error::Input(format!("error: {what}\n  help: {help}")))
+}
+
+/// `out/` → `out.checkpoint`.
+fn beside(out: &Path) -> PathBuf {
+    // A folder without a name of its own (`.`) has one from the root on.
+    let whole = match out.file_name() {
+        Some(_) => out.to_path_buf(),
+        None => std::path::absolute(out).unwrap_or_else(|_| out.to_path_buf()),
+    };
+    let mut name = whole.file_name().unwrap_or("out".as_ref()).to_owned();
+    name.push(".checkpoint");
+    whole.with_file_name(name)
+}
+
+/// First bytes of a file as long as those of a checkpoint; `None` if there is no file.
+fn begins(path: &Path) -> Result<Option<Vec<u8>>, Error> {
+    use std::io::Read;
+    let fault = |e: std::io::Error| Error::File {
+        path: path.into(),
+        what: describe(&e),
+    };
+    if !path.exists() {
+        return Ok(None);
+    }
+    let mut head = Vec::new();
+    let file = std::fs::File::open(path).map_err(fault)?;
+    file.take(MAGIC.len() as u64).read_to_end(&mut head).map_err(fault)?;
+    Ok(Some(head))
+}
+
+/// Says what the run is about to do.
+pub fn announce(job: &Job, global: &Global) {
+    let (Some(file), Some(motion), false) = (&job.checkpoint, &job.case.ground_motion, global.quiet) else {
+        return;
+    };
+    let shown = file.path.display();
+    let every = plain(job.nonlinear.checkpoint, 0);
+    let start = match (file.resume, file.path.exists()) {
+        (true, _) => format!("goes on from `{shown}`"),
+        (false, true) => format!("begins anew and replaces `{shown}` (--resume would go on from it)"),
+        (false, false) => "begins".into(),
+    };
+    anstream::eprintln!(
+        "nonlinear run of {} s: {start}; a checkpoint every {every} s of computing",
+        plain(motion.horizontal.duration(), 2)
+    );
+}
+
+/// How the nonlinear run of these results ended.
+fn end(results: &Results) -> Option<&End> {
+    let run = results.fe_nonlinear.as_ref()?.nonlinear.as_ref()?;
+    Some(&run.end)
+}
+
+/// Removes the checkpoint of a run that has come to its end.
+pub fn tidy(job: &Job, results: &Results) {
+    if let (Some(file), Some(End::Completed | End::Collapsed { .. })) = (&job.checkpoint, end(results)) {
+        // There is none after a short run; one that cannot be removed is only litter.
+        let _ = std::fs::remove_file(&file.path);
+    }
+}
+
+/// Says how an interrupted run goes on.
+pub fn advise(job: &Job, results: &Results, global: &Global) {
+    let Some(file) = job.checkpoint.as_ref().filter(|f| !global.quiet && f.path.exists()) else {
+        return;
+    };
+    if !matches!(end(results), Some(End::Completed | End::Collapsed { .. })) {
+        anstream::eprintln!(
+            "checkpoint: {}; the same command with --resume goes on",
+            file.path.display()
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_checkpoint_stands_beside_the_output_folder() {
+        for (out, file) in [
+            ("out", "out.checkpoint"),
+            ("out/", "out.checkpoint"),
+            ("a/b.c/", "a/b.c.checkpoint"),
+        ] {
+            assert_eq!(beside(Path::new(out)), Path::new(file));
+        }
+        let here = beside(Path::new("."));
+        assert!(here.is_absolute() && here.to_string_lossy().ends_with(".checkpoint"));
+    }
+}
