@@ -57,7 +57,7 @@ fn one_loop(index: usize, curve: &Loop) -> Result<Option<Figure>, Error> {
     chart.lines.push(zero(vec![(0.0, y.0.min(0.0)), (0.0, y.1.max(0.0))]));
     chart.lines.push(Line {
         points,
-        class: "k-fe thin".into(),
+        class: "k-fe hist".into(),
         label: String::new(),
     });
     let chart = chart.with_plot_height(LOOP);
@@ -108,11 +108,11 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
     let time = &energies.time;
     let curves: [(&str, &str, &[f64]); 6] = [
         ("work of the loads", "k-s1", &energies.input),
-        ("internal", "k-s3", &energies.internal),
-        ("materials (part of internal)", "k-s6", &energies.hysteretic),
+        ("internal", "k-s2", &energies.internal),
+        ("materials (part of internal)", "k-s3", &energies.hysteretic),
         ("damping", "k-s4", &energies.damping),
-        ("kinetic", "k-s2", &energies.kinetic),
-        ("time integration", "k-s5", &energies.numerical),
+        ("kinetic", "k-s5", &energies.kinetic),
+        ("time integration", "k-s6", &energies.numerical),
     ];
     let whole = |v: &[f64]| v.len() == time.len() && v.iter().all(|x| x.is_finite());
     if !curves.iter().all(|(_, _, v)| whole(v)) {

@@ -246,7 +246,7 @@ fn own(source: &Source, fe: &FeResult) -> Result<Vec<Figure>, Error> {
             info.dimension,
             &column[..run],
             Some(info),
-            "k-fe-nonlinear",
+            "k-fe-nonlinear whole",
         )?);
     }
     Ok(figures)
