@@ -15,7 +15,7 @@ use crate::fe::{FeError, Integrator};
 use crate::job::{Engines, Job};
 use crate::pipeline::{self, Outcome, OutputFolder};
 use crate::report;
-use crate::results::{self, Method, Results, Series, Status, vtu};
+use crate::results::{self, Limit, Method, Results, Series, Status, vtu};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -342,9 +342,13 @@ fn print_verdict(results: &Results) {
             governing.check.utilisation
         );
     }
+    // A limit that several engines exceed is told once.
+    let mut told: Vec<&str> = Vec::new();
     for fe in results.fe.iter().chain(&results.fe_solid).chain(&results.fe_nonlinear) {
-        for limit in fe.limits.iter().filter(|l| !l.holds) {
+        let exceeded: Vec<&Limit> = fe.limits.iter().filter(|l| !l.holds).collect();
+        for limit in exceeded.iter().filter(|l| !told.contains(&l.id.as_str())) {
             anstream::println!("warning: {}: {}", limit.name, limit.note);
         }
+        told.extend(exceeded.iter().map(|l| l.id.as_str()));
     }
 }

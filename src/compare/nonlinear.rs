@@ -9,6 +9,8 @@ use crate::results::{ComparisonRow, Method, Parting};
 
 /// While nothing yields or cracks, a mesh of shells or beams stays within this of the linear engine.
 const THRESHOLD: f64 = 0.05;
+/// Events told at most; the report lists all.
+const TOLD: usize = 6;
 
 /// One paragraph, if a quantity differs.
 pub(super) fn explain(methods: &[Method], rows: &[ComparisonRow], context: &Context) -> Option<Parting> {
@@ -44,8 +46,11 @@ fn why(run: &Happened) -> String {
                 .into(),
         );
     } else {
-        let list: Vec<String> = run.events.iter().map(told).collect();
-        sentences.push(format!("The wall leaves linear theory: {}.", list.join("; ")));
+        let list: Vec<String> = run.events.iter().take(TOLD).map(told).collect();
+        sentences.push(format!("The run leaves linear theory: {}.", list.join("; ")));
+    }
+    if let Some([linear, nonlinear]) = run.damping.as_ref().filter(|[a, b]| a != b) {
+        sentences.push(format!("Damping differs: linear {linear}; nonlinear {nonlinear}."));
     }
     let any = |part: &str| run.events.iter().any(|e| e.id.contains(part));
     if any("crack") {
@@ -58,18 +63,12 @@ fn why(run: &Happened) -> String {
     if any("yield") {
         sentences.push("Yielding bounds the stress there and moves forces to where the wall is still elastic.".into());
     }
-    if any("separation") {
-        sentences.push("Where the liquid lets go of the wall the pressure stays at zero.".into());
-    }
     if run.hysteretic > 0.0 && run.input > 0.0 {
         sentences.push(format!(
-            "The materials dissipate {}, {:.0} % of the work of the loads.",
+            "The materials dissipate {}, {} % of the work of the loads.",
             units::display(run.hysteretic, Dimension::Energy),
-            100.0 * run.hysteretic / run.input
+            units::significant(100.0 * run.hysteretic / run.input, 2)
         ));
-    }
-    if let Some([linear, nonlinear]) = run.damping.as_ref().filter(|[a, b]| a != b) {
-        sentences.push(format!("Damping differs: linear {linear}; nonlinear {nonlinear}."));
     }
     sentences.join(" ")
 }

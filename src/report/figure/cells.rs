@@ -64,12 +64,20 @@ fn range(values: &[f64]) -> (f64, f64) {
     }
 }
 
+/// Title with a capital.
+fn title(map: &CellMap) -> String {
+    let mut letters = map.title.chars();
+    letters
+        .next()
+        .map_or_else(String::new, |c| c.to_uppercase().collect::<String>() + letters.as_str())
+}
+
 /// A map in one sentence, where there is nothing to draw: the same value everywhere.
 pub fn sentence(map: &CellMap) -> String {
     let value = map.values.first().copied().unwrap_or(0.0);
     match value == 0.0 {
-        true => format!("{}: zero everywhere.", map.title),
-        false => format!("{}: {} everywhere.", map.title, Shown::of(map).with_unit(value)),
+        true => format!("{}: zero everywhere.", title(map)),
+        false => format!("{}: {} everywhere.", title(map), Shown::of(map).with_unit(value)),
     }
 }
 
@@ -110,14 +118,14 @@ pub fn figure(id: &str, grid: &WallGrid, map: &CellMap) -> Option<Figure> {
             0 => format!("{text} is reached nowhere."),
             all if all == map.values.len() => format!("{text} is reached everywhere."),
             some => format!(
-                "Double line: {text}, reached in {} of the cells.",
+                "Double line: {text}; {} of the cells are at or above it.",
                 percent(some as f64 / map.values.len() as f64)
             ),
         });
     }
     Some(Figure {
         id: id.into(),
-        title: map.title.clone(),
+        title: title(map),
         caption,
         titled: false,
         description: describe(grid, map, &shown),
@@ -243,7 +251,7 @@ mod tests {
         let figure = figure("a", &grid(), &map(|i| 1e-3 * (i / 6) as f64 * (1.0 + i as f64 / 24.0))).expect("a map");
         assert!(figure.markup.contains("[‰]") && figure.markup.contains("class=\"mk in\""));
         assert!(
-            figure.caption.contains("Double line: 4\u{a0}‰, reached in 25\u{a0}%"),
+            figure.caption.contains("Double line: 4\u{a0}‰; 25\u{a0}% of the cells"),
             "{}",
             figure.caption
         );

@@ -66,10 +66,14 @@ fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option
     let x = Axis::exact("Time", Dimension::Time, (time[0], time[end - 1]), 8);
     let y = Axis::linear(&info.title, info.dimension, [1.05 * low, 1.05 * high], 5);
     let mut chart = Chart::new((WIDE, 0.0), x, y);
-    for (values, n, class, label) in [
+    let peak = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let mut both = [
         (first, end, "k-fe hist", second.names[0]),
         (other, run, second.class, second.names[1]),
-    ] {
+    ];
+    // The larger one behind: a dense history would hide what lies under it.
+    both.sort_by(|a, b| peak(&b.0[..b.1]).total_cmp(&peak(&a.0[..a.1])));
+    for (values, n, class, label) in both {
         chart.lines.push(Line {
             points: decimate(&time[..n], &values[..n], (WIDE - 60.0) as usize),
             class: class.into(),
@@ -85,7 +89,6 @@ fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option
         })
         .collect();
     let chart = chart.with_plot_height(96.0);
-    let peak = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let apart = (0..run).map(|i| (first[i] - other[i]).abs()).fold(0.0, f64::max);
     let largest = peak(&first[..end]);
     let scale = Scale::of(info.dimension, [largest]);
