@@ -1,14 +1,14 @@
 //! The whole flow of an incremental dynamic analysis: job → strip → runs → `ida.json`, `ida.csv`, report.
 //!
-//! Every run that is finished goes to `ida.partial.json` at once, so that an analysis that is killed can be resumed; a run
-//! does not depend on the others, and a resumed analysis gives the same numbers.
+//! Every run that is finished goes to `ida.partial.json` at once, and runs under way keep checkpoints, so that an analysis
+//! that is killed can be resumed; a run does not depend on the others, and a resumed analysis gives the same numbers.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use fem::progress::Progress;
 
 use crate::error::Error;
-use crate::fe::nonlinear::Strip;
+use crate::fe::nonlinear::{CheckpointFile, Strip};
 use crate::job::IdaJob;
 use crate::pipeline::OutputFolder;
 use crate::report::{self, FIGURES_FOLDER, REPORT_FILE};
@@ -19,9 +19,12 @@ use crate::results::{
 /// Name of the table of runs.
 const CSV_FILE: &str = "ida.csv";
 
+/// What names of checkpoints of runs under way begin with, before the scale.
+const CHECKPOINT: &str = "checkpoint-";
+
 /// Whether an analysis writes an entry of this name.
 pub fn owns(name: &str) -> bool {
-    [IDA_FILE, IDA_PARTIAL_FILE, CSV_FILE, REPORT_FILE, FIGURES_FOLDER].contains(&name)
+    name.starts_with(CHECKPOINT) || [IDA_FILE, IDA_PARTIAL_FILE, CSV_FILE, REPORT_FILE, FIGURES_FOLDER].contains(&name)
 }
 
 /// Runs a job; `volatile` stamps the results.
@@ -41,7 +44,7 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
         name: job.job.case.name.clone(),
         files: job.job.files.clone(),
         model: strip.facts.clone(),
-        assumptions: strip.assumptions.clone(),
+        assumptions: [strip.assumptions.clone(), strip.assumptions_of_curves().to_vec()].concat(),
         runs: kept,
         incomplete: true,
     };
@@ -52,13 +55,24 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
         .copied()
         .filter(|scale| !ida.runs.iter().any(|run| run.scale == *scale))
         .collect();
-    std::fs::create_dir_all(&job.out).map_err(|e| Error::File {
-        path: job.out.clone(),
-        what: describe(&e),
-    })?;
+    std::fs::create_dir_all(&job.out).map_err(|e| fault(&job.out, e))?;
     let partial = job.out.join(IDA_PARTIAL_FILE);
+    if !job.resume {
+        // Of an earlier analysis, which the folder is taken from.
+        for path in checkpoints(&job.out)? {
+            std::fs::remove_file(&path).map_err(|e| fault(&path, e))?;
+        }
+    }
+    let key = ida.key.clone();
+    let checkpoint = |scale: f64| {
+        Some(CheckpointFile {
+            path: job.out.join(format!("{CHECKPOINT}{scale}")),
+            key: key.clone(),
+            resume: job.resume,
+        })
+    };
     let mut unwritten = None;
-    strip.incremental(&missing, job.jobs, progress, |run| {
+    strip.incremental(&missing, job.jobs, &checkpoint, progress, |run| {
         insert(&mut ida.runs, run);
         // The first failure is kept; the runs go on, their results are still in memory.
         unwritten = unwritten.take().or(write_ida(&partial, &ida).err());
@@ -69,6 +83,12 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
     ida.incomplete = ida.runs.len() < job.scales.len();
     ida.volatile = volatile();
     write(&folder, &ida)?;
+    if ida.incomplete {
+        for path in checkpoints(&job.out)? {
+            let name = path.file_name().unwrap_or_default();
+            std::fs::copy(&path, folder.path().join(name)).map_err(|e| fault(&path, e))?;
+        }
+    }
     folder.commit()?;
     Ok(ida)
 }
@@ -104,11 +124,26 @@ fn kept(folder: &Path, key: &str) -> Result<Vec<IdaRun>, Error> {
     Ok(runs)
 }
 
-fn write(folder: &OutputFolder, ida: &Ida) -> Result<(), Error> {
-    let fault = |path: &Path, e: std::io::Error| Error::File {
+fn fault(path: &Path, e: std::io::Error) -> Error {
+    Error::File {
         path: path.into(),
         what: describe(&e),
-    };
+    }
+}
+
+/// Checkpoints in a folder.
+fn checkpoints(folder: &Path) -> Result<Vec<PathBuf>, Error> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(|e| fault(folder, e))? {
+        let entry = entry.map_err(|e| fault(folder, e))?;
+        if entry.file_name().to_string_lossy().starts_with(CHECKPOINT) {
+            found.push(entry.path());
+        }
+    }
+    Ok(found)
+}
+
+fn write(folder: &OutputFolder, ida: &Ida) -> Result<(), Error> {
     write_ida(&folder.path().join(IDA_FILE), ida)?;
     let put = |name: &str, text: &str| {
         let path = folder.path().join(name);

@@ -114,7 +114,7 @@ pub struct Checkpoint {
     pub path: PathBuf,
     /// Written after so many nominal steps (0: never)
     pub steps: usize,
-    /// and after so many seconds (infinite: never), and when the march is interrupted.
+    /// and after so many seconds (infinite: never), and when the march is interrupted or has come to its end.
     pub seconds: f64,
     /// What the fingerprint cannot see of the model: a hash or name of its input.
     pub key: String,

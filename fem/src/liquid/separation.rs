@@ -103,6 +103,11 @@ impl SeparationCheck {
         self.weight * (self.surface - self.heights[i])
     }
 
+    /// Heights of the places [m], with the lowest pressure there so far [Pa].
+    pub fn lowest_pressures(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        self.heights.iter().copied().zip(self.seen.iter().map(|s| s.pressure))
+    }
+
     /// Looks at one instant.
     ///
     /// * `pressure(i)`: dynamic pressure p' at place i [Pa]

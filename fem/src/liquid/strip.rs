@@ -16,6 +16,10 @@
 //!
 //! Source: linear potential flow between rigid ends (Lamb 1932, §§ 239, 257), expanded as for walls that move.
 
+mod places;
+
+pub use places::Place;
+
 use codes::STANDARD_GRAVITY;
 
 use crate::linalg::Matrix;
@@ -57,6 +61,16 @@ pub struct WallLiquid {
     pub area: Vec<f64>,
     /// Nodal forces of the hydrostatic pressure ρ g (H − z) [N/m, N].
     pub hydrostatic: Vec<f64>,
+}
+
+/// Integrals over the deflection: rows over deflections and slopes.
+struct Parts {
+    /// S_n.
+    sloshing_rows: Vec<Vec<f64>>,
+    /// ∫₀ᴴ u cos(l_j z) dz.
+    mass_rows: Vec<Vec<f64>>,
+    area: Vec<f64>,
+    hydrostatic: Vec<f64>,
 }
 
 impl StripLiquid {
@@ -113,6 +127,42 @@ impl StripLiquid {
     pub fn on_wall(&self, levels: &[f64], sloshing: usize) -> WallLiquid {
         let wall = 2 * levels.len();
         let all = wall + sloshing;
+        let Parts {
+            sloshing_rows,
+            mass_rows,
+            area,
+            hydrostatic,
+        } = self.parts(levels, sloshing);
+        let (mut mass, mut stiffness) = (Matrix::zeros(all, all), Matrix::zeros(all, all));
+        for (j, row) in mass_rows.iter().enumerate() {
+            rank_one(&mut mass, self.added_mass(j), row);
+        }
+        for (n, row) in sloshing_rows.iter().enumerate() {
+            let c = self.modal_mass(n);
+            rank_one(&mut mass, c, row);
+            for (i, s) in row.iter().enumerate() {
+                mass.add(i, wall + n, c * s);
+                mass.add(wall + n, i, c * s);
+            }
+            mass.add(wall + n, wall + n, c);
+            stiffness.add(wall + n, wall + n, self.spring());
+        }
+        WallLiquid {
+            mass,
+            stiffness,
+            modal_masses: (0..sloshing).map(|n| self.modal_mass(n)).collect(),
+            omega: (0..sloshing).map(|n| self.sloshing_frequency(n)).collect(),
+            elevation: (0..sloshing)
+                .map(|n| (self.wave_number(n) * self.half_width).sin())
+                .collect(),
+            area,
+            hydrostatic,
+        }
+    }
+
+    /// Integrals over the deflection.
+    fn parts(&self, levels: &[f64], sloshing: usize) -> Parts {
+        let wall = 2 * levels.len();
         let mut sloshing_rows = vec![vec![0.0; wall]; sloshing];
         let mut mass_rows = vec![vec![0.0; wall]; TERMS];
         let (mut area, mut hydrostatic) = (vec![0.0; wall], vec![0.0; wall]);
@@ -141,28 +191,9 @@ impl StripLiquid {
                 }
             }
         }
-        let (mut mass, mut stiffness) = (Matrix::zeros(all, all), Matrix::zeros(all, all));
-        for (j, row) in mass_rows.iter().enumerate() {
-            rank_one(&mut mass, self.added_mass(j), row);
-        }
-        for (n, row) in sloshing_rows.iter().enumerate() {
-            let c = self.modal_mass(n);
-            rank_one(&mut mass, c, row);
-            for (i, s) in row.iter().enumerate() {
-                mass.add(i, wall + n, c * s);
-                mass.add(wall + n, i, c * s);
-            }
-            mass.add(wall + n, wall + n, c);
-            stiffness.add(wall + n, wall + n, self.spring());
-        }
-        WallLiquid {
-            mass,
-            stiffness,
-            modal_masses: (0..sloshing).map(|n| self.modal_mass(n)).collect(),
-            omega: (0..sloshing).map(|n| self.sloshing_frequency(n)).collect(),
-            elevation: (0..sloshing)
-                .map(|n| (self.wave_number(n) * self.half_width).sin())
-                .collect(),
+        Parts {
+            sloshing_rows,
+            mass_rows,
             area,
             hydrostatic,
         }

@@ -15,16 +15,19 @@
 //! the caller puts into the law, E/(1 − ν²).
 //!
 //! * [`StripTank`]: parameters. [`StripModel`]: the model, its loads, damping and modes.
-//! * [`StripModel::run`]: one wall through an earthquake; [`StripModel::incremental`]: both at rising scales. [`Demand`]: what
-//!   is taken from every step.
+//! * [`StripModel::histories`]: both walls through an earthquake, with all that can be told ([`WallHistory`]).
+//!   [`StripModel::run`]: one wall, its [`Demand`] alone; [`StripModel::incremental`]: both at rising scales.
 //! * [`levels`]: nodes along a wall.
 
+mod follow;
+mod history;
 mod model;
 mod run;
 mod watch;
 
+pub use history::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory};
 pub use model::{Side, StripDamping, StripModel};
-pub use run::{StripLevel, StripQuake, StripRun};
+pub use run::{StripLevel, StripQuake, StripRun, WallRun};
 pub use watch::{Demand, FirstCrack};
 
 use std::sync::Arc;
@@ -51,6 +54,19 @@ pub struct StripTank {
     pub liquid: StripLiquid,
     /// Number of sloshing modes.
     pub sloshing: usize,
+}
+
+/// Share of the height by which the top of a wall may move: beyond it the theory of small deflections says no more, and the
+/// wall counts as collapsed.
+pub const LARGEST_DEFLECTION: f64 = 0.1;
+
+/// Why a run of a wall was stopped whose top stands at the deflection `u` [m] of a height `h` [m].
+fn lost(u: f64, h: f64) -> Option<String> {
+    (u.abs() > LARGEST_DEFLECTION * h).then(|| {
+        format!(
+            "the top of the wall has moved by more than {LARGEST_DEFLECTION} of its height, beyond small deflections"
+        )
+    })
 }
 
 /// A strip that cannot be made or solved.

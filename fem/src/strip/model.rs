@@ -71,8 +71,10 @@ pub struct StripModel {
     pub wall_mode: usize,
     /// Ratios of all modes.
     pub ratios: Vec<RatioRow>,
-    /// Nodal forces at rest: the weight of the wall (the pressure at rest belongs to the liquid's element).
+    /// Nodal forces of the wall's weight.
     pub weight: Vec<f64>,
+    /// Nodal forces of the pressure at rest.
+    pub pressure: Vec<f64>,
     /// Nodes of the wall upwards.
     pub wall: Vec<usize>,
     /// The liquid on the wall.
@@ -110,11 +112,9 @@ impl StripModel {
             .iter()
             .map(|n| if wall.contains(n) { WALL_DOFS } else { AMPLITUDE })
             .collect();
-        let pad = |row: &[f64]| [row, &vec![0.0; tank.sloshing]].concat();
         let mut element = SuperElement::new(nodes, dofs)?
             .with_mass(liquid.mass.clone())?
-            .with_stiffness(liquid.stiffness.clone())?
-            .with_load(pad(&liquid.hydrostatic))?;
+            .with_stiffness(liquid.stiffness.clone())?;
         if let StripDamping::ByGroup { sloshing, .. } = damping {
             let n = liquid.mass.rows;
             let mut c = Matrix::zeros(n, n);
@@ -172,6 +172,7 @@ impl StripModel {
         let ratios = system.damping.ratios(&system.mass, &system.stiffness, &modes);
         let base = base_rows(&model, wall[0], tank, rayleigh)?;
         let weight = assembler.body_force(&model, [0.0, 0.0, -tank.liquid.gravity]);
+        let pressure = wall_forces(&model, &wall, &liquid.hydrostatic);
         Ok(StripModel {
             model,
             assembler,
@@ -181,6 +182,7 @@ impl StripModel {
             wall_mode,
             ratios,
             weight,
+            pressure,
             wall,
             liquid,
             tank: tank.clone(),
@@ -193,6 +195,11 @@ impl StripModel {
     pub fn top(&self) -> usize {
         let node = self.wall[self.wall.len() - 1];
         self.model.dofs().equation(node, Dof::Ux).expect("the top is free")
+    }
+
+    /// Height of the wall [m].
+    pub fn height(&self) -> f64 {
+        self.tank.levels[self.tank.levels.len() - 1]
     }
 
     /// ω of the first wall mode with the liquid [rad/s].
@@ -252,6 +259,10 @@ impl StripModel {
                 }
             }
         }
+        // Pressure at rest and of the vertical motion are nodal loads; their share at the base goes straight into the ground.
+        for (i, k) in [(0, 0), (2, 1)] {
+            out[i] -= self.liquid.hydrostatic[k] * (1.0 + ground[2] / self.tank.liquid.gravity);
+        }
         let fields = &state.committed;
         if self.tank.base_spring.is_some() {
             out[2] = apply(&self.base[2].displacement, &fields.u);
@@ -269,17 +280,14 @@ impl StripModel {
         self.base[2].clone()
     }
 
+    /// Loads at rest: weight and pressure.
+    pub fn at_rest(&self) -> Vec<f64> {
+        self.weight.iter().zip(&self.pressure).map(|(w, p)| w + p).collect()
+    }
+
     /// Nodal forces of the pressure ρ (H − z) of a unit vertical acceleration of the ground, upwards.
     pub fn vertical_pressure(&self) -> Vec<f64> {
-        let mut out = vec![0.0; self.model.dofs().len()];
-        for (i, &node) in self.wall.iter().enumerate() {
-            for (k, dof) in [Dof::Ux, Dof::Ry].into_iter().enumerate() {
-                if let Some(e) = self.model.dofs().equation(node, dof) {
-                    out[e] = self.liquid.hydrostatic[2 * i + k] / self.tank.liquid.gravity;
-                }
-            }
-        }
-        out
+        self.pressure.iter().map(|p| p / self.tank.liquid.gravity).collect()
     }
 
     /// Observables of the linear strip, relative to the state at rest: deflection of the top [m], elevation of the surface
@@ -302,6 +310,19 @@ impl StripModel {
             ),
         ]
     }
+}
+
+/// Forces over deflections and slopes of the wall as a load.
+fn wall_forces(model: &Model, wall: &[usize], forces: &[f64]) -> Vec<f64> {
+    let mut out = vec![0.0; model.dofs().len()];
+    for (i, &node) in wall.iter().enumerate() {
+        for (k, dof) in [Dof::Ux, Dof::Ry].into_iter().enumerate() {
+            if let Some(e) = model.dofs().equation(node, dof) {
+                out[e] = forces[2 * i + k];
+            }
+        }
+    }
+    out
 }
 
 /// Reactions on the base: along x and z, about y. On a rotation spring the last is that of the spring.

@@ -1,6 +1,8 @@
 //! What a nonlinear run of a strip is asked for, taken step by step.
 
-use super::{StripError, StripModel};
+use super::{StripError, StripModel, lost};
+use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
+use crate::analysis::march::{Instant, Observe};
 use crate::state::{Gather, State};
 
 /// The first crack of a wall.
@@ -38,17 +40,17 @@ pub struct Demand {
 }
 
 impl Demand {
-    /// Takes in the committed `state` at the time `time`, under the ground acceleration `ground` along x [m/s²].
+    /// Takes in the committed `state` at the time `time`, under the acceleration `ground` of the ground [m/s²].
     ///
     /// Errors: those of the elements.
-    pub fn see(&mut self, strip: &StripModel, time: f64, state: &State, ground: f64) -> Result<(), StripError> {
+    pub fn see(&mut self, strip: &StripModel, time: f64, state: &State, ground: [f64; 3]) -> Result<(), StripError> {
         let u = &state.committed.u;
         self.wave = self.wave.max(strip.elevation(u).abs());
         let deflection = u[strip.top()].abs();
         if deflection > self.deflection {
             (self.deflection, self.deflection_time) = (deflection, time);
         }
-        let moment = strip.base_reaction(state, [ground, 0.0, 0.0])?[2].abs();
+        let moment = strip.base_reaction(state, ground)?[2].abs();
         self.base_moment = self.base_moment.max(moment);
         let mut gather = Gather::default();
         let beams = strip.model.elements().iter().zip(&strip.tank.sections).enumerate();
@@ -94,5 +96,95 @@ impl Demand {
             bar_stress: a.bar_stress.max(b.bar_stress),
             bar_plastic_strain: a.bar_plastic_strain.max(b.bar_plastic_strain),
         }
+    }
+}
+
+/// Observer that keeps the demand.
+pub(super) struct DemandWatch<'a> {
+    strip: &'a StripModel,
+    demand: Demand,
+    failure: Option<StripError>,
+}
+
+impl<'a> DemandWatch<'a> {
+    /// Of a wall of `strip`.
+    pub fn new(strip: &'a StripModel) -> DemandWatch<'a> {
+        DemandWatch {
+            strip,
+            demand: Demand::default(),
+            failure: None,
+        }
+    }
+
+    /// What was seen.
+    ///
+    /// Errors: those of the elements while it was seen.
+    pub fn finish(self) -> Result<Demand, StripError> {
+        match self.failure {
+            Some(failure) => Err(failure),
+            None => Ok(self.demand),
+        }
+    }
+}
+
+impl Observe for DemandWatch<'_> {
+    fn see(&mut self, now: &Instant<'_>) {
+        let seen = self.demand.see(self.strip, now.time, now.state, now.ground);
+        self.failure = self.failure.take().or(seen.err());
+    }
+
+    fn stop(&self) -> Option<String> {
+        lost(self.demand.deflection, self.strip.height())
+    }
+
+    fn save(&self, to: &mut Writer) {
+        let d = &self.demand;
+        to.numbers(&[
+            d.wave,
+            d.deflection,
+            d.deflection_time,
+            d.base_moment,
+            d.highest_crack,
+            d.largest_crack,
+            d.bar_stress,
+            d.bar_plastic_strain,
+        ]);
+        let first = d.first_crack.map(|c| vec![c.time, c.height, c.base_moment]);
+        to.numbers(&first.unwrap_or_default());
+    }
+
+    fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
+        let mut values = [0.0; 8];
+        from.numbers_into("demands", &mut values)?;
+        let first = from.numbers("the first crack")?;
+        let [
+            wave,
+            deflection,
+            deflection_time,
+            base_moment,
+            highest_crack,
+            largest_crack,
+            bar_stress,
+            bar_plastic_strain,
+        ] = values;
+        self.demand = Demand {
+            wave,
+            deflection,
+            deflection_time,
+            base_moment,
+            first_crack: match first[..] {
+                [time, height, base_moment] => Some(FirstCrack {
+                    time,
+                    height,
+                    base_moment,
+                }),
+                _ => None,
+            },
+            highest_crack,
+            largest_crack,
+            bar_stress,
+            bar_plastic_strain,
+        };
+        Ok(())
     }
 }

@@ -19,7 +19,7 @@ pub use cylinder::CylinderModel;
 pub use options::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, ThicknessRule, WallElements};
 pub use strip::Strip;
 
-/// Where a run keeps what it needs to be resumed.
+/// Where a run keeps what it needs to be resumed. A strip keeps its second wall beside it, in `path` with `.theta_180` after it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CheckpointFile {
     /// File.
@@ -42,6 +42,6 @@ pub fn simulate(
 ) -> Result<Simulation, FeError> {
     match case.tank.shape {
         Shape::Cylinder { .. } => cylinder::simulate(case, options, checkpoint, progress),
-        Shape::Rectangle { .. } => laws::unsupported("the nonlinear engine runs strips by `tankcheck ida`"),
+        Shape::Rectangle { .. } => strip::simulate(case, options, checkpoint, progress),
     }
 }

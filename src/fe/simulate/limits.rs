@@ -5,7 +5,7 @@ use codes::tank::{Shape, Support};
 use codes::units::{Dimension, display};
 
 use super::analysis::Analysis;
-use super::model::Model;
+use super::model::{Harmonic, Model};
 use crate::fe::harmonic::Kind;
 use crate::fe::response::observe::Extreme;
 use crate::results::Limit;
@@ -28,12 +28,15 @@ pub fn limits(case: &Case, model: &Model, analysis: &Analysis, record_step: f64)
     }
     found.extend(suction(case, model, analysis));
     found.extend(uplift(case, model, analysis));
-    found.extend(compressibility(case, model));
-    found.extend(record(model, record_step));
+    let structural = |h: &Harmonic| h.first(Kind::Structural).map(|m| m.omega);
+    let fastest = model.systems().filter_map(structural).fold(0.0, f64::max);
+    found.push(compressibility(case, fastest / std::f64::consts::TAU));
+    found.extend(structural(&model.horizontal).map(|omega| record(omega, record_step)));
     found
 }
 
-fn waves(case: &Case, wave: f64) -> [Limit; 2] {
+/// Wave height against small waves and the freeboard.
+pub(in crate::fe) fn waves(case: &Case, wave: f64) -> [Limit; 2] {
     let radius = match case.tank.shape {
         Shape::Cylinder { .. } => "radius",
         Shape::Rectangle { .. } => "half length",
@@ -150,16 +153,12 @@ fn uplift(case: &Case, model: &Model, analysis: &Analysis) -> Option<Limit> {
     })
 }
 
-fn compressibility(case: &Case, model: &Model) -> Option<Limit> {
+/// First frequency of wall and liquid [Hz] against the acoustic one.
+pub(in crate::fe) fn compressibility(case: &Case, fastest: f64) -> Limit {
     let acoustic = SOUND / (4.0 * case.liquid.fill_height);
-    let fastest = model
-        .systems()
-        .filter_map(|h| h.first(Kind::Structural))
-        .map(|m| m.omega / std::f64::consts::TAU)
-        .fold(0.0, f64::max);
     let limit = ACOUSTIC_SHARE * acoustic;
     let holds = fastest <= limit;
-    Some(Limit {
+    Limit {
         id: "compressibility".into(),
         name: "First frequency of wall and liquid against 0.3 of the acoustic frequency c/(4H), c = 1435 m/s".into(),
         value: fastest,
@@ -173,14 +172,14 @@ fn compressibility(case: &Case, model: &Model) -> Option<Limit> {
              the quotient of both."
                 .into()
         },
-    })
+    }
 }
 
-fn record(model: &Model, record_step: f64) -> Option<Limit> {
-    let first = model.horizontal.first(Kind::Structural)?;
-    let limit = std::f64::consts::TAU / first.omega / RECORD_STEPS;
+/// Step of the record [s] against the period of the wall's mode, whose circular frequency is `omega` [rad/s].
+pub(in crate::fe) fn record(omega: f64, record_step: f64) -> Limit {
+    let limit = std::f64::consts::TAU / omega / RECORD_STEPS;
     let holds = record_step <= limit;
-    Some(Limit {
+    Limit {
         id: "record_step".into(),
         name: "Time step of the record against a tenth of the impulsive period".into(),
         value: record_step,
@@ -194,5 +193,5 @@ fn record(model: &Model, record_step: f64) -> Option<Limit> {
              damp that part further: the impulsive response is as good as the record there."
                 .into()
         },
-    })
+    }
 }

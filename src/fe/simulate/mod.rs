@@ -2,9 +2,9 @@
 
 pub(in crate::fe) mod analysis;
 pub(in crate::fe) mod describe;
-mod limits;
+pub(in crate::fe) mod limits;
 pub(in crate::fe) mod model;
-mod series;
+pub(in crate::fe) mod series;
 
 use std::collections::BTreeMap;
 

@@ -18,11 +18,8 @@ pub fn histories(motion: &GroundMotion, analysis: &Analysis) -> (Vec<SeriesInfo>
         info.push(entry);
     };
     let times = series.time.clone();
-    for (prefix, record) in [("", Some(&motion.horizontal)), ("vertical_", motion.vertical.as_ref())] {
-        let Some(record) = record else { continue };
-        for (entry, column) in ground(prefix, record, &times) {
-            push(entry, column);
-        }
+    for (entry, column) in ground_motion(motion, &times) {
+        push(entry, column);
     }
     for (scalar, history) in &analysis.scalars {
         let (peak, time) = history.extreme.peak();
@@ -37,6 +34,17 @@ pub fn histories(motion: &GroundMotion, analysis: &Analysis) -> (Vec<SeriesInfo>
         push(entry, history.values.clone());
     }
     (info, series)
+}
+
+/// Columns of the ground motion at the given times, those of a vertical record last.
+pub(in crate::fe) fn ground_motion(motion: &GroundMotion, times: &[f64]) -> Vec<(SeriesInfo, Vec<f64>)> {
+    let records = [("", Some(&motion.horizontal)), ("vertical_", motion.vertical.as_ref())];
+    let given = records
+        .into_iter()
+        .filter_map(|(prefix, record)| Some((prefix, record?)));
+    given
+        .flat_map(|(prefix, record)| ground(prefix, record, times))
+        .collect()
 }
 
 /// Acceleration, velocity and displacement of the ground at the given times. After the record the ground moves on

@@ -137,6 +137,9 @@ impl<'a> Driver<'a> {
                 written = (self.position.step, Clock::now());
             }
         };
+        if let (Some(c), Outcome::Completed) = (file, &end) {
+            self.save(&c.path, observers)?;
+        }
         Ok(self.finish(end))
     }
 

@@ -414,6 +414,115 @@ fn resumed_march_is_the_same() {
     fs::remove_dir_all(&folder).unwrap();
 }
 
+/// A link without an answer to elongations that change by more than `most` in a step; history: its elongation.
+struct Hurried {
+    nodes: [usize; 2],
+    most: f64,
+}
+
+impl Element for Hurried {
+    fn kind(&self) -> &'static str {
+        "hurried"
+    }
+
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn dofs(&self, _node: usize) -> &'static [Dof] {
+        Dof::slice(0..1)
+    }
+
+    fn history_len(&self) -> usize {
+        1
+    }
+
+    fn has_mass(&self) -> bool {
+        false
+    }
+
+    fn respond(
+        &self,
+        motion: Movement<'_>,
+        old: &[f64],
+        new: &mut [f64],
+        _want: Want,
+        _out: &mut Response,
+    ) -> Result<(), ElementError> {
+        new[0] = motion.values[1] - motion.values[0];
+        let change = (new[0] - old[0]).abs();
+        if change > self.most {
+            let reason = format!("changed by {change} in a step");
+            return Err(ElementError::NoAnswer {
+                kind: "hurried",
+                reason,
+            });
+        }
+        Ok(())
+    }
+}
+
+/// Cut steps grow again: by doubling, after `recovery` steps that converged, onto the grid of the doubled length; the quiet end
+/// is marched in whole steps, and every instant of the nominal grid is met.
+#[test]
+fn cut_steps_grow_again() {
+    let mut builder = Builder::new();
+    let [ground, mass] = [0.0, 1.0].map(|x| builder.node([x, 0.0, 0.0]));
+    for (node, dof) in [
+        (ground, Dof::Ux),
+        (ground, Dof::Uy),
+        (ground, Dof::Uz),
+        (mass, Dof::Uy),
+        (mass, Dof::Uz),
+    ] {
+        builder.hold(node, dof);
+    }
+    builder.element("mass", PointMass::new(mass, 2.0).unwrap());
+    let x = Direction::Translation([1.0, 0.0, 0.0]);
+    builder.element("spring", Spring::between(ground, mass, x, 200.0).unwrap());
+    let nodes = [ground, mass];
+    builder.element("hurried", Hurried { nodes, most: 4e-3 });
+    let parts = Parts::new(builder.build().unwrap());
+    let h = 0.02;
+    // A second of shaking at resonance, up to 2 m/s: ten times what a whole step may change; then a decay of 1.25 %.
+    let a: Vec<f64> = (0..=50).map(|k| 4.0 * (10.0 * h * f64::from(k)).sin()).collect();
+    let grid = Grid::new(h, 1.0, 39.0, h);
+    let load = Load::ground(0, Motion::sampled(h, &a, &grid));
+    let mut settings = Settings::new(grid);
+    settings.recovery = 7;
+    let mut steps: Vec<(f64, f64)> = Vec::new();
+    let mut watch = |now: &Instant<'_>| steps.push((now.time, now.step));
+    let run = march(parts.problem(), &load, &settings, &mut [&mut watch], &Silent).unwrap();
+    assert_eq!(run.outcome, Outcome::Completed);
+    assert!(run.cuts > 0 && run.shortest <= h / 4.0);
+    steps.remove(0);
+    let mut since = 0;
+    let mut grown = 0;
+    for (i, &(time, step)) in steps.iter().enumerate() {
+        let parts = h / step;
+        assert!((parts - parts.round()).abs() < 1e-9 && (parts.round() as u64).is_power_of_two());
+        // Every step ends on the grid of its own length.
+        assert!((time / step - (time / step).round()).abs() < 1e-6, "{time} {step}");
+        let before = if i == 0 { h } else { steps[i - 1].1 };
+        if step > before * 1.5 {
+            assert!((step / before - 2.0).abs() < 1e-9, "{before} {step}");
+            assert!(since >= settings.recovery, "{since} at {time}");
+            grown += 1;
+        }
+        since = if (step / before - 1.0).abs() < 1e-9 {
+            since + 1
+        } else {
+            1
+        };
+    }
+    assert!(grown >= 2);
+    assert!(steps.iter().rev().take(200).all(|s| (s.1 - h).abs() < 1e-12));
+    let whole = steps.iter().filter(|s| (s.0 / h - (s.0 / h).round()).abs() < 1e-9);
+    assert_eq!(whole.count(), grid.steps());
+    let sum: f64 = steps.iter().map(|s| s.1).sum();
+    assert!((sum - grid.time(grid.steps())).abs() < 1e-9);
+}
+
 #[test]
 fn bad_input_is_refused() {
     let parts = Parts::new(chain(12.0, 10.0));

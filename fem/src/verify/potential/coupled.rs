@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use materials::von_mises::VonMises;
 use nalgebra::Vector3;
 
 use super::Failure;
@@ -10,6 +11,8 @@ use crate::assembly::{Assembler, order};
 use crate::chart::Chart;
 use crate::dofs::{Dof, KINDS};
 use crate::element::WetFace;
+use crate::element::shell::layered::{LayeredSection, Ply};
+use crate::element::shell::rule::Rule;
 use crate::element::shell::section::{ElasticSection, Section};
 use crate::element::shell::surface::{Normals, ShellCell, ShellSurface};
 use crate::element::shell4::{Axes, MembraneShear};
@@ -31,6 +34,8 @@ pub struct Tank {
     pub material: [f64; 3],
     /// (upper edge [m], thickness [m]) of the courses, from below.
     pub courses: Vec<(f64, f64)>,
+    /// Yield stress and tangent modulus [Pa] of a wall that yields.
+    pub yields: Option<[f64; 2]>,
 }
 
 impl Tank {
@@ -42,6 +47,7 @@ impl Tank {
             liquid_density: DENSITY,
             material: [69e9, 0.32, 2750.0],
             courses: vec![(0.915, 2.03e-3), (1.83, 1.27e-3)],
+            yields: None,
         }
     }
 
@@ -53,6 +59,7 @@ impl Tank {
             liquid_density,
             material: [210e9, 0.3, 7850.0],
             courses: vec![(5.5, 2e-3)],
+            yields: None,
         }
     }
 }
@@ -189,7 +196,18 @@ fn place_wall(builder: &mut Builder, tank: &Tank, division: &Division) -> Result
     let sections = tank
         .courses
         .iter()
-        .map(|&(_, t)| Ok(Arc::new(ElasticSection::new(e, nu, t, density)?) as Arc<dyn Section>))
+        .map(|&(_, t)| -> Result<Arc<dyn Section>, Failure> {
+            let Some([strength, tangent]) = tank.yields else {
+                return Ok(Arc::new(ElasticSection::new(e, nu, t, density)?));
+            };
+            let ply = Ply {
+                law: Arc::new(VonMises::new(e, nu, strength, tangent, 1.0)?),
+                thickness: t,
+                density,
+                rule: Rule::Gauss(5),
+            };
+            Ok(Arc::new(LayeredSection::new(&[ply], &[])?))
+        })
         .collect::<Result<Vec<_>, Failure>>()?;
     let cells = wall
         .cells

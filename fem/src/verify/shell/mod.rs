@@ -112,7 +112,12 @@ pub fn shell_slow() -> Answer<Vec<Row>> {
 ///
 /// Errors: a model that cannot be solved.
 pub fn concrete_beams() -> Answer<Vec<Row>> {
-    Ok([beams::b3(16, 20)?, beams::c3(16, 20)?].concat())
+    Ok([
+        beams::b3(16, 20)?,
+        beams::b3_refined(&[8, 16, 32, 64], 20)?,
+        beams::c3(16, 20)?,
+    ]
+    .concat())
 }
 
 /// Rows of large displacements that take seconds: S13 to S17, S19 to S22, and S12 under internal pressure.

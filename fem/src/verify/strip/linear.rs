@@ -30,9 +30,10 @@ fn at_rest(strip: &StripModel) -> Result<State, StripError> {
         Criteria::default(),
     )?;
     let mut state = State::new(&strip.model);
-    let zero = vec![0.0; strip.weight.len()];
+    let load = strip.at_rest();
+    let zero = vec![0.0; load.len()];
     newton
-        .step(&LoadStep, &mut state, &zero, &strip.weight)
+        .step(&LoadStep, &mut state, &zero, &load)
         .map_err(|failure: StepFailure| AnalysisError::Option {
             option: "strip at rest",
             found: failure.to_string(),

@@ -1,0 +1,316 @@
+//! The observer that writes the history of a wall.
+
+use super::history::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory};
+use super::{StripError, StripModel, lost};
+use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
+use crate::analysis::march::{Instant, Observe, Range};
+use crate::dofs::Dof;
+use crate::liquid::separation::SeparationCheck;
+use crate::liquid::strip::Place;
+use crate::state::Gather;
+
+/// Observer of a wall.
+pub(super) struct Watch<'a> {
+    strip: &'a StripModel,
+    /// Wet levels, then middles of wet elements.
+    places: Vec<Place>,
+    bottom: Vec<f64>,
+    /// Deflections and slopes at rest, then amplitudes.
+    rest: Vec<f64>,
+    history: WallHistory,
+    until: f64,
+    failure: Option<StripError>,
+}
+
+impl<'a> Watch<'a> {
+    /// Stops the run at the first step at or after `until` [s].
+    pub fn new(strip: &'a StripModel, until: Option<f64>) -> Watch<'a> {
+        let (tank, liquid) = (&strip.tank, &strip.tank.liquid);
+        let tolerance = 1e-9 * liquid.depth;
+        let mut heights: Vec<f64> = tank.levels.iter().copied().collect();
+        heights.retain(|z| *z <= liquid.depth + tolerance);
+        let wet = heights.len();
+        let middles = tank.levels.windows(2).map(|w| 0.5 * (w[0] + w[1]));
+        heights.extend(middles.filter(|z| *z < liquid.depth));
+        let check = SeparationCheck::new(liquid.density * liquid.gravity, liquid.depth, heights[wet..].to_vec());
+        Watch {
+            places: liquid.places(&tank.levels, tank.sloshing, &heights),
+            bottom: liquid.bottom_moment(&tank.levels, tank.sloshing),
+            rest: Vec::new(),
+            history: WallHistory {
+                times: Vec::new(),
+                samples: Vec::new(),
+                scalars: vec![Vec::new(); Scalar::ALL.len()],
+                deflection: vec![(0.0, Range::EMPTY); tank.levels.len()],
+                pressure: heights[..wet].iter().map(|&z| (z, Range::EMPTY)).collect(),
+                cells: vec![Cell::default(); tank.sections.len()],
+                events: Vec::new(),
+                pictures: Default::default(),
+                separation: check,
+            },
+            until: until.unwrap_or(f64::INFINITY),
+            failure: None,
+            strip,
+        }
+    }
+
+    /// Whether the wall has moved too far, and why that ends the run.
+    pub fn lost(&self) -> Option<String> {
+        let last = self.history.scalar(Scalar::Deflection).last().copied();
+        lost(last.unwrap_or(0.0), self.strip.height())
+    }
+
+    /// What was seen.
+    ///
+    /// Errors: those of the elements while it was seen.
+    pub fn finish(self) -> Result<WallHistory, StripError> {
+        match self.failure {
+            Some(failure) => Err(failure),
+            None => Ok(self.history),
+        }
+    }
+
+    /// Deflections and slopes of the wall in `field`, then the amplitudes.
+    fn wall(&self, field: &[f64]) -> Vec<f64> {
+        let strip = self.strip;
+        let mut out = Vec::with_capacity(self.bottom.len());
+        for &node in &strip.wall {
+            let own = strip.model.at_node(field, node);
+            out.extend([own[Dof::Ux.index()], own[Dof::Ry.index()]]);
+        }
+        out.extend(strip.amplitudes.iter().map(|&e| field[e]));
+        out
+    }
+
+    fn take(&mut self, now: &Instant<'_>) -> Result<(), StripError> {
+        let strip = self.strip;
+        let fields = &now.state.committed;
+        let displacement = self.wall(&fields.u);
+        if self.history.times.is_empty() {
+            self.rest.clone_from(&displacement);
+        }
+        let mut acceleration = self.wall(&fields.a);
+        let levels = strip.wall.len();
+        acceleration[..2 * levels]
+            .iter_mut()
+            .step_by(2)
+            .for_each(|a| *a += now.ground[0]);
+        let [shear, _, moment] = strip.base_reaction(now.state, now.ground)?;
+        let base = section(strip, now)?;
+        let elevation = strip.elevation(&fields.u);
+        let values = [
+            elevation,
+            fields.u[strip.top()],
+            shear,
+            moment,
+            dot(&self.bottom, &acceleration),
+            base[1],
+            base[0],
+        ];
+
+        let history = &mut self.history;
+        if now.sample.is_some() {
+            history.samples.push(history.times.len());
+        }
+        history.times.push(now.time);
+        history.scalars.iter_mut().zip(values).for_each(|(h, v)| h.push(v));
+        for (i, (rest, range)) in history.deflection.iter_mut().enumerate() {
+            *rest = self.rest[2 * i];
+            range.include(displacement[2 * i], now.time);
+        }
+        let moved: Vec<f64> = displacement.iter().zip(&self.rest).map(|(u, r)| u - r).collect();
+        let liquid = &strip.tank.liquid;
+        let pressure = |place: &Place| {
+            let depth = (liquid.depth - place.height).max(0.0);
+            dot(&place.pressure, &acceleration) + liquid.density * now.ground[2] * depth
+        };
+        let wet = history.pressure.len();
+        for (place, (_, range)) in self.places.iter().zip(&mut history.pressure) {
+            range.include(pressure(place), now.time);
+        }
+        let middles = &self.places[wet..];
+        history.separation.see(
+            now.time,
+            |i| pressure(&middles[i]),
+            |i| dot(&middles[i].rise, &moved),
+            elevation,
+        );
+        self.inspect(now, moment);
+        Ok(())
+    }
+
+    /// Looks at every fibre.
+    fn inspect(&mut self, now: &Instant<'_>, moment: f64) {
+        let strip = self.strip;
+        let mut gather = Gather::default();
+        let mut faces = [Vec::new(), Vec::new()];
+        let mut seen: [Option<(f64, f64)>; EventKind::ALL.len()] = [None; EventKind::ALL.len()];
+        let beams = strip.model.elements().iter().zip(&strip.tank.sections).enumerate();
+        for (e, (element, section)) in beams {
+            let motion = gather.motion(&strip.model, &now.state.committed, &**element);
+            let (mut cell, mut widest) = (Cell::default(), [[0.0_f64; 2]; 2]);
+            let (mut point, mut cracked) = (usize::MAX, 0);
+            element.inspect(motion, &now.state.old[now.state.history(e)], &mut |fibre| {
+                let state = &fibre.state;
+                let mut first = |kind: EventKind| {
+                    seen[kind as usize].get_or_insert((fibre.position[2], fibre.depth));
+                };
+                if fibre.point != point {
+                    (point, cracked) = (fibre.point, 0);
+                }
+                if fibre.layer >= section.layers() {
+                    cell.bar_stress = cell.bar_stress.max(fibre.stress[0].abs());
+                    cell.bar_plastic_strain = cell.bar_plastic_strain.max(state.plastic_strain);
+                    if state.plastic_strain > 0.0 {
+                        first(EventKind::BarYield);
+                    }
+                    if state.damage > 0.0 {
+                        first(EventKind::BarRupture);
+                    }
+                    return;
+                }
+                cell.utilisation = cell.utilisation.max(state.utilisation);
+                cell.plastic_strain = cell.plastic_strain.max(state.plastic_strain);
+                if state.plastic_strain > 0.0 {
+                    first(EventKind::Yield);
+                }
+                for crack in state.cracks.iter().flatten() {
+                    first(EventKind::Crack);
+                    cracked += 1;
+                    let [open, largest] = &mut widest[usize::from(fibre.depth > 0.0)];
+                    (*open, *largest) = (open.max(crack.opening), largest.max(crack.largest));
+                }
+                cell.cracked = cell.cracked.max(f64::from(cracked) / section.layers() as f64);
+            });
+            self.history.cells[e].include(&cell);
+            faces.iter_mut().zip(widest).for_each(|(face, w)| face.push(w));
+        }
+        for (kind, place) in EventKind::ALL.into_iter().zip(seen) {
+            let events = &mut self.history.events;
+            if let Some((height, depth)) = place
+                && events.iter().all(|e| e.kind != kind)
+            {
+                events.push(WallEvent {
+                    kind,
+                    time: now.time,
+                    height,
+                    depth,
+                    base_moment: moment,
+                });
+            }
+        }
+        let [worst, last] = &mut self.history.pictures;
+        *last = Picture {
+            time: now.time,
+            base_moment: moment,
+            faces,
+        };
+        if worst.faces[0].is_empty() || moment.abs() > worst.base_moment.abs() {
+            worst.clone_from(last);
+        }
+    }
+}
+
+/// Curvature [1/m] and moment [N] of the lowest section.
+fn section(strip: &StripModel, now: &Instant<'_>) -> Result<[f64; 2], StripError> {
+    let element = &*strip.model.elements()[0];
+    let mut gather = Gather::default();
+    let motion = gather.motion(&strip.model, &now.state.committed, element);
+    let found = element.sections(motion, &now.state.old[now.state.history(0)])?;
+    Ok(found.first().map_or([0.0; 2], |s| [s.strain[3], s.resultants[3]]))
+}
+
+fn dot(row: &[f64], x: &[f64]) -> f64 {
+    row.iter().zip(x).map(|(a, b)| a * b).sum()
+}
+
+impl Observe for Watch<'_> {
+    fn see(&mut self, now: &Instant<'_>) {
+        if self.failure.is_none() {
+            self.failure = self.take(now).err();
+        }
+    }
+
+    fn stop(&self) -> Option<String> {
+        let last = self.history.times.last().copied().unwrap_or(0.0);
+        let other = (last >= self.until).then(|| "the other wall has collapsed".into());
+        self.lost().or(other)
+    }
+
+    fn save(&self, to: &mut Writer) {
+        let h = &self.history;
+        to.numbers(&self.rest);
+        to.numbers(&h.times);
+        to.numbers(&h.samples.iter().map(|&i| i as f64).collect::<Vec<_>>());
+        h.scalars.iter().for_each(|s| to.numbers(s));
+        let ranges = h.deflection.iter().chain(&h.pressure);
+        to.numbers(
+            &ranges
+                .flat_map(|(x, r)| [*x, r.min, r.min_time, r.max, r.max_time])
+                .collect::<Vec<_>>(),
+        );
+        to.numbers(&h.cells.iter().flat_map(Cell::array).collect::<Vec<_>>());
+        let event = |e: &WallEvent| [e.kind as usize as f64, e.time, e.height, e.depth, e.base_moment];
+        to.numbers(&h.events.iter().flat_map(event).collect::<Vec<_>>());
+        for picture in &h.pictures {
+            to.numbers(&[picture.time, picture.base_moment]);
+            for face in &picture.faces {
+                to.numbers(&face.iter().flatten().copied().collect::<Vec<_>>());
+            }
+        }
+        h.separation.save(to);
+    }
+
+    fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
+        let h = &mut self.history;
+        self.rest = from.numbers("the state at rest")?;
+        h.times = from.numbers("times")?;
+        h.samples = from.numbers("samples")?.into_iter().map(|i| i as usize).collect();
+        for scalar in &mut h.scalars {
+            scalar.resize(h.times.len(), 0.0);
+            from.numbers_into("a history", scalar)?;
+        }
+        let count = h.deflection.len() + h.pressure.len();
+        let mut ranges = vec![0.0; 5 * count];
+        from.numbers_into("ranges", &mut ranges)?;
+        for ((x, range), r) in h
+            .deflection
+            .iter_mut()
+            .chain(&mut h.pressure)
+            .zip(ranges.chunks_exact(5))
+        {
+            *x = r[0];
+            *range = Range {
+                min: r[1],
+                min_time: r[2],
+                max: r[3],
+                max_time: r[4],
+            };
+        }
+        let mut cells = vec![0.0; Cell::COUNT * h.cells.len()];
+        from.numbers_into("cells", &mut cells)?;
+        h.cells = cells.chunks_exact(Cell::COUNT).map(Cell::of).collect();
+        let events = from.numbers("events")?;
+        let kind = |k: f64| EventKind::ALL.into_iter().find(|e| *e as usize as f64 == k);
+        let event = |e: &[f64]| {
+            Some(WallEvent {
+                kind: kind(e[0])?,
+                time: e[1],
+                height: e[2],
+                depth: e[3],
+                base_moment: e[4],
+            })
+        };
+        h.events = events.chunks_exact(5).filter_map(event).collect();
+        for picture in &mut h.pictures {
+            let mut head = [0.0; 2];
+            from.numbers_into("a picture", &mut head)?;
+            [picture.time, picture.base_moment] = head;
+            for face in &mut picture.faces {
+                let cracks = from.numbers("cracks")?;
+                *face = cracks.chunks_exact(2).map(|c| [c[0], c[1]]).collect();
+            }
+        }
+        h.separation.restore(from)
+    }
+}
