@@ -89,7 +89,10 @@ pub fn simulate(
 }
 
 fn analysis(error: AnalysisError) -> FeError {
-    FeError::Analysis(error.to_string())
+    match error {
+        AnalysisError::Checkpoint(fault) => FeError::Checkpoint(fault),
+        other => FeError::Analysis(other.to_string()),
+    }
 }
 
 /// Whether a run came to the end of its record.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+use codes::tank::Behaviour;
 use codes::units::{Dimension, display, significant};
 use codes::{Case, Quantity};
 use fem::analysis::march::{Outcome, Run};
@@ -61,7 +62,7 @@ pub fn report(
         end,
         events,
         grid: grid(tank),
-        maps: maps(tank, watch, &worst, &last),
+        maps: maps(case, tank, watch, &worst, &last),
         cracks: pictures(watch, &last, run.time),
         loops: loops(watch),
         energies,
@@ -324,7 +325,18 @@ fn grid(tank: &CylinderModel) -> WallGrid {
     }
 }
 
-fn maps(tank: &CylinderModel, watch: &Watch<'_>, worst: &Look, last: &Look) -> Vec<CellMap> {
+/// Lowest yield strength of all bars [Pa].
+fn bar_strength(case: &Case) -> Option<f64> {
+    let bars = case.tank.courses.iter().flat_map(|c| c.build_up());
+    let bars = bars.flat_map(|layer| layer.reinforcement);
+    let strengths = bars.filter_map(|bar| match bar.material.behaviour {
+        Behaviour::Reinforcement(bar) => Some(bar.yield_strength),
+        _ => None,
+    });
+    strengths.min_by(f64::total_cmp)
+}
+
+fn maps(case: &Case, tank: &CylinderModel, watch: &Watch<'_>, worst: &Look, last: &Look) -> Vec<CellMap> {
     let mut out = Vec::new();
     let mut push = |id: &str, title: &str, dimension, values: &[f64], mark: Option<f64>, note: &str| {
         if !values.is_empty() {
@@ -384,8 +396,8 @@ fn maps(tank: &CylinderModel, watch: &Watch<'_>, worst: &Look, last: &Look) -> V
         "Stress of the bars, largest over time",
         Dimension::Stress,
         &worst.bar_stress,
-        None,
-        "Tension or compression, the larger, of all bars of a cell.",
+        bar_strength(case),
+        "Tension or compression, the larger, of all bars of a cell; the mark is their yield strength.",
     );
     push(
         "bar_plastic_strain",
