@@ -107,6 +107,7 @@ fn main() -> Result<(), Failure> {
         liquid_density: 1000.0,
         material: [210e9, 0.3, 7850.0],
         courses: vec![(10.0, 0.02)],
+        yields: None,
     };
     let division = Division {
         sectors,
