@@ -104,7 +104,7 @@ impl Dimension {
             Dimension::LineMoment => "N*m/m",
             Dimension::Energy => "J",
             Dimension::LineArea => "m2/m",
-            Dimension::Curvature => "1/m",
+            Dimension::Curvature => "rad/m",
         }
     }
 
@@ -152,7 +152,7 @@ impl Dimension {
             Dimension::LineMoment => "3 kNm/m",
             Dimension::Energy => "5 kJ",
             Dimension::LineArea => "7.0 cm2/m",
-            Dimension::Curvature => "0.01 1/m",
+            Dimension::Curvature => "0.01 rad/m",
         }
     }
 

@@ -166,8 +166,8 @@ pub const UNITS: &[Unit] = &[
     ten("m²/m", "m2/m", D::LineArea, 0),
     by("in²/ft", "in2/ft", D::LineArea, INCH * INCH / FOOT),
     // curvature
-    ten("1/km", "1/km", D::Curvature, -3),
-    ten("1/m", "1/m", D::Curvature, 0),
+    ten("rad/km", "rad/km", D::Curvature, -3),
+    ten("rad/m", "rad/m", D::Curvature, 0),
 ];
 
 impl Unit {
