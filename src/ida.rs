@@ -150,13 +150,6 @@ fn write(folder: &OutputFolder, ida: &Ida) -> Result<(), Error> {
         std::fs::write(&path, text).map_err(|e| fault(&path, e))
     };
     put(CSV_FILE, &ida_csv(ida))?;
-    let figures = report::ida::figures(ida)?;
-    put(REPORT_FILE, &report::ida::html(ida, &figures)?)?;
-    let path = folder.path().join(FIGURES_FOLDER);
-    std::fs::create_dir(&path).map_err(|e| fault(&path, e))?;
-    let css = report::template::Templates::new(None)?.css("figure.css").to_owned();
-    for figure in &figures {
-        put(&format!("{FIGURES_FOLDER}/{}.svg", figure.id), &figure.standalone(&css))?;
-    }
+    report::ida::report(ida)?.write(folder.path())?;
     Ok(())
 }

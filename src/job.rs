@@ -3,6 +3,7 @@
 use codes::Case;
 use sha2::{Digest, Sha256};
 
+use crate::fe::nonlinear::push::PushOptions;
 use crate::fe::nonlinear::{CheckpointFile, NonlinearOptions};
 use crate::fe::solid::SolidOptions;
 use crate::results::{InputValue, SourceFile};
@@ -77,4 +78,15 @@ pub struct IdaJob {
     pub out: std::path::PathBuf,
     /// Whether runs that the folder has already are kept.
     pub resume: bool,
+}
+
+/// One pushover.
+#[derive(Clone, Debug)]
+pub struct PushJob {
+    /// The job, without a record.
+    pub job: Job,
+    /// The imperfect shell.
+    pub options: PushOptions,
+    /// Folder of the results.
+    pub out: std::path::PathBuf,
 }

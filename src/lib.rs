@@ -15,6 +15,7 @@
 //! | [`fe`] | the finite-element engine |
 //! | [`pipeline`] | the whole flow of a verification in one function |
 //! | [`ida`] | that of an incremental dynamic analysis |
+//! | [`push`] | that of a pushover |
 //! | [`compare`] | the join of procedures and engine |
 //! | [`results`] | the results folder: `results.json`, `series.csv` |
 //! | [`numdiff`] | comparison of two results folders, number by number |
@@ -31,6 +32,7 @@ pub mod input;
 pub mod job;
 pub mod numdiff;
 pub mod pipeline;
+pub mod push;
 pub mod report;
 pub mod results;
 pub mod verify;

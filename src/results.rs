@@ -6,6 +6,7 @@
 mod fields;
 mod ida;
 pub mod nonlinear;
+mod push;
 mod snapshots;
 mod store;
 pub mod vtu;
@@ -19,6 +20,10 @@ use serde::{Deserialize, Serialize};
 pub use fields::{DeformedShape, Fields, Picture, WallMap};
 pub use ida::{
     Collapse, Fact, FirstCrack, IDA_FILE, IDA_FORMAT, IDA_PARTIAL_FILE, Ida, IdaRun, ida_csv, read_ida, write_ida,
+};
+pub use push::{
+    Capacity, Imperfection, PUSH_FILE, PUSH_FORMAT, Push, PushLimit, PushMeridian, PushPoint, PushShell, read_push,
+    write_push,
 };
 pub use snapshots::{Resultants, Snapshot, Snapshots};
 pub use store::{RESULTS_FILE, SERIES_FILE, describe, read, read_series, write};

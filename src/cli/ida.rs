@@ -6,12 +6,12 @@ use std::time::Instant;
 use crate::cli::inputs::{Inputs, Reading};
 use crate::cli::progress::{self, Watch};
 use crate::cli::table::Table;
-use crate::cli::{Format, Global, print};
+use crate::cli::{Format, Global, print, stamp};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::ida;
 use crate::job::{Engines, IdaJob};
 use crate::report::{self, number::significant};
-use crate::results::{Ida, Volatile, ida_csv};
+use crate::results::ida_csv;
 
 /// Most runs of one analysis.
 const MAX_RUNS: usize = 1000;
@@ -67,7 +67,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let found = ida::run(&job, || stamp(started), &watch)?;
     watch.finish();
     match args.format {
-        Format::Human => print(&format!("{}\n\n{}", found.name, table(&found)))?,
+        Format::Human => print(&format!("{}\n\n{}", found.name, Table::of(&report::ida::table(&found))))?,
         Format::Json => {
             let text = serde_json::to_string_pretty(&found).map_err(|e| Error::Report(e.to_string()))?;
             print(&format!("{text}\n"))?;
@@ -94,32 +94,6 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         true => EXIT_COMPUTATION,
         false => EXIT_OK,
     })
-}
-
-/// What differs between identical runs.
-fn stamp(started: Instant) -> Volatile {
-    Volatile {
-        version: env!("CARGO_PKG_VERSION").into(),
-        created: jiff::Timestamp::now().to_string(),
-        command: std::iter::once("tankcheck".to_owned())
-            .chain(std::env::args().skip(1))
-            .collect::<Vec<_>>()
-            .join(" "),
-        seconds: started.elapsed().as_secs_f64(),
-    }
-}
-
-fn table(found: &Ida) -> Table {
-    let data = report::ida::table(found);
-    let head = data.columns.iter().map(|c| match c.unit.as_str() {
-        "" => c.title.clone(),
-        unit => format!("{} [{unit}]", c.title),
-    });
-    let mut table = Table::new(head);
-    for row in data.rows {
-        table.row(row);
-    }
-    table
 }
 
 impl Args {

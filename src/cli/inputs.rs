@@ -85,7 +85,7 @@ impl Inputs {
 }
 
 /// How to read an accelerogram whose format leaves something open.
-#[derive(clap::Args, Clone, Debug)]
+#[derive(clap::Args, Clone, Debug, Default)]
 pub struct Reading {
     /// Unit of the accelerations, where the file does not name it.
     #[arg(long, value_enum, value_name = "UNIT")]

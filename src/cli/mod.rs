@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::error::Error;
+use crate::results::Volatile;
 
 mod check;
 mod compare;
@@ -18,6 +19,7 @@ mod inputs;
 mod modes;
 mod nonlinear;
 mod progress;
+mod push;
 mod quake;
 mod report;
 mod schema;
@@ -78,6 +80,8 @@ enum Command {
     Check(check::Args),
     /// Incremental dynamic analysis: nonlinear runs at rising scales of a record.
     Ida(ida::Args),
+    /// Pushover of an anchored cylinder until its wall buckles.
+    Push(push::Args),
     /// Coupled modes of tank and liquid.
     Modes(modes::Args),
     /// Response spectra of a record.
@@ -105,6 +109,7 @@ Examples:
   tankcheck compare tank.json --quake elcentro.csv --fe both --mesh 12x16x20 --vtu paraview/ --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe nonlinear --out out/
   tankcheck ida tank.json --quake elcentro.csv --scale 0..1.1 --steps 12 --out ida/
+  tankcheck push tank.json --imperfection 0.5t --out push/
   tankcheck check tank.json
   tankcheck modes tank.json --format json
   tankcheck spectrum elcentro.csv --damping 0.5%,2%,5% --periods 0.02..20
@@ -143,6 +148,19 @@ pub(crate) fn print(text: &str) -> Result<(), Error> {
     }
 }
 
+/// What differs between identical runs.
+pub(crate) fn stamp(started: std::time::Instant) -> Volatile {
+    Volatile {
+        version: env!("CARGO_PKG_VERSION").into(),
+        created: jiff::Timestamp::now().to_string(),
+        command: std::iter::once("tankcheck".to_owned())
+            .chain(std::env::args().skip(1))
+            .collect::<Vec<_>>()
+            .join(" "),
+        seconds: started.elapsed().as_secs_f64(),
+    }
+}
+
 /// Entry point of the binary.
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
@@ -155,6 +173,7 @@ pub fn main() -> ExitCode {
         Command::Compare(args) => compare::run(args, &cli.global),
         Command::Check(args) => check::run(args, &cli.global),
         Command::Ida(args) => ida::run(args, &cli.global),
+        Command::Push(args) => push::run(args, &cli.global),
         Command::Modes(args) => modes::run(args, &cli.global),
         Command::Spectrum(args) => spectrum::run(args, &cli.global),
         Command::Quake(args) => quake::run(args, &cli.global),

@@ -1,5 +1,7 @@
 //! Plain tables for the terminal.
 
+use crate::report;
+
 /// A table with one head row; the first column is left-aligned, all others right-aligned.
 #[derive(Clone, Debug, Default)]
 pub struct Table {
@@ -12,6 +14,19 @@ impl Table {
         Table {
             rows: vec![head.into_iter().map(Into::into).collect()],
         }
+    }
+
+    /// A table of the report, units in its heads.
+    pub fn of(data: &report::table::Table) -> Table {
+        let head = data.columns.iter().map(|c| match c.unit.as_str() {
+            "" => c.title.clone(),
+            unit => format!("{} [{unit}]", c.title),
+        });
+        let mut table = Table::new(head);
+        for row in &data.rows {
+            table.row(row.iter().map(String::as_str));
+        }
+        table
     }
 
     /// Adds a row.

@@ -3,12 +3,13 @@
 use codes::units::Dimension;
 use tera::Context;
 
+use super::Report;
 use super::sections::FigureView;
 use super::template::Templates;
 use crate::error::Error;
 use crate::report::figure::chart::{Axis, Chart, Line, Mark};
 use crate::report::figure::{Figure, HALF, Room};
-use crate::report::number::{Scale, fixed, percent, significant, with_unit};
+use crate::report::number::{Scale, fixed, significant, with_unit};
 use crate::report::table::{Column, Table};
 use crate::results::{Ida, IdaRun};
 
@@ -50,7 +51,7 @@ const CURVES: [Curve; 6] = [
 /// The figures, a curve each over the peak ground acceleration.
 ///
 /// Errors: a drawing that fails.
-pub fn figures(ida: &Ida) -> Result<Vec<Figure>, Error> {
+fn figures(ida: &Ida) -> Result<Vec<Figure>, Error> {
     CURVES.iter().map(|curve| figure(ida, curve)).collect()
 }
 
@@ -158,26 +159,11 @@ pub fn table(ida: &Ida) -> Table {
     table
 }
 
-/// The page.
+/// The page with its figures.
 ///
 /// Errors: a template or a drawing that fails.
-pub fn html(ida: &Ida, figures: &[Figure]) -> Result<String, Error> {
-    let mut model = Table::new(vec![Column::words("What"), Column::words("Value")]);
-    for fact in &ida.model {
-        let value = match fact.name.starts_with("damping") {
-            true => percent(fact.value),
-            false => with_unit(fact.value, fact.dimension),
-        };
-        model.row(vec![fact.name.clone(), value]);
-    }
-    let mut files = Table::new(vec![
-        Column::words("Role"),
-        Column::words("File"),
-        Column::words("SHA-256"),
-    ]);
-    for file in &ida.files {
-        files.row(vec![file.role.clone(), file.name.clone(), file.sha256.clone()]);
-    }
+pub fn report(ida: &Ida) -> Result<Report, Error> {
+    let figures = figures(ida)?;
     let collapses: Vec<String> = ida
         .runs
         .iter()
@@ -197,8 +183,8 @@ pub fn html(ida: &Ida, figures: &[Figure]) -> Result<String, Error> {
     page.insert("name", &ida.name);
     page.insert("incomplete", &ida.incomplete);
     page.insert("runs", &table(ida));
-    page.insert("model", &model);
-    page.insert("files", &files);
+    page.insert("model", &super::facts(&ida.model));
+    page.insert("files", &super::files(&ida.files));
     page.insert("assumptions", &ida.assumptions);
     page.insert("collapses", &collapses);
     page.insert("figures", &views);
@@ -207,5 +193,12 @@ pub fn html(ida: &Ida, figures: &[Figure]) -> Result<String, Error> {
     page.insert("command", &ida.volatile.command);
     page.insert("style", templates.css("style.css"));
     page.insert("figure_style", templates.css("figure.css"));
-    templates.render("ida.html", &page)
+    let css = templates.css("figure.css");
+    Ok(Report {
+        html: templates.render("ida.html", &page)?,
+        figures: figures
+            .iter()
+            .map(|f| (format!("{}.svg", f.id), f.standalone(css)))
+            .collect(),
+    })
 }

@@ -15,6 +15,7 @@
 //! | [`sections`] | decides what is shown, one file a section |
 //! | [`figure`] | draws |
 //! | [`ida`] | the page of an incremental dynamic analysis |
+//! | [`push`] | that of a pushover |
 //! | [`math`] | sets formulas |
 //! | [`number`] | prints numbers |
 //! | [`template`] | holds the templates, embedded or the user's |
@@ -25,6 +26,7 @@ pub mod ida;
 pub mod math;
 pub mod methods;
 pub mod number;
+pub mod push;
 pub mod sections;
 pub mod table;
 pub mod template;
@@ -36,9 +38,11 @@ use serde::Serialize;
 use tera::Context;
 
 use crate::error::Error;
-use crate::results::{self, Results, Series, describe};
+use crate::results::{self, Fact, Results, Series, SourceFile, describe};
 use figure::Figure;
+use number::{percent, with_unit};
 use sections::Source;
+use table::{Column, Table};
 use template::Templates;
 
 /// Name of the report in a results folder.
@@ -62,24 +66,58 @@ pub struct Report {
 pub fn render(folder: &Path, templates: Option<&Path>) -> Result<PathBuf, Error> {
     let results = results::read(folder)?;
     let series = results::read_series(folder)?;
-    let report = build(&results, &series, &Templates::new(templates)?)?;
-    let write = |path: &Path, text: &str| {
-        std::fs::write(path, text).map_err(|e| Error::File {
-            path: path.into(),
+    build(&results, &series, &Templates::new(templates)?)?.write(folder)
+}
+
+impl Report {
+    /// Writes `report.html` and `figures/*.svg` into `folder`; returns the path of the report.
+    ///
+    /// Errors: a file that cannot be written.
+    pub fn write(&self, folder: &Path) -> Result<PathBuf, Error> {
+        let write = |path: &Path, text: &str| {
+            std::fs::write(path, text).map_err(|e| Error::File {
+                path: path.into(),
+                what: describe(&e),
+            })
+        };
+        let figures = folder.join(FIGURES_FOLDER);
+        std::fs::create_dir_all(&figures).map_err(|e| Error::File {
+            path: figures.clone(),
             what: describe(&e),
-        })
-    };
-    let figures = folder.join(FIGURES_FOLDER);
-    std::fs::create_dir_all(&figures).map_err(|e| Error::File {
-        path: figures.clone(),
-        what: describe(&e),
-    })?;
-    for (name, svg) in &report.figures {
-        write(&figures.join(name), svg)?;
+        })?;
+        for (name, svg) in &self.figures {
+            write(&figures.join(name), svg)?;
+        }
+        let path = folder.join(REPORT_FILE);
+        write(&path, &self.html)?;
+        Ok(path)
     }
-    let path = folder.join(REPORT_FILE);
-    write(&path, &report.html)?;
-    Ok(path)
+}
+
+/// Numbers of a model, one a row.
+fn facts(model: &[Fact]) -> Table {
+    let mut table = Table::new(vec![Column::words("What"), Column::words("Value")]);
+    for fact in model {
+        let value = match fact.name.starts_with("damping") {
+            true => percent(fact.value),
+            false => with_unit(fact.value, fact.dimension),
+        };
+        table.row(vec![fact.name.clone(), value]);
+    }
+    table
+}
+
+/// Files with their hashes, one a row.
+fn files(list: &[SourceFile]) -> Table {
+    let mut table = Table::new(vec![
+        Column::words("Role"),
+        Column::words("File"),
+        Column::words("SHA-256"),
+    ]);
+    for file in list {
+        table.row(vec![file.role.clone(), file.name.clone(), file.sha256.clone()]);
+    }
+    table
 }
 
 /// A rendered section as the page template sees it.

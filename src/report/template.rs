@@ -17,6 +17,7 @@ const EMBEDDED: &[(&str, &str)] = &[
     ("figure.css", include_str!("../../templates/figure.css")),
     ("verification.html", include_str!("../../templates/verification.html")),
     ("ida.html", include_str!("../../templates/ida.html")),
+    ("push.html", include_str!("../../templates/push.html")),
     ("fields.css", include_str!("../../templates/fields.css")),
     ("nonlinear.css", include_str!("../../templates/nonlinear.css")),
     (

@@ -5,8 +5,8 @@ use std::path::Path;
 use codes::units::Dimension;
 use serde::{Deserialize, Serialize};
 
-use super::store::round_numbers;
-use super::{SourceFile, Volatile, describe};
+use super::store::{read_document, write_document};
+use super::{SourceFile, Volatile};
 use crate::error::Error;
 
 /// Version of the format; a reader refuses any other.
@@ -115,36 +115,14 @@ pub struct FirstCrack {
 ///
 /// Errors: an unreadable file, text that is not JSON, another format version.
 pub fn read_ida(path: &Path) -> Result<Ida, Error> {
-    let fault = |what: String| Error::File {
-        path: path.into(),
-        what,
-    };
-    let text = std::fs::read_to_string(path).map_err(|e| fault(describe(&e)))?;
-    let value: serde_json::Value =
-        serde_json::from_str(&text).map_err(|e| fault(format!("not the results of an analysis: {e}")))?;
-    match value.get("format").and_then(serde_json::Value::as_str) {
-        Some(IDA_FORMAT) => {}
-        Some(other) => return Err(fault(format!("format `{other}`, this version reads `{IDA_FORMAT}`"))),
-        None => return Err(fault("not the results of an analysis: no format".into())),
-    }
-    serde_json::from_value(value).map_err(|e| fault(format!("not the results of an analysis: {e}")))
+    read_document(path, IDA_FORMAT, "an analysis")
 }
 
 /// Writes `ida` to `path`, whole or not at all; 10 significant digits.
 ///
 /// Errors: a file that cannot be written.
 pub fn write_ida(path: &Path, ida: &Ida) -> Result<(), Error> {
-    let mut value = serde_json::to_value(ida).map_err(|e| Error::Report(e.to_string()))?;
-    round_numbers(&mut value);
-    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::Report(e.to_string()))?;
-    text.push('\n');
-    let fault = |e: std::io::Error| Error::File {
-        path: path.into(),
-        what: describe(&e),
-    };
-    let beside = path.with_extension("tmp");
-    std::fs::write(&beside, text).map_err(fault)?;
-    std::fs::rename(&beside, path).map_err(fault)
+    write_document(path, ida)
 }
 
 /// The runs as a table: head with units, one line a run.

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
 
 use super::{FORMAT, Results, Series};
 use crate::error::Error;
@@ -124,8 +125,44 @@ fn series_csv(series: &Series) -> String {
     text
 }
 
+/// Reads a JSON document of this `format` from `path`; `what` names it in messages.
+///
+/// Errors: an unreadable file, text that is not JSON, another format version.
+pub(super) fn read_document<T: DeserializeOwned>(path: &Path, format: &str, what: &str) -> Result<T, Error> {
+    let fault = |what: String| Error::File {
+        path: path.into(),
+        what,
+    };
+    let text = std::fs::read_to_string(path).map_err(|e| fault(describe(&e)))?;
+    let value: serde_json::Value =
+        serde_json::from_str(&text).map_err(|e| fault(format!("not the results of {what}: {e}")))?;
+    match value.get("format").and_then(serde_json::Value::as_str) {
+        Some(found) if found == format => {}
+        Some(other) => return Err(fault(format!("format `{other}`, this version reads `{format}`"))),
+        None => return Err(fault(format!("not the results of {what}: no format"))),
+    }
+    serde_json::from_value(value).map_err(|e| fault(format!("not the results of {what}: {e}")))
+}
+
+/// Writes a JSON document to `path`, whole or not at all; 10 significant digits.
+///
+/// Errors: a file that cannot be written.
+pub(super) fn write_document(path: &Path, document: &impl Serialize) -> Result<(), Error> {
+    let mut value = serde_json::to_value(document).map_err(|e| Error::Report(e.to_string()))?;
+    round_numbers(&mut value);
+    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::Report(e.to_string()))?;
+    text.push('\n');
+    let fault = |e: std::io::Error| Error::File {
+        path: path.into(),
+        what: describe(&e),
+    };
+    let beside = path.with_extension("tmp");
+    std::fs::write(&beside, text).map_err(fault)?;
+    std::fs::rename(&beside, path).map_err(fault)
+}
+
 /// Rounds every number of a JSON value to 10 significant digits.
-pub(super) fn round_numbers(value: &mut serde_json::Value) {
+fn round_numbers(value: &mut serde_json::Value) {
     use serde_json::Value;
     match value {
         Value::Number(number) if number.is_f64() => {

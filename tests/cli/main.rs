@@ -6,6 +6,7 @@ mod ida;
 mod licences;
 mod nonlinear_input;
 mod nonlinear_run;
+mod push;
 mod records;
 mod solid;
 mod tank_file;

@@ -1,10 +1,11 @@
 //! The nonlinear engine: walls that yield and crack, in large rotations, with the liquid of linear theory.
 //!
-//! [`simulate`] runs a case once; [`Strip`] is the model of an incremental analysis.
+//! [`simulate`] runs a case once; [`Strip`] is the model of an incremental analysis, [`push`] the static pushover of a cylinder.
 
 mod cylinder;
 mod laws;
 mod options;
+pub mod push;
 mod strip;
 
 use std::path::PathBuf;

@@ -179,6 +179,11 @@ fn uniform_wall(tank: &Tank, depth: f64, count: usize) -> Vec<f64> {
 
 /// Heights of the wall's nodes by the rule of the module's theory [m], in elements `refine` times as short.
 pub(in crate::fe) fn wall_levels(tank: &Tank, depth: f64, refine: f64) -> Vec<f64> {
+    based_levels(tank, depth, BASE, refine)
+}
+
+/// The same with elements of `base` √(R t) at the base.
+pub(in crate::fe) fn based_levels(tank: &Tank, depth: f64, base: f64, refine: f64) -> Vec<f64> {
     let cuts = features(tank, depth);
     let height = tank.wall_height();
     let radius = tank.shape.half_length();
@@ -190,7 +195,7 @@ pub(in crate::fe) fn wall_levels(tank: &Tank, depth: f64, refine: f64) -> Vec<f6
     let thinner = |z: f64| bending((z - 1e-6 * height).max(0.0)).min(bending(z + 1e-6 * height));
     let seeds: Vec<(f64, f64)> = cuts[..cuts.len() - 1]
         .iter()
-        .map(|&z| (z, if z == 0.0 { BASE } else { STEP } * thinner(z)))
+        .map(|&z| (z, if z == 0.0 { base } else { STEP } * thinner(z)))
         .collect();
     let length = |z: f64| {
         seeds

@@ -21,6 +21,23 @@ pub struct Cells {
     pub half: bool,
 }
 
+/// Levels of the coarsest `rows(refine)` that has `count` rows: their number grows with the refinement, if not evenly.
+pub fn enough_rows(rows: impl Fn(f64) -> Vec<f64>, count: usize) -> Vec<f64> {
+    let (mut low, mut high) = (1e-3, 1.0);
+    while rows(high).len() <= count && high < 1e4 {
+        high *= 2.0;
+    }
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if rows(middle).len() > count {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    rows(high)
+}
+
 impl Cells {
     /// Cells of a tank filled to `depth` [m]: as many as the user wants, or by the length √(R t) of the bending at an edge,
     /// finer towards the base and the changes of the wall in either case.
@@ -28,26 +45,7 @@ impl Cells {
     /// With `symmetry` an odd number of sectors is raised by one.
     pub fn new(tank: &Tank, depth: f64, wanted: Option<WallElements>, symmetry: bool) -> Cells {
         let rows = |refine: f64| wall_levels(tank, depth, refine);
-        let z = match wanted {
-            None => rows(1.0),
-            Some(wanted) => {
-                let count = wanted.height as usize;
-                // The number of rows grows with the refinement, if not evenly: the coarsest that has enough.
-                let (mut low, mut high) = (1e-3, 1.0);
-                while rows(high).len() <= count && high < 1e4 {
-                    high *= 2.0;
-                }
-                for _ in 0..40 {
-                    let middle = 0.5 * (low + high);
-                    if rows(middle).len() > count {
-                        high = middle;
-                    } else {
-                        low = middle;
-                    }
-                }
-                rows(high)
-            }
-        };
+        let z = wanted.map_or_else(|| rows(1.0), |wanted| enough_rows(rows, wanted.height as usize));
         let sectors = wanted.map_or(SECTORS, |w| w.circumference as usize);
         Cells {
             z,

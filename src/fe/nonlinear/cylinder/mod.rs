@@ -1,10 +1,10 @@
 //! Cylinders: half a wall of shells (or the whole) and the condensed liquid, marched through the record.
 
-mod mesh;
+pub(super) mod mesh;
 mod model;
 mod points;
 mod report;
-mod section;
+pub(super) mod section;
 mod watch;
 
 use codes::Case;

@@ -1,0 +1,197 @@
+//! `tankcheck push`: pushover of an anchored cylinder.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use crate::cli::inputs::{Inputs, Reading};
+use crate::cli::progress::{self, Watch};
+use crate::cli::table::Table;
+use crate::cli::{Format, Global, print, stamp};
+use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
+use crate::fe::nonlinear::push::{Amplitude, PushOptions, Quality};
+use crate::job::{Engines, PushJob};
+use crate::push;
+use crate::report;
+use crate::report::number::with_unit;
+use codes::units::{self, Dimension};
+
+/// Largest amplitude of an imperfection in thicknesses.
+const MAX_THICKNESSES: f64 = 10.0;
+
+/// Arguments.
+#[derive(clap::Args)]
+#[command(after_help = "\
+Examples:
+  tankcheck push tank.json -o push/
+  tankcheck push tank.json --imperfection 0.5t -o push/
+  tankcheck push tank.json --imperfection class-b --imperfection-at 2m -o push/
+
+The imperfection is axisymmetric, in the shape of a weld depression, outwards; inwards with a negative amplitude
+(--imperfection=-0.5t).
+
+Exit codes: 0 done; 2 bad input; 3 the computation failed or was interrupted.")]
+pub struct Args {
+    /// The tank (`-` reads standard input).
+    tank: PathBuf,
+    /// Amplitude of an imperfect shell beside the perfect one: in thicknesses `0.5t`, as a length `6mm`, or by the fabrication
+    /// quality of EN 1993-1-6 `class-a`, `class-b`, `class-c`.
+    #[arg(long, value_name = "AMPLITUDE", allow_hyphen_values = true)]
+    imperfection: Option<String>,
+    /// Height of the imperfection above the base, `2m` [default: where the perfect shell buckles].
+    #[arg(long, value_name = "HEIGHT", requires = "imperfection", allow_hyphen_values = true)]
+    imperfection_at: Option<String>,
+    /// Folder for the results.
+    #[arg(long, short, value_name = "FOLDER", default_value = "push")]
+    out: PathBuf,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+}
+
+/// Runs the subcommand; returns the exit code.
+pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
+    let started = Instant::now();
+    let job = args.job()?;
+    progress::listen(global, true);
+    let watch = Watch::new(global, "pushover");
+    let found = push::run(&job, || stamp(started), &watch)?;
+    watch.finish();
+    match args.format {
+        Format::Human => {
+            let summary = Table::of(&report::push::summary(&found));
+            let limits = Table::of(&report::push::limits(&found));
+            print(&format!("{}\n\n{summary}\n{limits}", found.name))?;
+        }
+        Format::Json => {
+            let text = serde_json::to_string_pretty(&found).map_err(|e| Error::Report(e.to_string()))?;
+            print(&format!("{text}\n"))?;
+        }
+        Format::Csv => print(&report::push::csv(&found))?,
+    }
+    if !global.quiet {
+        for shell in &found.shells {
+            let name = report::push::name_of(shell);
+            anstream::eprintln!("{name}: {}", shell.end);
+            if !shell.capacity.limit {
+                anstream::eprintln!("{name}: no maximum was passed, the capacity is a lower bound");
+            }
+        }
+        if found.incomplete {
+            anstream::eprintln!("incomplete: the run was interrupted");
+        }
+        anstream::eprintln!("report: {}", job.out.join("report.html").display());
+    }
+    Ok(match found.incomplete {
+        true => EXIT_COMPUTATION,
+        false => EXIT_OK,
+    })
+}
+
+impl Args {
+    /// Reads and checks everything.
+    fn job(&self) -> Result<PushJob, Error> {
+        let imperfection = self.imperfection.as_deref().map(amplitude).transpose()?;
+        let height = self.imperfection_at.as_deref().map(height).transpose()?;
+        let inputs = Inputs {
+            tank: self.tank.clone(),
+            quake: None,
+            vertical: None,
+            reading: Reading::default(),
+            procedures: None,
+        };
+        let mut job = inputs.job()?;
+        job.engines = Engines::Nonlinear;
+        Ok(PushJob {
+            job,
+            options: PushOptions { imperfection, height },
+            out: self.out.clone(),
+        })
+    }
+}
+
+fn refuse<T>(what: String, help: &str) -> Result<T, Error> {
+    Err(Error::Input(format!("error: {what}\n  help: {help}")))
+}
+
+/// `0.5t`, `6mm`, `class-b`.
+fn amplitude(text: &str) -> Result<Amplitude, Error> {
+    const HELP: &str = "thicknesses `0.5t`, a length `6mm`, or a quality class `class-b`";
+    let plain = text.trim().to_ascii_lowercase();
+    if let Some(class) = plain.strip_prefix("class-") {
+        return match class {
+            "a" => Ok(Amplitude::Quality(Quality::A)),
+            "b" => Ok(Amplitude::Quality(Quality::B)),
+            "c" => Ok(Amplitude::Quality(Quality::C)),
+            _ => refuse(
+                format!("--imperfection: found `{text}`, allowed class-a, class-b or class-c"),
+                HELP,
+            ),
+        };
+    }
+    if let Some(number) = plain.strip_suffix('t').and_then(|n| n.trim().parse::<f64>().ok()) {
+        if number == 0.0 || number.is_nan() || number.abs() > MAX_THICKNESSES {
+            return refuse(
+                format!(
+                    "--imperfection: found `{text}`, allowed up to {MAX_THICKNESSES} thicknesses in or outwards, not zero"
+                ),
+                "the perfect shell is always run: leave --imperfection out",
+            );
+        }
+        return Ok(Amplitude::Thicknesses(number));
+    }
+    match units::parse(&plain, Dimension::Length) {
+        Ok(value) if value != 0.0 && value.is_finite() => {
+            if value.abs() > 1.0 {
+                return refuse(
+                    format!(
+                        "--imperfection: found {}, allowed up to 1 m",
+                        with_unit(value, Dimension::Length)
+                    ),
+                    HELP,
+                );
+            }
+            Ok(Amplitude::Length(value))
+        }
+        _ => refuse(
+            format!("--imperfection: found `{text}`, allowed an amplitude with its unit, not zero"),
+            HELP,
+        ),
+    }
+}
+
+fn height(text: &str) -> Result<f64, Error> {
+    match units::parse(text.trim(), Dimension::Length) {
+        Ok(value) if value >= 0.0 && value.is_finite() => Ok(value),
+        _ => refuse(
+            format!("--imperfection-at: found `{text}`, allowed a height above the base with its unit"),
+            "for example 2m",
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn amplitudes() {
+        assert_eq!(amplitude("0.5t").unwrap(), Amplitude::Thicknesses(0.5));
+        assert_eq!(amplitude("-0.5 T").unwrap(), Amplitude::Thicknesses(-0.5));
+        assert_eq!(amplitude("6mm").unwrap(), Amplitude::Length(0.006));
+        assert_eq!(amplitude("-6 mm").unwrap(), Amplitude::Length(-0.006));
+        assert_eq!(amplitude("class-B").unwrap(), Amplitude::Quality(Quality::B));
+        for text in [
+            "", "0", "0t", "0.5", "class-d", "11t", "2 m", "NaNt", "half", "5 s", "inf t",
+        ] {
+            let Err(Error::Input(message)) = amplitude(text) else {
+                panic!("{text}");
+            };
+            assert!(
+                message.contains("--imperfection") && message.contains("help"),
+                "{message}"
+            );
+        }
+        assert_eq!(height("2 m").unwrap(), 2.0);
+        assert!(height("-2m").is_err() && height("2").is_err());
+    }
+}

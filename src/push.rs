@@ -1,0 +1,42 @@
+//! The whole flow of a pushover: job → shells → `push.json`, report.
+
+use fem::progress::Progress;
+
+use crate::error::Error;
+use crate::fe::nonlinear::push::pushover;
+use crate::job::PushJob;
+use crate::pipeline::OutputFolder;
+use crate::report::{self, FIGURES_FOLDER, REPORT_FILE};
+use crate::results::{PUSH_FILE, PUSH_FORMAT, Push, Volatile, write_push};
+
+/// Whether a pushover writes an entry of this name.
+pub fn owns(name: &str) -> bool {
+    [PUSH_FILE, REPORT_FILE, FIGURES_FOLDER].contains(&name)
+}
+
+/// Runs a job; `volatile` stamps the results.
+///
+/// Errors: a tank or option that a pushover does not know; a folder that holds something else or cannot be written; a wall
+/// that does not carry its liquid at rest. That it fails under the pushing is none.
+pub fn run(job: &PushJob, volatile: impl Fn() -> Volatile, progress: &dyn Progress) -> Result<Push, Error> {
+    // Whatever is wrong with the folder is said before anything is computed.
+    let folder = OutputFolder::of(&job.out, owns, "--out")?;
+    let case = &job.job.case;
+    let pushed = pushover(case, &job.job.nonlinear, &job.options, progress)?;
+    let push = Push {
+        format: PUSH_FORMAT.into(),
+        volatile: volatile(),
+        name: case.name.clone(),
+        gravity: case.gravity,
+        files: job.job.files.clone(),
+        model: pushed.model,
+        assumptions: pushed.assumptions,
+        shells: pushed.shells,
+        limits: pushed.limits,
+        incomplete: pushed.incomplete,
+    };
+    write_push(&folder.path().join(PUSH_FILE), &push)?;
+    report::push::report(&push)?.write(folder.path())?;
+    folder.commit()?;
+    Ok(push)
+}
