@@ -202,7 +202,7 @@ fn check_shows_the_layers() {
         ("07_steel_cylinder", ""),
         (
             "08_concrete_cylinder",
-            "course 1: 250 mm concrete (concrete; hoop 15.0 cm²/m at 40.0 mm of bars",
+            "course 1: 200 mm concrete (concrete; hoop 15.0 cm²/m at 40.0 mm of bars",
         ),
     ] {
         let out = folder.path().join(name);
