@@ -27,7 +27,7 @@ impl<'a> Watch<'a> {
     pub fn new(strip: &'a StripModel, until: Option<f64>) -> Watch<'a> {
         let (tank, liquid) = (&strip.tank, &strip.tank.liquid);
         let tolerance = 1e-9 * liquid.depth;
-        let mut heights: Vec<f64> = tank.levels.iter().copied().collect();
+        let mut heights: Vec<f64> = tank.levels.to_vec();
         heights.retain(|z| *z <= liquid.depth + tolerance);
         let wet = heights.len();
         let middles = tank.levels.windows(2).map(|w| 0.5 * (w[0] + w[1]));

@@ -147,7 +147,7 @@ impl<'a> Layout<'a> {
     pub fn surface(&self) -> Option<f64> {
         let (z0, z1) = (self.grid.z[0], self.grid.z[self.grid.z.len() - 1]);
         let inside = self.grid.surface > z0 && self.grid.surface < z1;
-        inside.then(|| self.y.1 - (self.grid.surface - z0) * self.stretch.1)
+        inside.then_some(self.y.1 - (self.grid.surface - z0) * self.stretch.1)
     }
 
     /// Frames, ticks and titles; the surface as a line of this class.

@@ -6,8 +6,8 @@
 //! ```
 //!
 //! Load steps up to the last equilibrium, then an arc through the limit point in the pattern reached (the liquid does not pull,
-//! node by node). Large rotations, steel that yields, the hydrostatic pressure turns with the wall; see [`load`] for the pattern, [`model`] for
-//! mesh and supports, [`imperfection`] for what is wrong with the shell. A static capacity: neither the duration of the peak nor
+//! node by node). Large rotations, steel that yields, the hydrostatic pressure turns with the wall; see `load` for the pattern, `model` for
+//! mesh and supports, `imperfection` for what is wrong with the shell. A static capacity: neither the duration of the peak nor
 //! the cycles before it count.
 
 mod imperfection;
