@@ -162,15 +162,7 @@ fn histories(watch: &Watch<'_>) -> (Vec<SeriesInfo>, Series) {
             Dimension::Length,
         ),
     ] {
-        let rest = recorder.histories[k].first().copied().unwrap_or(0.0);
-        let range = &recorder.ranges[k];
-        let swing = Extremes {
-            rest,
-            min: range.min,
-            min_time: range.min_time,
-            max: range.max,
-            max_time: range.max_time,
-        };
+        let swing = extremes(watch, k);
         push(id, title, dimension, &recorder.histories[k], Some(swing.swing()));
     }
     for (side, angle) in [(0, 0), (1, 180)] {
@@ -193,15 +185,26 @@ fn histories(watch: &Watch<'_>) -> (Vec<SeriesInfo>, Series) {
     (info, series)
 }
 
+/// Range of a recorded quantity with its value at rest; zeros where the state at rest was not reached.
+fn extremes(watch: &Watch<'_>, k: usize) -> Extremes {
+    let range = &watch.recorder.ranges[k];
+    match watch.recorder.histories[k].first() {
+        Some(&rest) => Extremes {
+            rest,
+            min: range.min,
+            min_time: range.min_time,
+            max: range.max,
+            max_time: range.max_time,
+        },
+        None => Extremes::default(),
+    }
+}
+
 fn values(tank: &CylinderModel, watch: &Watch<'_>) -> BTreeMap<Quantity, f64> {
-    let swing = |k: usize| {
-        let range = &watch.recorder.ranges[k];
-        let rest = watch.recorder.histories[k].first().copied().unwrap_or(0.0);
-        (range.max - rest).max(rest - range.min)
-    };
+    let swing = |k: usize| extremes(watch, k).swing().0;
     let rise = |k: usize| {
-        let rest = watch.recorder.histories[k].first().copied().unwrap_or(0.0);
-        watch.recorder.ranges[k].max - rest
+        let of = extremes(watch, k);
+        of.max - of.rest
     };
     let sides = &watch.seen.sides;
     let hoop = sides
@@ -458,6 +461,11 @@ fn pictures(watch: &Watch<'_>, last: &Look, time: f64) -> Vec<CrackPicture> {
     out
 }
 
+/// Shortest step [s]; 0 if none was taken.
+fn shortest(run: &Run) -> f64 {
+    if run.shortest.is_finite() { run.shortest } else { 0.0 }
+}
+
 /// Every so-manieth of `n` points.
 fn stride(n: usize) -> usize {
     n.div_ceil(POINTS).max(1)
@@ -527,7 +535,7 @@ fn cost(tank: &CylinderModel, watch: &Watch<'_>, run: &Run) -> Vec<Count> {
         count("wetted radial displacements", tank.wetted.len() as f64, number),
         count("steps", run.cost.steps as f64, number),
         count("steps cut to half", run.cuts as f64, number),
-        count("shortest step", run.shortest.min(1e9), Dimension::Time),
+        count("shortest step", shortest(run), Dimension::Time),
         count("iterations", run.cost.iterations as f64, number),
         count("factorisations", run.cost.factors as f64, number),
         count("evaluations of all elements", run.cost.evaluations as f64, number),
@@ -547,7 +555,7 @@ fn envelopes(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Envelope> {
         id: id.into(),
         title: title.into(),
         dimension: Dimension::Stress,
-        z: z.clone(),
+        z: z[..list.len()].to_vec(),
         static_: list.iter().map(|e| e.rest).collect(),
         min: list.iter().map(|e| e.min - e.rest).collect(),
         max: list.iter().map(|e| e.max - e.rest).collect(),
@@ -623,7 +631,7 @@ fn integration(tank: &CylinderModel, options: &NonlinearOptions, run: &Run) -> V
             format!(
                 "{} steps; the shortest {} s",
                 run.cost.steps,
-                significant(run.shortest.min(1e9), 3)
+                significant(shortest(run), 3)
             ),
         ),
         label(

@@ -237,7 +237,7 @@ fn plane_concrete(
         }
         ConcreteLaw::Uniaxial => {
             return unsupported(
-                "uniaxial concrete is a law of strips: choose `cracked` or `plastic_fracturing` for shells",
+                "uniaxial concrete is a law of strips: choose `cracked` or `plastic-fracturing` for shells",
             );
         }
     })

@@ -271,3 +271,24 @@ fn resumed_is_uninterrupted() {
     );
     assert_eq!(a.energies, b.energies);
 }
+
+/// A wall that cannot carry the pressure at rest: collapse before the shaking, and every number is one that can be written.
+#[test]
+fn collapse_at_rest_is_a_result() {
+    let mut case = shaken(cracking(), 1.0, 5);
+    let mut layer = case.tank.courses[0].layers[0].clone();
+    layer.thickness = 0.04;
+    layer.reinforcement.clear();
+    case.tank.courses = vec![Course::layered(5.0, vec![layer])];
+    let found = simulate(&case, &options(&case, 6, 16), None, &Silent).unwrap();
+    let nonlinear = found.result.nonlinear.as_ref().unwrap();
+    assert!(
+        matches!(nonlinear.end, End::Collapsed { load_factor: Some(f), .. } if f < 1.0),
+        "{:?}",
+        nonlinear.end
+    );
+    assert!(found.result.incomplete && found.values.values().all(|v| v.is_finite()));
+    let text = serde_json::to_string(&found.result).unwrap();
+    let again: crate::results::FeResult = serde_json::from_str(&text).unwrap();
+    assert_eq!(again.nonlinear.unwrap().end, nonlinear.end);
+}
