@@ -250,27 +250,40 @@ impl<'a> Seen<'a> {
         out
     }
 
-    fn shell(&self, end: String, state: &State) -> Result<PushShell, FeError> {
-        let count = self.points.len();
-        let best = (0..count)
-            .max_by(|&a, &b| self.points[a].acceleration.total_cmp(&self.points[b].acceleration))
-            .unwrap_or(0);
-        let (peak, last) = (&self.meridians[best], &self.meridians[count - 1]);
-        // Before its maximum a path says nothing of the buckle but where the wall is compressed most.
-        let node = if best + 1 < count {
+    /// Height [m], angle [rad] and row of cells of the buckle: where the plates have yielded most in the last state. Of a shell that
+    /// is still elastic where it has moved most since its maximum; before a maximum, where it is compressed most.
+    fn buckle(&self, best: usize, plastic: &[f64]) -> (f64, f64, usize) {
+        let (rows, angles) = (self.model.cells.len(), &self.model.angles);
+        let largest = (0..plastic.len()).max_by(|&a, &b| plastic[a].total_cmp(&plastic[b]));
+        if let Some(cell) = largest.filter(|&c| plastic[c] > 0.0) {
+            let (sector, row) = (cell / rows, cell % rows);
+            return (self.middle(row), angles[sector], row);
+        }
+        let (peak, last) = (&self.meridians[best], &self.meridians[self.meridians.len() - 1]);
+        let node = if best + 1 < self.points.len() {
             let moved = |n: usize| (last.field[n] - peak.field[n]).abs();
             (0..peak.field.len()).max_by(|&a, &b| moved(a).total_cmp(&moved(b)))
         } else {
             let z = self.points[best].compression_height;
             let level = self.model.levels.iter().position(|l| *l >= z);
-            level.map(|l| l * self.model.angles.len())
+            level.map(|l| l * angles.len())
         };
-        let (level, column) = (
-            node.unwrap_or(0) / self.model.angles.len(),
-            node.unwrap_or(0) % self.model.angles.len(),
-        );
-        let height = self.model.levels[level];
-        let cell = level.min(peak.axial.len() - 1);
+        let (level, column) = (node.unwrap_or(0) / angles.len(), node.unwrap_or(0) % angles.len());
+        (
+            self.model.levels[level],
+            angles[column],
+            level.min(peak.axial.len() - 1),
+        )
+    }
+
+    fn shell(&self, end: String, state: &State) -> Result<PushShell, FeError> {
+        let count = self.points.len();
+        let best = (0..count)
+            .max_by(|&a, &b| self.points[a].acceleration.total_cmp(&self.points[b].acceleration))
+            .unwrap_or(0);
+        let peak = &self.meridians[best];
+        let plastic = self.plastic(state);
+        let (height, angle, cell) = self.buckle(best, &plastic);
         let state_there = self.points[best];
         let liquid = &self.plan.case.liquid;
         let hydrostatic = liquid.density * self.plan.case.gravity * (liquid.fill_height - height).max(0.0);
@@ -278,7 +291,7 @@ impl<'a> Seen<'a> {
             limit: best + 1 < count,
             state: state_there,
             height,
-            angle: self.model.angles[column],
+            angle,
             thickness: self.thickness(cell),
             compression: peak.axial[cell],
             hoop: peak.hoop[cell],
@@ -313,7 +326,7 @@ impl<'a> Seen<'a> {
                 dimension: Dimension::Dimensionless,
                 theta: middles(&self.model.angles),
                 z: middles(&self.model.levels),
-                values: self.plastic(state),
+                values: plastic,
             },
         })
     }
