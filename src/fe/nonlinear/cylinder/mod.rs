@@ -1,10 +1,12 @@
 //! Cylinders: half a wall of shells (or the whole) and the condensed liquid, marched through the record.
 
+mod describe;
 pub(super) mod mesh;
 mod model;
 mod points;
 mod report;
 pub(super) mod section;
+mod state;
 mod watch;
 
 use codes::Case;
