@@ -16,7 +16,6 @@ use fem::progress::Progress;
 
 use super::{FeError, Simulation};
 
-pub use cylinder::CylinderModel;
 pub use options::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, ThicknessRule, WallElements};
 pub use strip::Strip;
 

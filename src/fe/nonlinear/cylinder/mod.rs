@@ -22,7 +22,7 @@ use super::{CheckpointFile, Contact, NonlinearOptions};
 use crate::fe::simulate::checked_motion;
 use crate::fe::{FeError, Simulation};
 
-pub use model::CylinderModel;
+use model::CylinderModel;
 use watch::Watch;
 
 /// Steps of the time integration in a period of the first mode of wall and liquid.
@@ -48,7 +48,7 @@ pub fn simulate(
         ));
     }
     progress.stage("mesh, condensed liquid, order of elimination", 1);
-    let tank = CylinderModel::new(case, options, None)?;
+    let tank = CylinderModel::new(case, options)?;
     progress.advance(1);
     let record = &motion.horizontal;
     let period = std::f64::consts::TAU / tank.wall_omega;

@@ -81,8 +81,6 @@ pub struct CylinderModel {
     pub weight: Vec<f64>,
     /// Forces of the hydrostatic pressure on the undeformed wall.
     pub pressure: Vec<f64>,
-    /// Element of the liquid.
-    pub liquid_element: usize,
     /// Node of each wetted radial displacement: level by level from the base.
     pub wetted: Vec<usize>,
     /// Area of the wall that belongs to each of them [m²].
@@ -114,14 +112,8 @@ fn failed(error: impl std::fmt::Display) -> FeError {
 impl CylinderModel {
     /// The model of a case.
     ///
-    /// * `imperfection`: outward deviation of the wall's middle surface at (θ, z) [m], free of stress
-    ///
     /// Errors: no cylinder; a wall, a law or an option that the engine does not know; parameters out of range.
-    pub fn new(
-        case: &Case,
-        options: &NonlinearOptions,
-        imperfection: Option<&dyn Fn(f64, f64) -> f64>,
-    ) -> Result<CylinderModel, FeError> {
+    pub fn new(case: &Case, options: &NonlinearOptions) -> Result<CylinderModel, FeError> {
         let Shape::Cylinder { radius } = case.tank.shape else {
             return Err(FeError::Unsupported("this tank is no cylinder".into()));
         };
@@ -129,11 +121,7 @@ impl CylinderModel {
         let unit_weight = case.liquid.density * case.gravity;
         let cells = Cells::new(&case.tank, depth, options.elements, options.symmetry);
         let rows = build_rows(case, &cells, radius, options)?;
-        let mut footprint =
-            Footprint::cylinder(radius, cells.columns(), [0.0, cells.span()], &cells.z).map_err(failed)?;
-        if let Some(deviation) = imperfection {
-            displace(&mut footprint, deviation);
-        }
+        let footprint = Footprint::cylinder(radius, cells.columns(), [0.0, cells.span()], &cells.z).map_err(failed)?;
         let mut builder = Builder::new();
         let gap = rows.first().map_or(0.0, |r| r.gap);
         if rows.iter().any(|r| (r.gap - gap).abs() > 1e-9 * radius) {
@@ -207,7 +195,6 @@ impl CylinderModel {
             system,
             weight,
             pressure,
-            liquid_element,
             wetted,
             areas,
             liquid,
@@ -267,7 +254,7 @@ impl CylinderModel {
 
     /// Forces of a unit horizontal acceleration of the ground on wall and liquid, the surface free of pressure: those of the
     /// impulsive liquid, of the wall and of the roof, without what sloshes.
-    pub fn impulsive_load(&self) -> Vec<f64> {
+    fn impulsive_load(&self) -> Vec<f64> {
         let mut load = self.system.inertia[0].clone();
         let mut follow = vec![0.0; load.len()];
         for &e in &self.amplitudes {
@@ -366,25 +353,6 @@ fn build_rows(case: &Case, cells: &Cells, radius: f64, options: &NonlinearOption
             section::row(&course.build_up(), [length, z[1] - z[0]], &options.integration)
         })
         .collect()
-}
-
-/// Moves the points of the wall outwards; directors stay those of the deviating surface along z, a deviation being small
-/// beside the radius.
-fn displace(footprint: &mut Footprint, deviation: &dyn Fn(f64, f64) -> f64) {
-    const STEP: f64 = 1e-4;
-    for (point, normal) in footprint.points.iter_mut().zip(&mut footprint.normals) {
-        let [x, y, z] = *point;
-        let theta = y.atan2(x);
-        let (s, c) = theta.sin_cos();
-        let radius = x.hypot(y);
-        let out = deviation(theta, z);
-        let slope = (deviation(theta, z + STEP) - deviation(theta, z - STEP)) / (2.0 * STEP);
-        let turn = (deviation(theta + STEP, z) - deviation(theta - STEP, z)) / (2.0 * STEP * radius);
-        *point = [x + out * c, y + out * s, z];
-        // e_r − w,z e_z − w,θ/R e_θ
-        let tilted = nalgebra::Vector3::new(c + turn * s, s - turn * c, -slope).normalize();
-        *normal = tilted.into();
-    }
 }
 
 /// Clamped base; the plane of symmetry.
