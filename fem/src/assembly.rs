@@ -30,6 +30,8 @@ pub struct Assembler {
     turned: Vec<bool>,
     /// Elements whose force is K u in components that do not turn with the nodes.
     linear: Vec<bool>,
+    /// Elements whose force is taken at the end of a time step; empty without any.
+    at_end: Vec<bool>,
     /// Held dofs that some element uses, by node.
     supports: Vec<(usize, Dof)>,
     /// Number in `supports` of the local dofs, element after element; [`NONE`] if free.
@@ -74,6 +76,30 @@ pub struct Forces {
     pub internal: Vec<f64>,
     /// Of the held dofs, in the order of [`Assembler::supports`].
     pub support: Vec<f64>,
+    /// Part of `internal` that time steps take at their end ([`Element::acts_at_end`]); empty without such elements.
+    pub at_end: Vec<f64>,
+}
+
+/// What an evaluation of all elements is asked for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ask<'a> {
+    /// Force, tangent.
+    pub want: Want,
+    /// Stands for the linear elements.
+    pub linear: Option<&'a LinearPart>,
+    /// Factor on the tangents of elements that act at the end of a step.
+    pub end_tangent: f64,
+}
+
+impl<'a> Ask<'a> {
+    /// At one instant.
+    pub fn now(want: Want, linear: Option<&'a LinearPart>) -> Ask<'a> {
+        Ask {
+            want,
+            linear,
+            end_tangent: 1.0,
+        }
+    }
 }
 
 /// What the elements keep from one iteration of a step to the next ([`Element::respond_mixed`]).
@@ -121,6 +147,7 @@ impl Assembler {
         let dofs = model.dofs();
         let (mut equations, mut equation_starts) = (Vec::new(), vec![0]);
         let (mut turned, mut linear, mut held) = (Vec::new(), Vec::new(), Vec::new());
+        let ends: Vec<bool> = model.elements().iter().map(|e| e.acts_at_end()).collect();
         let mut supports: Vec<(usize, Dof)> = Vec::new();
         let mut number = std::collections::BTreeMap::new();
         for element in model.elements() {
@@ -187,6 +214,7 @@ impl Assembler {
             place_starts,
             turned,
             linear,
+            at_end: if ends.contains(&true) { ends } else { Vec::new() },
             supports,
             held,
             shared: start..end,
@@ -496,7 +524,7 @@ impl Assembler {
         kept: &mut Kept,
     ) -> Result<Vec<f64>, (usize, ElementError)> {
         let mut forces = Forces::default();
-        self.answer(model, state, want, None, tangent, &mut forces, Some(kept))?;
+        self.answer(model, state, Ask::now(want, None), tangent, &mut forces, Some(kept))?;
         Ok(forces.internal)
     }
 
@@ -512,25 +540,30 @@ impl Assembler {
         tangent: &mut Symmetric,
         forces: &mut Forces,
     ) -> Result<(), (usize, ElementError)> {
-        self.answer(model, state, want, linear, tangent, forces, None)
+        self.answer(model, state, Ask::now(want, linear), tangent, forces, None)
     }
 
     /// [`Assembler::respond_into`], by [`Element::respond_mixed`] if there is something `kept`.
-    #[allow(clippy::too_many_arguments, reason = "all that an evaluation reads and writes")]
     pub(crate) fn answer(
         &self,
         model: &Model,
         state: &mut State,
-        want: Want,
-        linear: Option<&LinearPart>,
+        ask: Ask<'_>,
         tangent: &mut Symmetric,
         forces: &mut Forces,
         mut kept: Option<&mut Kept>,
     ) -> Result<(), (usize, ElementError)> {
-        let Forces { internal, support } = forces;
+        let Ask { want, linear, .. } = ask;
+        let Forces {
+            internal,
+            support,
+            at_end,
+        } = forces;
+        let ends = !self.at_end.is_empty();
         for (out, len) in [
             (&mut *internal, model.dofs().len()),
             (&mut *support, self.supports.len()),
+            (&mut *at_end, if ends { model.dofs().len() } else { 0 }),
         ] {
             out.clear();
             out.resize(len, 0.0);
@@ -578,6 +611,16 @@ impl Assembler {
                         support[s as usize] += f;
                     }
                 }
+            }
+            if ends && self.at_end[e] {
+                if want.force {
+                    // Turned already.
+                    let equations = self.equations[self.equation_starts[e]..self.equation_starts[e + 1]].iter();
+                    for (&q, f) in equations.zip(&response.force).filter(|(q, _)| **q != NONE) {
+                        at_end[q as usize] += f;
+                    }
+                }
+                response.tangent.data.iter_mut().for_each(|k| *k *= ask.end_tangent);
             }
             if want.tangent {
                 self.scatter(model, e, &mut response.tangent, &mut Sink::whole(&mut tangent.values));

@@ -76,6 +76,7 @@ pub fn strip_rows(records: &Path) -> Result<Vec<Row>, Error> {
     let mut rows = fem::verify::dynamics::separation(&record.acceleration, record.dt)
         .map_err(|e| failed("separation of the liquid", e.to_string()))?;
     let of_strip = |e: fem::strip::StripError| failed("strip", e.to_string());
+    rows.extend(fem::verify::strip::contact(&record, 14.0).map_err(of_strip)?);
     rows.extend(fem::verify::strip::linear(&record).map_err(of_strip)?);
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     rows.extend(fem::verify::strip::nonlinear(&record, threads, &fem::progress::Silent).map_err(of_strip)?);

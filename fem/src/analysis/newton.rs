@@ -95,6 +95,16 @@ impl Options {
     }
 }
 
+impl Options {
+    /// Full Newton with line search, for joints that open: a kept factor is that of another set of closed points.
+    pub fn for_contact() -> Options {
+        Options {
+            modified: false,
+            ..Options::default()
+        }
+    }
+}
+
 /// Modified Newton with line search, and the initial stiffness as a last resort.
 impl Default for Options {
     fn default() -> Options {
@@ -320,7 +330,7 @@ impl<'a> Newton<'a> {
         let known = self.committed_at.as_ref().is_some_and(|u| *u == state.committed.u);
         if !known {
             state.revert();
-            self.evaluate(state, Want::FORCE)?;
+            self.evaluate(state, Want::FORCE, 1.0)?;
             state.revert();
             self.keep_forces(state);
         }

@@ -28,6 +28,7 @@ mod fluid4;
 mod fluid8;
 mod free_surface;
 pub mod interlayer;
+pub mod liquid_joint;
 mod local;
 mod potential8;
 mod potential_face;
@@ -199,6 +200,12 @@ pub trait Element: Send + Sync {
     /// Whether internal force and tangent are K u with a constant K, in small rotations: such elements are assembled once
     /// for all steps.
     fn is_linear(&self) -> bool {
+        false
+    }
+
+    /// Whether time steps take the element's force at their end, whatever their scheme blends the others with: so that a
+    /// one-sided joint never gains energy (Moreau 1999).
+    fn acts_at_end(&self) -> bool {
         false
     }
 

@@ -1,4 +1,5 @@
-//! Where and when a liquid that is computed as joined to its wall would leave it.
+//! Where and when a liquid that is computed as joined to its wall would leave it ([`SeparationCheck`]), and where one that may
+//! leave it has done so ([`Openings`]).
 //!
 //! ```text
 //! p = p₀(z) + p'(z, t) − ρ g u_z(z, t) < 0          gauge pressure of the particle that was at z
@@ -175,6 +176,120 @@ impl SeparationCheck {
             places: self.seen.iter().enumerate().filter_map(place).collect(),
             lowest_pressure: self.seen.iter().map(|s| s.pressure).fold(f64::INFINITY, f64::min),
         }
+    }
+}
+
+/// Where and when a liquid that may leave its wall has done so.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Openings {
+    heights: Vec<f64>,
+    seen: Vec<Gap>,
+    instants: usize,
+    /// Largest penetration of the penalty [m].
+    penetration: f64,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Gap {
+    first: Option<f64>,
+    widest: f64,
+    time: f64,
+    instants: usize,
+}
+
+/// A place where the liquid has left the wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Opening {
+    /// Number of the place, as given.
+    pub number: usize,
+    /// Its height [m].
+    pub height: f64,
+    /// First time [s].
+    pub first: f64,
+    /// Largest distance of liquid and wall [m].
+    pub widest: f64,
+    /// Its time [s].
+    pub time: f64,
+    /// Share of the instants seen in which it was open.
+    pub share: f64,
+}
+
+impl Openings {
+    /// * `heights`: places on the wetted wall [m]
+    pub fn new(heights: Vec<f64>) -> Openings {
+        Openings {
+            seen: vec![Gap::default(); heights.len()],
+            heights,
+            instants: 0,
+            penetration: 0.0,
+        }
+    }
+
+    /// Looks at one instant: distance of liquid and wall at each place [m], 0 where they touch, and by how much the penalty
+    /// gives way there [m].
+    pub fn see(&mut self, time: f64, gaps: impl Iterator<Item = (f64, f64)>) {
+        self.instants += 1;
+        for (seen, (gap, penetration)) in self.seen.iter_mut().zip(gaps) {
+            self.penetration = self.penetration.max(penetration);
+            if gap > 0.0 {
+                seen.first.get_or_insert(time);
+                seen.instants += 1;
+            }
+            if gap > seen.widest {
+                (seen.widest, seen.time) = (gap, time);
+            }
+        }
+    }
+
+    /// Largest distance at each place so far [m].
+    pub fn widest(&self) -> impl Iterator<Item = f64> + '_ {
+        self.seen.iter().map(|s| s.widest)
+    }
+
+    /// Largest penetration of the penalty so far [m].
+    pub fn penetration(&self) -> f64 {
+        self.penetration
+    }
+
+    /// Places that have opened, as given.
+    pub fn places(&self) -> Vec<Opening> {
+        let place = |(number, seen): (usize, &Gap)| {
+            seen.first.map(|first| Opening {
+                number,
+                height: self.heights[number],
+                first,
+                widest: seen.widest,
+                time: seen.time,
+                share: seen.instants as f64 / self.instants.max(1) as f64,
+            })
+        };
+        self.seen.iter().enumerate().filter_map(place).collect()
+    }
+
+    /// Writes what was seen to a checkpoint.
+    pub fn save(&self, to: &mut Writer) {
+        to.count(self.instants);
+        to.number(self.penetration);
+        for s in &self.seen {
+            to.numbers(&[s.first.unwrap_or(f64::NAN), s.widest, s.time]);
+            to.count(s.instants);
+        }
+    }
+
+    /// Reads it back.
+    ///
+    /// Errors: a payload that is not its own.
+    pub fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
+        self.instants = from.count()?;
+        self.penetration = from.number()?;
+        for s in &mut self.seen {
+            let mut own = [0.0; 3];
+            from.numbers_into("a place that opens", &mut own)?;
+            s.first = Some(own[0]).filter(|t| !t.is_nan());
+            [s.widest, s.time] = [own[1], own[2]];
+            s.instants = from.count()?;
+        }
+        Ok(())
     }
 }
 

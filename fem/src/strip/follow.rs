@@ -5,7 +5,7 @@ use super::{StripError, StripModel, lost};
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::march::{Instant, Observe, Range};
 use crate::dofs::Dof;
-use crate::liquid::separation::SeparationCheck;
+use crate::liquid::separation::{Openings, SeparationCheck};
 use crate::liquid::strip::Place;
 use crate::state::Gather;
 
@@ -15,7 +15,7 @@ pub(super) struct Watch<'a> {
     /// Wet levels, then middles of wet elements.
     places: Vec<Place>,
     bottom: Vec<f64>,
-    /// Deflections and slopes at rest, then amplitudes.
+    /// Unknowns of the liquid at rest: deflections and slopes of its face, then amplitudes.
     rest: Vec<f64>,
     history: WallHistory,
     until: f64,
@@ -32,21 +32,27 @@ impl<'a> Watch<'a> {
         let wet = heights.len();
         let middles = tank.levels.windows(2).map(|w| 0.5 * (w[0] + w[1]));
         heights.extend(middles.filter(|z| *z < liquid.depth));
+        let joints = strip.joints.as_ref();
+        let seen = match joints {
+            Some(joints) => &joints.heights[..],
+            None => &heights[..wet],
+        };
         let check = SeparationCheck::new(liquid.density * liquid.gravity, liquid.depth, heights[wet..].to_vec());
         Watch {
-            places: liquid.places(&tank.levels, tank.sloshing, &heights),
-            bottom: liquid.bottom_moment(&tank.levels, tank.sloshing),
+            places: liquid.places(strip.face_levels(), tank.sloshing, &heights),
+            bottom: liquid.bottom_moment(strip.face_levels(), tank.sloshing),
             rest: Vec::new(),
             history: WallHistory {
                 times: Vec::new(),
                 samples: Vec::new(),
                 scalars: vec![Vec::new(); Scalar::ALL.len()],
                 deflection: vec![(0.0, Range::EMPTY); tank.levels.len()],
-                pressure: heights[..wet].iter().map(|&z| (z, Range::EMPTY)).collect(),
+                pressure: seen.iter().map(|&z| (z, Range::EMPTY)).collect(),
                 cells: vec![Cell::default(); tank.sections.len()],
                 events: Vec::new(),
                 pictures: Default::default(),
                 separation: check,
+                openings: joints.map(|j| Openings::new(j.heights.clone())),
             },
             until: until.unwrap_or(f64::INFINITY),
             failure: None,
@@ -70,11 +76,11 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Deflections and slopes of the wall in `field`, then the amplitudes.
-    fn wall(&self, field: &[f64]) -> Vec<f64> {
+    /// Deflections and slopes of the liquid's face in `field`, then the amplitudes.
+    fn face(&self, field: &[f64]) -> Vec<f64> {
         let strip = self.strip;
         let mut out = Vec::with_capacity(self.bottom.len());
-        for &node in &strip.wall {
+        for &node in &strip.face {
             let own = strip.model.at_node(field, node);
             out.extend([own[Dof::Ux.index()], own[Dof::Ry.index()]]);
         }
@@ -85,12 +91,13 @@ impl<'a> Watch<'a> {
     fn take(&mut self, now: &Instant<'_>) -> Result<(), StripError> {
         let strip = self.strip;
         let fields = &now.state.committed;
-        let displacement = self.wall(&fields.u);
-        if self.history.times.is_empty() {
+        let displacement = self.face(&fields.u);
+        let start = self.history.times.is_empty();
+        if start {
             self.rest.clone_from(&displacement);
         }
-        let mut acceleration = self.wall(&fields.a);
-        let levels = strip.wall.len();
+        let mut acceleration = self.face(&fields.a);
+        let levels = strip.face.len();
         acceleration[..2 * levels]
             .iter_mut()
             .step_by(2)
@@ -114,9 +121,23 @@ impl<'a> Watch<'a> {
         }
         history.times.push(now.time);
         history.scalars.iter_mut().zip(values).for_each(|(h, v)| h.push(v));
-        for (i, (rest, range)) in history.deflection.iter_mut().enumerate() {
-            *rest = self.rest[2 * i];
-            range.include(displacement[2 * i], now.time);
+        for (&node, (rest, range)) in strip.wall.iter().zip(&mut history.deflection) {
+            let deflection = strip.model.at_node(&fields.u, node)[Dof::Ux.index()];
+            if start {
+                *rest = deflection;
+            }
+            range.include(deflection, now.time);
+        }
+        if let (Some(joints), Some(openings)) = (&strip.joints, &mut history.openings) {
+            let touches = joints.look(&strip.model, now.state);
+            let liquid = &strip.tank.liquid;
+            for (touch, (z, range)) in touches.iter().zip(&mut history.pressure) {
+                let at_rest = liquid.density * liquid.gravity * (liquid.depth - *z);
+                range.include(touch.pressure - at_rest, now.time);
+            }
+            openings.see(now.time, touches.iter().map(|t| (t.gap, t.penetration)));
+            self.inspect(now, moment);
+            return Ok(());
         }
         let moved: Vec<f64> = displacement.iter().zip(&self.rest).map(|(u, r)| u - r).collect();
         let liquid = &strip.tank.liquid;
@@ -259,6 +280,9 @@ impl Observe for Watch<'_> {
             }
         }
         h.separation.save(to);
+        if let Some(openings) = &h.openings {
+            openings.save(to);
+        }
     }
 
     fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
@@ -311,6 +335,10 @@ impl Observe for Watch<'_> {
                 *face = cracks.chunks_exact(2).map(|c| [c[0], c[1]]).collect();
             }
         }
-        h.separation.restore(from)
+        h.separation.restore(from)?;
+        match &mut h.openings {
+            Some(openings) => openings.restore(from),
+            None => Ok(()),
+        }
     }
 }

@@ -4,7 +4,7 @@
 //! y as the ground exerts them. Everything contains the state at rest. Faces: 0 is the wet half of the section, 1 the dry one.
 
 use crate::analysis::march::Range;
-use crate::liquid::separation::SeparationCheck;
+use crate::liquid::separation::{Openings, SeparationCheck};
 
 /// A quantity with a history.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -143,7 +143,7 @@ pub struct WallHistory {
     pub scalars: Vec<Vec<f64>>,
     /// Deflection at the levels of the wall [m]: at rest, and its range.
     pub deflection: Vec<(f64, Range)>,
-    /// Heights of the wet levels [m], and range of the dynamic pressure there [Pa].
+    /// Heights of the wet levels, or of the points of the joints [m], and range of the dynamic pressure there [Pa].
     pub pressure: Vec<(f64, Range)>,
     /// Elements from the base up.
     pub cells: Vec<Cell>,
@@ -151,8 +151,10 @@ pub struct WallHistory {
     pub events: Vec<WallEvent>,
     /// Cracks at the largest moment at the base, and in the last state.
     pub pictures: [Picture; 2],
-    /// Whether the liquid would leave the wall, in the middle of every wet element.
+    /// Whether the liquid would leave the wall, in the middle of every wet element; sees nothing where it is joined.
     pub separation: SeparationCheck,
+    /// Whether it has left the wall, at the points of the joints.
+    pub openings: Option<Openings>,
 }
 
 impl WallHistory {

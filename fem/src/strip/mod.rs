@@ -14,17 +14,22 @@
 //! opposite sign: [`Side`]. Corners of real tanks are outside the model; concrete between them bends in plane strain, which
 //! the caller puts into the law, E/(1 − ν²).
 //!
+//! Where the joint may open ([`Contact`]) the liquid's face has a displacement of its own and carries the pressure at rest; joints
+//! ([`crate::element::liquid_joint`]) stand between the two.
+//!
 //! * [`StripTank`]: parameters. [`StripModel`]: the model, its loads, damping and modes.
 //! * [`StripModel::histories`]: both walls through an earthquake, with all that can be told ([`WallHistory`]).
 //!   [`StripModel::run`]: one wall, its [`Demand`] alone; [`StripModel::incremental`]: both at rising scales.
 //! * [`levels`]: nodes along a wall.
 
+mod contact;
 mod follow;
 mod history;
 mod model;
 mod run;
 mod watch;
 
+pub use contact::{Joints, Touch};
 pub use history::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory};
 pub use model::{Side, StripDamping, StripModel};
 pub use run::{StripLevel, StripQuake, StripRun, WallRun};
@@ -54,7 +59,28 @@ pub struct StripTank {
     pub liquid: StripLiquid,
     /// Number of sloshing modes.
     pub sloshing: usize,
+    /// How liquid and wall touch.
+    pub contact: Contact,
 }
+
+/// How liquid and wall touch.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Contact {
+    /// The wall's displacement is the liquid's.
+    #[default]
+    Bonded,
+    /// The liquid has a displacement of its own, joined to the wall by a penalty.
+    Joined {
+        /// Whether the joint opens where the pressure of the displaced particle would fall below zero.
+        opens: bool,
+        /// k_n [N/m³]; without, [`PENALTY`] times the stiffness of the wall under the pressure at rest.
+        penalty: Option<f64>,
+    },
+}
+
+/// Stiffness of the joint of liquid and wall over that of the wall, so that the liquid gives way by a thousandth of what the
+/// wall does.
+pub const PENALTY: f64 = 1e3;
 
 /// Share of the height by which the top of a wall may move: beyond it the theory of small deflections says no more, and the
 /// wall counts as collapsed.

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use super::{StripError, StripTank};
+use super::contact::{self, Joints};
+use super::{Contact, StripError, StripTank};
 use crate::analysis::damping::{Damping, RatioRow, Rayleigh};
 use crate::analysis::failed;
 use crate::analysis::observable::{Observable, apply};
@@ -77,6 +78,10 @@ pub struct StripModel {
     pub pressure: Vec<f64>,
     /// Nodes of the wall upwards.
     pub wall: Vec<usize>,
+    /// Nodes whose Ux and Ry are those of the liquid's face, upwards: the wall's own unless the two are joined.
+    pub face: Vec<usize>,
+    /// Joints between them.
+    pub joints: Option<Joints>,
     /// The liquid on the wall.
     pub liquid: WallLiquid,
     /// Parameters.
@@ -106,11 +111,16 @@ impl StripModel {
         let amplitude_nodes: Vec<usize> = (0..tank.sloshing)
             .map(|_| builder.node([0.0, 0.0, tank.liquid.depth]))
             .collect();
-        let liquid = tank.liquid.on_wall(&tank.levels, tank.sloshing);
-        let nodes: Vec<usize> = wall.iter().chain(&amplitude_nodes).copied().collect();
+        let face = match tank.contact {
+            Contact::Bonded => wall.clone(),
+            Contact::Joined { .. } => contact::face(&mut builder, tank),
+        };
+        let levels = &tank.levels[..face.len()];
+        let liquid = tank.liquid.on_wall(levels, tank.sloshing);
+        let nodes: Vec<usize> = face.iter().chain(&amplitude_nodes).copied().collect();
         let dofs = nodes
             .iter()
-            .map(|n| if wall.contains(n) { WALL_DOFS } else { AMPLITUDE })
+            .map(|n| if face.contains(n) { WALL_DOFS } else { AMPLITUDE })
             .collect();
         let mut element = SuperElement::new(nodes, dofs)?
             .with_mass(liquid.mass.clone())?
@@ -125,6 +135,22 @@ impl StripModel {
             element = element.with_damping(c)?;
         }
         builder.element(LIQUID, element);
+        let joints = match tank.contact {
+            Contact::Bonded => None,
+            Contact::Joined { opens, penalty } => {
+                let penalty = match penalty {
+                    Some(given) => given,
+                    None => contact::penalty(tank)?,
+                };
+                Some(Joints::add_to(
+                    &mut builder,
+                    tank,
+                    [&wall, &face, &amplitude_nodes],
+                    penalty,
+                    opens,
+                )?)
+            }
+        };
         match tank.base_spring {
             Some(stiffness) => {
                 builder.hold(wall[0], Dof::Rx);
@@ -132,7 +158,10 @@ impl StripModel {
                 let about_y = Direction::Rotation([0.0, 1.0, 0.0]);
                 builder.element("base", Spring::to_ground(wall[0], about_y, stiffness)?);
             }
-            None => builder.hold(wall[0], Dof::Ry),
+            None => {
+                builder.hold(wall[0], Dof::Ry);
+                builder.hold(face[0], Dof::Ry);
+            }
         }
         let model = builder.build()?;
         let assembler = Assembler::new(&model);
@@ -161,18 +190,24 @@ impl StripModel {
                 Rayleigh::NONE,
             ],
         };
+        let groups: Vec<Rayleigh> = model
+            .groups()
+            .iter()
+            .map(|name| match name.as_str() {
+                // A joint that is open must not pull by its rate either.
+                contact::JOINT => Rayleigh::NONE,
+                WALL => rayleigh[0],
+                _ => rayleigh[1],
+            })
+            .collect();
         system.damping = match damping {
-            StripDamping::Rayleigh(all) => Damping::rayleigh(all),
-            StripDamping::ByGroup { .. } => {
-                let of = |name: &String| rayleigh[usize::from(name != WALL)];
-                let groups: Vec<Rayleigh> = model.groups().iter().map(of).collect();
-                Damping::by_group(&assembler, &model, &groups, false)?
-            }
+            StripDamping::Rayleigh(all) if joints.is_none() => Damping::rayleigh(all),
+            _ => Damping::by_group(&assembler, &model, &groups, false)?,
         };
         let ratios = system.damping.ratios(&system.mass, &system.stiffness, &modes);
-        let base = base_rows(&model, wall[0], tank, rayleigh)?;
+        let base = base_rows(&model, [wall[0], face[0]], tank, &groups)?;
         let weight = assembler.body_force(&model, [0.0, 0.0, -tank.liquid.gravity]);
-        let pressure = wall_forces(&model, &wall, &liquid.hydrostatic);
+        let pressure = wall_forces(&model, &face, &liquid.hydrostatic);
         Ok(StripModel {
             model,
             assembler,
@@ -184,6 +219,8 @@ impl StripModel {
             weight,
             pressure,
             wall,
+            face,
+            joints,
             liquid,
             tank: tank.clone(),
             amplitudes,
@@ -195,6 +232,11 @@ impl StripModel {
     pub fn top(&self) -> usize {
         let node = self.wall[self.wall.len() - 1];
         self.model.dofs().equation(node, Dof::Ux).expect("the top is free")
+    }
+
+    /// Levels of the liquid's face [m].
+    pub fn face_levels(&self) -> &[f64] {
+        &self.tank.levels[..self.face.len()]
     }
 
     /// Height of the wall [m].
@@ -221,7 +263,7 @@ impl StripModel {
     /// Settlement of the mean surface while both walls give way by the deflection in `u` [m]: ∫ w dz/L, the liquid being
     /// incompressible.
     pub fn settlement(&self, u: &[f64]) -> f64 {
-        let deflections = self.wall.iter().flat_map(|&node| {
+        let deflections = self.face.iter().flat_map(|&node| {
             let own = self.model.at_node(u, node);
             [own[Dof::Ux.index()], own[Dof::Ry.index()]]
         });
@@ -235,11 +277,11 @@ impl StripModel {
     /// Errors: those of the elements.
     pub fn base_reaction(&self, state: &State, ground: [f64; 3]) -> Result<[f64; 3], StripError> {
         let mut out = [0.0; 3];
-        let base = self.wall[0];
+        let base = [self.wall[0], self.face[0]];
         let (mut gather, mut response) = (Gather::default(), Response::default());
-        let held = |dof: &Dof| self.model.is_held(base, *dof);
+        let held = |dof: &Dof| self.model.is_held(base[0], *dof);
         for (e, element) in self.model.elements().iter().enumerate() {
-            if !element.nodes().contains(&base) {
+            if !base.iter().any(|node| element.nodes().contains(node)) {
                 continue;
             }
             let history = &state.old[state.history(e)];
@@ -252,7 +294,7 @@ impl StripModel {
             let mut k = 0;
             for (local, &node) in element.nodes().iter().enumerate() {
                 for dof in element.dofs(local) {
-                    if let Some(i) = BASE.iter().position(|d| node == base && d == dof && held(d)) {
+                    if let Some(i) = BASE.iter().position(|d| base.contains(&node) && d == dof && held(d)) {
                         out[i] += response.force[k] - weight[k];
                     }
                     k += 1;
@@ -325,18 +367,18 @@ fn wall_forces(model: &Model, wall: &[usize], forces: &[f64]) -> Vec<f64> {
     out
 }
 
-/// Reactions on the base: along x and z, about y. On a rotation spring the last is that of the spring.
+/// Reactions on the base of wall and liquid: along x and z, about y. On a rotation spring the last is that of the spring.
 fn base_rows(
     model: &Model,
-    base: usize,
+    base: [usize; 2],
     tank: &StripTank,
-    rayleigh: [Rayleigh; 2],
+    rayleigh: &[Rayleigh],
 ) -> Result<[Observable; 3], StripError> {
-    let of = |e: usize| rayleigh[usize::from(e + 1 >= tank.levels.len())];
+    let of = |e: usize| rayleigh[model.group_of(e)];
     let row = |name: &str, dof: Dof| {
         let field = |node: usize| {
             let mut out = [0.0; KINDS];
-            out[dof.index()] = f64::from(node == base);
+            out[dof.index()] = f64::from(base.contains(&node));
             out
         };
         Observable::reaction(model, name, field, of)
@@ -348,7 +390,7 @@ fn base_rows(
     ];
     if let Some(stiffness) = tank.base_spring {
         rows[2].displacement = model
-            .row(base, Dof::Ry)
+            .row(base[0], Dof::Ry)
             .iter()
             .map(|&(e, c)| (e, -stiffness * c))
             .collect();
@@ -358,7 +400,7 @@ fn base_rows(
 
 /// Dofs of the reactions at the base.
 const BASE: [Dof; 3] = [Dof::Ux, Dof::Uz, Dof::Ry];
-const WALL_DOFS: &[Dof] = &[Dof::Ux, Dof::Ry];
+pub(super) const WALL_DOFS: &[Dof] = &[Dof::Ux, Dof::Ry];
 const AMPLITUDE: &[Dof] = &[Dof::Amplitude];
 
 fn check(tank: &StripTank, damping: StripDamping) -> Result<(), StripError> {

@@ -208,6 +208,13 @@ impl StripModel {
         Ok(walls)
     }
 
+    /// One wall under the record as it is, with all that can be told of it.
+    ///
+    /// Errors: those of the analysis. Collapse is none.
+    pub fn single(&self, quake: &StripQuake, side: Side, progress: &dyn Progress) -> Result<WallRun, StripError> {
+        self.follow(quake, side, None, None, progress)
+    }
+
     fn follow(
         &self,
         quake: &StripQuake,

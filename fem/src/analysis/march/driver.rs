@@ -252,7 +252,7 @@ impl<'a> Driver<'a> {
         let unit = 1_u32 << self.settings.halvings;
         let (mut p0, mut p1) = (Vec::new(), Vec::new());
         let begin = match self.newton.committed_forces(&mut self.state) {
-            Ok(forces) => &forces.internal,
+            Ok(forces) => forces,
             Err(failure) => return Ok(Err(failure)),
         };
         self.meter.begin(&self.state, begin);
@@ -273,7 +273,7 @@ impl<'a> Driver<'a> {
                     };
                     self.meter.end(
                         &self.state,
-                        &forces.internal,
+                        forces,
                         [&p0, &p1],
                         &self.settings.constant,
                         &scheme,
@@ -428,6 +428,7 @@ fn write_memory(memory: &Memory, to: &mut Writer) {
     if let Some(forces) = &memory.forces {
         to.numbers(&forces.internal);
         to.numbers(&forces.support);
+        to.numbers(&forces.at_end);
     }
 }
 
@@ -460,6 +461,7 @@ fn read_memory(from: &mut Reader) -> Result<Memory, CheckpointError> {
         _ => Some(Forces {
             internal: from.numbers("internal forces")?,
             support: from.numbers("support forces")?,
+            at_end: from.numbers("forces at the end of the step")?,
         }),
     };
     Ok(Memory {

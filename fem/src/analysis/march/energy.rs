@@ -3,6 +3,7 @@
 use super::Problem;
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::scheme::GeneralizedAlpha;
+use crate::assembly::Forces;
 use crate::linalg::{Symmetric, dot};
 use crate::state::{Fields, State};
 
@@ -106,7 +107,7 @@ pub(super) struct Meter<'a> {
     initial: f64,
     /// At the beginning of the step: fields, internal forces, M a, M v.
     before: Fields,
-    force: Vec<f64>,
+    force: Forces,
     ma: Vec<f64>,
     mv: Vec<f64>,
     room: [Vec<f64>; 5],
@@ -119,7 +120,7 @@ impl<'a> Meter<'a> {
             now: Energies::default(),
             initial: hysteresis(problem, state),
             before: state.committed.clone(),
-            force: Vec::new(),
+            force: Forces::default(),
             ma: Vec::new(),
             mv: Vec::new(),
             room: Default::default(),
@@ -127,10 +128,9 @@ impl<'a> Meter<'a> {
     }
 
     /// Before a step: the committed state with its internal forces.
-    pub fn begin(&mut self, state: &State, force: &[f64]) {
+    pub fn begin(&mut self, state: &State, force: &Forces) {
         self.before.clone_from(&state.committed);
-        self.force.clear();
-        self.force.extend_from_slice(force);
+        self.force.clone_from(force);
         let mass = &self.problem.system.mass;
         product(mass, &self.before.a, &mut self.ma);
         product(mass, &self.before.v, &mut self.mv);
@@ -140,13 +140,14 @@ impl<'a> Meter<'a> {
     pub fn end(
         &mut self,
         state: &State,
-        force: &[f64],
+        forces: &Forces,
         loads: [&[f64]; 2],
         constant: &[f64],
         scheme: &GeneralizedAlpha,
         viscous: Option<&Symmetric>,
     ) {
         let system = self.problem.system;
+        let (force, before) = (&forces.internal, &self.force.internal);
         let n = force.len();
         let after = &state.committed;
         let [du, ma, mv, cv0, cv1] = &mut self.room;
@@ -170,9 +171,9 @@ impl<'a> Meter<'a> {
         for i in 0..n {
             let (d, p0, p1) = (du[i], loads[0][i], loads[1][i]);
             input += 0.5 * (p0 + p1) * d;
-            internal += 0.5 * (self.force[i] + force[i]) * d;
+            internal += 0.5 * (before[i] + force[i]) * d;
             damping += 0.5 * (cv0[i] + cv1[i]) * d;
-            let rate = cv1[i] - cv0[i] + force[i] - self.force[i] - p1 + p0;
+            let rate = cv1[i] - cv0[i] + force[i] - before[i] - p1 + p0;
             let inertia = ma[i] - self.ma[i];
             let (mean_v, mean_a) = (
                 0.5 * (self.before.v[i] + after.v[i]),
@@ -180,6 +181,10 @@ impl<'a> Meter<'a> {
             );
             numerical += on_force * rate * d
                 + inertia * (on_mass * d - h * (gamma - 0.5) * mean_v + h * h * (beta - 0.5 * gamma) * mean_a);
+        }
+        // What acts at the end of the step instead of where the scheme blends the rest.
+        for ((d, after), before) in du.iter().zip(&forces.at_end).zip(&self.force.at_end) {
+            numerical += (0.5 - on_force) * (after - before) * d;
         }
         self.now.input += input;
         self.now.internal += internal;

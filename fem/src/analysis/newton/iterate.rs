@@ -1,6 +1,7 @@
 //! The iterations of one step.
 
 use super::*;
+use crate::assembly::Ask;
 
 /// A factor serves as long as an iteration cuts ‖r‖ to this part.
 const SLOW: f64 = 0.25;
@@ -14,14 +15,19 @@ const NOTHING: [f64; 2] = [1e-24, 1e-18];
 const PATIENCE: usize = 10;
 
 impl Newton<'_> {
-    pub(super) fn evaluate(&mut self, state: &mut State, want: Want) -> Result<(), StepFailure> {
+    /// Forces and tangent at the trial state; `on_force`: weight of the step's end in the forces of the scheme.
+    pub(super) fn evaluate(&mut self, state: &mut State, want: Want, on_force: f64) -> Result<(), StepFailure> {
         self.cost.evaluations += 1;
+        let ask = Ask {
+            want,
+            linear: Some(&self.linear),
+            end_tangent: 1.0 / on_force,
+        };
         self.assembler
             .answer(
                 self.model,
                 state,
-                want,
-                Some(&self.linear),
+                ask,
                 &mut self.tangent,
                 &mut self.forces,
                 self.kept.as_mut(),
@@ -58,7 +64,7 @@ impl Newton<'_> {
         for iteration in 0..=limit {
             scheme.correct(&state.committed, &mut state.trial);
             let want = if modified { Want::FORCE } else { Want::ALL };
-            self.evaluate(state, want)?;
+            self.evaluate(state, want, scheme.collocation().1)?;
             let mut scale = self.residual(scheme, state, loads);
             if let Some(g0) = slope
                 && self.options.line_search
@@ -66,7 +72,7 @@ impl Newton<'_> {
             {
                 scale = self.search(scheme, state, loads, g0)?;
                 if !modified {
-                    self.evaluate(state, Want::ALL)?;
+                    self.evaluate(state, Want::ALL, scheme.collocation().1)?;
                 }
             }
             let norm = dot(&self.room.r, &self.room.r).sqrt();
@@ -103,7 +109,7 @@ impl Newton<'_> {
                 }
             } else if !modified || !current || slow {
                 if modified {
-                    self.evaluate(state, Want::ALL)?;
+                    self.evaluate(state, Want::ALL, scheme.collocation().1)?;
                 }
                 self.refactor(scheme).map_err(StepFailure::Tangent)?;
             }
@@ -138,7 +144,13 @@ impl Newton<'_> {
         let mut scale = norm(r);
         match on_force {
             1.0 => blend.clone_from(&self.forces.internal),
-            w => mix(w, &self.forces.internal, &self.committed.internal, blend),
+            w => {
+                mix(w, &self.forces.internal, &self.committed.internal, blend);
+                let ends = self.forces.at_end.iter().zip(&self.committed.at_end);
+                for (b, (after, before)) in blend.iter_mut().zip(ends) {
+                    *b += (1.0 - w) * (after - before);
+                }
+            }
         }
         scale += norm(blend);
         for (r, f) in r.iter_mut().zip(&*blend) {

@@ -82,7 +82,7 @@ impl Newton<'_> {
         let part: Vec<f64> = full.iter().map(|d| s * d).collect();
         state.increment(self.model, &part);
         scheme.correct(&state.committed, &mut state.trial);
-        self.evaluate(state, Want::FORCE)?;
+        self.evaluate(state, Want::FORCE, scheme.collocation().1)?;
         Ok(self.residual(scheme, state, loads))
     }
 }

@@ -243,32 +243,10 @@ pub fn separation(samples: &[f64], dt: f64) -> Result<Vec<Row>, AnalysisError> {
 mod tests {
     use super::*;
 
-    /// El Centro NS scaled to 0.348 g: the version of the dissertation from the folder `TANKCHECK_RECORDS`, if set, else the
-    /// textbook version that comes with the examples.
-    fn record() -> (Vec<f64>, f64) {
-        let path = match std::env::var("TANKCHECK_RECORDS") {
-            Ok(folder) => format!("{folder}/imperial-valley-1940-el-centro-ns.csv"),
-            Err(_) => concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/records/elcentro.csv").to_owned(),
-        };
-        let text = std::fs::read_to_string(path).unwrap();
-        let pairs: Vec<[f64; 2]> = text
-            .lines()
-            .filter_map(|line| {
-                let mut numbers = line.split(',').map(|c| c.trim().parse::<f64>());
-                match (numbers.next(), numbers.next()) {
-                    (Some(Ok(t)), Some(Ok(a))) => Some([t, a]),
-                    _ => None,
-                }
-            })
-            .collect();
-        let peak = pairs.iter().fold(0.0, |m: f64, p| m.max(p[1].abs()));
-        let samples = pairs.iter().map(|p| p[1] / peak * 0.348 * 9.81).collect();
-        (samples, pairs[1][0] - pairs[0][0])
-    }
-
     #[test]
     fn rows_hold() {
-        let (samples, dt) = record();
+        let record = crate::verify::test_record();
+        let (samples, dt) = (record.acceleration, record.dt);
         let mut failed = 0;
         for row in separation(&samples, dt).unwrap() {
             println!("{}", row.line());
@@ -281,7 +259,8 @@ mod tests {
     #[test]
     #[ignore = "slow: study of parting at 0.5 to 1 g (run with --nocapture)"]
     fn stronger_motion() {
-        let (samples, dt) = record();
+        let record = crate::verify::test_record();
+        let (samples, dt) = (record.acceleration, record.dt);
         let damping = Rayleigh::fit((2.39, 0.01), (3.53, 0.01), false).unwrap();
         for scale in [1.0, 1.5, 2.0, 2.5, 2.874] {
             let scaled: Vec<f64> = samples.iter().map(|a| scale * a).collect();

@@ -5,15 +5,18 @@
 //! | C10 | section forces and deflections at rest | cantilever under hydrostatic pressure |
 //! | section | cracking and yield moment of the base | beam theory |
 //! | C11 | linear response under different dampings | independent prototype, table 8.14 |
+//! | C8 | contact that opens, in the march of nonlinear walls | Moreau's scheme on the same matrices |
 //! | C12 | incremental dynamic analysis | independent prototype, table 8.16 |
 //!
 //! Rows with a record take it as an argument: the version that the dissertation describes (0.348 g) may not be
 //! redistributed.
 
+mod contact;
 mod linear;
 mod nonlinear;
 mod section;
 
+pub use contact::contact;
 pub use linear::{linear, statics};
 pub use nonlinear::{nonlinear, runs};
 pub use section::section;
@@ -27,7 +30,7 @@ use crate::element::ElementError;
 use crate::element::beam_section::FibreSection;
 use crate::element::fibre_beam::Options;
 use crate::liquid::strip::StripLiquid;
-use crate::strip::{StripError, StripTank, levels};
+use crate::strip::{Contact, StripError, StripTank, levels};
 use crate::verify::{Reference, Row};
 
 /// The dissertation's g; γ = 10 kN/m³ of the water and 25 kN/m³ of the concrete are exact with it.
@@ -59,6 +62,7 @@ fn tank(section: FibreSection, wet: usize, ratio: f64, options: Options) -> Resu
             ..StripLiquid::new(HALF_WIDTH, DEPTH, 1e4 / G)
         },
         sloshing: SLOSHING,
+        contact: Contact::Bonded,
     })
 }
 

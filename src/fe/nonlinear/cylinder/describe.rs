@@ -1,11 +1,11 @@
 //! The run in words and numbers: mesh, integration, cost, assumptions.
 
 use codes::Case;
-use codes::units::{Dimension, significant};
+use codes::units::{Dimension, display, significant};
 use fem::analysis::march::Run;
 use fem::analysis::scheme::TimeScheme;
 
-use super::super::{Damping, NonlinearOptions};
+use super::super::{Contact, Damping, NonlinearOptions};
 use super::model::CylinderModel;
 use super::watch::Watch;
 use crate::results::Labelled;
@@ -74,14 +74,15 @@ pub fn mesh(tank: &CylinderModel) -> Vec<Labelled> {
     ]
 }
 
-pub fn integration(tank: &CylinderModel, options: &NonlinearOptions, run: &Run) -> Vec<Labelled> {
+pub fn integration(tank: &CylinderModel, options: &NonlinearOptions, watch: &Watch<'_>, run: &Run) -> Vec<Labelled> {
     let scheme = TimeScheme::GeneralizedAlpha {
         radius: options.spectral_radius,
     };
     let method = match scheme {
         TimeScheme::GeneralizedAlpha { radius } => format!(
-            "generalised-α method, ρ∞ = {}, modified Newton iteration with line search",
-            significant(radius, 3)
+            "generalised-α method, ρ∞ = {}, {} Newton iteration with line search",
+            significant(radius, 3),
+            if tank.joints.is_some() { "full" } else { "modified" }
         ),
         _ => "implicit".into(),
     };
@@ -97,7 +98,7 @@ pub fn integration(tank: &CylinderModel, options: &NonlinearOptions, run: &Run) 
             format!("proportional to the mass, {} %", significant(100.0 * ratio, 3))
         }
     };
-    vec![
+    let mut out = vec![
         label("method", method),
         label(
             "time step",
@@ -120,7 +121,19 @@ pub fn integration(tank: &CylinderModel, options: &NonlinearOptions, run: &Run) 
                 significant(tank.wall_omega, 4)
             ),
         ),
-    ]
+    ];
+    if let (Some(joints), Some(openings)) = (&tank.joints, &watch.openings) {
+        out.push(label(
+            "contact of liquid and wall",
+            format!(
+                "opens; four points a cell, stiffness {} N/m³, into which the liquid sinks by at most {}; its force is taken at the \
+                 end of the step",
+                significant(joints.penalty, 3),
+                display(openings.penetration(), Dimension::Length)
+            ),
+        ));
+    }
+    out
 }
 
 pub fn assumptions(case: &Case, options: &NonlinearOptions, tank: &CylinderModel) -> Vec<String> {
@@ -128,10 +141,19 @@ pub fn assumptions(case: &Case, options: &NonlinearOptions, tank: &CylinderModel
         "Wall of four-node shells with finite rotations, plane sections in each shell, layers and bars with the laws of the \
          input; clamped at its base, rigid bottom."
             .to_owned(),
-        "Liquid of linear potential theory on the undeformed tank, condensed onto the radial displacements of the wall; gravity \
-         acts on the surface in the circumferential waves 0 and 1. It stays at the wall: where the pressure of the displaced \
-         particle falls below zero, the report says so."
-            .to_owned(),
+        match options.contact {
+            Contact::Bonded => {
+                "Liquid of linear potential theory on the undeformed tank, condensed onto the radial displacements of the wall; \
+                 gravity acts on the surface in the circumferential waves 0 and 1. It stays at the wall: where the pressure of the \
+                 displaced particle falls below zero, the report says so."
+            }
+            Contact::Opening => {
+                "Liquid of linear potential theory on the undeformed tank, condensed onto the radial displacements of a face of its \
+                 own; gravity acts on the surface in the circumferential waves 0 and 1. The wall presses the liquid and does not \
+                 pull it: it parts where the pressure of the displaced particle would fall below that of the air."
+            }
+        }
+        .to_owned(),
         "The run begins with weight and hydrostatic pressure. An unconverged step is never accepted: it is halved until it \
          converges, or the run ends as a collapse, and its numbers are lower bounds."
             .to_owned(),

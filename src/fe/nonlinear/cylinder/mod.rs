@@ -1,5 +1,6 @@
 //! Cylinders: half a wall of shells (or the whole) and the condensed liquid, marched through the record.
 
+mod contact;
 mod describe;
 pub(super) mod mesh;
 mod model;
@@ -14,11 +15,12 @@ use codes::record::Record;
 use fem::analysis::AnalysisError;
 use fem::analysis::march::{Checkpoint, Outcome, Run, Settings, march};
 use fem::analysis::motion::{Grid, Motion};
+use fem::analysis::newton::Options;
 use fem::analysis::scheme::TimeScheme;
 use fem::analysis::transient::Load;
 use fem::progress::Progress;
 
-use super::{CheckpointFile, Contact, NonlinearOptions};
+use super::{CheckpointFile, NonlinearOptions};
 use crate::fe::simulate::checked_motion;
 use crate::fe::{FeError, Simulation};
 
@@ -40,13 +42,6 @@ pub fn simulate(
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
     let motion = checked_motion(case)?;
-    if options.contact == Contact::Opening {
-        return Err(FeError::Unsupported(
-            "contact that opens is not part of the nonlinear cylinder, whose liquid is condensed onto the wall: choose contact \
-             `bonded`, whose report says where and when the liquid would part from the wall"
-                .into(),
-        ));
-    }
     progress.stage("mesh, condensed liquid, order of elimination", 1);
     let tank = CylinderModel::new(case, options)?;
     progress.advance(1);
@@ -69,6 +64,9 @@ pub fn simulate(
         radius: options.spectral_radius,
     };
     settings.constant = tank.constant();
+    if tank.joints.is_some() {
+        settings.newton = Options::for_contact();
+    }
     settings.checkpoint = checkpoint.map(|file| Checkpoint {
         path: file.path.clone(),
         steps: 0,

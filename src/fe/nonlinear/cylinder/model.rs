@@ -10,6 +10,7 @@
 //! All other unknowns are eliminated before them, so that the block is factored once an iteration and nothing else is dense.
 //! Horizontal ground motion is along x; with `symmetry` only 0 ≤ θ ≤ π is there.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use codes::Case;
@@ -28,7 +29,8 @@ use fem::liquid::{CondensedLiquid, HarmonicLiquid, LiquidMesh};
 use fem::model::{Builder, Model};
 use nalgebra::Matrix3;
 
-use super::super::{Damping as Wanted, MassProportionalAt, NonlinearOptions};
+use super::super::{Contact, Damping as Wanted, MassProportionalAt, NonlinearOptions};
+use super::contact::{JOINT, Join, Joints};
 use super::mesh::Cells;
 use super::section::{self, RowBuild};
 use crate::fe::FeError;
@@ -81,8 +83,11 @@ pub struct CylinderModel {
     pub weight: Vec<f64>,
     /// Forces of the hydrostatic pressure on the undeformed wall.
     pub pressure: Vec<f64>,
-    /// Node of each wetted radial displacement: level by level from the base.
+    /// Node of each wetted radial displacement of the liquid, level by level from the base: the wall's own unless the two are
+    /// joined.
     pub wetted: Vec<usize>,
+    /// Joints of liquid and wall, where it may open.
+    pub joints: Option<Joints>,
     /// Area of the wall that belongs to each of them [m²].
     pub areas: Vec<f64>,
     /// The liquid.
@@ -105,7 +110,7 @@ pub struct CylinderModel {
     pub gravity: f64,
 }
 
-fn failed(error: impl std::fmt::Display) -> FeError {
+pub(super) fn failed(error: impl std::fmt::Display) -> FeError {
     FeError::Analysis(error.to_string())
 }
 
@@ -143,19 +148,60 @@ impl CylinderModel {
             add_roof(case, &mut builder, &footprint, &wall, &cells);
         }
         let wet = cells.wet(depth);
-        let wetted: Vec<usize> = footprint.levels[..wet]
-            .iter()
-            .flatten()
-            .map(|&p| wall.inner[p])
-            .collect();
-        for (&node, &point) in wetted.iter().zip(footprint.levels[..wet].iter().flatten()) {
+        let points: Vec<usize> = footprint.levels[..wet].iter().flatten().copied().collect();
+        let inner: Vec<usize> = points.iter().map(|&p| wall.inner[p]).collect();
+        let wetted: Vec<usize> = match options.contact {
+            Contact::Bonded => inner.clone(),
+            Contact::Opening => inner
+                .iter()
+                .map(|&n| {
+                    let at = builder.position(n);
+                    builder.node(at)
+                })
+                .collect(),
+        };
+        for (nodes, &point) in wetted.iter().zip(&inner).zip(&points) {
             let [c, s, _] = footprint.normals[point];
-            builder.frame(node, Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0));
+            let radial = Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0);
+            builder.frame(*nodes.0, radial);
+            if nodes.0 != nodes.1 {
+                builder.frame(*nodes.1, radial);
+            }
+        }
+        if options.contact == Contact::Opening {
+            for &node in &wetted[..footprint.levels[0].len()] {
+                builder.hold(node, Dof::Ux);
+            }
         }
         let (liquid, amplitude_nodes, liquid_element) =
             add_liquid(case, &mut builder, &cells, radius, &wetted, options)?;
-        let (pressure_loads, area_loads) =
-            pressures(&mut builder, &footprint, &wall, &cells, unit_weight, depth, options);
+        let joints = match options.contact {
+            Contact::Bonded => None,
+            Contact::Opening => {
+                let join = Join {
+                    footprint: &footprint,
+                    wall: &wall,
+                    nodes: [&inner, &wetted],
+                    amplitudes: &amplitude_nodes,
+                    liquid: &liquid,
+                    gravity: case.gravity,
+                    depth,
+                    unit_weight,
+                    penalty: penalty(case, radius),
+                };
+                Some(join.add_to(&mut builder)?)
+            }
+        };
+        let pressed: BTreeMap<usize, usize> = inner.iter().copied().zip(wetted.iter().copied()).collect();
+        let (pressure_loads, area_loads) = pressures(
+            &mut builder,
+            &footprint,
+            &wall,
+            &cells,
+            [unit_weight, depth],
+            &pressed,
+            options,
+        );
         let model = builder.build().map_err(failed)?;
         interlayer::check(&model).map_err(failed)?;
         let assembler = Assembler::new(&model);
@@ -196,6 +242,7 @@ impl CylinderModel {
             weight,
             pressure,
             wetted,
+            joints,
             areas,
             liquid,
             amplitudes,
@@ -338,7 +385,17 @@ impl CylinderModel {
         };
         self.rayleigh.fill(all);
         self.wall_ratio = all.ratio(self.wall_omega);
-        self.system.damping = Damping::rayleigh(all);
+        self.system.damping = match self.joints {
+            None => Damping::rayleigh(all),
+            Some(_) => {
+                // A joint that is open must not pull by its rate either.
+                let groups = self.rayleigh.iter_mut().zip(self.model.groups());
+                groups
+                    .filter(|(_, name)| *name == JOINT)
+                    .for_each(|(own, _)| *own = Rayleigh::NONE);
+                Damping::by_group(&self.assembler, &self.model, &self.rayleigh, false).map_err(failed)?
+            }
+        };
         Ok(())
     }
 }
@@ -353,6 +410,18 @@ fn build_rows(case: &Case, cells: &Cells, radius: f64, options: &NonlinearOption
             section::row(&course.build_up(), [length, z[1] - z[0]], &options.integration)
         })
         .collect()
+}
+
+/// Stiffness of the joint of liquid and wall: [`fem::strip::PENALTY`] times that of the stiffest course against a pressure, E t/R².
+fn penalty(case: &Case, radius: f64) -> f64 {
+    let courses = case.tank.courses.iter().map(|course| {
+        let layers = course.build_up();
+        layers
+            .iter()
+            .map(|l| l.material.youngs_modulus * l.thickness)
+            .sum::<f64>()
+    });
+    fem::strip::PENALTY * courses.fold(0.0, f64::max) / (radius * radius)
 }
 
 /// Clamped base; the plane of symmetry.
@@ -429,8 +498,8 @@ fn pressures(
     footprint: &Footprint,
     wall: &PlacedWall,
     cells: &Cells,
-    unit_weight: f64,
-    depth: f64,
+    [unit_weight, depth]: [f64; 2],
+    pressed: &BTreeMap<usize, usize>,
     options: &NonlinearOptions,
 ) -> (NodalLoads, NodalLoads) {
     let (mut pressure, mut area) = (NodalLoads::new(), NodalLoads::new());
@@ -441,8 +510,10 @@ fn pressures(
         }
         let nodes = wall.inner_cell(cell);
         let positions = nodes.map(|n| builder.position(n));
-        pressure.pressure(&nodes, &positions, |x| at(x[2]));
-        area.pressure(&nodes, &positions, |_| 1.0);
+        // On the liquid's face.
+        let face = nodes.map(|n| pressed.get(&n).copied().unwrap_or(n));
+        pressure.pressure(&face, &positions, |x| at(x[2]));
+        area.pressure(&face, &positions, |_| 1.0);
         if options.follower_pressure {
             let corners = positions.map(|x| at(x[2]));
             let follower = FollowerPressure::varying(nodes, positions, corners).without_dead_part();

@@ -7,7 +7,7 @@ use codes::units::Dimension;
 use codes::{Case, Quantity};
 use fem::analysis::march::{Outcome, Run};
 
-use super::super::NonlinearOptions;
+use super::super::{NonlinearOptions, PARTED};
 use super::completed;
 use super::describe::{assumptions, cost, integration, mesh};
 use super::model::CylinderModel;
@@ -44,10 +44,13 @@ pub fn report(
     }
     let events = events(tank, watch);
     if let Some(parts) = events.iter().find(|e| e.id == "separation") {
-        notes.push(format!(
-            "The liquid would part from the wall ({}, first at {:.2} s); the engine keeps it there.",
-            parts.place, parts.time
-        ));
+        notes.push(match tank.joints {
+            None => format!(
+                "The liquid would part from the wall ({}, first at {:.2} s); the engine keeps it there.",
+                parts.place, parts.time
+            ),
+            Some(_) => PARTED.to_owned(),
+        });
     }
     let balance = &run.balance;
     let energies = energies(run, watch);
@@ -67,7 +70,7 @@ pub fn report(
         engine: "nonlinear".into(),
         mesh: mesh(tank),
         modes: Vec::new(),
-        integration: integration(tank, options, run),
+        integration: integration(tank, options, watch, run),
         damping_table: Vec::new(),
         mesh_error: BTreeMap::new(),
         mass_balance: Vec::new(),

@@ -5,6 +5,7 @@ use codes::tank::Behaviour;
 use codes::units::{Dimension, display, significant};
 use fem::analysis::march::Run;
 
+use super::contact;
 use super::model::CylinderModel;
 use super::points::Look;
 use super::watch::{BASE_SHEAR, BELLY_FRONT, Happening, Watch};
@@ -56,6 +57,7 @@ pub fn events(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Event> {
             }
         })
         .collect();
+    out.extend(parting(watch, tank));
     let separation = watch.separation.result();
     if let Some(first) = separation
         .places
@@ -78,6 +80,32 @@ pub fn events(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Event> {
     }
     out.sort_by(|a, b| a.time.total_cmp(&b.time));
     out
+}
+
+/// When the liquid leaves the wall, where it may.
+fn parting(watch: &Watch<'_>, tank: &CylinderModel) -> Option<Event> {
+    let (openings, joints) = (watch.openings.as_ref()?.places(), tank.joints.as_ref()?);
+    let first = openings.iter().min_by(|a, b| a.first.total_cmp(&b.first))?;
+    let widest = openings.iter().max_by(|a, b| a.widest.total_cmp(&b.widest))?;
+    let lowest = openings.iter().map(|p| p.height).fold(f64::INFINITY, f64::min);
+    let [at, widest_at] = [first, widest].map(|p| {
+        let [z, theta] = joints.places[p.number];
+        place(theta, z)
+    });
+    let length = |x: f64| display(x, Dimension::Length);
+    Some(Event {
+        id: "separation".into(),
+        title: "the liquid leaves the wall".into(),
+        time: first.first,
+        place: at,
+        note: format!(
+            "Down to z = {}; widest {} at {widest_at} after {:.2} s; open there in {} % of the samples.",
+            length(lowest),
+            length(widest.widest),
+            widest.time,
+            significant(100.0 * widest.share, 2)
+        ),
+    })
 }
 
 pub fn grid(tank: &CylinderModel) -> WallGrid {
@@ -174,6 +202,21 @@ pub fn maps(case: &Case, tank: &CylinderModel, watch: &Watch<'_>, worst: &Look, 
         None,
         "Accumulated, the largest of all bars of a cell.",
     );
+    if let (Some(openings), Some(joints)) = (&watch.openings, &tank.joints) {
+        let mut gaps = vec![0.0_f64; tank.cells.rows() * tank.cells.columns()];
+        let widest: Vec<f64> = openings.widest().collect();
+        for (&cell, own) in joints.cells.iter().zip(widest.chunks_exact(contact::POINTS)) {
+            gaps[cell] = own.iter().copied().fold(0.0, f64::max);
+        }
+        push(
+            "separation",
+            "Largest distance of liquid and wall",
+            Dimension::Length,
+            &gaps,
+            None,
+            "Widest gap of the points of the joint in the cell; 0 where the liquid has stayed at the wall.",
+        );
+    }
     let found = watch.separation.result();
     if found.places.iter().any(|p| p.below_trough) {
         let columns = tank.cells.columns();

@@ -10,10 +10,11 @@ use fem::analysis::march::{Instant, Observe, Quantity, Reaction, Recorder};
 use fem::analysis::observable::Observable;
 use fem::dofs::{Dof, KINDS};
 use fem::linalg::Matrix;
-use fem::liquid::separation::SeparationCheck;
+use fem::liquid::separation::{Openings, SeparationCheck};
 use fem::state::Gather;
 use serde::{Deserialize, Serialize};
 
+use super::contact::rise;
 use super::model::CylinderModel;
 use super::points::{Look, look};
 
@@ -150,8 +151,10 @@ pub struct Watch<'a> {
     pub recorder: Recorder,
     /// What was seen.
     pub seen: Seen,
-    /// Where the liquid would leave the wall.
+    /// Where the liquid would leave the wall; sees nothing where it may.
     pub separation: SeparationCheck,
+    /// Where it has left the wall, at the points of the joints.
+    pub openings: Option<Openings>,
     /// Equations of the liquid's unknowns.
     unknowns: Vec<Option<usize>>,
     /// cos θ of each wetted node.
@@ -181,7 +184,8 @@ impl<'a> Watch<'a> {
             separation: SeparationCheck::new(tank.unit_weight, tank.depth, heights.clone()),
             unknowns: tank.liquid_unknowns(),
             cosine: angles.iter().map(|t| t.cos()).collect(),
-            rise: rise(tank, &heights, &angles),
+            rise: rise(&tank.liquid, tank.gravity, tank.depth, &heights, &angles),
+            openings: tank.joints.as_ref().map(|j| Openings::new(j.heights())),
             seen: Seen::default(),
             tank,
             interval,
@@ -289,7 +293,10 @@ impl<'a> Watch<'a> {
             return Ok(());
         }
         self.meridians(now)?;
-        self.pressures(now);
+        match (&self.tank.joints, &mut self.openings) {
+            (Some(joints), Some(openings)) => openings.see(now.time, joints.look(&self.tank.model, now.state)),
+            _ => self.pressures(now),
+        }
         let moment = self.recorder.histories[BASE_MOMENT].last().map_or(0.0, |m| m.abs());
         let grown = self.seen.extreme.as_ref().is_some_and(|k| moment > GROWN * k.moment);
         if self.seen.rest.is_none() {
@@ -332,6 +339,9 @@ impl Observe for Watch<'_> {
     fn save(&self, to: &mut Writer) {
         self.recorder.save(to);
         self.separation.save(to);
+        if let Some(openings) = &self.openings {
+            openings.save(to);
+        }
         // Plain numbers: nothing in it cannot be written.
         to.text(&serde_json::to_string(&self.seen).unwrap_or_default());
     }
@@ -339,6 +349,9 @@ impl Observe for Watch<'_> {
     fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
         self.recorder.restore(from)?;
         self.separation.restore(from)?;
+        if let Some(openings) = &mut self.openings {
+            openings.restore(from)?;
+        }
         let text = from.text()?;
         self.seen = serde_json::from_str(&text).map_err(|e| CheckpointError::Shape {
             what: "what was seen",
@@ -355,6 +368,8 @@ fn quantities(tank: &CylinderModel) -> Result<Vec<Quantity>, AnalysisError> {
         .iter()
         .flat_map(|&p| [Some(&tank.wall.inner), Some(&tank.wall.outer)].map(|l| l.and_then(|l| l.get(p)).copied()))
         .flatten()
+        // What the liquid at the base of the wall exerts goes into the ground there.
+        .chain(tank.wetted[..tank.footprint.levels[0].len()].iter().copied())
         .collect();
     let copies = tank.cells.copies();
     let at_base = |field: [f64; KINDS]| {
@@ -396,53 +411,4 @@ fn quantities(tank: &CylinderModel) -> Result<Vec<Quantity>, AnalysisError> {
         row("top of the wall", tank.model.row(at(levels.len() - 1), Dof::Ux)),
         row("lower third of the wall", tank.model.row(at(belly), Dof::Ux)),
     ])
-}
-
-/// Vertical displacement of the particles at the wall under the sloshing amplitudes: that of each mode decays from the
-/// surface as sinh kz/sinh kH, with ω² = g k tanh kH.
-fn rise(tank: &CylinderModel, heights: &[f64], angles: &[f64]) -> Matrix {
-    let mut out = Matrix::zeros(heights.len(), tank.liquid.omega.len());
-    for (j, omega) in tank.liquid.omega.iter().enumerate() {
-        let k = wave_number(omega * omega / tank.gravity, tank.depth);
-        for rim in &tank.liquid.rim {
-            let top = rim.row[tank.liquid.wall + j];
-            if top == 0.0 {
-                continue;
-            }
-            for (i, (&z, &theta)) in heights.iter().zip(angles).enumerate() {
-                // sinh kz/sinh kH without overflow.
-                let decay =
-                    (k * (z - tank.depth)).exp() * (1.0 - (-2.0 * k * z).exp()) / (1.0 - (-2.0 * k * tank.depth).exp());
-                out.add(i, j, top * (f64::from(rim.harmonic) * theta).cos() * decay);
-            }
-        }
-    }
-    out
-}
-
-/// k of k tanh kH = `ratio`.
-fn wave_number(ratio: f64, depth: f64) -> f64 {
-    let mut k = ratio.max((ratio / depth).sqrt());
-    for _ in 0..60 {
-        let t = (k * depth).tanh();
-        let next = k - (k * t - ratio) / (t + k * depth * (1.0 - t * t));
-        if (next / k - 1.0).abs() < 1e-14 {
-            return next;
-        }
-        k = next;
-    }
-    k
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn wave_numbers() {
-        for (ratio, depth) in [(0.1, 2.0), (1.0, 1.0), (30.0, 5.0), (1e-3, 0.5)] {
-            let k = wave_number(ratio, depth);
-            assert!((k * (k * depth).tanh() / ratio - 1.0).abs() < 1e-12);
-        }
-    }
 }

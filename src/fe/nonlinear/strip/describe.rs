@@ -6,7 +6,7 @@ use fem::analysis::damping::Rayleigh;
 use fem::liquid::strip::StripLiquid;
 use fem::strip::{StripDamping, StripModel, StripTank};
 
-use super::super::{Damping, MassProportionalAt, NonlinearOptions};
+use super::super::{Contact, Damping, MassProportionalAt, NonlinearOptions};
 use crate::fe::FeError;
 use crate::results::Fact;
 
@@ -86,9 +86,18 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions) -> Vec<String
     let mut out = vec![
         "Strip of 1 m breadth in plane strain; corners of the tank are outside the model; rigid base, clamped walls.".to_owned(),
         "Walls as fibre beams with plane sections and small deflections: no shear failure, no bond slip.".to_owned(),
-        "Liquid of linear potential theory, condensed onto the wall; it stays at the wall. Both walls are run: the record and the \
-         record turned round."
-            .to_owned(),
+        match options.contact {
+            Contact::Bonded => {
+                "Liquid of linear potential theory, condensed onto the wall; it stays at the wall. Both walls are run: the record \
+                 and the record turned round."
+            }
+            Contact::Opening => {
+                "Liquid of linear potential theory, condensed onto a face of its own that the wall presses and does not pull: it \
+                 parts where the pressure of the displaced particle would fall below that of the air. Both walls are run: the \
+                 record and the record turned round."
+            }
+        }
+        .to_owned(),
         "Every run begins with the weight of the walls and the hydrostatic pressure. An unconverged step is never accepted: it \
          is halved until it converges, or the run ends as a collapse, and its numbers are lower bounds."
             .to_owned(),

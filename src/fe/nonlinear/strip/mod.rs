@@ -17,6 +17,7 @@ use std::sync::Arc;
 use codes::Case;
 use codes::tank::Shape;
 use fem::analysis::march::Outcome;
+use fem::analysis::newton::Options;
 use fem::analysis::scheme::TimeScheme;
 use fem::element::fibre_beam;
 use fem::liquid::strip::StripLiquid;
@@ -76,12 +77,6 @@ impl Strip {
         if case.tank.roof.mass > 0.0 {
             return unsupported("the nonlinear strip knows no roof: leave its mass out");
         }
-        if options.contact == Contact::Opening {
-            return unsupported(
-                "contact that opens is not part of the nonlinear strip: choose contact `bonded`, whose results tell where and when the liquid \
-                 would part from the wall",
-            );
-        }
         let levels = levels(case, options.elements.map_or(ELEMENTS, |e| e.height));
         let mut sections = Vec::new();
         for ends in levels.windows(2) {
@@ -101,6 +96,13 @@ impl Strip {
             base_spring: None,
             liquid,
             sloshing: SLOSHING_MODES,
+            contact: match options.contact {
+                Contact::Bonded => fem::strip::Contact::Bonded,
+                Contact::Opening => fem::strip::Contact::Joined {
+                    opens: true,
+                    penalty: None,
+                },
+            },
         };
         let mut model = StripModel::new(&tank, damping(options.damping, &liquid)?).map_err(failed)?;
         if !options.self_weight {
@@ -116,6 +118,9 @@ impl Strip {
         quake.scheme = TimeScheme::GeneralizedAlpha {
             radius: options.spectral_radius,
         };
+        if options.contact == Contact::Opening {
+            quake.newton = Options::for_contact();
+        }
         let facts = facts(&model, &tank, step);
         Ok(Strip {
             model,

@@ -115,6 +115,19 @@ impl Report<'_> {
             ),
             label("wave height", format!("first {} sloshing modes", model.tank.sloshing)),
         ];
+        if let Some(joints) = &model.joints {
+            let penetration = self.walls.runs.iter().filter_map(|r| r.history.openings.as_ref());
+            let penetration = penetration.map(|o| o.penetration()).fold(0.0, f64::max);
+            out.push(label(
+                "contact of liquid and wall",
+                format!(
+                    "opens; four points an element, stiffness {} N/m³, into which the liquid sinks by at most {}; its force is taken \
+                     at the end of the step",
+                    significant(joints.penalty, 3),
+                    display(penetration, Dimension::Length)
+                ),
+            ));
+        }
         if self.walls.interrupted() {
             out.push(label(
                 "interrupted",
@@ -127,7 +140,7 @@ impl Report<'_> {
     /// Liquid and walls in a rigid translation, against their masses.
     pub(super) fn mass_balance(&self) -> Vec<Balance> {
         let model = &self.strip.model;
-        let wall = 2 * model.tank.levels.len();
+        let wall = 2 * model.face.len();
         let size = model.liquid.mass.rows;
         let translation: Vec<f64> = (0..size).map(|i| f64::from(i < wall && i % 2 == 0)).collect();
         let moved = model.liquid.mass.times(&translation);
@@ -211,6 +224,7 @@ impl Report<'_> {
                 self.walls.time()
             ));
         }
+        notes.extend(self.walls.parted());
         let negative: Vec<&RatioRow> = model.ratios.iter().filter(|r| r.ratio < 0.0).collect();
         if !negative.is_empty() {
             notes.push(format!(

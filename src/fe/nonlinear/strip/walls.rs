@@ -2,11 +2,12 @@
 
 use codes::Case;
 use codes::tank::{Behaviour, Concrete, Layer};
-use codes::units::{Dimension, display};
+use codes::units::{Dimension, display, significant};
 use fem::analysis::march::{Collapse, Outcome};
 use fem::dofs::Dof;
 use fem::strip::{EventKind, Picture, Scalar, StripModel, WallRun};
 
+use super::super::PARTED;
 use super::section::{course_at, main_leaf};
 use crate::results::nonlinear::{
     CellMap, Columns, Count, Crack, CrackPicture, End, Energies, Event, Loop, LoopAxis, Nonlinear, WallGrid,
@@ -161,6 +162,7 @@ impl Walls<'_> {
                     ),
                 });
             }
+            events.extend(self.parting(wall));
             let separation = run.history.separation.result();
             let places = separation.places.iter().filter(|p| p.below_trough);
             if let Some(first) = places.clone().min_by(|a, b| a.first.total_cmp(&b.first)) {
@@ -183,6 +185,35 @@ impl Walls<'_> {
         }
         events.sort_by(|a, b| a.time.total_cmp(&b.time));
         events
+    }
+
+    /// When the liquid leaves the wall, where it may.
+    fn parting(&self, wall: usize) -> Option<Event> {
+        let places = self.runs[wall].history.openings.as_ref()?.places();
+        let first = places.iter().min_by(|a, b| a.first.total_cmp(&b.first))?;
+        let lowest = places.iter().map(|p| p.height).fold(f64::INFINITY, f64::min);
+        let widest = places.iter().max_by(|a, b| a.widest.total_cmp(&b.widest))?;
+        let length = |x: f64| display(x, Dimension::Length);
+        Some(Event {
+            id: "separation".into(),
+            title: "the liquid leaves the wall".into(),
+            time: first.first,
+            place: format!("{}, z = {}", WALLS[wall], length(first.height)),
+            note: format!(
+                "down to z = {}; widest {} at z = {} after {:.2} s; open there in {} % of the steps",
+                length(lowest),
+                length(widest.widest),
+                length(widest.height),
+                widest.time,
+                significant(100.0 * widest.share, 2)
+            ),
+        })
+    }
+
+    /// What to think of a run in which the liquid has left a wall.
+    pub fn parted(&self) -> Option<String> {
+        let parted = |wall: &usize| self.parting(*wall).is_some();
+        (0..2).any(|wall| parted(&wall)).then(|| PARTED.to_owned())
     }
 
     /// Whether any wall can crack.
@@ -274,6 +305,23 @@ impl Walls<'_> {
                 None,
                 "Largest of all vertical bars.",
             ));
+        }
+        if self.model.joints.is_some() {
+            let elements = self.model.face.len() - 1;
+            maps.push(map(
+                "separation",
+                "largest distance of liquid and wall",
+                Dimension::Length,
+                self.cells(|run, e| {
+                    let gaps = run.history.openings.iter().flat_map(|o| o.widest());
+                    // Four points an element; none above the surface.
+                    let own = gaps.skip(4 * e).take(if e < elements { 4 } else { 0 });
+                    own.fold(0.0, f64::max)
+                }),
+                None,
+                "Widest gap of the points of the joint in the element; 0 where the liquid has stayed at the wall.",
+            ));
+            return maps;
         }
         maps.push(map(
             "separation",
