@@ -12,7 +12,7 @@ use codes::{Case, Quantity};
 use fem::progress::{Progress, Silent};
 
 use crate::fe::harmonic::test_tanks;
-use crate::fe::nonlinear::{CheckpointFile, NonlinearOptions, Strip, WallElements, simulate};
+use crate::fe::nonlinear::{CheckpointFile, Contact, NonlinearOptions, Strip, WallElements, simulate};
 use crate::fe::{self, FeError, Simulation};
 use crate::results::nonlinear::{Columns, End, Nonlinear};
 
@@ -290,6 +290,38 @@ fn walls_that_crack() {
     assert!(n.loops.iter().all(|l| l.points.len() == found.series.time.len()));
 }
 
+/// A joint that may open is the wall's own displacement as long as it is pressed, and opens where the check of the bonded run says
+/// that the pressure falls below zero.
+///
+/// Tolerance: the penalty gives way by 1e-3 of what the wall does, which moves its frequency by half of that.
+#[test]
+fn contact_that_opens() {
+    for (peak, opens) in [(0.5, false), (12.0, true)] {
+        let case = strip(Behaviour::Elastic, peak);
+        let bonded = run(&case, &options(&case, 20));
+        let own = NonlinearOptions {
+            contact: Contact::Opening,
+            ..options(&case, 20)
+        };
+        let found = run(&case, &own);
+        let n = nonlinear(&found);
+        assert_eq!(n.end, End::Completed);
+        assert!(n.energies.error < 1e-6, "{}", n.energies.error);
+        let would = nonlinear(&bonded).maps.iter().find(|m| m.id == "separation").unwrap();
+        assert_eq!(would.values.iter().any(|p| *p < 0.0), opens);
+        let gap = n.maps.iter().find(|m| m.id == "separation").unwrap();
+        assert_eq!(gap.values.iter().any(|g| *g > 0.0), opens);
+        assert_eq!(n.events.iter().any(|e| e.title == "the liquid leaves the wall"), opens);
+        assert_eq!(found.notes.iter().any(|n| n.contains("no design values")), opens);
+        if !opens {
+            for (quantity, a) in &found.values {
+                let b = bonded.values[quantity];
+                assert!((a / b - 1.0).abs() < 1e-3, "{}: {a} {b}", quantity.id());
+            }
+        }
+    }
+}
+
 /// A wall that does not carry the liquid at rest: the part of it that it does carry, and no response.
 #[test]
 fn collapse_at_rest() {
@@ -375,8 +407,17 @@ fn file(folder: &Path, key: &str) -> CheckpointFile {
 /// Interrupted twice and resumed: the numbers of the run in one go, to the last bit. Then nothing is left behind.
 #[test]
 fn resumed_is_uninterrupted() {
+    for contact in [Contact::Bonded, Contact::Opening] {
+        resumed_with(contact);
+    }
+}
+
+fn resumed_with(contact: Contact) {
     let case = reinforced(6.0);
-    let own = options(&case, 12);
+    let own = NonlinearOptions {
+        contact,
+        ..options(&case, 12)
+    };
     let whole = run(&case, &own);
     let home = tempfile::tempdir().unwrap();
     let file = file(home.path(), "a");
