@@ -21,11 +21,13 @@
 //! | [`substructure`] | a linear part of a structure as one element |
 //! | [`checkpoint`] | files that a long march is resumed from |
 //! | [`continuation`] | static paths beyond limit points: displacement control, arc length |
+//! | [`buckling`] | linear buckling about a loaded state |
 //! | [`modal`] | modal superposition with missing mass |
 //! | [`spectrum`] | response-spectrum method: SRSS, CQC, missing mass, components |
 //! | [`frequency`] | frequency domain |
 //! | [`ida`] | one model under one record at rising scales |
 
+pub mod buckling;
 pub mod checkpoint;
 pub mod contact;
 pub mod continuation;
