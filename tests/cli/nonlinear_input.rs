@@ -497,6 +497,20 @@ fn options() {
         &spoiled("\"circumference\": 192", "\"circumference\": 96"),
         &["analysis.nonlinear.elements.circumference", "654 mm", "117 or more"],
     );
+    has(
+        &spoiled("\"circumference\": 192", "\"circumference\": 193"),
+        &[
+            "analysis.nonlinear.elements.circumference",
+            "an odd number of elements around half a tank",
+            "found 193",
+            "an even number",
+            "write 194, or add \"symmetry\": false",
+        ],
+    );
+    read(
+        &changed("\"circumference\": 192", "\"circumference\": 193")
+            .replace("\"contact\"", "\"symmetry\": false, \"contact\""),
+    );
     // Bars that space the cracks mend it.
     read(
         &changed("\"height\": 24", "\"height\": 8").replace("\"2.9 MPa\"", "\"2.9 MPa\", \"crack_spacing\": \"15 cm\""),

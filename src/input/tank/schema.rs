@@ -406,7 +406,7 @@ object! {
     Elements {
         /// Over the height of the wall.
         height: Field<Whole>,
-        /// Around a cylinder, or along the whole perimeter of a rectangle; not for a strip.
+        /// Around a cylinder, even unless symmetry is false, or along the whole perimeter of a rectangle; not for a strip.
         circumference: Option<Field<Whole>>,
     }
 

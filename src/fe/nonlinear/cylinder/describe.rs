@@ -1,6 +1,7 @@
 //! The run in words and numbers: mesh, integration, cost, assumptions.
 
 use codes::Case;
+use codes::tank::Support;
 use codes::units::{Dimension, display, significant};
 use fem::analysis::march::Run;
 use fem::analysis::scheme::TimeScheme;
@@ -10,6 +11,9 @@ use super::model::CylinderModel;
 use super::watch::Watch;
 use crate::results::Labelled;
 use crate::results::nonlinear::Count;
+
+/// Said of a tank that the file calls unanchored.
+pub const HELD_DOWN: &str = "The tank is unanchored; the nonlinear engine clamps the base of its wall to the ground and does not let it uplift.";
 
 /// Shortest step [s]; 0 if none was taken.
 fn shortest(run: &Run) -> f64 {
@@ -161,6 +165,9 @@ pub fn assumptions(case: &Case, options: &NonlinearOptions, tank: &CylinderModel
          and the energy it takes is shown."
             .to_owned(),
     ];
+    if case.tank.support == Support::Unanchored {
+        out.push(HELD_DOWN.into());
+    }
     if options.follower_pressure {
         out.push("The hydrostatic pressure turns with the deformed wall; the dynamic pressure does not.".into());
     }

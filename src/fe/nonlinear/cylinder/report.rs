@@ -3,13 +3,14 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+use codes::tank::Support;
 use codes::units::Dimension;
 use codes::{Case, Quantity};
 use fem::analysis::march::{Outcome, Run};
 
 use super::super::{NonlinearOptions, PARTED};
 use super::completed;
-use super::describe::{assumptions, cost, integration, mesh};
+use super::describe::{HELD_DOWN, assumptions, cost, integration, mesh};
 use super::model::CylinderModel;
 use super::points::look;
 use super::state::{energies, events, grid, loops, maps, pictures, place};
@@ -32,6 +33,9 @@ pub fn report(
     let (info, series) = histories(watch);
     let values = values(tank, watch);
     let mut notes = Vec::new();
+    if case.tank.support == Support::Unanchored {
+        notes.push(HELD_DOWN.into());
+    }
     let end = end(tank, run);
     match &end {
         End::Completed => {}

@@ -7,7 +7,7 @@ use codes::record::Record;
 use codes::tank::{
     BarDirection, Behaviour, Concrete, ConcreteLaw, Layer, LayerKind, Material, Reinforcement, Softening,
 };
-use codes::tank::{Course, Shape};
+use codes::tank::{Course, Shape, Support};
 use codes::{Case, Quantity};
 use fem::element::reference_mass;
 use fem::linalg::dot;
@@ -345,4 +345,17 @@ fn collapse_at_rest_is_a_result() {
     let text = serde_json::to_string(&found.result).unwrap();
     let again: crate::results::FeResult = serde_json::from_str(&text).unwrap();
     assert_eq!(again.nonlinear.unwrap().end, nonlinear.end);
+}
+
+/// A tank that may uplift is held down: the report says so, in its notes and its assumptions.
+#[test]
+fn an_unanchored_tank_is_held_down_and_says_so() {
+    let mut case = shaken(elastic(), 0.05, 4);
+    let said = |case: &Case| {
+        let run = simulate(case, &options(case, 6, 16), None, &Silent).unwrap();
+        [run.notes, run.assumptions].map(|list| list.iter().any(|line| line.contains("unanchored")))
+    };
+    assert_eq!(said(&case), [false; 2]);
+    case.tank.support = Support::Unanchored;
+    assert_eq!(said(&case), [true; 2]);
 }

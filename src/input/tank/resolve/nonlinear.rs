@@ -41,6 +41,7 @@ pub(super) fn nonlinear(
         &given.symmetry,
         "half of the tank is computed, the other is its mirror image",
     );
+    halves(r, given.elements.as_ref(), tank, &options);
     options.spectral_radius = r.or_default(
         &path("spectral_radius"),
         &given.spectral_radius,
@@ -171,6 +172,26 @@ fn elements(
         (None, _) => 1,
     };
     Some(WallElements { height, circumference })
+}
+
+/// The half of a cylinder has half of the elements around.
+fn halves(
+    r: &mut Resolver<'_>,
+    field: Option<&Field<schema::Elements>>,
+    tank: Option<&Tank>,
+    options: &NonlinearOptions,
+) {
+    let cylinder = matches!(tank.map(|t| t.shape), Some(Shape::Cylinder { .. }));
+    let around = options.elements.map_or(0, |e| e.circumference);
+    let given = field
+        .and_then(|f| f.value.as_ref())
+        .and_then(|e| e.circumference.as_ref());
+    if let (true, true, Some(given)) = (cylinder && options.symmetry, around % 2 == 1, given) {
+        r.faults.push(
+            range_fault(given, "an odd number of elements around half a tank", "an even number")
+                .help(format!("write {}, or add \"symmetry\": false", around + 1)),
+        );
+    }
 }
 
 fn damping(
