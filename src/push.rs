@@ -33,7 +33,8 @@ pub fn run(job: &PushJob, volatile: impl Fn() -> Volatile, progress: &dyn Progre
         assumptions: pushed.assumptions,
         shells: pushed.shells,
         limits: pushed.limits,
-        incomplete: pushed.incomplete,
+        incomplete: !pushed.interruption.is_empty(),
+        interruption: pushed.interruption,
     };
     write_push(&folder.path().join(PUSH_FILE), &push)?;
     report::push::report(&push)?.write(folder.path())?;

@@ -8,11 +8,12 @@ use crate::cli::progress::{self, Watch};
 use crate::cli::table::Table;
 use crate::cli::{Format, Global, print, stamp};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
-use crate::fe::nonlinear::push::{Amplitude, PushOptions, Quality};
+use crate::fe::nonlinear::push::{Amplitude, Form, NoSteel, PushOptions, Quality};
 use crate::job::{Engines, PushJob};
 use crate::push;
 use crate::report;
 use crate::report::number::with_unit;
+use codes::tank;
 use codes::units::{self, Dimension};
 
 /// Largest amplitude of an imperfection in thicknesses.
@@ -25,9 +26,11 @@ Examples:
   tankcheck push tank.json -o push/
   tankcheck push tank.json --imperfection 0.5t -o push/
   tankcheck push tank.json --imperfection class-b --imperfection-at 2m -o push/
+  tankcheck push tank.json --imperfection 1t --imperfection-shape mode -o push/
 
-The imperfection is axisymmetric, in the shape of a weld depression, outwards; inwards with a negative amplitude
-(--imperfection=-0.5t).
+A weld depression goes around the tank, outwards; inwards with a negative amplitude (--imperfection=-0.5t). The mode is the
+lowest linear buckling mode under the load of the perfect shell's capacity; its amplitude is that of its largest deviation,
+outwards there, inwards with a negative amplitude.
 
 Exit codes: 0 done; 2 bad input; 3 the computation failed or was interrupted.")]
 pub struct Args {
@@ -37,7 +40,10 @@ pub struct Args {
     /// quality of EN 1993-1-6 `class-a`, `class-b`, `class-c`.
     #[arg(long, value_name = "AMPLITUDE", allow_hyphen_values = true)]
     imperfection: Option<String>,
-    /// Height of the imperfection above the base, `2m` [default: where the perfect shell buckles].
+    /// Shape of the imperfection.
+    #[arg(long, value_enum, value_name = "SHAPE", requires = "imperfection", default_value_t = Shape::Weld)]
+    imperfection_shape: Shape,
+    /// Height of a weld depression above the base, `2m` [default: where the perfect shell buckles].
     #[arg(long, value_name = "HEIGHT", requires = "imperfection", allow_hyphen_values = true)]
     imperfection_at: Option<String>,
     /// Folder for the results.
@@ -46,6 +52,15 @@ pub struct Args {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
+}
+
+/// Shape of an imperfection.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+enum Shape {
+    /// The depression of a circumferential weld.
+    Weld,
+    /// The lowest linear buckling mode of the loaded tank.
+    Mode,
 }
 
 /// Runs the subcommand; returns the exit code.
@@ -58,7 +73,8 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     watch.finish();
     match args.format {
         Format::Human => {
-            let summary = Table::of(&report::push::summary(&found));
+            // Quantities down, shells across: eleven columns are too many for a terminal.
+            let summary = Table::turned(&report::push::summary(&found));
             let limits = Table::of(&report::push::limits(&found));
             print(&format!("{}\n\n{summary}\n{limits}", found.name))?;
         }
@@ -77,7 +93,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
             }
         }
         if found.incomplete {
-            anstream::eprintln!("incomplete: the run was interrupted");
+            anstream::eprintln!("incomplete: {}", found.interruption);
         }
         anstream::eprintln!("report: {}", job.out.join("report.html").display());
     }
@@ -92,6 +108,16 @@ impl Args {
     fn job(&self) -> Result<PushJob, Error> {
         let imperfection = self.imperfection.as_deref().map(amplitude).transpose()?;
         let height = self.imperfection_at.as_deref().map(height).transpose()?;
+        if self.imperfection_shape == Shape::Mode && height.is_some() {
+            return refuse(
+                "--imperfection-at: a buckling mode has its own height".into(),
+                "leave --imperfection-at out, or choose --imperfection-shape weld",
+            );
+        }
+        let form = match self.imperfection_shape {
+            Shape::Weld => Form::Weld,
+            Shape::Mode => Form::Mode,
+        };
         let inputs = Inputs {
             tank: self.tank.clone(),
             quake: None,
@@ -101,9 +127,21 @@ impl Args {
         };
         let mut job = inputs.job()?;
         job.engines = Engines::Nonlinear;
+        if let (tank::Shape::Cylinder { .. }, Some(no_steel)) = (job.case.tank.shape, NoSteel::of(&job.case)) {
+            let file = job.files.first().map_or("tank", |f| f.name.as_str());
+            return refuse(
+                format!("{file}: {no_steel}"),
+                "a steel wall yields with \"behaviour\": { \"steel\": { \"yield_strength\": \"235 MPa\" } } in its material; walls of \
+                 concrete run through a record with compare --fe nonlinear",
+            );
+        }
         Ok(PushJob {
             job,
-            options: PushOptions { imperfection, height },
+            options: PushOptions {
+                imperfection,
+                form,
+                height,
+            },
             out: self.out.clone(),
         })
     }

@@ -29,6 +29,22 @@ impl Table {
         table
     }
 
+    /// The same with a line for every column of the report's table.
+    pub fn turned(data: &report::table::Table) -> Table {
+        let line = |c: usize| {
+            let column = &data.columns[c];
+            let head = match column.unit.as_str() {
+                "" => column.title.clone(),
+                unit => format!("{} [{unit}]", column.title),
+            };
+            let cells = data.rows.iter().map(move |row| row.get(c).cloned().unwrap_or_default());
+            std::iter::once(head).chain(cells).collect()
+        };
+        Table {
+            rows: (0..data.columns.len()).map(line).collect(),
+        }
+    }
+
     /// Adds a row.
     pub fn row(&mut self, cells: impl IntoIterator<Item = impl Into<String>>) {
         self.rows.push(cells.into_iter().map(Into::into).collect());
@@ -79,5 +95,13 @@ mod tests {
         let mut table = Table::new(["quantity", "fe"]);
         table.row(["T", "2.1 s"]);
         assert_eq!(table.to_string(), "quantity     fe\n───────────────\nT         2.1 s\n");
+    }
+
+    #[test]
+    fn columns_become_lines() {
+        use crate::report::table::{Column, Table as Data};
+        let mut data = Data::new(vec![Column::words("tank"), Column::numbers("T", "s")]);
+        data.row(vec!["a".into(), "2.1".into()]);
+        assert_eq!(Table::turned(&data).to_string(), "tank     a\n──────────\nT [s]  2.1\n");
     }
 }

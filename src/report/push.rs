@@ -16,9 +16,12 @@ use crate::results::{Push, PushPoint, PushShell};
 /// Classes of the curves of the perfect and the imperfect shell.
 const CLASSES: [&str; 2] = ["k-fe", "k-s2"];
 
-/// `perfect shell`, `0.50 t outwards at 0.35 m`.
+/// `perfect shell`, `0.50 t outwards at 0.35 m`, `0.50 t, buckling mode`.
 pub fn name_of(shell: &PushShell) -> String {
     shell.imperfection.as_ref().map_or("perfect shell".into(), |i| {
+        if i.factor.is_some() {
+            return format!("{} t, buckling mode", fixed(i.over_thickness, 2));
+        }
         let side = if i.amplitude > 0.0 { "outwards" } else { "inwards" };
         format!(
             "{} t {side} at {}",
@@ -80,7 +83,7 @@ pub fn limits(push: &Push) -> Table {
         Column::words("Source"),
         Column::words("Reached at"),
         Column::numbers("Course", ""),
-        Column::numbers("Limit stress", stress.symbol()),
+        Column::numbers("Limit", stress.symbol()),
     ]);
     for limit in &push.limits {
         table.row(vec![
@@ -275,9 +278,13 @@ fn figures(push: &Push) -> Result<Vec<Figure>, Error> {
         out.push(meridian_figure(push, number, shell)?);
     }
     for (number, shell) in push.shells.iter().enumerate() {
-        if let Some(mut figure) = map::figure(&format!("push_plastic_{number}"), &shell.plastic) {
-            figure.title = format!("{}, {}", figure.title, name_of(shell));
-            out.push(figure);
+        let deviation = shell.imperfection.as_ref().and_then(|i| i.map.as_ref());
+        for (id, map) in [("push_imperfection", deviation), ("push_plastic", Some(&shell.plastic))] {
+            if let Some(mut figure) = map.and_then(|m| map::figure(&format!("{id}_{number}"), m)) {
+                figure.title = format!("{}, {}", figure.title, name_of(shell));
+                figure.caption = "Half of the developed wall, compressed at θ = 0.".into();
+                out.push(figure);
+            }
         }
     }
     Ok(out)
@@ -313,6 +320,7 @@ pub fn report(push: &Push) -> Result<Report, Error> {
     let mut page = Context::new();
     page.insert("name", &push.name);
     page.insert("incomplete", &push.incomplete);
+    page.insert("interruption", &push.interruption);
     page.insert("summary", &summary(push));
     page.insert("limits", &limits(push));
     page.insert("ends", &ends);

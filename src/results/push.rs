@@ -34,8 +34,11 @@ pub struct Push {
     pub shells: Vec<PushShell>,
     /// What formulas give at the lower edges of the courses.
     pub limits: Vec<PushLimit>,
-    /// Whether the user stopped it.
+    /// Whether the user stopped it before all was done.
     pub incomplete: bool,
+    /// What that leaves out, in words; empty if it is complete.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub interruption: String,
 }
 
 /// One shell.
@@ -50,23 +53,36 @@ pub struct PushShell {
     pub capacity: Capacity,
     /// Why the path ends, in words.
     pub end: String,
+    /// Whether the user stopped it there.
+    #[serde(default)]
+    pub interrupted: bool,
     /// Radial displacement of the compressed meridian.
     pub meridians: Vec<PushMeridian>,
     /// Accumulated plastic strain, the largest through the thickness, at the last state.
     pub plastic: WallMap,
 }
 
-/// An axisymmetric imperfection.
+/// An imperfection: a depression around the tank, or a buckling mode.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Imperfection {
     /// Largest deviation [m], outwards positive.
     pub amplitude: f64,
     /// The same over the thickness there.
     pub over_thickness: f64,
-    /// Height of its middle [m].
+    /// Height of its largest deviation [m].
     pub height: f64,
-    /// Half-wave of bending λ [m].
-    pub half_wave: f64,
+    /// Angle of that from the compressed meridian [rad]; `None` of one that goes around.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub angle: Option<f64>,
+    /// Half-wave of bending λ [m] of a weld depression.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub half_wave: Option<f64>,
+    /// Multiple of the load of the perfect shell's capacity at which the elastic wall buckles in this mode.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub factor: Option<f64>,
+    /// The deviation of a mode over the wall.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub map: Option<WallMap>,
     /// Where shape and amplitude come from.
     pub source: String,
 }
@@ -100,7 +116,7 @@ pub struct Capacity {
     pub limit: bool,
     /// The state.
     pub state: PushPoint,
-    /// Height of the buckle [m]: where the wall moves most from here to the end of the path.
+    /// Height of the buckle [m]: where the plates yield most from here to the end of the path, or, if they do not, the wall moves most.
     pub height: f64,
     /// Its angle from the compressed meridian [rad].
     pub angle: f64,

@@ -48,6 +48,8 @@ fn a_pushover_is_written() {
         text(&out),
     ]);
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let table = String::from_utf8_lossy(&run.stdout).into_owned();
+    assert!(table.lines().all(|line| line.chars().count() <= 100), "{table}");
     for name in ["report.html", "figures/push_bulge.svg", "figures/push_meridian_1.svg"] {
         assert!(out.join(name).exists(), "{name}");
     }
@@ -120,7 +122,70 @@ fn what_cannot_be_pushed_is_refused() {
         &["height of the imperfection", "0 to 4 m"],
     );
     refused(&[text(&small), "--imperfection-at", "1m"], &["--imperfection"]);
+    refused(
+        &[text(&small), "--imperfection-shape", "mode"],
+        &["--imperfection <AMPLITUDE>"],
+    );
+    refused(
+        &[
+            text(&small),
+            "--imperfection",
+            "0.5t",
+            "--imperfection-shape",
+            "mode",
+            "--imperfection-at",
+            "1m",
+        ],
+        &["--imperfection-at", "its own height"],
+    );
     refused(&["examples/06_sandwich_strip/tank.json"], &["cylinders"]);
+    refused(
+        &["examples/08_concrete_cylinder/tank.json"],
+        &[
+            "tank.json: materials.concrete.behaviour: found concrete",
+            "allowed steel",
+        ],
+    );
+    let elastic = tank(
+        home.path(),
+        r#"{ "steel": { "tangent_modulus": "0 GPa", "kinematic_share": 1 } }"#,
+        r#""elastic""#,
+    );
+    refused(
+        &[text(&elastic)],
+        &["tank.json: materials.steel.behaviour: found elastic", "yield_strength"],
+    );
+    let odd = tank(
+        home.path(),
+        r#""circumference": 16 }"#,
+        r#""circumference": 17 }, "symmetry": false"#,
+    );
+    refused(&[text(&odd)], &["elements.circumference", "found 17", "an even number"]);
     let unanchored = tank(home.path(), "anchored", "unanchored");
     refused(&[text(&unanchored)], &["anchored tanks"]);
+}
+
+/// The shape of the buckling mode: weaker than the perfect shell, drawn.
+#[test]
+fn a_mode_is_an_imperfection() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let (tank, out) = (tank(home.path(), "small", "small"), home.path().join("out"));
+    let mode = ["--imperfection", "1t", "--imperfection-shape", "mode"];
+    let mut command = vec!["push", text(&tank), "--quiet", "-o", text(&out)];
+    command.extend(mode);
+    let run = tankcheck(&command);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    assert!(out.join("figures/push_imperfection_1.svg").exists());
+    let push = tankcheck::results::read_push(&out.join("push.json")).expect("readable");
+    let [perfect, imperfect] = push.shells.as_slice() else {
+        panic!("two shells");
+    };
+    let imperfection = imperfect.imperfection.as_ref().expect("the second shell is imperfect");
+    // The elastic wall is far from buckling where the steel yields: R/t = 800, 60 MPa.
+    assert!(imperfection.factor.expect("a mode has a factor") > 1.0);
+    let map = imperfection.map.as_ref().expect("a mode has a map");
+    let largest = map.values.iter().copied().fold(0.0, f64::max);
+    assert!((largest - 0.005).abs() < 1e-9 && (imperfection.amplitude - 0.005).abs() < 1e-12);
+    assert!(map.values.iter().all(|v| v.abs() < largest * (1.0 + 1e-9)));
+    assert!(imperfect.capacity.state.acceleration < 1.02 * perfect.capacity.state.acceleration);
 }

@@ -1,4 +1,4 @@
-//! Axisymmetric imperfections.
+//! Imperfections: a weld depression around the tank, or the buckling mode.
 //!
 //! ```text
 //! w = δ e^{−πx/λ} (cos πx/λ + sin πx/λ) ,   x = |z − z_0| ,   λ = π √(R t)/(3 (1 − ν²))^¼
@@ -7,9 +7,14 @@
 //! the depression of a circumferential weld, here also outwards (δ > 0): at the base that is the shape of the buckle itself. The
 //! quality classes of EN 1993-1-6 for the amplitude, δ = √(R/t) t/Q with Q = 40 (A, excellent), 25 (B, high), 16 (C, normal).
 //!
+//! The mode moves every node by δ φ and turns its normal by the rotations of φ, which is 1 where its radial part is largest: the
+//! surface stays smooth and the supports where they are. See `buckling` for φ.
+//!
 //! Source: Rotter & Teng 1989 (type A); EN 1993-1-6:2007, 8.7.2 and table D.2 (recalled).
 
 use std::f64::consts::PI;
+
+use nalgebra::Vector3;
 
 /// How large an imperfection is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,9 +68,8 @@ impl Amplitude {
         }
     }
 
-    /// Where it comes from, in words.
-    pub fn source(self) -> String {
-        let shape = "shape of a weld depression (Rotter & Teng 1989, type A)";
+    /// Where it comes from, in words; `shape` says what has it.
+    pub fn source(self, shape: &str) -> String {
         match self {
             Amplitude::Quality(q) => format!(
                 "{shape}; amplitude √(R/t) t/{} of EN 1993-1-6, quality class {}",
@@ -73,6 +77,45 @@ impl Amplitude {
                 q.name()
             ),
             _ => format!("{shape}; amplitude as given"),
+        }
+    }
+}
+
+/// The form of an imperfection.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Form {
+    /// The depression of a circumferential weld.
+    #[default]
+    Weld,
+    /// The lowest linear buckling mode of the loaded tank.
+    Mode,
+}
+
+/// What is wrong with a shell, node by node.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Dent {
+    /// A depression around the tank.
+    Weld(Depression),
+    /// Displacements and rotations of the nodes `[ring][angle]`, global components.
+    Mode(Vec<Vec<[Vector3<f64>; 2]>>),
+}
+
+impl Dent {
+    /// Displacement of a node and its normal there, of any length.
+    ///
+    /// * `place`: ring and angle, by number; `angle` [rad], `z` [m]
+    pub(super) fn at(&self, place: (usize, usize), angle: f64, z: f64) -> (Vector3<f64>, Vector3<f64>) {
+        let (s, c) = angle.sin_cos();
+        let radial = Vector3::new(c, s, 0.0);
+        match self {
+            Dent::Weld(depression) => {
+                let (offset, slope) = depression.at(z);
+                (radial * offset, radial - Vector3::z() * slope)
+            }
+            Dent::Mode(field) => {
+                let [moved, turned] = field[place.0][place.1];
+                (moved, radial + turned.cross(&radial))
+            }
         }
     }
 }

@@ -88,8 +88,8 @@ pub(super) fn limits(plan: &Plan) -> Vec<PushLimit> {
     let mut out = vec![governing(
         plan,
         &places,
-        "perfect elastic cylinder".into(),
-        "0.605 E t/R (Timoshenko & Gere 1961)".into(),
+        "0.605 E t/R, perfect elastic".into(),
+        "Timoshenko & Gere 1961".into(),
         &|p, _| 0.605 * young(p) * p.course.thickness / radius,
     )];
     if yielding {

@@ -10,6 +10,7 @@
 //! mesh and supports, `imperfection` for what is wrong with the shell. A static capacity: neither the duration of the peak nor
 //! the cycles before it count.
 
+mod buckling;
 mod imperfection;
 mod limits;
 mod load;
@@ -17,15 +18,16 @@ mod model;
 mod path;
 
 use codes::Case;
-use codes::units::Dimension;
+use codes::units::{Dimension, significant};
 use fem::progress::Progress;
 
-pub use imperfection::{Amplitude, Quality};
+pub use imperfection::{Amplitude, Form, Quality};
+pub use model::NoSteel;
 
 use super::NonlinearOptions;
 use crate::fe::FeError;
 use crate::results::{Fact, Imperfection, PushLimit, PushShell};
-use imperfection::{Depression, half_wave};
+use imperfection::{Dent, Depression, half_wave};
 use model::Plan;
 
 /// What a pushover is asked.
@@ -33,7 +35,9 @@ use model::Plan;
 pub struct PushOptions {
     /// Amplitude of the imperfect shell; `None`: the perfect shell alone.
     pub imperfection: Option<Amplitude>,
-    /// Its height [m]; `None`: where the perfect shell buckles.
+    /// Its form.
+    pub form: Form,
+    /// Height of a weld [m]; `None`: where the perfect shell buckles. A mode has its own.
     pub height: Option<f64>,
 }
 
@@ -48,8 +52,8 @@ pub struct Pushed {
     pub shells: Vec<PushShell>,
     /// Formulas beside it.
     pub limits: Vec<PushLimit>,
-    /// Whether the user stopped it.
-    pub incomplete: bool,
+    /// What an interruption left out, in words; empty if all was done.
+    pub interruption: String,
 }
 
 /// Pushes the perfect shell, and the imperfect one if there is one.
@@ -70,34 +74,116 @@ pub fn pushover(
             allowed: format!("0 to {height} m, the height of the wall"),
         });
     }
+    if push.height.is_some() && push.form == Form::Mode {
+        return Err(FeError::Option {
+            option: "height of the imperfection".into(),
+            found: "a height beside the buckling mode".into(),
+            allowed: "a height for a weld; a mode has its own".into(),
+        });
+    }
     let perfect = path::follow(&plan, None, "perfect shell", progress)?;
     let mut shells = vec![perfect];
-    if let Some(amplitude) = push.imperfection.filter(|_| !progress.interrupted()) {
-        let z = push.height.unwrap_or(shells[0].capacity.height);
-        let course = case.tank.course_at(z);
-        let (t, nu) = (course.thickness, course.material.poisson_ratio);
-        let shape = Depression {
-            amplitude: amplitude.of_wall(t, plan.radius),
-            height: z,
-            half_wave: half_wave(plan.radius, t, nu),
-        };
-        let mut shell = path::follow(&plan, Some(&shape), "imperfect shell", progress)?;
-        shell.imperfection = Some(Imperfection {
-            amplitude: shape.amplitude,
-            over_thickness: shape.amplitude / t,
-            height: z,
-            half_wave: shape.half_wave,
-            source: amplitude.source(),
-        });
-        shells.push(shell);
+    let mut missing = false;
+    if let Some(amplitude) = push.imperfection {
+        match imperfect(&plan, amplitude, push, &shells[0], progress) {
+            Ok(shell) => shells.push(shell),
+            // What is there is kept.
+            Err(FeError::Interrupted { .. }) => missing = true,
+            Err(error) => return Err(error),
+        }
     }
     Ok(Pushed {
         model: facts(&plan),
         assumptions: assumptions(case, options),
+        interruption: interruption(&shells, missing),
         shells,
         limits: limits::limits(&plan),
-        incomplete: progress.interrupted(),
     })
+}
+
+/// What is left out, in words.
+fn interruption(shells: &[PushShell], missing: bool) -> String {
+    match shells {
+        [perfect] if perfect.interrupted => {
+            let rest = if missing {
+                ", and the imperfect one was not run"
+            } else {
+                ""
+            };
+            format!("interrupted in the perfect shell, whose capacity is a lower bound{rest}")
+        }
+        [_] if missing => "the perfect shell is complete; interrupted before the imperfect one".into(),
+        [_, imperfect] if imperfect.interrupted => {
+            "the perfect shell is complete; interrupted in the imperfect one, whose capacity is a lower bound".into()
+        }
+        _ => String::new(),
+    }
+}
+
+/// Pushes the imperfect shell.
+///
+/// Errors: as [`pushover`]; an interruption before there is anything to show.
+fn imperfect(
+    plan: &Plan,
+    amplitude: Amplitude,
+    push: &PushOptions,
+    perfect: &PushShell,
+    progress: &dyn Progress,
+) -> Result<PushShell, FeError> {
+    const NAME: &str = "imperfect shell";
+    if progress.interrupted() {
+        return Err(FeError::Interrupted { stage: NAME.into() });
+    }
+    let course = |z: f64| plan.case.tank.course_at(z);
+    let (dent, imperfection) = match push.form {
+        Form::Weld => {
+            let z = push.height.unwrap_or(perfect.capacity.height);
+            let (t, nu) = (course(z).thickness, course(z).material.poisson_ratio);
+            let shape = Depression {
+                amplitude: amplitude.of_wall(t, plan.radius),
+                height: z,
+                half_wave: half_wave(plan.radius, t, nu),
+            };
+            let imperfection = Imperfection {
+                amplitude: shape.amplitude,
+                over_thickness: shape.amplitude / t,
+                height: z,
+                angle: None,
+                half_wave: Some(shape.half_wave),
+                factor: None,
+                map: None,
+                source: amplitude.source("shape of a weld depression (Rotter & Teng 1989, type A)"),
+            };
+            (Dent::Weld(shape), imperfection)
+        }
+        Form::Mode => {
+            let acceleration = perfect.capacity.state.acceleration;
+            progress.stage("buckling mode", 1);
+            let mode = buckling::mode(plan, acceleration)?;
+            progress.advance(1);
+            let t = course(mode.place.0).thickness;
+            let delta = amplitude.of_wall(t, plan.radius);
+            let shape = format!(
+                "shape of the lowest linear buckling mode, which the elastic wall has under {} times the load at {} g",
+                significant(mode.factor, 3),
+                significant(acceleration / plan.case.gravity, 3)
+            );
+            let imperfection = Imperfection {
+                amplitude: delta,
+                over_thickness: delta / t,
+                height: mode.place.0,
+                angle: Some(mode.place.1),
+                half_wave: None,
+                factor: Some(mode.factor),
+                map: Some(mode.map(plan, delta)),
+                source: amplitude.source(&shape),
+            };
+            (Dent::Mode(mode.scaled(delta)), imperfection)
+        }
+    };
+    let mut shell = path::follow(plan, Some(&dent), NAME, progress)?;
+    shell.imperfection = Some(imperfection);
+    Ok(shell)
 }
 
 fn facts(plan: &Plan) -> Vec<Fact> {
@@ -159,4 +245,89 @@ fn assumptions(case: &Case, options: &NonlinearOptions) -> Vec<String> {
         out.push("The wall has no weight, as asked for.".into());
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Mutex;
+
+    use codes::tank::{Behaviour, Shape, Steel};
+
+    use super::*;
+    use crate::fe::nonlinear::WallElements;
+    use crate::verify::cases::{case, material};
+
+    /// Stops in a stage once `steps` of its steps are done.
+    struct Stop {
+        stage: &'static str,
+        steps: u64,
+        now: Mutex<(String, u64)>,
+    }
+
+    impl Progress for Stop {
+        fn stage(&self, name: &str, _steps: u64) {
+            *self.now.lock().unwrap() = (name.into(), 0);
+        }
+        fn advance(&self, steps: u64) {
+            self.now.lock().unwrap().1 += steps;
+        }
+        fn interrupted(&self) -> bool {
+            let now = self.now.lock().unwrap();
+            now.0 == self.stage && now.1 >= self.steps
+        }
+    }
+
+    fn stopped(stage: &'static str, steps: u64) -> Result<Pushed, FeError> {
+        let mut steel = material(2.1e11, 0.3, 7850.0);
+        steel.behaviour = Behaviour::Steel(Steel {
+            yield_strength: 6e7,
+            tangent_modulus: 0.0,
+            kinematic_share: 1.0,
+            ultimate_strength: None,
+        });
+        let case = case(Shape::Cylinder { radius: 4.0 }, &[(4.0, 5e-3)], &steel, (1000.0, 3.6));
+        let mut options = NonlinearOptions::new(case.damping);
+        options.elements = Some(WallElements {
+            height: 12,
+            circumference: 8,
+        });
+        let push = PushOptions {
+            imperfection: Some(Amplitude::Thicknesses(0.5)),
+            ..PushOptions::default()
+        };
+        let now = Mutex::default();
+        pushover(&case, &options, &push, &Stop { stage, steps, now })
+    }
+
+    /// What is done is told apart from what is not.
+    #[test]
+    fn an_interruption_says_what_it_leaves_out() {
+        assert!(matches!(stopped("perfect shell", 0), Err(FeError::Interrupted { .. })));
+        let first = stopped("perfect shell", 3).unwrap();
+        assert_eq!(first.shells.len(), 1);
+        assert!(first.shells[0].interrupted && !first.shells[0].capacity.limit);
+        assert!(
+            first
+                .interruption
+                .contains("the perfect shell, whose capacity is a lower bound")
+                && first.interruption.contains("the imperfect one was not run"),
+            "{}",
+            first.interruption
+        );
+        let before = stopped("imperfect shell", 0).unwrap();
+        assert_eq!(before.shells.len(), 1);
+        assert!(before.shells[0].capacity.limit && !before.shells[0].interrupted);
+        assert_eq!(
+            before.interruption,
+            "the perfect shell is complete; interrupted before the imperfect one"
+        );
+        let second = stopped("imperfect shell", 3).unwrap();
+        assert!(second.shells[0].capacity.limit && second.shells[1].interrupted);
+        assert!(
+            second
+                .interruption
+                .starts_with("the perfect shell is complete; interrupted in the imperfect one")
+        );
+        assert!(stopped("none", 0).unwrap().interruption.is_empty());
+    }
 }

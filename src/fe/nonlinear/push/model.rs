@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use codes::Case;
-use codes::tank::{Shape, Support};
+use codes::tank::{Behaviour, Course, Shape, Support};
 use fem::assembly::{Assembler, order};
 use fem::dofs::Dof;
 use fem::element::shell::load::{FollowerPressure, NodalLoads};
@@ -21,7 +21,7 @@ use fem::mesh::grading::geometric;
 use fem::model::{Builder, Model};
 use nalgebra::{Matrix3, Vector3};
 
-use super::imperfection::Depression;
+use super::imperfection::Dent;
 use super::load::{Impulsive, cosine_shares, shares};
 use crate::fe::FeError;
 use crate::fe::nonlinear::NonlinearOptions;
@@ -103,6 +103,32 @@ impl PushModel {
     }
 }
 
+/// A material of the wall that a pushover does not take.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "materials.{material}.behaviour: found {found}, allowed steel with its yield strength: the capacity of a pushover is that of a \
+         plate that yields"
+)]
+pub struct NoSteel {
+    /// Its name in the file.
+    pub material: String,
+    /// Its behaviour, as users name it.
+    pub found: &'static str,
+}
+
+impl NoSteel {
+    /// The first of a tank: concrete, which fails in other ways than by a buckle, or an elastic wall, which never yields.
+    pub fn of(case: &Case) -> Option<NoSteel> {
+        let layers = case.tank.courses.iter().flat_map(Course::build_up);
+        let mut materials = layers.map(|l| l.material);
+        let other = materials.find(|m| !matches!(m.behaviour, Behaviour::Steel(_)))?;
+        Some(NoSteel {
+            found: other.behaviour.kind(),
+            material: other.name,
+        })
+    }
+}
+
 /// What the model is made from.
 pub(super) struct Plan<'a> {
     pub(super) case: &'a Case,
@@ -126,12 +152,15 @@ impl<'a> Plan<'a> {
         if case.tank.support != Support::Anchored {
             return unsupported("a pushover is for anchored tanks (support anchored); this tank may uplift");
         }
+        if let Some(no_steel) = NoSteel::of(case) {
+            return unsupported(no_steel.to_string());
+        }
         let sectors = options.elements.map_or(SECTORS, |e| e.circumference);
-        if sectors < 8 {
+        if sectors < 8 || sectors % 2 == 1 {
             return Err(FeError::Option {
-                option: "elements, circumference".into(),
+                option: "analysis.nonlinear.elements.circumference".into(),
                 found: sectors.to_string(),
-                allowed: "8 or more".into(),
+                allowed: "an even number for a pushover, whose model is half the wall; 8 or more".into(),
             });
         }
         let depth = case.liquid.fill_height;
@@ -151,21 +180,22 @@ impl<'a> Plan<'a> {
         })
     }
 
-    /// The model; with an imperfection all nodes of a level move by the same radial distance.
-    pub(super) fn build(&self, imperfection: Option<&Depression>) -> Result<PushModel, FeError> {
+    /// The model, with its imperfection.
+    pub(super) fn build(&self, imperfection: Option<&Dent>) -> Result<PushModel, FeError> {
         let (case, radius) = (self.case, self.radius);
         let (levels, angles) = (&self.levels, &self.angles);
         let mut builder = Builder::new();
         let mut normals = Vec::new();
         let mut rings = Vec::with_capacity(levels.len());
-        for &z in levels {
-            let (offset, slope) = imperfection.map_or((0.0, 0.0), |d| d.at(z));
-            let ring = angles.iter().map(|angle| {
+        for (l, &z) in levels.iter().enumerate() {
+            let ring = angles.iter().enumerate().map(|(k, &angle)| {
                 let (s, c) = angle.sin_cos();
-                let r = radius + offset;
-                let node = builder.node([r * c, r * s, z]);
+                let perfect = (Vector3::zeros(), Vector3::new(c, s, 0.0));
+                let (offset, normal) = imperfection.map_or(perfect, |d| d.at((l, k), angle, z));
+                let place = Vector3::new(radius * c, radius * s, z) + offset;
+                let node = builder.node(place.into());
                 builder.frame(node, Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0));
-                normals.push(Vector3::new(c, s, -slope));
+                normals.push(normal);
                 node
             });
             rings.push(ring.collect::<Vec<usize>>());
@@ -175,7 +205,6 @@ impl<'a> Plan<'a> {
             joints.push(joints.last().copied().unwrap_or(0.0) + course.height);
         }
         let mut corners = Vec::new();
-        // Cracks of concrete are smeared over the cells on the compressed side, the smallest.
         let length = radius * (angles[1] - angles[0]);
         for (z, pair) in levels.windows(2).zip(rings.windows(2)) {
             let middle = 0.5 * (z[0] + z[1]);

@@ -9,7 +9,7 @@ use fem::dofs::Dof;
 use fem::progress::Progress;
 use fem::state::{Gather, State};
 
-use super::imperfection::Depression;
+use super::imperfection::Dent;
 use super::limits;
 use super::model::{Plan, PushModel};
 use crate::fe::FeError;
@@ -26,13 +26,13 @@ const MOST: f64 = 10.0;
 const STATES: usize = 120;
 /// A step of the arc over the first one at most.
 const LONGEST: f64 = 4.0;
-const CRITERIA: Criteria = Criteria {
+pub(super) const CRITERIA: Criteria = Criteria {
     energy: 1e-10,
     force: 1e-4,
     iterations: 20,
 };
 
-/// The compressed meridian at one state.
+/// The compressed meridian at one state, and of the whole wall what tells where it gives way.
 #[derive(Clone, Debug, Default)]
 struct Meridian {
     /// Radial displacement at the levels.
@@ -42,14 +42,16 @@ struct Meridian {
     /// Axial compression and hoop tension [Pa] in the middles of the elements.
     axial: Vec<f64>,
     hoop: Vec<f64>,
+    /// Largest plastic strain of every element of the wall, sector after sector.
+    plastic: Vec<f64>,
 }
 
 /// Follows the path of a shell.
 ///
-/// Errors: a model that cannot be built; a state at rest that is not carried.
+/// Errors: a model that cannot be built; a state at rest that is not carried; an interruption before anything was carried beside it.
 pub(super) fn follow(
     plan: &Plan,
-    imperfection: Option<&Depression>,
+    imperfection: Option<&Dent>,
     name: &'static str,
     progress: &dyn Progress,
 ) -> Result<PushShell, FeError> {
@@ -84,6 +86,9 @@ pub(super) fn follow(
             Err(_) => break,
         }
     }
+    if !arc.is_finite() && progress.interrupted() {
+        return Err(FeError::Interrupted { stage: name.into() });
+    }
     if !arc.is_finite() {
         return Err(FeError::Analysis(format!(
             "no equilibrium under {LEAST} g beside the state at rest"
@@ -115,18 +120,28 @@ pub(super) fn follow(
         return Err(fault);
     }
     let last = seen.points.last().map_or(0.0, |p| p.acceleration);
+    let mut interrupted = false;
     let end = match followed.failure {
         Some(failure) => format!("no further equilibrium was found: {failure}"),
-        None if progress.interrupted() => "interrupted".into(),
         None if last < FALL * largest => format!("followed until {:.0} % of the maximum", 100.0 * FALL),
         None if last > MOST * gravity => format!("stopped at {MOST} g: the wall does not fail in this pattern"),
+        None if progress.interrupted() => {
+            interrupted = true;
+            "interrupted".into()
+        }
         None => format!("stopped after {STATES} states"),
     };
-    seen.shell(end, &state)
+    let mut shell = seen.shell(end)?;
+    shell.interrupted = interrupted;
+    Ok(shell)
 }
 
 /// Load steps and arcs of a model under `constant` and λ `load`.
-fn continuation<'a>(model: &'a PushModel, constant: &[f64], load: &[f64]) -> Result<Continuation<'a>, FeError> {
+pub(super) fn continuation<'a>(
+    model: &'a PushModel,
+    constant: &[f64],
+    load: &[f64],
+) -> Result<Continuation<'a>, FeError> {
     let path = Continuation::new(
         &model.model,
         &model.assembler,
@@ -199,6 +214,7 @@ impl<'a> Seen<'a> {
             meridian.hoop.push(mean(0) / t);
             meridian.axial.push(-mean(1) / t);
         }
+        meridian.plastic = self.plastic(state);
         let largest = |values: &[f64]| {
             (0..values.len())
                 .max_by(|&a, &b| values[a].total_cmp(&values[b]))
@@ -224,7 +240,7 @@ impl<'a> Seen<'a> {
             bulge: moved,
             compression: meridian.axial[compressed],
             compression_height: self.middle(compressed),
-            plastic_strain: self.plastic(state).into_iter().fold(0.0, f64::max),
+            plastic_strain: meridian.plastic.iter().copied().fold(0.0, f64::max),
         });
         self.meridians.push(meridian);
         Ok(())
@@ -250,17 +266,20 @@ impl<'a> Seen<'a> {
         out
     }
 
-    /// Height [m], angle [rad] and row of cells of the buckle: where the plates have yielded most in the last state. Of a shell that
-    /// is still elastic where it has moved most since its maximum; before a maximum, where it is compressed most.
-    fn buckle(&self, best: usize, plastic: &[f64]) -> (f64, f64, usize) {
+    /// Height [m], angle [rad] and row of cells of the buckle: where the plates have yielded most since the strongest state. Where they
+    /// have not, the buckle is elastic: where the wall has moved most since then. Before a maximum, where the plates have yielded
+    /// most, or are compressed most.
+    fn buckle(&self, best: usize) -> (f64, f64, usize) {
         let (rows, angles) = (self.model.cells.len(), &self.model.angles);
-        let largest = (0..plastic.len()).max_by(|&a, &b| plastic[a].total_cmp(&plastic[b]));
-        if let Some(cell) = largest.filter(|&c| plastic[c] > 0.0) {
+        let (peak, last) = (&self.meridians[best], &self.meridians[self.meridians.len() - 1]);
+        let passed = best + 1 < self.points.len();
+        let yielded = |c: usize| last.plastic[c] - if passed { peak.plastic[c] } else { 0.0 };
+        let largest = (0..last.plastic.len()).max_by(|&a, &b| yielded(a).total_cmp(&yielded(b)));
+        if let Some(cell) = largest.filter(|&c| yielded(c) > 0.0) {
             let (sector, row) = (cell / rows, cell % rows);
             return (self.middle(row), angles[sector], row);
         }
-        let (peak, last) = (&self.meridians[best], &self.meridians[self.meridians.len() - 1]);
-        let node = if best + 1 < self.points.len() {
+        let node = if passed {
             let moved = |n: usize| (last.field[n] - peak.field[n]).abs();
             (0..peak.field.len()).max_by(|&a, &b| moved(a).total_cmp(&moved(b)))
         } else {
@@ -276,14 +295,14 @@ impl<'a> Seen<'a> {
         )
     }
 
-    fn shell(&self, end: String, state: &State) -> Result<PushShell, FeError> {
+    fn shell(&self, end: String) -> Result<PushShell, FeError> {
         let count = self.points.len();
         let best = (0..count)
             .max_by(|&a, &b| self.points[a].acceleration.total_cmp(&self.points[b].acceleration))
             .unwrap_or(0);
         let peak = &self.meridians[best];
-        let plastic = self.plastic(state);
-        let (height, angle, cell) = self.buckle(best, &plastic);
+        let plastic = self.meridians[count - 1].plastic.clone();
+        let (height, angle, cell) = self.buckle(best);
         let state_there = self.points[best];
         let liquid = &self.plan.case.liquid;
         let hydrostatic = liquid.density * self.plan.case.gravity * (liquid.fill_height - height).max(0.0);
@@ -318,6 +337,7 @@ impl<'a> Seen<'a> {
             path: self.points.clone(),
             capacity,
             end,
+            interrupted: false,
             meridians,
             plastic: WallMap {
                 id: "plastic_strain".into(),
