@@ -159,7 +159,7 @@ pub const PAGES: &[Page] = &[
         id: "liquid-separation",
         title: "Does the liquid leave the wall",
         model: "Strip 8.4: the liquid has a normal displacement of its own and a joint without tension to the elastic wall; \
-                Moreau's time stepping; El Centro, the Caltech record (0.348 g).",
+                Moreau's time stepping, and the same joints in the march of nonlinear walls; El Centro, the Caltech record (0.348 g).",
     },
     Page {
         id: "nonlinear-dynamics",
