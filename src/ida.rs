@@ -1,4 +1,4 @@
-//! The whole flow of an incremental dynamic analysis: job → strip → runs → `ida.json`, `ida.csv`, report.
+//! The whole flow of an incremental dynamic analysis: job → tank → runs → `ida.json`, `ida.csv`, report.
 //!
 //! Every run that is finished goes to `ida.partial.json` at once, and runs under way keep checkpoints, so that an analysis
 //! that is killed can be resumed; a run does not depend on the others, and a resumed analysis gives the same numbers.
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use fem::progress::Progress;
 
 use crate::error::Error;
-use crate::fe::nonlinear::{CheckpointFile, Strip};
+use crate::fe::nonlinear::{CheckpointFile, Incremental};
 use crate::job::IdaJob;
 use crate::pipeline::OutputFolder;
 use crate::report::{self, FIGURES_FOLDER, REPORT_FILE};
@@ -36,15 +36,16 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
     // Whatever is wrong with the folder is said before anything is computed.
     let folder = OutputFolder::of(&job.out, owns, "--out")?;
     let kept = if job.resume { kept(&job.out, &key)? } else { Vec::new() };
-    let strip = Strip::new(&job.job.case, &job.job.nonlinear)?;
+    let tank = Incremental::new(&job.job.case, &job.job.nonlinear, progress)?;
     let mut ida = Ida {
         format: IDA_FORMAT.into(),
         volatile: volatile(),
         key,
         name: job.job.case.name.clone(),
         files: job.job.files.clone(),
-        model: strip.facts.clone(),
-        assumptions: [strip.assumptions.clone(), strip.assumptions_of_curves().to_vec()].concat(),
+        model: tank.facts()?,
+        assumptions: tank.assumptions(),
+        moment: tank.moment(),
         runs: kept,
         incomplete: true,
     };
@@ -72,7 +73,7 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
         })
     };
     let mut unwritten = None;
-    strip.incremental(&missing, job.jobs, &checkpoint, progress, |run| {
+    tank.run(&missing, job.jobs, &checkpoint, progress, |run| {
         insert(&mut ida.runs, run);
         // The first failure is kept; the runs go on, their results are still in memory.
         unwritten = unwritten.take().or(write_ida(&partial, &ida).err());

@@ -13,49 +13,92 @@ use crate::report::number::{Scale, fixed, significant, with_unit};
 use crate::report::table::{Column, Table};
 use crate::results::{Ida, IdaRun};
 
-/// A curve: id, title, dimension, value of a run.
-type Curve = (&'static str, &'static str, Dimension, fn(&IdaRun) -> f64);
+/// A demand that is drawn.
+struct Curve {
+    id: &'static str,
+    title: &'static str,
+    dimension: Dimension,
+    value: fn(&IdaRun) -> f64,
+}
 
-/// Demands that are drawn.
-const CURVES: [Curve; 6] = [
-    ("ida_wave", "Largest wave at the wall", Dimension::Length, |r| r.wave),
-    (
-        "ida_wall_displacement",
-        "Largest displacement of the top of the wall",
-        Dimension::Length,
-        |r| r.wall_displacement,
-    ),
-    (
-        "ida_base_moment",
-        "Largest moment at the base of a wall",
-        Dimension::LineMoment,
-        |r| r.base_moment,
-    ),
-    ("ida_bar_stress", "Largest stress of a bar", Dimension::Stress, |r| {
-        r.bar_stress
-    }),
-    (
-        "ida_crack_height",
-        "Height of the highest crack",
-        Dimension::Length,
-        |r| r.highest_crack,
-    ),
-    (
-        "ida_hysteretic_energy",
-        "Energy dissipated in a wall, per metre",
-        Dimension::Energy,
-        |r| r.hysteretic_energy,
-    ),
-];
+/// Demands that are drawn: those of every tank, and those that are not nothing.
+fn curves(ida: &Ida) -> Vec<Curve> {
+    let strip = ida.moment == Dimension::LineMoment;
+    let of = |id, titles: [&'static str; 2], dimension, value| Curve {
+        id,
+        title: titles[usize::from(!strip)],
+        dimension,
+        value,
+    };
+    let same = |title| [title, title];
+    let mut curves = vec![
+        of("ida_wave", same("Largest wave at the wall"), Dimension::Length, |r| {
+            r.wave
+        }),
+        of(
+            "ida_wall_displacement",
+            [
+                "Largest displacement of the top of the wall",
+                "Largest radial displacement of the wall",
+            ],
+            Dimension::Length,
+            |r| r.wall_displacement,
+        ),
+        of(
+            "ida_base_moment",
+            ["Largest moment at the base of a wall", "Largest moment at the base"],
+            ida.moment,
+            |r| r.base_moment,
+        ),
+    ];
+    let further = [
+        of(
+            "ida_bar_stress",
+            same("Largest stress of a bar"),
+            Dimension::Stress,
+            |r| r.bar_stress,
+        ),
+        of(
+            "ida_crack_height",
+            same("Height of the highest crack"),
+            Dimension::Length,
+            |r| r.highest_crack,
+        ),
+        of(
+            "ida_plastic_strain",
+            same("Largest plastic strain of plates or concrete"),
+            Dimension::Dimensionless,
+            |r| r.plastic_strain,
+        ),
+        of(
+            "ida_hysteretic_energy",
+            [
+                "Energy dissipated in a wall, per metre",
+                "Energy dissipated in the wall",
+            ],
+            Dimension::Energy,
+            |r| r.hysteretic_energy,
+        ),
+    ];
+    let seen = |curve: &Curve| ida.runs.iter().any(|r| (curve.value)(r) > 0.0);
+    curves.extend(further.into_iter().filter(seen));
+    curves
+}
 
 /// The figures, a curve each over the peak ground acceleration.
 ///
 /// Errors: a drawing that fails.
 fn figures(ida: &Ida) -> Result<Vec<Figure>, Error> {
-    CURVES.iter().map(|curve| figure(ida, curve)).collect()
+    curves(ida).iter().map(|curve| figure(ida, curve)).collect()
 }
 
-fn figure(ida: &Ida, &(id, title, dimension, value): &Curve) -> Result<Figure, Error> {
+fn figure(ida: &Ida, curve: &Curve) -> Result<Figure, Error> {
+    let &Curve {
+        id,
+        title,
+        dimension,
+        value,
+    } = curve;
     let runs = &ida.runs;
     let with_zero = |values: &mut dyn Iterator<Item = f64>| -> Vec<f64> { values.chain([0.0]).collect() };
     let x = Axis::linear(
@@ -117,28 +160,39 @@ pub fn table(ida: &Ida) -> Table {
     let of = |dimension, value: fn(&IdaRun) -> f64| Scale::of(dimension, ida.runs.iter().map(value));
     let wave = of(Dimension::Length, |r| r.wave);
     let displacement = of(Dimension::Length, |r| r.wall_displacement);
-    let moment = of(Dimension::LineMoment, |r| r.base_moment);
+    let moment = of(ida.moment, |r| r.base_moment);
     let stress = of(Dimension::Stress, |r| r.bar_stress);
-    let mut table = Table::new(vec![
+    let cracks = ida.runs.iter().any(|r| r.first_crack.is_some());
+    let bars = ida.runs.iter().any(|r| r.bar_stress > 0.0);
+    let plastic = ida.runs.iter().any(|r| r.plastic_strain > 0.0);
+    let mut columns = vec![
         Column::numbers("Scale", ""),
         Column::numbers("PGA", "m/s²"),
         Column::words("End"),
         Column::numbers("Wave", wave.symbol()),
         Column::numbers("Wall displacement", displacement.symbol()),
         Column::numbers("Base moment", moment.symbol()),
-        Column::numbers("First crack at", "s"),
-        Column::numbers("with base moment", moment.symbol()),
-        Column::numbers("Highest crack", "m"),
-        Column::numbers("Bar stress", stress.symbol()),
-        Column::numbers("Damping of the wall mode", "%"),
-        Column::numbers("Halved steps", ""),
-        Column::numbers("Energy residual", ""),
-    ]);
+    ];
+    if cracks {
+        columns.push(Column::numbers("First crack at", "s"));
+        columns.push(Column::numbers("with base moment", moment.symbol()));
+        columns.push(Column::numbers("Highest crack", "m"));
+    }
+    if bars {
+        columns.push(Column::numbers("Bar stress", stress.symbol()));
+    }
+    if plastic {
+        columns.push(Column::numbers("Plastic strain", ""));
+    }
+    columns.push(Column::numbers("Damping of the wall mode", "%"));
+    columns.push(Column::numbers("Halved steps", ""));
+    columns.push(Column::numbers("Energy residual", ""));
+    let mut table = Table::new(columns);
     for run in &ida.runs {
         let crack = |text: &dyn Fn(f64, f64) -> String| {
             run.first_crack.map_or("–".to_owned(), |c| text(c.time, c.base_moment))
         };
-        table.row(vec![
+        let mut row = vec![
             significant(run.scale, 4),
             significant(run.pga, 4),
             run.collapse.as_ref().map_or("completed".to_owned(), |c| {
@@ -147,14 +201,22 @@ pub fn table(ida: &Ida) -> Table {
             wave.text(run.wave),
             displacement.text(run.wall_displacement),
             moment.text(run.base_moment),
-            crack(&|time, _| fixed(time, 2)),
-            crack(&|_, m| moment.text(m)),
-            fixed(run.highest_crack, 2),
-            stress.text(run.bar_stress),
-            significant(100.0 * run.wall_damping, 3),
-            run.halvings.to_string(),
-            format!("{:.0e}", run.energy_residual),
-        ]);
+        ];
+        if cracks {
+            row.push(crack(&|time, _| fixed(time, 2)));
+            row.push(crack(&|_, m| moment.text(m)));
+            row.push(fixed(run.highest_crack, 2));
+        }
+        if bars {
+            row.push(stress.text(run.bar_stress));
+        }
+        if plastic {
+            row.push(significant(run.plastic_strain, 2));
+        }
+        row.push(significant(100.0 * run.wall_damping, 3));
+        row.push(run.halvings.to_string());
+        row.push(format!("{:.0e}", run.energy_residual));
+        table.row(row);
     }
     table
 }

@@ -33,10 +33,17 @@ pub struct Ida {
     pub model: Vec<Fact>,
     /// What the engine assumed, one sentence each.
     pub assumptions: Vec<String>,
+    /// Dimension of the moments at the base: of a metre of a strip, or of a whole cylinder.
+    #[serde(default = "of_a_metre")]
+    pub moment: Dimension,
     /// Runs by ascending scale.
     pub runs: Vec<IdaRun>,
     /// Whether runs that were asked for are missing.
     pub incomplete: bool,
+}
+
+fn of_a_metre() -> Dimension {
+    Dimension::LineMoment
 }
 
 /// A number of the model.
@@ -50,7 +57,7 @@ pub struct Fact {
     pub dimension: Dimension,
 }
 
-/// One run: the worse of both walls in every quantity.
+/// One run: of a strip the worse of both walls in every quantity, of a cylinder the whole tank.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct IdaRun {
     /// Factor on the record.
@@ -62,11 +69,11 @@ pub struct IdaRun {
     pub collapse: Option<Collapse>,
     /// Largest elevation of the surface at the wall, up or down [m].
     pub wave: f64,
-    /// Largest deflection of the top of the wall, the state at rest included [m].
+    /// Largest deflection of the top of a strip's wall, largest radial displacement of a cylinder, the state at rest included [m].
     pub wall_displacement: f64,
     /// Its time [s].
     pub wall_displacement_time: f64,
-    /// Largest moment at the base of a wall, the state at rest included [N m/m].
+    /// Largest moment at the base, the state at rest included: of a strip's wall [N m/m], of a cylinder [N m].
     pub base_moment: f64,
     /// The first crack.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -75,11 +82,14 @@ pub struct IdaRun {
     pub highest_crack: f64,
     /// Largest opening strain of a crack.
     pub largest_crack: f64,
+    /// Largest plastic strain of steel plates and of concrete in compression.
+    #[serde(default)]
+    pub plastic_strain: f64,
     /// Largest stress of a bar [Pa].
     pub bar_stress: f64,
     /// Largest plastic strain of a bar.
     pub bar_plastic_strain: f64,
-    /// Energy dissipated by the materials of one wall, the larger one [J/m].
+    /// Energy dissipated by the materials: of one wall of a strip, the larger one [J/m]; of a cylinder [J].
     pub hysteretic_energy: f64,
     /// Damping ratio of the first mode of wall and liquid, virgin wall.
     pub wall_damping: f64,
@@ -107,7 +117,7 @@ pub struct FirstCrack {
     pub time: f64,
     /// Height above the base [m].
     pub height: f64,
-    /// Moment at the base then [N m/m].
+    /// Moment at the base then [N m/m], of a cylinder [N m].
     pub base_moment: f64,
 }
 
@@ -128,16 +138,21 @@ pub fn write_ida(path: &Path, ida: &Ida) -> Result<(), Error> {
 /// The runs as a table: head with units, one line a run.
 pub fn ida_csv(ida: &Ida) -> String {
     use std::fmt::Write;
-    let mut text = String::from(
-        "scale,pga_m_s2,collapse_time_s,wave_m,wall_displacement_m,base_moment_nm_per_m,first_crack_time_s,\
-         first_crack_moment_nm_per_m,highest_crack_m,largest_crack,bar_stress_pa,bar_plastic_strain,wall_damping,halvings,\
-         energy_residual\n",
+    let per = if ida.moment == Dimension::LineMoment {
+        "_per_m"
+    } else {
+        ""
+    };
+    let mut text = format!(
+        "scale,pga_m_s2,collapse_time_s,wave_m,wall_displacement_m,base_moment_nm{per},first_crack_time_s,\
+         first_crack_moment_nm{per},highest_crack_m,largest_crack,plastic_strain,bar_stress_pa,bar_plastic_strain,wall_damping,\
+         halvings,energy_residual\n",
     );
     let option = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:.6}"));
     for run in &ida.runs {
         let _ = writeln!(
             text,
-            "{:.6},{:.6},{},{:.6e},{:.6e},{:.6e},{},{},{:.4},{:.4e},{:.6e},{:.4e},{:.6e},{},{:.2e}",
+            "{:.6},{:.6},{},{:.6e},{:.6e},{:.6e},{},{},{:.4},{:.4e},{:.4e},{:.6e},{:.4e},{:.6e},{},{:.2e}",
             run.scale,
             run.pga,
             option(run.collapse.as_ref().map(|c| c.time)),
@@ -148,6 +163,7 @@ pub fn ida_csv(ida: &Ida) -> String {
             option(run.first_crack.map(|c| c.base_moment)),
             run.highest_crack,
             run.largest_crack,
+            run.plastic_strain,
             run.bar_stress,
             run.bar_plastic_strain,
             run.wall_damping,
@@ -171,6 +187,7 @@ mod tests {
             files: Vec::new(),
             model: Vec::new(),
             assumptions: Vec::new(),
+            moment: Dimension::LineMoment,
             runs: vec![IdaRun {
                 scale: 0.5,
                 pga: 1.7,
@@ -186,6 +203,7 @@ mod tests {
                 }),
                 highest_crack: 0.4,
                 largest_crack: 1e-3,
+                plastic_strain: 0.0,
                 bar_stress: 3e8,
                 bar_plastic_strain: 0.0,
                 hysteretic_energy: 1.0,
@@ -216,6 +234,6 @@ mod tests {
     fn a_line_has_a_number_a_column() {
         let text = ida_csv(&sample());
         let counts: Vec<usize> = text.lines().map(|l| l.split(',').count()).collect();
-        assert_eq!(counts, [15, 15]);
+        assert_eq!(counts, [16, 16]);
     }
 }

@@ -33,6 +33,8 @@ pub struct Demand {
     pub highest_crack: f64,
     /// Largest opening strain of any crack.
     pub largest_crack: f64,
+    /// Largest plastic strain of any layer.
+    pub plastic_strain: f64,
     /// Largest stress of any bar [Pa].
     pub bar_stress: f64,
     /// Largest plastic strain of any bar.
@@ -62,6 +64,7 @@ impl Demand {
                     self.bar_plastic_strain = self.bar_plastic_strain.max(fibre.state.plastic_strain);
                     return;
                 }
+                self.plastic_strain = self.plastic_strain.max(fibre.state.plastic_strain);
                 for crack in fibre.state.cracks.iter().flatten() {
                     let height = fibre.position[2];
                     self.highest_crack = self.highest_crack.max(height);
@@ -93,6 +96,7 @@ impl Demand {
             first_crack: first,
             highest_crack: a.highest_crack.max(b.highest_crack),
             largest_crack: a.largest_crack.max(b.largest_crack),
+            plastic_strain: a.plastic_strain.max(b.plastic_strain),
             bar_stress: a.bar_stress.max(b.bar_stress),
             bar_plastic_strain: a.bar_plastic_strain.max(b.bar_plastic_strain),
         }
@@ -146,6 +150,7 @@ impl Observe for DemandWatch<'_> {
             d.base_moment,
             d.highest_crack,
             d.largest_crack,
+            d.plastic_strain,
             d.bar_stress,
             d.bar_plastic_strain,
         ]);
@@ -154,7 +159,7 @@ impl Observe for DemandWatch<'_> {
     }
 
     fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
-        let mut values = [0.0; 8];
+        let mut values = [0.0; 9];
         from.numbers_into("demands", &mut values)?;
         let first = from.numbers("the first crack")?;
         let [
@@ -164,6 +169,7 @@ impl Observe for DemandWatch<'_> {
             base_moment,
             highest_crack,
             largest_crack,
+            plastic_strain,
             bar_stress,
             bar_plastic_strain,
         ] = values;
@@ -182,6 +188,7 @@ impl Observe for DemandWatch<'_> {
             },
             highest_crack,
             largest_crack,
+            plastic_strain,
             bar_stress,
             bar_plastic_strain,
         };

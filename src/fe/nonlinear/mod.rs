@@ -1,8 +1,9 @@
 //! The nonlinear engine: walls that yield and crack, in large rotations, with the liquid of linear theory.
 //!
-//! [`simulate`] runs a case once; [`Strip`] is the model of an incremental analysis, [`push`] the static pushover of a cylinder.
+//! [`simulate`] runs a case once, [`Incremental`] at rising scales of its record, [`push`] is the static pushover of a cylinder.
 
 mod cylinder;
+mod incremental;
 mod laws;
 mod options;
 pub mod push;
@@ -16,8 +17,8 @@ use fem::progress::Progress;
 
 use super::{FeError, Simulation};
 
+pub use incremental::Incremental;
 pub use options::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, ThicknessRule, WallElements};
-pub use strip::Strip;
 
 /// What to think of a run in which the liquid has left the wall.
 const PARTED: &str = "The liquid has left the wall and come back. An incompressible liquid on a stiff joint exaggerates the impact, and \

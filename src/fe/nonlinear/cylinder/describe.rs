@@ -9,8 +9,8 @@ use fem::analysis::scheme::TimeScheme;
 use super::super::{Contact, Damping, NonlinearOptions};
 use super::model::CylinderModel;
 use super::watch::Watch;
-use crate::results::Labelled;
 use crate::results::nonlinear::Count;
+use crate::results::{Fact, Labelled};
 
 /// Said of a tank that the file calls unanchored.
 pub const HELD_DOWN: &str = "The tank is unanchored; the nonlinear engine clamps the base of its wall to the ground and does not let it uplift.";
@@ -37,6 +37,30 @@ pub fn cost(tank: &CylinderModel, watch: &Watch<'_>, run: &Run) -> Vec<Count> {
         count("factorisations", run.cost.factors as f64, number),
         count("evaluations of all elements", run.cost.evaluations as f64, number),
         count("looks at all material points", watch.seen.looks as f64, number),
+    ]
+}
+
+/// The model in numbers.
+pub fn facts(tank: &CylinderModel, step: f64) -> Vec<Fact> {
+    let fact = |name: &str, value: f64, dimension| Fact {
+        name: name.into(),
+        value,
+        dimension,
+    };
+    let number = Dimension::Dimensionless;
+    vec![
+        fact("shells around", tank.cells.columns() as f64, number),
+        fact("shells over the height", tank.cells.rows() as f64, number),
+        fact("sloshing modes of the liquid", tank.amplitudes.len() as f64, number),
+        fact("unknowns", tank.model.dofs().len() as f64, number),
+        fact("first sloshing mode", tank.sloshing_omega, Dimension::AngularFrequency),
+        fact(
+            "first mode of wall and liquid",
+            tank.wall_omega,
+            Dimension::AngularFrequency,
+        ),
+        fact("damping of the first mode of wall and liquid", tank.wall_ratio, number),
+        fact("longest time step", step, Dimension::Time),
     ]
 }
 

@@ -24,6 +24,8 @@ pub struct Look {
     pub bar_plastic_strain: Vec<f64>,
     /// Widest crack of each cell, on the inner and the outer face [m]: so far.
     pub crack_width: [Vec<f64>; 2],
+    /// Largest opening strain of any crack so far.
+    pub crack_strain: f64,
     /// Cracks of the inner and the outer face.
     pub cracks: [Vec<Crack>; 2],
     /// Cells in which plates pass their strength, bars their strain at rupture.
@@ -73,6 +75,8 @@ pub fn look(tank: &CylinderModel, state: &State) -> Look {
                 };
                 out.see(cell, part, p);
                 if let Part::Concrete { band, .. } = part {
+                    let strains = p.state.cracks.iter().flatten().map(|c| c.largest);
+                    out.crack_strain = strains.fold(out.crack_strain, f64::max);
                     for (face, place) in faces.iter().enumerate() {
                         if *place == Some((leaf, p.layer)) {
                             let own = cracks(cell, *band, p);
@@ -166,6 +170,7 @@ impl Look {
             raise(&mut self.crack_width[face], &later.crack_width[face]);
         }
         self.cracks.clone_from(&later.cracks);
+        self.crack_strain = self.crack_strain.max(later.crack_strain);
     }
 
     /// What has happened, with the cell where it is worst.

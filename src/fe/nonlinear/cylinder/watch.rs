@@ -123,6 +123,8 @@ pub struct Seen {
     pub first: Vec<(Happening, f64, usize)>,
     /// Number of looks.
     pub looks: usize,
+    /// Largest radial displacement of the wall at a sample, the state at rest included [m], and its time [s].
+    pub displacement: (f64, f64),
 }
 
 /// Something that happens once.
@@ -252,6 +254,18 @@ impl<'a> Watch<'a> {
         Ok(())
     }
 
+    fn displacement(&mut self, now: &Instant<'_>) {
+        let model = &self.tank.model;
+        for &node in &self.tank.wall.inner {
+            let [x, y, _] = model.nodes()[node];
+            let own = model.at_node(&now.state.committed.u, node);
+            let radial = (own[Dof::Ux.index()] * x + own[Dof::Uy.index()] * y).abs() / self.tank.radius;
+            if radial > self.seen.displacement.0 {
+                self.seen.displacement = (radial, now.time);
+            }
+        }
+    }
+
     fn pressures(&mut self, now: &Instant<'_>) {
         let fields = &now.state.committed;
         let wall = self.tank.wetted.len();
@@ -293,6 +307,7 @@ impl<'a> Watch<'a> {
             return Ok(());
         }
         self.meridians(now)?;
+        self.displacement(now);
         match (&self.tank.joints, &mut self.openings) {
             (Some(joints), Some(openings)) => openings.see(now.time, joints.look(&self.tank.model, now.state)),
             _ => self.pressures(now),

@@ -70,17 +70,6 @@ pub(super) fn facts(model: &StripModel, tank: &StripTank, step: f64) -> Vec<Fact
     ]
 }
 
-/// What an incremental analysis assumes beside that.
-pub(super) fn assumptions_of_curves() -> [String; 2] {
-    [
-        "Each number is that of the worse wall.".to_owned(),
-        format!(
-            "A curve of one record says nothing of a capacity: that needs at least {} records.",
-            fem::analysis::ida::RECORDS_FOR_CAPACITY
-        ),
-    ]
-}
-
 /// What the strip assumes, one sentence each.
 pub(super) fn assumptions(case: &Case, options: &NonlinearOptions) -> Vec<String> {
     let mut out = vec![

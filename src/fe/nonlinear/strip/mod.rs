@@ -28,7 +28,7 @@ use super::laws::unsupported;
 use super::{CheckpointFile, Contact, NonlinearOptions};
 use crate::fe::FeError;
 use crate::results::{Collapse, Fact, FirstCrack, IdaRun};
-use describe::{assumptions, assumptions_of_curves, damping, facts};
+use describe::{assumptions, damping, facts};
 use section::{course_at, levels, section};
 use simulate::wall_file;
 
@@ -159,11 +159,6 @@ impl Strip {
         Ok(levels.iter().map(|level| self.run(level)).collect())
     }
 
-    /// What a curve assumes beside the model, one sentence each.
-    pub fn assumptions_of_curves(&self) -> [String; 2] {
-        assumptions_of_curves()
-    }
-
     fn run(&self, level: &StripLevel) -> IdaRun {
         let demand = level.demand();
         let collapse = level.walls.iter().find_map(|wall| match &wall.outcome {
@@ -193,6 +188,7 @@ impl Strip {
             }),
             highest_crack: demand.highest_crack,
             largest_crack: demand.largest_crack,
+            plastic_strain: demand.plastic_strain,
             bar_stress: demand.bar_stress,
             bar_plastic_strain: demand.bar_plastic_strain,
             hysteretic_energy: a.hysteretic.max(b.hysteretic),

@@ -11,8 +11,9 @@ use codes::tank::{
 use codes::{Case, Quantity};
 use fem::progress::{Progress, Silent};
 
+use super::Strip;
 use crate::fe::harmonic::test_tanks;
-use crate::fe::nonlinear::{CheckpointFile, Contact, NonlinearOptions, Strip, WallElements, simulate};
+use crate::fe::nonlinear::{CheckpointFile, Contact, NonlinearOptions, WallElements, simulate};
 use crate::fe::{self, FeError, Simulation};
 use crate::results::nonlinear::{Columns, End, Nonlinear};
 
