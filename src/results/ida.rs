@@ -67,7 +67,7 @@ pub struct IdaRun {
     /// Why and when no equilibrium was found; the demands are then lower bounds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub collapse: Option<Collapse>,
-    /// Largest elevation of the surface at the wall, up or down [m].
+    /// Largest elevation of the surface at the wall from the state at rest, up or down [m].
     pub wave: f64,
     /// Largest deflection of the top of a strip's wall, largest radial displacement of a cylinder, the state at rest included [m].
     pub wall_displacement: f64,

@@ -75,13 +75,10 @@ impl Cylinder<'_> {
         let last = look(tank, &run.state);
         let mut worst = seen.worst.clone().unwrap_or_else(|| last.clone());
         worst.envelop(&last);
-        let largest = |k: usize| {
-            let range = &recorder.ranges[k];
-            if recorder.times.is_empty() {
-                0.0
-            } else {
-                range.max.max(-range.min)
-            }
+        // From the state at rest, in which the wall gives way and the surface settles.
+        let swing = |k: usize| match recorder.histories[k].first() {
+            Some(rest) => (recorder.ranges[k].max - rest).max(rest - recorder.ranges[k].min),
+            None => 0.0,
         };
         let most = |list: &[f64]| list.iter().copied().fold(0.0, f64::max);
         let columns = tank.cells.columns();
@@ -119,10 +116,10 @@ impl Cylinder<'_> {
             scale,
             pga: scale * pga,
             collapse,
-            wave: largest(WAVE_FRONT).max(largest(WAVE_BACK)),
+            wave: swing(WAVE_FRONT).max(swing(WAVE_BACK)),
             wall_displacement: seen.displacement.0,
             wall_displacement_time: seen.displacement.1,
-            base_moment: largest(BASE_MOMENT),
+            base_moment: swing(BASE_MOMENT),
             first_crack,
             highest_crack: highest.fold(0.0, f64::max),
             largest_crack: worst.crack_strain,
