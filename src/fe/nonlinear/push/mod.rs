@@ -227,7 +227,10 @@ fn assumptions(case: &Case, options: &NonlinearOptions) -> Vec<String> {
          liquid does not pull: on the side away from the compression impulsive and hydrostatic pressure together are never below \
          zero, so that shear and moment grow slower than the acceleration. The formulas are compared without that."
             .into(),
-        "Half the wall between planes of symmetry, clamped at its base, free at its top: a roof is mass without stiffness.".into(),
+        "Half the wall between planes of symmetry, clamped at its base, free at its top: a roof is mass without stiffness. A buckle of the \
+         edge on the side away from the compression, where no liquid presses, is that of a wall without ring or roof; a ring can be given \
+         as a course of its own."
+            .into(),
         "Steel of the material's nominal strength; the elements carry transverse shear elastically and know no tearing.".into(),
         "Waves shorter than about eight elements around the circumference are too stiff: the axisymmetric bulge at the base is \
          resolved, diamond buckles of an elastic wall are only as far as the element size in the table allows."
