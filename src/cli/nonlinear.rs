@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use fem::analysis::checkpoint::MAGIC;
+use fem::analysis::checkpoint::{CheckpointError, MAGIC, inspect};
 
 use crate::cli::Global;
 use crate::error::Error;
@@ -69,6 +69,7 @@ impl NonlinearArgs {
                     "name another file; this one is left alone",
                 );
             }
+            Some(_) if self.resume => sound(&path)?,
             _ => {}
         }
         job.checkpoint = Some(CheckpointFile {
@@ -82,6 +83,21 @@ impl NonlinearArgs {
 
 fn refuse(what: &str, help: &str) -> Result<(), Error> {
     Err(Error::Input(format!("error: {what}\n  help: {help}")))
+}
+
+/// Refuses a checkpoint from which no run can go on. Whether it is of this very run shows once the model is built.
+fn sound(path: &Path) -> Result<(), Error> {
+    match inspect(path) {
+        Ok(()) => Ok(()),
+        Err(CheckpointError::File { reason, .. }) => Err(Error::File {
+            path: path.into(),
+            what: reason,
+        }),
+        Err(fault) => refuse(
+            &format!("--resume: the checkpoint `{}` is {}", path.display(), fault.cause()),
+            "leave --resume out to begin anew, which replaces it, or name another one with --checkpoint",
+        ),
+    }
 }
 
 /// `out/` → `out.checkpoint`.
@@ -120,7 +136,7 @@ pub fn announce(job: &Job, global: &Global) {
     let shown = file.path.display();
     let every = plain(job.nonlinear.checkpoint, 0);
     let start = match (file.resume, file.path.exists()) {
-        (true, _) => format!("goes on from `{shown}`"),
+        (true, _) => format!("is to go on from `{shown}`"),
         (false, true) => format!("begins anew and replaces `{shown}` (--resume would go on from it)"),
         (false, false) => "begins".into(),
     };

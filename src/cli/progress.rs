@@ -1,10 +1,13 @@
 //! Long runs: progress with the time left on standard error, and Ctrl-C.
 //!
+//! A person at a terminal sees a bar; a file gets a line every tenth of a stage, or every minute if that is sooner.
+//!
 //! The first Ctrl-C asks the analysis to stop: it returns what it has, marked incomplete. The second ends the process
 //! at once and removes what is half-written.
 
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use fem::progress::Progress;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -37,27 +40,41 @@ pub fn listen(global: &Global, graceful: bool) {
     });
 }
 
-/// A bar on standard error, invisible unless a person watches a terminal, that also knows of Ctrl-C.
+/// Progress on standard error, that also knows of Ctrl-C.
 pub struct Watch {
+    /// Invisible unless a person watches a terminal.
     bar: ProgressBar,
+    /// For a file, unless it is to be quiet.
+    log: Option<Mutex<Log>>,
 }
 
 impl Watch {
     /// Begins with a spinner that says `what`.
     pub fn new(global: &Global, what: &'static str) -> Watch {
-        Watch {
-            bar: super::spinner(global, what),
-        }
+        let bar = super::spinner(global, what);
+        let log = (bar.is_hidden() && !global.quiet).then(|| Mutex::new(Log::new(Instant::now())));
+        Watch { bar, log }
     }
 
     /// Removes the bar.
     pub fn finish(self) {
         self.bar.finish_and_clear();
     }
+
+    fn logged<T>(&self, act: impl FnOnce(&mut Log) -> T) -> Option<T> {
+        // A thread that panicked while it counted leaves counts, which are good for progress still.
+        let mut log = self
+            .log
+            .as_ref()?
+            .lock()
+            .unwrap_or_else(|poisoned| poisoned.into_inner());
+        Some(act(&mut log))
+    }
 }
 
 impl Progress for Watch {
     fn stage(&self, name: &str, steps: u64) {
+        self.logged(|log| log.stage(name, steps, Instant::now()));
         if self.bar.is_hidden() {
             return;
         }
@@ -77,9 +94,138 @@ impl Progress for Watch {
 
     fn advance(&self, steps: u64) {
         self.bar.inc(steps);
+        if let Some(Some(line)) = self.logged(|log| log.advance(steps, Instant::now())) {
+            anstream::eprintln!("{line}");
+        }
     }
 
     fn interrupted(&self) -> bool {
         STOP.load(Ordering::Relaxed)
+    }
+}
+
+/// Shortest time between two lines: a stage of less is not worth ten.
+const LEAST: Duration = Duration::from_secs(5);
+/// Longest time between two lines, as long as steps come.
+const MOST: Duration = Duration::from_secs(60);
+
+/// Where a stage is, in lines.
+struct Log {
+    name: String,
+    steps: u64,
+    done: u64,
+    /// Steps that were there when the stage began (a resumed run), which say nothing of the pace.
+    before: Option<u64>,
+    began: Instant,
+    /// Time and tenths of the last line.
+    last: (Instant, u64),
+}
+
+impl Log {
+    fn new(now: Instant) -> Log {
+        Log {
+            name: String::new(),
+            steps: 0,
+            done: 0,
+            before: None,
+            began: now,
+            last: (now, 0),
+        }
+    }
+
+    fn stage(&mut self, name: &str, steps: u64, now: Instant) {
+        *self = Log {
+            name: name.to_owned(),
+            steps,
+            ..Log::new(now)
+        };
+    }
+
+    /// Counts; the line that is due.
+    fn advance(&mut self, steps: u64, now: Instant) -> Option<String> {
+        self.done += steps;
+        // The first count of a resumed run is what it had already; that of a run from the start is none or one.
+        let before = *self.before.get_or_insert(if steps > 1 { steps } else { 0 });
+        if self.steps <= 1 || self.done >= self.steps {
+            return None;
+        }
+        let since = now.duration_since(self.last.0);
+        let tenths = 10 * self.done / self.steps;
+        if since < LEAST || (tenths <= self.last.1 && since < MOST) {
+            return None;
+        }
+        self.last = (now, tenths);
+        let seconds = now.duration_since(self.began).as_secs_f64();
+        let own = (self.done - before).max(1);
+        let left = seconds * (self.steps - self.done) as f64 / own as f64;
+        Some(format!(
+            "{}: {} % ({} of {}), {} so far, about {} left",
+            self.name,
+            100 * self.done / self.steps,
+            self.done,
+            self.steps,
+            span(seconds),
+            span(left)
+        ))
+    }
+}
+
+/// A time as a person waits it.
+pub fn span(seconds: f64) -> String {
+    match seconds {
+        s if s < 90.0 => format!("{:.0} s", s.max(1.0)),
+        s if s < 5400.0 => format!("{:.0} min", s / 60.0),
+        s => format!("{:.1} h", s / 3600.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_gets_a_line_a_tenth_but_not_every_second() {
+        let start = Instant::now();
+        let after = |s: f64| start + Duration::from_secs_f64(s);
+        let mut log = Log::new(start);
+        log.stage("time steps", 1000, start);
+        // 100 s for 1000 steps: a tenth every ten seconds.
+        let lines: Vec<String> = (1..=1000)
+            .filter_map(|i| log.advance(1, after(0.1 * f64::from(i))))
+            .collect();
+        assert_eq!(lines.len(), 9, "{lines:#?}");
+        assert_eq!(
+            lines[0],
+            "time steps: 10 % (100 of 1000), 10 s so far, about 2 min left"
+        );
+        assert_eq!(
+            lines[8],
+            "time steps: 90 % (900 of 1000), 2 min so far, about 10 s left"
+        );
+        // Ten seconds in all: a line every five at most.
+        log.stage("quick", 1000, start);
+        let lines = (1..=1000)
+            .filter_map(|i| log.advance(1, after(0.01 * f64::from(i))))
+            .count();
+        assert_eq!(lines, 1);
+        // A step in forty seconds: a line a minute.
+        log.stage("slow", 1000, start);
+        let lines = (1..=9)
+            .filter_map(|i| log.advance(1, after(40.0 * f64::from(i))))
+            .count();
+        assert_eq!(lines, 4);
+    }
+
+    #[test]
+    fn what_a_resumed_run_had_says_nothing_of_its_pace() {
+        let start = Instant::now();
+        let mut log = Log::new(start);
+        log.stage("time steps", 1000, start);
+        assert_eq!(log.advance(500, start), None);
+        let line = (1..=100).find_map(|i| log.advance(1, start + Duration::from_millis(100 * i)));
+        assert_eq!(
+            line.as_deref(),
+            Some("time steps: 55 % (550 of 1000), 5 s so far, about 45 s left")
+        );
     }
 }

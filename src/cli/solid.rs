@@ -3,6 +3,7 @@
 use codes::Case;
 
 use crate::cli::Global;
+use crate::cli::progress::span;
 use crate::error::Error;
 use crate::fe;
 use crate::fe::solid::{Estimate, Liquid, MeshSize, SolidOptions};
@@ -109,11 +110,7 @@ pub fn announce(case: &Case, options: &fe::Options, solid: &SolidOptions, global
 
 /// "three-dimensional run: 12x16x20 elements, 11520 unknowns, about 180 MiB, about 20 s".
 fn sentence(estimate: &Estimate) -> String {
-    let time = match estimate.seconds {
-        s if s < 90.0 => format!("{:.0} s", s.max(1.0)),
-        s if s < 5400.0 => format!("{:.0} min", s / 60.0),
-        s => format!("{:.1} h", s / 3600.0),
-    };
+    let time = span(estimate.seconds);
     format!(
         "three-dimensional run: {} elements, {} unknowns, about {} MiB, about {time}",
         estimate.mesh, estimate.unknowns, estimate.memory_mib

@@ -151,7 +151,7 @@ pub enum FeError {
     #[error("{0}")]
     Analysis(String),
     /// A checkpoint that cannot be written, read or used.
-    #[error("{0}")]
+    #[error("{0}{help}", help = way_out(.0))]
     Checkpoint(#[from] CheckpointError),
     /// The user stopped the run before it had anything to show.
     #[error("interrupted during {stage}: nothing is computed yet")]
@@ -167,6 +167,17 @@ pub enum FeError {
         /// Likely cause.
         cause: String,
     },
+}
+
+/// What to do about a checkpoint that is of no use.
+fn way_out(error: &CheckpointError) -> &'static str {
+    match error {
+        CheckpointError::Unusable { .. } => {
+            "\n  help: leave --resume out to begin anew, which replaces it, or name that of the same tank file, record, options \
+             and version"
+        }
+        _ => "",
+    }
 }
 
 /// Coupled modes of the given harmonics (0, 1, 2, …), at most `count` of each kind and harmonic, by ascending frequency.

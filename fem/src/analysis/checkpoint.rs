@@ -33,21 +33,19 @@ pub enum CheckpointError {
         reason: String,
     },
     /// No checkpoint.
-    #[error("checkpoint: the file begins with {found:?}, allowed {:?}", MAGIC)]
+    #[error("no checkpoint: it does not begin as one")]
     Magic {
         /// First bytes.
         found: Vec<u8>,
     },
     /// Of another version of the program.
-    #[error("checkpoint: format version {found}, allowed {VERSION}")]
+    #[error("written by another version of the program: format {found}, this one reads format {VERSION}")]
     Version {
         /// Version found.
         found: u32,
     },
     /// Of another model, other settings or another record.
-    #[error(
-        "checkpoint: fingerprint {found:016x}, allowed {allowed:016x}: it belongs to another model, settings or records"
-    )]
+    #[error("of another run: the tank, the record, an option or the program has changed since it was written")]
     Fingerprint {
         /// Fingerprint found.
         found: u64,
@@ -55,7 +53,7 @@ pub enum CheckpointError {
         allowed: u64,
     },
     /// Truncated or longer than it should be.
-    #[error("checkpoint: {found} bytes, allowed {allowed}")]
+    #[error("{}: it has {found} bytes instead of {allowed}", if found < allowed { "truncated" } else { "longer than what was written" })]
     Length {
         /// Bytes found.
         found: u64,
@@ -63,7 +61,7 @@ pub enum CheckpointError {
         allowed: u64,
     },
     /// Damaged.
-    #[error("checkpoint: checksum {found:016x}, allowed {allowed:016x}: the file is damaged")]
+    #[error("damaged: its content does not fit its checksum")]
     Checksum {
         /// Checksum found.
         found: u64,
@@ -71,7 +69,7 @@ pub enum CheckpointError {
         allowed: u64,
     },
     /// A payload that does not fit the analysis.
-    #[error("checkpoint: {what} has {found} entries, allowed {allowed}")]
+    #[error("damaged: {what} has {found} entries instead of {allowed}")]
     Shape {
         /// Part of the payload.
         what: &'static str,
@@ -80,6 +78,91 @@ pub enum CheckpointError {
         /// Entries allowed.
         allowed: usize,
     },
+    /// A file from which this analysis cannot go on.
+    #[error("checkpoint {path} cannot be used: {cause}")]
+    Unusable {
+        /// File.
+        path: String,
+        /// What is wrong with it.
+        cause: Box<CheckpointError>,
+    },
+}
+
+impl CheckpointError {
+    /// The same with the file that it is about.
+    pub fn of(self, path: &Path) -> CheckpointError {
+        match self {
+            CheckpointError::File { .. } | CheckpointError::Unusable { .. } => self,
+            cause => CheckpointError::Unusable {
+                path: path.display().to_string(),
+                cause: Box::new(cause),
+            },
+        }
+    }
+
+    /// What is wrong, without the file.
+    pub fn cause(&self) -> &CheckpointError {
+        match self {
+            CheckpointError::Unusable { cause, .. } => cause,
+            other => other,
+        }
+    }
+}
+
+/// Looks whether a file is a sound checkpoint of this version, of whatever analysis.
+///
+/// Errors: the file system's; no checkpoint, of another version, truncated, damaged.
+pub fn inspect(path: &Path) -> Result<(), CheckpointError> {
+    read(path).map(|_| ()).map_err(|e| e.of(path))
+}
+
+/// Fingerprint and payload of a sound file.
+fn read(path: &Path) -> Result<(u64, Vec<u8>), CheckpointError> {
+    let failed = |e: std::io::Error| CheckpointError::File {
+        path: path.display().to_string(),
+        reason: e.to_string(),
+    };
+    let mut all = Vec::new();
+    File::open(path)
+        .map_err(failed)?
+        .read_to_end(&mut all)
+        .map_err(failed)?;
+    if !all.starts_with(&MAGIC) {
+        let found = all[..all.len().min(MAGIC.len())].to_vec();
+        return Err(CheckpointError::Magic { found });
+    }
+    let size = all.len() as u64;
+    // Whatever is missing of a head that ends early.
+    let short = |_| CheckpointError::Length {
+        found: size,
+        allowed: HEAD as u64 + 8,
+    };
+    let mut head = Reader {
+        bytes: all,
+        at: MAGIC.len(),
+    };
+    let version = u32::from_le_bytes(head.take("version").map_err(short)?);
+    if version != VERSION {
+        return Err(CheckpointError::Version { found: version });
+    }
+    let fingerprint = u64::from_le_bytes(head.take("fingerprint").map_err(short)?);
+    let length = u64::from_le_bytes(head.take("length").map_err(short)?);
+    let allowed = length.saturating_add(HEAD as u64 + 8);
+    if size != allowed {
+        return Err(CheckpointError::Length { found: size, allowed });
+    }
+    let payload = head.bytes[HEAD..HEAD + length as usize].to_vec();
+    head.at = HEAD + length as usize;
+    let found = u64::from_le_bytes(head.take("checksum")?);
+    let mut hash = Hash::default();
+    hash.bytes(&payload);
+    if found != hash.value() {
+        return Err(CheckpointError::Checksum {
+            found,
+            allowed: hash.value(),
+        });
+    }
+    Ok((fingerprint, payload))
 }
 
 /// FNV-1a over bytes.
@@ -194,51 +277,16 @@ pub struct Reader {
 impl Reader {
     /// Opens a file of this analysis.
     ///
-    /// Errors: the file system's; no checkpoint, of another version, of another analysis, truncated, damaged.
+    /// Errors: the file system's; no checkpoint, of another version, truncated, damaged, of another analysis.
     pub fn open(path: &Path, fingerprint: u64) -> Result<Reader, CheckpointError> {
-        let failed = |e: std::io::Error| CheckpointError::File {
-            path: path.display().to_string(),
-            reason: e.to_string(),
-        };
-        let mut all = Vec::new();
-        File::open(path)
-            .map_err(failed)?
-            .read_to_end(&mut all)
-            .map_err(failed)?;
-        if !all.starts_with(&MAGIC) {
-            let found = all[..all.len().min(MAGIC.len())].to_vec();
-            return Err(CheckpointError::Magic { found });
-        }
-        let mut head = Reader { bytes: all, at: 8 };
-        let version = u32::from_le_bytes(head.take("version")?);
-        if version != VERSION {
-            return Err(CheckpointError::Version { found: version });
-        }
-        let found = u64::from_le_bytes(head.take("fingerprint")?);
+        let (found, bytes) = read(path)?;
         if found != fingerprint {
             return Err(CheckpointError::Fingerprint {
                 found,
                 allowed: fingerprint,
             });
         }
-        let length = u64::from_le_bytes(head.take("length")?);
-        let size = head.bytes.len() as u64;
-        let allowed = length.saturating_add(HEAD as u64 + 8);
-        if size != allowed {
-            return Err(CheckpointError::Length { found: size, allowed });
-        }
-        let payload = head.bytes[HEAD..HEAD + length as usize].to_vec();
-        head.at = HEAD + length as usize;
-        let found = u64::from_le_bytes(head.take("checksum")?);
-        let mut hash = Hash::default();
-        hash.bytes(&payload);
-        if found != hash.value() {
-            return Err(CheckpointError::Checksum {
-                found,
-                allowed: hash.value(),
-            });
-        }
-        Ok(Reader { bytes: payload, at: 0 })
+        Ok(Reader { bytes, at: 0 })
     }
 
     fn take<const N: usize>(&mut self, what: &'static str) -> Result<[u8; N], CheckpointError> {

@@ -87,7 +87,10 @@ impl<'a> Driver<'a> {
         let file = settings.checkpoint.as_ref();
         let resumed = match file {
             Some(c) if c.resume && c.path.exists() => {
-                self.restore(&c.path, observers)?;
+                self.restore(&c.path, observers).map_err(|error| match error {
+                    AnalysisError::Checkpoint(fault) => AnalysisError::Checkpoint(fault.of(&c.path)),
+                    other => other,
+                })?;
                 true
             }
             _ => false,

@@ -375,7 +375,11 @@ fn resumed_march_is_the_same() {
     let refused = |problem: Problem<'_>, load: &Load, settings: &Settings| {
         let mut recorder = Recorder::new(vec![top(problem), base_shear(problem)]);
         match march(problem, load, settings, &mut [&mut recorder], &Silent) {
-            Err(AnalysisError::Checkpoint(error)) => error,
+            Err(AnalysisError::Checkpoint(error)) => {
+                // Whatever is wrong, the file is named.
+                assert!(error.to_string().contains(&path.display().to_string()), "{error}");
+                error.cause().clone()
+            }
             other => panic!("{:?}", other.map(|r| r.outcome)),
         }
     };
@@ -405,7 +409,7 @@ fn resumed_march_is_the_same() {
     broken[8] = 9;
     fs::write(&path, &broken).unwrap();
     let text = refused(problem, &load, &settings).to_string();
-    assert!(text.contains("version 9, allowed 1"), "{text}");
+    assert!(text.contains("format 9, this one reads format 2"), "{text}");
     fs::write(&path, b"something else").unwrap();
     assert!(matches!(
         refused(problem, &load, &settings),

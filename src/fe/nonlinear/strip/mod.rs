@@ -16,6 +16,7 @@ use std::sync::Arc;
 
 use codes::Case;
 use codes::tank::Shape;
+use fem::analysis::AnalysisError;
 use fem::analysis::march::Outcome;
 use fem::analysis::newton::Options;
 use fem::analysis::scheme::TimeScheme;
@@ -54,7 +55,10 @@ pub struct Strip {
 }
 
 fn failed(error: impl Into<StripError>) -> FeError {
-    FeError::Analysis(error.into().to_string())
+    match error.into() {
+        StripError::Analysis(AnalysisError::Checkpoint(fault)) => FeError::Checkpoint(fault),
+        other => FeError::Analysis(other.to_string()),
+    }
 }
 
 impl Strip {
