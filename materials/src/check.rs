@@ -22,7 +22,7 @@ pub(crate) fn within(
     if value >= low && value <= high {
         Ok(value)
     } else {
-        let allowed = format!("from {} to {}", low, found(high, unit));
+        let allowed = format!("from {} to {}", digits(low), found(high, unit));
         Err(refuse(law, parameter, found(value, unit), &allowed))
     }
 }
@@ -38,16 +38,40 @@ pub(crate) fn below(
     if value >= low && value < high {
         Ok(value)
     } else {
-        let allowed = format!("at least {} and below {}", low, found(high, unit));
+        let allowed = format!("at least {} and below {}", digits(low), found(high, unit));
         Err(refuse(law, parameter, found(value, unit), &allowed))
     }
 }
 
 /// A value with its unit.
-fn found(value: f64, unit: &str) -> String {
+pub(crate) fn found(value: f64, unit: &str) -> String {
     if unit.is_empty() {
-        value.to_string()
+        digits(value)
     } else {
-        format!("{value} {unit}")
+        format!("{} {unit}", digits(value))
+    }
+}
+
+/// A number to four digits.
+pub(crate) fn digits(value: f64) -> String {
+    // What Rust writes it reads; a number that is none stays itself.
+    let rounded = format!("{value:.3e}").parse::<f64>().unwrap_or(value);
+    format!("{rounded}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_have_four_digits() {
+        for (value, text) in [
+            (0.872_664_625_997_164_8, "0.8727 m"),
+            (38e6, "38000000 m"),
+            (2.0, "2 m"),
+            (f64::NAN, "NaN m"),
+        ] {
+            assert_eq!(found(value, "m"), text);
+        }
     }
 }

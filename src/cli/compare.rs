@@ -13,6 +13,7 @@ use crate::cli::{Format, Global, nonlinear, solid};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::fe::{FeError, Integrator};
 use crate::job::{Engines, Job};
+use crate::fe::nonlinear::scope::Purpose;
 use crate::pipeline::{self, Outcome, OutputFolder};
 use crate::report;
 use crate::results::{self, Limit, Method, Results, Series, Status, vtu};
@@ -103,7 +104,8 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
                 .into(),
         ));
     }
-    let mut job = args.inputs.job()?;
+    let purpose = (args.fe == Engine::Nonlinear).then_some(Purpose::History);
+    let mut job = args.inputs.job(purpose)?;
     choose(&mut job, &args)?;
     progress::listen(global, job.engines != Engines::Harmonic);
     if let (Some(options), true) = (&job.fe, job.engines.solid()) {

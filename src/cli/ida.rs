@@ -8,6 +8,7 @@ use crate::cli::progress::{self, Watch};
 use crate::cli::table::Table;
 use crate::cli::{Format, Global, print, stamp};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
+use crate::fe::nonlinear::scope::Purpose;
 use crate::ida;
 use crate::job::{Engines, IdaJob};
 use crate::report::{self, number::significant};
@@ -114,7 +115,7 @@ impl Args {
             reading: self.reading.clone(),
             procedures: None,
         };
-        let mut job = inputs.job()?;
+        let mut job = inputs.job(Some(Purpose::History))?;
         job.engines = Engines::Nonlinear;
         Ok(IdaJob {
             job,

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use codes::case::GroundMotion;
 
 use crate::error::Error;
+use crate::fe::nonlinear::scope::Purpose;
 use crate::input::{self, records};
 use crate::job::{Engines, Job};
 use crate::results::SourceFile;
@@ -29,8 +30,13 @@ pub struct Inputs {
 
 impl Inputs {
     /// Reads everything; the job's finite-element options are those of the tank file.
-    pub fn job(&self) -> Result<Job, Error> {
+    ///
+    /// * `nonlinear`: what will be asked of the nonlinear engine, if anything; a file that it cannot run is refused
+    pub fn job(&self, nonlinear: Option<Purpose>) -> Result<Job, Error> {
         let tank = input::read_tank(&self.tank)?;
+        if let Some(purpose) = nonlinear {
+            tank.fits(purpose)?;
+        }
         for remark in &tank.remarks {
             anstream::eprintln!("note: {remark}");
         }

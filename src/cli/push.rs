@@ -9,6 +9,7 @@ use crate::cli::table::Table;
 use crate::cli::{Format, Global, print, stamp};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::fe::nonlinear::push::{Amplitude, Form, NoSteel, PushOptions, Quality};
+use crate::fe::nonlinear::scope::Purpose;
 use crate::job::{Engines, PushJob};
 use crate::push;
 use crate::report;
@@ -125,7 +126,7 @@ impl Args {
             reading: Reading::default(),
             procedures: None,
         };
-        let mut job = inputs.job()?;
+        let mut job = inputs.job(Some(Purpose::Pushover))?;
         job.engines = Engines::Nonlinear;
         if let (tank::Shape::Cylinder { .. }, Some(no_steel)) = (job.case.tank.shape, NoSteel::of(&job.case)) {
             let file = job.files.first().map_or("tank", |f| f.name.as_str());

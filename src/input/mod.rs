@@ -9,7 +9,10 @@ use std::path::Path;
 use codes::Case;
 
 use crate::error::Error;
+use crate::fe::nonlinear::scope::{self, Purpose};
 use crate::results::InputValue;
+use diagnostic::{Faults, Source};
+use tank::Places;
 
 /// `tank.json`, resolved.
 #[derive(Clone, Debug)]
@@ -32,6 +35,32 @@ pub struct TankFile {
     pub remarks: Vec<String>,
     /// SHA-256 of the file.
     pub sha256: String,
+    /// Its text.
+    pub source: Source,
+    /// Places in it that the nonlinear engine may object to.
+    pub places: Places,
+}
+
+impl TankFile {
+    /// Whether the nonlinear engine can run this file.
+    ///
+    /// Errors: all that it refuses, each with its place.
+    pub fn fits(&self, purpose: Purpose) -> Result<(), Error> {
+        let faults = self.refused(purpose);
+        match faults.is_empty() {
+            true => Ok(()),
+            false => Err(faults.into_error(&self.source)),
+        }
+    }
+
+    /// What the nonlinear engine refuses of this file.
+    pub fn refused(&self, purpose: Purpose) -> Faults {
+        let mut faults = Faults::new();
+        for refusal in scope::refusals(&self.case, &self.nonlinear, purpose) {
+            faults.push(self.places.fault(&refusal));
+        }
+        faults
+    }
 }
 
 /// Reads and resolves a tank file (`-` reads standard input). All faults are reported at once in [`Error::Input`].

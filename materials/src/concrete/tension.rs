@@ -23,7 +23,7 @@
 //! Source: Bažant & Oh 1983 (energy and size), Rots 1988 (crack strain, secant unloading).
 
 use super::SIZE_MARGIN;
-use crate::check::positive;
+use crate::check::{found, positive};
 use crate::{LawError, refuse};
 
 /// How the traction of a crack falls.
@@ -98,7 +98,7 @@ impl Traction {
                     return Err(refuse(
                         law,
                         "size",
-                        format!("{size} m"),
+                        found(size, "m"),
                         &format!("at most {bound:.4} m (0.98 E G_f/f_t²: a larger element snaps back when it cracks)"),
                     ));
                 }

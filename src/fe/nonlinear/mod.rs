@@ -7,6 +7,7 @@ mod incremental;
 mod laws;
 mod options;
 pub mod push;
+pub mod scope;
 mod strip;
 
 use std::path::PathBuf;

@@ -19,6 +19,7 @@ use crate::error::Error;
 use crate::input::TankFile;
 use crate::input::diagnostic::{Faults, Source};
 
+pub use resolve::Places;
 pub use schema::json_schema;
 
 /// See [`crate::input::read_tank`].
@@ -42,7 +43,10 @@ pub fn parse(source: &Source) -> Result<TankFile, Faults> {
         resolve::resolve(&file, &mut faults)
     });
     match file {
-        Some(file) if faults.is_empty() => Ok(file),
+        Some(file) if faults.is_empty() => Ok(TankFile {
+            source: source.clone(),
+            ..file
+        }),
         _ => Err(faults),
     }
 }

@@ -22,7 +22,7 @@
 //! stiffness up again; below x ≈ 0.3 it would make unloading stiffer than the first loading. With them the unloading
 //! modulus only falls, and the dissipation D(s) = ∫σ ds − ½ σ (s − s_p) only grows.
 
-use crate::check::positive;
+use crate::check::{found, positive};
 use crate::{LawError, refuse};
 
 /// Stress that is left of f_c after crushing.
@@ -108,7 +108,7 @@ impl Envelope {
                     return Err(refuse(
                         law,
                         "size",
-                        format!("{size} m"),
+                        found(size, "m"),
                         &format!(
                             "at most {bound:.4} m (0.98 E G_c/(0.48 f_c²): a longer zone snaps back when it crushes)"
                         ),

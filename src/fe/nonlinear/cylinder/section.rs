@@ -88,7 +88,10 @@ pub fn row(layers: &[Layer], element: [f64; 2], integration: &Integration) -> Re
     }
 }
 
-fn interlayer(layer: &Layer) -> Result<Between, FeError> {
+/// Law of the layer between two shells.
+///
+/// Errors: one that the engine does not model.
+pub fn interlayer(layer: &Layer) -> Result<Between, FeError> {
     let material = &layer.material;
     let law = match material.behaviour {
         Behaviour::Interlayer(i) if i.e_parallel == 0.0 && i.shear_modulus == 0.0 => match i.tension {
@@ -204,7 +207,10 @@ fn plane_law(
     })
 }
 
-fn plane_concrete(
+/// Law of concrete in plane stress in a cell of [length, height] `element` [m].
+///
+/// Errors: a law that shells do not have; parameters out of range.
+pub fn plane_concrete(
     concrete: &Concrete,
     young: f64,
     nu: f64,

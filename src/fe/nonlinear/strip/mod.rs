@@ -5,7 +5,7 @@
 mod describe;
 mod modes;
 mod report;
-mod section;
+pub(super) mod section;
 mod simulate;
 mod walls;
 
@@ -38,7 +38,7 @@ pub(super) use simulate::simulate;
 /// Sloshing modes of the condensed liquid: the tenth holds 1e-4 of the liquid's mass.
 const SLOSHING_MODES: usize = 12;
 /// Elements over the wall unless the user says otherwise.
-const ELEMENTS: u32 = 40;
+pub(super) const ELEMENTS: u32 = 40;
 /// Steps of the time integration in a period of the first mode of wall and liquid.
 const STEPS_PER_PERIOD: f64 = 20.0;
 

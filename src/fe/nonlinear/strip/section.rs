@@ -18,7 +18,7 @@ use crate::fe::FeError;
 const NEGLIGIBLE: f64 = 1e-2;
 
 /// Nodes over the wall: every joint of the courses and the surface is one, elements of nearly equal length.
-pub(super) fn levels(case: &Case, elements: u32) -> Vec<f64> {
+pub(in crate::fe::nonlinear) fn levels(case: &Case, elements: u32) -> Vec<f64> {
     let mut marks = vec![0.0, case.liquid.fill_height];
     let mut top = 0.0;
     for course in &case.tank.courses {
@@ -51,7 +51,7 @@ pub(super) fn course_at(case: &Case, z: f64) -> &Course {
 /// The leaf of a wall that bends: the stiffest one between interlayers.
 ///
 /// Errors: a wall without layers, or with two leaves of similar stiffness.
-pub(super) fn main_leaf(layers: &[Layer]) -> Result<&[Layer], FeError> {
+pub(in crate::fe::nonlinear) fn main_leaf(layers: &[Layer]) -> Result<&[Layer], FeError> {
     let leaves: Vec<&[Layer]> = layers.split(|l| l.kind == LayerKind::Interlayer).collect();
     let stiffness = |leaf: &[Layer]| -> f64 {
         let height: f64 = leaf.iter().map(|l| l.thickness).sum();
@@ -75,7 +75,11 @@ pub(super) fn main_leaf(layers: &[Layer]) -> Result<&[Layer], FeError> {
 
 /// Section of a wall of 1 m breadth on an element of length `element` [m]: the leaf that carries the bending, the others as
 /// mass.
-pub(super) fn section(layers: &[Layer], element: f64, options: &NonlinearOptions) -> Result<FibreSection, FeError> {
+pub(in crate::fe::nonlinear) fn section(
+    layers: &[Layer],
+    element: f64,
+    options: &NonlinearOptions,
+) -> Result<FibreSection, FeError> {
     let main = main_leaf(layers)?;
     let mass = |layers: &[Layer]| -> f64 { layers.iter().map(|l| l.material.density * l.thickness).sum() };
     let beam_error = |e: fem::element::ElementError| failed(e);

@@ -6,6 +6,7 @@ mod grades;
 mod materials;
 mod nonlinear;
 mod options;
+mod places;
 mod site;
 mod tank;
 mod wall;
@@ -13,11 +14,13 @@ mod wall;
 use codes::case::Case;
 use codes::units::{Dimension, display_in, in_unit, unit_for};
 
+pub use places::Places;
+
 use super::read::Field;
 use super::schema;
 use super::values::{Acceleration, Si};
 use crate::input::TankFile;
-use crate::input::diagnostic::{Fault, Faults};
+use crate::input::diagnostic::{Fault, Faults, Source};
 use crate::results::InputValue;
 
 /// Resolves the file; `None` (or any fault) if it gives no case.
@@ -75,6 +78,8 @@ pub(super) fn resolve(file: &schema::TankFile, faults: &mut Faults) -> Option<Ta
         nonlinear,
         remarks,
         sha256: String::new(),
+        source: Source::new("", ""),
+        places: Places::of(file),
     })
 }
 

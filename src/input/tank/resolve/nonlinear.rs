@@ -1,11 +1,11 @@
 //! Options of the nonlinear engine.
 
 use codes::case;
-use codes::tank::{Behaviour, Course, Layer, Shape, Tank};
-use codes::units::{Dimension, display};
+use codes::tank::{Shape, Tank};
 
 use super::options::{RATIO, rayleigh};
 use super::{Limits, Resolver, range_fault};
+use crate::fe::nonlinear::scope::{MOST_ROWS, MOST_SECTORS};
 use crate::fe::nonlinear::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, WallElements};
 use crate::input::tank::read::Field;
 use crate::input::tank::schema;
@@ -112,7 +112,6 @@ pub(super) fn nonlinear(
         "60 s",
         "at most a minute of computing is lost",
     );
-    fits_mesh(r, given.elements.as_ref(), tank, options.elements);
     options
 }
 
@@ -145,7 +144,7 @@ fn elements(
         return None;
     };
     let given = field.value.as_ref()?;
-    let height = count(r, &given.height, 1, 1000);
+    let height = count(r, &given.height, 1, MOST_ROWS);
     let strip = tank.map(|t| matches!(t.shape, Shape::Rectangle { strip: true, .. }));
     let circumference = match (&given.circumference, strip) {
         (Some(field), Some(true)) => {
@@ -156,13 +155,13 @@ fn elements(
             ));
             1
         }
-        (Some(field), _) => count(r, field, 8, 4000),
+        (Some(field), _) => count(r, field, 8, MOST_SECTORS),
         (None, Some(false)) => {
             r.faults.push(
                 range_fault(
                     field,
                     "the key `circumference` is missing",
-                    "a whole number from 8 to 4000",
+                    &format!("a whole number from 8 to {MOST_SECTORS}"),
                 )
                 .found("height alone")
                 .help("add \"circumference\": 64"),
@@ -265,58 +264,5 @@ fn damping(
             ));
             default
         }
-    }
-}
-
-/// No element is so large that a crack in it snaps back, in the mesh that the file asks for.
-fn fits_mesh(
-    r: &mut Resolver<'_>,
-    field: Option<&Field<schema::Elements>>,
-    tank: Option<&Tank>,
-    elements: Option<WallElements>,
-) {
-    let (Some(tank), Some(elements), Some(given)) = (tank, elements, field.and_then(|f| f.value.as_ref())) else {
-        return;
-    };
-    let layers: Vec<Layer> = tank.courses.iter().flat_map(Course::build_up).collect();
-    let smallest = layers
-        .iter()
-        .filter_map(|layer| match layer.material.behaviour {
-            Behaviour::Concrete(c) => Some((c, c.largest_element(layer.material.youngs_modulus), &layer.material)),
-            _ => None,
-        })
-        .min_by(|a, b| a.1.total_cmp(&b.1));
-    let Some((concrete, largest, material)) = smallest else {
-        return;
-    };
-    let strip = matches!(tank.shape, Shape::Rectangle { strip: true, .. });
-    let directions = [
-        (Some(&given.height), tank.wall_height(), elements.height),
-        (
-            given.circumference.as_ref().filter(|_| !strip),
-            tank.perimeter(),
-            elements.circumference,
-        ),
-    ];
-    for (field, length, n) in directions {
-        let size = length / f64::from(n);
-        let (Some(field), 1..) = (field, n) else { continue };
-        // A crack spacing within the bound mends it; a size that is not known (NaN) is no second fault.
-        if concrete.band(size) <= largest || size.is_nan() || largest.is_nan() {
-            continue;
-        }
-        let needed = (length / largest).ceil();
-        let allowed = format!(
-            "elements of at most {} (0.98 E·G_f/f_t²): {needed} or more",
-            display(largest, Dimension::Length)
-        );
-        let message = format!(
-            "the softening of `{}` is too steep for elements of {}: a crack would snap back",
-            material.name,
-            display(size, Dimension::Length)
-        );
-        r.faults.push(
-            range_fault(field, &message, &allowed).help("more elements, a larger fracture_energy, or a crack_spacing"),
-        );
     }
 }
