@@ -19,7 +19,8 @@ use serde::{Deserialize, Serialize};
 
 pub use fields::{DeformedShape, Fields, Picture, WallMap};
 pub use ida::{
-    Collapse, Fact, FirstCrack, IDA_FILE, IDA_FORMAT, IDA_PARTIAL_FILE, Ida, IdaRun, ida_csv, read_ida, write_ida,
+    Collapse, Fact, FirstCrack, IDA_FILE, IDA_FORMAT, IDA_PARTIAL_FILE, Ida, IdaRun, LiquidParting, ida_csv, read_ida,
+    write_ida,
 };
 pub use push::{
     Capacity, Imperfection, PUSH_FILE, PUSH_FORMAT, Push, PushLimit, PushMeridian, PushPoint, PushShell, read_push,

@@ -86,6 +86,9 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
                 );
             }
         }
+        for sentence in report::ida::partings(&found) {
+            anstream::eprintln!("note: {sentence}");
+        }
         if found.incomplete {
             anstream::eprintln!("incomplete: the same command with --resume goes on");
         }

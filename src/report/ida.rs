@@ -11,6 +11,7 @@ use crate::report::figure::chart::{Axis, Chart, Line, Mark};
 use crate::report::figure::{Figure, HALF, Room};
 use crate::report::number::{Scale, fixed, significant, with_unit};
 use crate::report::table::{Column, Table};
+use crate::results::nonlinear::PARTED;
 use crate::results::{Ida, IdaRun};
 
 /// A demand that is drawn.
@@ -163,6 +164,7 @@ pub fn table(ida: &Ida) -> Table {
     let moment = of(ida.moment, |r| r.base_moment);
     let stress = of(Dimension::Stress, |r| r.bar_stress);
     let cracks = ida.runs.iter().any(|r| r.first_crack.is_some());
+    let parts = ida.runs.iter().any(|r| r.parting.is_some());
     let bars = ida.runs.iter().any(|r| r.bar_stress > 0.0);
     let plastic = ida.runs.iter().any(|r| r.plastic_strain > 0.0);
     let mut columns = vec![
@@ -177,6 +179,10 @@ pub fn table(ida: &Ida) -> Table {
         columns.push(Column::numbers("First crack at", "s"));
         columns.push(Column::numbers("with base moment", moment.symbol()));
         columns.push(Column::numbers("Highest crack", "m"));
+    }
+    if parts {
+        columns.push(Column::numbers("Liquid parts at", "s"));
+        columns.push(Column::numbers("at the height", "m"));
     }
     if bars {
         columns.push(Column::numbers("Bar stress", stress.symbol()));
@@ -207,6 +213,10 @@ pub fn table(ida: &Ida) -> Table {
             row.push(crack(&|_, m| moment.text(m)));
             row.push(fixed(run.highest_crack, 2));
         }
+        if parts {
+            row.push(run.parting.map_or("–".to_owned(), |p| fixed(p.time, 2)));
+            row.push(run.parting.map_or("–".to_owned(), |p| fixed(p.height, 2)));
+        }
         if bars {
             row.push(stress.text(run.bar_stress));
         }
@@ -219,6 +229,27 @@ pub fn table(ida: &Ida) -> Table {
         table.row(row);
     }
     table
+}
+
+/// What to think of runs in which the liquid parts from a wall, or would, one sentence each.
+pub fn partings(ida: &Ida) -> Vec<String> {
+    let first = |open: bool| {
+        let runs = ida.runs.iter().filter(|r| r.parting.is_some_and(|p| p.open == open));
+        runs.min_by(|a, b| a.scale.total_cmp(&b.scale))
+    };
+    let from = |run: &IdaRun| format!("From the scale {} on", significant(run.scale, 4));
+    let mut out = Vec::new();
+    if let Some(run) = first(false) {
+        out.push(format!(
+            "{} the pressure of the liquid falls below that of the air under the surface: it would part from the wall where air \
+             can enter, and the model keeps it there. `contact`: `opening` lets it go.",
+            from(run)
+        ));
+    }
+    if let Some(run) = first(true) {
+        out.push(format!("{}: {PARTED}", from(run)));
+    }
+    out
 }
 
 /// The page with its figures.
@@ -249,6 +280,7 @@ pub fn report(ida: &Ida) -> Result<Report, Error> {
     page.insert("files", &super::files(&ida.files));
     page.insert("assumptions", &ida.assumptions);
     page.insert("collapses", &collapses);
+    page.insert("partings", &partings(ida));
     page.insert("figures", &views);
     page.insert("version", &ida.volatile.version);
     page.insert("created", &ida.volatile.created);

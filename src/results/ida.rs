@@ -78,6 +78,9 @@ pub struct IdaRun {
     /// The first crack.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub first_crack: Option<FirstCrack>,
+    /// When the liquid first parts from a wall, or would if the model let it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub parting: Option<LiquidParting>,
     /// Height of the highest crack [m]; 0 without any.
     pub highest_crack: f64,
     /// Largest opening strain of a crack.
@@ -121,6 +124,18 @@ pub struct FirstCrack {
     pub base_moment: f64,
 }
 
+/// Where and when the liquid first parts from a wall.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LiquidParting {
+    /// Time [s].
+    pub time: f64,
+    /// Height above the base [m].
+    pub height: f64,
+    /// Whether it has left the wall; otherwise the model keeps it there though the pressure of the displaced particle is below
+    /// that of the air, at a height that stays under the surface.
+    pub open: bool,
+}
+
 /// Reads the results of an analysis from `path`.
 ///
 /// Errors: an unreadable file, text that is not JSON, another format version.
@@ -146,13 +161,13 @@ pub fn ida_csv(ida: &Ida) -> String {
     let mut text = format!(
         "scale,pga_m_s2,collapse_time_s,wave_m,wall_displacement_m,base_moment_nm{per},first_crack_time_s,\
          first_crack_moment_nm{per},highest_crack_m,largest_crack,plastic_strain,bar_stress_pa,bar_plastic_strain,wall_damping,\
-         halvings,energy_residual\n",
+         halvings,energy_residual,parting_time_s,parting_height_m\n",
     );
     let option = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:.6}"));
     for run in &ida.runs {
         let _ = writeln!(
             text,
-            "{:.6},{:.6},{},{:.6e},{:.6e},{:.6e},{},{},{:.4},{:.4e},{:.4e},{:.6e},{:.4e},{:.6e},{},{:.2e}",
+            "{:.6},{:.6},{},{:.6e},{:.6e},{:.6e},{},{},{:.4},{:.4e},{:.4e},{:.6e},{:.4e},{:.6e},{},{:.2e},{},{}",
             run.scale,
             run.pga,
             option(run.collapse.as_ref().map(|c| c.time)),
@@ -168,7 +183,9 @@ pub fn ida_csv(ida: &Ida) -> String {
             run.bar_plastic_strain,
             run.wall_damping,
             run.halvings,
-            run.energy_residual
+            run.energy_residual,
+            option(run.parting.map(|p| p.time)),
+            option(run.parting.map(|p| p.height))
         );
     }
     text
@@ -200,6 +217,11 @@ mod tests {
                     time: 2.5,
                     height: 0.1,
                     base_moment: 5.3e4,
+                }),
+                parting: Some(LiquidParting {
+                    time: 3.1,
+                    height: 4.6,
+                    open: false,
                 }),
                 highest_crack: 0.4,
                 largest_crack: 1e-3,
@@ -234,6 +256,6 @@ mod tests {
     fn a_line_has_a_number_a_column() {
         let text = ida_csv(&sample());
         let counts: Vec<usize> = text.lines().map(|l| l.split(',').count()).collect();
-        assert_eq!(counts, [16, 16]);
+        assert_eq!(counts, [18, 18]);
     }
 }

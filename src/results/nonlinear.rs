@@ -6,6 +6,11 @@
 use codes::units::Dimension;
 use serde::{Deserialize, Serialize};
 
+/// What to think of a run in which the liquid has left the wall.
+pub const PARTED: &str = "The liquid has left the wall and come back. An incompressible liquid on a stiff joint exaggerates the impact, and \
+                      a liquid parts from a tight wall near -98 kPa, not at the pressure of the air: forces and stresses after the \
+                      first opening are no design values.";
+
 /// A nonlinear run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Nonlinear {

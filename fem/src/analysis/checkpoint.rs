@@ -17,7 +17,7 @@ use std::path::Path;
 /// First bytes of a file.
 pub const MAGIC: [u8; 8] = *b"TANKSTOP";
 /// Version of the format.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 /// Bytes before the payload.
 const HEAD: usize = 8 + 4 + 8 + 8;
 

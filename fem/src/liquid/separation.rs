@@ -293,6 +293,50 @@ impl Openings {
     }
 }
 
+/// Where and when the liquid first parts from its wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parting {
+    /// Time [s].
+    pub time: f64,
+    /// Height [m].
+    pub height: f64,
+    /// Whether it has left the wall; otherwise the model keeps it there though the pressure of the displaced particle is below
+    /// that of the air, at a height that stays under the surface.
+    pub open: bool,
+}
+
+impl Parting {
+    /// The earliest of what was seen so far: where the liquid may leave the wall, of its openings; otherwise of the places below
+    /// the trough where the check fails.
+    pub fn first(check: &SeparationCheck, openings: Option<&Openings>) -> Option<Parting> {
+        let all: Vec<Parting> = match openings {
+            Some(openings) => {
+                let of = |p: &Opening| Parting {
+                    time: p.first,
+                    height: p.height,
+                    open: true,
+                };
+                openings.places().iter().map(of).collect()
+            }
+            None => {
+                let of = |p: &Place| Parting {
+                    time: p.first,
+                    height: p.height,
+                    open: false,
+                };
+                check
+                    .result()
+                    .places
+                    .iter()
+                    .filter(|p| p.below_trough)
+                    .map(of)
+                    .collect()
+            }
+        };
+        all.into_iter().min_by(|a, b| a.time.total_cmp(&b.time))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

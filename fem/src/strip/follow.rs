@@ -76,32 +76,15 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Deflections and slopes of the liquid's face in `field`, then the amplitudes.
-    fn face(&self, field: &[f64]) -> Vec<f64> {
-        let strip = self.strip;
-        let mut out = Vec::with_capacity(self.bottom.len());
-        for &node in &strip.face {
-            let own = strip.model.at_node(field, node);
-            out.extend([own[Dof::Ux.index()], own[Dof::Ry.index()]]);
-        }
-        out.extend(strip.amplitudes.iter().map(|&e| field[e]));
-        out
-    }
-
     fn take(&mut self, now: &Instant<'_>) -> Result<(), StripError> {
         let strip = self.strip;
         let fields = &now.state.committed;
-        let displacement = self.face(&fields.u);
+        let displacement = strip.face_of(&fields.u);
         let start = self.history.times.is_empty();
         if start {
             self.rest.clone_from(&displacement);
         }
-        let mut acceleration = self.face(&fields.a);
-        let levels = strip.face.len();
-        acceleration[..2 * levels]
-            .iter_mut()
-            .step_by(2)
-            .for_each(|a| *a += now.ground[0]);
+        let acceleration = strip.face_acceleration(&fields.a, now.ground[0]);
         let [shear, _, moment] = strip.base_reaction(now.state, now.ground)?;
         let base = section(strip, now)?;
         let elevation = strip.elevation(&fields.u);

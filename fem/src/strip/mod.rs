@@ -26,6 +26,7 @@ mod contact;
 mod follow;
 mod history;
 mod model;
+mod parting;
 mod run;
 mod watch;
 

@@ -1,8 +1,10 @@
 //! What a nonlinear run of a strip is asked for, taken step by step.
 
+use super::parting::PartingWatch;
 use super::{StripError, StripModel, lost};
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::march::{Instant, Observe};
+use crate::liquid::separation::Parting;
 use crate::state::{Gather, State};
 
 /// The first crack of a wall.
@@ -39,6 +41,8 @@ pub struct Demand {
     pub bar_stress: f64,
     /// Largest plastic strain of any bar.
     pub bar_plastic_strain: f64,
+    /// When the liquid first parts from the wall, or would; known at the end of a run.
+    pub parting: Option<Parting>,
 }
 
 impl Demand {
@@ -80,13 +84,10 @@ impl Demand {
         Ok(())
     }
 
-    /// The worse of two walls in every quantity; the first crack is the earlier one.
+    /// The worse of two walls in every quantity; the first crack and the first parting are the earlier ones.
     pub fn worse(&self, other: &Demand) -> Demand {
         let (a, b) = (self, other);
-        let first = match (a.first_crack, b.first_crack) {
-            (Some(x), Some(y)) => Some(if x.time <= y.time { x } else { y }),
-            (x, y) => x.or(y),
-        };
+        let first = earlier(a.first_crack, b.first_crack, |c| c.time);
         let larger = if a.deflection >= b.deflection { a } else { b };
         Demand {
             wave: a.wave.max(b.wave),
@@ -99,7 +100,16 @@ impl Demand {
             plastic_strain: a.plastic_strain.max(b.plastic_strain),
             bar_stress: a.bar_stress.max(b.bar_stress),
             bar_plastic_strain: a.bar_plastic_strain.max(b.bar_plastic_strain),
+            parting: earlier(a.parting, b.parting, |p| p.time),
         }
+    }
+}
+
+/// The one that came first.
+fn earlier<T>(a: Option<T>, b: Option<T>, time: impl Fn(&T) -> f64) -> Option<T> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(if time(&a) <= time(&b) { a } else { b }),
+        (a, b) => a.or(b),
     }
 }
 
@@ -107,6 +117,7 @@ impl Demand {
 pub(super) struct DemandWatch<'a> {
     strip: &'a StripModel,
     demand: Demand,
+    parting: PartingWatch,
     failure: Option<StripError>,
 }
 
@@ -116,6 +127,7 @@ impl<'a> DemandWatch<'a> {
         DemandWatch {
             strip,
             demand: Demand::default(),
+            parting: PartingWatch::new(strip),
             failure: None,
         }
     }
@@ -126,7 +138,10 @@ impl<'a> DemandWatch<'a> {
     pub fn finish(self) -> Result<Demand, StripError> {
         match self.failure {
             Some(failure) => Err(failure),
-            None => Ok(self.demand),
+            None => Ok(Demand {
+                parting: self.parting.first(),
+                ..self.demand
+            }),
         }
     }
 }
@@ -135,6 +150,7 @@ impl Observe for DemandWatch<'_> {
     fn see(&mut self, now: &Instant<'_>) {
         let seen = self.demand.see(self.strip, now.time, now.state, now.ground);
         self.failure = self.failure.take().or(seen.err());
+        self.parting.see(self.strip, now);
     }
 
     fn stop(&self) -> Option<String> {
@@ -156,6 +172,7 @@ impl Observe for DemandWatch<'_> {
         ]);
         let first = d.first_crack.map(|c| vec![c.time, c.height, c.base_moment]);
         to.numbers(&first.unwrap_or_default());
+        self.parting.save(to);
     }
 
     fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
@@ -191,7 +208,8 @@ impl Observe for DemandWatch<'_> {
             plastic_strain,
             bar_stress,
             bar_plastic_strain,
+            parting: None,
         };
-        Ok(())
+        self.parting.restore(from)
     }
 }

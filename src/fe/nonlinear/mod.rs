@@ -17,14 +17,20 @@ use codes::tank::Shape;
 use fem::progress::Progress;
 
 use super::{FeError, Simulation};
+use crate::results::LiquidParting;
+use crate::results::nonlinear::PARTED;
 
 pub use incremental::Incremental;
 pub use options::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, ThicknessRule, WallElements};
 
-/// What to think of a run in which the liquid has left the wall.
-const PARTED: &str = "The liquid has left the wall and come back. An incompressible liquid on a stiff joint exaggerates the impact, and \
-                      a liquid parts from a tight wall near -98 kPa, not at the pressure of the air: forces and stresses after the \
-                      first opening are no design values.";
+/// In the vocabulary of the results.
+fn parting(found: fem::liquid::separation::Parting) -> LiquidParting {
+    LiquidParting {
+        time: found.time,
+        height: found.height,
+        open: found.open,
+    }
+}
 
 /// Where a run keeps what it needs to be resumed. A strip keeps its second wall beside it, in `path` with `.theta_180` after it.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -409,7 +409,7 @@ fn resumed_march_is_the_same() {
     broken[8] = 9;
     fs::write(&path, &broken).unwrap();
     let text = refused(problem, &load, &settings).to_string();
-    assert!(text.contains("format 9, this one reads format 2"), "{text}");
+    assert!(text.contains("format 9, this one reads format 3"), "{text}");
     fs::write(&path, b"something else").unwrap();
     assert!(matches!(
         refused(problem, &load, &settings),

@@ -3,8 +3,10 @@
 use codes::units::Dimension;
 use fem::analysis::ida;
 use fem::analysis::march::{Outcome, Run};
+use fem::liquid::separation::Parting;
 use fem::progress::{Progress, Silent};
 
+use super::super::parting;
 use super::describe::{assumptions, facts};
 use super::points::look;
 use super::watch::{BASE_MOMENT, Happening, WAVE_BACK, WAVE_FRONT, Watch};
@@ -121,6 +123,7 @@ impl Cylinder<'_> {
             wall_displacement_time: seen.displacement.1,
             base_moment: swing(BASE_MOMENT),
             first_crack,
+            parting: Parting::first(&watch.separation, watch.openings.as_ref()).map(parting),
             highest_crack: highest.fold(0.0, f64::max),
             largest_crack: worst.crack_strain,
             plastic_strain: most(&last.plastic_strain),

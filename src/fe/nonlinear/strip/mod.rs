@@ -26,7 +26,7 @@ use fem::progress::Progress;
 use fem::strip::{Side, StripError, StripLevel, StripModel, StripQuake, StripTank};
 
 use super::laws::unsupported;
-use super::{CheckpointFile, Contact, NonlinearOptions};
+use super::{CheckpointFile, Contact, NonlinearOptions, parting};
 use crate::fe::FeError;
 use crate::results::{Collapse, Fact, FirstCrack, IdaRun};
 use describe::{assumptions, damping, facts};
@@ -190,6 +190,7 @@ impl Strip {
                 height: c.height,
                 base_moment: c.base_moment,
             }),
+            parting: demand.parting.map(parting),
             highest_crack: demand.highest_crack,
             largest_crack: demand.largest_crack,
             plastic_strain: demand.plastic_strain,

@@ -314,6 +314,19 @@ fn contact_that_opens() {
         assert_eq!(gap.values.iter().any(|g| *g > 0.0), opens);
         assert_eq!(n.events.iter().any(|e| e.title == "the liquid leaves the wall"), opens);
         assert_eq!(found.notes.iter().any(|n| n.contains("no design values")), opens);
+        // An incremental analysis says the same at the scale 1.
+        for options in [&options(&case, 20), &own] {
+            let curve = Strip::new(&case, options).unwrap();
+            let runs = curve.incremental(&[1.0], 1, &|_| None, &Silent, |_| {}).unwrap();
+            let open = options.contact == Contact::Opening;
+            let parting = runs[0].parting;
+            assert_eq!(parting.is_some(), opens);
+            assert!(parting.is_none_or(|p| p.open == open && p.height > 0.0 && p.height < DEPTH));
+            let told = n.events.iter().find(|e| e.title == "the liquid leaves the wall");
+            if let (Some(parting), Some(told), true) = (parting, told, open) {
+                assert_eq!(parting.time, told.time);
+            }
+        }
         if !opens {
             for (quantity, a) in &found.values {
                 let b = bonded.values[quantity];
