@@ -1,5 +1,6 @@
 //! `tankcheck compare`: codes and finite elements side by side.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -10,6 +11,7 @@ use crate::cli::inputs::Inputs;
 use crate::cli::progress::{self, Watch};
 use crate::cli::table::Table;
 use crate::cli::{Format, Global, nonlinear, solid};
+use crate::compare::FE_NONLINEAR;
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::fe::nonlinear::scope::Purpose;
 use crate::fe::{FeError, Integrator};
@@ -272,6 +274,7 @@ fn print_table(results: &Results, excitation: Excitation) {
         Excitation::Site => "design spectrum of the site (ratio to fe under the record)",
     };
     let head = std::iter::once(corner).chain(columns.iter().map(|&i| results.methods[i].id.as_str()));
+    let later = Later::of(results).filter(|_| excitation == Excitation::Record);
     let mut table = Table::new(head);
     for row in &results.comparison.rows {
         let values: Vec<f64> = columns.iter().filter_map(|&i| row.cells[i].map(|c| c.value)).collect();
@@ -283,9 +286,17 @@ fn print_table(results: &Results, excitation: Excitation) {
             None => "–".to_string(),
             Some(cell) => {
                 let value = units::significant(units::in_unit(cell.value, unit), 3);
+                let nonlinear = results.methods[i].id == FE_NONLINEAR;
+                let mark = match later
+                    .as_ref()
+                    .is_some_and(|l| nonlinear && l.peaks.contains_key(&row.quantity))
+                {
+                    true => "*",
+                    false => "",
+                };
                 match cell.ratio {
-                    Some(ratio) => format!("{value} ({ratio:.2})"),
-                    None => value,
+                    Some(ratio) => format!("{value} ({ratio:.2}){mark}"),
+                    None => format!("{value}{mark}"),
                 }
             }
         });
@@ -293,10 +304,57 @@ fn print_table(results: &Results, excitation: Excitation) {
         table.row(std::iter::once(title).chain(cells));
     }
     anstream::println!("{table}");
+    if let Some(later) = later {
+        anstream::println!("{}", later.remark());
+    }
     for method in results.methods.iter().filter(|m| m.excitation == excitation) {
         if let Status::NotApplicable { clause, reason } = &method.status {
             anstream::println!("{}: not applicable, {clause}: {reason}", method.id);
         }
+    }
+}
+
+/// Peaks of the linear run in its free vibration, which the nonlinear one does not have.
+struct Later {
+    /// End of the nonlinear run [s].
+    end: f64,
+    /// Quantity → time of the linear peak [s].
+    peaks: BTreeMap<String, f64>,
+}
+
+impl Later {
+    /// `None` if there is none.
+    fn of(results: &Results) -> Option<Later> {
+        let (linear, nonlinear) = (results.fe.as_ref()?, results.fe_nonlinear.as_ref()?);
+        let end = *nonlinear.nonlinear.as_ref()?.energies.time.last()?;
+        let mut peaks = BTreeMap::new();
+        for row in &results.comparison.rows {
+            let own = |id: &str| match row.quantity.as_str() {
+                "sloshing_height" => id.starts_with("wave_height_theta"),
+                "axial_membrane_stress" => id == "axial_membrane_stress_base",
+                "bending_stress" => id == "bending_stress_base",
+                quantity => id == quantity,
+            };
+            let histories = linear.series.iter().filter(|s| own(&s.id));
+            if let Some(highest) = histories.max_by(|a, b| a.peak.abs().total_cmp(&b.peak.abs()))
+                && highest.time > end
+            {
+                peaks.insert(row.quantity.clone(), highest.time);
+            }
+        }
+        (!peaks.is_empty()).then_some(Later { end, peaks })
+    }
+
+    fn remark(&self) -> String {
+        let mut times: Vec<f64> = self.peaks.values().copied().collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        let times: Vec<String> = times.iter().map(|t| format!("{t:.2} s")).collect();
+        format!(
+            "* the linear peak comes later ({}): {FE_NONLINEAR} ends at {:.2} s, fe goes on with free vibration after the record",
+            times.join(", "),
+            self.end
+        )
     }
 }
 

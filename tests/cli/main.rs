@@ -4,6 +4,7 @@ mod bad_tank;
 mod compare;
 mod ida;
 mod licences;
+mod nonlinear_cylinder;
 mod nonlinear_input;
 mod nonlinear_options;
 mod nonlinear_run;

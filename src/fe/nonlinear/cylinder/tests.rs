@@ -287,7 +287,7 @@ fn resumed_with(contact: Contact) {
     assert!(part.series.time.len() < straight.series.time.len());
     let kept = std::fs::read(folder.path().join("run.checkpoint")).unwrap();
     let refused = simulate(&case, &own, Some(&file("b", true)), &Silent).unwrap_err();
-    assert!(refused.to_string().contains("fingerprint"), "{refused}");
+    assert!(refused.to_string().contains("of another run"), "{refused}");
     assert_eq!(std::fs::read(folder.path().join("run.checkpoint")).unwrap(), kept);
     let resumed = simulate(&case, &own, Some(&file("a", true)), &Silent).unwrap();
     assert_eq!(resumed.series, straight.series);

@@ -508,7 +508,7 @@ fn checkpoints_of_other_runs_are_refused_and_kept() {
     assert_eq!(before.len(), 2);
     for (case, key) in [(&reinforced(6.1), "a"), (&case, "b")] {
         match simulate(case, &own, Some(&file(home.path(), key)), &Silent) {
-            Err(FeError::Analysis(message)) => assert!(message.contains("another model"), "{message}"),
+            Err(FeError::Checkpoint(fault)) => assert!(fault.to_string().contains("of another run"), "{fault}"),
             other => panic!("{other:?}"),
         }
         assert!(kept() == before);
