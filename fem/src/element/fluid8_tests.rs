@@ -259,37 +259,3 @@ fn bad_input_is_refused() {
         assert!(matches!(error, ElementError::Parameter { .. }), "{error}");
     }
 }
-
-/// About 300 000 elements/s a core are asked for K and M together.
-#[test]
-#[ignore = "slow: timing, meaningful in release only"]
-fn speed() {
-    let element = Fluid8::new(
-        &cell(),
-        Chart::Cylindrical,
-        LiquidProperties::new(1000.0, 2e9, 9.81, 2.0),
-    )
-    .unwrap();
-    let mut response = Response::sized(24);
-    let mut mass = LocalMatrix::zeros(24);
-    let values = [0.0; 24];
-    let motion = Motion {
-        values: &values,
-        rotations: &[],
-    };
-    let start = std::time::Instant::now();
-    let count = 300_000;
-    let mut sum = 0.0;
-    for _ in 0..count {
-        response.reset(24);
-        mass.reset(24);
-        let element = std::hint::black_box(&element);
-        element
-            .respond(motion, &[], &mut [], Want::TANGENT, &mut response)
-            .unwrap();
-        element.mass(&mut mass);
-        sum += response.tangent.data[5] + mass.data[5];
-    }
-    let rate = f64::from(count) / start.elapsed().as_secs_f64();
-    println!("{rate:.0} elements/s ({sum})");
-}
