@@ -78,6 +78,18 @@ fn end(run: Child) -> (Option<i32>, String) {
     )
 }
 
+/// A linear peak after the end of the nonlinear run is marked.
+fn marked(whole: &Results, table: &str) {
+    let fe = whole.fe.as_ref().expect("the linear engine");
+    let late = fe
+        .series
+        .iter()
+        .any(|s| s.id.starts_with("wave_height") && s.time > 15.0);
+    let row = table.lines().find(|l| l.starts_with("Sloshing height")).expect("a row");
+    assert_eq!(row.ends_with('*'), late, "{table}");
+    assert_eq!(table.contains("fe-nonlinear ends at 15.00 s"), late, "{table}");
+}
+
 fn results(folder: &Path, out: &str) -> (Results, String) {
     let out = folder.join(out);
     let series = std::fs::read_to_string(out.join("series.csv")).expect("series");

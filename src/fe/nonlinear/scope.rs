@@ -111,7 +111,7 @@ pub fn refusals(case: &Case, options: &NonlinearOptions, purpose: Purpose) -> Ve
             if case.tank.support != Support::Anchored {
                 all.push(Refusal::new(
                     Place::Support,
-                    "a pushover is for tanks that are held down",
+                    "a pushover is for anchored tanks",
                     "\"anchored\"",
                 ));
             }
