@@ -254,32 +254,4 @@ mod tests {
         }
         assert_eq!(failed, 0, "run with --nocapture");
     }
-
-    /// At 1 g liquid parts: where and when, and what closing again does. Shown, no reference exists.
-    #[test]
-    #[ignore = "slow: study of parting at 0.5 to 1 g (run with --nocapture)"]
-    fn stronger_motion() {
-        let record = crate::verify::test_record();
-        let (samples, dt) = (record.acceleration, record.dt);
-        let damping = Rayleigh::fit((2.39, 0.01), (3.53, 0.01), false).unwrap();
-        for scale in [1.0, 1.5, 2.0, 2.5, 2.874] {
-            let scaled: Vec<f64> = samples.iter().map(|a| scale * a).collect();
-            for criterion in [Criterion::Bonded, Criterion::Particle, Criterion::Place] {
-                let pair = Jointing::new(1e9, damping, criterion)
-                    .both(&scaled, dt, 1.25e-3)
-                    .unwrap();
-                let (m, w) = worse(&pair);
-                let check = &pair[0].check;
-                println!(
-                    "{:.3} g {criterion:?}: M {m:.0} w {w:.4} opened {:?} {:?} lowest {:.0} Pa, {:?} {:?}",
-                    0.348 * scale,
-                    pair[0].opened,
-                    pair[1].opened,
-                    check.lowest_pressure,
-                    check.lowest_below_trough(),
-                    pair[0].report,
-                );
-            }
-        }
-    }
 }
