@@ -45,7 +45,7 @@ pub fn solid() -> Result<Vec<Row>, Failure> {
     rows.extend(wall::layered()?);
     rows.extend(wall::alone()?);
     rows.extend(macro_wall::rows()?);
-    rows.extend(elastica::rows(&[100, 200])?);
+    rows.extend(elastica::rows(&[100, 200, 400])?);
     Ok(rows)
 }
 
