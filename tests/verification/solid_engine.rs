@@ -176,7 +176,6 @@ fn too_large_a_mesh_is_refused_before_it_is_factored() {
 /// system: independent in reduction, time integration and the liquid's elimination. 80 steps a period leave 0.05 % in the
 /// period of the first wall mode; 0.5 % of the peak is allowed. The energy balance closes to rounding.
 #[test]
-#[ignore = "slow: 28 000 steps of all unknowns"]
 fn direct_integration_of_all_unknowns_agrees_with_the_reduction() {
     let case = shaken(false);
     let direct = Options {

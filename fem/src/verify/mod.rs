@@ -122,6 +122,34 @@ impl Row {
     }
 }
 
+/// El Centro NS scaled to 0.348 g: the version of the dissertation from the folder `TANKCHECK_RECORDS`, if set, else the textbook
+/// version that comes with the examples.
+#[cfg(test)]
+pub(crate) fn test_record() -> codes::record::Record {
+    let path = match std::env::var("TANKCHECK_RECORDS") {
+        Ok(folder) => format!("{folder}/imperial-valley-1940-el-centro-ns.csv"),
+        Err(_) => concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/records/elcentro.csv").to_owned(),
+    };
+    let text = std::fs::read_to_string(path).unwrap();
+    let pairs: Vec<[f64; 2]> = text
+        .lines()
+        .filter_map(|line| {
+            let mut numbers = line.split(',').map(|c| c.trim().parse::<f64>());
+            match (numbers.next(), numbers.next()) {
+                (Some(Ok(t)), Some(Ok(a))) => Some([t, a]),
+                _ => None,
+            }
+        })
+        .collect();
+    let peak = pairs.iter().fold(0.0, |m: f64, p| m.max(p[1].abs()));
+    codes::record::Record {
+        name: "El Centro".into(),
+        dt: pairs[1][0] - pairs[0][0],
+        acceleration: pairs.iter().map(|p| p[1] / peak * 0.348 * 9.81).collect(),
+        processing: Vec::new(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -148,33 +176,5 @@ mod tests {
         assert!(row(0.0, 1e-9, 1e-8).holds());
         assert!(!row(0.0, 1e-7, 1e-8).holds());
         assert!(!row(1.0, f64::NAN, f64::INFINITY).holds());
-    }
-}
-
-/// El Centro NS scaled to 0.348 g: the version of the dissertation from the folder `TANKCHECK_RECORDS`, if set, else the textbook
-/// version that comes with the examples.
-#[cfg(test)]
-pub(crate) fn test_record() -> codes::record::Record {
-    let path = match std::env::var("TANKCHECK_RECORDS") {
-        Ok(folder) => format!("{folder}/imperial-valley-1940-el-centro-ns.csv"),
-        Err(_) => concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/records/elcentro.csv").to_owned(),
-    };
-    let text = std::fs::read_to_string(path).unwrap();
-    let pairs: Vec<[f64; 2]> = text
-        .lines()
-        .filter_map(|line| {
-            let mut numbers = line.split(',').map(|c| c.trim().parse::<f64>());
-            match (numbers.next(), numbers.next()) {
-                (Some(Ok(t)), Some(Ok(a))) => Some([t, a]),
-                _ => None,
-            }
-        })
-        .collect();
-    let peak = pairs.iter().fold(0.0, |m: f64, p| m.max(p[1].abs()));
-    codes::record::Record {
-        name: "El Centro".into(),
-        dt: pairs[1][0] - pairs[0][0],
-        acceleration: pairs.iter().map(|p| p[1] / peak * 0.348 * 9.81).collect(),
-        processing: Vec::new(),
     }
 }
