@@ -96,10 +96,18 @@ impl Options {
 }
 
 impl Options {
-    /// Full Newton with line search, for joints that open: a kept factor is that of another set of closed points.
+    /// Full Newton without line search, for joints that open: a kept factor is that of another set of closed points, and between two
+    /// sets the residual of the full step says nothing of the next one.
     pub fn for_contact() -> Options {
         Options {
+            criteria: Criteria {
+                // What a wrong set leaves is small: a joint near the surface carries little.
+                energy: 1e-18,
+                force: 1e-9,
+                ..Criteria::default()
+            },
             modified: false,
+            line_search: false,
             ..Options::default()
         }
     }

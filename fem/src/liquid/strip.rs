@@ -31,6 +31,33 @@ const TERMS: usize = 60;
 /// Panels of five Gauss points an element of the wall: short against the shortest wave of the series.
 const PANELS: usize = 8;
 
+/// Unknowns of the wetted face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trace {
+    /// Deflection and slope at each level, cubic between them: a wall of beams.
+    Cubic,
+    /// Deflection at each level, linear between them: a face of its own.
+    Linear,
+}
+
+impl Trace {
+    /// Unknowns a level.
+    pub fn unknowns(self) -> usize {
+        match self {
+            Trace::Cubic => 2,
+            Trace::Linear => 1,
+        }
+    }
+
+    /// Shape functions of an element of this length at s from 0 to 1, over the unknowns of its two levels.
+    fn shape(self, s: f64, length: f64) -> Vec<f64> {
+        match self {
+            Trace::Cubic => hermite(2.0 * s - 1.0, length)[0].to_vec(),
+            Trace::Linear => vec![1.0 - s, s],
+        }
+    }
+}
+
 /// Liquid between two walls.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StripLiquid {
@@ -44,7 +71,7 @@ pub struct StripLiquid {
     pub gravity: f64,
 }
 
-/// The condensed liquid on a wall: deflection and slope at each level upwards, then q_n.
+/// The condensed liquid on a wall: the unknowns of each level upwards, then q_n.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WallLiquid {
     /// M [kg/m, …].
@@ -57,13 +84,13 @@ pub struct WallLiquid {
     pub omega: Vec<f64>,
     /// Elevation of the surface at the wall as a row over q_n.
     pub elevation: Vec<f64>,
-    /// ∫₀ᴴ N dz over deflections and slopes: area that the wall gives way.
+    /// ∫₀ᴴ N dz over the unknowns of the face: area that it gives way.
     pub area: Vec<f64>,
     /// Nodal forces of the hydrostatic pressure ρ g (H − z) [N/m, N].
     pub hydrostatic: Vec<f64>,
 }
 
-/// Integrals over the deflection: rows over deflections and slopes.
+/// Integrals over the deflection: rows over the unknowns of the face.
 struct Parts {
     /// S_n.
     sloshing_rows: Vec<Vec<f64>>,
@@ -125,14 +152,19 @@ impl StripLiquid {
     /// Liquid on a wall whose nodes stand at `levels` [m], ascending from the bottom; it may rise above the surface.
     /// `sloshing`: number of sloshing modes.
     pub fn on_wall(&self, levels: &[f64], sloshing: usize) -> WallLiquid {
-        let wall = 2 * levels.len();
+        self.on(Trace::Cubic, levels, sloshing)
+    }
+
+    /// Liquid on a face with the unknowns of `trace` at `levels` [m]; else as [`StripLiquid::on_wall`].
+    pub fn on(&self, trace: Trace, levels: &[f64], sloshing: usize) -> WallLiquid {
+        let wall = trace.unknowns() * levels.len();
         let all = wall + sloshing;
         let Parts {
             sloshing_rows,
             mass_rows,
             area,
             hydrostatic,
-        } = self.parts(levels, sloshing);
+        } = self.parts(trace, levels, sloshing);
         let (mut mass, mut stiffness) = (Matrix::zeros(all, all), Matrix::zeros(all, all));
         for (j, row) in mass_rows.iter().enumerate() {
             rank_one(&mut mass, self.added_mass(j), row);
@@ -161,8 +193,9 @@ impl StripLiquid {
     }
 
     /// Integrals over the deflection.
-    fn parts(&self, levels: &[f64], sloshing: usize) -> Parts {
-        let wall = 2 * levels.len();
+    fn parts(&self, trace: Trace, levels: &[f64], sloshing: usize) -> Parts {
+        let each = trace.unknowns();
+        let wall = each * levels.len();
         let mut sloshing_rows = vec![vec![0.0; wall]; sloshing];
         let mut mass_rows = vec![vec![0.0; wall]; TERMS];
         let (mut area, mut hydrostatic) = (vec![0.0; wall], vec![0.0; wall]);
@@ -175,10 +208,10 @@ impl StripLiquid {
                 for &(x, weight) in gauss::FIVE {
                     let s = wet / length * (p as f64 + 0.5 * (x + 1.0)) / PANELS as f64;
                     let (z, dz) = (ends[0] + s * length, 0.5 * weight * wet / PANELS as f64);
-                    let [shape, ..] = hermite(2.0 * s - 1.0, length);
+                    let shape = trace.shape(s, length);
                     let add = |row: &mut [f64], f: f64| {
-                        let own = &mut row[2 * e..2 * e + 4];
-                        own.iter_mut().zip(shape).for_each(|(r, n)| *r += dz * f * n);
+                        let own = &mut row[each * e..each * (e + 2)];
+                        own.iter_mut().zip(&shape).for_each(|(r, n)| *r += dz * f * n);
                     };
                     for (n, row) in sloshing_rows.iter_mut().enumerate() {
                         add(row, self.sloshing_shape(n, z));

@@ -1,9 +1,12 @@
 //! A liquid whose face has a displacement of its own, joined to the wall.
 //!
 //! ```text
-//! e = a − w at four Gauss points of every wet element         F = k e ≥ −s·x ,  k = k_n times the length of the point
-//! s·x = −ρ g u_z ,   u_z = Σ q_n sin(k_n L) sinh(k_n z)/sinh(k_n H)       vertical displacement of the particle at the wall
+//! e = a − w at every wet level         F = k e ≥ −s·x ,  k = k_n ∫ N dz of the level's hat function N
+//! s·x = −ρ g ∫ N u_z dz ,   u_z = Σ q_n sin(k_n L) sinh(k_n z)/sinh(k_n H)       vertical displacement of the particle at the wall
 //! ```
+//!
+//! The face is linear between the levels: one joint for every unknown of it. With a cubic face and joints at its Gauss points
+//! the set of closed points is not clear any more, and Newton's method runs round among several.
 //!
 //! u_z leaves out what the deflection of the wall itself adds: millimetres against decimetres of waves that can part.
 
@@ -18,7 +21,7 @@ use crate::element::fibre_beam::FibreBeam;
 use crate::element::liquid_joint::{JointPoint, LiquidJoint};
 use crate::linalg::{Kind, Ordering, Symbolic};
 use crate::model::{Builder, Model};
-use crate::shape::{gauss, line};
+use crate::shape::gauss;
 use crate::state::{Gather, State};
 
 /// Group of the joints.
@@ -31,10 +34,12 @@ pub struct Joints {
     pub penalty: f64,
     /// Whether they open.
     pub opens: bool,
-    /// Heights of the points [m], element after element.
+    /// Heights of the joints [m], upwards.
     pub heights: Vec<f64>,
     /// Length of the wall that belongs to each [m].
     pub shares: Vec<f64>,
+    /// Mean pressure at rest on it [Pa].
+    pub at_rest: Vec<f64>,
     /// Numbers in the model, and the elements.
     pub(crate) elements: Vec<(usize, LiquidJoint)>,
 }
@@ -111,42 +116,46 @@ impl Joints {
             opens,
             heights: Vec::new(),
             shares: Vec::new(),
+            at_rest: Vec::new(),
             elements: Vec::new(),
         };
         let weight = liquid.density * liquid.gravity;
+        let rise = |n: usize, z: f64| {
+            let k = liquid.wave_number(n);
+            (k * liquid.half_width).sin() * (k * z).sinh() / (k * liquid.depth).sinh()
+        };
+        // ∫ N dz, ∫ N p₀ dz and ∫ N u_z dz of every level.
+        let mut shares = vec![0.0; face.len()];
+        let mut forces = vec![0.0; face.len()];
+        let mut rises = vec![vec![0.0; amplitudes.len()]; face.len()];
         for e in 0..face.len() - 1 {
             let (from, to) = (tank.levels[e], tank.levels[e + 1]);
-            let (length, wet) = (to - from, to.min(liquid.depth) - from);
-            let mut unknowns: Vec<(usize, Dof)> = Vec::new();
-            for nodes in [face, wall] {
-                unknowns.extend(
-                    nodes[e..=e + 1]
-                        .iter()
-                        .flat_map(|&n| WALL_DOFS.iter().map(move |&d| (n, d))),
-                );
+            let wet = to.min(liquid.depth) - from;
+            for &(x, w) in gauss::FIVE {
+                let (z, dz) = (from + 0.5 * wet * (1.0 + x), 0.5 * wet * w);
+                let upper = (z - from) / (to - from);
+                for (i, shape) in [(e, 1.0 - upper), (e + 1, upper)] {
+                    shares[i] += dz * shape;
+                    forces[i] += dz * shape * weight * (liquid.depth - z);
+                    for (n, sum) in rises[i].iter_mut().enumerate() {
+                        *sum += dz * shape * rise(n, z);
+                    }
+                }
             }
+        }
+        for (i, (share, rises)) in shares.into_iter().zip(&rises).enumerate().skip(1) {
+            let mut unknowns = vec![(face[i], Dof::Ux), (wall[i], Dof::Ux)];
             unknowns.extend(amplitudes.iter().map(|&n| (n, Dof::Amplitude)));
-            let mut points = Vec::new();
-            for &(x, w) in gauss::FOUR {
-                let z = from + 0.5 * wet * (1.0 + x);
-                let share = 0.5 * wet * w;
-                let [shape, ..] = line::hermite(2.0 * (z - from) / length - 1.0, length);
-                let rise = |n: usize| {
-                    let k = liquid.wave_number(n);
-                    (k * liquid.half_width).sin() * (k * z).sinh() / (k * liquid.depth).sinh()
-                };
-                points.push(JointPoint {
-                    closing: (0..4).flat_map(|i| [(i, shape[i]), (4 + i, -shape[i])]).collect(),
-                    relief: (0..amplitudes.len())
-                        .map(|n| (8 + n, -weight * share * rise(n)))
-                        .collect(),
-                    stiffness: penalty * share,
-                });
-                out.heights.push(z);
-                out.shares.push(share);
-            }
-            let joint = LiquidJoint::new(&unknowns, points, opens)?;
+            let point = JointPoint {
+                closing: vec![(0, 1.0), (1, -1.0)],
+                relief: rises.iter().enumerate().map(|(n, r)| (2 + n, -weight * r)).collect(),
+                stiffness: penalty * share,
+            };
+            let joint = LiquidJoint::new(&unknowns, vec![point], opens)?;
             out.elements.push((builder.element(JOINT, joint.clone()), joint));
+            out.heights.push(tank.levels[i]);
+            out.shares.push(share);
+            out.at_rest.push(forces[i] / share);
         }
         Ok(out)
     }

@@ -39,8 +39,8 @@ impl<'a> Watch<'a> {
         };
         let check = SeparationCheck::new(liquid.density * liquid.gravity, liquid.depth, heights[wet..].to_vec());
         Watch {
-            places: liquid.places(strip.face_levels(), tank.sloshing, &heights),
-            bottom: liquid.bottom_moment(strip.face_levels(), tank.sloshing),
+            places: liquid.places(tank.contact.trace(), strip.face_levels(), tank.sloshing, &heights),
+            bottom: liquid.bottom_moment(tank.contact.trace(), strip.face_levels(), tank.sloshing),
             rest: Vec::new(),
             history: WallHistory {
                 times: Vec::new(),
@@ -113,9 +113,8 @@ impl<'a> Watch<'a> {
         }
         if let (Some(joints), Some(openings)) = (&strip.joints, &mut history.openings) {
             let touches = joints.look(&strip.model, now.state);
-            let liquid = &strip.tank.liquid;
-            for (touch, (z, range)) in touches.iter().zip(&mut history.pressure) {
-                let at_rest = liquid.density * liquid.gravity * (liquid.depth - *z);
+            let own = touches.iter().zip(&joints.at_rest);
+            for ((touch, at_rest), (_, range)) in own.zip(&mut history.pressure) {
                 range.include(touch.pressure - at_rest, now.time);
             }
             openings.see(now.time, touches.iter().map(|t| (t.gap, t.penetration)));

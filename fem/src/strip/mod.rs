@@ -42,7 +42,7 @@ use crate::analysis::AnalysisError;
 use crate::element::ElementError;
 use crate::element::beam_section::FibreSection;
 use crate::element::fibre_beam::Options;
-use crate::liquid::strip::StripLiquid;
+use crate::liquid::strip::{StripLiquid, Trace};
 use crate::model::ModelError;
 
 /// Parameters of the strip, per metre of tank.
@@ -77,6 +77,16 @@ pub enum Contact {
         /// k_n [N/m³]; without, [`PENALTY`] times the stiffness of the wall under the pressure at rest.
         penalty: Option<f64>,
     },
+}
+
+impl Contact {
+    /// Unknowns of the liquid's face: with more of them than joints, points of the face could move on their own.
+    pub fn trace(self) -> Trace {
+        match self {
+            Contact::Bonded => Trace::Cubic,
+            Contact::Joined { .. } => Trace::Linear,
+        }
+    }
 }
 
 /// Stiffness of the joint of liquid and wall over that of the wall, so that the liquid gives way by a thousandth of what the

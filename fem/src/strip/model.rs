@@ -15,7 +15,7 @@ use crate::element::spring::{Direction, Spring};
 use crate::element::super_element::SuperElement;
 use crate::element::{Response, Want, local_size};
 use crate::linalg::{Eigen, Matrix, Ordering, Symbolic, dot, generalized_eigen};
-use crate::liquid::strip::WallLiquid;
+use crate::liquid::strip::{Trace, WallLiquid};
 use crate::model::{Builder, Model};
 use crate::state::{Gather, State};
 
@@ -78,7 +78,7 @@ pub struct StripModel {
     pub pressure: Vec<f64>,
     /// Nodes of the wall upwards.
     pub wall: Vec<usize>,
-    /// Nodes whose Ux and Ry are those of the liquid's face, upwards: the wall's own unless the two are joined.
+    /// Nodes of the liquid's face upwards: the wall's own with Ux and Ry, or, where the two are joined, others with Ux alone.
     pub face: Vec<usize>,
     /// Joints between them.
     pub joints: Option<Joints>,
@@ -116,11 +116,12 @@ impl StripModel {
             Contact::Joined { .. } => contact::face(&mut builder, tank),
         };
         let levels = &tank.levels[..face.len()];
-        let liquid = tank.liquid.on_wall(levels, tank.sloshing);
+        let trace = tank.contact.trace();
+        let liquid = tank.liquid.on(trace, levels, tank.sloshing);
         let nodes: Vec<usize> = face.iter().chain(&amplitude_nodes).copied().collect();
         let dofs = nodes
             .iter()
-            .map(|n| if face.contains(n) { WALL_DOFS } else { AMPLITUDE })
+            .map(|n| if face.contains(n) { dofs_of(trace) } else { AMPLITUDE })
             .collect();
         let mut element = SuperElement::new(nodes, dofs)?
             .with_mass(liquid.mass.clone())?
@@ -158,10 +159,7 @@ impl StripModel {
                 let about_y = Direction::Rotation([0.0, 1.0, 0.0]);
                 builder.element("base", Spring::to_ground(wall[0], about_y, stiffness)?);
             }
-            None => {
-                builder.hold(wall[0], Dof::Ry);
-                builder.hold(face[0], Dof::Ry);
-            }
+            None => builder.hold(wall[0], Dof::Ry),
         }
         let model = builder.build()?;
         let assembler = Assembler::new(&model);
@@ -207,7 +205,7 @@ impl StripModel {
         let ratios = system.damping.ratios(&system.mass, &system.stiffness, &modes);
         let base = base_rows(&model, [wall[0], face[0]], tank, &groups)?;
         let weight = assembler.body_force(&model, [0.0, 0.0, -tank.liquid.gravity]);
-        let pressure = wall_forces(&model, &face, &liquid.hydrostatic);
+        let pressure = wall_forces(&model, &face, dofs_of(trace), &liquid.hydrostatic);
         Ok(StripModel {
             model,
             assembler,
@@ -232,6 +230,15 @@ impl StripModel {
     pub fn top(&self) -> usize {
         let node = self.wall[self.wall.len() - 1];
         self.model.dofs().equation(node, Dof::Ux).expect("the top is free")
+    }
+
+    /// Unknowns of the liquid's face in `field`, level by level.
+    pub fn face_unknowns<'a>(&'a self, field: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
+        let dofs = dofs_of(self.tank.contact.trace());
+        self.face.iter().flat_map(move |&node| {
+            let own = self.model.at_node(field, node);
+            dofs.iter().map(move |dof| own[dof.index()])
+        })
     }
 
     /// Levels of the liquid's face [m].
@@ -263,11 +270,7 @@ impl StripModel {
     /// Settlement of the mean surface while both walls give way by the deflection in `u` [m]: ∫ w dz/L, the liquid being
     /// incompressible.
     pub fn settlement(&self, u: &[f64]) -> f64 {
-        let deflections = self.face.iter().flat_map(|&node| {
-            let own = self.model.at_node(u, node);
-            [own[Dof::Ux.index()], own[Dof::Ry.index()]]
-        });
-        let area: f64 = deflections.zip(&self.liquid.area).map(|(x, a)| x * a).sum();
+        let area: f64 = self.face_unknowns(u).zip(&self.liquid.area).map(|(x, a)| x * a).sum();
         area / self.tank.liquid.half_width
     }
 
@@ -302,7 +305,11 @@ impl StripModel {
             }
         }
         // Pressure at rest and of the vertical motion are nodal loads; their share at the base goes straight into the ground.
-        for (i, k) in [(0, 0), (2, 1)] {
+        for (k, i) in [0, 2]
+            .into_iter()
+            .enumerate()
+            .take(self.tank.contact.trace().unknowns())
+        {
             out[i] -= self.liquid.hydrostatic[k] * (1.0 + ground[2] / self.tank.liquid.gravity);
         }
         let fields = &state.committed;
@@ -354,13 +361,13 @@ impl StripModel {
     }
 }
 
-/// Forces over deflections and slopes of the wall as a load.
-fn wall_forces(model: &Model, wall: &[usize], forces: &[f64]) -> Vec<f64> {
+/// Forces over the unknowns of the liquid's face as a load.
+fn wall_forces(model: &Model, face: &[usize], dofs: &[Dof], forces: &[f64]) -> Vec<f64> {
     let mut out = vec![0.0; model.dofs().len()];
-    for (i, &node) in wall.iter().enumerate() {
-        for (k, dof) in [Dof::Ux, Dof::Ry].into_iter().enumerate() {
+    for (i, &node) in face.iter().enumerate() {
+        for (k, &dof) in dofs.iter().enumerate() {
             if let Some(e) = model.dofs().equation(node, dof) {
-                out[e] = forces[2 * i + k];
+                out[e] = forces[dofs.len() * i + k];
             }
         }
     }
@@ -401,6 +408,11 @@ fn base_rows(
 /// Dofs of the reactions at the base.
 const BASE: [Dof; 3] = [Dof::Ux, Dof::Uz, Dof::Ry];
 pub(super) const WALL_DOFS: &[Dof] = &[Dof::Ux, Dof::Ry];
+
+/// Dofs of the nodes of a face.
+fn dofs_of(trace: Trace) -> &'static [Dof] {
+    &WALL_DOFS[..trace.unknowns()]
+}
 const AMPLITUDE: &[Dof] = &[Dof::Amplitude];
 
 fn check(tank: &StripTank, damping: StripDamping) -> Result<(), StripError> {

@@ -4,18 +4,13 @@
 use super::StripModel;
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::march::Instant;
-use crate::dofs::Dof;
 use crate::liquid::separation::{Openings, Parting, SeparationCheck};
 use crate::liquid::strip::Place;
 
 impl StripModel {
-    /// Deflections and slopes of the liquid's face in `field`, then the amplitudes.
+    /// Unknowns of the liquid in `field`: those of its face, then the amplitudes.
     pub(super) fn face_of(&self, field: &[f64]) -> Vec<f64> {
-        let mut out = Vec::with_capacity(2 * self.face.len() + self.amplitudes.len());
-        for &node in &self.face {
-            let own = self.model.at_node(field, node);
-            out.extend([own[Dof::Ux.index()], own[Dof::Ry.index()]]);
-        }
+        let mut out: Vec<f64> = self.face_unknowns(field).collect();
         out.extend(self.amplitudes.iter().map(|&e| field[e]));
         out
     }
@@ -23,8 +18,9 @@ impl StripModel {
     /// The same of the accelerations, those of the face with the acceleration `ground` of the ground [m/s²].
     pub(super) fn face_acceleration(&self, field: &[f64], ground: f64) -> Vec<f64> {
         let mut out = self.face_of(field);
-        let face = out[..2 * self.face.len()].iter_mut();
-        face.step_by(2).for_each(|a| *a += ground);
+        let each = self.tank.contact.trace().unknowns();
+        let face = out[..each * self.face.len()].iter_mut();
+        face.step_by(each).for_each(|a| *a += ground);
         out
     }
 }
@@ -46,7 +42,7 @@ impl PartingWatch {
         let middles = tank.levels.windows(2).map(|w| 0.5 * (w[0] + w[1]));
         let heights: Vec<f64> = middles.filter(|z| *z < liquid.depth).collect();
         PartingWatch {
-            places: liquid.places(strip.face_levels(), tank.sloshing, &heights),
+            places: liquid.places(tank.contact.trace(), strip.face_levels(), tank.sloshing, &heights),
             rest: Vec::new(),
             check: SeparationCheck::new(liquid.density * liquid.gravity, liquid.depth, heights),
             openings: strip.joints.as_ref().map(|j| Openings::new(j.heights.clone())),

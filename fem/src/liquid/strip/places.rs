@@ -8,9 +8,9 @@
 //! the displacement potential whose kinetic energy is the M of the parent module; q_n + S_n(u), the surface of the second part,
 //! makes up for that of the first. A pressure takes total accelerations, a displacement those relative to the ground.
 
-use super::StripLiquid;
+use super::{StripLiquid, Trace};
 
-/// Rows over deflections and slopes at the levels of a wall, then q_n.
+/// Rows over the unknowns at the levels of a face, then q_n.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
     /// Height [m].
@@ -22,11 +22,12 @@ pub struct Place {
 }
 
 impl StripLiquid {
-    /// Places on the wetted wall at the given `heights` [m]; `levels` and `sloshing` as in [`StripLiquid::on_wall`].
-    pub fn places(&self, levels: &[f64], sloshing: usize, heights: &[f64]) -> Vec<Place> {
-        let parts = self.parts(levels, sloshing);
+    /// Places on the wetted wall at the given `heights` [m]; the rest as in [`StripLiquid::on`].
+    pub fn places(&self, trace: Trace, levels: &[f64], sloshing: usize, heights: &[f64]) -> Vec<Place> {
+        let parts = self.parts(trace, levels, sloshing);
         let (l, h) = (self.half_width, self.depth);
-        let all = 2 * levels.len() + sloshing;
+        let wall = trace.unknowns() * levels.len();
+        let all = wall + sloshing;
         let place = |&height: &f64| {
             let mut place = Place {
                 height,
@@ -45,11 +46,11 @@ impl StripLiquid {
             }
             for (n, row) in parts.sloshing_rows.iter().enumerate() {
                 let k = self.wave_number(n);
-                let wall = (k * l).sin() / (k * h).sinh();
-                let own = 2 * levels.len() + n;
+                let crest = (k * l).sin() / (k * h).sinh();
+                let own = wall + n;
                 for (out, factor) in [
-                    (&mut place.pressure, -self.density * wall * (k * height).cosh() / k),
-                    (&mut place.rise, wall * (k * height).sinh()),
+                    (&mut place.pressure, -self.density * crest * (k * height).cosh() / k),
+                    (&mut place.rise, crest * (k * height).sinh()),
                 ] {
                     add(out, factor, row);
                     out[own] += factor;
@@ -62,10 +63,11 @@ impl StripLiquid {
 
     /// Moment of the pressure on this half of the bottom about the middle of the tank [N], for total accelerations; positive
     /// as the moment of the wall's pressure.
-    pub fn bottom_moment(&self, levels: &[f64], sloshing: usize) -> Vec<f64> {
-        let parts = self.parts(levels, sloshing);
+    pub fn bottom_moment(&self, trace: Trace, levels: &[f64], sloshing: usize) -> Vec<f64> {
+        let parts = self.parts(trace, levels, sloshing);
+        let wall = trace.unknowns() * levels.len();
         let (l, h) = (self.half_width, self.depth);
-        let mut out = vec![0.0; 2 * levels.len() + sloshing];
+        let mut out = vec![0.0; wall + sloshing];
         for (j, row) in parts.mass_rows.iter().enumerate() {
             let k = self.depth_wave(j);
             let arm = (l - (k * l).tanh() / k) / (k * k);
@@ -75,7 +77,7 @@ impl StripLiquid {
             let k = self.wave_number(n);
             let factor = self.density * (k * l).sin() / (k.powi(3) * (k * h).sinh());
             add(&mut out, factor, row);
-            out[2 * levels.len() + n] += factor;
+            out[wall + n] += factor;
         }
         out
     }
@@ -102,12 +104,12 @@ mod tests {
         let (liquid, modes) = (liquid(), 100);
         let translation: Vec<f64> = (0..12 + modes).map(|i| f64::from(i < 12 && i % 2 == 0)).collect();
         let dot = |row: &[f64]| row.iter().zip(&translation).map(|(a, b)| a * b).sum::<f64>();
-        for place in liquid.places(&LEVELS, modes, &[0.0, 0.5, 1.3, 2.0]) {
+        for place in liquid.places(Trace::Cubic, &LEVELS, modes, &[0.0, 0.5, 1.3, 2.0]) {
             let p = dot(&place.pressure) / (-1000.0 * 2.5);
             assert!((p - 1.0).abs() < 2e-3, "{}: {p}", place.height);
             assert!(dot(&place.rise).abs() < 2e-2, "{}", dot(&place.rise));
         }
-        let bottom = dot(&liquid.bottom_moment(&LEVELS, modes)) / (1000.0 * 2.5_f64.powi(3) / 3.0);
+        let bottom = dot(&liquid.bottom_moment(Trace::Cubic, &LEVELS, modes)) / (1000.0 * 2.5_f64.powi(3) / 3.0);
         assert!((bottom - 1.0).abs() < 1e-4, "{bottom}");
     }
 
@@ -121,7 +123,7 @@ mod tests {
         let count = 2000;
         let heights: Vec<f64> = (0..count).map(|i| 2.57 * (i as f64 + 0.5) / f64::from(count)).collect();
         let (mut force, mut moment) = (0.0, 0.0);
-        for place in liquid.places(&LEVELS, modes, &heights) {
+        for place in liquid.places(Trace::Cubic, &LEVELS, modes, &heights) {
             let p: f64 = place.pressure.iter().zip(&x).map(|(a, b)| a * b).sum();
             force -= p * 2.57 / f64::from(count);
             moment -= p * place.height * 2.57 / f64::from(count);
@@ -137,7 +139,7 @@ mod tests {
     #[test]
     fn a_wave() {
         let liquid = liquid();
-        let place = &liquid.places(&LEVELS, 1, &[2.57])[0];
+        let place = &liquid.places(Trace::Cubic, &LEVELS, 1, &[2.57])[0];
         let omega = liquid.sloshing_frequency(0);
         assert!((place.rise[12] - 1.0).abs() < 1e-12);
         let pressure = -omega * omega * place.pressure[12];

@@ -1,13 +1,13 @@
 //! C8: the strip whose joint of liquid and wall may open, in the march of nonlinear walls.
 //!
 //! Source:    dissertation 8.4, table 8.15; theory sheet of this project
-//! Model:     elastic fibre walls, clamped; liquid condensed onto a face of its own; joints at four Gauss points an element
+//! Model:     elastic fibre walls, clamped; liquid condensed onto a face of its own, linear between levels; a joint at each level
 //! Expected:  * closed, the strip without joint
 //!            * with the trapezoidal rule the march is Moreau's scheme, which [`crate::analysis::moreau`] solves on dense matrices
 //!              by trial of sets: the same histories to rounding
 //!            * other spectral radii and steps: shown, since impacts have no limit to converge to
-//! Tolerance: 10⁻³ for the penalty (it gives way by 10⁻³ of what the wall does); 10⁻⁴ between the two solvers in the first half
-//!            second after the first opening
+//! Tolerance: (1/14)² at rest and 5·10⁻³ in motion for the face of 14 elements and the penalty; 10⁻⁴ between the two solvers in the first tenth
+//!            of a second after the first opening
 
 use codes::record::Record;
 
@@ -27,7 +27,7 @@ const PAGE: &str = "liquid-separation";
 const STEP: f64 = 1.25e-3;
 /// Time after the first opening in which two solvers are compared [s]: a difference grows at every touch, from the last digit to
 /// per cents in a second of hard impacts.
-const TOUCHES: f64 = 0.5;
+const TOUCHES: f64 = 0.1;
 /// k_n [N/m³] of the comparison with trials of sets, which cycle for ever on stiffer joints.
 const SOFT: f64 = 1e9;
 
@@ -98,7 +98,6 @@ fn by_moreau(model: &StripModel, case: Case<'_>) -> Result<[Vec<f64>; 3], StripE
     let system = &model.system;
     let mut stiffness = system.stiffness.to_dense();
     let mut rows = Vec::new();
-    let rest = model.tank.liquid.density * model.tank.liquid.gravity;
     let list = model.joints.as_ref();
     for (e, joint) in joints {
         for point in joint.points() {
@@ -114,11 +113,11 @@ fn by_moreau(model: &StripModel, case: Case<'_>) -> Result<[Vec<f64>; 3], StripE
                 }
             }
             let k = rows.len();
-            let (height, share) = list.map_or((0.0, 0.0), |l| (l.heights[k], l.shares[k]));
+            let rest = list.map_or(0.0, |l| l.at_rest[k] * l.shares[k]);
             rows.push(Joint {
                 closing,
                 stiffness: point.stiffness,
-                preload: rest * (model.tank.liquid.depth - height) * share,
+                preload: rest,
                 relief: renumbered(&point.relief),
             });
         }
@@ -177,16 +176,18 @@ pub fn contact(record: &Record, until: f64) -> Result<Vec<Row>, StripError> {
     let bonded = run(&tight, case)?;
     let closed = run(&joined(false, None)?, case)?;
     let without = "strip without joint";
-    for (scalar, what, unit) in [
-        (Scalar::Deflection, "deflection of the top", "m"),
-        (Scalar::Moment, "moment at the base", "N"),
-        (Scalar::Shear, "shear force at the base", "N/m"),
+    for (scalar, what, tolerance, unit) in [
+        // A pressure that is handed over at the nodes bends the elements less: (1/14)².
+        (Scalar::Deflection, "deflection of the top", 5.1e-3, "m"),
+        // The total and its moment are exact.
+        (Scalar::Moment, "moment at the base", 1e-9, "N"),
+        (Scalar::Shear, "shear force at the base", 1e-9, "N/m"),
     ] {
         rows.push(own(
             format!("march, bonded joint at rest: {what}"),
             (bonded.at_rest(scalar), without),
             closed.at_rest(scalar),
-            (1e-3, unit),
+            (tolerance, unit),
         ));
     }
     for (i, (what, unit)) in [("moment at the base", "N"), ("wave", "m")].into_iter().enumerate() {
@@ -194,7 +195,7 @@ pub fn contact(record: &Record, until: f64) -> Result<Vec<Row>, StripError> {
             format!("march, bonded joint: {what}"),
             (peaks(&bonded)[i], without),
             peaks(&closed)[i],
-            // The joint shifts the frequency of the wall by half of 10⁻³, in a lightly damped resonance.
+            // The joint shifts the frequency of the wall by half of 10⁻³, the face by 10⁻³, in a lightly damped resonance.
             (5e-3, unit),
         ));
     }

@@ -1,12 +1,15 @@
 //! Liquid with a face of its own, joined to the wall.
 //!
 //! ```text
-//! e = Σ N_i (a_i − w_i) at 2 × 2 Gauss points of every wetted cell         F = k e ≥ −s·x ,  k = k_n times the area of the point
-//! s·x = −ρ g A u_z        u_z of the particle at the wall under the sloshing amplitudes (k tanh kH = ω²/g in each mode)
+//! e = a − w at every wetted node         F = k e ≥ −s·x ,  k = k_n ∫ N dA of the node's shape function N
+//! s·x = −ρ g ∫ N u_z dA        u_z of the particle at the wall under the sloshing amplitudes (k tanh kH = ω²/g in each mode)
 //! ```
 //!
-//! a and w are the radial displacements of liquid and wall at the same nodes. The pressure at rest stands on the liquid's face, so
-//! that F is the whole of it. Law of the points: [`fem::element::liquid_joint`].
+//! a and w are the radial displacements of liquid and wall at the same nodes: one joint for every unknown of the face. The
+//! pressure at rest stands on the liquid's face, so that F is the whole of it. Law of the joints:
+//! [`fem::element::liquid_joint`].
+
+use std::collections::BTreeMap;
 
 use fem::dofs::Dof;
 use fem::element::liquid_joint::{JointPoint, LiquidJoint};
@@ -26,7 +29,7 @@ pub const JOINT: &str = "joint";
 pub struct Join<'a> {
     pub footprint: &'a Footprint,
     pub wall: &'a PlacedWall,
-    /// Wetted nodes of the wall and the liquid's nodes at the same places, level by level.
+    /// Wetted nodes of the wall and the liquid's nodes at the same places, level by level, the held ones of the base first.
     pub nodes: [&'a [usize]; 2],
     pub amplitudes: &'a [usize],
     pub liquid: &'a CondensedLiquid,
@@ -42,68 +45,78 @@ pub struct Join<'a> {
 pub struct Joints {
     /// k_n [N/m³].
     pub penalty: f64,
-    /// Cell of each joint.
-    pub cells: Vec<usize>,
-    /// Height and angle of each point, four a joint.
+    /// Number of each joint's node among the wetted ones.
+    pub numbers: Vec<usize>,
+    /// Height and angle of each joint.
     pub places: Vec<[f64; 2]>,
     elements: Vec<(usize, LiquidJoint)>,
 }
 
-/// Points of a joint.
-pub const POINTS: usize = 4;
-
 impl Join<'_> {
-    /// Adds a joint for every wetted cell.
+    /// Adds a joint for every wetted node above the base.
     ///
     /// Errors: a penalty that is not positive.
     pub fn add_to(&self, builder: &mut Builder) -> Result<Joints, FeError> {
         let [wall_nodes, face_nodes] = self.nodes;
-        let mut out = Joints {
-            penalty: self.penalty,
-            cells: Vec::new(),
-            places: Vec::new(),
-            elements: Vec::new(),
-        };
+        let number: BTreeMap<usize, usize> = wall_nodes.iter().enumerate().map(|(i, &n)| (n, i)).collect();
+        let modes = self.liquid.omega.len();
+        // ∫ N dA and ∫ N u_z dA of every node.
+        let mut areas = vec![0.0; wall_nodes.len()];
+        let mut rises = Matrix::zeros(modes, wall_nodes.len());
         let gauss = 1.0 / 3.0_f64.sqrt();
-        for (number, &cell) in self.footprint.cells.iter().enumerate() {
+        for &cell in &self.footprint.cells {
             let nodes = self.wall.inner_cell(cell);
-            let of = nodes.map(|n| wall_nodes.iter().position(|&w| w == n));
+            let of = nodes.map(|n| number.get(&n).copied());
             let [Some(a), Some(b), Some(c), Some(d)] = of else {
                 continue;
             };
-            let face = [a, b, c, d].map(|i| face_nodes[i]);
             let positions = nodes.map(|n| builder.position(n));
-            let mut unknowns: Vec<(usize, Dof)> = face.iter().chain(&nodes).map(|&n| (n, Dof::Ux)).collect();
-            unknowns.extend(self.amplitudes.iter().map(|&n| (n, Dof::Amplitude)));
-            let mut points = Vec::new();
-            for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
+            for [x, y] in CORNERS {
                 let (shape, area, at) = point([gauss * x, gauss * y], &positions);
                 let theta = at[1].atan2(at[0]);
                 let rise = rise(self.liquid, self.gravity, self.depth, &[at[2]], &[theta]);
-                let closing = (0..4).flat_map(|i| [(i, shape[i]), (4 + i, -shape[i])]);
-                points.push(JointPoint {
-                    closing: closing.collect(),
-                    relief: (0..rise.cols)
-                        .map(|j| (8 + j, -self.unit_weight * area * rise.get(0, j)))
-                        .collect(),
-                    stiffness: self.penalty * area,
-                });
-                out.places.push([at[2], theta]);
+                for (i, n) in [a, b, c, d].into_iter().zip(shape) {
+                    areas[i] += n * area;
+                    for j in 0..modes {
+                        rises.add(j, i, n * area * rise.get(0, j));
+                    }
+                }
             }
-            let joint = LiquidJoint::new(&unknowns, points, true).map_err(failed)?;
+        }
+        let mut out = Joints {
+            penalty: self.penalty,
+            numbers: Vec::new(),
+            places: Vec::new(),
+            elements: Vec::new(),
+        };
+        let base = self.footprint.levels[0].len();
+        for i in base..wall_nodes.len() {
+            let mut unknowns = vec![(face_nodes[i], Dof::Ux), (wall_nodes[i], Dof::Ux)];
+            unknowns.extend(self.amplitudes.iter().map(|&n| (n, Dof::Amplitude)));
+            let point = JointPoint {
+                closing: vec![(0, 1.0), (1, -1.0)],
+                relief: (0..modes)
+                    .map(|j| (2 + j, -self.unit_weight * rises.get(j, i)))
+                    .collect(),
+                stiffness: self.penalty * areas[i],
+            };
+            let joint = LiquidJoint::new(&unknowns, vec![point], true).map_err(failed)?;
             out.elements.push((builder.element(JOINT, joint.clone()), joint));
-            out.cells.push(number);
+            let [x, y, z] = builder.position(wall_nodes[i]);
+            out.places.push([z, y.atan2(x)]);
+            out.numbers.push(i);
         }
         Ok(out)
     }
 }
 
+const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+
 /// Bilinear shape functions, area of a quarter and position at the point (ξ, η).
 fn point([x, y]: [f64; 2], positions: &[[f64; 3]; 4]) -> ([f64; 4], f64, [f64; 3]) {
-    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let (mut shape, mut at) = ([0.0; 4], [0.0; 3]);
     let mut tangents = [nalgebra::Vector3::zeros(); 2];
-    for (i, ([a, b], p)) in corners.into_iter().zip(positions).enumerate() {
+    for (i, ([a, b], p)) in CORNERS.into_iter().zip(positions).enumerate() {
         shape[i] = 0.25 * (1.0 + a * x) * (1.0 + b * y);
         let p = nalgebra::Vector3::from(*p);
         tangents[0] += 0.25 * a * (1.0 + b * y) * p;
@@ -117,12 +130,12 @@ fn point([x, y]: [f64; 2], positions: &[[f64; 3]; 4]) -> ([f64; 4], f64, [f64; 3
 }
 
 impl Joints {
-    /// Heights of the points [m].
+    /// Heights of the joints [m].
     pub fn heights(&self) -> Vec<f64> {
         self.places.iter().map(|p| p[0]).collect()
     }
 
-    /// Gap and penetration of each point in the committed `state` [m].
+    /// Gap and penetration of each joint in the committed `state` [m].
     pub fn look(&self, model: &Model, state: &State) -> impl Iterator<Item = (f64, f64)> {
         let mut gather = Gather::default();
         let mut out = Vec::with_capacity(self.places.len());

@@ -108,9 +108,12 @@ pub fn integration(tank: &CylinderModel, options: &NonlinearOptions, watch: &Wat
     };
     let method = match scheme {
         TimeScheme::GeneralizedAlpha { radius } => format!(
-            "generalised-α method, ρ∞ = {}, {} Newton iteration with line search",
+            "generalised-α method, ρ∞ = {}, {}",
             significant(radius, 3),
-            if tank.joints.is_some() { "full" } else { "modified" }
+            match tank.joints {
+                Some(_) => "full Newton iteration",
+                None => "modified Newton iteration with line search",
+            }
         ),
         _ => "implicit".into(),
     };
@@ -154,7 +157,7 @@ pub fn integration(tank: &CylinderModel, options: &NonlinearOptions, watch: &Wat
         out.push(label(
             "contact of liquid and wall",
             format!(
-                "opens; four points a cell, stiffness {} N/m³, into which the liquid sinks by at most {}; its force is taken at the \
+                "opens; a joint at every wetted node, stiffness {} N/m³, into which the liquid sinks by at most {}; its force is taken at the \
                  end of the step",
                 significant(joints.penalty, 3),
                 display(openings.penetration(), Dimension::Length)

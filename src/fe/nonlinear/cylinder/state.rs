@@ -5,7 +5,6 @@ use codes::tank::Behaviour;
 use codes::units::{Dimension, display, significant};
 use fem::analysis::march::Run;
 
-use super::contact;
 use super::model::CylinderModel;
 use super::points::Look;
 use super::watch::{BASE_SHEAR, BELLY_FRONT, Happening, Watch};
@@ -203,36 +202,21 @@ pub fn maps(case: &Case, tank: &CylinderModel, watch: &Watch<'_>, worst: &Look, 
         "Accumulated, the largest of all bars of a cell.",
     );
     if let (Some(openings), Some(joints)) = (&watch.openings, &tank.joints) {
-        let mut gaps = vec![0.0_f64; tank.cells.rows() * tank.cells.columns()];
-        let widest: Vec<f64> = openings.widest().collect();
-        for (&cell, own) in joints.cells.iter().zip(widest.chunks_exact(contact::POINTS)) {
-            gaps[cell] = own.iter().copied().fold(0.0, f64::max);
-        }
+        let widest = joints.numbers.iter().copied().zip(openings.widest());
+        let gaps = around_nodes(tank, widest);
         push(
             "separation",
             "Largest distance of liquid and wall",
             Dimension::Length,
             &gaps,
             None,
-            "Widest gap of the points of the joint in the cell; 0 where the liquid has stayed at the wall.",
+            "Widest gap at the corners of the cell; 0 where the liquid has stayed at the wall.",
         );
     }
     let found = watch.separation.result();
     if found.places.iter().any(|p| p.below_trough) {
-        let columns = tank.cells.columns();
-        let around = tank.footprint.levels[0].len();
-        let mut share = vec![0.0_f64; tank.cells.rows() * columns];
-        for p in found.places.iter().filter(|p| p.below_trough) {
-            let (level, k) = (p.number / around, p.number % around);
-            for row in [level.checked_sub(1), Some(level)].into_iter().flatten() {
-                for column in [k.checked_sub(1), Some(k)].into_iter().flatten() {
-                    if row < tank.cells.rows() && column < columns {
-                        let own = &mut share[row * columns + column];
-                        *own = own.max(p.share);
-                    }
-                }
-            }
-        }
+        let parted = found.places.iter().filter(|p| p.below_trough);
+        let share = around_nodes(tank, parted.map(|p| (p.number, p.share)));
         push(
             "separation",
             "Share of the time in which the liquid would part from the wall",
@@ -241,6 +225,27 @@ pub fn maps(case: &Case, tank: &CylinderModel, watch: &Watch<'_>, worst: &Look, 
             None,
             "Pressure of the displaced particle below zero, under the lowest surface.",
         );
+    }
+    out
+}
+
+/// Largest value of the wetted nodes at each cell's corners, from (number of the node, value).
+fn around_nodes(tank: &CylinderModel, values: impl Iterator<Item = (usize, f64)>) -> Vec<f64> {
+    let columns = tank.cells.columns();
+    let around = tank.footprint.levels[0].len();
+    let mut out = vec![0.0_f64; tank.cells.rows() * columns];
+    for (number, value) in values {
+        let (level, k) = (number / around, number % around);
+        // The whole circle closes on itself.
+        let before = k.checked_sub(1).or((!tank.cells.half).then(|| columns - 1));
+        for row in [level.checked_sub(1), Some(level)].into_iter().flatten() {
+            for column in [before, Some(k)].into_iter().flatten() {
+                if row < tank.cells.rows() && column < columns {
+                    let own = &mut out[row * columns + column];
+                    *own = own.max(value);
+                }
+            }
+        }
     }
     out
 }

@@ -121,7 +121,7 @@ impl Report<'_> {
             out.push(label(
                 "contact of liquid and wall",
                 format!(
-                    "opens; four points an element, stiffness {} N/m³, into which the liquid sinks by at most {}; its force is taken \
+                    "opens; a joint at every wet level, stiffness {} N/m³, into which the liquid sinks by at most {}; its force is taken \
                      at the end of the step",
                     significant(joints.penalty, 3),
                     display(penetration, Dimension::Length)
@@ -140,9 +140,10 @@ impl Report<'_> {
     /// Liquid and walls in a rigid translation, against their masses.
     pub(super) fn mass_balance(&self) -> Vec<Balance> {
         let model = &self.strip.model;
-        let wall = 2 * model.face.len();
+        let each = model.tank.contact.trace().unknowns();
+        let wall = each * model.face.len();
         let size = model.liquid.mass.rows;
-        let translation: Vec<f64> = (0..size).map(|i| f64::from(i < wall && i % 2 == 0)).collect();
+        let translation: Vec<f64> = (0..size).map(|i| f64::from(i < wall && i % each == 0)).collect();
         let moved = model.liquid.mass.times(&translation);
         let liquid: f64 = moved.iter().zip(&translation).map(|(a, b)| a * b).sum();
         let lengths = model.tank.levels.windows(2).map(|w| w[1] - w[0]);

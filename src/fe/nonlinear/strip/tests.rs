@@ -294,7 +294,8 @@ fn walls_that_crack() {
 /// A joint that may open is the wall's own displacement as long as it is pressed, and opens where the check of the bonded run says
 /// that the pressure falls below zero.
 ///
-/// Tolerance: the penalty gives way by 1e-3 of what the wall does, which moves its frequency by half of that.
+/// Tolerance: a pressure that is handed over at the nodes of 20 elements bends them less, (1/20)²; the penalty gives way by 1e-3 of
+/// what the wall does.
 #[test]
 fn contact_that_opens() {
     for (peak, opens) in [(0.5, false), (12.0, true)] {
@@ -330,7 +331,7 @@ fn contact_that_opens() {
         if !opens {
             for (quantity, a) in &found.values {
                 let b = bonded.values[quantity];
-                assert!((a / b - 1.0).abs() < 1e-3, "{}: {a} {b}", quantity.id());
+                assert!((a / b - 1.0).abs() < 2.5e-3, "{}: {a} {b}", quantity.id());
             }
         }
     }

@@ -307,19 +307,18 @@ impl Walls<'_> {
             ));
         }
         if self.model.joints.is_some() {
-            let elements = self.model.face.len() - 1;
             maps.push(map(
                 "separation",
                 "largest distance of liquid and wall",
                 Dimension::Length,
                 self.cells(|run, e| {
+                    // The lowest joint stands at level 1.
                     let gaps = run.history.openings.iter().flat_map(|o| o.widest());
-                    // Four points an element; none above the surface.
-                    let own = gaps.skip(4 * e).take(if e < elements { 4 } else { 0 });
+                    let own = gaps.skip(e.saturating_sub(1)).take(if e == 0 { 1 } else { 2 });
                     own.fold(0.0, f64::max)
                 }),
                 None,
-                "Widest gap of the points of the joint in the element; 0 where the liquid has stayed at the wall.",
+                "Widest gap at the ends of the element; 0 where the liquid has stayed at the wall.",
             ));
             return maps;
         }
