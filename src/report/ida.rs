@@ -242,7 +242,7 @@ pub fn partings(ida: &Ida) -> Vec<String> {
     if let Some(run) = first(false) {
         out.push(format!(
             "{} the pressure of the liquid falls below that of the air under the surface: it would part from the wall where air \
-             can enter, and the model keeps it there. `contact`: `opening` lets it go.",
+             can enter, and the model keeps it there. The option contact \"opening\" lets it go.",
             from(run)
         ));
     }
