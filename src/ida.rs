@@ -49,7 +49,6 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
         runs: kept,
         incomplete: true,
     };
-    ida.runs.retain(|run| job.scales.contains(&run.scale));
     let missing: Vec<f64> = job
         .scales
         .iter()
@@ -81,7 +80,8 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
     if let Some(error) = unwritten {
         return Err(error);
     }
-    ida.incomplete = ida.runs.len() < job.scales.len();
+    let done = |scale: &f64| ida.runs.iter().any(|run| run.scale == *scale);
+    ida.incomplete = !job.scales.iter().all(done);
     ida.volatile = volatile();
     write(&folder, &ida)?;
     if ida.incomplete {

@@ -34,6 +34,7 @@ pub fn run(job: &PushJob, volatile: impl Fn() -> Volatile, progress: &dyn Progre
         shells: pushed.shells,
         limits: pushed.limits,
         incomplete: !pushed.interruption.is_empty(),
+        doubts: pushed.doubts,
         interruption: pushed.interruption,
     };
     write_push(&folder.path().join(PUSH_FILE), &push)?;

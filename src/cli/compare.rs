@@ -18,6 +18,7 @@ use crate::fe::{FeError, Integrator};
 use crate::job::{Engines, Job};
 use crate::pipeline::{self, Outcome, OutputFolder};
 use crate::report;
+use crate::results::nonlinear::{Nonlinear, PARTED};
 use crate::results::{self, Limit, Method, Results, Series, Status, vtu};
 
 /// Arguments.
@@ -410,5 +411,9 @@ fn print_verdict(results: &Results) {
             anstream::println!("warning: {}: {}", limit.name, limit.note);
         }
         told.extend(exceeded.iter().map(|l| l.id.as_str()));
+    }
+    let nonlinear = results.fe_nonlinear.as_ref().and_then(|fe| fe.nonlinear.as_ref());
+    if nonlinear.is_some_and(Nonlinear::parted) {
+        anstream::println!("warning: {PARTED}");
     }
 }

@@ -51,7 +51,7 @@ pub struct Args {
     /// Folder for the results of all runs.
     #[arg(long, short, value_name = "FOLDER", default_value = "ida")]
     out: PathBuf,
-    /// Go on with the runs that the folder does not have yet.
+    /// Keep the runs that the folder has, whatever their scales, and go on with those that it does not have yet.
     #[arg(long)]
     resume: bool,
     /// Form of the output.

@@ -93,6 +93,9 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
                 anstream::eprintln!("{name}: no maximum was passed, the capacity is a lower bound");
             }
         }
+        for doubt in &found.doubts {
+            anstream::eprintln!("warning: {doubt}");
+        }
         if found.incomplete {
             anstream::eprintln!("incomplete: {}", found.interruption);
         }

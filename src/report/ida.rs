@@ -181,7 +181,13 @@ pub fn table(ida: &Ida) -> Table {
         columns.push(Column::numbers("Highest crack", "m"));
     }
     if parts {
-        columns.push(Column::numbers("Liquid parts at", "s"));
+        let parted = ida.runs.iter().filter_map(|r| r.parting).any(|p| p.open);
+        let title = if parted {
+            "Liquid parts at"
+        } else {
+            "Liquid would part at"
+        };
+        columns.push(Column::numbers(title, "s"));
         columns.push(Column::numbers("at the height", "m"));
     }
     if bars {

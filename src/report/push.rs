@@ -320,6 +320,7 @@ pub fn report(push: &Push) -> Result<Report, Error> {
     let mut page = Context::new();
     page.insert("name", &push.name);
     page.insert("incomplete", &push.incomplete);
+    page.insert("doubts", &push.doubts);
     page.insert("interruption", &push.interruption);
     page.insert("summary", &summary(push));
     page.insert("limits", &limits(push));

@@ -32,6 +32,16 @@ pub struct Nonlinear {
     pub cost: Vec<Count>,
 }
 
+/// Title of the event that the liquid leaves a wall which it may leave.
+pub const LEAVES: &str = "the liquid leaves the wall";
+
+impl Nonlinear {
+    /// Whether the liquid has left the wall.
+    pub fn parted(&self) -> bool {
+        self.events.iter().any(|e| e.id == "separation" && e.title == LEAVES)
+    }
+}
+
 /// How a run ended.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]

@@ -30,6 +30,9 @@ pub struct Push {
     pub model: Vec<Fact>,
     /// What the engine assumed, one sentence each.
     pub assumptions: Vec<String>,
+    /// What to doubt of it, one sentence each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub doubts: Vec<String>,
     /// The perfect shell, then the imperfect ones.
     pub shells: Vec<PushShell>,
     /// What formulas give at the lower edges of the courses.

@@ -60,6 +60,10 @@ fn runs_are_written_and_resumed() {
     assert_eq!(once.status.code(), Some(0), "{}", stderr(&once));
     assert_eq!(runs(&parts), runs(&whole));
     assert_eq!(runs(&whole).len(), 2);
+    // Other scales leave what is there.
+    let other = run(&record, "0", &parts, &["--quiet", "--resume"]);
+    assert_eq!(other.status.code(), Some(0), "{}", stderr(&other));
+    assert_eq!(runs(&parts), runs(&whole));
     let moved = runs(&whole)[1]["wall_displacement"].as_f64().expect("a number");
     assert!(moved > rest["wall_displacement"].as_f64().expect("a number"));
 }

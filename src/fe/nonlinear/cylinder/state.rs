@@ -8,7 +8,7 @@ use fem::analysis::march::Run;
 use super::model::CylinderModel;
 use super::points::Look;
 use super::watch::{BASE_SHEAR, BELLY_FRONT, Happening, Watch};
-use crate::results::nonlinear::{CellMap, Columns, CrackPicture, Energies, Event, Loop, LoopAxis, WallGrid};
+use crate::results::nonlinear::{CellMap, Columns, CrackPicture, Energies, Event, LEAVES, Loop, LoopAxis, WallGrid};
 
 /// Points of a loop or a curve of energy at most.
 const POINTS: usize = 1500;
@@ -94,7 +94,7 @@ fn parting(watch: &Watch<'_>, tank: &CylinderModel) -> Option<Event> {
     let length = |x: f64| display(x, Dimension::Length);
     Some(Event {
         id: "separation".into(),
-        title: "the liquid leaves the wall".into(),
+        title: LEAVES.into(),
         time: first.first,
         place: at,
         note: format!(

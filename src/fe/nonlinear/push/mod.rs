@@ -48,6 +48,8 @@ pub struct Pushed {
     pub model: Vec<Fact>,
     /// What was assumed.
     pub assumptions: Vec<String>,
+    /// What to doubt of it, one sentence each.
+    pub doubts: Vec<String>,
     /// The perfect shell and the imperfect one.
     pub shells: Vec<PushShell>,
     /// Formulas beside it.
@@ -95,10 +97,38 @@ pub fn pushover(
     Ok(Pushed {
         model: facts(&plan),
         assumptions: assumptions(case, options),
+        doubts: doubts(&plan, &shells),
         interruption: interruption(&shells, missing),
         shells,
         limits: limits::limits(&plan),
     })
+}
+
+/// Longest element on which a bulge is one, over √(R t): its half wave is 1.7 √(R t) and more, three elements then.
+const COARSE: f64 = 0.6;
+
+/// What to doubt of a pushover.
+fn doubts(plan: &Plan, shells: &[PushShell]) -> Vec<String> {
+    let lowest = &plan.case.tank.courses[0];
+    let length = (plan.levels[1] - plan.levels[0]) / (plan.radius * lowest.thickness).sqrt();
+    let mut out = Vec::new();
+    if length > COARSE {
+        out.push(format!(
+            "The mesh is too coarse for a bulge: the lowest element is {} √(R t) long, of which a bulge takes 1.7 to 2.4; at most {COARSE} \
+             would do. Capacities may be far too high.",
+            significant(length, 3)
+        ));
+    }
+    if let [perfect, imperfect] = shells
+        && imperfect.capacity.state.acceleration > 1.01 * perfect.capacity.state.acceleration
+    {
+        out.push(
+            "The imperfect shell carries more than the perfect one: the imperfection stiffens the place where the perfect shell \
+             buckles, or the mesh does not resolve the buckle. No capacity is to be read from it."
+                .into(),
+        );
+    }
+    out
 }
 
 /// What is left out, in words.

@@ -322,7 +322,7 @@ fn contact_that_opens() {
             let open = options.contact == Contact::Opening;
             let parting = runs[0].parting;
             assert_eq!(parting.is_some(), opens);
-            assert!(parting.is_none_or(|p| p.open == open && p.height > 0.0 && p.height < DEPTH));
+            assert!(parting.is_none_or(|p| p.open == open && p.height > 0.0 && p.height <= DEPTH));
             let told = n.events.iter().find(|e| e.title == "the liquid leaves the wall");
             if let (Some(parting), Some(told), true) = (parting, told, open) {
                 assert_eq!(parting.time, told.time);

@@ -10,7 +10,7 @@ use fem::strip::{EventKind, Picture, Scalar, StripModel, WallRun};
 use super::super::PARTED;
 use super::section::{course_at, main_leaf};
 use crate::results::nonlinear::{
-    CellMap, Columns, Count, Crack, CrackPicture, End, Energies, Event, Loop, LoopAxis, Nonlinear, WallGrid,
+    CellMap, Columns, Count, Crack, CrackPicture, End, Energies, Event, LEAVES, Loop, LoopAxis, Nonlinear, WallGrid,
 };
 
 /// Names of the walls.
@@ -196,7 +196,7 @@ impl Walls<'_> {
         let length = |x: f64| display(x, Dimension::Length);
         Some(Event {
             id: "separation".into(),
-            title: "the liquid leaves the wall".into(),
+            title: LEAVES.into(),
             time: first.first,
             place: format!("{}, z = {}", WALLS[wall], length(first.height)),
             note: format!(

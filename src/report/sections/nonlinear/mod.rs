@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::report::figure::{Figure, cells, cracks};
 use crate::report::number::{Scale, fixed, percent, plain, ratio, significant};
 use crate::report::table::{Column, Table};
-use crate::results::nonlinear::{Count, End, Event, Nonlinear};
+use crate::results::nonlinear::{Count, End, Event, Nonlinear, PARTED};
 use crate::results::{FeResult, NONLINEAR_PREFIX, SeriesInfo};
 
 /// Histories of both engines drawn over each other, by the beginning of their id.
@@ -100,7 +100,11 @@ fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
             class: "none",
             sign: "✓",
             headline: "Equilibrium was found to the end of the ground motion".into(),
-            text: vec!["No step was accepted before it had converged.".into()],
+            text: {
+                let mut text = vec!["No step was accepted before it had converged.".to_owned()];
+                text.extend(run.parted().then(|| PARTED.to_owned()));
+                text
+            },
         },
         End::Interrupted { time } => fail(format!("Interrupted at t = {} s", fixed(*time, 2)), vec![bounds.into()]),
         End::Collapsed {
@@ -126,6 +130,7 @@ fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
             if !reason.is_empty() {
                 text.push(format!("Reason: {}.", reason.trim_end_matches('.')));
             }
+            text.extend(run.parted().then(|| PARTED.to_owned()));
             if load_factor.is_none() {
                 text.push(bounds.into());
             }
