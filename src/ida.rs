@@ -5,6 +5,7 @@
 
 use std::path::{Path, PathBuf};
 
+use fem::analysis::checkpoint::inspect;
 use fem::progress::Progress;
 
 use crate::error::Error;
@@ -57,7 +58,17 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
         .collect();
     std::fs::create_dir_all(&job.out).map_err(|e| fault(&job.out, e))?;
     let partial = job.out.join(IDA_PARTIAL_FILE);
-    if !job.resume {
+    if job.resume {
+        for path in checkpoints(&job.out)? {
+            inspect(&path).map_err(|e| Error::File {
+                what: format!(
+                    "{}; remove the file: the run of its scale then begins anew, and the others are kept",
+                    e.cause()
+                ),
+                path,
+            })?;
+        }
+    } else {
         // Of an earlier analysis, which the folder is taken from.
         for path in checkpoints(&job.out)? {
             std::fs::remove_file(&path).map_err(|e| fault(&path, e))?;

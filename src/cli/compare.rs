@@ -18,7 +18,7 @@ use crate::fe::{FeError, Integrator};
 use crate::job::{Engines, Job};
 use crate::pipeline::{self, Outcome, OutputFolder};
 use crate::report;
-use crate::results::nonlinear::{Nonlinear, PARTED};
+use crate::results::nonlinear::{End, Nonlinear, PARTED};
 use crate::results::{self, Limit, Method, Results, Series, Status, vtu};
 
 /// Arguments.
@@ -315,10 +315,12 @@ fn print_table(results: &Results, excitation: Excitation) {
     }
 }
 
-/// Peaks of the linear run in its free vibration, which the nonlinear one does not have.
+/// Peaks of the linear run after the end of the nonlinear one.
 struct Later {
     /// End of the nonlinear run [s].
     end: f64,
+    /// Whether that is the end of the record.
+    completed: bool,
     /// Quantity → time of the linear peak [s].
     peaks: BTreeMap<String, f64>,
 }
@@ -327,7 +329,8 @@ impl Later {
     /// `None` if there is none.
     fn of(results: &Results) -> Option<Later> {
         let (linear, nonlinear) = (results.fe.as_ref()?, results.fe_nonlinear.as_ref()?);
-        let end = *nonlinear.nonlinear.as_ref()?.energies.time.last()?;
+        let run = nonlinear.nonlinear.as_ref()?;
+        let end = *run.energies.time.last()?;
         let mut peaks = BTreeMap::new();
         for row in &results.comparison.rows {
             let own = |id: &str| match row.quantity.as_str() {
@@ -343,16 +346,23 @@ impl Later {
                 peaks.insert(row.quantity.clone(), highest.time);
             }
         }
-        (!peaks.is_empty()).then_some(Later { end, peaks })
+        let completed = run.end == End::Completed;
+        (!peaks.is_empty()).then_some(Later { end, completed, peaks })
     }
 
     fn remark(&self) -> String {
         let mut times: Vec<f64> = self.peaks.values().copied().collect();
         times.sort_by(f64::total_cmp);
         times.dedup();
-        let times: Vec<String> = times.iter().map(|t| format!("{t:.2} s")).collect();
+        let mut times: Vec<String> = times.iter().map(|t| format!("{t:.2} s")).collect();
+        times.dedup();
+        let after = if self.completed {
+            " with free vibration after the record"
+        } else {
+            ""
+        };
         format!(
-            "* the linear peak comes later ({}): {FE_NONLINEAR} ends at {:.2} s, fe goes on with free vibration after the record",
+            "* the linear peak comes later ({}): {FE_NONLINEAR} ends at {:.2} s, fe goes on{after}",
             times.join(", "),
             self.end
         )

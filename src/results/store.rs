@@ -5,6 +5,8 @@ use std::path::Path;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use super::ida::IDA_FILE;
+use super::push::PUSH_FILE;
 use super::{FORMAT, Results, Series};
 use crate::error::Error;
 
@@ -27,6 +29,18 @@ pub fn read(folder: &Path) -> Result<Results, Error> {
             path: folder.into(),
             what: "no such results folder; `tankcheck compare` writes one".into(),
         });
+    }
+    // Folders of commands whose results are no comparison.
+    for (file, command) in [(IDA_FILE, "ida"), (PUSH_FILE, "push")] {
+        if !path.exists() && folder.join(file).exists() {
+            return Err(Error::File {
+                path: folder.into(),
+                what: format!(
+                    "holds the results of `tankcheck {command}` ({file}), allowed those of `tankcheck compare` or `tankcheck check`; its \
+                     report.html is complete in itself"
+                ),
+            });
+        }
     }
     let text = std::fs::read_to_string(&path).map_err(|e| fault(describe(&e)))?;
     #[derive(Deserialize)]

@@ -64,6 +64,21 @@ fn runs_are_written_and_resumed() {
     let other = run(&record, "0", &parts, &["--quiet", "--resume"]);
     assert_eq!(other.status.code(), Some(0), "{}", stderr(&other));
     assert_eq!(runs(&parts), runs(&whole));
+    // Neither does a damaged checkpoint, which is told with the way out.
+    let damaged = parts.join("checkpoint-0.5");
+    std::fs::write(&damaged, "nothing").expect("writable");
+    let refused = run(&record, "0,0.5,1", &parts, &["--resume"]);
+    assert_eq!(refused.status.code(), Some(2), "{}", stderr(&refused));
+    let message = stderr(&refused);
+    assert!(
+        message.contains("checkpoint-0.5") && message.contains("remove the file"),
+        "{message}"
+    );
+    assert_eq!(runs(&parts), runs(&whole));
+    // The page is complete in itself, and no folder of a comparison.
+    let report = tankcheck(&["report", parts.to_str().expect("a plain path")]);
+    assert_eq!(report.status.code(), Some(2), "{}", stderr(&report));
+    assert!(stderr(&report).contains("tankcheck ida"), "{}", stderr(&report));
     let moved = runs(&whole)[1]["wall_displacement"].as_f64().expect("a number");
     assert!(moved > rest["wall_displacement"].as_f64().expect("a number"));
 }
