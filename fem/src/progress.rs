@@ -21,3 +21,14 @@ impl Progress for Silent {
         false
     }
 }
+
+/// Passes on the wish to stop and nothing else: runs side by side, of which the caller counts whole ones.
+pub struct Quiet<'a>(pub &'a dyn Progress);
+
+impl Progress for Quiet<'_> {
+    fn stage(&self, _name: &str, _steps: u64) {}
+    fn advance(&self, _steps: u64) {}
+    fn interrupted(&self) -> bool {
+        self.0.interrupted()
+    }
+}

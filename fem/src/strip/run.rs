@@ -14,7 +14,7 @@ use crate::analysis::motion::{Grid, Motion};
 use crate::analysis::newton::Options;
 use crate::analysis::scheme::TimeScheme;
 use crate::analysis::transient::Load;
-use crate::progress::{Progress, Silent};
+use crate::progress::{Progress, Quiet};
 
 /// Earthquake and integration of a run.
 #[derive(Clone, Debug)]
@@ -323,23 +323,6 @@ impl StripModel {
         levels.retain(complete);
         levels.sort_by(|a, b| a.scale.total_cmp(&b.scale));
         Ok(levels)
-    }
-}
-
-/// Passes on the wish to stop and nothing else: the levels are the progress.
-struct Quiet<'a>(&'a dyn Progress);
-
-impl Progress for Quiet<'_> {
-    fn stage(&self, name: &str, steps: u64) {
-        Silent.stage(name, steps);
-    }
-
-    fn advance(&self, steps: u64) {
-        Silent.advance(steps);
-    }
-
-    fn interrupted(&self) -> bool {
-        self.0.interrupted()
     }
 }
 

@@ -4,7 +4,7 @@ use codes::units::Dimension;
 use fem::analysis::ida;
 use fem::analysis::march::{Outcome, Run};
 use fem::liquid::separation::Parting;
-use fem::progress::{Progress, Silent};
+use fem::progress::{Progress, Quiet};
 
 use super::super::parting;
 use super::describe::{assumptions, facts};
@@ -135,22 +135,5 @@ impl Cylinder<'_> {
             steps: run.cost.steps,
             energy_residual: run.balance.error(),
         }
-    }
-}
-
-/// Passes on the wish to stop and nothing else: the runs are the progress.
-struct Quiet<'a>(&'a dyn Progress);
-
-impl Progress for Quiet<'_> {
-    fn stage(&self, name: &str, steps: u64) {
-        Silent.stage(name, steps);
-    }
-
-    fn advance(&self, steps: u64) {
-        Silent.advance(steps);
-    }
-
-    fn interrupted(&self) -> bool {
-        self.0.interrupted()
     }
 }

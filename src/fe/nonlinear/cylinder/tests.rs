@@ -301,7 +301,8 @@ fn resumed_with(contact: Contact) {
 }
 
 /// A joint that may open is the wall's own displacement as long as it is pressed; pulled hard it opens near the surface, and the
-/// numbers stay finite. The penalty gives way by 1e-3 of the membrane: 1e-3 of everything but a phase.
+/// numbers stay finite. The penalty gives way by 1e-3 of the membrane, and peaks of a wall that rings at a frequency lower by half of
+/// that fall between other samples: 5e-3, not estimated further.
 #[test]
 fn contact_that_opens() {
     for (acceleration, opens) in [(0.2, false), (25.0, true)] {
@@ -320,7 +321,6 @@ fn contact_that_opens() {
         assert_eq!(n.events.iter().any(|e| e.title == "the liquid leaves the wall"), opens);
         for (quantity, a) in &found.values {
             let b = tight.values[quantity];
-            println!("{acceleration} {}: {a} {b}", quantity.id());
             assert!(opens || (a / b - 1.0).abs() < 5e-3, "{}: {a} {b}", quantity.id());
         }
     }
