@@ -196,3 +196,6 @@ pub const ALL: &[&dyn Procedure] = &[
     &crate::api650::edition1993::Api6501993,
     &crate::api650::edition2020::Api6502020,
 ];
+
+#[cfg(test)]
+mod tests;

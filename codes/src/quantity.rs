@@ -102,3 +102,58 @@ impl Quantity {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ids are part of the file formats (`reported` in the tank file, `results.json`): files of earlier versions name them.
+    #[test]
+    fn ids_of_the_file_formats() {
+        let ids = Quantity::ALL.map(Quantity::id);
+        assert_eq!(
+            ids,
+            [
+                "sloshing_period",
+                "sloshing_height",
+                "impulsive_period",
+                "impulsive_mass",
+                "convective_mass",
+                "base_shear",
+                "base_moment",
+                "overturning_moment",
+                "hoop_stress",
+                "axial_membrane_stress",
+                "bending_stress",
+            ]
+        );
+        assert_eq!(ids.map(Quantity::from_id), Quantity::ALL.map(Some));
+        assert_eq!(Quantity::from_id("xyzzy"), None);
+    }
+
+    /// A title begins with the words of the id, and no two are the same.
+    #[test]
+    fn titles_name_the_id() {
+        for q in Quantity::ALL {
+            let words = q.id().replace('_', " ");
+            assert!(q.title().to_lowercase().starts_with(&words), "{}", q.title());
+            assert_eq!(Quantity::ALL.iter().filter(|o| o.title() == q.title()).count(), 1);
+        }
+    }
+
+    #[test]
+    fn dimensions_by_name() {
+        for q in Quantity::ALL {
+            let dimension = match q.id().rsplit('_').next().unwrap() {
+                "period" => Dimension::Time,
+                "height" => Dimension::Length,
+                "mass" => Dimension::Mass,
+                "shear" => Dimension::Force,
+                "moment" => Dimension::Moment,
+                "stress" => Dimension::Stress,
+                other => panic!("{other}"),
+            };
+            assert_eq!(q.dimension(), dimension, "{q:?}");
+        }
+    }
+}

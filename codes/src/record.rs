@@ -198,6 +198,16 @@ mod tests {
     }
 
     #[test]
+    fn zeros_of_a_parabola() {
+        // (1 − τ)(3 − τ), (4 − τ)(2 + τ), and the line 6 − 2 τ, whose other zero is infinite.
+        assert_eq!(turning_points(3.0, -4.0, 2.0), [3.0, 1.0]);
+        assert_eq!(turning_points(8.0, 2.0, -2.0), [4.0, -2.0]);
+        assert_eq!(turning_points(6.0, -2.0, 0.0), [f64::INFINITY, 3.0]);
+        // 1 + τ² has none.
+        assert!(turning_points(1.0, 0.0, 2.0).iter().all(|t| t.is_nan()));
+    }
+
+    #[test]
     fn displacement_peaks_between_samples() {
         // v₀ = 1 after the first pulse, then a = −2 constant: v = 0 at τ = 0.5, d = 0.5 + 0.25.
         let m = record(1.0, vec![2.0, 0.0, -2.0, -2.0]).measures();

@@ -13,7 +13,13 @@
 //! the standard are printed rounded, so they differ by up to 0.6 %; the SI one is used. `docs/theory/api650.md` maps the
 //! clauses and lists errata and what is not implemented.
 
+#[cfg(test)]
+mod annex_e_tables;
+#[cfg(test)]
+mod asce7_tables;
 pub mod basis;
+#[cfg(test)]
+mod boundaries;
 pub mod edition1993;
 pub mod edition2020;
 #[cfg(test)]

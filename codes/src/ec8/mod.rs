@@ -14,6 +14,8 @@
 //! Masses, levers and pressures of the rigid tank (A.2.1, A.4) are those of [`crate::mechanical`]. The sheets themselves are
 //! filled by `cylinder` and `rectangle`. `docs/theory/eurocode8.md` maps the clauses and lists what is not implemented.
 
+#[cfg(test)]
+mod boundaries;
 pub mod buckling;
 mod cylinder;
 mod cylinder_base;
@@ -31,6 +33,8 @@ mod scope;
 pub mod shell_mode;
 pub mod simplified;
 pub mod spectrum;
+#[cfg(test)]
+mod tables;
 pub mod uplift;
 pub mod vertical;
 mod work;

@@ -110,6 +110,8 @@ fn elements(courses: &[Course], breaks: &[f64]) -> Vec<Element> {
         let inside = |z: &f64| *z > base + 1e-9 * height && *z < top - 1e-9 * height;
         ends.extend(breaks.iter().copied().filter(inside));
         ends.sort_by(f64::total_cmp);
+        // Two breaks at one height are one: an element without length has no stiffness.
+        ends.dedup_by(|above, below| *above - *below < 1e-9 * height);
         let (e, nu, s) = (
             course.material.youngs_modulus,
             course.material.poisson_ratio,
@@ -277,6 +279,29 @@ mod tests {
             .sum();
         let w = deflection(&courses, Sides::Strip, 5e3, 4.0, 4.0);
         assert!((w / expected - 1.0).abs() < 1e-7, "{w} {expected}");
+    }
+
+    /// Observed in the lower of two courses, where the load ends too: EI w(z) = q (z⁴ − 4 a z³ + 6 a² z²)/24 for z ≤ a.
+    #[test]
+    fn heights_in_the_lower_course() {
+        let courses = [course(2.0, 0.4, 0.2), course(2.0, 0.3, 0.2)];
+        for (z, a) in [(0.7, 1.6), (1.6, 1.6), (1.6, 1.9), (2.0, 2.0)] {
+            let w = deflection(&courses, Sides::Strip, 5e3, a, z);
+            let shape = z.powi(4) - 4.0 * a * z.powi(3) + 6.0 * a * a * z * z;
+            let expected = 5e3 * shape / (24.0 * rigidity(0.4, 0.2));
+            assert!((w / expected - 1.0).abs() < 1e-9, "{z} {a}: {w} {expected}");
+        }
+        // Ends of elements: joints and breaks once each, none outside the course it belongs to.
+        let ends: Vec<f64> = elements(&courses, &[0.7, 1.6, 2.0, 5.0])
+            .iter()
+            .map(|e| e.base)
+            .collect();
+        assert!(ends.windows(2).all(|z| z[0] < z[1]), "{ends:?}");
+        let total: f64 = elements(&courses, &[0.7, 1.6, 2.0, 5.0]).iter().map(|e| e.length).sum();
+        assert!((total - 4.0).abs() < 1e-12, "{total}");
+        for z in [0.7, 1.6, 2.0] {
+            assert!(ends.iter().any(|e| (e - z).abs() < 1e-12), "{z}: {ends:?}");
+        }
     }
 
     /// A very wide wall bends as the cantilever in its middle; a very tall one as a beam clamped at both sides, q (2B)⁴/(384 D).

@@ -208,6 +208,18 @@ fn iterative_procedure() {
     close(line(&a, "Q_c"), 0.51140 * m * line(&a, "S_e(T_c1)"), 1e-4 * m);
     let three = a.steps.iter().rev().find(|s| s.symbol == "Q_c").unwrap().value;
     close(three, ((m_i - m_f) * a_g).hypot(m_f * a_i) + q_c, 1e-3 * m);
+    // Moments: the same with the levers of the parts.
+    let circle = crate::mechanical::Plan::Circle;
+    let h_i = 12.0 * crate::mechanical::impulsive(circle, 0.8).lever;
+    let h_c = 12.0 * crate::mechanical::convective(circle, 0.8, 1).lever;
+    let (rigid, flexible) = (m_i * h_i, m_f * 12.0 * mode.field.lumped.lever);
+    let a_c = line(&a, "S_e(T_c1)");
+    let convective = crate::mechanical::convective(circle, 0.8, 1).mass * m * h_c * a_c;
+    let expected = (rigid * a_g).hypot(flexible * a_i) + convective;
+    close(line(&a, "M_a") / expected, 1.0, 1e-9);
+    let three = a.steps.iter().rev().find(|s| s.symbol == "M_c").unwrap().value;
+    let expected = ((rigid - flexible) * a_g).hypot(flexible * a_i) + convective;
+    close(three / expected, 1.0, 1e-9);
     // Same demand: ENV without the spectrum's differences has the same masses.
     let env = Env1998.assess(&case, Excitation::Site).unwrap();
     close(env.values[&Quantity::ImpulsivePeriod], mode.period, 1e-12);
@@ -299,6 +311,11 @@ fn rectangular_strip() {
         0.811 * 2.5 * s_1 / GRAVITY,
         5e-4 * 2.5 * s_1 / GRAVITY,
     );
+    // Second mode: ω² = 3π/2 g/L tanh(3π/2 H/L), on the branch 1/T before T_D = 2 s; the first is on 1/T² after it.
+    let eigenvalue = 1.5 * std::f64::consts::PI;
+    let t_2 = 2.0 * std::f64::consts::PI / (eigenvalue * GRAVITY / 2.5 * eigenvalue.tanh()).sqrt();
+    let t_1 = a.values[&Quantity::SloshingPeriod];
+    close(line(&a, "S_e(T_c2)") / s_1, t_1 * t_1 / (2.0 * t_2), 1e-6);
     // Load on the lower a = 2.5 m of the wall: w(z) = q (z⁴ − 4 a z³ + 6 a² z²)/(24 D) for z ≤ a.
     let q = (0.5 * line(&a, "m_i") + 3.0 * 0.3 * 2500.0) * GRAVITY / 2.5;
     let d = 30e9 * 0.3f64.powi(3) / (12.0 * (1.0 - 0.04));
@@ -313,6 +330,13 @@ fn rectangular_strip() {
     close(line(&a, "m_z") / moment, 1.0, 3e-3);
     close(a.values[&Quantity::BendingStress], 6.0 * line(&a, "m_z") / 0.09, 1e-6);
     assert!(!a.values.contains_key(&Quantity::HoopStress));
+    // A roof of 4 t rests on both walls, 3 m above the bottom.
+    let mut covered = strip();
+    covered.tank.roof.mass = 4000.0;
+    let r = En2006.assess(&covered, Excitation::Site).unwrap();
+    let own = (3.0 * 0.3 * 2500.0 * 1.5 + 2000.0 * 3.0) * line(&r, "S_e(T_f)");
+    let moment = integral(profile(&r, "pressure_impulsive"), 1) + integral(profile(&r, "pressure_convective"), 1) + own;
+    close(line(&r, "m_z") / moment, 1.0, 3e-3);
     // A tank with side walls is stiffer than the strip.
     let mut boxed = strip();
     boxed.tank.shape = Shape::Rectangle {
@@ -367,6 +391,66 @@ fn unanchored_walls() {
     let a = En2006.assess(&case, Excitation::Site).unwrap();
     close(line(&a, "w_L"), 0.0, 0.0);
     assert!(a.notes.iter().any(|n| n.contains("bottom plate is not given")));
+}
+
+/// The lines of the sheets read back as arithmetic: cylinders with and without vertical motion, anchored or not, both
+/// routes of the impulsive part, both combinations; the strip.
+#[test]
+fn lines_read_back() {
+    use crate::sheet::arithmetic;
+    for procedure in procedures() {
+        for combination in [Combination::Abs, Combination::Srss] {
+            let mut case = oil_tank();
+            case.procedures.ec8_combination = combination;
+            arithmetic::check(&procedure.assess(&case, Excitation::Site).unwrap().steps, 40);
+            case.procedures.ec8_impulsive = FlexibleImpulsive::Iterative;
+            case.site.ec8 = Some(Ec8Site {
+                vertical: true,
+                ..site()
+            });
+            case.tank.anchors = Some(Anchors {
+                count: 60,
+                capacity: Some(400e3),
+            });
+            arithmetic::check(&procedure.assess(&case, Excitation::Site).unwrap().steps, 40);
+            case.tank.support = Support::Unanchored;
+            case.tank.bottom = Some(Bottom {
+                thickness: 0.010,
+                material: steel(),
+            });
+            case.site.ec8 = Some(Ec8Site {
+                ag: 0.08 * GRAVITY,
+                behaviour_factor: 1.5,
+                ..site()
+            });
+            arithmetic::check(&procedure.assess(&case, Excitation::Site).unwrap().steps, 40);
+            let mut strip = strip();
+            strip.procedures.ec8_combination = combination;
+            arithmetic::check(&procedure.assess(&strip, Excitation::Site).unwrap().steps, 20);
+        }
+    }
+}
+
+/// The lines of table A.2 at H/R = 0.8, a third of the way from 0.7 to 1.0.
+#[test]
+fn lines_of_the_table() {
+    let a = En2006.assess(&oil_tank(), Excitation::Site).unwrap();
+    let third = |below: f64, above: f64| below + (above - below) / 3.0;
+    for (symbol, whole, share) in [
+        ("m_i", line(&a, "m"), third(0.414, 0.548)),
+        ("m_c", line(&a, "m"), third(0.586, 0.452)),
+        ("h_i", 12.0, third(0.401, 0.419)),
+        ("h_c", 12.0, third(0.571, 0.616)),
+        ("h_i′", 12.0, third(1.009, 0.721)),
+        ("h_c′", 12.0, third(1.011, 0.785)),
+    ] {
+        let step = a
+            .steps
+            .iter()
+            .find(|s| s.symbol == symbol && s.formula.ends_with("table A.2"))
+            .unwrap();
+        close(step.value / whole, share, 1e-9);
+    }
 }
 
 /// Anchors: demand n_a × spacing where capacity is given, a note where not.

@@ -161,6 +161,28 @@ fn extremum([f0, d0, c0]: [f64; 3], [f1, d1, c1]: [f64; 3]) -> f64 {
 mod tests {
     use super::*;
 
+    /// Under p + σφ the oscillator follows the line p − 2ξσ + σφ plus R e^{−ξφ} cos(κφ − ψ): its state (x₁, x₂) is
+    /// R e^{−ξφ} (cos, −sin)(κφ − ψ).
+    #[test]
+    fn oscillation_beside_a_rising_load() {
+        let (xi, sigma, radius, psi) = (0.1f64, 0.7, 2.0, 0.4);
+        let kappa = (1.0 - xi * xi).sqrt();
+        for phi in [0.0, 0.3, 1.7, 4.0] {
+            let (angle, decay) = (kappa * phi - psi, (-xi * phi).exp());
+            let x = radius * decay * angle.cos();
+            let slope = radius * decay * (-xi * angle.cos() - kappa * angle.sin());
+            let p = 1.3 + sigma * phi;
+            let state = State::new(p - 2.0 * xi * sigma + x, sigma + slope, p, sigma, xi);
+            let (x1, x2) = state.oscillation(p, sigma, xi);
+            assert!((x1 - x).abs() < 1e-14, "{phi}: {x1} {x}");
+            assert!((x2 + radius * decay * angle.sin()).abs() < 1e-14, "{phi}: {x2}");
+            // y″ is that of the oscillation: x″ = −x − 2ξx′; y‴ its derivative.
+            let second = -x - 2.0 * xi * slope;
+            assert!((state.y2 - second).abs() < 1e-14);
+            assert!((state.y3 - (-slope - 2.0 * xi * second)).abs() < 1e-14);
+        }
+    }
+
     #[test]
     fn extremum_of_a_sine() {
         // Intervals of 2π/16 at all phases: the peak 1 of sin is found to 2e-7.

@@ -298,3 +298,108 @@ impl StiffTrace<'_> {
         traced
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::kernel::maxima;
+    use super::*;
+
+    /// Step of the records [s]; with 8 rad a step an oscillator is stiff.
+    const H: f64 = 0.02;
+    const TURN: f64 = 8.0;
+
+    fn found(ground: &[f64], damping: f64) -> Maxima {
+        let omega = TURN / H;
+        maxima(ground, H, &[Oscillator { omega, damping }])[0]
+    }
+
+    fn close(value: f64, expected: f64) {
+        assert!((value / expected - 1.0).abs() < 1e-6, "{value} {expected}");
+    }
+
+    /// Undamped under a load that rises from 0 to p in one step and ends: `y = p (φ − sin φ)/φ₁`, `y' = p (1 − cos φ)/φ₁`
+    /// with φ₁ = ωh, and after it a vibration of the amplitude √(y² + y'²).
+    #[test]
+    fn free_vibration_after_a_rising_load() {
+        let (y, y1) = ((TURN - TURN.sin()) / TURN, (1.0 - TURN.cos()) / TURN);
+        let amplitude = 3.0 * y.hypot(y1);
+        let m = found(&[0.0, 3.0], 0.0);
+        for value in [m.y, m.y1, m.a] {
+            close(value, amplitude);
+        }
+    }
+
+    /// A load p from the first sample on: overshoot `y = p (1 + e^{−πξ/κ})`.
+    #[test]
+    fn overshoot_of_a_sudden_load() {
+        for damping in [0.0, 0.05, 0.3, 0.7] {
+            let kappa = f64::sqrt(1.0 - damping * damping);
+            let overshoot = (-std::f64::consts::PI * damping / kappa).exp();
+            close(found(&[2.0; 4], damping).y, 2.0 * (1.0 + overshoot));
+        }
+    }
+
+    /// Seven vibrations in a step, undamped: a load of 1 that rises by 1/2 gives `y = 1 − cos φ + ε (φ − sin φ)`,
+    /// ε = 1/(2 φ₁). It is largest in the last vibration, where cot(φ/2) = −ε, and 1/2 at the end of the step.
+    #[test]
+    fn largest_in_the_last_vibration_of_a_step() {
+        let end = 7.0 * TAU;
+        let epsilon = 0.5 / end;
+        let phi = 6.5 * TAU + 2.0 * epsilon.atan();
+        let oscillator = Oscillator {
+            omega: end / H,
+            damping: 0.0,
+        };
+        let m = maxima(&[1.0, 1.5], H, &[oscillator])[0];
+        close(m.y, 1.0 - phi.cos() + epsilon * (phi - phi.sin()));
+    }
+
+    /// Damped, a sudden load p₀ and the same rise: `y = p₀ (1 − e^{−ξφ} (cos κφ + ξ/κ sin κφ)) + p/φ₁ (φ − 2ξ +
+    /// e^{−ξφ} (2ξ cos κφ + (2ξ² − 1)/κ sin κφ))` up to φ₁, free vibration from there, both sampled finely; the absolute
+    /// acceleration is y + 2ξ y'.
+    #[test]
+    fn damped_oscillator_under_a_rising_load() {
+        for (xi, sudden) in [
+            (0.02, 0.0),
+            (0.1, 0.0),
+            (0.3, 0.0),
+            (0.1, 0.5),
+            (0.3, -0.4),
+            (0.7, 0.2f64),
+        ] {
+            let kappa = f64::sqrt(1.0 - xi * xi);
+            // e^{−ξφ} (α cos κφ + β sin κφ) and its slope.
+            let decay = |alpha: f64, beta: f64, phi: f64| {
+                let (sin, cos) = (kappa * phi).sin_cos();
+                let e = (-xi * phi).exp();
+                (
+                    e * (alpha * cos + beta * sin),
+                    e * ((kappa * beta - xi * alpha) * cos - (kappa * alpha + xi * beta) * sin),
+                )
+            };
+            let loaded = |phi: f64| {
+                let (rise, rise1) = decay(2.0 * xi, (2.0 * xi * xi - 1.0) / kappa, phi);
+                let (step, step1) = decay(-sudden, -sudden * xi / kappa, phi);
+                (
+                    sudden + step + (phi - 2.0 * xi + rise) / TURN,
+                    step1 + (1.0 + rise1) / TURN,
+                )
+            };
+            let (y_end, y1_end) = loaded(TURN);
+            let free = |phi: f64| decay(y_end, (y1_end + xi * y_end) / kappa, phi);
+            let (mut y_max, mut y1_max, mut a_max) = (0.0, 0.0, 0.0);
+            for i in 0..=80_000 {
+                let phi = f64::from(i) * 1e-4;
+                for (y, y1) in [loaded(phi), free(phi)] {
+                    y_max = larger(y_max, y.abs());
+                    y1_max = larger(y1_max, y1.abs());
+                    a_max = larger(a_max, (y + 2.0 * xi * y1).abs());
+                }
+            }
+            let m = found(&[sudden, sudden + 1.0], xi);
+            close(m.y, y_max);
+            close(m.y1, y1_max);
+            close(m.a, a_max);
+        }
+    }
+}

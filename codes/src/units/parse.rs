@@ -351,6 +351,9 @@ mod tests {
             ("1 000 m", Some("1000 m")),
             ("1'000 m", Some("1000 m")),
             ("1.2.3 m", None),
+            // A comma after a point: neither reading is sure.
+            ("1.234,5 m", None),
+            ("1e3,5 m", None),
             ("about 2 m", None),
             ("-", None),
             (".", None),

@@ -186,6 +186,9 @@ fn profiles_meet_the_quantities() {
         for profile in &out.profiles {
             assert_eq!(profile.z.len(), profile.values.len());
             assert!(profile.z.windows(2).all(|w| w[0] < w[1]));
+            // From the bottom to the surface; the wall goes on above it.
+            let top = profile.z[profile.z.len() - 1];
+            assert!(profile.z[0] == 0.0 && (top / case.liquid.fill_height - 1.0).abs() < 1e-12);
             assert!(profile.values.iter().all(|v| *v >= 0.0 && v.is_finite()));
         }
         let near =
@@ -218,6 +221,38 @@ fn profiles_meet_the_quantities() {
             }
         }
     }
+}
+
+/// Each line says where it stands: the table of the plan, and whose constants.
+#[test]
+fn clauses_name_plan_and_constants() {
+    for (mut case, plan) in [(cylinder(1.525), "table D.1"), (strip(), "8.4.2")] {
+        for (choice, constants) in [
+            (ConvectiveCoefficient::Exact, "potential flow"),
+            (ConvectiveCoefficient::Housner1957, "TID-7024"),
+        ] {
+            case.procedures.housner_convective = choice;
+            let out = assess(&case);
+            for (symbol, part) in [("x", plan), ("T", plan), ("k", constants), ("c_m", constants)] {
+                let step = out.steps.iter().find(|s| s.symbol == symbol).unwrap();
+                assert!(step.clause.contains(part), "{symbol}: {}", step.clause);
+            }
+        }
+    }
+}
+
+/// Walls of 4 and 3 mm weigh 3.6 % of the liquid, a tenth of that 0.36 %; a roof of 200 kg is another 1.2 %.
+#[test]
+fn wall_and_roof_are_mentioned_from_one_per_cent_on() {
+    let mentioned = |case: &Case| assess(case).notes.iter().any(|n| n.starts_with("Wall and roof"));
+    let mut case = cylinder(1.525);
+    assert!(mentioned(&case));
+    for course in &mut case.tank.courses {
+        course.thickness *= 0.1;
+    }
+    assert!(!mentioned(&case));
+    case.tank.roof.mass = 200.0;
+    assert!(mentioned(&case));
 }
 
 #[test]

@@ -1,0 +1,327 @@
+//! Every check of both editions on either side of its limit.
+//!
+//! Source:    worked example of `example`: printed demands and capacities (see `tests1993`, `edition2020::tests`)
+//! Goal:      the check holds just below a utilisation of 1, fails just above it, and prints that utilisation
+//! Model:     one input is set so that demand over capacity is 1 − ε and 1 + ε by the printed numbers
+//! Tolerance: ε = 2e-4; the printed numbers have five or six digits
+
+use std::f64::consts::PI;
+
+use super::edition1993::Api6501993;
+use super::edition2020::Api6502020;
+use super::example::{case, line};
+use crate::case::Case;
+use crate::procedure::{Assessment, Excitation, Procedure};
+use crate::tank::{Anchors, Support};
+
+const EPSILON: f64 = 2e-4;
+
+fn site(c: &mut Case) -> &mut crate::case::Api650Site {
+    c.site.api650.as_mut().unwrap()
+}
+
+fn find<'a>(out: &'a Assessment, id: &str) -> &'a crate::procedure::Check {
+    out.checks
+        .iter()
+        .find(|c| c.id == id)
+        .unwrap_or_else(|| panic!("no check {id}: {:?}", out.notes))
+}
+
+/// `case_at(u)` is the example with the check utilised to u by hand.
+fn limit(procedure: &dyn Procedure, id: &str, case_at: impl Fn(f64) -> Case) {
+    for (u, holds) in [
+        (0.5, true),
+        (1.0 - EPSILON, true),
+        (1.0 + EPSILON, false),
+        (1.04, false),
+        (2.0, false),
+    ] {
+        let out = procedure.assess(&case_at(u), Excitation::Site).unwrap();
+        let check = find(&out, id);
+        let what = format!("{} {id} at {u}: {check:?}", procedure.id());
+        assert_eq!(check.holds, holds, "{what}");
+        assert!((check.utilisation / u - 1.0).abs() < 0.8 * EPSILON, "{what}");
+    }
+}
+
+fn anchored(capacity: f64) -> Case {
+    let mut c = case();
+    c.tank.support = Support::Anchored;
+    c.tank.anchors = Some(Anchors {
+        count: 60,
+        capacity: Some(capacity),
+    });
+    c
+}
+
+/// δ_s = 1.11743 m, 0.7 of it for SUG II; SUG III all of 0.42·30 m·1.5·0.42667/6.0069.
+#[test]
+fn freeboard_of_2020() {
+    for (sug, demand) in [(2, 0.7 * 1.11743), (3, 0.42 * 30.0 * 1.5 * 0.426_667 / 6.0069)] {
+        limit(&Api6502020, "freeboard", |u| {
+            let mut c = case();
+            site(&mut c).sug = sug;
+            // Five courses reach the surface at 12 m; the sixth is the freeboard.
+            c.tank.courses[5].height = demand / u;
+            c
+        });
+    }
+}
+
+/// Table E.7: SUG II needs freeboard from S_DS = 0.33 g on, SUG III always, SUG I never.
+#[test]
+fn freeboard_of_2020_is_required_from_0_33_g_on() {
+    for (sug, s_ds, required) in [
+        (1, 0.9, false),
+        (2, 0.33 - 1e-9, false),
+        (2, 0.33, true),
+        (2, 0.33 + 1e-9, true),
+        (3, 0.05, true),
+    ] {
+        let mut c = case();
+        let s = site(&mut c);
+        (s.sug, s.q, s.fa, s.fv, s.ss) = (sug, 1.0, Some(1.0), Some(1.0), s_ds);
+        let out = Api6502020.assess(&c, Excitation::Site).unwrap();
+        let found = out.checks.iter().any(|c| c.id == "freeboard");
+        assert_eq!(found, required, "SUG {sug}, S_DS = {s_ds}");
+        assert_eq!(
+            out.notes.iter().any(|n| n.contains("no freeboard is required")),
+            !required
+        );
+    }
+}
+
+/// σ_T = 141.10 MPa at the bottom against 1.33 S_d e, and against 0.9 F_y e; the joint efficiency enters both.
+#[test]
+fn hoop_stress_of_2020() {
+    let with = |s_d: f64, f_y: f64, e: f64| {
+        let mut c = case();
+        site(&mut c).joint_efficiency = e;
+        for course in &mut c.tank.courses {
+            course.material.allowable_stress = Some(s_d);
+            course.material.yield_strength = Some(f_y);
+        }
+        c
+    };
+    limit(&Api6502020, "hoop_stress", |u| with(141.10e6 / 1.33 / u, 1e9, 1.0));
+    limit(&Api6502020, "hoop_stress", |u| with(1e9, 141.10e6 / 0.9 / u, 1.0));
+    limit(&Api6502020, "hoop_stress", |u| {
+        with(157e6, 1e9, 141.10 / (1.33 * 157.0) / u)
+    });
+}
+
+/// 40 steps over 12 m and the lower sides of the four joints below the surface; the fifth joint, at the surface, has none.
+#[test]
+fn heights_of_the_profiles() {
+    let c = case();
+    let z = c.tank.profile_heights(12.0);
+    let mut expected: Vec<f64> = (0..=40).map(|i| 0.3 * f64::from(i)).collect();
+    expected.extend([2.4, 4.8, 7.2, 9.6].map(|joint| joint - 12e-6));
+    expected.sort_by(f64::total_cmp);
+    assert_eq!(z.len(), expected.len(), "{z:?}");
+    assert!(z.iter().zip(&expected).all(|(z, e)| (z - e).abs() < 1e-9), "{z:?}");
+}
+
+/// Stress over allowable governs, not the largest stress: a second course with a fifth of the first one's strength.
+#[test]
+fn hoop_stress_of_2020_governs_where_the_steel_is_weak() {
+    let mut c = case();
+    let weak = &mut c.tank.courses[1].material;
+    (weak.allowable_stress, weak.yield_strength) = (Some(31e6), Some(1e9));
+    let out = Api6502020.assess(&c, Excitation::Site).unwrap();
+    let check = out.checks.iter().find(|c| c.id == "hoop_stress").unwrap();
+    assert!(check.note.starts_with("Course 2 "), "{}", check.note);
+    let e = site(&mut c).joint_efficiency;
+    assert!((check.capacity / (1.33 * 31e6 * e) - 1.0).abs() < 1e-12);
+}
+
+/// J = 0.81743 grows with F_a and F_v alike while A_v stays; the limit is 1.54.
+#[test]
+fn anchorage_ratio_of_2020() {
+    limit(&Api6502020, "anchorage_ratio", |u| {
+        let mut c = case();
+        let k = 1.54 / 0.81743 * u;
+        let s = site(&mut c);
+        (s.fa, s.fv, s.av) = (Some(1.14 * k), Some(1.60 * k), Some(0.32148));
+        c
+    });
+}
+
+/// What the state of the anchorage ratio decides: uplift from 0.785, compression up to 1.54.
+#[test]
+fn anchorage_ratio_of_2020_decides_the_state() {
+    let at = |j: f64| {
+        let mut c = case();
+        let k = j / 0.81743;
+        let s = site(&mut c);
+        (s.fa, s.fv, s.av) = (Some(1.14 * k), Some(1.60 * k), Some(0.32148));
+        Api6502020.assess(&c, Excitation::Site).unwrap()
+    };
+    for (j, lifts, compressed) in [
+        (0.785 - 1e-4, false, true),
+        (0.785 + 1e-4, true, true),
+        (1.54 - 1e-4, true, true),
+        (1.54 + 1e-4, true, false),
+    ] {
+        let out = at(j);
+        let has = |symbol: &str| out.steps.iter().any(|s| s.symbol == symbol);
+        assert!((line(&out, "J") - j).abs() < 2e-5, "{j}");
+        assert_eq!(has("y_u"), lifts && compressed, "y_u at J = {j}");
+        assert_eq!(has("σ_c"), compressed, "σ_c at J = {j}");
+        let state = &find(&out, "anchorage_ratio").note;
+        let expected = match (lifts, compressed) {
+            (false, _) => "does not lift",
+            (true, true) => "self-anchored if",
+            (true, false) => "not self-anchored",
+        };
+        assert!(state.contains(expected), "{state}");
+    }
+}
+
+/// σ_c = 5.8928 MPa lifting against 0.5 F_ty.
+#[test]
+fn shell_compression_of_2020() {
+    limit(&Api6502020, "shell_compression", |u| {
+        let mut c = case();
+        for course in &mut c.tank.courses {
+            course.material.yield_strength = Some(2.0 * 5.8928e6 / u);
+        }
+        c
+    });
+}
+
+/// Anchored, the whole ring bears: σ_c = 5.6024 MPa with A_i as if self-anchored.
+#[test]
+fn shell_compression_of_2020_anchored() {
+    limit(&Api6502020, "shell_compression", |u| {
+        let mut c = anchored(1e9);
+        let s = site(&mut c);
+        (s.fa, s.fv, s.av) = (Some(1.14), Some(1.60), Some(0.47 * 0.684));
+        s.ss *= 4.0 / 3.5;
+        for course in &mut c.tank.courses {
+            course.material.yield_strength = Some(2.0 * 5.6024e6 / u);
+        }
+        c
+    });
+}
+
+/// V = √((8 569.71 + 0.244286 W_f)² + 2 578.44²) kN against μ (W_s + W_r + W_f + W_p)(1 − 0.4 A_v).
+#[test]
+fn sliding_of_2020() {
+    let w_f = 7850.0 * 9.81 * 0.010 * PI * 225.0;
+    let v = (8_569.71e3 + 0.244286 * w_f).hypot(2_578.44e3);
+    let weight = (1_045.1e3 + 343.35e3 + w_f + 74_890.2e3) * (1.0 - 0.4 * 0.32148);
+    for (u, holds) in [
+        (0.9, true),
+        (1.0 - EPSILON, true),
+        (1.0 + EPSILON, false),
+        (1.04, false),
+        (2.0, false),
+    ] {
+        let mut c = case();
+        site(&mut c).friction = v / weight / u;
+        let out = Api6502020.assess(&c, Excitation::Site).unwrap();
+        let check = find(&out, "sliding");
+        assert_eq!(check.holds, holds, "{check:?}");
+        assert!((check.utilisation / u - 1.0).abs() < 0.8 * EPSILON, "{check:?}");
+    }
+    // 0.4 is the most that counts: beyond it the resistance stays.
+    let at = |friction: f64| {
+        let mut c = case();
+        site(&mut c).friction = friction;
+        let out = Api6502020.assess(&c, Excitation::Site).unwrap();
+        let noted = out.notes.iter().any(|n| n.contains("taken as 0.4"));
+        (find(&out, "sliding").capacity, noted)
+    };
+    let (capacity, noted) = at(0.4);
+    assert!((capacity / (0.4 * weight) - 1.0).abs() < 1e-5 && !noted);
+    assert_eq!(at(0.4 + 1e-9), (capacity, true));
+    assert_eq!(at(0.8), (capacity, true));
+}
+
+/// w_AB = 48 968.7 N/m, 60 anchors.
+#[test]
+fn anchor_tension_of_2020() {
+    limit(&Api6502020, "anchor_tension", |u| {
+        let mut c = anchored(48_968.7 * PI * 30.0 / 60.0 / u);
+        let s = site(&mut c);
+        (s.fa, s.fv, s.av) = (Some(1.14), Some(1.60), Some(0.47 * 0.684));
+        s.ss *= 4.0 / 3.5;
+        c
+    });
+}
+
+/// x = M/(D² (w_t + w_L)) = 40.445 MNm/(900 m²·(14 732.3 + 49 874.8) N/m) in zone 3; the limit is 1/0.637.
+#[test]
+fn stability_of_1993() {
+    let x = 40.445e6 / (900.0 * (14_732.3 + 49_874.8));
+    limit(&Api6501993, "stability", |u| {
+        let mut c = case();
+        let zone = 0.30 / 0.637 / x * u;
+        // Table E-2 ends at 1: the rest by the importance, up to 1.5.
+        let importance = zone.max(1.0);
+        site(&mut c).zone_factor = Some(zone / importance);
+        site(&mut c).importance_1993 = importance;
+        c
+    });
+}
+
+/// f = 71 939 N/m/14 mm against 0.5 F_ty.
+#[test]
+fn shell_compression_of_1993() {
+    limit(&Api6501993, "shell_compression", |u| {
+        let mut c = case();
+        for course in &mut c.tank.courses {
+            course.material.yield_strength = Some(2.0 * 71_939.0 / 0.014 / u);
+        }
+        c
+    });
+}
+
+/// Tension of the anchors 1.273·40.445 MNm/900 m² − 14 732.3 N/m.
+#[test]
+fn anchor_tension_of_1993() {
+    let w_ab = 1.273 * 40.445e6 / 900.0 - 14_732.3;
+    limit(&Api6501993, "anchor_tension", |u| anchored(w_ab * PI * 30.0 / 60.0 / u));
+}
+
+/// The factors of the zone method are admissible up to the ends of their tables, and no further.
+#[test]
+fn factors_of_1993_at_their_limits() {
+    let fault = |edit: &dyn Fn(&mut crate::case::Api650Site)| {
+        let mut c = case();
+        edit(site(&mut c));
+        Api6501993
+            .assess(&c, Excitation::Site)
+            .map(|_| ())
+            .map_err(|e| e.to_string())
+    };
+    for z in [0.0, 1.0] {
+        assert_eq!(fault(&|s| s.zone_factor = Some(z)), Ok(()));
+    }
+    for z in [-1e-9, 1.0 + 1e-9, f64::NAN] {
+        assert!(fault(&|s| s.zone_factor = Some(z)).unwrap_err().contains("zone_factor"));
+    }
+    for (soil, good) in [(1.0, true), (2.0, true), (1.0 - 1e-9, false), (2.0 + 1e-9, false)] {
+        assert_eq!(fault(&|s| s.soil_factor = soil).is_ok(), good, "{soil}");
+    }
+    for (i, good) in [(1.0, true), (1.5, true), (1.0 - 1e-9, false), (1.5 + 1e-9, false)] {
+        assert_eq!(fault(&|s| s.importance_1993 = i).is_ok(), good, "{i}");
+    }
+    // A note for values between the zones of table E-2, none for its own.
+    for (z, noted) in [
+        (0.0, false),
+        (0.075, false),
+        (0.15, false),
+        (0.20, false),
+        (0.30, false),
+        (0.40, false),
+        (0.10, true),
+        (0.35, true),
+    ] {
+        let mut c = case();
+        site(&mut c).zone_factor = Some(z);
+        let out = Api6501993.assess(&c, Excitation::Site).unwrap();
+        assert_eq!(out.notes.iter().any(|n| n.contains("table E-2")), noted, "{z}");
+    }
+}
