@@ -54,7 +54,16 @@ fn response(c: &mut Criterion) {
         lines.len()
     );
     c.bench_function("superposition, histories and envelopes", |b| {
-        b.iter(|| superpose::respond(black_box(&systems), &[&motion], grid, &scalars, &lines));
+        b.iter(|| {
+            superpose::respond(
+                black_box(&systems),
+                &[&motion],
+                grid,
+                &scalars,
+                &lines,
+                &fem::progress::Silent,
+            )
+        });
     });
 
     let direct_system = [DirectSystem::new(&coupled, &modes, &damper)];
@@ -65,7 +74,16 @@ fn response(c: &mut Criterion) {
     let mut group = c.benchmark_group("direct");
     group.sample_size(10);
     group.bench_function("1000 steps with histories and envelopes", |b| {
-        b.iter(|| direct::respond(black_box(&direct_system), &[&motion], short, &scalars, &lines));
+        b.iter(|| {
+            direct::respond(
+                black_box(&direct_system),
+                &[&motion],
+                short,
+                &scalars,
+                &lines,
+                &fem::progress::Silent,
+            )
+        });
     });
     group.finish();
 

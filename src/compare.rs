@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use codes::Quantity;
 
 use crate::results::nonlinear::{End, Event};
-use crate::results::{Cell, Comparison, ComparisonRow, Governing, Method, Verdict};
+use crate::results::{Cell, Comparison, ComparisonRow, Governing, MESH_ERROR_LIMIT, Method, Verdict};
 
 /// Id of the finite-element column, the reference of all ratios.
 pub const FE: &str = "fe";
@@ -28,13 +28,15 @@ pub fn compare(methods: &[Method], context: &Context, published: Vec<codes::case
         .into_iter()
         .filter_map(|quantity| {
             let of = |m: &Method| m.quantities.get(quantity.id()).map(|v| v.value);
+            // Of a quotient that overflows there is no ratio.
             let base = reference.and_then(of).filter(|v| *v != 0.0);
             let cells: Vec<Option<Cell>> = methods
                 .iter()
                 .map(|m| {
                     of(m).map(|value| Cell {
                         value,
-                        ratio: base.map(|base| value / base),
+                        ratio: base.map(|base| value / base).filter(|ratio| ratio.is_finite()),
+                        unusable: false,
                     })
                 })
                 .collect();
@@ -51,6 +53,33 @@ pub fn compare(methods: &[Method], context: &Context, published: Vec<codes::case
         rows,
         partings,
         published,
+    }
+}
+
+impl Comparison {
+    /// Marks the values of a method whose estimated mesh error is above [`MESH_ERROR_LIMIT`]; returns a warning for each.
+    ///
+    /// * `method`: id of the method
+    /// * `errors`: its relative errors by quantity id
+    pub fn mark_unusable(&mut self, methods: &[Method], method: &str, errors: &BTreeMap<String, f64>) -> Vec<String> {
+        let Some(column) = methods.iter().position(|m| m.id == method) else {
+            return Vec::new();
+        };
+        let mut warnings = Vec::new();
+        for row in &mut self.rows {
+            let error = errors.get(&row.quantity).copied().unwrap_or(0.0);
+            if let (true, Some(Some(cell))) = (error > MESH_ERROR_LIMIT, row.cells.get_mut(column)) {
+                cell.unusable = true;
+                warnings.push(format!(
+                    "{method}: {} is unusable; found an estimated mesh error of {:.0} %, usual is below 5 %, allowed up to {:.0} %: refine \
+                     the mesh",
+                    row.title,
+                    100.0 * error,
+                    100.0 * MESH_ERROR_LIMIT
+                ));
+            }
+        }
+        warnings
     }
 }
 
@@ -176,9 +205,37 @@ mod tests {
             comparison.rows[0].cells[0],
             Some(Cell {
                 value: 30.0,
-                ratio: None
+                ratio: None,
+                unusable: false
             })
         );
+    }
+
+    #[test]
+    fn a_mesh_error_above_a_fifth_makes_a_number_unusable() {
+        let methods = [method("housner", 30.0), method("fe", 40.0)];
+        let mut comparison = compare(&methods, &Context::default(), vec![]);
+        let errors = |e: f64| BTreeMap::from([("base_shear".to_string(), e)]);
+        for (error, unusable) in [(0.0, false), (0.2, false), (0.2001, true)] {
+            let warnings = comparison.mark_unusable(&methods, "fe", &errors(error));
+            assert_eq!(
+                comparison.rows[0].cells[1].map(|c| c.unusable),
+                Some(unusable),
+                "{error}"
+            );
+            assert_eq!(warnings.len(), usize::from(unusable));
+            assert!(
+                warnings
+                    .iter()
+                    .all(|w| w.contains("fe: ") && w.contains("unusable") && w.contains("20 %")),
+                "{warnings:?}"
+            );
+        }
+        assert_eq!(comparison.rows[0].cells[0].map(|c| c.unusable), Some(false));
+        // Results of an earlier version have no flag and read as usable.
+        let json = serde_json::to_value(comparison.rows[0].cells[0]).unwrap();
+        assert_eq!(json, serde_json::json!({ "value": 30.0, "ratio": 0.75 }));
+        assert!(!serde_json::from_value::<Cell>(json).unwrap().unusable);
     }
 
     #[test]

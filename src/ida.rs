@@ -1,9 +1,10 @@
 //! The whole flow of an incremental dynamic analysis: job → tank → runs → `ida.json`, `ida.csv`, report.
 //!
 //! Every run that is finished goes to `ida.partial.json` at once, and runs under way keep checkpoints, so that an analysis
-//! that is killed can be resumed; a run does not depend on the others, and a resumed analysis gives the same numbers.
+//! that is killed can be resumed; a run does not depend on the others, and a resumed analysis gives the same numbers. All
+//! this stands in `unfinished/` of the output folder until the analysis is complete.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use fem::analysis::checkpoint::inspect;
 use fem::progress::Progress;
@@ -11,10 +12,10 @@ use fem::progress::Progress;
 use crate::error::Error;
 use crate::fe::nonlinear::{CheckpointFile, Incremental};
 use crate::job::IdaJob;
-use crate::pipeline::OutputFolder;
+use crate::output::{Kind, OutputFolder, WorkFolder, kept_complete};
 use crate::report::{self, FIGURES_FOLDER, REPORT_FILE};
 use crate::results::{
-    IDA_FILE, IDA_FORMAT, IDA_PARTIAL_FILE, Ida, IdaRun, Volatile, describe, ida_csv, read_ida, write_ida,
+    IDA_FILE, IDA_FORMAT, IDA_PARTIAL_FILE, Ida, IdaRun, Volatile, finite, ida_csv, put, read_ida, write_ida,
 };
 
 /// Name of the table of runs.
@@ -23,9 +24,17 @@ const CSV_FILE: &str = "ida.csv";
 /// What names of checkpoints of runs under way begin with, before the scale.
 const CHECKPOINT: &str = "checkpoint-";
 
-/// Whether an analysis writes an entry of this name.
-pub fn owns(name: &str) -> bool {
-    name.starts_with(CHECKPOINT) || [IDA_FILE, IDA_PARTIAL_FILE, CSV_FILE, REPORT_FILE, FIGURES_FOLDER].contains(&name)
+/// Results of an analysis.
+const IDA: Kind = Kind {
+    id: "ida",
+    option: "--out",
+    names: |name| [IDA_FILE, CSV_FILE, REPORT_FILE, FIGURES_FOLDER].contains(&name),
+    keeps: |_| false,
+};
+
+/// Whether an unfinished analysis keeps a file of this name.
+fn is_work(name: &str) -> bool {
+    name.starts_with(CHECKPOINT) || name.starts_with(IDA_PARTIAL_FILE)
 }
 
 /// Runs a job; `volatile` stamps the results.
@@ -35,8 +44,29 @@ pub fn owns(name: &str) -> bool {
 pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progress) -> Result<Ida, Error> {
     let key = job.job.key();
     // Whatever is wrong with the folder is said before anything is computed.
-    let folder = OutputFolder::of(&job.out, owns, "--out")?;
-    let kept = if job.resume { kept(&job.out, &key)? } else { Vec::new() };
+    let folder = OutputFolder::prepare(&job.out, IDA)?;
+    let work = WorkFolder::open(&job.out, IDA.id, is_work, job.resume)?;
+    let partial = work.file(IDA_PARTIAL_FILE);
+    let earlier = job.out.join(IDA_FILE);
+    let mut runs = match kept(&earlier, &key) {
+        _ if !job.resume => Vec::new(),
+        // Complete results of another analysis beside unfinished work of this one.
+        Err(_) if !work.names()?.is_empty() => Vec::new(),
+        runs => runs?,
+    };
+    for run in kept(&partial, &key)? {
+        if !has(&runs, run.scale) {
+            insert(&mut runs, run);
+        }
+    }
+    for name in work.names()?.iter().filter(|name| name.starts_with(CHECKPOINT)) {
+        let path = work.file(name);
+        inspect(&path).map_err(|e| Error::Taken {
+            what: e.cause().to_string(),
+            help: "remove the file: the run of its scale then starts over, and the others are kept".into(),
+            path,
+        })?;
+    }
     let tank = Incremental::new(&job.job.case, &job.job.nonlinear, progress)?;
     let mut ida = Ida {
         format: IDA_FORMAT.into(),
@@ -45,64 +75,60 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
         name: job.job.case.name.clone(),
         files: job.job.files.clone(),
         model: tank.facts()?,
-        assumptions: tank.assumptions(),
+        assumptions: [warnings(job), tank.assumptions()].concat(),
         moment: tank.moment(),
-        runs: kept,
+        runs,
         incomplete: true,
     };
     let missing: Vec<f64> = job
         .scales
         .iter()
         .copied()
-        .filter(|scale| !ida.runs.iter().any(|run| run.scale == *scale))
+        .filter(|&scale| !has(&ida.runs, scale))
         .collect();
-    std::fs::create_dir_all(&job.out).map_err(|e| fault(&job.out, e))?;
-    let partial = job.out.join(IDA_PARTIAL_FILE);
-    if job.resume {
-        for path in checkpoints(&job.out)? {
-            inspect(&path).map_err(|e| Error::File {
-                what: format!(
-                    "{}; remove the file: the run of its scale then begins anew, and the others are kept",
-                    e.cause()
-                ),
-                path,
-            })?;
-        }
-    } else {
-        // Of an earlier analysis, which the folder is taken from.
-        for path in checkpoints(&job.out)? {
-            std::fs::remove_file(&path).map_err(|e| fault(&path, e))?;
-        }
-    }
     let key = ida.key.clone();
-    let checkpoint = |scale: f64| {
-        Some(CheckpointFile {
-            path: job.out.join(format!("{CHECKPOINT}{scale}")),
-            key: key.clone(),
-            resume: job.resume,
-        })
+    let checkpoint = |scale: f64| CheckpointFile {
+        path: work.file(&format!("{CHECKPOINT}{scale}")),
+        key: key.clone(),
+        resume: job.resume,
     };
-    let mut unwritten = None;
-    tank.run(&missing, job.jobs, &checkpoint, progress, |run| {
+    tank.run(&missing, job.jobs, &|scale| Some(checkpoint(scale)), progress, |run| {
+        let scale = run.scale;
         insert(&mut ida.runs, run);
-        // The first failure is kept; the runs go on, their results are still in memory.
-        unwritten = unwritten.take().or(write_ida(&partial, &ida).err());
-    })?;
-    if let Some(error) = unwritten {
-        return Err(error);
-    }
-    let done = |scale: &f64| ida.runs.iter().any(|run| run.scale == *scale);
-    ida.incomplete = !job.scales.iter().all(done);
-    ida.volatile = volatile();
-    write(&folder, &ida)?;
-    if ida.incomplete {
-        for path in checkpoints(&job.out)? {
-            let name = path.file_name().unwrap_or_default();
-            std::fs::copy(&path, folder.path().join(name)).map_err(|e| fault(&path, e))?;
+        match write_ida(&partial, &ida) {
+            Ok(()) => checkpoint(scale).remove(),
+            // Its results are still in memory, its checkpoint stays: the next run tries again.
+            Err(error) => progress.warn(&format!("{error}; the analysis goes on")),
         }
+    })?;
+    ida.incomplete = !job.scales.iter().all(|&scale| has(&ida.runs, scale));
+    ida.volatile = volatile();
+    finite::check("incremental dynamic analysis", &ida)?;
+    if ida.incomplete && !job.resume && read_ida(&earlier).is_ok_and(|earlier| !earlier.incomplete) {
+        progress.warn(&kept_complete(&job.out));
+        return Ok(ida);
     }
+    let ida = write(&folder, &ida)?;
     folder.commit()?;
+    if !ida.incomplete {
+        work.done();
+    }
     Ok(ida)
+}
+
+/// What is unusual in the input, to stand above what the engine assumed.
+fn warnings(job: &IdaJob) -> Vec<String> {
+    job.job.warnings.iter().map(|w| format!("Warning: {w}")).collect()
+}
+
+/// Whether there is a run of a scale.
+fn has(runs: &[IdaRun], scale: f64) -> bool {
+    runs.iter().any(|run| same(run.scale, scale))
+}
+
+/// Whether two scales are one: files keep ten digits.
+fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9 * a.abs().max(b.abs())
 }
 
 fn insert(runs: &mut Vec<IdaRun>, run: IdaRun) {
@@ -110,58 +136,41 @@ fn insert(runs: &mut Vec<IdaRun>, run: IdaRun) {
     runs.insert(at, run);
 }
 
-/// Runs that the folder has of this very analysis.
-fn kept(folder: &Path, key: &str) -> Result<Vec<IdaRun>, Error> {
-    let mut runs: Vec<IdaRun> = Vec::new();
-    for name in [IDA_FILE, IDA_PARTIAL_FILE] {
-        let path = folder.join(name);
-        if !path.exists() {
-            continue;
-        }
-        let found = read_ida(&path)?;
-        if found.key != key {
-            return Err(Error::File {
-                path,
-                what: "belongs to another tank, record, option or version: choose another folder with --out, or leave --resume \
-                       out to begin anew"
-                    .into(),
-            });
-        }
-        for run in found.runs {
-            if !runs.iter().any(|r| r.scale == run.scale) {
-                insert(&mut runs, run);
-            }
-        }
+/// Runs that a file has of this very analysis; none if it is not there.
+fn kept(path: &Path, key: &str) -> Result<Vec<IdaRun>, Error> {
+    if !path.exists() {
+        return Ok(Vec::new());
     }
-    Ok(runs)
-}
-
-fn fault(path: &Path, e: std::io::Error) -> Error {
-    Error::File {
-        path: path.into(),
-        what: describe(&e),
+    let found = read_ida(path)?;
+    match found.key == key {
+        true => Ok(found.runs),
+        false => Err(Error::Taken {
+            path: path.into(),
+            what: "belongs to another tank, record, option or version".into(),
+            help: "name another folder with --out, or leave --resume out to start over".into(),
+        }),
     }
 }
 
-/// Checkpoints in a folder.
-fn checkpoints(folder: &Path) -> Result<Vec<PathBuf>, Error> {
-    let mut found = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(|e| fault(folder, e))? {
-        let entry = entry.map_err(|e| fault(folder, e))?;
-        if entry.file_name().to_string_lossy().starts_with(CHECKPOINT) {
-            found.push(entry.path());
-        }
-    }
-    Ok(found)
+/// Writes an analysis; returns it as written. Table and report have the digits of the file, so that they do not depend on which
+/// runs were computed now and which were kept.
+fn write(folder: &OutputFolder, ida: &Ida) -> Result<Ida, Error> {
+    let path = folder.path().join(IDA_FILE);
+    write_ida(&path, ida)?;
+    let ida = read_ida(&path)?;
+    put(&folder.path().join(CSV_FILE), ida_csv(&ida).as_bytes())?;
+    report::ida::report(&ida)?.write(&folder.path())?;
+    Ok(ida)
 }
 
-fn write(folder: &OutputFolder, ida: &Ida) -> Result<(), Error> {
-    write_ida(&folder.path().join(IDA_FILE), ida)?;
-    let put = |name: &str, text: &str| {
-        let path = folder.path().join(name);
-        std::fs::write(&path, text).map_err(|e| fault(&path, e))
-    };
-    put(CSV_FILE, &ida_csv(ida))?;
-    report::ida::report(ida)?.write(folder.path())?;
-    Ok(())
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A range from 0 to 1.1 in twelve steps holds 0.30000000000000004, of which files keep ten digits.
+    #[test]
+    fn a_kept_run_is_found_by_its_rounded_scale() {
+        assert!(same(0.1 + 0.2, 0.3) && same(0.0, 0.0) && same(1.1, 1.1));
+        assert!(!same(0.3, 0.300_001) && !same(0.0, 1e-12));
+    }
 }

@@ -50,6 +50,8 @@ pub struct Job {
     pub echo: Vec<InputValue>,
     /// Files the job was made from, with their hashes.
     pub files: Vec<SourceFile>,
+    /// What is unusual in the input, one sentence each.
+    pub warnings: Vec<String>,
     /// Horizontal (and vertical) record as read, before scaling, for the report's echo.
     pub raw_records: Vec<codes::record::Record>,
 }
@@ -57,12 +59,17 @@ pub struct Job {
 impl Job {
     /// Fingerprint of everything a nonlinear run depends on: the version, the tank, the records as computed with, the options.
     pub fn key(&self) -> String {
-        let mut hash = Sha256::new();
-        hash.update(env!("CARGO_PKG_VERSION"));
-        // The debug form holds every number to the last digit.
-        hash.update(format!("{:?}", (&self.case, &self.nonlinear)));
-        hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+        fingerprint(&(&self.case, &self.nonlinear))
     }
+}
+
+/// Hash of the version and of data.
+fn fingerprint(of: &dyn std::fmt::Debug) -> String {
+    let mut hash = Sha256::new();
+    hash.update(env!("CARGO_PKG_VERSION"));
+    // The debug form holds every number to the last digit.
+    hash.update(format!("{of:?}"));
+    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// One incremental dynamic analysis: the nonlinear run of a job, once for each scale of its record.
@@ -89,4 +96,13 @@ pub struct PushJob {
     pub options: PushOptions,
     /// Folder of the results.
     pub out: std::path::PathBuf,
+    /// Where the run is kept while it is under way.
+    pub checkpoint: Option<CheckpointFile>,
+}
+
+impl PushJob {
+    /// Fingerprint of everything a pushover depends on: the version, the tank, the options, the imperfection.
+    pub fn key(&self) -> String {
+        fingerprint(&(&self.job.case, &self.job.nonlinear, &self.options))
+    }
 }

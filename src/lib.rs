@@ -18,8 +18,10 @@
 //! | [`push`] | that of a pushover |
 //! | [`compare`] | the join of procedures and engine |
 //! | [`results`] | the results folder: `results.json`, `series.csv` |
+//! | [`output`] | the output folder: whole or not at all, and only its own files |
 //! | [`numdiff`] | comparison of two results folders, number by number |
 //! | [`report`] | results folder → HTML |
+//! | [`text`] | user text made visible, before it reaches a terminal or a page |
 //! | [`verify`] | the benchmarks of the verification manual |
 //! | [`cli`] | the command line |
 
@@ -31,8 +33,10 @@ pub mod ida;
 pub mod input;
 pub mod job;
 pub mod numdiff;
+pub mod output;
 pub mod pipeline;
 pub mod push;
 pub mod report;
 pub mod results;
+pub mod text;
 pub mod verify;

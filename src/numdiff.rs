@@ -68,10 +68,23 @@ pub struct Report {
     pub moved: Vec<Difference>,
 }
 
-/// Compares two results folders.
+/// Compares two results folders: those of `compare` and `check`, of `ida`, or of `push`.
 pub fn folders(old: &Path, new: &Path, options: &Options) -> Result<Report, Error> {
+    let as_value = |value: Result<Value, serde_json::Error>| value.map_err(|e| Error::Report(e.to_string()));
     let load = |folder: &Path| -> Result<Value, Error> {
-        serde_json::to_value(results::read(folder)?).map_err(|e| Error::Report(e.to_string()))
+        let file = |name: &str| Some(folder.join(name)).filter(|path| path.is_file());
+        if let Some(path) = file(results::IDA_FILE) {
+            let mut value = as_value(serde_json::to_value(results::read_ida(&path)?))?;
+            // It follows from the files, whose hashes are compared, and the version.
+            if let Value::Object(map) = &mut value {
+                map.remove("key");
+            }
+            return Ok(value);
+        }
+        if let Some(path) = file(results::PUSH_FILE) {
+            return as_value(serde_json::to_value(results::read_push(&path)?));
+        }
+        as_value(serde_json::to_value(results::read(folder)?))
     };
     let mut report = values(&load(old)?, &load(new)?, options);
     series(

@@ -3,7 +3,6 @@
 //! Procedures and engine see the same [`Job`] and nothing of each other; they meet in [`compare`].
 
 mod motion;
-mod output;
 mod second;
 mod series;
 
@@ -20,10 +19,8 @@ use crate::fe::{self, Simulation};
 use crate::job::{Engines, Job};
 use crate::results::{
     Deformability, FORMAT, FeResult, Method, NONLINEAR_PREFIX, Results, SOLID_PREFIX, Series, Snapshots, Status,
-    TankSummary, Value, Verdict, Volatile,
+    TankSummary, Value, Verdict, Volatile, finite,
 };
-
-pub use output::{OUTPUT, OutputFolder, copy_results, discard_unfinished};
 
 /// Ids of the procedures to run, in report order; an empty list stands for all.
 ///
@@ -56,13 +53,15 @@ pub struct Outcome {
 
 /// Runs a job: procedures, engines, comparison. `volatile` is left empty but for the version.
 ///
-/// Errors: a procedure that does not converge, a failure of an engine.
+/// Errors: a procedure that does not converge, a failure of an engine, a result that is not finite.
 pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     let (simulation, codes) = std::thread::scope(|scope| {
         let engine = job.fe.as_ref().map(|options| {
             scope.spawn(|| match job.engines {
                 Engines::Solid => fe::solid::simulate(&job.case, options, &job.solid, progress),
-                Engines::Harmonic | Engines::Both | Engines::Nonlinear => fe::simulate(&job.case, options),
+                Engines::Harmonic | Engines::Both | Engines::Nonlinear => {
+                    fe::simulate_watched(&job.case, options, progress)
+                }
             })
         });
         let codes = assess(job).map(|methods| (methods, motion::records(job)));
@@ -75,6 +74,11 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     let (mut methods, records) = codes?;
     let mut simulation = simulation.transpose()?;
     let mut second = second::run(job, progress)?;
+    // The histories as computed; beside those of a longer run they are NaN after their end.
+    for (id, run) in [(compare::FE, &simulation), ("second engine", &second.run)] {
+        run.as_ref()
+            .map_or(Ok(()), |run| finite::check_series(id, &run.series))?;
+    }
     if let (Some(missing), Some(first)) = (&second.missing, &mut simulation) {
         first.notes.push(format!("Missing in this report: {missing}."));
     }
@@ -113,7 +117,17 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         computed.for_each(|m| m.assumptions.push(layered.into()));
     }
     methods.extend(measured(job));
-    let comparison = compare::compare(&methods, &context, job.case.published.clone());
+    let mut comparison = compare::compare(&methods, &context, job.case.published.clone());
+    let mut warnings = job.warnings.clone();
+    for (id, run) in [
+        (compare::FE, &fe),
+        (compare::FE_SOLID, &fe_solid),
+        (FE_NONLINEAR, &fe_nonlinear),
+    ] {
+        if let Some(run) = run {
+            warnings.extend(comparison.mark_unusable(&methods, id, &run.mesh_error));
+        }
+    }
     let mut verdict: Verdict = compare::verdict(&methods);
     verdict.reason = second::incomplete(second.missing, fe_nonlinear.as_ref());
     let mut runs = fe.iter().chain(&fe_solid).chain(&fe_nonlinear);
@@ -148,7 +162,9 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         fe_nonlinear,
         comparison,
         verdict,
+        warnings,
     };
+    finite::check_results(&results)?;
     Ok(Outcome {
         results,
         series,

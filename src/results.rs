@@ -4,6 +4,7 @@
 //! [`Volatile`]. All values are SI, each with its unit beside it. The report, `diff` and users' scripts read nothing else.
 
 mod fields;
+pub mod finite;
 mod ida;
 pub mod nonlinear;
 mod push;
@@ -27,7 +28,12 @@ pub use push::{
     write_push,
 };
 pub use snapshots::{Resultants, Snapshot, Snapshots};
-pub use store::{RESULTS_FILE, SERIES_FILE, describe, read, read_series, write};
+pub use store::{
+    COMPARE, COMPARE_REPORT, FIGURES_FOLDER, OUTPUT, REPORT_FILE, RESULTS_FILE, SERIES_FILE, put, read, read_series,
+    write,
+};
+
+pub use crate::error::describe;
 
 /// Version of the format; a reader refuses any other.
 pub const FORMAT: &str = "tankcheck-results/1";
@@ -65,6 +71,9 @@ pub struct Results {
     pub comparison: Comparison,
     /// The verdict.
     pub verdict: Verdict,
+    /// What is unusual in the input and which numbers are not to be used, one sentence each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<String>,
 }
 
 /// Fields that differ between identical runs.
@@ -475,7 +484,13 @@ pub struct Cell {
     pub value: f64,
     /// Ratio to the finite-element column, where there is one.
     pub ratio: Option<f64>,
+    /// True if the estimated mesh error of the value is above [`MESH_ERROR_LIMIT`]: the number is not to be used.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub unusable: bool,
 }
+
+/// Estimated discretisation error, relative, above which a number is marked as unusable.
+pub const MESH_ERROR_LIMIT: f64 = 0.2;
 
 /// Where the methods part and why.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -8,6 +8,8 @@ pub trait Progress: Sync {
     fn advance(&self, steps: u64);
     /// True if the user wants to stop: the analysis returns what it has, marked incomplete.
     fn interrupted(&self) -> bool;
+    /// Something went wrong that the analysis can do without: a sentence without its full stop.
+    fn warn(&self, _what: &str) {}
 }
 
 /// Says nothing and never stops.
@@ -30,5 +32,8 @@ impl Progress for Quiet<'_> {
     fn advance(&self, _steps: u64) {}
     fn interrupted(&self) -> bool {
         self.0.interrupted()
+    }
+    fn warn(&self, what: &str) {
+        self.0.warn(what);
     }
 }

@@ -153,6 +153,7 @@ impl Law<1> for Bar {
             plastic_strain: history[0].abs(),
             utilisation: if gone { 0.0 } else { xi.abs() / self.yield_stress },
             damage: f64::from(u8::from(gone)),
+            rupture: history[1] / self.rupture_strain,
             ..PointState::default()
         }
     }
@@ -181,6 +182,10 @@ mod tests {
         let mut new = [0.0; 2];
         let stress = kept.respond(&[0.1], &[0.0; 2], &mut new).unwrap().stress[0];
         assert!((stress - 1.0).abs() < 1e-12 && kept.ruptured(&new) && kept.inspect(&[0.1], &new).damage == 0.0);
+        // What is only recorded can be seen all the same; it stays when the bar is unloaded.
+        assert_eq!(kept.inspect(&[0.1], &new).rupture, 1.0);
+        assert_eq!(kept.inspect(&[0.0], &new).rupture, 1.0);
+        assert_eq!(law.inspect(&[0.1], &new).rupture, 0.0);
 
         let lost = law.with_rupture(0.1, Rupture::Drops).unwrap();
         let (mut before, mut after) = ([0.0; 2], [0.0; 2]);

@@ -73,6 +73,8 @@ pub struct PointState {
     pub cracks: [Option<Crack>; 2],
     /// Loss of stiffness, from 0 to 1.
     pub damage: f64,
+    /// Largest strain in tension so far over the strain at rupture; 0 where the law has none.
+    pub rupture: f64,
 }
 
 /// A law without an answer.

@@ -5,10 +5,12 @@ use std::time::Instant;
 use fem::progress::Silent;
 
 use crate::cli::inputs::Inputs;
-use crate::cli::{Format, Global, compare, wall};
+use crate::cli::{Format, Global, compare, print, wall};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
-use crate::pipeline::{self, Outcome, OutputFolder};
-use crate::{report, results};
+use crate::output::OutputFolder;
+use crate::pipeline::{self, Outcome};
+use crate::report;
+use crate::results::{self, COMPARE};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -43,19 +45,23 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
                 .into(),
         ));
     }
-    let folder = args.out.as_deref().map(OutputFolder::prepare).transpose()?;
+    let folder = args
+        .out
+        .as_deref()
+        .map(|out| OutputFolder::prepare(out, COMPARE))
+        .transpose()?;
     let Outcome {
         mut results, series, ..
     } = pipeline::run(&job, &Silent)?;
     compare::stamp(&mut results, started);
     if let Some(folder) = folder {
-        results::write(folder.path(), &results, &series)?;
-        report::render(folder.path(), None)?;
+        results::write(&folder.path(), &results, &series)?;
+        report::render(&folder.path(), None)?;
         folder.commit()?;
     }
     if args.format == Format::Human {
         for line in wall::lines(&job.case.tank) {
-            anstream::println!("{line}");
+            print(&format!("{line}\n"))?;
         }
     }
     compare::print(&results, args.out.as_deref(), args.format, global)?;

@@ -1,25 +1,32 @@
 //! `tankcheck compare`: codes and finite elements side by side.
 
 use std::collections::BTreeMap;
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use codes::procedure::Excitation;
 use codes::units;
+use fem::progress::Progress;
 
+use crate::cli::budget::{self, MemoryArg};
 use crate::cli::inputs::Inputs;
 use crate::cli::progress::{self, Watch};
 use crate::cli::table::Table;
+use crate::cli::terminal::{self, say};
 use crate::cli::{Format, Global, nonlinear, solid};
 use crate::compare::FE_NONLINEAR;
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_OK, Error};
+use crate::fe::estimate::Estimate;
 use crate::fe::nonlinear::scope::Purpose;
-use crate::fe::{FeError, Integrator};
+use crate::fe::{self, FeError, Integrator};
 use crate::job::{Engines, Job};
-use crate::pipeline::{self, Outcome, OutputFolder};
+use crate::output::{OutputFolder, kept_complete};
+use crate::pipeline::{self, Outcome};
 use crate::report;
 use crate::results::nonlinear::{End, Nonlinear, PARTED};
-use crate::results::{self, Limit, Method, Results, Series, Status, vtu};
+use crate::results::{self, ComparisonRow, Limit, MESH_ERROR_LIMIT, Method, Results, Series, Status, vtu};
+use crate::text;
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -51,6 +58,8 @@ pub struct Args {
     solid: solid::SolidArgs,
     #[command(flatten)]
     nonlinear: nonlinear::NonlinearArgs,
+    #[command(flatten)]
+    memory: MemoryArg,
     /// Write ParaView files (tank.pvd) of the three-dimensional run into this folder.
     #[arg(long, value_name = "FOLDER")]
     vtu: Option<PathBuf>,
@@ -110,9 +119,12 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let purpose = (args.fe == Engine::Nonlinear).then_some(Purpose::History);
     let mut job = args.inputs.job(purpose)?;
     choose(&mut job, &args)?;
-    progress::listen(global, job.engines != Engines::Harmonic);
-    if let (Some(options), true) = (&job.fe, job.engines.solid()) {
-        solid::announce(&job.case, options, &job.solid, global)?;
+    if job.engines != Engines::Harmonic {
+        progress::stop_gracefully();
+    }
+    for estimate in &estimates(&job)? {
+        let solid = estimate.run == fe::solid::RUN;
+        budget::admit(estimate, job.solid.memory_limit_mib, solid, global)?;
     }
     nonlinear::announce(&job, global);
     if args.vtu.as_ref() == Some(&args.out) {
@@ -121,9 +133,12 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
             args.out.display()
         )));
     }
-    let folder = OutputFolder::prepare(&args.out)?;
+    let folder = match job.checkpoint {
+        Some(_) => OutputFolder::prepare_alone(&args.out, results::COMPARE)?,
+        None => OutputFolder::prepare(&args.out, results::COMPARE)?,
+    };
     let vtu = match &args.vtu {
-        Some(target) => Some(OutputFolder::of(target, vtu::owns, "--vtu")?),
+        Some(target) => Some(OutputFolder::prepare(target, vtu::FOLDER)?),
         None => None,
     };
     let watch = Watch::new(global, "codes and finite elements");
@@ -133,23 +148,32 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         snapshots,
     } = pipeline::run(&job, &watch)?;
     stamp(&mut results, started);
-    write(&folder, &results, &series, args.templates.as_deref())?;
-    if let (Some(vtu), Some(snapshots)) = (&vtu, &snapshots) {
-        vtu::write(vtu.path(), snapshots)?;
+    let interrupted = watch.interrupted() && results.verdict.incomplete;
+    if interrupted && results::read(&args.out).is_ok_and(|earlier| !earlier.verdict.incomplete) {
+        watch.warn(&kept_complete(&args.out));
+    } else {
+        write(&folder, &results, &series, args.templates.as_deref())?;
+        if let (Some(vtu), Some(snapshots)) = (&vtu, &snapshots) {
+            vtu::write(&vtu.path(), snapshots)?;
+        }
+        folder.commit()?;
+        // Without a state the folder stays as it was.
+        vtu.filter(|_| snapshots.is_some())
+            .map_or(Ok(()), OutputFolder::commit)?;
+        nonlinear::tidy(&job, &results);
     }
-    folder.commit()?;
-    // Without a state the folder stays as it was.
-    vtu.filter(|_| snapshots.is_some())
-        .map_or(Ok(()), OutputFolder::commit)?;
-    nonlinear::tidy(&job, &results);
     watch.finish();
     print(&results, Some(&args.out), args.format, global)?;
+    // Those of the input have been printed before the run.
+    for warning in results.warnings.iter().skip(job.warnings.len()) {
+        say!("warning: {}", text::line(warning));
+    }
     nonlinear::advise(&job, &results, global);
     match (&args.vtu, &snapshots) {
         (Some(folder), Some(_)) if !global.quiet => {
-            anstream::eprintln!("ParaView: {}", folder.join(vtu::COLLECTION).display());
+            say!("ParaView: {}", folder.join(vtu::COLLECTION).display());
         }
-        (Some(_), None) => anstream::eprintln!("ParaView: interrupted before there was a state to write"),
+        (Some(_), None) => say!("ParaView: interrupted before there was a state to write"),
         _ => {}
     }
     Ok(match &results.verdict {
@@ -159,8 +183,22 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     })
 }
 
+/// What the engines of a job will take.
+fn estimates(job: &Job) -> Result<Vec<Estimate>, FeError> {
+    let Some(options) = &job.fe else { return Ok(Vec::new()) };
+    let harmonic = || fe::harmonic::estimate(&job.case, options);
+    let solid = || fe::solid::estimate(&job.case, options, &job.solid);
+    Ok(match job.engines {
+        Engines::Harmonic => vec![harmonic()?],
+        Engines::Solid => vec![solid()?],
+        Engines::Both => vec![harmonic()?, solid()?],
+        Engines::Nonlinear => vec![harmonic()?, fe::nonlinear::estimate(&job.case, &job.nonlinear)?],
+    })
+}
+
 /// Lays the options of the command line over those of the tank file.
 fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
+    job.solid.memory_limit_mib = args.memory.over(job.solid.memory_limit_mib);
     job.engines = match args.fe {
         Engine::None => {
             job.fe = None;
@@ -232,33 +270,37 @@ pub fn stamp(results: &mut Results, started: Instant) {
 }
 
 fn write(folder: &OutputFolder, results: &Results, series: &Series, templates: Option<&Path>) -> Result<(), Error> {
-    results::write(folder.path(), results, series)?;
-    report::render(folder.path(), templates).map(|_| ())
+    results::write(&folder.path(), results, series)?;
+    report::render(&folder.path(), templates).map(|_| ())
 }
 
 /// Prints the summary.
 pub fn print(results: &Results, out: Option<&Path>, format: Format, global: &Global) -> Result<(), Error> {
     match format {
         Format::Json => {
-            let text = serde_json::to_string_pretty(results).map_err(|e| Error::Report(e.to_string()))?;
-            anstream::println!("{text}");
+            terminal::print(&crate::cli::json(results)?)?;
         }
-        Format::Csv => print_csv(results),
+        Format::Csv => terminal::print(&csv(results))?,
         Format::Human => {
+            let mut text = String::new();
             for excitation in [Excitation::Record, Excitation::Site] {
-                print_table(results, excitation);
+                text.push_str(&table(results, excitation));
             }
-            print_verdict(results);
+            text.push_str(&verdict(results));
+            terminal::print(&text)?;
         }
     }
     if let (Some(out), false) = (out, global.quiet) {
-        anstream::eprintln!("report: {}", out.join("report.html").display());
+        say!("report: {}", out.join("report.html").display());
     }
     Ok(())
 }
 
+/// Mark of a number that is not to be used.
+const UNUSABLE: &str = "‡";
+
 /// Quantity × method for one excitation, values with their ratio to the engine.
-fn print_table(results: &Results, excitation: Excitation) {
+fn table(results: &Results, excitation: Excitation) -> String {
     let shown = |m: &Method| m.excitation == excitation && !m.quantities.is_empty();
     let columns: Vec<usize> = results
         .methods
@@ -268,7 +310,7 @@ fn print_table(results: &Results, excitation: Excitation) {
         .map(|(i, _)| i)
         .collect();
     if columns.is_empty() {
-        return;
+        return String::new();
     }
     let corner = match excitation {
         Excitation::Record => "record spectrum / history (ratio to fe)",
@@ -295,6 +337,7 @@ fn print_table(results: &Results, excitation: Excitation) {
                     true => "*",
                     false => "",
                 };
+                let mark = format!("{mark}{}", if cell.unusable { UNUSABLE } else { "" });
                 match cell.ratio {
                     Some(ratio) => format!("{value} ({ratio:.2}){mark}"),
                     None => format!("{value}{mark}"),
@@ -304,15 +347,24 @@ fn print_table(results: &Results, excitation: Excitation) {
         let title = format!("{} [{}]", row.title, unit.symbol);
         table.row(std::iter::once(title).chain(cells));
     }
-    anstream::println!("{table}");
+    let mut text = format!("{table}\n");
+    let unusable = |row: &ComparisonRow| columns.iter().any(|&i| row.cells[i].is_some_and(|c| c.unusable));
+    if results.comparison.rows.iter().any(unusable) {
+        let percent = 100.0 * MESH_ERROR_LIMIT;
+        let _ = writeln!(
+            text,
+            "{UNUSABLE} unusable: the estimated mesh error is above {percent:.0} %"
+        );
+    }
     if let Some(later) = later {
-        anstream::println!("{}", later.remark());
+        let _ = writeln!(text, "{}", later.remark());
     }
     for method in results.methods.iter().filter(|m| m.excitation == excitation) {
         if let Status::NotApplicable { clause, reason } = &method.status {
-            anstream::println!("{}: not applicable, {clause}: {reason}", method.id);
+            let _ = writeln!(text, "{}: not applicable, {clause}: {reason}", method.id);
         }
     }
+    text
 }
 
 /// Peaks of the linear run after the end of the nonlinear one.
@@ -369,8 +421,8 @@ impl Later {
     }
 }
 
-fn print_csv(results: &Results) {
-    anstream::println!("method,excitation,quantity,value,unit,ratio_to_fe");
+fn csv(results: &Results) -> String {
+    let mut text = String::from("method,excitation,quantity,value,unit,ratio_to_fe,usable\n");
     for row in &results.comparison.rows {
         for (method, cell) in results.methods.iter().zip(&row.cells) {
             let Some(cell) = cell else { continue };
@@ -379,8 +431,10 @@ fn print_csv(results: &Results) {
                 Excitation::Site => "site",
             };
             let ratio = cell.ratio.map_or(String::new(), |r| format!("{r:.6}"));
-            anstream::println!(
-                "{},{excitation},{},{:e},{},{ratio}",
+            let usable = if cell.unusable { "no" } else { "yes" };
+            let _ = writeln!(
+                text,
+                "{},{excitation},{},{:e},{},{ratio},{usable}",
                 method.id,
                 row.quantity,
                 cell.value,
@@ -388,15 +442,18 @@ fn print_csv(results: &Results) {
             );
         }
     }
+    text
 }
 
-fn print_verdict(results: &Results) {
+fn verdict(results: &Results) -> String {
+    let mut text = String::new();
     let verdict = &results.verdict;
     if verdict.incomplete {
-        match verdict.reason.as_str() {
-            "" => anstream::println!("INCOMPLETE: the finite-element run was interrupted, its extremes are not final"),
-            reason => anstream::println!("{reason}"),
-        }
+        let reason = match verdict.reason.as_str() {
+            "" => "INCOMPLETE: the finite-element run was interrupted, its extremes are not final",
+            reason => reason,
+        };
+        let _ = writeln!(text, "{reason}");
     }
     if let Some(governing) = &verdict.governing {
         let state = if verdict.holds { "all hold" } else { "NOT all hold" };
@@ -404,13 +461,10 @@ fn print_verdict(results: &Results) {
             Excitation::Record => "record",
             Excitation::Site => "site",
         };
-        anstream::println!(
+        let _ = writeln!(
+            text,
             "{} checks, {} fail: {state}; governing: {} ({}, {excitation}), utilisation {:.2}",
-            verdict.checks,
-            verdict.failed,
-            governing.check.name,
-            governing.method,
-            governing.check.utilisation
+            verdict.checks, verdict.failed, governing.check.name, governing.method, governing.check.utilisation
         );
     }
     // A limit that several engines exceed is told once.
@@ -418,12 +472,13 @@ fn print_verdict(results: &Results) {
     for fe in results.fe.iter().chain(&results.fe_solid).chain(&results.fe_nonlinear) {
         let exceeded: Vec<&Limit> = fe.limits.iter().filter(|l| !l.holds).collect();
         for limit in exceeded.iter().filter(|l| !told.contains(&l.id.as_str())) {
-            anstream::println!("warning: {}: {}", limit.name, limit.note);
+            let _ = writeln!(text, "warning: {}: {}", limit.name, limit.note);
         }
         told.extend(exceeded.iter().map(|l| l.id.as_str()));
     }
     let nonlinear = results.fe_nonlinear.as_ref().and_then(|fe| fe.nonlinear.as_ref());
     if nonlinear.is_some_and(Nonlinear::parted) {
-        anstream::println!("warning: {PARTED}");
+        let _ = writeln!(text, "warning: {PARTED}");
     }
+    text
 }

@@ -1,13 +1,17 @@
 //! `tankcheck diff`: two results folders, number by number.
 
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
-use crate::cli::{Format, Global};
+use crate::cli::terminal::say;
+use crate::cli::{Format, Global, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
 use crate::numdiff::{self, Options, Report};
-use crate::results::{self, describe};
+use crate::output::{Kind, OutputFolder, write_whole};
+use crate::results::{self, COMPARE, OUTPUT, describe};
+use crate::text as visible;
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -43,6 +47,34 @@ pub struct Args {
     format: Format,
 }
 
+/// The results folder that another one is copied over.
+const BLESSED: Kind = Kind {
+    option: "OLD",
+    ..COMPARE
+};
+
+/// Copies the files of a results folder into another one.
+fn copy(from: &Path, to: &Path) -> Result<(), Error> {
+    let fault = |path: &Path, e: std::io::Error| Error::Unwritten {
+        path: path.into(),
+        what: describe(&e),
+    };
+    for entry in OUTPUT {
+        let (source, target) = (from.join(entry), to.join(entry));
+        if source.is_dir() {
+            std::fs::create_dir_all(&target).map_err(|e| fault(&target, e))?;
+            for file in std::fs::read_dir(&source).map_err(|e| fault(&source, e))? {
+                let file = file.map_err(|e| fault(&source, e))?;
+                let copy = target.join(file.file_name());
+                std::fs::copy(file.path(), &copy).map_err(|e| fault(&copy, e))?;
+            }
+        } else if source.is_file() {
+            std::fs::copy(&source, &target).map_err(|e| fault(&target, e))?;
+        }
+    }
+    Ok(())
+}
+
 /// File of a golden folder that keeps why it was accepted.
 const ACCEPTED_FILE: &str = "accepted.json";
 
@@ -55,25 +87,33 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
             )));
         }
     }
+    if args.reason.as_ref().is_some_and(|reason| reason.trim().is_empty()) {
+        return Err(Error::Input(
+            "error: --reason: found nothing, expected a sentence\n  help: say why the numbers may move".into(),
+        ));
+    }
     let options = Options {
         rtol: args.rtol,
         time_tolerance: args.time_tolerance,
     };
-    if args.bless && !args.old.exists() {
+    if args.bless {
+        // Only results of this form are copied: those of `ida` and `push` are compared alone.
         results::read(&args.new)?;
+    }
+    if args.bless && !args.old.exists() {
         bless(&args, &Report::default())?;
         return Ok(EXIT_OK);
     }
     let report = numdiff::folders(&args.old, &args.new, &options)?;
     match args.format {
-        Format::Json => print_json(&report),
-        Format::Human => print_human(&report, args.most),
-        Format::Csv => print_csv(&report),
+        Format::Json => print(&json(&report))?,
+        Format::Human => print(&human(&report, args.most))?,
+        Format::Csv => print(&csv(&report))?,
     }
     if args.bless {
         bless(&args, &report)?;
         if !global.quiet {
-            anstream::eprintln!("accepted: {} now holds the new results", args.old.display());
+            say!("accepted: {} now holds the new results", args.old.display());
         }
         return Ok(EXIT_OK);
     }
@@ -84,7 +124,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     })
 }
 
-fn print_human(report: &Report, most: usize) {
+fn human(report: &Report, most: usize) -> String {
     let outcome = match (report.moved.len(), report.drifted) {
         (0, 0) => "same".to_string(),
         (0, drifted) => format!(
@@ -93,24 +133,34 @@ fn print_human(report: &Report, most: usize) {
         ),
         (moved, _) => format!("{moved} moved"),
     };
-    anstream::println!("{outcome} ({} values compared)", report.compared);
+    let mut text = format!("{outcome} ({} values compared)\n", report.compared);
     for d in report.moved.iter().take(most) {
         if d.change.is_finite() {
-            anstream::println!("  {}: {} -> {} ({:.2e} of its peak)", d.path, d.old, d.new, d.change);
+            let _ = writeln!(
+                text,
+                "  {}: {} -> {} ({:.2e} of its peak)",
+                visible::line(&d.path),
+                visible::line(&d.old),
+                visible::line(&d.new),
+                d.change
+            );
         } else {
-            anstream::println!("  {}: {} -> {}", d.path, d.old, d.new);
+            let [path, old, new] = [&d.path, &d.old, &d.new].map(|part| visible::line(part));
+            let _ = writeln!(text, "  {path}: {old} -> {new}");
         }
     }
     if report.moved.len() > most {
-        anstream::println!(
+        let _ = writeln!(
+            text,
             "  (+{} more; --most {} shows all)",
             report.moved.len() - most,
             report.moved.len()
         );
     }
+    text
 }
 
-fn print_json(report: &Report) {
+fn json(report: &Report) -> String {
     let moved: Vec<_> = report
         .moved
         .iter()
@@ -118,26 +168,31 @@ fn print_json(report: &Report) {
             |d| json!({"path": d.path, "old": d.old, "new": d.new, "change": d.change.is_finite().then_some(d.change)}),
         )
         .collect();
-    anstream::println!(
-        "{:#}",
+    let text = format!(
+        "{:#}\n",
         json!({"compared": report.compared, "drifted": report.drifted, "largest_drift": report.largest_drift, "moved": moved})
     );
+    visible::json(&text).into_owned()
 }
 
-fn print_csv(report: &Report) {
-    anstream::println!("path,old,new,change");
+fn csv(report: &Report) -> String {
+    let mut text = String::from("path,old,new,change\n");
     for d in &report.moved {
         let quote = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
-        anstream::println!("{},{},{},{:e}", quote(&d.path), quote(&d.old), quote(&d.new), d.change);
+        let _ = writeln!(
+            text,
+            "{},{},{},{:e}",
+            quote(&d.path),
+            quote(&d.old),
+            quote(&d.new),
+            d.change
+        );
     }
+    text
 }
 
 /// Copies NEW over OLD and appends the reason with what moved to `accepted.json`.
 fn bless(args: &Args, report: &Report) -> Result<(), Error> {
-    let file = |path: &Path, e: std::io::Error| Error::File {
-        path: path.into(),
-        what: describe(&e),
-    };
     let accepted = args.old.join(ACCEPTED_FILE);
     let mut history: Vec<serde_json::Value> = match std::fs::read_to_string(&accepted) {
         Ok(text) => serde_json::from_str(&text).map_err(|e| Error::File {
@@ -152,8 +207,9 @@ fn bless(args: &Args, report: &Report) -> Result<(), Error> {
         "largest": report.moved.iter().take(5)
             .map(|d| format!("{}: {} -> {}", d.path, d.old, d.new)).collect::<Vec<_>>(),
     }));
-    std::fs::create_dir_all(&args.old).map_err(|e| file(&args.old, e))?;
-    crate::pipeline::copy_results(&args.new, &args.old)?;
+    let folder = OutputFolder::prepare(&args.old, BLESSED)?;
+    copy(&args.new, &folder.path())?;
+    folder.commit()?;
     let text = format!("{:#}\n", serde_json::Value::Array(history));
-    std::fs::write(&accepted, text).map_err(|e| file(&accepted, e))
+    write_whole(&accepted, text.as_bytes())
 }

@@ -3,16 +3,20 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use crate::cli::budget::{self, MemoryArg};
 use crate::cli::inputs::{Inputs, Reading};
 use crate::cli::progress::{self, Watch};
 use crate::cli::table::Table;
-use crate::cli::{Format, Global, print, stamp};
+use crate::cli::terminal::say;
+use crate::cli::{Format, Global, json, print, stamp};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
-use crate::fe::nonlinear::scope::Purpose;
+use crate::fe::nonlinear::{self, scope::Purpose};
 use crate::ida;
+use crate::input::records::plausible;
 use crate::job::{Engines, IdaJob};
 use crate::report::{self, number::significant};
 use crate::results::ida_csv;
+use crate::text;
 
 /// Most runs of one analysis.
 const MAX_RUNS: usize = 1000;
@@ -27,7 +31,8 @@ Examples:
   tankcheck ida tank.json --quake elcentro.csv --scale 0.5,0.85,0.9,1 --jobs 2 -o ida/
   tankcheck ida tank.json --quake elcentro.csv --scale 0..1.1 --steps 12 -o ida/ --resume
 
-Exit codes: 0 done; 2 bad input; 3 the computation failed or was interrupted.")]
+Exit codes: 0 done; 2 bad input; 3 the computation failed or was interrupted, or results could not be
+written; 130 dropped by a second Ctrl-C.")]
 pub struct Args {
     /// The tank (`-` reads standard input).
     tank: PathBuf,
@@ -51,9 +56,12 @@ pub struct Args {
     /// Folder for the results of all runs.
     #[arg(long, short, value_name = "FOLDER", default_value = "ida")]
     out: PathBuf,
-    /// Keep the runs that the folder has, whatever their scales, and go on with those that it does not have yet.
+    /// Keep the runs that the folder has, whatever their scales, and go on with those that it does not have yet; from the
+    /// beginning if there are none.
     #[arg(long)]
     resume: bool,
+    #[command(flatten)]
+    memory: MemoryArg,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -63,22 +71,28 @@ pub struct Args {
 pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
     let job = args.job()?;
-    progress::listen(global, true);
+    progress::stop_gracefully();
+    let estimate = nonlinear::estimate_incremental(&job.job.case, &job.job.nonlinear, job.jobs, job.scales.len())?;
+    let limit = args.memory.over(job.job.solid.memory_limit_mib);
+    budget::admit(&estimate, limit, false, global)?;
     let watch = Watch::new(global, "incremental dynamic analysis");
     let found = ida::run(&job, || stamp(started), &watch)?;
     watch.finish();
     match args.format {
-        Format::Human => print(&format!("{}\n\n{}", found.name, Table::of(&report::ida::table(&found))))?,
+        Format::Human => print(&format!(
+            "{}\n\n{}",
+            text::line(&found.name),
+            Table::of(&report::ida::table(&found))
+        ))?,
         Format::Json => {
-            let text = serde_json::to_string_pretty(&found).map_err(|e| Error::Report(e.to_string()))?;
-            print(&format!("{text}\n"))?;
+            print(&json(&found)?)?;
         }
         Format::Csv => print(&ida_csv(&found))?,
     }
     if !global.quiet {
         for run in &found.runs {
             if let Some(collapse) = &run.collapse {
-                anstream::eprintln!(
+                say!(
                     "scale {}: no equilibrium after {:.3} s: {}",
                     significant(run.scale, 4),
                     collapse.time,
@@ -86,13 +100,16 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
                 );
             }
         }
+        for sentence in report::ida::departures(&found) {
+            say!("left the model: {sentence}");
+        }
         for sentence in report::ida::partings(&found) {
-            anstream::eprintln!("note: {sentence}");
+            say!("note: {sentence}");
         }
         if found.incomplete {
-            anstream::eprintln!("incomplete: the same command with --resume goes on");
+            say!("incomplete: the same command with --resume goes on");
         }
-        anstream::eprintln!("report: {}", job.out.join("report.html").display());
+        say!("report: {}", job.out.join("report.html").display());
     }
     Ok(match found.incomplete {
         true => EXIT_COMPUTATION,
@@ -104,13 +121,6 @@ impl Args {
     /// Reads and checks everything.
     fn job(&self) -> Result<IdaJob, Error> {
         let scales = scales(&self.scale, self.steps.as_deref())?;
-        if self.resume && !self.out.is_dir() {
-            return Err(Error::Input(format!(
-                "error: --resume: there is no folder `{}`\n  help: name the folder of the interrupted run with -o, or leave \
-                 --resume out",
-                self.out.display()
-            )));
-        }
         let inputs = Inputs {
             tank: self.tank.clone(),
             quake: Some(self.quake.clone()),
@@ -120,6 +130,11 @@ impl Args {
         };
         let mut job = inputs.job(Some(Purpose::History))?;
         job.engines = Engines::Nonlinear;
+        if let (Some(motion), Some(largest)) = (&job.case.ground_motion, scales.last()) {
+            let peak = motion.horizontal.pga() * largest;
+            let origin = format!("--scale: the factor {largest}");
+            plausible::check_peak(peak, origin, self.reading.allow_implausible)?;
+        }
         Ok(IdaJob {
             job,
             scales,

@@ -4,11 +4,13 @@ use std::path::PathBuf;
 
 use codes::case::GroundMotion;
 
+use crate::cli::terminal::say;
 use crate::error::Error;
 use crate::fe::nonlinear::scope::Purpose;
 use crate::input::{self, records};
 use crate::job::{Engines, Job};
 use crate::results::SourceFile;
+use crate::text;
 
 /// The tank file, the records and how to read them.
 #[derive(clap::Args, Clone, Debug)]
@@ -38,8 +40,9 @@ impl Inputs {
             tank.fits(purpose)?;
         }
         for remark in &tank.remarks {
-            anstream::eprintln!("note: {remark}");
+            say!("note: {}", text::line(remark));
         }
+        let mut warnings = tank.warnings.clone();
         let mut case = tank.case;
         let mut files = vec![source("tank", &self.tank, &tank.sha256)];
         let mut raw_records = Vec::new();
@@ -48,6 +51,10 @@ impl Inputs {
             let horizontal = records::read(path, &options)?;
             files.push(source("record", path, &horizontal.sha256));
             let processed = records::process(&horizontal.record, &tank.record)?;
+            let allow = self.reading.allow_implausible;
+            let origin = format!("record.{}", tank.record.scaled_by());
+            records::plausible::check(&processed, &origin, allow)?;
+            warnings.extend(records::plausible::doubts(&processed, &tank.record));
             let vertical = match &self.vertical {
                 None => None,
                 Some(path) => {
@@ -61,6 +68,8 @@ impl Inputs {
                         ..tank.record
                     };
                     let processed = records::process(&vertical.record, &processing)?;
+                    records::plausible::check(&processed, "vertical record", allow)?;
+                    warnings.extend(records::plausible::doubts(&processed, &records::Processing::default()));
                     raw_records.push(vertical.record);
                     Some(processed)
                 }
@@ -70,6 +79,9 @@ impl Inputs {
                 horizontal: processed,
                 vertical,
             });
+        }
+        for warning in &warnings {
+            say!("warning: {}", text::line(warning));
         }
         let procedures = match &self.procedures {
             Some(ids) => ids.clone(),
@@ -85,6 +97,7 @@ impl Inputs {
             checkpoint: None,
             echo: tank.echo,
             files,
+            warnings,
             raw_records,
         })
     }
@@ -99,7 +112,7 @@ pub struct Reading {
     /// Time step [s] of a file without a time column.
     #[arg(long, value_name = "SECONDS")]
     pub dt: Option<f64>,
-    /// Accept a peak ground acceleration above 5 g.
+    /// Accept a peak ground acceleration above 5 g, in the file and as computed with; never above 1000 g.
     #[arg(long)]
     pub allow_implausible: bool,
 }

@@ -2,17 +2,22 @@
 //!
 //! Results go to standard output, messages and progress to standard error. Exit codes: see [`crate::error`].
 
+use std::io::Write;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
-use crate::error::Error;
-use crate::results::Volatile;
+use crate::error::{EXIT_INPUT, EXIT_OK, Error};
+use crate::results::{Volatile, finite};
+use crate::text;
+use terminal::say;
 
+mod budget;
 mod check;
 mod compare;
 mod completions;
 mod diff;
+mod fault;
 mod ida;
 mod init;
 mod inputs;
@@ -26,8 +31,11 @@ mod schema;
 mod solid;
 mod spectrum;
 mod table;
+mod terminal;
 mod verify;
 mod wall;
+
+pub(crate) use terminal::print;
 
 /// Seismic verification of liquid storage tanks.
 #[derive(Parser)]
@@ -117,7 +125,8 @@ Examples:
   tankcheck diff golden/ out/
 
 Exit codes: 0 done and every check holds; 1 a check fails or diff found a change; 2 bad input or usage;
-3 the computation failed or was interrupted, or the tank collapsed.";
+3 the computation failed or was interrupted, its results could not be written, or the tank collapsed, or results could not be
+written; 130 ended by Ctrl-C with nothing kept.";
 
 /// A spinner on standard error while `what` is computed; invisible unless a person watches a terminal.
 pub(crate) fn spinner(global: &Global, what: &'static str) -> indicatif::ProgressBar {
@@ -135,17 +144,13 @@ pub(crate) fn command() -> clap::Command {
     Cli::command()
 }
 
-/// Writes a result to standard output. A reader that has seen enough (`| head`) is no failure.
-pub(crate) fn print(text: &str) -> Result<(), Error> {
-    use std::io::Write;
-    let mut out = std::io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Error::File {
-            path: "<stdout>".into(),
-            what: format!("cannot be written ({error})"),
-        }),
-        _ => Ok(()),
-    }
+/// A result as JSON for standard output. Characters that steer a terminal are spelled `\u009b`, which is the same value.
+///
+/// Errors: a number that is not finite.
+pub(crate) fn json(value: &impl serde::Serialize) -> Result<String, Error> {
+    finite::check("the result", value)?;
+    let text = serde_json::to_string_pretty(value).map_err(|e| Error::Report(e.to_string()))?;
+    Ok(format!("{}\n", text::json(&text)))
 }
 
 /// What differs between identical runs.
@@ -163,35 +168,74 @@ pub(crate) fn stamp(started: std::time::Instant) -> Volatile {
 
 /// Entry point of the binary.
 pub fn main() -> ExitCode {
-    let cli = Cli::parse();
+    fault::install();
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(answer) => return ExitCode::from(refused(&answer)),
+    };
     match cli.global.color {
         When::Auto => {}
         When::Always => anstream::ColorChoice::Always.write_global(),
         When::Never => anstream::ColorChoice::Never.write_global(),
     }
-    let outcome: Result<u8, Error> = match cli.command {
-        Command::Compare(args) => compare::run(args, &cli.global),
-        Command::Check(args) => check::run(args, &cli.global),
-        Command::Ida(args) => ida::run(args, &cli.global),
-        Command::Push(args) => push::run(args, &cli.global),
-        Command::Modes(args) => modes::run(args, &cli.global),
-        Command::Spectrum(args) => spectrum::run(args, &cli.global),
-        Command::Quake(args) => quake::run(args, &cli.global),
-        Command::Report(args) => report::run(args, &cli.global),
-        Command::Diff(args) => diff::run(args, &cli.global),
-        Command::Verify(args) => verify::run(args, &cli.global),
-        Command::Init(args) => init::run(args, &cli.global),
-        Command::Schema(args) => schema::run(args, &cli.global),
-        Command::Completions(args) => completions::run(args, &cli.global),
-    };
-    match outcome {
+    progress::listen(&cli.global);
+    match cli.run() {
         Ok(code) => ExitCode::from(code),
-        Err(error) => {
-            match &error {
-                Error::Input(rendered) => anstream::eprintln!("{}", rendered.trim_end()),
-                other => anstream::eprintln!("error: {other}"),
-            }
-            ExitCode::from(error.exit_code())
+        Err(error) => ExitCode::from(report_failure(&error)),
+    }
+}
+
+impl Cli {
+    fn run(self) -> Result<u8, Error> {
+        match self.command {
+            Command::Compare(args) => compare::run(args, &self.global),
+            Command::Check(args) => check::run(args, &self.global),
+            Command::Ida(args) => ida::run(args, &self.global),
+            Command::Push(args) => push::run(args, &self.global),
+            Command::Modes(args) => modes::run(args, &self.global),
+            Command::Spectrum(args) => spectrum::run(args, &self.global),
+            Command::Quake(args) => quake::run(args, &self.global),
+            Command::Report(args) => report::run(args, &self.global),
+            Command::Diff(args) => diff::run(args, &self.global),
+            Command::Verify(args) => verify::run(args, &self.global),
+            Command::Init(args) => init::run(args, &self.global),
+            Command::Schema(args) => schema::run(args, &self.global),
+            Command::Completions(args) => completions::run(args, &self.global),
         }
     }
+}
+
+/// Prints what clap answers instead of running: help and version are results, all else is bad usage. Returns the exit code.
+fn refused(answer: &clap::Error) -> u8 {
+    let text = answer.render();
+    // Colours of clap and escapes of an argument cannot be told apart: then there are none.
+    if std::env::args_os().any(|a| a.to_string_lossy().chars().any(text::hostile)) {
+        say!("{}", text.to_string().trim_end());
+        return EXIT_INPUT;
+    }
+    if answer.use_stderr() {
+        let _ = anstream::stderr().lock().write_all(text.ansi().to_string().as_bytes());
+        return EXIT_INPUT;
+    }
+    let styled = anstream::AutoStream::choice(&std::io::stdout()) != anstream::ColorChoice::Never;
+    let text = if styled {
+        text.ansi().to_string()
+    } else {
+        text.to_string()
+    };
+    match terminal::print_coloured(&text) {
+        Ok(()) => EXIT_OK,
+        Err(error) => report_failure(&error),
+    }
+}
+
+/// Prints why a run failed; returns its exit code.
+fn report_failure(error: &Error) -> u8 {
+    match error {
+        // The user's text in it has been made visible; what is left are our own colours.
+        Error::Faults(rendered) => terminal::coloured(rendered.trim_end()),
+        Error::Input(rendered) => say!("{}", rendered.trim_end()),
+        other => say!("error: {other}"),
+    }
+    error.exit_code()
 }

@@ -4,15 +4,20 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use codes::tank::Shape;
+use fem::progress::Progress;
 use serde_json::json;
 
+use crate::cli::budget::{self, MemoryArg};
 use crate::cli::progress::Watch;
 use crate::cli::table::Table;
-use crate::cli::{Format, Global, print, solid};
+use crate::cli::terminal::say;
+use crate::cli::{self, Format, Global, print, solid};
 use crate::error::{EXIT_OK, Error};
 use crate::fe::harmonic;
+use crate::fe::solid::SolidOptions;
 use crate::input;
-use crate::results::Mode;
+use crate::results::{Mode, finite};
+use crate::text;
 
 /// Largest circumferential harmonic offered: beyond it the default meshes no longer resolve the waves.
 const MAX_HARMONIC: u32 = 20;
@@ -49,6 +54,8 @@ pub struct Args {
     /// Multiply every element count of the mesh, 0.25 to 16 [default: that of the tank file, else 1].
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     refine: Option<f64>,
+    #[command(flatten)]
+    memory: MemoryArg,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -66,6 +73,9 @@ enum Engine {
 /// Runs the subcommand; returns the exit code.
 pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let tank = input::read_tank(&args.tank)?;
+    for warning in &tank.warnings {
+        say!("warning: {}", text::line(warning));
+    }
     let case = tank.case;
     let mut options = tank.fe;
     options.refine = args.refine.unwrap_or(options.refine);
@@ -76,6 +86,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     };
     let harmonics = args.harmonics.unwrap_or(default);
     check(&harmonics, args.count, case.tank.shape)?;
+    let limit = args.memory.over(tank.solid.memory_limit_mib);
     let (modes, notes) = match args.fe {
         Engine::Harmonic => {
             if let Some(option) = args.solid.given() {
@@ -83,13 +94,27 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
                     "error: {option} belongs to the three-dimensional engine\n  help: add --fe solid"
                 )));
             }
-            let modes = crate::fe::modes(&case, &options, &harmonics, args.count)?;
+            let mut estimate = harmonic::estimate(&case, &options)?;
+            estimate.seconds *= harmonics.len() as f64;
+            budget::admit(&estimate, limit, false, global)?;
+            let watch = Watch::new(global, "modes");
+            watch.stage("modes by harmonic", harmonics.len() as u64);
+            let mut modes = Vec::new();
+            for harmonic in &harmonics {
+                modes.extend(crate::fe::modes(&case, &options, &[*harmonic], args.count)?);
+                watch.advance(1);
+            }
+            watch.finish();
             let notes = harmonic::notes(&case, &modes);
             (modes, notes)
         }
         Engine::Solid => {
-            let solid = args.solid.over(&tank.solid);
-            solid::announce(&case, &options, &solid, global)?;
+            let solid = SolidOptions {
+                memory_limit_mib: limit,
+                ..args.solid.over(&tank.solid)
+            };
+            let estimate = crate::fe::solid::estimate(&case, &options, &solid)?;
+            budget::admit(&estimate, limit, true, global)?;
             let watch = Watch::new(global, "modes");
             let mut modes = crate::fe::solid::modes(&case, &options, &solid, args.count, &watch)?;
             watch.finish();
@@ -109,9 +134,14 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
             (modes, notes)
         }
     };
+    finite::check("modes", &modes)?;
     match args.format {
         Format::Human => {
-            let mut text = format!("{}\n\n{}", case.name, table(&modes, case.liquid_mass(), args.fe));
+            let mut text = format!(
+                "{}\n\n{}",
+                text::line(&case.name),
+                table(&modes, case.liquid_mass(), args.fe)
+            );
             for note in &notes {
                 let _ = writeln!(text, "\nnote: {note}");
             }
@@ -119,13 +149,13 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         }
         Format::Json => {
             let value = json!({ "name": case.name, "liquid_mass": case.liquid_mass(), "modes": modes, "notes": notes });
-            print(&format!("{value:#}\n"))?;
+            print(&cli::json(&value)?)?;
         }
         Format::Csv => print(&csv(&modes))?,
     }
     if args.format == Format::Csv && !global.quiet {
         for note in &notes {
-            anstream::eprintln!("note: {note}");
+            say!("note: {note}");
         }
     }
     Ok(EXIT_OK)

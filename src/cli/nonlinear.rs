@@ -2,9 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use fem::analysis::checkpoint::{CheckpointError, MAGIC, inspect};
+use fem::analysis::checkpoint::{CheckpointError, MAGIC, inspect, unfinished};
 
 use crate::cli::Global;
+use crate::cli::terminal::say;
 use crate::error::Error;
 use crate::fe::nonlinear::CheckpointFile;
 use crate::job::{Engines, Job};
@@ -19,7 +20,7 @@ pub struct NonlinearArgs {
     /// `.checkpoint` at its end].
     #[arg(long, value_name = "FILE")]
     checkpoint: Option<PathBuf>,
-    /// Go on with a nonlinear run where its checkpoint ends.
+    /// Go on with a nonlinear run where its checkpoint ends; from the beginning if there is none.
     #[arg(long)]
     resume: bool,
 }
@@ -39,6 +40,16 @@ impl NonlinearArgs {
                 None => Ok(()),
             };
         }
+        job.checkpoint = Some(self.file(out, job.key())?);
+        Ok(())
+    }
+
+    /// The checkpoint of a run with the output folder `out`.
+    ///
+    /// * `key`: hash of its input
+    ///
+    /// Errors: a place where no checkpoint can be written; one from which no run can go on.
+    pub fn file(&self, out: &Path, key: String) -> Result<CheckpointFile, Error> {
         let path = self.checkpoint.clone().unwrap_or_else(|| beside(out));
         let shown = path.display();
         if path.is_dir() {
@@ -56,32 +67,32 @@ impl NonlinearArgs {
             }
             _ => {}
         }
-        match begins(&path)? {
-            None if self.resume => {
-                return refuse(
-                    &format!("--resume: there is no checkpoint `{shown}`"),
-                    "name that of the interrupted run with --checkpoint, or leave --resume out",
-                );
-            }
-            Some(head) if head != MAGIC => {
-                return refuse(
-                    &format!("--checkpoint: `{shown}` is a file that is no checkpoint"),
-                    "name another file; this one is left alone",
-                );
-            }
-            Some(_) if self.resume => sound(&path)?,
-            _ => {}
-        }
-        job.checkpoint = Some(CheckpointFile {
+        let file = CheckpointFile {
             path,
-            key: job.key(),
+            key,
             resume: self.resume,
-        });
-        Ok(())
+        };
+        for path in file.files() {
+            // Half a checkpoint of a killed run is the beginning of one.
+            let parts = [(unfinished(&path), true), (path, false)];
+            for (path, part) in parts {
+                let own = |head: Vec<u8>| if part { MAGIC.starts_with(&head) } else { head == MAGIC };
+                if !begins(&path)?.is_none_or(own) {
+                    return refuse(
+                        &format!("--checkpoint: `{}` is a file that is no checkpoint", path.display()),
+                        "name another file; this one is left alone",
+                    );
+                }
+            }
+        }
+        if self.resume && file.path.exists() {
+            sound(&file.path)?;
+        }
+        Ok(file)
     }
 }
 
-fn refuse(what: &str, help: &str) -> Result<(), Error> {
+fn refuse<T>(what: &str, help: &str) -> Result<T, Error> {
     Err(Error::Input(format!("error: {what}\n  help: {help}")))
 }
 
@@ -95,7 +106,7 @@ fn sound(path: &Path) -> Result<(), Error> {
         }),
         Err(fault) => refuse(
             &format!("--resume: the checkpoint `{}` is {}", path.display(), fault.cause()),
-            "leave --resume out to begin anew, which replaces it, or name another one with --checkpoint",
+            "leave --resume out to start over, which overwrites it, or name another one with --checkpoint",
         ),
     }
 }
@@ -128,22 +139,29 @@ fn begins(path: &Path) -> Result<Option<Vec<u8>>, Error> {
     Ok(Some(head))
 }
 
-/// Says what the run is about to do.
+/// Says what the nonlinear run of a job is about to do.
 pub fn announce(job: &Job, global: &Global) {
-    let (Some(file), Some(motion), false) = (&job.checkpoint, &job.case.ground_motion, global.quiet) else {
+    if let (Some(file), Some(motion)) = (&job.checkpoint, &job.case.ground_motion) {
+        let what = format!("nonlinear run of {} s", plain(motion.horizontal.duration(), 2));
+        announce_start(&what, file, job.nonlinear.checkpoint, global);
+    }
+}
+
+/// Says where a run starts, and how often it keeps a checkpoint.
+///
+/// * `every`: computing time between two of them [s]
+pub fn announce_start(what: &str, file: &CheckpointFile, every: f64, global: &Global) {
+    if global.quiet {
         return;
-    };
+    }
     let shown = file.path.display();
-    let every = plain(job.nonlinear.checkpoint, 0);
     let start = match (file.resume, file.path.exists()) {
-        (true, _) => format!("is to go on from `{shown}`"),
-        (false, true) => format!("begins anew and replaces `{shown}` (--resume would go on from it)"),
-        (false, false) => "begins".into(),
+        (true, true) => format!("resumes from `{shown}`"),
+        (true, false) => format!("starts from the beginning, there is no checkpoint `{shown}`"),
+        (false, true) => format!("starts over and overwrites `{shown}`; use --resume to continue"),
+        (false, false) => "starts".into(),
     };
-    anstream::eprintln!(
-        "nonlinear run of {} s: {start}; a checkpoint every {every} s of computing",
-        plain(motion.horizontal.duration(), 2)
-    );
+    say!("{what}: {start}; a checkpoint every {} s of computing", plain(every, 0));
 }
 
 /// How the nonlinear run of these results ended.
@@ -154,19 +172,30 @@ fn end(results: &Results) -> Option<&End> {
 
 /// Removes the checkpoint of a run that has come to its end.
 pub fn tidy(job: &Job, results: &Results) {
-    if let (Some(file), Some(End::Completed | End::Collapsed { .. })) = (&job.checkpoint, end(results)) {
-        // There is none after a short run; one that cannot be removed is only litter.
-        let _ = std::fs::remove_file(&file.path);
+    if let (Some(file), Some(End::Completed | End::Collapsed { .. } | End::Left { .. })) =
+        (&job.checkpoint, end(results))
+    {
+        file.remove();
     }
 }
 
-/// Says how an interrupted run goes on.
+/// Says how an interrupted nonlinear run goes on.
 pub fn advise(job: &Job, results: &Results, global: &Global) {
-    let Some(file) = job.checkpoint.as_ref().filter(|f| !global.quiet && f.path.exists()) else {
-        return;
-    };
-    if !matches!(end(results), Some(End::Completed | End::Collapsed { .. })) {
-        anstream::eprintln!(
+    if let (Some(file), false) = (
+        &job.checkpoint,
+        matches!(
+            end(results),
+            Some(End::Completed | End::Collapsed { .. } | End::Left { .. })
+        ),
+    ) {
+        advise_resume(file, global);
+    }
+}
+
+/// Says how an interrupted run goes on, if it has left a checkpoint.
+pub fn advise_resume(file: &CheckpointFile, global: &Global) {
+    if !global.quiet && file.path.exists() {
+        say!(
             "checkpoint: {}; the same command with --resume goes on",
             file.path.display()
         );

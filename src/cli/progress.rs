@@ -5,39 +5,47 @@
 //! The first Ctrl-C asks the analysis to stop: it returns what it has, marked incomplete. The second ends the process
 //! at once and removes what is half-written.
 
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use fem::progress::Progress;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::cli::Global;
-use crate::error::EXIT_INTERRUPTED;
-use crate::pipeline;
+use crate::cli::terminal::say;
+use crate::error::{EXIT_COMPUTATION, EXIT_INTERRUPTED};
+use crate::fe::estimate::span;
+use crate::output;
 
 /// Set by Ctrl-C.
 static STOP: AtomicBool = AtomicBool::new(false);
+/// Whether the first Ctrl-C asks the analysis to stop instead of ending the process.
+static GRACEFUL: AtomicBool = AtomicBool::new(false);
 
-/// What a second Ctrl-C, or the first one where nothing can be kept, does.
-fn abort() -> ! {
-    pipeline::discard_unfinished();
-    std::process::exit(i32::from(EXIT_INTERRUPTED));
-}
-
-/// Hears Ctrl-C from here on. Where the analysis can stop half-way (`graceful`) the first one asks it to; else it ends the
-/// process.
-pub fn listen(global: &Global, graceful: bool) {
+/// Listens for Ctrl-C from here on, in every command: it ends the process with exit code 130 and removes what is
+/// half-written, unless [`stop_gracefully`] was called.
+pub fn listen(global: &Global) {
     let quiet = global.quiet;
     // A handler that is already set (a second run in one process) does the same.
     let _ = ctrlc::set_handler(move || {
+        let graceful = GRACEFUL.load(Ordering::SeqCst);
         if !graceful || STOP.swap(true, Ordering::SeqCst) {
-            abort();
+            // Results that were in place already stay, and the run was over but for its last words.
+            std::process::exit(i32::from(match output::discard_unfinished() {
+                true => EXIT_COMPUTATION,
+                false => EXIT_INTERRUPTED,
+            }));
         }
         if !quiet {
-            anstream::eprintln!("interrupted: finishing what is computed (Ctrl-C again to drop it)");
+            say!("interrupted: finishing what is computed (Ctrl-C again to drop it)");
         }
     });
+}
+
+/// From here on the first Ctrl-C asks the analysis to stop; it returns what it has. The second ends the process.
+pub fn stop_gracefully() {
+    GRACEFUL.store(true, Ordering::SeqCst);
 }
 
 /// Progress on standard error, that also knows of Ctrl-C.
@@ -56,6 +64,11 @@ impl Watch {
         Watch { bar, log }
     }
 
+    /// Names what is under way within a stage.
+    pub fn name(&self, what: &str) {
+        self.bar.set_message(what.to_owned());
+    }
+
     /// Removes the bar.
     pub fn finish(self) {
         self.bar.finish_and_clear();
@@ -63,11 +76,7 @@ impl Watch {
 
     fn logged<T>(&self, act: impl FnOnce(&mut Log) -> T) -> Option<T> {
         // A thread that panicked while it counted leaves counts, which are good for progress still.
-        let mut log = self
-            .log
-            .as_ref()?
-            .lock()
-            .unwrap_or_else(|poisoned| poisoned.into_inner());
+        let mut log = self.log.as_ref()?.lock().unwrap_or_else(PoisonError::into_inner);
         Some(act(&mut log))
     }
 }
@@ -95,12 +104,16 @@ impl Progress for Watch {
     fn advance(&self, steps: u64) {
         self.bar.inc(steps);
         if let Some(Some(line)) = self.logged(|log| log.advance(steps, Instant::now())) {
-            anstream::eprintln!("{line}");
+            say!("{line}");
         }
     }
 
     fn interrupted(&self) -> bool {
         STOP.load(Ordering::Relaxed)
+    }
+
+    fn warn(&self, what: &str) {
+        self.bar.suspend(|| say!("warning: {what}"));
     }
 }
 
@@ -167,15 +180,6 @@ impl Log {
             span(seconds),
             span(left)
         ))
-    }
-}
-
-/// A time as a person waits it.
-pub fn span(seconds: f64) -> String {
-    match seconds {
-        s if s < 90.0 => format!("{:.0} s", s.max(1.0)),
-        s if s < 5400.0 => format!("{:.0} min", s / 60.0),
-        s => format!("{:.1} h", s / 3600.0),
     }
 }
 

@@ -3,17 +3,21 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use crate::cli::budget::{self, MemoryArg};
 use crate::cli::inputs::{Inputs, Reading};
 use crate::cli::progress::{self, Watch};
 use crate::cli::table::Table;
-use crate::cli::{Format, Global, print, stamp};
+use crate::cli::terminal::say;
+use crate::cli::{Format, Global, json, nonlinear, print, stamp};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
-use crate::fe::nonlinear::push::{Amplitude, Form, NoSteel, PushOptions, Quality};
+use crate::fe::FeError;
+use crate::fe::nonlinear::push::{Amplitude, Form, NoSteel, PushOptions, Quality, estimate};
 use crate::fe::nonlinear::scope::Purpose;
 use crate::job::{Engines, PushJob};
 use crate::push;
 use crate::report;
 use crate::report::number::with_unit;
+use crate::text;
 use codes::tank;
 use codes::units::{self, Dimension};
 
@@ -28,12 +32,16 @@ Examples:
   tankcheck push tank.json --imperfection 0.5t -o push/
   tankcheck push tank.json --imperfection class-b --imperfection-at 2m -o push/
   tankcheck push tank.json --imperfection 1t --imperfection-shape mode -o push/
+  tankcheck push tank.json --imperfection 1t --imperfection-shape mode -o push/ --resume
 
 A weld depression goes around the tank, outwards; inwards with a negative amplitude (--imperfection=-0.5t). The mode is the
 lowest linear buckling mode under the load of the perfect shell's capacity; its amplitude is that of its largest deviation,
 outwards there, inwards with a negative amplitude.
 
-Exit codes: 0 done; 2 bad input; 3 the computation failed or was interrupted.")]
+Ctrl-C stops the run and keeps what it has, marked incomplete; pressed again it drops everything but the checkpoint.
+
+Exit codes: 0 done; 2 bad input; 3 the computation failed or was interrupted, or results could not be
+written; 130 dropped by a second Ctrl-C.")]
 pub struct Args {
     /// The tank (`-` reads standard input).
     tank: PathBuf,
@@ -50,6 +58,10 @@ pub struct Args {
     /// Folder for the results.
     #[arg(long, short, value_name = "FOLDER", default_value = "push")]
     out: PathBuf,
+    #[command(flatten)]
+    kept: nonlinear::NonlinearArgs,
+    #[command(flatten)]
+    memory: MemoryArg,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -68,38 +80,55 @@ enum Shape {
 pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
     let job = args.job()?;
-    progress::listen(global, true);
+    progress::stop_gracefully();
+    let estimate = estimate(&job.job.case, &job.job.nonlinear, &job.options)?;
+    let limit = args.memory.over(job.job.solid.memory_limit_mib);
+    budget::admit(&estimate, limit, false, global)?;
     let watch = Watch::new(global, "pushover");
-    let found = push::run(&job, || stamp(started), &watch)?;
+    if let Some(file) = &job.checkpoint {
+        nonlinear::announce_start("pushover", file, job.job.nonlinear.checkpoint, global);
+    }
+    let advise = || {
+        if let Some(file) = &job.checkpoint {
+            nonlinear::advise_resume(file, global);
+        }
+    };
+    let found = push::run(&job, || stamp(started), &watch).inspect_err(|error| {
+        // Interrupted, or the results could not be written; a failure of the analysis would come again.
+        if error.exit_code() == EXIT_COMPUTATION && !matches!(error, Error::Fe(FeError::Analysis(_))) {
+            advise();
+        }
+    })?;
     watch.finish();
     match args.format {
         Format::Human => {
             // Quantities down, shells across: eleven columns are too many for a terminal.
             let summary = Table::turned(&report::push::summary(&found));
             let limits = Table::of(&report::push::limits(&found));
-            print(&format!("{}\n\n{summary}\n{limits}", found.name))?;
+            print(&format!("{}\n\n{summary}\n{limits}", text::line(&found.name)))?;
         }
         Format::Json => {
-            let text = serde_json::to_string_pretty(&found).map_err(|e| Error::Report(e.to_string()))?;
-            print(&format!("{text}\n"))?;
+            print(&json(&found)?)?;
         }
         Format::Csv => print(&report::push::csv(&found))?,
     }
     if !global.quiet {
         for shell in &found.shells {
             let name = report::push::name_of(shell);
-            anstream::eprintln!("{name}: {}", shell.end);
+            say!("{name}: {}", shell.end);
             if !shell.capacity.limit {
-                anstream::eprintln!("{name}: no maximum was passed, the capacity is a lower bound");
+                say!("{name}: no maximum was passed, the capacity is a lower bound");
             }
         }
-        for doubt in &found.doubts {
-            anstream::eprintln!("warning: {doubt}");
+        // Those of the input have been printed before the run.
+        for doubt in found.doubts.iter().filter(|d| !job.job.warnings.contains(d)) {
+            say!("warning: {doubt}");
         }
         if found.incomplete {
-            anstream::eprintln!("incomplete: {}", found.interruption);
+            say!("incomplete: {}", found.interruption);
+            advise();
         }
-        anstream::eprintln!("report: {}", job.out.join("report.html").display());
+        say!("report: {}", job.out.join("report.html").display());
     }
     Ok(match found.incomplete {
         true => EXIT_COMPUTATION,
@@ -139,7 +168,7 @@ impl Args {
                  concrete run through a record with compare --fe nonlinear",
             );
         }
-        Ok(PushJob {
+        let mut job = PushJob {
             job,
             options: PushOptions {
                 imperfection,
@@ -147,7 +176,10 @@ impl Args {
                 height,
             },
             out: self.out.clone(),
-        })
+            checkpoint: None,
+        };
+        job.checkpoint = Some(self.kept.file(&self.out, job.key())?);
+        Ok(job)
     }
 }
 

@@ -7,9 +7,12 @@ use serde::Serialize;
 
 use crate::cli::inputs::Reading;
 use crate::cli::table::Table;
-use crate::cli::{Format, Global, print};
+use crate::cli::terminal::say;
+use crate::cli::{Format, Global, json, print};
 use crate::error::{EXIT_OK, Error};
 use crate::input::records::{self, ReadRecord};
+use crate::results::finite;
+use crate::text;
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -73,11 +76,14 @@ pub fn run(args: Args, _: &Global) -> Result<u8, Error> {
     let Command::Info(info) = args.command;
     let read = records::read(&info.record, &info.reading.options())?;
     let facts = facts(&read);
+    finite::check("the measures of the record", &facts)?;
+    for warning in records::plausible::doubts(&read.record, &records::Processing::default()) {
+        say!("warning: {}", text::line(&warning));
+    }
     match info.format {
         Format::Human => print(&human(&facts))?,
         Format::Json => {
-            let text = serde_json::to_string_pretty(&facts).map_err(|e| Error::Report(e.to_string()))?;
-            print(&format!("{text}\n"))?;
+            print(&json(&facts)?)?;
         }
         Format::Csv => return Err(Error::Input("error: --format: found csv, allowed human or json".into())),
     }

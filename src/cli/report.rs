@@ -2,9 +2,12 @@
 
 use std::path::PathBuf;
 
-use crate::cli::Global;
+use crate::cli::terminal::say;
+use crate::cli::{Global, print};
 use crate::error::{EXIT_OK, Error};
+use crate::output::{self, OutputFolder};
 use crate::report;
+use crate::results::{COMPARE_REPORT, REPORT_FILE};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -19,7 +22,13 @@ pub struct Args {
 
 /// Runs the subcommand; returns the exit code.
 pub fn run(args: Args, _global: &Global) -> Result<u8, Error> {
-    let path = report::render(&args.folder, args.templates.as_deref())?;
-    anstream::println!("{}", path.display());
+    for name in output::edited(&args.folder, COMPARE_REPORT) {
+        say!("warning: {name} has changed since tankcheck wrote it; the report shows it as it is now");
+    }
+    let report = report::of_folder(&args.folder, args.templates.as_deref())?;
+    let folder = OutputFolder::prepare(&args.folder, COMPARE_REPORT)?;
+    report.write(&folder.path())?;
+    folder.commit()?;
+    print(&format!("{}\n", args.folder.join(REPORT_FILE).display()))?;
     Ok(EXIT_OK)
 }

@@ -1,12 +1,6 @@
 //! Arguments of the three-dimensional engine, shared by `compare` and `modes`.
 
-use codes::Case;
-
-use crate::cli::Global;
-use crate::cli::progress::span;
-use crate::error::Error;
-use crate::fe;
-use crate::fe::solid::{Estimate, Liquid, MeshSize, SolidOptions};
+use crate::fe::solid::{Liquid, MeshSize, SolidOptions};
 use crate::job::Job;
 use crate::results::InputValue;
 
@@ -19,9 +13,6 @@ pub struct SolidArgs {
     /// Formulation of the liquid [default: potential, or as in the tank file].
     #[arg(long, value_enum)]
     liquid: Option<LiquidArg>,
-    /// Most memory for matrices and factors; a larger model is refused before the run [default: 4096].
-    #[arg(long, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=16_777_216))]
-    memory_limit: Option<u64>,
 }
 
 /// Formulation of the liquid.
@@ -38,7 +29,6 @@ impl SolidArgs {
     pub fn given(&self) -> Option<&'static str> {
         let mesh = self.mesh.map(|_| "--mesh");
         mesh.or(self.liquid.map(|_| "--liquid"))
-            .or(self.memory_limit.map(|_| "--memory-limit"))
     }
 
     /// Lays these options over those of the tank file.
@@ -50,7 +40,6 @@ impl SolidArgs {
             Some(LiquidArg::Displacement) => options.liquid = Liquid::Displacement,
             None => {}
         }
-        options.memory_limit_mib = self.memory_limit.unwrap_or(options.memory_limit_mib);
         options
     }
 
@@ -92,51 +81,5 @@ impl SolidArgs {
                 path,
             });
         }
-    }
-}
-
-/// Says what the run will take; refuses what memory does not hold.
-pub fn announce(case: &Case, options: &fe::Options, solid: &SolidOptions, global: &Global) -> Result<(), Error> {
-    let estimate = fe::solid::estimate(case, options, solid)?;
-    if !global.quiet {
-        let direct = match options.integrator {
-            fe::Integrator::Newmark => ", the direct integration on top of it (minutes on fine meshes)",
-            fe::Integrator::Modal => "",
-        };
-        anstream::eprintln!("{}{direct}", sentence(&estimate));
-    }
-    Ok(())
-}
-
-/// "three-dimensional run: 12x16x20 elements, 11520 unknowns, about 180 MiB, about 20 s".
-fn sentence(estimate: &Estimate) -> String {
-    let time = span(estimate.seconds);
-    format!(
-        "three-dimensional run: {} elements, {} unknowns, about {} MiB, about {time}",
-        estimate.mesh, estimate.unknowns, estimate.memory_mib
-    )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_run_is_announced_in_units_a_person_waits_in() {
-        let mut estimate = Estimate {
-            mesh: MeshSize {
-                radial: 12,
-                sectors: 16,
-                vertical: 20,
-            },
-            unknowns: 11520,
-            memory_mib: 180,
-            seconds: 0.2,
-        };
-        assert!(sentence(&estimate).ends_with("12x16x20 elements, 11520 unknowns, about 180 MiB, about 1 s"));
-        estimate.seconds = 300.0;
-        assert!(sentence(&estimate).ends_with("about 5 min"));
-        estimate.seconds = 9000.0;
-        assert!(sentence(&estimate).ends_with("about 2.5 h"));
     }
 }

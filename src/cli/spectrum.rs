@@ -4,14 +4,21 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use codes::STANDARD_GRAVITY;
-use codes::spectrum::{Method, Spectrum, spectrum};
+use codes::record::Record;
+use codes::spectrum::{Method, POINTS_PER_PERIOD, Spectrum, spectrum};
+use fem::progress::Progress;
 use serde_json::json;
 
+use crate::cli::budget;
 use crate::cli::inputs::Reading;
+use crate::cli::progress::Watch;
 use crate::cli::table::Table;
+use crate::cli::terminal::say;
 use crate::cli::{Format, Global, print};
 use crate::error::{EXIT_OK, Error};
+use crate::fe::estimate::{Estimate, Lever, MEMORY_LIMIT_MIB, NUMBER, PROGRAM, WORTH_SAYING};
 use crate::input::records::{self, AccelerationUnit, Processing};
+use crate::text;
 
 /// Most oscillators in one call.
 const MAX_OSCILLATORS: usize = 1_000_000;
@@ -94,17 +101,30 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     };
     let read = records::read(&args.record, &args.reading.options())?;
     let record = records::process(&read.record, &processing)?;
+    let origin = format!("--{}", processing.scaled_by().replace('_', "-"));
+    records::plausible::check(&record, &origin, args.reading.allow_implausible)?;
+    for warning in records::plausible::doubts(&record, &processing) {
+        say!("warning: {}", text::line(&warning));
+    }
     let method = match args.method {
         How::Exact => Method::Exact,
         How::Duhamel => Method::Duhamel,
         How::Newmark => Method::Newmark,
     };
-    let result = spectrum(&record, &periods, &dampings, method);
+    let estimate = estimate(&record, &periods, &dampings, method);
+    budget::admit(&estimate, MEMORY_LIMIT_MIB, false, global)?;
+    let result = match estimate.seconds > WORTH_SAYING {
+        false => spectrum(&record, &periods, &dampings, method),
+        true => in_parts(&record, &periods, &dampings, method, &Watch::new(global, "spectrum")),
+    };
+    if let Some(error) = not_finite(&result) {
+        return Err(error);
+    }
     match args.format {
         Format::Human => {
             let mut text = format!(
                 "{}: {} samples at {} s, ",
-                record.name,
+                text::line(&record.name),
                 record.acceleration.len(),
                 record.dt
             );
@@ -125,9 +145,75 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         Format::Csv => print(&csv(&result))?,
     }
     if args.format != Format::Human && !global.quiet {
-        anstream::eprintln!("note: {}", method.statement());
+        say!("note: {}", method.statement());
     }
     Ok(EXIT_OK)
+}
+
+/// Time of a step of one oscillator [s]: the kernel of eight at a time, and the reference methods.
+const STEP_TIME: [f64; 2] = [2e-9, 3e-8];
+/// Numbers that a reference method keeps of a point: ground, displacement, velocity, acceleration.
+const AT_POINT: f64 = 4.0;
+/// Parts in which a long spectrum is computed, so that its progress shows.
+const PARTS: usize = 200;
+
+/// What a spectrum takes: the reference methods refine the record to [`POINTS_PER_PERIOD`] points a period.
+fn estimate(record: &Record, periods: &[f64], dampings: &[f64], method: Method) -> Estimate {
+    let samples = record.acceleration.len() as f64;
+    let oscillates = || periods.iter().filter(|t| **t > 0.0);
+    let parts = |period: f64| match method {
+        Method::Exact => 1.0,
+        Method::Duhamel | Method::Newmark => (POINTS_PER_PERIOD * record.dt / period).ceil().max(1.0),
+    };
+    let most = oscillates().fold(0.0, |most, &t| f64::max(most, parts(t)));
+    let steps = samples * dampings.len() as f64 * oscillates().map(|&t| parts(t)).sum::<f64>();
+    let (kept, time, other) = match method {
+        Method::Exact => (0.0, STEP_TIME[0], "ask for fewer periods"),
+        _ => (
+            AT_POINT,
+            STEP_TIME[1],
+            "leave out the shortest periods, or use --method exact",
+        ),
+    };
+    let oscillators = periods.len() * dampings.len();
+    Estimate {
+        run: "spectrum",
+        size: format!("{oscillators} oscillators, {samples:.0} samples"),
+        parts: vec![
+            ("the program", PROGRAM),
+            (
+                "record and ordinates",
+                NUMBER * (4.0 * samples + 20.0 * oscillators as f64),
+            ),
+            ("refined record", NUMBER * kept * samples * most),
+        ],
+        samples,
+        steps: samples * most,
+        seconds: steps * time,
+        lever: Lever {
+            smaller: Vec::new(),
+            other: other.into(),
+        },
+    }
+}
+
+/// [`spectrum`] in parts, each of which counts.
+fn in_parts(record: &Record, periods: &[f64], dampings: &[f64], method: Method, watch: &Watch) -> Spectrum {
+    let part = periods.len().div_ceil(PARTS).next_multiple_of(8);
+    watch.stage("periods", periods.len() as u64);
+    let mut whole = Spectrum {
+        periods: periods.to_vec(),
+        dampings: dampings.to_vec(),
+        ordinates: vec![Vec::with_capacity(periods.len()); dampings.len()],
+    };
+    for periods in periods.chunks(part) {
+        let found = spectrum(record, periods, dampings, method);
+        for (all, row) in whole.ordinates.iter_mut().zip(found.ordinates) {
+            all.extend(row);
+        }
+        watch.advance(periods.len() as u64);
+    }
+    whole
 }
 
 fn usage(option: &str, found: &str, allowed: &str) -> Error {
@@ -236,6 +322,21 @@ fn to_json(result: &Spectrum) -> serde_json::Value {
     json!({ "spectra": spectra })
 }
 
+/// The first ordinate that is not finite.
+fn not_finite(result: &Spectrum) -> Option<Error> {
+    for (damping, row) in result.dampings.iter().zip(&result.ordinates) {
+        for (period, o) in result.periods.iter().zip(row) {
+            if let Some(value) = [o.sd, o.psv, o.psa, o.sv, o.sa].into_iter().find(|v| !v.is_finite()) {
+                return Some(Error::NotFinite {
+                    quantity: format!("the spectrum at {period} s and a damping of {damping}"),
+                    value,
+                });
+            }
+        }
+    }
+    None
+}
+
 fn csv(result: &Spectrum) -> String {
     let mut text = String::from("damping,period_s,sd_m,psv_m_s,psa_m_s2,sv_m_s,sa_m_s2\n");
     for (damping, row) in result.dampings.iter().zip(&result.ordinates) {
@@ -298,6 +399,49 @@ mod tests {
         for bad in ["100%", "-1%", "1", "5", "nan", "", "%", "5%%"] {
             assert_eq!(damping(bad), None, "{bad}");
         }
+    }
+
+    #[test]
+    fn a_spectrum_in_parts_is_the_whole_one() {
+        let record = Record {
+            name: "r".into(),
+            dt: 0.01,
+            acceleration: (0..200).map(|k| (0.3 * f64::from(k)).sin()).collect(),
+            processing: Vec::new(),
+        };
+        let periods = periods("0.02..20", 1000).unwrap();
+        let global = Global {
+            color: crate::cli::When::Never,
+            quiet: true,
+        };
+        let whole = spectrum(&record, &periods, &[0.02, 0.05], Method::Exact);
+        let parts = in_parts(
+            &record,
+            &periods,
+            &[0.02, 0.05],
+            Method::Exact,
+            &Watch::new(&global, "test"),
+        );
+        assert_eq!(whole.periods, parts.periods);
+        for (a, b) in whole.ordinates.iter().flatten().zip(parts.ordinates.iter().flatten()) {
+            assert!((a.sd / b.sd - 1.0).abs() < 1e-12, "{a:?} {b:?}");
+        }
+    }
+
+    /// 64 points in a period of 1 ns for a record of two samples 1 s apart: 512 GB a number.
+    #[test]
+    fn refined_records_beyond_the_memory_are_refused() {
+        let record = Record {
+            name: "r".into(),
+            dt: 1.0,
+            acceleration: vec![0.0, 1.0],
+            processing: Vec::new(),
+        };
+        let of = |method| estimate(&record, &[1e-9, 0.5], &[0.05], method).hold(MEMORY_LIMIT_MIB);
+        assert_eq!(of(Method::Exact), Ok(()));
+        let text = of(Method::Newmark).unwrap_err().to_string();
+        assert!(text.contains("time steps") || text.contains("MiB"), "{text}");
+        assert!(text.contains("help: "), "{text}");
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Plain tables for the terminal.
 
 use crate::report;
+use crate::text;
 
 /// A table with one head row; the first column is left-aligned, all others right-aligned.
 #[derive(Clone, Debug, Default)]
@@ -11,9 +12,9 @@ pub struct Table {
 impl Table {
     /// A table with these column heads.
     pub fn new(head: impl IntoIterator<Item = impl Into<String>>) -> Table {
-        Table {
-            rows: vec![head.into_iter().map(Into::into).collect()],
-        }
+        let mut table = Table::default();
+        table.row(head);
+        table
     }
 
     /// A table of the report, units in its heads.
@@ -38,16 +39,22 @@ impl Table {
                 unit => format!("{} [{unit}]", column.title),
             };
             let cells = data.rows.iter().map(move |row| row.get(c).cloned().unwrap_or_default());
-            std::iter::once(head).chain(cells).collect()
+            std::iter::once(head).chain(cells).collect::<Vec<String>>()
         };
-        Table {
-            rows: (0..data.columns.len()).map(line).collect(),
+        let mut table = Table::default();
+        for cells in (0..data.columns.len()).map(line) {
+            table.row(cells);
         }
+        table
     }
 
-    /// Adds a row.
+    /// Adds a row; every cell is one line, the user's text in it made visible.
     pub fn row(&mut self, cells: impl IntoIterator<Item = impl Into<String>>) {
-        self.rows.push(cells.into_iter().map(Into::into).collect());
+        let cells = cells.into_iter().map(|cell| {
+            let cell: String = cell.into();
+            text::line(&cell).into_owned()
+        });
+        self.rows.push(cells.collect());
     }
 }
 

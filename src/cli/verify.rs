@@ -2,6 +2,9 @@
 
 use std::path::PathBuf;
 
+use fem::progress::Progress;
+
+use crate::cli::progress::Watch;
 use crate::cli::table::Table;
 use crate::cli::{Global, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
@@ -59,9 +62,13 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         records: args.records.as_deref(),
         slow: args.slow,
     };
-    let spinner = super::spinner(global, "benchmarks");
-    let found = verify::run(choice, &|topic| spinner.set_message(topic.to_owned()))?;
-    spinner.finish_and_clear();
+    let watch = Watch::new(global, "benchmarks");
+    watch.stage("benchmarks", verify::topics(choice));
+    let found = verify::run(choice, &|topic| {
+        watch.name(topic);
+        watch.advance(1);
+    })?;
+    watch.finish();
     if let Some(folder) = &args.write {
         let kept = if folder.join(manual::ROWS).exists() {
             manual::read(folder)?
@@ -70,19 +77,17 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         };
         let ran = |pace| match pace {
             Pace::Fast => true,
-            Pace::Slow => choice.slow,
+            Pace::Tested | Pace::Slow => choice.slow,
             Pace::Record => choice.records.is_some(),
         };
-        manual::write(folder, &manual::merge(&found.rows, &kept, ran))?;
-        if let (true, Some(records)) = (args.slow, &args.records) {
-            let path = folder.join("dissertation.md");
-            std::fs::write(&path, verify::dissertation::document(records)?).map_err(|e| Error::File {
-                path,
-                what: e.to_string(),
-            })?;
-        }
+        let merged = manual::merge(&found.rows, &kept, ran);
+        let dissertation = match (args.slow, &args.records) {
+            (true, Some(records)) => Some(verify::dissertation::document(records)?),
+            _ => None,
+        };
+        manual::write(folder, &merged, dissertation)?;
     }
-    let failed = found.rows.iter().filter(|r| !r.holds()).count();
+    let failed = found.rows.iter().filter(|r| r.fails()).count();
     match args.format {
         Form::Json => print(&format!("{:#}\n", manual::to_json(&found)))?,
         Form::Csv => print(&csv(&found))?,
@@ -95,10 +100,10 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
 fn human(found: &Manual, failed: usize) -> String {
     let mut table = Table::new(["row", "what", "reference", "computed", "error", "tolerance", "kind", ""]);
     for row in &found.rows {
-        let state = match row.holds() {
-            true if row.tolerance.is_none() => "shown",
-            true => "ok",
-            false => "OUTSIDE",
+        let state = match (row.fails(), row.compares()) {
+            (true, _) => "OUTSIDE",
+            (_, true) => "comparison",
+            _ => "ok",
         };
         table.row(manual::cells(row).into_iter().chain([state.to_string()]));
     }

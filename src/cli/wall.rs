@@ -3,6 +3,8 @@
 use codes::tank::{BarDirection, Behaviour, Layer, Tank};
 use codes::units::{Dimension, display};
 
+use crate::text::line;
+
 /// One line a layered course: `course 1: 6.00 mm liner (steel) | 250 mm wall (concrete; hoop 15.0 cm²/m at 40.0 mm of bars)`.
 pub fn lines(tank: &Tank) -> Vec<String> {
     let layered = tank.courses.iter().enumerate().filter(|(_, c)| !c.layers.is_empty());
@@ -31,7 +33,7 @@ fn layer(layer: &Layer) -> String {
                 "; {direction} {} at {} of {}",
                 display(bar.area, Dimension::LineArea),
                 display(bar.depth, Dimension::Length),
-                bar.material.name
+                line(&bar.material.name)
             )
         })
         .collect();
@@ -42,6 +44,6 @@ fn layer(layer: &Layer) -> String {
     format!(
         "{} {} ({kind}{bars})",
         display(layer.thickness, Dimension::Length),
-        layer.material.name
+        line(&layer.material.name)
     )
 }

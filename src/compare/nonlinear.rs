@@ -29,6 +29,9 @@ fn why(run: &Happened) -> String {
     let mut sentences = Vec::new();
     match &run.end {
         End::Completed => {}
+        End::Left { time, .. } => sentences.push(format!(
+            "The run left its model and was stopped at {time:.2} s: its values are those until then."
+        )),
         End::Interrupted { time } => sentences.push(format!(
             "The run was interrupted at {time:.2} s: its values are those until then."
         )),

@@ -6,6 +6,7 @@
 
 pub mod coupled;
 pub mod damping;
+pub mod estimate;
 pub mod harmonic;
 pub mod nonlinear;
 
@@ -15,7 +16,7 @@ mod simulate;
 pub mod solid;
 
 pub use fem::liquid;
-pub use simulate::simulate;
+pub use simulate::{simulate, simulate_watched};
 
 use std::collections::BTreeMap;
 
@@ -137,15 +138,27 @@ pub enum FeError {
     /// The eigenvalue solver failed.
     #[error("eigenvalue solver: {0}")]
     Eigen(String),
-    /// More unknowns than memory allows.
-    #[error(
-        "the mesh needs about {needed_mib} MiB, more than the allowed {allowed_mib} MiB: coarsen it (--refine, --mesh) or raise --memory-limit"
-    )]
+    /// A run that takes more memory than allowed.
+    #[error("the {run} needs about {needed_mib} MiB, more than the allowed {allowed_mib} MiB\n  help: {help}")]
     Memory {
+        /// Which run, with its size.
+        run: String,
         /// Estimate [MiB].
         needed_mib: u64,
         /// Limit [MiB].
         allowed_mib: u64,
+        /// What to do, and what fits.
+        help: String,
+    },
+    /// A run that takes more steps, samples or time than allowed.
+    #[error("{what}; allowed {allowed}\n  help: {help}")]
+    TooLong {
+        /// What takes how many.
+        what: String,
+        /// The limit.
+        allowed: String,
+        /// What to do, and what fits.
+        help: String,
     },
     /// An analysis failed.
     #[error("{0}")]
@@ -173,7 +186,7 @@ pub enum FeError {
 fn way_out(error: &CheckpointError) -> &'static str {
     match error {
         CheckpointError::Unusable { .. } => {
-            "\n  help: leave --resume out to begin anew, which replaces it, or name that of the same tank file, record, options \
+            "\n  help: leave --resume out to start over, which overwrites it, or name that of the same tank file, record, options \
              and version"
         }
         _ => "",

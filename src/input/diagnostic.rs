@@ -16,17 +16,26 @@
 //!
 //! Record files use the same with [`Source::line_span`], where the place is a line instead of a JSON value.
 
+use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::Path;
 
-use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet, normalize_untrusted_str};
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
 use crate::error::Error;
+use crate::text;
 
 /// Longest message part that is shown, in characters.
 const SHOWN_TEXT: usize = 400;
 /// Most faults that are shown.
 const SHOWN_FAULTS: usize = 50;
+/// Most faults that are kept; of more the first ones of the file, the others are counted.
+const KEPT_FAULTS: usize = 1000;
+/// Longest line that is handed to the renderer as a whole [bytes]; of a longer one a piece around the place.
+const LONGEST_LINE: usize = 1000;
+/// Piece of a long line: bytes before the place, and of place and rest together.
+const PIECE: (usize, usize) = (60, 240);
 
 /// One fault.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -85,6 +94,16 @@ impl Fault {
     }
 }
 
+impl Fault {
+    /// Where it stands among others: the first byte of its place.
+    fn place(&self) -> usize {
+        self.span.as_ref().map_or(usize::MAX, |s| s.start)
+    }
+}
+
+/// How helps that suggest a word begin.
+const SUGGESTION: &str = "did you mean ";
+
 /// An input file and its text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
@@ -142,10 +161,16 @@ fn floor(text: &str, byte: usize) -> usize {
     byte
 }
 
-/// The faults of one file, in the order of their places.
+/// The faults of one file.
+///
+/// Memory and time are bounded by the number of faults, not by its square: beyond a thousand only the first ones of the
+/// file are kept, all are counted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Faults {
     list: Vec<Fault>,
+    count: usize,
+    /// Helps that suggest a word, of all faults.
+    suggested: BTreeSet<String>,
 }
 
 impl Faults {
@@ -156,41 +181,61 @@ impl Faults {
 
     /// Adds a fault.
     pub fn push(&mut self, fault: Fault) {
+        if let Some(help) = &fault.help
+            && help.starts_with(SUGGESTION)
+            && help.len() < SHOWN_TEXT
+        {
+            self.suggested.insert(help.clone());
+        }
+        self.count += 1;
         self.list.push(fault);
+        if self.list.len() >= 2 * KEPT_FAULTS {
+            self.list.sort_by_key(Fault::place);
+            self.list.truncate(KEPT_FAULTS);
+        }
     }
 
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
-        self.list.is_empty()
+        self.count == 0
     }
 
-    /// All faults.
+    /// Number of faults.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The faults; of more than a thousand the first ones of the file.
     pub fn list(&self) -> &[Fault] {
         &self.list
     }
 
-    /// Whether some fault comes with this very help.
+    /// Whether some fault comes with this very help, which begins with "did you mean".
     pub fn suggest(&self, help: &str) -> bool {
-        self.list.iter().any(|f| f.help.as_deref() == Some(help))
+        self.suggested.contains(help)
     }
 
-    /// The message for people: every fault, then their number. Coloured if `styled`.
+    /// The message for people: every fault (of many the first ones), then their number. Coloured if `styled`; else there is
+    /// no control character in it but line breaks.
     pub fn render(&self, source: &Source, styled: bool) -> String {
         let renderer = if styled { Renderer::styled() } else { Renderer::plain() };
         let mut ordered: Vec<&Fault> = self.list.iter().collect();
-        ordered.sort_by_key(|f| f.span.as_ref().map_or(usize::MAX, |s| s.start));
+        ordered.sort_by_key(|f| f.place());
         let mut out = String::new();
         for fault in ordered.iter().take(SHOWN_FAULTS) {
             out.push_str(&render_one(fault, source, &renderer));
             out.push_str("\n\n");
         }
-        let name = normalize_untrusted_str(&source.name);
-        let count = match ordered.len() {
+        let name = text::line(&source.name);
+        let count = match self.count {
             1 => format!("1 fault in {name}"),
-            n if n > SHOWN_FAULTS => format!("{n} faults in {name}, the first {SHOWN_FAULTS} shown"),
+            n if n > SHOWN_FAULTS => format!(
+                "{n} faults in {name}, the first {SHOWN_FAULTS} shown, {} more",
+                n - SHOWN_FAULTS
+            ),
             n => format!("{n} faults in {name}"),
         };
-        out.push_str(&renderer.render(&[annotate_snippets::Group::with_title(
+        out.push_str(&renderer.render(&[Group::with_title(
             Level::ERROR.primary_title(format!("{count}; nothing was computed")),
         )]));
         out.push('\n');
@@ -200,38 +245,43 @@ impl Faults {
     /// The faults as the program's error, coloured if standard error shows colours.
     pub fn into_error(self, source: &Source) -> Error {
         let styled = anstream::AutoStream::choice(&std::io::stderr()) != anstream::ColorChoice::Never;
-        Error::Input(self.render(source, styled))
+        Error::Faults(self.render(source, styled))
     }
 }
 
 impl From<Fault> for Faults {
     fn from(fault: Fault) -> Faults {
-        Faults { list: vec![fault] }
+        let mut faults = Faults::new();
+        faults.push(fault);
+        faults
     }
 }
 
 fn render_one(fault: &Fault, source: &Source, renderer: &Renderer) -> String {
-    let mut group = annotate_snippets::Group::with_title(Level::ERROR.primary_title(one_line(&fault.message)));
+    let mut group = Group::with_title(Level::ERROR.primary_title(one_line(&fault.message)));
     let label = match &*fault.found {
         "" => String::new(),
         found => format!("found {}", one_line(found)),
     };
+    let name = text::line(&source.name);
     // Only the line of the place is handed over; the renderer cuts it to the width of a terminal.
     if let Some(span) = &fault.span {
         let window = Window::around(source, span);
-        let annotation = AnnotationKind::Primary.span(window.span.clone());
-        group = group.element(
-            Snippet::source(window.text)
-                .path(normalize_untrusted_str(&source.name))
-                .line_start(window.line)
-                .annotation(if label.is_empty() {
-                    annotation
-                } else {
-                    annotation.label(label)
-                }),
-        );
+        let mut annotation = AnnotationKind::Primary.span(window.span.clone());
+        if !label.is_empty() {
+            annotation = annotation.label(label);
+        }
+        let snippet = Snippet::source(window.text)
+            .line_start(window.line)
+            .annotation(annotation);
+        group = match window.column {
+            None => group.element(snippet.path(name)),
+            Some(column) => group
+                .element(Origin::path(name).line(window.line).char_column(column))
+                .element(snippet),
+        };
     } else {
-        group = group.element(annotate_snippets::Origin::path(normalize_untrusted_str(&source.name)));
+        group = group.element(Origin::path(name));
         if !label.is_empty() {
             group = group.element(Level::NOTE.no_name().message(label));
         }
@@ -239,34 +289,48 @@ fn render_one(fault: &Fault, source: &Source, renderer: &Renderer) -> String {
     let mut remark = |name: &'static str, text: &str| {
         if !text.is_empty() {
             let message = format!("{name}: {}", one_line(text));
-            group = std::mem::replace(&mut group, annotate_snippets::Group::with_level(Level::ERROR))
+            group = std::mem::replace(&mut group, Group::with_level(Level::ERROR))
                 .element(Level::NOTE.no_name().message(message));
         }
     };
     remark("path", &fault.path);
     remark("allowed", &fault.allowed);
     remark("help", fault.help.as_deref().unwrap_or_default());
-    renderer.render(&[group])
+    let rendered = renderer.render(&[group]);
+    if !rendered.contains(NAMELESS) {
+        return rendered;
+    }
+    // Between the place and a piece of its line the renderer leaves room for the name of a second file.
+    let lines = rendered
+        .lines()
+        .filter(|l| anstream::adapter::strip_str(l).to_string().trim() != NAMELESS);
+    lines.collect::<Vec<_>>().join("\n")
 }
+
+/// What the renderer writes before the name of a further file.
+const NAMELESS: &str = ":::";
 
 /// Control characters and line breaks of user text made harmless, and the whole made short.
 fn one_line(text: &str) -> String {
     let mut line: String = text
         .chars()
         .take(SHOWN_TEXT)
-        .map(|c| if c.is_whitespace() { ' ' } else { c })
+        .map(|c| if matches!(c, ' ' | '\t' | '\n' | '\r') { ' ' } else { c })
         .collect();
     if text.chars().nth(SHOWN_TEXT).is_some() {
         line.push('…');
     }
-    normalize_untrusted_str(&line)
+    text::line(&line).into_owned()
 }
 
-/// The line in which a span begins.
+/// The line in which a span begins, or a piece of it.
 struct Window<'a> {
-    text: &'a str,
+    text: Cow<'a, str>,
     line: usize,
+    /// Bytes of `text`.
     span: Range<usize>,
+    /// Column of the place, in characters from 1, where that in `text` is another.
+    column: Option<usize>,
 }
 
 impl<'a> Window<'a> {
@@ -276,11 +340,43 @@ impl<'a> Window<'a> {
         let line_start = text[..start].rfind('\n').map_or(0, |i| i + 1);
         let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);
         let line_end = line_start + text[line_start..line_end].trim_end_matches('\r').len();
-        let end = floor(text, span.end).clamp(start, line_end.max(start));
+        let line_end = line_end.max(start);
+        let end = floor(text, span.end).clamp(start, line_end);
+        let (line, column) = source.line_column(start);
+        let whole = &text[line_start..line_end];
+        if whole.len() <= LONGEST_LINE && !whole.chars().any(text::hostile) {
+            return Window {
+                text: whole.into(),
+                line,
+                span: start - line_start..end - line_start,
+                column: None,
+            };
+        }
+        let (from, to) = match whole.len() <= LONGEST_LINE {
+            true => (line_start, line_end),
+            false => (
+                floor(text, start.saturating_sub(PIECE.0)).max(line_start),
+                floor(text, start + PIECE.1).min(line_end),
+            ),
+        };
+        let end = end.min(to);
+        let mut shown = String::new();
+        if from > line_start {
+            shown.push('…');
+        }
+        shown.push_str(&text::visible(&text[from..start]));
+        let first = shown.len();
+        shown.push_str(&text::visible(&text[start..end]));
+        let last = shown.len();
+        shown.push_str(&text::visible(&text[end..to]));
+        if to < line_end {
+            shown.push('…');
+        }
         Window {
-            text: &text[line_start..line_end.max(start)],
-            line: source.line_column(start).0,
-            span: start - line_start..end - line_start,
+            text: shown.into(),
+            line,
+            span: first..last,
+            column: Some(column),
         }
     }
 }
@@ -354,6 +450,46 @@ mod tests {
     }
 
     #[test]
+    fn of_many_faults_the_first_of_the_file_are_shown_and_all_counted() {
+        let text = "x".repeat(9_000);
+        let mut faults = Faults::new();
+        for i in (0..9_000).rev() {
+            faults.push(Fault::new(format!("fault {i} of many")).at(i..i + 1));
+        }
+        assert_eq!((faults.count(), faults.list().len() < 2 * KEPT_FAULTS), (9_000, true));
+        let text = faults.render(&Source::new("t", text), false);
+        for i in 0..SHOWN_FAULTS {
+            assert_eq!(text.matches(&format!("error: fault {i} of many")).count(), 1, "{i}");
+        }
+        assert!(!text.contains("fault 50 of many"));
+        assert!(
+            text.contains("9000 faults in t, the first 50 shown, 8950 more; nothing was computed"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn long_and_hostile_lines_keep_their_place() {
+        let long = format!("{}WRONG{}", "é".repeat(3_000), "y".repeat(3_000));
+        let text = Faults::from(Fault::new("m").at(6_001..6_006).found("WRONG"))
+            .render(&Source::new("t.json", format!("\n{long}")), false);
+        assert!(text.contains("--> t.json:2:3001"), "{text}");
+        assert!(
+            text.contains("éWRONGyyy") && text.contains("^^^^^ found WRONG"),
+            "{text}"
+        );
+        assert!(!text.contains(":::") && text.lines().count() == 7, "{text}");
+        let hostile = "{ \"a\u{1b}[31m\u{202e}\u{9b}b\": 17 }";
+        let at = hostile.find("17").unwrap();
+        let text = Faults::from(Fault::new("m").at(at..at + 2)).render(&Source::new("t", hostile), false);
+        assert!(text.contains("--> t:1:16"), "{text}");
+        assert!(text.contains(r"a\u{1b}[31m\u{202e}\u{9b}b"), "{text}");
+        let (line, marks) = (text.lines().nth(3).unwrap(), text.lines().nth(4).unwrap());
+        assert_eq!(line.find("17"), marks.find("^^"), "{text}");
+        assert!(!text.chars().any(text::hostile));
+    }
+
+    #[test]
     fn hostile_text_and_spans_are_harmless() {
         let text = format!("{}é{}\u{1b}[31m", "x".repeat(100_000), "y".repeat(100_000));
         let source = Source::new("bad\u{1b}[2Jname", &text);
@@ -369,7 +505,7 @@ mod tests {
                 .found("z".repeat(100_000))
                 .path("p\r\n");
             let text = Faults::from(fault).render(&source, false);
-            assert!(!text.contains('\u{1b}'));
+            assert!(!text.chars().any(text::hostile));
             assert!(text.len() < 4_000, "{}", text.len());
         }
     }

@@ -33,6 +33,8 @@ pub struct TankFile {
     pub nonlinear: crate::fe::nonlinear::NonlinearOptions,
     /// What is worth saying though it is no fault ("nothing is made of the material `steel`"), one sentence each.
     pub remarks: Vec<String>,
+    /// Values that are possible but unusual, one sentence each with the usual range.
+    pub warnings: Vec<String>,
     /// SHA-256 of the file.
     pub sha256: String,
     /// Its text.

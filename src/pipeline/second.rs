@@ -58,8 +58,8 @@ pub(super) fn run(job: &Job, progress: &dyn Progress) -> Result<Second, Error> {
 /// Why the results are not those of the whole ground motion, a sentence without its full stop; empty if they are, or if
 /// an interruption says it.
 pub(super) fn incomplete(missing: Option<String>, nonlinear: Option<&FeResult>) -> String {
-    let end = nonlinear.and_then(|fe| fe.nonlinear.as_ref()).map(|n| &n.end);
-    match (missing, end) {
+    let run = nonlinear.and_then(|fe| fe.nonlinear.as_ref());
+    match (missing, run.map(|n| &n.end)) {
         (Some(missing), _) => format!("Incomplete: {missing}"),
         (None, Some(End::Collapsed { time, .. })) if *time < 0.0 => {
             "Collapse: the wall does not carry weight and pressure at rest".into()
@@ -67,10 +67,21 @@ pub(super) fn incomplete(missing: Option<String>, nonlinear: Option<&FeResult>) 
         (None, Some(End::Collapsed { time, .. })) => {
             format!("Collapse: the nonlinear run finds no equilibrium after {time:.2} s, its extremes are lower bounds")
         }
+        (None, Some(End::Left { time, .. })) => {
+            format!(
+                "The nonlinear run left its model and was stopped at {time:.2} s, its extremes are those until then"
+            )
+        }
         (None, Some(End::Interrupted { time })) => {
             format!("Incomplete: the nonlinear run was interrupted at {time:.2} s, its extremes are not final")
         }
-        (None, Some(End::Completed) | None) => String::new(),
+        (None, Some(End::Completed) | None) => match run.and_then(|n| n.departures.first()) {
+            Some(first) => format!(
+                "The nonlinear run left its model at {:.2} s, what comes later is no result",
+                first.time
+            ),
+            None => String::new(),
+        },
     }
 }
 

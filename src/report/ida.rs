@@ -119,9 +119,10 @@ fn figure(ida: &Ida, curve: &Curve) -> Result<Figure, Error> {
         .iter()
         .map(|r| Mark {
             at: (r.pga, value(r)),
-            label: match r.collapse {
-                Some(_) => "≥, collapse".into(),
-                None => String::new(),
+            label: match (&r.collapse, r.departures.is_empty()) {
+                (Some(_), _) => "≥, collapse".into(),
+                (None, false) => "left the model".into(),
+                (None, true) => String::new(),
             },
             class: "k-fe".into(),
         })
@@ -134,19 +135,35 @@ fn figure(ida: &Ida, curve: &Curve) -> Result<Figure, Error> {
     ]);
     for run in runs {
         let bound = if run.collapse.is_some() { "≥ " } else { "" };
+        let mark = if run.departures.is_empty() {
+            ""
+        } else {
+            ", left the model"
+        };
         table.row(vec![
             significant(run.scale, 4),
             significant(run.pga, 4),
-            format!("{bound}{}", with_unit(value(run), dimension)),
+            format!("{bound}{}{mark}", with_unit(value(run), dimension)),
         ]);
     }
     Ok(Figure {
         id: id.into(),
         title: title.into(),
-        caption: match runs.iter().any(|r| r.collapse.is_some()) {
-            true => "Runs that found no equilibrium are lower bounds.".into(),
-            false => String::new(),
-        },
+        caption: [
+            (
+                runs.iter().any(|r| r.collapse.is_some()),
+                "Runs that found no equilibrium are lower bounds.",
+            ),
+            (
+                runs.iter().any(|r| !r.departures.is_empty()),
+                "Runs that left the model are no results: the table of runs says when and why.",
+            ),
+        ]
+        .iter()
+        .filter(|(shown, _)| *shown)
+        .map(|(_, sentence)| *sentence)
+        .collect::<Vec<_>>()
+        .join(" "),
         titled: false,
         description: format!("{title} over the peak ground acceleration, {} runs.", runs.len()),
         size: chart.size,
@@ -156,12 +173,52 @@ fn figure(ida: &Ida, curve: &Curve) -> Result<Figure, Error> {
     })
 }
 
+/// How a run ended, in a cell: a run that passed a limit of its model is never shown without its mark.
+fn end(run: &IdaRun) -> String {
+    let mut words = Vec::new();
+    if let Some(collapse) = &run.collapse {
+        words.push(format!("collapse at {} s", fixed(collapse.time, 2)));
+    }
+    if let Some(first) = run.departures.first() {
+        words.push(format!("left the model at {} s", fixed(first.time, 2)));
+    }
+    match words.is_empty() {
+        true => "completed".into(),
+        false => words.join("; "),
+    }
+}
+
+/// How runs left the model, and what their moments at the base are made of, one sentence each.
+pub fn departures(ida: &Ida) -> Vec<String> {
+    let marked = ida.runs.iter().filter(|run| !run.departures.is_empty());
+    marked
+        .map(|run| {
+            let how: Vec<String> = run.departures.iter().map(|d| {
+                format!("after {} s, {}: {}", fixed(d.time, 3), d.place, d.reason)
+            }).collect();
+            let moment = |value: f64| with_unit(value, ida.moment);
+            let parts = run.moment_parts.as_ref().map_or(String::new(), |m| {
+                format!(
+                    " Largest moment at the base {}, of which the section {}, damping {}, inertia {}; largest moment of the lowest section {}.",
+                    moment(m.reaction.abs()),
+                    moment(m.section * m.reaction.signum()),
+                    moment(m.damping * m.reaction.signum()),
+                    moment(m.inertia * m.reaction.signum()),
+                    moment(m.largest_section)
+                )
+            });
+            format!("Scale {}: {}.{parts}", significant(run.scale, 4), how.join("; "))
+        })
+        .collect()
+}
+
 /// One line a run.
 pub fn table(ida: &Ida) -> Table {
     let of = |dimension, value: fn(&IdaRun) -> f64| Scale::of(dimension, ida.runs.iter().map(value));
     let wave = of(Dimension::Length, |r| r.wave);
     let displacement = of(Dimension::Length, |r| r.wall_displacement);
     let moment = of(ida.moment, |r| r.base_moment);
+    let sections = ida.runs.iter().any(|r| r.section_moment.is_some());
     let stress = of(Dimension::Stress, |r| r.bar_stress);
     let cracks = ida.runs.iter().any(|r| r.first_crack.is_some());
     let parts = ida.runs.iter().any(|r| r.parting.is_some());
@@ -175,6 +232,9 @@ pub fn table(ida: &Ida) -> Table {
         Column::numbers("Wall displacement", displacement.symbol()),
         Column::numbers("Base moment", moment.symbol()),
     ];
+    if sections {
+        columns.push(Column::numbers("Moment of the section", moment.symbol()));
+    }
     if cracks {
         columns.push(Column::numbers("First crack at", "s"));
         columns.push(Column::numbers("with base moment", moment.symbol()));
@@ -207,13 +267,14 @@ pub fn table(ida: &Ida) -> Table {
         let mut row = vec![
             significant(run.scale, 4),
             significant(run.pga, 4),
-            run.collapse.as_ref().map_or("completed".to_owned(), |c| {
-                format!("collapse at {} s", fixed(c.time, 2))
-            }),
+            end(run),
             wave.text(run.wave),
             displacement.text(run.wall_displacement),
             moment.text(run.base_moment),
         ];
+        if sections {
+            row.push(run.section_moment.map_or("–".to_owned(), |m| moment.text(m)));
+        }
         if cracks {
             row.push(crack(&|time, _| fixed(time, 2)));
             row.push(crack(&|_, m| moment.text(m)));
@@ -287,6 +348,8 @@ pub fn report(ida: &Ida) -> Result<Report, Error> {
     page.insert("assumptions", &ida.assumptions);
     page.insert("collapses", &collapses);
     page.insert("partings", &partings(ida));
+    page.insert("departures", &departures(ida));
+    page.insert("moments", &ida.runs.iter().any(|r| r.section_moment.is_some()));
     page.insert("figures", &views);
     page.insert("version", &ida.volatile.version);
     page.insert("created", &ida.volatile.created);
@@ -294,11 +357,6 @@ pub fn report(ida: &Ida) -> Result<Report, Error> {
     page.insert("style", templates.css("style.css"));
     page.insert("figure_style", templates.css("figure.css"));
     let css = templates.css("figure.css");
-    Ok(Report {
-        html: templates.render("ida.html", &page)?,
-        figures: figures
-            .iter()
-            .map(|f| (format!("{}.svg", f.id), f.standalone(css)))
-            .collect(),
-    })
+    let drawn = figures.iter().map(|f| (format!("{}.svg", f.id), f.standalone(css)));
+    Ok(Report::new(&templates.render("ida.html", &page)?, drawn.collect()))
 }

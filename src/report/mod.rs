@@ -38,17 +38,15 @@ use serde::Serialize;
 use tera::Context;
 
 use crate::error::Error;
-use crate::results::{self, Fact, Results, Series, SourceFile, describe};
+use crate::results::{self, Fact, Results, Series, SourceFile, describe, put};
+use crate::text::visible;
 use figure::Figure;
 use number::{percent, with_unit};
 use sections::Source;
 use table::{Column, Table};
 use template::Templates;
 
-/// Name of the report in a results folder.
-pub const REPORT_FILE: &str = "report.html";
-/// Folder of the figures in a results folder.
-pub const FIGURES_FOLDER: &str = "figures";
+pub use crate::results::{FIGURES_FOLDER, REPORT_FILE};
 
 /// A report in memory.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,37 +57,53 @@ pub struct Report {
     pub figures: Vec<(String, String)>,
 }
 
-/// Reads `results.json` and `series.csv` in `folder` and writes `report.html` and `figures/*.svg` there.
+/// The report of the `results.json` and `series.csv` in `folder`.
 ///
 /// `templates`: a folder whose files replace the embedded templates of the same name.
-/// Returns the path of the report.
-pub fn render(folder: &Path, templates: Option<&Path>) -> Result<PathBuf, Error> {
+pub fn of_folder(folder: &Path, templates: Option<&Path>) -> Result<Report, Error> {
     let results = results::read(folder)?;
     let series = results::read_series(folder)?;
-    build(&results, &series, &Templates::new(templates)?)?.write(folder)
+    build(&results, &series, &Templates::new(templates)?)
+}
+
+/// Renders the report of a folder of results into the same folder; returns the path of the report.
+///
+/// Errors: as [`of_folder`]; a file that cannot be written.
+pub fn render(folder: &Path, templates: Option<&Path>) -> Result<PathBuf, Error> {
+    of_folder(folder, templates)?.write(folder)
 }
 
 impl Report {
+    /// A page and its figures. Whatever text of the user's they hold: none of it acts on the page or on a terminal that
+    /// shows it, see [`crate::text`].
+    pub fn new(html: &str, figures: Vec<(String, String)>) -> Report {
+        let shown = |(name, svg): (String, String)| (name, visible(&svg).into_owned());
+        Report {
+            html: visible(html).into_owned(),
+            figures: figures.into_iter().map(shown).collect(),
+        }
+    }
+
     /// Writes `report.html` and `figures/*.svg` into `folder`; returns the path of the report.
     ///
     /// Errors: a file that cannot be written.
     pub fn write(&self, folder: &Path) -> Result<PathBuf, Error> {
-        let write = |path: &Path, text: &str| {
-            std::fs::write(path, text).map_err(|e| Error::File {
-                path: path.into(),
-                what: describe(&e),
-            })
-        };
         let figures = folder.join(FIGURES_FOLDER);
-        std::fs::create_dir_all(&figures).map_err(|e| Error::File {
-            path: figures.clone(),
-            what: describe(&e),
-        })?;
+        // Not the folder above: an ending process may have removed it.
+        match std::fs::create_dir(&figures) {
+            Err(e) if e.kind() != std::io::ErrorKind::AlreadyExists => {
+                return Err(Error::Unwritten {
+                    path: figures,
+                    what: describe(&e),
+                });
+            }
+            _ => {}
+        }
         for (name, svg) in &self.figures {
-            write(&figures.join(name), svg)?;
+            put(&figures.join(name), svg.as_bytes())?;
         }
         let path = folder.join(REPORT_FILE);
-        write(&path, &self.html)?;
+        put(&path, self.html.as_bytes())?;
         Ok(path)
     }
 }
@@ -173,7 +187,7 @@ pub fn build(results: &Results, series: &Series, templates: &Templates) -> Resul
         .iter()
         .map(|f| (format!("{}.svg", file_name(&f.id)), f.standalone(&css)))
         .collect();
-    Ok(Report { html, figures })
+    Ok(Report::new(&html, figures))
 }
 
 /// Whether markup holds nothing to see: no text, no figure.

@@ -334,11 +334,6 @@ pub fn report(push: &Push) -> Result<Report, Error> {
     page.insert("command", &push.volatile.command);
     page.insert("style", templates.css("style.css"));
     page.insert("figure_style", &css);
-    Ok(Report {
-        html: templates.render("push.html", &page)?,
-        figures: figures
-            .iter()
-            .map(|f| (format!("{}.svg", f.id), f.standalone(&css)))
-            .collect(),
-    })
+    let drawn = figures.iter().map(|f| (format!("{}.svg", f.id), f.standalone(&css)));
+    Ok(Report::new(&templates.render("push.html", &page)?, drawn.collect()))
 }

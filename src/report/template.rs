@@ -8,6 +8,7 @@ use tera::{Context, Tera};
 use crate::error::Error;
 use crate::report::math;
 use crate::results::describe;
+use crate::text::line;
 
 /// The embedded templates by name.
 const EMBEDDED: &[(&str, &str)] = &[
@@ -176,7 +177,7 @@ fn replace(sources: &mut BTreeMap<String, String>, folder: &Path) -> Result<(), 
 /// Text as the inside of a CSS string: everything but letters, digits and spaces as an escape.
 fn css_text(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
+    for c in line(text).chars() {
         if c.is_alphanumeric() || c == ' ' {
             out.push(c);
         } else {

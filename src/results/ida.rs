@@ -5,6 +5,7 @@ use std::path::Path;
 use codes::units::Dimension;
 use serde::{Deserialize, Serialize};
 
+use super::nonlinear::{BaseMoment, Departure};
 use super::store::{read_document, write_document};
 use super::{SourceFile, Volatile};
 use crate::error::Error;
@@ -73,8 +74,18 @@ pub struct IdaRun {
     pub wall_displacement: f64,
     /// Its time [s].
     pub wall_displacement_time: f64,
-    /// Largest moment at the base, the state at rest included: of a strip's wall [N m/m], of a cylinder [N m].
+    /// Limits of the model that the run has passed, the first of each kind by time. With `stored_energy` it ends there.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub departures: Vec<Departure>,
+    /// Largest moment at the base, the state at rest included: of a strip's wall [N m/m], of a cylinder [N m]. It is the reaction
+    /// of the ground, with damping and inertia.
     pub base_moment: f64,
+    /// Largest bending moment of the lowest section of a strip's wall, the integral of its stresses [N m/m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub section_moment: Option<f64>,
+    /// What the largest moment at the base of a strip's wall is made of.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub moment_parts: Option<BaseMoment>,
     /// The first crack.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub first_crack: Option<FirstCrack>,
@@ -161,13 +172,15 @@ pub fn ida_csv(ida: &Ida) -> String {
     let mut text = format!(
         "scale,pga_m_s2,collapse_time_s,wave_m,wall_displacement_m,base_moment_nm{per},first_crack_time_s,\
          first_crack_moment_nm{per},highest_crack_m,largest_crack,plastic_strain,bar_stress_pa,bar_plastic_strain,wall_damping,\
-         halvings,energy_residual,parting_time_s,parting_height_m\n",
+         halvings,energy_residual,parting_time_s,parting_height_m,section_moment_nm{per},damping_moment_nm{per},\
+         inertia_moment_nm{per},left_model_time_s,left_model\n",
     );
     let option = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:.6}"));
+    let moment = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:.6e}"));
     for run in &ida.runs {
         let _ = writeln!(
             text,
-            "{:.6},{:.6},{},{:.6e},{:.6e},{:.6e},{},{},{:.4},{:.4e},{:.4e},{:.6e},{:.4e},{:.6e},{},{:.2e},{},{}",
+            "{:.6},{:.6},{},{:.6e},{:.6e},{:.6e},{},{},{:.4},{:.4e},{:.4e},{:.6e},{:.4e},{:.6e},{},{:.2e},{},{},{},{},{},{},{}",
             run.scale,
             run.pga,
             option(run.collapse.as_ref().map(|c| c.time)),
@@ -185,7 +198,16 @@ pub fn ida_csv(ida: &Ida) -> String {
             run.halvings,
             run.energy_residual,
             option(run.parting.map(|p| p.time)),
-            option(run.parting.map(|p| p.height))
+            option(run.parting.map(|p| p.height)),
+            moment(run.section_moment),
+            moment(run.moment_parts.as_ref().map(|m| m.damping)),
+            moment(run.moment_parts.as_ref().map(|m| m.inertia)),
+            option(run.departures.first().map(|d| d.time)),
+            run.departures
+                .iter()
+                .map(|d| d.id.as_str())
+                .collect::<Vec<_>>()
+                .join(" ")
         );
     }
     text
@@ -212,7 +234,10 @@ mod tests {
                 wave: 0.2,
                 wall_displacement: 1e-3,
                 wall_displacement_time: 3.0,
+                departures: Vec::new(),
                 base_moment: 5e4,
+                section_moment: Some(4.9e4),
+                moment_parts: None,
                 first_crack: Some(FirstCrack {
                     time: 2.5,
                     height: 0.1,
@@ -256,6 +281,7 @@ mod tests {
     fn a_line_has_a_number_a_column() {
         let text = ida_csv(&sample());
         let counts: Vec<usize> = text.lines().map(|l| l.split(',').count()).collect();
-        assert_eq!(counts, [18, 18]);
+        // Head and line; those of the section and of the departures came to eighteen.
+        assert_eq!(counts, [23, 23]);
     }
 }

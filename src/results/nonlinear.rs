@@ -30,6 +30,46 @@ pub struct Nonlinear {
     pub energies: Energies,
     /// What it cost, as label and number: steps, halvings, iterations, factorisations.
     pub cost: Vec<Count>,
+    /// Largest moment at the base of each wall of a strip and what it is made of.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub moments: Vec<BaseMoment>,
+    /// Limits of the model that the run has passed, the first of each kind by time.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub departures: Vec<Departure>,
+}
+
+/// A limit of the model that a run has passed: what comes later is marked.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Departure {
+    /// Id of the limit: `bar_strain`, `moment_balance`, `acceleration`, `stored_energy`.
+    pub id: String,
+    /// Time [s].
+    pub time: f64,
+    /// Where, in words.
+    pub place: String,
+    /// What was found and what the model bears, one sentence without its full stop.
+    pub reason: String,
+}
+
+/// A moment at the base of a wall and what it is made of [N m/m], with signs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BaseMoment {
+    /// The wall.
+    pub place: String,
+    /// Time [s].
+    pub time: f64,
+    /// The reaction, sum of the parts.
+    pub reaction: f64,
+    /// Stresses of the section, extrapolated from the lowest element to the base.
+    pub section: f64,
+    /// Viscous damping.
+    pub damping: f64,
+    /// Inertia of the lowest element and dynamic pressure on it.
+    pub inertia: f64,
+    /// Pressure at rest that acts on the base itself.
+    pub load: f64,
+    /// Largest bending moment of the lowest section in the whole run, absolute.
+    pub largest_section: f64,
 }
 
 /// Title of the event that the liquid leaves a wall which it may leave.
@@ -52,6 +92,15 @@ pub enum End {
     Interrupted {
         /// Time reached [s].
         time: f64,
+    },
+    /// The run has left its model ([`Nonlinear::departures`] says how) and was stopped: the results end here.
+    Left {
+        /// Time [s].
+        time: f64,
+        /// Reason.
+        reason: String,
+        /// Where, in words.
+        place: String,
     },
     /// No equilibrium was found with the shortest step: the results end here and are lower bounds.
     Collapsed {

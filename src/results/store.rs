@@ -8,12 +8,36 @@ use serde::{Deserialize, Serialize};
 use super::ida::IDA_FILE;
 use super::push::PUSH_FILE;
 use super::{FORMAT, Results, Series};
-use crate::error::Error;
+use crate::error::{Error, describe};
+use crate::output::{Kind, settle, write_whole};
 
 /// Name of the results file in a results folder.
 pub const RESULTS_FILE: &str = "results.json";
 /// Name of the time histories in a results folder.
 pub const SERIES_FILE: &str = "series.csv";
+/// Name of the report in a results folder.
+pub const REPORT_FILE: &str = "report.html";
+/// Folder of the figures in a results folder.
+pub const FIGURES_FOLDER: &str = "figures";
+
+/// What a verification writes into its output folder.
+pub const OUTPUT: [&str; 4] = [RESULTS_FILE, SERIES_FILE, REPORT_FILE, FIGURES_FOLDER];
+
+/// Results of a verification.
+pub const COMPARE: Kind = Kind {
+    id: "compare",
+    option: "--out",
+    names: |name| OUTPUT.contains(&name),
+    keeps: |_| false,
+};
+
+/// The report of a verification, rendered again beside its results.
+pub const COMPARE_REPORT: Kind = Kind {
+    names: |name| [REPORT_FILE, FIGURES_FOLDER].contains(&name),
+    keeps: |name| [RESULTS_FILE, SERIES_FILE].contains(&name),
+    option: "a copy of results.json and series.csv",
+    ..COMPARE
+};
 
 /// Reads `results.json` of a results folder.
 ///
@@ -24,6 +48,7 @@ pub fn read(folder: &Path) -> Result<Results, Error> {
         path: path.clone(),
         what,
     };
+    settle(folder);
     if !folder.is_dir() {
         return Err(Error::File {
             path: folder.into(),
@@ -67,7 +92,11 @@ pub fn read_series(folder: &Path) -> Result<Series, Error> {
         path: path.clone(),
         what,
     };
-    let mut reader = csv::Reader::from_path(&path).map_err(|e| fault(e.to_string()))?;
+    // Ids are plain words: a quotation mark is damage, and must not swallow the lines after it.
+    let mut reader = csv::ReaderBuilder::new()
+        .quoting(false)
+        .from_path(&path)
+        .map_err(|e| fault(e.to_string()))?;
     let header = reader.headers().map_err(|e| fault(e.to_string()))?.clone();
     if header.get(0) != Some("time_s") {
         return Err(fault(format!(
@@ -105,18 +134,11 @@ pub fn write(folder: &Path, results: &Results, series: &Series) -> Result<(), Er
     round_numbers(&mut value);
     let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::Report(e.to_string()))?;
     text.push('\n');
-    std::fs::write(&path, text).map_err(|e| Error::File {
-        path: path.clone(),
-        what: describe(&e),
-    })?;
+    put(&path, text.as_bytes())?;
     if series.time.is_empty() {
         return Ok(());
     }
-    let path = folder.join(SERIES_FILE);
-    std::fs::write(&path, series_csv(series)).map_err(|e| Error::File {
-        path: path.clone(),
-        what: describe(&e),
-    })
+    put(&folder.join(SERIES_FILE), series_csv(series).as_bytes())
 }
 
 /// `series.csv` as text; 7 significant digits.
@@ -158,6 +180,16 @@ pub(super) fn read_document<T: DeserializeOwned>(path: &Path, format: &str, what
     serde_json::from_value(value).map_err(|e| fault(format!("not the results of {what}: {e}")))
 }
 
+/// Writes a file of a folder of results.
+///
+/// Errors: [`Error::Unwritten`].
+pub fn put(path: &Path, text: &[u8]) -> Result<(), Error> {
+    std::fs::write(path, text).map_err(|e| Error::Unwritten {
+        path: path.into(),
+        what: describe(&e),
+    })
+}
+
 /// Writes a JSON document to `path`, whole or not at all; 10 significant digits.
 ///
 /// Errors: a file that cannot be written.
@@ -166,13 +198,7 @@ pub(super) fn write_document(path: &Path, document: &impl Serialize) -> Result<(
     round_numbers(&mut value);
     let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::Report(e.to_string()))?;
     text.push('\n');
-    let fault = |e: std::io::Error| Error::File {
-        path: path.into(),
-        what: describe(&e),
-    };
-    let beside = path.with_extension("tmp");
-    std::fs::write(&beside, text).map_err(fault)?;
-    std::fs::rename(&beside, path).map_err(fault)
+    write_whole(path, text.as_bytes())
 }
 
 /// Rounds every number of a JSON value to 10 significant digits.
@@ -201,15 +227,20 @@ fn round_significant(x: f64, digits: usize) -> f64 {
     format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
 }
 
-/// An input/output error in words.
-pub fn describe(error: &std::io::Error) -> String {
-    use std::io::ErrorKind;
-    match error.kind() {
-        ErrorKind::NotFound => "no such file".into(),
-        ErrorKind::PermissionDenied => "permission denied".into(),
-        ErrorKind::IsADirectory => "is a folder, expected a file".into(),
-        ErrorKind::ReadOnlyFilesystem => "the file system is read-only".into(),
-        ErrorKind::StorageFull => "no space left on the device".into(),
-        _ => error.to_string(),
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A quotation mark is part of its column's name; the lines after it are still read.
+    #[test]
+    fn a_quotation_mark_does_not_swallow_the_table() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        std::fs::write(folder.path().join(SERIES_FILE), "time_s,\"a,b\n0,1,2\n0.5,3,4\n").expect("writable");
+        let series = read_series(folder.path()).expect("readable");
+        assert_eq!(series.ids, ["\"a", "b"]);
+        assert_eq!(
+            (series.time, series.columns),
+            (vec![0.0, 0.5], vec![vec![1.0, 3.0], vec![2.0, 4.0]])
+        );
     }
 }

@@ -11,8 +11,9 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::{Snapshot, Snapshots, describe};
+use super::{Snapshot, Snapshots, put};
 use crate::error::Error;
+use crate::output::Kind;
 
 /// Name of the collection.
 pub const COLLECTION: &str = "tank.pvd";
@@ -21,8 +22,16 @@ pub const COLLECTION: &str = "tank.pvd";
 const QUAD: u8 = 9;
 const HEXAHEDRON: u8 = 12;
 
+/// The folder of the files.
+pub const FOLDER: Kind = Kind {
+    id: "compare --vtu",
+    option: "--vtu",
+    names: owns,
+    keeps: |_| false,
+};
+
 /// Whether we write files of this name.
-pub fn owns(name: &str) -> bool {
+fn owns(name: &str) -> bool {
     let stem = name.strip_suffix(".vtu").unwrap_or("");
     let number = stem.strip_prefix("liquid_").or_else(|| stem.strip_prefix("wall_"));
     name == COLLECTION || number.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
@@ -32,13 +41,7 @@ pub fn owns(name: &str) -> bool {
 ///
 /// Errors: a file that cannot be written.
 pub fn write(folder: &Path, snapshots: &Snapshots) -> Result<(), Error> {
-    let put = |name: &str, text: &str| {
-        let path = folder.join(name);
-        std::fs::write(&path, text).map_err(|e| Error::File {
-            what: describe(&e),
-            path,
-        })
-    };
+    let put = |name: &str, text: &str| put(&folder.join(name), text.as_bytes());
     let mut list = String::new();
     for (i, state) in snapshots.states.iter().enumerate() {
         let parts = [

@@ -4,16 +4,29 @@ use serde::{Deserialize, Serialize};
 
 use super::{Reference, Row};
 
-/// When a row runs.
+/// Who runs a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Pace {
-    /// Every time.
+    /// `tankcheck verify` and `cargo test`.
     Fast,
-    /// With `--slow`.
+    /// `cargo test`, and `tankcheck verify --slow`.
+    Tested,
+    /// `tankcheck verify --slow` alone.
     Slow,
-    /// With `--records`.
+    /// `tankcheck verify --records` alone.
     Record,
+}
+
+impl Pace {
+    /// What to run to compute the row again.
+    pub fn command(self) -> &'static str {
+        match self {
+            Pace::Fast | Pace::Tested => "`cargo test`",
+            Pace::Slow => "`verify --slow`",
+            Pace::Record => "`verify --records`",
+        }
+    }
 }
 
 /// A row of the manual. Numbers are kept with 8 significant digits, fewer than processors differ in.
@@ -38,7 +51,7 @@ pub struct Entry {
     /// Allowed deviation, relative (absolute if the reference is 0); absent if the reference is shown for comparison
     /// only.
     pub tolerance: Option<f64>,
-    /// When it runs.
+    /// Who runs it.
     pub pace: Pace,
     /// Convergence study: (number of elements or mesh size, relative error).
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -107,9 +120,19 @@ impl Entry {
         }
     }
 
-    /// Whether the value is within the tolerance.
+    /// Whether the row is for comparison only: it has no tolerance, and neither holds nor fails.
+    pub fn compares(&self) -> bool {
+        self.tolerance.is_none()
+    }
+
+    /// Whether the value is within the tolerance; a row without one never is.
     pub fn holds(&self) -> bool {
-        self.computed.is_some() && self.tolerance.is_none_or(|t| self.error().abs() <= t)
+        self.tolerance.is_some_and(|t| self.error().abs() <= t)
+    }
+
+    /// Whether the row has failed: outside its tolerance, or without a value.
+    pub fn fails(&self) -> bool {
+        self.computed.is_none() || !(self.compares() || self.holds())
     }
 
     /// Whether the row counts as verification: it has a tolerance and a reference of another origin.

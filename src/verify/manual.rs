@@ -12,13 +12,25 @@ use serde_json::json;
 use super::entry::KINDS;
 use super::{Entry, Manual, Pace, pages};
 use crate::error::Error;
+use crate::output::{Kind, OutputFolder, settle};
 use crate::report::verification;
-use crate::results::describe;
+use crate::results::{describe, put};
 
 /// Name of the data file.
 pub const ROWS: &str = "rows.json";
 /// Name of the index.
 pub const INDEX: &str = "README.md";
+
+/// Name of the page of the dissertation, which needs records and minutes.
+const DISSERTATION: &str = "dissertation.md";
+
+/// The manual: which pages it has follows from its rows, so that only those that it always has are known beforehand.
+const MANUAL: Kind = Kind {
+    id: "verify --write",
+    option: "--write",
+    names: |name| [ROWS, INDEX].contains(&name),
+    keeps: |name| name == DISSERTATION,
+};
 
 /// A benchmark with its rows.
 pub struct Benchmark<'a> {
@@ -75,8 +87,8 @@ pub fn to_json(manual: &Manual) -> serde_json::Value {
         json!({
             "id": row.id, "page": row.page, "what": row.what, "unit": row.unit, "reference": row.reference,
             "reference_kind": row.kind, "reference_source": row.source, "computed": row.computed,
-            "error": row.computed.map(|_| row.error()), "tolerance": row.tolerance, "holds": row.holds(),
-            "counts": row.counts(), "pace": row.pace, "convergence": row.convergence,
+            "error": row.computed.map(|_| row.error()), "tolerance": row.tolerance, "holds": (!row.compares()).then(|| row.holds()),
+            "comparison": row.compares(), "counts": row.counts(), "pace": row.pace, "convergence": row.convergence,
         })
     };
     json!({
@@ -155,10 +167,10 @@ pub fn page(benchmark: &Benchmark, figure: bool) -> String {
     for (kind, source) in sources {
         let _ = writeln!(text, "- {kind}: {source}");
     }
-    text.push_str("\n| id | what | reference | computed | error | tolerance | reference is | |\n|---|---|---:|---:|---:|---:|---|---|\n");
+    text.push_str("\n| id | what | reference | computed | error | tolerance | reference is | run by | |\n|---|---|---:|---:|---:|---:|---|---|---|\n");
     for row in &benchmark.rows {
         let cells = cells(row).map(|c| cell(&c)).join(" | ");
-        let _ = writeln!(text, "| {cells} | {} |", remark(row));
+        let _ = writeln!(text, "| {cells} | {} | {} |", row.pace.command(), remark(row));
     }
     if figure {
         let _ = writeln!(
@@ -182,11 +194,9 @@ pub fn page(benchmark: &Benchmark, figure: bool) -> String {
 
 /// What is to be said beside a row.
 pub fn remark(row: &Entry) -> &'static str {
-    match (row.holds(), row.tolerance, row.pace) {
-        (false, ..) => "**outside**",
-        (_, None, _) => "for comparison",
-        (.., Pace::Slow) => "slow",
-        (.., Pace::Record) => "needs a record",
+    match (row.fails(), row.compares()) {
+        (true, _) => "**outside**",
+        (_, true) => "comparison only",
         _ => "",
     }
 }
@@ -197,20 +207,31 @@ pub fn index(rows: &[Entry]) -> String {
         "# Verification manual\n\n\
          Generated from `rows.json` by `tankcheck verify --write docs/verification`; do not edit. Each row holds a \
          computed value beside a reference that was not made by this program, and says of which kind the reference is. \
-         Rows marked *slow* run with `--slow`, those that need an accelerogram which may not be redistributed with \
-         `--records FOLDER` (`imperial-valley-1940-el-centro-ns.csv`: El Centro 1940 NS, Caltech Vol. II, 0.348 g, \
-         columns `time_s,acceleration_m_s2`); a run without them keeps their last result. `tests/verification` asserts \
-         every fast row and that this manual is fresh.\n\n\
+         A row without a tolerance is for comparison only: it neither holds nor fails. The column *run by* says what \
+         asserts a row: `cargo test` (`tests/verification`, `fem/tests/verification`); `tankcheck verify --slow`, which \
+         takes minutes; or `tankcheck verify --records FOLDER`, which needs an accelerogram that may not be redistributed \
+         (`imperial-valley-1940-el-centro-ns.csv`: El Centro 1940 NS, Caltech Vol. II, 0.348 g, columns \
+         `time_s,acceleration_m_s2`). A run without these options keeps the last result. `tests/verification` asserts that \
+         this manual is fresh.\n\n\
          | reference | what it is | rows | within tolerance | for comparison only |\n|---|---|---:|---:|---:|\n",
     );
     for (kind, meaning) in KINDS {
         let of: Vec<&Entry> = rows.iter().filter(|r| r.kind == kind).collect();
-        let held = of.iter().filter(|r| r.tolerance.is_some() && r.holds()).count();
-        let shown = of.iter().filter(|r| r.tolerance.is_none()).count();
+        let held = of.iter().filter(|r| r.holds()).count();
+        let shown = of.iter().filter(|r| r.compares()).count();
         let _ = writeln!(text, "| {kind} | {meaning} | {} | {held} | {shown} |", of.len());
     }
     let counted = rows.iter().filter(|r| r.counts()).count();
-    let failed = rows.iter().filter(|r| !r.holds()).count();
+    let failed = rows.iter().filter(|r| r.fails()).count();
+    let by = |pace: &[Pace]| rows.iter().filter(|r| !r.compares() && pace.contains(&r.pace)).count();
+    let _ = writeln!(
+        text,
+        "\nOf the rows with a tolerance `cargo test` asserts {}, `tankcheck verify --slow` {} more, and `tankcheck verify \
+         --records` {} more.",
+        by(&[Pace::Fast, Pace::Tested]),
+        by(&[Pace::Slow]),
+        by(&[Pace::Record]),
+    );
     let _ = writeln!(
         text,
         "\n{counted} rows count as verification (neither regressions nor rows for comparison only); {failed} rows are \
@@ -259,6 +280,7 @@ pub fn files(rows: &[Entry]) -> Result<Vec<(String, String)>, Error> {
 ///
 /// Errors: a file that cannot be read or holds no rows.
 pub fn read(folder: &Path) -> Result<Vec<Entry>, Error> {
+    settle(folder);
     let path = folder.join(ROWS);
     let fault = |what: String| Error::File {
         path: path.clone(),
@@ -282,36 +304,22 @@ pub fn merge(fresh: &[Entry], kept: &[Entry], ran: impl Fn(Pace) -> bool) -> Vec
     rows
 }
 
-/// Writes the manual: rows, index, pages and figures; removes pages of benchmarks that are gone.
+/// Writes the manual: rows, index, pages and figures, and the page of the dissertation if there is a new one; removes pages of
+/// benchmarks that are gone.
 ///
 /// Errors: a folder that cannot be written, a drawing that fails.
-pub fn write(folder: &Path, rows: &[Entry]) -> Result<(), Error> {
-    let fault = |path: &Path, e: std::io::Error| Error::File {
-        path: path.into(),
-        what: describe(&e),
-    };
+pub fn write(folder: &Path, rows: &[Entry], dissertation: Option<String>) -> Result<(), Error> {
     // Everything is made before anything is written.
     let mut files = files(rows)?;
     let lines: Result<Vec<String>, _> = rows.iter().map(serde_json::to_string).collect();
     let lines = lines.map_err(|e| Error::Report(e.to_string()))?;
     files.push((ROWS.into(), format!("[\n{}\n]\n", lines.join(",\n"))));
-    let gone: Vec<String> = read(folder)
-        .map(|old| old.iter().map(|row| pages::slug(&row.page)).collect())
-        .unwrap_or_default();
-    std::fs::create_dir_all(folder).map_err(|e| fault(folder, e))?;
-    for page in gone {
-        for name in [format!("{page}.md"), format!("{page}.svg")] {
-            if !files.iter().any(|(file, _)| *file == name) {
-                // Gone already is as good.
-                let _ = std::fs::remove_file(folder.join(name));
-            }
-        }
-    }
+    files.extend(dissertation.map(|text| (DISSERTATION.to_owned(), text)));
+    let output = OutputFolder::prepare(folder, MANUAL)?;
     for (name, text) in &files {
-        let path = folder.join(name);
-        std::fs::write(&path, text).map_err(|e| fault(&path, e))?;
+        put(&output.path().join(name), text.as_bytes())?;
     }
-    Ok(())
+    output.commit()
 }
 
 #[cfg(test)]
@@ -346,7 +354,12 @@ mod tests {
         assert_eq!(rows.iter().filter(|r| r.counts()).count(), 2);
         assert_eq!(
             rows.iter().map(Entry::holds).collect::<Vec<_>>(),
-            [true, true, true, false]
+            [true, true, false, false],
+            "a row for comparison is never counted as within its tolerance"
+        );
+        assert_eq!(
+            rows.iter().map(Entry::fails).collect::<Vec<_>>(),
+            [false, false, false, true]
         );
         let text = index(&rows);
         assert!(
@@ -374,11 +387,11 @@ mod tests {
             entry("p", Reference::ClosedForm, 2.001, 0.01, Pace::Fast),
             entry("q", Reference::Dissertation, 3.0, f64::INFINITY, Pace::Fast),
         ];
-        write(home.path(), &rows).expect("writable");
+        write(home.path(), &rows, None).expect("writable");
         assert_eq!(read(home.path()).expect("readable"), rows);
         assert!(home.path().join("p.svg").exists());
         // A benchmark that is gone takes its page along.
-        write(home.path(), &rows[1..]).expect("writable");
+        write(home.path(), &rows[1..], None).expect("writable");
         assert!(!home.path().join("p.md").exists() && home.path().join("q.md").exists());
     }
 }

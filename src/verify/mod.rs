@@ -49,47 +49,85 @@ pub struct Manual {
     pub not_run: Vec<NotRun>,
 }
 
-/// A function that gives the rows of one topic, its failure in words.
-type Topic = (&'static str, fn() -> Result<Vec<Row>, String>);
+/// A topic: its name, a function that gives its rows or its failure in words, and who runs it.
+type Topic = (&'static str, fn() -> Result<Vec<Row>, String>, Pace);
 
-/// Topics that run every day.
-const FAST: &[Topic] = &[
-    ("liquid in a rigid tank", || rigid_rows::rows().map_err(words)),
-    ("coupled modes", || coupled::rows().map_err(words)),
-    ("published coupled modes", || coupled::published_rows().map_err(words)),
-    ("three-dimensional engine, coarse", || solid::rows().map_err(words)),
-    ("shell", || fem::verify::shell::shell().map_err(words)),
-    ("stress laws", || fem::verify::materials::materials().map_err(words)),
-    ("solid, joint, layered wall", || {
-        fem::verify::solid::solid().map_err(words)
-    }),
-    ("potential liquid on hexahedra", || {
-        fem::verify::potential::potential().map_err(words)
-    }),
-    ("displacement liquid", || fem::verify::fluid::fluid().map_err(words)),
-    ("dynamics", || fem::verify::dynamics::dynamics().map_err(words)),
-    ("strip", || fem::verify::strip::strip().map_err(words)),
-];
-
-/// Topics that take minutes.
-const SLOW: &[Topic] = &[
-    ("three-dimensional engine", || solid::slow_rows().map_err(words)),
-    ("shell", || fem::verify::shell::shell_slow().map_err(words)),
-    ("shell, large displacements", || {
-        fem::verify::shell::shell_large().map_err(words)
-    }),
-    ("shell, large displacements on fine meshes", || {
-        fem::verify::shell::shell_large_slow().map_err(words)
-    }),
-    ("reinforced-concrete beams", || {
-        fem::verify::shell::concrete_beams().map_err(words)
-    }),
-    ("nonlinear histories", || {
-        fem::verify::dynamics::nonlinear().map_err(words)
-    }),
-    ("potential liquid on hexahedra", || {
-        fem::verify::potential::potential_slow().map_err(words)
-    }),
+/// All topics; [`Pace::Fast`] and [`Pace::Tested`] ones are asserted by `cargo test`.
+const TOPICS: &[Topic] = &[
+    (
+        "liquid in a rigid tank",
+        || rigid_rows::rows().map_err(words),
+        Pace::Fast,
+    ),
+    ("coupled modes", || coupled::rows().map_err(words), Pace::Fast),
+    (
+        "published coupled modes",
+        || coupled::published_rows().map_err(words),
+        Pace::Fast,
+    ),
+    (
+        "three-dimensional engine, coarse",
+        || solid::rows().map_err(words),
+        Pace::Fast,
+    ),
+    ("shell", || fem::verify::shell::shell().map_err(words), Pace::Fast),
+    (
+        "stress laws",
+        || fem::verify::materials::materials().map_err(words),
+        Pace::Fast,
+    ),
+    (
+        "solid, joint, layered wall",
+        || fem::verify::solid::solid().map_err(words),
+        Pace::Fast,
+    ),
+    (
+        "potential liquid on hexahedra",
+        || fem::verify::potential::potential().map_err(words),
+        Pace::Fast,
+    ),
+    (
+        "displacement liquid",
+        || fem::verify::fluid::fluid().map_err(words),
+        Pace::Fast,
+    ),
+    (
+        "dynamics",
+        || fem::verify::dynamics::dynamics().map_err(words),
+        Pace::Fast,
+    ),
+    ("strip", || fem::verify::strip::strip().map_err(words), Pace::Fast),
+    (
+        "three-dimensional engine",
+        || solid::slow_rows().map_err(words),
+        Pace::Slow,
+    ),
+    ("shell", || fem::verify::shell::shell_slow().map_err(words), Pace::Slow),
+    (
+        "shell, large displacements",
+        || fem::verify::shell::shell_large().map_err(words),
+        Pace::Tested,
+    ),
+    (
+        "shell, large displacements on fine meshes",
+        || fem::verify::shell::shell_large_slow().map_err(words),
+        Pace::Slow,
+    ),
+    (
+        "reinforced-concrete beams",
+        || fem::verify::shell::concrete_beams().map_err(words),
+        Pace::Tested,
+    ),
+    (
+        "nonlinear histories",
+        || fem::verify::dynamics::nonlinear().map_err(words),
+        Pace::Tested,
+    ),
+    (
+        "potential liquid on hexahedra",
+        || fem::verify::potential::potential_slow().map_err(words),
+        Pace::Slow,
+    ),
 ];
 
 fn words(error: impl std::fmt::Display) -> String {
@@ -105,21 +143,29 @@ pub struct Choice<'a> {
     pub slow: bool,
 }
 
+/// Number of topics that [`run`] begins.
+pub fn topics(choice: Choice) -> u64 {
+    let records = if choice.records.is_some() { 2 } else { 0 };
+    (chosen(choice).count() + records) as u64
+}
+
+/// The topics that run without a record.
+fn chosen(choice: Choice) -> impl Iterator<Item = &'static Topic> {
+    TOPICS.iter().filter(move |t| choice.slow || t.2 == Pace::Fast)
+}
+
 /// Computes the chosen rows; `begin` hears the name of each topic before it runs.
 ///
 /// Errors: a failure of an engine; an unreadable record.
 pub fn run(choice: Choice, begin: &dyn Fn(&str)) -> Result<Manual, Error> {
     let mut manual = Manual::default();
-    let slow = if choice.slow { SLOW } else { &[] };
-    for (topics, pace) in [(FAST, Pace::Fast), (slow, Pace::Slow)] {
-        for (name, rows) in topics {
-            begin(name);
-            let rows = rows().map_err(|what| Error::Verification {
-                topic: (*name).into(),
-                what,
-            })?;
-            manual.rows.extend(rows.iter().map(|row| Entry::of(row, pace)));
-        }
+    for &(name, rows, pace) in chosen(choice) {
+        begin(name);
+        let rows = rows().map_err(|what| Error::Verification {
+            topic: name.into(),
+            what,
+        })?;
+        manual.rows.extend(rows.iter().map(|row| Entry::of(row, pace)));
     }
     match choice.records {
         Some(folder) => {

@@ -1,6 +1,6 @@
 //! `compare`, `check`, `report` and `diff` as commands: what they write, print and return.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
 
 /// Runs tankcheck with the repository as working folder.
@@ -23,6 +23,8 @@ fn stdout(output: &Output) -> String {
 
 const TANK: &str = "examples/01_broad_tank/tank.json";
 const QUAKE: &str = "examples/records/elcentro.csv";
+/// A tank with site data.
+const SITE: &str = "examples/05_oil_tank/tank.json";
 
 fn path(path: &Path) -> &str {
     path.to_str().expect("a temporary path is text")
@@ -178,21 +180,46 @@ fn refused(arguments: &[&str], out: &Path, words: &[&str]) {
     assert!(!out.join("results.json").exists(), "{arguments:?} left results behind");
 }
 
+/// Files that stand where results belong are refused; others stay beside them, run after run.
 #[test]
-fn an_output_folder_with_a_foreign_file_is_refused_and_left_alone() {
+fn files_of_others_are_never_touched() {
     let home = tempfile::tempdir().expect("a temporary folder");
-    std::fs::write(home.path().join("thesis.txt"), "mine").expect("writable");
-    refused(
-        &["compare", TANK, "--quake", QUAKE, "--out", path(home.path())],
-        home.path(),
-        &["thesis.txt", "--out"],
+    let command = ["check", SITE, "--out", path(home.path())];
+    for name in ["report.html", "results.json", "figures/mine.svg"] {
+        let mine = home.path().join(name);
+        std::fs::create_dir_all(mine.parent().expect("a folder")).expect("writable");
+        std::fs::write(&mine, "mine").expect("writable");
+        let run = tankcheck(&command);
+        let first = name.split('/').next().expect("a name");
+        assert_eq!(run.status.code(), Some(2), "{}", stderr(&run));
+        for word in [first, "--out", "did not"] {
+            let word = if word == "did not" { "not in the manifest" } else { word };
+            assert!(stderr(&run).contains(word), "`{word}` is missing in: {}", stderr(&run));
+        }
+        assert_eq!(std::fs::read_to_string(&mine).expect("left"), "mine");
+        std::fs::remove_file(&mine).expect("writable");
+    }
+    std::fs::remove_dir(home.path().join("figures")).expect("empty");
+    let mine = home.path().join("thesis.txt");
+    std::fs::write(&mine, "mine").expect("writable");
+    for _ in 0..2 {
+        let run = tankcheck(&command);
+        assert!(matches!(run.status.code(), Some(0 | 1)), "{}", stderr(&run));
+        assert_eq!(std::fs::read_to_string(&mine).expect("left"), "mine");
+    }
+    // `report` replaces its own files alone; an edited result is nobody's to replace.
+    let run = tankcheck(&["report", path(home.path())]);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    std::fs::write(home.path().join("report.html"), "signed").expect("writable");
+    for command in [&command[..], &["report", path(home.path())]] {
+        let run = tankcheck(command);
+        assert_eq!(run.status.code(), Some(2), "{}", stderr(&run));
+        assert!(stderr(&run).contains("`report.html` has changed"), "{}", stderr(&run));
+    }
+    assert_eq!(
+        std::fs::read_to_string(home.path().join("report.html")).expect("left"),
+        "signed"
     );
-    let left: Vec<PathBuf> = std::fs::read_dir(home.path())
-        .expect("readable")
-        .flatten()
-        .map(|e| e.path())
-        .collect();
-    assert_eq!(left, [home.path().join("thesis.txt")]);
 }
 
 #[test]
@@ -219,6 +246,41 @@ fn a_read_only_output_folder_is_refused() {
         &["compare", TANK, "--quake", QUAKE, "--out", path(&out)],
         &out,
         &["read-only"],
+    );
+}
+
+/// No file may grow beyond 8 KiB, as on a disk that is full: nothing is left, the old results stay, and the exit code says that the
+/// results are missing, not that the input is bad.
+#[cfg(unix)]
+#[test]
+fn results_that_cannot_be_written_leave_the_old_ones() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    let limited = |limit: &str| {
+        let script = format!("trap '' XFSZ; ulimit -f {limit}; exec \"$@\"");
+        let command = [env!("CARGO_BIN_EXE_tankcheck"), "check", SITE, "--out", path(&out)];
+        Command::new("bash")
+            .args(["-c", &script, "bash"])
+            .args(command)
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .output()
+            .expect("bash runs")
+    };
+    let run = limited("8");
+    assert_eq!(run.status.code(), Some(3), "{}", stderr(&run));
+    assert!(stderr(&run).contains("cannot be written"), "{}", stderr(&run));
+    assert_eq!(std::fs::read_dir(home.path()).expect("readable").count(), 0);
+    let run = limited("unlimited");
+    assert!(matches!(run.status.code(), Some(0 | 1)), "{}", stderr(&run));
+    let before = std::fs::read(out.join("results.json")).expect("results");
+    let run = limited("8");
+    assert_eq!(run.status.code(), Some(3), "{}", stderr(&run));
+    assert_eq!(std::fs::read(out.join("results.json")).expect("results"), before);
+    assert!(
+        std::fs::read_dir(&out)
+            .expect("readable")
+            .flatten()
+            .all(|e| !e.file_name().to_string_lossy().starts_with('.'))
     );
 }
 

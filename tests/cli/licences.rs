@@ -92,6 +92,21 @@ fn dependencies_have_allowed_licences() {
     assert!(bad.is_empty(), "licences not in deny.toml:\n{}", bad.join("\n"));
 }
 
+/// An advisory is ignored in `deny.toml` only as long as its package is needed.
+#[test]
+fn ignored_advisories_are_still_needed() {
+    let root = env!("CARGO_MANIFEST_DIR");
+    let read = |name: &str| std::fs::read_to_string(format!("{root}/{name}")).expect("in the repository");
+    let (deny, lock) = (read("deny.toml"), read("Cargo.lock"));
+    let ignored: Vec<&str> = deny.lines().filter(|l| l.contains("RUSTSEC-")).collect();
+    assert_eq!(ignored.len(), 1, "{ignored:?}");
+    assert!(ignored[0].contains("RUSTSEC-2024-0436") && ignored[0].contains("reason"));
+    assert!(
+        lock.contains("name = \"paste\"\n"),
+        "paste is gone: remove the advisory from deny.toml"
+    );
+}
+
 #[test]
 fn expressions_are_read_right() {
     let allowed = ["MIT".to_string(), "Apache-2.0 WITH LLVM-exception".to_string()];

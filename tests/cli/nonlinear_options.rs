@@ -147,10 +147,6 @@ fn ida_arguments() {
         (&["--scale", "0..1", "--steps", "-3"], &["--steps: found `-3`"]),
         (&["--scale", "0..1"], &["--steps is missing"]),
         (&["--scale", "0..1", "--steps", "3", "--jobs", "0"], &["--jobs"]),
-        (
-            &["--scale", "0..1", "--steps", "3", "--resume"],
-            &["--resume", "no folder `out`"],
-        ),
         (&[], &["--scale"]),
     ] {
         let (code, text) = ida(arguments);

@@ -47,23 +47,6 @@ fn options_of_another_engine_are_refused() {
 }
 
 #[test]
-fn there_must_be_something_to_resume() {
-    let home = tempfile::tempdir().expect("a temporary folder");
-    let out = home.path().join("out");
-    refused(
-        &["--fe", "nonlinear", "--resume"],
-        &out,
-        &["--resume", "there is no checkpoint", "out.checkpoint"],
-    );
-    let named = home.path().join("elsewhere");
-    refused(
-        &["--fe", "nonlinear", "--resume", "--checkpoint", text(&named)],
-        &out,
-        &["there is no checkpoint", "elsewhere"],
-    );
-}
-
-#[test]
 fn a_place_for_the_checkpoint_is_looked_at_before_the_run() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let out = home.path().join("out");
@@ -75,6 +58,14 @@ fn a_place_for_the_checkpoint_is_looked_at_before_the_run() {
         refused(&command, &out, &["thesis.doc", "no checkpoint"]);
     }
     assert_eq!(std::fs::read_to_string(&thesis).expect("left alone"), "mine");
+    // Neither is the file of the second wall, nor that of a checkpoint that is being written.
+    for name in ["out.checkpoint.theta_180", "out.checkpoint.part"] {
+        let mine = home.path().join(name);
+        std::fs::write(&mine, "mine").expect("writable");
+        refused(&["--fe", "nonlinear"], &out, &[name, "no checkpoint"]);
+        assert_eq!(std::fs::read_to_string(&mine).expect("left alone"), "mine");
+        std::fs::remove_file(&mine).expect("writable");
+    }
     refused(
         &["--fe", "nonlinear", "--checkpoint", text(home.path())],
         &out,

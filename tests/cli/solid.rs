@@ -54,7 +54,6 @@ fn options_of_the_other_engine_are_refused() {
     for option in [
         &["--mesh", "4x8x4"][..],
         &["--liquid", "displacement"],
-        &["--memory-limit", "100"],
         &["--vtu", "no_such_folder"],
     ] {
         let mut command = vec!["compare", TANK, "--quake", QUAKE];
@@ -82,7 +81,7 @@ fn options_of_the_other_engine_are_refused() {
 #[test]
 fn a_foreign_folder_is_no_place_for_paraview_files() {
     let home = tempfile::tempdir().expect("a temporary folder");
-    std::fs::write(home.path().join("thesis.doc"), "x").expect("writable");
+    std::fs::write(home.path().join("tank.pvd"), "x").expect("writable");
     let (out, vtu) = (home.path().join("out"), home.path());
     let run = tankcheck(&[
         "compare",
@@ -100,6 +99,38 @@ fn a_foreign_folder_is_no_place_for_paraview_files() {
     ]);
     assert!(matches!(run.status.code(), Some(2)), "{}", stderr(&run));
     assert!(!out.exists(), "nothing is half-written");
+}
+
+/// ParaView files inside the output folder are not in the way of the next run.
+#[test]
+fn paraview_files_inside_the_output_folder_work_twice() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let (quake, out) = (home.path().join("short.csv"), home.path().join("out"));
+    let lines: String = (0..40)
+        .map(|i| format!("{:.2},{:.5}\n", 0.02 * f64::from(i), (0.6 * f64::from(i)).sin()))
+        .collect();
+    std::fs::write(&quake, format!("time_s,acceleration_m_s2\n{lines}")).expect("writable");
+    let vtu = out.join("paraview");
+    let [quake, folder, vtu_folder] = [&quake, &out, &vtu].map(|p| p.to_str().expect("text"));
+    for _ in 0..2 {
+        let run = tankcheck(&[
+            "compare",
+            TANK,
+            "--quake",
+            quake,
+            "--fe",
+            "solid",
+            "--mesh",
+            "2x8x2",
+            "--no-mesh-error",
+            "--vtu",
+            vtu_folder,
+            "--out",
+            folder,
+        ]);
+        assert!(matches!(run.status.code(), Some(0 | 1)), "{}", stderr(&run));
+        assert!(vtu.join("tank.pvd").exists() && out.join("report.html").exists());
+    }
 }
 
 /// Starts a run of both engines and waits until it says what it is about to do.
@@ -164,6 +195,16 @@ fn a_second_ctrl_c_leaves_nothing() {
     std::io::BufRead::read_line(&mut messages, &mut heard).expect("text");
     assert!(heard.contains("Ctrl-C again"), "{heard}");
     interrupt(&run);
-    assert_eq!(run.wait().expect("ends").code(), Some(130));
-    assert_eq!(std::fs::read_dir(home.path()).expect("readable").count(), 0);
+    // On a busy machine the second may come when the results are in place: then they stay, and the exit code says so.
+    let code = run.wait().expect("ends").code();
+    let left = std::fs::read_dir(home.path()).expect("readable").flatten();
+    let left: Vec<_> = left.map(|entry| entry.file_name()).collect();
+    match code {
+        Some(130) => assert!(left.is_empty(), "{left:?}"),
+        Some(3) => {
+            assert_eq!(left, ["out"]);
+            assert!(tankcheck::results::read(&out).expect("results").verdict.incomplete);
+        }
+        other => panic!("ended with {other:?}, left {left:?}"),
+    }
 }

@@ -1,6 +1,6 @@
 //! Golden reports of the examples, and the rendering of reports.
 
 mod examples;
+mod kept;
 mod report_content;
-mod report_print;
 mod sample;

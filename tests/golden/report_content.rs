@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use codes::units::Dimension;
 use tankcheck::report::template::Templates;
 use tankcheck::report::{Report, build};
-use tankcheck::results::nonlinear::{Columns, End, Energies, Nonlinear};
+use tankcheck::results::nonlinear::{BaseMoment, Columns, Departure, End, Energies, Nonlinear};
 use tankcheck::results::{NONLINEAR_PREFIX, Results, Series, SeriesInfo};
 
 use crate::sample::{Kind, sample};
@@ -49,6 +49,29 @@ fn figures(html: &str) -> Vec<&str> {
             &html[start..start + "<svg ".len() + end + "</svg>".len()]
         })
         .collect()
+}
+
+/// A number whose mesh error is above a fifth is marked in the table and among the errors, and every warning is shown with its
+/// markup escaped; without any, neither word is there.
+#[test]
+fn warnings_and_unusable_numbers_are_shown() {
+    let plain = report(Kind::Compare).html;
+    assert!(!plain.contains("unusable") && !plain.contains("<h3>Warnings</h3>"));
+    let (mut results, series) = sample(Kind::Compare, TITLE);
+    let fe = results.methods.iter().position(|m| m.id == "fe").expect("an engine");
+    let row = (results.comparison.rows.iter_mut())
+        .find(|r| r.quantity == "base_shear")
+        .expect("a base shear");
+    row.cells[fe].as_mut().expect("a value").unusable = true;
+    let run = results.fe.as_mut().expect("a run");
+    run.mesh_error.insert("base_shear".into(), 0.34);
+    results.warnings = vec!["record `<b>`: found a time step of 0.2 s, usual are 0.002 to 0.02 s".into()];
+    let html = rendered(&results, &series).html;
+    assert_eq!(html.matches("✗ unusable").count(), 1);
+    assert!(html.contains("34\u{a0}%, unusable"));
+    assert!(
+        html.contains("<h3>Warnings</h3>") && html.contains("&lt;b&gt;") && html.contains("found a time step of 0.2 s")
+    );
 }
 
 #[test]
@@ -202,6 +225,58 @@ fn a_collapse_is_told_first_and_its_numbers_are_bounds() {
     }
     for svg in figures(&html) {
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    }
+}
+
+/// A run that passed a limit of its model is marked above everything else, whether it went on or was stopped there, and shows what
+/// the moment at the base is made of.
+#[test]
+fn a_run_that_left_its_model_is_marked() {
+    let departure = Departure {
+        id: "bar_strain".into(),
+        time: 4.321,
+        place: "wall <b>, z = 12 mm".into(),
+        reason: "a bar is strained by 3 %, its strain at rupture is 2.5 %".into(),
+    };
+    let moments = BaseMoment {
+        place: "wall at θ = 0°".into(),
+        time: 4.5,
+        reaction: -1.245e6,
+        section: -0.8e6,
+        damping: -0.1e6,
+        inertia: -0.35e6,
+        load: 5e3,
+        largest_section: 0.44e6,
+    };
+    let stopped = End::Left {
+        time: 4.4,
+        reason: "the time integration gains energy".into(),
+        place: "wall at θ = 0°, z = 3 m".into(),
+    };
+    for (end, words) in [
+        (End::Completed, "The run left its model at t = 4.321 s"),
+        (stopped, "Stopped: the run left its model at t = 4.400 s"),
+    ] {
+        let (mut results, series) = sample(Kind::Nonlinear, TITLE);
+        let run = results.fe_nonlinear.as_mut().and_then(|fe| fe.nonlinear.as_mut());
+        let run = run.expect("a nonlinear run");
+        run.end = end;
+        run.departures = vec![departure.clone()];
+        run.moments = vec![moments.clone()];
+        let html = rendered(&results, &series).html;
+        for text in [
+            words,
+            "wall &lt;b&gt;, z = 12 mm: a bar is strained by 3 %",
+            "Largest of the section",
+        ] {
+            assert!(html.contains(text), "{text}");
+        }
+        assert!(!html.contains("to the end of the ground motion</strong>"));
+        let at = html.find("Largest of the section").expect("the table");
+        let table = &html[at..at + html[at..].find("</table>").expect("its end")];
+        for cell in ["1245", "440", "350"] {
+            assert!(table.replace('\u{202f}', "").contains(cell), "{cell}: {table}");
+        }
     }
 }
 

@@ -68,7 +68,15 @@ fn modal(system: &Coupled, kept: &[usize], damper: &Damper, ground: &Record, gri
     let system = ModalSystem::new(system, kept, damper).unwrap();
     let motion = Motion::new(ground, &grid);
     let observables: Vec<_> = probes.iter().map(|p| vec![(0, 1.0, p)]).collect();
-    superpose::respond(&[system], &[&motion], grid, &observables, &observables).unwrap()
+    superpose::respond(
+        &[system],
+        &[&motion],
+        grid,
+        &observables,
+        &observables,
+        &fem::progress::Silent,
+    )
+    .unwrap()
 }
 
 /// e^A for a small matrix, by scaling and squaring of the power series.
@@ -279,7 +287,15 @@ fn newmark(system: &Coupled, damper: &Damper, motion: &Record, grid: Grid, probe
     let direct = DirectSystem::new(system, &modes, damper);
     let ground = Motion::new(motion, &grid);
     let observables: Vec<_> = probes.iter().map(|p| vec![(0, 1.0, p)]).collect();
-    let (observed, energy) = direct::respond(&[direct], &[&ground], grid, &observables, &observables).unwrap();
+    let (observed, energy) = direct::respond(
+        &[direct],
+        &[&ground],
+        grid,
+        &observables,
+        &observables,
+        &fem::progress::Silent,
+    )
+    .unwrap();
     assert!(energy.input > 0.0 && energy.damping > 0.0);
     assert!(energy.damping <= energy.input * (1.0 + 1e-9));
     (observed, energy.error)
@@ -359,7 +375,7 @@ fn growth_without_bound_is_an_error() {
     let output = probe(vec![1.0], Vec::new());
     let observables = [vec![(0, 1.0, &output)]];
     let modal = ModalSystem::new(&system, modes.iter().collect(), &damper).unwrap();
-    let message = superpose::respond(&[modal], &[&ground], grid, &observables, &[])
+    let message = superpose::respond(&[modal], &[&ground], grid, &observables, &[], &fem::progress::Silent)
         .unwrap_err()
         .to_string();
     assert!(
@@ -367,5 +383,5 @@ fn growth_without_bound_is_an_error() {
         "{message}"
     );
     let direct = DirectSystem::new(&system, &modes, &damper);
-    assert!(direct::respond(&[direct], &[&ground], grid, &observables, &[]).is_err());
+    assert!(direct::respond(&[direct], &[&ground], grid, &observables, &[], &fem::progress::Silent).is_err());
 }

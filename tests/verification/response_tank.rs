@@ -185,7 +185,8 @@ fn peaks(
         .chain(coupled.lines.iter().flat_map(|l| &l.probes))
         .collect();
     let observables: Vec<Observable> = probes.iter().map(|p| vec![(0, 1.0, *p)]).collect();
-    let found: Observed = superpose::respond(&[system], &[&ground], grid, &[], &observables).unwrap();
+    let found: Observed =
+        superpose::respond(&[system], &[&ground], grid, &[], &observables, &fem::progress::Silent).unwrap();
     let name = |p: &&tankcheck::fe::probe::Probe| format!("{} {}", p.title, p.id);
     probes
         .iter()

@@ -8,21 +8,23 @@
 //! digit. The **fingerprint** is a hash of the model (nodes, elements and what they answer, supports, groups), of the
 //! matrices, the settings and the loads: a file of another analysis is refused. Checksum and fingerprint are FNV-1a (Fowler,
 //! Noll & Vo 1991): they find accidents, not forgeries. A file is written beside its place and renamed, so that a crash
-//! leaves the old one.
+//! leaves the old one; what a crash leaves of the new one is replaced by the next.
 
 use std::fs::{self, File};
 use std::io::{Read as _, Write as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+use crate::state::State;
 
 /// First bytes of a file.
 pub const MAGIC: [u8; 8] = *b"TANKSTOP";
 /// Version of the format.
-pub const VERSION: u32 = 3;
+pub const VERSION: u32 = 4;
 /// Bytes before the payload.
 const HEAD: usize = 8 + 4 + 8 + 8;
 
 /// A file that cannot be written, read or used.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CheckpointError {
     /// Of the file system.
     #[error("checkpoint {path}: {reason}")]
@@ -78,6 +80,16 @@ pub enum CheckpointError {
         /// Entries allowed.
         allowed: usize,
     },
+    /// A value that no run writes.
+    #[error("damaged: {what} is {found}, allowed {allowed}")]
+    Value {
+        /// Part of the payload.
+        what: &'static str,
+        /// Value found.
+        found: f64,
+        /// Values allowed.
+        allowed: &'static str,
+    },
     /// A file from which this analysis cannot go on.
     #[error("checkpoint {path} cannot be used: {cause}")]
     Unusable {
@@ -107,6 +119,13 @@ impl CheckpointError {
             other => other,
         }
     }
+}
+
+/// Where a checkpoint is written before it is whole.
+pub fn unfinished(path: &Path) -> PathBuf {
+    let mut beside = path.as_os_str().to_owned();
+    beside.push(".part");
+    beside.into()
 }
 
 /// Looks whether a file is a sound checkpoint of this version, of whatever analysis.
@@ -235,13 +254,23 @@ impl Writer {
         self.bytes.extend(text.as_bytes());
     }
 
+    /// The committed fields and the history of a model.
+    pub fn state(&mut self, state: &State) {
+        let fields = &state.committed;
+        for vector in [&fields.u, &fields.v, &fields.a, &state.old] {
+            self.numbers(vector);
+        }
+        let turns: Vec<f64> = fields.rotation.iter().flat_map(|q| q.coords.iter().copied()).collect();
+        self.numbers(&turns);
+    }
+
     /// A part with its length, so that a reader that does not know it can skip it.
     pub fn part(&mut self, part: Writer) {
         self.count(part.bytes.len());
         self.bytes.extend(part.bytes);
     }
 
-    /// Writes the file: beside its place, then renamed.
+    /// Writes the file: beside its place ([`unfinished`]), then renamed.
     ///
     /// Errors: those of the file system.
     pub fn save(self, path: &Path, fingerprint: u64) -> Result<(), CheckpointError> {
@@ -251,19 +280,24 @@ impl Writer {
         };
         let mut hash = Hash::default();
         hash.bytes(&self.bytes);
-        let mut beside = path.as_os_str().to_owned();
-        beside.push(".part");
-        let mut file = File::create(&beside).map_err(failed)?;
-        file.write_all(&MAGIC).map_err(failed)?;
-        file.write_all(&VERSION.to_le_bytes()).map_err(failed)?;
-        file.write_all(&fingerprint.to_le_bytes()).map_err(failed)?;
-        file.write_all(&(self.bytes.len() as u64).to_le_bytes())
-            .map_err(failed)?;
-        file.write_all(&self.bytes).map_err(failed)?;
-        file.write_all(&hash.value().to_le_bytes()).map_err(failed)?;
-        file.sync_all().map_err(failed)?;
-        drop(file);
-        fs::rename(&beside, path).map_err(failed)
+        let beside = unfinished(path);
+        let write = || -> std::io::Result<()> {
+            let mut file = File::create(&beside)?;
+            file.write_all(&MAGIC)?;
+            file.write_all(&VERSION.to_le_bytes())?;
+            file.write_all(&fingerprint.to_le_bytes())?;
+            file.write_all(&(self.bytes.len() as u64).to_le_bytes())?;
+            file.write_all(&self.bytes)?;
+            file.write_all(&hash.value().to_le_bytes())?;
+            file.sync_all()?;
+            drop(file);
+            fs::rename(&beside, path)
+        };
+        write().map_err(|error| {
+            // The old checkpoint stays; half a new one only takes room on a disk that may be full.
+            let _ = fs::remove_file(&beside);
+            failed(error)
+        })
     }
 }
 
@@ -344,6 +378,45 @@ impl Reader {
         }
         to.copy_from_slice(&found);
         Ok(())
+    }
+
+    /// Committed fields and history into a state of the same model; the trial state is then the committed one.
+    ///
+    /// Errors: another model's.
+    pub fn state_into(&mut self, state: &mut State) -> Result<(), CheckpointError> {
+        let fields = &mut state.committed;
+        self.numbers_into("displacements", &mut fields.u)?;
+        self.numbers_into("velocities", &mut fields.v)?;
+        self.numbers_into("accelerations", &mut fields.a)?;
+        self.numbers_into("history", &mut state.old)?;
+        let mut turns = vec![0.0; 4 * fields.rotation.len()];
+        self.numbers_into("rotations", &mut turns)?;
+        for (q, c) in fields.rotation.iter_mut().zip(turns.chunks_exact(4)) {
+            // Not normalised again: bit by bit what was written.
+            *q = nalgebra::Unit::new_unchecked(nalgebra::Quaternion::new(c[3], c[0], c[1], c[2]));
+        }
+        state.revert();
+        Ok(())
+    }
+
+    /// A count that an analysis can have.
+    ///
+    /// Errors: the end of the payload, a count out of `range`, of which `allowed` tells in words.
+    pub fn count_within(
+        &mut self,
+        what: &'static str,
+        range: std::ops::RangeInclusive<u64>,
+        allowed: &'static str,
+    ) -> Result<u64, CheckpointError> {
+        let found = u64::from_le_bytes(self.take(what)?);
+        match range.contains(&found) {
+            true => Ok(found),
+            false => Err(CheckpointError::Value {
+                what,
+                found: found as f64,
+                allowed,
+            }),
+        }
     }
 
     /// A text.

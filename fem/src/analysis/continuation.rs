@@ -56,6 +56,15 @@ pub struct PathPoint {
     pub negative: Option<usize>,
 }
 
+/// What a path depends on besides its committed state.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Memory {
+    /// λ of the committed state.
+    pub factor: f64,
+    /// Increment of the last step, which gives the direction of the next; `None` before the first.
+    pub last: Option<Vec<f64>>,
+}
+
 /// Path following of one model under p₀ + λ p.
 pub struct Continuation<'a> {
     model: &'a Model,
@@ -126,6 +135,26 @@ impl<'a> Continuation<'a> {
     /// λ of the committed state.
     pub fn factor(&self) -> f64 {
         self.lambda
+    }
+
+    /// What the next step depends on besides the committed state.
+    pub fn memory(&self) -> Memory {
+        Memory {
+            factor: self.lambda,
+            last: self.last.clone(),
+        }
+    }
+
+    /// Restores what [`Continuation::memory`] gave: with the same committed state the path goes on bit by bit.
+    ///
+    /// Errors: an increment of wrong length.
+    pub fn recall(&mut self, memory: Memory) -> Result<(), AnalysisError> {
+        if let Some(last) = &memory.last {
+            check_length("increment of the last step", last.len(), self.model.dofs().len())?;
+        }
+        self.lambda = memory.factor;
+        self.last = memory.last;
+        Ok(())
     }
 
     /// One step from the committed state. On success the state is committed, else reverted.

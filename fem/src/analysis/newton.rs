@@ -30,6 +30,7 @@
 
 use std::sync::Arc;
 
+use super::checkpoint::CheckpointError;
 use super::damping::Damping;
 use super::scheme::{LoadStep, Scheme, Weights};
 use super::{AnalysisError, check_length, failed};
@@ -457,8 +458,29 @@ impl<'a> Newton<'a> {
 
     /// Restores what [`Newton::memory`] gave, for a state with the same committed fields.
     ///
-    /// Errors: a matrix that cannot be factored.
+    /// Errors: numbers that are not of this model; a matrix that cannot be factored.
     pub(super) fn recall(&mut self, memory: Memory, state: &State) -> Result<(), AnalysisError> {
+        let of_this_model = |what, found: usize, allowed: usize| match found == allowed {
+            true => Ok(()),
+            false => Err(CheckpointError::Shape { what, found, allowed }),
+        };
+        let unknowns = self.model.dofs().len();
+        let entries = |m: Option<usize>| m.unwrap_or(0);
+        of_this_model(
+            "tangent damping",
+            entries(memory.viscous.as_ref().map(Vec::len)),
+            entries(self.viscous.as_ref().map(|c| c.values.len())),
+        )?;
+        if let Some((_, values)) = &memory.kept {
+            of_this_model("effective tangent", values.len(), self.effective.values.len())?;
+        }
+        if let Some(forces) = &memory.forces {
+            let late = self.model.elements().iter().any(|e| e.acts_at_end());
+            of_this_model("internal forces", forces.internal.len(), unknowns)?;
+            of_this_model("support forces", forces.support.len(), self.assembler.supports().len())?;
+            let allowed = if late { unknowns } else { 0 };
+            of_this_model("forces at the end of the step", forces.at_end.len(), allowed)?;
+        }
         self.reference = memory.reference;
         self.cost = memory.cost;
         if let (Some(c), Some(values)) = (&mut self.viscous, memory.viscous) {
@@ -467,8 +489,14 @@ impl<'a> Newton<'a> {
         self.factor = None;
         if let Some((weights, values)) = memory.kept {
             self.effective.values = values;
+            // A run keeps no tangent that it could not factor.
             let factor = self.symbolic.factor(&self.effective, self.kind);
-            self.factor = Some((factor.map_err(failed("the effective tangent"))?, weights));
+            let factor = factor.map_err(|_| CheckpointError::Value {
+                what: "a pivot of the effective tangent",
+                found: 0.0,
+                allowed: "a matrix that can be factored",
+            })?;
+            self.factor = Some((factor, weights));
         }
         if let Some(forces) = memory.forces {
             self.forces = forces;

@@ -1,7 +1,9 @@
 //! The observer that writes the history of a wall.
 
 use super::history::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory};
-use super::{StripError, StripModel, lost};
+use super::validity::{BarStrain, Validity};
+use super::watch::BaseMoment;
+use super::{BaseReaction, StripError, StripModel, lost};
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::march::{Instant, Observe, Range};
 use crate::dofs::Dof;
@@ -18,6 +20,7 @@ pub(super) struct Watch<'a> {
     /// Unknowns of the liquid at rest: deflections and slopes of its face, then amplitudes.
     rest: Vec<f64>,
     history: WallHistory,
+    validity: Validity,
     until: f64,
     failure: Option<StripError>,
 }
@@ -53,17 +56,20 @@ impl<'a> Watch<'a> {
                 pictures: Default::default(),
                 separation: check,
                 openings: joints.map(|j| Openings::new(j.heights.clone())),
+                peak: BaseMoment::default(),
+                departures: Vec::new(),
             },
+            validity: Validity::default(),
             until: until.unwrap_or(f64::INFINITY),
             failure: None,
             strip,
         }
     }
 
-    /// Whether the wall has moved too far, and why that ends the run.
+    /// Whether the wall has moved too far or the run has left its model, and why that ends it.
     pub fn lost(&self) -> Option<String> {
         let last = self.history.scalar(Scalar::Deflection).last().copied();
-        lost(last.unwrap_or(0.0), self.strip.height())
+        lost(last.unwrap_or(0.0), self.strip.height()).or(self.validity.stop())
     }
 
     /// What was seen.
@@ -72,7 +78,10 @@ impl<'a> Watch<'a> {
     pub fn finish(self) -> Result<WallHistory, StripError> {
         match self.failure {
             Some(failure) => Err(failure),
-            None => Ok(self.history),
+            None => Ok(WallHistory {
+                departures: self.validity.found().to_vec(),
+                ..self.history
+            }),
         }
     }
 
@@ -85,8 +94,9 @@ impl<'a> Watch<'a> {
             self.rest.clone_from(&displacement);
         }
         let acceleration = strip.face_acceleration(&fields.a, now.ground[0]);
-        let [shear, _, moment] = strip.base_reaction(now.state, now.ground)?;
-        let base = section(strip, now)?;
+        let reaction = strip.base_reaction(now.state, now.ground)?;
+        let [shear, _, moment] = reaction.total();
+        let base = strip.lowest_section(now.state)?;
         let elevation = strip.elevation(&fields.u);
         let values = [
             elevation,
@@ -96,9 +106,16 @@ impl<'a> Watch<'a> {
             dot(&self.bottom, &acceleration),
             base[1],
             base[0],
+            reaction.section[2],
+            reaction.damping[2],
+            reaction.inertia[2],
+            strip.largest_acceleration(&fields.a, now.ground[0]).0,
         ];
 
         let history = &mut self.history;
+        if moment.abs() > history.peak.reaction.abs() {
+            history.peak = BaseMoment::of(now.time, &reaction);
+        }
         if now.sample.is_some() {
             history.samples.push(history.times.len());
         }
@@ -118,7 +135,7 @@ impl<'a> Watch<'a> {
                 range.include(touch.pressure - at_rest, now.time);
             }
             openings.see(now.time, touches.iter().map(|t| (t.gap, t.penetration)));
-            self.inspect(now, moment);
+            self.inspect(now, &reaction);
             return Ok(());
         }
         let moved: Vec<f64> = displacement.iter().zip(&self.rest).map(|(u, r)| u - r).collect();
@@ -138,13 +155,14 @@ impl<'a> Watch<'a> {
             |i| dot(&middles[i].rise, &moved),
             elevation,
         );
-        self.inspect(now, moment);
+        self.inspect(now, &reaction);
         Ok(())
     }
 
     /// Looks at every fibre.
-    fn inspect(&mut self, now: &Instant<'_>, moment: f64) {
-        let strip = self.strip;
+    fn inspect(&mut self, now: &Instant<'_>, reaction: &BaseReaction) {
+        let (strip, moment) = (self.strip, reaction.total()[2]);
+        let mut bar = BarStrain::default();
         let mut gather = Gather::default();
         let mut faces = [Vec::new(), Vec::new()];
         let mut seen: [Option<(f64, f64)>; EventKind::ALL.len()] = [None; EventKind::ALL.len()];
@@ -162,12 +180,13 @@ impl<'a> Watch<'a> {
                     (point, cracked) = (fibre.point, 0);
                 }
                 if fibre.layer >= section.layers() {
+                    bar.see(fibre);
                     cell.bar_stress = cell.bar_stress.max(fibre.stress[0].abs());
                     cell.bar_plastic_strain = cell.bar_plastic_strain.max(state.plastic_strain);
                     if state.plastic_strain > 0.0 {
                         first(EventKind::BarYield);
                     }
-                    if state.damage > 0.0 {
+                    if state.damage > 0.0 || state.rupture > 1.0 {
                         first(EventKind::BarRupture);
                     }
                     return;
@@ -188,6 +207,7 @@ impl<'a> Watch<'a> {
             self.history.cells[e].include(&cell);
             faces.iter_mut().zip(widest).for_each(|(face, w)| face.push(w));
         }
+        self.validity.see(strip, now, reaction, bar);
         for (kind, place) in EventKind::ALL.into_iter().zip(seen) {
             let events = &mut self.history.events;
             if let Some((height, depth)) = place
@@ -212,15 +232,6 @@ impl<'a> Watch<'a> {
             worst.clone_from(last);
         }
     }
-}
-
-/// Curvature [1/m] and moment [N] of the lowest section.
-fn section(strip: &StripModel, now: &Instant<'_>) -> Result<[f64; 2], StripError> {
-    let element = &*strip.model.elements()[0];
-    let mut gather = Gather::default();
-    let motion = gather.motion(&strip.model, &now.state.committed, element);
-    let found = element.sections(motion, &now.state.old[now.state.history(0)])?;
-    Ok(found.first().map_or([0.0; 2], |s| [s.strain[3], s.resultants[3]]))
 }
 
 fn dot(row: &[f64], x: &[f64]) -> f64 {
@@ -261,6 +272,8 @@ impl Observe for Watch<'_> {
                 to.numbers(&face.iter().flatten().copied().collect::<Vec<_>>());
             }
         }
+        to.numbers(&h.peak.array());
+        self.validity.save(to);
         h.separation.save(to);
         if let Some(openings) = &h.openings {
             openings.save(to);
@@ -317,6 +330,10 @@ impl Observe for Watch<'_> {
                 *face = cracks.chunks_exact(2).map(|c| [c[0], c[1]]).collect();
             }
         }
+        let mut peak = [0.0; 6];
+        from.numbers_into("parts of the moment", &mut peak)?;
+        h.peak = BaseMoment::from_array(peak);
+        self.validity.restore(from)?;
         h.separation.restore(from)?;
         match &mut h.openings {
             Some(openings) => openings.restore(from),

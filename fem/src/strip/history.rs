@@ -3,6 +3,8 @@
 //! Signs are those of the wall at x = +L: deflections and pressures outwards, ζ from the wet face to the dry one, moments about
 //! y as the ground exerts them. Everything contains the state at rest. Faces: 0 is the wet half of the section, 1 the dry one.
 
+use super::validity::Departure;
+use super::watch::BaseMoment;
 use crate::analysis::march::Range;
 use crate::liquid::separation::{Openings, SeparationCheck};
 
@@ -23,11 +25,19 @@ pub enum Scalar {
     SectionMoment,
     /// Its curvature [1/m].
     Curvature,
+    /// Part of [`Scalar::Moment`] that the stresses of the lowest element exert [N].
+    StressMoment,
+    /// Part of [`Scalar::Moment`] of viscous damping [N].
+    DampingMoment,
+    /// Part of [`Scalar::Moment`] of inertia and dynamic pressure of the lowest element [N].
+    InertiaMoment,
+    /// Largest total acceleration of a node of the wall along x, absolute [m/s²].
+    Acceleration,
 }
 
 impl Scalar {
     /// All of them, in the order of [`WallHistory::scalars`].
-    pub const ALL: [Scalar; 7] = [
+    pub const ALL: [Scalar; 11] = [
         Scalar::Elevation,
         Scalar::Deflection,
         Scalar::Shear,
@@ -35,6 +45,10 @@ impl Scalar {
         Scalar::BottomMoment,
         Scalar::SectionMoment,
         Scalar::Curvature,
+        Scalar::StressMoment,
+        Scalar::DampingMoment,
+        Scalar::InertiaMoment,
+        Scalar::Acceleration,
     ];
 }
 
@@ -155,6 +169,10 @@ pub struct WallHistory {
     pub separation: SeparationCheck,
     /// Whether it has left the wall, at the points of the joints.
     pub openings: Option<Openings>,
+    /// The largest moment at the base and what it is made of.
+    pub peak: BaseMoment,
+    /// Limits of the model that were passed, the first of each kind by time; known at the end of a run.
+    pub departures: Vec<Departure>,
 }
 
 impl WallHistory {

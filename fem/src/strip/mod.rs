@@ -28,13 +28,18 @@ mod history;
 mod model;
 mod parting;
 mod run;
+mod validity;
 mod watch;
+
+#[cfg(test)]
+mod tests;
 
 pub use contact::{Joints, Touch};
 pub use history::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory};
-pub use model::{Side, StripDamping, StripModel};
+pub use model::{BaseReaction, Side, StripDamping, StripModel};
 pub use run::{StripLevel, StripQuake, StripRun, WallRun};
-pub use watch::{Demand, FirstCrack};
+pub use validity::{ACCELERATION, BAR_STRAIN, Departure, DepartureKind, ENERGY_SHARE, MOMENT_SHARE};
+pub use watch::{BaseMoment, Demand, FirstCrack};
 
 use std::sync::Arc;
 

@@ -56,6 +56,27 @@ pub enum StripDamping {
     },
 }
 
+/// What the ground exerts on the base of a wall along x and z and about y [N/m, N/m, N], by what it comes from. The parts add up
+/// to the reaction; only the first is limited by the strength of the section.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BaseReaction {
+    /// Stresses of the lowest element, M(z) extrapolated linearly from its sections to the base.
+    pub section: [f64; 3],
+    /// Viscous damping.
+    pub damping: [f64; 3],
+    /// Inertia of the lowest element and dynamic pressure on it.
+    pub inertia: [f64; 3],
+    /// Weight and pressure at rest whose nodal loads act on the base itself.
+    pub load: [f64; 3],
+}
+
+impl BaseReaction {
+    /// Sum of the parts.
+    pub fn total(&self) -> [f64; 3] {
+        std::array::from_fn(|i| self.section[i] + self.load[i] + self.damping[i] + self.inertia[i])
+    }
+}
+
 /// The model, built once; runs only read it.
 pub struct StripModel {
     /// Nodes and elements: the beams from the bottom, the liquid, the spring if there is one.
@@ -274,12 +295,12 @@ impl StripModel {
         area / self.tank.liquid.half_width
     }
 
-    /// What the ground exerts on the base of the wall along x and z and about y [N/m, N/m, N], weight, inertia and damping
-    /// included, at the committed `state`; `ground`: acceleration of the ground [m/s²].
+    /// What the ground exerts on the base of the wall, part by part, at the committed `state`; `ground`: acceleration of the
+    /// ground [m/s²].
     ///
     /// Errors: those of the elements.
-    pub fn base_reaction(&self, state: &State, ground: [f64; 3]) -> Result<[f64; 3], StripError> {
-        let mut out = [0.0; 3];
+    pub fn base_reaction(&self, state: &State, ground: [f64; 3]) -> Result<BaseReaction, StripError> {
+        let mut out = BaseReaction::default();
         let base = [self.wall[0], self.face[0]];
         let (mut gather, mut response) = (Gather::default(), Response::default());
         let held = |dof: &Dof| self.model.is_held(base[0], *dof);
@@ -298,7 +319,8 @@ impl StripModel {
             for (local, &node) in element.nodes().iter().enumerate() {
                 for dof in element.dofs(local) {
                     if let Some(i) = BASE.iter().position(|d| base.contains(&node) && d == dof && held(d)) {
-                        out[i] += response.force[k] - weight[k];
+                        out.section[i] += response.force[k];
+                        out.load[i] -= weight[k];
                     }
                     k += 1;
                 }
@@ -310,18 +332,42 @@ impl StripModel {
             .enumerate()
             .take(self.tank.contact.trace().unknowns())
         {
-            out[i] -= self.liquid.hydrostatic[k] * (1.0 + ground[2] / self.tank.liquid.gravity);
+            out.load[i] -= self.liquid.hydrostatic[k] * (1.0 + ground[2] / self.tank.liquid.gravity);
         }
         let fields = &state.committed;
         if self.tank.base_spring.is_some() {
-            out[2] = apply(&self.base[2].displacement, &fields.u);
+            out.section[2] = apply(&self.base[2].displacement, &fields.u);
+            out.load[2] = 0.0;
         }
-        for (sum, row) in out.iter_mut().zip(&self.base) {
-            *sum += apply(&row.velocity, &fields.v) + apply(&row.acceleration, &fields.a);
+        for (i, row) in self.base.iter().enumerate() {
+            out.damping[i] = apply(&row.velocity, &fields.v);
             let total = row.total_ground(&self.system.influence);
-            *sum += total.iter().zip(ground).map(|(b, a)| b * a).sum::<f64>();
+            let carried: f64 = total.iter().zip(ground).map(|(b, a)| b * a).sum();
+            out.inertia[i] = apply(&row.acceleration, &fields.a) + carried;
         }
         Ok(out)
+    }
+
+    /// Curvature [1/m] and moment [N] of the lowest section at a committed `state`.
+    ///
+    /// Errors: those of the element.
+    pub fn lowest_section(&self, state: &State) -> Result<[f64; 2], StripError> {
+        let element = &*self.model.elements()[0];
+        let mut gather = Gather::default();
+        let motion = gather.motion(&self.model, &state.committed, element);
+        let found = element.sections(motion, &state.old[state.history(0)])?;
+        Ok(found.first().map_or([0.0; 2], |s| [s.strain[3], s.resultants[3]]))
+    }
+
+    /// Largest total acceleration of a node of the wall along x, absolute [m/s²], with the height of the node [m]; `a`:
+    /// accelerations relative to the ground, `ground`: that of the ground along x [m/s²].
+    pub fn largest_acceleration(&self, a: &[f64], ground: f64) -> (f64, f64) {
+        let along = |&node: &usize| self.model.at_node(a, node)[Dof::Ux.index()] + ground;
+        let all = self.wall.iter().map(along).zip(&self.tank.levels);
+        all.fold(
+            (0.0, 0.0),
+            |worst, (a, &z)| if a.abs() > worst.0 { (a.abs(), z) } else { worst },
+        )
     }
 
     /// Moment that the ground exerts on the base [N], of the linear strip, relative to the state at rest.

@@ -78,7 +78,7 @@ pub struct WallRun {
     pub history: WallHistory,
     /// How it ended, energies, cost.
     pub run: Run,
-    /// Why the wall counts as collapsed although equilibrium was found.
+    /// Why the run ended although equilibrium was found: the top has moved too far, or the run has left its model.
     pub lost: Option<String>,
 }
 
@@ -342,6 +342,10 @@ impl<'a> Counted<'a> {
 }
 
 impl Progress for Counted<'_> {
+    fn warn(&self, what: &str) {
+        self.progress.warn(what);
+    }
+
     fn stage(&self, name: &str, _steps: u64) {
         self.stepping.store(name == "time steps", Ordering::Relaxed);
     }

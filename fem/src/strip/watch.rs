@@ -1,11 +1,65 @@
 //! What a nonlinear run of a strip is asked for, taken step by step.
 
 use super::parting::PartingWatch;
-use super::{StripError, StripModel, lost};
+use super::validity::{BarStrain, Departure, Validity, first_of};
+use super::{BaseReaction, StripError, StripModel, lost};
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::march::{Instant, Observe};
 use crate::liquid::separation::Parting;
-use crate::state::{Gather, State};
+use crate::state::Gather;
+
+/// A moment at the base and what it is made of [N].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BaseMoment {
+    /// Time [s].
+    pub time: f64,
+    /// The reaction, sum of the parts.
+    pub reaction: f64,
+    /// Stresses of the lowest element, extrapolated to the base.
+    pub section: f64,
+    /// Viscous damping.
+    pub damping: f64,
+    /// Inertia of the lowest element and dynamic pressure on it.
+    pub inertia: f64,
+    /// Pressure at rest that acts on the base itself.
+    pub load: f64,
+}
+
+impl BaseMoment {
+    /// The moments of a reaction at the time `time` [s].
+    pub fn of(time: f64, reaction: &BaseReaction) -> BaseMoment {
+        BaseMoment {
+            time,
+            reaction: reaction.total()[2],
+            section: reaction.section[2],
+            damping: reaction.damping[2],
+            inertia: reaction.inertia[2],
+            load: reaction.load[2],
+        }
+    }
+
+    pub(super) fn array(&self) -> [f64; 6] {
+        [
+            self.time,
+            self.reaction,
+            self.section,
+            self.damping,
+            self.inertia,
+            self.load,
+        ]
+    }
+
+    pub(super) fn from_array([time, reaction, section, damping, inertia, load]: [f64; 6]) -> BaseMoment {
+        BaseMoment {
+            time,
+            reaction,
+            section,
+            damping,
+            inertia,
+            load,
+        }
+    }
+}
 
 /// The first crack of a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,8 +81,12 @@ pub struct Demand {
     pub deflection: f64,
     /// Its time [s].
     pub deflection_time: f64,
-    /// Largest moment at the base, inertia and pressure of the lowest element included [N].
+    /// Largest moment that the ground exerts on the base, damping, inertia and pressure of the lowest element included [N].
     pub base_moment: f64,
+    /// What that moment is made of.
+    pub parts: BaseMoment,
+    /// Largest bending moment of the lowest section, the integral of its stresses [N].
+    pub section_moment: f64,
     /// The first crack.
     pub first_crack: Option<FirstCrack>,
     /// Highest section with a crack [m]; 0 without any.
@@ -43,27 +101,35 @@ pub struct Demand {
     pub bar_plastic_strain: f64,
     /// When the liquid first parts from the wall, or would; known at the end of a run.
     pub parting: Option<Parting>,
+    /// Limits of the model that were passed, the first of each kind by time.
+    pub departures: Vec<Departure>,
 }
 
 impl Demand {
-    /// Takes in the committed `state` at the time `time`, under the acceleration `ground` of the ground [m/s²].
+    /// Takes in a committed step; returns the reaction at the base and the worst bar.
     ///
     /// Errors: those of the elements.
-    pub fn see(&mut self, strip: &StripModel, time: f64, state: &State, ground: [f64; 3]) -> Result<(), StripError> {
+    fn see(&mut self, strip: &StripModel, now: &Instant<'_>) -> Result<(BaseReaction, BarStrain), StripError> {
+        let (time, state) = (now.time, now.state);
         let u = &state.committed.u;
         self.wave = self.wave.max(strip.elevation(u).abs());
         let deflection = u[strip.top()].abs();
         if deflection > self.deflection {
             (self.deflection, self.deflection_time) = (deflection, time);
         }
-        let moment = strip.base_reaction(state, ground)?[2].abs();
-        self.base_moment = self.base_moment.max(moment);
-        let mut gather = Gather::default();
+        let reaction = strip.base_reaction(state, now.ground)?;
+        let moment = reaction.total()[2].abs();
+        if moment > self.base_moment {
+            (self.base_moment, self.parts) = (moment, BaseMoment::of(time, &reaction));
+        }
+        self.section_moment = self.section_moment.max(strip.lowest_section(state)?[1].abs());
+        let (mut gather, mut bar) = (Gather::default(), BarStrain::default());
         let beams = strip.model.elements().iter().zip(&strip.tank.sections).enumerate();
         for (e, (element, section)) in beams {
             let motion = gather.motion(&strip.model, &state.committed, &**element);
             element.inspect(motion, &state.old[state.history(e)], &mut |fibre| {
                 if fibre.layer >= section.layers() {
+                    bar.see(fibre);
                     self.bar_stress = self.bar_stress.max(fibre.stress[0].abs());
                     self.bar_plastic_strain = self.bar_plastic_strain.max(fibre.state.plastic_strain);
                     return;
@@ -81,7 +147,7 @@ impl Demand {
                 }
             });
         }
-        Ok(())
+        Ok((reaction, bar))
     }
 
     /// The worse of two walls in every quantity; the first crack and the first parting are the earlier ones.
@@ -89,11 +155,14 @@ impl Demand {
         let (a, b) = (self, other);
         let first = earlier(a.first_crack, b.first_crack, |c| c.time);
         let larger = if a.deflection >= b.deflection { a } else { b };
+        let stronger = if a.base_moment >= b.base_moment { a } else { b };
         Demand {
             wave: a.wave.max(b.wave),
             deflection: larger.deflection,
             deflection_time: larger.deflection_time,
-            base_moment: a.base_moment.max(b.base_moment),
+            base_moment: stronger.base_moment,
+            parts: stronger.parts,
+            section_moment: a.section_moment.max(b.section_moment),
             first_crack: first,
             highest_crack: a.highest_crack.max(b.highest_crack),
             largest_crack: a.largest_crack.max(b.largest_crack),
@@ -101,6 +170,7 @@ impl Demand {
             bar_stress: a.bar_stress.max(b.bar_stress),
             bar_plastic_strain: a.bar_plastic_strain.max(b.bar_plastic_strain),
             parting: earlier(a.parting, b.parting, |p| p.time),
+            departures: first_of(&a.departures, &b.departures),
         }
     }
 }
@@ -118,6 +188,7 @@ pub(super) struct DemandWatch<'a> {
     strip: &'a StripModel,
     demand: Demand,
     parting: PartingWatch,
+    validity: Validity,
     failure: Option<StripError>,
 }
 
@@ -128,6 +199,7 @@ impl<'a> DemandWatch<'a> {
             strip,
             demand: Demand::default(),
             parting: PartingWatch::new(strip),
+            validity: Validity::default(),
             failure: None,
         }
     }
@@ -140,6 +212,7 @@ impl<'a> DemandWatch<'a> {
             Some(failure) => Err(failure),
             None => Ok(Demand {
                 parting: self.parting.first(),
+                departures: self.validity.found().to_vec(),
                 ..self.demand
             }),
         }
@@ -148,13 +221,15 @@ impl<'a> DemandWatch<'a> {
 
 impl Observe for DemandWatch<'_> {
     fn see(&mut self, now: &Instant<'_>) {
-        let seen = self.demand.see(self.strip, now.time, now.state, now.ground);
-        self.failure = self.failure.take().or(seen.err());
+        match self.demand.see(self.strip, now) {
+            Ok((reaction, bar)) => self.validity.see(self.strip, now, &reaction, bar),
+            Err(error) => self.failure = self.failure.take().or(Some(error)),
+        }
         self.parting.see(self.strip, now);
     }
 
     fn stop(&self) -> Option<String> {
-        lost(self.demand.deflection, self.strip.height())
+        lost(self.demand.deflection, self.strip.height()).or(self.validity.stop())
     }
 
     fn save(&self, to: &mut Writer) {
@@ -169,15 +244,21 @@ impl Observe for DemandWatch<'_> {
             d.plastic_strain,
             d.bar_stress,
             d.bar_plastic_strain,
+            d.section_moment,
         ]);
+        to.numbers(&d.parts.array());
+        self.validity.save(to);
         let first = d.first_crack.map(|c| vec![c.time, c.height, c.base_moment]);
         to.numbers(&first.unwrap_or_default());
         self.parting.save(to);
     }
 
     fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
-        let mut values = [0.0; 9];
+        let mut values = [0.0; 10];
         from.numbers_into("demands", &mut values)?;
+        let mut parts = [0.0; 6];
+        from.numbers_into("parts of the moment", &mut parts)?;
+        self.validity.restore(from)?;
         let first = from.numbers("the first crack")?;
         let [
             wave,
@@ -189,12 +270,15 @@ impl Observe for DemandWatch<'_> {
             plastic_strain,
             bar_stress,
             bar_plastic_strain,
+            section_moment,
         ] = values;
         self.demand = Demand {
             wave,
             deflection,
             deflection_time,
             base_moment,
+            parts: BaseMoment::from_array(parts),
+            section_moment,
             first_crack: match first[..] {
                 [time, height, base_moment] => Some(FirstCrack {
                     time,
@@ -209,6 +293,7 @@ impl Observe for DemandWatch<'_> {
             bar_stress,
             bar_plastic_strain,
             parting: None,
+            departures: Vec::new(),
         };
         self.parting.restore(from)
     }

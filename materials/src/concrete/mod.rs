@@ -48,3 +48,29 @@ pub fn fracture_energy(mean_strength: f64) -> f64 {
 pub fn peak_strain(mean_strength: f64) -> f64 {
     (0.7e-3 * (mean_strength / 1e6).powf(0.31)).min(2.8e-3)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// EN 1992-1-1:2004, table 3.1: C20/25, C30/37, C50/60, C90/105; printed to a tenth (C50/60: to 0.05) of a thousandth.
+    #[test]
+    fn peak_strains_of_the_table() {
+        for (mean, printed, rounding) in [
+            (28e6, 2.0e-3, 5e-5),
+            (38e6, 2.2e-3, 5e-5),
+            (58e6, 2.45e-3, 2.5e-5),
+            (98e6, 2.8e-3, 5e-5),
+        ] {
+            let found = peak_strain(mean);
+            assert!((found - printed).abs() <= rounding, "{mean}: {found}");
+        }
+    }
+
+    /// By hand: 73 · 38^0.18 = 73 · 1.92469, 73 · 1 at 1 MPa.
+    #[test]
+    fn fracture_energy_by_hand() {
+        assert!((fracture_energy(38e6) - 140.50).abs() < 0.01);
+        assert!((fracture_energy(1e6) - 73.0).abs() < 1e-12);
+    }
+}

@@ -17,20 +17,18 @@ use super::wall::Wall;
 /// Allowed range of [`Options::refine`].
 const REFINE: std::ops::RangeInclusive<f64> = 0.25..=16.0;
 
-/// Most memory one harmonic may take [MiB].
-const MEMORY: u64 = 1024;
-
 /// Builds the coupled system of a harmonic: m = 0, 1, 2, … of a cylinder; 0 (symmetric) or 1 (antisymmetric) of a
 /// rectangle, which is modelled as a plane strip of its breadth.
 ///
-/// Errors: an option out of range; a mesh too large for the memory allowed; a harmonic a rectangle does not have.
+/// Memory is not looked at: [`super::estimate`] counts it.
+///
+/// Errors: an option out of range; a liquid too shallow for a mesh; a harmonic a rectangle does not have.
 pub fn build(case: &Case, options: &Options, harmonic: u32) -> Result<Coupled, FeError> {
     check_options(case, options)?;
     let domain = domain(case, harmonic)?;
     let depth = case.liquid.fill_height;
     let wall = Wall::new(&case.tank, depth, harmonic, options.refine);
     let mesh = LiquidMesh::graded(domain.half_length(), depth, options.refine);
-    check_memory(&wall, &mesh)?;
 
     let tolerance = 1e-6 * case.tank.wall_height();
     let mut trace: Vec<f64> = wall.nodes.iter().copied().filter(|&z| z <= depth + tolerance).collect();
@@ -93,6 +91,7 @@ pub fn check_options(case: &Case, options: &Options) -> Result<(), FeError> {
     if options.wave_modes == 0 {
         return Err(out_of_range("wave_modes", "0".into(), "1 or more".into()));
     }
+    check_depth(case)?;
     let half_length = case.tank.shape.half_length();
     if let Some(r) = options.gauges.iter().find(|r| r.is_nan() || r.abs() > half_length) {
         return Err(out_of_range(
@@ -106,6 +105,24 @@ pub fn check_options(case: &Case, options: &Options) -> Result<(), FeError> {
         return Err(out_of_range("stations", format!("{z} m"), format!("0 m to {height} m")));
     }
     Ok(())
+}
+
+/// Least depth of the liquid over the height of the wall: nodes of the wall closer than a millionth of its height are one.
+const SHALLOWEST: f64 = 1e-4;
+
+/// Checks that the liquid is deep enough for nodes of its own.
+///
+/// Errors: a film on the bottom.
+pub fn check_depth(case: &Case) -> Result<(), FeError> {
+    let least = SHALLOWEST * case.tank.wall_height();
+    if case.liquid.fill_height >= least {
+        return Ok(());
+    }
+    Err(FeError::Option {
+        option: "liquid.fill_height".into(),
+        found: format!("{} m", case.liquid.fill_height),
+        allowed: format!("at least {least} m for finite elements, a ten-thousandth of the height of the wall"),
+    })
 }
 
 fn domain(case: &Case, harmonic: u32) -> Result<Domain, FeError> {
@@ -138,21 +155,6 @@ fn rigid_part(case: &Case, meshed: f64) -> (f64, f64) {
         walls + roof,
         walls * case.tank.wall_centroid() + roof * case.tank.roof_height(),
     )
-}
-
-/// Refuses meshes whose matrices would not fit; counts the dense matrices of the coupled system and of X.
-fn check_memory(wall: &Wall, mesh: &LiquidMesh) -> Result<(), FeError> {
-    let unknowns = (super::wall::NODE * wall.nodes.len() + mesh.r.len()) as f64;
-    let columns = 2.0 * wall.nodes.len() as f64 + mesh.r.len() as f64;
-    let bytes = 8.0 * (8.0 * unknowns * unknowns + 4.0 * columns * mesh.nodes() as f64 + 40.0 * mesh.nodes() as f64);
-    let needed_mib = (bytes / (1024.0 * 1024.0)).ceil() as u64;
-    if needed_mib > MEMORY {
-        return Err(FeError::Memory {
-            needed_mib,
-            allowed_mib: MEMORY,
-        });
-    }
-    Ok(())
 }
 
 /// Turns a failed factorisation into an error of the engine.

@@ -5,6 +5,7 @@
 
 mod assembly;
 mod build;
+mod estimate;
 mod limits;
 mod modes;
 mod observe;
@@ -14,7 +15,8 @@ mod wall;
 mod wall_mesh;
 
 pub(crate) use build::failure;
-pub use build::{build, check_options};
+pub use build::{build, check_depth, check_options};
+pub use estimate::estimate;
 pub use limits::{assumptions, notes};
 pub use modes::{CoupledMode, Kind, modes, solve};
 pub use state::Static;

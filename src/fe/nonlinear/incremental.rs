@@ -9,6 +9,7 @@ use super::cylinder::{self, Cylinder};
 use super::strip::Strip;
 use super::{CheckpointFile, NonlinearOptions};
 use crate::fe::FeError;
+use crate::fe::harmonic::check_depth;
 use crate::results::{Fact, IdaRun};
 
 /// A tank ready to be shaken at rising scales.
@@ -31,6 +32,7 @@ impl<'a> Incremental<'a> {
         if case.ground_motion.is_none() {
             return Err(FeError::NoRecord);
         }
+        check_depth(case)?;
         Ok(Incremental(match case.tank.shape {
             Shape::Cylinder { .. } => Kind::Cylinder(Box::new(Cylinder::new(case, options, progress)?)),
             Shape::Rectangle { .. } => Kind::Strip(Box::new(Strip::new(case, options)?)),
@@ -72,10 +74,9 @@ impl<'a> Incremental<'a> {
         }
     }
 
-    /// The tank at every scale on `threads` threads, by ascending scale; `each` hears of every run as it is finished, after which
-    /// its checkpoints are removed.
+    /// The tank at every scale on `threads` threads, by ascending scale; `each` gets every run as it is finished.
     ///
-    /// * `checkpoint`: where the run of a scale keeps what it needs to be resumed
+    /// * `checkpoint`: where the run of a scale keeps what it needs to be resumed; left to the caller to remove
     ///
     /// Errors: a failure of the analysis; a checkpoint that cannot be written or is of another run. Collapse is none.
     pub fn run(

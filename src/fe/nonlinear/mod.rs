@@ -14,8 +14,12 @@ use std::path::PathBuf;
 
 use codes::Case;
 use codes::tank::Shape;
+use fem::analysis::checkpoint::unfinished;
 use fem::progress::Progress;
+use fem::strip::Side;
 
+use super::estimate::Estimate;
+use super::harmonic::check_depth;
 use super::{FeError, Simulation};
 use crate::results::LiquidParting;
 use crate::results::nonlinear::PARTED;
@@ -43,6 +47,48 @@ pub struct CheckpointFile {
     pub resume: bool,
 }
 
+impl CheckpointFile {
+    /// The files that a run may keep.
+    pub fn files(&self) -> [PathBuf; 2] {
+        Side::BOTH.map(|side| strip::wall_path(&self.path, side))
+    }
+
+    /// Removes what a run has kept: its results are written. What cannot be removed is only litter.
+    pub fn remove(&self) {
+        for path in self.files() {
+            let _ = std::fs::remove_file(unfinished(&path));
+            let _ = std::fs::remove_file(path);
+        }
+    }
+}
+
+/// What [`simulate`] takes, from case and options alone.
+///
+/// Errors: no record; a response longer than the limits.
+pub fn estimate(case: &Case, options: &NonlinearOptions) -> Result<Estimate, FeError> {
+    check_depth(case)?;
+    match case.tank.shape {
+        Shape::Cylinder { .. } => cylinder::estimate::estimate(case, options, 0, 1),
+        Shape::Rectangle { .. } => strip::estimate::estimate(case, options, true, 0, 1),
+    }
+}
+
+/// What `runs` runs of an [`Incremental`] analysis take, `jobs` at a time.
+///
+/// Errors: as [`estimate`].
+pub fn estimate_incremental(
+    case: &Case,
+    options: &NonlinearOptions,
+    jobs: usize,
+    runs: usize,
+) -> Result<Estimate, FeError> {
+    check_depth(case)?;
+    match case.tank.shape {
+        Shape::Cylinder { .. } => cylinder::estimate::estimate(case, options, jobs, runs),
+        Shape::Rectangle { .. } => strip::estimate::estimate(case, options, false, jobs, runs),
+    }
+}
+
 /// Time history of a case by the nonlinear engine. Collapse is a result, not an error.
 ///
 /// Errors: no record; a tank, a wall, a law or an option that the engine does not know; parameters out of range; a checkpoint
@@ -53,6 +99,7 @@ pub fn simulate(
     checkpoint: Option<&CheckpointFile>,
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
+    check_depth(case)?;
     match case.tank.shape {
         Shape::Cylinder { .. } => cylinder::simulate(case, options, checkpoint, progress),
         Shape::Rectangle { .. } => strip::simulate(case, options, checkpoint, progress),

@@ -19,6 +19,7 @@
 //! judged by the lengthening of periods (ω h)²/12. Source: Newmark 1959; Hughes 1987, section 9.1.
 
 use codes::newmark::Newmark;
+use fem::progress::Progress;
 
 use super::motion::{Grid, Motion};
 use super::observe::{Chunk, Observed, Observer, Row};
@@ -260,6 +261,7 @@ pub fn respond(
     grid: Grid,
     scalars: &[Observable],
     others: &[Observable],
+    progress: &dyn Progress,
 ) -> Result<(Observed, EnergyBalance), FeError> {
     let mut offsets = vec![0];
     for system in systems {
@@ -326,6 +328,7 @@ pub fn respond(
             });
         }
         observer.take(&chunk);
+        progress.advance((chunk.len - 1) as u64);
         chunk.start += chunk.len - 1;
     }
     balance.error = if largest > 0.0 { worst / largest } else { 0.0 };

@@ -19,6 +19,7 @@
 //! correction).
 
 use codes::sdof::Recurrence;
+use fem::progress::Progress;
 
 use super::motion::{Grid, Motion};
 use super::observe::{Chunk, Observed, Observer, Row, Slope};
@@ -169,6 +170,7 @@ pub fn respond(
     grid: Grid,
     scalars: &[Observable],
     others: &[Observable],
+    progress: &dyn Progress,
 ) -> Result<Observed, FeError> {
     let (scalars, others) = (rows(systems, scalars), rows(systems, others));
     let mut observer = Observer::new(&scalars, &others, grid);
@@ -211,6 +213,7 @@ pub fn respond(
             });
         }
         observer.take(&chunk);
+        progress.advance((chunk.len - 1) as u64);
         chunk.start += chunk.len - 1;
     }
     Ok(observer.finish())

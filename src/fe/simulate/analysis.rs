@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use codes::Quantity;
 use codes::case::GroundMotion;
+use fem::progress::Progress;
 
 use super::model::{Harmonic, Model, Scalar};
 use crate::fe::harmonic::{CoupledMode, Kind};
@@ -127,8 +128,13 @@ pub(in crate::fe) fn mirrored(front: &Extreme) -> Extreme {
 
 /// Runs `model` under `motion`.
 ///
-/// Errors: those of [`superpose::respond`] and [`direct::respond`].
-pub fn analyse<'a>(model: &'a Model, motion: &GroundMotion, options: &Options) -> Result<Analysis<'a>, FeError> {
+/// Errors: those of [`Model::grid`], [`superpose::respond`] and [`direct::respond`].
+pub fn analyse<'a>(
+    model: &'a Model,
+    motion: &GroundMotion,
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<Analysis<'a>, FeError> {
     let records: Vec<&codes::record::Record> = std::iter::once(&motion.horizontal).chain(&motion.vertical).collect();
     let motions = |grid: &Grid| -> Vec<Motion> { records.iter().map(|r| Motion::new(r, grid)).collect() };
     let both_sides = model.vertical.is_some();
@@ -150,10 +156,11 @@ pub fn analyse<'a>(model: &'a Model, motion: &GroundMotion, options: &Options) -
         .zip(&kept)
         .map(|(h, kept)| ModalSystem::new(&h.coupled, kept.clone(), &model.damper))
         .collect::<Result<Vec<ModalSystem>, FeError>>()?;
-    let grid = model.grid(motion, Integrator::Modal);
+    let grid = model.grid(motion, Integrator::Modal)?;
     let ground = motions(&grid);
     let ground: Vec<&Motion> = ground.iter().collect();
-    let found = superpose::respond(&systems, &ground, grid, &[], &on_lines)?;
+    progress.stage("linear response", 2 * grid.steps() as u64);
+    let found = superpose::respond(&systems, &ground, grid, &[], &on_lines, progress)?;
     let mut extremes = collect(model, &found, both_sides);
     let hoop = extremes.iter().find(|l| l.id == "hoop_stress").map(LineExtremes::worst);
 
@@ -164,10 +171,10 @@ pub fn analyse<'a>(model: &'a Model, motion: &GroundMotion, options: &Options) -
     } else {
         Vec::new()
     };
-    let mut observed = superpose::respond(&systems, &ground, grid, &observables, &opposite)?;
+    let mut observed = superpose::respond(&systems, &ground, grid, &observables, &opposite, progress)?;
     let (mut used, mut energy, mut difference) = (grid, None, None);
     if options.integrator == Integrator::Newmark {
-        used = model.grid(motion, Integrator::Newmark);
+        used = model.grid(motion, Integrator::Newmark)?;
         let ground = motions(&used);
         let ground: Vec<&Motion> = ground.iter().collect();
         let systems: Vec<DirectSystem> = model
@@ -175,7 +182,8 @@ pub fn analyse<'a>(model: &'a Model, motion: &GroundMotion, options: &Options) -
             .map(|h| DirectSystem::new(&h.coupled, &h.modes, &model.damper))
             .collect();
         let others: Vec<Observable> = opposite.iter().chain(&on_lines).cloned().collect();
-        let (mut direct, balance) = direct::respond(&systems, &ground, used, &observables, &others)?;
+        progress.stage("linear response, direct integration", used.steps() as u64);
+        let (mut direct, balance) = direct::respond(&systems, &ground, used, &observables, &others, progress)?;
         let lines = Observed {
             scalars: Vec::new(),
             extremes: direct.extremes.split_off(opposite.len()),

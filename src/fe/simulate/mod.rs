@@ -12,6 +12,7 @@ use codes::case::GroundMotion;
 use codes::record::Record;
 use codes::tank::{Shape, Support};
 use codes::{Case, Quantity};
+use fem::progress::{Progress, Silent};
 
 use analysis::{Analysis, analyse};
 use model::{Harmonic, Model};
@@ -29,19 +30,28 @@ const COARSEST: f64 = 0.25;
 /// Errors: no ground motion or a record without samples; an option out of range; a model that cannot be built or
 /// factored; a response that is not finite.
 pub fn simulate(case: &Case, options: &Options) -> Result<Simulation, FeError> {
+    simulate_watched(case, options, &Silent)
+}
+
+/// [`simulate`] with its steps counted; a wish to stop is not heard.
+///
+/// Errors: as [`simulate`].
+pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress) -> Result<Simulation, FeError> {
     let motion = checked_motion(case)?;
     let vertical = motion.vertical.is_some();
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
+    progress.stage("wall, liquid and modes", 1);
     // The two meshes share nothing: they are worked out side by side.
     let (fine, coarse) = std::thread::scope(|scope| {
         let coarse = coarse_options(options).map(|coarse| {
             scope.spawn(move || -> Result<BTreeMap<Quantity, f64>, FeError> {
                 let model = Model::new(case, &coarse, vertical)?;
-                let analysis = analyse(&model, motion, &coarse)?;
+                let analysis = analyse(&model, motion, &coarse, &Silent)?;
                 Ok(analysis.values(&model, round))
             })
         });
-        let fine = Model::new(case, options, vertical).and_then(|model| complete(case, options, motion, &model, round));
+        let fine = Model::new(case, options, vertical)
+            .and_then(|model| complete(case, options, motion, &model, round, progress));
         let coarse = coarse.map(|handle| match handle.join() {
             Ok(values) => values,
             Err(panic) => std::panic::resume_unwind(panic),
@@ -127,10 +137,11 @@ pub(in crate::fe) fn complete(
     motion: &GroundMotion,
     model: &Model,
     round: bool,
+    progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
     // What the damping does is looked at before anything is integrated with it.
     let notes = review(model)?;
-    let analysis = analyse(model, motion, options)?;
+    let analysis = analyse(model, motion, options, progress)?;
     Ok(report(case, options, motion, model, round, analysis, notes))
 }
 

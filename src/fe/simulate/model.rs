@@ -10,7 +10,7 @@ use crate::fe::harmonic::{self, CoupledMode, Kind};
 use crate::fe::probe::{Probe, ProbeLine};
 use crate::fe::response::superpose::Observable;
 use crate::fe::response::{direct, motion::Grid};
-use crate::fe::{FeError, Integrator, Options};
+use crate::fe::{FeError, Integrator, Options, estimate};
 
 /// Sub-steps in the period of the highest significant mode, for extremes between samples (the response itself is exact).
 const SUB_STEPS_PER_PERIOD: f64 = 20.0;
@@ -87,7 +87,10 @@ impl Model {
     }
 
     /// Time steps of an analysis by `integrator` under `motion`.
-    pub fn grid(&self, motion: &GroundMotion, integrator: Integrator) -> Grid {
+    ///
+    /// Errors: more samples or steps than [`estimate::MOST_SAMPLES`] and [`estimate::MOST_STEPS`], which an estimate without
+    /// the modes may not have seen.
+    pub fn grid(&self, motion: &GroundMotion, integrator: Integrator) -> Result<Grid, FeError> {
         let omega = self.systems().map(Harmonic::significant).fold(0.0, f64::max);
         let (steps, most) = match integrator {
             Integrator::Modal => (SUB_STEPS_PER_PERIOD, MOST_MODAL),
@@ -104,7 +107,10 @@ impl Model {
             .first(Kind::Sloshing)
             .map_or(0.0, |m| FREE_PERIODS * std::f64::consts::TAU / m.omega);
         let duration = motion.vertical.as_ref().map_or(0.0, |v| v.duration());
-        Grid::new(dt, motion.horizontal.duration().max(duration), tail, longest)
+        let grid = Grid::new(dt, motion.horizontal.duration().max(duration), tail, longest);
+        let samples = (motion.horizontal.duration().max(duration) + tail) / dt;
+        estimate::check_steps("harmonic run", samples, samples * grid.sub_steps as f64)?;
+        Ok(grid)
     }
 
     /// `probe` of m = 1 at θ = 0 (or 180°), with the probe of the same id of m = 0 where there is one.

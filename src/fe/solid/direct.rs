@@ -129,7 +129,7 @@ impl Direct<'_> {
         motion: &GroundMotion,
         progress: &dyn Progress,
     ) -> Result<Option<f64>, FeError> {
-        let grid = self.model.grid(motion, Integrator::Newmark);
+        let grid = self.model.grid(motion, Integrator::Newmark)?;
         let own = Grid {
             dt: grid.dt,
             sub_steps: grid.sub_steps,

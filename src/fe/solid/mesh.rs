@@ -75,6 +75,7 @@ impl Division {
             });
         }
         let refine = options.refine;
+        check_levels(tank, depth, refine)?;
         let wall = wall_levels(tank, depth, refine);
         let count = |n: f64| ((n * refine).round() as usize).max(3);
         let slender = (depth / radius).max(1.0);
@@ -184,6 +185,54 @@ pub(in crate::fe) fn wall_levels(tank: &Tank, depth: f64, refine: f64) -> Vec<f6
 
 /// The same with elements of `base` √(R t) at the base.
 pub(in crate::fe) fn based_levels(tank: &Tank, depth: f64, base: f64, refine: f64) -> Vec<f64> {
+    let mut nodes = vec![0.0];
+    for ([from, to], sums) in cumulated(tank, depth, base, refine) {
+        let step = (to - from) / PARTS as f64;
+        let total = sums[PARTS];
+        let count = elements(total);
+        for k in 1..count as usize {
+            let wanted = total * k as f64 / count;
+            let place = sums.partition_point(|s| *s < wanted).max(1);
+            let share = (wanted - sums[place - 1]) / (sums[place] - sums[place - 1]);
+            nodes.push(from + step * ((place - 1) as f64 + share));
+        }
+        nodes.push(to);
+    }
+    nodes
+}
+
+/// Most elements over the height of the wall that are laid out.
+const MOST_LEVELS: f64 = 20_000.0;
+
+/// Refuses walls so slender or thin that the rule of the module's theory makes more than [`MOST_LEVELS`] elements, before any is
+/// laid out.
+///
+/// Errors: that, with the number.
+pub(in crate::fe) fn check_levels(tank: &Tank, depth: f64, refine: f64) -> Result<(), FeError> {
+    let count: f64 = cumulated(tank, depth, BASE, refine)
+        .iter()
+        .map(|(_, sums)| elements(sums[PARTS]))
+        .sum();
+    if count <= MOST_LEVELS {
+        return Ok(());
+    }
+    Err(FeError::Option {
+        option: "mesh, elements over the height by √(R t)".into(),
+        found: format!("{count:.3e}"),
+        allowed: format!("at most {MOST_LEVELS}; check radius, heights and thicknesses of the wall"),
+    })
+}
+
+/// Parts between two features of the wall in which ∫ dz/h is summed up.
+const PARTS: usize = 2000;
+
+/// Elements between two features over which ∫ dz/h is `total`.
+fn elements(total: f64) -> f64 {
+    (total - 0.2).ceil().max(1.0)
+}
+
+/// Cumulative ∫ dz/h between the features of the wall: their ends, the sums.
+fn cumulated(tank: &Tank, depth: f64, base: f64, refine: f64) -> Vec<([f64; 2], Vec<f64>)> {
     let cuts = features(tank, depth);
     let height = tank.wall_height();
     let radius = tank.shape.half_length();
@@ -205,25 +254,16 @@ pub(in crate::fe) fn based_levels(tank: &Tank, depth: f64, base: f64, refine: f6
             .min(height / 12.0)
             / refine
     };
-    let mut nodes = vec![0.0];
-    for pair in cuts.windows(2) {
-        // Cumulative ∫ dz/h on a fine partition.
-        const PARTS: usize = 2000;
-        let step = (pair[1] - pair[0]) / PARTS as f64;
-        let mut sums = vec![0.0];
-        for k in 0..PARTS {
-            sums.push(sums[k] + step / length(pair[0] + (k as f64 + 0.5) * step));
-        }
-        let count = (sums[PARTS] - 0.2).ceil().max(1.0);
-        for k in 1..count as usize {
-            let wanted = sums[PARTS] * k as f64 / count;
-            let place = sums.partition_point(|s| *s < wanted).max(1);
-            let share = (wanted - sums[place - 1]) / (sums[place] - sums[place - 1]);
-            nodes.push(pair[0] + step * ((place - 1) as f64 + share));
-        }
-        nodes.push(pair[1]);
-    }
-    nodes
+    cuts.windows(2)
+        .map(|pair| {
+            let step = (pair[1] - pair[0]) / PARTS as f64;
+            let mut sums = vec![0.0];
+            for k in 0..PARTS {
+                sums.push(sums[k] + step / length(pair[0] + (k as f64 + 0.5) * step));
+            }
+            ([pair[0], pair[1]], sums)
+        })
+        .collect()
 }
 
 #[cfg(test)]

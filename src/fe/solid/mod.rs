@@ -6,6 +6,7 @@
 mod mesh_size;
 
 mod direct;
+mod estimate;
 pub mod fields;
 pub mod mesh;
 pub mod model;
@@ -20,9 +21,12 @@ mod symmetry;
 pub mod system;
 pub mod waves;
 
-pub use run::{estimate, modes, most_waves, respond, simulate};
+pub use estimate::{RUN, estimate};
+pub use run::{modes, most_waves, respond, simulate};
 
 pub use mesh_size::{MeshSize, MeshSizeError};
+
+use crate::fe::estimate::MEMORY_LIMIT_MIB;
 
 /// Formulation of the liquid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,21 +56,8 @@ impl Default for SolidOptions {
         SolidOptions {
             mesh: None,
             liquid: Liquid::Potential,
-            memory_limit_mib: 4096,
+            memory_limit_mib: MEMORY_LIMIT_MIB,
             snapshot_interval: None,
         }
     }
-}
-
-/// What a run will take, said before it begins.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Estimate {
-    /// Numbers of elements.
-    pub mesh: MeshSize,
-    /// Unknowns.
-    pub unknowns: usize,
-    /// Memory of matrices and factors [MiB].
-    pub memory_mib: u64,
-    /// Time [s] on this machine, roughly.
-    pub seconds: f64,
 }

@@ -237,6 +237,9 @@ fn add_wall(case: &Case, division: &Division, builder: &mut Builder) -> Result<W
 /// factor of a larger one needs more for each unknown.
 const LEAST_BYTES: f64 = 2048.0;
 
+/// What to do about a mesh that does not fit.
+pub(super) const COARSEN: &str = "coarsen the mesh (--mesh, --refine), or raise --memory-limit";
+
 /// Refuses a mesh that cannot fit, before its nodes and elements fill the memory themselves.
 ///
 /// Errors: more unknowns than the allowed memory holds at `LEAST_BYTES` each.
@@ -251,8 +254,10 @@ fn refuse_the_hopeless(division: &Division, solid: &SolidOptions) -> Result<(), 
     let needed = (unknowns * LEAST_BYTES / f64::from(1 << 20)).ceil() as u64;
     if needed > solid.memory_limit_mib {
         return Err(FeError::Memory {
+            run: super::RUN.into(),
             needed_mib: needed,
             allowed_mib: solid.memory_limit_mib,
+            help: COARSEN.into(),
         });
     }
     Ok(())

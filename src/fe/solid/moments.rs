@@ -54,7 +54,7 @@ impl Histories {
             .zip(&kept)
             .map(|(h, kept)| ModalSystem::new(&h.coupled, kept.clone(), &model.damper))
             .collect::<Result<Vec<ModalSystem>, FeError>>()?;
-        let grid = model.grid(motion, Integrator::Modal);
+        let grid = model.grid(motion, Integrator::Modal)?;
         let records = std::iter::once(&motion.horizontal).chain(&motion.vertical);
         let ground: Vec<Motion> = records.map(|r| Motion::new(r, &grid)).collect();
         let ground: Vec<&Motion> = ground.iter().collect();
@@ -64,7 +64,7 @@ impl Histories {
             .iter()
             .flat_map(|(system, probes)| probes.iter().map(|p| vec![(*system, 1.0, p)]))
             .collect();
-        let observed = superpose::respond(&systems, &ground, grid, &observables, &[])?;
+        let observed = superpose::respond(&systems, &ground, grid, &observables, &[], &fem::progress::Silent)?;
         let mut rest = observed.scalars.into_iter().map(|h| h.values);
         let directions = model
             .systems()

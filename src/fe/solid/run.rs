@@ -16,7 +16,7 @@ use super::rows::{Observer, Row, sparse_dot};
 use super::spectrum::{self, TankMode};
 use super::system::System;
 use super::waves::classify;
-use super::{Estimate, SolidOptions, fields};
+use super::{SolidOptions, fields};
 use crate::fe::damping::Damper;
 use crate::fe::harmonic::{Kind, check_options, solve};
 use crate::fe::simulate::analysis::analyse;
@@ -196,7 +196,7 @@ pub fn simulate(
     let coarse = match coarse_options(options).filter(|_| solid.mesh.is_none() && !progress.interrupted()) {
         Some(coarse) => {
             let prepared = Prepared::new(case, &coarse, solid, vertical, progress)?;
-            let analysis = analyse(&prepared.model, motion, &coarse)?;
+            let analysis = analyse(&prepared.model, motion, &coarse, progress)?;
             Some(analysis.values(&prepared.model, round))
         }
         None => None,
@@ -238,7 +238,7 @@ fn integrated(
             integrator: Integrator::Modal,
             ..options.clone()
         };
-        let mut analysis = analyse(&prepared.model, motion, &modal)?;
+        let mut analysis = analyse(&prepared.model, motion, &modal, progress)?;
         let direct = Direct {
             tank: &prepared.tank,
             system: &prepared.system,
@@ -248,7 +248,7 @@ fn integrated(
         interrupted = direct.replace(&mut analysis, motion, progress)?;
         report(case, options, motion, &prepared.model, round, analysis, notes)
     } else {
-        simulate::complete(case, options, motion, &prepared.model, round)?
+        simulate::complete(case, options, motion, &prepared.model, round, progress)?
     };
     simulation.result.engine = "solid".into();
     if options.integrator == Integrator::Newmark && vertical {
@@ -276,28 +276,6 @@ fn integrated(
         );
     }
     Ok((prepared, simulation))
-}
-
-/// What [`simulate`] will take.
-///
-/// Errors: a mesh that cannot be built; more memory than allowed.
-pub fn estimate(case: &Case, options: &Options, solid: &SolidOptions) -> Result<Estimate, FeError> {
-    check_options(case, options)?;
-    let tank = TankModel::new(case, options, solid)?;
-    let bytes = System::bytes(
-        &tank.model,
-        &tank.assembler,
-        reduce::poles(case, solid).len(),
-        solid.memory_limit_mib << 20,
-    )?;
-    let unknowns = tank.model.dofs().len();
-    Ok(Estimate {
-        mesh: tank.division.size(),
-        unknowns,
-        memory_mib: bytes.div_ceil(1 << 20),
-        // Sweeps through the factors and the vectors to keep orthogonal, a gigabyte a second.
-        seconds: VECTORS as f64 * (0.5 * bytes as f64 + 32.0 * VECTORS as f64 * unknowns as f64) / 1e9,
-    })
 }
 
 /// Largest circumferential wave number that [`modes`] looks for on the mesh of a case.

@@ -118,8 +118,10 @@ impl Phase {
     fn check(&self, limit: u64) -> Result<(), FeError> {
         if self.bytes > limit {
             return Err(FeError::Memory {
+                run: super::RUN.into(),
                 needed_mib: self.bytes.div_ceil(1 << 20),
                 allowed_mib: limit >> 20,
+                help: super::model::COARSEN.into(),
             });
         }
         Ok(())
@@ -127,15 +129,6 @@ impl Phase {
 }
 
 impl System {
-    /// Memory for the factors of `model` [bytes], from the symbolic phase alone.
-    ///
-    /// Errors: more than `limit`.
-    pub fn bytes(model: &Model, assembler: &Assembler, poles: usize, limit: u64) -> Result<u64, FeError> {
-        let phase = Phase::new(model, assembler, poles)?;
-        phase.check(limit)?;
-        Ok(phase.bytes)
-    }
-
     /// Factors the matrices of `model`; `limit` is the memory allowed for them [bytes]. `poles` s > 0 [rad²/s²] at which
     /// K + s M is factored as well are for models without potentials.
     ///

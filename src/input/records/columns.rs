@@ -12,8 +12,11 @@ use crate::input::records::number::{begins_like_number, parse, resolution};
 use crate::input::records::time::{Stamp, uniform_step};
 use crate::input::records::unit::{Head, head};
 use crate::input::records::{
-    AccelerationUnit, Collector, Draft, MAX_SAMPLES, ReadOptions, printable, settle_dt, settle_unit,
+    AccelerationUnit, Collector, Draft, MAX_SAMPLES, ReadOptions, printable, settle_dt, settle_unit, token_at,
 };
+
+/// A step of a time column without a unit from which on it is not taken in seconds.
+const MILLISECONDS: f64 = 0.5;
 
 /// What separates the columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -151,6 +154,17 @@ fn draft(
         Some(_) => Some(uniform_step(&table.stamps, text)?),
         None => None,
     };
+    if let (Some(step), None, Some(first)) = (named_dt, layout.time_unit, table.stamps.get(1))
+        && step >= MILLISECONDS
+    {
+        return Err(
+            Fault::new("the time column names no unit, and its step is that of milliseconds")
+                .at(token_at(text, first.place as usize))
+                .found(format!("a step of {step}"))
+                .allowed("steps below 0.5 s in a time column without a unit; usual are 0.002 to 0.02 s")
+                .help("name the unit in a header: `time_ms,…`, or `time_s,…` if the step is in seconds"),
+        );
+    }
     if layout.time.is_some() && layout.time_unit.is_none() {
         notes.push("the time column names no unit; this format takes it in seconds".to_string());
     }

@@ -15,6 +15,7 @@ pub mod columns;
 pub mod foreign;
 mod load;
 mod number;
+pub mod plausible;
 mod process;
 mod time;
 mod unit;
@@ -35,6 +36,10 @@ pub const MAX_SAMPLES: usize = 2_000_000;
 pub const MAX_BYTES: u64 = 128 << 20;
 /// Largest plausible peak ground acceleration, 5 g [m/s²]; the largest recorded are near 3 g.
 pub const MAX_PLAUSIBLE: f64 = 5.0 * codes::STANDARD_GRAVITY;
+/// Largest peak ground acceleration of all, 1000 g [m/s²]: beyond shaking tables in centrifuges.
+pub const MAX_PEAK: f64 = 1000.0 * codes::STANDARD_GRAVITY;
+/// Smallest peak ground acceleration that is motion [m/s²]; instruments resolve 1e-6 m/s².
+pub const MIN_PEAK: f64 = 1e-9;
 /// Reading stops after this many faults.
 const MAX_FAULTS: usize = 20;
 
@@ -49,6 +54,17 @@ pub struct Processing {
     pub time_factor: Option<f64>,
     /// Resample (linear) to this time step [s].
     pub resample: Option<f64>,
+}
+
+impl Processing {
+    /// The option that sets the peak, for messages.
+    pub fn scaled_by(&self) -> &'static str {
+        match (self.scale_to, self.scale_by) {
+            (Some(_), _) => "scale_to",
+            (None, Some(_)) => "scale_by",
+            (None, None) => "record",
+        }
+    }
 }
 
 /// How to read a file.
@@ -105,9 +121,10 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadRecord, Error> {
 /// # Errors
 /// As [`read`].
 pub fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<ReadRecord, Error> {
-    if let Some(dt) = options.dt.filter(|dt| !(dt.is_finite() && *dt > 0.0)) {
+    if let Some(dt) = options.dt.filter(|dt| !(*dt > 0.0 && *dt <= plausible::LONGEST_STEP)) {
         return Err(Error::Input(format!(
-            "error: --dt: found {dt}, allowed a time step in seconds greater than 0"
+            "error: --dt: found {dt}, allowed a time step in seconds greater than 0, at most {}",
+            plausible::LONGEST_STEP
         )));
     }
     let text = load::decode(bytes).map_err(|fault| Faults::from(fault).into_error(&Source::at(path, "")))?;
@@ -143,7 +160,8 @@ fn draft(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     Ok(draft)
 }
 
-/// Refuses what no accelerogram can be: fewer than two samples, no motion at all, peaks above 5 g.
+/// Refuses files that are not accelerograms: fewer than two samples, no motion at all, peaks above 5 g (with the option:
+/// above 1000 g).
 fn plausible(draft: &Draft, text: &str, options: &ReadOptions) -> Result<(), Faults> {
     if draft.values.len() < 2 {
         return Err(Fault::new("a record needs at least two samples")
@@ -155,12 +173,31 @@ fn plausible(draft: &Draft, text: &str, options: &ReadOptions) -> Result<(), Fau
             (0, 0.0),
             |best: (u32, f64), (&place, a)| if a.abs() > best.1 { (place, a.abs()) } else { best },
         );
-    if peak == 0.0 {
+    if draft.dt > plausible::LONGEST_STEP {
+        return Err(Fault::new("the time step is out of range")
+            .found(format!("a step of {} s", draft.dt))
+            .allowed(format!(
+                "at most {} s; usual are 0.002 to 0.02 s",
+                plausible::LONGEST_STEP
+            ))
+            .help("correct the unit of the time column, or DT")
+            .into());
+    }
+    // In SI: the smallest numbers of a file vanish there.
+    if peak * draft.unit.si() == 0.0 {
         return Err(Fault::new("all accelerations are zero")
             .allowed("a record with motion in it")
             .into());
     }
     let peak_si = peak * draft.unit.si();
+    if !(MIN_PEAK..=MAX_PEAK).contains(&peak_si) {
+        return Err(Fault::new("the peak ground acceleration is out of range")
+            .at(token_at(text, place as usize))
+            .found(format!("{peak:e} {}, unit from {}", draft.unit, draft.unit_source))
+            .allowed("1e-9 m/s2 to 1000 g")
+            .help("correct the number, or the unit in the header or --units")
+            .into());
+    }
     if peak_si > MAX_PLAUSIBLE && !options.allow_implausible {
         let g = peak_si / codes::STANDARD_GRAVITY;
         return Err(Fault::new(format!("implausible peak ground acceleration of {g:.4} g"))

@@ -4,7 +4,7 @@ use codes::STANDARD_GRAVITY;
 use codes::record::Record;
 
 use crate::error::Error;
-use crate::input::records::{MAX_SAMPLES, Processing};
+use crate::input::records::{MAX_SAMPLES, Processing, plausible};
 
 /// Applies the processing: `scale_by`, `scale_to`, `time_factor`, `resample`, in this order; every step is stated in
 /// [`Record::processing`].
@@ -15,7 +15,7 @@ use crate::input::records::{MAX_SAMPLES, Processing};
 ///
 /// # Errors
 /// A factor or step that is not finite, or not positive (`scale_by` may be negative to reverse the sign); a result of
-/// more samples than a record may have.
+/// more samples than a record may have, with a peak above 1000 g or with a step above 10 s.
 pub fn process(record: &Record, processing: &Processing) -> Result<Record, Error> {
     let mut record = record.clone();
     if let Some(factor) = processing.scale_by {
@@ -55,6 +55,8 @@ pub fn process(record: &Record, processing: &Processing) -> Result<Record, Error
         check("resample", dt, dt > 0.0, "a time step greater than 0")?;
         resample(&mut record, dt)?;
     }
+    // Peaks up to 5 g or beyond are for the caller to judge; here only that the numbers are ground motion at all.
+    plausible::check(&record, processing.scaled_by(), true)?;
     Ok(record)
 }
 
@@ -104,7 +106,7 @@ fn resample(record: &mut Record, dt: f64) -> Result<(), Error> {
 }
 
 /// Five significant digits, without trailing zeros.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
     format!("{rounded}")
 }

@@ -57,6 +57,9 @@ impl fmt::Display for AccelerationUnit {
     }
 }
 
+/// Longest cell that can name a column [bytes].
+const MAX_HEAD: usize = 200;
+
 /// What a cell of a header says of its column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Head {
@@ -74,6 +77,10 @@ pub enum Head {
 ///
 /// `a_g` and `ag` are symbols of the ground acceleration, not a unit.
 pub fn head(cell: &str) -> Head {
+    // Every separator of a cell begins a unit that is tried.
+    if cell.len() > MAX_HEAD {
+        return Head::Unknown;
+    }
     let cell = cell.trim().trim_matches(['"', '\'']).trim().to_lowercase();
     if let Some((name, unit)) = bracketed(&cell) {
         return classify(name, unit).unwrap_or(Head::Unknown);

@@ -12,6 +12,9 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use super::syntax::{Kind, Member, Node, join};
 use crate::input::diagnostic::{Fault, Faults};
 
+/// Faults beyond this number come without a suggestion: they are not shown, and to look for one takes time.
+const SUGGESTED_FOR: usize = 1000;
+
 /// Something of the file with its place: `value` is `None` if it is missing or faulty, which has been noted already.
 #[derive(Clone, Debug)]
 pub(super) struct Field<T> {
@@ -117,9 +120,13 @@ impl<'a> ObjectReader<'a> {
             return None;
         };
         let mut meant = BTreeSet::new();
+        let present: BTreeSet<&str> = members.iter().map(|m| m.key.as_str()).collect();
+        let free: Vec<&'static str> = known.iter().copied().filter(|k| !present.contains(k)).collect();
         for member in members.iter().filter(|m| !known.contains(&m.key.as_str())) {
-            let free = known.iter().copied().filter(|k| !members.iter().any(|m| m.key == *k));
-            let near = nearest(&member.key, free);
+            let near = match faults.count() < SUGGESTED_FOR {
+                true => nearest(&member.key, free.iter().copied()),
+                false => None,
+            };
             let mut fault = Fault::new(format!("unknown key `{}`", member.key))
                 .at(member.key_span.clone())
                 .path(member.value.path.clone())
@@ -151,15 +158,21 @@ impl<'a> ObjectReader<'a> {
 /// The known word nearest to a misspelt one, if any is near enough to be meant.
 pub(super) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
     let folded = word.to_lowercase().replace(['-', ' '], "_");
+    let length = folded.chars().count();
     known
         .into_iter()
+        // The distance is at least the difference of the lengths: long texts are not compared at all.
+        .filter(|k| {
+            let other = k.chars().count();
+            length.abs_diff(other) * 3 <= length.max(other)
+        })
         .map(|k| {
             (
                 strsim::damerau_levenshtein(&folded, &k.to_lowercase().replace('-', "_")),
                 k,
             )
         })
-        .filter(|(distance, k)| distance * 3 <= folded.chars().count().max(k.chars().count()))
+        .filter(|(distance, k)| distance * 3 <= length.max(k.chars().count()))
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, k)| k)
 }

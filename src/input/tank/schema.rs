@@ -28,7 +28,7 @@ object! {
         name: Field<String>,
         /// Remarks for the report, free text.
         notes: Option<Field<String>>,
-        /// Acceleration of free fall; 9.80665 m/s2 unless given.
+        /// Acceleration of free fall, from 0.1 to 100 m/s2; 9.80665 m/s2 unless given.
         gravity: Option<Field<Acceleration>>,
         /// The tank.
         tank: Field<Tank>,
@@ -120,7 +120,7 @@ object! {
     Roof {
         /// Mass of the roof with what it carries.
         mass: Field<Mass>,
-        /// Height of its centre of mass above the tank bottom; the top of the wall unless given.
+        /// Height of its centre of mass above the tank bottom, not below the liquid; the top of the wall unless given.
         height: Option<Field<Length>>,
     }
 
@@ -158,9 +158,10 @@ object! {
         /// Poisson's ratio, from 0 to below 0.5; needed unless a grade supplies it or the material is an interlayer with
         /// e_normal.
         poisson_ratio: Option<Field<Number>>,
-        /// Density; needed unless a grade supplies it.
+        /// Density; needed unless a grade supplies it. Usual for walls are 500 to 20000 kg/m3.
         density: Option<Field<Density>>,
-        /// Yield strength (characteristic), needed by the stability and anchorage checks.
+        /// Yield strength (characteristic), needed by the stability and anchorage checks. Usual is up to 2 GPa and up to 1 % of
+        /// Young's modulus (plastics: 5 %); more than a tenth of it is refused.
         yield_strength: Option<Field<Stress>>,
         /// Allowable design stress S_d (API 650 table 5-2), needed by the API hoop-stress check.
         allowable_stress: Option<Field<Stress>>,
@@ -246,9 +247,9 @@ object! {
 
     /// What to do to the accelerogram, in this order: scale, stretch the time axis, resample.
     Record {
-        /// Scale to this peak ground acceleration. Give either this or scale_by.
+        /// Scale to this peak ground acceleration, up to 5 g without --allow-implausible. Give either this or scale_by.
         scale_to: Option<Field<Acceleration>>,
-        /// Multiply the accelerations by this; 1 unless given.
+        /// Multiply the accelerations by this; 1 unless given. A negative factor reverses the shaking.
         scale_by: Option<Field<Number>>,
         /// Multiply the time axis by this; 1 unless given (a model at length scale 1:3 needs 1/sqrt(3) = 0.57735).
         time_factor: Option<Field<Number>>,

@@ -3,6 +3,7 @@
 //! JSON with comments (`//`, `/* */`) and trailing commas; everything else is as JSON wants it, and a key may stand only
 //! once in an object. Nesting is limited, so that no file can exhaust the stack.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -14,6 +15,11 @@ use crate::input::diagnostic::{Fault, Faults, Source};
 
 /// Deepest nesting of objects and lists.
 const MAX_DEPTH: usize = 32;
+/// Longest path that is spelled out [bytes]: every value carries its path, so long keys above many values would take memory
+/// by the square of the file.
+const MAX_PATH: usize = 240;
+/// What stays of a longer path: bytes at its beginning and at its end.
+const PATH_ENDS: (usize, usize) = (80, 140);
 
 /// A value with its place.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,14 +76,31 @@ impl Node {
     }
 }
 
-/// Path of a member of the object at `path`.
+/// Path of a member of the object at `path`; the middle of a path of more than 240 bytes is left out.
 pub(super) fn join(path: &str, key: &str) -> String {
+    let key = shortened(key);
     let plain = !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
-    match (plain, path.is_empty()) {
-        (true, true) => key.into(),
+    let joined = match (plain, path.is_empty()) {
+        (true, true) => return key.into_owned(),
         (true, false) => format!("{path}.{key}"),
         (false, _) => format!("{path}[{key:?}]"),
+    };
+    shortened(&joined).into_owned()
+}
+
+/// The text, or its two ends if it is longer than a path may be.
+fn shortened(text: &str) -> Cow<'_, str> {
+    if text.len() <= MAX_PATH {
+        return text.into();
     }
+    let mut ends = (PATH_ENDS.0, text.len() - PATH_ENDS.1);
+    while !text.is_char_boundary(ends.0) {
+        ends.0 -= 1;
+    }
+    while !text.is_char_boundary(ends.1) {
+        ends.1 += 1;
+    }
+    format!("{}…{}", &text[..ends.0], &text[ends.1..]).into()
 }
 
 /// Reads the text; on failure there is one fault, because nothing can be said of what follows it. Duplicate keys are
@@ -107,7 +130,7 @@ pub(super) fn parse(source: &Source, faults: &mut Faults) -> Option<Node> {
     };
     match parse_to_ast(text, &CollectOptions::default(), &options) {
         Ok(result) => match result.value {
-            Some(value) => Some(build(value, String::new(), source, faults)),
+            Some(value) => Some(build(value, String::new(), &line_ends(text), faults)),
             None => {
                 faults.push(Fault::new("the file holds comments only").allowed("an object { … }"));
                 None
@@ -307,7 +330,12 @@ fn explain(kind: &str, span: Range<usize>, text: &str) -> Fault {
     }
 }
 
-fn build(value: ast::Value<'_>, path: String, source: &Source, faults: &mut Faults) -> Node {
+/// Bytes at which lines end, ascending.
+fn line_ends(text: &str) -> Vec<usize> {
+    text.match_indices('\n').map(|(at, _)| at).collect()
+}
+
+fn build(value: ast::Value<'_>, path: String, line_ends: &[usize], faults: &mut Faults) -> Node {
     let range = value.range();
     let kind = match value {
         ast::Value::NullKeyword(_) => Kind::Null,
@@ -316,7 +344,10 @@ fn build(value: ast::Value<'_>, path: String, source: &Source, faults: &mut Faul
         ast::Value::StringLit(literal) => Kind::Text(literal.value.into_owned()),
         ast::Value::Array(array) => Kind::List(
             (array.elements.into_iter().enumerate())
-                .map(|(i, element)| build(element, format!("{path}[{i}]"), source, faults))
+                .map(|(i, element)| {
+                    let path = shortened(&format!("{path}[{i}]")).into_owned();
+                    build(element, path, line_ends, faults)
+                })
                 .collect(),
         ),
         ast::Value::Object(object) => {
@@ -327,17 +358,18 @@ fn build(value: ast::Value<'_>, path: String, source: &Source, faults: &mut Faul
                 let key = property.name.into_string();
                 let path = join(&path, &key);
                 if let Some(first) = seen.get(&key) {
+                    let line = line_ends.partition_point(|end| end < first) + 1;
                     faults.push(
                         Fault::new(format!("duplicate key `{key}`"))
                             .at(key_span)
                             .path(path)
                             .allowed("each key once in an object")
-                            .help(format!("it stands first in line {}", source.line_column(*first).0)),
+                            .help(format!("it stands first in line {line}")),
                     );
                     continue;
                 }
                 seen.insert(key.clone(), key_span.start);
-                let value = build(property.value, path, source, faults);
+                let value = build(property.value, path, line_ends, faults);
                 members.push(Member { key, key_span, value });
             }
             Kind::Object(members)

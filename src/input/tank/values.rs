@@ -195,6 +195,8 @@ pub(super) struct Pitch(pub f64);
 
 impl Pitch {
     const DIMENSIONS: [Dimension; 3] = [Dimension::AngularFrequency, Dimension::Frequency, Dimension::Time];
+    /// Of any mode of a tank [rad/s], and far beyond.
+    const RANGE: std::ops::RangeInclusive<f64> = 1e-6..=1e6;
 }
 
 impl FromNode for Pitch {
@@ -221,16 +223,14 @@ impl FromNode for Pitch {
             Dimension::Frequency => two_pi * value,
             _ => two_pi / value,
         };
-        if value > 0.0 && omega.is_finite() && omega > 0.0 {
+        if Self::RANGE.contains(&omega) {
             return Some(Pitch(omega));
         }
-        faults.push(
-            Fault::new("a frequency or period must be positive")
-                .at(node.span.clone())
-                .path(node.path.clone())
-                .found(node.shown())
-                .allowed(Self::allowed()),
-        );
+        let (message, allowed) = match value > 0.0 {
+            true => ("a frequency or period out of range", "1e-6 to 1e6 rad/s".to_owned()),
+            false => ("a frequency or period must be positive", Self::allowed()),
+        };
+        faults.push(wrong_value(node, message, &allowed));
         None
     }
     fn allowed() -> String {

@@ -68,7 +68,9 @@ impl Axis {
     /// A logarithmic axis from `range.0` to `range.1` (printed unit = SI, both positive), ticks at 1, 2, 5.
     pub fn log(title: &str, dimension: Dimension, range: (f64, f64)) -> Axis {
         let scale = Scale::of(dimension, [1.0]);
-        let (low, high) = (range.0.log10(), range.1.log10());
+        // Whatever is not positive has no decade.
+        let decades = |v: f64| v.clamp(1e-300, 1e300).max(1e-300).log10();
+        let (low, high) = (decades(range.0), decades(range.1));
         let (mut major, mut minor) = (Vec::new(), Vec::new());
         for decade in low.floor() as i32..=high.ceil() as i32 {
             for digit in 1..10 {
@@ -140,7 +142,8 @@ impl Ranged for Span {
     type ValueType = f64;
 
     fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
-        let part = (value - self.range.0) / (self.range.1 - self.range.0);
+        // Far off the page it stops: whole pixels, and few enough to step through.
+        let part = ((value - self.range.0) / (self.range.1 - self.range.0)).clamp(-100.0, 100.0);
         limit.0 + (part * f64::from(limit.1 - limit.0)).round() as i32
     }
 

@@ -112,6 +112,11 @@ pub fn ticks(low: f64, high: f64, target: usize) -> (Vec<f64>, usize) {
         .map(|m| m * power)
         .find(|s| *s >= rough * 0.999)
         .unwrap_or(10.0 * power);
+    // Steps below anything that is drawn, or below the last digit of the ends: there is nothing to divide.
+    let most = low.abs().max(high.abs()) / step;
+    if step < 1e-15 || most.is_nan() || most >= 1e15 {
+        return (vec![low], 3);
+    }
     let first = (low / step - 1e-9).ceil() as i64;
     let last = (high / step + 1e-9).floor() as i64;
     let decimals = (-step.log10().floor()).max(0.0) as usize;
@@ -130,5 +135,7 @@ mod tests {
         );
         assert_eq!(ticks(-37.0, 52.0, 4).0, vec![0.0, 50.0]);
         assert_eq!(ticks(3.0, 3.0, 4).0, vec![3.0]);
+        assert_eq!(ticks(0.0, 5e-324, 4).0, vec![0.0]);
+        assert_eq!(ticks(1e20, 1e20 + 16384.0, 4).0, vec![1e20]);
     }
 }

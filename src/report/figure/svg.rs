@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::text::visible;
+
 /// Horizontal anchor of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Anchor {
@@ -142,7 +144,6 @@ impl Svg {
 
 /// Path data of a polyline: relative moves with one decimal, accumulated without drift.
 pub fn path_data(points: &[(f64, f64)]) -> String {
-    let tenth = |v: f64| (v * 10.0).round() as i64;
     let mut data = String::with_capacity(8 * points.len());
     let mut last = (0, 0);
     for (i, &(x, y)) in points.iter().enumerate() {
@@ -168,6 +169,11 @@ pub fn path_data(points: &[(f64, f64)]) -> String {
     data
 }
 
+/// A coordinate in tenths. Far outside any page it stops, so that differences stay in range.
+fn tenth(v: f64) -> i64 {
+    (v * 10.0).round().clamp(-1e12, 1e12) as i64
+}
+
 /// A whole number of tenths as the shortest decimal (`-.3`, `12`, `4.5`).
 fn tenths(value: i64) -> String {
     let sign = if value < 0 { "-" } else { "" };
@@ -182,21 +188,19 @@ fn tenths(value: i64) -> String {
 
 /// A coordinate with one decimal.
 pub fn n(value: f64) -> String {
-    tenths((value * 10.0).round() as i64)
+    tenths(tenth(value))
 }
 
-/// Text or attribute value of XML.
+/// Text or attribute value of XML; characters that act instead of being seen stand as `\u{…}`.
 pub fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
+    for c in visible(text).chars() {
         match c {
             '&' => out.push_str("&amp;"),
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&#39;"),
-            // Control characters have no place in XML.
-            c if (c as u32) < 0x20 && !matches!(c, '\n' | '\t') => out.push('\u{fffd}'),
             c => out.push(c),
         }
     }
@@ -238,6 +242,16 @@ mod tests {
             .map(|t| t.parse::<f64>().unwrap())
             .sum();
         assert!((sum - 1.0).abs() < 1e-12);
+    }
+
+    /// Values as no drawing has them stay what a viewer can read.
+    #[test]
+    fn path_data_far_off_the_page_is_finite() {
+        let far = path_data(&[(1e300, -1e300), (-1e300, 0.0), (f64::NAN, f64::INFINITY)]);
+        assert_eq!(
+            far,
+            "M100000000000 -100000000000l-200000000000 100000000000 100000000000 100000000000"
+        );
     }
 
     #[test]

@@ -28,6 +28,7 @@ struct Row {
 #[derive(Serialize)]
 struct CellView {
     value: String,
+    unusable: bool,
     ratio: String,
     fe: bool,
     break_before: bool,
@@ -89,6 +90,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
                 .zip(&head)
                 .map(|(cell, head)| CellView {
                     value: cell.map_or("–".into(), |c| scale.text(c.value)),
+                    unusable: cell.is_some_and(|c| c.unusable),
                     ratio: cell
                         .and_then(|c| c.ratio)
                         .filter(|_| !head.fe)

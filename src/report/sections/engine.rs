@@ -8,7 +8,7 @@ use super::{Section, Source, capital};
 use crate::error::Error;
 use crate::report::number::{Scale, percent, significant};
 use crate::report::table::{Column, Table};
-use crate::results::FeResult;
+use crate::results::{FeResult, MESH_ERROR_LIMIT};
 
 #[derive(Serialize)]
 struct Pair {
@@ -62,7 +62,8 @@ pub(super) fn fill(section: &mut Section, fe: &FeResult) {
     ]);
     for (id, error) in &fe.mesh_error {
         let title = Quantity::from_id(id).map_or(id.as_str(), |q| q.title());
-        mesh_error.row(vec![title.into(), percent(*error)]);
+        let mark = if *error > MESH_ERROR_LIMIT { ", unusable" } else { "" };
+        mesh_error.row(vec![title.into(), percent(*error) + mark]);
     }
     section.set("mesh_error", &mesh_error);
 

@@ -65,6 +65,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("governing", &governing(results).into_iter().collect::<Vec<_>>());
     section.set("facts", &facts(source));
     section.set("warnings", &warnings(results));
+    section.set("unusual", &results.warnings);
     section.set("has_fe", &source.fe().is_some());
     section.set(
         "has_site",

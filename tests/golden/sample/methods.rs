@@ -367,6 +367,7 @@ pub(super) fn comparison(methods: &[Method], with_fe: bool) -> Comparison {
                     m.quantities.get(q.id()).map(|v| Cell {
                         value: v.value,
                         ratio: fe.and_then(|f| f.quantities.get(q.id())).map(|f| v.value / f.value),
+                        unusable: false,
                     })
                 })
                 .collect(),

@@ -207,6 +207,7 @@ pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
         fe_solid,
         fe_nonlinear,
         verdict,
+        warnings: Vec::new(),
     };
     (results, series)
 }

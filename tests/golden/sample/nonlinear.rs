@@ -288,6 +288,8 @@ fn run(tank: &Tank, liquid: &Liquid, time: &[f64]) -> Nonlinear {
             hysteretic: of(1.2),
             error: 2.3e-5,
         },
+        moments: Vec::new(),
+        departures: Vec::new(),
         cost: vec![
             count("time steps", 5211.0, Dimension::Dimensionless),
             count("halved steps", 17.0, Dimension::Dimensionless),

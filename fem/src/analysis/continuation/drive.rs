@@ -125,15 +125,14 @@ impl Continuation<'_> {
         let mut path = Path::default();
         let mut step = length.first;
         while !progress.interrupted() {
-            match self.step(state, &Constraint::Arc(step)) {
-                Ok(point) => {
-                    step = length.after(step, point.iterations);
+            match self.arc(state, length, &mut step) {
+                Ok(None) => {}
+                Ok(Some(point)) => {
                     path.points.push(point.clone());
                     if done(&point, state) {
                         break;
                     }
                 }
-                Err(_) if 0.5 * step >= length.shortest => step *= 0.5,
                 Err(failure) => {
                     path.failure = Some(failure);
                     break;
@@ -141,6 +140,29 @@ impl Continuation<'_> {
             }
         }
         path
+    }
+
+    /// One step along the arc of length `step`, which becomes that of the next step; `None` if the step failed and is to be tried
+    /// again at half its length.
+    ///
+    /// Errors: no step, not even with the shortest length.
+    pub fn arc(
+        &mut self,
+        state: &mut State,
+        length: StepLength,
+        step: &mut f64,
+    ) -> Result<Option<PathPoint>, StepFailure> {
+        match self.step(state, &Constraint::Arc(*step)) {
+            Ok(point) => {
+                *step = length.after(*step, point.iterations);
+                Ok(Some(point))
+            }
+            Err(_) if 0.5 * *step >= length.shortest => {
+                *step *= 0.5;
+                Ok(None)
+            }
+            Err(failure) => Err(failure),
+        }
     }
 
     /// Raises λ in steps of `step` up to `largest` and halves them where the state is unstable, or where there is none, down to

@@ -114,7 +114,7 @@ impl<'a> Driver<'a> {
             }
             if progress.interrupted() {
                 if let Some(c) = file {
-                    self.save(&c.path, observers)?;
+                    self.keep(&c.path, observers, progress);
                 }
                 break Outcome::Interrupted;
             }
@@ -136,14 +136,21 @@ impl<'a> Driver<'a> {
                 && ((c.steps > 0 && self.position.step >= written.0 + c.steps)
                     || written.1.elapsed().as_secs_f64() >= c.seconds)
             {
-                self.save(&c.path, observers)?;
+                self.keep(&c.path, observers, progress);
                 written = (self.position.step, Clock::now());
             }
         };
         if let (Some(c), Outcome::Completed) = (file, &end) {
-            self.save(&c.path, observers)?;
+            self.keep(&c.path, observers, progress);
         }
         Ok(self.finish(end))
+    }
+
+    /// Writes a checkpoint. The march can do without: a disk that is full now may have room at the next.
+    fn keep(&self, path: &std::path::Path, observers: &mut [&mut dyn Observe], progress: &dyn Progress) {
+        if let Err(error) = self.save(path, observers) {
+            progress.warn(&format!("{error}; the run goes on without it"));
+        }
     }
 
     fn finish(self, outcome: Outcome) -> Run {
@@ -354,12 +361,8 @@ impl<'a> Driver<'a> {
             to.count(count);
         }
         to.number(p.shortest);
-        let fields = &self.state.committed;
-        for vector in [&fields.u, &fields.v, &fields.a, &self.state.old, &self.functions] {
-            to.numbers(vector);
-        }
-        let turns: Vec<f64> = fields.rotation.iter().flat_map(|q| q.coords.iter().copied()).collect();
-        to.numbers(&turns);
+        to.state(&self.state);
+        to.numbers(&self.functions);
         self.meter.save(&mut to);
         self.balance.save(&mut to);
         write_memory(&self.newton.memory(), &mut to);
@@ -375,25 +378,23 @@ impl<'a> Driver<'a> {
     fn restore(&mut self, path: &std::path::Path, observers: &mut [&mut dyn Observe]) -> Result<(), AnalysisError> {
         let mut from = Reader::open(path, self.fingerprint)?;
         let p = &mut self.position;
-        p.step = from.count()?;
-        p.at = from.count()? as u32;
-        p.part = from.count()? as u32;
+        let unit = 1_u64 << self.settings.halvings;
+        p.step = from.count_within("the step", 0..=self.settings.grid.steps() as u64, "a step of the run")? as usize;
+        p.at = from.count_within("the place in the step", 0..=unit - 1, "less than a step")? as u32;
+        p.part = from.count_within("the part of the step", 1..=unit, "a step or less")? as u32;
+        if !p.part.is_power_of_two() || !p.at.is_multiple_of(p.part) {
+            return Err(CheckpointError::Value {
+                what: "the part of the step",
+                found: p.part.into(),
+                allowed: "a power of two that divides its place",
+            }
+            .into());
+        }
         p.easy = from.count()?;
         p.cuts = from.count()? as u64;
         p.shortest = from.number()?;
-        let fields = &mut self.state.committed;
-        from.numbers_into("displacements", &mut fields.u)?;
-        from.numbers_into("velocities", &mut fields.v)?;
-        from.numbers_into("accelerations", &mut fields.a)?;
-        from.numbers_into("history", &mut self.state.old)?;
+        from.state_into(&mut self.state)?;
         from.numbers_into("time functions", &mut self.functions)?;
-        let mut turns = vec![0.0; 4 * fields.rotation.len()];
-        from.numbers_into("rotations", &mut turns)?;
-        for (q, c) in fields.rotation.iter_mut().zip(turns.chunks_exact(4)) {
-            // Not normalised again: bit by bit what was written.
-            *q = nalgebra::Unit::new_unchecked(nalgebra::Quaternion::new(c[3], c[0], c[1], c[2]));
-        }
-        self.state.revert();
         self.meter.restore(&mut from)?;
         self.balance = Balance::restore(&mut from)?;
         let memory = read_memory(&mut from)?;

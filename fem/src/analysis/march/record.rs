@@ -189,6 +189,13 @@ impl Observe for Recorder {
         }
         for (history, range) in self.histories.iter_mut().zip(&mut self.ranges) {
             *history = from.numbers("a history")?;
+            if history.len() != self.times.len() {
+                return Err(CheckpointError::Shape {
+                    what: "a history",
+                    found: history.len(),
+                    allowed: self.times.len(),
+                });
+            }
             let mut r = [0.0; 4];
             from.numbers_into("a range", &mut r)?;
             *range = Range {

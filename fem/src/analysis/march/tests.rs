@@ -409,12 +409,64 @@ fn resumed_march_is_the_same() {
     broken[8] = 9;
     fs::write(&path, &broken).unwrap();
     let text = refused(problem, &load, &settings).to_string();
-    assert!(text.contains("format 9, this one reads format 3"), "{text}");
+    let known = format!(
+        "format 9, this one reads format {}",
+        crate::analysis::checkpoint::VERSION
+    );
+    assert!(text.contains(&known), "{text}");
     fs::write(&path, b"something else").unwrap();
     assert!(matches!(
         refused(problem, &load, &settings),
         CheckpointError::Magic { .. }
     ));
+    fs::remove_dir_all(&folder).unwrap();
+}
+
+/// Counts warnings, and makes the folder of a checkpoint after some of them: a disk that has room again.
+struct Room(std::sync::atomic::AtomicU64, std::path::PathBuf);
+
+impl Progress for Room {
+    fn stage(&self, _: &str, _: u64) {}
+    fn advance(&self, _: u64) {}
+    fn interrupted(&self) -> bool {
+        false
+    }
+    fn warn(&self, what: &str) {
+        assert!(what.contains("march.checkpoint"), "{what}");
+        if self.0.fetch_add(1, std::sync::atomic::Ordering::Relaxed) == 2 {
+            fs::create_dir_all(&self.1).unwrap();
+        }
+    }
+}
+
+/// A checkpoint that cannot be written stops nothing, is tried again, and leaves no half of itself.
+#[test]
+fn a_march_goes_on_without_room_for_its_checkpoint() {
+    let folder = std::env::temp_dir().join(format!("march-room-{}", std::process::id()));
+    let parts = Parts::new(chain(12.0, 10.0));
+    let problem = parts.problem();
+    let load = shaking(3.0);
+    let mut settings = Settings::new(grid());
+    settings.constant = parts.weight();
+    let expected = march(problem, &load, &settings, &mut [], &Silent).unwrap();
+    settings.checkpoint = Some(Checkpoint {
+        path: folder.join("march.checkpoint"),
+        steps: 25,
+        seconds: f64::INFINITY,
+        key: "test".into(),
+        resume: false,
+    });
+    let room = Room(std::sync::atomic::AtomicU64::new(0), folder.clone());
+    let found = march(problem, &load, &settings, &mut [], &room).unwrap();
+    assert_eq!((&found.outcome, &found.state), (&Outcome::Completed, &expected.state));
+    // Three times in vain, then there was room.
+    assert_eq!(room.0.into_inner(), 3);
+    let names: Vec<_> = fs::read_dir(&folder)
+        .unwrap()
+        .flatten()
+        .map(|e| e.file_name())
+        .collect();
+    assert_eq!(names, ["march.checkpoint"]);
     fs::remove_dir_all(&folder).unwrap();
 }
 

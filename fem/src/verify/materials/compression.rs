@@ -32,7 +32,7 @@ fn row(id: &str, what: String, reference: f64, computed: f64, tolerance: f64) ->
 /// M3: the biaxial envelope, stresses in the ratio r driven to the plateau of ideal plasticity.
 ///
 /// Against the closed form of the cone (0.1 %: its table has four digits), and, for the judgement of the cone itself,
-/// against the curve of Kupfer & Gerstle, which it leaves by up to 5.1 %.
+/// against the curve of Kupfer & Gerstle, which it leaves by up to 5.1 %: shown, not asserted.
 ///
 /// Errors: a law without an answer.
 pub fn drucker_prager() -> Result<Vec<Row>, VerifyError> {
@@ -68,7 +68,7 @@ pub fn drucker_prager() -> Result<Vec<Row>, VerifyError> {
                 format!("strength over f_c, stresses 1 : {r}, against tests"),
                 kupfer,
                 computed,
-                0.051,
+                f64::INFINITY,
             )
         });
     }

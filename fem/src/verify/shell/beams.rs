@@ -322,17 +322,17 @@ pub(super) fn c3(elements: usize, layers: usize) -> Answer<Vec<Row>> {
         (26.0, 197.0),
         (30.0, 221.0),
     ] {
-        // 20 % at 20 mm (sheet): neither shear deformation nor slip of the bars.
-        let tolerance = if w == 20.0 { 0.2 } else { f64::INFINITY };
+        // Neither shear deformation nor slip of the bars is modelled: no theory sets a tolerance.
         rows.push(case.row(
             format!("C3, load at {w} mm"),
             Reference::Experiment,
             test,
             curve.at(w),
-            tolerance,
+            f64::INFINITY,
         ));
     }
     let [load, _] = curve.ultimate(CRUSHING);
-    rows.push(case.row("C3, ultimate load", Reference::Experiment, 265.0, load, 0.07));
+    // One test; the scatter of tests like it is not known.
+    rows.push(case.row("C3, ultimate load", Reference::Experiment, 265.0, load, f64::INFINITY));
     Ok(rows)
 }

@@ -65,7 +65,7 @@ pub fn statics() -> Result<Vec<Row>, StripError> {
             StripDamping::Rayleigh(Rayleigh::NONE),
         )?;
         let state = at_rest(&strip)?;
-        let [shear, axial, moment] = strip.base_reaction(&state, [0.0; 3])?;
+        let [shear, axial, moment] = strip.base_reaction(&state, [0.0; 3])?.total();
         let deflection = state.committed.u[strip.top()];
         found.push((
             wet as f64,
@@ -102,7 +102,7 @@ pub fn statics() -> Result<Vec<Row>, StripError> {
 /// Largest deflection of the top [m], moment at the base [Nm/m] and elevation at the wall [m], both walls.
 fn peaks(strip: &StripModel, record: &Record, longest_step: f64) -> Result<[f64; 3], StripError> {
     let state = at_rest(strip)?;
-    let [_, _, moment] = strip.base_reaction(&state, [0.0; 3])?;
+    let [_, _, moment] = strip.base_reaction(&state, [0.0; 3])?.total();
     let offsets = [state.committed.u[strip.top()], moment, 0.0];
     let mut observables = strip.observables();
     observables.insert(1, strip.base_moment());

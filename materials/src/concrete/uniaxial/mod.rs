@@ -294,6 +294,7 @@ impl Law<1> for UniaxialConcrete {
                 None,
             ],
             damage: new[CRACKED].max(new[CRUSHED]),
+            ..PointState::default()
         }
     }
 }

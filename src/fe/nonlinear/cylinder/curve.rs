@@ -1,6 +1,6 @@
 //! A cylinder at rising scales of its record.
 
-use codes::units::Dimension;
+use codes::units::{Dimension, display};
 use fem::analysis::ida;
 use fem::analysis::march::{Outcome, Run};
 use fem::liquid::separation::Parting;
@@ -8,11 +8,13 @@ use fem::progress::{Progress, Quiet};
 
 use super::super::parting;
 use super::describe::{assumptions, facts};
+use super::model::CylinderModel;
 use super::points::look;
 use super::watch::{BASE_MOMENT, Happening, WAVE_BACK, WAVE_FRONT, Watch};
 use super::{CheckpointFile, Cylinder};
 use crate::fe::FeError;
 use crate::fe::simulate::checked_motion;
+use crate::results::nonlinear::Departure;
 use crate::results::{Collapse, Fact, FirstCrack, IdaRun};
 
 /// Dimension of the moment at the base.
@@ -30,10 +32,9 @@ impl Cylinder<'_> {
         assumptions(self.case, self.options, &self.tank)
     }
 
-    /// The tank at every scale on `threads` threads, by ascending scale; `each` hears of every run as it is finished, after which
-    /// its checkpoint is removed.
+    /// The tank at every scale on `threads` threads, by ascending scale; `each` gets every run as it is finished.
     ///
-    /// * `checkpoint`: where the run of a scale keeps what it needs to be resumed
+    /// * `checkpoint`: where the run of a scale keeps what it needs to be resumed; left to the caller to remove
     ///
     /// Errors: a failure of the analysis; a checkpoint that cannot be written or is of another run. Collapse is none.
     pub fn incremental(
@@ -60,10 +61,6 @@ impl Cylinder<'_> {
         let found = ida::incremental(&order, threads, progress, run, |_, found| {
             if let Ok(Some(run)) = found {
                 each(run.clone());
-                if let Some(file) = checkpoint(run.scale) {
-                    // There may be none; one that cannot be removed is only litter.
-                    let _ = std::fs::remove_file(file.path);
-                }
             }
         });
         let found: Vec<Option<IdaRun>> = found.into_iter().flatten().collect::<Result<_, _>>()?;
@@ -121,7 +118,10 @@ impl Cylinder<'_> {
             wave: swing(WAVE_FRONT).max(swing(WAVE_BACK)),
             wall_displacement: seen.displacement.0,
             wall_displacement_time: seen.displacement.1,
+            departures: departures(tank, watch),
             base_moment: swing(BASE_MOMENT),
+            section_moment: None,
+            moment_parts: None,
             first_crack,
             parting: Parting::first(&watch.separation, watch.openings.as_ref()).map(parting),
             highest_crack: highest.fold(0.0, f64::max),
@@ -136,4 +136,19 @@ impl Cylinder<'_> {
             energy_residual: run.balance.error(),
         }
     }
+}
+
+/// Bars beyond their strain at rupture: their law goes on with its hardening.
+pub(super) fn departures(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Departure> {
+    let rupture = watch.seen.first.iter().find(|f| f.0 == Happening::BarRupture);
+    let departure = |&(_, time, cell): &(Happening, f64, usize)| {
+        let z = &tank.cells.z[cell / tank.cells.columns()..];
+        Departure {
+            id: "bar_strain".into(),
+            time,
+            place: format!("z = {}", display(0.5 * (z[0] + z[1]), Dimension::Length)),
+            reason: "a bar is strained beyond its strain at rupture".into(),
+        }
+    };
+    rupture.map(departure).into_iter().collect()
 }

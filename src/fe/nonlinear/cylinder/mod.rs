@@ -3,6 +3,7 @@
 mod contact;
 mod curve;
 mod describe;
+pub(super) mod estimate;
 pub(super) mod mesh;
 mod model;
 mod points;

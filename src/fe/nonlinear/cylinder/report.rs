@@ -10,6 +10,7 @@ use fem::analysis::march::{Outcome, Run};
 
 use super::super::{NonlinearOptions, PARTED};
 use super::completed;
+use super::curve::departures;
 use super::describe::{HELD_DOWN, assumptions, cost, integration, mesh};
 use super::model::CylinderModel;
 use super::points::look;
@@ -38,7 +39,7 @@ pub fn report(
     }
     let end = end(tank, run);
     match &end {
-        End::Completed => {}
+        End::Completed | End::Left { .. } => {}
         End::Interrupted { time } => {
             notes.push(format!("Interrupted at {time:.3} s: everything ends there."));
         }
@@ -67,6 +68,8 @@ pub fn report(
         loops: loops(watch),
         energies,
         cost: cost(tank, watch, run),
+        moments: Vec::new(),
+        departures: departures(tank, watch),
     };
     let total = balance.samples.last().copied().unwrap_or_default();
     let copies = tank.cells.copies();

@@ -11,24 +11,34 @@
 //! the cycles before it count.
 
 mod buckling;
+mod estimate;
 mod imperfection;
+mod keep;
 mod limits;
 mod load;
 mod model;
 mod path;
+mod seen;
+#[cfg(test)]
+mod tests;
 
 use codes::Case;
 use codes::units::{Dimension, significant};
+use fem::analysis::checkpoint::Reader;
 use fem::progress::Progress;
 
+pub use estimate::estimate;
 pub use imperfection::{Amplitude, Form, Quality};
 pub use model::NoSteel;
 
-use super::NonlinearOptions;
+use super::{CheckpointFile, NonlinearOptions};
 use crate::fe::FeError;
 use crate::results::{Fact, Imperfection, PushLimit, PushShell};
+use buckling::Mode;
 use imperfection::{Dent, Depression, half_wave};
+use keep::{Keeper, Kept};
 use model::Plan;
+use path::Followed;
 
 /// What a pushover is asked.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -60,11 +70,16 @@ pub struct Pushed {
 
 /// Pushes the perfect shell, and the imperfect one if there is one.
 ///
-/// Errors: a tank, a wall or an option that a pushover does not know; a state at rest that the wall does not carry.
+/// * `checkpoint`: where the run is kept every [`NonlinearOptions::checkpoint`] seconds and when it is interrupted; left to the
+///   caller to remove
+///
+/// Errors: a tank, a wall or an option that a pushover does not know; a state at rest that the wall does not carry; a checkpoint of
+/// another run. One that cannot be written is no error but a warning of `progress`.
 pub fn pushover(
     case: &Case,
     options: &NonlinearOptions,
     push: &PushOptions,
+    checkpoint: Option<&CheckpointFile>,
     progress: &dyn Progress,
 ) -> Result<Pushed, FeError> {
     let plan = Plan::new(case, options)?;
@@ -83,17 +98,14 @@ pub fn pushover(
             allowed: "a height for a weld; a mode has its own".into(),
         });
     }
-    let perfect = path::follow(&plan, None, "perfect shell", progress)?;
-    let mut shells = vec![perfect];
-    let mut missing = false;
-    if let Some(amplitude) = push.imperfection {
-        match imperfect(&plan, amplitude, push, &shells[0], progress) {
-            Ok(shell) => shells.push(shell),
-            // What is there is kept.
-            Err(FeError::Interrupted { .. }) => missing = true,
-            Err(error) => return Err(error),
+    let mut keeper = Keeper::new(checkpoint, &plan);
+    let kept = keeper.resume(&plan)?;
+    let (shells, missing) = shells(&plan, push, kept, &mut keeper, progress).inspect_err(|error| {
+        // It would end there again.
+        if matches!(error, FeError::Analysis(_)) {
+            keeper.discard();
         }
-    }
+    })?;
     Ok(Pushed {
         model: facts(&plan),
         assumptions: assumptions(case, options),
@@ -102,6 +114,49 @@ pub fn pushover(
         shells,
         limits: limits::limits(&plan),
     })
+}
+
+/// The shells, and whether one is missing that was asked for.
+fn shells(
+    plan: &Plan,
+    push: &PushOptions,
+    kept: Kept<'_>,
+    keeper: &mut Keeper<'_>,
+    progress: &dyn Progress,
+) -> Result<(Vec<PushShell>, bool), FeError> {
+    let Kept { perfect, mode, path } = kept;
+    let (perfect, path) = match perfect {
+        Some((seen, end)) => (seen.shell(end), path),
+        None => {
+            let found = path::follow(plan, None, "perfect shell", path, keeper, progress)?;
+            if let Some(end) = &found.end {
+                keeper.finished(&found.seen, end);
+            }
+            (found.shell(), None)
+        }
+    };
+    let Some(amplitude) = push.imperfection else {
+        return Ok((vec![perfect], false));
+    };
+    if perfect.interrupted {
+        return Ok((vec![perfect], true));
+    }
+    let imperfect = if progress.interrupted() {
+        // With a path under way the file has all that there is.
+        if path.is_none() {
+            keeper.save(None, progress);
+        }
+        None
+    } else {
+        match imperfect(plan, amplitude, push, &perfect, (mode, path), keeper, progress) {
+            Ok(shell) => Some(shell),
+            // What is there is kept.
+            Err(FeError::Interrupted { .. }) => None,
+            Err(error) => return Err(error),
+        }
+    };
+    let missing = imperfect.is_none();
+    Ok((std::iter::once(perfect).chain(imperfect).collect(), missing))
 }
 
 /// Longest element on which a bulge is one, over √(R t): its half wave is 1.7 √(R t) and more, three elements then.
@@ -133,6 +188,10 @@ fn doubts(plan: &Plan, shells: &[PushShell]) -> Vec<String> {
 
 /// What is left out, in words.
 fn interruption(shells: &[PushShell], missing: bool) -> String {
+    let capacity = |shell: &PushShell| match shell.capacity.limit {
+        true => "beyond its maximum",
+        false => "whose capacity is a lower bound",
+    };
     match shells {
         [perfect] if perfect.interrupted => {
             let rest = if missing {
@@ -140,17 +199,32 @@ fn interruption(shells: &[PushShell], missing: bool) -> String {
             } else {
                 ""
             };
-            format!("interrupted in the perfect shell, whose capacity is a lower bound{rest}")
+            format!("interrupted in the perfect shell, {}{rest}", capacity(perfect))
         }
         [_] if missing => "the perfect shell is complete; interrupted before the imperfect one".into(),
         [_, imperfect] if imperfect.interrupted => {
-            "the perfect shell is complete; interrupted in the imperfect one, whose capacity is a lower bound".into()
+            format!(
+                "the perfect shell is complete; interrupted in the imperfect one, {}",
+                capacity(imperfect)
+            )
         }
         _ => String::new(),
     }
 }
 
+impl Followed<'_> {
+    fn shell(&self) -> PushShell {
+        let end = self.end.clone().unwrap_or_else(|| "interrupted".into());
+        PushShell {
+            interrupted: self.end.is_none(),
+            ..self.seen.shell(end)
+        }
+    }
+}
+
 /// Pushes the imperfect shell.
+///
+/// * `kept`: buckling mode and path that a checkpoint has
 ///
 /// Errors: as [`pushover`]; an interruption before there is anything to show.
 fn imperfect(
@@ -158,12 +232,10 @@ fn imperfect(
     amplitude: Amplitude,
     push: &PushOptions,
     perfect: &PushShell,
+    kept: (Option<Mode>, Option<Reader>),
+    keeper: &mut Keeper<'_>,
     progress: &dyn Progress,
 ) -> Result<PushShell, FeError> {
-    const NAME: &str = "imperfect shell";
-    if progress.interrupted() {
-        return Err(FeError::Interrupted { stage: NAME.into() });
-    }
     let course = |z: f64| plan.case.tank.course_at(z);
     let (dent, imperfection) = match push.form {
         Form::Weld => {
@@ -188,9 +260,19 @@ fn imperfect(
         }
         Form::Mode => {
             let acceleration = perfect.capacity.state.acceleration;
-            progress.stage("buckling mode", 1);
-            let mode = buckling::mode(plan, acceleration)?;
-            progress.advance(1);
+            let mode = match kept.0 {
+                Some(mode) => mode,
+                None => {
+                    if keeper.due() {
+                        keeper.save(None, progress);
+                    }
+                    progress.stage("buckling mode", 1);
+                    let mode = buckling::mode(plan, acceleration)?;
+                    progress.advance(1);
+                    keeper.found(&mode);
+                    mode
+                }
+            };
             let t = course(mode.place.0).thickness;
             let delta = amplitude.of_wall(t, plan.radius);
             let shape = format!(
@@ -211,9 +293,11 @@ fn imperfect(
             (Dent::Mode(mode.scaled(delta)), imperfection)
         }
     };
-    let mut shell = path::follow(plan, Some(&dent), NAME, progress)?;
-    shell.imperfection = Some(imperfection);
-    Ok(shell)
+    let found = path::follow(plan, Some(&dent), "imperfect shell", kept.1, keeper, progress)?;
+    Ok(PushShell {
+        imperfection: Some(imperfection),
+        ..found.shell()
+    })
 }
 
 fn facts(plan: &Plan) -> Vec<Fact> {
@@ -278,89 +362,4 @@ fn assumptions(case: &Case, options: &NonlinearOptions) -> Vec<String> {
         out.push("The wall has no weight, as asked for.".into());
     }
     out
-}
-
-#[cfg(test)]
-mod tests {
-    use std::sync::Mutex;
-
-    use codes::tank::{Behaviour, Shape, Steel};
-
-    use super::*;
-    use crate::fe::nonlinear::WallElements;
-    use crate::verify::cases::{case, material};
-
-    /// Stops in a stage once `steps` of its steps are done.
-    struct Stop {
-        stage: &'static str,
-        steps: u64,
-        now: Mutex<(String, u64)>,
-    }
-
-    impl Progress for Stop {
-        fn stage(&self, name: &str, _steps: u64) {
-            *self.now.lock().unwrap() = (name.into(), 0);
-        }
-        fn advance(&self, steps: u64) {
-            self.now.lock().unwrap().1 += steps;
-        }
-        fn interrupted(&self) -> bool {
-            let now = self.now.lock().unwrap();
-            now.0 == self.stage && now.1 >= self.steps
-        }
-    }
-
-    fn stopped(stage: &'static str, steps: u64) -> Result<Pushed, FeError> {
-        let mut steel = material(2.1e11, 0.3, 7850.0);
-        steel.behaviour = Behaviour::Steel(Steel {
-            yield_strength: 6e7,
-            tangent_modulus: 0.0,
-            kinematic_share: 1.0,
-            ultimate_strength: None,
-        });
-        let case = case(Shape::Cylinder { radius: 4.0 }, &[(4.0, 5e-3)], &steel, (1000.0, 3.6));
-        let mut options = NonlinearOptions::new(case.damping);
-        options.elements = Some(WallElements {
-            height: 12,
-            circumference: 8,
-        });
-        let push = PushOptions {
-            imperfection: Some(Amplitude::Thicknesses(0.5)),
-            ..PushOptions::default()
-        };
-        let now = Mutex::default();
-        pushover(&case, &options, &push, &Stop { stage, steps, now })
-    }
-
-    /// What is done is told apart from what is not.
-    #[test]
-    fn an_interruption_says_what_it_leaves_out() {
-        assert!(matches!(stopped("perfect shell", 0), Err(FeError::Interrupted { .. })));
-        let first = stopped("perfect shell", 3).unwrap();
-        assert_eq!(first.shells.len(), 1);
-        assert!(first.shells[0].interrupted && !first.shells[0].capacity.limit);
-        assert!(
-            first
-                .interruption
-                .contains("the perfect shell, whose capacity is a lower bound")
-                && first.interruption.contains("the imperfect one was not run"),
-            "{}",
-            first.interruption
-        );
-        let before = stopped("imperfect shell", 0).unwrap();
-        assert_eq!(before.shells.len(), 1);
-        assert!(before.shells[0].capacity.limit && !before.shells[0].interrupted);
-        assert_eq!(
-            before.interruption,
-            "the perfect shell is complete; interrupted before the imperfect one"
-        );
-        let second = stopped("imperfect shell", 3).unwrap();
-        assert!(second.shells[0].capacity.limit && second.shells[1].interrupted);
-        assert!(
-            second
-                .interruption
-                .starts_with("the perfect shell is complete; interrupted in the imperfect one")
-        );
-        assert!(stopped("none", 0).unwrap().interruption.is_empty());
-    }
 }

@@ -24,6 +24,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::imperfection::Dent;
 use super::load::{Impulsive, cosine_shares, shares};
 use crate::fe::FeError;
+use crate::fe::harmonic::check_depth;
 use crate::fe::nonlinear::NonlinearOptions;
 use crate::fe::nonlinear::cylinder::mesh::enough_rows;
 use crate::fe::nonlinear::cylinder::section::row;
@@ -31,11 +32,11 @@ use crate::fe::nonlinear::laws::unsupported;
 use crate::fe::solid::mesh::based_levels;
 
 /// Sectors of the full circle unless the user says otherwise.
-const SECTORS: u32 = 96;
+pub(super) const SECTORS: u32 = 96;
 /// Last over first element around the half circle.
 const GRADING: f64 = 4.0;
 /// Element length at the base over √(R t).
-const BASE: f64 = 0.15;
+pub(super) const BASE: f64 = 0.15;
 
 /// The model with its loads.
 pub(super) struct PushModel {
@@ -155,6 +156,7 @@ impl<'a> Plan<'a> {
         if let Some(no_steel) = NoSteel::of(case) {
             return unsupported(no_steel.to_string());
         }
+        check_depth(case)?;
         let sectors = options.elements.map_or(SECTORS, |e| e.circumference);
         if sectors < 8 || sectors % 2 == 1 {
             return Err(FeError::Option {

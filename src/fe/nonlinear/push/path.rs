@@ -1,19 +1,17 @@
-//! The path of one shell, and what is seen on it.
+//! The path of one shell: load steps, then an arc through the limit point.
 
-use std::f64::consts::PI;
-
-use codes::units::Dimension;
-use fem::analysis::continuation::{Constraint, Continuation, PathPoint, StepLength};
+use fem::analysis::checkpoint::{CheckpointError, Reader, Writer};
+use fem::analysis::continuation::{Constraint, Continuation, Memory, StepLength};
 use fem::analysis::newton::Criteria;
 use fem::dofs::Dof;
 use fem::progress::Progress;
-use fem::state::{Gather, State};
+use fem::state::State;
 
 use super::imperfection::Dent;
-use super::limits;
+use super::keep::Keeper;
 use super::model::{Plan, PushModel};
+use super::seen::Seen;
 use crate::fe::FeError;
-use crate::results::{Capacity, PushMeridian, PushPoint, PushShell, WallMap};
 
 /// Load steps over gravity, and the shortest of them.
 const FIRST: f64 = 0.1;
@@ -23,7 +21,7 @@ const FALL: f64 = 0.97;
 /// Largest acceleration over gravity.
 const MOST: f64 = 10.0;
 /// Most states of a path.
-const STATES: usize = 120;
+pub(super) const STATES: usize = 120;
 /// A step of the arc over the first one at most.
 const LONGEST: f64 = 4.0;
 pub(super) const CRITERIA: Criteria = Criteria {
@@ -32,108 +30,251 @@ pub(super) const CRITERIA: Criteria = Criteria {
     iterations: 20,
 };
 
-/// The compressed meridian at one state, and of the whole wall what tells where it gives way.
-#[derive(Clone, Debug, Default)]
-struct Meridian {
-    /// Radial displacement at the levels.
-    w: Vec<f64>,
-    /// Radial displacement of all nodes, level by level.
-    field: Vec<f64>,
-    /// Axial compression and hoop tension [Pa] in the middles of the elements.
-    axial: Vec<f64>,
-    hoop: Vec<f64>,
-    /// Largest plastic strain of every element of the wall, sector after sector.
-    plastic: Vec<f64>,
+/// A path that was followed.
+pub(super) struct Followed<'a> {
+    /// Its states.
+    pub(super) seen: Seen<'a>,
+    /// Why it ends, in words; `None` if the user stopped it.
+    pub(super) end: Option<String>,
 }
 
-/// Follows the path of a shell.
+/// Follows the path of a shell, from where `from` has it; `keeper` writes checkpoints.
 ///
-/// Errors: a model that cannot be built; a state at rest that is not carried; an interruption before anything was carried beside it.
-pub(super) fn follow(
-    plan: &Plan,
+/// Errors: a model that cannot be built; a state at rest that is not carried; an interruption before anything was carried beside it;
+/// a checkpoint of another model.
+pub(super) fn follow<'a>(
+    plan: &'a Plan<'a>,
     imperfection: Option<&Dent>,
     name: &'static str,
+    from: Option<Reader>,
+    keeper: &mut Keeper<'_>,
     progress: &dyn Progress,
-) -> Result<PushShell, FeError> {
+) -> Result<Followed<'a>, FeError> {
     let model = plan.build(imperfection)?;
-    let mut state = State::new(&model.model);
     progress.stage(name, STATES as u64);
-    let gravity = plan.case.gravity;
-    let mut seen = Seen::new(plan, &model);
-    // Load steps while there is an equilibrium: what the liquid would pull is left out anew at each.
-    let mut reached = 0.0;
-    let (mut step, mut arc) = (0.0, f64::NAN);
-    while reached <= MOST * gravity && !progress.interrupted() {
-        let before = state.committed.u.clone();
-        let next = reached + step;
+    let mut walk = Walk::new(plan, &model);
+    if let Some(mut from) = from {
+        walk.restore(&mut from).map_err(|fault| keeper.unusable(fault))?;
+        progress.advance(walk.seen.len() as u64);
+    }
+    loop {
+        if progress.interrupted() {
+            if walk.seen.len() > 0 {
+                keeper.save(Some(walk.save()), progress);
+            }
+            if !walk.arc.is_finite() {
+                return Err(FeError::Interrupted { stage: name.into() });
+            }
+            return Ok(Followed {
+                seen: walk.seen,
+                end: None,
+            });
+        }
+        let before = walk.seen.len();
+        let end = walk.attempt()?;
+        progress.advance((walk.seen.len() - before) as u64);
+        if let Some(end) = end {
+            return Ok(Followed {
+                seen: walk.seen,
+                end: Some(end),
+            });
+        }
+        if walk.seen.len() > before && keeper.due() {
+            keeper.save(Some(walk.save()), progress);
+        }
+    }
+}
+
+/// A path under way: everything that its next step depends on.
+struct Walk<'a, 'm> {
+    plan: &'a Plan<'a>,
+    model: &'m PushModel,
+    state: State,
+    seen: Seen<'a>,
+    /// Acceleration of the last load step [m/s²].
+    reached: f64,
+    /// The next load step [m/s²], zero for the state at rest.
+    step: f64,
+    /// ‖Δu‖ of a load step of [`FIRST`]; not finite before there is one.
+    arc: f64,
+    /// The path beyond the load steps.
+    along: Option<Along<'m>>,
+}
+
+/// The arc from the last load step on, in its pattern.
+struct Along<'m> {
+    path: Continuation<'m>,
+    /// Next step.
+    length: f64,
+    /// Largest acceleration so far [m/s²].
+    largest: f64,
+    /// Number of states when it began.
+    first: usize,
+}
+
+impl<'a, 'm> Walk<'a, 'm> {
+    fn new(plan: &'a Plan<'a>, model: &'m PushModel) -> Walk<'a, 'm> {
+        Walk {
+            plan,
+            model,
+            state: State::new(&model.model),
+            seen: Seen::new(plan),
+            reached: 0.0,
+            step: 0.0,
+            arc: f64::NAN,
+            along: None,
+        }
+    }
+
+    /// Tries one step; a reason if the path ends there.
+    fn attempt(&mut self) -> Result<Option<String>, FeError> {
+        match self.along {
+            Some(_) => self.arc_step(),
+            None => self.load_step().map(|()| None),
+        }
+    }
+
+    /// A load step while there is an equilibrium: what the liquid would pull is left out anew at each. The arc begins where there is none.
+    fn load_step(&mut self) -> Result<(), FeError> {
+        let gravity = self.plan.case.gravity;
+        if self.reached > MOST * gravity {
+            return self.begin_arc();
+        }
+        let (model, step) = (self.model, self.step);
+        let before = self.state.committed.u.clone();
+        let next = self.reached + step;
         let mut load = model.load(next).0;
         load.iter_mut().zip(&model.weight).for_each(|(f, w)| *f += w);
         let none = vec![0.0; load.len()];
-        match continuation(&model, &load, &none)?.step(&mut state, &Constraint::Load(0.0)) {
+        match continuation(model, &load, &none)?.step(&mut self.state, &Constraint::Load(0.0)) {
             Ok(_) => {
-                reached = next;
-                seen.see(reached, &state)?;
-                progress.advance(1);
-                arc = model.translations(&before, &state.committed.u) * FIRST * gravity / step;
-                step = if step == 0.0 { FIRST * gravity } else { step };
+                self.reached = next;
+                self.seen.see(model, next, &self.state)?;
+                self.arc = model.translations(&before, &self.state.committed.u) * FIRST * gravity / step;
+                self.step = if step == 0.0 { FIRST * gravity } else { step };
             }
             Err(failure) if step == 0.0 => {
                 return Err(FeError::Analysis(format!(
                     "the wall does not carry weight and hydrostatic pressure at rest: {failure}"
                 )));
             }
-            Err(_) if step > LEAST * gravity => step *= 0.5,
-            Err(_) => break,
+            Err(_) if step > LEAST * gravity => self.step *= 0.5,
+            Err(_) => return self.begin_arc(),
+        }
+        Ok(())
+    }
+
+    fn begin_arc(&mut self) -> Result<(), FeError> {
+        if !self.arc.is_finite() {
+            return Err(FeError::Analysis(format!(
+                "no equilibrium under {LEAST} g beside the state at rest"
+            )));
+        }
+        self.along = Some(Along {
+            path: self.pattern()?,
+            length: self.lengths().first,
+            largest: self.reached,
+            first: self.seen.len(),
+        });
+        Ok(())
+    }
+
+    /// Arcs in the pattern of the last load step.
+    fn pattern(&self) -> Result<Continuation<'m>, FeError> {
+        let (mut constant, slope) = self.model.load(self.reached);
+        constant.iter_mut().zip(&self.model.weight).for_each(|(f, w)| *f += w);
+        continuation(self.model, &constant, &slope)
+    }
+
+    fn lengths(&self) -> StepLength {
+        StepLength {
+            first: 0.1 * self.arc,
+            shortest: self.arc / 500.0,
+            longest: LONGEST * self.arc,
         }
     }
-    if !arc.is_finite() && progress.interrupted() {
-        return Err(FeError::Interrupted { stage: name.into() });
+
+    fn arc_step(&mut self) -> Result<Option<String>, FeError> {
+        let (lengths, gravity) = (self.lengths(), self.plan.case.gravity);
+        let Some(along) = &mut self.along else { return Ok(None) };
+        let point = match along.path.arc(&mut self.state, lengths, &mut along.length) {
+            Ok(Some(point)) => point,
+            Ok(None) => return Ok(None),
+            Err(failure) => return Ok(Some(format!("no further equilibrium was found: {failure}"))),
+        };
+        let acceleration = self.reached + point.factor;
+        self.seen.see(self.model, acceleration, &self.state)?;
+        along.largest = along.largest.max(acceleration);
+        Ok(if acceleration < FALL * along.largest {
+            Some(format!("followed until {:.0} % of the maximum", 100.0 * FALL))
+        } else if acceleration > MOST * gravity {
+            Some(format!("stopped at {MOST} g: the wall does not fail in this pattern"))
+        } else if self.seen.len() >= along.first.saturating_add(STATES) {
+            Some(format!("stopped after {STATES} states"))
+        } else {
+            None
+        })
     }
-    if !arc.is_finite() {
-        return Err(FeError::Analysis(format!(
-            "no equilibrium under {LEAST} g beside the state at rest"
-        )));
-    }
-    // Then along the arc, in the pattern of the last load step.
-    let (mut constant, slope) = model.load(reached);
-    constant.iter_mut().zip(&model.weight).for_each(|(f, w)| *f += w);
-    let mut path = continuation(&model, &constant, &slope)?;
-    let lengths = StepLength {
-        first: 0.1 * arc,
-        shortest: arc / 500.0,
-        longest: LONGEST * arc,
-    };
-    let mut fault = None;
-    let mut largest = reached;
-    let steps = seen.points.len();
-    let followed = path.along(&mut state, lengths, progress, |point: &PathPoint, state| {
-        progress.advance(1);
-        let acceleration = reached + point.factor;
-        if let Err(error) = seen.see(acceleration, state) {
-            fault = Some(error);
-            return true;
+
+    fn save(&self) -> Writer {
+        let mut to = Writer::default();
+        to.state(&self.state);
+        self.seen.save(&mut to);
+        to.numbers(&[self.reached, self.step, self.arc]);
+        to.count(usize::from(self.along.is_some()));
+        if let Some(along) = &self.along {
+            let memory = along.path.memory();
+            to.numbers(&[along.length, along.largest, memory.factor]);
+            to.count(along.first);
+            to.count(usize::from(memory.last.is_some()));
+            memory.last.iter().for_each(|last| to.numbers(last));
         }
-        largest = largest.max(acceleration);
-        acceleration < FALL * largest || acceleration > MOST * gravity || seen.points.len() >= steps + STATES
-    });
-    if let Some(fault) = fault {
-        return Err(fault);
+        to
     }
-    let last = seen.points.last().map_or(0.0, |p| p.acceleration);
-    let mut interrupted = false;
-    let end = match followed.failure {
-        Some(failure) => format!("no further equilibrium was found: {failure}"),
-        None if last < FALL * largest => format!("followed until {:.0} % of the maximum", 100.0 * FALL),
-        None if last > MOST * gravity => format!("stopped at {MOST} g: the wall does not fail in this pattern"),
-        None if progress.interrupted() => {
-            interrupted = true;
-            "interrupted".into()
+
+    /// Errors: a payload that is not of this plan and model.
+    fn restore(&mut self, from: &mut Reader) -> Result<(), FeError> {
+        from.state_into(&mut self.state)?;
+        self.seen = Seen::restore(self.plan, from)?;
+        let mut numbers = [0.0; 3];
+        from.numbers_into("the load steps", &mut numbers)?;
+        [self.reached, self.step, self.arc] = numbers;
+        if from.count()? == 0 {
+            return Ok(());
         }
-        None => format!("stopped after {STATES} states"),
-    };
-    let mut shell = seen.shell(end)?;
-    shell.interrupted = interrupted;
-    Ok(shell)
+        if !(self.arc.is_finite() && self.arc >= 0.0) {
+            return Err(FeError::Checkpoint(CheckpointError::Value {
+                what: "the length of the arc",
+                found: self.arc,
+                allowed: "a finite number from 0 on",
+            }));
+        }
+        let mut numbers = [0.0; 3];
+        from.numbers_into("the arc", &mut numbers)?;
+        let [length, largest, factor] = numbers;
+        let first = from.count()?;
+        let last = match from.count()? {
+            0 => None,
+            _ => {
+                let mut last = vec![0.0; self.state.committed.u.len()];
+                from.numbers_into("the increment of the last step", &mut last)?;
+                Some(last)
+            }
+        };
+        let mut path = self.pattern()?;
+        path.recall(Memory { factor, last }).map_err(analysis)?;
+        self.along = Some(Along {
+            path,
+            length,
+            largest,
+            first,
+        });
+        Ok(())
+    }
+}
+
+fn analysis(error: impl std::fmt::Display) -> FeError {
+    FeError::Analysis(error.to_string())
 }
 
 /// Load steps and arcs of a model under `constant` and λ `load`.
@@ -150,9 +291,7 @@ pub(super) fn continuation<'a>(
         load,
         CRITERIA,
     );
-    Ok(path
-        .map_err(|e| FeError::Analysis(e.to_string()))?
-        .with_extrapolated_stresses())
+    Ok(path.map_err(analysis)?.with_extrapolated_stresses())
 }
 
 impl PushModel {
@@ -162,192 +301,5 @@ impl PushModel {
         let counts = |e: &usize| matches!(dofs.unknown(*e).1, Dof::Ux | Dof::Uy | Dof::Uz);
         let squares = (0..dofs.len()).filter(counts).map(|e| (b[e] - a[e]).powi(2));
         squares.sum::<f64>().sqrt()
-    }
-}
-
-/// States seen so far.
-struct Seen<'a> {
-    plan: &'a Plan<'a>,
-    model: &'a PushModel,
-    points: Vec<PushPoint>,
-    meridians: Vec<Meridian>,
-}
-
-impl<'a> Seen<'a> {
-    fn new(plan: &'a Plan<'a>, model: &'a PushModel) -> Seen<'a> {
-        Seen {
-            plan,
-            model,
-            points: Vec::new(),
-            meridians: Vec::new(),
-        }
-    }
-
-    fn middle(&self, j: usize) -> f64 {
-        0.5 * (self.model.levels[j] + self.model.levels[j + 1])
-    }
-
-    fn thickness(&self, j: usize) -> f64 {
-        self.plan.case.tank.course_at(self.middle(j)).total_thickness()
-    }
-
-    /// Takes note of a committed state.
-    fn see(&mut self, acceleration: f64, state: &State) -> Result<(), FeError> {
-        let model = self.model;
-        let mut gather = Gather::default();
-        let mut meridian = Meridian::default();
-        for ring in &model.rings {
-            for (&node, angle) in ring.iter().zip(&model.angles) {
-                let u = model.model.at_node(&state.committed.u, node);
-                meridian.field.push(u[0] * angle.cos() + u[1] * angle.sin());
-            }
-            meridian.w.push(meridian.field[meridian.field.len() - ring.len()]);
-        }
-        for (j, row) in model.cells.iter().enumerate() {
-            let element = &*model.model.elements()[row[0]];
-            let motion = gather.motion(&model.model, &state.committed, element);
-            let sections = element
-                .sections(motion, &state.old[state.history(row[0])])
-                .map_err(|e| FeError::Analysis(e.to_string()))?;
-            let mean = |i: usize| sections.iter().map(|s| s.resultants[i]).sum::<f64>() / sections.len() as f64;
-            let t = self.thickness(j);
-            meridian.hoop.push(mean(0) / t);
-            meridian.axial.push(-mean(1) / t);
-        }
-        meridian.plastic = self.plastic(state);
-        let largest = |values: &[f64]| {
-            (0..values.len())
-                .max_by(|&a, &b| values[a].total_cmp(&values[b]))
-                .unwrap_or(0)
-        };
-        let compressed = largest(&meridian.axial);
-        let rest = self.meridians.first().map_or(&meridian.w, |m| &m.w);
-        let half = 0.5 * self.plan.case.liquid.fill_height;
-        let low = model.levels.iter().take_while(|z| **z <= half).count();
-        let moved = (0..low).map(|l| meridian.w[l] - rest[l]).fold(0.0, f64::max);
-        let top = model.rings.last().map_or(0.0, |ring| {
-            let u = |node: &usize| model.model.at_node(&state.committed.u, *node)[0];
-            // Mean over the angle.
-            let shares = super::load::shares(&model.angles);
-            ring.iter().zip(shares).map(|(n, s)| s * u(n)).sum::<f64>() / PI
-        });
-        let (wall, liquid) = (limits::masses(self.plan, 0.0), model.liquid(acceleration));
-        self.points.push(PushPoint {
-            acceleration,
-            base_shear: acceleration * wall.0 + liquid.0,
-            base_moment: acceleration * wall.1 + liquid.1,
-            top,
-            bulge: moved,
-            compression: meridian.axial[compressed],
-            compression_height: self.middle(compressed),
-            plastic_strain: meridian.plastic.iter().copied().fold(0.0, f64::max),
-        });
-        self.meridians.push(meridian);
-        Ok(())
-    }
-
-    /// Largest plastic strain of every element, sector after sector.
-    fn plastic(&self, state: &State) -> Vec<f64> {
-        let mut gather = Gather::default();
-        let model = self.model;
-        let sectors = model.angles.len() - 1;
-        let mut out = Vec::with_capacity(sectors * model.cells.len());
-        for k in 0..sectors {
-            for row in &model.cells {
-                let element = &*model.model.elements()[row[k]];
-                let motion = gather.motion(&model.model, &state.committed, element);
-                let mut largest = 0.0_f64;
-                element.inspect(motion, &state.old[state.history(row[k])], &mut |i| {
-                    largest = largest.max(i.state.plastic_strain);
-                });
-                out.push(largest);
-            }
-        }
-        out
-    }
-
-    /// Height [m], angle [rad] and row of cells of the buckle: where the plates have yielded most since the strongest state. Where they
-    /// have not, the buckle is elastic: where the wall has moved most since then. Before a maximum, where the plates have yielded
-    /// most, or are compressed most.
-    fn buckle(&self, best: usize) -> (f64, f64, usize) {
-        let (rows, angles) = (self.model.cells.len(), &self.model.angles);
-        let (peak, last) = (&self.meridians[best], &self.meridians[self.meridians.len() - 1]);
-        let passed = best + 1 < self.points.len();
-        let yielded = |c: usize| last.plastic[c] - if passed { peak.plastic[c] } else { 0.0 };
-        let largest = (0..last.plastic.len()).max_by(|&a, &b| yielded(a).total_cmp(&yielded(b)));
-        if let Some(cell) = largest.filter(|&c| yielded(c) > 0.0) {
-            let (sector, row) = (cell / rows, cell % rows);
-            return (self.middle(row), angles[sector], row);
-        }
-        let node = if passed {
-            let moved = |n: usize| (last.field[n] - peak.field[n]).abs();
-            (0..peak.field.len()).max_by(|&a, &b| moved(a).total_cmp(&moved(b)))
-        } else {
-            let z = self.points[best].compression_height;
-            let level = self.model.levels.iter().position(|l| *l >= z);
-            level.map(|l| l * angles.len())
-        };
-        let (level, column) = (node.unwrap_or(0) / angles.len(), node.unwrap_or(0) % angles.len());
-        (
-            self.model.levels[level],
-            angles[column],
-            level.min(peak.axial.len() - 1),
-        )
-    }
-
-    fn shell(&self, end: String) -> Result<PushShell, FeError> {
-        let count = self.points.len();
-        let best = (0..count)
-            .max_by(|&a, &b| self.points[a].acceleration.total_cmp(&self.points[b].acceleration))
-            .unwrap_or(0);
-        let peak = &self.meridians[best];
-        let plastic = self.meridians[count - 1].plastic.clone();
-        let (height, angle, cell) = self.buckle(best);
-        let state_there = self.points[best];
-        let liquid = &self.plan.case.liquid;
-        let hydrostatic = liquid.density * self.plan.case.gravity * (liquid.fill_height - height).max(0.0);
-        let capacity = Capacity {
-            limit: best + 1 < count,
-            state: state_there,
-            height,
-            angle,
-            thickness: self.thickness(cell),
-            compression: peak.axial[cell],
-            hoop: peak.hoop[cell],
-            pressure: hydrostatic + state_there.acceleration * self.plan.impulsive.pressure(height),
-            beam: limits::stress(self.plan, 0.0, state_there.base_moment),
-        };
-        let mut meridians = Vec::new();
-        let mut picture = |title: &str, i: usize| {
-            meridians.push(PushMeridian {
-                title: title.into(),
-                acceleration: self.points[i].acceleration,
-                z: self.model.levels.clone(),
-                w: self.meridians[i].w.clone(),
-            });
-        };
-        picture("at rest", 0);
-        picture("strongest state", best);
-        if best + 1 < count {
-            picture("last state", count - 1);
-        }
-        let middles = |v: &[f64]| v.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect::<Vec<f64>>();
-        Ok(PushShell {
-            imperfection: None,
-            path: self.points.clone(),
-            capacity,
-            end,
-            interrupted: false,
-            meridians,
-            plastic: WallMap {
-                id: "plastic_strain".into(),
-                title: "Largest plastic strain through the thickness, last state".into(),
-                time: 0.0,
-                dimension: Dimension::Dimensionless,
-                theta: middles(&self.model.angles),
-                z: middles(&self.model.levels),
-                values: plastic,
-            },
-        })
     }
 }

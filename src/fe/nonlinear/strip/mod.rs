@@ -2,7 +2,9 @@
 //!
 //! [`Strip`] is the model; [`simulate`] runs it once and tells everything, [`Strip::incremental`] at rising scales.
 
+mod departures;
 mod describe;
+pub(super) mod estimate;
 mod modes;
 mod report;
 pub(super) mod section;
@@ -23,17 +25,18 @@ use fem::analysis::scheme::TimeScheme;
 use fem::element::fibre_beam;
 use fem::liquid::strip::StripLiquid;
 use fem::progress::Progress;
-use fem::strip::{Side, StripError, StripLevel, StripModel, StripQuake, StripTank};
+use fem::strip::{StripError, StripLevel, StripModel, StripQuake, StripTank};
 
 use super::laws::unsupported;
 use super::{CheckpointFile, Contact, NonlinearOptions, parting};
 use crate::fe::FeError;
 use crate::results::{Collapse, Fact, FirstCrack, IdaRun};
+use departures::{base_moment, departure};
 use describe::{assumptions, damping, facts};
 use section::{course_at, levels, section};
 use simulate::wall_file;
 
-pub(super) use simulate::simulate;
+pub(super) use simulate::{simulate, wall_path};
 
 /// Sloshing modes of the condensed liquid: the tenth holds 1e-4 of the liquid's mass.
 const SLOSHING_MODES: usize = 12;
@@ -135,10 +138,9 @@ impl Strip {
         })
     }
 
-    /// Both walls at every scale on `threads` threads, by ascending scale; `each` hears of every run as it is finished, after
-    /// which its checkpoints are removed.
+    /// Both walls at every scale on `threads` threads, by ascending scale; `each` gets every run as it is finished.
     ///
-    /// * `checkpoint`: where the run of a scale keeps what it needs to be resumed
+    /// * `checkpoint`: where the run of a scale keeps what it needs to be resumed; left to the caller to remove
     ///
     /// Errors: a failure of the analysis; a checkpoint that cannot be written or is of another run. Collapse is none.
     pub fn incremental(
@@ -154,10 +156,6 @@ impl Strip {
             .model
             .incremental_from(&self.quake, scales, threads, &file, progress, |level| {
                 each(self.run(level));
-                for kept in Side::BOTH.into_iter().filter_map(|side| file(level.scale, side)) {
-                    // There may be none; one that cannot be removed is only litter.
-                    let _ = std::fs::remove_file(kept.path);
-                }
             })
             .map_err(failed)?;
         Ok(levels.iter().map(|level| self.run(level)).collect())
@@ -170,7 +168,8 @@ impl Strip {
                 time: collapse.time,
                 reason: collapse.failure.to_string(),
             }),
-            Outcome::Stopped { reason } => Some(Collapse {
+            // A run that has left its model has not collapsed.
+            Outcome::Stopped { reason } if !wall.demand.departures.iter().any(|d| d.kind.stops()) => Some(Collapse {
                 time: wall.time,
                 reason: reason.clone(),
             }),
@@ -184,7 +183,10 @@ impl Strip {
             wave: demand.wave,
             wall_displacement: demand.deflection,
             wall_displacement_time: demand.deflection_time,
+            departures: demand.departures.iter().map(|d| departure(d, "")).collect(),
             base_moment: demand.base_moment,
+            section_moment: Some(demand.section_moment),
+            moment_parts: Some(base_moment(&demand.parts, "", demand.section_moment)),
             first_crack: demand.first_crack.map(|c| FirstCrack {
                 time: c.time,
                 height: c.height,

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
+use std::path::{Path, PathBuf};
 
 use codes::case::GroundMotion;
 use codes::tank::Shape;
@@ -59,12 +60,6 @@ pub(in crate::fe::nonlinear) fn simulate(
             stage: "the nonlinear run".into(),
         });
     }
-    if !walls.interrupted() {
-        // What is left of them would only be in the way of the next run.
-        for file in files.iter().flatten() {
-            let _ = std::fs::remove_file(&file.path);
-        }
-    }
     Ok(Report {
         case,
         options,
@@ -77,19 +72,23 @@ pub(in crate::fe::nonlinear) fn simulate(
 
 /// Where a wall keeps what it needs to be resumed: the first in the file itself, the second beside it.
 pub(super) fn wall_file(file: &CheckpointFile, side: Side, seconds: f64) -> Checkpoint {
-    let suffix = SUFFIXES[side as usize];
-    let mut path = file.path.clone().into_os_string();
-    if side == Side::Negative {
-        path.push(".");
-        path.push(suffix);
-    }
     Checkpoint {
-        path: path.into(),
+        path: wall_path(&file.path, side),
         steps: 0,
         seconds,
-        key: format!("{} {suffix}", file.key),
+        key: format!("{} {}", file.key, SUFFIXES[side as usize]),
         resume: file.resume,
     }
+}
+
+/// The file of a wall.
+pub(in crate::fe::nonlinear) fn wall_path(file: &Path, side: Side) -> PathBuf {
+    let mut path = file.as_os_str().to_owned();
+    if side == Side::Negative {
+        path.push(".");
+        path.push(SUFFIXES[side as usize]);
+    }
+    path.into()
 }
 
 /// A history of the tank or of a wall, with the state at rest.
@@ -231,6 +230,12 @@ impl Report<'_> {
                 Scalar::Moment,
                 "wall_moment_base",
                 "Bending moment of the wall at the base",
+                Dimension::LineMoment,
+            ),
+            (
+                Scalar::SectionMoment,
+                "wall_moment_section",
+                "Bending moment of the lowest section of the wall",
                 Dimension::LineMoment,
             ),
         ] {

@@ -451,6 +451,9 @@ fn resumed_with(contact: Contact) {
     assert_eq!(resumed.result, whole.result);
     assert_eq!(resumed.series, whole.series);
     assert_eq!(resumed.notes, whole.notes);
+    // Left until the results are written.
+    assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 2);
+    file.remove();
     assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 0);
 }
 
@@ -485,6 +488,7 @@ fn resumed_run_of_a_curve_is_uninterrupted() {
     let mut heard = 0;
     let resumed = strip.incremental(&[0.8], 1, &kept, &Silent, |_| heard += 1).unwrap();
     assert_eq!((resumed, heard), (whole, 1));
+    file(home.path(), "a").remove();
     assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 0);
 }
 

@@ -8,9 +8,11 @@ use fem::dofs::Dof;
 use fem::strip::{EventKind, Picture, Scalar, StripModel, WallRun};
 
 use super::super::PARTED;
+use super::departures::{base_moment, departure};
 use super::section::{course_at, main_leaf};
 use crate::results::nonlinear::{
-    CellMap, Columns, Count, Crack, CrackPicture, End, Energies, Event, LEAVES, Loop, LoopAxis, Nonlinear, WallGrid,
+    BaseMoment, CellMap, Columns, Count, Crack, CrackPicture, Departure, End, Energies, Event, LEAVES, Loop, LoopAxis,
+    Nonlinear, WallGrid,
 };
 
 /// Names of the walls.
@@ -48,10 +50,46 @@ impl Walls<'_> {
             loops: self.loops(),
             energies: self.energies(),
             cost: self.cost(),
+            moments: self.moments(),
+            departures: self.departures(),
         }
     }
 
-    /// The wall that collapses first.
+    /// Largest moment at the base of each wall.
+    fn moments(&self) -> Vec<BaseMoment> {
+        let walls = self.runs.iter().zip(WALLS);
+        walls
+            .map(|(run, name)| {
+                let section = run.history.scalar(Scalar::SectionMoment).iter();
+                base_moment(&run.history.peak, name, section.fold(0.0, |most, m| m.abs().max(most)))
+            })
+            .collect()
+    }
+
+    /// Limits of the model that were passed, the first of each kind by time.
+    pub fn departures(&self) -> Vec<Departure> {
+        let walls = self.runs.iter().zip(WALLS);
+        let mut all: Vec<Departure> = walls
+            .flat_map(|(run, name)| run.history.departures.iter().map(move |d| departure(d, name)))
+            .collect();
+        all.sort_by(|a, b| a.time.total_cmp(&b.time));
+        let mut first: Vec<Departure> = Vec::new();
+        for found in all {
+            if first.iter().all(|d| d.id != found.id) {
+                first.push(found);
+            }
+        }
+        first
+    }
+
+    /// How the run of a wall was stopped because it had left its model.
+    pub fn left(&self, wall: usize) -> Option<Departure> {
+        let history = &self.runs[wall].history;
+        let found = history.departures.iter().find(|d| d.kind.stops())?;
+        Some(departure(found, WALLS[wall]))
+    }
+
+    /// The wall whose run ends first before its time: it collapses, or leaves the model.
     pub fn collapsed(&self) -> Option<usize> {
         let collapsed = (0..2).filter(|&w| self.runs[w].collapsed());
         collapsed.min_by(|&a, &b| self.runs[a].run.time.total_cmp(&self.runs[b].run.time))
@@ -81,6 +119,13 @@ impl Walls<'_> {
         let Some(wall) = self.collapsed() else {
             return End::Completed;
         };
+        if let Some(left) = self.left(wall) {
+            return End::Left {
+                time: left.time,
+                reason: left.reason,
+                place: left.place,
+            };
+        }
         let (run, lost) = (&self.runs[wall].run, &self.runs[wall].lost);
         let (reason, place) = match (&run.outcome, lost) {
             (Outcome::Collapsed(collapse), _) => (collapse.failure.to_string(), self.place_of(wall, collapse)),

@@ -8,7 +8,7 @@ use codes::tank::{Bar, Behaviour, Interlayer, Material, Steel};
 use codes::units::{display_in, unit_for};
 
 use super::grades::{self, Preset, Strengths};
-use super::{Limits, Resolver, range_fault};
+use super::{Limits, Resolver, plausible, range_fault};
 use crate::input::tank::behaviour;
 use crate::input::tank::read::{Field, FromNode, list, nearest};
 use crate::input::tank::schema;
@@ -17,14 +17,20 @@ use crate::input::tank::values::{Named, Number, Si, Stress};
 
 /// Moduli and strengths; "rigid" walls of benchmarks are allowed.
 const STRESS: Limits = Limits::above(0.0).to(1e18);
-/// Moduli from soft plastics (0.8 GPa) up: `210 MPa` for steel is a slip of the unit.
-const MODULUS: Limits = Limits::above(0.5e9).to(1e18);
+/// Moduli from soft plastics (0.8 GPa) up: `210 MPa` for steel is a slip of the unit. From 1e17 Pa on the motion of a wall is lost in
+/// the rounding of its stiffness: the shear of example 01 was 2.4 times that of a rigid wall at 2e17 Pa.
+const MODULUS: Limits = Limits::above(0.5e9).to(1e16);
 /// Wall materials.
 const DENSITY: Limits = Limits::above(0.0).to(30_000.0);
 /// Strengths of concrete: `35 kPa` is a slip of the unit.
 const CONCRETE: Limits = Limits::above(1e6).to(500e6);
 /// Stiffer than any material [Pa]: `3.0e9 kN/m2` for 3.0e9 N/m2 is a slip of the unit.
 const STIFFEST_INTERLAYER: f64 = 1e11;
+
+/// Most materials of a file.
+pub(super) const MAX_MATERIALS: usize = 200;
+/// Longest name of a material, in characters: every place that uses it carries a copy.
+pub(super) const MAX_NAME: usize = 100;
 
 /// Materials by name; `None` for a faulty one, so that its users are not blamed.
 pub(super) type Materials = BTreeMap<String, Option<Material>>;
@@ -39,7 +45,23 @@ pub(super) fn materials(r: &mut Resolver<'_>, field: &Field<Named<schema::Materi
         r.faults
             .push(range_fault(field, "no material", "at least one material"));
     }
+    if named.0.len() > MAX_MATERIALS {
+        let fault = range_fault(
+            field,
+            "too many materials",
+            &format!("at most {MAX_MATERIALS} materials"),
+        );
+        r.faults.push(fault.found(format!("{} materials", named.0.len())));
+        return named.0.iter().map(|(name, _)| (name.clone(), None)).collect();
+    }
     for (name, field) in &named.0 {
+        if name.chars().count() > MAX_NAME {
+            let allowed = format!("a name of at most {MAX_NAME} characters");
+            r.faults
+                .push(range_fault(field, "the name of a material is too long", &allowed).found(name.as_str()));
+            all.insert(name.clone(), None);
+            continue;
+        }
         let material = field.value.as_ref().and_then(|m| material(r, name, field, m));
         all.insert(name.clone(), material);
     }
@@ -100,6 +122,9 @@ fn material(
             "checks that need it are left out",
         ),
     };
+    if let (Some(field), Some(strength)) = (&m.yield_strength, yield_strength) {
+        plausible::yielding(r, field, strength, youngs_modulus);
+    }
     let allowable_stress = r.optional(
         &reader.key("allowable_stress"),
         &m.allowable_stress,
@@ -327,9 +352,13 @@ fn kind(
 }
 
 /// The yield strength of a law: its own, or that of the material.
-fn yielding(r: &mut Resolver<'_>, reader: &Reader, field: &Option<Field<Stress>>, material: Option<f64>) -> f64 {
+fn yielding(r: &mut Resolver<'_>, reader: &Reader, field: &Option<Field<Stress>>, (e, material): ElasticPart) -> f64 {
     match (field, material) {
-        (Some(field), _) => r.number(field, STRESS),
+        (Some(field), _) => {
+            let strength = r.number(field, STRESS);
+            plausible::yielding(r, field, strength, e);
+            strength
+        }
         (None, Some(strength)) => {
             let text = display_in(strength, unit_for(strength, Stress::DIMENSION), 4);
             r.echo_default(&reader.key("yield_strength"), &text, "yield_strength of the material");
@@ -362,7 +391,7 @@ fn tangent(r: &mut Resolver<'_>, reader: &Reader, field: &Option<Field<Stress>>,
 }
 
 fn steel(r: &mut Resolver<'_>, reader: &Reader, s: &schema::SteelBehaviour, (e, strength): ElasticPart) -> Steel {
-    let yield_strength = yielding(r, reader, &s.yield_strength, strength);
+    let yield_strength = yielding(r, reader, &s.yield_strength, (e, strength));
     let tangent_modulus = match (&s.hardening_modulus, &s.tangent_modulus) {
         (Some(field), Some(_)) => {
             r.faults.push(range_fault(
@@ -416,7 +445,7 @@ fn steel(r: &mut Resolver<'_>, reader: &Reader, s: &schema::SteelBehaviour, (e, 
 }
 
 fn bars(r: &mut Resolver<'_>, reader: &Reader, b: &schema::BarBehaviour, (e, strength): ElasticPart) -> Bar {
-    let yield_strength = yielding(r, reader, &b.yield_strength, strength);
+    let yield_strength = yielding(r, reader, &b.yield_strength, (e, strength));
     let tangent_modulus = tangent(r, reader, &b.tangent_modulus, e);
     let limits = Limits::above(0.0).to(1.0);
     let rupture_strain = match reader.preset.as_ref().map(|p| p.strengths) {

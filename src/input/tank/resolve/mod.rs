@@ -7,6 +7,7 @@ mod materials;
 mod nonlinear;
 mod options;
 mod places;
+mod plausible;
 mod site;
 mod tank;
 mod wall;
@@ -29,6 +30,7 @@ pub(super) fn resolve(file: &schema::TankFile, faults: &mut Faults) -> Option<Ta
         faults,
         echo: Vec::new(),
         remarks: Vec::new(),
+        warnings: Vec::new(),
     };
     let name = r.text(&file.name);
     if let Some(notes) = &file.notes {
@@ -37,7 +39,7 @@ pub(super) fn resolve(file: &schema::TankFile, faults: &mut Faults) -> Option<Ta
     let gravity = r.or_default(
         "gravity",
         &file.gravity,
-        Limits::above(0.0).to(100.0),
+        Limits::from(0.1).to(100.0),
         Acceleration(codes::STANDARD_GRAVITY),
         "9.80665 m/s2",
         "standard gravity, ISO 80000-3",
@@ -46,6 +48,7 @@ pub(super) fn resolve(file: &schema::TankFile, faults: &mut Faults) -> Option<Ta
     let tank = tank::tank(&mut r, &file.tank, &materials);
     let liquid = tank::liquid(&mut r, &file.liquid);
     tank::cross_checks(&mut r, file, tank.as_ref(), liquid);
+    plausible::tank(&mut r, file, tank.as_ref(), liquid);
     tank::unused(&mut r, file);
     let record = options::record(&mut r, &file.record);
     let damping = options::damping(&mut r, &file.damping, tank.as_ref());
@@ -56,7 +59,7 @@ pub(super) fn resolve(file: &schema::TankFile, faults: &mut Faults) -> Option<Ta
     let nonlinear = nonlinear::nonlinear(&mut r, &file.analysis, tank.as_ref(), damping);
     let measured = options::measured(&mut r, &file.measured);
     let published = options::published(&mut r, &file.published);
-    let (echo, remarks) = (r.echo, r.remarks);
+    let (echo, remarks, warnings) = (r.echo, r.remarks, r.warnings);
     Some(TankFile {
         case: Case {
             name: name?,
@@ -77,17 +80,19 @@ pub(super) fn resolve(file: &schema::TankFile, faults: &mut Faults) -> Option<Ta
         solid,
         nonlinear,
         remarks,
+        warnings,
         sha256: String::new(),
         source: Source::new("", ""),
         places: Places::of(file),
     })
 }
 
-/// Collects the echo, the remarks and the faults on the way.
+/// Collects the echo, the remarks, the warnings and the faults on the way.
 struct Resolver<'f> {
     faults: &'f mut Faults,
     echo: Vec<InputValue>,
     remarks: Vec<String>,
+    warnings: Vec<String>,
 }
 
 impl Resolver<'_> {
@@ -283,6 +288,7 @@ impl Limits {
         match (value <= self.low, self.low == 0.0) {
             (true, true) if self.low_allowed => "this must not be negative",
             (true, true) => "this must be positive",
+            (true, false) if self.low_allowed && self.low > 0.0 && value <= 0.0 => "this must be positive",
             (true, false) => "too small",
             (false, _) => "too large",
         }

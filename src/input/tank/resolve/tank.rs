@@ -13,9 +13,11 @@ use crate::input::tank::schema;
 use crate::input::tank::syntax::join;
 use crate::input::tank::values::Length;
 
-/// Plan dimensions and heights; the upper bound catches mm written as m.
-pub(super) const SIZE: Limits = Limits::above(0.0).to(1000.0);
-/// Wall and plate thicknesses.
+/// Plan dimensions and the height of the roof, from the smallest laboratory tank up; the upper bound catches mm written as m.
+const SIZE: Limits = Limits::from(1e-3).to(1000.0);
+/// Heights of courses and of the liquid. What is too low for an engine depends on the radius: the engine refuses it.
+pub(super) const HEIGHT: Limits = Limits::above(0.0).to(1000.0);
+/// Wall and plate thicknesses; the least follows from the radius.
 pub(super) const THICKNESS: Limits = Limits::above(0.0).to(10.0);
 /// Liquids, from hydrogen (71 kg/m³) to mercury (13 600 kg/m³): `1 kg/m3` for water is a slip of the unit.
 const LIQUID_DENSITY: Limits = Limits::above(50.0).to(15_000.0);
@@ -186,7 +188,7 @@ pub(super) fn liquid(r: &mut Resolver<'_>, field: &Field<schema::Liquid>) -> Opt
     let l = field.value.as_ref()?;
     Some(Liquid {
         density: r.number(&l.density, LIQUID_DENSITY),
-        fill_height: r.number(&l.fill_height, SIZE),
+        fill_height: r.number(&l.fill_height, HEIGHT),
     })
 }
 

@@ -3,8 +3,8 @@
 use codes::tank::{BarDirection, Behaviour, Course, Layer, LayerKind, Material, Reinforcement};
 use codes::units::Dimension;
 
-use super::materials::Materials;
-use super::tank::{SIZE, THICKNESS};
+use super::materials::{MAX_MATERIALS, MAX_NAME, Materials};
+use super::tank::{HEIGHT, THICKNESS};
 use super::{Limits, Resolver, like_unit, range_fault};
 use crate::input::tank::read::{Field, FromNode, list, nearest};
 use crate::input::tank::schema;
@@ -17,6 +17,8 @@ const MAX_COURSES: usize = 200;
 const MAX_LAYERS: usize = 20;
 /// Most layers of bars a shell may have.
 const MAX_BARS: usize = 20;
+/// Most names of materials in a message.
+const SHOWN_NAMES: usize = 20;
 
 /// What a material is to be used for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,13 +72,20 @@ pub(super) fn material(
         r.faults.push(range_fault(field, &message, allowed));
         return None;
     }
-    let known: Vec<&str> = materials.keys().map(String::as_str).collect();
+    let short = |name: &&str| name.len() <= 4 * MAX_NAME;
+    let known: Vec<&str> = (materials.keys().map(String::as_str).filter(short))
+        .take(SHOWN_NAMES)
+        .collect();
     let allowed = match known.as_slice() {
         [] => "a name from `materials`, which has none".into(),
+        names if names.len() < materials.len() => {
+            let more = materials.len() - names.len();
+            format!("a name from `materials`: {} and {more} more", names.join(", "))
+        }
         names => format!("a name from `materials`: {}", list(names, "or")),
     };
     let mut fault = range_fault(field, &format!("unknown material `{name}`"), &allowed);
-    if let Some(near) = nearest(name, known) {
+    if let Some(near) = nearest(name, materials.keys().map(String::as_str).take(MAX_MATERIALS)) {
         fault = fault.help(format!("did you mean \"{near}\"?"));
     }
     r.faults.push(fault);
@@ -102,7 +111,7 @@ pub(super) fn courses(
     let mut courses = Vec::with_capacity(list.len());
     for field in list {
         let Some(c) = &field.value else { continue };
-        let height = r.number(&c.height, SIZE);
+        let height = r.number(&c.height, HEIGHT);
         courses.extend(match &c.layers {
             Some(layers) => layered(r, c, height, layers, materials),
             None => uniform(r, field, c, height, materials),

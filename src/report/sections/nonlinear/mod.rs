@@ -2,6 +2,7 @@
 
 mod charts;
 
+use codes::units::Dimension;
 use serde::Serialize;
 
 use super::overlay::{self, Second};
@@ -11,7 +12,7 @@ use crate::error::Error;
 use crate::report::figure::{Figure, cells, cracks};
 use crate::report::number::{Scale, fixed, percent, plain, ratio, significant};
 use crate::report::table::{Column, Table};
-use crate::results::nonlinear::{Count, End, Event, Nonlinear, PARTED};
+use crate::results::nonlinear::{BaseMoment, Count, Departure, End, Event, Nonlinear, PARTED};
 use crate::results::{FeResult, NONLINEAR_PREFIX, SeriesInfo};
 
 /// Histories of both engines drawn over each other, by the beginning of their id.
@@ -48,6 +49,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
         &run.map(|run| outcome(run, fe)).into_iter().collect::<Vec<_>>(),
     );
     section.set("events", &run.map_or_else(Table::default, |run| events(&run.events)));
+    section.set("moments", &run.map_or_else(Table::default, |run| moments(&run.moments)));
     section.set("numbered", &!marks.is_empty());
     section.set_figures("overlays", overlays(source, &marks)?);
     let pictures = run.map_or_else(Drawn::default, pictures);
@@ -96,6 +98,19 @@ fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
     };
     match &run.end {
         End::Completed if fe.incomplete => fail("Incomplete".into(), vec![bounds.into()]),
+        End::Completed if !run.departures.is_empty() => {
+            let mut text = vec![
+                "Equilibrium was found to the end of the ground motion, but not within the limits of the model: what comes later is no \
+                 result."
+                    .to_owned(),
+            ];
+            text.extend(run.departures.iter().map(left));
+            text.extend(run.parted().then(|| PARTED.to_owned()));
+            fail(
+                format!("The run left its model at t = {} s", fixed(run.departures[0].time, 3)),
+                text,
+            )
+        }
         End::Completed => Outcome {
             class: "none",
             sign: "✓",
@@ -106,6 +121,17 @@ fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
                 text
             },
         },
+        End::Left { time, reason, place } => {
+            let mut text = vec![format!("{}: {}.", capital(place), reason.trim_end_matches('.'))];
+            let others = run.departures.iter().filter(|d| d.id != "stored_energy");
+            text.extend(others.map(left));
+            text.extend(run.parted().then(|| PARTED.to_owned()));
+            text.push("Values, pictures and histories are those until then.".into());
+            fail(
+                format!("Stopped: the run left its model at t = {} s", fixed(*time, 3)),
+                text,
+            )
+        }
         End::Interrupted { time } => fail(format!("Interrupted at t = {} s", fixed(*time, 2)), vec![bounds.into()]),
         End::Collapsed {
             time,
@@ -130,6 +156,7 @@ fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
             if !reason.is_empty() {
                 text.push(format!("Reason: {}.", reason.trim_end_matches('.')));
             }
+            text.extend(run.departures.iter().map(left));
             text.extend(run.parted().then(|| PARTED.to_owned()));
             if load_factor.is_none() {
                 text.push(bounds.into());
@@ -137,6 +164,48 @@ fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
             fail(headline, text)
         }
     }
+}
+
+/// A departure as a sentence.
+fn left(departure: &Departure) -> String {
+    format!(
+        "After {} s, {}: {}.",
+        fixed(departure.time, 3),
+        departure.place,
+        departure.reason
+    )
+}
+
+/// What the largest moments at the base are made of.
+fn moments(found: &[BaseMoment]) -> Table {
+    let all = found
+        .iter()
+        .flat_map(|m| [m.reaction, m.section, m.damping, m.inertia, m.load, m.largest_section]);
+    let scale = Scale::of(Dimension::LineMoment, all);
+    let unit = scale.symbol();
+    let mut table = Table::new(vec![
+        Column::words("Wall"),
+        Column::numbers("Time", "s"),
+        Column::numbers("Reaction", unit),
+        Column::numbers("Section", unit),
+        Column::numbers("Damping", unit),
+        Column::numbers("Inertia", unit),
+        Column::numbers("Pressure at rest", unit),
+        Column::numbers("Largest of the section", unit),
+    ]);
+    for m in found {
+        table.row(vec![
+            m.place.clone(),
+            fixed(m.time, 3),
+            scale.text(m.reaction),
+            scale.text(m.section),
+            scale.text(m.damping),
+            scale.text(m.inertia),
+            scale.text(m.load),
+            scale.text(m.largest_section),
+        ]);
+    }
+    table
 }
 
 /// Times of the events with their numbers, those at rest left out.

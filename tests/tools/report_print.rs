@@ -2,7 +2,7 @@
 //!
 //! Goal:     a plausible number of pages, no heading at a page's end, no text cut off on screen, phone and paper
 //! Model:    the sample of `sample.rs`, `compare` and `check`
-//! Expected: see each test; skipped with a notice where Chromium is absent (`CHROMIUM` names another binary)
+//! Expected: see each test
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -11,23 +11,6 @@ use crate::sample::{self, Kind};
 
 /// Points of a millimetre.
 const MM: f64 = 72.0 / 25.4;
-
-fn chromium() -> Option<PathBuf> {
-    let named = std::env::var_os("CHROMIUM").map(PathBuf::from);
-    let usual = ["chromium", "chromium-browser", "google-chrome-stable", "google-chrome"].map(PathBuf::from);
-    let found = named.into_iter().chain(usual).find(|program| {
-        let probe = Command::new(program)
-            .arg("--version")
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .status();
-        probe.is_ok_and(|s| s.success())
-    });
-    if found.is_none() {
-        eprintln!("notice: no Chromium found, the printed report is not checked (set CHROMIUM to its path)");
-    }
-    found
-}
 
 /// Runs Chromium on a page; returns its standard output.
 fn browse(program: &Path, profile: &Path, page: &Path, args: &[&str]) -> String {
@@ -57,9 +40,7 @@ fn rendered(folder: &Path, kind: Kind) -> PathBuf {
     tankcheck::report::render(folder, None).expect("the sample renders")
 }
 
-#[test]
-fn it_prints_to_clean_pages() {
-    let Some(program) = chromium() else { return };
+pub fn it_prints_to_clean_pages(program: &Path) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for (kind, pages) in [
         (Kind::Compare, 15..=40),
@@ -70,7 +51,7 @@ fn it_prints_to_clean_pages() {
         let pdf = folder.path().join("report.pdf");
         let to = format!("--print-to-pdf={}", pdf.display());
         let args = ["--no-pdf-header-footer", "--generate-pdf-document-outline", &to];
-        browse(&program, &folder.path().join("profile"), &report, &args);
+        browse(program, &folder.path().join("profile"), &report, &args);
         let bytes = std::fs::read(&pdf).expect("the PDF exists");
         let text = String::from_utf8_lossy(&bytes);
 
@@ -153,9 +134,7 @@ addEventListener("load", () => {
 </script>
 "##;
 
-#[test]
-fn nothing_is_cut_off_on_screen_phone_and_paper() {
-    let Some(program) = chromium() else { return };
+pub fn nothing_is_cut_off_on_screen_phone_and_paper(program: &Path) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for kind in [Kind::Compare, Kind::Check, Kind::Rectangle, Kind::Nonlinear] {
         let report = rendered(folder.path(), kind);
@@ -181,7 +160,7 @@ fn nothing_is_cut_off_on_screen_phone_and_paper() {
         let path = folder.path().join("measure.html");
         std::fs::write(&path, page).expect("writable");
         let dom = browse(
-            &program,
+            program,
             &folder.path().join("profile"),
             &path,
             &["--dump-dom", "--window-size=1400,1000"],
@@ -199,12 +178,8 @@ fn nothing_is_cut_off_on_screen_phone_and_paper() {
     }
 }
 
-/// Writes the samples and their reports for looking at them: `TANKCHECK_LOOK=folder cargo test --test golden look`
-#[test]
-fn look() {
-    let Some(folder) = std::env::var_os("TANKCHECK_LOOK") else {
-        return;
-    };
+/// Writes the samples and their reports for looking at them: `TANKCHECK_LOOK=folder cargo test --test tools look`
+pub fn look(folder: &Path) {
     let names = [
         (Kind::Compare, "Broad tank of Manos and Clough, 1982", "compare"),
         (Kind::Check, "Broad tank, codes alone", "check"),
@@ -214,7 +189,7 @@ fn look() {
         (Kind::Nonlinear, "Broad tank, nonlinear", "nonlinear"),
     ];
     for (kind, name, sub) in names {
-        let out = std::path::Path::new(&folder).join(sub);
+        let out = folder.join(sub);
         std::fs::create_dir_all(&out).expect("the folder can be made");
         sample::write(&out, kind, name);
         let start = std::time::Instant::now();

@@ -1,0 +1,34 @@
+//! What a run will take, said beforehand and held against the limits.
+
+use crate::cli::Global;
+use crate::cli::terminal::say;
+use crate::error::Error;
+use crate::fe::estimate::{Estimate, WORTH_SAYING};
+
+/// Memory that a run may take.
+#[derive(clap::Args, Clone, Copy, Debug, Default)]
+pub struct MemoryArg {
+    /// Most memory of a run; a larger one is refused before it begins [default: 4096, or as in the tank file].
+    #[arg(long, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=16_777_216))]
+    memory_limit: Option<u64>,
+}
+
+impl MemoryArg {
+    /// The limit [MiB]; `given` is that of the tank file.
+    pub fn over(self, given: u64) -> u64 {
+        self.memory_limit.unwrap_or(given)
+    }
+}
+
+/// Refuses a run that passes a limit; announces it if it takes its time, or if `always`.
+///
+/// * `limit`: memory allowed [MiB]
+///
+/// Errors: [`crate::fe::FeError::Memory`], [`crate::fe::FeError::TooLong`], before anything is built.
+pub fn admit(estimate: &Estimate, limit: u64, always: bool, global: &Global) -> Result<(), Error> {
+    estimate.hold(limit)?;
+    if !global.quiet && (always || estimate.seconds > WORTH_SAYING) {
+        say!("{}", estimate.sentence());
+    }
+    Ok(())
+}

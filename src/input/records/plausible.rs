@@ -1,0 +1,146 @@
+//! What ground motion can be: what is refused, and what is computed with a warning.
+
+use std::fmt::Display;
+
+use codes::STANDARD_GRAVITY;
+use codes::record::Record;
+
+use crate::error::Error;
+use crate::input::records::process::number;
+use crate::input::records::{MAX_PEAK, MAX_PLAUSIBLE, Processing};
+
+/// Longest time step of ground motion that is usual [s]: at 0.1 s nothing above 5 Hz is left.
+const LONG_STEP: f64 = 0.1;
+/// Longest time step of a record [s].
+pub const LONGEST_STEP: f64 = 10.0;
+/// Fewest samples that are usual.
+const FEW_SAMPLES: usize = 10;
+
+/// Refuses a record, as computed with, that no ground motion is: a peak above 5 g (with `allow_implausible` above
+/// [`MAX_PEAK`]), numbers that are not finite, a time step beyond 10 s.
+///
+/// * `origin`: what makes the peak, for the message (`record.scale_by`)
+///
+/// Errors: [`Error::Input`] with the value and the range.
+pub fn check(record: &Record, origin: &str, allow_implausible: bool) -> Result<(), Error> {
+    if !(record.dt > 0.0 && record.dt <= LONGEST_STEP) {
+        return Err(Error::Input(format!(
+            "error: the time step of the record is out of range; found {} s after processing, expected at most {LONGEST_STEP} s\n  \
+             help: correct the time factor or the unit of the time column",
+            record.dt
+        )));
+    }
+    let peak = record
+        .acceleration
+        .iter()
+        .fold(0.0, |most: f64, a| match a.is_finite() {
+            true => most.max(a.abs()),
+            false => f64::INFINITY,
+        });
+    check_peak(peak, origin, allow_implausible)
+}
+
+/// Refuses a peak ground acceleration [m/s²]; see [`check`].
+///
+/// Errors: [`Error::Input`] with the value and the range.
+pub fn check_peak(peak: f64, origin: impl Display, allow_implausible: bool) -> Result<(), Error> {
+    let g = |a: f64| a / STANDARD_GRAVITY;
+    if peak.is_nan() || peak > MAX_PEAK {
+        return Err(Error::Input(format!(
+            "error: {origin}: the peak ground acceleration is out of range; found {} g, expected at most {} g\n  help: correct the \
+             factor or the unit",
+            number(g(peak)),
+            g(MAX_PEAK)
+        )));
+    }
+    if peak > MAX_PLAUSIBLE && !allow_implausible {
+        return Err(Error::Input(format!(
+            "error: {origin}: implausible peak ground acceleration; found {} g, expected up to {} g (the largest recorded are near \
+             3 g)\n  help: correct the factor or the unit, or give --allow-implausible",
+            number(g(peak)),
+            g(MAX_PLAUSIBLE)
+        )));
+    }
+    Ok(())
+}
+
+/// What is unusual in a record as computed with, one sentence each with the usual range.
+pub fn doubts(record: &Record, processing: &Processing) -> Vec<String> {
+    let mut all = Vec::new();
+    let name = &record.name;
+    if let Some(factor) = processing.scale_by.filter(|f| *f < 0.0) {
+        all.push(format!(
+            "record `{name}`: scale_by is negative, which reverses the shaking; found {factor}, usual are factors above 0"
+        ));
+    }
+    if record.acceleration.len() < FEW_SAMPLES {
+        all.push(format!(
+            "record `{name}`: found {} samples, usual are hundreds to thousands",
+            record.acceleration.len()
+        ));
+    }
+    if record.dt > LONG_STEP {
+        all.push(format!(
+            "record `{name}`: found a time step of {} s, usual are 0.002 to 0.02 s; beyond {LONG_STEP} s the record holds nothing \
+             at the periods of stiff walls",
+            number(record.dt)
+        ));
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn record(dt: f64, peak: f64, samples: usize) -> Record {
+        let mut acceleration = vec![0.0; samples];
+        acceleration[samples / 2] = -peak;
+        Record {
+            name: "r".into(),
+            dt,
+            acceleration,
+            processing: vec![],
+        }
+    }
+
+    #[test]
+    fn peaks_beyond_5_g_need_the_option_and_beyond_1000_g_none_helps() {
+        let g = STANDARD_GRAVITY;
+        let refused = |peak: f64, allow| check(&record(0.01, peak, 20), "record.scale_by", allow).err();
+        assert!(refused(5.0 * g, false).is_none());
+        let text = refused(5.001 * g, false).unwrap().to_string();
+        for part in ["record.scale_by", "5.001 g", "up to 5 g", "--allow-implausible"] {
+            assert!(text.contains(part), "{text}");
+        }
+        assert!(refused(5.001 * g, true).is_none() && refused(1000.0 * g, true).is_none());
+        for peak in [1001.0 * g, 1e300, f64::INFINITY, f64::NAN] {
+            let text = refused(peak, true).unwrap().to_string();
+            assert!(
+                text.contains("at most 1000 g") && !text.contains("implausible"),
+                "{text}"
+            );
+        }
+        assert!(
+            check(&record(10.1, 1.0, 20), "", true).is_err() && check(&record(f64::NAN, 1.0, 20), "", true).is_err()
+        );
+    }
+
+    #[test]
+    fn unusual_records_are_named_with_the_usual_range() {
+        let plain = Processing::default();
+        assert!(doubts(&record(0.1, 1.0, 10), &plain).is_empty());
+        let two = doubts(&record(0.02, 1.0, 2), &plain);
+        assert!(
+            two.len() == 1 && two[0].contains("2 samples") && two[0].contains("usual"),
+            "{two:?}"
+        );
+        let slow = doubts(&record(0.11, 1.0, 10), &plain);
+        assert!(slow.len() == 1 && slow[0].contains("0.11 s"), "{slow:?}");
+        let reversed = Processing {
+            scale_by: Some(-1.0),
+            ..plain
+        };
+        assert!(doubts(&record(0.02, 1.0, 10), &reversed)[0].contains("negative"));
+    }
+}

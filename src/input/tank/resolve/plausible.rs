@@ -1,0 +1,144 @@
+//! Values that no tank has are refused; values that few tanks have are computed with a warning that names the usual range.
+
+use std::collections::BTreeMap;
+
+use codes::tank::{LayerKind, Liquid, Shape, Tank};
+use codes::units::{Dimension, display_in, unit_for};
+
+use super::{Resolver, like_field, like_unit, range_fault};
+use crate::input::tank::read::Field;
+use crate::input::tank::schema;
+use crate::input::tank::syntax::join;
+use crate::input::tank::values::Stress;
+
+/// Largest usual yield strength [Pa]: prestressing steel has 1.9 GPa.
+const STRONGEST: f64 = 2e9;
+/// Largest usual strain at yielding of metals, and Young's modulus [Pa] from which on a material is one.
+const METAL: (f64, f64) = (0.01, 20e9);
+/// Largest usual strain at yielding of plastics.
+const PLASTIC: f64 = 0.05;
+/// Share of Young's modulus at which the bonds of any solid fail.
+const THEORETICAL: f64 = 0.1;
+/// Usual densities of walls [kg/m³], from wood to tungsten.
+const WALL_DENSITY: std::ops::RangeInclusive<f64> = 500.0..=20_000.0;
+/// Largest usual H/R.
+const SLENDER: f64 = 10.0;
+/// Smallest usual H/R.
+const SHALLOW: f64 = 0.01;
+/// Largest height of the roof's mass over that of the wall.
+const HIGHEST_ROOF: f64 = 10.0;
+/// Slack for sums and quotients of decimal fractions.
+const ROUNDING: f64 = 1e-9;
+
+/// A yield strength [Pa] beside Young's modulus [Pa] (NaN: unknown or faulty).
+pub(super) fn yielding(r: &mut Resolver<'_>, field: &Field<Stress>, strength: f64, e: f64) {
+    let show = |stress: f64| display_in(stress, unit_for(stress, Dimension::Stress), 3);
+    if strength > THEORETICAL * e * (1.0 + ROUNDING) {
+        let allowed = format!(
+            "at most {}, a tenth of Young's modulus",
+            like_unit(field, THEORETICAL * e, Dimension::Stress)
+        );
+        r.faults
+            .push(range_fault(field, "no material yields at this stress", &allowed));
+        return;
+    }
+    let strain = if e >= METAL.1 { METAL.0 } else { PLASTIC };
+    let usual = match e.is_nan() {
+        true => STRONGEST,
+        false => STRONGEST.min(strain * e),
+    };
+    if strength > usual * (1.0 + ROUNDING) {
+        let why = match usual < STRONGEST {
+            true => format!(" ({} % of Young's modulus)", 100.0 * strain),
+            false => String::new(),
+        };
+        r.warnings.push(format!(
+            "{}: unusual yield strength; found {}, usual is up to {}{why}",
+            field.path,
+            field.text,
+            show(usual)
+        ));
+    }
+}
+
+/// Proportions of tank and liquid, densities of the wall.
+pub(super) fn tank(r: &mut Resolver<'_>, file: &schema::TankFile, tank: Option<&Tank>, liquid: Option<Liquid>) {
+    let (Some(tank), Some(given)) = (tank, &file.tank.value) else {
+        return;
+    };
+    densities(r, file, tank);
+    let (Some(liquid), Some(liquid_field)) = (liquid, &file.liquid.value) else {
+        return;
+    };
+    let fill = liquid.fill_height;
+    if let (Some(Field { value: Some(roof), .. }), Some(height)) = (&given.roof, tank.roof.height)
+        && let Some(field) = &roof.height
+    {
+        let wall = tank.wall_height();
+        // Below half the wall it has been refused already.
+        if height < fill * (1.0 - ROUNDING) && height >= 0.5 * wall {
+            let allowed = format!("at least {}, the fill height", like_field(field, fill));
+            r.faults.push(range_fault(
+                field,
+                "the roof lies below the surface of the liquid",
+                &allowed,
+            ));
+        } else if height > HIGHEST_ROOF * wall {
+            let allowed = format!(
+                "at most {}, {HIGHEST_ROOF} heights of the wall",
+                like_field(field, HIGHEST_ROOF * wall)
+            );
+            r.faults
+                .push(range_fault(field, "the roof lies far above the wall", &allowed));
+        } else if height > wall + tank.shape.half_length() {
+            r.warnings.push(format!(
+                "{}: the mass of the roof lies high above the wall; found {}, usual is up to {}",
+                field.path,
+                field.text,
+                like_field(field, wall + tank.shape.half_length())
+            ));
+        }
+    }
+    let (what, half) = match tank.shape {
+        Shape::Cylinder { radius } => ("H/R", radius),
+        Shape::Rectangle { length, .. } => ("H/L (L is half the length)", length / 2.0),
+    };
+    let ratio = fill / half;
+    let field = &liquid_field.fill_height;
+    if ratio > SLENDER * (1.0 + ROUNDING) {
+        r.warnings.push(format!(
+            "{}: unusually slender tank; found {what} = {ratio:.1}, usual is 0.3 to 3; procedures and engines are checked up to about 5",
+            field.path
+        ));
+    }
+    if ratio < SHALLOW * (1.0 - ROUNDING) {
+        r.warnings.push(format!(
+            "{}: unusually shallow liquid; found {what} = {ratio:.2e}, usual is 0.3 to 3; below {SHALLOW} waves break and the linear \
+             theory does not hold",
+            field.path
+        ));
+    }
+}
+
+/// Densities of shells; layers between two shells may be light.
+fn densities(r: &mut Resolver<'_>, file: &schema::TankFile, tank: &Tank) {
+    let mut shells: BTreeMap<&str, f64> = BTreeMap::new();
+    for course in &tank.courses {
+        if course.layers.is_empty() {
+            shells.insert(&course.material.name, course.material.density);
+        }
+        for layer in course.layers.iter().filter(|l| l.kind == LayerKind::Shell) {
+            shells.insert(&layer.material.name, layer.material.density);
+        }
+    }
+    for (name, density) in shells {
+        if density.is_nan() || WALL_DENSITY.contains(&density) {
+            continue;
+        }
+        let path = join(&join(&file.materials.path, name), "density");
+        r.warnings.push(format!(
+            "{path}: unusual density of a wall; found {}, usual is 500 to 20000 kg/m3",
+            display_in(density, unit_for(density, Dimension::Density), 4)
+        ));
+    }
+}

@@ -1,0 +1,306 @@
+//! The folder that a command writes its results into.
+
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use super::manifest::{self, Found, MANIFEST_FILE, Manifest};
+use super::staging::{self, Commit, Staging};
+use super::{files_below, sync, unwritten, write_whole};
+use crate::error::{Error, describe};
+
+/// A kind of results: folders of different kinds do not replace each other.
+#[derive(Clone, Copy, Debug)]
+pub struct Kind {
+    /// Name in the manifest.
+    pub id: &'static str,
+    /// The command that writes it, and the option that names its folder, for messages.
+    pub option: &'static str,
+    /// Names (files and folders at the top) that such results may have.
+    pub names: fn(&str) -> bool,
+    /// Names that stay from earlier results of the same kind unless they are written anew.
+    pub keeps: fn(&str) -> bool,
+}
+
+/// An output folder under construction; dropped without [`OutputFolder::commit`] it leaves nothing.
+#[derive(Debug)]
+pub struct OutputFolder {
+    target: PathBuf,
+    kind: Kind,
+    staging: Staging,
+    /// Folders that were made for it, the deepest last.
+    made: Vec<PathBuf>,
+    committed: bool,
+}
+
+impl OutputFolder {
+    /// Prepares to write results of a kind into `target`; sweeps what killed runs have left there.
+    ///
+    /// Errors: the target is a file, holds results of another kind, or files where the results belong that are not of this
+    /// program or changed since; a folder that cannot be made.
+    pub fn prepare(target: &Path, kind: Kind) -> Result<OutputFolder, Error> {
+        let fault = |what: String| Error::File {
+            path: target.into(),
+            what,
+        };
+        settle(target);
+        let exists = target.symlink_metadata().is_ok();
+        if exists && !target.is_dir() {
+            return Err(fault("is a file, expected an output folder".into()));
+        }
+        if exists {
+            vacant(target, kind)?;
+            if std::fs::metadata(target).is_ok_and(|m| m.permissions().readonly()) {
+                return Err(fault("is read-only".into()));
+            }
+        }
+        // Inside an existing target (it may be a mount point, its parent read-only), else beside it.
+        let mut made = Vec::new();
+        let home = if exists {
+            target.to_path_buf()
+        } else {
+            let parent = parent(target);
+            let missing: Vec<PathBuf> = parent
+                .ancestors()
+                .take_while(|p| !p.as_os_str().is_empty() && !p.exists())
+                .map(Path::to_path_buf)
+                .collect();
+            std::fs::create_dir_all(&parent).map_err(|e| Error::File {
+                path: parent.clone(),
+                what: describe(&e),
+            })?;
+            made.extend(missing.into_iter().rev());
+            parent
+        };
+        let name = target
+            .file_name()
+            .map_or_else(|| "out".into(), |n| n.to_string_lossy().into_owned());
+        match Staging::new(&home, &name, target) {
+            Ok(staging) => Ok(OutputFolder {
+                target: target.into(),
+                kind,
+                staging,
+                made,
+                committed: false,
+            }),
+            Err(error) => {
+                unmake(&made);
+                match error.kind() {
+                    ErrorKind::StorageFull | ErrorKind::QuotaExceeded => Err(unwritten(target, &error)),
+                    _ => Err(fault(describe(&error))),
+                }
+            }
+        }
+    }
+
+    /// As [`OutputFolder::prepare`] for a run that keeps a checkpoint: two of them would overwrite each other's.
+    ///
+    /// Errors: as there; another run that writes into the same folder.
+    pub fn prepare_alone(target: &Path, kind: Kind) -> Result<OutputFolder, Error> {
+        settle(target);
+        match staging::owner([target.to_path_buf(), parent(target)], target) {
+            Some(process) => Err(Error::Taken {
+                path: target.into(),
+                what: format!("another run (process {process}) writes here"),
+                help: format!("wait for it, or name another folder with {}", kind.option),
+            }),
+            None => OutputFolder::prepare(target, kind),
+        }
+    }
+
+    /// Where to write.
+    pub fn path(&self) -> PathBuf {
+        self.staging.files()
+    }
+
+    /// Moves everything to the target, replacing the results of an earlier run.
+    ///
+    /// Errors: [`Error::Unwritten`], the old results are still there; files that have come into the way meanwhile.
+    pub fn commit(mut self) -> Result<(), Error> {
+        let files = self.path();
+        let mut manifest = Manifest::of(&files, self.kind.id)?;
+        let new: Vec<PathBuf> = files_below(&files).map_err(|e| unwritten(&files, &e))?;
+        // An ending process waits until everything is in its place.
+        let mut ledger = staging::ledger();
+        // One commit at a time: the folder itself is the lock, where the file system knows locks.
+        let lock = std::fs::File::open(&self.target).ok();
+        let _ = lock.as_ref().map(std::fs::File::lock);
+        let mut stale = Vec::new();
+        let exists = self.target.is_dir();
+        if exists {
+            let old = vacant(&self.target, self.kind)?;
+            for path in &new {
+                self.free(path, old.as_ref())?;
+            }
+            for (name, hash) in old.map(|m| m.files).unwrap_or_default() {
+                let top = name.split('/').next().unwrap_or_default();
+                let written = manifest.files.contains_key(&name);
+                match (self.kind.keeps)(top) {
+                    true => drop(manifest.files.entry(name).or_insert(hash)),
+                    false if !written => stale.push(manifest::path(&name)),
+                    false => {}
+                }
+            }
+        }
+        write_whole(&files.join(MANIFEST_FILE), manifest.text()?.as_bytes())?;
+        durable(&files, &new)?;
+        ledger.unfinished.retain(|folder| *folder != self.staging.folder);
+        self.committed = true;
+        let moved = match exists {
+            false => std::fs::rename(&files, &self.target).and_then(|()| sync(&parent(&self.target))),
+            true => {
+                let target = std::path::absolute(&self.target).map_err(|e| unwritten(&self.target, &e))?;
+                self.staging.move_on(&Commit { target, stale })
+            }
+        };
+        ledger.kept |= moved.is_ok();
+        staging::clear(&self.staging.folder);
+        moved.map_err(|e| unwritten(&self.target, &e))
+    }
+
+    /// Whether a new file may stand at its path in the target.
+    fn free(&self, path: &Path, old: Option<&Manifest>) -> Result<(), Error> {
+        let key = manifest::key(path);
+        let there = self.target.join(path).symlink_metadata().is_ok();
+        match there && !old.is_some_and(|m| m.files.contains_key(&key)) {
+            true => Err(foreign(&self.target, &key, self.kind)),
+            false => Ok(()),
+        }
+    }
+}
+
+impl Drop for OutputFolder {
+    fn drop(&mut self) {
+        if !self.committed {
+            // The staging folder goes first: it may stand in one of them.
+            staging::discard(&self.staging.folder);
+            unmake(&self.made);
+        }
+    }
+}
+
+/// Names of the files that results keep and that somebody has changed.
+pub fn edited(folder: &Path, kind: Kind) -> Vec<String> {
+    let Found::Own(manifest) = Manifest::find(folder) else {
+        return Vec::new();
+    };
+    let names = manifest.files.keys().filter(|name| (kind.keeps)(name));
+    names
+        .filter(|name| manifest.changed(folder, |other| other == name.as_str()).is_some())
+        .cloned()
+        .collect()
+}
+
+/// What is said of an interrupted run that leaves complete results of an earlier one in place.
+pub fn kept_complete(folder: &Path) -> String {
+    format!(
+        "`{}` keeps the complete results of an earlier run; those of this one, which was interrupted, are not written there",
+        folder.display()
+    )
+}
+
+/// Finishes or sweeps what killed runs have left in a results folder and beside it. Whoever reads results calls this first.
+pub fn settle(folder: &Path) {
+    if folder.is_dir() {
+        staging::sweep(folder);
+    }
+    staging::sweep(&parent(folder));
+}
+
+/// Whether results of a kind may be written into an existing folder; the manifest of those that are there.
+///
+/// Errors: results of another kind, foreign or changed files in the way.
+fn vacant(target: &Path, kind: Kind) -> Result<Option<Manifest>, Error> {
+    let fault = |what: String| Error::File {
+        path: target.into(),
+        what,
+    };
+    let manifest = match Manifest::find(target) {
+        Found::None => None,
+        Found::Own(manifest) => Some(manifest),
+        Found::Foreign => return Err(foreign(target, MANIFEST_FILE, kind)),
+    };
+    if let Some(other) = manifest.as_ref().filter(|m| m.kind != kind.id) {
+        return Err(taken(
+            target,
+            format!("holds results of `tankcheck {}`", other.kind),
+            kind,
+        ));
+    }
+    let entries = std::fs::read_dir(target).map_err(|e| fault(describe(&e)))?;
+    let mut names = Vec::new();
+    for entry in entries {
+        names.push(
+            entry
+                .map_err(|e| fault(describe(&e)))?
+                .file_name()
+                .to_string_lossy()
+                .into_owned(),
+        );
+    }
+    names.sort();
+    let own = |name: &String| manifest.as_ref().is_some_and(|m| m.has(name));
+    if let Some(name) = names.iter().find(|name| (kind.names)(name) && !own(name)) {
+        return Err(foreign(target, name, kind));
+    }
+    if let Some(manifest) = &manifest {
+        let replaced = |name: &str| !(kind.keeps)(name.split('/').next().unwrap_or_default());
+        if let Some(name) = manifest.changed(target, replaced) {
+            return Err(taken(
+                target,
+                format!("`{name}` has changed since tankcheck wrote it"),
+                kind,
+            ));
+        }
+    }
+    Ok(manifest)
+}
+
+fn foreign(target: &Path, name: &str, kind: Kind) -> Error {
+    let what = format!("holds `{name}`, which is not in the manifest of files that tankcheck wrote");
+    taken(target, what, kind)
+}
+
+fn taken(target: &Path, what: String, kind: Kind) -> Error {
+    Error::Taken {
+        path: target.into(),
+        what,
+        help: format!("move it away, or name another folder with {}", kind.option),
+    }
+}
+
+/// Files and their folders, on the disk. Side by side: a journal takes many at the price of a few.
+fn durable(files: &Path, new: &[PathBuf]) -> Result<(), Error> {
+    const THREADS: usize = 8;
+    let outcome = std::thread::scope(|scope| {
+        let share = new.len().div_ceil(THREADS).max(1);
+        let workers: Vec<_> = new
+            .chunks(share)
+            .map(|part| scope.spawn(move || part.iter().try_for_each(|path| sync(&files.join(path)))))
+            .collect();
+        let outcomes = workers.into_iter().map(|worker| match worker.join() {
+            Ok(outcome) => outcome,
+            Err(panic) => std::panic::resume_unwind(panic),
+        });
+        outcomes.collect::<std::io::Result<Vec<()>>>()
+    });
+    outcome.and_then(|_| sync(files)).map_err(|e| unwritten(files, &e))
+}
+
+/// Removes folders that were made, the deepest first, as far as they are empty.
+fn unmake(made: &[PathBuf]) {
+    for folder in made.iter().rev() {
+        if std::fs::remove_dir(folder).is_err() {
+            return;
+        }
+    }
+}
+
+/// The folder that a path stands in.
+fn parent(path: &Path) -> PathBuf {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
+        // `out`, or `.` and `..`, whose parents have no name here.
+        _ if path.file_name().is_some() => PathBuf::from("."),
+        _ => path.join(".."),
+    }
+}

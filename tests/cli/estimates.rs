@@ -1,0 +1,168 @@
+//! Estimates against measured runs: memory and time within a factor of 1.5.
+//!
+//! Measured: largest resident set, and processor time of the release build on the idle reference machine, as in
+//! docs/performance.md, which has the commands. The estimates follow from counts of elements, entries and operations; where one
+//! leaves the factor, its model is to be mended, not the number here.
+
+use std::path::Path;
+
+use tankcheck::fe::estimate::{Estimate, MIB};
+use tankcheck::fe::nonlinear::push::{Amplitude, PushOptions, Quality};
+use tankcheck::fe::nonlinear::{self, WallElements};
+use tankcheck::fe::solid::{self, Liquid, MeshSize, SolidOptions};
+use tankcheck::fe::{Integrator, Options, harmonic};
+use tankcheck::input::{TankFile, read_tank, records};
+
+/// Factor that is allowed.
+const FACTOR: f64 = 1.5;
+
+/// The tank of an example under a record of the examples.
+fn example(tank: &str, record: &str) -> TankFile {
+    let home = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let mut file = read_tank(&home.join(tank)).expect("an example");
+    let read = records::read(&home.join(record), &records::ReadOptions::default()).expect("a record");
+    let horizontal = records::process(&read.record, &file.record).expect("its processing");
+    file.case.ground_motion = Some(codes::case::GroundMotion {
+        horizontal,
+        vertical: None,
+    });
+    file
+}
+
+/// Holds an estimate against a measured run: memory [MiB] and time [s], each where it was measured.
+fn within(what: &str, found: &Estimate, memory: Option<f64>, seconds: Option<f64>, faults: &mut Vec<String>) {
+    let mib = found.bytes() / MIB;
+    println!(
+        "{what}: {mib:.0} MiB against {memory:?}, {:.3} s against {seconds:?}",
+        found.seconds
+    );
+    for (name, found, measured) in [("MiB", mib, memory), ("s", found.seconds, seconds)] {
+        if let Some(measured) = measured
+            && !(1.0 / FACTOR..=FACTOR).contains(&(found / measured))
+        {
+            faults.push(format!("{what}: {found:.3} {name}, measured {measured} {name}"));
+        }
+    }
+}
+
+const BROAD: [&str; 2] = ["01_broad_tank/tank.json", "records/elcentro.csv"];
+
+#[test]
+fn estimates_are_within_a_factor_of_measured_runs() {
+    let mut faults = Vec::new();
+    let broad = example(BROAD[0], BROAD[1]);
+    let one = Options {
+        mesh_error: false,
+        ..broad.fe.clone()
+    };
+    for (refine, memory, seconds) in MEASURED_HARMONIC {
+        let options = Options { refine, ..one.clone() };
+        let found = harmonic::estimate(&broad.case, &options).expect("an estimate");
+        let what = format!("harmonic, --refine {refine} --no-mesh-error");
+        within(&what, &found, memory, seconds, &mut faults);
+    }
+    for (mesh, liquid, newmark, memory, seconds) in MEASURED_SOLID {
+        let options = Options {
+            integrator: if newmark {
+                Integrator::Newmark
+            } else {
+                Integrator::Modal
+            },
+            ..one.clone()
+        };
+        let solid = SolidOptions {
+            mesh: Some(MeshSize {
+                radial: mesh[0],
+                sectors: mesh[1],
+                vertical: mesh[2],
+            }),
+            liquid,
+            ..SolidOptions::default()
+        };
+        let found = solid::estimate(&broad.case, &options, &solid).expect("an estimate");
+        let what = format!("solid {mesh:?} {liquid:?} newmark {newmark}");
+        within(&what, &found, memory, seconds, &mut faults);
+    }
+
+    let mut strip = example("06_sandwich_strip/tank.json", "records/elcentro.csv");
+    for (step, memory, seconds) in MEASURED_STRIP {
+        strip.nonlinear.time_step = Some(step);
+        let found = nonlinear::estimate_incremental(&strip.case, &strip.nonlinear, 1, 1).expect("an estimate");
+        within(&format!("strip, step {step} s"), &found, memory, seconds, &mut faults);
+    }
+
+    for (tank, record, elements, memory, seconds) in MEASURED_CYLINDER {
+        let mut cylinder = example(tank, record);
+        cylinder.nonlinear.elements = Some(WallElements {
+            height: elements[0],
+            circumference: elements[1],
+        });
+        let found = nonlinear::estimate(&cylinder.case, &cylinder.nonlinear).expect("an estimate");
+        within(&format!("{tank} {elements:?}"), &found, memory, seconds, &mut faults);
+    }
+
+    let steel = example("07_steel_cylinder/tank.json", "records/elcentro.csv");
+    let push = PushOptions {
+        imperfection: Some(Amplitude::Quality(Quality::B)),
+        ..PushOptions::default()
+    };
+    let found = nonlinear::push::estimate(&steel.case, &steel.nonlinear, &push).expect("an estimate");
+    within("push, class B", &found, None, Some(284.0), &mut faults);
+    assert!(faults.is_empty(), "{faults:#?}");
+}
+
+/// Refinement, memory, time: `compare examples/01_broad_tank/tank.json … --no-mesh-error --refine N`.
+const MEASURED_HARMONIC: [(f64, Option<f64>, Option<f64>); 3] = [
+    (2.0, Some(29.5), None),
+    (4.0, Some(59.3), None),
+    (8.0, Some(195.0), None),
+];
+
+/// Elements over radius, circumference and height.
+type Mesh = [usize; 3];
+/// What was measured, if it was.
+type Figure = Option<f64>;
+
+/// Mesh, liquid, direct integration, memory, time: `compare … --no-mesh-error --fe solid --mesh RxSxV`.
+const MEASURED_SOLID: [(Mesh, Liquid, bool, Figure, Figure); 5] = [
+    ([12, 16, 20], Liquid::Potential, false, Some(42.7), Some(0.39)),
+    ([24, 32, 40], Liquid::Potential, false, Some(275.8), Some(5.8)),
+    ([12, 16, 20], Liquid::Displacement, false, Some(213.8), Some(1.76)),
+    ([24, 32, 40], Liquid::Displacement, false, Some(2764.8), Some(53.0)),
+    ([12, 16, 20], Liquid::Potential, true, None, Some(59.0)),
+];
+
+/// Time step, memory, time: `ida examples/06_sandwich_strip/tank.json … --scale 1`.
+const MEASURED_STRIP: [(f64, Option<f64>, Option<f64>); 2] = [(0.006, None, Some(8.9)), (0.0025, Some(19.4), None)];
+
+/// Tank, record, elements over height and around, memory, time: `compare … --fe nonlinear`.
+const MEASURED_CYLINDER: [(&str, &str, [u32; 2], Figure, Figure); 4] = [
+    (
+        "08_concrete_cylinder/tank.json",
+        "08_concrete_cylinder/record.csv",
+        [40, 100],
+        Some(503.8),
+        Some(1140.0),
+    ),
+    (
+        "08_concrete_cylinder/tank.json",
+        "08_concrete_cylinder/record.csv",
+        [20, 50],
+        Some(71.2),
+        None,
+    ),
+    (
+        "07_steel_cylinder/tank.json",
+        "07_steel_cylinder/shaking.csv",
+        [24, 48],
+        Some(65.8),
+        None,
+    ),
+    (
+        "07_steel_cylinder/tank.json",
+        "07_steel_cylinder/shaking.csv",
+        [48, 96],
+        Some(521.3),
+        None,
+    ),
+];

@@ -1,0 +1,216 @@
+//! Runs beyond the limits are refused at once, with what they take and what fits; nothing is built, nothing is left.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use crate::compare::{stderr, tankcheck};
+
+const TANK: &str = "examples/01_broad_tank/tank.json";
+const QUAKE: &str = "examples/records/elcentro.csv";
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("a temporary path is text")
+}
+
+/// The file of an example with some of its text replaced.
+fn changed(home: &Path, example: &str, changes: &[(&str, &str)]) -> PathBuf {
+    let mut tank = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(example)).expect("an example");
+    for (from, to) in changes {
+        assert!(tank.contains(from), "`{from}` is missing in {example}");
+        tank = tank.replace(from, to);
+    }
+    let path = home.join("tank.json");
+    std::fs::write(&path, tank).expect("writable");
+    path
+}
+
+fn record(home: &Path, dt: f64) -> PathBuf {
+    let path = home.join("record.csv");
+    let lines: Vec<String> = (0..4)
+        .map(|k| format!("{},{}", f64::from(k) * dt, [0.0, 1.0, -1.0, 0.0][k as usize]))
+        .collect();
+    std::fs::write(&path, format!("time_s,acceleration_m_s2\n{}\n", lines.join("\n"))).expect("writable");
+    path
+}
+
+/// Runs a command that must be refused within seconds: exit code 2, all of `words`, nothing written.
+fn refused(command: &[&str], home: &Path, words: &[&str]) {
+    let out = home.join("out");
+    let mut command = command.to_vec();
+    command.extend(["--out", text(&out)]);
+    let started = Instant::now();
+    let run = tankcheck(&command);
+    let message = stderr(&run);
+    assert_eq!(run.status.code(), Some(2), "{command:?}: {message}");
+    for word in words {
+        assert!(message.contains(word), "`{word}` is missing in: {message}");
+    }
+    assert_eq!(message.matches("error: ").count(), 1, "{message}");
+    assert!(started.elapsed() < Duration::from_secs(60), "{command:?}");
+    assert!(run.stdout.is_empty() && !out.exists(), "{command:?}");
+}
+
+/// A film of 1 µm: the mesh had one node at the wall, and the liquid's mesh was indexed beyond its end.
+#[test]
+fn a_film_on_the_bottom_has_no_mesh() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let film = |example: &str, depth: &str| changed(home.path(), example, &[(depth, "\"fill_height\": \"1e-6 m\"")]);
+    let tank = film(TANK, "\"fill_height\": \"1.525 m\"");
+    for engine in ["harmonic", "solid", "both"] {
+        let command = ["compare", text(&tank), "--quake", QUAKE, "--fe", engine];
+        refused(
+            &command,
+            home.path(),
+            &["liquid.fill_height", "found 0.000001 m", "at least"],
+        );
+    }
+    let run = tankcheck(&["modes", text(&tank)]);
+    assert_eq!(run.status.code(), Some(2), "{}", stderr(&run));
+    let tank = film("examples/07_steel_cylinder/tank.json", "\"fill_height\": \"11 m\"");
+    refused(
+        &["compare", text(&tank), "--quake", QUAKE, "--fe", "nonlinear"],
+        home.path(),
+        &["liquid.fill_height"],
+    );
+    refused(&["push", text(&tank)], home.path(), &["liquid.fill_height"]);
+}
+
+/// 5.8e13 bytes for the free vibration after a record of 3 ps.
+#[test]
+fn a_record_of_picoseconds_is_refused() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    for dt in [1e-12, 1e-9, 1e-7] {
+        let record = record(home.path(), dt);
+        refused(
+            &["compare", TANK, "--quake", text(&record)],
+            home.path(),
+            &["samples of the response", "at most 4000000", "record.resample"],
+        );
+    }
+    // The same by the time axis.
+    let tank = changed(
+        home.path(),
+        TANK,
+        &[("\"time_factor\": 0.57735", "\"time_factor\": 0.001")],
+    );
+    let short = record(home.path(), 1e-4);
+    refused(
+        &["compare", text(&tank), "--quake", text(&short)],
+        home.path(),
+        &["samples of the response"],
+    );
+    let strip = "examples/06_sandwich_strip/tank.json";
+    let record = record(home.path(), 1e-9);
+    refused(
+        &["compare", strip, "--quake", text(&record), "--fe", "nonlinear"],
+        home.path(),
+        &["samples of the response"],
+    );
+}
+
+#[test]
+fn gravity_of_nothing_is_refused() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let tank = changed(
+        home.path(),
+        TANK,
+        &[("\"liquid\": {", "\"gravity\": \"1e-9 m/s2\", \"liquid\": {")],
+    );
+    let run = tankcheck(&[
+        "compare",
+        text(&tank),
+        "--quake",
+        QUAKE,
+        "--out",
+        text(&home.path().join("out")),
+    ]);
+    let message = stderr(&run);
+    assert_eq!(run.status.code(), Some(2), "{message}");
+    for word in ["gravity", "too small", "at least 0.1 m/s2"] {
+        assert!(message.contains(word), "`{word}` is missing in: {message}");
+    }
+}
+
+#[test]
+fn every_engine_is_held_to_the_memory_and_says_what_fits() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let fine = changed(
+        home.path(),
+        "examples/08_concrete_cylinder/tank.json",
+        &[(
+            "\"height\": 40, \"circumference\": 100",
+            "\"height\": 160, \"circumference\": 400",
+        )],
+    );
+    let few = ["more than the allowed", "MiB", "help: ", "raise --memory-limit"];
+    let refuse = |command: &[&str], words: &[&str]| {
+        let words: Vec<&str> = few.iter().chain(words).copied().collect();
+        refused(command, home.path(), &words);
+    };
+    // 11 GB and an abort before.
+    let cylinder = ["compare", text(&fine), "--quake", QUAKE, "--fe", "nonlinear"];
+    refuse(
+        &cylinder,
+        &["nonlinear run", "liquid block", "give `analysis.nonlinear.elements`"],
+    );
+    refuse(
+        &["ida", text(&fine), "--quake", QUAKE, "--scale", "0.5,1", "--jobs", "2"],
+        &["nonlinear run", "2 runs, 2 at a time"],
+    );
+    let harmonic = [
+        "compare",
+        TANK,
+        "--quake",
+        QUAKE,
+        "--refine",
+        "16",
+        "--memory-limit",
+        "300",
+    ];
+    refuse(&harmonic, &["harmonic run", "condensed liquid", "use --refine"]);
+    let solid = [
+        "compare",
+        TANK,
+        "--quake",
+        QUAKE,
+        "--fe",
+        "solid",
+        "--mesh",
+        "24x32x40",
+        "--memory-limit",
+        "60",
+    ];
+    refuse(&solid, &["three-dimensional run", "24x32x40 elements", "use --mesh"]);
+    let steel = "examples/07_steel_cylinder/tank.json";
+    refuse(
+        &["push", steel, "--memory-limit", "20"],
+        &["pushover", "x 96 elements", "give `analysis.nonlinear.elements`"],
+    );
+}
+
+/// Limits of the tank file hold for every engine; the option of the command line is laid over them.
+#[test]
+fn the_limit_of_the_tank_file_holds() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let tank = changed(
+        home.path(),
+        TANK,
+        &[(
+            "\"analysis\": {",
+            "\"analysis\": { \"solid\": { \"memory_limit\": 20 },",
+        )],
+    );
+    let command = ["compare", text(&tank), "--quake", QUAKE, "--refine", "8"];
+    refused(&command, home.path(), &["allowed 20 MiB"]);
+}
+
+/// 64 points in a period of 1 ns.
+#[test]
+fn a_spectrum_that_refines_without_end_is_refused() {
+    for method in ["newmark", "duhamel"] {
+        let run = tankcheck(&["spectrum", QUAKE, "--periods", "1e-9,1", "--method", method]);
+        let message = stderr(&run);
+        assert_eq!(run.status.code(), Some(2), "{message}");
+        assert!(message.contains("spectrum") && message.contains("help: "), "{message}");
+    }
+}

@@ -1,0 +1,336 @@
+//! Kept results of `ida`, `push`, nonlinear and opening runs, short ones in every test and full ones on request.
+//!
+//! A row of [`KEPT`] is a command and the folder that holds what it gave. The short ones are runs on coarse meshes of
+//! `tests/golden/short/`; their folders hold numbers alone (`results.json` and `series.csv`, `ida.json`, `push.json`), the report is
+//! rendered anew and looked through. The full ones are the reports of the examples:
+//!
+//! ```text
+//! cargo test --release --test golden kept::full -- --ignored --nocapture
+//! ```
+//!
+//! Their last result stands in `docs/verification/kept-reports.md`. After a reviewed change TANKCHECK_BLESS="reason" accepts the
+//! short ones, and with `--ignored` the full ones, as for the examples.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::time::Instant;
+
+use tankcheck::numdiff;
+
+/// A command whose results are kept.
+struct Kept {
+    /// Arguments, without the output folder.
+    command: &'static [&'static str],
+    /// Folder below the root.
+    golden: &'static str,
+    /// Words that its report must have.
+    shows: &'static [&'static str],
+}
+
+/// On coarse meshes, seconds in all.
+const SHORT: [Kept; 4] = [
+    Kept {
+        command: &[
+            "ida",
+            "tests/golden/short/strip.json",
+            "--quake",
+            "tests/golden/short/pulse.csv",
+            "--scale",
+            "0,0.3,1",
+        ],
+        golden: "tests/golden/short/ida",
+        shows: &["Moment of the section", "Base moment", "completed", "<svg"],
+    },
+    Kept {
+        command: &[
+            "compare",
+            "tests/golden/short/strip.json",
+            "--quake",
+            "tests/golden/short/pulse.csv",
+            "--fe",
+            "nonlinear",
+            "--procedures",
+            "housner",
+        ],
+        golden: "tests/golden/short/nonlinear",
+        shows: &[
+            "Nonlinear run",
+            "Moment at the base",
+            "First crack",
+            "Balance of energies",
+        ],
+    },
+    Kept {
+        command: &[
+            "compare",
+            "tests/golden/short/strip_opening.json",
+            "--quake",
+            "tests/golden/short/pulse.csv",
+            "--fe",
+            "nonlinear",
+            "--procedures",
+            "housner",
+        ],
+        golden: "tests/golden/short/opening",
+        shows: &["Nonlinear run", "liquid leaves the wall", "Moment at the base"],
+    },
+    Kept {
+        command: &["push", "tests/golden/short/cylinder.json", "--imperfection", "class-b"],
+        golden: "tests/golden/short/push",
+        shows: &["0.605", "<svg"],
+    },
+];
+
+const ELCENTRO: &str = "examples/records/elcentro.csv";
+
+/// Reports of the examples, from seconds to minutes each in the release profile.
+const FULL: [Kept; 6] = [
+    Kept {
+        command: &[
+            "ida",
+            "examples/06_sandwich_strip/tank.json",
+            "--quake",
+            ELCENTRO,
+            "--scale",
+            "0..1.1",
+            "--steps",
+            "12",
+        ],
+        golden: "reports/06_sandwich_strip/ida",
+        shows: &["Moment of the section"],
+    },
+    Kept {
+        command: &[
+            "compare",
+            "examples/06_sandwich_strip/tank.json",
+            "--quake",
+            ELCENTRO,
+            "--fe",
+            "nonlinear",
+        ],
+        golden: "reports/06_sandwich_strip/nonlinear",
+        shows: &["Moment at the base"],
+    },
+    Kept {
+        command: &[
+            "compare",
+            "examples/06_sandwich_strip/opening/tank.json",
+            "--quake",
+            ELCENTRO,
+            "--fe",
+            "nonlinear",
+        ],
+        golden: "reports/06_sandwich_strip/opening",
+        shows: &["Moment at the base"],
+    },
+    Kept {
+        command: &[
+            "push",
+            "examples/07_steel_cylinder/tank.json",
+            "--imperfection",
+            "class-b",
+        ],
+        golden: "reports/07_steel_cylinder/push",
+        shows: &["0.605"],
+    },
+    Kept {
+        command: &[
+            "compare",
+            "examples/07_steel_cylinder/tank.json",
+            "--quake",
+            "examples/07_steel_cylinder/shaking.csv",
+            "--fe",
+            "nonlinear",
+        ],
+        golden: "reports/07_steel_cylinder/nonlinear",
+        shows: &["Nonlinear run"],
+    },
+    Kept {
+        command: &[
+            "compare",
+            "examples/08_concrete_cylinder/tank.json",
+            "--quake",
+            ELCENTRO,
+            "--fe",
+            "nonlinear",
+        ],
+        golden: "reports/08_concrete_cylinder/nonlinear",
+        shows: &["Nonlinear run"],
+    },
+];
+
+/// Files that hold numbers.
+const NUMBERS: [&str; 5] = ["results.json", "series.csv", "ida.json", "ida.csv", "push.json"];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn tankcheck(command: &[&str], out: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+        .current_dir(root())
+        .args(command)
+        .arg("--quiet")
+        .arg("--out")
+        .arg(out)
+        .output()
+        .expect("tankcheck runs")
+}
+
+/// Runs a row and compares; what is wrong goes to `faults`.
+fn check(kept: &Kept, faults: &mut Vec<String>) {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let out = home.path().join("out");
+    let clock = Instant::now();
+    let run = tankcheck(kept.command, &out);
+    println!("{}: {:.1} s", kept.golden, clock.elapsed().as_secs_f64());
+    let mut fault = |what: String| faults.push(format!("{}: {what}", kept.golden));
+    // 1: a check of the tank fails; 3: the wall collapses.
+    if !matches!(run.status.code(), Some(0 | 1 | 3)) {
+        return fault(format!(
+            "exit code {:?}\n{}",
+            run.status.code(),
+            String::from_utf8_lossy(&run.stderr)
+        ));
+    }
+    let golden = root().join(kept.golden);
+    if let Ok(reason) = std::env::var("TANKCHECK_BLESS") {
+        accept(kept, &golden, &out, &reason);
+    }
+    match numdiff::folders(&golden, &out, &numdiff::Options::default()) {
+        Err(error) => fault(error.to_string()),
+        Ok(report) => {
+            assert!(report.compared > 100, "{}: {} values", kept.golden, report.compared);
+            for m in report.moved.iter().take(10) {
+                fault(format!("{}: {} -> {} ({:.1e})", m.path, m.old, m.new, m.change));
+            }
+        }
+    }
+    let page = std::fs::read_to_string(out.join("report.html")).expect("a report");
+    for words in kept.shows.iter().filter(|words| !page.contains(**words)) {
+        fault(format!("`{words}` is missing in the report"));
+    }
+    let numbers = NUMBERS.iter().filter(|name| out.join(name).exists());
+    for name in numbers.filter(|name| !golden.join(name).exists()) {
+        fault(format!("`{name}` is not kept"));
+    }
+}
+
+/// Keeps the numbers of a run with the reason; below `reports/` the report as well.
+fn accept(kept: &Kept, golden: &Path, out: &Path, reason: &str) {
+    let moved: Vec<String> = match numdiff::folders(golden, out, &numdiff::Options::default()) {
+        Ok(report) => report
+            .moved
+            .iter()
+            .map(|m| format!("{}: {} -> {}", m.path, m.old, m.new))
+            .collect(),
+        // Nothing is kept yet.
+        Err(_) => Vec::new(),
+    };
+    std::fs::create_dir_all(golden).expect("writable");
+    if kept.golden.starts_with("reports/") {
+        // Once more into its place, with report, figures and manifest, by the command that a reader would type.
+        let again = tankcheck(kept.command, Path::new(kept.golden));
+        let message = String::from_utf8_lossy(&again.stderr);
+        assert!(matches!(again.status.code(), Some(0 | 1 | 3)), "{message}");
+    } else {
+        for name in NUMBERS.iter().filter(|name| out.join(name).exists()) {
+            let text = std::fs::read_to_string(out.join(name)).expect("text");
+            std::fs::write(golden.join(name), text.replace(&out.display().to_string(), "out")).expect("writable");
+        }
+    }
+    let path: PathBuf = golden.join("accepted.json");
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|_| "[]".into());
+    let mut history: Vec<serde_json::Value> = serde_json::from_str(&text).expect("a list");
+    history.push(serde_json::json!({
+        "reason": reason,
+        "moved": moved.len(),
+        "largest": moved.iter().take(5).collect::<Vec<_>>(),
+    }));
+    let text = format!("{:#}\n", serde_json::Value::Array(history));
+    std::fs::write(&path, text).expect("writable");
+}
+
+fn all_hold(kept: &[Kept]) {
+    let mut faults = Vec::new();
+    for row in kept {
+        check(row, &mut faults);
+    }
+    assert!(
+        faults.is_empty(),
+        "{}\n\nIf the change is right and reviewed: TANKCHECK_BLESS=\"reason\" and the same command",
+        faults.join("\n")
+    );
+}
+
+#[test]
+fn short_runs_give_their_kept_numbers() {
+    all_hold(&SHORT);
+}
+
+/// Half an hour of processor time.
+#[test]
+#[ignore = "slow: cargo test --release --test golden kept::full -- --ignored --nocapture; last result in docs/verification/kept-reports.md"]
+fn full_runs_give_their_kept_reports() {
+    all_hold(&FULL);
+}
+
+/// A report without its numbers cannot be compared.
+#[test]
+fn every_kept_report_has_its_numbers() {
+    for kept in SHORT.iter().chain(&FULL) {
+        let folder = root().join(kept.golden);
+        let file = match kept.command[0] {
+            "ida" => "ida.json",
+            "push" => "push.json",
+            _ => "results.json",
+        };
+        assert!(folder.join(file).exists(), "{}: {file} is missing", kept.golden);
+    }
+    let mut folders = vec![root().join("reports")];
+    let mut reports = 0;
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).expect("readable") {
+            let path = entry.expect("readable").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.ends_with("report.html") {
+                reports += 1;
+                let numbers = ["results.json", "ida.json", "push.json"];
+                assert!(
+                    numbers.iter().any(|name| folder.join(name).exists()),
+                    "{} has no numbers beside it",
+                    path.display()
+                );
+            }
+        }
+    }
+    assert!(reports >= 16, "{reports} reports found");
+}
+
+/// The numbers of `ida` and `push` are compared as those of `compare`: a number that moves is found, what may move is not.
+#[test]
+fn a_moved_number_is_found() {
+    for (golden, file) in [
+        ("tests/golden/short/ida", "ida.json"),
+        ("tests/golden/short/push", "push.json"),
+    ] {
+        let golden = root().join(golden);
+        let home = tempfile::tempdir().expect("a temporary folder");
+        let text = std::fs::read_to_string(golden.join(file)).expect("kept");
+        let mut value: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        value["volatile"]["created"] = "another day".into();
+        let write = |value: &serde_json::Value| {
+            std::fs::write(home.path().join(file), value.to_string()).expect("writable");
+            numdiff::folders(&golden, home.path(), &numdiff::Options::default()).expect("comparable")
+        };
+        assert!(write(&value).moved.is_empty());
+        let number = match file {
+            "ida.json" => &mut value["runs"][1]["section_moment"],
+            _ => &mut value["shells"][0]["path"][1]["acceleration"],
+        };
+        *number = (number.as_f64().expect("a number") * (1.0 + 1e-5)).into();
+        let moved = write(&value).moved;
+        assert_eq!(moved.len(), 1, "{moved:?}");
+    }
+}

@@ -1,0 +1,81 @@
+//! Tests that need another program: where it is absent they are counted as ignored, with the reason.
+//!
+//! Chromium (`CHROMIUM` names another binary) prints and measures the report; python3 with meshio reads the ParaView files.
+
+mod report_print;
+#[path = "../golden/sample/mod.rs"]
+mod sample;
+mod vtu;
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode, Stdio};
+
+use libtest_mimic::{Arguments, Completion, Trial};
+
+/// The program, or why the test cannot run.
+type Tool = fn() -> Result<PathBuf, &'static str>;
+
+fn main() -> ExitCode {
+    let trials = vec![
+        trial(
+            "report_print::it_prints_to_clean_pages",
+            chromium,
+            report_print::it_prints_to_clean_pages,
+        ),
+        trial(
+            "report_print::nothing_is_cut_off_on_screen_phone_and_paper",
+            chromium,
+            report_print::nothing_is_cut_off_on_screen_phone_and_paper,
+        ),
+        trial("report_print::look", looked_at, report_print::look),
+        trial(
+            "vtu::meshio_reads_what_is_written",
+            meshio,
+            vtu::meshio_reads_what_is_written,
+        ),
+    ];
+    libtest_mimic::run(&Arguments::from_args(), trials).exit_code()
+}
+
+fn trial(name: &str, tool: Tool, run: fn(&Path)) -> Trial {
+    Trial::ignorable_test(name, move || {
+        Ok(match tool() {
+            Ok(program) => {
+                run(&program);
+                Completion::Completed
+            }
+            Err(reason) => Completion::ignored_with(reason),
+        })
+    })
+}
+
+/// Whether a program starts and succeeds.
+fn succeeds(program: &Path, arguments: &[&str]) -> bool {
+    let mut command = Command::new(program);
+    command.args(arguments).stdout(Stdio::null()).stderr(Stdio::null());
+    command.status().is_ok_and(|s| s.success())
+}
+
+fn chromium() -> Result<PathBuf, &'static str> {
+    let named = std::env::var_os("CHROMIUM").map(PathBuf::from);
+    let usual = ["chromium", "chromium-browser", "google-chrome-stable", "google-chrome"].map(PathBuf::from);
+    let found = named
+        .into_iter()
+        .chain(usual)
+        .find(|program| succeeds(program, &["--version"]));
+    found.ok_or("skipped: Chromium is not installed (CHROMIUM names another binary)")
+}
+
+fn meshio() -> Result<PathBuf, &'static str> {
+    let python = PathBuf::from("python3");
+    match succeeds(&python, &["-c", "import meshio, numpy"]) {
+        true => Ok(python),
+        false => Err("skipped: python3 with meshio (PyPI) is not installed"),
+    }
+}
+
+fn looked_at() -> Result<PathBuf, &'static str> {
+    std::env::var_os("TANKCHECK_LOOK")
+        .map(PathBuf::from)
+        .ok_or("run on demand: TANKCHECK_LOOK names the folder")
+}
