@@ -6,10 +6,11 @@
 use std::hint::black_box;
 use std::path::Path;
 
-use codes::Case;
-use codes::procedure::{ALL, Excitation};
-use codes::record::Record;
+use codes::procedure::ALL;
 use criterion::{Criterion, criterion_group, criterion_main};
+use oscillator::record::Record;
+use tank::Case;
+use tank::assessment::Excitation;
 
 /// 2688 samples at 0.02 s, the length of the El Centro record: three decaying oscillations.
 fn record() -> Record {
@@ -30,7 +31,7 @@ fn case() -> Case {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/05_oil_tank/tank.json");
     let file = tankcheck::input::read_tank(&path).unwrap_or_else(|e| panic!("examples/05 is readable: {e}"));
     let mut case = file.case;
-    case.ground_motion = Some(codes::case::GroundMotion {
+    case.ground_motion = Some(tank::case::GroundMotion {
         horizontal: record(),
         vertical: None,
     });

@@ -11,8 +11,8 @@ use criterion::{Criterion, criterion_group, criterion_main};
 #[allow(dead_code)]
 mod motions;
 
-use codes::Case;
-use codes::case::GroundMotion;
+use tank::Case;
+use tank::case::GroundMotion;
 use tankcheck::fe::damping::Damper;
 use tankcheck::fe::harmonic::{build, solve};
 use tankcheck::fe::response::direct::{self, DirectSystem};

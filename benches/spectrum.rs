@@ -2,10 +2,10 @@
 
 use std::hint::black_box;
 
-use codes::record::Record;
-use codes::sdof;
-use codes::spectrum::{Method, spectrum};
 use criterion::{Criterion, criterion_group, criterion_main};
+use oscillator::record::Record;
+use oscillator::sdof;
+use oscillator::spectrum::{Method, spectrum};
 
 /// The record named by `SPECTRUM_RECORD` (columns `time_s,acceleration_…`), or noise under an envelope.
 fn record() -> Record {

@@ -5,7 +5,7 @@ mod partings;
 
 use std::collections::BTreeMap;
 
-use codes::Quantity;
+use tank::Quantity;
 
 use crate::results::nonlinear::{End, Event};
 use crate::results::{Cell, Comparison, ComparisonRow, Governing, MESH_ERROR_LIMIT, Method, Verdict};
@@ -22,7 +22,7 @@ pub const FE_NONLINEAR: &str = "fe-nonlinear";
 /// Lays the methods side by side.
 ///
 /// `published` are values others have given for this tank; they are carried along, not compared.
-pub fn compare(methods: &[Method], context: &Context, published: Vec<codes::case::Reported>) -> Comparison {
+pub fn compare(methods: &[Method], context: &Context, published: Vec<tank::case::Reported>) -> Comparison {
     let reference = methods.iter().find(|m| m.id == FE);
     let rows: Vec<ComparisonRow> = Quantity::ALL
         .into_iter()
@@ -159,8 +159,8 @@ pub fn verdict(methods: &[Method]) -> Verdict {
 mod tests {
     use std::collections::BTreeMap;
 
-    use codes::procedure::{Check, Excitation};
-    use codes::units::Dimension;
+    use tank::assessment::{Check, Excitation};
+    use tank::units::Dimension;
 
     use super::*;
     use crate::results::{Status, Value};

@@ -1,7 +1,7 @@
 //! What is to be computed: plain, validated data in SI.
 
-use codes::Case;
 use sha2::{Digest, Sha256};
+use tank::Case;
 
 use crate::fe::nonlinear::push::PushOptions;
 use crate::fe::nonlinear::{CheckpointFile, NonlinearOptions};
@@ -53,7 +53,7 @@ pub struct Job {
     /// What is unusual in the input, one sentence each.
     pub warnings: Vec<String>,
     /// Horizontal (and vertical) record as read, before scaling, for the report's echo.
-    pub raw_records: Vec<codes::record::Record>,
+    pub raw_records: Vec<oscillator::record::Record>,
 }
 
 impl Job {

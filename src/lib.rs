@@ -11,7 +11,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`input`] | reading `tank.json` and records; the only place that knows units in text and file formats |
-//! | [`job`] | what is to be computed: a `codes::Case`, the procedures, the finite-element options |
+//! | [`job`] | what is to be computed: a `tank::Case`, the procedures, the finite-element options |
 //! | [`fe`] | the finite-element engine |
 //! | [`pipeline`] | the whole flow of a verification in one function |
 //! | [`ida`] | that of an incremental dynamic analysis |

@@ -8,10 +8,13 @@ mod series;
 
 use std::collections::BTreeMap;
 
-use codes::procedure::{Assessment, CodeError, Excitation};
-use codes::tank::Course;
-use codes::{Procedure, Quantity, spectrum};
+use codes::Procedure;
+use codes::procedure::CodeError;
 use fem::progress::Progress;
+use oscillator::spectrum;
+use tank::Course;
+use tank::Quantity;
+use tank::assessment::{Assessment, Excitation};
 
 use crate::compare::{self, Context, FE_NONLINEAR};
 use crate::error::Error;

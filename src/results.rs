@@ -14,9 +14,9 @@ pub mod vtu;
 
 use std::collections::BTreeMap;
 
-use codes::procedure::{Check, Excitation, Profile, Step};
-use codes::units::Dimension;
 use serde::{Deserialize, Serialize};
+use tank::assessment::{Check, Excitation, Profile, Step};
+use tank::units::Dimension;
 
 pub use fields::{DeformedShape, Fields, Picture, WallMap};
 pub use ida::{
@@ -112,8 +112,8 @@ pub struct Value {
 
 /// Writes a dimension as its SI symbol.
 mod unit_symbol {
-    use codes::units::Dimension;
     use serde::{Deserialize, Deserializer, Serializer, de::Error};
+    use tank::units::Dimension;
 
     pub fn serialize<S: Serializer>(d: &Dimension, s: S) -> Result<S::Ok, S::Error> {
         s.serialize_str(d.si_symbol())
@@ -142,9 +142,9 @@ pub struct InputValue {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TankSummary {
     /// The tank as computed with.
-    pub tank: codes::tank::Tank,
+    pub tank: tank::Tank,
     /// The liquid.
-    pub liquid: codes::tank::Liquid,
+    pub liquid: tank::Liquid,
     /// g [m/s²].
     pub gravity: f64,
     /// Liquid mass [kg].
@@ -197,7 +197,11 @@ pub struct RecordSummary {
 
 impl RecordSummary {
     /// Measures of `record`, which was made from `raw`.
-    pub fn new(direction: &str, record: &codes::record::Record, raw: &codes::record::Record) -> RecordSummary {
+    pub fn new(
+        direction: &str,
+        record: &oscillator::record::Record,
+        raw: &oscillator::record::Record,
+    ) -> RecordSummary {
         let measures = record.measures();
         RecordSummary {
             direction: direction.into(),
@@ -461,7 +465,7 @@ pub struct Comparison {
     /// Where and why the methods part, one paragraph each.
     pub partings: Vec<Parting>,
     /// Values others have published for this tank.
-    pub published: Vec<codes::case::Reported>,
+    pub published: Vec<tank::case::Reported>,
 }
 
 /// One quantity over all methods.

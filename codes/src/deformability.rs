@@ -26,10 +26,10 @@
 //! Deflection and period grow with K′: the second root of (3.1) is most likely upside down. A deformable wall is not yet a
 //! failing one: its accelerations also depend on where T lies in the spectrum, and buckling on the axial force.
 
-use crate::case::Case;
 use crate::sheet::{number, with_unit};
-use crate::tank::Shape;
-use crate::units::Dimension::Length;
+use tank::Shape;
+use tank::case::Case;
+use tank::units::Dimension::Length;
 
 /// Deformability parameter, as printed and as it should be.
 #[derive(Clone, Debug, PartialEq)]

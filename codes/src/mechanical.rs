@@ -31,7 +31,7 @@
 use std::f64::consts::PI;
 
 use crate::bessel::{i1_over_i1_prime, i1_prime_scaled, i1_scaled, j, j_prime_zero};
-use crate::tank::Shape;
+use tank::Shape;
 
 /// Plan of an upright tank, apart from its size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -23,8 +23,8 @@
 //! assert_eq!(steps[0].substitution, "4.903 m/s²·7600.6 kg");
 //! ```
 
-use crate::procedure::Step;
-use crate::units::{Dimension, in_unit, significant, unit_for};
+use tank::assessment::Step;
+use tank::units::{Dimension, in_unit, significant, unit_for};
 
 /// A value that stands in a formula: symbol, value in SI, dimension.
 pub type Term<'a> = (&'a str, f64, Dimension);

@@ -6,9 +6,9 @@
 
 use std::path::Path;
 
-use codes::case::GroundMotion;
-use codes::record::Record;
+use ::tank::case::GroundMotion;
 use fem::progress::Silent;
+use oscillator::record::Record;
 use tankcheck::input::TankFile;
 use tankcheck::input::records::{ReadOptions, process};
 use tankcheck::job::{Engines, Job};
@@ -42,7 +42,7 @@ pub fn run(bytes: &[u8]) {
     let document = Json::parse(&text).expect("what the reader takes is JSON with comments");
     match bytes.len() % 5 {
         0 => {
-            let grams = record::columns_of(&quake, "g", codes::STANDARD_GRAVITY, ",", false);
+            let grams = record::columns_of(&quake, "g", ::tank::STANDARD_GRAVITY, ",", false);
             let other = record::read(grams.as_bytes(), &ReadOptions::default());
             let other = other.and_then(|r| compute(tank::read(&text)?, &r.record));
             if let Some(other) = other {

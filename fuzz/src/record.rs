@@ -6,7 +6,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use codes::record::Record;
+use oscillator::record::Record;
 use tankcheck::input::records::{
     AccelerationUnit, MAX_PLAUSIBLE, Processing, ReadOptions, ReadRecord, at2, process, read_bytes,
 };
@@ -94,7 +94,7 @@ fn written(record: &Record) {
     if !(1e-5..1e5).contains(&record.dt) || record.acceleration.len() > 5000 {
         return;
     }
-    for (unit, size) in [("m_s2", 1.0), ("g", codes::STANDARD_GRAVITY), ("gal", 0.01)] {
+    for (unit, size) in [("m_s2", 1.0), ("g", tank::STANDARD_GRAVITY), ("gal", 0.01)] {
         for (separator, comma) in [(",", false), (";", true), ("\t", false)] {
             same(record, &columns_of(record, unit, size, separator, comma), 2e-9);
         }

@@ -5,9 +5,9 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use codes::procedure::Excitation;
-use codes::units;
 use fem::progress::Progress;
+use tank::assessment::Excitation;
+use tank::units;
 
 use crate::cli::budget::{self, MemoryArg};
 use crate::cli::inputs::Inputs;

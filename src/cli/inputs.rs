@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use codes::case::GroundMotion;
+use tank::case::GroundMotion;
 
 use crate::cli::terminal::say;
 use crate::error::Error;

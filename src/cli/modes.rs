@@ -3,9 +3,9 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use codes::tank::Shape;
 use fem::progress::Progress;
 use serde_json::json;
+use tank::Shape;
 
 use crate::cli::budget::{self, MemoryArg};
 use crate::cli::progress::Watch;

@@ -18,8 +18,7 @@ use crate::push;
 use crate::report;
 use crate::report::number::with_unit;
 use crate::text;
-use codes::tank;
-use codes::units::{self, Dimension};
+use tank::units::{self, Dimension};
 
 /// Largest amplitude of an imperfection in thicknesses.
 const MAX_THICKNESSES: f64 = 10.0;

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use codes::STANDARD_GRAVITY;
 use serde::Serialize;
+use tank::STANDARD_GRAVITY;
 
 use crate::cli::inputs::Reading;
 use crate::cli::table::Table;

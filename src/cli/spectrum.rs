@@ -3,11 +3,11 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use codes::STANDARD_GRAVITY;
-use codes::record::Record;
-use codes::spectrum::{Method, POINTS_PER_PERIOD, Spectrum, spectrum};
 use fem::progress::Progress;
+use oscillator::record::Record;
+use oscillator::spectrum::{Method, POINTS_PER_PERIOD, Spectrum, spectrum};
 use serde_json::json;
+use tank::STANDARD_GRAVITY;
 
 use crate::cli::budget;
 use crate::cli::inputs::Reading;

@@ -1,7 +1,7 @@
 //! The build-up of layered walls in words, for the summary of `check`.
 
-use codes::tank::{BarDirection, Behaviour, Layer, Tank};
-use codes::units::{Dimension, display};
+use tank::units::{Dimension, display};
+use tank::{BarDirection, Behaviour, Layer, Tank};
 
 use crate::text::line;
 
@@ -16,7 +16,7 @@ pub fn lines(tank: &Tank) -> Vec<String> {
                 i + 1,
                 layers.join(" | "),
                 display(course.thickness, Dimension::Length),
-                codes::units::significant(course.material.youngs_modulus / 1e9, 3)
+                tank::units::significant(course.material.youngs_modulus / 1e9, 3)
             )
         })
         .collect()

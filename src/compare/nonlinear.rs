@@ -1,6 +1,6 @@
 //! Where the nonlinear engine parts from the linear one, and what happened to the wall that explains it.
 
-use codes::units::{self, Dimension};
+use tank::units::{self, Dimension};
 
 use super::partings::{parted, what};
 use super::{Context, FE_NONLINEAR, Happened};
@@ -90,8 +90,8 @@ fn told(event: &Event) -> String {
 mod tests {
     use std::collections::BTreeMap;
 
-    use codes::Quantity;
-    use codes::procedure::Excitation;
+    use tank::Quantity;
+    use tank::assessment::Excitation;
 
     use super::super::{FE, compare};
     use super::*;

@@ -4,9 +4,9 @@
 //! than 10 %: there both saw the same ground motion, so the difference is the procedure's. Quantities that part for the
 //! same cause stand together. The two engines are held to 1 %. The causes are those of the theory manual, with the numbers of this case put in.
 
-use codes::Quantity;
-use codes::procedure::Excitation;
-use codes::units;
+use tank::Quantity;
+use tank::assessment::Excitation;
+use tank::units;
 
 use super::{Context, FE, FE_NONLINEAR, FE_SOLID, nonlinear};
 use crate::results::{ComparisonRow, Method, Parting};

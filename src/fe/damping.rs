@@ -3,7 +3,7 @@
 //! Modal damping gives every mode the ratio of its kind. Rayleigh damping C = a_M M + a_K K gives the mode ω the ratio
 //! (a_M/ω + a_K ω)/2; its rules stand at [`Rayleigh`].
 
-use codes::Case;
+use tank::Case;
 
 use crate::fe::harmonic::{CoupledMode, Kind};
 use crate::fe::{DampingModel, FeError};

@@ -12,8 +12,8 @@
 //! | free vibration after the record | [`LONGEST_TAIL`] |
 //! | computing time | [`LONGEST_RUN`] |
 
-use codes::Case;
-use codes::tank::{Course, Shape};
+use tank::Case;
+use tank::{Course, Shape};
 
 use super::FeError;
 use super::simulate::model::FREE_PERIODS;

@@ -20,8 +20,8 @@ pub use simulate::{simulate, simulate_watched};
 
 use std::collections::BTreeMap;
 
-use codes::{Case, Quantity};
 use fem::analysis::checkpoint::CheckpointError;
+use tank::{Case, Quantity};
 
 use crate::results::{FeResult, Mode, Series, Snapshots};
 

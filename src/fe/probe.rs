@@ -1,6 +1,6 @@
 //! What is observed: linear functionals of the unknowns.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 
 /// A scalar output y(t) = d·x(t) + a·ẍ_total(t) + b a_g(t), where x are the unknowns relative to the ground and
 /// ẍ_total = ẍ + ι a_g their absolute acceleration.

@@ -6,7 +6,7 @@ pub mod tank;
 
 use std::path::Path;
 
-use codes::Case;
+use ::tank::Case;
 
 use crate::error::Error;
 use crate::fe::nonlinear::scope::{self, Purpose};

@@ -1,10 +1,10 @@
 //! What the report says of the ground motion: measures of the records, response and design spectra.
 
 use codes::api650::ground_motion::DesignSpectrum;
-use codes::case::Site;
 use codes::ec8::spectrum::ElasticSpectrum;
-use codes::record::Record;
-use codes::spectrum::{self, Method};
+use oscillator::record::Record;
+use oscillator::spectrum::{self, Method};
+use tank::case::Site;
 
 use crate::job::Job;
 use crate::results::{RecordSummary, SpectrumCurve};
@@ -70,7 +70,7 @@ fn design(site: &Site, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCurve> {
     if let Some(spectrum) = site.api650.as_ref().and_then(|site| DesignSpectrum::new(site).ok()) {
         // ASCE 7 has one shape for all damping ratios; API 650 E.4.6 raises its sloshing branch by K = 1.5.
         curves.push(curve("asce7-0.05", "ASCE 7 design, ξ = 5 %", 0.05, period, |t| {
-            spectrum.acceleration(t) * codes::STANDARD_GRAVITY
+            spectrum.acceleration(t) * tank::STANDARD_GRAVITY
         }));
     }
     curves

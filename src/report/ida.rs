@@ -1,6 +1,6 @@
 //! The page of an incremental dynamic analysis.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 use tera::Context;
 
 use super::Report;

@@ -1,6 +1,6 @@
 //! How methods are named and drawn: short labels, palette classes and report order.
 
-use codes::procedure::Excitation;
+use tank::assessment::Excitation;
 
 use crate::results::{Method, Results};
 

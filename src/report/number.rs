@@ -3,7 +3,7 @@
 //! Values are stored in SI and printed with four significant digits and an engineer's unit. Within a table row or an
 //! axis all values share one unit and one number of decimals ([`Scale`]), so that they can be compared by eye.
 
-use codes::units::{Dimension, Unit, column_unit, in_unit};
+use tank::units::{Dimension, Unit, column_unit, in_unit};
 
 /// Narrow no-break space: groups digits.
 const THIN: char = '\u{202f}';

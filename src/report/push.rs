@@ -1,6 +1,6 @@
 //! The page of a pushover.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 use tera::Context;
 
 use super::Report;

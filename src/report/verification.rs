@@ -1,7 +1,7 @@
 //! The verification manual as a page of its own, and its convergence figures.
 
-use codes::units::Dimension;
 use serde::Serialize;
+use tank::units::Dimension;
 use tera::Context;
 
 use super::sections::FigureView;

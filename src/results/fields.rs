@@ -1,7 +1,7 @@
 //! Fields of the three-dimensional engine, for the report's pictures.
 
-use codes::units::Dimension;
 use serde::{Deserialize, Serialize};
+use tank::units::Dimension;
 
 /// What the three-dimensional engine shows in pictures: its mesh, modes, deformed shapes and maps of the wall.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

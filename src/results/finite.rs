@@ -293,8 +293,8 @@ impl ser::SerializeMap for Members<'_> {
 mod tests {
     use std::collections::BTreeMap;
 
-    use codes::procedure::Excitation;
-    use codes::units::Dimension;
+    use tank::assessment::Excitation;
+    use tank::units::Dimension;
 
     use super::*;
     use crate::results::{Method, Status, Value};

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use codes::units::Dimension;
 use serde::{Deserialize, Serialize};
+use tank::units::Dimension;
 
 use super::nonlinear::{BaseMoment, Departure};
 use super::store::{read_document, write_document};

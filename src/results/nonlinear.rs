@@ -3,8 +3,8 @@
 //!
 //! Places on the wall are cells of a grid over the developed wall, rows from the base up. Values are SI.
 
-use codes::units::Dimension;
 use serde::{Deserialize, Serialize};
+use tank::units::Dimension;
 
 /// What to think of a run in which the liquid has left the wall.
 pub const PARTED: &str = "The liquid has left the wall and come back. An incompressible liquid on a stiff joint exaggerates the impact, and \

@@ -1,8 +1,8 @@
 //! The tanks of the dissertation, as the verification rows take them.
 
-use codes::Case;
-use codes::case::{Damping, ProcedureOptions, Site};
-use codes::tank::{Course, Liquid, Material, Roof, Shape, Support, Tank};
+use tank::Case;
+use tank::case::{Damping, ProcedureOptions, Site};
+use tank::{Course, Liquid, Material, Roof, Shape, Support, Tank};
 
 /// Acceleration of free fall of all rows [m/s²], that of the dissertation.
 pub const GRAVITY: f64 = 9.81;

@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-use codes::tank::Shape;
+use tank::Shape;
 
 use super::cases::{broad, case, material, slender};
 use super::{Reference, Row};
@@ -15,7 +15,7 @@ use crate::fe::{FeError, Options};
 const ASSEMBLIES: &str = "converged independent assemblies";
 const MALHOTRA: &str = "C_i of Malhotra, Wenk & Wieland 2000 (EN 1998-4:2006 table A.2)";
 
-fn modes(case: &codes::Case) -> Result<Vec<CoupledMode>, FeError> {
+fn modes(case: &tank::Case) -> Result<Vec<CoupledMode>, FeError> {
     let coupled = build(case, &Options::default(), 1)?;
     solve(&coupled, Some(coupled.surface.unknowns.len() + 3))
 }
@@ -54,7 +54,7 @@ fn row(
 }
 
 /// A uniform steel tank R = 10 m, s = 10 mm, filled to the top.
-fn full_steel_tank(aspect: f64) -> codes::Case {
+fn full_steel_tank(aspect: f64) -> tank::Case {
     let depth = 10.0 * aspect;
     case(
         Shape::Cylinder { radius: 10.0 },

@@ -134,7 +134,7 @@ fn significant(x: f64) -> String {
     match x.abs() {
         0.0 => "0".into(),
         size if !(1e-4..1e9).contains(&size) => format!("{x:.4e}"),
-        _ => codes::units::significant(x, 6),
+        _ => tank::units::significant(x, 6),
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! A row holds a computed value beside a reference that nobody here invented, and says of which kind the reference is;
 //! one that only repeats our own earlier output is a regression and verifies nothing. Rows of the element library come
-//! from [`fem::verify`], those of whole tanks from here. Rows that need an accelerogram which may not be redistributed
+//! from [`verification`], those of whole tanks from here. Rows that need an accelerogram which may not be redistributed
 //! run where its file is given; those too slow for every day run with `--slow`, and the manual keeps their last result.
 //!
 //! ```text
@@ -25,7 +25,7 @@ pub mod solid;
 use std::path::Path;
 
 pub use entry::{Entry, Pace};
-pub use fem::verify::{Reference, Row};
+pub use verification::{Reference, Row};
 
 use crate::error::Error;
 
@@ -70,62 +70,62 @@ const TOPICS: &[Topic] = &[
         || solid::rows().map_err(words),
         Pace::Fast,
     ),
-    ("shell", || fem::verify::shell::shell().map_err(words), Pace::Fast),
+    ("shell", || verification::shell::shell().map_err(words), Pace::Fast),
     (
         "stress laws",
-        || fem::verify::materials::materials().map_err(words),
+        || verification::materials::materials().map_err(words),
         Pace::Fast,
     ),
     (
         "solid, joint, layered wall",
-        || fem::verify::solid::solid().map_err(words),
+        || verification::solid::solid().map_err(words),
         Pace::Fast,
     ),
     (
         "potential liquid on hexahedra",
-        || fem::verify::potential::potential().map_err(words),
+        || verification::potential::potential().map_err(words),
         Pace::Fast,
     ),
     (
         "displacement liquid",
-        || fem::verify::fluid::fluid().map_err(words),
+        || verification::fluid::fluid().map_err(words),
         Pace::Fast,
     ),
     (
         "dynamics",
-        || fem::verify::dynamics::dynamics().map_err(words),
+        || verification::dynamics::dynamics().map_err(words),
         Pace::Fast,
     ),
-    ("strip", || fem::verify::strip::strip().map_err(words), Pace::Fast),
+    ("strip", || verification::strip::strip().map_err(words), Pace::Fast),
     (
         "three-dimensional engine",
         || solid::slow_rows().map_err(words),
         Pace::Slow,
     ),
-    ("shell", || fem::verify::shell::shell_slow().map_err(words), Pace::Slow),
+    ("shell", || verification::shell::shell_slow().map_err(words), Pace::Slow),
     (
         "shell, large displacements",
-        || fem::verify::shell::shell_large().map_err(words),
+        || verification::shell::shell_large().map_err(words),
         Pace::Tested,
     ),
     (
         "shell, large displacements on fine meshes",
-        || fem::verify::shell::shell_large_slow().map_err(words),
+        || verification::shell::shell_large_slow().map_err(words),
         Pace::Slow,
     ),
     (
         "reinforced-concrete beams",
-        || fem::verify::shell::concrete_beams().map_err(words),
+        || verification::shell::concrete_beams().map_err(words),
         Pace::Tested,
     ),
     (
         "nonlinear histories",
-        || fem::verify::dynamics::nonlinear().map_err(words),
+        || verification::dynamics::nonlinear().map_err(words),
         Pace::Tested,
     ),
     (
         "potential liquid on hexahedra",
-        || fem::verify::potential::potential_slow().map_err(words),
+        || verification::potential::potential_slow().map_err(words),
         Pace::Slow,
     ),
 ];

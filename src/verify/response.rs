@@ -6,11 +6,11 @@
 
 use std::path::Path;
 
-use codes::Case;
-use codes::case::GroundMotion;
-use codes::record::Record;
-use codes::spectrum;
-use codes::tank::Shape;
+use oscillator::record::Record;
+use oscillator::spectrum;
+use tank::Case;
+use tank::Shape;
+use tank::case::GroundMotion;
 
 use super::cases::{broad, case, material};
 use super::{NotRun, Reference, Row};
@@ -73,13 +73,13 @@ pub fn strip_rows(records: &Path) -> Result<Vec<Row>, Error> {
         what,
     };
     let record = read(&records.join(RECORD), &ReadOptions::default())?.record;
-    let mut rows = fem::verify::dynamics::separation(&record.acceleration, record.dt)
+    let mut rows = verification::dynamics::separation(&record.acceleration, record.dt)
         .map_err(|e| failed("separation of the liquid", e.to_string()))?;
     let of_strip = |e: fem::strip::StripError| failed("strip", e.to_string());
-    rows.extend(fem::verify::strip::contact(&record, 14.0).map_err(of_strip)?);
-    rows.extend(fem::verify::strip::linear(&record).map_err(of_strip)?);
+    rows.extend(verification::strip::contact(&record, 14.0).map_err(of_strip)?);
+    rows.extend(verification::strip::linear(&record).map_err(of_strip)?);
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    rows.extend(fem::verify::strip::nonlinear(&record, threads, &fem::progress::Silent).map_err(of_strip)?);
+    rows.extend(verification::strip::nonlinear(&record, threads, &fem::progress::Silent).map_err(of_strip)?);
     Ok(rows)
 }
 

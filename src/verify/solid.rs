@@ -5,11 +5,11 @@
 //! runs on its default mesh, whose own errors are below 0.1 % in frequencies and resultants and about 1 % in the bending
 //! stress of the clamped edge. The ground motion is an artificial one that excites waves and wall.
 
-use codes::Case;
-use codes::Quantity;
-use codes::case::GroundMotion;
-use codes::record::Record;
 use fem::progress::Silent;
+use oscillator::record::Record;
+use tank::Case;
+use tank::Quantity;
+use tank::case::GroundMotion;
 
 use super::cases::{broad, slender};
 use super::{Reference, Row};

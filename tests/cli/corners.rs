@@ -5,12 +5,12 @@
 use std::cell::Cell;
 use std::fmt::Write;
 
-use codes::case::GroundMotion;
-use codes::record::Record;
 use fem::liquid::LiquidMesh;
 use fem::progress::Silent;
+use oscillator::record::Record;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
+use tank::case::GroundMotion;
 use tankcheck::fe::estimate::MEMORY_LIMIT_MIB;
 use tankcheck::fe::harmonic::wall_nodes;
 use tankcheck::input::read_tank;

@@ -22,7 +22,7 @@ fn example(tank: &str, record: &str) -> TankFile {
     let mut file = read_tank(&home.join(tank)).expect("an example");
     let read = records::read(&home.join(record), &records::ReadOptions::default()).expect("a record");
     let horizontal = records::process(&read.record, &file.record).expect("its processing");
-    file.case.ground_motion = Some(codes::case::GroundMotion {
+    file.case.ground_motion = Some(tank::case::GroundMotion {
         horizontal,
         vertical: None,
     });

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use codes::tank::{BarDirection, Behaviour, ConcreteLaw, LayerKind, Softening};
+use tank::{BarDirection, Behaviour, ConcreteLaw, LayerKind, Softening};
 use tankcheck::fe::nonlinear::{Contact, Damping, MassProportionalAt, ThicknessRule, WallElements};
 use tankcheck::input::TankFile;
 use tankcheck::input::diagnostic::Source;

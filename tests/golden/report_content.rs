@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 use tankcheck::report::template::Templates;
 use tankcheck::report::{Report, build};
 use tankcheck::results::nonlinear::{BaseMoment, Columns, Departure, End, Energies, Nonlinear};

@@ -10,8 +10,8 @@ use tankcheck::fe::harmonic::{CoupledMode, Kind, build, solve};
 use tankcheck::fe::{Options, modes};
 
 use crate::tanks::{assert_close, broad, case, material, slender};
-use codes::Case;
-use codes::tank::Shape;
+use tank::Case;
+use tank::Shape;
 
 fn coupled_modes(case: &Case, harmonic: u32) -> Vec<CoupledMode> {
     let coupled = build(case, &Options::default(), harmonic).unwrap();

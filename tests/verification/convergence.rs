@@ -11,7 +11,7 @@ use tankcheck::fe::harmonic::{Kind, build, solve};
 
 use crate::rigid_cylinder::{ZEROS_1, sloshing, tank};
 use crate::tanks::{GRAVITY, assert_close, broad, slender};
-use codes::Case;
+use tank::Case;
 
 #[test]
 fn sloshing_converges_with_the_fourth_power() {

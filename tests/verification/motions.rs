@@ -1,6 +1,6 @@
 //! Ground motions of the verification tests, made by formula: no record needs to be at hand.
 
-use codes::record::Record;
+use oscillator::record::Record;
 
 /// A record from its accelerations [m/s²].
 pub fn record(dt: f64, acceleration: Vec<f64>) -> Record {

@@ -13,9 +13,9 @@ use tankcheck::fe::harmonic::build;
 use tankcheck::fe::probe::Probe;
 
 use crate::tanks::{GRAVITY, assert_close, broad, case, material, slender};
-use codes::Case;
-use codes::tank::Shape;
 use std::f64::consts::PI;
+use tank::Case;
+use tank::Shape;
 
 /// The displacements under a constant unit ground acceleration.
 fn quasi_static(coupled: &Coupled) -> Vec<f64> {

@@ -4,9 +4,9 @@
 //! Expected:  the exact solution for ground motion that is linear between samples
 //! Tolerance: 1e-12 of the peak for what is exact; second order for Newmark's method, measured by halving the step
 
-use codes::record::Record;
-use codes::units::Dimension;
 use fem::linalg::Matrix;
+use oscillator::record::Record;
+use tank::units::Dimension;
 use tankcheck::fe::coupled::{Coupled, Part, ShapeRows};
 use tankcheck::fe::damping::{Damper, Rayleigh};
 use tankcheck::fe::harmonic::{CoupledMode, Kind, solve};

@@ -5,11 +5,11 @@
 //! Expected:  beside each test
 //! Tolerance: rounding, or what a slow rise leaves of oscillation
 
-use codes::Case;
-use codes::Quantity;
-use codes::case::GroundMotion;
-use codes::record::Record;
-use codes::tank::Anchors;
+use oscillator::record::Record;
+use tank::Anchors;
+use tank::Case;
+use tank::Quantity;
+use tank::case::GroundMotion;
 use tankcheck::fe::{DampingModel, Options, Simulation, simulate};
 use tankcheck::results::Limit;
 

@@ -4,12 +4,12 @@
 //! Expected:  exact series and limits; equality of two methods
 //! Tolerance: beside each test
 
-use codes::Case;
-use codes::case::GroundMotion;
 use codes::mechanical::{Plan, sloshing_omega, wave_factor};
-use codes::record::Record;
-use codes::sdof;
-use codes::tank::Shape;
+use oscillator::record::Record;
+use oscillator::sdof;
+use tank::Case;
+use tank::Shape;
+use tank::case::GroundMotion;
 use tankcheck::fe::damping::Damper;
 use tankcheck::fe::harmonic::{CoupledMode, Kind, build, solve};
 use tankcheck::fe::response::motion::{Grid, Motion};

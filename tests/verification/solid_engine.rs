@@ -5,9 +5,9 @@
 //! Tolerance: counts exact; several per cent on coarse meshes, stated at each assertion (the rows of the verification
 //!            manual hold finer meshes to 1 %)
 
-use codes::case::GroundMotion;
 use fem::linalg::{Pencil, Symbolic, ThreeField};
 use fem::progress::Silent;
+use tank::case::GroundMotion;
 use tankcheck::fe::harmonic::Kind;
 use tankcheck::fe::solid::model::TankModel;
 use tankcheck::fe::solid::system::System;
@@ -74,7 +74,7 @@ fn no_mode_is_missed() {
     }
 }
 
-fn shaken(vertical: bool) -> codes::Case {
+fn shaken(vertical: bool) -> tank::Case {
     let mut case = broad(1000.0);
     case.ground_motion = Some(GroundMotion {
         horizontal: artificial(3.0),

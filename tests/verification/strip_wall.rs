@@ -8,8 +8,8 @@ use tankcheck::fe::harmonic::{Kind, build, solve};
 use tankcheck::fe::{FeError, Options};
 
 use crate::tanks::{assert_close, case, material};
-use codes::Case;
-use codes::tank::Shape;
+use tank::Case;
+use tank::Shape;
 
 fn strip(density: f64) -> Case {
     let shape = Shape::Rectangle {

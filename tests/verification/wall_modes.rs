@@ -10,7 +10,7 @@ use fem::linalg::{Matrix, generalized_eigen};
 use tankcheck::fe::harmonic::{NODAL, NODE, Wall};
 
 use crate::tanks::{assert_close, case, material};
-use codes::tank::{Material, Shape};
+use tank::{Material, Shape};
 
 const RADIUS: f64 = 2.0;
 const LENGTH: f64 = 3.0;

@@ -12,8 +12,8 @@ use nalgebra::{DMatrix, DVector};
 use tankcheck::fe::harmonic::{Output, Static};
 
 use crate::tanks::{assert_close, broad, case, material};
-use codes::Case;
-use codes::tank::Shape;
+use tank::Case;
+use tank::Shape;
 
 /// Exact axisymmetric wall: w, w', M = −D w'', n_θ = E t w/R at any height.
 struct Exact {

@@ -12,7 +12,7 @@ use super::masses::{
     effective_masses, impulsive_coefficient, sloshing_coefficient, sloshing_coefficient_1993, sloshing_period,
     sloshing_period_1993,
 };
-use crate::case::{Api650Site, SiteClass};
+use tank::case::{Api650Site, SiteClass};
 
 fn close(value: f64, expected: f64, tolerance: f64, what: &str) {
     assert!((value - expected).abs() <= tolerance, "{what}: {value} {expected}");

@@ -4,8 +4,8 @@
 //! Tolerance: 1e-12, rounding of the interpolation
 
 use super::ground_motion::{long_period_coefficient, short_period_coefficient};
-use crate::case::SiteClass::{self, A, B, C, D, E, F};
 use crate::procedure::CodeError;
+use tank::case::SiteClass::{self, A, B, C, D, E, F};
 
 type Coefficient = fn(u16, SiteClass, f64) -> Result<f64, CodeError>;
 

@@ -1,11 +1,11 @@
 //! The tank in the terms of API 650, and the lines that both editions share.
 
-use crate::case::Case;
 use crate::ec8::simplified::weighted_mean;
-use crate::procedure::{Assessment, Check, NotApplicable};
 use crate::sheet::{Sheet, with_unit};
-use crate::tank::{Shape, Support, Tank};
-use crate::units::Dimension::{Dimensionless, Force, Length, LineForce};
+use tank::assessment::{Assessment, Check, NotApplicable};
+use tank::case::Case;
+use tank::units::Dimension::{Dimensionless, Force, Length, LineForce};
+use tank::{Shape, Support, Tank};
 
 use super::hold_down;
 use super::masses::{EffectiveMasses, SQUAT, effective_masses};
@@ -172,7 +172,7 @@ impl<'a> Basis<'a> {
             out.notes.push(format!(
                 "The allowable shell compression stands for steel; the bottom course has E = {}, {:.2} times that of \
                  steel, and buckling stresses are proportional to E.",
-                with_unit(modulus, crate::units::Dimension::Stress),
+                with_unit(modulus, tank::units::Dimension::Stress),
                 modulus / STEEL
             ));
         }
@@ -180,7 +180,7 @@ impl<'a> Basis<'a> {
 
     /// Allowable compression of the bottom course with its lines, or what is missing.
     pub fn allowable_compression(&self, sheet: &mut Sheet, symbol: &str, clause: &str) -> Result<f64, String> {
-        use crate::units::Dimension::Stress;
+        use tank::units::Dimension::Stress;
         let (d, h, g, t) = (self.d, self.h, self.g, self.t_s);
         let ratio = sheet.calc(
             "G·H·D²/t_s²",

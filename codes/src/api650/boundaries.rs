@@ -10,17 +10,18 @@ use std::f64::consts::PI;
 use super::edition1993::Api6501993;
 use super::edition2020::Api6502020;
 use super::example::{case, line};
-use crate::case::Case;
-use crate::procedure::{Assessment, Excitation, Procedure};
-use crate::tank::{Anchors, Support};
+use crate::procedure::Procedure;
+use tank::assessment::{Assessment, Excitation};
+use tank::case::Case;
+use tank::{Anchors, Support};
 
 const EPSILON: f64 = 2e-4;
 
-fn site(c: &mut Case) -> &mut crate::case::Api650Site {
+fn site(c: &mut Case) -> &mut tank::case::Api650Site {
     c.site.api650.as_mut().unwrap()
 }
 
-fn find<'a>(out: &'a Assessment, id: &str) -> &'a crate::procedure::Check {
+fn find<'a>(out: &'a Assessment, id: &str) -> &'a tank::assessment::Check {
     out.checks
         .iter()
         .find(|c| c.id == id)
@@ -288,7 +289,7 @@ fn anchor_tension_of_1993() {
 /// The factors of the zone method are admissible up to the ends of their tables, and no further.
 #[test]
 fn factors_of_1993_at_their_limits() {
-    let fault = |edit: &dyn Fn(&mut crate::case::Api650Site)| {
+    let fault = |edit: &dyn Fn(&mut tank::case::Api650Site)| {
         let mut c = case();
         edit(site(&mut c));
         Api6501993

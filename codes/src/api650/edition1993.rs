@@ -15,12 +15,13 @@
 //!
 //! The appendix has no base shear, no moment with base pressure, no wave height and no vertical motion.
 
-use crate::case::Case;
-use crate::procedure::{Assessment, Check, CodeError, Excitation, NotApplicable, Procedure};
-use crate::quantity::Quantity;
+use crate::procedure::{CodeError, Procedure};
 use crate::sheet::Sheet;
-use crate::spectrum::ordinates;
-use crate::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, Stress, Time};
+use oscillator::spectrum::ordinates;
+use tank::assessment::{Assessment, Check, Excitation, NotApplicable};
+use tank::case::Case;
+use tank::quantity::Quantity;
+use tank::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, Stress, Time};
 
 use super::basis::Basis;
 use super::ground_motion::{IMPULSIVE_RANGE, impulsive_plateau};

@@ -1,9 +1,9 @@
 //! The worked example of the tests: an oil tank, R = 15 m, H = 12 m, six courses, fixed roof.
 
-use crate::case::{Case, Damping, GroundMotion, ProcedureOptions, Site};
-use crate::procedure::Assessment;
-use crate::record::Record;
-use crate::tank::{Bottom, Course, Liquid, Material, Roof, Shape, Support, Tank};
+use oscillator::record::Record;
+use tank::assessment::Assessment;
+use tank::case::{Case, Damping, GroundMotion, ProcedureOptions, Site};
+use tank::{Bottom, Course, Liquid, Material, Roof, Shape, Support, Tank};
 
 use super::ground_motion::tests::site;
 

@@ -18,10 +18,10 @@
 //! columns, constant outside. Where ASCE 7-16 asks for a site study (class E above S_s = 0.75 g or S_1 = 0.1 g, class F)
 //! there is no number to interpolate: the coefficients of that study must be given.
 
-use crate::case::{Api650Site, SiteClass};
 use crate::procedure::CodeError;
-use crate::record::Record;
-use crate::spectrum::{Method, spectrum};
+use oscillator::record::Record;
+use oscillator::spectrum::{Method, spectrum};
+use tank::case::{Api650Site, SiteClass};
 
 /// Abscissae and values of one row of a site-coefficient table; `values` is shorter where the table asks for a study.
 struct Row {

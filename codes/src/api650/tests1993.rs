@@ -16,11 +16,12 @@ use super::edition1993::{Api6501993, compression, convective_coefficient, overtu
 use super::example::{case, close, line, steel, with_record};
 use super::hold_down::figure_e5;
 use super::masses::effective_masses;
-use crate::case::Case;
-use crate::procedure::{Assessment, CodeError, Excitation, Procedure};
-use crate::quantity::Quantity;
+use crate::procedure::{CodeError, Procedure};
 use crate::sheet::arithmetic;
-use crate::tank::{Anchors, Shape, Support};
+use tank::assessment::{Assessment, Excitation};
+use tank::case::Case;
+use tank::quantity::Quantity;
+use tank::{Anchors, Shape, Support};
 
 fn assess(case: &Case, excitation: Excitation) -> Assessment {
     Api6501993.assess(case, excitation).expect("the example is admissible")
@@ -224,7 +225,7 @@ fn record_and_lines() {
     let out = assess(&c, Excitation::Record);
     arithmetic::check(&out.steps, 12);
     let record = &c.ground_motion.as_ref().unwrap().horizontal;
-    let sa = |t: f64, damping: f64| crate::spectrum::ordinates(record, t, damping).psa / 9.81;
+    let sa = |t: f64, damping: f64| oscillator::spectrum::ordinates(record, t, damping).psa / 9.81;
     let (t, a_1) = (line(&out, "T"), line(&out, "A_1"));
     close(line(&out, "A_2"), sa(t, 0.005), 1e-12, "A_2");
     // Resonant at 2π/15.7 = 0.400 s: larger than at any coarse sample of periods.

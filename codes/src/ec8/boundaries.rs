@@ -8,10 +8,10 @@ use std::f64::consts::PI;
 
 use super::example::{case, check, line, oil_tank, site, steel};
 use super::*;
-use crate::case::{Ec8Site, GroundMotion};
-use crate::procedure::Profile;
-use crate::record::Record;
-use crate::tank::{Anchors, Bottom, Course, Liquid, Material, Roof, Support};
+use oscillator::record::Record;
+use tank::assessment::Profile;
+use tank::case::{Ec8Site, GroundMotion};
+use tank::{Anchors, Bottom, Course, Liquid, Material, Roof, Support};
 
 const EPSILON: f64 = 3e-4;
 const UTILISATIONS: [(f64, bool); 5] = [

@@ -12,12 +12,12 @@ use super::shell_mode::Base;
 use super::simplified::{self, LIMITS, Row};
 use super::work::{Masses, Work, combined};
 use super::{cylinder_stress, cylinder_vertical};
-use crate::case::{Combination, FlexibleImpulsive};
 use crate::mechanical::{Lumped, Plan, convective, eigenvalue, impulsive, sloshing_omega};
 use crate::procedure::CodeError;
-use crate::quantity::Quantity;
 use crate::sheet::number;
-use crate::units::Dimension::*;
+use tank::case::{Combination, FlexibleImpulsive};
+use tank::quantity::Quantity;
+use tank::units::Dimension::*;
 
 /// Fills the sheet of a cylinder.
 pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {

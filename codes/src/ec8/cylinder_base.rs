@@ -6,7 +6,7 @@ use super::cylinder_stress::{Factors, State};
 use super::uplift;
 use super::work::Work;
 use crate::sheet::with_unit;
-use crate::units::Dimension::*;
+use tank::units::Dimension::*;
 
 /// Tension of the anchors, or a note that they are not given.
 pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {

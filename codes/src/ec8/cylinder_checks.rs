@@ -8,8 +8,8 @@ use super::cylinder_base;
 use super::cylinder_stress::{Factors, State};
 use super::work::Work;
 use crate::sheet::{number, with_unit};
-use crate::tank::{Course, Support};
-use crate::units::Dimension::*;
+use tank::units::Dimension::*;
+use tank::{Course, Support};
 
 /// Compression and pressures at the lower edge of a course under one combination.
 #[derive(Clone, Copy)]

@@ -13,12 +13,12 @@ use std::f64::consts::PI;
 use super::cylinder_vertical::VerticalMotion;
 use super::work::{Work, combined};
 use super::{cylinder_checks, vertical};
-use crate::case::Combination;
 use crate::mechanical::{ConvectiveField, ImpulsiveField, Plan};
-use crate::quantity::Quantity;
 use crate::sheet::with_unit;
-use crate::tank::{Liquid, Tank};
-use crate::units::Dimension::*;
+use tank::case::Combination;
+use tank::quantity::Quantity;
+use tank::units::Dimension::*;
+use tank::{Liquid, Tank};
 
 /// Seismic state of the wall over the height.
 pub(super) struct State<'a> {

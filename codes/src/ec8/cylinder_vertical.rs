@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 
 use super::vertical;
 use super::work::Work;
-use crate::procedure::{CodeError, NotApplicable};
+use crate::procedure::CodeError;
 use crate::sheet::number;
-use crate::units::Dimension::*;
+use tank::assessment::NotApplicable;
+use tank::units::Dimension::*;
 
 /// Vertical motion of the liquid.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

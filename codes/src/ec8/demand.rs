@@ -5,12 +5,13 @@ use super::spectrum::{
     damping_correction, damping_correction_env,
 };
 use super::vertical::BREATHING_DAMPING;
-use crate::case::{Case, Ec8Site};
-use crate::procedure::{CodeError, Excitation, NotApplicable};
-use crate::record::Record;
+use crate::procedure::CodeError;
 use crate::sheet::{Sheet, number, with_unit};
-use crate::spectrum::ordinates;
-use crate::units::Dimension;
+use oscillator::record::Record;
+use oscillator::spectrum::ordinates;
+use tank::assessment::{Excitation, NotApplicable};
+use tank::case::{Case, Ec8Site};
+use tank::units::Dimension;
 
 /// Edition of part 4.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

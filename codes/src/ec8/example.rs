@@ -7,9 +7,9 @@
 //! Tolerance: half the last printed digit, unless a comment says otherwise
 
 use super::*;
-use crate::case::{Damping, Ec8Site, GroundType, ProcedureOptions, Site};
-use crate::quantity::Quantity;
-use crate::tank::{Course, Liquid, Material, Roof, Support, Tank};
+use tank::case::{Damping, Ec8Site, GroundType, ProcedureOptions, Site};
+use tank::quantity::Quantity;
+use tank::{Course, Liquid, Material, Roof, Support, Tank};
 
 const GRAVITY: f64 = 9.81;
 
@@ -102,7 +102,7 @@ pub(super) fn line(assessment: &Assessment, symbol: &str) -> f64 {
         .map_or(f64::NAN, |s| s.value)
 }
 
-pub(super) fn check<'a>(assessment: &'a Assessment, id: &str) -> &'a crate::procedure::Check {
+pub(super) fn check<'a>(assessment: &'a Assessment, id: &str) -> &'a tank::assessment::Check {
     assessment.checks.iter().find(|c| c.id == id).unwrap()
 }
 

@@ -30,7 +30,7 @@ use super::shell_mode::{Base, DryShell, Inertia, Mode, Point};
 use crate::bessel::i1_over_i1_prime;
 use crate::mechanical::Lumped;
 use crate::procedure::CodeError;
-use crate::tank::{Course, Liquid};
+use tank::{Course, Liquid};
 
 /// Terms of the series. The sums of masses converge like 1/n³ (1e-5 with 80 terms); the shape is known at some 160 points.
 const TERMS: usize = 80;

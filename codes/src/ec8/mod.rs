@@ -42,10 +42,11 @@ mod work;
 use demand::{Demand, Edition};
 use work::Work;
 
-use crate::case::{Case, Combination, FlexibleImpulsive};
-use crate::procedure::{Assessment, CodeError, Excitation, NotApplicable, Procedure};
+use crate::procedure::{CodeError, Procedure};
 use crate::sheet::Sheet;
-use crate::tank::Shape;
+use tank::Shape;
+use tank::assessment::{Assessment, Excitation, NotApplicable};
+use tank::case::{Case, Combination, FlexibleImpulsive};
 
 /// EN 1998-4:2006 annex A with EN 1998-1:2004 (`ec8-2006`).
 #[derive(Clone, Copy, Debug)]

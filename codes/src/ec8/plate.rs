@@ -12,7 +12,7 @@
 //! with 2B the width of the wall. The splines end at every joint of courses, so that steps of D cost no accuracy; a strip is
 //! exact. A box wall converges to four digits with six functions X.
 
-use crate::tank::Course;
+use tank::Course;
 
 /// Number of functions X of a box wall.
 const HORIZONTAL: usize = 6;
@@ -219,7 +219,7 @@ fn solve(mut a: Vec<Vec<f64>>, x: &mut [f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tank::Material;
+    use tank::Material;
 
     fn course(height: f64, thickness: f64, nu: f64) -> Course {
         Course {

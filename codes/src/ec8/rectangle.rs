@@ -12,12 +12,12 @@ use std::f64::consts::PI;
 
 use super::plate::{Sides, deflection};
 use super::work::{Masses, Work, combined};
-use crate::case::{Case, Combination};
 use crate::mechanical::{
     ConvectiveField, ImpulsiveField, Lumped, Plan, convective, eigenvalue, impulsive, sloshing_omega, wave_factor,
 };
-use crate::quantity::Quantity;
-use crate::units::Dimension::*;
+use tank::case::{Case, Combination};
+use tank::quantity::Quantity;
+use tank::units::Dimension::*;
 
 /// Fills the sheet of a rectangle.
 pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {

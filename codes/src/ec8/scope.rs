@@ -8,12 +8,12 @@ use proptest::prelude::*;
 
 use super::example::{case, check, close, line, oil_tank, site, steel};
 use super::*;
-use crate::case::{Damping, Ec8Site, GroundMotion, GroundType};
-use crate::procedure::Profile;
-use crate::quantity::Quantity;
-use crate::record::Record;
-use crate::spectrum::ordinates;
-use crate::tank::{Anchors, Bottom, Course, Liquid, Material, Roof, Support};
+use oscillator::record::Record;
+use oscillator::spectrum::ordinates;
+use tank::assessment::Profile;
+use tank::case::{Damping, Ec8Site, GroundMotion, GroundType};
+use tank::quantity::Quantity;
+use tank::{Anchors, Bottom, Course, Liquid, Material, Roof, Support};
 
 const GRAVITY: f64 = 9.81;
 

@@ -15,7 +15,7 @@
 //! `u`, `v`; element ends lie on the joints of the courses and at the liquid surface. The factor of the stiffness matrix is
 //! kept, so that one mode costs a few back substitutions.
 
-use crate::tank::Course;
+use tank::Course;
 
 /// Unknowns between two nodes: `u, v, w, w′` at the lower node and `u, v` at mid-element.
 const STRIDE: usize = 6;

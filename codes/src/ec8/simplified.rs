@@ -10,7 +10,7 @@
 //! s is the wetted wall's thickness averaged with the distance from the liquid surface as weight. What the table is: m_i and
 //! h_i′ are those of a rigid tank, m_c = m − m_i lumps all sloshing modes, h_i is raised for the flexible wall above H/R = 0.7.
 
-use crate::tank::Tank;
+use tank::Tank;
 
 /// Smallest and largest H/R of table A.2.
 pub const LIMITS: (f64, f64) = (0.3, 3.0);
@@ -83,7 +83,7 @@ pub fn impulsive_period(
 
 /// Mean over the wetted height, weighted with the distance H − z from the surface, of a value that is constant in each
 /// course: `2/H² ∫₀ᴴ (H − z) value dz`.
-pub fn weighted_mean(tank: &Tank, depth: f64, value: impl Fn(&crate::tank::Course) -> f64) -> f64 {
+pub fn weighted_mean(tank: &Tank, depth: f64, value: impl Fn(&tank::Course) -> f64) -> f64 {
     let (mut base, mut sum) = (0.0, 0.0);
     for course in &tank.courses {
         let top = (base + course.height).min(depth);

@@ -29,8 +29,9 @@
 
 use std::f64::consts::PI;
 
-use crate::case::{Ec8Site, GroundType};
-use crate::procedure::{CodeError, NotApplicable};
+use crate::procedure::CodeError;
+use tank::assessment::NotApplicable;
+use tank::case::{Ec8Site, GroundType};
 
 /// Clause of the horizontal elastic spectrum.
 pub const EN_HORIZONTAL: &str = "EN 1998-1:2004 3.2.2.2";

@@ -6,8 +6,8 @@
 
 use super::simplified;
 use super::spectrum::{Branch, ElasticSpectrum, EnvSpectrum};
-use crate::case::Ec8Site;
-use crate::case::GroundType::{self, A, B, C, D, E};
+use tank::case::Ec8Site;
+use tank::case::GroundType::{self, A, B, C, D, E};
 
 fn site(ground: GroundType, spectrum: u8) -> Ec8Site {
     Ec8Site {

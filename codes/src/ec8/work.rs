@@ -1,13 +1,13 @@
 //! What the sheets of cylinders and rectangles share: the case, the growing sheet, masses, resultants, wave height.
 
 use super::demand::{Demand, Edition};
-use crate::case::{Case, Combination};
 use crate::mechanical::Lumped;
-use crate::procedure::{Assessment, Check, Profile};
-use crate::quantity::Quantity;
 use crate::sheet::{Sheet, Term, number, with_unit};
-use crate::tank::Shape;
-use crate::units::Dimension::{self, *};
+use tank::Shape;
+use tank::assessment::{Assessment, Check, Profile};
+use tank::case::{Case, Combination};
+use tank::quantity::Quantity;
+use tank::units::Dimension::{self, *};
 
 /// An assessment under way.
 pub(super) struct Work<'a> {

@@ -5,13 +5,14 @@ use super::model::{Arms, Input, Response, Spectral, respond};
 use super::motion::{self, Motion, SOURCE};
 use super::stress::{self, Pressures};
 use super::{notes, slender};
-use crate::case::{Case, Combination};
 use crate::mechanical::Plan;
-use crate::procedure::{Assessment, CodeError, Excitation, NotApplicable, Procedure, Profile};
-use crate::quantity::Quantity;
+use crate::procedure::{CodeError, Procedure};
 use crate::sheet::Sheet;
-use crate::tank::Shape;
-use crate::units::Dimension::{Force, Length, Moment, Stress};
+use tank::Shape;
+use tank::assessment::{Assessment, Excitation, NotApplicable, Profile};
+use tank::case::{Case, Combination};
+use tank::quantity::Quantity;
+use tank::units::Dimension::{Force, Length, Moment, Stress};
 
 /// Housner's procedure for upright circular and rectangular tanks with rigid walls.
 #[derive(Clone, Copy, Debug)]

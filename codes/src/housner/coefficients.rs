@@ -1,7 +1,7 @@
 //! Constants of the convective part.
 
-use crate::case::ConvectiveCoefficient;
 use crate::mechanical::{self, Plan};
+use tank::case::ConvectiveCoefficient;
 
 /// Constants of Housner's convective part, for a length `a` = R (circle) or L (half length of a rectangle).
 #[derive(Clone, Copy, Debug, PartialEq)]

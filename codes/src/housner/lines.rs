@@ -2,10 +2,10 @@
 
 use super::assess::{Run, SLENDER};
 use super::model::{Input, SLENDER_LIMIT};
-use crate::case::ConvectiveCoefficient;
 use crate::mechanical::Plan;
 use crate::sheet::Sheet;
-use crate::units::Dimension::{
+use tank::case::ConvectiveCoefficient;
+use tank::units::Dimension::{
     Acceleration, Angle, AngularFrequency, Dimensionless, Force, Length, Mass, Time, Velocity,
 };
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::coefficients::Coefficients;
 use super::slender;
-use crate::case::Combination;
+use tank::case::Combination;
 
 /// Spectral input of the sloshing mode: one of two equivalent ordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,11 +1,12 @@
 //! What shakes the tank: peak ground acceleration and the spectral ordinate of the sloshing mode.
 
-use crate::STANDARD_GRAVITY;
 use crate::api650::ground_motion::DesignSpectrum;
-use crate::case::Case;
 use crate::ec8::spectrum::ElasticSpectrum;
-use crate::procedure::{CodeError, Excitation, NotApplicable};
-use crate::spectrum;
+use crate::procedure::CodeError;
+use oscillator::spectrum;
+use tank::STANDARD_GRAVITY;
+use tank::assessment::{Excitation, NotApplicable};
+use tank::case::Case;
 
 /// Clause that all limits of this procedure are cited under.
 pub const SOURCE: &str = "Housner 1957; TID-7024 (1963) ch. 6";

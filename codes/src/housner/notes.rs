@@ -1,11 +1,11 @@
 //! What the procedure assumed, and what a reader should know of its results.
 
 use super::assess::Run;
-use crate::case::Combination;
 use crate::mechanical::{self, Plan};
 use crate::sheet::{number, with_unit};
-use crate::tank::{Shape, Support};
-use crate::units::Dimension::{Length, Mass};
+use tank::case::Combination;
+use tank::units::Dimension::{Length, Mass};
+use tank::{Shape, Support};
 
 /// Angle of the surface above which waves are no longer small [rad].
 const SMALL_ANGLE: f64 = 0.2;

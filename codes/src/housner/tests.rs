@@ -16,8 +16,8 @@
 use super::coefficients::{CIRCLE_1957, Coefficients, RECTANGLE_1957};
 use super::model::{Arms, Input, InputError, Response, Spectral, respond};
 use super::stress::{Pressures, section_modulus_circle};
-use crate::case::Combination::{Abs, Srss};
 use crate::mechanical::Plan;
+use tank::case::Combination::{Abs, Srss};
 
 const G: f64 = 9.81;
 

@@ -1,10 +1,10 @@
 //! Reads the arithmetic of a substitution back, for tests: `4.903 m/s²·7600.6 kg` is 37266.
 //!
 //! Understands `+ − · /`, `√`, superscripts, `π`, parentheses, absolute bars, `tanh cosh sinh exp ln min max`, and numbers
-//! with the units of [`crate::units`].
+//! with the units of [`tank::units`].
 
-use crate::procedure::Step;
-use crate::units::UNITS;
+use tank::assessment::Step;
+use tank::units::UNITS;
 
 /// Panics if a substitution does not give the value of its step to four digits, or if fewer than `least` could be read.
 pub fn check(steps: &[Step], least: usize) {

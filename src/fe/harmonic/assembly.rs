@@ -2,8 +2,8 @@
 //!
 //! Unknowns are the nodal u, v, w, w' of the wall from the base up and then the elevations η.
 
-use codes::Case;
-use codes::tank::Shape;
+use tank::Case;
+use tank::Shape;
 
 use crate::fe::liquid::Potential;
 use fem::linalg::Matrix;

@@ -1,7 +1,7 @@
 //! From a case to the coupled system of one harmonic.
 
-use codes::Case;
-use codes::tank::Shape;
+use tank::Case;
+use tank::Shape;
 
 use crate::fe::coupled::{Coupled, Part, ShapeRows};
 use crate::fe::liquid::{Domain, LiquidMesh, Potential};

@@ -7,8 +7,8 @@
 //! response      histories of the scalars, ground motion at the steps
 //! ```
 
-use codes::Case;
-use codes::tank::Shape;
+use tank::Case;
+use tank::Shape;
 
 use super::wall_mesh::wall_nodes;
 use crate::fe::estimate::{

@@ -1,8 +1,8 @@
 //! What the linear engine assumes, and where a case leaves the range it is good for.
 
-use codes::Case;
-use codes::tank::{Shape, Support};
 use std::f64::consts::PI;
+use tank::Case;
+use tank::{Shape, Support};
 
 use crate::results::Mode;
 

@@ -9,7 +9,7 @@
 //!
 //! With m = 0 the "effective mass" is that of the load of vertical motion, hydrostatic pressure and wall weight.
 
-use codes::Case;
+use tank::Case;
 
 use crate::fe::coupled::{Coupled, Part};
 use crate::fe::{FeError, Options};

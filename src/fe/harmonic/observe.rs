@@ -3,8 +3,8 @@
 //! Signs: tension positive; liquid pressure positive in compression; reactions are positive as inertia forces of a
 //! positive acceleration (base shear = ιᵀ M ẍ_total). Values at θ = 0.
 
-use codes::Case;
-use codes::units::Dimension;
+use tank::Case;
+use tank::units::Dimension;
 
 use crate::fe::Options;
 use crate::fe::probe::{ModeSelection, Probe, ProbeLine};

@@ -6,7 +6,7 @@
 //!
 //! The hydrostatic state is never solved through the liquid: its pressure is known.
 
-use codes::Case;
+use tank::Case;
 
 use fem::linalg::{LinalgError, Matrix, SparseCholesky, Triplets};
 use fem::shape::gauss;

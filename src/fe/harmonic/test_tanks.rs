@@ -1,8 +1,8 @@
 //! Tanks of the unit tests.
 
-use codes::Case;
-use codes::case::{Damping, ProcedureOptions, Site};
-use codes::tank::{Course, Liquid, Material, Roof, Shape, Support, Tank};
+use tank::Case;
+use tank::case::{Damping, ProcedureOptions, Site};
+use tank::{Course, Liquid, Material, Roof, Shape, Support, Tank};
 
 /// A case without ground motion.
 pub(crate) fn case(shape: Shape, courses: &[(f64, f64)], material: (f64, f64, f64), liquid: (f64, f64)) -> Case {

@@ -20,8 +20,8 @@
 //!
 //! Source: Novozhilov 1964 (strains); Love 1888. Check: rigid translation and rotation cost no energy (tests).
 
-use codes::tank::{Material, Shape, Tank};
 use std::f64::consts::PI;
+use tank::{Material, Shape, Tank};
 
 use fem::shape::{gauss, line};
 

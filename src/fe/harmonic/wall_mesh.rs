@@ -1,6 +1,6 @@
 //! Nodes of the wall: course joints, the liquid level, and a fine layer above the clamped base.
 
-use codes::tank::{Shape, Tank};
+use tank::{Shape, Tank};
 
 use crate::fe::liquid::scaled;
 
@@ -67,7 +67,7 @@ pub fn wall_nodes(tank: &Tank, fill_height: f64, refine: f64) -> (Vec<f64>, Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use codes::tank::{Course, Material, Roof, Support};
+    use tank::{Course, Material, Roof, Support};
 
     fn tank() -> Tank {
         let material = Material {

@@ -1,9 +1,9 @@
 //! A tank at rising scales of its record: strip or cylinder.
 
-use codes::Case;
-use codes::tank::Shape;
-use codes::units::Dimension;
 use fem::progress::Progress;
+use tank::Case;
+use tank::Shape;
+use tank::units::Dimension;
 
 use super::cylinder::{self, Cylinder};
 use super::strip::Strip;

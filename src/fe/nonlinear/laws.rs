@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use codes::tank::{Bar, BarDirection, Behaviour, Concrete, ConcreteLaw, Layer, Material, Softening};
 use fem::element::shell::rule::Rule;
 use materials::bar::Rupture;
 use materials::concrete::{
@@ -10,6 +9,7 @@ use materials::concrete::{
 };
 use materials::elastic::Elastic;
 use materials::{Law, LawError};
+use tank::{Bar, BarDirection, Behaviour, Concrete, ConcreteLaw, Layer, Material, Softening};
 
 use super::ThicknessRule;
 use crate::fe::FeError;

@@ -12,11 +12,11 @@ mod strip;
 
 use std::path::PathBuf;
 
-use codes::Case;
-use codes::tank::Shape;
 use fem::analysis::checkpoint::unfinished;
 use fem::progress::Progress;
 use fem::strip::Side;
+use tank::Case;
+use tank::Shape;
 
 use super::estimate::Estimate;
 use super::harmonic::check_depth;

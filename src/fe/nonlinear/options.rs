@@ -29,7 +29,7 @@ impl NonlinearOptions {
     /// The defaults, with the damping ratios of the case.
     ///
     /// * `damping`: of wall (impulsive) and sloshing
-    pub fn new(damping: codes::case::Damping) -> NonlinearOptions {
+    pub fn new(damping: tank::case::Damping) -> NonlinearOptions {
         NonlinearOptions {
             elements: None,
             symmetry: true,

@@ -4,9 +4,9 @@
 
 use std::f64::consts::TAU;
 
-use codes::Case;
-use codes::tank::{Behaviour, Concrete, ConcreteLaw, Course, Layer, LayerKind, Shape, Softening, Support};
-use codes::units::{Dimension, display};
+use tank::Case;
+use tank::units::{Dimension, display};
+use tank::{Behaviour, Concrete, ConcreteLaw, Course, Layer, LayerKind, Shape, Softening, Support};
 
 use super::cylinder::mesh::Cells;
 use super::cylinder::section as shells;

@@ -18,8 +18,8 @@
 //! step: it proves the matrices symmetric, the factor right and the equations solved, not the step short. The step is
 //! judged by the lengthening of periods (ω h)²/12. Source: Newmark 1959; Hughes 1987, section 9.1.
 
-use codes::newmark::Newmark;
 use fem::progress::Progress;
+use oscillator::newmark::Newmark;
 
 use super::motion::{Grid, Motion};
 use super::observe::{Chunk, Observed, Observer, Row};

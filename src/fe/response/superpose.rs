@@ -5,7 +5,7 @@
 //! x_r = −a_g [K⁻¹ M ι − Σ Γ_j φ_j/ω_j²]
 //! ```
 //!
-//! D_j follows from the exact recurrence of [`codes::sdof::Recurrence`] with the mode's own damping. Modes that are not
+//! D_j follows from the exact recurrence of [`oscillator::sdof::Recurrence`] with the mode's own damping. Modes that are not
 //! kept follow the ground statically (the missing mass): their part of K⁻¹ M ι stays in x_r, and their relative
 //! acceleration vanishes, so that ẍ_total = Σ Γ_j φ_j D̈_j + ι a_g. An output y = d·x + a·ẍ_total + b a_g becomes a
 //! combination of the states D_j, Ḋ_j and a_g, and so does its slope:
@@ -18,8 +18,8 @@
 //! Source: Nigam & Jennings 1969; missing mass after Kennedy 1984 and Clough & Penzien 1993, section 12-6 (static
 //! correction).
 
-use codes::sdof::Recurrence;
 use fem::progress::Progress;
+use oscillator::sdof::Recurrence;
 
 use super::motion::{Grid, Motion};
 use super::observe::{Chunk, Observed, Observer, Row, Slope};

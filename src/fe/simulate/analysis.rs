@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use codes::Quantity;
-use codes::case::GroundMotion;
 use fem::progress::Progress;
+use tank::Quantity;
+use tank::case::GroundMotion;
 
 use super::model::{Harmonic, Model, Scalar};
 use crate::fe::harmonic::{CoupledMode, Kind};
@@ -135,7 +135,8 @@ pub fn analyse<'a>(
     options: &Options,
     progress: &dyn Progress,
 ) -> Result<Analysis<'a>, FeError> {
-    let records: Vec<&codes::record::Record> = std::iter::once(&motion.horizontal).chain(&motion.vertical).collect();
+    let records: Vec<&oscillator::record::Record> =
+        std::iter::once(&motion.horizontal).chain(&motion.vertical).collect();
     let motions = |grid: &Grid| -> Vec<Motion> { records.iter().map(|r| Motion::new(r, grid)).collect() };
     let both_sides = model.vertical.is_some();
     let sides: &[bool] = if both_sides { &[false, true] } else { &[false] };

@@ -1,8 +1,8 @@
 //! The run in words: integration, damping, modes, balances, assumptions.
 
-use codes::Case;
-use codes::case::GroundMotion;
-use codes::units::significant;
+use tank::Case;
+use tank::case::GroundMotion;
+use tank::units::significant;
 
 use super::analysis::Analysis;
 use super::model::{FREE_PERIODS, Harmonic, Model};

@@ -1,8 +1,8 @@
 //! Limits of validity of the linear engine: what was tested and what was found.
 
-use codes::Case;
-use codes::tank::{Shape, Support};
-use codes::units::{Dimension, display};
+use tank::Case;
+use tank::units::{Dimension, display};
+use tank::{Shape, Support};
 
 use super::analysis::Analysis;
 use super::model::{Harmonic, Model};

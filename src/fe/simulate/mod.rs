@@ -8,11 +8,11 @@ pub(in crate::fe) mod series;
 
 use std::collections::BTreeMap;
 
-use codes::case::GroundMotion;
-use codes::record::Record;
-use codes::tank::{Shape, Support};
-use codes::{Case, Quantity};
 use fem::progress::{Progress, Silent};
+use oscillator::record::Record;
+use tank::case::GroundMotion;
+use tank::{Case, Quantity};
+use tank::{Shape, Support};
 
 use analysis::{Analysis, analyse};
 use model::{Harmonic, Model};

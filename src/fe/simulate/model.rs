@@ -1,8 +1,8 @@
 //! The coupled systems of a case with their modes, and what is observed of them.
 
-use codes::Case;
-use codes::case::GroundMotion;
-use codes::units::Dimension;
+use tank::Case;
+use tank::case::GroundMotion;
+use tank::units::Dimension;
 
 use crate::fe::coupled::Coupled;
 use crate::fe::damping::Damper;
@@ -192,7 +192,7 @@ impl Model {
             let title = format!(
                 "{} at z = {} (largest over the height)",
                 line.title,
-                codes::units::display(line.z[i], Dimension::Length)
+                tank::units::display(line.z[i], Dimension::Length)
             );
             let observable = self.observable_on_line(line, i, false);
             scalars.push(scalar(&line.probes[i], line.id.clone(), title, observable));

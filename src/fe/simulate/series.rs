@@ -1,8 +1,8 @@
 //! Time histories as columns of `series.csv`.
 
-use codes::case::GroundMotion;
-use codes::record::Record;
-use codes::units::Dimension;
+use oscillator::record::Record;
+use tank::case::GroundMotion;
+use tank::units::Dimension;
 
 use super::analysis::Analysis;
 use crate::results::{Series, SeriesInfo};

@@ -8,7 +8,6 @@
 //! matrices; damping by kind gives every mode of the reduced system its ratio, W D Wᵀ with W = M₃ Φ. Horizontal motion
 //! only: with a vertical record the reduced coordinates are integrated.
 
-use codes::case::GroundMotion;
 use fem::analysis::damping::{Damping, ModalPart, Rayleigh};
 use fem::analysis::motion::{Grid, Motion};
 use fem::analysis::observable::Observable;
@@ -17,6 +16,7 @@ use fem::analysis::transient::{Load, Settings, integrate};
 use fem::assembly::order;
 use fem::linalg::{Kind as FactorKind, Matrix, Symbolic};
 use fem::progress::Progress;
+use tank::case::GroundMotion;
 
 use super::model::TankModel;
 use super::reduce::{Space, rigid_motion};

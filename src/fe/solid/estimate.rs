@@ -7,8 +7,8 @@
 //! reduction  three times VECTORS vectors over all unknowns, solves and orthogonalisation of each
 //! ```
 
-use codes::Case;
-use codes::tank::Shape;
+use tank::Case;
+use tank::Shape;
 
 use super::mesh::Division;
 use super::reduce::{self, VECTORS};

@@ -3,10 +3,10 @@
 //!
 //! Levels of the wall and rings of the surface are left out evenly until at most `LEVELS` and `RINGS` are drawn.
 
-use codes::units::Dimension;
 use fem::assembly::local_values;
 use fem::dofs::Dof;
 use fem::element::shell::recovery::centre_resultants;
+use tank::units::Dimension;
 
 use super::Liquid;
 use super::model::TankModel;

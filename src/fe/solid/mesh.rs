@@ -12,7 +12,7 @@
 //! h_f = l/2 at the base gives hoop force and base moment of tank 8.1 to 1 % (theory of the shell element). The liquid has its own division, finer towards wall and surface.
 //! A division given in numbers is uniform.
 
-use codes::tank::{Shape, Tank};
+use tank::{Shape, Tank};
 
 use super::{MeshSize, SolidOptions};
 use crate::fe::{FeError, Options};

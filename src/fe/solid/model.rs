@@ -5,8 +5,6 @@
 
 use std::sync::Arc;
 
-use codes::Case;
-use codes::tank::Shape;
 use fem::assembly::Assembler;
 use fem::chart::Chart;
 use fem::dofs::Dof;
@@ -18,6 +16,8 @@ use fem::element::{ElementError, Fluid8, FreeSurface, LiquidProperties, Potentia
 use fem::mesh::{Cylinder, Face, MeshError, Volume};
 use fem::model::{Builder, Model, ModelError};
 use nalgebra::Vector3;
+use tank::Case;
+use tank::Shape;
 
 use super::mesh::Division;
 use super::roof::RoofRing;
@@ -330,7 +330,7 @@ pub fn joint_stiffness(case: &Case, division: &Division) -> f64 {
     let n = division.radii.len();
     let thickness = division.radii[n - 1] - division.radii[n - 2];
     let radius = case.tank.shape.half_length();
-    let wall = |c: &codes::tank::Course| c.material.youngs_modulus * c.thickness / (radius * radius);
+    let wall = |c: &tank::Course| c.material.youngs_modulus * c.thickness / (radius * radius);
     PENALTY
         * case
             .tank

@@ -1,7 +1,7 @@
 //! The whole state of the model at given moments, from the reduced coordinates.
 
-use codes::case::GroundMotion;
-use codes::units::Dimension;
+use tank::case::GroundMotion;
+use tank::units::Dimension;
 
 use super::reduce::Space;
 use super::rows::sparse_dot;

@@ -20,14 +20,14 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use codes::Case;
-use codes::units::Dimension;
 use fem::assembly::local_values;
 use fem::chart::Chart;
 use fem::dofs::Dof;
 use fem::element::{Fluid8, LiquidProperties, reference_stiffness};
 use fem::linalg::{Cholesky, Matrix, dot, transposed_product};
 use fem::progress::Progress;
+use tank::Case;
+use tank::units::Dimension;
 
 use super::Liquid;
 use super::SolidOptions;

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use codes::Case;
-use codes::case::GroundMotion;
-use codes::tank::Shape;
 use fem::linalg::dot;
 use fem::progress::Progress;
+use tank::Case;
+use tank::Shape;
+use tank::case::GroundMotion;
 
 use super::direct::Direct;
 use super::model::TankModel;

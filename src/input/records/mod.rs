@@ -22,7 +22,7 @@ mod unit;
 
 use std::path::Path;
 
-use codes::record::Record;
+use oscillator::record::Record;
 
 use crate::error::Error;
 use crate::input::diagnostic::{Fault, Faults, Source};
@@ -35,9 +35,9 @@ pub const MAX_SAMPLES: usize = 2_000_000;
 /// Largest file that is read [bytes].
 pub const MAX_BYTES: u64 = 128 << 20;
 /// Largest plausible peak ground acceleration, 5 g [m/s²]; the largest recorded are near 3 g.
-pub const MAX_PLAUSIBLE: f64 = 5.0 * codes::STANDARD_GRAVITY;
+pub const MAX_PLAUSIBLE: f64 = 5.0 * tank::STANDARD_GRAVITY;
 /// Largest peak ground acceleration of all, 1000 g [m/s²]: beyond shaking tables in centrifuges.
-pub const MAX_PEAK: f64 = 1000.0 * codes::STANDARD_GRAVITY;
+pub const MAX_PEAK: f64 = 1000.0 * tank::STANDARD_GRAVITY;
 /// Smallest peak ground acceleration that is motion [m/s²]; instruments resolve 1e-6 m/s².
 pub const MIN_PEAK: f64 = 1e-9;
 /// Reading stops after this many faults.
@@ -199,7 +199,7 @@ fn plausible(draft: &Draft, text: &str, options: &ReadOptions) -> Result<(), Fau
             .into());
     }
     if peak_si > MAX_PLAUSIBLE && !options.allow_implausible {
-        let g = peak_si / codes::STANDARD_GRAVITY;
+        let g = peak_si / tank::STANDARD_GRAVITY;
         return Err(Fault::new(format!("implausible peak ground acceleration of {g:.4} g"))
             .at(token_at(text, place as usize))
             .found(format!("{peak} {}, unit from {}", draft.unit, draft.unit_source))

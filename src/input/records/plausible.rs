@@ -2,8 +2,8 @@
 
 use std::fmt::Display;
 
-use codes::STANDARD_GRAVITY;
-use codes::record::Record;
+use oscillator::record::Record;
+use tank::STANDARD_GRAVITY;
 
 use crate::error::Error;
 use crate::input::records::process::number;

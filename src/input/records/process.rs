@@ -1,7 +1,7 @@
 //! Scaling, stretching, resampling; every step is stated in words.
 
-use codes::STANDARD_GRAVITY;
-use codes::record::Record;
+use oscillator::record::Record;
+use tank::STANDARD_GRAVITY;
 
 use crate::error::Error;
 use crate::input::records::{MAX_SAMPLES, Processing, plausible};

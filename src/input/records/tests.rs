@@ -63,7 +63,7 @@ fn at2_in_its_dialects() {
         let text = format!("{header}  .1E-01 -.2E-01  .3E-01  .4E-01-.5E-01\n  .6E-01 -.7E-01\n");
         let read = plain(&text).unwrap_or_else(|e| panic!("{text}\n{e}"));
         assert_eq!((read.record.acceleration.len(), read.record.dt), (7, 0.01));
-        assert!((read.record.acceleration[4] + 0.05 * codes::STANDARD_GRAVITY).abs() < 1e-15);
+        assert!((read.record.acceleration[4] + 0.05 * tank::STANDARD_GRAVITY).abs() < 1e-15);
         assert_eq!(read.unit, AccelerationUnit::G);
         fault(
             &text.replace("7,", "9,").replace("   7 ", "   9 "),

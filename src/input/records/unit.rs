@@ -22,7 +22,7 @@ impl AccelerationUnit {
         match self {
             AccelerationUnit::MetrePerSecondSquared => 1.0,
             AccelerationUnit::Gal => 0.01,
-            AccelerationUnit::G => codes::STANDARD_GRAVITY,
+            AccelerationUnit::G => tank::STANDARD_GRAVITY,
         }
     }
 

@@ -2,9 +2,9 @@
 
 use std::borrow::Cow;
 
-use codes::Quantity;
-use codes::units::Dimension;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use tank::Quantity;
+use tank::units::Dimension;
 
 use super::read::{Field, FromNode, list, nearest, wrong_kind};
 use super::schema::Reported;

@@ -1,11 +1,11 @@
 //! The reader as a whole: what a file means, defaults and their sources, and texts nobody foresaw.
 
-use codes::Quantity;
-use codes::case::{ConvectiveCoefficient, GroundType, SiteClass};
-use codes::tank::{Shape, Support};
-use codes::units::{Dimension, Unit};
 use proptest::prelude::*;
 use serde_json::{Value, json};
+use tank::Quantity;
+use tank::case::{ConvectiveCoefficient, GroundType, SiteClass};
+use tank::units::{Dimension, Unit};
+use tank::{Shape, Support};
 
 use super::{parse, values};
 use crate::fe;
@@ -425,6 +425,6 @@ proptest! {
             (Just(d), proptest::string::string_regex(&pattern).expect("a regular expression"))
         })
     ) {
-        prop_assert!(codes::units::parse(&text, dimension).is_ok(), "{text}");
+        prop_assert!(tank::units::parse(&text, dimension).is_ok(), "{text}");
     }
 }

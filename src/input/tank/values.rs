@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use codes::units::{self, Dimension, UnitError};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use tank::units::{self, Dimension, UnitError};
 
 use super::read::{Field, FromNode, wrong_kind, wrong_value};
 use super::syntax::{Kind, Node};
@@ -184,7 +184,7 @@ macro_rules! conventional {
 
 conventional! {
     /// A mapped acceleration, kept in units of g.
-    InG: Dimension::Acceleration, "units of g", codes::STANDARD_GRAVITY, "0.5";
+    InG: Dimension::Acceleration, "units of g", tank::STANDARD_GRAVITY, "0.5";
     /// A period, kept in seconds.
     Seconds: Dimension::Time, "seconds", 1.0, "4.0";
 }

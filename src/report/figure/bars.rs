@@ -1,6 +1,6 @@
 //! Horizontal bars of one quantity over all methods, the finite-element value as a line through all of them.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 
 use super::chart::{FONT, titled};
 use super::svg::{Anchor, Svg, text_width};

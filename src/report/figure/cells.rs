@@ -3,7 +3,7 @@
 //! Colours are those of the maps ([`super::map`]). The mark (yield, rupture) is a double line, dark and light, that shows
 //! on every colour.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 
 use super::svg::{Svg, n};
 use super::wall::{self, BAR, Layout, STEPS, TOP};

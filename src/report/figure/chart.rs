@@ -1,9 +1,9 @@
 //! Line charts: axes, grid and curves by plotters, labels and legend placed by hand.
 
-use codes::units::Dimension;
 use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
 use plotters::prelude::{ChartBuilder, Circle, Color, IntoDrawingArea, IntoFont, LineSeries, PathElement, Polygon};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
+use tank::units::Dimension;
 
 use super::backend::{ClassBackend, GRID, ink};
 use super::svg::{Anchor, Svg, text_width};

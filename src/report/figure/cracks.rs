@@ -11,7 +11,7 @@
 //! Height and circumference have different scales: strokes are the images of the directions, like everything in the
 //! picture.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 
 use super::svg::{Anchor, Svg, n, text_width};
 use super::wall::{self, Cell, Layout};

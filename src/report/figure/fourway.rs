@@ -7,7 +7,7 @@
 //!
 //! A decade is equally long on both axes, so the diagonals run at 45°.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 
 use super::chart::{Axis, Chart, Frame, Line, Rule};
 use super::svg::{Anchor, Svg};

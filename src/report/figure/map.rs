@@ -3,7 +3,7 @@
 //! Colours are sixteen steps of viridis (van der Walt and Smith 2015), whose lightness rises evenly: readable for
 //! colour-blind readers and in grey print. Contour lines at the ticks of the bar say the same without colour.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 
 use super::svg::{Anchor, Svg, n, path_data};
 use super::wall::{self, BAR, BELOW, LEFT, PLOT, STEPS, TOP};

@@ -1,8 +1,8 @@
 //! Sketch of the tank to scale: section with courses, liquid level, dimensions and scale bar; plan with the direction of
 //! shaking.
 
-use codes::tank::{Shape, Support};
-use codes::units::Dimension;
+use tank::units::Dimension;
+use tank::{Shape, Support};
 
 use super::svg::{Anchor, Svg, text_width};
 use crate::report::number::{given, plain};

@@ -1,6 +1,6 @@
 //! The developed wall as a drawing: where its cells stand, its frame, the surface of the liquid, the colour bar.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 
 use super::chart::{FONT, titled};
 use super::svg::{Anchor, Svg, text_width};

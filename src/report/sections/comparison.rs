@@ -1,7 +1,7 @@
 //! The matrix quantities × methods with the ratios to the finite elements.
 
-use codes::procedure::Excitation;
 use serde::Serialize;
+use tank::assessment::Excitation;
 
 use super::{Section, Source};
 use crate::error::Error;

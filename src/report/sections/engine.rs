@@ -1,8 +1,8 @@
 //! The finite-element model: mesh, integration, balances, discretisation error.
 
-use codes::Quantity;
-use codes::units::Dimension;
 use serde::Serialize;
+use tank::Quantity;
+use tank::units::Dimension;
 
 use super::{Section, Source, capital};
 use crate::error::Error;

@@ -1,6 +1,6 @@
 //! Time histories with their maxima marked.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 
 use super::motion::is_ground_motion;
 use super::{Section, Source};

@@ -1,6 +1,6 @@
 //! Coupled modes of tank and liquid: table and shapes.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 
 use super::{Section, Source, capital};
 use crate::error::Error;

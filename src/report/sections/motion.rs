@@ -1,7 +1,7 @@
 //! Ground motion: acceleration, velocity, displacement, and the measures.
 
-use codes::units::Dimension;
 use serde::Serialize;
+use tank::units::Dimension;
 
 use super::histories::history;
 use super::{Section, Source};

@@ -1,6 +1,6 @@
 //! Histories of two runs drawn over each other.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 
 use super::Source;
 use crate::error::Error;

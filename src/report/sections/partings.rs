@@ -1,7 +1,7 @@
 //! Where and why the methods part.
 
-use codes::Quantity;
 use serde::Serialize;
+use tank::Quantity;
 
 use super::{Section, Source};
 use crate::error::Error;

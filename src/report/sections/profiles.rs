@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use codes::procedure::Profile;
-use codes::units::Dimension;
+use tank::assessment::Profile;
+use tank::units::Dimension;
 
 use super::{Section, Source};
 use crate::error::Error;

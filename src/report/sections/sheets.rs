@@ -1,8 +1,8 @@
 //! Calculation sheets: symbol = formula = numbers = value, unit, clause. The sheet of a procedure on the spectrum of the
 //! site shows only the lines that differ from its sheet on the record.
 
-use codes::procedure::Excitation;
 use serde::Serialize;
+use tank::assessment::Excitation;
 
 use super::{Section, Source};
 use crate::error::Error;

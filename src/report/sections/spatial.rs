@@ -1,7 +1,7 @@
 //! The three-dimensional run: mesh, mode shapes, deformed shapes, maps of the wall, and how far it is from the harmonic
 //! engine.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 
 use super::{Section, Source, capital, engine, overlay};
 use crate::compare::{FE, FE_SOLID};

@@ -1,6 +1,6 @@
 //! Response and design spectra: linear with the tank's periods marked, and the four-way logarithmic plot.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 
 use super::{Section, Source};
 use crate::error::Error;

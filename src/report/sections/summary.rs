@@ -1,9 +1,9 @@
 //! First page: verdict, governing check, key figures, the three headline quantities.
 
-use codes::Quantity;
-use codes::tank::Shape;
-use codes::units::Dimension;
 use serde::Serialize;
+use tank::Quantity;
+use tank::Shape;
+use tank::units::Dimension;
 
 use super::{Section, Source, capital};
 use crate::error::Error;

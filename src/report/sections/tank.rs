@@ -1,8 +1,8 @@
 //! The tank: sketch to scale, courses, masses, deformability.
 
-use codes::tank::{BarDirection, LayerKind, Shape, Support};
-use codes::units::Dimension;
 use serde::Serialize;
+use tank::units::Dimension;
+use tank::{BarDirection, LayerKind, Shape, Support};
 
 use super::{Section, Source, capital};
 use crate::error::Error;

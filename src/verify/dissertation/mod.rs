@@ -10,12 +10,12 @@ mod slender;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use codes::Case;
-use codes::Quantity;
-use codes::case::GroundMotion;
-use codes::record::Record;
-use codes::units::significant;
 use fem::progress::Silent;
+use oscillator::record::Record;
+use tank::Case;
+use tank::Quantity;
+use tank::case::GroundMotion;
+use tank::units::significant;
 
 use crate::error::Error;
 use crate::fe::solid::{self, Liquid, MeshSize, SolidOptions};

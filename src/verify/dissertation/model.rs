@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use codes::tank::Shape;
+use tank::Shape;
 
 use super::*;
 use crate::verify::cases::{case, material};

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use codes::tank::{Liquid, Tank};
-use codes::units::Dimension;
+use tank::units::Dimension;
+use tank::{Liquid, Tank};
 use tankcheck::results::*;
 
 use super::G;

@@ -2,8 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use codes::tank::{Liquid, Tank};
-use codes::units::Dimension;
+use tank::units::Dimension;
+use tank::{Liquid, Tank};
 use tankcheck::results::*;
 
 const SECTORS: usize = 24;

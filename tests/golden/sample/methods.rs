@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use codes::Quantity;
-use codes::case::Reported;
-use codes::procedure::{Check, Excitation, Profile};
 use codes::sheet::Sheet;
-use codes::tank::{Liquid, Tank};
-use codes::units::Dimension;
+use tank::Quantity;
+use tank::assessment::{Check, Excitation, Profile};
+use tank::case::Reported;
+use tank::units::Dimension;
+use tank::{Liquid, Tank};
 use tankcheck::results::*;
 
 use super::{G, Kind};

@@ -3,9 +3,9 @@
 //! Frequencies, masses and levers follow Housner's formulas; the motion is a sum of sines under an envelope, and each
 //! history is a single oscillator under that motion. Numbers are of the right size; no test asserts their values.
 
-use codes::Quantity;
-use codes::procedure::Check;
-use codes::tank::{Course, Liquid, Material, Roof, Shape, Support, Tank};
+use tank::Quantity;
+use tank::assessment::Check;
+use tank::{Course, Liquid, Material, Roof, Shape, Support, Tank};
 use tankcheck::results::*;
 
 mod engine;

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use codes::tank::{Liquid, Tank};
-use codes::units::Dimension;
+use tank::units::Dimension;
+use tank::{Liquid, Tank};
 use tankcheck::results::nonlinear::*;
 use tankcheck::results::*;
 

@@ -1,9 +1,10 @@
 //! Periods and accelerations (E.4, E.6.1.3, E.7.2).
 
-use crate::case::{Api650Site, SiteClass};
-use crate::procedure::{CodeError, Excitation};
-use crate::spectrum::ordinates;
-use crate::units::Dimension::{Density, Dimensionless, Length, Stress, Time};
+use crate::procedure::CodeError;
+use oscillator::spectrum::ordinates;
+use tank::assessment::Excitation;
+use tank::case::{Api650Site, SiteClass};
+use tank::units::Dimension::{Density, Dimensionless, Length, Stress, Time};
 
 use super::super::basis::{equivalent_thickness, equivalent_thickness_in_numbers};
 use super::super::ground_motion::{DesignSpectrum, impulsive_plateau};

@@ -1,7 +1,7 @@
 //! Base shear, moments and sloshing wave (E.6.1, E.7.2).
 
-use crate::procedure::Excitation;
-use crate::units::Dimension::{Dimensionless, Force, Length, Moment};
+use tank::assessment::Excitation;
+use tank::units::Dimension::{Dimensionless, Force, Length, Moment};
 
 use super::super::ground_motion::DesignSpectrum;
 use super::Run;

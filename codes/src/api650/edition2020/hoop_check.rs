@@ -1,8 +1,8 @@
 //! Hoop stresses over the height and their check (E.6.1.4, E.6.2.4).
 
-use crate::procedure::Profile;
 use crate::sheet::with_unit;
-use crate::units::Dimension::{Dimensionless, Length, LineForce, Stress};
+use tank::assessment::Profile;
+use tank::units::Dimension::{Dimensionless, Length, LineForce, Stress};
 
 use super::super::hoop::{HoopForces, hoop_forces};
 use super::Run;

@@ -26,11 +26,12 @@ mod resistance;
 #[cfg(test)]
 mod tests;
 
-use crate::case::{Api650Site, Case};
-use crate::procedure::{Assessment, Check, CodeError, Excitation, NotApplicable, Procedure};
-use crate::quantity::Quantity;
+use crate::procedure::{CodeError, Procedure};
 use crate::sheet::Sheet;
-use crate::units::Dimension;
+use tank::assessment::{Assessment, Check, Excitation, NotApplicable};
+use tank::case::{Api650Site, Case};
+use tank::quantity::Quantity;
+use tank::units::Dimension;
 
 use super::basis::Basis;
 

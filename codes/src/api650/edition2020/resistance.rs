@@ -1,7 +1,7 @@
 //! Resistance to overturning, shell compression, anchors, sliding and uplift (E.6.2, E.7).
 
-use crate::procedure::Excitation;
-use crate::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, Stress};
+use tank::assessment::Excitation;
+use tank::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, Stress};
 
 use super::super::hold_down as hd;
 use super::Run;

@@ -15,17 +15,18 @@ use super::super::ground_motion::tests::site;
 use super::super::hold_down::plate_force;
 use super::Api6502020;
 use super::accelerations::{design_accelerations, importance};
-use crate::case::{Api650Site, Case, SiteClass};
-use crate::procedure::{Assessment, CodeError, Excitation, Procedure};
-use crate::quantity::Quantity;
+use crate::procedure::{CodeError, Procedure};
 use crate::sheet::arithmetic;
-use crate::tank::{Anchors, Shape, Support};
+use tank::assessment::{Assessment, Excitation};
+use tank::case::{Api650Site, Case, SiteClass};
+use tank::quantity::Quantity;
+use tank::{Anchors, Shape, Support};
 
 fn assess(case: &Case, excitation: Excitation) -> Assessment {
     Api6502020.assess(case, excitation).expect("the example is admissible")
 }
 
-fn check<'a>(out: &'a Assessment, id: &str) -> &'a crate::procedure::Check {
+fn check<'a>(out: &'a Assessment, id: &str) -> &'a tank::assessment::Check {
     out.checks
         .iter()
         .find(|c| c.id == id)
@@ -362,7 +363,7 @@ fn record() {
     let out = assess(&c, Excitation::Record);
     assert_eq!(out.values, with_site.values);
     let record = &c.ground_motion.as_ref().unwrap().horizontal;
-    let sa = |t: f64, damping: f64| crate::spectrum::ordinates(record, t, damping).psa / 9.81;
+    let sa = |t: f64, damping: f64| oscillator::spectrum::ordinates(record, t, damping).psa / 9.81;
     close(line(&out, "A_i"), sa(line(&out, "T_i"), 0.05), 1e-12, "A_i");
     close(line(&out, "A_c"), sa(line(&out, "T_c"), 0.005), 1e-12, "A_c");
     close(line(&out, "δ_s"), 0.42 * 30.0 * line(&out, "A_c"), 1e-12, "δ_s");

@@ -1,6 +1,6 @@
 use super::*;
 use crate::mechanical::{ImpulsiveField, Plan, impulsive};
-use crate::tank::Material;
+use tank::Material;
 
 const E: f64 = 210e9;
 

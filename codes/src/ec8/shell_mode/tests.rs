@@ -1,5 +1,5 @@
 use super::*;
-use crate::tank::Material;
+use tank::Material;
 
 fn course(height: f64, thickness: f64) -> Course {
     Course {

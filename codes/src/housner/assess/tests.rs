@@ -3,12 +3,12 @@
 //! Tolerance: substitutions carry five digits
 
 use super::*;
-use crate::case::{
+use crate::sheet::arithmetic;
+use oscillator::record::Record;
+use tank::case::{
     Api650Site, ConvectiveCoefficient, Damping, Ec8Site, GroundMotion, GroundType, ProcedureOptions, Site, SiteClass,
 };
-use crate::record::Record;
-use crate::sheet::arithmetic;
-use crate::tank::{Course, Liquid, Material, Roof, Support, Tank};
+use tank::{Course, Liquid, Material, Roof, Support, Tank};
 
 fn course(height: f64, thickness: f64) -> Course {
     Course {
@@ -148,7 +148,7 @@ fn asce_spectrum_stands_in_without_ec8() {
     };
     let out = assess(&case);
     let value = |symbol: &str| out.steps.iter().find(|s| s.symbol == symbol).expect("a line").value;
-    let g = crate::STANDARD_GRAVITY;
+    let g = tank::STANDARD_GRAVITY;
     assert!((value("a_B") - 0.24 * g).abs() < 1e-9);
     assert!((value("S_a") - 1.5 * 0.2 * g / out.values[&Quantity::SloshingPeriod]).abs() < 1e-9);
     assert!(out.assumptions.iter().any(|a| a.contains("ASCE 7")));

@@ -1,10 +1,10 @@
 //! A cylinder at rising scales of its record.
 
-use codes::units::{Dimension, display};
 use fem::analysis::ida;
 use fem::analysis::march::{Outcome, Run};
 use fem::liquid::separation::Parting;
 use fem::progress::{Progress, Quiet};
+use tank::units::{Dimension, display};
 
 use super::super::parting;
 use super::describe::{assumptions, facts};

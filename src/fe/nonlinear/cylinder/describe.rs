@@ -1,10 +1,10 @@
 //! The run in words and numbers: mesh, integration, cost, assumptions.
 
-use codes::Case;
-use codes::tank::Support;
-use codes::units::{Dimension, display, significant};
 use fem::analysis::march::Run;
 use fem::analysis::scheme::TimeScheme;
+use tank::Case;
+use tank::Support;
+use tank::units::{Dimension, display, significant};
 
 use super::super::{Contact, Damping, NonlinearOptions};
 use super::model::CylinderModel;

@@ -7,8 +7,8 @@
 //! history    committed and trial state of every point of every layer
 //! ```
 
-use codes::Case;
-use codes::tank::{Behaviour, Course, Layer, LayerKind};
+use tank::Case;
+use tank::{Behaviour, Course, Layer, LayerKind};
 
 use super::super::{Contact, Damping, Integration, NonlinearOptions, ThicknessRule, WallElements};
 use super::mesh::Cells;

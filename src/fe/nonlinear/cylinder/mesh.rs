@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use codes::tank::Tank;
+use tank::Tank;
 
 use super::super::WallElements;
 use crate::fe::solid::mesh::wall_levels;

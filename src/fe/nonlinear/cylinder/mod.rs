@@ -12,9 +12,6 @@ pub(super) mod section;
 mod state;
 mod watch;
 
-use codes::Case;
-use codes::case::GroundMotion;
-use codes::record::Record;
 use fem::analysis::AnalysisError;
 use fem::analysis::march::{Checkpoint, Outcome, Run, Settings, march};
 use fem::analysis::motion::{Grid, Motion};
@@ -22,6 +19,9 @@ use fem::analysis::newton::Options;
 use fem::analysis::scheme::TimeScheme;
 use fem::analysis::transient::Load;
 use fem::progress::Progress;
+use oscillator::record::Record;
+use tank::Case;
+use tank::case::GroundMotion;
 
 use super::{CheckpointFile, NonlinearOptions};
 use crate::fe::simulate::checked_motion;

@@ -13,8 +13,6 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use codes::Case;
-use codes::tank::Shape;
 use fem::analysis::damping::{Damping, Rayleigh};
 use fem::analysis::march::Problem;
 use fem::analysis::system::System;
@@ -28,6 +26,8 @@ use fem::linalg::{Kind, Ordering, Pattern, Symbolic, dot};
 use fem::liquid::{CondensedLiquid, HarmonicLiquid, LiquidMesh};
 use fem::model::{Builder, Model};
 use nalgebra::Matrix3;
+use tank::Case;
+use tank::Shape;
 
 use super::super::{Contact, Damping as Wanted, MassProportionalAt, NonlinearOptions};
 use super::contact::{JOINT, Join, Joints};

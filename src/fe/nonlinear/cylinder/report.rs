@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use codes::tank::Support;
-use codes::units::Dimension;
-use codes::{Case, Quantity};
 use fem::analysis::march::{Outcome, Run};
+use tank::Support;
+use tank::units::Dimension;
+use tank::{Case, Quantity};
 
 use super::super::{NonlinearOptions, PARTED};
 use super::completed;

@@ -3,7 +3,6 @@
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-use codes::tank::{BarDirection, Behaviour, Concrete, ConcreteLaw, Layer, LayerKind};
 use fem::element::ElementError;
 use fem::element::shell::layered::{Bar, LayeredSection, Ply};
 use fem::element::solid8::{Elastic as Core, Kinematics};
@@ -14,6 +13,7 @@ use materials::concrete::{CrackedConcrete, CrackedParameters, ShearRetention, fr
 use materials::elastic::Elastic;
 use materials::plastic_fracturing::{Parameters, PlasticFracturing};
 use materials::von_mises::VonMises;
+use tank::{BarDirection, Behaviour, Concrete, ConcreteLaw, Layer, LayerKind};
 
 use super::super::laws::{CRUSHING, bar_law, quadrature, refused, tension, unsupported};
 use super::super::{Integration, ThicknessRule};

@@ -1,9 +1,9 @@
 //! What happened, when and where, and what the wall has become: events, maps, cracks, loops, energies.
 
-use codes::Case;
-use codes::tank::Behaviour;
-use codes::units::{Dimension, display, significant};
 use fem::analysis::march::Run;
+use tank::Behaviour;
+use tank::Case;
+use tank::units::{Dimension, display, significant};
 
 use super::model::CylinderModel;
 use super::points::Look;

@@ -2,16 +2,14 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use codes::case::GroundMotion;
-use codes::record::Record;
-use codes::tank::{
-    BarDirection, Behaviour, Concrete, ConcreteLaw, Layer, LayerKind, Material, Reinforcement, Softening,
-};
-use codes::tank::{Course, Shape, Support};
-use codes::{Case, Quantity};
 use fem::element::reference_mass;
 use fem::linalg::dot;
 use fem::progress::{Progress, Silent};
+use oscillator::record::Record;
+use tank::case::GroundMotion;
+use tank::{BarDirection, Behaviour, Concrete, ConcreteLaw, Layer, LayerKind, Material, Reinforcement, Softening};
+use tank::{Case, Quantity};
+use tank::{Course, Shape, Support};
 
 use super::super::{CheckpointFile, Contact, NonlinearOptions, WallElements, simulate};
 use super::model::CylinderModel;
@@ -175,7 +173,7 @@ fn cracking() -> Case {
         area: 8e-4,
         depth,
         material: Material {
-            behaviour: Behaviour::Reinforcement(codes::tank::Bar {
+            behaviour: Behaviour::Reinforcement(tank::Bar {
                 yield_strength: 500e6,
                 tangent_modulus: 1e9,
                 rupture_strain: None,

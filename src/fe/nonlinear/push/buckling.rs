@@ -9,13 +9,13 @@
 //! liquid would pull left out as it is at a. μ a is no capacity: it knows neither yielding nor bending before it. Its mode is
 //! the shape in which the elastic wall is softest.
 
-use codes::units::Dimension;
 use fem::analysis::buckling::{Buckling, lowest};
 use fem::analysis::continuation::Constraint;
 use fem::element::Want;
 use fem::linalg::{Kind, Symmetric};
 use fem::state::State;
 use nalgebra::Vector3;
+use tank::units::Dimension;
 
 use super::model::{Plan, PushModel};
 use super::path::continuation;
@@ -124,9 +124,9 @@ impl Mode {
 
 #[cfg(test)]
 mod tests {
-    use codes::Case;
-    use codes::tank::{Behaviour, Shape, Steel};
     use fem::dofs::Dof;
+    use tank::Case;
+    use tank::{Behaviour, Shape, Steel};
 
     use super::super::imperfection::Dent;
     use super::super::load::{cosine_shares, shares};

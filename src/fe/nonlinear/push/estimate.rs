@@ -1,6 +1,6 @@
 //! What a pushover takes: half a wall of shells, and a path of up to so many states.
 
-use codes::Case;
+use tank::Case;
 
 use super::PushOptions;
 use super::model::{BASE, SECTORS};

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 use codes::api650::hold_down::allowable_compression;
 use codes::ec8::buckling;
-use codes::tank::Course;
+use tank::Course;
 
 use super::model::Plan;
 use crate::results::PushLimit;

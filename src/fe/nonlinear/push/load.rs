@@ -12,9 +12,9 @@
 
 use std::f64::consts::PI;
 
-use codes::Case;
 use fem::linalg::Matrix;
 use fem::liquid::{HarmonicLiquid, LiquidMesh};
+use tank::Case;
 
 use crate::fe::FeError;
 

@@ -22,10 +22,10 @@ mod seen;
 #[cfg(test)]
 mod tests;
 
-use codes::Case;
-use codes::units::{Dimension, significant};
 use fem::analysis::checkpoint::Reader;
 use fem::progress::Progress;
+use tank::Case;
+use tank::units::{Dimension, significant};
 
 pub use estimate::estimate;
 pub use imperfection::{Amplitude, Form, Quality};

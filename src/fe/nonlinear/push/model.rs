@@ -8,8 +8,6 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use codes::Case;
-use codes::tank::{Behaviour, Course, Shape, Support};
 use fem::assembly::{Assembler, order};
 use fem::dofs::Dof;
 use fem::element::shell::load::{FollowerPressure, NodalLoads};
@@ -20,6 +18,8 @@ use fem::linalg::Symbolic;
 use fem::mesh::grading::geometric;
 use fem::model::{Builder, Model};
 use nalgebra::{Matrix3, Vector3};
+use tank::Case;
+use tank::{Behaviour, Course, Shape, Support};
 
 use super::imperfection::Dent;
 use super::load::{Impulsive, cosine_shares, shares};

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use codes::units::Dimension;
 use fem::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use fem::state::{Gather, State};
+use tank::units::Dimension;
 
 use super::limits;
 use super::model::{Plan, PushModel};

@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::sync::Mutex;
 
-use codes::tank::{Behaviour, Shape, Steel};
 use fem::analysis::checkpoint::{CheckpointError, Hash, unfinished};
+use tank::{Behaviour, Shape, Steel};
 
 use super::*;
 use crate::fe::nonlinear::WallElements;

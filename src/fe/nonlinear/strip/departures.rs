@@ -1,7 +1,7 @@
 //! Limits of the model that a run of a wall has passed, and what its moments at the base are made of, for the results.
 
-use codes::units::{Dimension, display, significant};
 use fem::strip::{self, DepartureKind};
+use tank::units::{Dimension, display, significant};
 
 use crate::results::nonlinear::{BaseMoment, Departure};
 

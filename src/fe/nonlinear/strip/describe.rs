@@ -1,10 +1,10 @@
 //! A strip in words and numbers: damping, facts, assumptions.
 
-use codes::Case;
-use codes::units::Dimension;
 use fem::analysis::damping::Rayleigh;
 use fem::liquid::strip::StripLiquid;
 use fem::strip::{StripDamping, StripModel, StripTank};
+use tank::Case;
+use tank::units::Dimension;
 
 use super::super::{Contact, Damping, MassProportionalAt, NonlinearOptions};
 use crate::fe::FeError;

@@ -1,6 +1,6 @@
 //! What a nonlinear run of a strip takes: next to nothing for the wall, the histories of both walls step by step.
 
-use codes::Case;
+use tank::Case;
 
 use super::super::NonlinearOptions;
 use super::section::course_at;

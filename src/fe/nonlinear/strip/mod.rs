@@ -16,8 +16,6 @@ mod tests;
 
 use std::sync::Arc;
 
-use codes::Case;
-use codes::tank::Shape;
 use fem::analysis::AnalysisError;
 use fem::analysis::march::Outcome;
 use fem::analysis::newton::Options;
@@ -26,6 +24,8 @@ use fem::element::fibre_beam;
 use fem::liquid::strip::StripLiquid;
 use fem::progress::Progress;
 use fem::strip::{StripError, StripLevel, StripModel, StripQuake, StripTank};
+use tank::Case;
+use tank::Shape;
 
 use super::laws::unsupported;
 use super::{CheckpointFile, Contact, NonlinearOptions, parting};

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use codes::units::{Dimension, display, significant};
 use fem::analysis::damping::RatioRow;
+use tank::units::{Dimension, display, significant};
 
 use super::super::Damping;
 use super::simulate::{FREE_PERIODS, Report};

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use codes::Case;
-use codes::tank::{BarDirection, Behaviour, Course, Layer, LayerKind};
 use fem::element::beam_section::FibreSection;
 use materials::Law;
 use materials::elastic::Elastic;
 use materials::von_mises::VonMises;
+use tank::Case;
+use tank::{BarDirection, Behaviour, Course, Layer, LayerKind};
 
 use super::super::laws::{bar_law, quadrature, refused, uniaxial_concrete, unsupported};
 use super::super::{NonlinearOptions, ThicknessRule};

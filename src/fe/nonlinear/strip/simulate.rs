@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
-use codes::case::GroundMotion;
-use codes::tank::Shape;
-use codes::units::Dimension;
-use codes::{Case, Quantity};
 use fem::analysis::march::Checkpoint;
 use fem::progress::Progress;
 use fem::strip::{Scalar, Side, WallHistory};
+use tank::Shape;
+use tank::case::GroundMotion;
+use tank::units::Dimension;
+use tank::{Case, Quantity};
 
 use super::super::{CheckpointFile, Damping, NonlinearOptions};
 use super::modes::{damping_table, modes};

@@ -3,13 +3,13 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use codes::case::{Damping as Ratios, GroundMotion};
-use codes::record::Record;
-use codes::tank::{
+use fem::progress::{Progress, Silent};
+use oscillator::record::Record;
+use tank::case::{Damping as Ratios, GroundMotion};
+use tank::{
     Bar, BarDirection, Behaviour, Concrete, Course, Layer, LayerKind, Material, Reinforcement, Shape, Softening,
 };
-use codes::{Case, Quantity};
-use fem::progress::{Progress, Silent};
+use tank::{Case, Quantity};
 
 use super::Strip;
 use crate::fe::harmonic::test_tanks;
@@ -57,7 +57,7 @@ fn strip(behaviour: Behaviour, peak: f64) -> Case {
 
 fn concrete() -> Behaviour {
     Behaviour::Concrete(Concrete {
-        law: codes::tank::ConcreteLaw::Cracked,
+        law: tank::ConcreteLaw::Cracked,
         compressive_strength: 35e6,
         biaxial_ratio: 1.16,
         tensile_strength: 3.5e6,

@@ -1,11 +1,11 @@
 //! What the walls have become: events, maps, cracks, loops, energies.
 
-use codes::Case;
-use codes::tank::{Behaviour, Concrete, Layer};
-use codes::units::{Dimension, display, significant};
 use fem::analysis::march::{Collapse, Outcome};
 use fem::dofs::Dof;
 use fem::strip::{EventKind, Picture, Scalar, StripModel, WallRun};
+use tank::Case;
+use tank::units::{Dimension, display, significant};
+use tank::{Behaviour, Concrete, Layer};
 
 use super::super::PARTED;
 use super::departures::{base_moment, departure};

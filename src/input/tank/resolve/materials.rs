@@ -4,8 +4,8 @@ mod concrete;
 
 use std::collections::BTreeMap;
 
-use codes::tank::{Bar, Behaviour, Interlayer, Material, Steel};
-use codes::units::{display_in, unit_for};
+use tank::units::{display_in, unit_for};
+use tank::{Bar, Behaviour, Interlayer, Material, Steel};
 
 use super::grades::{self, Preset, Strengths};
 use super::{Limits, Resolver, plausible, range_fault};

@@ -12,8 +12,8 @@ mod site;
 mod tank;
 mod wall;
 
-use codes::case::Case;
-use codes::units::{Dimension, display_in, in_unit, unit_for};
+use ::tank::case::Case;
+use ::tank::units::{Dimension, display_in, in_unit, unit_for};
 
 pub use places::Places;
 
@@ -40,7 +40,7 @@ pub(super) fn resolve(file: &schema::TankFile, faults: &mut Faults) -> Option<Ta
         "gravity",
         &file.gravity,
         Limits::from(0.1).to(100.0),
-        Acceleration(codes::STANDARD_GRAVITY),
+        Acceleration(::tank::STANDARD_GRAVITY),
         "9.80665 m/s2",
         "standard gravity, ISO 80000-3",
     );
@@ -344,6 +344,6 @@ fn like_unit<T>(field: &Field<T>, value: f64, dimension: Dimension) -> String {
     {
         written = exponent.trim_start_matches(number);
     }
-    let unit = codes::units::Unit::find(written.trim(), dimension);
+    let unit = ::tank::units::Unit::find(written.trim(), dimension);
     display_in(value, unit.unwrap_or_else(|| unit_for(value, dimension)), 4)
 }

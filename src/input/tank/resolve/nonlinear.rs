@@ -1,7 +1,7 @@
 //! Options of the nonlinear engine.
 
-use codes::case;
-use codes::tank::{Shape, Tank};
+use tank::case;
+use tank::{Shape, Tank};
 
 use super::options::{RATIO, rayleigh};
 use super::{Limits, Resolver, range_fault};

@@ -1,9 +1,9 @@
 //! Record processing, damping, choices of the procedures and of the analysis, reported values.
 
-use codes::Quantity;
-use codes::case::{self, ProcedureOptions, Reported};
-use codes::tank::{Shape, Tank};
-use codes::units::Dimension;
+use tank::Quantity;
+use tank::case::{self, ProcedureOptions, Reported};
+use tank::units::Dimension;
+use tank::{Shape, Tank};
 
 use super::{Limits, Resolver, like_field, range_fault};
 use crate::fe;
@@ -38,7 +38,7 @@ pub(super) fn record(r: &mut Resolver<'_>, field: &Option<Field<schema::Record>>
     let scale_to = r.optional(
         &path("scale_to"),
         &given.scale_to,
-        Limits::above(0.0).to(10.0 * codes::STANDARD_GRAVITY),
+        Limits::above(0.0).to(10.0 * tank::STANDARD_GRAVITY),
         "not scaled to a peak",
     );
     let scale_by = r.optional(

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use codes::tank::{LayerKind, Liquid, Shape, Tank};
-use codes::units::{Dimension, display_in, unit_for};
+use tank::units::{Dimension, display_in, unit_for};
+use tank::{LayerKind, Liquid, Shape, Tank};
 
 use super::{Resolver, like_field, like_unit, range_fault};
 use crate::input::tank::read::Field;

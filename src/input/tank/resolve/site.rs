@@ -1,6 +1,6 @@
 //! Site data of the codes.
 
-use codes::case::{Api650Site, Ec8Site, GroundType, Site, SiteClass};
+use tank::case::{Api650Site, Ec8Site, GroundType, Site, SiteClass};
 
 use super::{Limits, Resolver, range_fault};
 use crate::input::tank::read::Field;
@@ -52,7 +52,7 @@ fn ec8(r: &mut Resolver<'_>, s: &schema::Ec8) -> Option<Ec8Site> {
         schema::Ground::E => GroundType::E,
     });
     let spectrum = whole(r, &s.spectrum, &[1, 2]);
-    let ag = r.number(&s.ag, Limits::above(0.0).to(3.0 * codes::STANDARD_GRAVITY));
+    let ag = r.number(&s.ag, Limits::above(0.0).to(3.0 * tank::STANDARD_GRAVITY));
     let importance = r.or_default(
         "site.ec8.importance",
         &s.importance,

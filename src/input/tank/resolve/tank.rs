@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use codes::tank::{Anchors, Bottom, Liquid, Roof, Shape, Support, Tank};
-use codes::units::{Dimension, Unit};
+use tank::units::{Dimension, Unit};
+use tank::{Anchors, Bottom, Liquid, Roof, Shape, Support, Tank};
 
 use super::materials::Materials;
 use super::wall::{self, Use};

@@ -1,7 +1,7 @@
 //! Courses: of one material, or of layers with bars.
 
-use codes::tank::{BarDirection, Behaviour, Course, Layer, LayerKind, Material, Reinforcement};
-use codes::units::Dimension;
+use tank::units::Dimension;
+use tank::{BarDirection, Behaviour, Course, Layer, LayerKind, Material, Reinforcement};
 
 use super::materials::{MAX_MATERIALS, MAX_NAME, Materials};
 use super::tank::{HEIGHT, THICKNESS};

@@ -1,6 +1,6 @@
 //! Curves of the nonlinear run: loops, energies, envelopes over the height.
 
-use codes::units::Dimension;
+use tank::units::Dimension;
 
 use super::super::capital;
 use crate::error::Error;

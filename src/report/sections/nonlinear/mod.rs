@@ -2,8 +2,8 @@
 
 mod charts;
 
-use codes::units::Dimension;
 use serde::Serialize;
+use tank::units::Dimension;
 
 use super::overlay::{self, Second};
 use super::{Section, Source, capital, engine, histories};

@@ -1,7 +1,7 @@
 //! Concrete that cracks and crushes.
 
-use codes::tank::{Concrete, ConcreteLaw, Softening};
-use codes::units::{display_in, unit_for};
+use tank::units::{display_in, unit_for};
+use tank::{Concrete, ConcreteLaw, Softening};
 
 use super::super::grades::{Preset, Strengths};
 use super::super::{Limits, Resolver, range_fault};

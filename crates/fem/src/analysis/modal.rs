@@ -1,0 +1,341 @@
+//! Modal superposition, exact for ground motion that is linear between steps, with missing mass.
+//!
+//! ```text
+//! x = Σ φ_j Y_j − Σ r_k a_k          Ÿ_j + 2 ξ_j ω_j Ẏ_j + ω_j² Y_j = −Σ Γ_jk a_k          Γ_jk = φ_jᵀ M ι_k
+//! r_k = K⁻¹ M ι_k − Σ φ_j Γ_jk/ω_j²
+//! ```
+//!
+//! with M-normalised modes and the components k of the ground motion. Y_j follows from the exact recurrence of
+//! [`oscillator::sdof::Recurrence`]. Modes that are not kept follow the ground statically (the missing mass): their part of
+//! K⁻¹ M ι stays in r, and their relative acceleration vanishes, so that ẍ_total = Σ φ_j Ÿ_j + Σ ι_k a_k. They are no
+//! substitute for a mode that vibrates: the impulsive modes must be among those kept.
+//!
+//! An observable y = d·x + e·ẋ + c·ẍ_total + b·a is a combination of Y_j, Ẏ_j and a_k, and so is its slope (r_k ȧ_k, which
+//! is piecewise constant, is left out of velocities):
+//!
+//! ```text
+//! y = Σ (d·φ_j − ω_j² c·φ_j) Y_j + Σ (e·φ_j − 2 ξ_j ω_j c·φ_j) Ẏ_j + Σ [b_k + c·ι_k − d·r_k − Σ c·φ_j Γ_jk] a_k
+//! ```
+//!
+//! Source: Nigam & Jennings 1969; missing mass after Kennedy 1984 and Clough & Penzien 1993, section 12-6.
+
+use oscillator::sdof::Recurrence;
+
+use super::motion::Grid;
+use super::observable::{Observable, apply};
+use super::observe::{Chunk, Observed, Observer, Row, Slope};
+use super::system::System;
+use super::transient::{Load, Snapshot, SnapshotAt};
+use super::{AnalysisError, check_length};
+use crate::linalg::{Matrix, dot};
+use crate::progress::Progress;
+
+/// A system in some of its modes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModalBasis {
+    /// ω_j [rad/s].
+    pub omega: Vec<f64>,
+    /// φ_j column by column, with φᵀ M φ = 1.
+    pub vectors: Matrix,
+    /// Γ_jk.
+    pub participation: Vec<[f64; 3]>,
+    /// ι_k: total acceleration of the unknowns per unit ground acceleration if nothing moves relative to the ground.
+    pub influence: [Vec<f64>; 3],
+    /// r_k; empty for a component without missing mass.
+    pub residual: [Vec<f64>; 3],
+}
+
+impl ModalBasis {
+    /// Modes (M-normalised, a column each) of `system`; `statics[k]` = K⁻¹ M ι_k for the components whose missing mass is
+    /// wanted.
+    ///
+    /// Errors: vectors of wrong length, a frequency that is not positive.
+    pub fn new(
+        system: &System,
+        omega: &[f64],
+        vectors: &Matrix,
+        statics: [Option<&[f64]>; 3],
+    ) -> Result<ModalBasis, AnalysisError> {
+        check_length("modes", vectors.rows, system.size())?;
+        let participation: Vec<[f64; 3]> = (0..omega.len())
+            .map(|j| system.participation(vectors.column(j)))
+            .collect();
+        ModalBasis::from_parts(omega, vectors, participation, system.influence.clone(), statics)
+    }
+
+    /// A basis of given participation factors (a condensed liquid has its own M ι).
+    ///
+    /// Errors: as [`ModalBasis::new`].
+    pub fn from_parts(
+        omega: &[f64],
+        vectors: &Matrix,
+        participation: Vec<[f64; 3]>,
+        influence: [Vec<f64>; 3],
+        statics: [Option<&[f64]>; 3],
+    ) -> Result<ModalBasis, AnalysisError> {
+        if let Some(w) = omega.iter().find(|w| !(**w > 0.0 && w.is_finite())) {
+            return Err(AnalysisError::Option {
+                option: "modal superposition",
+                found: format!("a mode with ω = {w} rad/s"),
+                allowed: "positive frequencies".into(),
+            });
+        }
+        let mut residual: [Vec<f64>; 3] = Default::default();
+        for (k, given) in statics.iter().enumerate() {
+            let Some(given) = given else { continue };
+            check_length("static response", given.len(), vectors.rows)?;
+            residual[k] = given.to_vec();
+            for (j, w) in omega.iter().enumerate() {
+                let factor = participation[j][k] / (w * w);
+                for (r, phi) in residual[k].iter_mut().zip(vectors.column(j)) {
+                    *r -= factor * phi;
+                }
+            }
+        }
+        Ok(ModalBasis {
+            omega: omega.to_vec(),
+            vectors: vectors.clone(),
+            participation,
+            influence,
+            residual,
+        })
+    }
+
+    /// Number of modes.
+    pub fn len(&self) -> usize {
+        self.omega.len()
+    }
+
+    /// Whether there is no mode.
+    pub fn is_empty(&self) -> bool {
+        self.omega.is_empty()
+    }
+
+    /// Effective masses Γ² of a mode [kg].
+    pub fn effective_mass(&self, mode: usize) -> [f64; 3] {
+        self.participation[mode].map(|g| g * g)
+    }
+
+    /// An observable's coefficients of (Y_j), (Ẏ_j without its acceleration part), (Ÿ_j) and a_k.
+    pub(super) fn project(&self, row: &Observable) -> Projected {
+        let on = |sparse: &[(usize, f64)]| -> Vec<f64> {
+            (0..self.len()).map(|j| apply(sparse, self.vectors.column(j))).collect()
+        };
+        let mut ground = row.total_ground(&self.influence);
+        for (k, g) in ground.iter_mut().enumerate() {
+            if !self.residual[k].is_empty() {
+                *g -= apply(&row.displacement, &self.residual[k]);
+            }
+        }
+        Projected {
+            displacement: on(&row.displacement),
+            velocity: on(&row.velocity),
+            acceleration: on(&row.acceleration),
+            ground,
+        }
+    }
+
+    /// The observable over the states Y, Ẏ, a.
+    fn row(&self, observable: &Observable, ratios: &[f64]) -> Row {
+        let m = self.len();
+        let p = self.project(observable);
+        let mut row = Row::default();
+        let mut slope = Slope::default();
+        let mut ground = p.ground;
+        for j in 0..m {
+            let (c, k) = (2.0 * ratios[j] * self.omega[j], self.omega[j] * self.omega[j]);
+            let on_y = p.displacement[j] - k * p.acceleration[j];
+            let on_v = p.velocity[j] - c * p.acceleration[j];
+            row.value.push((j, on_y));
+            slope.states.push((m + j, on_y - c * on_v));
+            if on_v != 0.0 {
+                row.value.push((m + j, on_v));
+                slope.states.push((j, -k * on_v));
+            }
+            for (axis, g) in self.participation[j].iter().enumerate() {
+                ground[axis] -= p.acceleration[j] * g;
+                if on_v * g != 0.0 {
+                    slope.states.push((2 * m + axis, -on_v * g));
+                }
+            }
+        }
+        for (axis, g) in ground.into_iter().enumerate() {
+            if g != 0.0 {
+                row.value.push((2 * m + axis, g));
+                slope.linear.push((2 * m + axis, g));
+            }
+        }
+        row.slope = Some(slope);
+        row
+    }
+
+    /// Response to the ground motion of `load` (its forces are refused) with the damping ratio of every mode: histories of
+    /// `scalars`, extremes of `others`. Interrupted, it returns what it has and `false`.
+    ///
+    /// Errors: a ratio a mode is missing, nodal forces, a response that is not finite.
+    pub fn respond(
+        &self,
+        ratios: &[f64],
+        load: &Load,
+        grid: Grid,
+        scalars: &[Observable],
+        others: &[Observable],
+        progress: &dyn Progress,
+    ) -> Result<(Observed, bool), AnalysisError> {
+        let rows = |list: &[Observable]| -> Vec<Row> { list.iter().map(|o| self.row(o, ratios)).collect() };
+        self.check(ratios, load)?;
+        let (scalars, others) = (rows(scalars), rows(others));
+        let mut observer = Observer::new(&scalars, &others, grid);
+        progress.stage("modal superposition", grid.steps() as u64);
+        let complete = self.march(ratios, load, grid, |chunk| {
+            observer.take(chunk);
+            progress.advance((chunk.len - 1) as u64);
+            !progress.interrupted()
+        })?;
+        Ok((observer.finish(), complete))
+    }
+
+    /// Displacement, velocity and acceleration, relative to the ground, at the ends of the given sub-steps (ascending).
+    ///
+    /// Errors: as [`ModalBasis::respond`].
+    pub fn fields(
+        &self,
+        ratios: &[f64],
+        load: &Load,
+        grid: Grid,
+        sub_steps: &[usize],
+    ) -> Result<Vec<Snapshot>, AnalysisError> {
+        self.check(ratios, load)?;
+        let m = self.len();
+        let mut out: Vec<Snapshot> = Vec::new();
+        self.march(ratios, load, grid, |chunk| {
+            while let Some(&i) = sub_steps.get(out.len()) {
+                if i >= chunk.start + chunk.len {
+                    break;
+                }
+                let k = i.saturating_sub(chunk.start);
+                let at = |state: usize| chunk.state(state)[k];
+                let ground = [0, 1, 2].map(|axis| at(2 * m + axis));
+                let y: Vec<f64> = (0..m).map(at).collect();
+                let v: Vec<f64> = (0..m).map(|j| at(m + j)).collect();
+                let a: Vec<f64> = (0..m)
+                    .map(|j| {
+                        let w = self.omega[j];
+                        -2.0 * ratios[j] * w * v[j] - w * w * y[j] - dot(&self.participation[j], &ground)
+                    })
+                    .collect();
+                let mut u = self.vectors.times(&y);
+                for (r, a) in self.residual.iter().zip(&ground) {
+                    for (u, r) in u.iter_mut().zip(r) {
+                        *u -= r * a;
+                    }
+                }
+                out.push(Snapshot {
+                    at: SnapshotAt::Time(grid.time(i)),
+                    time: grid.time(i),
+                    ground,
+                    u,
+                    v: self.vectors.times(&v),
+                    a: self.vectors.times(&a),
+                });
+            }
+            out.len() < sub_steps.len()
+        })?;
+        Ok(out)
+    }
+
+    fn check(&self, ratios: &[f64], load: &Load) -> Result<(), AnalysisError> {
+        let refuse = |found: String, allowed: String| {
+            Err(AnalysisError::Option {
+                option: "modal superposition",
+                found,
+                allowed,
+            })
+        };
+        if ratios.len() != self.len() {
+            return refuse(
+                format!("{} damping ratios", ratios.len()),
+                format!("{}, one a mode", self.len()),
+            );
+        }
+        if !load.forces.is_empty() {
+            return refuse(
+                "nodal forces".into(),
+                "ground motion; forces by direct integration".into(),
+            );
+        }
+        Ok(())
+    }
+
+    /// Runs through time in chunks of the states Y, Ẏ, a until `take` says no more.
+    fn march(
+        &self,
+        ratios: &[f64],
+        load: &Load,
+        grid: Grid,
+        mut take: impl FnMut(&Chunk) -> bool,
+    ) -> Result<bool, AnalysisError> {
+        let m = self.len();
+        let step = |(&omega, &ratio): (&f64, &f64)| Recurrence::new(omega, ratio, grid.h());
+        let steps: Vec<Recurrence> = self.omega.iter().zip(ratios).map(step).collect();
+        let mut now = vec![(0.0, 0.0); m];
+        let mut chunk = Chunk::new(2 * m + 3);
+        let mut loads = Vec::with_capacity(Chunk::LENGTH);
+        while chunk.start < grid.steps() {
+            chunk.len = (grid.steps() - chunk.start).min(Chunk::LENGTH) + 1;
+            loads.clear();
+            loads.extend((chunk.start..chunk.start + chunk.len - 1).map(|i| {
+                let both = |motion: &Option<_>| {
+                    motion
+                        .as_ref()
+                        .map_or((0.0, 0.0), |m: &super::motion::Motion| m.interval(i))
+                };
+                [both(&load.ground[0]), both(&load.ground[1]), both(&load.ground[2])]
+            }));
+            for (j, (step, state)) in steps.iter().zip(&mut now).enumerate() {
+                let g = self.participation[j];
+                let (y, v) = chunk.pair_mut(j, m + j);
+                (y[0], v[0]) = *state;
+                for ((y, v), a) in y[1..].iter_mut().zip(&mut v[1..]).zip(&loads) {
+                    let p0 = -(g[0] * a[0].0 + g[1] * a[1].0 + g[2] * a[2].0);
+                    let p1 = -(g[0] * a[0].1 + g[1] * a[1].1 + g[2] * a[2].1);
+                    *state = step.step(state.0, state.1, p0, p1);
+                    (*y, *v) = *state;
+                }
+            }
+            for k in 0..chunk.len {
+                let a = load.acceleration(chunk.start + k);
+                for (axis, a) in a.into_iter().enumerate() {
+                    chunk.set(2 * m + axis, k, a);
+                }
+            }
+            if !chunk.close() {
+                return Err(AnalysisError::NotFinite {
+                    time: grid.time(chunk.start),
+                    cause: "a mode with negative damping, or ground motion that is not finite",
+                });
+            }
+            if !take(&chunk) {
+                return Ok(chunk.start + chunk.len > grid.steps());
+            }
+            chunk.start += chunk.len - 1;
+        }
+        Ok(true)
+    }
+}
+
+/// An observable in modal coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Projected {
+    /// d·φ_j.
+    pub displacement: Vec<f64>,
+    /// e·φ_j.
+    pub velocity: Vec<f64>,
+    /// c·φ_j.
+    pub acceleration: Vec<f64>,
+    /// b_k + c·ι_k − d·r_k.
+    pub ground: [f64; 3],
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,18 @@
+//! Recorded ground motion and what it does to an oscillator of one degree of freedom.
+//!
+//! | module | idea |
+//! |---|---|
+//! | [`record`] | a ground motion sampled at equal steps |
+//! | [`sdof`] | exact recurrence for piecewise linear loads, Duhamel's integral beside it |
+//! | [`newmark`] | coefficients of Newmark's method |
+//! | [`spectrum`] | response spectra |
+//!
+//! SI units throughout (m, kg, s, N, rad).
+
+pub mod newmark;
+pub mod record;
+pub mod sdof;
+pub mod spectrum;
+
+/// Standard acceleration of free fall, 9.80665 m/s² (ISO 80000-3); the meaning of the unit `g`.
+pub const STANDARD_GRAVITY: f64 = 9.80665;

@@ -1,0 +1,153 @@
+//! What a code procedure concludes: quantities, calculation sheet, checks, profiles over the height.
+//!
+//! Plain data: procedures fill it, results keep it, reports print it.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::quantity::Quantity;
+use crate::units::Dimension;
+
+/// What shakes the tank in one assessment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Excitation {
+    /// The spectrum of the record, like with like against the finite-element history.
+    Record,
+    /// The design spectrum of the site.
+    Site,
+}
+
+/// One line of a calculation sheet: symbol = formula = numbers = value, with its clause.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Step {
+    /// Heading under which the line stands ("Convective part").
+    pub section: String,
+    /// Symbol as in the source ("m_c").
+    pub symbol: String,
+    /// What it is, in words.
+    pub name: String,
+    /// Formula in symbols, empty for an input.
+    pub formula: String,
+    /// Formula with the numbers put in, empty for an input.
+    pub substitution: String,
+    /// Value in SI.
+    pub value: f64,
+    /// Dimension of the value.
+    pub dimension: Dimension,
+    /// Clause and edition ("EN 1998-4:2006 A.2.1.3").
+    pub clause: String,
+}
+
+/// A demand held against a capacity.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Check {
+    /// Stable id ("buckling_elastic").
+    pub id: String,
+    /// What is checked, in words.
+    pub name: String,
+    /// Demand in SI.
+    pub demand: f64,
+    /// Capacity in SI.
+    pub capacity: f64,
+    /// Dimension of both.
+    pub dimension: Dimension,
+    /// demand / capacity; infinite (`null` in JSON) without any capacity.
+    #[serde(with = "infinite_as_null")]
+    pub utilisation: f64,
+    /// Whether it holds (utilisation ≤ 1).
+    pub holds: bool,
+    /// Clause and edition.
+    pub clause: String,
+    /// Remark, may be empty.
+    pub note: String,
+}
+
+/// JSON has no infinity: writes it as `null`.
+mod infinite_as_null {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub fn serialize<S: Serializer>(x: &f64, s: S) -> Result<S::Ok, S::Error> {
+        x.is_finite().then_some(*x).serialize(s)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(d: D) -> Result<f64, D::Error> {
+        Ok(Option::<f64>::deserialize(d)?.unwrap_or(f64::INFINITY))
+    }
+}
+
+impl Check {
+    /// A check that holds while demand ≤ capacity (utilisation infinite for a capacity ≤ 0).
+    pub fn new(
+        id: &str,
+        name: &str,
+        demand: f64,
+        capacity: f64,
+        dimension: Dimension,
+        clause: &str,
+        note: &str,
+    ) -> Check {
+        let utilisation = if capacity > 0.0 {
+            demand / capacity
+        } else {
+            f64::INFINITY
+        };
+        Check {
+            id: id.into(),
+            name: name.into(),
+            demand,
+            capacity,
+            dimension,
+            utilisation,
+            holds: utilisation <= 1.0,
+            clause: clause.into(),
+            note: note.into(),
+        }
+    }
+}
+
+/// A quantity over the height of the wall at θ = 0.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Profile {
+    /// Id: `pressure_impulsive`, `pressure_convective`, `pressure_dynamic`, `hoop_stress`, `axial_membrane_stress`, ….
+    pub id: String,
+    /// Title for the figure legend.
+    pub title: String,
+    /// Dimension of the values.
+    pub dimension: Dimension,
+    /// Heights z above the base [m], ascending.
+    pub z: Vec<f64>,
+    /// Values in SI, seismic part, absolute.
+    pub values: Vec<f64>,
+}
+
+/// The result of one procedure under one excitation.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Assessment {
+    /// Quantities this procedure defines, in SI.
+    pub values: BTreeMap<Quantity, f64>,
+    /// The calculation sheet, in order.
+    pub steps: Vec<Step>,
+    /// Checks.
+    pub checks: Vec<Check>,
+    /// Values over the height.
+    pub profiles: Vec<Profile>,
+    /// What the procedure assumed, one sentence each.
+    pub assumptions: Vec<String>,
+    /// Warnings and remarks, one sentence each.
+    pub notes: Vec<String>,
+}
+
+/// Why a procedure does not apply.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, thiserror::Error)]
+#[error("{clause}: {reason}")]
+pub struct NotApplicable {
+    /// Clause that sets the limit.
+    pub clause: String,
+    /// Reason, with the values found and allowed.
+    pub reason: String,
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,220 @@
+//! All that a procedure needs to know of one verification.
+
+use serde::{Deserialize, Serialize};
+
+use crate::quantity::Quantity;
+use crate::{Liquid, Tank};
+use oscillator::record::Record;
+
+/// One verification: a tank, its liquid, the ground motion and the site.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Case {
+    /// Title for the report.
+    pub name: String,
+    /// The tank.
+    pub tank: Tank,
+    /// The liquid.
+    pub liquid: Liquid,
+    /// Acceleration of free fall g [m/s²].
+    pub gravity: f64,
+    /// Horizontal and vertical ground motion, scaled and stretched; absent in `check` without a record.
+    pub ground_motion: Option<GroundMotion>,
+    /// Damping ratios.
+    pub damping: Damping,
+    /// Site data for design spectra.
+    pub site: Site,
+    /// Choices within the code procedures.
+    pub procedures: ProcedureOptions,
+    /// Measured values to stand beside the computed ones.
+    pub measured: Vec<Reported>,
+    /// Values others have published for this tank, with what is known of them.
+    pub published: Vec<Reported>,
+}
+
+/// Recorded ground motion.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GroundMotion {
+    /// In the direction of shaking.
+    pub horizontal: Record,
+    /// Upwards; absent if not considered.
+    pub vertical: Option<Record>,
+}
+
+/// Modal damping ratios, as fractions of critical.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Damping {
+    /// Sloshing modes.
+    pub sloshing: f64,
+    /// Structural (impulsive) modes.
+    pub impulsive: f64,
+}
+
+/// Site data; each is needed only for the design-spectrum column of its code.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Site {
+    /// Eurocode 8.
+    pub ec8: Option<Ec8Site>,
+    /// API 650 / ASCE 7.
+    pub api650: Option<Api650Site>,
+}
+
+/// Ground type of EN 1998-1 table 3.1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[allow(missing_docs)]
+pub enum GroundType {
+    A,
+    B,
+    C,
+    D,
+    E,
+}
+
+/// Site data of Eurocode 8.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Ec8Site {
+    /// Ground type.
+    pub ground: GroundType,
+    /// Spectrum type, 1 or 2.
+    pub spectrum: u8,
+    /// Reference peak ground acceleration a_gR [m/s²].
+    pub ag: f64,
+    /// Importance factor γ_I.
+    pub importance: f64,
+    /// Behaviour factor q of the impulsive part (1 unless given).
+    pub behaviour_factor: f64,
+    /// Fabrication quality of EN 1998-4 A.10: 1 normal, 1.5 quality, 2.5 very high quality construction.
+    pub construction_quality: f64,
+    /// Whether the vertical design spectrum is applied.
+    pub vertical: bool,
+}
+
+/// Site class of ASCE 7.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[allow(missing_docs)]
+pub enum SiteClass {
+    A,
+    B,
+    C,
+    D,
+    E,
+    F,
+}
+
+/// Site data of API 650 (annex E of the current, appendix E of the 9th edition).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Api650Site {
+    /// Mapped short-period acceleration S_s [g].
+    pub ss: f64,
+    /// Mapped one-second acceleration S_1 [g].
+    pub s1: f64,
+    /// Peak ground acceleration S_0 [g]; 0.4 S_s unless given.
+    pub s0: Option<f64>,
+    /// Site class.
+    pub site_class: SiteClass,
+    /// Edition of the ASCE 7 site-coefficient tables: 2010 or 2016.
+    pub asce7: u16,
+    /// Site coefficient F_a of a site study, instead of the table's; with `fv`. Site class F needs both.
+    pub fa: Option<f64>,
+    /// Site coefficient F_v of a site study, instead of the table's; with `fa`.
+    pub fv: Option<f64>,
+    /// Scaling factor Q from MCE to design: 2/3 with ASCE 7 maps, 1 otherwise.
+    pub q: f64,
+    /// Seismic use group, 1 to 3.
+    pub sug: u8,
+    /// Long-period transition T_L [s].
+    pub tl: f64,
+    /// Vertical acceleration A_v [g]; 0.47 S_DS unless given.
+    pub av: Option<f64>,
+    /// Design pressure above the liquid P [Pa].
+    pub design_pressure: f64,
+    /// Joint efficiency e of the shell.
+    pub joint_efficiency: f64,
+    /// Friction coefficient μ of sliding, at most 0.4.
+    pub friction: f64,
+    /// 9th edition: zone factor Z (0, 0.075, 0.15, 0.20, 0.30, 0.40); absent: the zone method is not run.
+    pub zone_factor: Option<f64>,
+    /// 9th edition: site amplification S (1.0, 1.2, 1.5, 2.0).
+    pub soil_factor: f64,
+    /// 9th edition: importance I (1.0 or 1.25).
+    pub importance_1993: f64,
+}
+
+/// A value that somebody measured or published, in SI.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Reported {
+    /// What.
+    pub quantity: Quantity,
+    /// Value in SI.
+    pub value: f64,
+    /// Who, where.
+    pub source: String,
+    /// What is known of it ("belongs to the record as recorded, not to the stated scaling").
+    pub note: Option<String>,
+}
+
+/// How the maxima of impulsive and convective parts are added.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Combination {
+    /// Sum of absolute values.
+    Abs,
+    /// Square root of the sum of squares.
+    Srss,
+}
+
+/// Which convective coefficients Housner's procedure uses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ConvectiveCoefficient {
+    /// The exact first-mode coefficients of potential flow.
+    Exact,
+    /// Housner 1957 / TID-7024: 0.318 (circular) and 0.527 (rectangular).
+    #[serde(rename = "1957")]
+    Housner1957,
+}
+
+/// How EN 1998-4 annex A treats the flexible impulsive part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum FlexibleImpulsive {
+    /// A.3.2.2, table A.2 (Malhotra).
+    Simplified,
+    /// A.3.1 with the iterated mode shape (Fischer and Rammerstorfer), Veletsos' combination.
+    Iterative,
+}
+
+/// Choices within the code procedures.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ProcedureOptions {
+    /// Housner: convective coefficients.
+    pub housner_convective: ConvectiveCoefficient,
+    /// Housner: combination (absolute sum by default).
+    pub housner_combination: Combination,
+    /// EC8: combination (absolute sum by default).
+    pub ec8_combination: Combination,
+    /// EC8: flexible impulsive part.
+    pub ec8_impulsive: FlexibleImpulsive,
+}
+
+impl Default for ProcedureOptions {
+    fn default() -> Self {
+        ProcedureOptions {
+            housner_convective: ConvectiveCoefficient::Exact,
+            housner_combination: Combination::Abs,
+            ec8_combination: Combination::Abs,
+            ec8_impulsive: FlexibleImpulsive::Simplified,
+        }
+    }
+}
+
+impl Case {
+    /// Height of the wall above the liquid at rest [m].
+    pub fn freeboard(&self) -> f64 {
+        self.tank.wall_height() - self.liquid.fill_height
+    }
+
+    /// Mass of the liquid [kg].
+    pub fn liquid_mass(&self) -> f64 {
+        self.liquid.mass(self.tank.shape)
+    }
+}

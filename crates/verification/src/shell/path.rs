@@ -1,0 +1,130 @@
+//! What the nonlinear benchmarks of shells share: a model with its load, and how it is followed.
+
+use std::sync::Arc;
+
+use super::{Answer, ShellVerifyError};
+use fem::analysis::continuation::{Continuation, StepLength};
+use fem::analysis::newton::{Criteria, Newton, load_path};
+use fem::assembly::{Assembler, order};
+use fem::dofs::Dof;
+use fem::element::SectionState;
+use fem::element::shell::load::NodalLoads;
+use fem::linalg::Symbolic;
+use fem::model::{Builder, Model};
+use fem::progress::Silent;
+use fem::state::{Gather, State};
+
+/// Sharp, so that counts of iterations compare.
+pub(super) const SHARP: Criteria = Criteria {
+    energy: 1e-13,
+    force: 1e-4,
+    iterations: 30,
+};
+
+/// A model under λ times a load.
+pub(super) struct Problem {
+    pub(super) model: Model,
+    pub(super) assembler: Assembler,
+    pub(super) symbolic: Arc<Symbolic>,
+    pub(super) load: Vec<f64>,
+}
+
+impl Problem {
+    pub(super) fn new(builder: Builder, loads: &NodalLoads) -> Answer<Problem> {
+        let model = builder.build()?;
+        let assembler = Assembler::new(&model);
+        let symbolic = Arc::new(Symbolic::new(
+            assembler.pattern().clone(),
+            &order(&model, assembler.pattern()),
+        )?);
+        let load = loads.vector(&model);
+        Ok(Problem {
+            model,
+            assembler,
+            symbolic,
+            load,
+        })
+    }
+
+    /// Displacement of a node in the committed state.
+    pub(super) fn displacement(&self, state: &State, node: usize) -> [f64; 3] {
+        let [x, y, z, ..] = self.model.at_node(&state.committed.u, node);
+        [x, y, z]
+    }
+
+    /// Sections of an element in the committed state.
+    pub(super) fn sections(&self, state: &State, element: usize) -> Answer<Vec<SectionState>> {
+        let mut gather = Gather::default();
+        let shell = &*self.model.elements()[element];
+        let motion = gather.motion(&self.model, &state.committed, shell);
+        Ok(shell.sections(motion, &state.old[state.history(element)])?)
+    }
+
+    /// Load steps to λ = 1; returns their number and the sum of their iterations.
+    pub(super) fn load_steps(
+        &self,
+        steps: usize,
+        extrapolated: bool,
+        each: impl FnMut(f64, &State),
+    ) -> Answer<(usize, usize)> {
+        self.load_steps_from(&mut State::new(&self.model), steps, extrapolated, each)
+    }
+
+    /// The same from a state, which may come from a model with the same nodes and supports.
+    pub(super) fn load_steps_from(
+        &self,
+        state: &mut State,
+        steps: usize,
+        extrapolated: bool,
+        each: impl FnMut(f64, &State),
+    ) -> Answer<(usize, usize)> {
+        let mut newton = Newton::new(&self.model, &self.assembler, &self.symbolic, None, SHARP)?;
+        if extrapolated {
+            newton = newton.with_extrapolated_stresses();
+        }
+        let none = vec![0.0; self.load.len()];
+        let path = load_path(&mut newton, state, &none, &self.load, steps, &Silent, each)?;
+        match path.failure {
+            None => Ok((path.steps.len(), path.steps.iter().map(|s| s.1).sum())),
+            Some(failure) => Err(ShellVerifyError::Path {
+                reached: path.factor,
+                why: failure.to_string(),
+            }),
+        }
+    }
+
+    /// Load factors at which the displacement `dof` of `node` reaches the `targets`, with the states; and the iterations of
+    /// the whole path.
+    pub(super) fn at_displacements(
+        &self,
+        (node, dof): (usize, Dof),
+        targets: &[f64],
+        first: f64,
+        mut each: impl FnMut(f64, &State),
+    ) -> Answer<(Vec<f64>, usize)> {
+        let none = vec![0.0; self.load.len()];
+        let mut path = Continuation::new(&self.model, &self.assembler, &self.symbolic, &none, &self.load, SHARP)?
+            .with_extrapolated_stresses();
+        let mut state = State::new(&self.model);
+        let row = self.model.row(node, dof);
+        let mut factors = Vec::with_capacity(targets.len());
+        let followed = path.to_displacements(
+            &mut state,
+            &row,
+            targets,
+            StepLength::around(first),
+            &Silent,
+            |_, point, state| {
+                factors.push(point.factor);
+                each(point.factor, state);
+            },
+        )?;
+        match followed.failure {
+            None => Ok((factors, followed.points.iter().map(|p| p.iterations).sum())),
+            Some(failure) => Err(ShellVerifyError::Path {
+                reached: factors.len() as f64 / targets.len() as f64,
+                why: failure.to_string(),
+            }),
+        }
+    }
+}
