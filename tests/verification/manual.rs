@@ -81,8 +81,8 @@ fn the_pages_are_those_of_the_rows() {
 #[test]
 fn tested_topics_are_tested() {
     let tests = [
-        include_str!("../../fem/tests/verification/shell.rs"),
-        include_str!("../../fem/tests/verification/dynamics.rs"),
+        include_str!("../../crates/verification/tests/verification/shell.rs"),
+        include_str!("../../crates/verification/tests/verification/dynamics.rs"),
     ]
     .concat();
     for call in [
