@@ -11,15 +11,15 @@ use criterion::{Criterion, criterion_group, criterion_main};
 #[allow(dead_code)]
 mod motions;
 
+use engines::damping::Damper;
+use engines::harmonic::{build, solve};
+use engines::response::direct::{self, DirectSystem};
+use engines::response::motion::{Grid, Motion};
+use engines::response::superpose::{self, ModalSystem, Observable};
+use engines::{Options, simulate};
 use tank::Case;
 use tank::case::GroundMotion;
-use tankcheck::fe::damping::Damper;
-use tankcheck::fe::harmonic::{build, solve};
-use tankcheck::fe::response::direct::{self, DirectSystem};
-use tankcheck::fe::response::motion::{Grid, Motion};
-use tankcheck::fe::response::superpose::{self, ModalSystem, Observable};
-use tankcheck::fe::{Options, simulate};
-use tankcheck::verify::cases::broad;
+use tank::reference::broad;
 
 fn shaken() -> Case {
     let mut case = broad(1000.0);

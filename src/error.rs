@@ -1,70 +1,14 @@
-//! The error of the whole program and its exit codes.
+//! The error of the whole program.
 
-use std::path::PathBuf;
-
-use crate::fe::FeError;
-use crate::text;
-
-/// Exit code 0: computed, every applicable check holds (or `diff` found no change).
-pub const EXIT_OK: u8 = 0;
-/// Exit code 1: computed, but a check fails (or `diff` found a change).
-pub const EXIT_CHECK_FAILED: u8 = 1;
-/// Exit code 2: bad input or usage.
-pub const EXIT_INPUT: u8 = 2;
-/// Exit code 3: the computation failed, its results could not be written, or they are incomplete: it was interrupted, or the
-/// tank collapsed.
-pub const EXIT_COMPUTATION: u8 = 3;
-/// Exit code 130: ended by Ctrl-C, nothing is written (128 + SIGINT, as shells have it).
-pub const EXIT_INTERRUPTED: u8 = 130;
+use engines::FeError;
+pub use files::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_INPUT, EXIT_INTERRUPTED, EXIT_OK, describe};
 
 /// Any failure the command line reports.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// Faults of the command line or between files, in full sentences (`error: …`, `help: …`).
-    #[error("{0}")]
-    Input(String),
-    /// Faults of an input file, rendered as diagnostics (file, line, JSON path, found, allowed), all at once; coloured where
-    /// standard error is, the user's text made visible.
-    #[error("{0}")]
-    Faults(String),
-    /// A file that cannot be read or written.
-    #[error("{path}: {what}", path = text::line(&path.to_string_lossy()), what = text::line(what))]
-    File {
-        /// The file.
-        path: PathBuf,
-        /// What went wrong and what would be right.
-        what: String,
-    },
-    /// A file or folder that this run must not touch, with the way out.
-    #[error(
-        "{path}: {what}\n  help: {help}",
-        path = text::line(&path.to_string_lossy()),
-        what = text::line(what),
-        help = text::line(help)
-    )]
-    Taken {
-        /// The file or folder.
-        path: PathBuf,
-        /// What is wrong with it.
-        what: String,
-        /// What to do, an imperative.
-        help: String,
-    },
-    /// Results that could not be written.
-    #[error(
-        "{path}: the results cannot be written: {what}",
-        path = text::line(&path.to_string_lossy()),
-        what = text::line(what)
-    )]
-    Unwritten {
-        /// The file or folder.
-        path: PathBuf,
-        /// What went wrong.
-        what: String,
-    },
-    /// A result that cannot be written to standard output.
-    #[error("cannot write to standard output: {0}")]
-    Output(String),
+    /// Of input, results or their files.
+    #[error(transparent)]
+    Files(#[from] files::error::Error),
     /// A code procedure failed.
     #[error("{procedure}: {source}")]
     Code {
@@ -84,24 +28,28 @@ pub enum Error {
         /// Cause.
         what: String,
     },
-    /// A result that is not a finite number.
-    #[error("the computation gave {value} for {quantity}")]
-    NotFinite {
-        /// What it is, with the method that gave it.
-        quantity: String,
-        /// NaN or an infinity.
-        value: f64,
-    },
-    /// The report could not be rendered.
-    #[error("report: {0}")]
-    Report(String),
 }
 
 impl Error {
+    /// A fault of the command line or between files, in full sentences.
+    pub fn input(text: String) -> Error {
+        Error::Files(files::error::Error::Input(text))
+    }
+
+    /// Standard output that cannot be written.
+    pub fn output(text: String) -> Error {
+        Error::Files(files::error::Error::Output(text))
+    }
+
+    /// A report that cannot be rendered.
+    pub fn report(text: String) -> Error {
+        Error::Files(files::error::Error::Report(text))
+    }
+
     /// Exit code of this failure.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Error::Input(_) | Error::Faults(_) | Error::File { .. } | Error::Taken { .. } => EXIT_INPUT,
+            Error::Files(error) => error.exit_code(),
             Error::Fe(
                 FeError::Option { .. }
                 | FeError::NoRecord
@@ -110,26 +58,7 @@ impl Error {
                 | FeError::Unsupported(_)
                 | FeError::Checkpoint(_),
             ) => EXIT_INPUT,
-            Error::Unwritten { .. }
-            | Error::Output(_)
-            | Error::NotFinite { .. }
-            | Error::Code { .. }
-            | Error::Fe(_)
-            | Error::Report(_)
-            | Error::Verification { .. } => EXIT_COMPUTATION,
+            Error::Code { .. } | Error::Fe(_) | Error::Verification { .. } => EXIT_COMPUTATION,
         }
-    }
-}
-
-/// An input/output error in words.
-pub fn describe(error: &std::io::Error) -> String {
-    use std::io::ErrorKind;
-    match error.kind() {
-        ErrorKind::NotFound => "no such file".into(),
-        ErrorKind::PermissionDenied => "permission denied".into(),
-        ErrorKind::IsADirectory => "is a folder, expected a file".into(),
-        ErrorKind::ReadOnlyFilesystem => "the file system is read-only".into(),
-        ErrorKind::StorageFull => "no space left on the device".into(),
-        _ => error.to_string(),
     }
 }

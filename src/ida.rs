@@ -10,11 +10,11 @@ use fem::analysis::checkpoint::inspect;
 use fem::progress::Progress;
 
 use crate::error::Error;
-use crate::fe::nonlinear::{CheckpointFile, Incremental};
 use crate::job::IdaJob;
-use crate::output::{Kind, OutputFolder, WorkFolder, kept_complete};
-use crate::report::{self, FIGURES_FOLDER, REPORT_FILE};
-use crate::results::{
+use engines::nonlinear::{CheckpointFile, Incremental};
+use files::{Kind, OutputFolder, WorkFolder, kept_complete};
+use report::{self, FIGURES_FOLDER, REPORT_FILE};
+use results::{
     IDA_FILE, IDA_FORMAT, IDA_PARTIAL_FILE, Ida, IdaRun, Volatile, finite, ida_csv, put, read_ida, write_ida,
 };
 
@@ -61,10 +61,12 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
     }
     for name in work.names()?.iter().filter(|name| name.starts_with(CHECKPOINT)) {
         let path = work.file(name);
-        inspect(&path).map_err(|e| Error::Taken {
-            what: e.cause().to_string(),
-            help: "remove the file: the run of its scale then starts over, and the others are kept".into(),
-            path,
+        inspect(&path).map_err(|e| {
+            Error::Files(files::error::Error::Taken {
+                what: e.cause().to_string(),
+                help: "remove the file: the run of its scale then starts over, and the others are kept".into(),
+                path,
+            })
         })?;
     }
     let tank = Incremental::new(&job.job.case, &job.job.nonlinear, progress)?;
@@ -144,11 +146,11 @@ fn kept(path: &Path, key: &str) -> Result<Vec<IdaRun>, Error> {
     let found = read_ida(path)?;
     match found.key == key {
         true => Ok(found.runs),
-        false => Err(Error::Taken {
+        false => Err(Error::Files(files::error::Error::Taken {
             path: path.into(),
             what: "belongs to another tank, record, option or version".into(),
             help: "name another folder with --out, or leave --resume out to start over".into(),
-        }),
+        })),
     }
 }
 

@@ -3,10 +3,10 @@
 use sha2::{Digest, Sha256};
 use tank::Case;
 
-use crate::fe::nonlinear::push::PushOptions;
-use crate::fe::nonlinear::{CheckpointFile, NonlinearOptions};
-use crate::fe::solid::SolidOptions;
-use crate::results::{InputValue, SourceFile};
+use engines::nonlinear::push::PushOptions;
+use engines::nonlinear::{CheckpointFile, NonlinearOptions};
+use engines::solid::SolidOptions;
+use results::{InputValue, SourceFile};
 
 /// Which finite-element engines run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -37,7 +37,7 @@ pub struct Job {
     /// Ids of the procedures to run, in report order.
     pub procedures: Vec<String>,
     /// Finite-element options of both engines; `None` leaves the engines out (`check`).
-    pub fe: Option<crate::fe::Options>,
+    pub fe: Option<engines::Options>,
     /// Which engines run.
     pub engines: Engines,
     /// Options of the three-dimensional engine alone.

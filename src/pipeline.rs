@@ -16,11 +16,11 @@ use tank::Course;
 use tank::Quantity;
 use tank::assessment::{Assessment, Excitation};
 
-use crate::compare::{self, Context, FE_NONLINEAR};
 use crate::error::Error;
-use crate::fe::{self, Simulation};
 use crate::job::{Engines, Job};
-use crate::results::{
+use engines::{self, Simulation};
+use results::compare::{self, Context, FE_NONLINEAR};
+use results::{
     Deformability, FORMAT, FeResult, Method, NONLINEAR_PREFIX, Results, SOLID_PREFIX, Series, Snapshots, Status,
     TankSummary, Value, Verdict, Volatile, finite,
 };
@@ -31,7 +31,7 @@ use crate::results::{
 pub fn select_procedures(ids: &[String]) -> Result<Vec<String>, Error> {
     let known: Vec<&str> = codes::procedure::ALL.iter().map(|p| p.id()).collect();
     if let Some(unknown) = ids.iter().find(|id| !known.contains(&id.as_str())) {
-        return Err(Error::Input(format!(
+        return Err(Error::input(format!(
             "error: procedures: found `{unknown}`, allowed any of {}",
             known.join(", ")
         )));
@@ -61,9 +61,9 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     let (simulation, codes) = std::thread::scope(|scope| {
         let engine = job.fe.as_ref().map(|options| {
             scope.spawn(|| match job.engines {
-                Engines::Solid => fe::solid::simulate(&job.case, options, &job.solid, progress),
+                Engines::Solid => engines::solid::simulate(&job.case, options, &job.solid, progress),
                 Engines::Harmonic | Engines::Both | Engines::Nonlinear => {
-                    fe::simulate_watched(&job.case, options, progress)
+                    engines::simulate_watched(&job.case, options, progress)
                 }
             })
         });

@@ -3,11 +3,17 @@
 use fem::progress::Progress;
 
 use crate::error::Error;
-use crate::fe::nonlinear::push::pushover;
 use crate::job::PushJob;
-use crate::output::{Kind, OutputFolder, kept_complete};
-use crate::report::{self, FIGURES_FOLDER, REPORT_FILE};
-use crate::results::{PUSH_FILE, PUSH_FORMAT, Push, Volatile, finite, read_push, write_push};
+use codes::api650::hold_down::allowable_compression;
+use codes::ec8::buckling;
+use engines::nonlinear::push::{Formula, pushover};
+use files::{Kind, OutputFolder, kept_complete};
+use report::{self, FIGURES_FOLDER, REPORT_FILE};
+use results::{PUSH_FILE, PUSH_FORMAT, Push, Volatile, finite, read_push, write_push};
+use tank::{Case, Course, Shape};
+
+/// Density of water in the specific gravity of API 650 [kg/m³].
+const WATER: f64 = 1000.0;
 
 /// Results of a pushover.
 const PUSH: Kind = Kind {
@@ -29,6 +35,7 @@ pub fn run(job: &PushJob, volatile: impl Fn() -> Volatile, progress: &dyn Progre
         case,
         &job.job.nonlinear,
         &job.options,
+        &formulas(case),
         job.checkpoint.as_ref(),
         progress,
     )?;
@@ -59,4 +66,61 @@ pub fn run(job: &PushJob, volatile: impl Fn() -> Volatile, progress: &dyn Progre
         file.remove();
     }
     Ok(push)
+}
+
+/// What the codes say of the compression that the wall carries. Those that need a yield strength stand where every course has one.
+fn formulas(case: &Case) -> Vec<Formula<'_>> {
+    let Shape::Cylinder { radius } = case.tank.shape else {
+        return Vec::new();
+    };
+    let young = |course: &Course| course.material.youngs_modulus;
+    let strength = |course: &Course| course.material.yield_strength.unwrap_or(f64::INFINITY);
+    let quality = case.site.ec8.map_or(1.0, |s| s.construction_quality);
+    let mut out = vec![Formula {
+        name: "0.605 E t/R, perfect elastic".into(),
+        source: "Timoshenko & Gere 1961".into(),
+        bottom_course: false,
+        impulsive: 0.0,
+        capacity: Box::new(move |course, _| 0.605 * young(course) * course.thickness / radius),
+    }];
+    if case.tank.courses.iter().all(|c| c.material.yield_strength.is_some()) {
+        out.push(Formula {
+            name: format!("elastic buckling, quality {quality}"),
+            source: "EN 1998-4:2006, A.10.2".into(),
+            bottom_course: false,
+            impulsive: -1.0,
+            capacity: Box::new(move |course, p| {
+                buckling::elastic(young(course), strength(course), course.thickness, radius, p, quality).limit
+            }),
+        });
+        out.push(Formula {
+            name: "elastic-plastic collapse".into(),
+            source: "EN 1998-4:2006, A.10.3".into(),
+            bottom_course: false,
+            impulsive: 1.0,
+            capacity: Box::new(move |course, p| {
+                buckling::elastic_plastic(young(course), strength(course), course.thickness, radius, p)
+            }),
+        });
+    }
+    let specific = case.liquid.density / WATER;
+    let api = move |course: &Course| {
+        allowable_compression(
+            course.thickness,
+            2.0 * radius,
+            specific,
+            case.liquid.fill_height,
+            course.material.yield_strength,
+        )
+    };
+    if case.tank.courses.first().and_then(api).is_some() {
+        out.push(Formula {
+            name: "allowable compression F_C".into(),
+            source: "API 650, E.6.2.2.3".into(),
+            bottom_course: true,
+            impulsive: 0.0,
+            capacity: Box::new(move |course, _| api(course).unwrap_or(f64::INFINITY)),
+        });
+    }
+    out
 }

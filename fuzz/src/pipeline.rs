@@ -6,15 +6,15 @@
 
 use std::path::Path;
 
+use ::results::{Method, Results};
 use ::tank::case::GroundMotion;
 use fem::progress::Silent;
 use oscillator::record::Record;
+use report;
 use tankcheck::input::TankFile;
 use tankcheck::input::records::{ReadOptions, process};
 use tankcheck::job::{Engines, Job};
 use tankcheck::pipeline::{self, Outcome};
-use tankcheck::report;
-use tankcheck::results::{Method, Results};
 
 use super::document::Json;
 use super::{record, results, tank};

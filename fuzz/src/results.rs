@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use tankcheck::numdiff;
-use tankcheck::report::template::Templates;
-use tankcheck::report::{self, Report};
-use tankcheck::results::{self, IDA_FILE, IDA_FORMAT, PUSH_FILE, PUSH_FORMAT};
+use report::template::Templates;
+use report::{self, Report};
+use results::numdiff;
+use results::{self, IDA_FILE, IDA_FORMAT, PUSH_FILE, PUSH_FORMAT};
 
 /// Runs the target on one input.
 pub fn run(bytes: &[u8]) {
@@ -86,7 +86,7 @@ fn push(json: &[u8]) {
 }
 
 /// The value, or `None` with a message.
-fn shown<T>(outcome: Result<T, tankcheck::error::Error>) -> Option<T> {
+fn shown<T>(outcome: Result<T, files::error::Error>) -> Option<T> {
     match outcome {
         Ok(value) => Some(value),
         Err(error) => {

@@ -3,8 +3,8 @@
 //! A file that is read means the same when it is printed without comments, with its keys in another order, or with its
 //! lengths in millimetres; every quantity in it comes back from print in every unit of its dimension.
 
+use engines::nonlinear::scope::Purpose;
 use tank::units::{self, Dimension};
-use tankcheck::fe::nonlinear::scope::Purpose;
 use tankcheck::input::TankFile;
 use tankcheck::input::diagnostic::Source;
 use tankcheck::input::tank::parse;

@@ -3,7 +3,7 @@
 use crate::cli::Global;
 use crate::cli::terminal::say;
 use crate::error::Error;
-use crate::fe::estimate::{Estimate, WORTH_SAYING};
+use engines::estimate::{Estimate, WORTH_SAYING};
 
 /// Memory that a run may take.
 #[derive(clap::Args, Clone, Copy, Debug, Default)]
@@ -24,7 +24,7 @@ impl MemoryArg {
 ///
 /// * `limit`: memory allowed [MiB]
 ///
-/// Errors: [`crate::fe::FeError::Memory`], [`crate::fe::FeError::TooLong`], before anything is built.
+/// Errors: [`engines::FeError::Memory`], [`engines::FeError::TooLong`], before anything is built.
 pub fn admit(estimate: &Estimate, limit: u64, always: bool, global: &Global) -> Result<(), Error> {
     estimate.hold(limit)?;
     if !global.quiet && (always || estimate.seconds > WORTH_SAYING) {

@@ -7,10 +7,10 @@ use fem::progress::Silent;
 use crate::cli::inputs::Inputs;
 use crate::cli::{Format, Global, compare, print, wall};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
-use crate::output::OutputFolder;
 use crate::pipeline::{self, Outcome};
-use crate::report;
-use crate::results::{self, COMPARE};
+use files::OutputFolder;
+use report;
+use results::{self, COMPARE};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -39,7 +39,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     job.fe = None;
     let site = &job.case.site;
     if job.case.ground_motion.is_none() && site.ec8.is_none() && site.api650.is_none() {
-        return Err(Error::Input(
+        return Err(Error::input(
             "error: nothing shakes the tank\n  help: add `site` to the tank file (design spectra), or give a record with \
              --quake"
                 .into(),

@@ -15,18 +15,18 @@ use crate::cli::progress::{self, Watch};
 use crate::cli::table::Table;
 use crate::cli::terminal::{self, say};
 use crate::cli::{Format, Global, nonlinear, solid};
-use crate::compare::FE_NONLINEAR;
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_OK, Error};
-use crate::fe::estimate::Estimate;
-use crate::fe::nonlinear::scope::Purpose;
-use crate::fe::{self, FeError, Integrator};
 use crate::job::{Engines, Job};
-use crate::output::{OutputFolder, kept_complete};
 use crate::pipeline::{self, Outcome};
-use crate::report;
-use crate::results::nonlinear::{End, Nonlinear, PARTED};
-use crate::results::{self, ComparisonRow, Limit, MESH_ERROR_LIMIT, Method, Results, Series, Status, vtu};
-use crate::text;
+use engines::estimate::Estimate;
+use engines::nonlinear::scope::Purpose;
+use engines::{self, FeError, Integrator};
+use files::text;
+use files::{OutputFolder, kept_complete};
+use report;
+use results::compare::FE_NONLINEAR;
+use results::nonlinear::{End, Nonlinear, PARTED};
+use results::{self, ComparisonRow, Limit, MESH_ERROR_LIMIT, Method, Results, Series, Status, vtu};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -111,7 +111,7 @@ enum IntegratorArg {
 pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
     if args.inputs.quake.is_none() {
-        return Err(Error::Input(
+        return Err(Error::input(
             "error: no ground motion\n  help: give a record with --quake, or run `tankcheck check` for the codes alone"
                 .into(),
         ));
@@ -123,12 +123,12 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         progress::stop_gracefully();
     }
     for estimate in &estimates(&job)? {
-        let solid = estimate.run == fe::solid::RUN;
+        let solid = estimate.run == engines::solid::RUN;
         budget::admit(estimate, job.solid.memory_limit_mib, solid, global)?;
     }
     nonlinear::announce(&job, global);
     if args.vtu.as_ref() == Some(&args.out) {
-        return Err(Error::Input(format!(
+        return Err(Error::input(format!(
             "error: --vtu and --out name one folder, `{}`\n  help: each needs a folder of its own",
             args.out.display()
         )));
@@ -186,13 +186,13 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
 /// What the engines of a job will take.
 fn estimates(job: &Job) -> Result<Vec<Estimate>, FeError> {
     let Some(options) = &job.fe else { return Ok(Vec::new()) };
-    let harmonic = || fe::harmonic::estimate(&job.case, options);
-    let solid = || fe::solid::estimate(&job.case, options, &job.solid);
+    let harmonic = || engines::harmonic::estimate(&job.case, options);
+    let solid = || engines::solid::estimate(&job.case, options, &job.solid);
     Ok(match job.engines {
         Engines::Harmonic => vec![harmonic()?],
         Engines::Solid => vec![solid()?],
         Engines::Both => vec![harmonic()?, solid()?],
-        Engines::Nonlinear => vec![harmonic()?, fe::nonlinear::estimate(&job.case, &job.nonlinear)?],
+        Engines::Nonlinear => vec![harmonic()?, engines::nonlinear::estimate(&job.case, &job.nonlinear)?],
     })
 }
 
@@ -224,7 +224,7 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
     if !job.engines.solid() {
         let unused = args.solid.given().or(args.vtu.as_ref().map(|_| "--vtu"));
         return match unused {
-            Some(option) => Err(Error::Input(format!(
+            Some(option) => Err(Error::input(format!(
                 "error: {option} belongs to the three-dimensional engine\n  help: add --fe solid or --fe both"
             ))),
             None => Ok(()),
@@ -250,7 +250,7 @@ fn interval(job: &Job, given: Option<f64>) -> Result<f64, Error> {
     match given {
         None => Ok((duration / STATES).max(record.dt)),
         Some(every) if every >= record.dt && every.is_finite() => Ok(every),
-        Some(every) => Err(Error::Input(format!(
+        Some(every) => Err(Error::input(format!(
             "error: --vtu-every: found `{every}`, allowed a time [s] from the time step of the record, {}, on",
             record.dt
         ))),
@@ -271,7 +271,8 @@ pub fn stamp(results: &mut Results, started: Instant) {
 
 fn write(folder: &OutputFolder, results: &Results, series: &Series, templates: Option<&Path>) -> Result<(), Error> {
     results::write(&folder.path(), results, series)?;
-    report::render(&folder.path(), templates).map(|_| ())
+    report::render(&folder.path(), templates)?;
+    Ok(())
 }
 
 /// Prints the summary.

@@ -35,12 +35,12 @@ pub fn run(args: Args, _: &Global) -> Result<u8, Error> {
                 "" => command,
                 name => command.find_subcommand(name).cloned().ok_or_else(|| {
                     let known: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
-                    Error::Input(format!("error: no subcommand `{name}`; allowed: {}", known.join(", ")))
+                    Error::input(format!("error: no subcommand `{name}`; allowed: {}", known.join(", ")))
                 })?,
             };
             clap_mangen::Man::new(chosen)
                 .render(&mut page)
-                .map_err(|e| Error::Report(format!("manual page: {e}")))?;
+                .map_err(|e| Error::report(format!("manual page: {e}")))?;
         }
     }
     print(&String::from_utf8_lossy(&page))?;

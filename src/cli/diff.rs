@@ -8,10 +8,10 @@ use serde_json::json;
 use crate::cli::terminal::say;
 use crate::cli::{Format, Global, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
-use crate::numdiff::{self, Options, Report};
-use crate::output::{Kind, OutputFolder, write_whole};
-use crate::results::{self, COMPARE, OUTPUT, describe};
-use crate::text as visible;
+use files::text as visible;
+use files::{Kind, OutputFolder, write_whole};
+use results::numdiff::{self, Options, Report};
+use results::{self, COMPARE, OUTPUT, describe};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -55,9 +55,11 @@ const BLESSED: Kind = Kind {
 
 /// Copies the files of a results folder into another one.
 fn copy(from: &Path, to: &Path) -> Result<(), Error> {
-    let fault = |path: &Path, e: std::io::Error| Error::Unwritten {
-        path: path.into(),
-        what: describe(&e),
+    let fault = |path: &Path, e: std::io::Error| {
+        Error::Files(files::error::Error::Unwritten {
+            path: path.into(),
+            what: describe(&e),
+        })
     };
     for entry in OUTPUT {
         let (source, target) = (from.join(entry), to.join(entry));
@@ -82,13 +84,13 @@ const ACCEPTED_FILE: &str = "accepted.json";
 pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     for (name, value) in [("--rtol", args.rtol), ("--time-tolerance", args.time_tolerance)] {
         if !(value.is_finite() && value >= 0.0) {
-            return Err(Error::Input(format!(
+            return Err(Error::input(format!(
                 "error: {name}: found {value}, allowed a number ≥ 0"
             )));
         }
     }
     if args.reason.as_ref().is_some_and(|reason| reason.trim().is_empty()) {
-        return Err(Error::Input(
+        return Err(Error::input(
             "error: --reason: found nothing, expected a sentence\n  help: say why the numbers may move".into(),
         ));
     }
@@ -195,9 +197,11 @@ fn csv(report: &Report) -> String {
 fn bless(args: &Args, report: &Report) -> Result<(), Error> {
     let accepted = args.old.join(ACCEPTED_FILE);
     let mut history: Vec<serde_json::Value> = match std::fs::read_to_string(&accepted) {
-        Ok(text) => serde_json::from_str(&text).map_err(|e| Error::File {
-            path: accepted.clone(),
-            what: format!("not a list of acceptances: {e}"),
+        Ok(text) => serde_json::from_str(&text).map_err(|e| {
+            Error::Files(files::error::Error::File {
+                path: accepted.clone(),
+                what: format!("not a list of acceptances: {e}"),
+            })
         })?,
         Err(_) => Vec::new(),
     };
@@ -211,5 +215,5 @@ fn bless(args: &Args, report: &Report) -> Result<(), Error> {
     copy(&args.new, &folder.path())?;
     folder.commit()?;
     let text = format!("{:#}\n", serde_json::Value::Array(history));
-    write_whole(&accepted, text.as_bytes())
+    Ok(write_whole(&accepted, text.as_bytes())?)
 }

@@ -9,7 +9,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::cli::terminal::say;
 use crate::error::EXIT_COMPUTATION;
-use crate::output;
 
 /// Set by the first thread that panics.
 static FAULT: AtomicBool = AtomicBool::new(false);
@@ -21,7 +20,7 @@ pub(crate) fn install() {
         while FAULT.swap(true, Ordering::SeqCst) {
             std::thread::park();
         }
-        output::discard_unfinished();
+        files::discard_unfinished();
         say!("{}", message(info, std::env::args().skip(1)));
         std::process::exit(i32::from(EXIT_COMPUTATION));
     }));
@@ -77,8 +76,8 @@ mod tests {
     use std::process::{Command, Output};
 
     use super::*;
-    use crate::output::OutputFolder;
-    use crate::results::COMPARE;
+    use files::OutputFolder;
+    use results::COMPARE;
 
     /// Tells the test below that it is the child.
     const CHILD: &str = "TANKCHECK_TEST_OF_FAULTS";

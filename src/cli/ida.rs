@@ -10,13 +10,13 @@ use crate::cli::table::Table;
 use crate::cli::terminal::say;
 use crate::cli::{Format, Global, json, print, stamp};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
-use crate::fe::nonlinear::{self, scope::Purpose};
 use crate::ida;
 use crate::input::records::plausible;
 use crate::job::{Engines, IdaJob};
-use crate::report::{self, number::significant};
-use crate::results::ida_csv;
-use crate::text;
+use engines::nonlinear::{self, scope::Purpose};
+use files::text;
+use report::{self, number::significant};
+use results::ida_csv;
 
 /// Most runs of one analysis.
 const MAX_RUNS: usize = 1000;
@@ -147,7 +147,7 @@ impl Args {
 
 /// The factors of `--scale` and `--steps`, ascending.
 fn scales(text: &str, steps: Option<&str>) -> Result<Vec<f64>, Error> {
-    let refuse = |what: String, help: &str| Err(Error::Input(format!("error: {what}\n  help: {help}")));
+    let refuse = |what: String, help: &str| Err(Error::input(format!("error: {what}\n  help: {help}")));
     let allowed = format!("allowed factors from 0 to {MAX_SCALE}");
     let number = |part: &str| part.trim().parse::<f64>().ok();
     let sound = |scale: &f64| (0.0..=MAX_SCALE).contains(scale);
@@ -237,7 +237,7 @@ mod tests {
 
     fn refused(text: &str, steps: Option<&str>) -> String {
         match scales(text, steps) {
-            Err(Error::Input(message)) => message,
+            Err(Error::Files(files::error::Error::Input(message))) => message,
             other => panic!("{text}: {other:?}"),
         }
     }

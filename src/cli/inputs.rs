@@ -6,11 +6,11 @@ use tank::case::GroundMotion;
 
 use crate::cli::terminal::say;
 use crate::error::Error;
-use crate::fe::nonlinear::scope::Purpose;
 use crate::input::{self, records};
 use crate::job::{Engines, Job};
-use crate::results::SourceFile;
-use crate::text;
+use engines::nonlinear::scope::Purpose;
+use files::text;
+use results::SourceFile;
 
 /// The tank file, the records and how to read them.
 #[derive(clap::Args, Clone, Debug)]

@@ -8,8 +8,8 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::error::{EXIT_INPUT, EXIT_OK, Error};
-use crate::results::{Volatile, finite};
-use crate::text;
+use files::text;
+use results::{Volatile, finite};
 use terminal::say;
 
 mod budget;
@@ -149,7 +149,7 @@ pub(crate) fn command() -> clap::Command {
 /// Errors: a number that is not finite.
 pub(crate) fn json(value: &impl serde::Serialize) -> Result<String, Error> {
     finite::check("the result", value)?;
-    let text = serde_json::to_string_pretty(value).map_err(|e| Error::Report(e.to_string()))?;
+    let text = serde_json::to_string_pretty(value).map_err(|e| Error::report(e.to_string()))?;
     Ok(format!("{}\n", text::json(&text)))
 }
 
@@ -233,8 +233,8 @@ fn refused(answer: &clap::Error) -> u8 {
 fn report_failure(error: &Error) -> u8 {
     match error {
         // The user's text in it has been made visible; what is left are our own colours.
-        Error::Faults(rendered) => terminal::coloured(rendered.trim_end()),
-        Error::Input(rendered) => say!("{}", rendered.trim_end()),
+        Error::Files(files::error::Error::Faults(rendered)) => terminal::coloured(rendered.trim_end()),
+        Error::Files(files::error::Error::Input(rendered)) => say!("{}", rendered.trim_end()),
         other => say!("error: {other}"),
     }
     error.exit_code()

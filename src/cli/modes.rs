@@ -13,11 +13,11 @@ use crate::cli::table::Table;
 use crate::cli::terminal::say;
 use crate::cli::{self, Format, Global, print, solid};
 use crate::error::{EXIT_OK, Error};
-use crate::fe::harmonic;
-use crate::fe::solid::SolidOptions;
 use crate::input;
-use crate::results::{Mode, finite};
-use crate::text;
+use engines::harmonic;
+use engines::solid::SolidOptions;
+use files::text;
+use results::{Mode, finite};
 
 /// Largest circumferential harmonic offered: beyond it the default meshes no longer resolve the waves.
 const MAX_HARMONIC: u32 = 20;
@@ -90,7 +90,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let (modes, notes) = match args.fe {
         Engine::Harmonic => {
             if let Some(option) = args.solid.given() {
-                return Err(Error::Input(format!(
+                return Err(Error::input(format!(
                     "error: {option} belongs to the three-dimensional engine\n  help: add --fe solid"
                 )));
             }
@@ -101,7 +101,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
             watch.stage("modes by harmonic", harmonics.len() as u64);
             let mut modes = Vec::new();
             for harmonic in &harmonics {
-                modes.extend(crate::fe::modes(&case, &options, &[*harmonic], args.count)?);
+                modes.extend(engines::modes(&case, &options, &[*harmonic], args.count)?);
                 watch.advance(1);
             }
             watch.finish();
@@ -113,16 +113,16 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
                 memory_limit_mib: limit,
                 ..args.solid.over(&tank.solid)
             };
-            let estimate = crate::fe::solid::estimate(&case, &options, &solid)?;
+            let estimate = engines::solid::estimate(&case, &options, &solid)?;
             budget::admit(&estimate, limit, true, global)?;
             let watch = Watch::new(global, "modes");
-            let mut modes = crate::fe::solid::modes(&case, &options, &solid, args.count, &watch)?;
+            let mut modes = engines::solid::modes(&case, &options, &solid, args.count, &watch)?;
             watch.finish();
             modes.retain(|m| harmonics.is_empty() || harmonics.contains(&m.harmonic));
             let mut notes = harmonic::notes(&case, &modes);
-            let most = crate::fe::solid::most_waves(&case, &options, &solid)?;
+            let most = engines::solid::most_waves(&case, &options, &solid)?;
             if let Some(n) = harmonics.iter().find(|n| **n > most) {
-                return Err(Error::Input(format!(
+                return Err(Error::input(format!(
                     "error: --harmonics: found {n}, allowed 0 to {most} on this mesh\n  help: a wave needs six sectors; give --mesh \
                      more of them"
                 )));
@@ -163,7 +163,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
 
 fn check(harmonics: &[u32], count: usize, shape: Shape) -> Result<(), Error> {
     let usage = |option: &str, found: String, allowed: String| {
-        Error::Input(format!("error: {option}: found `{found}`, allowed {allowed}"))
+        Error::input(format!("error: {option}: found `{found}`, allowed {allowed}"))
     };
     let largest = match shape {
         Shape::Cylinder { .. } => MAX_HARMONIC,
@@ -275,7 +275,10 @@ mod tests {
             (vec![1], 0, CYLINDER),
             (vec![1], 101, CYLINDER),
         ] {
-            assert!(matches!(check(&harmonics, count, shape), Err(Error::Input(_))));
+            assert!(matches!(
+                check(&harmonics, count, shape),
+                Err(Error::Files(files::error::Error::Input(_)))
+            ));
         }
     }
 }

@@ -7,11 +7,11 @@ use fem::analysis::checkpoint::{CheckpointError, MAGIC, inspect, unfinished};
 use crate::cli::Global;
 use crate::cli::terminal::say;
 use crate::error::Error;
-use crate::fe::nonlinear::CheckpointFile;
 use crate::job::{Engines, Job};
-use crate::report::number::plain;
-use crate::results::nonlinear::End;
-use crate::results::{Results, describe};
+use engines::nonlinear::CheckpointFile;
+use report::number::plain;
+use results::nonlinear::End;
+use results::{Results, describe};
 
 /// How a nonlinear run survives an interruption.
 #[derive(clap::Args, Clone, Debug)]
@@ -93,17 +93,17 @@ impl NonlinearArgs {
 }
 
 fn refuse<T>(what: &str, help: &str) -> Result<T, Error> {
-    Err(Error::Input(format!("error: {what}\n  help: {help}")))
+    Err(Error::input(format!("error: {what}\n  help: {help}")))
 }
 
 /// Refuses a checkpoint from which no run can go on. Whether it is of this very run shows once the model is built.
 fn sound(path: &Path) -> Result<(), Error> {
     match inspect(path) {
         Ok(()) => Ok(()),
-        Err(CheckpointError::File { reason, .. }) => Err(Error::File {
+        Err(CheckpointError::File { reason, .. }) => Err(Error::Files(files::error::Error::File {
             path: path.into(),
             what: reason,
-        }),
+        })),
         Err(fault) => refuse(
             &format!("--resume: the checkpoint `{}` is {}", path.display(), fault.cause()),
             "leave --resume out to start over, which overwrites it, or name another one with --checkpoint",
@@ -126,9 +126,11 @@ fn beside(out: &Path) -> PathBuf {
 /// First bytes of a file as long as those of a checkpoint; `None` if there is no file.
 fn begins(path: &Path) -> Result<Option<Vec<u8>>, Error> {
     use std::io::Read;
-    let fault = |e: std::io::Error| Error::File {
-        path: path.into(),
-        what: describe(&e),
+    let fault = |e: std::io::Error| {
+        Error::Files(files::error::Error::File {
+            path: path.into(),
+            what: describe(&e),
+        })
     };
     if !path.exists() {
         return Ok(None);

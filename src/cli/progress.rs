@@ -15,8 +15,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::cli::Global;
 use crate::cli::terminal::say;
 use crate::error::{EXIT_COMPUTATION, EXIT_INTERRUPTED};
-use crate::fe::estimate::span;
-use crate::output;
+use engines::estimate::span;
 
 /// Set by Ctrl-C.
 static STOP: AtomicBool = AtomicBool::new(false);
@@ -32,7 +31,7 @@ pub fn listen(global: &Global) {
         let graceful = GRACEFUL.load(Ordering::SeqCst);
         if !graceful || STOP.swap(true, Ordering::SeqCst) {
             // Results that were in place already stay, and the run was over but for its last words.
-            std::process::exit(i32::from(match output::discard_unfinished() {
+            std::process::exit(i32::from(match files::discard_unfinished() {
                 true => EXIT_COMPUTATION,
                 false => EXIT_INTERRUPTED,
             }));

@@ -10,14 +10,14 @@ use crate::cli::table::Table;
 use crate::cli::terminal::say;
 use crate::cli::{Format, Global, json, nonlinear, print, stamp};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
-use crate::fe::FeError;
-use crate::fe::nonlinear::push::{Amplitude, Form, NoSteel, PushOptions, Quality, estimate};
-use crate::fe::nonlinear::scope::Purpose;
 use crate::job::{Engines, PushJob};
 use crate::push;
-use crate::report;
-use crate::report::number::with_unit;
-use crate::text;
+use engines::FeError;
+use engines::nonlinear::push::{Amplitude, Form, NoSteel, PushOptions, Quality, estimate};
+use engines::nonlinear::scope::Purpose;
+use files::text;
+use report;
+use report::number::with_unit;
 use tank::units::{self, Dimension};
 
 /// Largest amplitude of an imperfection in thicknesses.
@@ -183,7 +183,7 @@ impl Args {
 }
 
 fn refuse<T>(what: String, help: &str) -> Result<T, Error> {
-    Err(Error::Input(format!("error: {what}\n  help: {help}")))
+    Err(Error::input(format!("error: {what}\n  help: {help}")))
 }
 
 /// `0.5t`, `6mm`, `class-b`.
@@ -256,7 +256,7 @@ mod tests {
         for text in [
             "", "0", "0t", "0.5", "class-d", "11t", "2 m", "NaNt", "half", "5 s", "inf t",
         ] {
-            let Err(Error::Input(message)) = amplitude(text) else {
+            let Err(Error::Files(files::error::Error::Input(message))) = amplitude(text) else {
                 panic!("{text}");
             };
             assert!(

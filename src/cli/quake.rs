@@ -11,8 +11,8 @@ use crate::cli::terminal::say;
 use crate::cli::{Format, Global, json, print};
 use crate::error::{EXIT_OK, Error};
 use crate::input::records::{self, ReadRecord};
-use crate::results::finite;
-use crate::text;
+use files::text;
+use results::finite;
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -85,7 +85,7 @@ pub fn run(args: Args, _: &Global) -> Result<u8, Error> {
         Format::Json => {
             print(&json(&facts)?)?;
         }
-        Format::Csv => return Err(Error::Input("error: --format: found csv, allowed human or json".into())),
+        Format::Csv => return Err(Error::input("error: --format: found csv, allowed human or json".into())),
     }
     Ok(EXIT_OK)
 }

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use crate::cli::terminal::say;
 use crate::cli::{Global, print};
 use crate::error::{EXIT_OK, Error};
-use crate::output::{self, OutputFolder};
-use crate::report;
-use crate::results::{COMPARE_REPORT, REPORT_FILE};
+use files::{self, OutputFolder};
+use report;
+use results::{COMPARE_REPORT, REPORT_FILE};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -22,7 +22,7 @@ pub struct Args {
 
 /// Runs the subcommand; returns the exit code.
 pub fn run(args: Args, _global: &Global) -> Result<u8, Error> {
-    for name in output::edited(&args.folder, COMPARE_REPORT) {
+    for name in files::edited(&args.folder, COMPARE_REPORT) {
         say!("warning: {name} has changed since tankcheck wrote it; the report shows it as it is now");
     }
     let report = report::of_folder(&args.folder, args.templates.as_deref())?;

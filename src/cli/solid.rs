@@ -1,8 +1,8 @@
 //! Arguments of the three-dimensional engine, shared by `compare` and `modes`.
 
-use crate::fe::solid::{Liquid, MeshSize, SolidOptions};
 use crate::job::Job;
-use crate::results::InputValue;
+use engines::solid::{Liquid, MeshSize, SolidOptions};
+use results::InputValue;
 
 /// How the three-dimensional engine meshes and what it may take.
 #[derive(clap::Args, Clone, Debug)]

@@ -16,9 +16,9 @@ use crate::cli::table::Table;
 use crate::cli::terminal::say;
 use crate::cli::{Format, Global, print};
 use crate::error::{EXIT_OK, Error};
-use crate::fe::estimate::{Estimate, Lever, MEMORY_LIMIT_MIB, NUMBER, PROGRAM, WORTH_SAYING};
 use crate::input::records::{self, AccelerationUnit, Processing};
-use crate::text;
+use engines::estimate::{Estimate, Lever, MEMORY_LIMIT_MIB, NUMBER, PROGRAM, WORTH_SAYING};
+use files::text;
 
 /// Most oscillators in one call.
 const MAX_OSCILLATORS: usize = 1_000_000;
@@ -217,7 +217,7 @@ fn in_parts(record: &Record, periods: &[f64], dampings: &[f64], method: Method, 
 }
 
 fn usage(option: &str, found: &str, allowed: &str) -> Error {
-    Error::Input(format!("error: {option}: found `{found}`, allowed {allowed}"))
+    Error::input(format!("error: {option}: found `{found}`, allowed {allowed}"))
 }
 
 /// A comma-separated list.
@@ -327,10 +327,10 @@ fn not_finite(result: &Spectrum) -> Option<Error> {
     for (damping, row) in result.dampings.iter().zip(&result.ordinates) {
         for (period, o) in result.periods.iter().zip(row) {
             if let Some(value) = [o.sd, o.psv, o.psa, o.sv, o.sa].into_iter().find(|v| !v.is_finite()) {
-                return Some(Error::NotFinite {
+                return Some(Error::Files(files::error::Error::NotFinite {
                     quantity: format!("the spectrum at {period} s and a damping of {damping}"),
                     value,
-                });
+                }));
             }
         }
     }

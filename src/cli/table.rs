@@ -1,7 +1,7 @@
 //! Plain tables for the terminal.
 
-use crate::report;
-use crate::text;
+use files::text;
+use report;
 
 /// A table with one head row; the first column is left-aligned, all others right-aligned.
 #[derive(Clone, Debug, Default)]
@@ -106,7 +106,7 @@ mod tests {
 
     #[test]
     fn columns_become_lines() {
-        use crate::report::table::{Column, Table as Data};
+        use report::table::{Column, Table as Data};
         let mut data = Data::new(vec![Column::words("tank"), Column::numbers("T", "s")]);
         data.row(vec!["a".into(), "2.1".into()]);
         assert_eq!(Table::turned(&data).to_string(), "tank     a\n──────────\nT [s]  2.1\n");

@@ -1,6 +1,6 @@
 //! The two streams of the command line: results on standard output, everything else on standard error.
 //!
-//! The user's text on its way to either of them is made visible here, see [`crate::text`].
+//! The user's text on its way to either of them is made visible here, see [`files::text`].
 //!
 //! A result that cannot be written is a failure of the run (exit code 3). A message that cannot be written is not: the run
 //! goes on, and its exit code still says how it ended.
@@ -9,8 +9,8 @@ use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 
 use crate::error::Error;
-use crate::results::describe;
-use crate::text;
+use files::text;
+use results::describe;
 
 /// Writes a result to standard output. A reader that has seen enough (`| head`) is no failure.
 ///
@@ -25,7 +25,7 @@ pub(crate) fn print(text: &str) -> Result<(), Error> {
 pub(crate) fn print_coloured(text: &str) -> Result<(), Error> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Error::Output(describe(&error))),
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Error::output(describe(&error))),
         _ => Ok(()),
     }
 }

@@ -8,7 +8,6 @@ use crate::cli::progress::Watch;
 use crate::cli::table::Table;
 use crate::cli::{Global, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
-use crate::report::verification;
 use crate::verify::{self, Choice, Entry, Manual, Pace, manual};
 
 /// Arguments.
@@ -53,10 +52,10 @@ enum Form {
 /// Runs the subcommand; returns the exit code.
 pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     if let Some(folder) = args.records.as_ref().filter(|folder| !folder.is_dir()) {
-        return Err(Error::File {
+        return Err(Error::Files(files::error::Error::File {
             path: folder.clone(),
             what: "no such folder, expected one with accelerograms".into(),
-        });
+        }));
     }
     let choice = Choice {
         records: args.records.as_deref(),
@@ -91,7 +90,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     match args.format {
         Form::Json => print(&format!("{:#}\n", manual::to_json(&found)))?,
         Form::Csv => print(&csv(&found))?,
-        Form::Html => print(&verification::html(&found)?)?,
+        Form::Html => print(&verify::html::html(&found)?)?,
         Form::Human => print(&human(&found, failed))?,
     }
     Ok(if failed == 0 { EXIT_OK } else { EXIT_CHECK_FAILED })

@@ -3,7 +3,7 @@
 use tank::units::{Dimension, display};
 use tank::{BarDirection, Behaviour, Layer, Tank};
 
-use crate::text::line;
+use files::text::line;
 
 /// One line a layered course: `course 1: 6.00 mm liner (steel) | 250 mm wall (concrete; hoop 15.0 cm²/m at 40.0 mm of bars)`.
 pub fn lines(tank: &Tank) -> Vec<String> {

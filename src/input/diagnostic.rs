@@ -23,8 +23,8 @@ use std::path::Path;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
-use crate::error::Error;
-use crate::text;
+use files::error::Error;
+use files::text;
 
 /// Longest message part that is shown, in characters.
 const SHOWN_TEXT: usize = 400;

@@ -8,10 +8,10 @@ use std::path::Path;
 
 use ::tank::Case;
 
-use crate::error::Error;
-use crate::fe::nonlinear::scope::{self, Purpose};
-use crate::results::InputValue;
 use diagnostic::{Faults, Source};
+use engines::nonlinear::scope::{self, Purpose};
+use files::error::Error;
+use results::InputValue;
 use tank::Places;
 
 /// `tank.json`, resolved.
@@ -26,11 +26,11 @@ pub struct TankFile {
     /// Ids of the procedures to run; empty for all.
     pub procedures: Vec<String>,
     /// Options of the finite-element engine.
-    pub fe: crate::fe::Options,
+    pub fe: engines::Options,
     /// Options of the three-dimensional engine.
-    pub solid: crate::fe::solid::SolidOptions,
+    pub solid: engines::solid::SolidOptions,
     /// Options of the nonlinear engine.
-    pub nonlinear: crate::fe::nonlinear::NonlinearOptions,
+    pub nonlinear: engines::nonlinear::NonlinearOptions,
     /// What is worth saying though it is no fault ("nothing is made of the material `steel`"), one sentence each.
     pub remarks: Vec<String>,
     /// Values that are possible but unusual, one sentence each with the usual range.

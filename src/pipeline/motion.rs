@@ -7,7 +7,7 @@ use oscillator::spectrum::{self, Method};
 use tank::case::Site;
 
 use crate::job::Job;
-use crate::results::{RecordSummary, SpectrumCurve};
+use results::{RecordSummary, SpectrumCurve};
 
 /// Periods of the curves: 160 from 0.02 s to 20 s, evenly spaced in log T (50 or more a decade show every peak of a
 /// lightly damped spectrum at the width of a page), and those of `marks` between them, so that a value read off a curve

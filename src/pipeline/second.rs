@@ -2,12 +2,12 @@
 
 use fem::progress::Progress;
 
-use crate::compare::Happened;
 use crate::error::{EXIT_COMPUTATION, Error};
-use crate::fe::{self, FeError, Simulation};
 use crate::job::{Engines, Job};
-use crate::results::FeResult;
-use crate::results::nonlinear::End;
+use engines::{self, FeError, Simulation};
+use results::FeResult;
+use results::compare::Happened;
+use results::nonlinear::End;
 
 /// What the second engine of a job gives.
 #[derive(Default)]
@@ -29,11 +29,11 @@ pub(super) fn run(job: &Job, progress: &dyn Progress) -> Result<Second, Error> {
         Engines::Harmonic | Engines::Solid => return Ok(Second::default()),
         Engines::Both => (
             "three-dimensional",
-            fe::solid::simulate(&job.case, options, &job.solid, progress),
+            engines::solid::simulate(&job.case, options, &job.solid, progress),
         ),
         Engines::Nonlinear => (
             "nonlinear",
-            fe::nonlinear::simulate(&job.case, &job.nonlinear, job.checkpoint.as_ref(), progress),
+            engines::nonlinear::simulate(&job.case, &job.nonlinear, job.checkpoint.as_ref(), progress),
         ),
     };
     let missing = |what: String| {

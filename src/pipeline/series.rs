@@ -1,6 +1,6 @@
 //! Time histories of two engines in one file.
 
-use crate::results::Series;
+use results::Series;
 
 /// Appends the columns of `other`, their ids prefixed, at the times of `series`; between its own samples `other` is
 /// linear, after its end (an interrupted run) it is not a number.

@@ -7,10 +7,10 @@ use std::f64::consts::PI;
 
 use tank::Shape;
 
-use super::cases::{broad, case, material, slender};
 use super::{Reference, Row};
-use crate::fe::harmonic::{CoupledMode, Kind, build, solve};
-use crate::fe::{FeError, Options};
+use engines::harmonic::{CoupledMode, Kind, build, solve};
+use engines::{FeError, Options};
+use tank::reference::{broad, case, material, slender};
 
 const ASSEMBLIES: &str = "converged independent assemblies";
 const MALHOTRA: &str = "C_i of Malhotra, Wenk & Wieland 2000 (EN 1998-4:2006 table A.2)";

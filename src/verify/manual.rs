@@ -10,11 +10,11 @@ use std::path::Path;
 use serde_json::json;
 
 use super::entry::KINDS;
+use super::html;
 use super::{Entry, Manual, Pace, pages};
 use crate::error::Error;
-use crate::output::{Kind, OutputFolder, settle};
-use crate::report::verification;
-use crate::results::{describe, put};
+use files::{Kind, OutputFolder, settle};
+use results::{describe, put};
 
 /// Name of the data file.
 pub const ROWS: &str = "rows.json";
@@ -67,7 +67,7 @@ pub fn benchmarks(rows: &[Entry]) -> Vec<Benchmark<'_>> {
 
 impl Benchmark<'_> {
     /// The convergence figure, `None` without a study.
-    pub fn figure(&self) -> Result<Option<crate::report::figure::Figure>, Error> {
+    pub fn figure(&self) -> Result<Option<report::figure::Figure>, Error> {
         let studies: Vec<(String, &[(f64, f64)])> = self
             .rows
             .iter()
@@ -77,7 +77,7 @@ impl Benchmark<'_> {
         if studies.is_empty() {
             return Ok(None);
         }
-        verification::convergence(&format!("convergence-{}", self.id), &self.title, &studies).map(Some)
+        html::convergence(&format!("convergence-{}", self.id), &self.title, &studies).map(Some)
     }
 }
 
@@ -282,9 +282,11 @@ pub fn files(rows: &[Entry]) -> Result<Vec<(String, String)>, Error> {
 pub fn read(folder: &Path) -> Result<Vec<Entry>, Error> {
     settle(folder);
     let path = folder.join(ROWS);
-    let fault = |what: String| Error::File {
-        path: path.clone(),
-        what,
+    let fault = |what: String| {
+        Error::Files(files::error::Error::File {
+            path: path.clone(),
+            what,
+        })
     };
     let text = std::fs::read_to_string(&path).map_err(|e| fault(describe(&e)))?;
     serde_json::from_str(&text).map_err(|e| fault(format!("not the rows of a verification manual: {e}")))
@@ -312,14 +314,14 @@ pub fn write(folder: &Path, rows: &[Entry], dissertation: Option<String>) -> Res
     // Everything is made before anything is written.
     let mut files = files(rows)?;
     let lines: Result<Vec<String>, _> = rows.iter().map(serde_json::to_string).collect();
-    let lines = lines.map_err(|e| Error::Report(e.to_string()))?;
+    let lines = lines.map_err(|e| Error::report(e.to_string()))?;
     files.push((ROWS.into(), format!("[\n{}\n]\n", lines.join(",\n"))));
     files.extend(dissertation.map(|text| (DISSERTATION.to_owned(), text)));
     let output = OutputFolder::prepare(folder, MANUAL)?;
     for (name, text) in &files {
         put(&output.path().join(name), text.as_bytes())?;
     }
-    output.commit()
+    Ok(output.commit()?)
 }
 
 #[cfg(test)]

@@ -11,10 +11,10 @@
 //!
 //! The pages are a function of `rows.json` alone ([`manual`]).
 
-pub mod cases;
 pub mod coupled;
 pub mod dissertation;
 pub mod entry;
+pub mod html;
 pub mod manual;
 pub mod pages;
 pub mod response;

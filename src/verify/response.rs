@@ -12,11 +12,11 @@ use tank::Case;
 use tank::Shape;
 use tank::case::GroundMotion;
 
-use super::cases::{broad, case, material};
 use super::{NotRun, Reference, Row};
 use crate::error::Error;
-use crate::fe::{DampingModel, Options, Simulation, simulate};
 use crate::input::records::{Processing, ReadOptions, process, read};
+use engines::{DampingModel, Options, Simulation, simulate};
+use tank::reference::{broad, case, material};
 
 /// File of the record.
 pub const RECORD: &str = "imperial-valley-1940-el-centro-ns.csv";

@@ -6,8 +6,8 @@
 //! impulsive    M_ηη a = −M_ηw ι: the surface free of pressure;  m_i = ιᵀ (M_ww ι + M_wη a)
 //! ```
 
-use crate::fe::FeError;
-use crate::fe::liquid::{Domain, LiquidMesh, Potential};
+use engines::FeError;
+use engines::liquid::{Domain, LiquidMesh, Potential};
 use fem::linalg::{Cholesky, LinalgError, Matrix, dot, generalized_eigen};
 
 /// Heights at which the held wall may translate, as a share of the depth: any partition will do.

@@ -7,11 +7,11 @@ use std::f64::consts::PI;
 
 use codes::mechanical::{self, Plan};
 
-use super::cases::GRAVITY;
 use super::rigid::RigidTank;
 use super::{Reference, Row};
-use crate::fe::FeError;
-use crate::fe::liquid::{Domain, LiquidMesh};
+use engines::FeError;
+use engines::liquid::{Domain, LiquidMesh};
+use tank::reference::GRAVITY;
 
 /// Potential flow in a rigid upright cylinder.
 const CYLINDER: &str = "ω² = g λ/R tanh(λ H/R), J_m'(λ) = 0 (Lamb 1932)";

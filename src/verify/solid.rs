@@ -11,10 +11,10 @@ use tank::Case;
 use tank::Quantity;
 use tank::case::GroundMotion;
 
-use super::cases::{broad, slender};
 use super::{Reference, Row};
-use crate::fe::solid::{self, Liquid, SolidOptions};
-use crate::fe::{FeError, Options, Simulation, simulate};
+use engines::solid::{self, Liquid, SolidOptions};
+use engines::{FeError, Options, Simulation, simulate};
+use tank::reference::{broad, slender};
 
 const PAGE: &str = "solid-against-harmonic";
 const HARMONIC: &str = "harmonic engine, default mesh";

@@ -5,14 +5,14 @@
 use std::cell::Cell;
 use std::fmt::Write;
 
+use engines::estimate::MEMORY_LIMIT_MIB;
+use engines::harmonic::wall_nodes;
 use fem::liquid::LiquidMesh;
 use fem::progress::Silent;
 use oscillator::record::Record;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use tank::case::GroundMotion;
-use tankcheck::fe::estimate::MEMORY_LIMIT_MIB;
-use tankcheck::fe::harmonic::wall_nodes;
 use tankcheck::input::read_tank;
 use tankcheck::job::{Engines, Job};
 
@@ -143,7 +143,7 @@ fn job(text: &str) -> Option<Job> {
 /// Runs a job as `compare` does; an error is one with words.
 fn runs(job: &Job) -> Result<(), TestCaseError> {
     let options = job.fe.as_ref().expect("the job has an engine");
-    let admitted = tankcheck::fe::harmonic::estimate(&job.case, options).and_then(|e| e.hold(MEMORY_LIMIT_MIB));
+    let admitted = engines::harmonic::estimate(&job.case, options).and_then(|e| e.hold(MEMORY_LIMIT_MIB));
     if let Err(refusal) = admitted {
         prop_assert!(!refusal.to_string().is_empty());
         return Ok(());
@@ -206,11 +206,11 @@ fn accepted_tanks_are_computed_or_refused_in_words() {
 fn nodes_ascend_and_belong_to_courses() {
     each(1000, |plan, job| {
         for refine in [0.25, plan.refine, 5.0, 16.0] {
-            let options = tankcheck::fe::Options {
+            let options = engines::Options {
                 refine,
-                ..tankcheck::fe::Options::default()
+                ..engines::Options::default()
             };
-            let estimate = tankcheck::fe::harmonic::estimate(&job.case, &options);
+            let estimate = engines::harmonic::estimate(&job.case, &options);
             if estimate.and_then(|e| e.hold(MEMORY_LIMIT_MIB)).is_err() {
                 continue;
             }
@@ -245,7 +245,7 @@ fn the_shallowest_liquid() {
     for (fill, computed) in [(5e-7, false), (0.99e-4, false), (1.01e-4, true), (1e-3, true)] {
         let job = job(&plan(fill).json()).expect("the input accepts it");
         let options = job.fe.as_ref().expect("the job has an engine");
-        let found = tankcheck::fe::simulate(&job.case, options);
+        let found = engines::simulate(&job.case, options);
         assert_eq!(found.is_ok(), computed, "{fill}: {:?}", found.err());
     }
 }

@@ -6,11 +6,11 @@
 
 use std::path::Path;
 
-use tankcheck::fe::estimate::{Estimate, MIB};
-use tankcheck::fe::nonlinear::push::{Amplitude, PushOptions, Quality};
-use tankcheck::fe::nonlinear::{self, WallElements};
-use tankcheck::fe::solid::{self, Liquid, MeshSize, SolidOptions};
-use tankcheck::fe::{Integrator, Options, harmonic};
+use engines::estimate::{Estimate, MIB};
+use engines::nonlinear::push::{Amplitude, PushOptions, Quality};
+use engines::nonlinear::{self, WallElements};
+use engines::solid::{self, Liquid, MeshSize, SolidOptions};
+use engines::{Integrator, Options, harmonic};
 use tankcheck::input::{TankFile, read_tank, records};
 
 /// Factor that is allowed.

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use tankcheck::text::hostile;
+use files::text::hostile;
 
 /// Red, clear screen, C1 control sequence introducer, right-to-left override, isolate, mark, line separator.
 const POISON: &str = "a\u{1b}[31m\u{1b}[2J\u{9b}2J\u{202e}b\u{2066}c\u{200f}\u{2028}\u{85}d";

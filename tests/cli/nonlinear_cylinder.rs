@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
-use tankcheck::results::nonlinear::End;
-use tankcheck::results::{Results, read};
+use results::nonlinear::End;
+use results::{Results, read};
 
 use super::bad_tank::has;
 

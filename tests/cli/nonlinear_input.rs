@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use engines::nonlinear::{Contact, Damping, MassProportionalAt, ThicknessRule, WallElements};
 use tank::{BarDirection, Behaviour, ConcreteLaw, LayerKind, Softening};
-use tankcheck::fe::nonlinear::{Contact, Damping, MassProportionalAt, ThicknessRule, WallElements};
 use tankcheck::input::TankFile;
 use tankcheck::input::diagnostic::Source;
 use tankcheck::input::tank::parse;

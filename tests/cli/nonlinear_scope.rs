@@ -1,6 +1,6 @@
 //! What the nonlinear engine does not model is refused from the input, with its place.
 
-use tankcheck::fe::nonlinear::scope::Purpose;
+use engines::nonlinear::scope::Purpose;
 
 use super::bad_tank::has;
 use super::nonlinear_input::{GOOD, changed, read};

@@ -418,7 +418,7 @@ fn warnings_reach_terminal_results_and_report() {
     ]);
     let message = stderr(&run);
     assert!(matches!(run.status.code(), Some(0 | 1)), "{message}");
-    let results = tankcheck::results::read(Path::new(&out)).expect("readable");
+    let results = results::read(Path::new(&out)).expect("readable");
     let page = std::fs::read_to_string(Path::new(&out).join("report.html")).expect("written");
     assert_eq!(results.warnings.len(), 2, "{:?}", results.warnings);
     for part in ["scale_by is negative", "unusual yield strength"] {

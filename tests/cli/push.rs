@@ -53,7 +53,7 @@ fn a_pushover_is_written() {
     for name in ["report.html", "figures/push_bulge.svg", "figures/push_meridian_1.svg"] {
         assert!(out.join(name).exists(), "{name}");
     }
-    let push = tankcheck::results::read_push(&out.join("push.json")).expect("readable");
+    let push = results::read_push(&out.join("push.json")).expect("readable");
     assert_eq!(push.shells.len(), 2);
     let perfect = &push.shells[0];
     assert!(perfect.capacity.limit, "{}", perfect.end);
@@ -176,7 +176,7 @@ fn a_mode_is_an_imperfection() {
     let run = tankcheck(&command);
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
     assert!(out.join("figures/push_imperfection_1.svg").exists());
-    let push = tankcheck::results::read_push(&out.join("push.json")).expect("readable");
+    let push = results::read_push(&out.join("push.json")).expect("readable");
     let [perfect, imperfect] = push.shells.as_slice() else {
         panic!("two shells");
     };

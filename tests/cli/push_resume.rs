@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, SystemTime};
 
-use tankcheck::results::{Push, read_push};
+use results::{Push, read_push};
 
 use super::bad_tank::has;
 

@@ -179,7 +179,7 @@ fn ctrl_c_keeps_what_is_done_and_marks_it_incomplete() {
     assert_eq!(run.wait().expect("ends").code(), Some(3));
     let report = std::fs::read_to_string(out.join("report.html")).expect("the harmonic engine was done");
     assert!(report.contains("Incomplete"));
-    let results = tankcheck::results::read(&out).expect("results");
+    let results = results::read(&out).expect("results");
     assert!(results.verdict.incomplete && !results.verdict.holds && results.fe.is_some());
 }
 
@@ -203,7 +203,7 @@ fn a_second_ctrl_c_leaves_nothing() {
         Some(130) => assert!(left.is_empty(), "{left:?}"),
         Some(3) => {
             assert_eq!(left, ["out"]);
-            assert!(tankcheck::results::read(&out).expect("results").verdict.incomplete);
+            assert!(results::read(&out).expect("results").verdict.incomplete);
         }
         other => panic!("ended with {other:?}, left {left:?}"),
     }

@@ -1,6 +1,6 @@
 //! ParaView files: one collection and two well-formed files a moment. `tests/tools` reads them with meshio.
 
-use tankcheck::results::vtu;
+use results::vtu;
 
 use crate::vtu_sample::snapshots;
 

@@ -1,6 +1,6 @@
 //! States to write as ParaView files.
 
-use tankcheck::results::{Resultants, Snapshot, Snapshots};
+use results::{Resultants, Snapshot, Snapshots};
 
 /// Two hexahedra on each other and the two faces of one side, at two moments; node 3 belongs to nothing drawn.
 pub fn snapshots() -> Snapshots {

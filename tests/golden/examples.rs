@@ -7,7 +7,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use tankcheck::numdiff;
+use results::numdiff;
 
 /// One tank file, its record and its accepted report, relative to the root of the repository.
 struct Example {

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::time::Instant;
 
-use tankcheck::numdiff;
+use results::numdiff;
 
 /// A command whose results are kept.
 struct Kept {

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
+use report::template::Templates;
+use report::{Report, build};
+use results::nonlinear::{BaseMoment, Columns, Departure, End, Energies, Nonlinear};
+use results::{NONLINEAR_PREFIX, Results, Series, SeriesInfo};
 use tank::units::Dimension;
-use tankcheck::report::template::Templates;
-use tankcheck::report::{Report, build};
-use tankcheck::results::nonlinear::{BaseMoment, Columns, Departure, End, Energies, Nonlinear};
-use tankcheck::results::{NONLINEAR_PREFIX, Results, Series, SeriesInfo};
 
 use crate::sample::{Kind, sample};
 
@@ -602,10 +602,10 @@ fn a_template_of_the_users_replaces_the_built_in_one() {
 #[test]
 fn render_writes_report_and_figures_and_says_what_is_missing() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let missing = tankcheck::report::render(folder.path(), None).expect_err("there is no results.json");
+    let missing = report::render(folder.path(), None).expect_err("there is no results.json");
     assert!(missing.to_string().contains("results.json"), "{missing}");
     crate::sample::write(folder.path(), Kind::Compare, TITLE);
-    let path = tankcheck::report::render(folder.path(), None).expect("it renders");
+    let path = report::render(folder.path(), None).expect("it renders");
     assert_eq!(path, folder.path().join("report.html"));
     let written = std::fs::read_to_string(&path).expect("readable");
     assert!(written.starts_with("<!DOCTYPE html>"));
@@ -614,6 +614,6 @@ fn render_writes_report_and_figures_and_says_what_is_missing() {
         .count();
     assert_eq!(count, figures(&written).len());
     // Rendering again gives the same bytes.
-    tankcheck::report::render(folder.path(), None).expect("it renders");
+    report::render(folder.path(), None).expect("it renders");
     assert_eq!(written, std::fs::read_to_string(&path).expect("readable"));
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use tankcheck::results::vtu;
+use results::vtu;
 
 #[path = "../cli/vtu_sample.rs"]
 mod sample;

@@ -5,9 +5,9 @@
 //!            refine = 4 in bulging frequency and 0.2 % in the axial stress at the base
 //! Tolerance: observed orders above 3.5 (mode 1 and 2); frequencies and stresses as the theory manual states
 
+use engines::Options;
+use engines::harmonic::{Kind, build, solve};
 use fem::linalg::dot;
-use tankcheck::fe::Options;
-use tankcheck::fe::harmonic::{Kind, build, solve};
 
 use crate::rigid_cylinder::{ZEROS_1, sloshing, tank};
 use crate::tanks::{GRAVITY, assert_close, broad, slender};

@@ -6,11 +6,11 @@
 //!            stresses at the base, π R² n_x + π R m_x (the ground drags the base along: tension in front)
 //! Tolerance: 1e-6 for exact states (condition of K), 0.5 % for stresses at the base (see the convergence of the sheet)
 
+use engines::Options;
+use engines::coupled::Coupled;
+use engines::harmonic::build;
+use engines::probe::Probe;
 use fem::linalg::{Cholesky, dot};
-use tankcheck::fe::Options;
-use tankcheck::fe::coupled::Coupled;
-use tankcheck::fe::harmonic::build;
-use tankcheck::fe::probe::Probe;
 
 use crate::tanks::{GRAVITY, assert_close, broad, case, material, slender};
 use std::f64::consts::PI;

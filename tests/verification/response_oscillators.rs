@@ -4,17 +4,17 @@
 //! Expected:  the exact solution for ground motion that is linear between samples
 //! Tolerance: 1e-12 of the peak for what is exact; second order for Newmark's method, measured by halving the step
 
+use engines::coupled::{Coupled, Part, ShapeRows};
+use engines::damping::{Damper, Rayleigh};
+use engines::harmonic::{CoupledMode, Kind, solve};
+use engines::probe::{ModeSelection, Probe};
+use engines::response::direct::{self, DirectSystem};
+use engines::response::motion::{Grid, Motion};
+use engines::response::observe::Observed;
+use engines::response::superpose::{self, ModalSystem};
 use fem::linalg::Matrix;
 use oscillator::record::Record;
 use tank::units::Dimension;
-use tankcheck::fe::coupled::{Coupled, Part, ShapeRows};
-use tankcheck::fe::damping::{Damper, Rayleigh};
-use tankcheck::fe::harmonic::{CoupledMode, Kind, solve};
-use tankcheck::fe::probe::{ModeSelection, Probe};
-use tankcheck::fe::response::direct::{self, DirectSystem};
-use tankcheck::fe::response::motion::{Grid, Motion};
-use tankcheck::fe::response::observe::Observed;
-use tankcheck::fe::response::superpose::{self, ModalSystem};
 
 use crate::motions::{broad_band, record};
 
@@ -334,8 +334,8 @@ fn direct_integration_converges_to_superposition() {
             let (found, balance) = newmark(&system, &damper, &motion, grid, &outputs);
             assert!(balance < 1e-10, "{balance}");
             let relative = |(e, f): (
-                &tankcheck::fe::response::observe::History,
-                &tankcheck::fe::response::observe::History,
+                &engines::response::observe::History,
+                &engines::response::observe::History,
             )| {
                 // The record's last sample: absolute acceleration on both sides of the jump is the same.
                 let worst = e

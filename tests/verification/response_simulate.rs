@@ -5,13 +5,13 @@
 //! Expected:  beside each test
 //! Tolerance: rounding, or what a slow rise leaves of oscillation
 
+use engines::{DampingModel, Options, Simulation, simulate};
 use oscillator::record::Record;
+use results::Limit;
 use tank::Anchors;
 use tank::Case;
 use tank::Quantity;
 use tank::case::GroundMotion;
-use tankcheck::fe::{DampingModel, Options, Simulation, simulate};
-use tankcheck::results::Limit;
 
 use crate::motions::{broad_band, record, slow_pulse};
 use crate::tanks::{GRAVITY, assert_close, broad};

@@ -5,17 +5,17 @@
 //! Tolerance: beside each test
 
 use codes::mechanical::{Plan, sloshing_omega, wave_factor};
+use engines::damping::Damper;
+use engines::harmonic::{CoupledMode, Kind, build, solve};
+use engines::response::motion::{Grid, Motion};
+use engines::response::observe::Observed;
+use engines::response::superpose::{self, ModalSystem, Observable};
+use engines::{Integrator, Options, Simulation, simulate};
 use oscillator::record::Record;
 use oscillator::sdof;
 use tank::Case;
 use tank::Shape;
 use tank::case::GroundMotion;
-use tankcheck::fe::damping::Damper;
-use tankcheck::fe::harmonic::{CoupledMode, Kind, build, solve};
-use tankcheck::fe::response::motion::{Grid, Motion};
-use tankcheck::fe::response::observe::Observed;
-use tankcheck::fe::response::superpose::{self, ModalSystem, Observable};
-use tankcheck::fe::{Integrator, Options, Simulation, simulate};
 
 use crate::motions::{broad_band, slow_pulse, swelling_harmonic};
 use crate::tanks::{GRAVITY, assert_close, broad, case, material, slender};
@@ -187,7 +187,7 @@ fn peaks(
     let observables: Vec<Observable> = probes.iter().map(|p| vec![(0, 1.0, *p)]).collect();
     let found: Observed =
         superpose::respond(&[system], &[&ground], grid, &[], &observables, &fem::progress::Silent).unwrap();
-    let name = |p: &&tankcheck::fe::probe::Probe| format!("{} {}", p.title, p.id);
+    let name = |p: &&engines::probe::Probe| format!("{} {}", p.title, p.id);
     probes
         .iter()
         .map(name)

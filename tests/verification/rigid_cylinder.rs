@@ -6,8 +6,8 @@
 //! Tolerance: sloshing 0.05, 0.1, 0.3 % for the first three modes and masses as stated below: what the default mesh
 //!            reaches (the rate is asserted in `convergence`); translation of the whole liquid 1e-9, as φ = x is in the space
 
+use engines::liquid::Domain;
 use fem::linalg::dot;
-use tankcheck::fe::liquid::Domain;
 use tankcheck::verify::rigid::RigidTank;
 
 use crate::tanks::{GRAVITY, assert_close};

@@ -4,7 +4,7 @@
 //! Expected:  ω² = (n π g/L₀) tanh(n π H/L₀), L₀ the full length
 //! Tolerance: 0.05, 0.1, 0.3 % for n = 1, 2, 3, as for the cylinder
 
-use tankcheck::fe::liquid::Domain;
+use engines::liquid::Domain;
 use tankcheck::verify::rigid::RigidTank;
 
 use crate::rigid_cylinder::sloshing;

@@ -5,15 +5,15 @@
 //! Tolerance: counts exact; several per cent on coarse meshes, stated at each assertion (the rows of the verification
 //!            manual hold finer meshes to 1 %)
 
+use engines::harmonic::Kind;
+use engines::solid::model::TankModel;
+use engines::solid::system::System;
+use engines::solid::{self, Liquid, MeshSize, SolidOptions, spectrum};
+use engines::{self, FeError, Options, Simulation};
 use fem::linalg::{Pencil, Symbolic, ThreeField};
 use fem::progress::Silent;
 use tank::case::GroundMotion;
-use tankcheck::fe::harmonic::Kind;
-use tankcheck::fe::solid::model::TankModel;
-use tankcheck::fe::solid::system::System;
-use tankcheck::fe::solid::{self, Liquid, MeshSize, SolidOptions, spectrum};
-use tankcheck::fe::{self, FeError, Options, Simulation};
-use tankcheck::verify::cases::broad;
+use tank::reference::broad;
 use tankcheck::verify::solid::artificial;
 
 fn coarse(radial: usize, sectors: usize, vertical: usize) -> SolidOptions {
@@ -96,7 +96,7 @@ fn series(run: &Simulation, id: &str) -> f64 {
 #[test]
 fn two_directions_agree_with_the_harmonic_engine() {
     let case = shaken(true);
-    let reference = fe::simulate(&case, &options()).unwrap();
+    let reference = engines::simulate(&case, &options()).unwrap();
     let run = solid::simulate(&case, &options(), &coarse(8, 24, 16), &Silent).unwrap();
     for (id, tolerance) in [
         ("wave_height_theta_0", 0.03),
@@ -145,7 +145,7 @@ fn displacement_liquid_sloshes_as_its_element_does() {
         .find(|m| m.kind == "sloshing")
         .expect("it sloshes");
     assert!((first.omega / 3.020 - 1.0).abs() < 0.002, "{}", first.omega);
-    let reference = fe::simulate(&case, &options).unwrap();
+    let reference = engines::simulate(&case, &options).unwrap();
     for (id, tolerance) in [
         ("wave_height_theta_0", 0.03),
         ("base_shear", 0.08),
@@ -179,7 +179,7 @@ fn too_large_a_mesh_is_refused_before_it_is_factored() {
 fn direct_integration_of_all_unknowns_agrees_with_the_reduction() {
     let case = shaken(false);
     let direct = Options {
-        integrator: fe::Integrator::Newmark,
+        integrator: engines::Integrator::Newmark,
         ..options()
     };
     let mesh = coarse(4, 12, 7);

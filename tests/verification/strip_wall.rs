@@ -3,9 +3,9 @@
 //! Model:     example 8.4: 5.0 m × 2.57 m, concrete wall 0.3 m, per metre of breadth
 //! Tolerance: 0.01 % for two modes with 30 cubic elements; masses 1e-9
 
+use engines::harmonic::{Kind, build, solve};
+use engines::{FeError, Options};
 use fem::linalg::dot;
-use tankcheck::fe::harmonic::{Kind, build, solve};
-use tankcheck::fe::{FeError, Options};
 
 use crate::tanks::{assert_close, case, material};
 use tank::Case;
@@ -59,7 +59,7 @@ fn masses_and_side_walls() {
         side,
         1e-9,
     );
-    let moment = |c: &tankcheck::fe::coupled::Coupled| {
+    let moment = |c: &engines::coupled::Coupled| {
         c.probes
             .iter()
             .find(|p| p.id == "base_moment")

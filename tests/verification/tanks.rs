@@ -1,6 +1,6 @@
 //! Cases of the verification tests; those of the dissertation are shared with the verification manual.
 
-pub use tankcheck::verify::cases::{GRAVITY, broad, case, material, slender};
+pub use tank::reference::{GRAVITY, broad, case, material, slender};
 
 /// |value/reference − 1| ≤ tolerance, with a message that shows both.
 pub fn assert_close(what: &str, value: f64, reference: f64, tolerance: f64) {

@@ -6,8 +6,8 @@
 //!            ω² are the roots of a 3 × 3 eigenproblem; free ring with ν = 0: 2 × 2 in (V, W)
 //! Tolerance: 1e-4: 46 elements over half a wave to three halves (the observed error is below 3e-5 and falls with h⁴)
 
+use engines::harmonic::{NODAL, NODE, Wall};
 use fem::linalg::{Matrix, generalized_eigen};
-use tankcheck::fe::harmonic::{NODAL, NODE, Wall};
 
 use crate::tanks::{assert_close, case, material};
 use tank::{Material, Shape};

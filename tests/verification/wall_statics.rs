@@ -8,8 +8,8 @@
 //!            the base layer; 16 elements within 3 √(R t)), axial force 1e-8 (statically determinate, and
 //!            quartic u makes it exact whatever the hoop strain does)
 
+use engines::harmonic::{Output, Static};
 use nalgebra::{DMatrix, DVector};
-use tankcheck::fe::harmonic::{Output, Static};
 
 use crate::tanks::{assert_close, broad, case, material};
 use tank::Case;

@@ -14,6 +14,7 @@
 pub mod assessment;
 pub mod case;
 pub mod quantity;
+pub mod reference;
 #[allow(clippy::module_inception)]
 mod tank;
 pub mod units;

@@ -6,9 +6,9 @@ use std::path::Path;
 
 use sha2::{Digest, Sha256};
 
-use crate::error::Error;
 use crate::input::diagnostic::Fault;
 use crate::input::records::MAX_BYTES;
+use files::error::Error;
 
 /// Reads the file, or standard input for `-`.
 pub fn load(path: &Path) -> Result<Vec<u8>, Error> {
@@ -19,8 +19,8 @@ pub fn load(path: &Path) -> Result<Vec<u8>, Error> {
     if path == Path::new("-") {
         return read_limited(std::io::stdin().lock(), path);
     }
-    let metadata = std::fs::metadata(path)
-        .map_err(|e| fail(format!("cannot read the record: {}", crate::results::describe(&e))))?;
+    let metadata =
+        std::fs::metadata(path).map_err(|e| fail(format!("cannot read the record: {}", files::error::describe(&e))))?;
     if metadata.is_dir() {
         return Err(fail(
             "found a folder, allowed a record file (CSV, two-column text, PEER .AT2)".into(),
@@ -29,8 +29,7 @@ pub fn load(path: &Path) -> Result<Vec<u8>, Error> {
     if metadata.len() > MAX_BYTES {
         return Err(fail(too_large(metadata.len())));
     }
-    let file =
-        File::open(path).map_err(|e| fail(format!("cannot read the record: {}", crate::results::describe(&e))))?;
+    let file = File::open(path).map_err(|e| fail(format!("cannot read the record: {}", files::error::describe(&e))))?;
     read_limited(file, path)
 }
 
@@ -38,7 +37,7 @@ fn read_limited(reader: impl Read, path: &Path) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     let outcome = reader.take(MAX_BYTES + 1).read_to_end(&mut bytes);
     let what = match outcome {
-        Err(e) => format!("cannot read the record: {}", crate::results::describe(&e)),
+        Err(e) => format!("cannot read the record: {}", files::error::describe(&e)),
         Ok(n) if n as u64 > MAX_BYTES => too_large(n as u64),
         Ok(_) => return Ok(bytes),
     };

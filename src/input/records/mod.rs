@@ -24,8 +24,8 @@ use std::path::Path;
 
 use oscillator::record::Record;
 
-use crate::error::Error;
 use crate::input::diagnostic::{Fault, Faults, Source};
+use files::error::Error;
 
 pub use process::process;
 pub use unit::AccelerationUnit;

@@ -5,9 +5,9 @@ use std::fmt::Display;
 use oscillator::record::Record;
 use tank::STANDARD_GRAVITY;
 
-use crate::error::Error;
 use crate::input::records::process::number;
 use crate::input::records::{MAX_PEAK, MAX_PLAUSIBLE, Processing};
+use files::error::Error;
 
 /// Longest time step of ground motion that is usual [s]: at 0.1 s nothing above 5 Hz is left.
 const LONG_STEP: f64 = 0.1;

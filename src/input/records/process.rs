@@ -3,8 +3,8 @@
 use oscillator::record::Record;
 use tank::STANDARD_GRAVITY;
 
-use crate::error::Error;
 use crate::input::records::{MAX_SAMPLES, Processing, plausible};
+use files::error::Error;
 
 /// Applies the processing: `scale_by`, `scale_to`, `time_factor`, `resample`, in this order; every step is stated in
 /// [`Record::processing`].

@@ -7,8 +7,8 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use super::read::{FromNode, wrong_kind, wrong_value};
 use super::schema::BehaviourKinds;
 use super::syntax::{Kind, Node};
-use crate::fe::nonlinear::ThicknessRule;
 use crate::input::diagnostic::Faults;
+use engines::nonlinear::ThicknessRule;
 
 /// The word `"elastic"`, or an object with the parameters of another behaviour.
 #[derive(Clone, Debug)]

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use sha2::{Digest, Sha256};
 
-use crate::error::Error;
 use crate::input::diagnostic::Source;
+use files::error::Error;
 
 /// Largest file that is read [bytes].
 pub(super) const MAX_BYTES: u64 = 1 << 20;

@@ -15,9 +15,9 @@ mod values;
 
 use std::path::Path;
 
-use crate::error::Error;
 use crate::input::TankFile;
 use crate::input::diagnostic::{Faults, Source};
+use files::error::Error;
 
 pub use resolve::Places;
 pub use schema::json_schema;

@@ -1,7 +1,7 @@
 //! Example 8.1: statics, frequencies and three records.
 
 use super::*;
-use crate::verify::cases::broad;
+use tank::reference::broad;
 
 const STATIC: [Line; 5] = [
     line("first sloshing frequency", "rad/s", &["3.02"]),

@@ -18,9 +18,9 @@ use tank::case::GroundMotion;
 use tank::units::significant;
 
 use crate::error::Error;
-use crate::fe::solid::{self, Liquid, MeshSize, SolidOptions};
-use crate::fe::{DampingModel, FeError, Options, Simulation, simulate};
 use crate::input::records::{Processing, ReadOptions, process, read};
+use engines::solid::{self, Liquid, MeshSize, SolidOptions};
+use engines::{DampingModel, FeError, Options, Simulation, simulate};
 
 /// The dissertation's g.
 const G: f64 = 9.81;

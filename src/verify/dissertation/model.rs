@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use tank::Shape;
 
 use super::*;
-use crate::verify::cases::{case, material};
+use tank::reference::{case, material};
 
 /// Table 8.8: depth [m], test and simulation [Hz].
 const FREQUENCIES: [(f64, &str, &str); 5] = [

@@ -1,7 +1,7 @@
 //! Example 8.3: slender steel tank, five depths.
 
 use super::*;
-use crate::verify::cases::slender;
+use tank::reference::slender;
 
 /// Table 8.10: depth [m], wave [cm], axial stress [N/mm²].
 const PRINTED: [(f64, [Line; 3]); 5] = [

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use results::*;
 use tank::units::Dimension;
 use tank::{Liquid, Tank};
-use tankcheck::results::*;
 
 use super::G;
 

@@ -2,9 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
+use results::*;
 use tank::units::Dimension;
 use tank::{Liquid, Tank};
-use tankcheck::results::*;
 
 const SECTORS: usize = 24;
 const LEVELS: usize = 16;

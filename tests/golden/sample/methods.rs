@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 
 use codes::sheet::Sheet;
+use results::*;
 use tank::Quantity;
 use tank::assessment::{Check, Excitation, Profile};
 use tank::case::Reported;
 use tank::units::Dimension;
 use tank::{Liquid, Tank};
-use tankcheck::results::*;
 
 use super::{G, Kind};
 

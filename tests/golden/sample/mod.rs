@@ -3,10 +3,10 @@
 //! Frequencies, masses and levers follow Housner's formulas; the motion is a sum of sines under an envelope, and each
 //! history is a single oscillator under that motion. Numbers are of the right size; no test asserts their values.
 
+use results::*;
 use tank::Quantity;
 use tank::assessment::Check;
 use tank::{Course, Liquid, Material, Roof, Shape, Support, Tank};
-use tankcheck::results::*;
 
 mod engine;
 mod fields;
@@ -215,7 +215,7 @@ pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
 /// Writes a sample into a folder.
 pub fn write(folder: &std::path::Path, kind: Kind, name: &str) {
     let (results, series) = sample(kind, name);
-    tankcheck::results::write(folder, &results, &series).expect("a temporary folder can be written");
+    results::write(folder, &results, &series).expect("a temporary folder can be written");
 }
 
 fn tank(kind: Kind) -> Tank {

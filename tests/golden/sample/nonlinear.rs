@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
+use results::nonlinear::*;
+use results::*;
 use tank::units::Dimension;
 use tank::{Liquid, Tank};
-use tankcheck::results::nonlinear::*;
-use tankcheck::results::*;
 
 /// Sectors of the half, and rows.
 const SECTORS: usize = 40;

@@ -22,7 +22,7 @@ use super::schema;
 use super::values::{Acceleration, Si};
 use crate::input::TankFile;
 use crate::input::diagnostic::{Fault, Faults, Source};
-use crate::results::InputValue;
+use results::InputValue;
 
 /// Resolves the file; `None` (or any fault) if it gives no case.
 pub(super) fn resolve(file: &schema::TankFile, faults: &mut Faults) -> Option<TankFile> {

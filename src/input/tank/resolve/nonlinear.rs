@@ -5,11 +5,11 @@ use tank::{Shape, Tank};
 
 use super::options::{RATIO, rayleigh};
 use super::{Limits, Resolver, range_fault};
-use crate::fe::nonlinear::scope::{MOST_ROWS, MOST_SECTORS};
-use crate::fe::nonlinear::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, WallElements};
 use crate::input::tank::read::Field;
 use crate::input::tank::schema;
 use crate::input::tank::values::{Number, Time, Whole};
+use engines::nonlinear::scope::{MOST_ROWS, MOST_SECTORS};
+use engines::nonlinear::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, WallElements};
 
 /// What is not given is the engine's own default; it is echoed if anything is given.
 pub(super) fn nonlinear(

@@ -6,13 +6,13 @@ use tank::units::Dimension;
 use tank::{Shape, Tank};
 
 use super::{Limits, Resolver, like_field, range_fault};
-use crate::fe;
-use crate::fe::solid::{Liquid, SolidOptions};
 use crate::input::records::Processing;
 use crate::input::tank::read::{Field, FromNode};
 use crate::input::tank::reported::{Measured, Raw};
 use crate::input::tank::schema;
 use crate::input::tank::values::{Length, Number, Pitch, Whole, quantity};
+use engines;
+use engines::solid::{Liquid, SolidOptions};
 
 /// Damping ratios.
 pub(super) const RATIO: Limits = Limits::from(0.0).below(1.0);
@@ -219,8 +219,8 @@ pub(super) fn analysis(
     r: &mut Resolver<'_>,
     field: &Option<Field<schema::Analysis>>,
     tank: Option<&Tank>,
-) -> fe::Options {
-    let mut options = fe::Options::default();
+) -> engines::Options {
+    let mut options = engines::Options::default();
     let Some(given) = field.as_ref().and_then(|f| f.value.as_ref()) else {
         r.echo_default("analysis", "not given", "modal integration on the default mesh");
         return options;
@@ -228,8 +228,8 @@ pub(super) fn analysis(
     if let Some(field) = &given.integrator {
         r.echo_given(field);
         options.integrator = match field.value {
-            Some(schema::Integrator::Newmark) => fe::Integrator::Newmark,
-            _ => fe::Integrator::Modal,
+            Some(schema::Integrator::Newmark) => engines::Integrator::Newmark,
+            _ => engines::Integrator::Modal,
         };
     }
     if let Some(field) = &given.refine {
@@ -367,7 +367,7 @@ fn damping_model(
     r: &mut Resolver<'_>,
     field: &Field<schema::AnalysisDamping>,
     model: &schema::AnalysisDamping,
-) -> fe::DampingModel {
+) -> engines::DampingModel {
     match (&model.rayleigh, &model.coefficients) {
         (
             Some(Field {
@@ -376,23 +376,25 @@ fn damping_model(
             None,
         ) => {
             let (first, second, allow_negative) = self::rayleigh(r, rayleigh);
-            fe::DampingModel::Rayleigh {
+            engines::DampingModel::Rayleigh {
                 first,
                 second,
                 allow_negative,
             }
         }
-        (None, Some(Field { value: Some(c), .. })) => fe::DampingModel::Coefficients {
+        (None, Some(Field { value: Some(c), .. })) => engines::DampingModel::Coefficients {
             mass: r.number(&c.mass, Limits::from(-1e6).to(1e6)),
             stiffness: r.number(&c.stiffness, Limits::from(-1e6).to(1e6)),
         },
-        (Some(Field { value: None, .. }), None) | (None, Some(Field { value: None, .. })) => fe::DampingModel::Modal,
+        (Some(Field { value: None, .. }), None) | (None, Some(Field { value: None, .. })) => {
+            engines::DampingModel::Modal
+        }
         (Some(_), Some(_)) | (None, None) => {
             r.faults.push(
                 range_fault(field, "one damping model is wanted", "either rayleigh or coefficients")
                     .help("leave analysis.damping out for the modal ratios of `damping`"),
             );
-            fe::DampingModel::Modal
+            engines::DampingModel::Modal
         }
     }
 }

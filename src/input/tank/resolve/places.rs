@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::range_fault;
-use crate::fe::nonlinear::scope::{Place, Refusal};
 use crate::input::diagnostic::Fault;
 use crate::input::tank::behaviour::Behaviour;
 use crate::input::tank::read::Field;
 use crate::input::tank::schema;
+use engines::nonlinear::scope::{Place, Refusal};
 
 /// Places in a file.
 #[derive(Clone, Debug, Default)]

@@ -1,0 +1,233 @@
+//! From a case to the coupled system of one harmonic.
+
+use tank::Case;
+use tank::Shape;
+
+use crate::coupled::{Coupled, Part, ShapeRows};
+use crate::liquid::{Domain, LiquidMesh, Potential};
+use crate::{FeError, Options};
+use fem::linalg::{Cholesky, LinalgError};
+use results::Labelled;
+
+use super::assembly::{Assembly, RoofShare};
+use super::observe::Observer;
+use super::state::Static;
+use super::wall::Wall;
+
+/// Allowed range of [`Options::refine`].
+const REFINE: std::ops::RangeInclusive<f64> = 0.25..=16.0;
+
+/// Builds the coupled system of a harmonic: m = 0, 1, 2, … of a cylinder; 0 (symmetric) or 1 (antisymmetric) of a
+/// rectangle, which is modelled as a plane strip of its breadth.
+///
+/// Memory is not looked at: [`super::estimate`] counts it.
+///
+/// Errors: an option out of range; a liquid too shallow for a mesh; a harmonic a rectangle does not have.
+pub fn build(case: &Case, options: &Options, harmonic: u32) -> Result<Coupled, FeError> {
+    check_options(case, options)?;
+    let domain = domain(case, harmonic)?;
+    let depth = case.liquid.fill_height;
+    let wall = Wall::new(&case.tank, depth, harmonic, options.refine);
+    let mesh = LiquidMesh::graded(domain.half_length(), depth, options.refine);
+
+    let tolerance = 1e-6 * case.tank.wall_height();
+    let mut trace: Vec<f64> = wall.nodes.iter().copied().filter(|&z| z <= depth + tolerance).collect();
+    *trace.last_mut().expect("the base is always wetted") = depth;
+    let liquid = Potential::new(domain, mesh, trace, case.liquid.density).map_err(failure("the liquid matrix H"))?;
+    let share = meshed_share(case);
+    let roof = RoofShare {
+        mass: share * case.tank.roof.mass,
+        offset: case.tank.roof_height() - case.tank.wall_height(),
+    };
+    let state = Static::solve(case, options.refine, roof.mass).map_err(failure("the wall's static stiffness"))?;
+    let assembly = Assembly::new(case, harmonic, wall, liquid, roof);
+
+    let mass = assembly.reduction.matrix(&assembly.mass);
+    let stiffness = assembly.reduction.matrix(&assembly.stiffness);
+    let factor = Cholesky::factor(&mass).map_err(failure("the coupled mass matrix"))?;
+    let influence = factor.solve_vector(&assembly.reduction.row(&assembly.load));
+    let moment_arm = factor.solve_vector(&assembly.reduction.row(&assembly.mass.times(&assembly.rotation)));
+    let observer = Observer {
+        assembly: &assembly,
+        state: &state,
+        case,
+        influence: &influence,
+        rigid: rigid_part(case, share),
+    };
+    let (probes, lines) = (observer.probes(options), observer.lines());
+    let first = (0..assembly.surface_start())
+        .filter(|&i| assembly.reduction.index(i).is_some())
+        .count();
+    Ok(Coupled {
+        harmonic,
+        surface: Part::block(&stiffness, first..assembly.reduction.len()),
+        rotation: None,
+        probes,
+        lines,
+        liquid_mass: case.liquid_mass(),
+        wall_mass: case.tank.wall_mass() + case.tank.roof.mass,
+        mesh: describe(&assembly),
+        shape_rows: shape_rows(&assembly),
+        mass,
+        stiffness,
+        influence,
+        moment_arm,
+    })
+}
+
+/// Checks the options that concern the model.
+///
+/// Errors: the first option out of range.
+pub fn check_options(case: &Case, options: &Options) -> Result<(), FeError> {
+    let out_of_range = |option: &str, found: String, allowed: String| FeError::Option {
+        option: option.into(),
+        found,
+        allowed,
+    };
+    if !REFINE.contains(&options.refine) {
+        let allowed = format!("{} to {}", REFINE.start(), REFINE.end());
+        return Err(out_of_range("refine", options.refine.to_string(), allowed));
+    }
+    if options.wave_modes == 0 {
+        return Err(out_of_range("wave_modes", "0".into(), "1 or more".into()));
+    }
+    check_depth(case)?;
+    let half_length = case.tank.shape.half_length();
+    if let Some(r) = options.gauges.iter().find(|r| r.is_nan() || r.abs() > half_length) {
+        return Err(out_of_range(
+            "gauges",
+            format!("{r} m"),
+            format!("{} m to {half_length} m", -half_length),
+        ));
+    }
+    let height = case.tank.wall_height();
+    if let Some(z) = options.stations.iter().find(|z| !(0.0..=height).contains(*z)) {
+        return Err(out_of_range("stations", format!("{z} m"), format!("0 m to {height} m")));
+    }
+    Ok(())
+}
+
+/// Least depth of the liquid over the height of the wall: nodes of the wall closer than a millionth of its height are one.
+const SHALLOWEST: f64 = 1e-4;
+
+/// Checks that the liquid is deep enough for nodes of its own.
+///
+/// Errors: a film on the bottom.
+pub fn check_depth(case: &Case) -> Result<(), FeError> {
+    let least = SHALLOWEST * case.tank.wall_height();
+    if case.liquid.fill_height >= least {
+        return Ok(());
+    }
+    Err(FeError::Option {
+        option: "liquid.fill_height".into(),
+        found: format!("{} m", case.liquid.fill_height),
+        allowed: format!("at least {least} m for finite elements, a ten-thousandth of the height of the wall"),
+    })
+}
+
+fn domain(case: &Case, harmonic: u32) -> Result<Domain, FeError> {
+    match case.tank.shape {
+        Shape::Cylinder { radius } => Ok(Domain::Cylinder { radius, harmonic }),
+        Shape::Rectangle { length, breadth, .. } if harmonic <= 1 => Ok(Domain::Strip {
+            half_length: 0.5 * length,
+            breadth,
+            symmetric: harmonic == 0,
+        }),
+        Shape::Rectangle { .. } => Err(FeError::Unsupported(format!(
+            "harmonic {harmonic}: a rectangular tank has the harmonics 0 (symmetric) and 1 (antisymmetric) only"
+        ))),
+    }
+}
+
+/// Share of wall perimeter (and of the roof) that the meshed walls carry: all of it but for the side walls of a rectangle.
+fn meshed_share(case: &Case) -> f64 {
+    match case.tank.shape {
+        Shape::Cylinder { .. } => 1.0,
+        Shape::Rectangle { breadth, .. } => 2.0 * breadth / case.tank.perimeter(),
+    }
+}
+
+/// Mass and first moment about the base of the side walls and their share of the roof, which follow the ground.
+fn rigid_part(case: &Case, meshed: f64) -> (f64, f64) {
+    let walls = (1.0 - meshed) * case.tank.wall_mass();
+    let roof = (1.0 - meshed) * case.tank.roof.mass;
+    (
+        walls + roof,
+        walls * case.tank.wall_centroid() + roof * case.tank.roof_height(),
+    )
+}
+
+/// Turns a failed factorisation into an error of the engine.
+pub(crate) fn failure(matrix: &'static str) -> impl Fn(LinalgError) -> FeError {
+    move |error| match error {
+        LinalgError::NotPositiveDefinite { .. } => FeError::NotPositiveDefinite {
+            matrix: matrix.into(),
+            cause: error.to_string(),
+        },
+        other => FeError::Eigen(format!("{matrix}: {other}")),
+    }
+}
+
+fn describe(assembly: &Assembly) -> Vec<Labelled> {
+    let (r, z) = assembly.liquid.mesh.elements();
+    let wall = &assembly.wall;
+    let shortest = wall.elements.iter().fold(f64::INFINITY, |m, e| m.min(e.length));
+    let kind = if wall.curvature > 0.0 {
+        "shell of revolution"
+    } else {
+        "plane strip"
+    };
+    let label = |label: &str, text: String| Labelled {
+        label: label.into(),
+        text,
+    };
+    vec![
+        label("liquid elements", format!("{r} × {z}, nine nodes, potential condensed")),
+        label(
+            "wall elements",
+            format!(
+                "{}, {kind}, shortest {:.2e} m at the base",
+                wall.elements.len(),
+                shortest
+            ),
+        ),
+        label(
+            "unknowns",
+            format!(
+                "{} ({} wall, {} free surface)",
+                assembly.reduction.len(),
+                assembly.reduction.len() - free_surface(assembly),
+                free_surface(assembly)
+            ),
+        ),
+    ]
+}
+
+fn free_surface(assembly: &Assembly) -> usize {
+    (assembly.surface_start()..assembly.size)
+        .filter(|&i| assembly.reduction.index(i).is_some())
+        .count()
+}
+
+fn shape_rows(assembly: &Assembly) -> ShapeRows {
+    let start = assembly.surface_start() - assembly.liquid.surface_columns().start;
+    let row = |index: Option<usize>| index.map(|i| (i, 1.0)).into_iter().collect();
+    let mut rows = ShapeRows {
+        z: assembly.wall.nodes.clone(),
+        wall: assembly
+            .node
+            .iter()
+            .map(|n| row(n[2].and_then(|i| assembly.reduction.index(i))))
+            .collect(),
+        ..ShapeRows::default()
+    };
+    for (&r, column) in assembly.liquid.mesh.r.iter().zip(&assembly.liquid.surface) {
+        let index = column.map(|c| assembly.reduction.index(start + c));
+        // The elevation that follows from the balance of volume is no unknown: its radius is left out.
+        if index != Some(None) {
+            rows.r.push(r);
+            rows.surface.push(row(index.flatten()));
+        }
+    }
+    rows
+}

@@ -1,0 +1,125 @@
+//! What the linear engine assumes, and where a case leaves the range it is good for.
+
+use std::f64::consts::PI;
+use tank::Case;
+use tank::{Shape, Support};
+
+use results::Mode;
+
+/// Velocity of sound in the liquid that the test of compressibility assumes (water) [m/s].
+const SOUND: f64 = 1435.0;
+
+/// Bulging frequency over the lowest acoustic frequency above which compressibility is mentioned; its relative effect is
+/// about half the square of the ratio, 4.5 % here.
+const ACOUSTIC_RATIO: f64 = 0.3;
+
+/// Thickness over radius above which a thin shell (no shear deformation, one radius) is no longer a good model.
+const THICK: f64 = 0.1;
+
+/// What the model assumes for this case, one sentence each.
+pub fn assumptions(case: &Case) -> Vec<String> {
+    let mut out = vec![
+        "The liquid is inviscid and incompressible, its waves are small (linear potential theory about the state of rest)."
+            .to_owned(),
+        "The liquid stays in contact with the wall everywhere; the bottom is rigid and follows the ground.".to_owned(),
+        "The wall is linear elastic and thin; hydrostatic and self-weight stresses do not stiffen it.".to_owned(),
+    ];
+    match case.tank.shape {
+        Shape::Cylinder { .. } => {
+            out.push("The wall is clamped at its base to rigid ground.".to_owned());
+            if case.tank.support == Support::Unanchored {
+                out.push(
+                    "The tank is unanchored, but the engine keeps it in contact with the ground: no uplift.".to_owned(),
+                );
+            }
+            if case.tank.roof.mass > 0.0 {
+                out.push(
+                    "The roof is a ring of mass on the top edge, its centre joined rigidly to the edge; it does not \
+                     stiffen the wall."
+                        .to_owned(),
+                );
+            }
+        }
+        Shape::Rectangle { strip, .. } => {
+            out.push(
+                "The two walls across the shaking are cantilevers in plane strain, clamped at the base; what ties them \
+                 together at the corners or the top is left out."
+                    .to_owned(),
+            );
+            if !strip {
+                out.push(
+                    "The tank is modelled as a strip of its breadth: the side walls are rigid and follow the ground; \
+                     their mass, and their share of the roof by length, counts in the base reactions."
+                        .to_owned(),
+                );
+            }
+        }
+    }
+    out
+}
+
+/// Warnings that the modes of a case give rise to, one sentence each.
+pub fn notes(case: &Case, modes: &[Mode]) -> Vec<String> {
+    let mut out = Vec::new();
+    let structural = |harmonic: u32| {
+        modes
+            .iter()
+            .find(move |m| m.harmonic == harmonic && m.kind == "structural")
+    };
+    let acoustic = SOUND / (4.0 * case.liquid.fill_height);
+    for (harmonic, name) in [(1, "bulging"), (0, "breathing")] {
+        let Some(mode) = structural(harmonic) else { continue };
+        let frequency = mode.omega / (2.0 * PI);
+        if frequency > ACOUSTIC_RATIO * acoustic {
+            out.push(format!(
+                "compressibility: the first {name} mode ({frequency:.1} Hz) lies above {ACOUSTIC_RATIO} of the lowest \
+                 acoustic frequency c/(4 H) = {acoustic:.1} Hz (c = {SOUND} m/s, water); the liquid is taken as \
+                 incompressible, which changes that frequency by about {:.0} %",
+                50.0 * (frequency / acoustic).powi(2)
+            ));
+        }
+    }
+    if modes.iter().any(|m| m.harmonic >= 2 && m.kind == "structural") {
+        out.push(
+            "structural modes with two or more waves around the circumference are without the stiffening by the \
+             hydrostatic hoop tension and come out too low"
+                .to_owned(),
+        );
+    }
+    if let Shape::Cylinder { radius } = case.tank.shape {
+        let thickest = case.tank.courses.iter().fold(0.0_f64, |m, c| m.max(c.thickness));
+        if thickest > THICK * radius {
+            out.push(format!(
+                "thick wall: t/R = {:.2} exceeds {THICK}; shear deformation of the wall is left out",
+                thickest / radius
+            ));
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Options;
+    use crate::harmonic::{modes, test_tanks};
+
+    /// The broad tank: 26.2 Hz against 0.3 · 235 Hz, thin wall. A stiff deep one of concrete must warn twice.
+    #[test]
+    fn warns_where_it_should() {
+        let case = test_tanks::broad();
+        let found = modes(&case, &Options::default(), &[0, 1], 2).unwrap();
+        assert_eq!(notes(&case, &found), Vec::<String>::new());
+
+        let deep = test_tanks::case(
+            Shape::Cylinder { radius: 4.0 },
+            &[(20.0, 0.5)],
+            (30e9, 0.2, 2500.0),
+            (1000.0, 19.0),
+        );
+        let found = modes(&deep, &Options::default(), &[0, 1], 2).unwrap();
+        let said = notes(&deep, &found);
+        assert!(said.iter().any(|n| n.starts_with("compressibility")), "{said:?}");
+        assert!(said.iter().any(|n| n.starts_with("thick wall")), "{said:?}");
+    }
+}

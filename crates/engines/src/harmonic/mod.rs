@@ -1,0 +1,27 @@
+//! The default linear engine: one Fourier harmonic of a cylinder, or a plane strip, at a time.
+//!
+//! [`build`] couples the condensed liquid of [`crate::liquid`] with the wall of this folder and returns the
+//! [`crate::coupled::Coupled`] that the response analyses work on; [`modes`] sorts its eigenmodes.
+
+mod assembly;
+mod build;
+mod estimate;
+mod limits;
+mod modes;
+mod observe;
+mod reduce;
+mod state;
+mod wall;
+mod wall_mesh;
+
+pub(crate) use build::failure;
+pub use build::{build, check_depth, check_options};
+pub use estimate::estimate;
+pub use limits::{assumptions, notes};
+pub use modes::{CoupledMode, Kind, modes, solve};
+pub use state::Static;
+pub use wall::{Element, LOCAL, LocalMatrix, LocalRow, NODAL, NODE, Output, Wall};
+pub use wall_mesh::wall_nodes;
+
+#[cfg(test)]
+pub(crate) mod test_tanks;

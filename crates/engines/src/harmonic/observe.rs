@@ -1,0 +1,297 @@
+//! What is observed of one harmonic: probes and lines, each a linear functional of the free unknowns.
+//!
+//! Signs: tension positive; liquid pressure positive in compression; reactions are positive as inertia forces of a
+//! positive acceleration (base shear = ιᵀ M ẍ_total). Values at θ = 0.
+
+use tank::Case;
+use tank::units::Dimension;
+
+use crate::Options;
+use crate::probe::{ModeSelection, Probe, ProbeLine};
+use fem::linalg::dot;
+
+use super::assembly::Assembly;
+use super::state::Static;
+use super::wall::Output;
+
+/// Builds the probes of one harmonic.
+pub(super) struct Observer<'a> {
+    pub(super) assembly: &'a Assembly,
+    pub(super) state: &'a Static,
+    pub(super) case: &'a Case,
+    /// ι on the free unknowns.
+    pub(super) influence: &'a [f64],
+    /// Mass and first moment of what moves with the ground and is not meshed (side walls of a rectangle).
+    pub(super) rigid: (f64, f64),
+}
+
+/// Ids, titles and dimensions of the lines over the height.
+const LINES: [(Output, &str, &str, Dimension); 4] = [
+    (
+        Output::HoopStress,
+        "hoop_stress",
+        "Hoop membrane stress",
+        Dimension::Stress,
+    ),
+    (
+        Output::AxialStress,
+        "axial_membrane_stress",
+        "Axial membrane stress",
+        Dimension::Stress,
+    ),
+    (
+        Output::BendingStress,
+        "bending_stress",
+        "Meridional bending stress, outer face",
+        Dimension::Stress,
+    ),
+    (
+        Output::RadialDisplacement,
+        "radial_displacement",
+        "Radial displacement",
+        Dimension::Length,
+    ),
+];
+
+/// A place on the wall: height, and the elements whose rows are averaged there.
+struct Place {
+    z: f64,
+    at: Vec<(usize, f64)>,
+}
+
+impl Observer<'_> {
+    /// Scalar outputs.
+    pub(super) fn probes(&self, options: &Options) -> Vec<Probe> {
+        let mut probes = vec![self.gauge(self.assembly.liquid.domain.half_length(), "wall", options)];
+        for &r in &options.gauges {
+            probes.push(self.gauge(r, &r.to_string(), options));
+        }
+        probes.extend(self.reactions());
+        let base = Place {
+            z: 0.0,
+            at: vec![(0, -1.0)],
+        };
+        for (output, id, title, dimension) in LINES.into_iter().filter(|l| self.exists(l.0)) {
+            if output == Output::AxialStress || output == Output::BendingStress {
+                let title = format!("{title} at the base");
+                probes.push(self.wall_probe(&format!("{id}@base"), &title, dimension, output, &base));
+            }
+        }
+        probes.push(self.wall_probe(
+            "wall_moment@base",
+            "Meridional bending moment of the wall at the base",
+            Dimension::LineMoment,
+            Output::BendingMoment,
+            &base,
+        ));
+        for &z in &options.stations {
+            let place = Place {
+                z,
+                at: vec![self.assembly.wall.locate(z, true)],
+            };
+            for (output, id, title, dimension) in LINES.into_iter().filter(|l| self.exists(l.0)) {
+                let title = format!("{title} at z = {z} m");
+                probes.push(self.wall_probe(&format!("{id}@{z}"), &title, dimension, output, &place));
+            }
+        }
+        probes
+    }
+
+    /// Outputs over the height.
+    pub(super) fn lines(&self) -> Vec<ProbeLine> {
+        let places = self.places();
+        let mut lines = vec![self.pressure_line(&places)];
+        for (output, id, title, dimension) in LINES.into_iter().filter(|l| self.exists(l.0)) {
+            lines.push(ProbeLine {
+                id: id.into(),
+                title: title.into(),
+                dimension,
+                z: places.iter().map(|p| p.z).collect(),
+                probes: places
+                    .iter()
+                    .enumerate()
+                    .map(|(i, p)| self.wall_probe(&format!("{id}[{i}]"), title, dimension, output, p))
+                    .collect(),
+            });
+        }
+        lines
+    }
+
+    /// A plane wall has no hoop stress.
+    fn exists(&self, output: Output) -> bool {
+        output != Output::HoopStress || self.assembly.wall.curvature > 0.0
+    }
+
+    /// Wall nodes, mid-points of long elements, and both sides of a course joint.
+    fn places(&self) -> Vec<Place> {
+        let wall = &self.assembly.wall;
+        let long = 0.5 * wall.nodes[wall.nodes.len() - 1] / 30.0;
+        let mut places = Vec::new();
+        for (e, element) in wall.elements.iter().enumerate() {
+            let joint = e > 0 && {
+                let below = &wall.elements[e - 1];
+                below.thickness != element.thickness || below.material != element.material
+            };
+            let z = element.bottom;
+            match e {
+                0 => places.push(Place { z, at: vec![(0, -1.0)] }),
+                _ if joint => {
+                    places.push(Place {
+                        z,
+                        at: vec![(e - 1, 1.0)],
+                    });
+                    places.push(Place { z, at: vec![(e, -1.0)] });
+                }
+                _ => places.push(Place {
+                    z,
+                    at: vec![(e - 1, 1.0), (e, -1.0)],
+                }),
+            }
+            if element.length > long {
+                places.push(Place {
+                    z: z + 0.5 * element.length,
+                    at: vec![(e, 0.0)],
+                });
+            }
+        }
+        let top = wall.elements.len() - 1;
+        places.push(Place {
+            z: wall.nodes[top + 1],
+            at: vec![(top, 1.0)],
+        });
+        places
+    }
+
+    fn wall_probe(&self, id: &str, title: &str, dimension: Dimension, output: Output, place: &Place) -> Probe {
+        let share = 1.0 / place.at.len() as f64;
+        let assembly = self.assembly;
+        let (mut row, mut inertia) = (vec![0.0; assembly.size], vec![0.0; assembly.size]);
+        let mut static_value = 0.0;
+        for &(e, xi) in &place.at {
+            let element = &assembly.wall.elements[e];
+            let local = assembly.wall.output(e, xi, output);
+            assembly.add_nodal_row(e, &element.condensed_row(&local), share, &mut row);
+            assembly.add_nodal_row(e, &element.inertia_row(&local), share, &mut inertia);
+            static_value += share * self.state.value(e, xi, output);
+        }
+        let probe = Probe {
+            displacement: assembly.reduction.row(&row),
+            static_value,
+            ..empty(id, title, dimension)
+        };
+        // The wall's own weight matters beside its axial stress under vertical motion only (m = 0).
+        if assembly.harmonic == 0 && output == Output::AxialStress {
+            let rigid = dot(&inertia, &assembly.translation);
+            return self.acceleration_probe(probe, &inertia, rigid);
+        }
+        probe
+    }
+
+    fn gauge(&self, r: f64, place: &str, options: &Options) -> Probe {
+        let row = self.assembly.liquid_row(&self.assembly.liquid.elevation(r));
+        let title = match place {
+            "wall" => "Wave height at the wall".to_owned(),
+            at => format!("Wave height at {at} m from the centre"),
+        };
+        Probe {
+            displacement: self.assembly.reduction.row(&row),
+            modes: ModeSelection::FirstSloshing(options.wave_modes),
+            ..empty(&format!("wave_height@{place}"), &title, Dimension::Length)
+        }
+    }
+
+    /// Base shear ιᵀ M ẍ, moment κᵀ M ẍ above and below the bottom plate.
+    fn reactions(&self) -> Vec<Probe> {
+        let assembly = self.assembly;
+        let zero = vec![0.0; assembly.size];
+        let (mut shear, mut moment, mut below) = (zero.clone(), zero.clone(), zero);
+        let (mut rigid_mass, mut rigid_moment) = (0.0, 0.0);
+        if assembly.harmonic == 1 {
+            shear = assembly.mass.times(&assembly.translation);
+            moment = assembly.mass.times(&assembly.rotation);
+            below = moment.clone();
+            let bottom = assembly.liquid_row(&assembly.liquid.bottom_moment());
+            below.iter_mut().zip(&bottom).for_each(|(v, b)| *v += b);
+            (rigid_mass, rigid_moment) = self.rigid;
+        }
+        let probe = |id: &str, title: &str, dimension, row: &[f64], rigid: f64| {
+            let value = dot(row, &assembly.translation) + rigid;
+            self.acceleration_probe(empty(id, title, dimension), row, value)
+        };
+        vec![
+            probe("base_shear", "Base shear", Dimension::Force, &shear, rigid_mass),
+            probe(
+                "base_moment",
+                "Moment above the base plate",
+                Dimension::Moment,
+                &moment,
+                rigid_moment,
+            ),
+            probe(
+                "overturning_moment",
+                "Moment below the base plate",
+                Dimension::Moment,
+                &below,
+                rigid_moment,
+            ),
+        ]
+    }
+
+    /// Completes a probe of accelerations from its row on all unknowns and its value under a unit acceleration of the
+    /// ground with everything rigid.
+    fn acceleration_probe(&self, probe: Probe, row: &[f64], rigid: f64) -> Probe {
+        let free = self.assembly.reduction.row(row);
+        Probe {
+            ground_acceleration: rigid - dot(&free, self.influence),
+            absolute_acceleration: free,
+            ..probe
+        }
+    }
+
+    fn pressure_line(&self, places: &[Place]) -> ProbeLine {
+        let depth = self.case.liquid.fill_height;
+        let title = "Hydrodynamic pressure on the wall";
+        let wetted: Vec<f64> = places
+            .iter()
+            .map(|p| p.z)
+            .filter(|&z| z <= depth * (1.0 + 1e-9))
+            .collect();
+        let probes = wetted.iter().enumerate().map(|(i, &z)| {
+            let (row, displacement) = self.assembly.liquid.wall_pressure(z, self.case.gravity);
+            let row = self.assembly.liquid_row(&row);
+            let rigid = match self.assembly.harmonic {
+                0 => self.case.liquid.density * (depth - z).max(0.0),
+                _ => dot(&row, &self.assembly.translation),
+            };
+            let displacement = displacement.map_or(Vec::new(), |d| {
+                self.assembly.reduction.row(&self.assembly.liquid_row(&d))
+            });
+            let probe = Probe {
+                displacement,
+                static_value: self.state.pressure(z),
+                ..empty(&format!("pressure[{i}]"), title, Dimension::Stress)
+            };
+            self.acceleration_probe(probe, &row, rigid)
+        });
+        ProbeLine {
+            id: "pressure".into(),
+            title: title.into(),
+            dimension: Dimension::Stress,
+            probes: probes.collect(),
+            z: wetted.clone(),
+        }
+    }
+}
+
+fn empty(id: &str, title: &str, dimension: Dimension) -> Probe {
+    Probe {
+        id: id.into(),
+        title: title.into(),
+        dimension,
+        displacement: Vec::new(),
+        absolute_acceleration: Vec::new(),
+        ground_acceleration: 0.0,
+        static_value: 0.0,
+        modes: ModeSelection::All,
+    }
+}

@@ -1,0 +1,218 @@
+//! The run in words and numbers: mesh, integration, cost, assumptions.
+
+use fem::analysis::march::Run;
+use fem::analysis::scheme::TimeScheme;
+use tank::Case;
+use tank::Support;
+use tank::units::{Dimension, display, significant};
+
+use super::super::{Contact, Damping, NonlinearOptions};
+use super::model::CylinderModel;
+use super::watch::Watch;
+use results::nonlinear::Count;
+use results::{Fact, Labelled};
+
+/// Said of a tank that the file calls unanchored.
+pub const HELD_DOWN: &str = "The tank is unanchored; the nonlinear engine clamps the base of its wall to the ground and does not let it uplift.";
+
+/// Shortest step [s]; 0 if none was taken.
+fn shortest(run: &Run) -> f64 {
+    if run.shortest.is_finite() { run.shortest } else { 0.0 }
+}
+
+pub fn cost(tank: &CylinderModel, watch: &Watch<'_>, run: &Run) -> Vec<Count> {
+    let count = |label: &str, value: f64, dimension| Count {
+        label: label.into(),
+        value,
+        dimension,
+    };
+    let number = Dimension::Dimensionless;
+    vec![
+        count("unknowns", tank.model.dofs().len() as f64, number),
+        count("wetted radial displacements", tank.wetted.len() as f64, number),
+        count("steps", run.cost.steps as f64, number),
+        count("steps cut to half", run.cuts as f64, number),
+        count("shortest step", shortest(run), Dimension::Time),
+        count("iterations", run.cost.iterations as f64, number),
+        count("factorisations", run.cost.factors as f64, number),
+        count("evaluations of all elements", run.cost.evaluations as f64, number),
+        count("looks at all material points", watch.seen.looks as f64, number),
+    ]
+}
+
+/// The model in numbers.
+pub fn facts(tank: &CylinderModel, step: f64) -> Vec<Fact> {
+    let fact = |name: &str, value: f64, dimension| Fact {
+        name: name.into(),
+        value,
+        dimension,
+    };
+    let number = Dimension::Dimensionless;
+    vec![
+        fact("shells around", tank.cells.columns() as f64, number),
+        fact("shells over the height", tank.cells.rows() as f64, number),
+        fact("sloshing modes of the liquid", tank.amplitudes.len() as f64, number),
+        fact("unknowns", tank.model.dofs().len() as f64, number),
+        fact("first sloshing mode", tank.sloshing_omega, Dimension::AngularFrequency),
+        fact(
+            "first mode of wall and liquid",
+            tank.wall_omega,
+            Dimension::AngularFrequency,
+        ),
+        fact("damping of the first mode of wall and liquid", tank.wall_ratio, number),
+        fact("longest time step", step, Dimension::Time),
+    ]
+}
+
+fn label(label: &str, text: String) -> Labelled {
+    Labelled {
+        label: label.into(),
+        text,
+    }
+}
+
+pub fn mesh(tank: &CylinderModel) -> Vec<Labelled> {
+    let layers = tank
+        .rows
+        .iter()
+        .map(|r| r.parts.iter().map(Vec::len).sum::<usize>())
+        .max();
+    vec![
+        label(
+            "shells (around × over the height)",
+            format!("{} × {}", tank.cells.columns(), tank.cells.rows()),
+        ),
+        label(
+            "symmetry",
+            match tank.cells.half {
+                true => "half of the tank, mirrored at the plane of shaking".into(),
+                false => "the whole tank".into(),
+            },
+        ),
+        label("layers and bars over the thickness", layers.unwrap_or(0).to_string()),
+        label(
+            "liquid",
+            format!(
+                "condensed onto {} radial displacements and {} sloshing modes",
+                tank.wetted.len(),
+                tank.amplitudes.len()
+            ),
+        ),
+        label("unknowns", tank.model.dofs().len().to_string()),
+    ]
+}
+
+pub fn integration(tank: &CylinderModel, options: &NonlinearOptions, watch: &Watch<'_>, run: &Run) -> Vec<Labelled> {
+    let scheme = TimeScheme::GeneralizedAlpha {
+        radius: options.spectral_radius,
+    };
+    let method = match scheme {
+        TimeScheme::GeneralizedAlpha { radius } => format!(
+            "generalised-α method, ρ∞ = {}, {}",
+            significant(radius, 3),
+            match tank.joints {
+                Some(_) => "full Newton iteration",
+                None => "modified Newton iteration with line search",
+            }
+        ),
+        _ => "implicit".into(),
+    };
+    let damping = match options.damping {
+        Damping::ByGroup { wall, sloshing } => format!(
+            "wall {} % at the first mode of wall and liquid, proportional to the stiffness of the virgin wall; sloshing modes {} % \
+             each",
+            significant(100.0 * wall, 3),
+            significant(100.0 * sloshing, 3)
+        ),
+        Damping::Rayleigh { .. } => "Rayleigh damping on the stiffness of the virgin wall".into(),
+        Damping::MassProportional { ratio, .. } => {
+            format!("proportional to the mass, {} %", significant(100.0 * ratio, 3))
+        }
+    };
+    let mut out = vec![
+        label("method", method),
+        label(
+            "time step",
+            format!(
+                "{} steps; the shortest {} s",
+                run.cost.steps,
+                significant(shortest(run), 3)
+            ),
+        ),
+        label(
+            "duration",
+            format!("{:.2} s, the record without free vibration", run.time),
+        ),
+        label("damping", damping),
+        label(
+            "damping of the first mode of wall and liquid",
+            format!(
+                "{} % at {} rad/s, virgin wall",
+                significant(100.0 * tank.wall_ratio, 3),
+                significant(tank.wall_omega, 4)
+            ),
+        ),
+    ];
+    if let (Some(joints), Some(openings)) = (&tank.joints, &watch.openings) {
+        out.push(label(
+            "contact of liquid and wall",
+            format!(
+                "opens; a joint at every wetted node, stiffness {} N/m³, into which the liquid sinks by at most {}; its force is taken at the \
+                 end of the step",
+                significant(joints.penalty, 3),
+                display(openings.penetration(), Dimension::Length)
+            ),
+        ));
+    }
+    out
+}
+
+pub fn assumptions(case: &Case, options: &NonlinearOptions, tank: &CylinderModel) -> Vec<String> {
+    let mut out = vec![
+        "Wall of four-node shells with finite rotations, plane sections in each shell, layers and bars with the laws of the \
+         input; clamped at its base, rigid bottom."
+            .to_owned(),
+        match options.contact {
+            Contact::Bonded => {
+                "Liquid of linear potential theory on the undeformed tank, condensed onto the radial displacements of the wall; \
+                 gravity acts on the surface in the circumferential waves 0 and 1. It stays at the wall: where the pressure of the \
+                 displaced particle falls below zero, the report says so."
+            }
+            Contact::Opening => {
+                "Liquid of linear potential theory on the undeformed tank, condensed onto the radial displacements of a face of its \
+                 own; gravity acts on the surface in the circumferential waves 0 and 1. The wall presses the liquid and does not \
+                 pull it: it parts where the pressure of the displaced particle would fall below that of the air."
+            }
+        }
+        .to_owned(),
+        "The run begins with weight and hydrostatic pressure. An unconverged step is never accepted: it is halved until it \
+         converges, or the run ends as a collapse, and its numbers are lower bounds."
+            .to_owned(),
+        "Damping of the wall is proportional to the stiffness of the virgin wall; where the wall softens, the damping force stays \
+         and the energy it takes is shown."
+            .to_owned(),
+    ];
+    if case.tank.support == Support::Unanchored {
+        out.push(HELD_DOWN.into());
+    }
+    if options.follower_pressure {
+        out.push("The hydrostatic pressure turns with the deformed wall; the dynamic pressure does not.".into());
+    }
+    if !options.self_weight {
+        out.push("The wall has no weight, as asked for.".into());
+    }
+    if tank.cells.half {
+        out.push("Motion symmetric to the plane of shaking: buckles that break this symmetry are left out.".into());
+    }
+    if case
+        .tank
+        .courses
+        .iter()
+        .any(|c| c.build_up().iter().any(|l| !l.reinforcement.is_empty()))
+    {
+        out.push(
+            "Bars are smeared to layers and bonded; the concrete they displace and their mass are left out.".into(),
+        );
+    }
+    out
+}

@@ -1,0 +1,173 @@
+//! What a nonlinear run of a cylinder takes, from the numbers of its cells and of the wetted nodes.
+//!
+//! ```text
+//! liquid     a dense block over w wetted nodes: M, K, C of the element and of the liquid, places, M, C and tangents of the
+//!            model, the factor, what an iteration copies
+//! wall       5 unknowns a node (twice for two shells); nested dissection of a surface
+//! history    committed and trial state of every point of every layer
+//! ```
+
+use tank::Case;
+use tank::{Behaviour, Course, Layer, LayerKind};
+
+use super::super::{Contact, Damping, Integration, NonlinearOptions, ThicknessRule, WallElements};
+use super::mesh::Cells;
+use super::{LOOKS, STEPS_PER_PERIOD};
+use crate::FeError;
+use crate::estimate::{
+    DENSE_RATE, Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PRODUCT_RATE, PROGRAM, Response, first_wall_frequency,
+};
+use crate::solid::mesh::check_levels;
+
+/// Unknowns of a node of a shell.
+const SHELL: f64 = 5.0;
+/// Full matrices over the wetted nodes that the model keeps.
+const MODEL_BLOCKS: f64 = 8.5;
+/// And those of a march: tangent, effective matrix and damping of half a matrix each, what an iteration copies.
+const MARCH_BLOCKS: f64 = 3.2;
+/// Bytes of a cell of one shell, its matrices in the model included, without its history.
+const CELL: f64 = 20_000.0;
+/// Integration points of a cell.
+const POINTS: f64 = 4.0;
+/// States of the history kept at a time: committed, trial, and a copy to return to.
+const STATES: f64 = 3.2;
+/// Iterations of a step, and steps from one factorisation to the next.
+const ITERATIONS: f64 = 3.5;
+const KEPT: f64 = 30.0;
+/// Time of a cell without its layers, and of a point of a layer, in one iteration [s].
+const CELL_TIME: f64 = 8e-6;
+const POINT_TIME: f64 = 2.5e-7;
+/// Sloshing amplitudes of half a cylinder.
+const AMPLITUDES: f64 = 24.0;
+/// Numbers kept at a sample beside two of every row.
+const AT_SAMPLE: f64 = 60.0;
+
+/// What [`super::simulate`] takes; with `jobs` > 0 what so many runs of an incremental analysis at a time take, `runs` in all.
+///
+/// Errors: no ground motion; a response longer than the limits.
+pub fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, runs: usize) -> Result<Estimate, FeError> {
+    let response = Response::of(case, false)?.ok_or(FeError::NoRecord)?;
+    check_levels(&case.tank, case.liquid.fill_height, 1.0)?;
+    let mut found = of(case, options, response, [jobs, runs]);
+    if jobs > 1 {
+        let fewer = of(case, options, response, [1, runs]);
+        found
+            .lever
+            .smaller
+            .push(("use --jobs 1".into(), fewer.bytes(), fewer.seconds));
+    }
+    let cells = Cells::new(&case.tank, case.liquid.fill_height, options.elements, options.symmetry);
+    for part in [0.8, 0.65, 0.5, 0.35, 0.25, 0.15] {
+        let elements = WallElements {
+            height: ((cells.rows() as f64 * part) as u32).max(2),
+            circumference: ((cells.sectors as f64 * part) as u32).max(8).next_multiple_of(2),
+        };
+        let coarse = NonlinearOptions {
+            elements: Some(elements),
+            ..options.clone()
+        };
+        let smaller = of(case, &coarse, response, [jobs, runs]);
+        let give = format!(
+            "give `analysis.nonlinear.elements` as {{\"height\": {}, \"circumference\": {}}}",
+            elements.height, elements.circumference
+        );
+        found.lever.smaller.push((give, smaller.bytes(), smaller.seconds));
+    }
+    Ok(found)
+}
+
+fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]: [usize; 2]) -> Estimate {
+    let depth = case.liquid.fill_height;
+    let cells = Cells::new(&case.tank, depth, options.elements, options.symmetry);
+    let (rows, columns) = (cells.rows() as f64, cells.columns() as f64);
+    let meridians = columns + if cells.half { 1.0 } else { 0.0 };
+    let wetted = cells.wet(depth) as f64 * meridians + AMPLITUDES;
+    let shells = leaves(case);
+    let node = SHELL * shells;
+    let unknowns = node * rows * meridians + wetted * f64::from(u8::from(options.contact == Contact::Opening));
+    let number = rows * columns;
+    let history: f64 = (0..cells.rows())
+        .map(|row| {
+            let middle = 0.5 * (cells.z[row] + cells.z[row + 1]);
+            slots(case.tank.course_at(middle), &options.integration)
+        })
+        .sum::<f64>()
+        * columns;
+    let points: f64 = history / 12.0;
+    let block = NUMBER * wetted * wetted;
+    // C of the liquid is another one.
+    let damped = matches!(options.damping, Damping::ByGroup { .. });
+    let model = block * (MODEL_BLOCKS + if damped { 1.0 } else { 0.0 });
+    // One harmonic of the liquid at a time: its mesh over radius and depth, dense in its columns.
+    let section = 11.0 * (2.0 * 8.0 * (depth / case.tank.shape.half_length() / 2.7).max(1.0) + 1.0);
+    let harmonic = NUMBER * section * (4.0 * (cells.wet(depth) as f64 + 11.0) + 100.0);
+    let fill = Fill::grid([meridians, rows, 1.0], node, !cells.half).with(1.0, Fill::dense(wetted));
+    let at_a_time = jobs.max(1).min(runs.max(1)) as f64;
+    let step = options.time_step.unwrap_or_else(|| {
+        (std::f64::consts::TAU / first_wall_frequency(case) / STEPS_PER_PERIOD).min(0.5 * response.dt)
+    });
+    let samples = response.samples();
+    // A whole number of steps in a sample.
+    let steps = samples * (response.dt / step - 1e-9).ceil().max(1.0);
+    let kept = samples * (AT_SAMPLE + 2.0 * rows + 0.5 * wetted.min(LOOKS));
+    let parts = vec![
+        ("the program", PROGRAM),
+        ("liquid block", model + at_a_time * MARCH_BLOCKS * block),
+        ("liquid of one harmonic", harmonic),
+        ("wall", number * shells * CELL * (1.0 + 0.5 * at_a_time)),
+        ("history of the layers", at_a_time * STATES * NUMBER * history),
+        ("factors", (1.0 + at_a_time) * NUMBER * fill.entries),
+        ("histories", at_a_time * NUMBER * kept),
+    ];
+    let sweep = 3.0 * block + 2.0 * NUMBER * fill.entries;
+    let iteration = number * shells * CELL_TIME + points * POINT_TIME + sweep / PRODUCT_RATE;
+    let once = steps * (ITERATIONS * iteration + fill.flops / FACTOR_RATE / KEPT);
+    let of_runs = if jobs > 0 {
+        format!(", {runs} runs, {at_a_time:.0} at a time")
+    } else {
+        String::new()
+    };
+    Estimate {
+        run: "nonlinear run",
+        size: format!(
+            "{rows:.0} x {} elements, {unknowns:.0} unknowns, {wetted:.0} of them joined by the liquid, {steps:.0} steps{of_runs}",
+            cells.sectors
+        ),
+        parts,
+        samples,
+        steps,
+        seconds: once * runs.max(1) as f64 + 2.0 * wetted.powi(3) / DENSE_RATE,
+        lever: Lever {
+            smaller: Vec::new(),
+            other: "coarsen the wall (`analysis.nonlinear.elements`)".into(),
+        },
+    }
+}
+
+/// Shells in the wall: two where there is a layer between them.
+pub fn leaves(case: &Case) -> f64 {
+    let between = |layer: &Layer| matches!(layer.kind, LayerKind::Interlayer);
+    let two = case.tank.courses.iter().any(|c| c.build_up().iter().any(between));
+    if two { 2.0 } else { 1.0 }
+}
+
+/// Numbers that the points of a cell remember.
+pub fn slots(course: &Course, integration: &Integration) -> f64 {
+    let points = |rule: ThicknessRule| {
+        let (ThicknessRule::Gauss(n)
+        | ThicknessRule::Lobatto(n)
+        | ThicknessRule::MidPoint(n)
+        | ThicknessRule::Simpson(n)
+        | ThicknessRule::Trapezoid(n)) = rule;
+        f64::from(n)
+    };
+    let of = |layer: &Layer| {
+        let bars = 2.0 * layer.reinforcement.len() as f64;
+        bars + match layer.material.behaviour {
+            Behaviour::Steel(_) => 7.0 * points(integration.steel),
+            Behaviour::Concrete(_) => 17.0 * points(integration.concrete),
+            _ => 0.0,
+        }
+    };
+    POINTS * course.build_up().iter().map(of).sum::<f64>()
+}

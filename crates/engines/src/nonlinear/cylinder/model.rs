@@ -1,0 +1,572 @@
+//! Wall, liquid and loads of a cylinder as a model.
+//!
+//! ```text
+//! layered shells, or two with a layer between them   ─┐
+//! liquid condensed onto radial displacements w and sloshing amplitudes q   ├─ M ü + C u̇ + f_int(u) = p_c − M ι a_g
+//! hydrostatic pressure that turns with the wall, weight, roof              ─┘
+//! ```
+//!
+//! The liquid is that of linear theory ([`fem::liquid::HarmonicLiquid`]): a dense block on the wetted radial displacements.
+//! All other unknowns are eliminated before them, so that the block is factored once an iteration and nothing else is dense.
+//! Horizontal ground motion is along x; with `symmetry` only 0 ≤ θ ≤ π is there.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use fem::analysis::damping::{Damping, Rayleigh};
+use fem::analysis::march::Problem;
+use fem::analysis::system::System;
+use fem::assembly::Assembler;
+use fem::dofs::Dof;
+use fem::element::interlayer;
+use fem::element::shell::load::{FollowerPressure, NodalLoads};
+use fem::element::shell4::MassKind;
+use fem::element::wall::place::{Footprint, PlacedWall, WallMesh};
+use fem::linalg::{Kind, Ordering, Pattern, Symbolic, dot};
+use fem::liquid::{CondensedLiquid, HarmonicLiquid, LiquidMesh};
+use fem::model::{Builder, Model};
+use nalgebra::Matrix3;
+use tank::Case;
+use tank::Shape;
+
+use super::super::{Contact, Damping as Wanted, MassProportionalAt, NonlinearOptions};
+use super::contact::{JOINT, Join, Joints};
+use super::mesh::Cells;
+use super::section::{self, RowBuild};
+use crate::FeError;
+use crate::solid::roof::RoofRing;
+
+/// Group of shells and layers.
+pub const WALL: &str = "wall";
+/// Group of the liquid.
+pub const LIQUID: &str = "liquid";
+/// Group of the pressure that turns with the wall.
+const PRESSURE: &str = "pressure";
+/// Group of the roof's mass.
+const ROOF: &str = "roof";
+
+/// Sloshing modes of the condensed liquid of each family: harmonic 0, cosine and sine of harmonic 1. The twelfth holds 1e-4 of
+/// the liquid's mass; those left out follow the wall without gravity.
+const SLOSHING_MODES: usize = 12;
+/// Modes of harmonic 1 that count for the wave at the wall, as in the linear engines: more only chase the singularity at the
+/// contact line.
+const WAVE_MODES: usize = 5;
+/// Highest harmonic whose surface is free to slosh.
+const SLOSHING_HARMONICS: u32 = 1;
+/// Iterations that find the first mode of wall and liquid, at most: each makes the second mode smaller to a ninth or less.
+/// More would raise modes of higher wave number from rounding, whose frequencies are lower in thin shells.
+const ITERATIONS: usize = 8;
+/// Relative change of ω² at which they end.
+const SETTLED: f64 = 1e-6;
+
+/// The model, built once; runs only read it.
+pub struct CylinderModel {
+    /// Cells of the wall.
+    pub cells: Cells,
+    /// Points of the wall.
+    pub footprint: Footprint,
+    /// Where they went.
+    pub wall: PlacedWall,
+    /// What each row is made of.
+    pub rows: Vec<RowBuild>,
+    /// Nodes and elements.
+    pub model: Model,
+    /// Its assembler.
+    pub assembler: Assembler,
+    /// Order of elimination.
+    pub symbolic: Arc<Symbolic>,
+    /// Mass and stiffness of the virgin tank, with the damping.
+    pub system: System,
+    /// Rayleigh's coefficients by group.
+    pub rayleigh: Vec<Rayleigh>,
+    /// Forces of the weight.
+    pub weight: Vec<f64>,
+    /// Forces of the hydrostatic pressure on the undeformed wall.
+    pub pressure: Vec<f64>,
+    /// Node of each wetted radial displacement of the liquid, level by level from the base: the wall's own unless the two are
+    /// joined.
+    pub wetted: Vec<usize>,
+    /// Joints of liquid and wall, where it may open.
+    pub joints: Option<Joints>,
+    /// Area of the wall that belongs to each of them [m²].
+    pub areas: Vec<f64>,
+    /// The liquid.
+    pub liquid: CondensedLiquid,
+    /// Equations of the sloshing amplitudes.
+    pub amplitudes: Vec<usize>,
+    /// ω of the first mode of wall and liquid in which the tank moves sideways, the surface free of pressure [rad/s].
+    pub wall_omega: f64,
+    /// ω of the first sloshing mode in the direction of shaking [rad/s].
+    pub sloshing_omega: f64,
+    /// Damping ratio of the first mode of wall and liquid.
+    pub wall_ratio: f64,
+    /// Radius [m].
+    pub radius: f64,
+    /// Depth of the liquid [m].
+    pub depth: f64,
+    /// Unit weight of the liquid [N/m³].
+    pub unit_weight: f64,
+    /// g [m/s²].
+    pub gravity: f64,
+}
+
+pub(super) fn failed(error: impl std::fmt::Display) -> FeError {
+    FeError::Analysis(error.to_string())
+}
+
+impl CylinderModel {
+    /// The model of a case.
+    ///
+    /// Errors: no cylinder; a wall, a law or an option that the engine does not know; parameters out of range.
+    pub fn new(case: &Case, options: &NonlinearOptions) -> Result<CylinderModel, FeError> {
+        let Shape::Cylinder { radius } = case.tank.shape else {
+            return Err(FeError::Unsupported("this tank is no cylinder".into()));
+        };
+        let depth = case.liquid.fill_height;
+        let unit_weight = case.liquid.density * case.gravity;
+        let cells = Cells::new(&case.tank, depth, options.elements, options.symmetry);
+        let rows = build_rows(case, &cells, radius, options)?;
+        let footprint = Footprint::cylinder(radius, cells.columns(), [0.0, cells.span()], &cells.z).map_err(failed)?;
+        let mut builder = Builder::new();
+        let gap = rows.first().map_or(0.0, |r| r.gap);
+        if rows.iter().any(|r| (r.gap - gap).abs() > 1e-9 * radius) {
+            return Err(FeError::Unsupported(
+                "the nonlinear engine models walls of two shells whose distance is the same in all courses".into(),
+            ));
+        }
+        let wall = WallMesh {
+            footprint: &footprint,
+            courses: &|row| rows[row].build.clone(),
+            offsets: [0.0, gap],
+            name: WALL,
+            mass: MassKind::Consistent,
+        }
+        .place(&mut builder)
+        .map_err(failed)?;
+        support(&mut builder, &footprint, &wall, &cells);
+        if case.tank.roof.mass > 0.0 {
+            add_roof(case, &mut builder, &footprint, &wall, &cells);
+        }
+        let wet = cells.wet(depth);
+        let points: Vec<usize> = footprint.levels[..wet].iter().flatten().copied().collect();
+        let inner: Vec<usize> = points.iter().map(|&p| wall.inner[p]).collect();
+        let wetted: Vec<usize> = match options.contact {
+            Contact::Bonded => inner.clone(),
+            Contact::Opening => inner
+                .iter()
+                .map(|&n| {
+                    let at = builder.position(n);
+                    builder.node(at)
+                })
+                .collect(),
+        };
+        for (nodes, &point) in wetted.iter().zip(&inner).zip(&points) {
+            let [c, s, _] = footprint.normals[point];
+            let radial = Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0);
+            builder.frame(*nodes.0, radial);
+            if nodes.0 != nodes.1 {
+                builder.frame(*nodes.1, radial);
+            }
+        }
+        if options.contact == Contact::Opening {
+            for &node in &wetted[..footprint.levels[0].len()] {
+                builder.hold(node, Dof::Ux);
+            }
+        }
+        let (liquid, amplitude_nodes, liquid_element) =
+            add_liquid(case, &mut builder, &cells, radius, &wetted, options)?;
+        let joints = match options.contact {
+            Contact::Bonded => None,
+            Contact::Opening => {
+                let join = Join {
+                    footprint: &footprint,
+                    wall: &wall,
+                    nodes: [&inner, &wetted],
+                    amplitudes: &amplitude_nodes,
+                    liquid: &liquid,
+                    gravity: case.gravity,
+                    depth,
+                    unit_weight,
+                    penalty: penalty(case, radius),
+                };
+                Some(join.add_to(&mut builder)?)
+            }
+        };
+        let pressed: BTreeMap<usize, usize> = inner.iter().copied().zip(wetted.iter().copied()).collect();
+        let (pressure_loads, area_loads) = pressures(
+            &mut builder,
+            &footprint,
+            &wall,
+            &cells,
+            [unit_weight, depth],
+            &pressed,
+            options,
+        );
+        let model = builder.build().map_err(failed)?;
+        interlayer::check(&model).map_err(failed)?;
+        let assembler = Assembler::new(&model);
+        let symbolic = symbolic(&model, &assembler, liquid_element)?;
+        let system = System::new(&model, &assembler).map_err(failed)?;
+        let weight = match options.self_weight {
+            true => assembler.body_force(&model, [0.0, 0.0, -case.gravity]),
+            false => vec![0.0; model.dofs().len()],
+        };
+        let amplitudes = amplitude_nodes
+            .iter()
+            .filter_map(|&n| model.dofs().equation(n, Dof::Amplitude))
+            .collect();
+        let areas = wetted
+            .iter()
+            .zip(footprint.levels[..wet].iter().flatten())
+            .map(|(&node, &point)| {
+                let [c, s, _] = footprint.normals[point];
+                let load = area_loads.at(node);
+                c * load[0] + s * load[1]
+            })
+            .collect();
+        let first = liquid.rim.iter().position(|r| r.harmonic == 1);
+        let sloshing_omega = (0..liquid.omega.len())
+            .find(|&j| first.is_some_and(|r| liquid.rim[r].row[liquid.wall + j].abs() > 1e-9))
+            .map_or(0.0, |j| liquid.omega[j]);
+        let pressure = pressure_loads.vector(&model);
+        let mut out = CylinderModel {
+            cells,
+            footprint,
+            wall,
+            rows,
+            rayleigh: vec![Rayleigh::NONE; model.groups().len()],
+            model,
+            assembler,
+            symbolic,
+            system,
+            weight,
+            pressure,
+            wetted,
+            joints,
+            areas,
+            liquid,
+            amplitudes,
+            wall_omega: 0.0,
+            sloshing_omega,
+            wall_ratio: 0.0,
+            radius,
+            depth,
+            unit_weight,
+            gravity: case.gravity,
+        };
+        out.wall_omega = out.first_wall_mode()?;
+        out.set_damping(options.damping)?;
+        Ok(out)
+    }
+
+    /// What is marched.
+    pub fn problem(&self) -> Problem<'_> {
+        Problem {
+            model: &self.model,
+            assembler: &self.assembler,
+            symbolic: &self.symbolic,
+            system: &self.system,
+        }
+    }
+
+    /// Forces of weight and pressure at rest.
+    pub fn constant(&self) -> Vec<f64> {
+        self.weight.iter().zip(&self.pressure).map(|(w, p)| w + p).collect()
+    }
+
+    /// Row of the surface's elevation at the wall at the angle θ [rad]: of harmonic 0 whole, of harmonic 1 the first modes.
+    pub fn elevation(&self, theta: f64) -> Vec<(usize, f64)> {
+        let mut row = vec![0.0; self.liquid.mass.rows];
+        for rim in &self.liquid.rim {
+            let c = (f64::from(rim.harmonic) * theta).cos();
+            let mut counted = 0;
+            for (k, (to, from)) in row.iter_mut().zip(&rim.row).enumerate() {
+                let amplitude = k >= self.liquid.wall && from.abs() > 1e-9;
+                counted += usize::from(amplitude);
+                if rim.harmonic == 0 || (amplitude && counted <= WAVE_MODES) {
+                    *to += c * from;
+                }
+            }
+        }
+        let unknowns = self.liquid_unknowns();
+        let of = |(e, c): (&Option<usize>, &f64)| e.filter(|_| *c != 0.0).map(|e| (e, *c));
+        unknowns.iter().zip(&row).filter_map(of).collect()
+    }
+
+    /// Equations of the liquid's unknowns, in its order; none where a support holds the wall.
+    pub fn liquid_unknowns(&self) -> Vec<Option<usize>> {
+        let wall = self.wetted.iter().map(|&n| self.model.dofs().equation(n, Dof::Ux));
+        wall.chain(self.amplitudes.iter().map(|&e| Some(e))).collect()
+    }
+
+    /// Forces of a unit horizontal acceleration of the ground on wall and liquid, the surface free of pressure: those of the
+    /// impulsive liquid, of the wall and of the roof, without what sloshes.
+    fn impulsive_load(&self) -> Vec<f64> {
+        let mut load = self.system.inertia[0].clone();
+        let mut follow = vec![0.0; load.len()];
+        for &e in &self.amplitudes {
+            follow[e] = -load[e] / self.system.mass.get(e, e);
+        }
+        for (f, m) in load.iter_mut().zip(self.system.mass.times(&follow)) {
+            *f += m;
+        }
+        self.amplitudes.iter().for_each(|&e| load[e] = 0.0);
+        load
+    }
+
+    /// Inverse iteration from the impulsive load: on a round tank it stays among the modes in which the tank moves sideways. The
+    /// amplitudes follow the wall as if gravity were nothing to them; their masses are 1 and not coupled.
+    fn first_wall_mode(&self) -> Result<f64, FeError> {
+        let factor = self
+            .symbolic
+            .factor(&self.system.stiffness, Kind::QuasiDefinite)
+            .map_err(failed)?;
+        let mut load = self.impulsive_load();
+        let mut omega2 = 0.0;
+        for _ in 0..ITERATIONS {
+            let mut x = factor.solve_vector(&load).map_err(failed)?;
+            self.amplitudes.iter().for_each(|&e| x[e] = 0.0);
+            let potential = dot(&x, &self.system.stiffness.times(&x));
+            let pushed = self.system.mass.times(&x);
+            for &e in &self.amplitudes {
+                x[e] = -pushed[e] / self.system.mass.get(e, e);
+            }
+            let mut moved = self.system.mass.times(&x);
+            self.amplitudes.iter().for_each(|&e| moved[e] = 0.0);
+            let kinetic = dot(&x, &moved);
+            let next = potential / kinetic;
+            if !(next > 0.0 && next.is_finite()) {
+                return Err(FeError::NotPositiveDefinite {
+                    matrix: "stiffness of the wall at rest".into(),
+                    cause: "a wall without support or a layer without stiffness".into(),
+                });
+            }
+            let done = (next / omega2 - 1.0).abs() < SETTLED;
+            omega2 = next;
+            let scale = 1.0 / kinetic.sqrt();
+            load = moved.iter().map(|v| v * scale).collect();
+            if done {
+                break;
+            }
+        }
+        Ok(omega2.sqrt())
+    }
+
+    fn set_damping(&mut self, wanted: Wanted) -> Result<(), FeError> {
+        let all = match wanted {
+            Wanted::ByGroup { wall, .. } => {
+                let own = Rayleigh::stiffness_proportional(self.wall_omega, wall);
+                for (to, name) in self.rayleigh.iter_mut().zip(self.model.groups()) {
+                    if name == WALL {
+                        *to = own;
+                    }
+                }
+                self.wall_ratio = wall;
+                self.system.damping =
+                    Damping::by_group(&self.assembler, &self.model, &self.rayleigh, false).map_err(failed)?;
+                return Ok(());
+            }
+            Wanted::Rayleigh {
+                first,
+                second,
+                allow_negative,
+            } => Rayleigh::fit(first, second, allow_negative).map_err(|e| FeError::Option {
+                option: "damping".into(),
+                found: e.to_string(),
+                allowed: "coefficients ≥ 0, or allow_negative".into(),
+            })?,
+            Wanted::MassProportional { ratio, at } => {
+                let omega = match at {
+                    MassProportionalAt::FirstSloshing => self.sloshing_omega,
+                    MassProportionalAt::Frequency(omega) => omega,
+                };
+                Rayleigh::mass_proportional(omega, ratio)
+            }
+        };
+        self.rayleigh.fill(all);
+        self.wall_ratio = all.ratio(self.wall_omega);
+        self.system.damping = match self.joints {
+            None => Damping::rayleigh(all),
+            Some(_) => {
+                // A joint that is open must not pull by its rate either.
+                let groups = self.rayleigh.iter_mut().zip(self.model.groups());
+                groups
+                    .filter(|(_, name)| *name == JOINT)
+                    .for_each(|(own, _)| *own = Rayleigh::NONE);
+                Damping::by_group(&self.assembler, &self.model, &self.rayleigh, false).map_err(failed)?
+            }
+        };
+        Ok(())
+    }
+}
+
+fn build_rows(case: &Case, cells: &Cells, radius: f64, options: &NonlinearOptions) -> Result<Vec<RowBuild>, FeError> {
+    let length = radius * cells.angle();
+    cells
+        .z
+        .windows(2)
+        .map(|z| {
+            let course = case.tank.course_at(0.5 * (z[0] + z[1]));
+            section::row(&course.build_up(), [length, z[1] - z[0]], &options.integration)
+        })
+        .collect()
+}
+
+/// Stiffness of the joint of liquid and wall: [`fem::strip::PENALTY`] times that of the stiffest course against a pressure, E t/R².
+fn penalty(case: &Case, radius: f64) -> f64 {
+    let courses = case.tank.courses.iter().map(|course| {
+        let layers = course.build_up();
+        layers
+            .iter()
+            .map(|l| l.material.youngs_modulus * l.thickness)
+            .sum::<f64>()
+    });
+    fem::strip::PENALTY * courses.fold(0.0, f64::max) / (radius * radius)
+}
+
+/// Clamped base; the plane of symmetry.
+fn support(builder: &mut Builder, footprint: &Footprint, wall: &PlacedWall, cells: &Cells) {
+    wall.hold(builder, &footprint.levels[0], Dof::SHELL);
+    if cells.half {
+        for level in &footprint.levels {
+            let ends = [level[0], level[level.len() - 1]];
+            // u_θ, and the rotation about the meridian.
+            wall.hold(builder, &ends, &[Dof::Uy, Dof::Ry]);
+        }
+    }
+}
+
+fn add_roof(case: &Case, builder: &mut Builder, footprint: &Footprint, wall: &PlacedWall, cells: &Cells) {
+    let top = &footprint.levels[footprint.levels.len() - 1];
+    let nodes: Vec<usize> = top.iter().map(|&p| wall.inner[p]).collect();
+    let positions: Vec<[f64; 3]> = nodes.iter().map(|&n| builder.position(n)).collect();
+    let lever = case.tank.roof_height() - case.tank.wall_height();
+    let ring = match cells.half {
+        true => RoofRing::half(nodes, &positions, case.tank.roof.mass, lever),
+        false => RoofRing::new(nodes, &positions, case.tank.roof.mass, lever),
+    };
+    builder.element(ROOF, ring);
+}
+
+fn add_liquid(
+    case: &Case,
+    builder: &mut Builder,
+    cells: &Cells,
+    radius: f64,
+    wetted: &[usize],
+    options: &NonlinearOptions,
+) -> Result<(CondensedLiquid, Vec<usize>, usize), FeError> {
+    let (depth, density) = (case.liquid.fill_height, case.liquid.density);
+    let mut heights = cells.z[..cells.wet(depth)].to_vec();
+    if let Some(last) = heights.last_mut() {
+        *last = depth;
+    }
+    let mesh = LiquidMesh::graded(radius, depth, 1.0);
+    let harmonic = HarmonicLiquid::new(
+        radius,
+        density,
+        case.gravity,
+        cells.sectors,
+        &heights,
+        &mesh,
+        SLOSHING_HARMONICS,
+    )
+    .map_err(failed)?;
+    let whole = match cells.half {
+        true => CondensedLiquid::of_harmonic_half(&harmonic).map_err(failed)?,
+        false => CondensedLiquid::of_harmonic(&harmonic),
+    };
+    let families = if cells.half { 2 } else { 3 };
+    let liquid = whole
+        .with_sloshing_modes((families * SLOSHING_MODES).min(whole.surface()))
+        .map_err(failed)?;
+    let amplitudes: Vec<usize> = liquid.omega.iter().map(|_| builder.node([0.0, 0.0, depth])).collect();
+    let ratio = match options.damping {
+        Wanted::ByGroup { sloshing, .. } => sloshing,
+        _ => 0.0,
+    };
+    let wall: Vec<(usize, Dof)> = wetted.iter().map(|&n| (n, Dof::Ux)).collect();
+    let surface: Vec<(usize, Dof)> = amplitudes.iter().map(|&n| (n, Dof::Amplitude)).collect();
+    let element = liquid.element(&wall, &surface, ratio).map_err(failed)?;
+    let number = builder.element(LIQUID, element);
+    Ok((liquid, amplitudes, number))
+}
+
+/// Hydrostatic pressure as dead load and, where it turns with the wall, what that changes; and a unit pressure.
+fn pressures(
+    builder: &mut Builder,
+    footprint: &Footprint,
+    wall: &PlacedWall,
+    cells: &Cells,
+    [unit_weight, depth]: [f64; 2],
+    pressed: &BTreeMap<usize, usize>,
+    options: &NonlinearOptions,
+) -> (NodalLoads, NodalLoads) {
+    let (mut pressure, mut area) = (NodalLoads::new(), NodalLoads::new());
+    let at = |z: f64| unit_weight * (depth - z).max(0.0);
+    for (&cell, &row) in footprint.cells.iter().zip(&footprint.rows) {
+        if cells.z[row + 1] > depth * (1.0 + 1e-9) {
+            continue;
+        }
+        let nodes = wall.inner_cell(cell);
+        let positions = nodes.map(|n| builder.position(n));
+        // On the liquid's face.
+        let face = nodes.map(|n| pressed.get(&n).copied().unwrap_or(n));
+        pressure.pressure(&face, &positions, |x| at(x[2]));
+        area.pressure(&face, &positions, |_| 1.0);
+        if options.follower_pressure {
+            let corners = positions.map(|x| at(x[2]));
+            let follower = FollowerPressure::varying(nodes, positions, corners).without_dead_part();
+            builder.element(PRESSURE, follower);
+        }
+    }
+    (pressure, area)
+}
+
+/// Order of elimination: the wall by nested dissection, then the amplitudes and the radial displacements that the liquid
+/// joins; or minimum degree if that takes fewer operations.
+fn symbolic(model: &Model, assembler: &Assembler, liquid: usize) -> Result<Arc<Symbolic>, FeError> {
+    let dofs = model.dofs();
+    let mut joined = vec![false; dofs.len()];
+    let element = &model.elements()[liquid];
+    for (local, &node) in element.nodes().iter().enumerate() {
+        for &dof in element.dofs(local) {
+            if let Some(e) = dofs.equation(node, dof) {
+                joined[e] = true;
+            }
+        }
+    }
+    let rest: Vec<usize> = (0..dofs.len()).filter(|&e| !joined[e]).collect();
+    let mut place = vec![usize::MAX; dofs.len()];
+    rest.iter().enumerate().for_each(|(k, &e)| place[e] = k);
+    let cliques: Vec<Vec<usize>> = model
+        .elements()
+        .iter()
+        .enumerate()
+        .filter(|(e, _)| *e != liquid)
+        .map(|(_, element)| {
+            let mut own: Vec<usize> = Vec::new();
+            for (local, &node) in element.nodes().iter().enumerate() {
+                let equations = element.dofs(local).iter().filter_map(|&d| dofs.equation(node, d));
+                own.extend(equations.map(|e| place[e]).filter(|k| *k != usize::MAX));
+            }
+            own
+        })
+        .collect();
+    let pattern = Pattern::from_cliques(rest.len(), cliques.iter().map(Vec::as_slice));
+    let node_of: Vec<usize> = rest.iter().map(|&e| dofs.unknown(e).0).collect();
+    let given = match Ordering::best(&pattern, &node_of, model.nodes()) {
+        Ordering::Given(order) => {
+            let mut all: Vec<usize> = order.iter().map(|&k| rest[k]).collect();
+            all.extend((0..dofs.len()).filter(|&e| joined[e]));
+            Ordering::Given(all)
+        }
+        other => other,
+    };
+    let of = |ordering: &Ordering| Symbolic::new(assembler.pattern().clone(), ordering).map_err(failed);
+    let (dissected, degree) = (of(&given)?, of(&Ordering::MinimumDegree)?);
+    Ok(Arc::new(match degree.flops() < dissected.flops() {
+        true => degree,
+        false => dissected,
+    }))
+}

@@ -1,0 +1,273 @@
+//! A run in the vocabulary of the results.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+use fem::analysis::march::{Outcome, Run};
+use tank::Support;
+use tank::units::Dimension;
+use tank::{Case, Quantity};
+
+use super::super::{NonlinearOptions, PARTED};
+use super::completed;
+use super::curve::departures;
+use super::describe::{HELD_DOWN, assumptions, cost, integration, mesh};
+use super::model::CylinderModel;
+use super::points::look;
+use super::state::{energies, events, grid, loops, maps, pictures, place};
+use super::watch::{BASE_MOMENT, BASE_SHEAR, BELLY_FRONT, Extremes, TOP_FRONT, WAVE_BACK, WAVE_FRONT, Watch};
+use crate::Simulation;
+use results::nonlinear::{End, Nonlinear};
+use results::{EnergyBalance, Envelope, FeResult, Series, SeriesInfo};
+
+/// Everything that is reported of a run.
+pub fn report(
+    case: &Case,
+    options: &NonlinearOptions,
+    tank: &CylinderModel,
+    watch: &Watch<'_>,
+    run: &Run,
+) -> Simulation {
+    let last = look(tank, &run.state);
+    let mut worst = watch.seen.worst.clone().unwrap_or_else(|| last.clone());
+    worst.envelop(&last);
+    let (info, series) = histories(watch);
+    let values = values(tank, watch);
+    let mut notes = Vec::new();
+    if case.tank.support == Support::Unanchored {
+        notes.push(HELD_DOWN.into());
+    }
+    let end = end(tank, run);
+    match &end {
+        End::Completed | End::Left { .. } => {}
+        End::Interrupted { time } => {
+            notes.push(format!("Interrupted at {time:.3} s: everything ends there."));
+        }
+        End::Collapsed { time, reason, .. } => notes.push(format!(
+            "Collapse: no equilibrium after {time:.3} s ({reason}). All numbers are those until then, lower bounds."
+        )),
+    }
+    let events = events(tank, watch);
+    if let Some(parts) = events.iter().find(|e| e.id == "separation") {
+        notes.push(match tank.joints {
+            None => format!(
+                "The liquid would part from the wall ({}, first at {:.2} s); the engine keeps it there.",
+                parts.place, parts.time
+            ),
+            Some(_) => PARTED.to_owned(),
+        });
+    }
+    let balance = &run.balance;
+    let energies = energies(run, watch);
+    let nonlinear = Nonlinear {
+        end,
+        events,
+        grid: grid(tank),
+        maps: maps(case, tank, watch, &worst, &last),
+        cracks: pictures(watch, &last, run.time),
+        loops: loops(watch),
+        energies,
+        cost: cost(tank, watch, run),
+        moments: Vec::new(),
+        departures: departures(tank, watch),
+    };
+    let total = balance.samples.last().copied().unwrap_or_default();
+    let copies = tank.cells.copies();
+    let result = FeResult {
+        engine: "nonlinear".into(),
+        mesh: mesh(tank),
+        modes: Vec::new(),
+        integration: integration(tank, options, watch, run),
+        damping_table: Vec::new(),
+        mesh_error: BTreeMap::new(),
+        mass_balance: Vec::new(),
+        energy: Some(EnergyBalance {
+            input: copies * total.input,
+            kinetic: copies * total.kinetic,
+            elastic: copies * (total.internal - total.hysteretic),
+            damping: copies * total.damping,
+            error: balance.error(),
+        }),
+        envelopes: envelopes(tank, watch),
+        series: info,
+        limits: Vec::new(),
+        fields: None,
+        nonlinear: Some(nonlinear),
+        incomplete: !completed(run),
+    };
+    Simulation {
+        values,
+        result,
+        series,
+        assumptions: assumptions(case, options, tank),
+        notes,
+        snapshots: None,
+    }
+}
+
+/// Histories relative to the state at rest, as those of the other engines.
+fn histories(watch: &Watch<'_>) -> (Vec<SeriesInfo>, Series) {
+    let recorder = &watch.recorder;
+    let (mut info, mut series) = (Vec::new(), Series::default());
+    series.time.clone_from(&recorder.times);
+    let mut push = |id: &str, title: &str, dimension, values: &[f64], peak: Option<(f64, f64)>| {
+        let rest = values.first().copied().unwrap_or(0.0);
+        let own: Vec<f64> = values.iter().map(|v| v - rest).collect();
+        let sampled = || {
+            let i = (0..own.len()).fold(0, |m, i| if own[i].abs() > own[m].abs() { i } else { m });
+            (
+                own.get(i).map_or(0.0, |v| v.abs()),
+                recorder.times.get(i).copied().unwrap_or(0.0),
+            )
+        };
+        let (peak, time) = peak.unwrap_or_else(sampled);
+        info.push(SeriesInfo {
+            id: id.into(),
+            title: title.into(),
+            dimension,
+            static_value: rest,
+            peak,
+            time,
+        });
+        series.ids.push(id.into());
+        series.columns.push(own);
+    };
+    for (k, id, title, dimension) in [
+        (
+            WAVE_FRONT,
+            "wave_height_theta_0",
+            "Wave height at the wall, θ = 0°",
+            Dimension::Length,
+        ),
+        (
+            WAVE_BACK,
+            "wave_height_theta_180",
+            "Wave height at the wall, θ = 180°",
+            Dimension::Length,
+        ),
+        (BASE_SHEAR, "base_shear", "Base shear", Dimension::Force),
+        (
+            BASE_MOMENT,
+            "base_moment",
+            "Moment above the base plate",
+            Dimension::Moment,
+        ),
+        (
+            TOP_FRONT,
+            "top_displacement",
+            "Radial displacement of the top of the wall, θ = 0°",
+            Dimension::Length,
+        ),
+        (
+            BELLY_FRONT,
+            "belly_displacement",
+            "Radial displacement at a third of the levels of the wall, θ = 0°",
+            Dimension::Length,
+        ),
+    ] {
+        let swing = extremes(watch, k);
+        push(id, title, dimension, &recorder.histories[k], Some(swing.swing()));
+    }
+    for (side, angle) in [(0, 0), (1, 180)] {
+        let meridian = &watch.seen.sides[side];
+        push(
+            &format!("axial_membrane_stress_base_theta_{angle}"),
+            &format!("Axial membrane stress at the base, θ = {angle}°"),
+            Dimension::Stress,
+            &meridian.base_axial,
+            None,
+        );
+        push(
+            &format!("wall_moment_base_theta_{angle}"),
+            &format!("Meridional bending moment of the wall at the base, θ = {angle}°"),
+            Dimension::LineMoment,
+            &meridian.moment,
+            None,
+        );
+    }
+    (info, series)
+}
+
+/// Range of a recorded quantity with its value at rest; zeros where the state at rest was not reached.
+fn extremes(watch: &Watch<'_>, k: usize) -> Extremes {
+    let range = &watch.recorder.ranges[k];
+    match watch.recorder.histories[k].first() {
+        Some(&rest) => Extremes {
+            rest,
+            min: range.min,
+            min_time: range.min_time,
+            max: range.max,
+            max_time: range.max_time,
+        },
+        None => Extremes::default(),
+    }
+}
+
+fn values(tank: &CylinderModel, watch: &Watch<'_>) -> BTreeMap<Quantity, f64> {
+    let swing = |k: usize| extremes(watch, k).swing().0;
+    let rise = |k: usize| {
+        let of = extremes(watch, k);
+        of.max - of.rest
+    };
+    let sides = &watch.seen.sides;
+    let hoop = sides
+        .iter()
+        .flat_map(|s| s.hoop.iter().map(|e| e.swing().0))
+        .fold(0.0, f64::max);
+    let axial = sides
+        .iter()
+        .filter_map(|s| s.axial.first().map(|e| e.swing().0))
+        .fold(0.0, f64::max);
+    let mut out = BTreeMap::from([
+        (Quantity::ImpulsivePeriod, TAU / tank.wall_omega),
+        (Quantity::SloshingHeight, rise(WAVE_FRONT).max(rise(WAVE_BACK))),
+        (Quantity::BaseShear, swing(BASE_SHEAR)),
+        (Quantity::BaseMoment, swing(BASE_MOMENT)),
+        (Quantity::HoopStress, hoop),
+        (Quantity::AxialMembraneStress, axial),
+    ]);
+    if tank.sloshing_omega > 0.0 {
+        out.insert(Quantity::SloshingPeriod, TAU / tank.sloshing_omega);
+    }
+    out
+}
+
+fn end(tank: &CylinderModel, run: &Run) -> End {
+    match &run.outcome {
+        Outcome::Completed => End::Completed,
+        Outcome::Interrupted | Outcome::Stopped { .. } => End::Interrupted { time: run.time },
+        Outcome::Collapsed(collapse) => {
+            let node = collapse.worst.map(|(node, _)| node);
+            let node = node.or(collapse.element.map(|e| tank.model.elements()[e].nodes()[0]));
+            End::Collapsed {
+                time: collapse.time,
+                load_factor: collapse.load_factor,
+                reason: collapse.failure.to_string(),
+                place: node.map_or(String::new(), |n| {
+                    let [x, y, z] = tank.model.nodes()[n];
+                    place(y.atan2(x), z)
+                }),
+            }
+        }
+    }
+}
+
+fn envelopes(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Envelope> {
+    let z: Vec<f64> = tank.cells.z.windows(2).map(|z| 0.5 * (z[0] + z[1])).collect();
+    let front = &watch.seen.sides[0];
+    [
+        ("hoop_stress", "Hoop membrane stress", &front.hoop),
+        ("axial_membrane_stress", "Axial membrane stress", &front.axial),
+    ]
+    .into_iter()
+    .map(|(id, title, list)| Envelope {
+        id: id.into(),
+        title: title.into(),
+        dimension: Dimension::Stress,
+        z: z[..list.len()].to_vec(),
+        static_: list.iter().map(|e| e.rest).collect(),
+        min: list.iter().map(|e| e.min - e.rest).collect(),
+        max: list.iter().map(|e| e.max - e.rest).collect(),
+    })
+    .collect()
+}

@@ -1,0 +1,95 @@
+//! A tank at rising scales of its record: strip or cylinder.
+
+use fem::progress::Progress;
+use tank::Case;
+use tank::Shape;
+use tank::units::Dimension;
+
+use super::cylinder::{self, Cylinder};
+use super::strip::Strip;
+use super::{CheckpointFile, NonlinearOptions};
+use crate::FeError;
+use crate::harmonic::check_depth;
+use results::{Fact, IdaRun};
+
+/// A tank ready to be shaken at rising scales.
+pub struct Incremental<'a>(Kind<'a>);
+
+enum Kind<'a> {
+    Strip(Box<Strip>),
+    Cylinder(Box<Cylinder<'a>>),
+}
+
+impl<'a> Incremental<'a> {
+    /// The tank of a case with its record.
+    ///
+    /// Errors: no record; a tank, a wall, a law or an option that the engine does not know; parameters out of range.
+    pub fn new(
+        case: &'a Case,
+        options: &'a NonlinearOptions,
+        progress: &dyn Progress,
+    ) -> Result<Incremental<'a>, FeError> {
+        if case.ground_motion.is_none() {
+            return Err(FeError::NoRecord);
+        }
+        check_depth(case)?;
+        Ok(Incremental(match case.tank.shape {
+            Shape::Cylinder { .. } => Kind::Cylinder(Box::new(Cylinder::new(case, options, progress)?)),
+            Shape::Rectangle { .. } => Kind::Strip(Box::new(Strip::new(case, options)?)),
+        }))
+    }
+
+    /// The model in numbers.
+    ///
+    /// Errors: no record.
+    pub fn facts(&self) -> Result<Vec<Fact>, FeError> {
+        match &self.0 {
+            Kind::Strip(strip) => Ok(strip.facts.clone()),
+            Kind::Cylinder(cylinder) => cylinder.facts(),
+        }
+    }
+
+    /// What is assumed, one sentence each.
+    pub fn assumptions(&self) -> Vec<String> {
+        let (mut out, whole) = match &self.0 {
+            Kind::Strip(strip) => (strip.assumptions.clone(), "Each number is that of the worse wall."),
+            Kind::Cylinder(cylinder) => (
+                cylinder.assumptions(),
+                "The displacement is the largest radial one of the whole wall, the moment that of the whole tank.",
+            ),
+        };
+        out.push(whole.to_owned());
+        out.push(format!(
+            "A curve of one record says nothing of a capacity: that needs at least {} records.",
+            fem::analysis::ida::RECORDS_FOR_CAPACITY
+        ));
+        out
+    }
+
+    /// Dimension of the moment at the base.
+    pub fn moment(&self) -> Dimension {
+        match &self.0 {
+            Kind::Strip(_) => Dimension::LineMoment,
+            Kind::Cylinder(_) => cylinder::MOMENT,
+        }
+    }
+
+    /// The tank at every scale on `threads` threads, by ascending scale; `each` gets every run as it is finished.
+    ///
+    /// * `checkpoint`: where the run of a scale keeps what it needs to be resumed; left to the caller to remove
+    ///
+    /// Errors: a failure of the analysis; a checkpoint that cannot be written or is of another run. Collapse is none.
+    pub fn run(
+        &self,
+        scales: &[f64],
+        threads: usize,
+        checkpoint: &(dyn Fn(f64) -> Option<CheckpointFile> + Sync),
+        progress: &dyn Progress,
+        each: impl FnMut(IdaRun),
+    ) -> Result<Vec<IdaRun>, FeError> {
+        match &self.0 {
+            Kind::Strip(strip) => strip.incremental(scales, threads, checkpoint, progress, each),
+            Kind::Cylinder(cylinder) => cylinder.incremental(scales, threads, checkpoint, progress, each),
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! The nonlinear engine: walls that yield and crack, in large rotations, with the liquid of linear theory.
+//!
+//! [`simulate`] runs a case once, [`Incremental`] at rising scales of its record, [`push`] is the static pushover of a cylinder.
+
+mod cylinder;
+mod incremental;
+mod laws;
+mod options;
+pub mod push;
+pub mod scope;
+mod strip;
+
+use std::path::PathBuf;
+
+use fem::analysis::checkpoint::unfinished;
+use fem::progress::Progress;
+use fem::strip::Side;
+use tank::Case;
+use tank::Shape;
+
+use super::estimate::Estimate;
+use super::harmonic::check_depth;
+use super::{FeError, Simulation};
+use results::LiquidParting;
+use results::nonlinear::PARTED;
+
+pub use incremental::Incremental;
+pub use options::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, ThicknessRule, WallElements};
+
+/// In the vocabulary of the results.
+fn parting(found: fem::liquid::separation::Parting) -> LiquidParting {
+    LiquidParting {
+        time: found.time,
+        height: found.height,
+        open: found.open,
+    }
+}
+
+/// Where a run keeps what it needs to be resumed. A strip keeps its second wall beside it, in `path` with `.theta_180` after it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CheckpointFile {
+    /// File.
+    pub path: PathBuf,
+    /// Hash of the input: another key is another analysis.
+    pub key: String,
+    /// Go on from the file if there is one.
+    pub resume: bool,
+}
+
+impl CheckpointFile {
+    /// The files that a run may keep.
+    pub fn files(&self) -> [PathBuf; 2] {
+        Side::BOTH.map(|side| strip::wall_path(&self.path, side))
+    }
+
+    /// Removes what a run has kept: its results are written. What cannot be removed is only litter.
+    pub fn remove(&self) {
+        for path in self.files() {
+            let _ = std::fs::remove_file(unfinished(&path));
+            let _ = std::fs::remove_file(path);
+        }
+    }
+}
+
+/// What [`simulate`] takes, from case and options alone.
+///
+/// Errors: no record; a response longer than the limits.
+pub fn estimate(case: &Case, options: &NonlinearOptions) -> Result<Estimate, FeError> {
+    check_depth(case)?;
+    match case.tank.shape {
+        Shape::Cylinder { .. } => cylinder::estimate::estimate(case, options, 0, 1),
+        Shape::Rectangle { .. } => strip::estimate::estimate(case, options, true, 0, 1),
+    }
+}
+
+/// What `runs` runs of an [`Incremental`] analysis take, `jobs` at a time.
+///
+/// Errors: as [`estimate`].
+pub fn estimate_incremental(
+    case: &Case,
+    options: &NonlinearOptions,
+    jobs: usize,
+    runs: usize,
+) -> Result<Estimate, FeError> {
+    check_depth(case)?;
+    match case.tank.shape {
+        Shape::Cylinder { .. } => cylinder::estimate::estimate(case, options, jobs, runs),
+        Shape::Rectangle { .. } => strip::estimate::estimate(case, options, false, jobs, runs),
+    }
+}
+
+/// Time history of a case by the nonlinear engine. Collapse is a result, not an error.
+///
+/// Errors: no record; a tank, a wall, a law or an option that the engine does not know; parameters out of range; a checkpoint
+/// that cannot be written or is of another analysis; interrupted before there is anything to show.
+pub fn simulate(
+    case: &Case,
+    options: &NonlinearOptions,
+    checkpoint: Option<&CheckpointFile>,
+    progress: &dyn Progress,
+) -> Result<Simulation, FeError> {
+    check_depth(case)?;
+    match case.tank.shape {
+        Shape::Cylinder { .. } => cylinder::simulate(case, options, checkpoint, progress),
+        Shape::Rectangle { .. } => strip::simulate(case, options, checkpoint, progress),
+    }
+}

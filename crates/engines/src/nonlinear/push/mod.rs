@@ -1,0 +1,368 @@
+//! Pushover of an anchored cylinder: the state at rest, then inertia forces and impulsive pressure of a growing horizontal
+//! acceleration through the limit point.
+//!
+//! ```text
+//! f_int(u) = weight + p_hydrostatic(u) + a M_s ι + max(a M_f ι, −p_hydrostatic)         a [m/s²]
+//! ```
+//!
+//! Load steps up to the last equilibrium, then an arc through the limit point in the pattern reached (the liquid does not pull,
+//! node by node). Large rotations, steel that yields, the hydrostatic pressure turns with the wall; see `load` for the pattern, `model` for
+//! mesh and supports, `imperfection` for what is wrong with the shell. A static capacity: neither the duration of the peak nor
+//! the cycles before it count.
+
+mod buckling;
+mod estimate;
+mod imperfection;
+mod keep;
+mod limits;
+mod load;
+mod model;
+mod path;
+mod seen;
+#[cfg(test)]
+mod tests;
+
+use fem::analysis::checkpoint::Reader;
+use fem::progress::Progress;
+use tank::Case;
+use tank::units::{Dimension, significant};
+
+pub use estimate::estimate;
+pub use imperfection::{Amplitude, Form, Quality};
+pub use limits::{Capacity, Formula};
+pub use model::NoSteel;
+
+use super::{CheckpointFile, NonlinearOptions};
+use crate::FeError;
+use buckling::Mode;
+use imperfection::{Dent, Depression, half_wave};
+use keep::{Keeper, Kept};
+use model::Plan;
+use path::Followed;
+use results::{Fact, Imperfection, PushLimit, PushShell};
+
+/// What a pushover is asked.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PushOptions {
+    /// Amplitude of the imperfect shell; `None`: the perfect shell alone.
+    pub imperfection: Option<Amplitude>,
+    /// Its form.
+    pub form: Form,
+    /// Height of a weld [m]; `None`: where the perfect shell buckles. A mode has its own.
+    pub height: Option<f64>,
+}
+
+/// What a pushover found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pushed {
+    /// The model in numbers.
+    pub model: Vec<Fact>,
+    /// What was assumed.
+    pub assumptions: Vec<String>,
+    /// What to doubt of it, one sentence each.
+    pub doubts: Vec<String>,
+    /// The perfect shell and the imperfect one.
+    pub shells: Vec<PushShell>,
+    /// Formulas beside it.
+    pub limits: Vec<PushLimit>,
+    /// What an interruption left out, in words; empty if all was done.
+    pub interruption: String,
+}
+
+/// Pushes the perfect shell, and the imperfect one if there is one.
+///
+/// * `formulas`: what the found capacity is compared with
+/// * `checkpoint`: where the run is kept every [`NonlinearOptions::checkpoint`] seconds and when it is interrupted; left to the
+///   caller to remove
+///
+/// Errors: a tank, a wall or an option that a pushover does not know; a state at rest that the wall does not carry; a checkpoint of
+/// another run. One that cannot be written is no error but a warning of `progress`.
+pub fn pushover(
+    case: &Case,
+    options: &NonlinearOptions,
+    push: &PushOptions,
+    formulas: &[Formula],
+    checkpoint: Option<&CheckpointFile>,
+    progress: &dyn Progress,
+) -> Result<Pushed, FeError> {
+    let plan = Plan::new(case, options)?;
+    let height = case.tank.wall_height();
+    if let Some(z) = push.height.filter(|z| !(0.0..=height).contains(z)) {
+        return Err(FeError::Option {
+            option: "height of the imperfection".into(),
+            found: format!("{z} m"),
+            allowed: format!("0 to {height} m, the height of the wall"),
+        });
+    }
+    if push.height.is_some() && push.form == Form::Mode {
+        return Err(FeError::Option {
+            option: "height of the imperfection".into(),
+            found: "a height beside the buckling mode".into(),
+            allowed: "a height for a weld; a mode has its own".into(),
+        });
+    }
+    let mut keeper = Keeper::new(checkpoint, &plan);
+    let kept = keeper.resume(&plan)?;
+    let (shells, missing) = shells(&plan, push, kept, &mut keeper, progress).inspect_err(|error| {
+        // It would end there again.
+        if matches!(error, FeError::Analysis(_)) {
+            keeper.discard();
+        }
+    })?;
+    Ok(Pushed {
+        model: facts(&plan),
+        assumptions: assumptions(case, options),
+        doubts: doubts(&plan, &shells),
+        interruption: interruption(&shells, missing),
+        shells,
+        limits: limits::limits(&plan, formulas),
+    })
+}
+
+/// The shells, and whether one is missing that was asked for.
+fn shells(
+    plan: &Plan,
+    push: &PushOptions,
+    kept: Kept<'_>,
+    keeper: &mut Keeper<'_>,
+    progress: &dyn Progress,
+) -> Result<(Vec<PushShell>, bool), FeError> {
+    let Kept { perfect, mode, path } = kept;
+    let (perfect, path) = match perfect {
+        Some((seen, end)) => (seen.shell(end), path),
+        None => {
+            let found = path::follow(plan, None, "perfect shell", path, keeper, progress)?;
+            if let Some(end) = &found.end {
+                keeper.finished(&found.seen, end);
+            }
+            (found.shell(), None)
+        }
+    };
+    let Some(amplitude) = push.imperfection else {
+        return Ok((vec![perfect], false));
+    };
+    if perfect.interrupted {
+        return Ok((vec![perfect], true));
+    }
+    let imperfect = if progress.interrupted() {
+        // With a path under way the file has all that there is.
+        if path.is_none() {
+            keeper.save(None, progress);
+        }
+        None
+    } else {
+        match imperfect(plan, amplitude, push, &perfect, (mode, path), keeper, progress) {
+            Ok(shell) => Some(shell),
+            // What is there is kept.
+            Err(FeError::Interrupted { .. }) => None,
+            Err(error) => return Err(error),
+        }
+    };
+    let missing = imperfect.is_none();
+    Ok((std::iter::once(perfect).chain(imperfect).collect(), missing))
+}
+
+/// Longest element on which a bulge is one, over √(R t): its half wave is 1.7 √(R t) and more, three elements then.
+const COARSE: f64 = 0.6;
+
+/// What to doubt of a pushover.
+fn doubts(plan: &Plan, shells: &[PushShell]) -> Vec<String> {
+    let lowest = &plan.case.tank.courses[0];
+    let length = (plan.levels[1] - plan.levels[0]) / (plan.radius * lowest.thickness).sqrt();
+    let mut out = Vec::new();
+    if length > COARSE {
+        out.push(format!(
+            "The mesh is too coarse for a bulge: the lowest element is {} √(R t) long, of which a bulge takes 1.7 to 2.4; at most {COARSE} \
+             would do. Capacities may be far too high.",
+            significant(length, 3)
+        ));
+    }
+    if let [perfect, imperfect] = shells
+        && imperfect.capacity.state.acceleration > 1.01 * perfect.capacity.state.acceleration
+    {
+        out.push(
+            "The imperfect shell carries more than the perfect one: the imperfection stiffens the place where the perfect shell \
+             buckles, or the mesh does not resolve the buckle. No capacity is to be read from it."
+                .into(),
+        );
+    }
+    out
+}
+
+/// What is left out, in words.
+fn interruption(shells: &[PushShell], missing: bool) -> String {
+    let capacity = |shell: &PushShell| match shell.capacity.limit {
+        true => "beyond its maximum",
+        false => "whose capacity is a lower bound",
+    };
+    match shells {
+        [perfect] if perfect.interrupted => {
+            let rest = if missing {
+                ", and the imperfect one was not run"
+            } else {
+                ""
+            };
+            format!("interrupted in the perfect shell, {}{rest}", capacity(perfect))
+        }
+        [_] if missing => "the perfect shell is complete; interrupted before the imperfect one".into(),
+        [_, imperfect] if imperfect.interrupted => {
+            format!(
+                "the perfect shell is complete; interrupted in the imperfect one, {}",
+                capacity(imperfect)
+            )
+        }
+        _ => String::new(),
+    }
+}
+
+impl Followed<'_> {
+    fn shell(&self) -> PushShell {
+        let end = self.end.clone().unwrap_or_else(|| "interrupted".into());
+        PushShell {
+            interrupted: self.end.is_none(),
+            ..self.seen.shell(end)
+        }
+    }
+}
+
+/// Pushes the imperfect shell.
+///
+/// * `kept`: buckling mode and path that a checkpoint has
+///
+/// Errors: as [`pushover`]; an interruption before there is anything to show.
+fn imperfect(
+    plan: &Plan,
+    amplitude: Amplitude,
+    push: &PushOptions,
+    perfect: &PushShell,
+    kept: (Option<Mode>, Option<Reader>),
+    keeper: &mut Keeper<'_>,
+    progress: &dyn Progress,
+) -> Result<PushShell, FeError> {
+    let course = |z: f64| plan.case.tank.course_at(z);
+    let (dent, imperfection) = match push.form {
+        Form::Weld => {
+            let z = push.height.unwrap_or(perfect.capacity.height);
+            let (t, nu) = (course(z).thickness, course(z).material.poisson_ratio);
+            let shape = Depression {
+                amplitude: amplitude.of_wall(t, plan.radius),
+                height: z,
+                half_wave: half_wave(plan.radius, t, nu),
+            };
+            let imperfection = Imperfection {
+                amplitude: shape.amplitude,
+                over_thickness: shape.amplitude / t,
+                height: z,
+                angle: None,
+                half_wave: Some(shape.half_wave),
+                factor: None,
+                map: None,
+                source: amplitude.source("shape of a weld depression (Rotter & Teng 1989, type A)"),
+            };
+            (Dent::Weld(shape), imperfection)
+        }
+        Form::Mode => {
+            let acceleration = perfect.capacity.state.acceleration;
+            let mode = match kept.0 {
+                Some(mode) => mode,
+                None => {
+                    if keeper.due() {
+                        keeper.save(None, progress);
+                    }
+                    progress.stage("buckling mode", 1);
+                    let mode = buckling::mode(plan, acceleration)?;
+                    progress.advance(1);
+                    keeper.found(&mode);
+                    mode
+                }
+            };
+            let t = course(mode.place.0).thickness;
+            let delta = amplitude.of_wall(t, plan.radius);
+            let shape = format!(
+                "shape of the lowest linear buckling mode, which the elastic wall has under {} times the load at {} g",
+                significant(mode.factor, 3),
+                significant(acceleration / plan.case.gravity, 3)
+            );
+            let imperfection = Imperfection {
+                amplitude: delta,
+                over_thickness: delta / t,
+                height: mode.place.0,
+                angle: Some(mode.place.1),
+                half_wave: None,
+                factor: Some(mode.factor),
+                map: Some(mode.map(plan, delta)),
+                source: amplitude.source(&shape),
+            };
+            (Dent::Mode(mode.scaled(delta)), imperfection)
+        }
+    };
+    let found = path::follow(plan, Some(&dent), "imperfect shell", kept.1, keeper, progress)?;
+    Ok(PushShell {
+        imperfection: Some(imperfection),
+        ..found.shell()
+    })
+}
+
+fn facts(plan: &Plan) -> Vec<Fact> {
+    let fact = |name: &str, value: f64, dimension| Fact {
+        name: name.into(),
+        value,
+        dimension,
+    };
+    let number = Dimension::Dimensionless;
+    let lowest = &plan.case.tank.courses[0];
+    let bending = (plan.radius * lowest.thickness).sqrt();
+    let (mass, moment) = plan.impulsive.above(0.0);
+    let masses = limits::masses(plan, 0.0);
+    vec![
+        fact("R/t of the lowest course", plan.radius / lowest.thickness, number),
+        fact("elements over the height", (plan.levels.len() - 1) as f64, number),
+        fact("elements around the half", (plan.angles.len() - 1) as f64, number),
+        fact(
+            "lowest element over √(R t)",
+            (plan.levels[1] - plan.levels[0]) / bending,
+            number,
+        ),
+        fact(
+            "smallest element along the circumference over √(R t)",
+            plan.radius * plan.angles[1] / bending,
+            number,
+        ),
+        fact("impulsive mass of the liquid", mass, Dimension::Mass),
+        fact("its height", moment / mass, Dimension::Length),
+        fact("mass of wall and roof", masses.0, Dimension::Mass),
+    ]
+}
+
+fn assumptions(case: &Case, options: &NonlinearOptions) -> Vec<String> {
+    let mut out = vec![
+        "Static: the load grows once, in one direction, from the state at rest under weight and liquid; no cycles, no duration. The \
+         acceleration is that of ground and impulsive liquid together: with the impulsive response spectrum the abscissa is S_a, not \
+         the peak ground acceleration."
+            .to_owned(),
+        "Inertia of the wall and impulsive pressure in the pattern of a rigid tank, the sloshing at rest; no vertical motion. The \
+         liquid does not pull: on the side away from the compression impulsive and hydrostatic pressure together are never below \
+         zero, so that shear and moment grow slower than the acceleration. The formulas are compared without that."
+            .into(),
+        "Half the wall between planes of symmetry, clamped at its base, free at its top: a roof is mass without stiffness. A buckle of the \
+         edge on the side away from the compression, where no liquid presses, is that of a wall without ring or roof; a ring can be given \
+         as a course of its own."
+            .into(),
+        "Steel of the material's nominal strength; the elements carry transverse shear elastically and know no tearing.".into(),
+        "Waves shorter than about eight elements around the circumference are too stiff: the axisymmetric bulge at the base is \
+         resolved, diamond buckles of an elastic wall are only as far as the element size in the table allows."
+            .into(),
+    ];
+    if case.tank.roof.mass > 0.0 {
+        out.push(
+            "The mass of the roof stands on the edge of the wall, its lever as a pair of forces along the edge.".into(),
+        );
+    }
+    if !options.follower_pressure {
+        out.push("The hydrostatic pressure does not turn with the wall, as asked for.".into());
+    }
+    if !options.self_weight {
+        out.push("The wall has no weight, as asked for.".into());
+    }
+    out
+}

@@ -1,0 +1,354 @@
+//! The shell of a pushover: one half of the wall between its planes of symmetry.
+//!
+//! Angles run from θ = 0, the compressed side, to π in a geometric series whose first element is a quarter of the last. Levels
+//! follow the edge bending, of which √(R t) is the measure: 0.15 √(R t) at the base, 0.4 √(R t) at the joints of the courses and at
+//! the surface, at most 1.3 √(R t), growing by 15 % an element. The wall is clamped at its base and free at its top; a roof is mass
+//! without stiffness.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use fem::assembly::{Assembler, order};
+use fem::dofs::Dof;
+use fem::element::shell::load::{FollowerPressure, NodalLoads};
+use fem::element::shell::surface::{Normals, ShellCell, ShellSurface};
+use fem::element::shell4::Axes;
+use fem::element::wall::place::Build;
+use fem::linalg::Symbolic;
+use fem::mesh::grading::geometric;
+use fem::model::{Builder, Model};
+use nalgebra::{Matrix3, Vector3};
+use tank::Case;
+use tank::{Behaviour, Course, Shape, Support};
+
+use super::imperfection::Dent;
+use super::load::{Impulsive, cosine_shares, shares};
+use crate::FeError;
+use crate::harmonic::check_depth;
+use crate::nonlinear::NonlinearOptions;
+use crate::nonlinear::cylinder::mesh::enough_rows;
+use crate::nonlinear::cylinder::section::row;
+use crate::nonlinear::laws::unsupported;
+use crate::solid::mesh::based_levels;
+
+/// Sectors of the full circle unless the user says otherwise.
+pub(super) const SECTORS: u32 = 96;
+/// Last over first element around the half circle.
+const GRADING: f64 = 4.0;
+/// Element length at the base over √(R t).
+pub(super) const BASE: f64 = 0.15;
+
+/// The model with its loads.
+pub(super) struct PushModel {
+    pub(super) model: Model,
+    pub(super) assembler: Assembler,
+    pub(super) symbolic: Arc<Symbolic>,
+    /// Weight.
+    pub(super) weight: Vec<f64>,
+    /// Inertia forces of wall and roof under 1 m/s².
+    pub(super) inertia: Vec<f64>,
+    /// Pressure of the liquid at the wetted nodes.
+    pub(super) wet: Vec<WetNode>,
+    /// Nodes `rings[level][angle]`.
+    pub(super) rings: Vec<Vec<usize>>,
+    /// Elements `cells[level][sector]`.
+    pub(super) cells: Vec<Vec<usize>>,
+    pub(super) levels: Vec<f64>,
+    pub(super) angles: Vec<f64>,
+}
+
+/// Radial forces of the liquid at a node.
+#[derive(Clone, Debug)]
+pub(super) struct WetNode {
+    /// Radial displacement: (unknown, coefficient).
+    row: Vec<(usize, f64)>,
+    /// Impulsive force of 1 m/s² [N], outwards.
+    impulsive: f64,
+    /// Hydrostatic force [N].
+    rest: f64,
+    /// Horizontal force along x of a radial one, and its height [m].
+    direction: f64,
+    height: f64,
+}
+
+impl WetNode {
+    /// Impulsive force at an acceleration: the liquid does not pull.
+    fn force(&self, acceleration: f64) -> f64 {
+        (acceleration * self.impulsive).max(-self.rest)
+    }
+}
+
+impl PushModel {
+    /// Load at an acceleration, and its derivative there.
+    pub(super) fn load(&self, acceleration: f64) -> (Vec<f64>, Vec<f64>) {
+        let mut slope = self.inertia.clone();
+        let mut load: Vec<f64> = slope.iter().map(|f| acceleration * f).collect();
+        for node in &self.wet {
+            let force = node.force(acceleration);
+            let pulls = acceleration * node.impulsive < -node.rest;
+            for &(e, c) in &node.row {
+                load[e] += c * force;
+                slope[e] += if pulls { 0.0 } else { c * node.impulsive };
+            }
+        }
+        (load, slope)
+    }
+
+    /// Horizontal force of the liquid on the whole wall, and its moment about the base.
+    pub(super) fn liquid(&self, acceleration: f64) -> (f64, f64) {
+        // Two halves.
+        self.wet.iter().fold((0.0, 0.0), |sum, node| {
+            let force = 2.0 * node.direction * node.force(acceleration);
+            (sum.0 + force, sum.1 + force * node.height)
+        })
+    }
+}
+
+/// A material of the wall that a pushover does not take.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "materials.{material}.behaviour: found {found}, allowed steel with its yield strength: the capacity of a pushover is that of a \
+         plate that yields"
+)]
+pub struct NoSteel {
+    /// Its name in the file.
+    pub material: String,
+    /// Its behaviour, as users name it.
+    pub found: &'static str,
+}
+
+impl NoSteel {
+    /// The first of a tank: concrete, which fails in other ways than by a buckle, or an elastic wall, which never yields.
+    pub fn of(case: &Case) -> Option<NoSteel> {
+        let layers = case.tank.courses.iter().flat_map(Course::build_up);
+        let mut materials = layers.map(|l| l.material);
+        let other = materials.find(|m| !matches!(m.behaviour, Behaviour::Steel(_)))?;
+        Some(NoSteel {
+            found: other.behaviour.kind(),
+            material: other.name,
+        })
+    }
+}
+
+/// What the model is made from.
+pub(super) struct Plan<'a> {
+    pub(super) case: &'a Case,
+    pub(super) options: &'a NonlinearOptions,
+    pub(super) radius: f64,
+    pub(super) levels: Vec<f64>,
+    pub(super) angles: Vec<f64>,
+    pub(super) impulsive: Impulsive,
+}
+
+fn failed(error: impl std::fmt::Display) -> FeError {
+    FeError::Analysis(error.to_string())
+}
+
+impl<'a> Plan<'a> {
+    /// Errors: a tank that is no anchored cylinder; an option out of range.
+    pub(super) fn new(case: &'a Case, options: &'a NonlinearOptions) -> Result<Plan<'a>, FeError> {
+        let Shape::Cylinder { radius } = case.tank.shape else {
+            return unsupported("a pushover is for cylinders (shape cylinder); this tank is a rectangle");
+        };
+        if case.tank.support != Support::Anchored {
+            return unsupported("a pushover is for anchored tanks (support anchored); this tank may uplift");
+        }
+        if let Some(no_steel) = NoSteel::of(case) {
+            return unsupported(no_steel.to_string());
+        }
+        check_depth(case)?;
+        let sectors = options.elements.map_or(SECTORS, |e| e.circumference);
+        if sectors < 8 || sectors % 2 == 1 {
+            return Err(FeError::Option {
+                option: "analysis.nonlinear.elements.circumference".into(),
+                found: sectors.to_string(),
+                allowed: "an even number for a pushover, whose model is half the wall; 8 or more".into(),
+            });
+        }
+        let depth = case.liquid.fill_height;
+        let rows = |refine: f64| based_levels(&case.tank, depth, BASE, refine);
+        let levels = options
+            .elements
+            .map_or_else(|| rows(1.0), |e| enough_rows(rows, e.height as usize));
+        let angles = geometric(0.0, PI, (sectors / 2) as usize, GRADING).map_err(failed)?;
+        let impulsive = Impulsive::new(case, radius, &levels)?;
+        Ok(Plan {
+            case,
+            options,
+            radius,
+            levels,
+            angles,
+            impulsive,
+        })
+    }
+
+    /// The model, with its imperfection.
+    pub(super) fn build(&self, imperfection: Option<&Dent>) -> Result<PushModel, FeError> {
+        let (case, radius) = (self.case, self.radius);
+        let (levels, angles) = (&self.levels, &self.angles);
+        let mut builder = Builder::new();
+        let mut normals = Vec::new();
+        let mut rings = Vec::with_capacity(levels.len());
+        for (l, &z) in levels.iter().enumerate() {
+            let ring = angles.iter().enumerate().map(|(k, &angle)| {
+                let (s, c) = angle.sin_cos();
+                let perfect = (Vector3::zeros(), Vector3::new(c, s, 0.0));
+                let (offset, normal) = imperfection.map_or(perfect, |d| d.at((l, k), angle, z));
+                let place = Vector3::new(radius * c, radius * s, z) + offset;
+                let node = builder.node(place.into());
+                builder.frame(node, Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0));
+                normals.push(normal);
+                node
+            });
+            rings.push(ring.collect::<Vec<usize>>());
+        }
+        let mut joints = Vec::new();
+        for course in &case.tank.courses {
+            joints.push(joints.last().copied().unwrap_or(0.0) + course.height);
+        }
+        let mut corners = Vec::new();
+        let length = radius * (angles[1] - angles[0]);
+        for (z, pair) in levels.windows(2).zip(rings.windows(2)) {
+            let middle = 0.5 * (z[0] + z[1]);
+            let course = joints.iter().position(|top| middle < *top).unwrap_or(joints.len() - 1);
+            let layers = case.tank.courses[course].build_up();
+            let Build::Shell(leaf) = row(&layers, [length, z[1] - z[0]], &self.options.integration)?.build else {
+                return unsupported("a pushover knows walls of one shell, not of two with an interlayer");
+            };
+            for k in 0..angles.len() - 1 {
+                corners.push(ShellCell {
+                    nodes: [pair[0][k], pair[0][k + 1], pair[1][k + 1], pair[1][k]],
+                    section: leaf.section.clone(),
+                    group: "wall".into(),
+                });
+            }
+        }
+        let pressed: Vec<[usize; 4]> = corners.iter().map(|c| c.nodes).collect();
+        let normal = |_: usize, node: usize| normals[node];
+        let surface = ShellSurface {
+            normals: Normals::Exact(&normal),
+            axes: Axes::HOOP_Z,
+            ..ShellSurface::new(corners)
+        };
+        let placed = surface.place(&mut builder).map_err(failed)?;
+        let mut dead = NodalLoads::new();
+        self.hydrostatic(&mut builder, &pressed, &mut dead);
+        self.hold(&mut builder, &rings);
+        let roof = self.roof(&rings);
+        let model = builder.build().map_err(failed)?;
+        let assembler = Assembler::new(&model);
+        let symbolic =
+            Arc::new(Symbolic::new(assembler.pattern().clone(), &order(&model, assembler.pattern())).map_err(failed)?);
+        let mut weight = dead.vector(&model);
+        if self.options.self_weight {
+            add(&mut weight, &assembler.body_force(&model, [0.0, 0.0, -case.gravity]));
+            add(&mut weight, &roof.0.vector(&model));
+        }
+        let mut inertia = assembler.body_force(&model, [1.0, 0.0, 0.0]);
+        add(&mut inertia, &roof.1.vector(&model));
+        let wet = self.wet(&model, &rings);
+        let sectors = angles.len() - 1;
+        Ok(PushModel {
+            cells: placed.elements.chunks(sectors).map(<[usize]>::to_vec).collect(),
+            rings,
+            levels: levels.clone(),
+            angles: angles.clone(),
+            model,
+            assembler,
+            symbolic,
+            weight,
+            inertia,
+            wet,
+        })
+    }
+
+    /// ρ g (H − z), bilinear over every element.
+    fn hydrostatic(&self, builder: &mut Builder, cells: &[[usize; 4]], dead: &mut NodalLoads) {
+        let liquid = &self.case.liquid;
+        for &nodes in cells {
+            let positions = nodes.map(|n| builder.position(n));
+            let at = |z: f64| liquid.density * self.case.gravity * (liquid.fill_height - z).max(0.0);
+            let pressure = positions.map(|p| at(p[2]));
+            if pressure.iter().all(|p| *p <= 0.0) {
+                continue;
+            }
+            if self.options.follower_pressure {
+                builder.element("pressure", FollowerPressure::varying(nodes, positions, pressure));
+            } else {
+                dead.pressure(&nodes, &positions, |p| at(p[2]));
+            }
+        }
+    }
+
+    fn hold(&self, builder: &mut Builder, rings: &[Vec<usize>]) {
+        for ring in rings {
+            for &node in ring.first().into_iter().chain(ring.last()) {
+                builder.hold(node, Dof::Uy);
+                builder.hold(node, Dof::Ry);
+            }
+        }
+        for &node in &rings[0] {
+            for dof in [Dof::Ux, Dof::Uy, Dof::Uz, Dof::Rx, Dof::Ry] {
+                builder.hold(node, dof);
+            }
+        }
+    }
+
+    /// Weight of the roof, and its inertia force under 1 m/s² along x, over the half of its edge.
+    fn roof(&self, rings: &[Vec<usize>]) -> (NodalLoads, NodalLoads) {
+        let tank = &self.case.tank;
+        let lever = tank.roof_height() - tank.wall_height();
+        let (mut weight, mut inertia) = (NodalLoads::new(), NodalLoads::new());
+        let Some(edge) = rings.last().filter(|_| tank.roof.mass > 0.0) else {
+            return (weight, inertia);
+        };
+        let per_angle = tank.roof.mass / (2.0 * PI);
+        for ((&node, share), cosine) in edge.iter().zip(shares(&self.angles)).zip(cosine_shares(&self.angles)) {
+            weight.force(node, [0.0, 0.0, -per_angle * share * self.case.gravity]);
+            // The moment m d presses the edge with (m d)/(π R²) cos θ.
+            let tilt = tank.roof.mass * lever / (PI * self.radius) * cosine;
+            inertia.force(node, [per_angle * share, 0.0, -tilt]);
+        }
+        (weight, inertia)
+    }
+
+    fn wet(&self, model: &Model, rings: &[Vec<usize>]) -> Vec<WetNode> {
+        let liquid = &self.case.liquid;
+        let (levels, angles) = (&self.levels, &self.angles);
+        let mut out = Vec::new();
+        for (l, ring) in rings.iter().enumerate().filter(|(l, _)| self.impulsive.line[*l] > 0.0) {
+            // ∫ ρ g (H − z) N_l dz by the middles of the two elements beside the level.
+            let half = |a: f64, b: f64, share: f64| {
+                let head = liquid.fill_height - (a + share * (b - a));
+                0.5 * (b - a) * liquid.density * self.case.gravity * head.max(0.0)
+            };
+            let below = if l > 0 {
+                half(levels[l - 1], levels[l], 2.0 / 3.0)
+            } else {
+                0.0
+            };
+            let above = if l + 1 < levels.len() {
+                half(levels[l], levels[l + 1], 1.0 / 3.0)
+            } else {
+                0.0
+            };
+            let all = angles.iter().zip(cosine_shares(angles)).zip(shares(angles));
+            for (&node, ((angle, cosine), share)) in ring.iter().zip(all) {
+                let part = |dof, c: f64| model.row(node, dof).into_iter().map(move |(e, own)| (e, c * own));
+                let radial = part(Dof::Ux, angle.cos()).chain(part(Dof::Uy, angle.sin())).collect();
+                out.push(WetNode {
+                    row: radial,
+                    impulsive: self.impulsive.line[l] * self.radius * cosine,
+                    rest: (below + above) * self.radius * share,
+                    direction: angle.cos(),
+                    height: levels[l],
+                });
+            }
+        }
+        out
+    }
+}
+
+fn add(to: &mut [f64], what: &[f64]) {
+    to.iter_mut().zip(what).for_each(|(a, b)| *a += b);
+}

@@ -1,0 +1,492 @@
+//! What the engine does not model, told of the input before a run: the place, what is there, what may be there.
+//!
+//! The engine builds its sections with the same functions; what they refuse here they would refuse there.
+
+use std::f64::consts::TAU;
+
+use tank::Case;
+use tank::units::{Dimension, display};
+use tank::{Behaviour, Concrete, ConcreteLaw, Course, Layer, LayerKind, Shape, Softening, Support};
+
+use super::cylinder::mesh::Cells;
+use super::cylinder::section as shells;
+use super::laws::uniaxial_concrete;
+use super::strip::section as fibres;
+use super::{NonlinearOptions, WallElements, strip};
+use crate::FeError;
+
+/// Most elements over the height of a wall.
+pub const MOST_ROWS: u32 = 1000;
+/// Most elements around a tank.
+pub const MOST_SECTORS: u32 = 4000;
+
+/// Size at which only a law itself can be at fault [m].
+const TINY: f64 = 1e-3;
+
+/// What is asked of the engine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// Runs through a record.
+    History,
+    /// A static pushover.
+    Pushover,
+}
+
+/// Place in the input.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Place {
+    /// Shape of the tank.
+    Shape,
+    /// Its support.
+    Support,
+    /// Mass of its roof.
+    Roof,
+    /// A course, counted from 0.
+    Course(usize),
+    /// The concrete of this material.
+    Concrete(String),
+    /// The law of that concrete.
+    Law(String),
+    /// The interlayer of this material.
+    Interlayer(String),
+    /// Number of elements over the height.
+    Rows,
+    /// Number of elements around the tank.
+    Sectors,
+}
+
+/// Something that the engine refuses.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refusal {
+    /// Where.
+    pub place: Place,
+    /// What is wrong.
+    pub message: String,
+    /// What is there; empty if the input says it itself.
+    pub found: String,
+    /// What may be there.
+    pub allowed: String,
+    /// How to mend it; may be empty.
+    pub help: String,
+}
+
+impl Refusal {
+    fn new(place: Place, message: impl Into<String>, allowed: impl Into<String>) -> Refusal {
+        Refusal {
+            place,
+            message: message.into(),
+            found: String::new(),
+            allowed: allowed.into(),
+            help: String::new(),
+        }
+    }
+
+    fn found(mut self, found: impl Into<String>) -> Refusal {
+        self.found = found.into();
+        self
+    }
+
+    fn help(mut self, help: impl Into<String>) -> Refusal {
+        self.help = help.into();
+        self
+    }
+
+    /// What the engine itself says against something.
+    fn of(place: Place, error: FeError) -> Refusal {
+        match error {
+            FeError::Option { option, found, allowed } => {
+                Refusal::new(place, format!("{option} is out of range"), allowed).found(found)
+            }
+            other => Refusal::new(place, other.to_string(), ""),
+        }
+    }
+}
+
+/// Everything that the engine refuses of a case; empty if it can run.
+pub fn refusals(case: &Case, options: &NonlinearOptions, purpose: Purpose) -> Vec<Refusal> {
+    let mut all = Vec::new();
+    match (case.tank.shape, purpose) {
+        (Shape::Cylinder { radius }, Purpose::History) => cylinder(case, options, radius, true, &mut all),
+        (Shape::Cylinder { radius }, Purpose::Pushover) => {
+            if case.tank.support != Support::Anchored {
+                all.push(Refusal::new(
+                    Place::Support,
+                    "a pushover is for anchored tanks",
+                    "\"anchored\"",
+                ));
+            }
+            cylinder(case, options, radius, false, &mut all);
+            one_shell(case, &mut all);
+        }
+        (Shape::Rectangle { .. }, Purpose::Pushover) => all.push(Refusal::new(
+            Place::Shape,
+            "a pushover is for cylinders",
+            "\"cylinder\"",
+        )),
+        (Shape::Rectangle { strip: true, .. }, _) => strip_walls(case, options, &mut all),
+        (Shape::Rectangle { .. }, _) => all.push(
+            Refusal::new(
+                Place::Shape,
+                "the nonlinear engine runs cylinders and strips of long rectangular tanks, not a rectangle with four walls",
+                "\"cylinder\", or \"rectangle\" with \"strip\": true",
+            )
+            .help("a tank much broader than long is a strip: \"strip\": true in place of its breadth"),
+        ),
+    }
+    // One thing is said once, however many courses have it.
+    let mut told: Vec<Refusal> = Vec::new();
+    for refusal in all {
+        if !told
+            .iter()
+            .any(|r| r.place == refusal.place && r.message == refusal.message)
+        {
+            told.push(refusal);
+        }
+    }
+    told
+}
+
+fn strip_walls(case: &Case, options: &NonlinearOptions, all: &mut Vec<Refusal>) {
+    if case.tank.roof.mass > 0.0 {
+        all.push(Refusal::new(
+            Place::Roof,
+            "the nonlinear strip knows no roof",
+            "no mass: leave the roof out",
+        ));
+    }
+    let levels = |n: u32| fibres::levels(case, n);
+    let rows = Rows {
+        case,
+        given: options.elements,
+        chosen: strip::ELEMENTS,
+        levels: &levels,
+    };
+    for (index, course) in case.tank.courses.iter().enumerate() {
+        let layers = course.build_up();
+        let main = match fibres::main_leaf(&layers) {
+            Ok(main) => main,
+            Err(error) => {
+                all.push(Refusal::of(Place::Course(index), error).found(in_words(course)));
+                continue;
+            }
+        };
+        let before = all.len();
+        for (layer, concrete) in concretes(main) {
+            // Across the strip the strain is held.
+            let nu = layer.material.poisson_ratio;
+            let young = layer.material.youngs_modulus / (1.0 - nu * nu);
+            let law = |size: f64| uniaxial_concrete(&concrete, young, layer, size).map(|_| ());
+            let softens = concrete.largest_element(young);
+            check(index, layer, &concrete, softens, &law, &rows, None, all);
+        }
+        if all.len() == before
+            && let Err(error) = fibres::section(&layers, rows.longest(index, rows.count()), options)
+        {
+            all.push(Refusal::of(Place::Course(index), error).found(in_words(course)));
+        }
+    }
+}
+
+/// * `sized`: whether the cells are those of a time history
+fn cylinder(case: &Case, options: &NonlinearOptions, radius: f64, sized: bool, all: &mut Vec<Refusal>) {
+    let wanted = |height: u32| {
+        let elements = options.elements.map(|e| WallElements { height, ..e });
+        Cells::new(&case.tank, case.liquid.fill_height, elements, options.symmetry)
+    };
+    let cells = wanted(options.elements.map_or(0, |e| e.height));
+    let levels = |n: u32| match options.elements {
+        Some(_) => wanted(n).z,
+        None => cells.z.clone(),
+    };
+    let rows = Rows {
+        case,
+        given: options.elements,
+        chosen: cells.rows() as u32,
+        levels: &levels,
+    };
+    let arc = radius * cells.angle();
+    let mut first_gap = None;
+    for (index, course) in case.tank.courses.iter().enumerate() {
+        let layers = course.build_up();
+        let before = all.len();
+        if let Some(between) = layers.iter().find(|l| l.kind == LayerKind::Interlayer)
+            && let Err(error) = shells::interlayer(between)
+        {
+            all.push(
+                Refusal::new(
+                    Place::Interlayer(between.material.name.clone()),
+                    error.to_string(),
+                    "e_normal alone (with or without tension), or e_normal and shear_modulus with tension; or an elastic material",
+                )
+                .found(interlayer_in_words(between)),
+            );
+        }
+        for (layer, concrete) in concretes(&layers) {
+            let (young, nu) = (layer.material.youngs_modulus, layer.material.poisson_ratio);
+            let law = |size: f64| shells::plane_concrete(&concrete, young, nu, layer, [size, size]).map(|_| ());
+            let softens = match concrete.law {
+                // It knows no tension of its own.
+                ConcreteLaw::PlasticFracturing => f64::INFINITY,
+                _ => concrete.largest_element(young),
+            };
+            if sized {
+                let around = Some(Around {
+                    arc,
+                    perimeter: TAU * radius,
+                    half: cells.half,
+                });
+                check(index, layer, &concrete, softens, &law, &rows, around, all);
+            } else if let Err(error) = law(TINY) {
+                all.push(against_law(layer, &concrete, error));
+            }
+        }
+        if all.len() > before {
+            continue;
+        }
+        match shells::row(&layers, [TINY; 2], &options.integration) {
+            Err(error) => all.push(Refusal::of(Place::Course(index), error).found(in_words(course))),
+            Ok(row) => {
+                let gap = *first_gap.get_or_insert(row.gap);
+                if (row.gap - gap).abs() > 1e-9 * radius {
+                    let shown = |gap: f64| match gap {
+                        0.0 => "one shell".to_owned(),
+                        gap => format!(
+                            "two shells, {} apart between their middles",
+                            display(gap, Dimension::Length)
+                        ),
+                    };
+                    all.push(
+                        Refusal::new(
+                            Place::Course(index),
+                            "the nonlinear engine models walls whose shells are equally far apart in all courses",
+                            format!("{}, as in the first course", shown(gap)),
+                        )
+                        .found(shown(row.gap)),
+                    );
+                }
+            }
+        }
+    }
+}
+
+fn one_shell(case: &Case, all: &mut Vec<Refusal>) {
+    for (index, course) in case.tank.courses.iter().enumerate() {
+        if course.build_up().iter().any(|l| l.kind == LayerKind::Interlayer) {
+            all.push(
+                Refusal::new(
+                    Place::Course(index),
+                    "a pushover knows walls of one shell, not of two with an interlayer",
+                    "layers without an interlayer",
+                )
+                .found(in_words(course)),
+            );
+        }
+    }
+}
+
+/// Layers of concrete that cracks.
+fn concretes(layers: &[Layer]) -> impl Iterator<Item = (&Layer, Concrete)> {
+    layers.iter().filter_map(|layer| match layer.material.behaviour {
+        Behaviour::Concrete(concrete) => Some((layer, concrete)),
+        _ => None,
+    })
+}
+
+fn in_words(course: &Course) -> String {
+    let layers = course.build_up();
+    let words: Vec<String> = layers
+        .iter()
+        .map(|l| format!("{} {}", display(l.thickness, Dimension::Length), l.material.name))
+        .collect();
+    words.join(", ")
+}
+
+fn interlayer_in_words(layer: &Layer) -> String {
+    let Behaviour::Interlayer(i) = layer.material.behaviour else {
+        return layer.material.behaviour.kind().to_owned();
+    };
+    let modulus = |value: f64| display(value, Dimension::Stress);
+    format!(
+        "e_normal {}, e_parallel {}, shear_modulus {}, {} tension",
+        modulus(i.e_normal),
+        modulus(i.e_parallel),
+        modulus(i.shear_modulus),
+        if i.tension { "with" } else { "without" }
+    )
+}
+
+/// Rows of elements over the wall.
+struct Rows<'a> {
+    /// The tank.
+    case: &'a Case,
+    /// What the user wants.
+    given: Option<WallElements>,
+    /// What the engine takes if he wants nothing.
+    chosen: u32,
+    /// Heights of the nodes with so many elements.
+    levels: &'a dyn Fn(u32) -> Vec<f64>,
+}
+
+impl Rows<'_> {
+    fn count(&self) -> u32 {
+        self.given.map_or(self.chosen, |e| e.height)
+    }
+
+    /// Longest element of a course with so many [m].
+    fn longest(&self, course: usize, n: u32) -> f64 {
+        let courses = &self.case.tank.courses;
+        let base: f64 = courses[..course].iter().map(|c| c.height).sum();
+        let own = base..base + courses[course].height;
+        let levels = (self.levels)(n);
+        let inside = levels.windows(2).filter(|z| own.contains(&(0.5 * (z[0] + z[1]))));
+        inside.map(|z| z[1] - z[0]).fold(0.0, f64::max)
+    }
+
+    /// Least number of which none in a course is longer than this [m], if it is allowed.
+    fn needed(&self, course: usize, largest: f64) -> Option<u32> {
+        // Begun below the number of equal elements: the marks of a wall may leave a course elements shorter than the others.
+        let least = (0.5 * self.case.tank.wall_height() / largest).clamp(1.0, f64::from(MOST_ROWS) + 1.0);
+        (least as u32..=MOST_ROWS).find(|&n| self.longest(course, n) <= largest)
+    }
+}
+
+/// The cells of a cylinder along its circumference.
+#[derive(Clone, Copy)]
+struct Around {
+    /// Length of one [m].
+    arc: f64,
+    /// 2πR [m].
+    perimeter: f64,
+    /// Whether half of the tank is computed.
+    half: bool,
+}
+
+/// What a law of concrete has against itself, or against the size of the elements.
+///
+/// * `course`: which it is in
+/// * `softens`: largest element whose cracks do not snap back [m]
+/// * `law`: makes the law for an element of this size [m]
+fn check(
+    course: usize,
+    layer: &Layer,
+    concrete: &Concrete,
+    softens: f64,
+    law: &dyn Fn(f64) -> Result<(), FeError>,
+    rows: &Rows<'_>,
+    around: Option<Around>,
+    all: &mut Vec<Refusal>,
+) {
+    if let Err(error) = law(TINY) {
+        all.push(against_law(layer, concrete, error));
+        return;
+    }
+    let name = &layer.material.name;
+    let length = |size: f64| display(size, Dimension::Length);
+    let sizes = [
+        (Place::Rows, rows.longest(course, rows.count())),
+        (Place::Sectors, around.map_or(0.0, |a| a.arc)),
+    ];
+    for (place, size) in sizes {
+        if size <= TINY || law(size).is_ok() {
+            continue;
+        }
+        let largest = rounded_down(largest(law, size));
+        let most = if place == Place::Rows { MOST_ROWS } else { MOST_SECTORS };
+        let needed = match (&place, around) {
+            (Place::Sectors, Some(around)) => {
+                let n = (around.perimeter / largest).ceil();
+                // Half a tank has an even number.
+                let even = |n: u32| if around.half { n.next_multiple_of(2) } else { n };
+                (n <= f64::from(most)).then_some(even(n as u32))
+            }
+            _ if rows.given.is_some() || around.is_none() => rows.needed(course, largest),
+            _ => None,
+        };
+        let cracks = concrete.band(size) > softens;
+        let message = match cracks {
+            true => format!(
+                "the softening of `{name}` is too steep for elements of {}: a crack would snap back",
+                length(size)
+            ),
+            false => format!(
+                "the crushing of `{name}` is too brittle for elements of {}: it would snap back",
+                length(size)
+            ),
+        };
+        let formula = if cracks { " (0.98 E·G_f/f_t²)" } else { "" };
+        let bound = format!("elements of at most {}{formula}", length(largest));
+        let allowed = match needed {
+            Some(n) => format!("{bound}: {n} or more"),
+            None if rows.given.is_some() => format!("{bound}, which takes more than the {most} that are possible"),
+            None => bound,
+        };
+        let spacing = format!("a crack_spacing of at most {}", length(largest));
+        let help = match (needed, cracks, rows.given.is_some()) {
+            (Some(_), true, true) => format!("more elements, a larger fracture_energy, or {spacing}"),
+            (Some(_), false, true) => "more elements".to_owned(),
+            (None, true, true) => match concrete.softening {
+                Softening::FractureEnergy(energy) => {
+                    let finest = match (&place, around) {
+                        (Place::Sectors, Some(around)) => around.perimeter / f64::from(most),
+                        _ => rows.longest(course, most),
+                    };
+                    format!(
+                        "{spacing}; or a fracture_energy of at least {}, with {most} elements",
+                        display(energy * finest / largest, Dimension::LineForce)
+                    )
+                }
+                _ => spacing,
+            },
+            (None, false, true) => "the law `cracked`, which does not soften in compression".to_owned(),
+            (_, _, false) => {
+                let own = "the engine chose them: give analysis.nonlinear.elements";
+                match cracks {
+                    true => format!("{own}, or {spacing}"),
+                    false => own.to_owned(),
+                }
+            }
+        };
+        // Elements that the user did not ask for are not to blame: what does not suit them is.
+        let place = match rows.given {
+            Some(_) => place,
+            None => Place::Concrete(name.clone()),
+        };
+        all.push(Refusal::new(place, message, allowed).help(help));
+    }
+}
+
+fn against_law(layer: &Layer, concrete: &Concrete, error: FeError) -> Refusal {
+    let name = layer.material.name.clone();
+    match (error, concrete.law) {
+        (FeError::Unsupported(message), ConcreteLaw::Uniaxial) => Refusal::new(
+            Place::Law(name),
+            message,
+            "\"cracked\" or \"plastic-fracturing\" in a cylinder",
+        ),
+        (FeError::Unsupported(message), _) => {
+            Refusal::new(Place::Law(name), message, "\"cracked\" or \"uniaxial\" in a strip")
+        }
+        (error, _) => Refusal::of(Place::Concrete(name), error),
+    }
+}
+
+/// Largest size up to `refused` that the law takes [m]; it takes [`TINY`].
+fn largest(law: &dyn Fn(f64) -> Result<(), FeError>, refused: f64) -> f64 {
+    let (mut low, mut high) = (TINY, refused);
+    // To the last digit that is shown, with some to spare.
+    while high - low > 1e-6 * low {
+        let middle = 0.5 * (low + high);
+        match law(middle) {
+            Ok(()) => low = middle,
+            Err(_) => high = middle,
+        }
+    }
+    low
+}
+
+/// To three digits, downwards: what is shown is allowed.
+fn rounded_down(size: f64) -> f64 {
+    let digit = 10f64.powf(size.log10().floor() - 2.0);
+    // A size that is such a number up to rounding stays it.
+    (size / digit + 1e-4).floor() * digit
+}

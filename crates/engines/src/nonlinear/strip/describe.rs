@@ -1,0 +1,115 @@
+//! A strip in words and numbers: damping, facts, assumptions.
+
+use fem::analysis::damping::Rayleigh;
+use fem::liquid::strip::StripLiquid;
+use fem::strip::{StripDamping, StripModel, StripTank};
+use tank::Case;
+use tank::units::Dimension;
+
+use super::super::{Contact, Damping, MassProportionalAt, NonlinearOptions};
+use crate::FeError;
+use results::Fact;
+
+/// Damping of the strip.
+///
+/// Errors: negative coefficients that were not allowed.
+pub(super) fn damping(damping: Damping, liquid: &StripLiquid) -> Result<StripDamping, FeError> {
+    Ok(match damping {
+        Damping::ByGroup { wall, sloshing } => StripDamping::ByGroup { wall, sloshing },
+        Damping::Rayleigh {
+            first,
+            second,
+            allow_negative,
+        } => StripDamping::Rayleigh(
+            Rayleigh::fit(first, second, allow_negative).map_err(|e| FeError::Option {
+                option: "damping".into(),
+                found: e.to_string(),
+                allowed: "coefficients ≥ 0, or allow_negative".into(),
+            })?,
+        ),
+        Damping::MassProportional { ratio, at } => {
+            let omega = match at {
+                MassProportionalAt::FirstSloshing => liquid.sloshing_frequency(0),
+                MassProportionalAt::Frequency(omega) => omega,
+            };
+            StripDamping::Rayleigh(Rayleigh::mass_proportional(omega, ratio))
+        }
+    })
+}
+
+/// The model in numbers.
+pub(super) fn facts(model: &StripModel, tank: &StripTank, step: f64) -> Vec<Fact> {
+    let fact = |name: &str, value: f64, dimension| Fact {
+        name: name.into(),
+        value,
+        dimension,
+    };
+    let number = Dimension::Dimensionless;
+    let fibres = tank.sections.iter().map(|s| s.fibre_count()).max().unwrap_or(0);
+    vec![
+        fact("elements over a wall", (tank.levels.len() - 1) as f64, number),
+        fact("fibres in a section", fibres as f64, number),
+        fact("sloshing modes of the liquid", tank.sloshing as f64, number),
+        fact(
+            "first sloshing mode",
+            model.modes.omega.first().copied().unwrap_or(f64::NAN),
+            Dimension::AngularFrequency,
+        ),
+        fact("damping of the first sloshing mode", model.ratios[0].ratio, number),
+        fact(
+            "first mode of wall and liquid",
+            model.wall_frequency(),
+            Dimension::AngularFrequency,
+        ),
+        fact(
+            "damping of the first mode of wall and liquid",
+            model.wall_ratio(),
+            number,
+        ),
+        fact("longest time step", step, Dimension::Time),
+    ]
+}
+
+/// What the strip assumes, one sentence each.
+pub(super) fn assumptions(case: &Case, options: &NonlinearOptions) -> Vec<String> {
+    let mut out = vec![
+        "Strip of 1 m breadth in plane strain; corners of the tank are outside the model; rigid base, clamped walls.".to_owned(),
+        "Walls as fibre beams with plane sections and small deflections: no shear failure, no bond slip.".to_owned(),
+        match options.contact {
+            Contact::Bonded => {
+                "Liquid of linear potential theory, condensed onto the wall; it stays at the wall. Both walls are run: the record \
+                 and the record turned round."
+            }
+            Contact::Opening => {
+                "Liquid of linear potential theory, condensed onto a face of its own that the wall presses and does not pull: it \
+                 parts where the pressure of the displaced particle would fall below that of the air. Both walls are run: the \
+                 record and the record turned round."
+            }
+        }
+        .to_owned(),
+        "Every run begins with the weight of the walls and the hydrostatic pressure. An unconverged step is never accepted: it \
+         is halved until it converges, or the run ends as a collapse, and its numbers are lower bounds."
+            .to_owned(),
+        format!(
+            "A wall whose top has moved by {} of its height counts as collapsed: the theory of small deflections says no more.",
+            fem::strip::LARGEST_DEFLECTION
+        ),
+    ];
+    if case.tank.courses.iter().any(|c| c.layers.len() > 1) {
+        out.push(
+            "Layered wall: the stiffest leaf bends; the interlayer passes no shear and what stands on its other side counts for \
+             mass alone."
+                .into(),
+        );
+    }
+    if !options.self_weight {
+        out.push("The walls have no weight, as asked for.".into());
+    }
+    if options.spectral_radius < 1.0 {
+        out.push(format!(
+            "Generalised-α method with ρ∞ = {}: what the scheme itself dissipates is part of the energy balance.",
+            options.spectral_radius
+        ));
+    }
+    out
+}

@@ -1,0 +1,84 @@
+//! What a nonlinear run of a strip takes: next to nothing for the wall, the histories of both walls step by step.
+
+use tank::Case;
+
+use super::super::NonlinearOptions;
+use super::section::course_at;
+use super::{ELEMENTS, STEPS_PER_PERIOD};
+use crate::FeError;
+use crate::estimate::{Estimate, Lever, NUMBER, PROGRAM, Response, first_wall_frequency};
+use crate::nonlinear::cylinder::estimate::slots;
+
+/// Numbers that a step of a wall leaves behind: seven histories, time, energies, pressures that are followed.
+const AT_STEP: f64 = 18.0;
+/// Numbers of a sample: columns of the results, as text too.
+const AT_SAMPLE: f64 = 60.0;
+/// Iterations of a step.
+const ITERATIONS: f64 = 2.2;
+/// Time of a beam without its fibres, and of a fibre, in one iteration [s].
+const BEAM_TIME: f64 = 1.5e-6;
+const FIBRE_TIME: f64 = 1.5e-7;
+/// Numbers a fibre remembers on average, those of [`slots`].
+const FIBRE: f64 = 4.0 * 17.0;
+/// Operations a second of a dense factorisation on one core.
+const FLOPS: f64 = 5e9;
+/// Dense blocks of a wall: stiffness and mass of the liquid, effective matrix, factor.
+const BLOCKS: f64 = 4.0;
+/// Bytes of a beam in the model: section, element, matrices.
+const BEAM: f64 = 20_000.0;
+
+/// What [`super::simulate`] takes, with free vibration (`free`), or `runs` runs of an incremental analysis, `jobs` at a time.
+///
+/// Errors: no ground motion; a response longer than the limits.
+pub fn estimate(
+    case: &Case,
+    options: &NonlinearOptions,
+    free: bool,
+    jobs: usize,
+    runs: usize,
+) -> Result<Estimate, FeError> {
+    let response = Response::of(case, free)?.ok_or(FeError::NoRecord)?;
+    let beams = f64::from(options.elements.map_or(ELEMENTS, |e| e.height));
+    let step = options.time_step.unwrap_or_else(|| {
+        (std::f64::consts::TAU / first_wall_frequency(case) / STEPS_PER_PERIOD).min(0.5 * response.dt)
+    });
+    let samples = response.samples();
+    let steps = samples * (response.dt / step - 1e-9).ceil().max(1.0);
+    let middle = course_at(case, 0.5 * case.tank.wall_height());
+    let fibres = slots(middle, &options.integration) / FIBRE;
+    let at_a_time = jobs.max(1).min(runs.max(1)) as f64;
+    let walls = 2.0;
+    // The liquid couples deflection and slope of all wetted nodes: one dense block, factored in every iteration.
+    let coupled = 2.0 * beams * (case.liquid.fill_height / case.tank.wall_height()).min(1.0);
+    let iteration = beams * (BEAM_TIME + 2.0 * fibres * FIBRE_TIME) + coupled.powi(3) / 3.0 / FLOPS;
+    Ok(Estimate {
+        run: "nonlinear run",
+        size: format!(
+            "{beams:.0} beams over each of two walls, {steps:.0} steps{}",
+            if jobs > 0 {
+                format!(", {runs} runs, {at_a_time:.0} at a time")
+            } else {
+                String::new()
+            }
+        ),
+        parts: vec![
+            ("the program", PROGRAM),
+            ("wall", beams * BEAM),
+            ("liquid", at_a_time * walls * NUMBER * BLOCKS * coupled * coupled),
+            (
+                "histories",
+                at_a_time * NUMBER * (walls * AT_STEP * steps + AT_SAMPLE * samples),
+            ),
+        ],
+        samples,
+        steps,
+        seconds: walls * runs.max(1) as f64 * steps * ITERATIONS * iteration,
+        lever: Lever {
+            smaller: Vec::new(),
+            other: format!(
+                "give `analysis.nonlinear.time_step` above {step:.2e} s{}",
+                if jobs > 1 { ", or use fewer --jobs" } else { "" }
+            ),
+        },
+    })
+}

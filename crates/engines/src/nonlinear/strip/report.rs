@@ -1,0 +1,274 @@
+//! A run of the strip in words: mesh, integration, envelopes, limits, notes.
+
+use std::f64::consts::TAU;
+
+use fem::analysis::damping::RatioRow;
+use tank::units::{Dimension, display, significant};
+
+use super::super::Damping;
+use super::simulate::{FREE_PERIODS, Report};
+use super::walls::WALLS;
+use crate::simulate::limits;
+use results::{Balance, Envelope, Labelled, Limit};
+
+/// Damping of the wall below which a note says so.
+const UNDAMPED: f64 = 0.005;
+
+impl Report<'_> {
+    /// At θ = 0.
+    pub(super) fn envelopes(&self) -> Vec<Envelope> {
+        let history = &self.walls.runs[0].history;
+        if history.times.is_empty() {
+            return Vec::new();
+        }
+        let liquid = &self.strip.model.tank.liquid;
+        let weight = liquid.density * liquid.gravity;
+        vec![
+            Envelope {
+                id: "pressure".into(),
+                title: "Hydrodynamic pressure on the wall".into(),
+                dimension: Dimension::Stress,
+                z: history.pressure.iter().map(|(z, _)| *z).collect(),
+                static_: history
+                    .pressure
+                    .iter()
+                    .map(|(z, _)| weight * (liquid.depth - z).max(0.0))
+                    .collect(),
+                min: history.pressure.iter().map(|(_, r)| r.min).collect(),
+                max: history.pressure.iter().map(|(_, r)| r.max).collect(),
+            },
+            Envelope {
+                id: "radial_displacement".into(),
+                title: "Deflection of the wall".into(),
+                dimension: Dimension::Length,
+                z: self.strip.model.tank.levels.clone(),
+                static_: history.deflection.iter().map(|(rest, _)| *rest).collect(),
+                min: history.deflection.iter().map(|(rest, r)| r.min - rest).collect(),
+                max: history.deflection.iter().map(|(rest, r)| r.max - rest).collect(),
+            },
+        ]
+    }
+
+    pub(super) fn mesh(&self) -> Vec<Labelled> {
+        let model = &self.strip.model;
+        let fibres = model.tank.sections.iter().map(|s| s.fibre_count()).max().unwrap_or(0);
+        vec![
+            label(
+                "wall elements",
+                format!(
+                    "{} fibre beams a wall, two sections an element, {fibres} fibres a section",
+                    model.tank.sections.len()
+                ),
+            ),
+            label(
+                "liquid",
+                format!(
+                    "condensed onto the wall in closed form, {} sloshing modes",
+                    model.tank.sloshing
+                ),
+            ),
+            label("unknowns", format!("{} a wall", model.model.dofs().len())),
+        ]
+    }
+
+    pub(super) fn integration(&self) -> Vec<Labelled> {
+        let (model, quake) = (&self.strip.model, &self.strip.quake);
+        let grid = model.grid(quake);
+        let mut out = vec![
+            label(
+                "method",
+                format!(
+                    "generalised-α with ρ∞ = {}, Newton's method; the state at rest first",
+                    self.options.spectral_radius
+                ),
+            ),
+            label(
+                "time step",
+                format!(
+                    "{} s, halved up to {} times where Newton's method does not converge; histories are kept at the record's step \
+                     of {} s",
+                    significant(grid.h(), 3),
+                    quake.halvings,
+                    significant(grid.dt, 4)
+                ),
+            ),
+            label(
+                "duration",
+                format!(
+                    "{:.2} s: the record and {FREE_PERIODS} periods of the first sloshing mode of free vibration",
+                    grid.time(grid.steps())
+                ),
+            ),
+            label(
+                "damping",
+                format!(
+                    "{}: {} % in the first sloshing mode, {} % in the first mode of wall and liquid, on the stiffness of the virgin \
+                     wall",
+                    match self.options.damping {
+                        Damping::ByGroup { .. } => "wall stiffness-proportional, a ratio for every sloshing mode",
+                        Damping::Rayleigh { .. } => "Rayleigh",
+                        Damping::MassProportional { .. } => "mass-proportional",
+                    },
+                    significant(100.0 * model.ratios[0].ratio, 3),
+                    significant(100.0 * model.wall_ratio(), 3)
+                ),
+            ),
+            label("wave height", format!("first {} sloshing modes", model.tank.sloshing)),
+        ];
+        if let Some(joints) = &model.joints {
+            let penetration = self.walls.runs.iter().filter_map(|r| r.history.openings.as_ref());
+            let penetration = penetration.map(|o| o.penetration()).fold(0.0, f64::max);
+            out.push(label(
+                "contact of liquid and wall",
+                format!(
+                    "opens; a joint at every wet level, stiffness {} N/m³, into which the liquid sinks by at most {}; its force is taken \
+                     at the end of the step",
+                    significant(joints.penalty, 3),
+                    display(penetration, Dimension::Length)
+                ),
+            ));
+        }
+        if self.walls.interrupted() {
+            out.push(label(
+                "interrupted",
+                format!("histories and extremes end at {:.2} s", self.walls.time()),
+            ));
+        }
+        out
+    }
+
+    /// Liquid and walls in a rigid translation, against their masses.
+    pub(super) fn mass_balance(&self) -> Vec<Balance> {
+        let model = &self.strip.model;
+        let each = model.tank.contact.trace().unknowns();
+        let wall = each * model.face.len();
+        let size = model.liquid.mass.rows;
+        let translation: Vec<f64> = (0..size).map(|i| f64::from(i < wall && i % each == 0)).collect();
+        let moved = model.liquid.mass.times(&translation);
+        let liquid: f64 = moved.iter().zip(&translation).map(|(a, b)| a * b).sum();
+        let lengths = model.tank.levels.windows(2).map(|w| w[1] - w[0]);
+        let walls: f64 = lengths.zip(&model.tank.sections).map(|(l, s)| l * s.mass()).sum();
+        let all = self.case.liquid_mass() + self.case.tank.wall_mass();
+        vec![Balance {
+            label: "base shear of a rigid translation against the mass of liquid and walls".into(),
+            error: 2.0 * self.walls.breadth * (liquid + walls) / all - 1.0,
+        }]
+    }
+
+    pub(super) fn limits(&self, wave: f64) -> Vec<Limit> {
+        let model = &self.strip.model;
+        let mut found = limits::waves(self.case, wave).to_vec();
+        found.extend(self.suction());
+        found.push(limits::compressibility(self.case, model.wall_frequency() / TAU));
+        found.push(limits::record(model.wall_frequency(), self.motion.horizontal.dt));
+        found
+    }
+
+    /// Lowest pressure of a particle at the wall, below the trough.
+    fn suction(&self) -> Option<Limit> {
+        let mut worst: Option<(f64, f64, f64, &str)> = None;
+        for (run, name) in self.walls.runs.iter().zip(WALLS) {
+            let found = run.history.separation.result();
+            let places = run.history.separation.lowest_pressures();
+            for (number, (height, pressure)) in places.enumerate() {
+                // The lowest place is looked at even where linear waves would lay it dry.
+                if (height < found.trough || number == 0)
+                    && pressure.is_finite()
+                    && worst.is_none_or(|w| pressure < w.0)
+                {
+                    let seen = found.places.iter().find(|p| p.number == number);
+                    worst = Some((pressure, height, seen.map_or(0.0, |p| p.time), name));
+                }
+            }
+        }
+        let (value, z, time, name) = worst?;
+        let holds = value >= 0.0;
+        Some(Limit {
+            id: "suction".into(),
+            name: "Smallest pressure of the liquid at the wall below the wave trough".into(),
+            value,
+            limit: 0.0,
+            dimension: Dimension::Stress,
+            holds,
+            note: if holds {
+                String::new()
+            } else {
+                format!(
+                    "Suction at z = {}, {name}, t = {time:.2} s: the liquid would part from the wall if air came in; the model keeps \
+                     it there.",
+                    display(z, Dimension::Length)
+                )
+            },
+        })
+    }
+
+    pub(super) fn notes(&self) -> Vec<String> {
+        let model = &self.strip.model;
+        let mut notes = Vec::new();
+        if let Some(wall) = self.walls.collapsed() {
+            notes.push(match (self.walls.left(wall), self.walls.load_factor(wall)) {
+                (Some(left), _) => format!(
+                    "The run has left its model after {:.3} s ({}): {}. All numbers are those until then.",
+                    left.time, left.place, left.reason
+                ),
+                (None, Some(factor)) => format!(
+                    "The {} does not carry its weight and the liquid at rest: {} % of them at most. There is no response.",
+                    WALLS[wall],
+                    significant(100.0 * factor, 3)
+                ),
+                (None, None) => format!(
+                    "Collapse: the {} is lost after {:.3} s. All numbers are those until then and lower bounds; the other wall is \
+                     not followed further.",
+                    WALLS[wall], self.walls.runs[wall].run.time
+                ),
+            });
+        }
+        if self.walls.interrupted() {
+            notes.push(format!(
+                "Interrupted: all numbers are those until {:.2} s; maps and events of each wall those of its own last step.",
+                self.walls.time()
+            ));
+        }
+        let marks = self.walls.departures();
+        notes.extend(marks.iter().filter(|d| d.id != "stored_energy").map(|d| {
+            format!(
+                "The run leaves the limits of its model at {:.3} s ({}): {}.",
+                d.time, d.place, d.reason
+            )
+        }));
+        notes.extend(self.walls.parted());
+        let negative: Vec<&RatioRow> = model.ratios.iter().filter(|r| r.ratio < 0.0).collect();
+        if !negative.is_empty() {
+            notes.push(format!(
+                "Rayleigh damping with a negative coefficient: the ratio is negative at {} of {} modes.",
+                negative.len(),
+                model.ratios.len()
+            ));
+        }
+        if model.wall_ratio() < UNDAMPED {
+            notes.push(format!(
+                "The first mode of wall and liquid has a damping ratio of {} % only.",
+                significant(100.0 * model.wall_ratio(), 2)
+            ));
+        }
+        if self
+            .motion
+            .vertical
+            .as_ref()
+            .is_some_and(|v| v.dt != self.motion.horizontal.dt)
+        {
+            notes.push(
+                "The records differ in their time step: the vertical one is linearised within the steps of the analysis."
+                    .into(),
+            );
+        }
+        notes
+    }
+}
+
+fn label(label: &str, text: String) -> Labelled {
+    Labelled {
+        label: label.into(),
+        text,
+    }
+}

@@ -1,0 +1,349 @@
+//! One run of both walls, and everything the results folder holds of it.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::path::{Path, PathBuf};
+
+use fem::analysis::march::Checkpoint;
+use fem::progress::Progress;
+use fem::strip::{Scalar, Side, WallHistory};
+use tank::Shape;
+use tank::case::GroundMotion;
+use tank::units::Dimension;
+use tank::{Case, Quantity};
+
+use super::super::{CheckpointFile, Damping, NonlinearOptions};
+use super::modes::{damping_table, modes};
+use super::walls::{SUFFIXES, Walls};
+use super::{Strip, failed};
+use crate::simulate::{checked_motion, series};
+use crate::{FeError, Simulation};
+use results::{FeResult, Mode, Series, SeriesInfo};
+
+/// Free vibration after the record, in periods of the first sloshing mode, as in the linear engine.
+pub(super) const FREE_PERIODS: f64 = crate::simulate::model::FREE_PERIODS;
+
+/// Time history of a strip.
+///
+/// Errors: as [`Strip::new`]; a record that is none; a checkpoint that cannot be written or is of another run; interrupted
+/// before the first step of a wall.
+pub(in crate::nonlinear) fn simulate(
+    case: &Case,
+    options: &NonlinearOptions,
+    checkpoint: Option<&CheckpointFile>,
+    progress: &dyn Progress,
+) -> Result<Simulation, FeError> {
+    let motion = checked_motion(case)?;
+    let mut strip = Strip::new(case, options)?;
+    let breadth = match case.tank.shape {
+        Shape::Rectangle { breadth, .. } => breadth,
+        Shape::Cylinder { .. } => 1.0,
+    };
+    let vertical = motion.vertical.as_ref().map_or(0.0, |v| v.duration());
+    let tail = strip.model.modes.omega.first().map_or(0.0, |w| FREE_PERIODS * TAU / w);
+    strip.quake.until = Some(motion.horizontal.duration().max(vertical) + tail);
+    let files = Side::BOTH.map(|side| checkpoint.map(|c| wall_file(c, side, options.checkpoint)));
+    let runs = strip
+        .model
+        .histories(&strip.quake, files.clone(), progress)
+        .map_err(failed)?;
+    let samples = runs.iter().map(|r| r.history.samples.len()).min().unwrap_or(0);
+    let walls = Walls {
+        case,
+        model: &strip.model,
+        runs: &runs,
+        breadth,
+        samples,
+    };
+    if walls.interrupted() && samples == 0 {
+        return Err(FeError::Interrupted {
+            stage: "the nonlinear run".into(),
+        });
+    }
+    Ok(Report {
+        case,
+        options,
+        motion,
+        strip: &strip,
+        walls,
+    }
+    .simulation())
+}
+
+/// Where a wall keeps what it needs to be resumed: the first in the file itself, the second beside it.
+pub(super) fn wall_file(file: &CheckpointFile, side: Side, seconds: f64) -> Checkpoint {
+    Checkpoint {
+        path: wall_path(&file.path, side),
+        steps: 0,
+        seconds,
+        key: format!("{} {}", file.key, SUFFIXES[side as usize]),
+        resume: file.resume,
+    }
+}
+
+/// The file of a wall.
+pub(in crate::nonlinear) fn wall_path(file: &Path, side: Side) -> PathBuf {
+    let mut path = file.as_os_str().to_owned();
+    if side == Side::Negative {
+        path.push(".");
+        path.push(SUFFIXES[side as usize]);
+    }
+    path.into()
+}
+
+/// A history of the tank or of a wall, with the state at rest.
+struct Line {
+    id: String,
+    title: String,
+    dimension: Dimension,
+    rest: f64,
+    times: Vec<f64>,
+    values: Vec<f64>,
+}
+
+impl Line {
+    /// Largest and smallest change from the state at rest, with their times.
+    fn extremes(&self) -> [(f64, f64); 2] {
+        let mut out = [(0.0, 0.0); 2];
+        for (v, &t) in self.values.iter().zip(&self.times) {
+            let change = v - self.rest;
+            if change > out[0].0 {
+                out[0] = (change, t);
+            }
+            if change < out[1].0 {
+                out[1] = (change, t);
+            }
+        }
+        out
+    }
+
+    fn peak(&self) -> (f64, f64) {
+        let [most, least] = self.extremes();
+        if most.0 >= -least.0 { most } else { (-least.0, least.1) }
+    }
+}
+
+/// Everything that is told of a run.
+pub(super) struct Report<'a> {
+    pub case: &'a Case,
+    pub options: &'a NonlinearOptions,
+    pub motion: &'a GroundMotion,
+    pub strip: &'a Strip,
+    pub walls: Walls<'a>,
+}
+
+impl Report<'_> {
+    fn simulation(self) -> Simulation {
+        let model = &self.strip.model;
+        let modes = modes(model, self.walls.breadth);
+        let lines = self.lines();
+        let values = self.values(&modes, &lines);
+        let (info, series) = self.series(&lines);
+        let wave = values.get(&Quantity::SloshingHeight).copied().unwrap_or(0.0);
+        let result = FeResult {
+            engine: "nonlinear".into(),
+            mesh: self.mesh(),
+            integration: self.integration(),
+            damping_table: match self.options.damping {
+                Damping::ByGroup { .. } => Vec::new(),
+                _ => damping_table(model),
+            },
+            modes,
+            mesh_error: BTreeMap::new(),
+            mass_balance: self.mass_balance(),
+            energy: None,
+            envelopes: self.envelopes(),
+            series: info,
+            limits: self.limits(wave),
+            fields: None,
+            nonlinear: Some(self.walls.nonlinear()),
+            incomplete: self.walls.interrupted(),
+        };
+        Simulation {
+            values,
+            result,
+            series,
+            assumptions: self.strip.assumptions.clone(),
+            notes: self.notes(),
+            snapshots: None,
+        }
+    }
+
+    fn wall_line(&self, wall: usize, scalar: Scalar, id: &str, title: &str, dimension: Dimension) -> Line {
+        let history = &self.walls.runs[wall].history;
+        Line {
+            id: format!("{id}_{}", SUFFIXES[wall]),
+            title: format!("{title}, θ = {}°", [0, 180][wall]),
+            dimension,
+            rest: history.at_rest(scalar),
+            times: history.times.clone(),
+            values: history.scalar(scalar).to_vec(),
+        }
+    }
+
+    /// Histories of the tank and of both walls.
+    fn lines(&self) -> Vec<Line> {
+        let mut lines = Vec::new();
+        for wall in 0..2 {
+            let title = "Wave height at the wall";
+            lines.push(self.wall_line(wall, Scalar::Elevation, "wave_height", title, Dimension::Length));
+        }
+        let shear = self.tank_line(|h| h.scalar(Scalar::Shear).to_vec());
+        let moment = self.tank_line(|h| h.scalar(Scalar::Moment).to_vec());
+        let below = self.tank_line(|h| {
+            let (wall, bottom) = (h.scalar(Scalar::Moment), h.scalar(Scalar::BottomMoment));
+            wall.iter().zip(bottom).map(|(a, b)| a + b).collect()
+        });
+        for (id, title, dimension, (times, values)) in [
+            ("base_shear", "Base shear", Dimension::Force, shear),
+            ("base_moment", "Moment above the base plate", Dimension::Moment, moment),
+            (
+                "overturning_moment",
+                "Moment below the base plate",
+                Dimension::Moment,
+                below,
+            ),
+        ] {
+            lines.push(Line {
+                id: id.into(),
+                title: title.into(),
+                dimension,
+                rest: 0.0,
+                times,
+                values,
+            });
+        }
+        for (scalar, id, title, dimension) in [
+            (
+                Scalar::Deflection,
+                "wall_displacement",
+                "Deflection of the top of the wall",
+                Dimension::Length,
+            ),
+            (
+                Scalar::Shear,
+                "wall_shear_base",
+                "Shear force at the base of the wall",
+                Dimension::LineForce,
+            ),
+            (
+                Scalar::Moment,
+                "wall_moment_base",
+                "Bending moment of the wall at the base",
+                Dimension::LineMoment,
+            ),
+            (
+                Scalar::SectionMoment,
+                "wall_moment_section",
+                "Bending moment of the lowest section of the wall",
+                Dimension::LineMoment,
+            ),
+        ] {
+            for wall in 0..2 {
+                lines.push(self.wall_line(wall, scalar, id, title, dimension));
+            }
+        }
+        lines
+    }
+
+    /// b (f(wall at +L) − f(wall at −L)): the second wall is the mirror image. Where one wall cut its steps, the other is
+    /// linear between its own.
+    fn tank_line(&self, of: impl Fn(&WallHistory) -> Vec<f64>) -> (Vec<f64>, Vec<f64>) {
+        let [a, b] = self.walls.runs.each_ref().map(|r| &r.history);
+        let (first, second) = (of(a), of(b));
+        let end = self.walls.time();
+        let mut times: Vec<f64> = a.times.iter().chain(&b.times).copied().filter(|t| *t <= end).collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        let (mut i, mut j) = (0, 0);
+        let values = times
+            .iter()
+            .map(|&t| {
+                let change = value_at(&a.times, &first, t, &mut i) - value_at(&b.times, &second, t, &mut j);
+                self.walls.breadth * change
+            })
+            .collect();
+        (times, values)
+    }
+
+    fn values(&self, modes: &[Mode], lines: &[Line]) -> BTreeMap<Quantity, f64> {
+        let mut values = BTreeMap::new();
+        let first = |kind: &str| modes.iter().find(|m| m.kind == kind && m.number == 1);
+        for (kind, period, mass) in [
+            ("sloshing", Quantity::SloshingPeriod, Quantity::ConvectiveMass),
+            ("structural", Quantity::ImpulsivePeriod, Quantity::ImpulsiveMass),
+        ] {
+            if let Some(mode) = first(kind) {
+                values.insert(period, mode.period);
+                values.insert(mass, mode.effective_mass);
+            }
+        }
+        let line = |id: &str| lines.iter().find(|l| l.id == id);
+        let rises = lines.iter().filter(|l| l.id.starts_with("wave_height"));
+        values.insert(
+            Quantity::SloshingHeight,
+            rises.map(|l| l.extremes()[0].0).fold(0.0, f64::max),
+        );
+        for (quantity, id) in [
+            (Quantity::BaseShear, "base_shear"),
+            (Quantity::BaseMoment, "base_moment"),
+            (Quantity::OverturningMoment, "overturning_moment"),
+        ] {
+            if let Some(line) = line(id) {
+                values.insert(quantity, line.peak().0);
+            }
+        }
+        values
+    }
+
+    fn series(&self, lines: &[Line]) -> (Vec<SeriesInfo>, Series) {
+        let history = &self.walls.runs[0].history;
+        let samples = history.samples.iter().take(self.walls.samples);
+        let times: Vec<f64> = samples.map(|&i| history.times[i]).collect();
+        let (mut info, mut series) = (Vec::new(), Series::default());
+        let mut push = |entry: SeriesInfo, column: Vec<f64>| {
+            series.ids.push(entry.id.clone());
+            series.columns.push(column);
+            info.push(entry);
+        };
+        if !times.is_empty() {
+            for (entry, column) in series::ground_motion(self.motion, &times) {
+                push(entry, column);
+            }
+        }
+        for line in lines {
+            let (peak, time) = line.peak();
+            let mut at = 0;
+            let column = times
+                .iter()
+                .map(|&t| value_at(&line.times, &line.values, t, &mut at) - line.rest);
+            let entry = SeriesInfo {
+                id: line.id.clone(),
+                title: line.title.clone(),
+                dimension: line.dimension,
+                static_value: line.rest,
+                peak,
+                time,
+            };
+            push(entry, column.collect());
+        }
+        series.time = times;
+        (info, series)
+    }
+}
+
+/// Value at the time `t` of a history that is linear between its `times`; `at` is where the last search ended.
+fn value_at(times: &[f64], values: &[f64], t: f64, at: &mut usize) -> f64 {
+    while *at + 1 < times.len() && times[*at + 1] <= t {
+        *at += 1;
+    }
+    let i = *at;
+    match (times.get(i), times.get(i + 1)) {
+        (Some(&a), Some(&b)) if t > a => values[i] + (t - a) / (b - a) * (values[i + 1] - values[i]),
+        (Some(_), _) => values[i],
+        (None, _) => 0.0,
+    }
+}
+
+// Which wall comes first in arrays.
+const _: () = assert!(Side::Positive as usize == 0 && Side::Negative as usize == 1);

@@ -1,0 +1,517 @@
+//! What the walls have become: events, maps, cracks, loops, energies.
+
+use fem::analysis::march::{Collapse, Outcome};
+use fem::dofs::Dof;
+use fem::strip::{EventKind, Picture, Scalar, StripModel, WallRun};
+use tank::Case;
+use tank::units::{Dimension, display, significant};
+use tank::{Behaviour, Concrete, Layer};
+
+use super::super::PARTED;
+use super::departures::{base_moment, departure};
+use super::section::{course_at, main_leaf};
+use results::nonlinear::{
+    BaseMoment, CellMap, Columns, Count, Crack, CrackPicture, Departure, End, Energies, Event, LEAVES, Loop, LoopAxis,
+    Nonlinear, WallGrid,
+};
+
+/// Names of the walls.
+pub(super) const WALLS: [&str; 2] = ["wall at θ = 0°", "wall at θ = 180°"];
+/// What stands for them in ids.
+pub(super) const SUFFIXES: [&str; 2] = ["theta_0", "theta_180"];
+const FACES: [&str; 2] = ["inner face", "outer face"];
+
+/// Both walls after a run.
+pub(super) struct Walls<'a> {
+    pub case: &'a Case,
+    pub model: &'a StripModel,
+    pub runs: &'a [WallRun; 2],
+    /// Breadth of the tank [m].
+    pub breadth: f64,
+    /// Samples that both walls have.
+    pub samples: usize,
+}
+
+impl Walls<'_> {
+    pub fn nonlinear(&self) -> Nonlinear {
+        let levels = &self.model.tank.levels;
+        Nonlinear {
+            end: self.end(),
+            events: self.events(),
+            grid: WallGrid {
+                columns: Columns::Walls {
+                    names: WALLS.map(String::from).to_vec(),
+                },
+                z: levels.clone(),
+                surface: self.case.liquid.fill_height,
+            },
+            maps: self.maps(),
+            cracks: self.cracks(),
+            loops: self.loops(),
+            energies: self.energies(),
+            cost: self.cost(),
+            moments: self.moments(),
+            departures: self.departures(),
+        }
+    }
+
+    /// Largest moment at the base of each wall.
+    fn moments(&self) -> Vec<BaseMoment> {
+        let walls = self.runs.iter().zip(WALLS);
+        walls
+            .map(|(run, name)| {
+                let section = run.history.scalar(Scalar::SectionMoment).iter();
+                base_moment(&run.history.peak, name, section.fold(0.0, |most, m| m.abs().max(most)))
+            })
+            .collect()
+    }
+
+    /// Limits of the model that were passed, the first of each kind by time.
+    pub fn departures(&self) -> Vec<Departure> {
+        let walls = self.runs.iter().zip(WALLS);
+        let mut all: Vec<Departure> = walls
+            .flat_map(|(run, name)| run.history.departures.iter().map(move |d| departure(d, name)))
+            .collect();
+        all.sort_by(|a, b| a.time.total_cmp(&b.time));
+        let mut first: Vec<Departure> = Vec::new();
+        for found in all {
+            if first.iter().all(|d| d.id != found.id) {
+                first.push(found);
+            }
+        }
+        first
+    }
+
+    /// How the run of a wall was stopped because it had left its model.
+    pub fn left(&self, wall: usize) -> Option<Departure> {
+        let history = &self.runs[wall].history;
+        let found = history.departures.iter().find(|d| d.kind.stops())?;
+        Some(departure(found, WALLS[wall]))
+    }
+
+    /// The wall whose run ends first before its time: it collapses, or leaves the model.
+    pub fn collapsed(&self) -> Option<usize> {
+        let collapsed = (0..2).filter(|&w| self.runs[w].collapsed());
+        collapsed.min_by(|&a, &b| self.runs[a].run.time.total_cmp(&self.runs[b].run.time))
+    }
+
+    /// Part of weight and pressure at rest that could be carried, where they could not be carried whole.
+    pub fn load_factor(&self, wall: usize) -> Option<f64> {
+        match &self.runs[wall].run.outcome {
+            Outcome::Collapsed(collapse) => collapse.load_factor,
+            _ => None,
+        }
+    }
+
+    pub fn interrupted(&self) -> bool {
+        self.runs.iter().any(|r| r.run.outcome == Outcome::Interrupted)
+    }
+
+    /// Time that both walls have reached [s].
+    pub fn time(&self) -> f64 {
+        self.runs.iter().map(|r| r.run.time).fold(f64::INFINITY, f64::min)
+    }
+
+    fn end(&self) -> End {
+        if self.interrupted() {
+            return End::Interrupted { time: self.time() };
+        }
+        let Some(wall) = self.collapsed() else {
+            return End::Completed;
+        };
+        if let Some(left) = self.left(wall) {
+            return End::Left {
+                time: left.time,
+                reason: left.reason,
+                place: left.place,
+            };
+        }
+        let (run, lost) = (&self.runs[wall].run, &self.runs[wall].lost);
+        let (reason, place) = match (&run.outcome, lost) {
+            (Outcome::Collapsed(collapse), _) => (collapse.failure.to_string(), self.place_of(wall, collapse)),
+            (_, Some(lost)) => (lost.clone(), WALLS[wall].to_owned()),
+            // Collapsed for one of the two reasons.
+            _ => (String::new(), WALLS[wall].to_owned()),
+        };
+        let load_factor = self.load_factor(wall);
+        End::Collapsed {
+            time: if load_factor.is_some() { -1.0 } else { run.time },
+            load_factor,
+            reason,
+            place,
+        }
+    }
+
+    fn place_of(&self, wall: usize, collapse: &Collapse) -> String {
+        let height = |node: usize| display(self.model.model.nodes()[node][2], Dimension::Length);
+        match (collapse.worst, collapse.element) {
+            (Some((_, Dof::Amplitude)), _) => format!("{}, surface of the liquid", WALLS[wall]),
+            (Some((node, dof)), _) => {
+                let force = match dof {
+                    Dof::Ux => "horizontal force",
+                    Dof::Uz => "vertical force",
+                    _ => "moment",
+                };
+                format!("{}, z = {}, {force}", WALLS[wall], height(node))
+            }
+            (None, Some(element)) if element < self.model.tank.sections.len() => {
+                let [a, b] = [element, element + 1].map(|i| display(self.model.tank.levels[i], Dimension::Length));
+                format!("{}, between z = {a} and {b}", WALLS[wall])
+            }
+            _ => WALLS[wall].to_owned(),
+        }
+    }
+
+    /// Layers of the leaf that bends in element `e`.
+    fn leaf(&self, e: usize) -> Vec<Layer> {
+        let levels = &self.model.tank.levels;
+        let layers = course_at(self.case, 0.5 * (levels[e] + levels[e + 1])).build_up();
+        // The strip was built from it.
+        main_leaf(&layers).map(<[Layer]>::to_vec).unwrap_or_default()
+    }
+
+    /// The concrete at a face of element `e`.
+    fn concrete(&self, e: usize, face: usize) -> Option<Concrete> {
+        let leaf = self.leaf(e);
+        let layer = if face == 0 { leaf.first() } else { leaf.last() };
+        match layer?.material.behaviour {
+            Behaviour::Concrete(concrete) => Some(concrete),
+            _ => None,
+        }
+    }
+
+    fn events(&self) -> Vec<Event> {
+        let mut events = Vec::new();
+        for (wall, run) in self.runs.iter().enumerate() {
+            for event in &run.history.events {
+                let (id, title) = match event.kind {
+                    EventKind::Crack => ("first_crack", "first crack"),
+                    EventKind::Yield if self.cracks_at_all() => ("first_yield", "concrete at its compressive strength"),
+                    EventKind::Yield => ("first_yield", "first yield"),
+                    EventKind::BarYield => ("first_bar_yield", "first bar yields"),
+                    EventKind::BarRupture => ("bar_rupture", "first bar beyond its rupture strain"),
+                };
+                events.push(Event {
+                    id: id.into(),
+                    title: title.into(),
+                    time: event.time,
+                    place: format!(
+                        "{}, z = {}, {}",
+                        WALLS[wall],
+                        display(event.height, Dimension::Length),
+                        FACES[usize::from(event.depth > 0.0)]
+                    ),
+                    note: format!(
+                        "moment at the base of the wall then {}",
+                        display(event.base_moment.abs(), Dimension::LineMoment)
+                    ),
+                });
+            }
+            events.extend(self.parting(wall));
+            let separation = run.history.separation.result();
+            let places = separation.places.iter().filter(|p| p.below_trough);
+            if let Some(first) = places.clone().min_by(|a, b| a.first.total_cmp(&b.first)) {
+                let lowest = separation.lowest_below_trough().unwrap_or(first);
+                let worst = places.min_by(|a, b| a.pressure.total_cmp(&b.pressure)).unwrap_or(first);
+                events.push(Event {
+                    id: "separation".into(),
+                    title: "pressure of the liquid below that of the air".into(),
+                    time: first.first,
+                    place: format!("{}, z = {}", WALLS[wall], display(first.height, Dimension::Length)),
+                    note: format!(
+                        "down to z = {}, at least {} at z = {} after {:.2} s; the model keeps the liquid at the wall",
+                        display(lowest.height, Dimension::Length),
+                        display(worst.pressure, Dimension::Stress),
+                        display(worst.height, Dimension::Length),
+                        worst.time
+                    ),
+                });
+            }
+        }
+        events.sort_by(|a, b| a.time.total_cmp(&b.time));
+        events
+    }
+
+    /// When the liquid leaves the wall, where it may.
+    fn parting(&self, wall: usize) -> Option<Event> {
+        let places = self.runs[wall].history.openings.as_ref()?.places();
+        let first = places.iter().min_by(|a, b| a.first.total_cmp(&b.first))?;
+        let lowest = places.iter().map(|p| p.height).fold(f64::INFINITY, f64::min);
+        let widest = places.iter().max_by(|a, b| a.widest.total_cmp(&b.widest))?;
+        let length = |x: f64| display(x, Dimension::Length);
+        Some(Event {
+            id: "separation".into(),
+            title: LEAVES.into(),
+            time: first.first,
+            place: format!("{}, z = {}", WALLS[wall], length(first.height)),
+            note: format!(
+                "down to z = {}; widest {} at z = {} after {:.2} s; open there in {} % of the steps",
+                length(lowest),
+                length(widest.widest),
+                length(widest.height),
+                widest.time,
+                significant(100.0 * widest.share, 2)
+            ),
+        })
+    }
+
+    /// What to think of a run in which the liquid has left a wall.
+    pub fn parted(&self) -> Option<String> {
+        let parted = |wall: &usize| self.parting(*wall).is_some();
+        (0..2).any(|wall| parted(&wall)).then(|| PARTED.to_owned())
+    }
+
+    /// Whether any wall can crack.
+    fn cracks_at_all(&self) -> bool {
+        (0..self.model.tank.sections.len()).any(|e| self.leaf(e).iter().any(is_concrete))
+    }
+
+    /// A value of each cell, row by row from the base.
+    fn cells(&self, value: impl Fn(&WallRun, usize) -> f64) -> Vec<f64> {
+        let value = &value;
+        (0..self.model.tank.sections.len())
+            .flat_map(|e| self.runs.iter().map(move |run| value(run, e)))
+            .collect()
+    }
+
+    fn maps(&self) -> Vec<CellMap> {
+        let map = |id: &str, title: &str, dimension, values, mark, note: &str| CellMap {
+            id: id.into(),
+            title: title.into(),
+            dimension,
+            values,
+            mark,
+            note: note.into(),
+        };
+        let number = Dimension::Dimensionless;
+        let mut maps = Vec::new();
+        if self.cracks_at_all() {
+            for (face, name) in FACES.into_iter().enumerate() {
+                maps.push(map(
+                    "crack_width",
+                    &format!("largest crack width, {name}"),
+                    Dimension::Length,
+                    self.cells(|run, e| self.width(e, face, cracks(&run.history.pictures[1], face, e)[1])),
+                    None,
+                    "Opening strain times the length over which it is smeared.",
+                ));
+            }
+            maps.push(map(
+                "crack_depth",
+                "share of the section that has cracked",
+                number,
+                self.cells(|run, e| run.history.cells[e].cracked),
+                None,
+                "Fibres that have cracked at least once, of all fibres of the section.",
+            ));
+        }
+        maps.push(map(
+            "utilisation",
+            "utilisation of the wall",
+            number,
+            self.cells(|run, e| run.history.cells[e].utilisation),
+            Some(1.0),
+            "Largest stress over strength of any fibre; in tension over what is left of the strength.",
+        ));
+        let leaves: Vec<Vec<Layer>> = (0..self.model.tank.sections.len()).map(|e| self.leaf(e)).collect();
+        let layers = || leaves.iter().flatten();
+        if layers().any(|l| l.material.behaviour != Behaviour::Elastic) {
+            maps.push(map(
+                "plastic_strain",
+                "plastic strain of the wall",
+                number,
+                self.cells(|run, e| run.history.cells[e].plastic_strain),
+                None,
+                "Largest plastic strain of any fibre.",
+            ));
+        }
+        let bars: Vec<Option<f64>> = layers()
+            .flat_map(|l| &l.reinforcement)
+            .map(|bars| match bars.material.behaviour {
+                Behaviour::Reinforcement(bar) => Some(bar.yield_strength),
+                _ => None,
+            })
+            .collect();
+        if !bars.is_empty() {
+            let least = bars.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+            maps.push(map(
+                "bar_stress",
+                "largest stress of a bar",
+                Dimension::Stress,
+                self.cells(|run, e| run.history.cells[e].bar_stress),
+                least.is_finite().then_some(least),
+                "Absolute value, of all vertical bars; the mark is their yield strength.",
+            ));
+            maps.push(map(
+                "bar_plastic_strain",
+                "plastic strain of a bar",
+                number,
+                self.cells(|run, e| run.history.cells[e].bar_plastic_strain),
+                None,
+                "Largest of all vertical bars.",
+            ));
+        }
+        if self.model.joints.is_some() {
+            maps.push(map(
+                "separation",
+                "largest distance of liquid and wall",
+                Dimension::Length,
+                self.cells(|run, e| {
+                    // The lowest joint stands at level 1.
+                    let gaps = run.history.openings.iter().flat_map(|o| o.widest());
+                    let own = gaps.skip(e.saturating_sub(1)).take(if e == 0 { 1 } else { 2 });
+                    own.fold(0.0, f64::max)
+                }),
+                None,
+                "Widest gap at the ends of the element; 0 where the liquid has stayed at the wall.",
+            ));
+            return maps;
+        }
+        maps.push(map(
+            "separation",
+            "lowest pressure of the liquid at the wall",
+            Dimension::Stress,
+            self.cells(|run, e| {
+                let seen = run.history.separation.lowest_pressures().nth(e);
+                seen.map_or(0.0, |(_, p)| if p.is_finite() { p } else { 0.0 })
+            }),
+            Some(0.0),
+            "Gauge pressure of the particle that is there at rest, in the middle of the element; below 0 the liquid would part from \
+             the wall if air came in. 0 above the surface.",
+        ));
+        maps
+    }
+
+    /// Width of a crack of this opening strain [m].
+    fn width(&self, e: usize, face: usize, strain: f64) -> f64 {
+        let levels = &self.model.tank.levels;
+        let length = levels[e + 1] - levels[e];
+        self.concrete(e, face).map_or(0.0, |c| strain * c.band(length))
+    }
+
+    fn cracks(&self) -> Vec<CrackPicture> {
+        if !self.cracks_at_all() {
+            return Vec::new();
+        }
+        let mut pictures = Vec::new();
+        let mut push = |title: String, face: usize, time: f64, walls: &[usize], which: usize| {
+            let mut found = Vec::new();
+            for &wall in walls {
+                let picture = &self.runs[wall].history.pictures[which];
+                for e in 0..picture.faces[face].len() {
+                    let [now, largest] = cracks(picture, face, e).map(|strain| self.width(e, face, strain));
+                    if largest > 0.0 {
+                        found.push(Crack {
+                            cell: 2 * e + wall,
+                            angle: 0.0,
+                            width: now,
+                            largest,
+                        });
+                    }
+                }
+            }
+            found.sort_by_key(|c| c.cell);
+            pictures.push(CrackPicture {
+                title,
+                face: FACES[face].into(),
+                time,
+                cracks: found,
+            });
+        };
+        for (wall, name) in WALLS.into_iter().enumerate() {
+            let picture = &self.runs[wall].history.pictures[0];
+            for face in 0..FACES.len() {
+                push(format!("largest base moment, {name}"), face, picture.time, &[wall], 0);
+            }
+        }
+        for face in 0..FACES.len() {
+            push("end".into(), face, self.time(), &[0, 1], 1);
+        }
+        pictures
+    }
+
+    fn loops(&self) -> Vec<Loop> {
+        let axis = |title: &str, dimension| LoopAxis {
+            title: title.into(),
+            dimension,
+        };
+        let points = |run: &WallRun, x: Scalar, y: Scalar| -> Vec<[f64; 2]> {
+            let (x, y) = (run.history.scalar(x), run.history.scalar(y));
+            let samples = run.history.samples.iter().take(self.samples);
+            samples.map(|&i| [x[i], y[i]]).collect()
+        };
+        let mut loops = Vec::new();
+        for (wall, run) in self.runs.iter().enumerate() {
+            loops.push(Loop {
+                id: format!("moment_curvature_{}", SUFFIXES[wall]),
+                title: format!("Lowest section of the {}", WALLS[wall]),
+                x: axis("curvature", Dimension::Curvature),
+                y: axis("bending moment", Dimension::LineMoment),
+                points: points(run, Scalar::Curvature, Scalar::SectionMoment),
+            });
+        }
+        for (wall, run) in self.runs.iter().enumerate() {
+            loops.push(Loop {
+                id: format!("shear_displacement_{}", SUFFIXES[wall]),
+                title: format!("Base shear of the {}", WALLS[wall]),
+                x: axis("deflection of the top", Dimension::Length),
+                y: axis("shear force at the base", Dimension::LineForce),
+                points: points(run, Scalar::Deflection, Scalar::Shear),
+            });
+        }
+        loops
+    }
+
+    /// Of the whole tank.
+    fn energies(&self) -> Energies {
+        let sum = |value: fn(&fem::analysis::march::Energies) -> f64| -> Vec<f64> {
+            let [a, b] = self.runs.each_ref().map(|r| &r.run.balance.samples);
+            let both = a.iter().zip(b).take(self.samples);
+            both.map(|(a, b)| self.breadth * (value(a) + value(b))).collect()
+        };
+        let history = &self.runs[0].history;
+        let samples = history.samples.iter().take(self.samples);
+        Energies {
+            time: samples.map(|&i| history.times[i]).collect(),
+            input: sum(|e| e.input),
+            kinetic: sum(|e| e.kinetic),
+            internal: sum(|e| e.internal),
+            damping: sum(|e| e.damping),
+            numerical: sum(|e| e.numerical),
+            hysteretic: sum(|e| e.hysteretic),
+            error: self.runs.iter().map(|r| r.run.balance.error()).fold(0.0, f64::max),
+        }
+    }
+
+    fn cost(&self) -> Vec<Count> {
+        let sum = |label: &str, value: fn(&WallRun) -> u64| Count {
+            label: label.into(),
+            value: self.runs.iter().map(|r| value(r) as f64).sum(),
+            dimension: Dimension::Dimensionless,
+        };
+        let shortest = self.runs.iter().map(|r| r.run.shortest).fold(f64::INFINITY, f64::min);
+        let mut out = vec![
+            sum("steps, both walls", |r| r.run.cost.steps),
+            sum("steps halved", |r| r.run.cuts),
+            sum("iterations of Newton's method", |r| r.run.cost.iterations),
+            sum("factorisations", |r| r.run.cost.factors),
+        ];
+        if shortest.is_finite() {
+            out.push(Count {
+                label: "shortest step".into(),
+                value: shortest,
+                dimension: Dimension::Time,
+            });
+        }
+        out
+    }
+}
+
+fn is_concrete(layer: &Layer) -> bool {
+    matches!(layer.material.behaviour, Behaviour::Concrete(_))
+}
+
+/// Opening strains at a face of element `e`; none before the first step.
+fn cracks(picture: &Picture, face: usize, e: usize) -> [f64; 2] {
+    picture.faces[face].get(e).copied().unwrap_or([0.0; 2])
+}

@@ -1,0 +1,255 @@
+//! One mesh, one run: histories, envelopes and the comparable values.
+
+use std::collections::BTreeMap;
+
+use fem::progress::Progress;
+use tank::Quantity;
+use tank::case::GroundMotion;
+
+use super::model::{Harmonic, Model, Scalar};
+use crate::harmonic::{CoupledMode, Kind};
+use crate::response::direct::{self, DirectSystem};
+use crate::response::motion::{Grid, Motion};
+use crate::response::observe::{Extreme, History, Observed};
+use crate::response::superpose::{self, ModalSystem, Observable};
+use crate::{FeError, Integrator, Options};
+use results::EnergyBalance;
+
+/// Extremes along a line at θ = 0 and at θ = 180°.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LineExtremes {
+    /// Id of the line.
+    pub id: String,
+    /// At θ = 0, from the base up.
+    pub front: Vec<Extreme>,
+    /// At θ = 180°.
+    pub back: Vec<Extreme>,
+}
+
+impl LineExtremes {
+    /// Largest absolute value at place `i` on either side.
+    pub fn peak(&self, i: usize) -> f64 {
+        self.front[i].peak().0.max(self.back[i].peak().0)
+    }
+
+    /// Place of the largest absolute value on either side.
+    fn worst(&self) -> usize {
+        (0..self.front.len()).fold(0, |w, i| if self.peak(i) > self.peak(w) { i } else { w })
+    }
+}
+
+/// A finished run on one mesh.
+#[derive(Clone, Debug)]
+pub struct Analysis<'a> {
+    /// Time steps.
+    pub grid: Grid,
+    /// Scalars and their histories.
+    pub scalars: Vec<(Scalar<'a>, History)>,
+    /// Extremes of the scalars at θ = 180° by id (equal to the mirrored ones of θ = 0 without a vertical record).
+    back: BTreeMap<String, Extreme>,
+    /// Extremes along the lines.
+    pub lines: Vec<LineExtremes>,
+    /// Numbers of modes kept, system by system; empty for direct integration.
+    pub kept: Vec<Vec<&'a CoupledMode>>,
+    /// Energy balance of direct integration.
+    pub energy: Option<EnergyBalance>,
+    /// Largest difference of a scalar's peak between direct integration and modal superposition, relative, with its title.
+    pub difference: Option<(f64, String)>,
+}
+
+impl Analysis<'_> {
+    /// Extremes of a scalar at θ = 0 and at θ = 180°.
+    pub fn sides(&self, id: &str) -> Option<(Extreme, Extreme)> {
+        let (_, history) = self.scalars.iter().find(|(s, _)| s.id == id)?;
+        let front = history.extreme;
+        Some((front, self.back.get(id).copied().unwrap_or(mirrored(&front))))
+    }
+
+    /// Largest absolute value of a scalar over both sides.
+    pub fn peak(&self, id: &str) -> Option<f64> {
+        let (front, back) = self.sides(id)?;
+        Some(front.peak().0.max(back.peak().0))
+    }
+
+    /// Largest rise of the surface at the wall [m].
+    pub fn wave(&self) -> Option<f64> {
+        let rise = |id: &str| {
+            self.scalars
+                .iter()
+                .find(|(s, _)| s.id == id)
+                .map(|(_, h)| h.extreme.max)
+        };
+        Some(rise("wave_height_theta_0")?.max(rise("wave_height_theta_180")?))
+    }
+
+    /// Comparable values. `round` tells a cylinder, whose walls have hoop and axial stress.
+    pub fn values(&self, model: &Model, round: bool) -> BTreeMap<Quantity, f64> {
+        let mut values = BTreeMap::new();
+        let mut put = |quantity, value: Option<f64>| {
+            if let Some(value) = value {
+                values.insert(quantity, value);
+            }
+        };
+        let mode = |kind| model.horizontal.first(kind);
+        let period = |m: &CoupledMode| std::f64::consts::TAU / m.omega;
+        put(Quantity::SloshingPeriod, mode(Kind::Sloshing).map(period));
+        put(
+            Quantity::ConvectiveMass,
+            mode(Kind::Sloshing).map(CoupledMode::effective_mass),
+        );
+        put(Quantity::ImpulsivePeriod, mode(Kind::Structural).map(period));
+        put(
+            Quantity::ImpulsiveMass,
+            mode(Kind::Structural).map(CoupledMode::effective_mass),
+        );
+        put(Quantity::SloshingHeight, self.wave());
+        put(Quantity::BaseShear, self.peak("base_shear"));
+        put(Quantity::BaseMoment, self.peak("base_moment"));
+        put(Quantity::OverturningMoment, self.peak("overturning_moment"));
+        put(Quantity::BendingStress, self.peak("bending_stress_base"));
+        if round {
+            put(Quantity::AxialMembraneStress, self.peak("axial_membrane_stress_base"));
+            let hoop = self.lines.iter().find(|l| l.id == "hoop_stress");
+            put(Quantity::HoopStress, hoop.map(|l| l.peak(l.worst())));
+        }
+        values
+    }
+}
+
+/// Without a vertical record everything at θ = 180° is the negative of θ = 0.
+pub(crate) fn mirrored(front: &Extreme) -> Extreme {
+    Extreme {
+        min: -front.max,
+        min_time: front.max_time,
+        max: -front.min,
+        max_time: front.min_time,
+    }
+}
+
+/// Runs `model` under `motion`.
+///
+/// Errors: those of [`Model::grid`], [`superpose::respond`] and [`direct::respond`].
+pub fn analyse<'a>(
+    model: &'a Model,
+    motion: &GroundMotion,
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<Analysis<'a>, FeError> {
+    let records: Vec<&oscillator::record::Record> =
+        std::iter::once(&motion.horizontal).chain(&motion.vertical).collect();
+    let motions = |grid: &Grid| -> Vec<Motion> { records.iter().map(|r| Motion::new(r, grid)).collect() };
+    let both_sides = model.vertical.is_some();
+    let sides: &[bool] = if both_sides { &[false, true] } else { &[false] };
+    let lines = &model.horizontal.coupled.lines;
+    let mut on_lines: Vec<Observable> = Vec::new();
+    for line in lines {
+        for &opposite in sides {
+            on_lines.extend((0..line.z.len()).map(|i| model.observable_on_line(line, i, opposite)));
+        }
+    }
+
+    let kept: Vec<Vec<&CoupledMode>> = model
+        .systems()
+        .map(|h: &Harmonic| superpose::keep(&h.modes, &model.damper, options.wave_modes))
+        .collect();
+    let systems = model
+        .systems()
+        .zip(&kept)
+        .map(|(h, kept)| ModalSystem::new(&h.coupled, kept.clone(), &model.damper))
+        .collect::<Result<Vec<ModalSystem>, FeError>>()?;
+    let grid = model.grid(motion, Integrator::Modal)?;
+    let ground = motions(&grid);
+    let ground: Vec<&Motion> = ground.iter().collect();
+    progress.stage("linear response", 2 * grid.steps() as u64);
+    let found = superpose::respond(&systems, &ground, grid, &[], &on_lines, progress)?;
+    let mut extremes = collect(model, &found, both_sides);
+    let hoop = extremes.iter().find(|l| l.id == "hoop_stress").map(LineExtremes::worst);
+
+    let scalars = model.scalars(hoop);
+    let observables: Vec<Observable> = scalars.iter().map(|s| s.observable.clone()).collect();
+    let opposite: Vec<Observable> = if both_sides {
+        observables.iter().map(|o| mirror(o)).collect()
+    } else {
+        Vec::new()
+    };
+    let mut observed = superpose::respond(&systems, &ground, grid, &observables, &opposite, progress)?;
+    let (mut used, mut energy, mut difference) = (grid, None, None);
+    if options.integrator == Integrator::Newmark {
+        used = model.grid(motion, Integrator::Newmark)?;
+        let ground = motions(&used);
+        let ground: Vec<&Motion> = ground.iter().collect();
+        let systems: Vec<DirectSystem> = model
+            .systems()
+            .map(|h| DirectSystem::new(&h.coupled, &h.modes, &model.damper))
+            .collect();
+        let others: Vec<Observable> = opposite.iter().chain(&on_lines).cloned().collect();
+        progress.stage("linear response, direct integration", used.steps() as u64);
+        let (mut direct, balance) = direct::respond(&systems, &ground, used, &observables, &others, progress)?;
+        let lines = Observed {
+            scalars: Vec::new(),
+            extremes: direct.extremes.split_off(opposite.len()),
+        };
+        extremes = collect(model, &lines, both_sides);
+        difference = largest_difference(&scalars, &observed.scalars, &direct.scalars);
+        (observed, energy) = (direct, Some(balance));
+    }
+    let back = scalars
+        .iter()
+        .zip(&observed.extremes)
+        .map(|(s, e)| (s.id.clone(), *e))
+        .collect();
+    Ok(Analysis {
+        grid: used,
+        scalars: scalars.into_iter().zip(observed.scalars).collect(),
+        back,
+        lines: extremes,
+        kept,
+        energy,
+        difference,
+    })
+}
+
+/// The same observation at θ = 180°: m = 1 with the other sign.
+fn mirror<'a>(observable: &Observable<'a>) -> Observable<'a> {
+    observable
+        .iter()
+        .map(|&(system, factor, probe)| (system, if system == 0 { -factor } else { factor }, probe))
+        .collect()
+}
+
+/// Sorts the extremes of the rows on lines by line and side.
+fn collect(model: &Model, found: &Observed, both_sides: bool) -> Vec<LineExtremes> {
+    let mut rest = found.extremes.iter().copied();
+    let mut lines = Vec::new();
+    for line in &model.horizontal.coupled.lines {
+        let front: Vec<Extreme> = rest.by_ref().take(line.z.len()).collect();
+        let back = if both_sides {
+            rest.by_ref().take(line.z.len()).collect()
+        } else {
+            front.iter().map(mirrored).collect()
+        };
+        lines.push(LineExtremes {
+            id: line.id.clone(),
+            front,
+            back,
+        });
+    }
+    lines
+}
+
+/// Largest relative difference of the peaks of two runs, and whose it is. Scalars that are rounding errors beside others
+/// of their dimension (the axial stress of a plane wall under horizontal motion) do not count.
+pub(crate) fn largest_difference(scalars: &[Scalar], modal: &[History], direct: &[History]) -> Option<(f64, String)> {
+    let peak = |h: &History| h.extreme.peak().0;
+    let counts = |s: &Scalar, m: &History| {
+        let same = scalars.iter().zip(modal).filter(|(o, _)| o.dimension == s.dimension);
+        let largest = same.map(|(_, h)| peak(h)).fold(0.0, f64::max);
+        peak(m) > 1e-6 * largest
+    };
+    scalars
+        .iter()
+        .zip(modal.iter().zip(direct))
+        .filter(|(s, (m, _))| counts(s, m))
+        .map(|(s, (m, d))| ((peak(d) / peak(m) - 1.0).abs(), s.title.clone()))
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+}

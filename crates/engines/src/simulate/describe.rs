@@ -1,0 +1,128 @@
+//! The run in words: integration, damping, modes, balances, assumptions.
+
+use tank::Case;
+use tank::case::GroundMotion;
+use tank::units::significant;
+
+use super::analysis::Analysis;
+use super::model::{FREE_PERIODS, Harmonic, Model};
+use crate::harmonic::{self, CoupledMode, Kind};
+use crate::response::superpose::{FREQUENCY_FACTOR, SLOSHING_MODES, STRUCTURAL_MODES};
+use crate::{DampingModel, Integrator, Options};
+use fem::linalg::dot;
+use results::{Balance, Labelled};
+
+/// Time integration, damping and number of modes, in words.
+pub fn integration(model: &Model, options: &Options, analysis: &Analysis, motion: &GroundMotion) -> Vec<Labelled> {
+    let label = |label: &str, text: String| Labelled {
+        label: label.into(),
+        text,
+    };
+    let grid = &analysis.grid;
+    let mut labels = vec![label(
+        "method",
+        match options.integrator {
+            Integrator::Modal => "modal superposition, exact for ground motion linear between samples".into(),
+            Integrator::Newmark => "direct integration of all unknowns, Newmark's average acceleration".into(),
+        },
+    )];
+    labels.push(label(
+        "time step",
+        format!(
+            "{} s, {} of the record's step of {} s; histories are kept at the record's step, maxima are those between",
+            significant(grid.h(), 3),
+            match grid.sub_steps {
+                1 => "the whole".to_owned(),
+                n => format!("1/{n}"),
+            },
+            significant(grid.dt, 4),
+        ),
+    ));
+    let record = motion.horizontal.duration();
+    labels.push(label(
+        "duration",
+        format!(
+            "{:.2} s: the record and at least {FREE_PERIODS} periods of the first sloshing mode of free vibration",
+            grid.time(grid.steps())
+        ),
+    ));
+    if analysis
+        .scalars
+        .iter()
+        .any(|(s, h)| s.id.starts_with("wave") && h.extreme.peak().1 > record)
+    {
+        labels.push(label(
+            "after the record",
+            "a wave height peaks in free vibration".into(),
+        ));
+    }
+    labels.push(label("damping", model.damper.text()));
+    if options.integrator == Integrator::Modal {
+        for (h, kept) in model.systems().zip(&analysis.kept) {
+            labels.push(kept_modes(h, kept, options));
+        }
+    }
+    labels.push(label(
+        "wave height",
+        format!("first {} sloshing modes", options.wave_modes),
+    ));
+    if let Some((difference, title)) = &analysis.difference {
+        labels.push(label(
+            "against modal superposition",
+            format!(
+                "largest difference of a peak {} % ({title})",
+                significant(100.0 * difference, 2)
+            ),
+        ));
+    }
+    labels
+}
+
+fn kept_modes(h: &Harmonic, kept: &[&CoupledMode], options: &Options) -> Labelled {
+    let sloshing = kept.iter().filter(|m| m.kind == Kind::Sloshing).count();
+    let load = h.coupled.mass.times(&h.coupled.influence);
+    let total = dot(&load, &h.coupled.influence);
+    let carried: f64 = kept.iter().map(|m| m.effective_mass()).sum();
+    let rule = if options.damping == DampingModel::Modal {
+        format!(
+            "up to {FREQUENCY_FACTOR} × the first structural frequency, at least {SLOSHING_MODES} sloshing and \
+             {STRUCTURAL_MODES} structural"
+        )
+    } else {
+        "all".into()
+    };
+    Labelled {
+        label: format!("modes, m = {}", h.coupled.harmonic),
+        text: format!(
+            "{} sloshing, {} structural ({rule}); the missing mass, {} %, follows the ground statically",
+            sloshing,
+            kept.len() - sloshing,
+            significant((100.0 * (1.0 - carried / total)).max(0.0), 2)
+        ),
+    }
+}
+
+/// Base shear of the rigid translation against the mass of liquid, wall and roof.
+pub fn mass_balance(model: &Model) -> Vec<Balance> {
+    let coupled = &model.horizontal.coupled;
+    let mass = coupled.liquid_mass + coupled.wall_mass;
+    coupled
+        .probes
+        .iter()
+        .filter(|p| p.id == "base_shear")
+        .map(|p| Balance {
+            label: "base shear of a rigid translation against the mass of liquid, wall and roof".into(),
+            error: (dot(&p.absolute_acceleration, &coupled.influence) + p.ground_acceleration) / mass - 1.0,
+        })
+        .collect()
+}
+
+/// What the engine assumes.
+pub fn assumptions(case: &Case, options: &Options) -> Vec<String> {
+    let mut list = harmonic::assumptions(case);
+    list.push(format!(
+        "Wave height: the first {} sloshing modes (more only chase the singularity at the contact line).",
+        options.wave_modes
+    ));
+    list
+}

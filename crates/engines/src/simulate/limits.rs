@@ -1,0 +1,197 @@
+//! Limits of validity of the linear engine: what was tested and what was found.
+
+use tank::Case;
+use tank::units::{Dimension, display};
+use tank::{Shape, Support};
+
+use super::analysis::Analysis;
+use super::model::{Harmonic, Model};
+use crate::harmonic::Kind;
+use crate::response::observe::Extreme;
+use results::Limit;
+
+/// Waves higher than this share of the radius (or half length) are not small.
+const SMALL_WAVE: f64 = 0.2;
+/// Compressibility matters where the bulging frequency exceeds this share of the acoustic one.
+const ACOUSTIC_SHARE: f64 = 0.3;
+/// Velocity of sound in water [m/s].
+const SOUND: f64 = 1435.0;
+/// Steps of a record that should lie in a period it excites: linear interpolation then damps the motion there by 3 %
+/// (the square of sin(π/10)/(π/10)).
+const RECORD_STEPS: f64 = 10.0;
+
+/// All limits of a run.
+pub fn limits(case: &Case, model: &Model, analysis: &Analysis, record_step: f64) -> Vec<Limit> {
+    let mut found = Vec::new();
+    if let Some(wave) = analysis.wave() {
+        found.extend(waves(case, wave));
+    }
+    found.extend(suction(case, model, analysis));
+    found.extend(uplift(case, model, analysis));
+    let structural = |h: &Harmonic| h.first(Kind::Structural).map(|m| m.omega);
+    let fastest = model.systems().filter_map(structural).fold(0.0, f64::max);
+    found.push(compressibility(case, fastest / std::f64::consts::TAU));
+    found.extend(structural(&model.horizontal).map(|omega| record(omega, record_step)));
+    found
+}
+
+/// Wave height against small waves and the freeboard.
+pub(crate) fn waves(case: &Case, wave: f64) -> [Limit; 2] {
+    let radius = match case.tank.shape {
+        Shape::Cylinder { .. } => "radius",
+        Shape::Rectangle { .. } => "half length",
+    };
+    let limit = |id: &str, name: String, limit: f64, consequence: &str| Limit {
+        id: id.into(),
+        name,
+        value: wave,
+        limit,
+        dimension: Dimension::Length,
+        holds: wave <= limit,
+        note: if wave <= limit {
+            String::new()
+        } else {
+            consequence.into()
+        },
+    };
+    [
+        limit(
+            "wave_against_radius",
+            format!("Wave height against {SMALL_WAVE} of the {radius}"),
+            SMALL_WAVE * case.tank.shape.half_length(),
+            "The waves are not small: the wave height is indicative only.",
+        ),
+        limit(
+            "wave_against_freeboard",
+            "Wave height against the freeboard".into(),
+            case.freeboard(),
+            "The liquid overtops the wall or strikes the roof; neither is modelled.",
+        ),
+    ]
+}
+
+/// Total pressure below the trough: above it the wall is simply dry when the surface sinks.
+fn suction(case: &Case, model: &Model, analysis: &Analysis) -> Option<Limit> {
+    let line = model.horizontal.coupled.lines.iter().find(|l| l.id == "pressure")?;
+    let extremes = analysis.lines.iter().find(|l| l.id == "pressure")?;
+    let fall = |(front, back): (Extreme, Extreme)| -front.min.min(back.min);
+    let trough = case.liquid.fill_height - analysis.sides("wave_height_theta_0").map_or(0.0, fall);
+    let mut worst: Option<(f64, f64, f64, &str)> = None;
+    // The base is tested even where linear waves would lay it dry.
+    for (i, &z) in line.z.iter().enumerate().filter(|(i, z)| *i == 0 || **z < trough) {
+        for (side, extreme) in [("0°", &extremes.front[i]), ("180°", &extremes.back[i])] {
+            let total = line.probes[i].static_value + extreme.min;
+            if worst.is_none_or(|w| total < w.0) {
+                worst = Some((total, z, extreme.min_time, side));
+            }
+        }
+    }
+    let (total, z, time, side) = worst?;
+    let holds = total >= 0.0;
+    Some(Limit {
+        id: "suction".into(),
+        name: "Smallest total pressure on the wall below the wave trough".into(),
+        value: total,
+        limit: 0.0,
+        dimension: Dimension::Stress,
+        holds,
+        note: if holds {
+            String::new()
+        } else {
+            format!(
+                "Suction at z = {}, θ = {side}, t = {time:.2} s: the liquid would part from the wall, which the linear \
+                 engine does not model.",
+                display(z, Dimension::Length)
+            )
+        },
+    })
+}
+
+/// Tension at the base of an anchored cylinder's wall, static and seismic, against its anchors.
+fn uplift(case: &Case, model: &Model, analysis: &Analysis) -> Option<Limit> {
+    let Shape::Cylinder { radius } = case.tank.shape else {
+        return None;
+    };
+    let probes = &model.horizontal.coupled.probes;
+    let probe = probes.iter().find(|p| p.id == "axial_membrane_stress@base")?;
+    let (front, back) = analysis.sides("axial_membrane_stress_base")?;
+    let (rise, time, side) = if front.max >= back.max {
+        (front.max, front.max_time, "0°")
+    } else {
+        (back.max, back.max_time, "180°")
+    };
+    let tension = (probe.static_value + rise) * case.tank.course_at(0.0).thickness;
+    let capacity = case.tank.anchors.and_then(|a| {
+        let spacing = std::f64::consts::TAU * radius / f64::from(a.count.max(1));
+        a.capacity.map(|c| c / spacing)
+    });
+    let limit = capacity.unwrap_or(0.0);
+    let holds = tension <= limit;
+    let place = format!("at θ = {side}, t = {time:.2} s");
+    Some(Limit {
+        id: "uplift_tension".into(),
+        name: match capacity {
+            Some(_) => "Tension at the base of the wall against the anchors".into(),
+            None => "Tension at the base of the wall".into(),
+        },
+        value: tension,
+        limit,
+        dimension: Dimension::LineForce,
+        holds,
+        note: match (holds, capacity, case.tank.support) {
+            (true, ..) => String::new(),
+            (false, _, Support::Unanchored) => {
+                format!(
+                    "The wall lifts off {place}: an unanchored tank uplifts, which the linear engine does not model."
+                )
+            }
+            (false, None, _) => format!(
+                "The wall pulls {place}; the linear engine holds it down. Give the capacity of the anchors to have it checked."
+            ),
+            (false, Some(_), _) => format!("The anchors are overstressed {place}: the wall would lift off."),
+        },
+    })
+}
+
+/// First frequency of wall and liquid [Hz] against the acoustic one.
+pub(crate) fn compressibility(case: &Case, fastest: f64) -> Limit {
+    let acoustic = SOUND / (4.0 * case.liquid.fill_height);
+    let limit = ACOUSTIC_SHARE * acoustic;
+    let holds = fastest <= limit;
+    Limit {
+        id: "compressibility".into(),
+        name: "First frequency of wall and liquid against 0.3 of the acoustic frequency c/(4H), c = 1435 m/s".into(),
+        value: fastest,
+        limit,
+        dimension: Dimension::Frequency,
+        holds,
+        note: if holds {
+            String::new()
+        } else {
+            "The compressibility of the liquid is left out; it lowers such high frequencies by about half the square of \
+             the quotient of both."
+                .into()
+        },
+    }
+}
+
+/// Step of the record [s] against the period of the wall's mode, whose circular frequency is `omega` [rad/s].
+pub(crate) fn record(omega: f64, record_step: f64) -> Limit {
+    let limit = std::f64::consts::TAU / omega / RECORD_STEPS;
+    let holds = record_step <= limit;
+    Limit {
+        id: "record_step".into(),
+        name: "Time step of the record against a tenth of the impulsive period".into(),
+        value: record_step,
+        limit,
+        dimension: Dimension::Time,
+        holds,
+        note: if holds {
+            String::new()
+        } else {
+            "The record holds little of the motion that excites the wall's mode, and straight lines between its samples \
+             damp that part further: the impulsive response is as good as the record there."
+                .into()
+        },
+    }
+}

@@ -1,0 +1,251 @@
+//! Time history of a case: model, analysis, second mesh, and everything the results folder holds of them.
+
+pub(crate) mod analysis;
+pub(crate) mod describe;
+pub(crate) mod limits;
+pub(crate) mod model;
+pub(crate) mod series;
+
+use std::collections::BTreeMap;
+
+use fem::progress::{Progress, Silent};
+use oscillator::record::Record;
+use tank::case::GroundMotion;
+use tank::{Case, Quantity};
+use tank::{Shape, Support};
+
+use analysis::{Analysis, analyse};
+use model::{Harmonic, Model};
+
+use super::{FeError, Integrator, Options, Simulation};
+use results::{Envelope, FeResult, Mode};
+
+/// Modes of each kind and harmonic that are listed in the results.
+const LISTED_MODES: usize = 6;
+/// Smallest mesh refinement of the engine.
+const COARSEST: f64 = 0.25;
+
+/// Time history of the coupled tank and liquid.
+///
+/// Errors: no ground motion or a record without samples; an option out of range; a model that cannot be built or
+/// factored; a response that is not finite.
+pub fn simulate(case: &Case, options: &Options) -> Result<Simulation, FeError> {
+    simulate_watched(case, options, &Silent)
+}
+
+/// [`simulate`] with its steps counted; a wish to stop is not heard.
+///
+/// Errors: as [`simulate`].
+pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress) -> Result<Simulation, FeError> {
+    let motion = checked_motion(case)?;
+    let vertical = motion.vertical.is_some();
+    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
+    progress.stage("wall, liquid and modes", 1);
+    // The two meshes share nothing: they are worked out side by side.
+    let (fine, coarse) = std::thread::scope(|scope| {
+        let coarse = coarse_options(options).map(|coarse| {
+            scope.spawn(move || -> Result<BTreeMap<Quantity, f64>, FeError> {
+                let model = Model::new(case, &coarse, vertical)?;
+                let analysis = analyse(&model, motion, &coarse, &Silent)?;
+                Ok(analysis.values(&model, round))
+            })
+        });
+        let fine = Model::new(case, options, vertical)
+            .and_then(|model| complete(case, options, motion, &model, round, progress));
+        let coarse = coarse.map(|handle| match handle.join() {
+            Ok(values) => values,
+            Err(panic) => std::panic::resume_unwind(panic),
+        });
+        (fine, coarse)
+    });
+    let mut simulation = fine?;
+    note_mesh_error(&mut simulation, coarse.transpose()?.as_ref(), options);
+    Ok(simulation)
+}
+
+/// The ground motion of a case.
+///
+/// Errors: none given; a record that is none.
+pub(crate) fn checked_motion(case: &Case) -> Result<&GroundMotion, FeError> {
+    let motion = case.ground_motion.as_ref().ok_or(FeError::NoRecord)?;
+    check_record("horizontal record", &motion.horizontal)?;
+    if let Some(vertical) = &motion.vertical {
+        check_record("vertical record", vertical)?;
+    }
+    Ok(motion)
+}
+
+/// Writes the difference to the values of a coarser mesh into a simulation.
+pub(crate) fn note_mesh_error(
+    simulation: &mut Simulation,
+    coarse: Option<&BTreeMap<Quantity, f64>>,
+    options: &Options,
+) {
+    if let Some(coarse) = coarse {
+        simulation.result.mesh_error = simulation
+            .values
+            .iter()
+            .filter(|(_, fine)| **fine != 0.0)
+            .filter_map(|(q, fine)| Some((q.id().to_owned(), ((fine - coarse.get(q)?) / fine).abs())))
+            .collect();
+    } else if options.mesh_error {
+        simulation
+            .notes
+            .push("No coarser mesh exists: the discretisation error is not estimated.".into());
+    }
+}
+
+/// Options of the second mesh: every element twice as long. Modal superposition serves for it whatever the integrator.
+pub(crate) fn coarse_options(options: &Options) -> Option<Options> {
+    let refine = (0.5 * options.refine).max(COARSEST);
+    (options.mesh_error && refine < options.refine).then(|| Options {
+        refine,
+        integrator: Integrator::Modal,
+        gauges: Vec::new(),
+        stations: Vec::new(),
+        ..options.clone()
+    })
+}
+
+fn check_record(which: &str, record: &Record) -> Result<(), FeError> {
+    let refuse = |found: String, allowed: &str| {
+        Err(FeError::Option {
+            option: which.into(),
+            found,
+            allowed: allowed.into(),
+        })
+    };
+    if record.acceleration.len() < 2 {
+        return refuse(format!("{} samples", record.acceleration.len()), "2 samples or more");
+    }
+    if !(record.dt > 0.0 && record.dt.is_finite()) {
+        return refuse(format!("time step {} s", record.dt), "a positive time step");
+    }
+    match record.acceleration.iter().position(|a| !a.is_finite()) {
+        Some(i) => refuse(
+            format!("{} at sample {}", record.acceleration[i], i + 1),
+            "finite accelerations",
+        ),
+        None => Ok(()),
+    }
+}
+
+/// The run on the wanted mesh with everything that is reported of it.
+pub(crate) fn complete(
+    case: &Case,
+    options: &Options,
+    motion: &GroundMotion,
+    model: &Model,
+    round: bool,
+    progress: &dyn Progress,
+) -> Result<Simulation, FeError> {
+    // What the damping does is looked at before anything is integrated with it.
+    let notes = review(model)?;
+    let analysis = analyse(model, motion, options, progress)?;
+    Ok(report(case, options, motion, model, round, analysis, notes))
+}
+
+/// Warnings about the damping.
+///
+/// Errors: a ratio that has no meaning.
+pub(crate) fn review(model: &Model) -> Result<Vec<String>, FeError> {
+    let mut notes = Vec::new();
+    for harmonic in model.systems() {
+        notes.extend(model.damper.review(&harmonic.modes)?);
+    }
+    Ok(notes)
+}
+
+/// Everything that is reported of a finished analysis.
+pub(crate) fn report(
+    case: &Case,
+    options: &Options,
+    motion: &GroundMotion,
+    model: &Model,
+    round: bool,
+    analysis: Analysis,
+    mut notes: Vec<String>,
+) -> Simulation {
+    if case.tank.support == Support::Unanchored {
+        notes.push("The tank is unanchored; the linear engine holds the wall down and does not let it uplift.".into());
+    }
+    if let Shape::Rectangle { strip: false, .. } = case.tank.shape {
+        notes.push(
+            "The rectangular tank is modelled as a plane strip of its breadth with rigid side walls: plate bending and \
+             corners are left out."
+                .into(),
+        );
+    }
+    if motion.vertical.as_ref().is_some_and(|v| v.dt != motion.horizontal.dt) {
+        notes.push(
+            "The records differ in their time step: the vertical one is linearised within the steps of the analysis."
+                .into(),
+        );
+    }
+    let coupled = &model.horizontal.coupled;
+    let (info, series) = series::histories(motion, &analysis);
+    let result = FeResult {
+        engine: "harmonic".into(),
+        mesh: coupled.mesh.clone(),
+        modes: modes(case, model),
+        integration: describe::integration(model, options, &analysis, motion),
+        damping_table: model
+            .systems()
+            .flat_map(|h| {
+                model
+                    .damper
+                    .table(&h.modes, h.coupled.liquid_mass + h.coupled.wall_mass)
+            })
+            .collect(),
+        mesh_error: BTreeMap::new(),
+        mass_balance: describe::mass_balance(model),
+        energy: analysis.energy,
+        envelopes: envelopes(model, &analysis),
+        series: info,
+        limits: limits::limits(case, model, &analysis, motion.horizontal.dt),
+        fields: None,
+        nonlinear: None,
+        incomplete: false,
+    };
+    Simulation {
+        values: analysis.values(model, round),
+        result,
+        series,
+        assumptions: describe::assumptions(case, options),
+        notes,
+        snapshots: None,
+    }
+}
+
+/// The first modes of each kind, harmonic by harmonic, with the damping they were given.
+fn modes(case: &Case, model: &Model) -> Vec<Mode> {
+    let listed = |h: &Harmonic| -> Vec<Mode> {
+        h.modes
+            .iter()
+            .filter(|m| m.number <= LISTED_MODES)
+            .map(|m| Mode {
+                damping: model.damper.ratio(m.kind, m.omega),
+                ..m.to_result(&h.coupled, case)
+            })
+            .collect()
+    };
+    model.systems().flat_map(listed).collect()
+}
+
+/// Envelopes at θ = 0 with the static state.
+fn envelopes(model: &Model, analysis: &Analysis) -> Vec<Envelope> {
+    let lines = &model.horizontal.coupled.lines;
+    lines
+        .iter()
+        .zip(&analysis.lines)
+        .map(|(line, extremes)| Envelope {
+            id: line.id.clone(),
+            title: line.title.clone(),
+            dimension: line.dimension,
+            z: line.z.clone(),
+            static_: line.probes.iter().map(|p| p.static_value).collect(),
+            min: extremes.front.iter().map(|e| e.min).collect(),
+            max: extremes.front.iter().map(|e| e.max).collect(),
+        })
+        .collect()
+}

@@ -1,0 +1,202 @@
+//! The coupled systems of a case with their modes, and what is observed of them.
+
+use tank::Case;
+use tank::case::GroundMotion;
+use tank::units::Dimension;
+
+use crate::coupled::Coupled;
+use crate::damping::Damper;
+use crate::harmonic::{self, CoupledMode, Kind};
+use crate::probe::{Probe, ProbeLine};
+use crate::response::superpose::Observable;
+use crate::response::{direct, motion::Grid};
+use crate::{FeError, Integrator, Options, estimate};
+
+/// Sub-steps in the period of the highest significant mode, for extremes between samples (the response itself is exact).
+const SUB_STEPS_PER_PERIOD: f64 = 20.0;
+/// Most sub-steps in a step Δt of the record, modal. A mode of period T < Δt/2 follows the record statically but for the
+/// ringing after each kink, about T/(2π Δt) of it: what so few samples miss of the ringing is below 0.5 % of the whole.
+const MOST_MODAL: f64 = 40.0;
+/// The same for direct integration, which must resolve the mode itself.
+const MOST_DIRECT: f64 = 400.0;
+/// A structural mode is significant if it carries this share of the mass.
+const SIGNIFICANT: f64 = 0.01;
+/// Free vibration after the record, in periods of the first sloshing mode.
+pub const FREE_PERIODS: f64 = 2.0;
+
+/// A coupled system and its modes.
+#[derive(Clone, Debug)]
+pub struct Harmonic {
+    /// The system.
+    pub coupled: Coupled,
+    /// Its modes by ascending frequency.
+    pub modes: Vec<CoupledMode>,
+}
+
+impl Harmonic {
+    /// First mode of a kind.
+    pub fn first(&self, kind: Kind) -> Option<&CoupledMode> {
+        self.modes.iter().find(|m| m.kind == kind)
+    }
+
+    /// Highest circular frequency of the structural modes that carry at least 1 % of the mass, and of the first one.
+    fn significant(&self) -> f64 {
+        let load = self.coupled.mass.times(&self.coupled.influence);
+        let total = fem::linalg::dot(&load, &self.coupled.influence);
+        self.modes
+            .iter()
+            .filter(|m| m.kind == Kind::Structural)
+            .filter(|m| m.number == 1 || m.effective_mass() > SIGNIFICANT * total)
+            .fold(0.0, |w, m| f64::max(w, m.omega))
+    }
+}
+
+/// The model of a case: m = 1 for the horizontal record and, with a vertical one, m = 0.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// m = 1.
+    pub horizontal: Harmonic,
+    /// m = 0, with a vertical record only.
+    pub vertical: Option<Harmonic>,
+    /// Damping.
+    pub damper: Damper,
+}
+
+impl Model {
+    /// Builds the systems and finds their modes.
+    ///
+    /// Errors: as [`harmonic::build`], [`harmonic::solve`] and [`Damper::new`].
+    pub fn new(case: &Case, options: &Options, vertical: bool) -> Result<Model, FeError> {
+        let damper = Damper::new(case, &options.damping)?;
+        let prepare = |m: u32| -> Result<Harmonic, FeError> {
+            let coupled = harmonic::build(case, options, m)?;
+            // All that double precision resolves: a fixed number might not be, for a very stiff wall.
+            let modes = harmonic::solve(&coupled, None)?;
+            Ok(Harmonic { coupled, modes })
+        };
+        Ok(Model {
+            horizontal: prepare(1)?,
+            vertical: if vertical { Some(prepare(0)?) } else { None },
+            damper,
+        })
+    }
+
+    /// The systems, m = 1 first.
+    pub fn systems(&self) -> impl Iterator<Item = &Harmonic> {
+        std::iter::once(&self.horizontal).chain(&self.vertical)
+    }
+
+    /// Time steps of an analysis by `integrator` under `motion`.
+    ///
+    /// Errors: more samples or steps than [`estimate::MOST_SAMPLES`] and [`estimate::MOST_STEPS`], which an estimate without
+    /// the modes may not have seen.
+    pub fn grid(&self, motion: &GroundMotion, integrator: Integrator) -> Result<Grid, FeError> {
+        let omega = self.systems().map(Harmonic::significant).fold(0.0, f64::max);
+        let (steps, most) = match integrator {
+            Integrator::Modal => (SUB_STEPS_PER_PERIOD, MOST_MODAL),
+            Integrator::Newmark => (direct::STEPS_PER_PERIOD, MOST_DIRECT),
+        };
+        let dt = motion.horizontal.dt;
+        let longest = if omega > 0.0 {
+            (std::f64::consts::TAU / omega / steps).max(dt / most)
+        } else {
+            dt
+        };
+        let tail = self
+            .horizontal
+            .first(Kind::Sloshing)
+            .map_or(0.0, |m| FREE_PERIODS * std::f64::consts::TAU / m.omega);
+        let duration = motion.vertical.as_ref().map_or(0.0, |v| v.duration());
+        let grid = Grid::new(dt, motion.horizontal.duration().max(duration), tail, longest);
+        let samples = (motion.horizontal.duration().max(duration) + tail) / dt;
+        estimate::check_steps("harmonic run", samples, samples * grid.sub_steps as f64)?;
+        Ok(grid)
+    }
+
+    /// `probe` of m = 1 at θ = 0 (or 180°), with the probe of the same id of m = 0 where there is one.
+    pub fn observable<'a>(&'a self, probe: &'a Probe, opposite: bool) -> Observable<'a> {
+        let of = |v: &'a Harmonic| v.coupled.probes.iter().find(|p| p.id == probe.id);
+        superpose(probe, self.vertical.as_ref().and_then(of), opposite)
+    }
+
+    /// Probe `i` of `line` of m = 1 at θ = 0 (or 180°), with that of m = 0 (whose wall has the same heights).
+    pub fn observable_on_line<'a>(&'a self, line: &'a ProbeLine, i: usize, opposite: bool) -> Observable<'a> {
+        let of = |v: &'a Harmonic| {
+            let same = v.coupled.lines.iter().find(|l| l.id == line.id && l.z == line.z);
+            same.map(|l| &l.probes[i])
+        };
+        superpose(&line.probes[i], self.vertical.as_ref().and_then(of), opposite)
+    }
+}
+
+/// cos θ of m = 1 changes sign on the opposite side, m = 0 does not.
+fn superpose<'a>(horizontal: &'a Probe, vertical: Option<&'a Probe>, opposite: bool) -> Observable<'a> {
+    let mut terms = vec![(0, if opposite { -1.0 } else { 1.0 }, horizontal)];
+    terms.extend(vertical.map(|v| (1, 1.0, v)));
+    terms
+}
+
+/// A scalar that gets a history.
+#[derive(Clone, Debug)]
+pub struct Scalar<'a> {
+    /// Column id.
+    pub id: String,
+    /// Title.
+    pub title: String,
+    /// Dimension.
+    pub dimension: Dimension,
+    /// Value in the static state.
+    pub static_value: f64,
+    /// What is observed.
+    pub observable: Observable<'a>,
+}
+
+impl Model {
+    /// Scalars with a history; `hoop` is the place on the hoop line where the hoop stress is largest.
+    pub fn scalars(&self, hoop: Option<usize>) -> Vec<Scalar<'_>> {
+        let coupled = &self.horizontal.coupled;
+        let scalar = |probe: &Probe, id: String, title: String, observable| Scalar {
+            id,
+            title,
+            dimension: probe.dimension,
+            static_value: probe.static_value,
+            observable,
+        };
+        let mut scalars = Vec::new();
+        for probe in &coupled.probes {
+            let at = |opposite| self.observable(probe, opposite);
+            match probe.id.split_once('@') {
+                Some(("wave_height", "wall")) => {
+                    let title = |side: &str| format!("{}, {side}", probe.title);
+                    scalars.push(scalar(probe, "wave_height_theta_0".into(), title("θ = 0°"), at(false)));
+                    scalars.push(scalar(
+                        probe,
+                        "wave_height_theta_180".into(),
+                        title("θ = 180°"),
+                        at(true),
+                    ));
+                }
+                Some((what, place)) => {
+                    let axis = match (what, place.parse::<f64>().is_ok()) {
+                        ("wave_height", true) => "_r",
+                        (_, true) => "_z",
+                        _ => "",
+                    };
+                    let id = format!("{what}{axis}_{place}");
+                    scalars.push(scalar(probe, id, probe.title.clone(), at(false)));
+                }
+                None => scalars.push(scalar(probe, probe.id.clone(), probe.title.clone(), at(false))),
+            }
+        }
+        if let (Some(i), Some(line)) = (hoop, coupled.lines.iter().find(|l| l.id == "hoop_stress")) {
+            let title = format!(
+                "{} at z = {} (largest over the height)",
+                line.title,
+                tank::units::display(line.z[i], Dimension::Length)
+            );
+            let observable = self.observable_on_line(line, i, false);
+            scalars.push(scalar(&line.probes[i], line.id.clone(), title, observable));
+        }
+        scalars
+    }
+}

@@ -1,0 +1,209 @@
+//! What a run of the three-dimensional engine takes, from the numbers of its division.
+//!
+//! ```text
+//! wall       5 unknowns a node of a closed surface                    factor: nested dissection of a surface
+//! potential  1 a node of a closed block, 1 an elevation               factors of both
+//! displacement liquid  3 a node, in one matrix with the wall          a factor for each pole
+//! reduction  three times VECTORS vectors over all unknowns, solves and orthogonalisation of each
+//! ```
+
+use tank::Case;
+use tank::Shape;
+
+use super::mesh::Division;
+use super::reduce::{self, VECTORS};
+use super::{Liquid, MeshSize, SolidOptions};
+use crate::estimate::{
+    Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PRODUCT_RATE, PROGRAM, Response, SWEEP_RATE, coarser,
+};
+use crate::{FeError, Integrator, Options};
+
+/// What messages call such a run.
+pub const RUN: &str = "three-dimensional run";
+
+/// Unknowns of a node of the wall.
+const WALL: f64 = 5.0;
+/// Bytes of an element of the liquid with its nodes and places in the matrices: potential and displacement.
+const CELL: [f64; 2] = [2_600.0, 9_000.0];
+/// Bytes of an element of the wall.
+const SHELL: f64 = 12_000.0;
+/// Neighbours of a node in a matrix of which one triangle is kept: surface and block.
+const NEIGHBOURS: [f64; 2] = [5.0, 14.0];
+/// Matrices on the places of all unknowns, the places among them.
+const MATRICES: f64 = 5.0;
+/// Time of an element: matrices and pictures [s].
+const CELL_TIME: f64 = 3.5e-5;
+/// Steps of direct integration: in a period of the first mode of the wall, most in a sample.
+const DIRECT: (f64, f64) = (100.0, 400.0);
+/// States and outputs of one step of a modal response [s].
+const MODAL_STEP: f64 = 1e-6;
+/// Histories of a run with their copies, beside those of the reduced coordinates and their accelerations.
+const HISTORIES: f64 = 60.0;
+/// Time of a number of a state for ParaView, written as text [s].
+const STATE_TIME: f64 = 3e-7;
+/// Fixed time [s]: the codes, results and report.
+const REST: f64 = 0.05;
+/// Vectors of the reduction and of the modes of other wave numbers that are drawn.
+const SOLVES: f64 = VECTORS as f64 + 96.0;
+/// Times that a vector meets those before it.
+const ORTHOGONAL: f64 = 2.0;
+
+/// What [`super::simulate`] takes, or, without a record, what [`super::modes`] takes.
+///
+/// Errors: options out of range; a mesh that is none; a response longer than the limits.
+pub fn estimate(case: &Case, options: &Options, solid: &SolidOptions) -> Result<Estimate, FeError> {
+    crate::harmonic::check_options(case, options)?;
+    let response = Response::of(case, true)?;
+    let mut found = of(case, options, solid, response)?;
+    let smaller = |give: String, options: &Options, solid: &SolidOptions| -> Result<_, FeError> {
+        let smaller = of(case, options, solid, response)?;
+        Ok((give, smaller.bytes(), smaller.seconds))
+    };
+    match solid.mesh {
+        Some(mesh) => {
+            for part in [0.8, 0.65, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05, 0.02, 0.01] {
+                let scaled = |n: usize, least: usize| ((n as f64 * part) as usize).max(least);
+                let mesh = MeshSize {
+                    radial: scaled(mesh.radial, 1),
+                    sectors: scaled(mesh.sectors, 8).next_multiple_of(4),
+                    vertical: scaled(mesh.vertical, 1),
+                };
+                let solid = SolidOptions {
+                    mesh: Some(mesh),
+                    ..solid.clone()
+                };
+                found
+                    .lever
+                    .smaller
+                    .push(smaller(format!("use --mesh {mesh}"), options, &solid)?);
+            }
+        }
+        None => {
+            for refine in coarser(options.refine) {
+                let options = Options {
+                    refine,
+                    ..options.clone()
+                };
+                found
+                    .lever
+                    .smaller
+                    .push(smaller(format!("use --refine {refine}"), &options, solid)?);
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// Numbers of nodes.
+struct Nodes {
+    round: bool,
+    sectors: f64,
+    radial: f64,
+    depth: f64,
+    wall: f64,
+}
+
+fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Response>) -> Result<Estimate, FeError> {
+    let matching = solid.liquid == Liquid::Displacement;
+    let division = Division::new(&case.tank, case.liquid.fill_height, options, solid, matching)?;
+    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
+    let nodes = Nodes {
+        round,
+        sectors: division.sectors as f64 + if round { 0.0 } else { 1.0 },
+        radial: (division.radii.len() - 1) as f64,
+        depth: division.liquid.len() as f64,
+        wall: (division.wall.len() - 1) as f64,
+    };
+    let poles = reduce::poles(case, solid).len() as f64;
+    let n = unknowns(&nodes, solid.liquid);
+    let factors = factors(&nodes, solid.liquid, poles);
+    let cells = nodes.sectors * nodes.radial * (nodes.depth - 1.0);
+    let shells = nodes.sectors * nodes.wall;
+    let liquid = match solid.liquid {
+        Liquid::Potential => [1.0, CELL[0]],
+        Liquid::Displacement => [3.0, CELL[1]],
+    };
+    let places = shells * WALL * WALL * NEIGHBOURS[0]
+        + nodes.sectors * nodes.radial * nodes.depth * liquid[0] * liquid[0] * NEIGHBOURS[1];
+    let vectors = VECTORS as f64;
+    let directions = match case.ground_motion.as_ref().map(|m| m.vertical.is_some()) {
+        Some(true) => 2.0,
+        _ => 1.0,
+    };
+    let mut parts = vec![
+        ("the program", PROGRAM),
+        ("elements", cells * liquid[1] + shells * SHELL),
+        ("matrices", NUMBER * MATRICES * places),
+        ("factors", NUMBER * factors.entries),
+        ("vectors of the reduction", NUMBER * (2.0 + directions) * vectors * n),
+    ];
+    // A solve for each vector at one of the poles, and the vectors before it.
+    let sweep = 2.0 * NUMBER * factors.entries / (1.0 + poles) + ORTHOGONAL * 2.0 * NUMBER * vectors * n;
+    let mut seconds =
+        REST + factors.flops / FACTOR_RATE + SOLVES * directions * sweep / SWEEP_RATE + CELL_TIME * (cells + shells);
+    let (mut samples, mut steps) = (0.0, 0.0);
+    if let Some(response) = response {
+        samples = response.samples();
+        let omega = crate::estimate::first_wall_frequency(case);
+        let in_sample = |(per_period, most): (f64, f64)| {
+            (response.dt * per_period * omega / std::f64::consts::TAU)
+                .ceil()
+                .clamp(1.0, most)
+        };
+        steps = samples * in_sample((25.0, 40.0));
+        seconds += 3.0 * directions * steps * MODAL_STEP;
+        // A mesh of elements twice as long beside it.
+        if solid.mesh.is_none() && options.mesh_error {
+            seconds *= 1.2;
+        }
+        parts.push(("histories", NUMBER * samples * (HISTORIES + 2.0 * vectors * directions)));
+        if let Some(interval) = solid.snapshot_interval {
+            let states = (response.duration / interval).floor() + 1.0;
+            let numbers = 3.0 * (nodes.sectors * (nodes.radial * nodes.depth + nodes.wall)) + cells + 7.0 * shells;
+            parts.push(("states for ParaView (--vtu-every)", NUMBER * states * numbers));
+            seconds += states * numbers * STATE_TIME;
+        }
+        if options.integrator == Integrator::Newmark {
+            let direct = samples * in_sample(DIRECT);
+            seconds += direct * (2.0 * NUMBER * factors.entries / SWEEP_RATE + 3.0 * NUMBER * places / PRODUCT_RATE);
+            parts.push(("direct integration", NUMBER * (factors.entries + 2.0 * places + direct)));
+            steps = direct;
+        }
+    }
+    Ok(Estimate {
+        run: RUN,
+        size: format!("{} elements, {n:.0} unknowns", division.size()),
+        parts,
+        samples,
+        steps,
+        seconds,
+        lever: Lever {
+            smaller: Vec::new(),
+            other: "coarsen the mesh (--mesh, --refine), or give a longer --vtu-every".into(),
+        },
+    })
+}
+
+fn unknowns(nodes: &Nodes, liquid: Liquid) -> f64 {
+    let surface = nodes.sectors * nodes.radial;
+    let wall = nodes.sectors * nodes.wall * WALL;
+    match liquid {
+        Liquid::Potential => surface * (nodes.depth + 1.0) + wall,
+        Liquid::Displacement => 3.0 * surface * nodes.depth + wall,
+    }
+}
+
+/// All factors.
+fn factors(nodes: &Nodes, liquid: Liquid, poles: f64) -> Fill {
+    let grid = |along: [f64; 2], dofs: f64| Fill::grid([nodes.sectors, along[0], along[1]], dofs, nodes.round);
+    let wall = grid([nodes.wall, 1.0], WALL);
+    match liquid {
+        Liquid::Potential => wall
+            .with(1.0, grid([nodes.radial, nodes.depth], 1.0))
+            .with(1.0, grid([nodes.radial, 1.0], 1.0)),
+        Liquid::Displacement => {
+            let one = wall.with(1.0, grid([nodes.radial, nodes.depth], 3.0));
+            one.with(poles, one)
+        }
+    }
+}

@@ -1,0 +1,326 @@
+//! Pictures of a run: drawn mesh, modes, deformed shapes and maps of the wall at the moments of extreme response; and the
+//! states for other programs.
+//!
+//! Levels of the wall and rings of the surface are left out evenly until at most `LEVELS` and `RINGS` are drawn.
+
+use fem::assembly::local_values;
+use fem::dofs::Dof;
+use fem::element::shell::recovery::centre_resultants;
+use tank::units::Dimension;
+
+use super::Liquid;
+use super::model::TankModel;
+use super::moments::{Histories, Moment};
+use super::reduce::Space;
+use super::spectrum::TankMode;
+use crate::harmonic::Kind;
+use results::{DeformedShape, Fields, Picture, Resultants, Snapshot, Snapshots, WallMap};
+
+/// Most levels of wall nodes that are drawn.
+const LEVELS: usize = 25;
+/// Most rings of the surface that are drawn.
+const RINGS: usize = 9;
+/// Most rays that are drawn.
+const RAYS: usize = 48;
+/// Digits kept: pictures need no more.
+const DIGITS: usize = 6;
+
+/// What is drawn of a tank.
+struct Drawing {
+    /// Nodes of the model, wall level by level, then the surface from its middle.
+    nodes: Vec<usize>,
+    wall: Vec<[usize; 4]>,
+    surface: Vec<[usize; 4]>,
+}
+
+/// At most `most` of 0 … count − 1, evenly, first and last among them.
+fn thinned(count: usize, most: usize) -> Vec<usize> {
+    if count <= most {
+        return (0..count).collect();
+    }
+    (0..most)
+        .map(|k| (k * (count - 1) + (most - 1) / 2) / (most - 1))
+        .collect()
+}
+
+impl Drawing {
+    fn new(tank: &TankModel) -> Drawing {
+        let sectors = tank.division.sectors;
+        let step = sectors.div_ceil(RAYS);
+        // Rays must divide the circle.
+        let step = (step..=sectors).find(|s| sectors.is_multiple_of(*s)).unwrap_or(1);
+        let rays: Vec<usize> = (0..sectors).step_by(step).collect();
+        let n = rays.len();
+        let levels = thinned(tank.wall.rows.len(), LEVELS);
+        let mut nodes = Vec::new();
+        for &level in &levels {
+            nodes.extend(rays.iter().map(|&s| tank.wall.rows[level][s]));
+        }
+        let mut wall = Vec::new();
+        for l in 0..levels.len() - 1 {
+            for s in 0..n {
+                let next = (s + 1) % n;
+                wall.push([l * n + s, l * n + next, (l + 1) * n + next, (l + 1) * n + s]);
+            }
+        }
+        let start = nodes.len();
+        let rings = thinned(tank.division.radii.len(), RINGS);
+        nodes.push(tank.volume.surface_nodes[0]);
+        for &ring in &rings[1..] {
+            let first = 1 + (ring - 1) * sectors;
+            nodes.extend(rays.iter().map(|&s| tank.volume.surface_nodes[first + s]));
+        }
+        let number = |ring: usize, s: usize| match ring {
+            0 => start,
+            ring => start + 1 + (ring - 1) * n + s % n,
+        };
+        let mut surface = Vec::new();
+        for r in 0..rings.len() - 1 {
+            for s in 0..n {
+                surface.push([number(r, s), number(r + 1, s), number(r + 1, s + 1), number(r, s + 1)]);
+            }
+        }
+        Drawing { nodes, wall, surface }
+    }
+
+    fn displacement(&self, tank: &TankModel, x: &[f64]) -> Vec<[f64; 3]> {
+        self.nodes.iter().map(|&node| displacement(tank, x, node)).collect()
+    }
+}
+
+/// Displacement of a node: u, or the elevation on the surface of a potential liquid.
+fn displacement(tank: &TankModel, x: &[f64], node: usize) -> [f64; 3] {
+    let own = tank.model.at_node(x, node);
+    [own[0], own[1], own[2] + own[Dof::Eta.index()]]
+}
+
+fn rounded(value: f64) -> f64 {
+    format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value)
+}
+
+fn round_all(values: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
+    values.into_iter().map(|v| v.map(rounded)).collect()
+}
+
+/// Circumferential and axial wave number of a mode in words.
+pub fn title(mode: &TankMode) -> String {
+    let waves = match mode.harmonic {
+        0 => "axisymmetric".to_owned(),
+        n => format!("cos {}θ", if n == 1 { String::new() } else { n.to_string() }),
+    };
+    match (mode.kind, mode.waves) {
+        (Kind::Sloshing, _) => format!("sloshing, {waves}"),
+        (_, Some(w)) => format!(
+            "wall, {waves}, {} half wave{}",
+            w.axial,
+            if w.axial == 1 { "" } else { "s" }
+        ),
+        (_, None) => format!("wall, {waves}"),
+    }
+}
+
+/// Pictures of `modes`, of the states at `moments` (title, time), and maps there.
+pub fn fields(
+    tank: &TankModel,
+    spaces: &[Space],
+    histories: &Histories,
+    modes: &[TankMode],
+    moments: &[(String, f64)],
+) -> Fields {
+    let drawing = Drawing::new(tank);
+    let positions = drawing.nodes.iter().map(|&n| tank.model.nodes()[n]).collect();
+    let mut out = Fields {
+        nodes: round_all(positions),
+        wall: drawing.wall.clone(),
+        surface: drawing.surface.clone(),
+        ..Fields::default()
+    };
+    for mode in modes {
+        let shape = drawing.displacement(tank, &mode.vector);
+        let peak = shape
+            .iter()
+            .map(|v| v.iter().map(|c| c * c).sum::<f64>().sqrt())
+            .fold(0.0, f64::max);
+        let scale = if peak > 0.0 { 1.0 / peak } else { 1.0 };
+        out.modes.push(Picture {
+            title: title(mode),
+            omega: mode.omega,
+            circumferential: mode.harmonic,
+            displacement: round_all(shape.into_iter().map(|v| v.map(|c| c * scale)).collect()),
+        });
+    }
+    for (what, time) in moments {
+        let moment = histories.at(spaces, *time);
+        out.moments.push(DeformedShape {
+            title: what.clone(),
+            time: moment.time,
+            displacement: round_all(drawing.displacement(tank, &moment.displacement)),
+        });
+        out.maps.push(pressure_map(tank, &moment, what));
+        out.maps.push(hoop_map(tank, spaces, &moment, what));
+    }
+    out
+}
+
+/// Pressure at a node of a potential liquid under the whole motion, without the hydrostatic part.
+fn potential_pressure(tank: &TankModel, moment: &Moment, node: usize) -> f64 {
+    let phi = tank.model.at_node(&moment.acceleration, node)[Dof::Phi.index()];
+    tank.density * (tank.gravity * moment.mean_elevation - phi)
+}
+
+/// Pressure on the wall at a level of the liquid's nodes, without the hydrostatic part: that of the potential, or that in
+/// the joint between a displacement liquid and the wall.
+fn wall_pressure(tank: &TankModel, moment: &Moment, level: usize, sector: usize) -> f64 {
+    let node = tank.volume.wall_nodes[level][sector];
+    match tank.liquid {
+        Liquid::Potential => potential_pressure(tank, moment, node),
+        Liquid::Displacement => {
+            // Nodes of wall and liquid lie together, level by level.
+            let liquid = displacement(tank, &moment.displacement, node);
+            let wall = displacement(tank, &moment.displacement, tank.wall.rows[level][sector]);
+            let (sine, cosine) = (std::f64::consts::TAU * sector as f64 / tank.division.sectors as f64).sin_cos();
+            tank.joint * ((liquid[0] - wall[0]) * cosine + (liquid[1] - wall[1]) * sine)
+        }
+    }
+}
+
+/// Pressures in the cells of the liquid, without the hydrostatic part: means of the nodes' potential, or −K div u of a
+/// displacement liquid.
+fn cell_pressures(tank: &TankModel, moment: &Moment) -> Vec<f64> {
+    match tank.liquid {
+        Liquid::Potential => {
+            let mean = |nodes: &[usize; 8]| nodes.iter().map(|&n| 0.125 * potential_pressure(tank, moment, n)).sum();
+            tank.volume.cells.iter().map(|cell| mean(&cell.nodes)).collect()
+        }
+        Liquid::Displacement => {
+            let liquid = tank.model.elements().iter().filter(|e| e.kind() == "fluid8");
+            liquid
+                .map(|element| {
+                    let local = local_values(&tank.model, &**element, &moment.displacement);
+                    let samples = element.samples();
+                    let sample = samples.iter().find(|sample| sample.name == "pressure");
+                    sample.map_or(0.0, |sample| sample.row.iter().zip(&local).map(|(c, v)| c * v).sum())
+                })
+                .collect()
+        }
+    }
+}
+
+fn pressure_map(tank: &TankModel, moment: &Moment, what: &str) -> WallMap {
+    let levels = thinned(tank.division.liquid.len(), LEVELS);
+    let sectors = tank.division.sectors;
+    let mut values = Vec::new();
+    for s in 0..sectors {
+        for &l in &levels {
+            let z = tank.division.liquid[l];
+            let hydrostatic = tank.density * tank.gravity * (tank.depth - z).max(0.0);
+            let seismic = wall_pressure(tank, moment, l, s);
+            values.push(rounded(hydrostatic + seismic));
+        }
+    }
+    WallMap {
+        id: "pressure".into(),
+        title: format!("Pressure on the wall, {what}"),
+        time: moment.time,
+        dimension: Dimension::Stress,
+        theta: angles(sectors, 0.0),
+        z: levels.iter().map(|&l| rounded(tank.division.liquid[l])).collect(),
+        values,
+    }
+}
+
+fn angles(sectors: usize, offset: f64) -> Vec<f64> {
+    let angle = |s: usize| rounded(std::f64::consts::TAU * (s as f64 + offset) / sectors as f64);
+    (0..sectors).map(angle).collect()
+}
+
+fn hoop_map(tank: &TankModel, spaces: &[Space], moment: &Moment, what: &str) -> WallMap {
+    let sectors = tank.division.sectors;
+    let whole: Vec<f64> = moment
+        .displacement
+        .iter()
+        .zip(&spaces[0].statics)
+        .map(|(u, s)| u + s)
+        .collect();
+    let levels = thinned(tank.wall.thickness.len(), LEVELS);
+    let mut values = Vec::new();
+    for s in 0..sectors {
+        for &l in &levels {
+            let element = &*tank.model.elements()[tank.wall.elements[l * sectors + s]];
+            let local = local_values(&tank.model, element, &whole);
+            let force: f64 = element
+                .samples()
+                .iter()
+                .find(|sample| sample.name == "n_11")
+                .map_or(0.0, |sample| sample.row.iter().zip(&local).map(|(c, v)| c * v).sum());
+            values.push(rounded(force / tank.wall.thickness[l]));
+        }
+    }
+    let middle = |&l: &usize| rounded(0.5 * (tank.wall.z[l] + tank.wall.z[l + 1]));
+    WallMap {
+        id: "hoop_stress".into(),
+        title: format!("Hoop membrane stress, {what}"),
+        time: moment.time,
+        dimension: Dimension::Stress,
+        theta: angles(sectors, 0.5),
+        z: levels.iter().map(middle).collect(),
+        values,
+    }
+}
+
+/// The states every `interval` [s] up to `end` [s]. A potential liquid has displacements at its surface only.
+pub fn snapshots(tank: &TankModel, spaces: &[Space], histories: &Histories, interval: f64, end: f64) -> Snapshots {
+    let mut out = Snapshots {
+        nodes: tank.model.nodes().to_vec(),
+        liquid: tank.volume.cells.iter().map(|c| c.nodes).collect(),
+        wall: tank.wall.faces.iter().map(|f| f.nodes).collect(),
+        states: Vec::new(),
+    };
+    let mut time = 0.0;
+    while time <= end {
+        let moment = histories.at(spaces, time);
+        let u: Vec<[f64; 3]> = (0..tank.model.nodes().len())
+            .map(|node| displacement(tank, &moment.displacement, node))
+            .collect();
+        let pressure = cell_pressures(tank, &moment);
+        let resultants = centre_resultants(&tank.model, &tank.wall.elements, &moment.displacement)
+            .into_iter()
+            .map(|(_, r)| Resultants {
+                n_phi: r[0],
+                n_v: r[1],
+                n_phi_v: r[2],
+                m_phi: r[3],
+                m_v: r[4],
+                m_phi_v: r[5],
+                q_v: r[7],
+            })
+            .collect();
+        out.states.push(Snapshot {
+            time: moment.time,
+            displacement: u,
+            pressure,
+            resultants,
+        });
+        time += interval;
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thinning_keeps_the_ends() {
+        assert_eq!(thinned(4, 9), vec![0, 1, 2, 3]);
+        let kept = thinned(37, 25);
+        assert_eq!((kept[0], kept[24], kept.len()), (0, 36, 25));
+        assert!(kept.windows(2).all(|w| w[1] > w[0]));
+    }
+
+    #[test]
+    fn six_digits_are_kept() {
+        assert_eq!(rounded(1.234_567_89e-7), 1.234_57e-7);
+        assert_eq!(rounded(0.0), 0.0);
+    }
+}

@@ -1,0 +1,388 @@
+//! From a case to a model of nodes and elements.
+//!
+//! The wall is a mantle of `shell4`, clamped at its base; the liquid has nodes of its own. The bottom is rigid. All
+//! horizontal ground motion is along x.
+
+use std::sync::Arc;
+
+use fem::assembly::Assembler;
+use fem::chart::Chart;
+use fem::dofs::Dof;
+use fem::element::contact8::{Contact8, ContactLaw};
+use fem::element::shell::section::{ElasticSection, Section};
+use fem::element::shell::surface::{Normals, ShellCell, ShellSurface};
+use fem::element::shell4::Axes;
+use fem::element::{ElementError, Fluid8, FreeSurface, LiquidProperties, Potential8, PotentialSurface, WetFace};
+use fem::mesh::{Cylinder, Face, MeshError, Volume};
+use fem::model::{Builder, Model, ModelError};
+use nalgebra::Vector3;
+use tank::Case;
+use tank::Shape;
+
+use super::mesh::Division;
+use super::roof::RoofRing;
+use super::{Liquid, SolidOptions};
+use crate::{FeError, Options};
+
+/// Group of the wall's shells.
+pub const WALL: &str = "wall";
+/// Group of the roof's mass.
+pub const ROOF: &str = "roof";
+/// Group of the liquid's volume.
+pub const LIQUID: &str = "liquid";
+/// Group of the free surface.
+pub const SURFACE: &str = "surface";
+/// Group of what joins liquid and wall.
+pub const JOINT: &str = "joint";
+
+/// Bulk modulus of water [Pa] (dissertation, section 5).
+const BULK_MODULUS: f64 = 2.06e9;
+/// Factor of the joint's penalty: the gap is 1 % of the liquid's own compression in the outermost element, which is small
+/// itself (theory of contact).
+const PENALTY: f64 = 1e2;
+
+/// Where the wall is in the model.
+#[derive(Clone, Debug)]
+pub struct WallPart {
+    /// Heights of the node levels [m].
+    pub z: Vec<f64>,
+    /// Nodes: `rows[level][sector]`.
+    pub rows: Vec<Vec<usize>>,
+    /// Faces, sector by sector and level by level; numbers of the model.
+    pub faces: Vec<Face>,
+    /// Element of each face.
+    pub elements: Vec<usize>,
+    /// Thickness of the faces of each level [m].
+    pub thickness: Vec<f64>,
+    /// Poisson's ratio of the faces of each level.
+    pub poisson_ratio: Vec<f64>,
+}
+
+impl WallPart {
+    /// Levels of elements of equal thickness and material, from the base up.
+    pub fn courses(&self) -> Vec<std::ops::Range<usize>> {
+        let mut out = Vec::new();
+        let mut start = 0;
+        for level in 1..=self.thickness.len() {
+            let same = level < self.thickness.len()
+                && self.thickness[level] == self.thickness[start]
+                && self.poisson_ratio[level] == self.poisson_ratio[start];
+            if !same {
+                out.push(start..level);
+                start = level;
+            }
+        }
+        out
+    }
+}
+
+/// A tank as a model.
+pub struct TankModel {
+    /// Division it was made by.
+    pub division: Division,
+    /// Formulation of the liquid.
+    pub liquid: Liquid,
+    /// The model.
+    pub model: Model,
+    /// Its pattern and places.
+    pub assembler: Assembler,
+    /// The wall.
+    pub wall: WallPart,
+    /// The liquid; numbers of the model.
+    pub volume: Volume,
+    /// Depth of the liquid [m].
+    pub depth: f64,
+    /// Radius [m].
+    pub radius: f64,
+    /// Density of the liquid [kg/m³].
+    pub density: f64,
+    /// Acceleration of free fall [m/s²].
+    pub gravity: f64,
+    /// Normal stiffness of the joint of a displacement liquid [N/m³]; 0 with a potential.
+    pub joint: f64,
+}
+
+impl TankModel {
+    /// Builds the model of a case.
+    ///
+    /// Errors: a shape that is not modelled in three dimensions; a division out of range; an element that cannot be built.
+    pub fn new(case: &Case, options: &Options, solid: &SolidOptions) -> Result<TankModel, FeError> {
+        let Shape::Cylinder { radius } = case.tank.shape else {
+            return Err(FeError::Unsupported(
+                "the three-dimensional engine models upright cylinders; take --fe harmonic for a rectangular tank"
+                    .into(),
+            ));
+        };
+        let matching = solid.liquid == Liquid::Displacement;
+        let depth = case.liquid.fill_height;
+        let division = Division::new(&case.tank, depth, options, solid, matching)?;
+        refuse_the_hopeless(&division, solid)?;
+        let mut builder = Builder::new();
+        let wall = add_wall(case, &division, &mut builder)?;
+        let volume = add_liquid(case, &division, solid.liquid, &wall, &mut builder)?;
+        let joint = match solid.liquid {
+            Liquid::Displacement => joint_stiffness(case, &division),
+            Liquid::Potential => 0.0,
+        };
+        let model = builder
+            .build()
+            .map_err(|e: ModelError| FeError::Analysis(e.to_string()))?;
+        let assembler = Assembler::new(&model);
+        Ok(TankModel {
+            division,
+            liquid: solid.liquid,
+            model,
+            assembler,
+            wall,
+            volume,
+            depth,
+            radius,
+            density: case.liquid.density,
+            gravity: case.gravity,
+            joint,
+        })
+    }
+
+    /// Whether element `e` belongs to one of the groups.
+    pub fn is_in(&self, e: usize, groups: &[&str]) -> bool {
+        groups.contains(&self.model.groups()[self.model.group_of(e)].as_str())
+    }
+
+    /// Rings of nodes, each in the order of its angles from θ = 0, and the nodes on the axis.
+    pub fn rings(&self) -> (Vec<Vec<usize>>, Vec<usize>) {
+        let sectors = self.division.sectors;
+        let per_level = 1 + (self.division.radii.len() - 1) * sectors;
+        let mut rings = self.wall.rows.clone();
+        for level in 0..self.division.liquid.len() {
+            let first = self.volume.axis[0] + level * per_level + 1;
+            rings.extend((0..self.division.radii.len() - 1).map(|r| {
+                let start = first + r * sectors;
+                (start..start + sectors).collect()
+            }));
+        }
+        (rings, self.volume.axis.clone())
+    }
+}
+
+/// An error of an element as one of the engine.
+pub fn element_error(error: ElementError) -> FeError {
+    FeError::Analysis(error.to_string())
+}
+
+fn mesh_error(error: MeshError) -> FeError {
+    FeError::Analysis(error.to_string())
+}
+
+fn add_wall(case: &Case, division: &Division, builder: &mut Builder) -> Result<WallPart, FeError> {
+    let mesh = Cylinder {
+        radii: division.radii.clone(),
+        sectors: division.sectors,
+        heights: division.wall.clone(),
+    };
+    let wall = mesh.wall().map_err(mesh_error)?;
+    builder.nodes(&wall.nodes);
+    let levels = division.wall.windows(2);
+    let courses: Vec<_> = levels.map(|z| case.tank.course_at(0.5 * (z[0] + z[1]))).collect();
+    let sections = courses
+        .iter()
+        .map(|c| {
+            let m = &c.material;
+            let section = ElasticSection::new(m.youngs_modulus, m.poisson_ratio, c.thickness, m.density)?;
+            Ok(Arc::new(section) as Arc<dyn Section>)
+        })
+        .collect::<Result<Vec<_>, ElementError>>()
+        .map_err(element_error)?;
+    let cells = wall
+        .cells
+        .iter()
+        .enumerate()
+        .map(|(k, face)| ShellCell {
+            nodes: face.nodes,
+            section: sections[k / division.sectors].clone(),
+            group: WALL.into(),
+        })
+        .collect();
+    let outwards = |_: usize, node: usize| {
+        let p = wall.nodes[node];
+        Vector3::new(p[0], p[1], 0.0).normalize()
+    };
+    let surface = ShellSurface {
+        normals: Normals::Exact(&outwards),
+        axes: Axes::HOOP_Z,
+        ..ShellSurface::new(cells)
+    };
+    let placed = surface.place(builder).map_err(element_error)?;
+    for &node in &wall.rows[0] {
+        for &dof in Dof::SHELL {
+            builder.hold(node, dof);
+        }
+    }
+    if case.tank.roof.mass > 0.0 {
+        let top = wall.rows[wall.rows.len() - 1].clone();
+        let positions: Vec<[f64; 3]> = top.iter().map(|&n| wall.nodes[n]).collect();
+        let lever = case.tank.roof_height() - case.tank.wall_height();
+        builder.element(ROOF, RoofRing::new(top, &positions, case.tank.roof.mass, lever));
+    }
+    Ok(WallPart {
+        z: division.wall.clone(),
+        rows: wall.rows,
+        faces: wall.cells,
+        elements: placed.elements,
+        thickness: courses.iter().map(|c| c.thickness).collect(),
+        poisson_ratio: courses.iter().map(|c| c.material.poisson_ratio).collect(),
+    })
+}
+
+/// Least memory of an unknown with its matrices and factors [bytes]: below what the smallest models need (3.7 kB), and the
+/// factor of a larger one needs more for each unknown.
+const LEAST_BYTES: f64 = 2048.0;
+
+/// What to do about a mesh that does not fit.
+pub(super) const COARSEN: &str = "coarsen the mesh (--mesh, --refine), or raise --memory-limit";
+
+/// Refuses a mesh that cannot fit, before its nodes and elements fill the memory themselves.
+///
+/// Errors: more unknowns than the allowed memory holds at `LEAST_BYTES` each.
+fn refuse_the_hopeless(division: &Division, solid: &SolidOptions) -> Result<(), FeError> {
+    let ring = division.sectors as f64;
+    let liquid = (division.radii.len() - 1) as f64 * ring * division.liquid.len() as f64;
+    let unknowns_of_liquid = match solid.liquid {
+        Liquid::Displacement => 3.0,
+        Liquid::Potential => 1.0,
+    };
+    let unknowns = unknowns_of_liquid * liquid + 5.0 * ring * (division.wall.len() - 1) as f64;
+    let needed = (unknowns * LEAST_BYTES / f64::from(1 << 20)).ceil() as u64;
+    if needed > solid.memory_limit_mib {
+        return Err(FeError::Memory {
+            run: super::RUN.into(),
+            needed_mib: needed,
+            allowed_mib: solid.memory_limit_mib,
+            help: COARSEN.into(),
+        });
+    }
+    Ok(())
+}
+
+fn add_liquid(
+    case: &Case,
+    division: &Division,
+    liquid: Liquid,
+    wall: &WallPart,
+    builder: &mut Builder,
+) -> Result<Volume, FeError> {
+    let mesh = Cylinder {
+        radii: division.radii.clone(),
+        sectors: division.sectors,
+        heights: division.liquid.clone(),
+    };
+    let mut volume = mesh.volume().map_err(mesh_error)?;
+    let first = builder.nodes(&volume.nodes);
+    shift(&mut volume, first);
+    let (density, gravity) = (case.liquid.density, case.gravity);
+    match liquid {
+        Liquid::Potential => {
+            for cell in &volume.cells {
+                let element = Potential8::new(cell, Chart::Cylindrical, density).map_err(element_error)?;
+                builder.element(LIQUID, element);
+            }
+            for face in &volume.surface {
+                let element =
+                    PotentialSurface::new(face, Chart::Cylindrical, density, gravity).map_err(element_error)?;
+                builder.element(SURFACE, element);
+            }
+            join_potential(division, &volume, wall, density, builder).map_err(element_error)?;
+        }
+        Liquid::Displacement => {
+            let liquid = displacement_liquid(case);
+            for cell in &volume.cells {
+                let element = Fluid8::new(cell, Chart::Cylindrical, liquid).map_err(element_error)?;
+                builder.element(LIQUID, element);
+            }
+            for face in &volume.surface {
+                let element = FreeSurface::new(face, Chart::Cylindrical, density * gravity).map_err(element_error)?;
+                builder.element(SURFACE, element);
+            }
+            // The bottom is rigid; the liquid slides on it.
+            for &node in &volume.bottom_nodes {
+                builder.hold(node, Dof::Uz);
+            }
+            let law = ContactLaw::bonded(joint_stiffness(case, division));
+            for (face, wall) in volume.wall.iter().zip(&wall.faces) {
+                let normals = face.chart.map(|c| [c[1].cos(), c[1].sin(), 0.0]);
+                let joint = Contact8::new(face, Chart::Cylindrical, wall.nodes, face.nodes, normals, law)
+                    .map_err(element_error)?;
+                builder.element(JOINT, joint);
+            }
+        }
+    }
+    Ok(volume)
+}
+
+/// Properties of the displacement liquid of a case: bulk modulus of water, nothing calibrated.
+pub fn displacement_liquid(case: &Case) -> LiquidProperties {
+    let radius = case.tank.shape.half_length();
+    LiquidProperties::new(case.liquid.density, BULK_MODULUS, case.gravity, radius)
+}
+
+/// Normal stiffness of the joint between displacement liquid and wall [N/m³]: `PENALTY` times the larger of K/h of the
+/// liquid's outermost elements and E t/R² of the wall.
+pub fn joint_stiffness(case: &Case, division: &Division) -> f64 {
+    let n = division.radii.len();
+    let thickness = division.radii[n - 1] - division.radii[n - 2];
+    let radius = case.tank.shape.half_length();
+    let wall = |c: &tank::Course| c.material.youngs_modulus * c.thickness / (radius * radius);
+    PENALTY
+        * case
+            .tank
+            .courses
+            .iter()
+            .map(wall)
+            .fold(BULK_MODULUS / thickness, f64::max)
+}
+
+/// Wetted faces of liquid and wall, sector by sector, wherever they overlap.
+fn join_potential(
+    division: &Division,
+    volume: &Volume,
+    wall: &WallPart,
+    density: f64,
+    builder: &mut Builder,
+) -> Result<(), ElementError> {
+    let sectors = division.sectors;
+    for (k, liquid) in volume.wall.iter().enumerate() {
+        // Faces of the liquid run sector by sector within a level, those of the wall too.
+        let (level, sector) = (k / sectors, k % sectors);
+        let (low, high) = (division.liquid[level], division.liquid[level + 1]);
+        for (l, z) in wall.z.windows(2).enumerate() {
+            if z[1] <= low || z[0] >= high {
+                continue;
+            }
+            let face = &wall.faces[l * sectors + sector];
+            let normals = face.chart.map(|c| [c[1].cos(), c[1].sin(), 0.0]);
+            if let Some(joint) = WetFace::overlapping(liquid, face, Chart::Cylindrical, normals, density)? {
+                builder.element(JOINT, joint);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Adds `first` to all node numbers of a volume.
+fn shift(volume: &mut Volume, first: usize) {
+    volume
+        .cells
+        .iter_mut()
+        .flat_map(|c| &mut c.nodes)
+        .for_each(|n| *n += first);
+    let faces = volume
+        .wall
+        .iter_mut()
+        .chain(&mut volume.bottom)
+        .chain(&mut volume.surface);
+    faces.flat_map(|f| &mut f.nodes).for_each(|n| *n += first);
+    let lists = volume.wall_nodes.iter_mut().flatten().chain(&mut volume.axis);
+    lists
+        .chain(&mut volume.bottom_nodes)
+        .chain(&mut volume.surface_nodes)
+        .for_each(|n| *n += first);
+}

@@ -1,0 +1,114 @@
+//! Load-dependent Ritz vectors: the space that a load excites, orthonormal in M.
+//!
+//! ```text
+//! x₁ = (K + s M)⁻¹ f      x_{k+1} = (K + s M)⁻¹ M x_k      each orthogonalised to all before, xᵢᵀ M x_j = δ_ij
+//! ```
+//!
+//! for one pole s after the other. With s = 0 this is the Krylov space of K⁻¹ M with the static response to the load as
+//! its first vector: static response exact, the modes that the load excites converge from the lowest up, those it does
+//! not excite never appear. A displacement liquid has hundreds of rotational modes between the sloshing and the wall's
+//! modes, which the load hardly excites; a pole s = ω² leaps over them. Source: Wilson, Yuan & Dickens 1982; Ruhe 1984.
+//!
+//! A cyclic mesh keeps the symmetry of its load; `purify` takes out of every vector what rounding has put into other
+//! symmetries.
+
+use fem::linalg::{Matrix, dot, transposed_product};
+use fem::progress::Progress;
+
+use super::system::{System, columns};
+use crate::FeError;
+
+/// A vector of which orthogonalisation leaves less than this part (in the norm of M) lies in the space already.
+const EXHAUSTED: f64 = 1e-8;
+/// Largest share of an older vector that may be left in a new one: more is rounding of an exhausted space, and the Gram
+/// matrix would not be definite.
+const OVERLAP: f64 = 1e-6;
+
+/// The reduced system.
+pub struct Ritz {
+    /// Basis over all unknowns, potentials included, column by column.
+    pub basis: Matrix,
+    /// Vᵀ M V.
+    pub mass: Matrix,
+    /// Vᵀ K V.
+    pub stiffness: Matrix,
+}
+
+/// At most `count` Ritz vectors of `system` for the load `load`.
+///
+/// Errors: not enough memory; a load of zero.
+pub fn reduce(
+    system: &System,
+    load: &[f64],
+    count: usize,
+    purify: &dyn Fn(&mut [f64]),
+    progress: &dyn Progress,
+) -> Result<Ritz, FeError> {
+    let (mut basis, mut images): (Vec<Vec<f64>>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
+    for pole in 0..system.poles() {
+        let most = (pole + 1) * count / system.poles();
+        let mut right = load.to_vec();
+        while basis.len() < most {
+            let mut x = system.solve_at(pole, &right)?;
+            purify(&mut x);
+            system.complete(&mut x)?;
+            let Some((x, image)) = orthogonal(system, x, &basis, &images) else {
+                break;
+            };
+            right.clone_from(&image);
+            basis.push(x);
+            images.push(image);
+            progress.advance(1);
+        }
+    }
+    if basis.is_empty() {
+        return Err(FeError::Analysis("the ground motion loads nothing in the model".into()));
+    }
+    let elastic: Vec<Vec<f64>> = basis.iter().map(|x| system.stiffness_times(x)).collect();
+    let basis = columns(&basis);
+    Ok(Ritz {
+        mass: symmetric(transposed_product(&basis, &columns(&images))),
+        stiffness: symmetric(transposed_product(&basis, &columns(&elastic))),
+        basis,
+    })
+}
+
+/// `x` without its shares in `basis`, of unit norm, and M x; `None` if nothing new is left.
+fn orthogonal(
+    system: &System,
+    mut x: Vec<f64>,
+    basis: &[Vec<f64>],
+    images: &[Vec<f64>],
+) -> Option<(Vec<f64>, Vec<f64>)> {
+    let norm = |x: &[f64]| dot(x, &system.mass_times(x)).max(0.0).sqrt();
+    let before = norm(&x);
+    // Twice is enough (Parlett 1998, section 6.9).
+    for _ in 0..2 {
+        for (v, m) in basis.iter().zip(images) {
+            let share = dot(m, &x);
+            for (x, v) in x.iter_mut().zip(v) {
+                *x -= share * v;
+            }
+        }
+    }
+    let after = norm(&x);
+    if after.is_nan() || after <= EXHAUSTED * before {
+        return None;
+    }
+    x.iter_mut().for_each(|v| *v /= after);
+    let image = system.mass_times(&x);
+    let left = basis.iter().map(|v| dot(v, &image).abs()).fold(0.0, f64::max);
+    (left <= OVERLAP).then_some((x, image))
+}
+
+/// The mean of a matrix and its transpose.
+pub fn symmetric(mut a: Matrix) -> Matrix {
+    for j in 0..a.cols {
+        for i in 0..j {
+            let mean = 0.5 * (a.get(i, j) + a.get(j, i));
+            a.data[i + j * a.rows] = mean;
+            a.data[j + i * a.rows] = mean;
+        }
+    }
+    a
+}

@@ -1,0 +1,435 @@
+//! What is observed of a tank in three dimensions, as rows over the unknowns of its model.
+//!
+//! Signs and places as in the harmonic engine: tension positive, liquid pressure positive in compression, reactions positive
+//! as inertia forces of a positive acceleration, values at θ = 0. Wall resultants are those of the two elements beside
+//! θ = 0, averaged; under horizontal motion they vary with cos θ exactly, so that the mean divided by cos(π/N) is the
+//! value at θ = 0.
+//!
+//! Stresses at the base are reactions: nodal force and moment of the clamped edge over its length, less the load applied at
+//! the node (the inertia of the elements above).
+
+use std::collections::BTreeMap;
+
+use fem::assembly::Assembler;
+use fem::dofs::{Dof, KINDS};
+use fem::element::{local_size, reference_mass, reference_stiffness};
+use fem::linalg::dot;
+use fem::shape::{gauss, quad4};
+
+use super::Liquid;
+use super::model::{JOINT, LIQUID, TankModel, element_error};
+use crate::FeError;
+use crate::coupled::SparseRow;
+
+/// A linear functional y = d · x + a · ẍ_total + b a_g over the unknowns of a model.
+///
+/// Potentials in `acceleration` multiply φ̈ of the whole motion.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Row {
+    /// d.
+    pub displacement: SparseRow,
+    /// a.
+    pub acceleration: SparseRow,
+    /// b: the share of what is held and follows the ground.
+    pub held: f64,
+}
+
+impl Row {
+    /// A row of displacements.
+    pub fn of_displacement(displacement: SparseRow) -> Row {
+        Row {
+            displacement,
+            ..Row::default()
+        }
+    }
+
+    /// factor × the row.
+    pub fn scaled(mut self, factor: f64) -> Row {
+        let all = self.displacement.iter_mut().chain(&mut self.acceleration);
+        all.for_each(|(_, c)| *c *= factor);
+        self.held *= factor;
+        self
+    }
+}
+
+/// Σ c x over a sparse row.
+pub fn sparse_dot(row: &[(usize, f64)], x: &[f64]) -> f64 {
+    row.iter().map(|&(i, c)| c * x[i]).sum()
+}
+
+fn sparse(row: &[f64]) -> SparseRow {
+    let entries = row.iter().enumerate().filter(|(_, c)| **c != 0.0);
+    entries.map(|(i, c)| (i, *c)).collect()
+}
+
+/// Field of a rigid motion of the ground, at every node in global components.
+pub type Field<'a> = &'a dyn Fn(usize) -> [f64; KINDS];
+
+/// Natural coordinate of the Gauss points of a shell.
+const GAUSS: f64 = 0.577_350_269_189_625_8;
+
+/// Resultants of the wall.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Resultant {
+    /// Hoop force n_φ.
+    Hoop,
+    /// Meridional force n_v.
+    Axial,
+    /// Meridional moment m_v.
+    Moment,
+}
+
+impl Resultant {
+    fn name(self) -> &'static str {
+        match self {
+            Resultant::Hoop => "n_11",
+            Resultant::Axial => "n_22",
+            Resultant::Moment => "m_22",
+        }
+    }
+}
+
+/// Makes rows of one tank for one direction of the ground motion.
+pub struct Observer<'a> {
+    /// The tank.
+    pub tank: &'a TankModel,
+    /// Harmonic of the load: 1 along x, 0 along z.
+    pub harmonic: u32,
+}
+
+impl Observer<'_> {
+    fn row(&self, node: usize, dof: Dof) -> SparseRow {
+        self.tank.model.row(node, dof)
+    }
+
+    /// Rigid motion of the ground with unit acceleration.
+    pub fn ground(&self) -> [f64; KINDS] {
+        let mut field = [0.0; KINDS];
+        field[if self.harmonic == 1 { 0 } else { 2 }] = 1.0;
+        field
+    }
+
+    /// Wave height at the radius `r` (negative: at θ = 180°).
+    pub fn elevation(&self, r: f64) -> Row {
+        let volume = &self.tank.volume;
+        let (radii, sectors) = (&self.tank.division.radii, self.tank.division.sectors);
+        let dof = match volume.surface_nodes.first() {
+            Some(&n) if self.tank.model.dofs().equation(n, Dof::Eta).is_some() => Dof::Eta,
+            _ => Dof::Uz,
+        };
+        let node = |ring: usize| match ring {
+            0 => volume.surface_nodes[0],
+            ring => volume.surface_nodes[1 + (ring - 1) * sectors + if r < 0.0 { sectors / 2 } else { 0 }],
+        };
+        let at = r.abs().min(radii[radii.len() - 1]);
+        let upper = radii.partition_point(|x| *x < at).clamp(1, radii.len() - 1);
+        let share = (at - radii[upper - 1]) / (radii[upper] - radii[upper - 1]);
+        let mut out = SparseRow::new();
+        for (ring, weight) in [(upper - 1, 1.0 - share), (upper, share)] {
+            if weight != 0.0 {
+                out.extend(self.row(node(ring), dof).into_iter().map(|(i, c)| (i, weight * c)));
+            }
+        }
+        Row::of_displacement(out)
+    }
+
+    /// Radial displacement of the wall at a level of its nodes.
+    pub fn radial_displacement(&self, level: usize) -> Row {
+        Row::of_displacement(self.row(self.tank.wall.rows[level][0], Dof::Ux))
+    }
+
+    /// A combination Σ c × resultant of a level of the wall's elements at the natural height s, from the centre (s = 0) or
+    /// by the straight line through the Gauss points.
+    fn within(&self, level: usize, s: f64, terms: &[(Resultant, f64)], out: &mut BTreeMap<usize, f64>) {
+        let (wall, sectors) = (&self.tank.wall, self.tank.division.sectors);
+        let spread = match self.harmonic {
+            0 => 1.0,
+            _ => (std::f64::consts::PI / sectors as f64).cos(),
+        };
+        // Of each name the first sample is that of the centre, then come the Gauss points at s = −A, −A, A, A.
+        let slope = 0.25 * s / GAUSS;
+        let weights = if s == 0.0 {
+            [1.0, 0.0, 0.0, 0.0, 0.0]
+        } else {
+            [0.0, 0.25 - slope, 0.25 - slope, 0.25 + slope, 0.25 + slope]
+        };
+        for sector in [0, sectors - 1] {
+            let element = &*self.tank.model.elements()[wall.elements[level * sectors + sector]];
+            let samples = element.samples();
+            for &(resultant, factor) in terms {
+                let own = samples.iter().filter(|sample| sample.name == resultant.name());
+                for (sample, weight) in own.zip(weights).filter(|(_, w)| *w != 0.0) {
+                    for (i, c) in self.tank.model.spread(element, &sample.row) {
+                        *out.entry(i).or_insert(0.0) += 0.5 * factor * weight * c / spread;
+                    }
+                }
+            }
+        }
+    }
+
+    /// A resultant at the height z in a course whose elements are the levels `course`.
+    ///
+    /// Meridional force and moment are best at the centres of elements and linear between them. The hoop strain is best
+    /// at nodes: n_φ = (n_φ − ν n_v) + ν n_v with the first part, E t ε_φ, from the element and the second from centres.
+    pub fn resultant(&self, course: &std::ops::Range<usize>, z: f64, resultant: Resultant, poisson: f64) -> Row {
+        let nodes = &self.tank.wall.z;
+        let middle = |level: usize| 0.5 * (nodes[level] + nodes[level + 1]);
+        let mut row = BTreeMap::new();
+        let meridional = match resultant {
+            Resultant::Hoop => (Resultant::Axial, poisson),
+            other => (other, 1.0),
+        };
+        if course.len() == 1 {
+            self.within(course.start, 0.0, &[meridional], &mut row);
+        } else {
+            let upper = course
+                .clone()
+                .find(|&level| middle(level) >= z)
+                .unwrap_or(course.end - 1)
+                .max(course.start + 1);
+            let share = (z - middle(upper - 1)) / (middle(upper) - middle(upper - 1));
+            for (level, weight) in [(upper - 1, 1.0 - share), (upper, share)] {
+                self.within(level, 0.0, &[(meridional.0, weight * meridional.1)], &mut row);
+            }
+        }
+        if resultant == Resultant::Hoop {
+            let tolerance = 1e-9 * nodes[nodes.len() - 1];
+            let beside: Vec<usize> = course
+                .clone()
+                .filter(|&l| nodes[l] <= z + tolerance && nodes[l + 1] >= z - tolerance)
+                .collect();
+            for &level in &beside {
+                let s = (2.0 * (z - middle(level)) / (nodes[level + 1] - nodes[level])).clamp(-1.0, 1.0);
+                let share = 1.0 / beside.len() as f64;
+                let terms = [(Resultant::Hoop, share), (Resultant::Axial, -poisson * share)];
+                // Exactly at the centre the centre's own sample serves.
+                self.within(level, s, &terms, &mut row);
+            }
+        }
+        Row::of_displacement(row.into_iter().collect())
+    }
+
+    /// Reaction of a dof of the clamped edge at θ = 0 over the length of edge that belongs to the node [N/m or N].
+    ///
+    /// Errors: an element without stiffness.
+    pub fn edge_reaction(&self, dof: Dof) -> Result<Row, FeError> {
+        let tank = self.tank;
+        let node = tank.wall.rows[0][0];
+        let ground = self.ground();
+        let (mut elastic, mut inertia, mut held) = (BTreeMap::new(), BTreeMap::new(), 0.0);
+        for element in tank.wall.elements.iter().map(|&e| &*tank.model.elements()[e]) {
+            let Some(corner) = element.nodes().iter().position(|&n| n == node) else {
+                continue;
+            };
+            let before: usize = (0..corner).map(|a| element.dofs(a).len()).sum();
+            let Some(place) = element.dofs(corner).iter().position(|&d| d == dof) else {
+                continue;
+            };
+            let (i, n) = (before + place, local_size(element));
+            let k = reference_stiffness(element).map_err(element_error)?;
+            let m = reference_mass(element);
+            for (matrix, out) in [(&k, &mut elastic), (&m, &mut inertia)] {
+                let local: Vec<f64> = (0..n).map(|j| matrix.get(i, j)).collect();
+                for (e, c) in tank.model.spread(element, &local) {
+                    *out.entry(e).or_insert(0.0) += c;
+                }
+            }
+            let mut j = 0;
+            for (a, &other) in element.nodes().iter().enumerate() {
+                for d in element.dofs(a) {
+                    if tank.model.is_held(other, *d) {
+                        held += m.get(i, j) * ground[d.index()];
+                    }
+                    j += 1;
+                }
+            }
+        }
+        let length = 2.0 * tank.radius * (std::f64::consts::PI / tank.division.sectors as f64).sin();
+        let row = Row {
+            displacement: elastic.into_iter().collect(),
+            acceleration: inertia.into_iter().collect(),
+            held,
+        };
+        Ok(row.scaled(1.0 / length))
+    }
+
+    /// Hydrodynamic pressure on the wall at a level of the liquid's nodes: −ρ φ̈, or the pressure in the joint.
+    pub fn pressure(&self, level: usize) -> Row {
+        let node = self.tank.volume.wall_nodes[level][0];
+        match self.tank.liquid {
+            Liquid::Potential => Row {
+                acceleration: scaled(self.row(node, Dof::Phi), -self.tank.density),
+                ..Row::default()
+            },
+            Liquid::Displacement => {
+                // Nodes of wall and liquid lie together.
+                let mut row = scaled(self.row(node, Dof::Ux), self.tank.joint);
+                let wall = self.tank.wall.rows[level][0];
+                row.extend(scaled(self.row(wall, Dof::Ux), -self.tank.joint));
+                Row::of_displacement(row)
+            }
+        }
+    }
+
+    /// κᵀ M ẍ of a field κ over wall, roof and liquid.
+    pub fn inertia(&self, field: Field) -> Row {
+        let tank = self.tank;
+        let ground = self.ground();
+        let acceleration = tank.assembler.inertia(&tank.model, field);
+        let rigid = tank.model.vector(|_| ground);
+        // What both fields make of the held nodes alone: κᵀ M ι less the share of the unknowns.
+        let whole = product(tank, field, &|_| ground);
+        let held = whole - dot(&acceleration, &rigid);
+        Row {
+            acceleration: sparse(&acceleration),
+            held,
+            ..Row::default()
+        }
+    }
+
+    /// Moment above the base plate: inertia of wall and roof, and the liquid's pressure on the wall.
+    ///
+    /// Errors: an element without stiffness.
+    pub fn base_moment(&self) -> Result<Row, FeError> {
+        let tank = self.tank;
+        let nodes = tank.model.nodes();
+        match tank.liquid {
+            // The mass matrix holds the pressure.
+            Liquid::Potential => Ok(self.inertia(&|node| tilt(nodes[node]))),
+            Liquid::Displacement => {
+                let count = tank.wall.rows.len() * tank.division.sectors;
+                let wall = |node: usize| if node < count { tilt(nodes[node]) } else { [0.0; KINDS] };
+                let joint = tank
+                    .assembler
+                    .stiffness_of(&tank.model, |e| tank.is_in(e, &[JOINT]))
+                    .map_err(element_error)?;
+                let mut row = self.inertia(&wall);
+                row.displacement = sparse(&joint.times(&tank.model.vector(wall)));
+                Ok(row)
+            }
+        }
+    }
+
+    /// Moment of the pressure on the bottom, ∫ p x dA with the sign of an inertia force.
+    ///
+    /// Errors: an element without stiffness.
+    pub fn bottom_moment(&self) -> Result<Row, FeError> {
+        if self.tank.liquid == Liquid::Displacement {
+            return self.bottom_reaction();
+        }
+        let mut row: BTreeMap<usize, f64> = BTreeMap::new();
+        for face in &self.tank.volume.bottom {
+            for &(s, ws) in gauss::THREE {
+                for &(r, wr) in gauss::THREE {
+                    let (n, d) = (quad4::value(r, s), quad4::slope(r, s));
+                    let (mut x, mut j) = ([0.0; 2], [[0.0; 2]; 2]);
+                    for (a, c) in face.chart.iter().enumerate() {
+                        for i in 0..2 {
+                            x[i] += n[a] * c[i];
+                            j[0][i] += d[a][0] * c[i];
+                            j[1][i] += d[a][1] * c[i];
+                        }
+                    }
+                    let area = (j[0][0] * j[1][1] - j[0][1] * j[1][0]).abs() * x[0] * wr * ws;
+                    for (a, &node) in face.nodes.iter().enumerate() {
+                        for (e, c) in self.row(node, Dof::Phi) {
+                            *row.entry(e).or_insert(0.0) += self.tank.density * area * n[a] * x[0] * x[1].cos() * c;
+                        }
+                    }
+                }
+            }
+        }
+        Ok(Row {
+            acceleration: row.into_iter().collect(),
+            ..Row::default()
+        })
+    }
+
+    /// The same from the reactions of the liquid's bottom nodes, −Σ x R_z.
+    fn bottom_reaction(&self) -> Result<Row, FeError> {
+        let tank = self.tank;
+        let nodes = tank.model.nodes();
+        let lever: BTreeMap<usize, f64> = tank.volume.bottom_nodes.iter().map(|&n| (n, -nodes[n][0])).collect();
+        let (mut elastic, mut inertia) = (vec![0.0; tank.model.dofs().len()], vec![0.0; tank.model.dofs().len()]);
+        for (e, element) in tank.model.elements().iter().enumerate() {
+            if !tank.is_in(e, &[LIQUID]) || !element.nodes().iter().any(|n| lever.contains_key(n)) {
+                continue;
+            }
+            let n = local_size(&**element);
+            let mut weights = vec![0.0; n];
+            let mut k = 0;
+            for (a, node) in element.nodes().iter().enumerate() {
+                for dof in element.dofs(a) {
+                    if *dof == Dof::Uz {
+                        weights[k] = lever.get(node).copied().unwrap_or(0.0);
+                    }
+                    k += 1;
+                }
+            }
+            let stiffness = reference_stiffness(&**element).map_err(element_error)?.to_matrix();
+            let mass = reference_mass(&**element).to_matrix();
+            for (matrix, out) in [(&stiffness, &mut elastic), (&mass, &mut inertia)] {
+                for (i, c) in tank.model.spread(&**element, &matrix.times(&weights)) {
+                    out[i] += c;
+                }
+            }
+        }
+        Ok(Row {
+            displacement: sparse(&elastic),
+            acceleration: sparse(&inertia),
+            held: 0.0,
+        })
+    }
+}
+
+fn scaled(row: SparseRow, factor: f64) -> SparseRow {
+    row.into_iter().map(|(i, c)| (i, factor * c)).collect()
+}
+
+/// aᵀ M b of two fields, held nodes included.
+fn product(tank: &TankModel, a: Field, b: Field) -> f64 {
+    let mut sum = 0.0;
+    for element in tank.model.elements().iter().filter(|e| e.has_mass()) {
+        let values = |field: Field| -> Vec<f64> {
+            let mut out = Vec::new();
+            for (k, &node) in element.nodes().iter().enumerate() {
+                let global = field(node);
+                out.extend(element.dofs(k).iter().map(|d| global[d.index()]));
+            }
+            out
+        };
+        let m = reference_mass(&**element).to_matrix();
+        sum += dot(&values(a), &m.times(&values(b)));
+    }
+    sum
+}
+
+/// Rotation about the y axis through the centre of the base: u_x = z, u_z = −x.
+pub fn tilt(position: [f64; 3]) -> [f64; KINDS] {
+    let mut field = [0.0; KINDS];
+    (field[0], field[2], field[4]) = (position[2], -position[0], 1.0);
+    field
+}
+
+/// Load of gravity and hydrostatic pressure on the unknowns of the wall, downwards and outwards.
+pub fn static_load(tank: &TankModel, assembler: &Assembler) -> Vec<f64> {
+    let mut load = assembler.body_force(&tank.model, [0.0, 0.0, -tank.gravity]);
+    let dofs = tank.model.dofs();
+    let wall_nodes = tank.wall.rows.len() * tank.division.sectors;
+    for (e, f) in load.iter_mut().enumerate() {
+        // The liquid's own weight is in its pressure.
+        if dofs.unknown(e).0 >= wall_nodes {
+            *f = 0.0;
+        }
+    }
+    let mut pressure = fem::element::shell::load::NodalLoads::new();
+    for face in &tank.wall.faces {
+        let positions = face.nodes.map(|n| tank.model.nodes()[n]);
+        let weight = tank.density * tank.gravity;
+        pressure.pressure(&face.nodes, &positions, |p| weight * (tank.depth - p[2]).max(0.0));
+    }
+    for (f, p) in load.iter_mut().zip(pressure.vector(&tank.model)) {
+        *f += p;
+    }
+    load
+}

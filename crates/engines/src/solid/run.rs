@@ -1,0 +1,374 @@
+//! A case from mesh to results, by the three-dimensional engine.
+
+use std::collections::BTreeMap;
+
+use fem::linalg::dot;
+use fem::progress::Progress;
+use tank::Case;
+use tank::Shape;
+use tank::case::GroundMotion;
+
+use super::direct::Direct;
+use super::model::TankModel;
+use super::moments::Histories;
+use super::reduce::{self, Space, VECTORS};
+use super::rows::{Observer, Row, sparse_dot};
+use super::spectrum::{self, TankMode};
+use super::system::System;
+use super::waves::classify;
+use super::{SolidOptions, fields};
+use crate::damping::Damper;
+use crate::harmonic::{Kind, check_options, solve};
+use crate::simulate::analysis::analyse;
+use crate::simulate::model::{Harmonic, Model};
+use crate::simulate::{self, checked_motion, coarse_options, note_mesh_error, report, review};
+use crate::{FeError, Integrator, Options, Simulation};
+use results::{FeResult, Mode, ModeShape};
+
+/// Ritz vectors of the search for modes of one wave number.
+const MODE_VECTORS: usize = 48;
+/// Ritz vectors of the search for one mode to be drawn.
+const DRAWN_VECTORS: usize = 32;
+/// Largest circumferential wave number that is searched for modes.
+const MOST_WAVES: u32 = 24;
+/// Wave numbers beyond 1 whose lowest wall modes are drawn.
+const DRAWN_WAVES: [u32; 3] = [2, 3, 5];
+
+/// A tank with its reductions and their modes.
+struct Prepared {
+    tank: TankModel,
+    system: System,
+    /// What leads back from the reduced coordinates to the model, direction by direction.
+    spaces: Vec<Space>,
+    /// The model of the response analyses: the reductions for x and, with a vertical record, for z.
+    model: Model,
+}
+
+impl Prepared {
+    fn new(
+        case: &Case,
+        options: &Options,
+        solid: &SolidOptions,
+        vertical: bool,
+        progress: &dyn Progress,
+    ) -> Result<Prepared, FeError> {
+        let damper = Damper::new(case, &options.damping)?;
+        progress.stage("mesh, matrices and factors", 2);
+        let tank = TankModel::new(case, options, solid)?;
+        progress.advance(1);
+        stop(progress, "the mesh")?;
+        let system = System::new(
+            &tank.model,
+            &tank.assembler,
+            &reduce::poles(case, solid),
+            solid.memory_limit_mib << 20,
+        )?;
+        progress.advance(1);
+        let directions = if vertical { 2 } else { 1 };
+        progress.stage(
+            "reduction to what the ground motion excites",
+            VECTORS as u64 * directions,
+        );
+        let mut spaces = Vec::new();
+        let mut prepare = |harmonic: u32| -> Result<Harmonic, FeError> {
+            stop(progress, "the reduction")?;
+            let (coupled, space) = reduce::new(case, options, &tank, &system, harmonic, progress)?;
+            spaces.push(space);
+            let modes = solve(&coupled, None)?;
+            Ok(Harmonic { coupled, modes })
+        };
+        let model = Model {
+            horizontal: prepare(1)?,
+            vertical: if vertical { Some(prepare(0)?) } else { None },
+            damper,
+        };
+        Ok(Prepared {
+            tank,
+            system,
+            spaces,
+            model,
+        })
+    }
+
+    /// Modes of the reduced systems on the whole model, of one direction and kind, at most `count`.
+    fn expanded(&self, direction: usize, kind: Kind, count: usize) -> Vec<TankMode> {
+        let Some(harmonic) = self.model.systems().nth(direction) else {
+            return Vec::new();
+        };
+        let space = &self.spaces[direction];
+        harmonic
+            .modes
+            .iter()
+            .filter(|m| m.kind == kind && m.number <= count)
+            .map(|m| {
+                let vector = space.basis.times(&m.vector);
+                TankMode {
+                    kind,
+                    harmonic: harmonic.coupled.harmonic,
+                    omega: m.omega,
+                    waves: classify(&spectrum::radial(&self.tank, &vector), &self.tank.wall.z),
+                    vector,
+                }
+            })
+            .collect()
+    }
+
+    /// Modes to be drawn: what the ground motion excites first, and the lowest wall modes of some other wave numbers.
+    fn drawn_modes(&self, progress: &dyn Progress) -> Result<Vec<TankMode>, FeError> {
+        let mut drawn = self.expanded(0, Kind::Sloshing, 3);
+        drawn.extend(self.expanded(0, Kind::Structural, 2));
+        progress.stage(
+            "modes of other wave numbers",
+            DRAWN_WAVES.len() as u64 * DRAWN_VECTORS as u64,
+        );
+        for n in DRAWN_WAVES {
+            if n > spectrum::most_waves(&self.tank) || progress.interrupted() {
+                break;
+            }
+            let found = spectrum::of_harmonic(&self.tank, &self.system, n, (DRAWN_VECTORS, 1), progress)?;
+            let first = |kind: Kind| found.iter().find(|m| m.kind == kind).cloned();
+            if n == 2 {
+                drawn.extend(first(Kind::Sloshing));
+            }
+            drawn.extend(first(Kind::Structural));
+        }
+        Ok(drawn)
+    }
+
+    /// Pictures of a run.
+    fn pictures(
+        &self,
+        motion: &GroundMotion,
+        options: &Options,
+        solid: &SolidOptions,
+        simulation: &mut Simulation,
+        progress: &dyn Progress,
+    ) -> Result<(), FeError> {
+        let drawn = self.drawn_modes(progress)?;
+        let histories = Histories::new(&self.model, motion, options)?;
+        let moments = extreme_moments(&simulation.result);
+        simulation.result.fields = Some(fields::fields(&self.tank, &self.spaces, &histories, &drawn, &moments));
+        if let Some(interval) = solid.snapshot_interval.filter(|i| *i > 0.0) {
+            let end = motion.horizontal.duration();
+            let states = fields::snapshots(&self.tank, &self.spaces, &histories, interval, end);
+            simulation.snapshots = Some(states);
+        }
+        Ok(())
+    }
+}
+
+/// Moments of the largest base moment and of the largest wave at the wall.
+fn extreme_moments(result: &FeResult) -> Vec<(String, f64)> {
+    [
+        ("base_moment", "largest base moment"),
+        ("wave_height_theta_0", "largest wave at θ = 0°"),
+    ]
+    .into_iter()
+    .filter_map(|(id, title)| {
+        let series = result.series.iter().find(|s| s.id == id)?;
+        Some((title.to_owned(), series.time))
+    })
+    .collect()
+}
+
+/// Errors: the user wants to stop.
+fn stop(progress: &dyn Progress, stage: &str) -> Result<(), FeError> {
+    if progress.interrupted() {
+        return Err(FeError::Interrupted { stage: stage.into() });
+    }
+    Ok(())
+}
+
+/// Time history of a case by the three-dimensional engine.
+///
+/// Errors: as [`crate::simulate`]; a mesh that cannot be built; more memory than allowed; interrupted before there is
+/// anything to show.
+pub fn simulate(
+    case: &Case,
+    options: &Options,
+    solid: &SolidOptions,
+    progress: &dyn Progress,
+) -> Result<Simulation, FeError> {
+    let motion = checked_motion(case)?;
+    let vertical = motion.vertical.is_some();
+    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
+    let (prepared, mut simulation) = integrated(case, options, solid, progress)?;
+    let coarse = match coarse_options(options).filter(|_| solid.mesh.is_none() && !progress.interrupted()) {
+        Some(coarse) => {
+            let prepared = Prepared::new(case, &coarse, solid, vertical, progress)?;
+            let analysis = analyse(&prepared.model, motion, &coarse, progress)?;
+            Some(analysis.values(&prepared.model, round))
+        }
+        None => None,
+    };
+    prepared.pictures(motion, options, solid, &mut simulation, progress)?;
+    simulation.result.incomplete |= progress.interrupted();
+    note_mesh_error(&mut simulation, coarse.as_ref(), options);
+    Ok(simulation)
+}
+
+/// The response alone, without pictures and a second mesh.
+///
+/// Errors: as [`simulate`].
+pub fn respond(
+    case: &Case,
+    options: &Options,
+    solid: &SolidOptions,
+    progress: &dyn Progress,
+) -> Result<Simulation, FeError> {
+    integrated(case, options, solid, progress).map(|(_, simulation)| simulation)
+}
+
+/// The model and its response.
+fn integrated(
+    case: &Case,
+    options: &Options,
+    solid: &SolidOptions,
+    progress: &dyn Progress,
+) -> Result<(Prepared, Simulation), FeError> {
+    let motion = checked_motion(case)?;
+    check_options(case, options)?;
+    let vertical = motion.vertical.is_some();
+    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
+    let prepared = Prepared::new(case, options, solid, vertical, progress)?;
+    let mut interrupted = None;
+    let mut simulation = if options.integrator == Integrator::Newmark && !vertical {
+        let notes = review(&prepared.model)?;
+        let modal = Options {
+            integrator: Integrator::Modal,
+            ..options.clone()
+        };
+        let mut analysis = analyse(&prepared.model, motion, &modal, progress)?;
+        let direct = Direct {
+            tank: &prepared.tank,
+            system: &prepared.system,
+            model: &prepared.model,
+            space: &prepared.spaces[0],
+        };
+        interrupted = direct.replace(&mut analysis, motion, progress)?;
+        report(case, options, motion, &prepared.model, round, analysis, notes)
+    } else {
+        simulate::complete(case, options, motion, &prepared.model, round, progress)?
+    };
+    simulation.result.engine = "solid".into();
+    if options.integrator == Integrator::Newmark && vertical {
+        for label in simulation.result.integration.iter_mut().filter(|l| l.label == "method") {
+            label.text = "direct integration of the reduced coordinates, Newmark's average acceleration".into();
+        }
+    }
+    simulation.assumptions.push(
+        "Three dimensions: four-node shells and eight-node liquid elements, reduced to the space that the ground motion \
+         excites."
+            .into(),
+    );
+    if let Some(time) = interrupted {
+        simulation.result.incomplete = true;
+        simulation.notes.push(format!(
+            "The direct integration was interrupted at t = {time:.2} s: extremes are those until then, histories end there, and \
+             ratios to them mean nothing."
+        ));
+    }
+    if options.integrator == Integrator::Newmark {
+        simulation.notes.push(
+            "Pictures and ParaView files of the three-dimensional engine come from the reduced coordinates by modal \
+             superposition, also where the histories are integrated directly."
+                .into(),
+        );
+    }
+    Ok((prepared, simulation))
+}
+
+/// Largest circumferential wave number that [`modes`] looks for on the mesh of a case.
+///
+/// Errors: a mesh that cannot be built.
+pub fn most_waves(case: &Case, options: &Options, solid: &SolidOptions) -> Result<u32, FeError> {
+    let tank = TankModel::new(case, options, solid)?;
+    Ok(spectrum::most_waves(&tank).min(MOST_WAVES))
+}
+
+/// The `count` lowest modes of each kind (`sloshing`, `structural`), named by circumferential and axial wave number.
+///
+/// Errors: as [`simulate`].
+pub fn modes(
+    case: &Case,
+    options: &Options,
+    solid: &SolidOptions,
+    count: usize,
+    progress: &dyn Progress,
+) -> Result<Vec<Mode>, FeError> {
+    check_options(case, options)?;
+    progress.stage("mesh, matrices and factors", 1);
+    let tank = TankModel::new(case, options, solid)?;
+    let system = System::new(
+        &tank.model,
+        &tank.assembler,
+        &reduce::poles(case, solid),
+        solid.memory_limit_mib << 20,
+    )?;
+    progress.advance(1);
+    let most = spectrum::most_waves(&tank).min(MOST_WAVES);
+    progress.stage("modes by wave number", u64::from(most + 1) * MODE_VECTORS as u64);
+    let damper = Damper::new(case, &options.damping)?;
+    let mut found: Vec<Mode> = Vec::new();
+    for n in 0..=most {
+        stop(progress, "the search for modes")?;
+        let modes = spectrum::of_harmonic(&tank, &system, n, (MODE_VECTORS, count), progress)?;
+        let participation = match n {
+            0 | 1 => Some(reduce::rigid_motion(&tank, &system, n)?.1),
+            _ => None,
+        };
+        // Modes of the rotation penalty of a displacement liquid are none of the tank's.
+        for kind in [Kind::Sloshing, Kind::Structural] {
+            for (k, mode) in modes.iter().filter(|m| m.kind == kind).take(count).enumerate() {
+                let gamma = participation.as_ref().map_or(0.0, |load| dot(load, &mode.vector));
+                found.push(Mode {
+                    harmonic: n,
+                    axial: mode.waves.filter(|_| kind != Kind::Sloshing).map(|w| w.axial),
+                    kind: kind.id().into(),
+                    number: k + 1,
+                    omega: mode.omega,
+                    period: std::f64::consts::TAU / mode.omega,
+                    damping: damper.ratio(kind, mode.omega),
+                    participation: gamma,
+                    effective_mass: gamma * gamma,
+                    effective_height: 0.0,
+                    shape: shape(&tank, &mode.vector),
+                });
+            }
+        }
+    }
+    found.sort_by(|a, b| a.omega.total_cmp(&b.omega));
+    let mut left = BTreeMap::new();
+    found.retain(|m| {
+        let taken: &mut usize = left.entry(m.kind.clone()).or_insert(0);
+        *taken += 1;
+        *taken <= count
+    });
+    Ok(found)
+}
+
+/// Shape of a mode at θ = 0.
+fn shape(tank: &TankModel, x: &[f64]) -> ModeShape {
+    let observer = Observer { tank, harmonic: 1 };
+    let value = |row: Row| sparse_dot(&row.displacement, x);
+    let mut shape = ModeShape {
+        z: tank.wall.z.clone(),
+        wall: (0..tank.wall.z.len())
+            .map(|level| value(observer.radial_displacement(level)))
+            .collect(),
+        r: tank.division.radii.clone(),
+        surface: tank
+            .division
+            .radii
+            .iter()
+            .map(|&r| value(observer.elevation(r)))
+            .collect(),
+    };
+    let all = || shape.wall.iter().chain(&shape.surface);
+    let peak = all().fold(0.0_f64, |m, v| m.max(v.abs()));
+    if peak > 0.0 {
+        let all = shape.wall.iter_mut().chain(&mut shape.surface);
+        all.for_each(|v| *v /= peak);
+    }
+    shape
+}

@@ -1,0 +1,95 @@
+//! The output folder: whole or not at all, and only its own files.
+//!
+//! ```text
+//! prepare ─ staging beside the target ─ files ─ commit: manifest, fsync, moves ─ target
+//!             └ swept by the next run if its process is gone, moved on if the commit had begun
+//! ```
+//!
+//! * **Ownership.** A results folder holds `manifest.json` with the hash of every file that was written into it
+//!   (`manifest`). A file that is not in it, or that changed since, is never replaced and never removed; one that stands
+//!   where a result belongs is refused before anything is computed.
+//! * **Staging.** Files are written into a folder of their own that carries a marker, locked as long as the process lives
+//!   (`staging`). After a kill the lock is free: the next run removes the folder, or, if all files were in place and only
+//!   the moves were missing, finishes them.
+//! * **Replacing.** The old files stay until the new ones are complete and on the disk; then each new file replaces its
+//!   predecessor by a rename, the manifest last, and what the new results do not have any more is removed.
+//! * **Unfinished work** that a later run can resume stands in a folder beside the results (`work`).
+
+pub mod error;
+mod folder;
+mod manifest;
+mod staging;
+#[cfg(test)]
+mod tests;
+pub mod text;
+mod work;
+
+pub use folder::{Kind, OutputFolder, edited, kept_complete, settle};
+pub use manifest::MANIFEST_FILE;
+pub use staging::discard_unfinished;
+pub use work::WorkFolder;
+
+use std::fs::File;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use crate::error::{Error, describe};
+
+/// Text is written to `path` by way of a file beside it and a rename: whole or not at all, and on the disk.
+///
+/// Errors: [`Error::Unwritten`]; the file beside it is removed.
+pub fn write_whole(path: &Path, text: &[u8]) -> Result<(), Error> {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(PART);
+    let beside = path.with_file_name(name);
+    let write = || -> std::io::Result<()> {
+        let mut file = File::create(&beside)?;
+        file.write_all(text)?;
+        file.sync_all()?;
+        drop(file);
+        std::fs::rename(&beside, path)
+    };
+    write().map_err(|e| {
+        // Half a file is litter; if it cannot be removed either, the first error says more.
+        let _ = std::fs::remove_file(&beside);
+        unwritten(path, &e)
+    })
+}
+
+/// End of the name of a file that is being written.
+pub const PART: &str = ".part";
+
+fn unwritten(path: &Path, error: &std::io::Error) -> Error {
+    Error::Unwritten {
+        path: path.into(),
+        what: describe(error),
+    }
+}
+
+/// Makes what has been written to a file or folder survive a loss of power. Folders cannot be synchronised everywhere:
+/// their failure is none.
+fn sync(path: &Path) -> std::io::Result<()> {
+    let file = File::open(path)?;
+    match file.sync_all() {
+        Err(error) if !file.metadata()?.is_dir() => Err(error),
+        _ => Ok(()),
+    }
+}
+
+/// Files below a folder, relative to it, in the order of their names.
+fn files_below(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    let mut open = vec![PathBuf::new()];
+    while let Some(relative) = open.pop() {
+        for entry in std::fs::read_dir(folder.join(&relative))? {
+            let entry = entry?;
+            let path = relative.join(entry.file_name());
+            match entry.file_type()?.is_dir() {
+                true => open.push(path),
+                false => found.push(path),
+            }
+        }
+    }
+    found.sort();
+    Ok(found)
+}

@@ -1,0 +1,99 @@
+//! Horizontal bars of one quantity over all methods, the finite-element value as a line through all of them.
+
+use tank::units::Dimension;
+
+use super::chart::{FONT, titled};
+use super::svg::{Anchor, Svg, text_width};
+use super::{Figure, Room};
+use crate::methods::Look;
+use crate::number::{Scale, ratio};
+use crate::table::{Column, Table};
+
+const ROW: f64 = 17.0;
+const TOP: f64 = 24.0;
+const WIDTH: f64 = super::HALF;
+
+/// A bar.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bar {
+    /// Look of the method.
+    pub look: Look,
+    /// Value in SI.
+    pub value: f64,
+    /// Ratio to the finite-element value.
+    pub ratio: Option<f64>,
+}
+
+/// Bars of one quantity; `None` without a finite value.
+pub fn bars(id: &str, title: &str, dimension: Dimension, bars: &[Bar]) -> Option<Figure> {
+    let bars: Vec<&Bar> = bars.iter().filter(|b| b.value.is_finite()).collect();
+    let largest = bars.iter().fold(0.0_f64, |m, b| m.max(b.value.abs()));
+    if bars.is_empty() || largest == 0.0 {
+        return None;
+    }
+    let scale = Scale::of(dimension, [largest]);
+    let labels = bars
+        .iter()
+        .map(|b| text_width(&b.look.full_label()) * FONT)
+        .fold(0.0, f64::max);
+    let left = labels.ceil() + 8.0;
+    let right = WIDTH - 86.0;
+    let height = TOP + ROW * bars.len() as f64 + 4.0;
+    let at = |value: f64| left + value.abs() / largest * (right - left);
+
+    let mut svg = Svg::new();
+    svg.text((0.0, 12.0), Anchor::Start, "ti", &titled(title, scale.symbol()));
+    let mut table = Table::new(vec![
+        Column::words("Method"),
+        Column::words("Excitation"),
+        Column::numbers(title, scale.symbol()),
+        Column::numbers("Ratio to FE", ""),
+    ]);
+    for (i, bar) in bars.iter().enumerate() {
+        let y = TOP + ROW * i as f64;
+        let class = if bar.look.site { "bar site" } else { "bar" };
+        svg.text((left - 6.0, y + 10.5), Anchor::End, "lb", &bar.look.full_label());
+        svg.rect(
+            left,
+            y + 2.0,
+            at(bar.value) - left,
+            ROW - 6.0,
+            &format!("{class} {}", bar.look.class),
+        );
+        let text = scale.text(bar.value);
+        svg.text((WIDTH - 38.0, y + 10.5), Anchor::End, "vl", &text);
+        let compared = bar.ratio.map_or("–".to_owned(), ratio);
+        if let (Some(_), false) = (bar.ratio, bar.look.class == "k-fe") {
+            svg.text((WIDTH, y + 10.5), Anchor::End, "mu", &format!("× {compared}"));
+        }
+        table.row(vec![
+            bar.look.label.clone(),
+            if bar.look.site { "site" } else { "record" }.into(),
+            text,
+            compared,
+        ]);
+    }
+    if let Some(fe) = bars.iter().find(|b| b.look.class == "k-fe") {
+        svg.line((at(fe.value), TOP - 2.0), (at(fe.value), height - 4.0), "rf");
+    }
+    svg.line((left, TOP - 2.0), (left, height - 4.0), "ax");
+
+    let mut description = format!("{title} by method: ");
+    let all: Vec<String> = bars
+        .iter()
+        .map(|b| format!("{} {}", b.look.full_label(), scale.text(b.value)))
+        .collect();
+    description.push_str(&all.join("; "));
+    description.push_str(&format!(" {}.", scale.symbol()));
+    Some(Figure {
+        id: id.into(),
+        title: title.into(),
+        caption: String::new(),
+        titled: true,
+        description,
+        size: (WIDTH, height),
+        markup: svg.into_markup(),
+        table,
+        room: Room::Half,
+    })
+}

@@ -1,0 +1,460 @@
+//! Line charts: axes, grid and curves by plotters, labels and legend placed by hand.
+
+use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
+use plotters::prelude::{ChartBuilder, Circle, Color, IntoDrawingArea, IntoFont, LineSeries, PathElement, Polygon};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use tank::units::Dimension;
+
+use super::backend::{ClassBackend, GRID, ink};
+use super::svg::{Anchor, Svg, text_width};
+use super::ticks;
+use crate::number::{Scale, plain};
+use files::error::Error;
+
+/// Font size of ticks, legend and labels in user units; `templates/figure.css` says the same.
+pub const FONT: f64 = 11.0;
+const LEGEND_LINE: f64 = 16.0;
+const SAMPLE: f64 = 24.0;
+/// Room below the plot: ticks and axis title.
+const BELOW: f64 = 34.0;
+
+/// An axis. Positions are in drawing space: the value in the printed unit, or its decimal logarithm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// Title with unit.
+    pub title: String,
+    scale: Scale,
+    log: bool,
+    range: (f64, f64),
+    major: Vec<(f64, String)>,
+    minor: Vec<f64>,
+}
+
+impl Axis {
+    /// A linear axis that holds `values` (SI), with a little air at the ends that are not zero.
+    pub fn linear(title: &str, dimension: Dimension, values: impl IntoIterator<Item = f64>, count: usize) -> Axis {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for v in values.into_iter().filter(|v| v.is_finite()) {
+            low = low.min(v);
+            high = high.max(v);
+        }
+        if low > high {
+            (low, high) = (0.0, 1.0);
+        }
+        if low == high {
+            (low, high) = (low.min(0.0), if high > 0.0 { high } else { low.min(0.0) + 1.0 });
+        }
+        let air = 0.05 * (high - low);
+        let low = if low == 0.0 { 0.0 } else { low - air };
+        let high = if high == 0.0 { 0.0 } else { high + air };
+        Axis::exact(title, dimension, (low, high), count)
+    }
+
+    /// A linear axis from `range.0` to `range.1` (SI).
+    pub fn exact(title: &str, dimension: Dimension, range: (f64, f64), count: usize) -> Axis {
+        let scale = Scale::of(dimension, [range.0, range.1]);
+        let (low, high) = (scale.convert(range.0), scale.convert(range.1));
+        let (positions, decimals) = ticks(low, high, count);
+        Axis {
+            title: titled(title, scale.symbol()),
+            scale,
+            log: false,
+            range: (low, high),
+            major: positions.into_iter().map(|p| (p, plain(p, decimals))).collect(),
+            minor: Vec::new(),
+        }
+    }
+
+    /// A logarithmic axis from `range.0` to `range.1` (printed unit = SI, both positive), ticks at 1, 2, 5.
+    pub fn log(title: &str, dimension: Dimension, range: (f64, f64)) -> Axis {
+        let scale = Scale::of(dimension, [1.0]);
+        // Whatever is not positive has no decade.
+        let decades = |v: f64| v.clamp(1e-300, 1e300).max(1e-300).log10();
+        let (low, high) = (decades(range.0), decades(range.1));
+        let (mut major, mut minor) = (Vec::new(), Vec::new());
+        for decade in low.floor() as i32..=high.ceil() as i32 {
+            for digit in 1..10 {
+                let value = f64::from(digit) * 10f64.powi(decade);
+                let position = value.log10();
+                if position < low - 1e-9 || position > high + 1e-9 {
+                    continue;
+                }
+                if matches!(digit, 1 | 2 | 5) {
+                    major.push((position, plain(value, (-decade).max(0) as usize)));
+                } else {
+                    minor.push(position);
+                }
+            }
+        }
+        Axis {
+            title: titled(title, scale.symbol()),
+            scale,
+            log: true,
+            range: (low, high),
+            major,
+            minor,
+        }
+    }
+
+    /// Position of a value (SI) in drawing space.
+    pub fn position(&self, value: f64) -> f64 {
+        let value = self.scale.convert(value);
+        if self.log { value.log10() } else { value }
+    }
+
+    /// Whether the axis holds this value (SI).
+    pub fn holds(&self, value: f64) -> bool {
+        let p = self.position(value);
+        p >= self.range.0 - 1e-9 && p <= self.range.1 + 1e-9
+    }
+
+    fn label_at(&self, position: f64) -> String {
+        self.major
+            .iter()
+            .find(|(p, _)| (p - position).abs() < 1e-9 * (1.0 + position.abs()))
+            .map_or(String::new(), |(_, text)| text.clone())
+    }
+
+    fn widest_label(&self) -> f64 {
+        self.major.iter().map(|(_, t)| text_width(t)).fold(0.0, f64::max) * FONT
+    }
+}
+
+/// An axis as plotters sees it.
+struct Span {
+    range: (f64, f64),
+    major: Vec<f64>,
+    minor: Vec<f64>,
+}
+
+impl Span {
+    fn of(axis: &Axis) -> Span {
+        Span {
+            range: axis.range,
+            major: axis.major.iter().map(|(p, _)| *p).collect(),
+            minor: axis.minor.clone(),
+        }
+    }
+}
+
+impl Ranged for Span {
+    type FormatOption = DefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
+        // Far off the page it stops: whole pixels, and few enough to step through.
+        let part = ((value - self.range.0) / (self.range.1 - self.range.0)).clamp(-100.0, 100.0);
+        limit.0 + (part * f64::from(limit.1 - limit.0)).round() as i32
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
+        if hint.weight().allow_light_points() {
+            self.minor.clone()
+        } else {
+            self.major.clone()
+        }
+    }
+
+    fn range(&self) -> std::ops::Range<f64> {
+        self.range.0..self.range.1
+    }
+}
+
+/// `title [unit]`.
+pub fn titled(title: &str, unit: &str) -> String {
+    if unit.is_empty() {
+        title.into()
+    } else {
+        format!("{title} [{unit}]")
+    }
+}
+
+/// A curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Points in SI.
+    pub points: Vec<(f64, f64)>,
+    /// CSS classes: a palette class (`k-fe`) and, where wanted, a width (`thin`).
+    pub class: String,
+    /// Legend text; empty for none.
+    pub label: String,
+}
+
+/// A closed area.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Band {
+    /// Corners in SI.
+    pub points: Vec<(f64, f64)>,
+    /// CSS classes.
+    pub class: String,
+    /// Legend text; empty for none.
+    pub label: String,
+}
+
+/// A vertical rule with a short label at its upper end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rule {
+    /// Position on the x axis, SI.
+    pub x: f64,
+    /// Label.
+    pub label: String,
+}
+
+/// A marked point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mark {
+    /// Position in SI.
+    pub at: (f64, f64),
+    /// Label.
+    pub label: String,
+    /// CSS classes.
+    pub class: String,
+}
+
+/// A line chart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// Width and height in user units.
+    pub size: (f64, f64),
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// Areas, drawn first.
+    pub bands: Vec<Band>,
+    /// Curves.
+    pub lines: Vec<Line>,
+    /// Vertical rules.
+    pub rules: Vec<Rule>,
+    /// Marked points.
+    pub marks: Vec<Mark>,
+}
+
+/// Entry of a legend: whether it is an area, classes, text.
+type Entry<'a> = (bool, &'a str, &'a str);
+
+/// Where the plot stands within the figure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// Left edge.
+    pub left: f64,
+    /// Upper edge.
+    pub top: f64,
+    /// Right edge.
+    pub right: f64,
+    /// Lower edge.
+    pub bottom: f64,
+}
+
+impl Chart {
+    /// An empty chart.
+    pub fn new(size: (f64, f64), x: Axis, y: Axis) -> Chart {
+        Chart {
+            size,
+            x,
+            y,
+            bands: Vec::new(),
+            lines: Vec::new(),
+            rules: Vec::new(),
+            marks: Vec::new(),
+        }
+    }
+
+    /// Where the plot will stand.
+    pub fn frame(&self) -> Frame {
+        Frame {
+            left: (self.y.widest_label() + 10.0).max(34.0),
+            top: self.above(),
+            right: self.size.0 - 12.0,
+            bottom: self.size.1 - BELOW,
+        }
+    }
+
+    /// Room above the plot: legend, labels of the rules, title of the vertical axis.
+    fn above(&self) -> f64 {
+        let rules = if self.rules.is_empty() { 0.0 } else { 15.0 };
+        20.0 + LEGEND_LINE * self.legend_rows().len() as f64 + rules
+    }
+
+    /// Makes the figure so high that the plot itself has this height.
+    pub fn with_plot_height(mut self, height: f64) -> Chart {
+        self.size.1 = self.above() + height + BELOW;
+        self
+    }
+
+    /// Point of the figure that stands for a point in SI.
+    pub fn place(&self, frame: Frame, at: (f64, f64)) -> (f64, f64) {
+        let part = |axis: &Axis, v: f64| (axis.position(v) - axis.range.0) / (axis.range.1 - axis.range.0);
+        (
+            frame.left + part(&self.x, at.0) * (frame.right - frame.left),
+            frame.bottom - part(&self.y, at.1) * (frame.bottom - frame.top),
+        )
+    }
+
+    /// Draws the chart.
+    pub fn draw(&self) -> Result<String, Error> {
+        let mut svg = Svg::new();
+        let frame = self.frame();
+        self.plot(&mut svg, frame).map_err(Error::Report)?;
+        self.annotate(&mut svg, frame);
+        self.legend(&mut svg);
+        Ok(svg.into_markup())
+    }
+
+    /// Axes, grid, areas, curves and marks through plotters.
+    fn plot(&self, svg: &mut Svg, frame: Frame) -> Result<(), String> {
+        let (grid, light, axis, label) = (0, 1, 2, 3);
+        let mut classes: Vec<String> = ["gr", "gm", "ax", "tk"].map(String::from).to_vec();
+        let first = classes.len();
+        classes.extend(self.bands.iter().map(|b| format!("ar {}", b.class)));
+        classes.extend(self.lines.iter().map(|l| format!("ln {}", l.class)));
+        classes.extend(self.marks.iter().map(|m| format!("dot {}", m.class)));
+        classes.push("rl".into());
+        let rule = classes.len() - 1;
+
+        let px = |v: f64| (v * GRID).round() as u32;
+        let failed = |e: &dyn std::fmt::Display| format!("figure: {e}");
+        let root = ClassBackend::new(svg, self.size.0, self.size.1, &classes).into_drawing_area();
+        let mut chart = ChartBuilder::on(&root)
+            .margin_top(px(frame.top))
+            .margin_right(px(self.size.0 - frame.right))
+            .margin_bottom(px(BELOW - 20.0))
+            .x_label_area_size(px(20.0))
+            .y_label_area_size(px(frame.left))
+            .build_cartesian_2d(Span::of(&self.x), Span::of(&self.y))
+            .map_err(|e| failed(&e))?;
+        let text = |h, v| {
+            ("sans-serif", FONT * GRID)
+                .into_font()
+                .color(&ink(label))
+                .pos(Pos::new(h, v))
+        };
+        let (x, y) = (&self.x, &self.y);
+        chart
+            .configure_mesh()
+            .bold_line_style(ink(grid))
+            .light_line_style(ink(light))
+            .axis_style(ink(axis))
+            .x_label_style(text(HPos::Center, VPos::Top))
+            .y_label_style(text(HPos::Right, VPos::Center))
+            .x_label_formatter(&|p| x.label_at(*p))
+            .y_label_formatter(&|p| y.label_at(*p))
+            .set_all_tick_mark_size(px(3.0))
+            .draw()
+            .map_err(|e| failed(&e))?;
+        let at = |p: &(f64, f64)| (x.position(p.0), y.position(p.1));
+        for (i, band) in self.bands.iter().enumerate() {
+            let corners: Vec<(f64, f64)> = band.points.iter().map(at).collect();
+            chart
+                .draw_series(std::iter::once(Polygon::new(corners, ink(first + i))))
+                .map_err(|e| failed(&e))?;
+        }
+        for r in self.rules.iter().filter(|r| x.holds(r.x)) {
+            let ends = [(x.position(r.x), y.range.0), (x.position(r.x), y.range.1)];
+            chart
+                .draw_series(std::iter::once(PathElement::new(ends.to_vec(), ink(rule))))
+                .map_err(|e| failed(&e))?;
+        }
+        for (i, line) in self.lines.iter().enumerate() {
+            let style = ink(first + self.bands.len() + i);
+            for piece in pieces(&line.points, x, y) {
+                chart
+                    .draw_series(LineSeries::new(piece, style))
+                    .map_err(|e| failed(&e))?;
+            }
+        }
+        for (i, mark) in self.marks.iter().enumerate() {
+            let style = ink(first + self.bands.len() + self.lines.len() + i);
+            chart
+                .draw_series(std::iter::once(Circle::new(at(&mark.at), px(3.2), style.filled())))
+                .map_err(|e| failed(&e))?;
+        }
+        Ok(())
+    }
+
+    /// Axis titles and the labels of rules and marks.
+    fn annotate(&self, svg: &mut Svg, frame: Frame) {
+        let rules = if self.rules.is_empty() { 0.0 } else { 15.0 };
+        svg.text((1.0, frame.top - rules - 8.0), Anchor::Start, "at", &self.y.title);
+        svg.text((frame.right, self.size.1 - 4.0), Anchor::End, "at", &self.x.title);
+        let mut free_from = f64::NEG_INFINITY;
+        let mut rules: Vec<&Rule> = self.rules.iter().filter(|r| self.x.holds(r.x)).collect();
+        rules.sort_by(|a, b| a.x.total_cmp(&b.x));
+        for rule in rules {
+            let (x, _) = self.place(frame, (rule.x, 0.0_f64.max(f64::MIN_POSITIVE)));
+            let width = text_width(&rule.label) * FONT;
+            let left = (x - width / 2.0)
+                .max(free_from)
+                .min(frame.right - width)
+                .max(frame.left + 2.0);
+            svg.symbol_text((left, frame.top - 5.0), "lb", &rule.label);
+            free_from = left + width + 5.0;
+        }
+        for mark in &self.marks {
+            let (x, y) = self.place(frame, mark.at);
+            let width = text_width(&mark.label) * FONT;
+            let (anchor, dx) = if x + 8.0 + width > frame.right {
+                (Anchor::End, -7.0)
+            } else {
+                (Anchor::Start, 7.0)
+            };
+            let y = y.clamp(frame.top + 10.0, frame.bottom - 4.0);
+            svg.text((x + dx, y + 3.5), anchor, "lb halo", &mark.label);
+        }
+    }
+
+    fn legend_items(&self) -> Vec<Entry<'_>> {
+        let bands = self.bands.iter().map(|b| (true, b.class.as_str(), b.label.as_str()));
+        let lines = self.lines.iter().map(|l| (false, l.class.as_str(), l.label.as_str()));
+        lines.chain(bands).filter(|(_, _, label)| !label.is_empty()).collect()
+    }
+
+    fn legend_rows(&self) -> Vec<Vec<(f64, Entry<'_>)>> {
+        let mut rows: Vec<Vec<_>> = Vec::new();
+        let mut x = f64::INFINITY;
+        for item in self.legend_items() {
+            let width = SAMPLE + 6.0 + text_width(item.2) * FONT + 14.0;
+            if x + width - 14.0 > self.size.0 {
+                rows.push(Vec::new());
+                x = 1.0;
+            }
+            if let Some(row) = rows.last_mut() {
+                row.push((x, item));
+            }
+            x += width;
+        }
+        rows
+    }
+
+    fn legend(&self, svg: &mut Svg) {
+        for (i, row) in self.legend_rows().into_iter().enumerate() {
+            let y = LEGEND_LINE * i as f64 + 8.0;
+            for (x, (area, class, label)) in row {
+                if area {
+                    svg.rect(x, y - 5.0, SAMPLE, 10.0, &format!("ar {class}"));
+                } else {
+                    svg.line((x, y), (x + SAMPLE, y), &format!("ln {class}"));
+                }
+                svg.text((x + SAMPLE + 6.0, y + 3.8), Anchor::Start, "lb", label);
+            }
+        }
+    }
+}
+
+/// The parts of a curve that lie within the axes' ranges in x (and are finite).
+fn pieces(points: &[(f64, f64)], x: &Axis, y: &Axis) -> Vec<Vec<(f64, f64)>> {
+    let mut out = Vec::new();
+    let mut piece = Vec::new();
+    for &(px, py) in points {
+        let (dx, dy) = (x.position(px), y.position(py));
+        if x.holds(px) && dx.is_finite() && dy.is_finite() && y.holds(py) {
+            piece.push((dx, dy));
+        } else if !piece.is_empty() {
+            out.push(std::mem::take(&mut piece));
+        }
+    }
+    if !piece.is_empty() {
+        out.push(piece);
+    }
+    out
+}

@@ -1,0 +1,239 @@
+//! The report: a function of the results folder alone.
+//!
+//! ```text
+//! results.json ─┐
+//!               ├─ sections (text, tables, figures) ─ templates ─ report.html
+//! series.csv  ──┘                                               └ figures/*.svg
+//! ```
+//!
+//! `report.html` is one file that needs nothing else: no script, figures as inline SVG with title, description and data
+//! table, styles inline, dark mode and A4 print by CSS. It is deterministic; what may differ between two runs stands in
+//! the one element `#volatile`.
+//!
+//! | module | does |
+//! |---|---|
+//! | [`sections`] | decides what is shown, one file a section |
+//! | [`figure`] | draws |
+//! | [`ida`] | the page of an incremental dynamic analysis |
+//! | [`push`] | that of a pushover |
+//! | [`math`] | sets formulas |
+//! | [`number`] | prints numbers |
+//! | [`template`] | holds the templates, embedded or the user's |
+//! | [`verification`] | the page and the figures of the verification manual |
+
+pub mod figure;
+pub mod ida;
+pub mod math;
+pub mod methods;
+pub mod number;
+pub mod push;
+pub mod sections;
+pub mod table;
+pub mod template;
+
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use tera::Context;
+
+use figure::Figure;
+use files::error::Error;
+use files::text::visible;
+use number::{percent, with_unit};
+use results::{self, Fact, Results, Series, SourceFile, describe, put};
+use sections::Source;
+use table::{Column, Table};
+use template::Templates;
+
+pub use results::{FIGURES_FOLDER, REPORT_FILE};
+
+/// A report in memory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// `report.html`.
+    pub html: String,
+    /// Figures as files of their own: name and SVG.
+    pub figures: Vec<(String, String)>,
+}
+
+/// The report of the `results.json` and `series.csv` in `folder`.
+///
+/// `templates`: a folder whose files replace the embedded templates of the same name.
+pub fn of_folder(folder: &Path, templates: Option<&Path>) -> Result<Report, Error> {
+    let results = results::read(folder)?;
+    let series = results::read_series(folder)?;
+    build(&results, &series, &Templates::new(templates)?)
+}
+
+/// Renders the report of a folder of results into the same folder; returns the path of the report.
+///
+/// Errors: as [`of_folder`]; a file that cannot be written.
+pub fn render(folder: &Path, templates: Option<&Path>) -> Result<PathBuf, Error> {
+    of_folder(folder, templates)?.write(folder)
+}
+
+impl Report {
+    /// A page and its figures. Whatever text of the user's they hold: none of it acts on the page or on a terminal that
+    /// shows it, see [`files::text`].
+    pub fn new(html: &str, figures: Vec<(String, String)>) -> Report {
+        let shown = |(name, svg): (String, String)| (name, visible(&svg).into_owned());
+        Report {
+            html: visible(html).into_owned(),
+            figures: figures.into_iter().map(shown).collect(),
+        }
+    }
+
+    /// Writes `report.html` and `figures/*.svg` into `folder`; returns the path of the report.
+    ///
+    /// Errors: a file that cannot be written.
+    pub fn write(&self, folder: &Path) -> Result<PathBuf, Error> {
+        let figures = folder.join(FIGURES_FOLDER);
+        // Not the folder above: an ending process may have removed it.
+        match std::fs::create_dir(&figures) {
+            Err(e) if e.kind() != std::io::ErrorKind::AlreadyExists => {
+                return Err(Error::Unwritten {
+                    path: figures,
+                    what: describe(&e),
+                });
+            }
+            _ => {}
+        }
+        for (name, svg) in &self.figures {
+            put(&figures.join(name), svg.as_bytes())?;
+        }
+        let path = folder.join(REPORT_FILE);
+        put(&path, self.html.as_bytes())?;
+        Ok(path)
+    }
+}
+
+/// Numbers of a model, one a row.
+fn facts(model: &[Fact]) -> Table {
+    let mut table = Table::new(vec![Column::words("What"), Column::words("Value")]);
+    for fact in model {
+        let value = match fact.name.starts_with("damping") {
+            true => percent(fact.value),
+            false => with_unit(fact.value, fact.dimension),
+        };
+        table.row(vec![fact.name.clone(), value]);
+    }
+    table
+}
+
+/// Files with their hashes, one a row.
+fn files(list: &[SourceFile]) -> Table {
+    let mut table = Table::new(vec![
+        Column::words("Role"),
+        Column::words("File"),
+        Column::words("SHA-256"),
+    ]);
+    for file in list {
+        table.row(vec![file.role.clone(), file.name.clone(), file.sha256.clone()]);
+    }
+    table
+}
+
+/// A rendered section as the page template sees it.
+#[derive(Serialize)]
+struct SectionView {
+    id: &'static str,
+    title: &'static str,
+    html: String,
+}
+
+/// Renders results and histories.
+///
+/// Errors: a template that fails, a section that renders without content.
+pub fn build(results: &Results, series: &Series, templates: &Templates) -> Result<Report, Error> {
+    let source = Source { results, series };
+    let mut views = Vec::new();
+    let mut figures: Vec<Figure> = Vec::new();
+    for make in sections::ALL {
+        let Some(section) = make(&source)? else {
+            continue;
+        };
+        let template = format!("sections/{}.html", section.id);
+        let html = templates.render(&template, &section.context)?;
+        if is_empty(&html) {
+            return Err(Error::Report(format!(
+                "section `{}` has no content (template {template})",
+                section.id
+            )));
+        }
+        views.push(SectionView {
+            id: section.id,
+            title: section.title,
+            html,
+        });
+        figures.extend(section.figures);
+    }
+    // The styles of spatial and nonlinear figures burden only the reports that have them.
+    let mut css = templates.css("figure.css").to_owned();
+    let nonlinear = results.fe_nonlinear.is_some();
+    if views.iter().any(|v| v.id == "spatial") || results.fe_solid.is_some() || nonlinear {
+        css.push_str(templates.css("fields.css"));
+    }
+    if nonlinear {
+        css.push_str(templates.css("nonlinear.css"));
+    }
+    let mut page = Context::new();
+    page.insert("name", &results.name);
+    page.insert("sections", &views);
+    page.insert("style", templates.css("style.css"));
+    page.insert("figure_style", &css);
+    let html = templates.render("report.html", &page)?;
+    let figures = figures
+        .iter()
+        .map(|f| (format!("{}.svg", file_name(&f.id)), f.standalone(&css)))
+        .collect();
+    Ok(Report::new(&html, figures))
+}
+
+/// Whether markup holds nothing to see: no text, no figure.
+fn is_empty(html: &str) -> bool {
+    if html.contains("<svg") {
+        return false;
+    }
+    let mut inside_tag = false;
+    !html.chars().any(|c| {
+        match c {
+            '<' => inside_tag = true,
+            '>' => {
+                inside_tag = false;
+                return false;
+            }
+            _ => {}
+        }
+        !inside_tag && !c.is_whitespace()
+    })
+}
+
+/// An id as the name of a file: letters, digits, `-`, `_` and `.`, the rest as `_`.
+fn file_name(id: &str) -> String {
+    id.chars()
+        .map(|c| {
+            if c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.') {
+                c
+            } else {
+                '_'
+            }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markup_without_text_is_empty() {
+        assert!(is_empty("<div>\n <p></p></div>"));
+        assert!(!is_empty("<p>x</p>"));
+        assert!(!is_empty("<svg></svg>"));
+    }
+
+    #[test]
+    fn ids_become_file_names() {
+        assert_eq!(file_name("history_hoop@0.1/../x"), "history_hoop_0.1_.._x");
+    }
+}

@@ -1,0 +1,339 @@
+//! The page of a pushover.
+
+use tank::units::Dimension;
+use tera::Context;
+
+use super::Report;
+use super::sections::FigureView;
+use super::template::Templates;
+use crate::figure::chart::{Axis, Chart, Line, Mark};
+use crate::figure::{Figure, HALF, Room, map};
+use crate::number::{Scale, fixed, significant, with_unit};
+use crate::table::{Column, Table, spread};
+use files::error::Error;
+use results::{Push, PushPoint, PushShell};
+
+/// Classes of the curves of the perfect and the imperfect shell.
+const CLASSES: [&str; 2] = ["k-fe", "k-s2"];
+
+/// `perfect shell`, `0.50 t outwards at 0.35 m`, `0.50 t, buckling mode`.
+pub fn name_of(shell: &PushShell) -> String {
+    shell.imperfection.as_ref().map_or("perfect shell".into(), |i| {
+        if i.factor.is_some() {
+            return format!("{} t, buckling mode", fixed(i.over_thickness, 2));
+        }
+        let side = if i.amplitude > 0.0 { "outwards" } else { "inwards" };
+        format!(
+            "{} t {side} at {}",
+            fixed(i.over_thickness.abs(), 2),
+            with_unit(i.height, Dimension::Length)
+        )
+    })
+}
+
+/// The capacities, one line a shell.
+pub fn summary(push: &Push) -> Table {
+    let of = |dimension, value: fn(&PushShell) -> f64| Scale::of(dimension, push.shells.iter().map(value));
+    let shear = of(Dimension::Force, |s| s.capacity.state.base_shear);
+    let moment = of(Dimension::Moment, |s| s.capacity.state.base_moment);
+    let stress = of(Dimension::Stress, |s| s.capacity.beam);
+    let hoop = of(Dimension::Stress, |s| s.capacity.hoop);
+    let pressure = of(Dimension::Stress, |s| s.capacity.pressure);
+    let mut table = Table::new(vec![
+        Column::words("Shell"),
+        Column::words("Capacity"),
+        Column::numbers("Base shear", shear.symbol()),
+        Column::numbers("Overturning moment", moment.symbol()),
+        Column::numbers("Buckle at", "m"),
+        Column::numbers("and at the angle", "°"),
+        Column::numbers("Axial compression at that height", stress.symbol()),
+        Column::numbers("of beam theory at the base", stress.symbol()),
+        Column::numbers("Hoop stress", hoop.symbol()),
+        Column::numbers("Pressure", pressure.symbol()),
+        Column::numbers("Plastic strain", "%"),
+    ]);
+    for shell in &push.shells {
+        let c = &shell.capacity;
+        table.row(vec![
+            name_of(shell),
+            format!(
+                "{}{} g",
+                if c.limit { "" } else { "≥ " },
+                significant(c.state.acceleration / push.gravity, 3)
+            ),
+            shear.text(c.state.base_shear),
+            moment.text(c.state.base_moment),
+            fixed(c.height, 2),
+            fixed(c.angle.to_degrees(), 0),
+            stress.text(c.compression),
+            stress.text(c.beam),
+            hoop.text(c.hoop),
+            pressure.text(c.pressure),
+            fixed(100.0 * c.state.plastic_strain, 2),
+        ]);
+    }
+    table
+}
+
+/// The formulas, one line each.
+pub fn limits(push: &Push) -> Table {
+    let stress = Scale::of(Dimension::Stress, push.limits.iter().map(|l| l.stress));
+    let mut table = Table::new(vec![
+        Column::words("Formula"),
+        Column::words("Source"),
+        Column::words("Reached at"),
+        Column::numbers("Course", ""),
+        Column::numbers("Limit", stress.symbol()),
+    ]);
+    for limit in &push.limits {
+        table.row(vec![
+            limit.name.clone(),
+            limit.source.clone(),
+            limit.acceleration.map_or("beyond 10 g".into(), |a| {
+                format!("{} g", significant(a / push.gravity, 3))
+            }),
+            limit.course.to_string(),
+            stress.text(limit.stress),
+        ]);
+    }
+    table
+}
+
+/// The paths: head with units, one line a state.
+pub fn csv(push: &Push) -> String {
+    use std::fmt::Write;
+    let mut text = String::from(
+        "shell,acceleration_m_s2,base_shear_n,base_moment_nm,top_m,bulge_m,compression_pa,compression_height_m,plastic_strain\n",
+    );
+    for shell in &push.shells {
+        for p in &shell.path {
+            let _ = writeln!(
+                text,
+                "{},{:.6},{:.6e},{:.6e},{:.6e},{:.6e},{:.6e},{:.4},{:.6e}",
+                name_of(shell),
+                p.acceleration,
+                p.base_shear,
+                p.base_moment,
+                p.top,
+                p.bulge,
+                p.compression,
+                p.compression_height,
+                p.plastic_strain
+            );
+        }
+    }
+    text
+}
+
+fn zero_and(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    values.chain([0.0]).collect()
+}
+
+/// Acceleration over a quantity of the state.
+fn path_figure(
+    push: &Push,
+    id: &str,
+    title: &str,
+    dimension: Dimension,
+    value: fn(&PushPoint) -> f64,
+) -> Result<Figure, Error> {
+    let points = || push.shells.iter().flat_map(|s| &s.path);
+    let g = push.gravity;
+    let x = Axis::linear(title, dimension, zero_and(points().map(value)), 5);
+    let y = Axis::linear(
+        "acceleration [g]",
+        Dimension::Dimensionless,
+        zero_and(points().map(|p| p.acceleration / g)),
+        6,
+    );
+    let mut chart = Chart::new((HALF, 0.0), x, y);
+    let mut table = Table::new(vec![
+        Column::words("Shell"),
+        Column::numbers("Acceleration", "g"),
+        Column::words(title),
+    ]);
+    for (shell, class) in push.shells.iter().zip(CLASSES.iter().cycle()) {
+        chart.lines.push(Line {
+            points: shell.path.iter().map(|p| (value(p), p.acceleration / g)).collect(),
+            class: (*class).into(),
+            label: name_of(shell),
+        });
+        let best = &shell.capacity.state;
+        chart.marks.push(Mark {
+            at: (value(best), best.acceleration / g),
+            label: format!("{} g", significant(best.acceleration / g, 3)),
+            class: (*class).into(),
+        });
+        for i in spread(shell.path.len(), 12) {
+            let p = &shell.path[i];
+            table.row(vec![
+                name_of(shell),
+                significant(p.acceleration / g, 4),
+                with_unit(value(p), dimension),
+            ]);
+        }
+    }
+    let chart = chart.with_plot_height(190.0);
+    Ok(Figure {
+        id: id.into(),
+        title: title.into(),
+        caption: "Marked: the strongest state.".into(),
+        titled: false,
+        description: format!("Acceleration over: {title}."),
+        size: chart.size,
+        markup: chart.draw()?,
+        table,
+        room: Room::Half,
+    })
+}
+
+/// Deformed meridians of one shell near the base.
+fn meridian_figure(push: &Push, number: usize, shell: &PushShell) -> Result<Figure, Error> {
+    // Four times the lowest course, or the whole wall.
+    let top = shell
+        .meridians
+        .first()
+        .map_or(0.0, |m| m.z.last().copied().unwrap_or(0.0));
+    let part = (6.0 * shell.capacity.height).clamp(0.15 * top, top);
+    let below = |z: f64| z <= part * (1.0 + 1e-9);
+    let shown = || {
+        shell
+            .meridians
+            .iter()
+            .flat_map(|m| m.z.iter().zip(&m.w).filter(|(z, _)| below(**z)))
+    };
+    let x = Axis::linear(
+        "radial displacement",
+        Dimension::Length,
+        zero_and(shown().map(|(_, w)| *w)),
+        5,
+    );
+    let y = Axis::exact("height", Dimension::Length, (0.0, part), 6);
+    let mut chart = Chart::new((HALF, 0.0), x, y);
+    let mut table = Table::new(vec![
+        Column::words("State"),
+        Column::words("Height"),
+        Column::words("Radial displacement"),
+    ]);
+    for (meridian, class) in shell.meridians.iter().zip(["k-static", "k-fe", "k-s2"]) {
+        let points: Vec<(f64, f64)> = meridian
+            .z
+            .iter()
+            .zip(&meridian.w)
+            .filter(|(z, _)| below(**z))
+            .map(|(z, w)| (*w, *z))
+            .collect();
+        for i in spread(points.len(), 15) {
+            table.row(vec![
+                meridian.title.clone(),
+                with_unit(points[i].1, Dimension::Length),
+                with_unit(points[i].0, Dimension::Length),
+            ]);
+        }
+        chart.lines.push(Line {
+            points,
+            class: class.into(),
+            label: format!(
+                "{}, {} g",
+                meridian.title,
+                significant(meridian.acceleration / push.gravity, 3)
+            ),
+        });
+    }
+    let chart = chart.with_plot_height(240.0);
+    Ok(Figure {
+        id: format!("push_meridian_{number}"),
+        title: format!("Compressed meridian, {}", name_of(shell)),
+        caption: "Outwards to the right.".into(),
+        titled: false,
+        description:
+            "Radial displacement of the compressed meridian over the height, at rest, at the strongest and at the last \
+                      state."
+                .into(),
+        size: chart.size,
+        markup: chart.draw()?,
+        table,
+        room: Room::Half,
+    })
+}
+
+fn figures(push: &Push) -> Result<Vec<Figure>, Error> {
+    let mut out = vec![
+        path_figure(
+            push,
+            "push_bulge",
+            "bulge of the compressed meridian",
+            Dimension::Length,
+            |p| p.bulge,
+        )?,
+        path_figure(
+            push,
+            "push_compression",
+            "largest axial compression",
+            Dimension::Stress,
+            |p| p.compression,
+        )?,
+    ];
+    for (number, shell) in push.shells.iter().enumerate() {
+        out.push(meridian_figure(push, number, shell)?);
+    }
+    for (number, shell) in push.shells.iter().enumerate() {
+        let deviation = shell.imperfection.as_ref().and_then(|i| i.map.as_ref());
+        for (id, map) in [("push_imperfection", deviation), ("push_plastic", Some(&shell.plastic))] {
+            if let Some(mut figure) = map.and_then(|m| map::figure(&format!("{id}_{number}"), m)) {
+                figure.title = format!("{}, {}", figure.title, name_of(shell));
+                figure.caption = "Half of the developed wall, compressed at θ = 0.".into();
+                out.push(figure);
+            }
+        }
+    }
+    Ok(out)
+}
+
+/// The page with its figures.
+///
+/// Errors: a template or a drawing that fails.
+pub fn report(push: &Push) -> Result<Report, Error> {
+    let figures = figures(push)?;
+    let templates = Templates::new(None)?;
+    let css = format!("{}{}", templates.css("figure.css"), templates.css("fields.css"));
+    let views: Vec<FigureView> = figures.iter().map(FigureView::of).collect();
+    let ends: Vec<String> = push
+        .shells
+        .iter()
+        .map(|shell| {
+            let bound = if shell.capacity.limit {
+                ""
+            } else {
+                " No maximum was passed: the capacity is a lower bound."
+            };
+            let imperfection = shell.imperfection.as_ref().map_or(String::new(), |i| {
+                format!(
+                    " Imperfection of {} ({}).",
+                    with_unit(i.amplitude.abs(), Dimension::Length),
+                    i.source
+                )
+            });
+            format!("{}: {}.{bound}{imperfection}", name_of(shell), shell.end)
+        })
+        .collect();
+    let mut page = Context::new();
+    page.insert("name", &push.name);
+    page.insert("incomplete", &push.incomplete);
+    page.insert("doubts", &push.doubts);
+    page.insert("interruption", &push.interruption);
+    page.insert("summary", &summary(push));
+    page.insert("limits", &limits(push));
+    page.insert("ends", &ends);
+    page.insert("model", &super::facts(&push.model));
+    page.insert("files", &super::files(&push.files));
+    page.insert("assumptions", &push.assumptions);
+    page.insert("figures", &views);
+    page.insert("version", &push.volatile.version);
+    page.insert("created", &push.volatile.created);
+    page.insert("command", &push.volatile.command);
+    page.insert("style", templates.css("style.css"));
+    page.insert("figure_style", &css);
+    let drawn = figures.iter().map(|f| (format!("{}.svg", f.id), f.standalone(&css)));
+    Ok(Report::new(&templates.render("push.html", &page)?, drawn.collect()))
+}

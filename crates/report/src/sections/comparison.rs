@@ -1,0 +1,111 @@
+//! The matrix quantities × methods with the ratios to the finite elements.
+
+use serde::Serialize;
+use tank::assessment::Excitation;
+
+use super::{Section, Source};
+use crate::methods::{excitation, figure_order, look};
+use crate::number::{Scale, ratio};
+use files::error::Error;
+use results::{Method, Status};
+
+#[derive(Serialize)]
+struct Head {
+    label: String,
+    excitation: &'static str,
+    fe: bool,
+    /// First column of the site's group, set off by a rule.
+    break_before: bool,
+}
+
+#[derive(Serialize)]
+struct Row {
+    title: String,
+    unit: &'static str,
+    cells: Vec<CellView>,
+}
+
+#[derive(Serialize)]
+struct CellView {
+    value: String,
+    unusable: bool,
+    ratio: String,
+    fe: bool,
+    break_before: bool,
+}
+
+#[derive(Serialize)]
+struct Absent {
+    title: String,
+    excitation: &'static str,
+    clause: String,
+    reason: String,
+}
+
+/// Makes the section.
+pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let results = source.results;
+    let given = |m: &Method| !m.quantities.is_empty();
+    let columns: Vec<usize> = figure_order(results)
+        .into_iter()
+        .filter(|&i| given(&results.methods[i]))
+        .collect();
+    let absent: Vec<Absent> = results
+        .methods
+        .iter()
+        .filter_map(|m| match &m.status {
+            Status::Computed => None,
+            Status::NotApplicable { clause, reason } => Some(Absent {
+                title: m.title.clone(),
+                excitation: excitation(m),
+                clause: clause.clone(),
+                reason: reason.clone(),
+            }),
+        })
+        .collect();
+    if (columns.is_empty() || results.comparison.rows.is_empty()) && absent.is_empty() {
+        return Ok(None);
+    }
+    let site = |i: usize| results.methods[i].excitation == Excitation::Site;
+    let first_site = columns.iter().position(|&i| site(i)).filter(|&p| p > 0);
+    let head: Vec<Head> = columns
+        .iter()
+        .enumerate()
+        .map(|(p, &i)| Head {
+            label: look(&results.methods[i]).label,
+            excitation: excitation(&results.methods[i]),
+            fe: results.methods[i].id == "fe",
+            break_before: Some(p) == first_site,
+        })
+        .collect();
+    let mut rows = Vec::new();
+    for row in &results.comparison.rows {
+        let cells: Vec<_> = columns.iter().map(|&i| row.cells.get(i).copied().flatten()).collect();
+        let scale = Scale::of(row.dimension, cells.iter().flatten().map(|c| c.value));
+        rows.push(Row {
+            title: row.title.clone(),
+            unit: scale.symbol(),
+            cells: cells
+                .iter()
+                .zip(&head)
+                .map(|(cell, head)| CellView {
+                    value: cell.map_or("–".into(), |c| scale.text(c.value)),
+                    unusable: cell.is_some_and(|c| c.unusable),
+                    ratio: cell
+                        .and_then(|c| c.ratio)
+                        .filter(|_| !head.fe)
+                        .map_or(String::new(), ratio),
+                    fe: head.fe,
+                    break_before: head.break_before,
+                })
+                .collect(),
+        });
+    }
+    let mut section = Section::new("comparison", "Quantities by method");
+    section.set("dense", &(head.len() > 7));
+    section.set("has_fe", &source.fe().is_some());
+    section.set("head", &head);
+    section.set("rows", &rows);
+    section.set("absent", &absent);
+    Ok(Some(section))
+}

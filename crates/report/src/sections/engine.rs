@@ -1,0 +1,94 @@
+//! The finite-element model: mesh, integration, balances, discretisation error.
+
+use serde::Serialize;
+use tank::Quantity;
+use tank::units::Dimension;
+
+use super::{Section, Source, capital};
+use crate::number::{Scale, percent, significant};
+use crate::table::{Column, Table};
+use files::error::Error;
+use results::{FeResult, MESH_ERROR_LIMIT};
+
+#[derive(Serialize)]
+struct Pair {
+    label: String,
+    text: String,
+}
+
+/// Makes the section.
+pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let Some(fe) = &source.results.fe else {
+        return Ok(None);
+    };
+    let mut section = Section::new("engine", "Finite-element model");
+    fill(&mut section, fe);
+    Ok(Some(section))
+}
+
+/// Hands what the template `sections/engine.html` shows of a run to a section.
+pub(super) fn fill(section: &mut Section, fe: &FeResult) {
+    let pairs = |list: &[results::Labelled]| -> Vec<Pair> {
+        list.iter()
+            .map(|l| Pair {
+                label: capital(&l.label),
+                text: l.text.clone(),
+            })
+            .collect()
+    };
+    section.set("engine", &fe.engine);
+    section.set("mesh", &pairs(&fe.mesh));
+    section.set("integration", &pairs(&fe.integration));
+
+    let mut damping = Table::new(vec![
+        Column::numbers("ω", "rad/s"),
+        Column::words("Kind"),
+        Column::numbers("Resulting damping", ""),
+        Column::words("Remark"),
+    ]);
+    for row in &fe.damping_table {
+        damping.row(vec![
+            significant(row.omega, 4),
+            row.kind.clone(),
+            percent(row.ratio),
+            row.note.clone(),
+        ]);
+    }
+    section.set("damping", &damping);
+
+    let mut mesh_error = Table::new(vec![
+        Column::words("Quantity"),
+        Column::numbers("Estimated discretisation error", ""),
+    ]);
+    for (id, error) in &fe.mesh_error {
+        let title = Quantity::from_id(id).map_or(id.as_str(), |q| q.title());
+        let mark = if *error > MESH_ERROR_LIMIT { ", unusable" } else { "" };
+        mesh_error.row(vec![title.into(), percent(*error) + mark]);
+    }
+    section.set("mesh_error", &mesh_error);
+
+    let mut balance = Table::new(vec![Column::words("Balance"), Column::numbers("Relative error", "")]);
+    for row in &fe.mass_balance {
+        balance.row(vec![capital(&row.label), percent(row.error)]);
+    }
+    section.set("balance", &balance);
+
+    let mut energy = Table::default();
+    if let Some(e) = &fe.energy {
+        let scale = Scale::of(Dimension::Energy, [e.input, e.kinetic, e.elastic, e.damping]);
+        energy = Table::new(vec![
+            Column::words("Energy at the end"),
+            Column::numbers("Value", scale.symbol()),
+        ]);
+        for (label, value) in [
+            ("Work of the base motion", e.input),
+            ("Kinetic", e.kinetic),
+            ("Elastic and gravity potential", e.elastic),
+            ("Dissipated by damping", e.damping),
+        ] {
+            energy.row(vec![label.into(), scale.text(value)]);
+        }
+        section.set("energy_error", &percent(e.error));
+    }
+    section.set("energy", &energy);
+}

@@ -1,0 +1,185 @@
+//! Time histories with their maxima marked.
+
+use tank::units::Dimension;
+
+use super::motion::is_ground_motion;
+use super::{Section, Source};
+use crate::figure::chart::{Axis, Chart, Line, Mark};
+use crate::figure::decimate::decimate;
+use crate::figure::{Figure, Room, WIDE};
+use crate::number::{Scale, fixed, with_unit};
+use crate::table::{Column, Table};
+use files::error::Error;
+use results::SeriesInfo;
+
+/// Histories drawn at most; the rest stands in the table of peaks and in `series.csv`.
+const MOST: usize = 9;
+/// Histories that come first, by the beginning of their id.
+const FIRST: [&str; 5] = [
+    "wave_height",
+    "base_shear",
+    "base_moment",
+    "axial_membrane_stress",
+    "overturning_moment",
+];
+
+/// Makes the section.
+pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let Some(fe) = &source.results.fe else {
+        return Ok(None);
+    };
+    let mut infos: Vec<&SeriesInfo> = fe.series.iter().filter(|s| !is_ground_motion(&s.id)).collect();
+    infos.sort_by_key(|s| FIRST.iter().position(|f| s.id.starts_with(f)).unwrap_or(FIRST.len()));
+    if infos.is_empty() {
+        return Ok(None);
+    }
+    let mut figures = Vec::new();
+    if let Some(values) = source.column("ground_acceleration") {
+        let figure = history(
+            source,
+            "history_ground_acceleration",
+            "Ground acceleration",
+            Dimension::Acceleration,
+            values,
+            None,
+            "k-ground",
+        )?;
+        figures.extend(figure);
+    }
+    for info in infos.iter().take(MOST) {
+        let Some(values) = source.column(&info.id) else {
+            continue;
+        };
+        let id = format!("history_{}", info.id);
+        figures.extend(history(
+            source,
+            &id,
+            &info.title,
+            info.dimension,
+            values,
+            Some(info),
+            "k-fe",
+        )?);
+    }
+    let mut table = Table::new(vec![
+        Column::words("History"),
+        Column::words("Unit"),
+        Column::numbers("Largest absolute value", ""),
+        Column::numbers("Time", "s"),
+        Column::numbers("Static value", ""),
+    ]);
+    for info in &infos {
+        let scale = Scale::of(info.dimension, [info.peak]);
+        table.row(vec![
+            info.title.clone(),
+            scale.symbol().into(),
+            scale.text(info.peak),
+            fixed(info.time, 3),
+            if info.static_value == 0.0 {
+                "–".into()
+            } else {
+                scale.text(info.static_value)
+            },
+        ]);
+    }
+    let mut section = Section::new("histories", "Time histories");
+    section.set("undrawn", &infos.len().saturating_sub(MOST));
+    section.set("peaks", &table);
+    section.set_figures("figures", figures);
+    Ok(Some(section))
+}
+
+/// A history as a figure, its largest absolute value marked; `None` if the column is empty.
+pub fn history(
+    source: &Source,
+    id: &str,
+    title: &str,
+    dimension: Dimension,
+    values: &[f64],
+    info: Option<&SeriesInfo>,
+    class: &str,
+) -> Result<Option<Figure>, Error> {
+    let time = &source.series.time;
+    let n = time.len().min(values.len());
+    if n < 2 {
+        return Ok(None);
+    }
+    let (time, values) = (&time[..n], &values[..n]);
+    let extreme =
+        |better: fn(f64, f64) -> bool| (0..n).fold(0, |best, i| if better(values[i], values[best]) { i } else { best });
+    let (lowest, highest) = (extreme(|a, b| a < b), extreme(|a, b| a > b));
+    let sampled = if -values[lowest] > values[highest] {
+        lowest
+    } else {
+        highest
+    };
+    // The engine knows the peak between samples; its sign is that of the nearest sample.
+    let (time_of_peak, peak) = match info {
+        Some(info) if info.peak.is_finite() => {
+            let nearest = time.partition_point(|t| *t < info.time).min(n - 1);
+            (info.time, info.peak.copysign(values[nearest]))
+        }
+        _ => (time[sampled], values[sampled]),
+    };
+    let scale = Scale::of(dimension, [peak]);
+
+    let points = decimate(time, values, (WIDE - 60.0) as usize);
+    let extent = [values[lowest], values[highest], peak, 0.0].map(|v| 1.12 * v);
+    let x = Axis::exact("Time", Dimension::Time, (time[0], time[n - 1]), 8);
+    let y = Axis::linear(title, dimension, extent, 5);
+    let mut chart = Chart::new((WIDE, 0.0), x, y).with_plot_height(96.0);
+    chart.lines.push(Line {
+        points,
+        class: format!("{class} hist"),
+        label: String::new(),
+    });
+    if chart.x.holds(time_of_peak) {
+        chart.marks.push(Mark {
+            at: (time_of_peak, peak),
+            label: format!("{} at {} s", with_unit(peak, dimension), fixed(time_of_peak, 2)),
+            class: "peak".into(),
+        });
+    }
+    let mut table = Table::new(vec![
+        Column::words("Extreme"),
+        Column::numbers(title, scale.symbol()),
+        Column::numbers("Time", "s"),
+    ]);
+    for (label, i) in [("largest sample", highest), ("smallest sample", lowest)] {
+        table.row(vec![label.into(), scale.text(values[i]), fixed(time[i], 3)]);
+    }
+    table.row(vec![
+        "largest absolute value".into(),
+        scale.text(peak.abs()),
+        fixed(time_of_peak, 3),
+    ]);
+    let static_value = info.map_or(0.0, |i| i.static_value);
+    let mut caption = String::new();
+    if static_value != 0.0 {
+        caption = format!(
+            "Seismic part; the static value {} is not contained. ",
+            with_unit(static_value, dimension)
+        );
+    }
+    if peak.abs() > 1.02 * values[sampled].abs() {
+        caption.push_str("The largest value lies between the samples drawn.");
+    }
+    Ok(Some(Figure {
+        id: id.into(),
+        title: title.into(),
+        caption,
+        titled: true,
+        description: format!(
+            "{title} over {} s. Largest {} at {} s, smallest {} at {} s.",
+            fixed(time[n - 1], 1),
+            with_unit(values[highest], dimension),
+            fixed(time[highest], 2),
+            with_unit(values[lowest], dimension),
+            fixed(time[lowest], 2)
+        ),
+        size: chart.size,
+        markup: chart.draw()?,
+        table,
+        room: Room::Wide,
+    }))
+}

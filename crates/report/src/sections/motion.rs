@@ -1,0 +1,108 @@
+//! Ground motion: acceleration, velocity, displacement, and the measures.
+
+use serde::Serialize;
+use tank::units::Dimension;
+
+use super::histories::history;
+use super::{Section, Source};
+use crate::figure::Figure;
+use crate::number::{count, fixed, significant};
+use crate::table::{Column, Table};
+use files::error::Error;
+use results::{GROUND_COLUMNS, RecordSummary, VERTICAL_PREFIX};
+
+#[derive(Serialize)]
+struct Record {
+    direction: String,
+    name: String,
+    processing: Vec<String>,
+}
+
+/// Titles and dimensions of [`GROUND_COLUMNS`].
+const TITLES: [(&str, Dimension); 3] = [
+    ("Ground acceleration", Dimension::Acceleration),
+    ("Ground velocity", Dimension::Velocity),
+    ("Ground displacement", Dimension::Length),
+];
+
+/// Whether this column of `series.csv` is ground motion.
+pub fn is_ground_motion(id: &str) -> bool {
+    GROUND_COLUMNS.contains(&id.strip_prefix(VERTICAL_PREFIX).unwrap_or(id))
+}
+
+/// Makes the section.
+pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let records = &source.results.records;
+    if records.is_empty() {
+        return Ok(None);
+    }
+    let mut figures = Vec::new();
+    for record in records {
+        figures.extend(curves(source, record)?);
+    }
+    let mut section = Section::new("motion", "Ground motion");
+    let views: Vec<Record> = records
+        .iter()
+        .map(|r| Record {
+            direction: r.direction.clone(),
+            name: r.name.clone(),
+            processing: r.processing.clone(),
+        })
+        .collect();
+    section.set("records", &views);
+    section.set("measures", &measures(source));
+    section.set_figures("figures", figures);
+    Ok(Some(section))
+}
+
+fn curves(source: &Source, record: &RecordSummary) -> Result<Vec<Figure>, Error> {
+    let vertical = record.direction == "vertical";
+    let mut figures = Vec::new();
+    for (id, (title, dimension)) in GROUND_COLUMNS.into_iter().zip(TITLES) {
+        let (id, title) = if vertical {
+            (format!("{VERTICAL_PREFIX}{id}"), format!("{title}, vertical"))
+        } else {
+            (id.to_owned(), title.to_owned())
+        };
+        let Some(values) = source.column(&id) else {
+            continue;
+        };
+        figures.extend(history(source, &id, &title, dimension, values, None, "k-ground")?);
+    }
+    Ok(figures)
+}
+
+fn measures(source: &Source) -> Table {
+    let records = &source.results.records;
+    let gravity = source.results.tank.gravity;
+    let mut columns = vec![Column::words("Measure"), Column::words("Unit")];
+    columns.extend(
+        records
+            .iter()
+            .map(|r| Column::numbers(&super::capital(&r.direction), "")),
+    );
+    let mut table = Table::new(columns);
+    let mut add = |label: &str, unit: &str, of: &dyn Fn(&RecordSummary) -> String| {
+        let mut row = vec![label.to_owned(), unit.to_owned()];
+        row.extend(records.iter().map(of));
+        table.row(row);
+    };
+    add("Peak acceleration", "m/s²", &|r| significant(r.pga, 4));
+    add("Peak acceleration", "g", &|r| significant(r.pga / gravity, 4));
+    add("Peak acceleration of the file, unprocessed", "g", &|r| {
+        significant(r.pga_as_recorded / gravity, 4)
+    });
+    add("Peak velocity", "m/s", &|r| significant(r.pgv, 4));
+    add("Peak displacement", "m", &|r| significant(r.pgd, 4));
+    add("Arias intensity", "m/s", &|r| significant(r.arias, 4));
+    add("Cumulative absolute velocity", "m/s", &|r| significant(r.cav, 4));
+    add("Significant duration D5–95", "s", &|r| {
+        significant(r.significant_duration, 4)
+    });
+    add("Time step", "s", &|r| significant(r.dt, 4));
+    add("Samples", "", &|r| count(r.samples));
+    add("Duration", "s", &|r| {
+        fixed(r.dt * r.samples.saturating_sub(1) as f64, 2)
+    });
+    table
+}

@@ -1,0 +1,374 @@
+//! The nonlinear run: how it ended, what happened when, how far it is from the linear one, what the wall has become.
+
+mod charts;
+
+use serde::Serialize;
+use tank::units::Dimension;
+
+use super::overlay::{self, Second};
+use super::{Section, Source, capital, engine, histories};
+use crate::figure::{Figure, cells, cracks};
+use crate::number::{Scale, fixed, percent, plain, ratio, significant};
+use crate::table::{Column, Table};
+use files::error::Error;
+use results::compare::{FE, FE_NONLINEAR};
+use results::nonlinear::{BaseMoment, Count, Departure, End, Event, Nonlinear, PARTED};
+use results::{FeResult, NONLINEAR_PREFIX, SeriesInfo};
+
+/// Histories of both engines drawn over each other, by the beginning of their id.
+const OVERLAID: [&str; 4] = ["wave_height", "base_shear", "base_moment", "wall_moment"];
+/// Histories that the linear engine does not have, drawn at most.
+const MOST: usize = 8;
+
+/// How the run ended, as the template shows it.
+#[derive(Serialize)]
+struct Outcome {
+    class: &'static str,
+    sign: &'static str,
+    headline: String,
+    text: Vec<String>,
+}
+
+/// Makes the section.
+pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let Some(fe) = &source.results.fe_nonlinear else {
+        return Ok(None);
+    };
+    let mut section = Section::new("nonlinear", "Nonlinear run");
+    let (difference, bounds) = difference(source);
+    section.set("difference", &difference);
+    section.set("bounds", &bounds);
+    engine::fill(&mut section, fe);
+    let run = fe.nonlinear.as_ref();
+    if let Some(run) = run {
+        check(run)?;
+    }
+    let marks = run.map_or(Vec::new(), |run| marks(&run.events));
+    section.set(
+        "outcome",
+        &run.map(|run| outcome(run, fe)).into_iter().collect::<Vec<_>>(),
+    );
+    section.set("events", &run.map_or_else(Table::default, |run| events(&run.events)));
+    section.set("moments", &run.map_or_else(Table::default, |run| moments(&run.moments)));
+    section.set("numbered", &!marks.is_empty());
+    section.set_figures("overlays", overlays(source, &marks)?);
+    let pictures = run.map_or_else(Drawn::default, pictures);
+    section.set_figures("crack_figures", pictures.figures);
+    section.set("no_cracks", &pictures.words);
+    let maps = run.map_or_else(Drawn::default, maps);
+    section.set_figures("map_figures", maps.figures);
+    section.set("flat_maps", &maps.words);
+    section.set_figures("loop_figures", charts::loops(run)?);
+    section.set_figures("envelope_figures", charts::envelopes(source.results.fe.as_ref(), fe)?);
+    section.set_figures("energy_figures", charts::energies(run, &marks)?);
+    section.set_figures("own_figures", own(source, fe)?);
+    section.set("cost", &run.map_or_else(Table::default, |run| cost(&run.cost)));
+    Ok(Some(section))
+}
+
+/// Whether every map has a value a cell and every crack its cell.
+fn check(run: &Nonlinear) -> Result<(), Error> {
+    let cells = run.grid.cells();
+    if let Some(map) = run.maps.iter().find(|m| m.values.len() != cells) {
+        return Err(Error::Report(format!(
+            "nonlinear: map `{}` has {} values, the wall {cells} cells",
+            map.id,
+            map.values.len()
+        )));
+    }
+    let mut cracks = run.cracks.iter().flat_map(|p| &p.cracks);
+    if let Some(crack) = cracks.find(|c| c.cell >= cells) {
+        return Err(Error::Report(format!(
+            "nonlinear: a crack in cell {}, the wall has {cells} cells",
+            crack.cell
+        )));
+    }
+    Ok(())
+}
+
+/// The box above everything else.
+fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
+    let bounds =
+        "Values, pictures and histories are those until then: lower bounds of what the ground motion asks of the tank.";
+    let fail = |headline: String, text: Vec<String>| Outcome {
+        class: "fail",
+        sign: "✗",
+        headline,
+        text,
+    };
+    match &run.end {
+        End::Completed if fe.incomplete => fail("Incomplete".into(), vec![bounds.into()]),
+        End::Completed if !run.departures.is_empty() => {
+            let mut text = vec![
+                "Equilibrium was found to the end of the ground motion, but not within the limits of the model: what comes later is no \
+                 result."
+                    .to_owned(),
+            ];
+            text.extend(run.departures.iter().map(left));
+            text.extend(run.parted().then(|| PARTED.to_owned()));
+            fail(
+                format!("The run left its model at t = {} s", fixed(run.departures[0].time, 3)),
+                text,
+            )
+        }
+        End::Completed => Outcome {
+            class: "none",
+            sign: "✓",
+            headline: "Equilibrium was found to the end of the ground motion".into(),
+            text: {
+                let mut text = vec!["No step was accepted before it had converged.".to_owned()];
+                text.extend(run.parted().then(|| PARTED.to_owned()));
+                text
+            },
+        },
+        End::Left { time, reason, place } => {
+            let mut text = vec![format!("{}: {}.", capital(place), reason.trim_end_matches('.'))];
+            let others = run.departures.iter().filter(|d| d.id != "stored_energy");
+            text.extend(others.map(left));
+            text.extend(run.parted().then(|| PARTED.to_owned()));
+            text.push("Values, pictures and histories are those until then.".into());
+            fail(
+                format!("Stopped: the run left its model at t = {} s", fixed(*time, 3)),
+                text,
+            )
+        }
+        End::Interrupted { time } => fail(format!("Interrupted at t = {} s", fixed(*time, 2)), vec![bounds.into()]),
+        End::Collapsed {
+            time,
+            load_factor,
+            reason,
+            place,
+        } => {
+            let headline = match *time < 0.0 {
+                true => "Collapse: the wall does not carry weight and pressure at rest".into(),
+                false => format!("Collapse: no equilibrium after t = {} s", fixed(*time, 3)),
+            };
+            let mut text = Vec::new();
+            if let Some(factor) = load_factor {
+                text.push(format!(
+                    "Of weight and pressure at rest it carries {}; the earthquake was not begun.",
+                    percent(*factor)
+                ));
+            }
+            if !place.is_empty() {
+                text.push(format!("Where forces are furthest from equilibrium: {place}."));
+            }
+            if !reason.is_empty() {
+                text.push(format!("Reason: {}.", reason.trim_end_matches('.')));
+            }
+            text.extend(run.departures.iter().map(left));
+            text.extend(run.parted().then(|| PARTED.to_owned()));
+            if load_factor.is_none() {
+                text.push(bounds.into());
+            }
+            fail(headline, text)
+        }
+    }
+}
+
+/// A departure as a sentence.
+fn left(departure: &Departure) -> String {
+    format!(
+        "After {} s, {}: {}.",
+        fixed(departure.time, 3),
+        departure.place,
+        departure.reason
+    )
+}
+
+/// What the largest moments at the base are made of.
+fn moments(found: &[BaseMoment]) -> Table {
+    let all = found
+        .iter()
+        .flat_map(|m| [m.reaction, m.section, m.damping, m.inertia, m.load, m.largest_section]);
+    let scale = Scale::of(Dimension::LineMoment, all);
+    let unit = scale.symbol();
+    let mut table = Table::new(vec![
+        Column::words("Wall"),
+        Column::numbers("Time", "s"),
+        Column::numbers("Reaction", unit),
+        Column::numbers("Section", unit),
+        Column::numbers("Damping", unit),
+        Column::numbers("Inertia", unit),
+        Column::numbers("Pressure at rest", unit),
+        Column::numbers("Largest of the section", unit),
+    ]);
+    for m in found {
+        table.row(vec![
+            m.place.clone(),
+            fixed(m.time, 3),
+            scale.text(m.reaction),
+            scale.text(m.section),
+            scale.text(m.damping),
+            scale.text(m.inertia),
+            scale.text(m.load),
+            scale.text(m.largest_section),
+        ]);
+    }
+    table
+}
+
+/// Times of the events with their numbers, those at rest left out.
+fn marks(events: &[Event]) -> Vec<(f64, String)> {
+    let numbered = events.iter().enumerate();
+    numbered
+        .filter(|(_, e)| e.time > 0.0)
+        .map(|(i, e)| (e.time, (i + 1).to_string()))
+        .collect()
+}
+
+fn events(events: &[Event]) -> Table {
+    let mut table = Table::new(vec![
+        Column::numbers("No.", ""),
+        Column::words("Event"),
+        Column::numbers("Time", "s"),
+        Column::words("Place"),
+        Column::words("Remark"),
+    ]);
+    for (i, event) in events.iter().enumerate() {
+        table.row(vec![
+            (i + 1).to_string(),
+            capital(&event.title),
+            match event.time > 0.0 {
+                true => fixed(event.time, 3),
+                false => "at rest".into(),
+            },
+            event.place.clone(),
+            event.note.clone(),
+        ]);
+    }
+    table
+}
+
+/// Quantities of both engines with their ratio, and whether the nonlinear ones are lower bounds.
+fn difference(source: &Source) -> (Table, bool) {
+    let results = source.results;
+    let column = |id: &str| results.methods.iter().position(|m| m.id == id);
+    let (Some(linear), Some(nonlinear)) = (column(FE), column(FE_NONLINEAR)) else {
+        return (Table::default(), false);
+    };
+    let run = results.fe_nonlinear.as_ref();
+    let bounds = run.is_some_and(|fe| {
+        let ended = fe.nonlinear.as_ref().is_some_and(|n| n.end != End::Completed);
+        fe.incomplete || ended
+    });
+    let mut table = Table::new(vec![
+        Column::words("Quantity"),
+        Column::words("Unit"),
+        Column::numbers("Linear", ""),
+        Column::numbers("Nonlinear", ""),
+        Column::numbers("Nonlinear / linear", ""),
+    ]);
+    for row in &results.comparison.rows {
+        let cell = |i: usize| row.cells.get(i).copied().flatten();
+        let (a, b) = (cell(linear), cell(nonlinear));
+        if b.is_none() {
+            continue;
+        }
+        let scale = Scale::of(row.dimension, [a, b].into_iter().flatten().map(|c| c.value));
+        let text = |c: Option<results::Cell>| c.map_or("–".to_owned(), |c| scale.text(c.value));
+        // Periods and masses belong to the virgin wall: they are no extremes of the history.
+        let least = match bounds && !["period", "mass"].iter().any(|end| row.quantity.ends_with(end)) {
+            true => "≥ ",
+            false => "",
+        };
+        table.row(vec![
+            row.title.clone(),
+            scale.symbol().into(),
+            text(a),
+            format!("{least}{}", text(b)),
+            b.and_then(|b| b.ratio).map_or("–".into(), ratio),
+        ]);
+    }
+    (table, bounds)
+}
+
+/// Histories of both engines.
+fn overlays(source: &Source, marks: &[(f64, String)]) -> Result<Vec<Figure>, Error> {
+    let Some(fe) = &source.results.fe else {
+        return Ok(Vec::new());
+    };
+    let second = Second {
+        prefix: NONLINEAR_PREFIX,
+        id: "nonlinear",
+        title: "linear and nonlinear",
+        class: "k-fe-nonlinear hist",
+        names: ["linear", "nonlinear"],
+        rules: marks,
+    };
+    overlay::overlays(source, &fe.series, &OVERLAID, &second)
+}
+
+/// Histories that only the nonlinear engine has.
+fn own(source: &Source, fe: &FeResult) -> Result<Vec<Figure>, Error> {
+    let linear = source.results.fe.as_ref().map_or(&[][..], |fe| &fe.series);
+    let own = |s: &&SeriesInfo| linear.iter().all(|l| l.id != s.id);
+    let mut figures = Vec::new();
+    for info in fe.series.iter().filter(own).take(MOST) {
+        let id = format!("{NONLINEAR_PREFIX}{}", info.id);
+        let Some(column) = source.column(&id) else { continue };
+        let run = column.iter().take_while(|v| v.is_finite()).count();
+        // A quantity that never moves is in the table of peaks, no figure.
+        if column[..run].iter().all(|v| *v == 0.0) {
+            continue;
+        }
+        let id = format!("history_{id}");
+        figures.extend(histories::history(
+            source,
+            &id,
+            &info.title,
+            info.dimension,
+            &column[..run],
+            Some(info),
+            "k-fe-nonlinear whole",
+        )?);
+    }
+    Ok(figures)
+}
+
+/// What was drawn, and in words what there was no picture of.
+#[derive(Default)]
+struct Drawn {
+    figures: Vec<Figure>,
+    words: Vec<String>,
+}
+
+fn pictures(run: &Nonlinear) -> Drawn {
+    let mut drawn = Drawn::default();
+    for (i, picture) in run.cracks.iter().enumerate() {
+        match cracks::figure(&format!("cracks_{}", i + 1), &run.grid, picture) {
+            Some(figure) => drawn.figures.push(figure),
+            None => drawn.words.push(cracks::sentence(picture)),
+        }
+    }
+    drawn
+}
+
+fn maps(run: &Nonlinear) -> Drawn {
+    let mut drawn = Drawn::default();
+    for (i, map) in run.maps.iter().enumerate() {
+        match cells::figure(&format!("cells_{}_{}", i + 1, map.id), &run.grid, map) {
+            Some(figure) => drawn.figures.push(figure),
+            None => drawn.words.push(cells::sentence(map)),
+        }
+    }
+    drawn
+}
+
+fn cost(counts: &[Count]) -> Table {
+    let mut table = Table::new(vec![
+        Column::words("What"),
+        Column::numbers("Number", ""),
+        Column::words("Unit"),
+    ]);
+    for count in counts {
+        let scale = Scale::of(count.dimension, [count.value]);
+        let number = scale.convert(count.value);
+        let text = match number.fract() == 0.0 && number.abs() < 1e15 {
+            true => plain(number, 0),
+            false => significant(number, 3),
+        };
+        table.row(vec![capital(&count.label), text, scale.symbol().into()]);
+    }
+    table
+}

@@ -1,0 +1,126 @@
+//! Histories of two runs drawn over each other.
+
+use tank::units::Dimension;
+
+use super::Source;
+use crate::figure::chart::{Axis, Chart, Line, Rule};
+use crate::figure::decimate::decimate;
+use crate::figure::{Figure, Room, WIDE};
+use crate::number::{Scale, fixed, percent, with_unit};
+use crate::table::{Column, Table};
+use files::error::Error;
+use results::SeriesInfo;
+
+/// The run that is drawn over the first one's.
+pub(super) struct Second<'a> {
+    /// Prefix of its columns in `series.csv`.
+    pub prefix: &'a str,
+    /// Beginning of the figures' ids.
+    pub id: &'a str,
+    /// What the titles say behind the quantity.
+    pub title: &'a str,
+    /// Palette class.
+    pub class: &'a str,
+    /// Names of the first and of this run, in legends and tables.
+    pub names: [&'a str; 2],
+    /// Moments worth a vertical line: time [s] and short label.
+    pub rules: &'a [(f64, String)],
+}
+
+/// One figure for the first history of `infos` that begins with each of `starts` and that the second run has too.
+pub(super) fn overlays(
+    source: &Source,
+    infos: &[SeriesInfo],
+    starts: &[&str],
+    second: &Second,
+) -> Result<Vec<Figure>, Error> {
+    let mut figures = Vec::new();
+    for start in starts {
+        let shown =
+            |s: &&SeriesInfo| s.id.starts_with(start) && source.column(&format!("{}{}", second.prefix, s.id)).is_some();
+        if let Some(info) = infos.iter().find(shown) {
+            figures.extend(overlay(source, info, second)?);
+        }
+    }
+    Ok(figures)
+}
+
+/// One history of both runs; `None` if a column is missing or empty.
+fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option<Figure>, Error> {
+    let columns = (
+        source.column(&info.id),
+        source.column(&format!("{}{}", second.prefix, info.id)),
+    );
+    let (Some(first), Some(other)) = columns else {
+        return Ok(None);
+    };
+    let time = &source.series.time;
+    let end = time.len().min(first.len()).min(other.len());
+    // An interrupted run ends before the record does.
+    let run = other[..end].iter().take_while(|v| v.is_finite()).count();
+    if run < 2 {
+        return Ok(None);
+    }
+    let values = first[..end].iter().chain(&other[..run]).copied();
+    let (low, high) = values.fold((0.0_f64, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
+    let x = Axis::exact("Time", Dimension::Time, (time[0], time[end - 1]), 8);
+    let y = Axis::linear(&info.title, info.dimension, [1.05 * low, 1.05 * high], 5);
+    let mut chart = Chart::new((WIDE, 0.0), x, y);
+    let peak = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let mut both = [
+        (first, end, "k-fe hist", second.names[0]),
+        (other, run, second.class, second.names[1]),
+    ];
+    // The larger one behind: a dense history would hide what lies under it.
+    both.sort_by(|a, b| peak(&b.0[..b.1]).total_cmp(&peak(&a.0[..a.1])));
+    for (values, n, class, label) in both {
+        chart.lines.push(Line {
+            points: decimate(&time[..n], &values[..n], (WIDE - 60.0) as usize),
+            class: class.into(),
+            label: label.into(),
+        });
+    }
+    chart.rules = second
+        .rules
+        .iter()
+        .map(|(x, label)| Rule {
+            x: *x,
+            label: label.clone(),
+        })
+        .collect();
+    let chart = chart.with_plot_height(96.0);
+    let apart = (0..run).map(|i| (first[i] - other[i]).abs()).fold(0.0, f64::max);
+    let largest = peak(&first[..end]);
+    let scale = Scale::of(info.dimension, [largest]);
+    let mut table = Table::new(vec![
+        Column::words("Value"),
+        Column::numbers(&info.title, scale.symbol()),
+    ]);
+    let [a, b] = second.names;
+    table.row(vec![format!("largest sample, {a}"), scale.text(largest)]);
+    table.row(vec![format!("largest sample, {b}"), scale.text(peak(&other[..run]))]);
+    table.row(vec!["largest difference of two samples".into(), scale.text(apart)]);
+    let mut caption = format!(
+        "Samples differ by at most {} of the largest.",
+        percent(apart / largest.max(f64::MIN_POSITIVE))
+    );
+    if run < end {
+        caption.push_str(&format!(" The {b} run ends at {} s.", fixed(time[run - 1], 2)));
+    }
+    Ok(Some(Figure {
+        id: format!("{}_{}", second.id, info.id),
+        title: format!("{}, {}", info.title, second.title),
+        caption,
+        titled: false,
+        description: format!(
+            "{} over time by the {a} and the {b} engine; largest sample {} and {}.",
+            info.title,
+            with_unit(largest, info.dimension),
+            with_unit(peak(&other[..run]), info.dimension)
+        ),
+        size: chart.size,
+        markup: chart.draw()?,
+        table,
+        room: Room::Wide,
+    }))
+}

@@ -1,0 +1,289 @@
+//! Pressure and stress over the height: profiles of the codes against the envelopes of the finite elements.
+
+use std::collections::BTreeMap;
+
+use tank::assessment::Profile;
+use tank::units::Dimension;
+
+use super::{Section, Source};
+use crate::figure::chart::{Axis, Band, Chart, Line};
+use crate::figure::{Figure, HALF, Room};
+use crate::methods::{Look, figure_order, look};
+use crate::number::{Scale, fixed};
+use crate::table::{Column, Table, spread};
+use files::error::Error;
+use results::Envelope;
+
+/// Order of the quantities over the height; others follow by id.
+const ORDER: [&str; 7] = [
+    "pressure",
+    "pressure_impulsive",
+    "pressure_convective",
+    "hoop_stress",
+    "axial_membrane_stress",
+    "bending_stress",
+    "radial_displacement",
+];
+
+/// Height of the plots in user units.
+const PLOT: f64 = 185.0;
+
+/// What is drawn into one panel: the engine's envelope and the codes' profiles.
+#[derive(Default)]
+struct Group<'a> {
+    envelope: Option<&'a Envelope>,
+    profiles: Vec<(Look, &'a Profile)>,
+    /// Profiles under the design spectrum of the site, drawn apart: another excitation.
+    site: Vec<(Look, &'a Profile)>,
+}
+
+/// Makes the section.
+pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let mut groups: BTreeMap<(usize, &str), Group> = BTreeMap::new();
+    let rank = |id: &str| ORDER.iter().position(|o| *o == id).unwrap_or(ORDER.len());
+    if let Some(fe) = &source.results.fe {
+        for envelope in fe.envelopes.iter().filter(|e| e.z.len() > 1) {
+            let id = envelope.id.as_str();
+            groups.entry((rank(id), id)).or_default().envelope = Some(envelope);
+        }
+    }
+    for i in figure_order(source.results) {
+        let method = &source.results.methods[i];
+        for profile in method.profiles.iter().filter(|p| p.z.len() > 1) {
+            // The engine has one seismic pressure; the codes call theirs the dynamic one.
+            let id = match profile.id.as_str() {
+                "pressure_dynamic" => "pressure",
+                id => id,
+            };
+            let group = groups.entry((rank(id), id)).or_default();
+            let look = look(method);
+            let list = if look.site {
+                &mut group.site
+            } else {
+                &mut group.profiles
+            };
+            list.push((look, profile));
+        }
+    }
+    let height = source.results.tank.tank.wall_height();
+    let (mut figures, mut site) = (Vec::new(), Vec::new());
+    for ((_, id), group) in &groups {
+        if !group.profiles.is_empty() {
+            figures.push(seismic(id, group.envelope, &group.profiles, height)?);
+        }
+        if let Some(envelope) = group.envelope {
+            figures.push(combined(envelope, height)?);
+        }
+        if !group.site.is_empty() {
+            site.push(seismic(&format!("{id}_site"), None, &group.site, height)?);
+        }
+    }
+    if figures.is_empty() && site.is_empty() {
+        return Ok(None);
+    }
+    let mut section = Section::new("profiles", "Pressure and stress over the height");
+    section.set("has_fe", &source.results.fe.is_some());
+    section.set("has_codes", &groups.values().any(|g| !g.profiles.is_empty()));
+    section.set_figures("figures", figures);
+    section.set_figures("site_figures", site);
+    Ok(Some(section))
+}
+
+fn pairs(values: &[f64], z: &[f64]) -> Vec<(f64, f64)> {
+    values.iter().copied().zip(z.iter().copied()).collect()
+}
+
+fn band(envelope: &Envelope, offset: bool) -> Vec<(f64, f64)> {
+    let shift = |i: usize| {
+        if offset {
+            envelope.static_.get(i).copied().unwrap_or(0.0)
+        } else {
+            0.0
+        }
+    };
+    let side = |values: &[f64]| -> Vec<(f64, f64)> {
+        values
+            .iter()
+            .enumerate()
+            .map(|(i, v)| (v + shift(i), envelope.z.get(i).copied().unwrap_or(0.0)))
+            .collect()
+    };
+    let mut points = side(&envelope.max);
+    points.extend(side(&envelope.min).into_iter().rev());
+    points
+}
+
+/// The seismic part: profiles of the codes, and the engine's largest and smallest values where they are comparable.
+fn seismic(id: &str, envelope: Option<&Envelope>, profiles: &[(Look, &Profile)], height: f64) -> Result<Figure, Error> {
+    let (title, dimension) = match (envelope, profiles.first()) {
+        (Some(e), _) => (e.title.clone(), e.dimension),
+        (None, Some((_, p))) => (p.title.clone(), p.dimension),
+        (None, None) => (String::new(), Dimension::Dimensionless),
+    };
+    let mut values: Vec<f64> = vec![0.0];
+    if let Some(e) = envelope {
+        values.extend(e.min.iter().chain(&e.max));
+    }
+    for (_, p) in profiles {
+        values.extend(&p.values);
+    }
+    let mut chart = chart(&title, dimension, values, height);
+    if let Some(e) = envelope {
+        chart.bands.push(Band {
+            points: band(e, false),
+            class: "k-fe".into(),
+            label: "Finite elements, range".into(),
+        });
+        for side in [&e.max, &e.min] {
+            chart.lines.push(Line {
+                points: pairs(side, &e.z),
+                class: "k-fe thin".into(),
+                label: String::new(),
+            });
+        }
+    }
+    for (look, p) in profiles {
+        chart.lines.push(Line {
+            points: pairs(&p.values, &p.z),
+            class: look.line_class(),
+            label: look.label.clone(),
+        });
+    }
+    let chart = chart.with_plot_height(PLOT);
+    Ok(Figure {
+        id: format!("profile_{id}"),
+        title: format!("{title}, seismic part"),
+        caption: String::new(),
+        titled: false,
+        description: format!(
+            "{title} over the height: {}{} procedures.",
+            if envelope.is_some() {
+                "envelope of the finite elements and "
+            } else {
+                ""
+            },
+            profiles.len()
+        ),
+        size: chart.size,
+        markup: chart.draw()?,
+        table: table(envelope, profiles, dimension),
+        room: Room::Half,
+    })
+}
+
+fn chart(title: &str, dimension: Dimension, values: Vec<f64>, height: f64) -> Chart {
+    let x = Axis::linear(title, dimension, values, 5);
+    let y = Axis::exact("Height z", Dimension::Length, (0.0, height), 5);
+    Chart::new((HALF, 0.0), x, y)
+}
+
+/// Static state and static plus seismic range of the finite elements.
+fn combined(e: &Envelope, height: f64) -> Result<Figure, Error> {
+    let corners = band(e, true);
+    let values: Vec<f64> = corners
+        .iter()
+        .map(|c| c.0)
+        .chain(e.static_.iter().copied())
+        .chain([0.0])
+        .collect();
+    let mut chart = chart(&e.title, e.dimension, values, height);
+    chart.bands.push(Band {
+        points: corners,
+        class: "k-fe".into(),
+        label: "static + seismic range".into(),
+    });
+    chart.lines.push(Line {
+        points: pairs(&e.static_, &e.z),
+        class: "k-static".into(),
+        label: "static".into(),
+    });
+    for side in [&e.max, &e.min] {
+        let points = e
+            .static_
+            .iter()
+            .zip(side.iter())
+            .map(|(s, v)| s + v)
+            .collect::<Vec<_>>();
+        chart.lines.push(Line {
+            points: pairs(&points, &e.z),
+            class: "k-fe thin".into(),
+            label: String::new(),
+        });
+    }
+    let chart = chart.with_plot_height(PLOT);
+    let scale = Scale::of(e.dimension, e.static_.iter().chain(&e.min).chain(&e.max).copied());
+    let mut table = Table::new(vec![
+        Column::numbers("z", "m"),
+        Column::numbers("Static", scale.symbol()),
+        Column::numbers("Seismic min", scale.symbol()),
+        Column::numbers("Seismic max", scale.symbol()),
+    ]);
+    for i in spread(e.z.len(), 24) {
+        let value = |v: &[f64]| v.get(i).map_or("–".into(), |v| scale.text(*v));
+        table.row(vec![fixed(e.z[i], 3), value(&e.static_), value(&e.min), value(&e.max)]);
+    }
+    Ok(Figure {
+        id: format!("envelope_{}", e.id),
+        title: format!("{}, finite elements with static state", e.title),
+        caption: String::new(),
+        titled: false,
+        description: format!(
+            "{} over the height: static state and the range with the earthquake.",
+            e.title
+        ),
+        size: chart.size,
+        markup: chart.draw()?,
+        table,
+        room: Room::Half,
+    })
+}
+
+/// Values at the stations of the first profile; others interpolated.
+fn table(envelope: Option<&Envelope>, profiles: &[(Look, &Profile)], dimension: Dimension) -> Table {
+    let mut values: Vec<f64> = profiles.iter().flat_map(|(_, p)| p.values.iter().copied()).collect();
+    if let Some(e) = envelope {
+        values.extend(e.min.iter().chain(&e.max));
+    }
+    let scale = Scale::of(dimension, values);
+    let mut columns = vec![Column::numbers("z", "m")];
+    if envelope.is_some() {
+        columns.push(Column::numbers("Finite elements min", scale.symbol()));
+        columns.push(Column::numbers("Finite elements max", scale.symbol()));
+    }
+    columns.extend(
+        profiles
+            .iter()
+            .map(|(l, _)| Column::numbers(&l.full_label(), scale.symbol())),
+    );
+    let mut table = Table::new(columns);
+    let stations = profiles.first().map_or(&[][..], |(_, p)| &p.z);
+    for i in spread(stations.len(), 21) {
+        let z = stations[i];
+        let mut row = vec![fixed(z, 3)];
+        let mut add = |zs: &[f64], values: &[f64]| {
+            row.push(interpolate(zs, values, z).map_or("–".into(), |v| scale.text(v)));
+        };
+        if let Some(e) = envelope {
+            add(&e.z, &e.min);
+            add(&e.z, &e.max);
+        }
+        for (_, p) in profiles {
+            add(&p.z, &p.values);
+        }
+        table.row(row);
+    }
+    table
+}
+
+fn interpolate(z: &[f64], values: &[f64], at: f64) -> Option<f64> {
+    let upper = z.iter().position(|v| *v >= at - 1e-12)?;
+    let value = *values.get(upper)?;
+    if upper == 0 {
+        return ((z[0] - at).abs() < 1e-9).then_some(value);
+    }
+    let (a, b) = (z[upper - 1], z[upper]);
+    if b == a {
+        return Some(value);
+    }
+    Some(values[upper - 1] + (value - values[upper - 1]) * (at - a) / (b - a))
+}

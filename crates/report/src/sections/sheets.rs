@@ -1,0 +1,135 @@
+//! Calculation sheets: symbol = formula = numbers = value, unit, clause. The sheet of a procedure on the spectrum of the
+//! site shows only the lines that differ from its sheet on the record.
+
+use serde::Serialize;
+use tank::assessment::Excitation;
+
+use super::{Section, Source};
+use crate::math;
+use crate::methods::excitation;
+use crate::number::parts;
+use files::error::Error;
+use results::{Method, Status};
+
+#[derive(Serialize)]
+struct Sheet {
+    id: String,
+    title: String,
+    excitation: &'static str,
+    not_applicable: Vec<String>,
+    /// Lines left out because they are those of the sheet for the record, and its id.
+    shared: usize,
+    base: String,
+    parts: Vec<Part>,
+    assumptions: Vec<String>,
+    notes: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Part {
+    title: String,
+    lines: Vec<LineView>,
+}
+
+#[derive(Serialize)]
+struct LineView {
+    name: String,
+    /// MathML, made by [`math`].
+    symbol: String,
+    formula: String,
+    substitution: String,
+    value: String,
+    unit: &'static str,
+    clause: String,
+}
+
+/// Makes the section.
+pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let sheets: Vec<Sheet> = source
+        .results
+        .methods
+        .iter()
+        .filter(|m| {
+            let said = !m.steps.is_empty() || !m.assumptions.is_empty() || !m.notes.is_empty();
+            m.id != "measured" && (said || m.status != Status::Computed)
+        })
+        .map(|m| sheet(m, source.results.methods.iter().find(|r| is_base(r, m))))
+        .collect();
+    if sheets.is_empty() {
+        return Ok(None);
+    }
+    let mut section = Section::new("sheets", "Calculation sheets");
+    section.set("sheets", &sheets);
+    Ok(Some(section))
+}
+
+fn sheet_id(method: &Method) -> String {
+    format!("sheet-{}-{}", method.id, excitation(method))
+}
+
+/// Whether `base` is the same procedure as `method` on the record, where `method` is on the spectrum of the site.
+fn is_base(base: &Method, method: &Method) -> bool {
+    base.id == method.id && base.excitation == Excitation::Record && method.excitation == Excitation::Site
+}
+
+fn sheet(method: &Method, base: Option<&Method>) -> Sheet {
+    let known = base.map_or(&[][..], |b| &b.steps);
+    let mut shared = 0;
+    let mut sections: Vec<Part> = Vec::new();
+    for step in &method.steps {
+        if known.contains(step) {
+            shared += 1;
+            continue;
+        }
+        if sections.last().is_none_or(|s| s.title != step.section) {
+            sections.push(Part {
+                title: step.section.clone(),
+                lines: Vec::new(),
+            });
+        }
+        let (value, unit) = parts(step.value, step.dimension);
+        let set = |text: &str| {
+            if text.is_empty() {
+                String::new()
+            } else {
+                math::formula(text)
+            }
+        };
+        // "H/R = H/R" says nothing.
+        let formula = if step.formula == step.symbol {
+            ""
+        } else {
+            step.formula.as_str()
+        };
+        let substitution = if step.substitution == step.formula {
+            ""
+        } else {
+            step.substitution.as_str()
+        };
+        if let Some(part) = sections.last_mut() {
+            part.lines.push(LineView {
+                name: step.name.clone(),
+                symbol: math::symbol(&step.symbol),
+                formula: set(formula),
+                substitution: set(substitution),
+                value,
+                unit,
+                clause: step.clause.clone(),
+            });
+        }
+    }
+    Sheet {
+        id: sheet_id(method),
+        title: method.title.clone(),
+        excitation: excitation(method),
+        not_applicable: match &method.status {
+            Status::Computed => Vec::new(),
+            Status::NotApplicable { clause, reason } => vec![format!("{clause}: {reason}")],
+        },
+        shared,
+        base: base.map_or(String::new(), sheet_id),
+        parts: sections,
+        assumptions: method.assumptions.clone(),
+        notes: method.notes.clone(),
+    }
+}

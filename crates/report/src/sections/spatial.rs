@@ -1,0 +1,292 @@
+//! The three-dimensional run: mesh, mode shapes, deformed shapes, maps of the wall, and how far it is from the harmonic
+//! engine.
+
+use tank::units::Dimension;
+
+use super::{Section, Source, capital, engine, overlay};
+use crate::figure::scene::{self, Face, Part};
+use crate::figure::{Figure, Room, map};
+use crate::number::{Scale, count, fixed, percent, ratio, significant, with_unit};
+use crate::table::{Column, Table, spread};
+use files::error::Error;
+use results::compare::{FE, FE_SOLID};
+use results::{DeformedShape, Fields, Picture, SOLID_PREFIX};
+
+/// Part of the tank's largest dimension that the largest displacement drawn takes.
+const SWING: f64 = 0.12;
+/// Histories of both engines drawn over each other, by the beginning of their id.
+const OVERLAID: [&str; 3] = ["wave_height", "base_shear", "base_moment"];
+
+/// Makes the section.
+pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let results = source.results;
+    let solid = results.fe_solid.as_ref();
+    let fields = solid.or(results.fe.as_ref()).and_then(|fe| fe.fields.as_ref());
+    if solid.is_none() && fields.is_none() {
+        return Ok(None);
+    }
+    if fields.is_some_and(|fields| !sound(fields)) {
+        return Err(Error::Report(
+            "fields: a face or a displacement without its node".into(),
+        ));
+    }
+    let mut section = Section::new("spatial", "Three-dimensional run");
+    section.set("difference", &difference(source));
+    section.set("own_engine", &solid.is_some());
+    if let Some(solid) = solid {
+        engine::fill(&mut section, solid);
+    }
+    section.set_figures("overlays", overlays(source)?);
+    let drawn = |draw: fn(&Fields) -> Vec<Figure>| fields.map_or(Vec::new(), draw);
+    section.set_figures("mesh_figures", drawn(|f| vec![mesh(f)]));
+    section.set_figures(
+        "mode_figures",
+        drawn(|f| numbered(&f.modes, |i, m| Some(mode(f, i, m)))),
+    );
+    section.set_figures(
+        "moment_figures",
+        drawn(|f| numbered(&f.moments, |i, m| Some(moment(f, i, m)))),
+    );
+    section.set_figures(
+        "map_figures",
+        drawn(|f| numbered(&f.maps, |i, m| map::figure(&format!("map_{}_{}", i + 1, m.id), m))),
+    );
+    Ok(Some(section))
+}
+
+/// Figures of a list, numbered from 0.
+fn numbered<T>(list: &[T], draw: impl Fn(usize, &T) -> Option<Figure>) -> Vec<Figure> {
+    list.iter().enumerate().filter_map(|(i, item)| draw(i, item)).collect()
+}
+
+/// Whether every face has its nodes and every displacement is one a node.
+fn sound(fields: &Fields) -> bool {
+    let nodes = fields.nodes.len();
+    let shapes = fields.modes.iter().map(|m| &m.displacement);
+    let mut shapes = shapes.chain(fields.moments.iter().map(|m| &m.displacement));
+    fields.wall.iter().chain(&fields.surface).flatten().all(|&i| i < nodes) && shapes.all(|d| d.len() == nodes)
+}
+
+/// Quantities of both engines with their difference and the estimated error of the spatial mesh.
+fn difference(source: &Source) -> Table {
+    let results = source.results;
+    let column = |id: &str| results.methods.iter().position(|m| m.id == id);
+    let (Some(harmonic), Some(solid)) = (column(FE), column(FE_SOLID)) else {
+        return Table::default();
+    };
+    let error = |id: &str| results.fe_solid.as_ref().and_then(|fe| fe.mesh_error.get(id));
+    let mut table = Table::new(vec![
+        Column::words("Quantity"),
+        Column::words("Unit"),
+        Column::numbers("Harmonic", ""),
+        Column::numbers("Three-dimensional", ""),
+        Column::numbers("Difference", ""),
+        Column::numbers("Estimated error of the spatial mesh", ""),
+    ]);
+    for row in &results.comparison.rows {
+        let cell = |i: usize| row.cells.get(i).copied().flatten();
+        let (Some(a), Some(b)) = (cell(harmonic), cell(solid)) else {
+            continue;
+        };
+        let scale = Scale::of(row.dimension, [a.value, b.value]);
+        table.row(vec![
+            row.title.clone(),
+            scale.symbol().into(),
+            scale.text(a.value),
+            scale.text(b.value),
+            b.ratio.map_or("–".into(), |r| signed(r - 1.0)),
+            error(&row.quantity).map_or("–".into(), |e| percent(*e)),
+        ]);
+    }
+    table
+}
+
+/// A relative difference with its sign, in percent.
+fn signed(difference: f64) -> String {
+    let text = format!("{}\u{a0}%", fixed(100.0 * difference, 2));
+    if difference > 0.0 { format!("+{text}") } else { text }
+}
+
+/// Histories of both engines.
+fn overlays(source: &Source) -> Result<Vec<Figure>, Error> {
+    let (Some(fe), Some(_)) = (&source.results.fe, &source.results.fe_solid) else {
+        return Ok(Vec::new());
+    };
+    let second = overlay::Second {
+        prefix: SOLID_PREFIX,
+        id: "both",
+        title: "both engines",
+        class: "k-fe-solid hist",
+        names: ["harmonic", "three-dimensional"],
+        rules: &[],
+    };
+    overlay::overlays(source, &fe.series, &OVERLAID, &second)
+}
+
+/// Faces with the displacements of wall and surface multiplied by a factor each.
+fn faces(fields: &Fields, displacement: Option<&[[f64; 3]]>, wall: f64, surface: f64) -> Vec<Face> {
+    let moved = |i: usize, factor: f64| {
+        let (p, u) = (fields.nodes[i], displacement.map_or([0.0; 3], |d| d[i]));
+        [0, 1, 2].map(|k| p[k] + factor * u[k])
+    };
+    let part = |list: &[[usize; 4]], part: Part, factor: f64| -> Vec<Face> {
+        let face = |f: &[usize; 4]| Face {
+            corners: f.map(|i| moved(i, factor)),
+            part,
+        };
+        list.iter().map(face).collect()
+    };
+    let mut all = part(&fields.wall, Part::Wall, wall);
+    all.extend(part(&fields.surface, Part::Surface, surface));
+    all
+}
+
+/// The tank at rest as lines: rims of wall and surface, contours of the wall.
+fn ghost(fields: &Fields) -> Vec<Vec<[f64; 3]>> {
+    let mut edges = scene::rims(&fields.wall);
+    edges.extend(scene::rims(&fields.surface));
+    edges.extend(scene::contours(&fields.nodes, &fields.wall));
+    edges.iter().map(|e| e.map(|i| fields.nodes[i]).to_vec()).collect()
+}
+
+/// Largest dimension of the tank [m].
+fn dimension(fields: &Fields) -> f64 {
+    (0..3)
+        .map(|k| {
+            let values = fields.nodes.iter().map(|p| p[k]);
+            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+            high - low
+        })
+        .fold(0.0, f64::max)
+}
+
+/// Largest displacement of the nodes that these faces use.
+fn largest(faces: &[[usize; 4]], displacement: &[[f64; 3]]) -> f64 {
+    let length = |i: &usize| displacement[*i].iter().map(|u| u * u).sum::<f64>().sqrt();
+    faces.iter().flatten().map(length).fold(0.0, f64::max)
+}
+
+fn mesh(fields: &Fields) -> Figure {
+    let (size, markup) = scene::draw(&faces(fields, None, 0.0, 0.0), &[], &[]);
+    let mut table = Table::new(vec![Column::words("Drawn"), Column::numbers("Number", "")]);
+    for (label, number) in [
+        ("nodes of wall and free surface", fields.nodes.len()),
+        ("elements of the wall", fields.wall.len()),
+        ("elements of the free surface", fields.surface.len()),
+    ] {
+        table.row(vec![label.into(), count(number)]);
+    }
+    Figure {
+        id: "mesh_spatial".into(),
+        title: "Mesh of wall and free surface".into(),
+        caption: String::new(),
+        titled: false,
+        description: format!(
+            "The tank {}: {} elements of the wall, {} of the free surface.",
+            scene::eye(),
+            count(fields.wall.len()),
+            count(fields.surface.len())
+        ),
+        size,
+        markup,
+        table,
+        room: Room::Half,
+    }
+}
+
+fn mode(fields: &Fields, index: usize, mode: &Picture) -> Figure {
+    let unit = largest(&fields.wall, &mode.displacement).max(largest(&fields.surface, &mode.displacement));
+    let factor = SWING * dimension(fields) / unit.max(f64::MIN_POSITIVE);
+    let (size, markup) = scene::draw(
+        &faces(fields, Some(&mode.displacement), factor, factor),
+        &ghost(fields),
+        &fields.nodes,
+    );
+    let frequency = mode.omega / std::f64::consts::TAU;
+    Figure {
+        id: format!("mode_spatial_{}", index + 1),
+        title: capital(&mode.title),
+        caption: format!("{} Hz.", significant(frequency, 4)),
+        titled: false,
+        description: format!(
+            "Mode shape at {} Hz, circumferential wave number {}, {}; largest displacement of the wall {}, of the \
+             free surface {} of the largest.",
+            significant(frequency, 4),
+            mode.circumferential,
+            scene::eye(),
+            percent(largest(&fields.wall, &mode.displacement) / unit.max(f64::MIN_POSITIVE)),
+            percent(largest(&fields.surface, &mode.displacement) / unit.max(f64::MIN_POSITIVE)),
+        ),
+        size,
+        markup,
+        table: displacements(fields, &mode.displacement, None),
+        room: Room::Half,
+    }
+}
+
+fn moment(fields: &Fields, index: usize, moment: &DeformedShape) -> Figure {
+    // Walls move by millimetres where waves rise by decimetres: each has its own round factor.
+    let factor = |part: &[[usize; 4]]| {
+        let most = largest(part, &moment.displacement);
+        scene::round_down(SWING * dimension(fields) / most.max(f64::MIN_POSITIVE))
+    };
+    let (wall, surface) = (factor(&fields.wall), factor(&fields.surface));
+    let (size, markup) = scene::draw(
+        &faces(fields, Some(&moment.displacement), wall, surface),
+        &ghost(fields),
+        &fields.nodes,
+    );
+    let factors = format!(
+        "Displacements of the wall × {}, of the free surface × {}",
+        factor_text(wall),
+        factor_text(surface)
+    );
+    let most = |part: &[[usize; 4]]| with_unit(largest(part, &moment.displacement), Dimension::Length);
+    Figure {
+        id: format!("moment_{}", index + 1),
+        title: format!("{}, t = {} s", capital(&moment.title), fixed(moment.time, 3)),
+        caption: format!("{factors}; dashed: at rest."),
+        titled: false,
+        description: format!(
+            "Deformed tank {}. {factors}. Largest displacement of the wall {}, of the free surface {}.",
+            scene::eye(),
+            most(&fields.wall),
+            most(&fields.surface)
+        ),
+        size,
+        markup,
+        table: displacements(fields, &moment.displacement, Some(Dimension::Length)),
+        room: Room::Half,
+    }
+}
+
+/// A round factor without idle digits.
+fn factor_text(factor: f64) -> String {
+    if factor >= 10.0 {
+        count(factor.round() as usize)
+    } else {
+        ratio(factor).trim_end_matches('0').trim_end_matches('.').into()
+    }
+}
+
+/// Displacements of some nodes; without a dimension they are relative.
+fn displacements(fields: &Fields, displacement: &[[f64; 3]], dimension: Option<Dimension>) -> Table {
+    let scale = Scale::of(
+        dimension.unwrap_or(Dimension::Dimensionless),
+        displacement.iter().flatten().copied(),
+    );
+    let mut table = Table::new(vec![
+        Column::numbers("x", "m"),
+        Column::numbers("y", "m"),
+        Column::numbers("z", "m"),
+        Column::numbers("u_x", scale.symbol()),
+        Column::numbers("u_y", scale.symbol()),
+        Column::numbers("u_z", scale.symbol()),
+    ]);
+    for i in spread(fields.nodes.len(), 24) {
+        let place = fields.nodes[i].map(|x| fixed(x, 3));
+        let moved = displacement[i].map(|u| scale.text(u));
+        table.row(place.into_iter().chain(moved).collect());
+    }
+    table
+}

@@ -1,0 +1,262 @@
+//! First page: verdict, governing check, key figures, the three headline quantities.
+
+use serde::Serialize;
+use tank::Quantity;
+use tank::Shape;
+use tank::units::Dimension;
+
+use super::{Section, Source, capital};
+use crate::figure::Figure;
+use crate::figure::bars::{Bar, bars};
+use crate::methods::{excitation, figure_order, look};
+use crate::number::{Scale, fixed, given, percent, ratio, with_unit};
+use files::error::Error;
+use results::{Limit, Results};
+
+/// Headline quantities: sloshing height, base moment, membrane stresses.
+const HEADLINES: [Quantity; 4] = [
+    Quantity::SloshingHeight,
+    Quantity::BaseMoment,
+    Quantity::HoopStress,
+    Quantity::AxialMembraneStress,
+];
+
+#[derive(Serialize)]
+struct Verdict {
+    class: &'static str,
+    sign: &'static str,
+    headline: String,
+}
+
+#[derive(Serialize)]
+struct Governing {
+    name: String,
+    method: String,
+    clause: String,
+    demand: String,
+    capacity: String,
+    unit: &'static str,
+    utilisation: String,
+    width: f64,
+    holds: bool,
+    note: String,
+}
+
+#[derive(Serialize)]
+struct Fact {
+    label: String,
+    value: String,
+}
+
+#[derive(Serialize)]
+struct Warning {
+    name: String,
+    found: String,
+    note: String,
+}
+
+/// Makes the section.
+pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let results = source.results;
+    let mut section = Section::new("summary", "Summary");
+    section.set("name", &results.name);
+    section.set("subtitle", &subtitle(source));
+    section.set("verdict", &verdict(results));
+    section.set("governing", &governing(results).into_iter().collect::<Vec<_>>());
+    section.set("facts", &facts(source));
+    section.set("warnings", &warnings(results));
+    section.set("unusual", &results.warnings);
+    section.set("has_fe", &source.fe().is_some());
+    section.set(
+        "has_site",
+        &results.methods.iter().any(|m| look(m).site && !m.quantities.is_empty()),
+    );
+    section.set_figures("figures", headline_figures(results));
+    Ok(Some(section))
+}
+
+fn subtitle(source: &Source) -> String {
+    if source.fe().is_some() {
+        "Seismic verification: code procedures beside a coupled finite-element time history".into()
+    } else {
+        "Seismic verification by code procedures".into()
+    }
+}
+
+fn verdict(results: &Results) -> Verdict {
+    let v = &results.verdict;
+    let checks = |n: usize| if n == 1 { "check" } else { "checks" };
+    if v.incomplete {
+        Verdict {
+            class: "fail",
+            sign: "✗",
+            headline: match v.reason.as_str() {
+                "" => "Incomplete: the finite-element run was interrupted, its extremes are not final".into(),
+                reason => reason.into(),
+            },
+        }
+    } else if v.checks == 0 {
+        Verdict {
+            class: "none",
+            sign: "–",
+            headline: "No check applies to this input".into(),
+        }
+    } else if v.holds {
+        Verdict {
+            class: "ok",
+            sign: "✓",
+            headline: match v.checks {
+                1 => "The one applicable check holds".into(),
+                n => format!("All {n} applicable checks hold"),
+            },
+        }
+    } else {
+        Verdict {
+            class: "fail",
+            sign: "✗",
+            headline: format!(
+                "{} of {} {} {}",
+                v.failed,
+                v.checks,
+                checks(v.checks),
+                if v.failed == 1 { "fails" } else { "fail" }
+            ),
+        }
+    }
+}
+
+fn governing(results: &Results) -> Option<Governing> {
+    let governing = results.verdict.governing.as_ref()?;
+    let check = &governing.check;
+    let scale = Scale::of(check.dimension, [check.demand, check.capacity]);
+    let method = results
+        .methods
+        .iter()
+        .find(|m| m.id == governing.method && m.excitation == governing.excitation);
+    Some(Governing {
+        name: capital(&check.name),
+        method: method.map_or(governing.method.clone(), |m| format!("{}, {}", m.title, excitation(m))),
+        clause: check.clause.clone(),
+        demand: scale.text(check.demand),
+        capacity: scale.text(check.capacity),
+        unit: scale.symbol(),
+        utilisation: percent(check.utilisation),
+        width: bar_width(check.utilisation),
+        holds: check.holds,
+        note: check.note.clone(),
+    })
+}
+
+/// Length of a utilisation bar in percent of its track, on which 100 % utilisation lies at two thirds.
+pub fn bar_width(utilisation: f64) -> f64 {
+    if utilisation.is_finite() {
+        (utilisation.max(0.0) * 200.0 / 3.0).min(100.0).round()
+    } else {
+        100.0
+    }
+}
+
+fn facts(source: &Source) -> Vec<Fact> {
+    let summary = &source.results.tank;
+    let depth = summary.liquid.fill_height;
+    let mut facts = Vec::new();
+    let mut add = |label: &str, value: String| {
+        facts.push(Fact {
+            label: label.into(),
+            value,
+        });
+    };
+    match summary.tank.shape {
+        Shape::Cylinder { radius } => {
+            add("Radius R", given(radius, Dimension::Length));
+            add("Liquid depth H", given(depth, Dimension::Length));
+            add("H / R", ratio(depth / radius));
+        }
+        Shape::Rectangle { length, breadth, strip } => {
+            add("Length 2L", given(length, Dimension::Length));
+            if !strip {
+                add("Breadth", given(breadth, Dimension::Length));
+            }
+            add("Liquid depth H", given(depth, Dimension::Length));
+            add("H / L", ratio(2.0 * depth / length));
+        }
+    }
+    let strip = matches!(summary.tank.shape, Shape::Rectangle { strip: true, .. });
+    let label = if strip {
+        "Liquid mass of the strip"
+    } else {
+        "Liquid mass"
+    };
+    add(label, with_unit(summary.liquid_mass, Dimension::Mass));
+    if let Some(record) = source.results.records.first() {
+        add(
+            "Peak ground acceleration",
+            format!("{}\u{a0}g", fixed(record.pga / summary.gravity, 3)),
+        );
+    }
+    if let Some(t) = source.best("sloshing_period") {
+        add("First sloshing period", with_unit(t, Dimension::Time));
+    }
+    if let Some(t) = source.best("impulsive_period") {
+        add("First structural period", with_unit(t, Dimension::Time));
+    }
+    facts
+}
+
+fn warnings(results: &Results) -> Vec<Warning> {
+    // A limit that several engines exceed is told once.
+    let harmonic: Vec<&Limit> = results
+        .fe
+        .iter()
+        .flat_map(|fe| &fe.limits)
+        .filter(|l| !l.holds)
+        .collect();
+    let second = results
+        .fe_solid
+        .iter()
+        .chain(&results.fe_nonlinear)
+        .flat_map(|fe| &fe.limits);
+    let others = second.filter(|l| !l.holds && harmonic.iter().all(|h| h.id != l.id));
+    harmonic
+        .iter()
+        .copied()
+        .chain(others)
+        .map(|l| {
+            let scale = Scale::of(l.dimension, [l.value, l.limit]);
+            let unit = scale.symbol();
+            Warning {
+                name: capital(&l.name),
+                found: format!("{} against {} {unit}", scale.text(l.value), scale.text(l.limit)),
+                note: capital(&l.note),
+            }
+        })
+        .collect()
+}
+
+fn headline_figures(results: &Results) -> Vec<Figure> {
+    let order = figure_order(results);
+    let mut figures = Vec::new();
+    for quantity in HEADLINES {
+        let Some(row) = results.comparison.rows.iter().find(|r| r.quantity == quantity.id()) else {
+            continue;
+        };
+        let values: Vec<Bar> = order
+            .iter()
+            .filter_map(|&i| {
+                let cell = row.cells.get(i).copied().flatten()?;
+                Some(Bar {
+                    look: look(results.methods.get(i)?),
+                    value: cell.value,
+                    ratio: cell.ratio,
+                })
+            })
+            .collect();
+        figures.extend(bars(
+            &format!("bars_{}", row.quantity),
+            &row.title,
+            row.dimension,
+            &values,
+        ));
+    }
+    figures
+}

@@ -1,0 +1,218 @@
+//! The tank: sketch to scale, courses, masses, deformability.
+
+use serde::Serialize;
+use tank::units::Dimension;
+use tank::{BarDirection, LayerKind, Shape, Support};
+
+use super::{Section, Source, capital};
+use crate::figure::{Figure, Room, sketch};
+use crate::number::{Scale, given, plain, significant};
+use crate::table::{Column, Table};
+use files::error::Error;
+
+#[derive(Serialize)]
+struct Deformability {
+    as_printed: String,
+    corrected: String,
+    note: String,
+}
+
+/// Makes the section.
+pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let summary = &source.results.tank;
+    let tank = &summary.tank;
+    let mut section = Section::new("tank", "Tank and liquid");
+    let (size, markup, exaggeration) = sketch::draw(summary);
+    let plan = match tank.shape {
+        Shape::Cylinder { .. } => "upright cylinder",
+        Shape::Rectangle { strip: true, .. } => "strip of a long rectangular tank",
+        Shape::Rectangle { .. } => "rectangle",
+    };
+    let support = match tank.support {
+        Support::Anchored => "anchored",
+        Support::Unanchored => "resting on the ground",
+    };
+    let caption = if exaggeration > 1.0 {
+        format!(
+            "Section and plan to one scale; wall thickness drawn {} times.",
+            plain(exaggeration, 0)
+        )
+    } else {
+        "Section and plan to one scale.".into()
+    };
+    section.set_figures(
+        "figures",
+        vec![Figure {
+            id: "sketch".into(),
+            title: "Tank".into(),
+            caption,
+            titled: false,
+            description: format!(
+                "Section through the tank ({plan}, {support}), wall {} high in {} courses, liquid {} deep.",
+                given(tank.wall_height(), Dimension::Length),
+                tank.courses.len(),
+                given(summary.liquid.fill_height, Dimension::Length)
+            ),
+            size,
+            markup,
+            table: courses(source),
+            room: Room::Wide,
+        }],
+    );
+    let mut facts = Table::new(vec![
+        Column::words("Property"),
+        Column::numbers("Value", ""),
+        Column::words("Unit"),
+    ]);
+    let mut fact = |label: &str, value: f64, dimension| {
+        let scale = Scale::of(dimension, [value]);
+        facts.row(vec![label.into(), scale.given(value), scale.symbol().into()]);
+    };
+    fact("Liquid mass", summary.liquid_mass, Dimension::Mass);
+    fact("Liquid density", summary.liquid.density, Dimension::Density);
+    fact("Wall mass", summary.wall_mass, Dimension::Mass);
+    if tank.roof.mass > 0.0 {
+        fact("Roof mass", tank.roof.mass, Dimension::Mass);
+        fact(
+            "Height of the roof's centre of mass",
+            tank.roof_height(),
+            Dimension::Length,
+        );
+    }
+    fact(
+        "Freeboard",
+        tank.wall_height() - summary.liquid.fill_height,
+        Dimension::Length,
+    );
+    fact("Acceleration of free fall", summary.gravity, Dimension::Acceleration);
+    if let Some(bottom) = &tank.bottom {
+        fact(
+            "Thickness of the bottom plate under the shell",
+            bottom.thickness,
+            Dimension::Length,
+        );
+    }
+    if let Some(anchors) = &tank.anchors {
+        fact("Number of anchors", f64::from(anchors.count), Dimension::Dimensionless);
+        if let Some(capacity) = anchors.capacity {
+            fact("Capacity of one anchor", capacity, Dimension::Force);
+        }
+    }
+    section.set("plan", &capital(plan));
+    section.set("support", support);
+    section.set("facts", &facts);
+    section.set("courses", &courses(source));
+    section.set("layers", &layers(source));
+    let deformability: Vec<Deformability> = summary
+        .deformability
+        .iter()
+        .map(|d| Deformability {
+            as_printed: significant(d.as_printed, 4),
+            corrected: significant(d.corrected, 4),
+            note: d.note.clone(),
+        })
+        .collect();
+    section.set("deformability", &deformability);
+    Ok(Some(section))
+}
+
+fn courses(source: &Source) -> Table {
+    let courses = &source.results.tank.tank.courses;
+    let height = Scale::of(Dimension::Length, courses.iter().map(|c| c.height));
+    let thickness = Scale::of(Dimension::Length, courses.iter().map(|c| c.thickness));
+    let modulus = Scale::of(Dimension::Stress, courses.iter().map(|c| c.material.youngs_modulus));
+    let density = Scale::of(Dimension::Density, courses.iter().map(|c| c.material.density));
+    let yields = courses.iter().filter_map(|c| c.material.yield_strength);
+    let strength = Scale::of(Dimension::Stress, yields);
+    let mut table = Table::new(vec![
+        Column::numbers("Course", ""),
+        Column::numbers("Height", height.symbol()),
+        Column::numbers("Thickness", thickness.symbol()),
+        Column::words("Material"),
+        Column::numbers("Young’s modulus", modulus.symbol()),
+        Column::numbers("Poisson’s ratio", ""),
+        Column::numbers("Density", density.symbol()),
+        Column::numbers("Yield strength", strength.symbol()),
+    ]);
+    for (i, c) in courses.iter().enumerate() {
+        table.row(vec![
+            format!("{}", i + 1),
+            height.given(c.height),
+            thickness.given(c.thickness),
+            c.material.name.clone(),
+            modulus.given(c.material.youngs_modulus),
+            plain(c.material.poisson_ratio, 3),
+            density.given(c.material.density),
+            c.material.yield_strength.map_or("–".into(), |f| strength.given(f)),
+        ]);
+    }
+    table.caption = "Courses from the base up".into();
+    table
+}
+
+/// Layers and bars of layered courses: no table, or one or two.
+fn layers(source: &Source) -> Vec<Table> {
+    let courses = &source.results.tank.tank.courses;
+    let all = || {
+        let courses = courses.iter().enumerate();
+        courses.flat_map(|(i, c)| c.layers.iter().enumerate().map(move |(j, l)| (i + 1, j + 1, l)))
+    };
+    let thickness = Scale::of(Dimension::Length, all().map(|(_, _, l)| l.thickness));
+    let modulus = Scale::of(Dimension::Stress, all().map(|(_, _, l)| l.material.youngs_modulus));
+    let density = Scale::of(Dimension::Density, all().map(|(_, _, l)| l.material.density));
+    let mut table = Table::new(vec![
+        Column::numbers("Course", ""),
+        Column::numbers("Layer", ""),
+        Column::words("Kind"),
+        Column::numbers("Thickness", thickness.symbol()),
+        Column::words("Material"),
+        Column::words("Behaviour"),
+        Column::numbers("Modulus", modulus.symbol()),
+        Column::numbers("Density", density.symbol()),
+    ]);
+    for (course, layer, l) in all() {
+        table.row(vec![
+            course.to_string(),
+            layer.to_string(),
+            match l.kind {
+                LayerKind::Shell => "shell".into(),
+                LayerKind::Interlayer => "interlayer".into(),
+            },
+            thickness.given(l.thickness),
+            l.material.name.clone(),
+            l.material.behaviour.kind().into(),
+            modulus.given(l.material.youngs_modulus),
+            density.given(l.material.density),
+        ]);
+    }
+    table.caption = "Layers from inside to outside; the table above has the equivalent homogeneous wall".into();
+    let bars = || all().flat_map(|(i, j, l)| l.reinforcement.iter().map(move |b| (i, j, b)));
+    let area = Scale::of(Dimension::LineArea, bars().map(|(_, _, b)| b.area));
+    let depth = Scale::of(Dimension::Length, bars().map(|(_, _, b)| b.depth));
+    let mut steel = Table::new(vec![
+        Column::numbers("Course", ""),
+        Column::numbers("Layer", ""),
+        Column::words("Direction"),
+        Column::numbers("Area", area.symbol()),
+        Column::numbers("Distance from the inner face", depth.symbol()),
+        Column::words("Material"),
+    ]);
+    for (course, layer, b) in bars() {
+        steel.row(vec![
+            course.to_string(),
+            layer.to_string(),
+            match b.direction {
+                BarDirection::Hoop => "hoop".into(),
+                BarDirection::Vertical => "vertical".into(),
+            },
+            area.given(b.area),
+            depth.given(b.depth),
+            b.material.name.clone(),
+        ]);
+    }
+    steel.caption = "Bars (nonlinear engine)".into();
+    let mut tables = Vec::new();
+    tables.extend(all().next().map(|_| table));
+    tables.extend(bars().next().map(|_| steel));
+    tables
+}

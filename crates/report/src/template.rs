@@ -1,0 +1,220 @@
+//! Templates: embedded ones, and a folder of the user's that replaces them by name.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use tera::{Context, Tera};
+
+use crate::math;
+use files::error::Error;
+use files::text::line;
+use results::describe;
+
+/// The embedded templates by name.
+const EMBEDDED: &[(&str, &str)] = &[
+    ("report.html", include_str!("../../../templates/report.html")),
+    ("components.html", include_str!("../../../templates/components.html")),
+    ("style.css", include_str!("../../../templates/style.css")),
+    ("figure.css", include_str!("../../../templates/figure.css")),
+    (
+        "verification.html",
+        include_str!("../../../templates/verification.html"),
+    ),
+    ("ida.html", include_str!("../../../templates/ida.html")),
+    ("push.html", include_str!("../../../templates/push.html")),
+    ("fields.css", include_str!("../../../templates/fields.css")),
+    ("nonlinear.css", include_str!("../../../templates/nonlinear.css")),
+    (
+        "sections/summary.html",
+        include_str!("../../../templates/sections/summary.html"),
+    ),
+    (
+        "sections/comparison.html",
+        include_str!("../../../templates/sections/comparison.html"),
+    ),
+    (
+        "sections/partings.html",
+        include_str!("../../../templates/sections/partings.html"),
+    ),
+    (
+        "sections/reported.html",
+        include_str!("../../../templates/sections/reported.html"),
+    ),
+    (
+        "sections/input.html",
+        include_str!("../../../templates/sections/input.html"),
+    ),
+    (
+        "sections/tank.html",
+        include_str!("../../../templates/sections/tank.html"),
+    ),
+    (
+        "sections/motion.html",
+        include_str!("../../../templates/sections/motion.html"),
+    ),
+    (
+        "sections/spectra.html",
+        include_str!("../../../templates/sections/spectra.html"),
+    ),
+    (
+        "sections/modes.html",
+        include_str!("../../../templates/sections/modes.html"),
+    ),
+    (
+        "sections/profiles.html",
+        include_str!("../../../templates/sections/profiles.html"),
+    ),
+    (
+        "sections/histories.html",
+        include_str!("../../../templates/sections/histories.html"),
+    ),
+    (
+        "sections/spatial.html",
+        include_str!("../../../templates/sections/spatial.html"),
+    ),
+    (
+        "sections/nonlinear.html",
+        include_str!("../../../templates/sections/nonlinear.html"),
+    ),
+    (
+        "sections/checks.html",
+        include_str!("../../../templates/sections/checks.html"),
+    ),
+    (
+        "sections/sheets.html",
+        include_str!("../../../templates/sections/sheets.html"),
+    ),
+    (
+        "sections/engine.html",
+        include_str!("../../../templates/sections/engine.html"),
+    ),
+    (
+        "sections/limits.html",
+        include_str!("../../../templates/sections/limits.html"),
+    ),
+    (
+        "sections/provenance.html",
+        include_str!("../../../templates/sections/provenance.html"),
+    ),
+];
+
+/// The template engine with all templates read.
+pub struct Templates {
+    tera: Tera,
+    sources: BTreeMap<String, String>,
+}
+
+impl Templates {
+    /// Reads the embedded templates and, where `folder` is given, those in it.
+    ///
+    /// Errors: a folder without any template of a known name, an unreadable file, a template that does not parse.
+    pub fn new(folder: Option<&Path>) -> Result<Templates, Error> {
+        let mut sources: BTreeMap<String, String> = EMBEDDED
+            .iter()
+            .map(|(name, text)| ((*name).to_owned(), (*text).to_owned()))
+            .collect();
+        if let Some(folder) = folder {
+            replace(&mut sources, folder)?;
+        }
+        let mut tera = Tera::new();
+        tera.autoescape_on([".html"]);
+        tera.register_filter("css_text", |text: &str, _: tera::Kwargs, _: &tera::State| {
+            css_text(text)
+        });
+        tera.register_filter("prose", |text: &str, _: tera::Kwargs, _: &tera::State| {
+            math::prose(text)
+        });
+        let pages = sources.iter().filter(|(name, _)| name.ends_with(".html"));
+        tera.add_raw_templates(pages.map(|(name, text)| (name.as_str(), text.as_str())))
+            .map_err(|e| Error::Report(format!("templates: {e}")))?;
+        Ok(Templates { tera, sources })
+    }
+
+    /// Renders a template.
+    pub fn render(&self, name: &str, context: &Context) -> Result<String, Error> {
+        self.tera
+            .render(name, context)
+            .map_err(|e| Error::Report(format!("template {name}: {e}")))
+    }
+
+    /// A style sheet, as it is.
+    pub fn css(&self, name: &str) -> &str {
+        self.sources.get(name).map_or("", String::as_str)
+    }
+}
+
+/// Puts the files of `folder` in the place of the embedded templates of the same name; other `.html` files are added for
+/// `{% include %}`.
+fn replace(sources: &mut BTreeMap<String, String>, folder: &Path) -> Result<(), Error> {
+    let fault = |path: &Path, e: std::io::Error| Error::File {
+        path: path.into(),
+        what: describe(&e),
+    };
+    let mut replaced = 0;
+    for prefix in ["", "sections/"] {
+        let place = folder.join(prefix);
+        if !prefix.is_empty() && !place.is_dir() {
+            continue;
+        }
+        let entries = std::fs::read_dir(&place).map_err(|e| fault(&place, e))?;
+        for entry in entries {
+            let path = entry.map_err(|e| fault(&place, e))?.path();
+            let Some(file) = path.file_name().and_then(|f| f.to_str()) else {
+                continue;
+            };
+            let name = format!("{prefix}{file}");
+            if !path.is_file() || !(file.ends_with(".html") || sources.contains_key(&name)) {
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).map_err(|e| fault(&path, e))?;
+            replaced += usize::from(sources.insert(name, text).is_some());
+        }
+    }
+    if replaced == 0 {
+        let known: Vec<&str> = EMBEDDED.iter().map(|(name, _)| *name).collect();
+        return Err(Error::File {
+            path: folder.into(),
+            what: format!("holds no template; known names are {}", known.join(", ")),
+        });
+    }
+    Ok(())
+}
+
+/// Text as the inside of a CSS string: everything but letters, digits and spaces as an escape.
+fn css_text(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in line(text).chars() {
+        if c.is_alphanumeric() || c == ' ' {
+            out.push(c);
+        } else {
+            out.push_str(&format!("\\{:x} ", c as u32));
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn css_strings_hold_no_markup() {
+        assert_eq!(css_text("Tank 7"), "Tank 7");
+        assert_eq!(css_text("\"</style>"), "\\22 \\3c \\2f style\\3e ");
+    }
+
+    #[test]
+    fn a_folder_without_templates_is_refused() {
+        let folder = std::env::temp_dir().join(format!("tankcheck-no-templates-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let fault = Templates::new(Some(&folder))
+            .err()
+            .map(|e| e.to_string())
+            .unwrap_or_default();
+        std::fs::remove_dir(&folder).unwrap();
+        assert!(
+            fault.contains("holds no template") && fault.contains("report.html"),
+            "{fault}"
+        );
+    }
+}

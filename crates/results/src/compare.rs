@@ -1,0 +1,252 @@
+//! The join of procedures and engine: quantity × method, ratios to the finite-element column, partings, verdict.
+
+mod nonlinear;
+mod partings;
+
+use std::collections::BTreeMap;
+
+use tank::Quantity;
+
+use crate::nonlinear::{End, Event};
+use crate::{Cell, Comparison, ComparisonRow, Governing, MESH_ERROR_LIMIT, Method, Verdict};
+
+/// Id of the finite-element column, the reference of all ratios.
+pub const FE: &str = "fe";
+
+/// Id of the three-dimensional engine's column beside the harmonic one's.
+pub const FE_SOLID: &str = "fe-solid";
+
+/// Id of the nonlinear engine's column beside the harmonic one's.
+pub const FE_NONLINEAR: &str = "fe-nonlinear";
+
+/// Lays the methods side by side.
+///
+/// `published` are values others have given for this tank; they are carried along, not compared.
+pub fn compare(methods: &[Method], context: &Context, published: Vec<tank::case::Reported>) -> Comparison {
+    let reference = methods.iter().find(|m| m.id == FE);
+    let rows: Vec<ComparisonRow> = Quantity::ALL
+        .into_iter()
+        .filter_map(|quantity| {
+            let of = |m: &Method| m.quantities.get(quantity.id()).map(|v| v.value);
+            // Of a quotient that overflows there is no ratio.
+            let base = reference.and_then(of).filter(|v| *v != 0.0);
+            let cells: Vec<Option<Cell>> = methods
+                .iter()
+                .map(|m| {
+                    of(m).map(|value| Cell {
+                        value,
+                        ratio: base.map(|base| value / base).filter(|ratio| ratio.is_finite()),
+                        unusable: false,
+                    })
+                })
+                .collect();
+            cells.iter().any(Option::is_some).then(|| ComparisonRow {
+                quantity: quantity.id().into(),
+                title: quantity.title().into(),
+                dimension: quantity.dimension(),
+                cells,
+            })
+        })
+        .collect();
+    let partings = partings::explain(methods, &rows, context);
+    Comparison {
+        rows,
+        partings,
+        published,
+    }
+}
+
+impl Comparison {
+    /// Marks the values of a method whose estimated mesh error is above [`MESH_ERROR_LIMIT`]; returns a warning for each.
+    ///
+    /// * `method`: id of the method
+    /// * `errors`: its relative errors by quantity id
+    pub fn mark_unusable(&mut self, methods: &[Method], method: &str, errors: &BTreeMap<String, f64>) -> Vec<String> {
+        let Some(column) = methods.iter().position(|m| m.id == method) else {
+            return Vec::new();
+        };
+        let mut warnings = Vec::new();
+        for row in &mut self.rows {
+            let error = errors.get(&row.quantity).copied().unwrap_or(0.0);
+            if let (true, Some(Some(cell))) = (error > MESH_ERROR_LIMIT, row.cells.get_mut(column)) {
+                cell.unusable = true;
+                warnings.push(format!(
+                    "{method}: {} is unusable; found an estimated mesh error of {:.0} %, usual is below 5 %, allowed up to {:.0} %: refine \
+                     the mesh",
+                    row.title,
+                    100.0 * error,
+                    100.0 * MESH_ERROR_LIMIT
+                ));
+            }
+        }
+        warnings
+    }
+}
+
+/// What the explanations need to know beside the methods' values.
+#[derive(Clone, Debug, Default)]
+pub struct Context {
+    /// Peak ground acceleration of the horizontal record [m/s²].
+    pub pga: f64,
+    /// S_a of the record at the engine's first structural period and impulsive damping [m/s²].
+    pub impulsive_acceleration: f64,
+    /// Base shear of the engine's first structural mode at its spectral peak [N].
+    pub impulsive_shear: f64,
+    /// Base shear of the engine's first sloshing mode at its spectral peak [N].
+    pub convective_shear: f64,
+    /// Largest base shear of the history [N].
+    pub history_shear: f64,
+    /// Sloshing damping ratio.
+    pub sloshing_damping: f64,
+    /// Estimated discretisation error of the three-dimensional engine by quantity id, relative.
+    pub solid_mesh_error: BTreeMap<String, f64>,
+    /// What happened in the nonlinear run.
+    pub nonlinear: Option<Happened>,
+}
+
+/// What happened in a nonlinear run, as far as it explains where that parts from the linear one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Happened {
+    /// How it ended.
+    pub end: End,
+    /// First crack, first yield and the like, by time.
+    pub events: Vec<Event>,
+    /// Dissipated by the materials until the end of the run [J].
+    pub hysteretic: f64,
+    /// Work of the loads until then [J].
+    pub input: f64,
+    /// Damping of the linear and of the nonlinear run in words, where they say it.
+    pub damping: Option<[String; 2]>,
+}
+
+impl Context {
+    /// S_a(T_impulsive) over the peak ground acceleration.
+    pub fn amplification(&self) -> f64 {
+        self.impulsive_acceleration / self.pga
+    }
+}
+
+/// Counts the checks of all methods and finds the governing one.
+pub fn verdict(methods: &[Method]) -> Verdict {
+    let mut verdict = Verdict {
+        holds: true,
+        ..Verdict::default()
+    };
+    for method in methods {
+        for check in &method.checks {
+            verdict.checks += 1;
+            if !check.holds {
+                verdict.failed += 1;
+                verdict.holds = false;
+            }
+            if verdict
+                .governing
+                .as_ref()
+                .is_none_or(|g| check.utilisation > g.check.utilisation)
+            {
+                verdict.governing = Some(Governing {
+                    method: method.id.clone(),
+                    excitation: method.excitation,
+                    check: check.clone(),
+                });
+            }
+        }
+    }
+    verdict
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use tank::assessment::{Check, Excitation};
+    use tank::units::Dimension;
+
+    use super::*;
+    use crate::{Status, Value};
+
+    fn method(id: &str, shear: f64) -> Method {
+        Method {
+            id: id.into(),
+            title: id.into(),
+            excitation: Excitation::Record,
+            status: Status::Computed,
+            quantities: BTreeMap::from([(
+                "base_shear".to_string(),
+                Value {
+                    value: shear,
+                    dimension: Dimension::Force,
+                },
+            )]),
+            steps: vec![],
+            checks: vec![],
+            profiles: vec![],
+            assumptions: vec![],
+            notes: vec![],
+        }
+    }
+
+    #[test]
+    fn ratios_refer_to_the_finite_element_column() {
+        let comparison = compare(
+            &[method("housner", 30.0), method("fe", 40.0)],
+            &Context::default(),
+            vec![],
+        );
+        assert_eq!(comparison.rows.len(), 1);
+        assert_eq!(comparison.rows[0].cells[0].and_then(|c| c.ratio), Some(0.75));
+        assert_eq!(comparison.rows[0].cells[1].and_then(|c| c.ratio), Some(1.0));
+    }
+
+    #[test]
+    fn without_an_engine_there_are_values_and_no_ratios() {
+        let comparison = compare(&[method("housner", 30.0)], &Context::default(), vec![]);
+        assert_eq!(
+            comparison.rows[0].cells[0],
+            Some(Cell {
+                value: 30.0,
+                ratio: None,
+                unusable: false
+            })
+        );
+    }
+
+    #[test]
+    fn a_mesh_error_above_a_fifth_makes_a_number_unusable() {
+        let methods = [method("housner", 30.0), method("fe", 40.0)];
+        let mut comparison = compare(&methods, &Context::default(), vec![]);
+        let errors = |e: f64| BTreeMap::from([("base_shear".to_string(), e)]);
+        for (error, unusable) in [(0.0, false), (0.2, false), (0.2001, true)] {
+            let warnings = comparison.mark_unusable(&methods, "fe", &errors(error));
+            assert_eq!(
+                comparison.rows[0].cells[1].map(|c| c.unusable),
+                Some(unusable),
+                "{error}"
+            );
+            assert_eq!(warnings.len(), usize::from(unusable));
+            assert!(
+                warnings
+                    .iter()
+                    .all(|w| w.contains("fe: ") && w.contains("unusable") && w.contains("20 %")),
+                "{warnings:?}"
+            );
+        }
+        assert_eq!(comparison.rows[0].cells[0].map(|c| c.unusable), Some(false));
+        // Results of an earlier version have no flag and read as usable.
+        let json = serde_json::to_value(comparison.rows[0].cells[0]).unwrap();
+        assert_eq!(json, serde_json::json!({ "value": 30.0, "ratio": 0.75 }));
+        assert!(!serde_json::from_value::<Cell>(json).unwrap().unusable);
+    }
+
+    #[test]
+    fn the_governing_check_has_the_largest_utilisation() {
+        let mut a = method("housner", 1.0);
+        a.checks = vec![Check::new("x", "x", 1.0, 2.0, Dimension::Force, "", "")];
+        let mut b = method("ec8-2006", 1.0);
+        b.checks = vec![Check::new("y", "y", 3.0, 2.0, Dimension::Force, "", "")];
+        let verdict = verdict(&[a, b]);
+        assert!(!verdict.holds);
+        assert_eq!((verdict.checks, verdict.failed), (2, 1));
+        assert_eq!(verdict.governing.map(|g| g.check.id), Some("y".to_string()));
+    }
+}

@@ -1,0 +1,563 @@
+//! The results folder: `results.json` (all numbers of a verification) and `series.csv` (time histories).
+//!
+//! `results.json` is ordered and deterministic; everything that may differ between two identical runs stands in
+//! [`Volatile`]. All values are SI, each with its unit beside it. The report, `diff` and users' scripts read nothing else.
+
+pub mod compare;
+mod fields;
+pub mod finite;
+mod ida;
+pub mod nonlinear;
+pub mod numdiff;
+mod push;
+mod snapshots;
+mod store;
+pub mod vtu;
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use tank::assessment::{Check, Excitation, Profile, Step};
+use tank::units::Dimension;
+
+pub use fields::{DeformedShape, Fields, Picture, WallMap};
+pub use ida::{
+    Collapse, Fact, FirstCrack, IDA_FILE, IDA_FORMAT, IDA_PARTIAL_FILE, Ida, IdaRun, LiquidParting, ida_csv, read_ida,
+    write_ida,
+};
+pub use push::{
+    Capacity, Imperfection, PUSH_FILE, PUSH_FORMAT, Push, PushLimit, PushMeridian, PushPoint, PushShell, read_push,
+    write_push,
+};
+pub use snapshots::{Resultants, Snapshot, Snapshots};
+pub use store::{
+    COMPARE, COMPARE_REPORT, FIGURES_FOLDER, OUTPUT, REPORT_FILE, RESULTS_FILE, SERIES_FILE, put, read, read_series,
+    write,
+};
+
+pub use files::error::describe;
+
+/// Version of the format; a reader refuses any other.
+pub const FORMAT: &str = "tankcheck-results/1";
+
+/// Everything in `results.json`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Results {
+    /// Format version, [`FORMAT`].
+    pub format: String,
+    /// What may differ between identical runs; skipped by `diff`.
+    pub volatile: Volatile,
+    /// Title of the case.
+    pub name: String,
+    /// Files read, with hashes.
+    pub files: Vec<SourceFile>,
+    /// Echo of the input, defaults marked.
+    pub input: Vec<InputValue>,
+    /// Geometry for the sketch and the scales of figures.
+    pub tank: TankSummary,
+    /// Ground motion: horizontal first, then vertical; empty in `check` without a record.
+    pub records: Vec<RecordSummary>,
+    /// Response spectra of the records and design spectra.
+    pub spectra: Vec<SpectrumCurve>,
+    /// Methods in report order: procedures, then `fe`, then `measured`.
+    pub methods: Vec<Method>,
+    /// The finite-element run; absent in `check`.
+    pub fe: Option<FeResult>,
+    /// The run of the three-dimensional engine beside the harmonic one (`--fe both`).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fe_solid: Option<FeResult>,
+    /// The run of the nonlinear engine beside the harmonic one (`--fe nonlinear`).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fe_nonlinear: Option<FeResult>,
+    /// Quantities × methods.
+    pub comparison: Comparison,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// What is unusual in the input and which numbers are not to be used, one sentence each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<String>,
+}
+
+/// Fields that differ between identical runs.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Volatile {
+    /// Version of the program.
+    pub version: String,
+    /// Time of creation, ISO 8601.
+    pub created: String,
+    /// Command line.
+    pub command: String,
+    /// Wall time of the computation [s].
+    pub seconds: f64,
+}
+
+/// A file the results were computed from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SourceFile {
+    /// Role: `tank`, `record`, `vertical record`.
+    pub role: String,
+    /// File name without folders.
+    pub name: String,
+    /// SHA-256 of the bytes, hexadecimal.
+    pub sha256: String,
+}
+
+/// A value with its SI unit.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Value {
+    /// Value in SI.
+    pub value: f64,
+    /// Dimension; its SI symbol is the unit.
+    #[serde(rename = "unit", with = "unit_symbol")]
+    pub dimension: Dimension,
+}
+
+/// Writes a dimension as its SI symbol.
+mod unit_symbol {
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+    use tank::units::Dimension;
+
+    pub fn serialize<S: Serializer>(d: &Dimension, s: S) -> Result<S::Ok, S::Error> {
+        s.serialize_str(d.si_symbol())
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(d: D) -> Result<Dimension, D::Error> {
+        let text = String::deserialize(d)?;
+        Dimension::from_si_symbol(&text).ok_or_else(|| D::Error::custom(format!("unknown unit `{text}`")))
+    }
+}
+
+/// One line of the input echo.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct InputValue {
+    /// JSON path (`tank.courses[0].thickness`).
+    pub path: String,
+    /// As written in the file, or as it would be written.
+    pub text: String,
+    /// True if the file did not give it.
+    pub default: bool,
+    /// Source of a default ("EN 1998-4:2006 2.3.3"), empty otherwise.
+    pub source: String,
+}
+
+/// Geometry of the tank for the sketch.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TankSummary {
+    /// The tank as computed with.
+    pub tank: tank::Tank,
+    /// The liquid.
+    pub liquid: tank::Liquid,
+    /// g [m/s²].
+    pub gravity: f64,
+    /// Liquid mass [kg].
+    pub liquid_mass: f64,
+    /// Wall mass [kg].
+    pub wall_mass: f64,
+    /// Deformability parameter of the dissertation, eq. (3.1), with its remark.
+    pub deformability: Option<Deformability>,
+}
+
+/// Deformability parameter K = √(H/R) √(s/R).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Deformability {
+    /// K as printed.
+    pub as_printed: f64,
+    /// The parameter in the sense that a thinner wall deforms more.
+    pub corrected: f64,
+    /// What holds.
+    pub note: String,
+}
+
+/// Ground motion as computed with, and its measures.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RecordSummary {
+    /// `horizontal` or `vertical`.
+    pub direction: String,
+    /// Name.
+    pub name: String,
+    /// What was done to the file's numbers.
+    pub processing: Vec<String>,
+    /// Time step [s].
+    pub dt: f64,
+    /// Number of samples.
+    pub samples: usize,
+    /// Peak ground acceleration of the file, unprocessed [m/s²].
+    pub pga_as_recorded: f64,
+    /// Peak ground acceleration [m/s²].
+    pub pga: f64,
+    /// Peak ground velocity [m/s].
+    pub pgv: f64,
+    /// Peak ground displacement [m].
+    pub pgd: f64,
+    /// Arias intensity [m/s].
+    pub arias: f64,
+    /// Cumulative absolute velocity [m/s].
+    pub cav: f64,
+    /// Significant duration D5-95 [s].
+    pub significant_duration: f64,
+}
+
+impl RecordSummary {
+    /// Measures of `record`, which was made from `raw`.
+    pub fn new(
+        direction: &str,
+        record: &oscillator::record::Record,
+        raw: &oscillator::record::Record,
+    ) -> RecordSummary {
+        let measures = record.measures();
+        RecordSummary {
+            direction: direction.into(),
+            name: record.name.clone(),
+            processing: record.processing.clone(),
+            dt: record.dt,
+            samples: record.acceleration.len(),
+            pga_as_recorded: raw.pga(),
+            pga: measures.pga,
+            pgv: measures.pgv,
+            pgd: measures.pgd,
+            arias: measures.arias,
+            cav: measures.cav,
+            significant_duration: measures.significant_duration,
+        }
+    }
+}
+
+/// A curve S_a(T).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SpectrumCurve {
+    /// Id (`record-horizontal-0.005`, `ec8-site-0.02`, …).
+    pub id: String,
+    /// Legend text.
+    pub title: String,
+    /// Damping ratio.
+    pub damping: f64,
+    /// Periods [s], ascending.
+    pub period: Vec<f64>,
+    /// Spectral displacement [m].
+    pub sd: Vec<f64>,
+    /// Pseudo-velocity [m/s].
+    pub psv: Vec<f64>,
+    /// Pseudo-acceleration [m/s²].
+    pub psa: Vec<f64>,
+}
+
+/// Whether a method gave values.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum Status {
+    /// It did.
+    Computed,
+    /// Outside its scope.
+    NotApplicable {
+        /// Clause that sets the limit.
+        clause: String,
+        /// Reason.
+        reason: String,
+    },
+}
+
+/// One column of the comparison.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Method {
+    /// `housner`, `ec8-env`, `ec8-2006`, `api650-1993`, `api650-2020`, `fe`, `fe-solid`, `fe-nonlinear`, `measured`.
+    pub id: String,
+    /// Title with edition.
+    pub title: String,
+    /// What shakes the tank.
+    pub excitation: Excitation,
+    /// Whether it gave values.
+    pub status: Status,
+    /// Values by quantity id, in SI.
+    pub quantities: BTreeMap<String, Value>,
+    /// Calculation sheet.
+    pub steps: Vec<Step>,
+    /// Checks.
+    pub checks: Vec<Check>,
+    /// Values over the height.
+    pub profiles: Vec<Profile>,
+    /// What the method assumed.
+    pub assumptions: Vec<String>,
+    /// Warnings and remarks.
+    pub notes: Vec<String>,
+}
+
+/// The finite-element run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FeResult {
+    /// Engine (`harmonic`, `solid`, `nonlinear`).
+    pub engine: String,
+    /// Mesh and unknowns, as label → text ("liquid elements (r × z)" → "5 × 8, quadratic").
+    pub mesh: Vec<Labelled>,
+    /// Coupled modes of all computed harmonics.
+    pub modes: Vec<Mode>,
+    /// Time integration, damping and number of modes, as label → text.
+    pub integration: Vec<Labelled>,
+    /// Damping ratios that result at the modes with more than 1 % of the mass (Rayleigh only).
+    pub damping_table: Vec<DampingRow>,
+    /// Estimated discretisation error by quantity id, relative (|fine − coarse| / |fine|).
+    pub mesh_error: BTreeMap<String, f64>,
+    /// Balance of masses, as label → relative error.
+    pub mass_balance: Vec<Balance>,
+    /// Energy balance of the direct integration; absent for modal integration.
+    pub energy: Option<EnergyBalance>,
+    /// Envelopes over the height at θ = 0.
+    pub envelopes: Vec<Envelope>,
+    /// Histories in `series.csv`.
+    pub series: Vec<SeriesInfo>,
+    /// Limits of validity: what was tested and what was found.
+    pub limits: Vec<Limit>,
+    /// Fields of the three-dimensional engine for pictures.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fields: Option<Fields>,
+    /// What the wall has become, of the nonlinear engine.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub nonlinear: Option<nonlinear::Nonlinear>,
+    /// True if the run was interrupted: histories and extremes end at the time said in `integration`.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub incomplete: bool,
+}
+
+/// A label and its text.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Labelled {
+    /// Label.
+    pub label: String,
+    /// Text.
+    pub text: String,
+}
+
+/// A coupled mode.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Mode {
+    /// Circumferential harmonic m; 1 for a plane strip's antisymmetric modes.
+    pub harmonic: u32,
+    /// Axial wave number of a wall mode (half waves over the height), where the engine counts it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub axial: Option<u32>,
+    /// `sloshing` or `structural`.
+    pub kind: String,
+    /// Number within harmonic and kind, from 1.
+    pub number: usize,
+    /// Circular frequency [rad/s].
+    pub omega: f64,
+    /// Period [s].
+    pub period: f64,
+    /// Damping ratio.
+    pub damping: f64,
+    /// Participation factor of the M-normalised mode [√kg].
+    pub participation: f64,
+    /// Effective mass in the direction of shaking [kg].
+    pub effective_mass: f64,
+    /// Height of the effective mass above the base [m], wall pressure only; 0 if the effective mass vanishes.
+    pub effective_height: f64,
+    /// Shape: radial displacement of the wall over the height, and surface elevation over the radius, scaled to max 1.
+    pub shape: ModeShape,
+}
+
+/// Shape of a mode at θ = 0.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ModeShape {
+    /// Heights [m].
+    pub z: Vec<f64>,
+    /// Radial (outward) displacement of the wall.
+    pub wall: Vec<f64>,
+    /// Radii (or x from the centre) [m].
+    pub r: Vec<f64>,
+    /// Surface elevation.
+    pub surface: Vec<f64>,
+}
+
+/// Damping that results at a mode.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DampingRow {
+    /// Circular frequency [rad/s].
+    pub omega: f64,
+    /// `sloshing` or `structural`.
+    pub kind: String,
+    /// Resulting ratio.
+    pub ratio: f64,
+    /// Remark ("over-critical: the mode is switched off").
+    pub note: String,
+}
+
+/// A balance that must close.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Balance {
+    /// What.
+    pub label: String,
+    /// Relative error.
+    pub error: f64,
+}
+
+/// Energy balance of a direct integration, each at the end of the run [J].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EnergyBalance {
+    /// Work of the base motion.
+    pub input: f64,
+    /// Kinetic.
+    pub kinetic: f64,
+    /// Elastic and gravity potential.
+    pub elastic: f64,
+    /// Dissipated by damping.
+    pub damping: f64,
+    /// Largest |residual| over time, relative to the largest input.
+    pub error: f64,
+}
+
+/// Envelope over the height at θ = 0.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Envelope {
+    /// Id: `pressure`, `hoop_stress`, `axial_membrane_stress`, `bending_stress`, `radial_displacement`.
+    pub id: String,
+    /// Title.
+    pub title: String,
+    /// Dimension.
+    pub dimension: Dimension,
+    /// Heights [m], ascending.
+    pub z: Vec<f64>,
+    /// Static state (hydrostatic and self-weight).
+    pub static_: Vec<f64>,
+    /// Smallest seismic value over time.
+    pub min: Vec<f64>,
+    /// Largest seismic value over time.
+    pub max: Vec<f64>,
+}
+
+/// A column of `series.csv`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SeriesInfo {
+    /// Column name (`wave_height_theta_0`, `base_shear`, …).
+    pub id: String,
+    /// Title.
+    pub title: String,
+    /// Dimension.
+    pub dimension: Dimension,
+    /// Value of the static state (not contained in the column).
+    pub static_value: f64,
+    /// Largest absolute value of the history between and at samples.
+    pub peak: f64,
+    /// Time of the peak [s].
+    pub time: f64,
+}
+
+/// A limit of validity and whether it is kept.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Limit {
+    /// Stable id (`wave_against_radius`, `wave_against_freeboard`, `suction`, `uplift_tension`, …).
+    pub id: String,
+    /// What is tested.
+    pub name: String,
+    /// Found.
+    pub value: f64,
+    /// Allowed.
+    pub limit: f64,
+    /// Dimension of both.
+    pub dimension: Dimension,
+    /// Whether it is kept.
+    pub holds: bool,
+    /// Consequence, where and when.
+    pub note: String,
+}
+
+/// Quantities × methods.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Comparison {
+    /// One row a quantity that at least one method gives.
+    pub rows: Vec<ComparisonRow>,
+    /// Where and why the methods part, one paragraph each.
+    pub partings: Vec<Parting>,
+    /// Values others have published for this tank.
+    pub published: Vec<tank::case::Reported>,
+}
+
+/// One quantity over all methods.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ComparisonRow {
+    /// Quantity id.
+    pub quantity: String,
+    /// Title.
+    pub title: String,
+    /// Dimension.
+    pub dimension: Dimension,
+    /// One cell a method, in the order of [`Results::methods`]; `None` where the method does not give it.
+    pub cells: Vec<Option<Cell>>,
+}
+
+/// A value and its ratio to the finite-element value.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cell {
+    /// Value in SI.
+    pub value: f64,
+    /// Ratio to the finite-element column, where there is one.
+    pub ratio: Option<f64>,
+    /// True if the estimated mesh error of the value is above [`MESH_ERROR_LIMIT`]: the number is not to be used.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub unusable: bool,
+}
+
+/// Estimated discretisation error, relative, above which a number is marked as unusable.
+pub const MESH_ERROR_LIMIT: f64 = 0.2;
+
+/// Where the methods part and why.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Parting {
+    /// Quantity id.
+    pub quantity: String,
+    /// One sentence what parts and by how much.
+    pub what: String,
+    /// The cause.
+    pub why: String,
+}
+
+/// The verdict of the verification.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Verdict {
+    /// True if every applicable check holds (and every run is complete).
+    pub holds: bool,
+    /// True if a finite-element run did not reach the end of the ground motion (interrupted, collapsed): its extremes are
+    /// those of a part of it.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub incomplete: bool,
+    /// Why it is incomplete, a sentence without its full stop; empty for an interrupted run.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub reason: String,
+    /// Number of checks.
+    pub checks: usize,
+    /// Number that fail.
+    pub failed: usize,
+    /// Check with the largest utilisation, as (method id, excitation, check id), if there is any.
+    pub governing: Option<Governing>,
+}
+
+/// The check with the largest utilisation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Governing {
+    /// Method id.
+    pub method: String,
+    /// Excitation.
+    pub excitation: Excitation,
+    /// The check.
+    pub check: Check,
+}
+
+/// Time histories of `series.csv`: a time column and the columns of [`FeResult::series`] in order, then those of
+/// [`Results::fe_solid`] with [`SOLID_PREFIX`] or of [`Results::fe_nonlinear`] with [`NONLINEAR_PREFIX`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Series {
+    /// Time [s].
+    pub time: Vec<f64>,
+    /// Column ids.
+    pub ids: Vec<String>,
+    /// Columns, SI.
+    pub columns: Vec<Vec<f64>>,
+}
+
+/// Columns of `series.csv` that hold the ground motion as computed with: acceleration [m/s²], velocity [m/s],
+/// displacement [m]; those of a vertical record carry [`VERTICAL_PREFIX`].
+pub const GROUND_COLUMNS: [&str; 3] = ["ground_acceleration", "ground_velocity", "ground_displacement"];
+/// Prefix of the columns of the three-dimensional engine beside the harmonic one.
+pub const SOLID_PREFIX: &str = "solid_";
+/// Prefix of the columns of the nonlinear engine beside the harmonic one.
+pub const NONLINEAR_PREFIX: &str = "nonlinear_";
+/// Prefix of [`GROUND_COLUMNS`] for the vertical record.
+pub const VERTICAL_PREFIX: &str = "vertical_";

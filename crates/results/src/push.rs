@@ -1,0 +1,180 @@
+//! `push.json`: a pushover of an anchored cylinder.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::store::{read_document, write_document};
+use super::{Fact, SourceFile, Volatile, WallMap};
+use files::error::Error;
+
+/// Version of the format; a reader refuses any other.
+pub const PUSH_FORMAT: &str = "tankcheck-push/1";
+/// Name of the results.
+pub const PUSH_FILE: &str = "push.json";
+
+/// Everything in `push.json`. Values are SI; compression is positive.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Push {
+    /// Format version, [`PUSH_FORMAT`].
+    pub format: String,
+    /// What may differ between identical runs.
+    pub volatile: Volatile,
+    /// Title of the case.
+    pub name: String,
+    /// Acceleration of free fall [m/s²].
+    pub gravity: f64,
+    /// Files read, with hashes.
+    pub files: Vec<SourceFile>,
+    /// The model in numbers.
+    pub model: Vec<Fact>,
+    /// What the engine assumed, one sentence each.
+    pub assumptions: Vec<String>,
+    /// What to doubt of it, one sentence each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub doubts: Vec<String>,
+    /// The perfect shell, then the imperfect ones.
+    pub shells: Vec<PushShell>,
+    /// What formulas give at the lower edges of the courses.
+    pub limits: Vec<PushLimit>,
+    /// Whether the user stopped it before all was done.
+    pub incomplete: bool,
+    /// What that leaves out, in words; empty if it is complete.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub interruption: String,
+}
+
+/// One shell.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PushShell {
+    /// Its imperfection; `None` for the perfect one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub imperfection: Option<Imperfection>,
+    /// States of equilibrium, the first at rest.
+    pub path: Vec<PushPoint>,
+    /// The strongest state.
+    pub capacity: Capacity,
+    /// Why the path ends, in words.
+    pub end: String,
+    /// Whether the user stopped it there.
+    #[serde(default)]
+    pub interrupted: bool,
+    /// Radial displacement of the compressed meridian.
+    pub meridians: Vec<PushMeridian>,
+    /// Accumulated plastic strain, the largest through the thickness, at the last state.
+    pub plastic: WallMap,
+}
+
+/// An imperfection: a depression around the tank, or a buckling mode.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Imperfection {
+    /// Largest deviation [m], outwards positive.
+    pub amplitude: f64,
+    /// The same over the thickness there.
+    pub over_thickness: f64,
+    /// Height of its largest deviation [m].
+    pub height: f64,
+    /// Angle of that from the compressed meridian [rad]; `None` of one that goes around.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub angle: Option<f64>,
+    /// Half-wave of bending λ [m] of a weld depression.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub half_wave: Option<f64>,
+    /// Multiple of the load of the perfect shell's capacity at which the elastic wall buckles in this mode.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub factor: Option<f64>,
+    /// The deviation of a mode over the wall.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub map: Option<WallMap>,
+    /// Where shape and amplitude come from.
+    pub source: String,
+}
+
+/// A state of equilibrium.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PushPoint {
+    /// Horizontal acceleration of ground and impulsive liquid [m/s²].
+    pub acceleration: f64,
+    /// Shear at the base [N].
+    pub base_shear: f64,
+    /// Overturning moment at the base, of the wall's pressure and mass [N m].
+    pub base_moment: f64,
+    /// Mean horizontal displacement of the top [m].
+    pub top: f64,
+    /// Radial displacement of the compressed meridian beyond the state at rest where it is largest below the middle of the
+    /// liquid [m].
+    pub bulge: f64,
+    /// Largest axial membrane compression of the compressed meridian [Pa].
+    pub compression: f64,
+    /// Its height [m].
+    pub compression_height: f64,
+    /// Largest accumulated plastic strain of the wall.
+    pub plastic_strain: f64,
+}
+
+/// The strongest state of a path.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Capacity {
+    /// Whether the path has its maximum here; else it is a lower bound.
+    pub limit: bool,
+    /// The state.
+    pub state: PushPoint,
+    /// Height of the buckle [m]: where the plates yield most from here to the end of the path, or, if they do not, the wall moves most.
+    pub height: f64,
+    /// Its angle from the compressed meridian [rad].
+    pub angle: f64,
+    /// Thickness there [m].
+    pub thickness: f64,
+    /// Axial membrane compression of the compressed meridian at that height [Pa].
+    pub compression: f64,
+    /// Hoop membrane stress of that meridian at that height [Pa], tension positive.
+    pub hoop: f64,
+    /// Pressure of the liquid on that meridian at that height, at rest and impulsive [Pa].
+    pub pressure: f64,
+    /// M/(π R² t) and weight at the base [Pa]: what beam theory has for the axial compression.
+    pub beam: f64,
+}
+
+/// Radial displacements along the compressed meridian.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PushMeridian {
+    /// Which state.
+    pub title: String,
+    /// Acceleration [m/s²].
+    pub acceleration: f64,
+    /// Heights [m].
+    pub z: Vec<f64>,
+    /// Outwards [m].
+    pub w: Vec<f64>,
+}
+
+/// A formula at the lower edge of a course, under the beam stress of rising acceleration.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PushLimit {
+    /// Name.
+    pub name: String,
+    /// Clause or author.
+    pub source: String,
+    /// Acceleration at which the beam stress reaches the limit at the governing course [m/s²]; `None` if none does below 10 g.
+    pub acceleration: Option<f64>,
+    /// Governing course, from 1.
+    pub course: usize,
+    /// Height of its lower edge [m].
+    pub height: f64,
+    /// The limit there [Pa], at that acceleration.
+    pub stress: f64,
+}
+
+/// Reads the results of a pushover from `path`.
+///
+/// Errors: an unreadable file, text that is not JSON, another format version.
+pub fn read_push(path: &Path) -> Result<Push, Error> {
+    read_document(path, PUSH_FORMAT, "a pushover")
+}
+
+/// Writes `push` to `path`, whole or not at all; 10 significant digits.
+///
+/// Errors: a file that cannot be written.
+pub fn write_push(path: &Path, push: &Push) -> Result<(), Error> {
+    write_document(path, push)
+}

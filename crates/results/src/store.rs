@@ -1,0 +1,246 @@
+//! Reading and writing the results folder.
+
+use std::path::Path;
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
+use super::ida::IDA_FILE;
+use super::push::PUSH_FILE;
+use super::{FORMAT, Results, Series};
+use files::error::{Error, describe};
+use files::{Kind, settle, write_whole};
+
+/// Name of the results file in a results folder.
+pub const RESULTS_FILE: &str = "results.json";
+/// Name of the time histories in a results folder.
+pub const SERIES_FILE: &str = "series.csv";
+/// Name of the report in a results folder.
+pub const REPORT_FILE: &str = "report.html";
+/// Folder of the figures in a results folder.
+pub const FIGURES_FOLDER: &str = "figures";
+
+/// What a verification writes into its output folder.
+pub const OUTPUT: [&str; 4] = [RESULTS_FILE, SERIES_FILE, REPORT_FILE, FIGURES_FOLDER];
+
+/// Results of a verification.
+pub const COMPARE: Kind = Kind {
+    id: "compare",
+    option: "--out",
+    names: |name| OUTPUT.contains(&name),
+    keeps: |_| false,
+};
+
+/// The report of a verification, rendered again beside its results.
+pub const COMPARE_REPORT: Kind = Kind {
+    names: |name| [REPORT_FILE, FIGURES_FOLDER].contains(&name),
+    keeps: |name| [RESULTS_FILE, SERIES_FILE].contains(&name),
+    option: "a copy of results.json and series.csv",
+    ..COMPARE
+};
+
+/// Reads `results.json` of a results folder.
+///
+/// Errors: missing or unreadable file, text that is not JSON, another format version.
+pub fn read(folder: &Path) -> Result<Results, Error> {
+    let path = folder.join(RESULTS_FILE);
+    let fault = |what: String| Error::File {
+        path: path.clone(),
+        what,
+    };
+    settle(folder);
+    if !folder.is_dir() {
+        return Err(Error::File {
+            path: folder.into(),
+            what: "no such results folder; `tankcheck compare` writes one".into(),
+        });
+    }
+    // Folders of commands whose results are no comparison.
+    for (file, command) in [(IDA_FILE, "ida"), (PUSH_FILE, "push")] {
+        if !path.exists() && folder.join(file).exists() {
+            return Err(Error::File {
+                path: folder.into(),
+                what: format!(
+                    "holds the results of `tankcheck {command}` ({file}), allowed those of `tankcheck compare` or `tankcheck check`; its \
+                     report.html is complete in itself"
+                ),
+            });
+        }
+    }
+    let text = std::fs::read_to_string(&path).map_err(|e| fault(describe(&e)))?;
+    #[derive(Deserialize)]
+    struct Head {
+        format: String,
+    }
+    let head: Head = serde_json::from_str(&text).map_err(|e| fault(format!("not a results file: {e}")))?;
+    if head.format != FORMAT {
+        return Err(fault(format!(
+            "format `{}`, this version reads `{FORMAT}`",
+            head.format
+        )));
+    }
+    serde_json::from_str(&text).map_err(|e| fault(format!("not a results file: {e}")))
+}
+
+/// Reads `series.csv` of a results folder; empty if there is none (`check` writes none).
+pub fn read_series(folder: &Path) -> Result<Series, Error> {
+    let path = folder.join(SERIES_FILE);
+    if !path.exists() {
+        return Ok(Series::default());
+    }
+    let fault = |what: String| Error::File {
+        path: path.clone(),
+        what,
+    };
+    // Ids are plain words: a quotation mark is damage, and must not swallow the lines after it.
+    let mut reader = csv::ReaderBuilder::new()
+        .quoting(false)
+        .from_path(&path)
+        .map_err(|e| fault(e.to_string()))?;
+    let header = reader.headers().map_err(|e| fault(e.to_string()))?.clone();
+    if header.get(0) != Some("time_s") {
+        return Err(fault(format!(
+            "first column is `{}`, expected `time_s`",
+            header.get(0).unwrap_or("")
+        )));
+    }
+    let mut series = Series {
+        ids: header.iter().skip(1).map(str::to_owned).collect(),
+        ..Series::default()
+    };
+    series.columns = vec![Vec::new(); series.ids.len()];
+    for row in reader.records() {
+        let row = row.map_err(|e| fault(e.to_string()))?;
+        let line = row.position().map_or(0, |p| p.line());
+        let number = |text: &str| {
+            text.parse::<f64>()
+                .map_err(|_| fault(format!("line {line}: `{text}` is not a number")))
+        };
+        series.time.push(number(row.get(0).unwrap_or(""))?);
+        for (column, text) in series.columns.iter_mut().zip(row.iter().skip(1)) {
+            column.push(number(text)?);
+        }
+    }
+    Ok(series)
+}
+
+/// Writes `results.json` and `series.csv` (unless empty) into an existing folder.
+///
+/// Numbers of `results.json` are written with 10 significant digits: far below the accuracy of any method, and enough
+/// for differences between processors to vanish.
+pub fn write(folder: &Path, results: &Results, series: &Series) -> Result<(), Error> {
+    let path = folder.join(RESULTS_FILE);
+    let mut value = serde_json::to_value(results).map_err(|e| Error::Report(e.to_string()))?;
+    round_numbers(&mut value);
+    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::Report(e.to_string()))?;
+    text.push('\n');
+    put(&path, text.as_bytes())?;
+    if series.time.is_empty() {
+        return Ok(());
+    }
+    put(&folder.join(SERIES_FILE), series_csv(series).as_bytes())
+}
+
+/// `series.csv` as text; 7 significant digits.
+fn series_csv(series: &Series) -> String {
+    use std::fmt::Write;
+    let mut text = String::with_capacity(series.time.len() * (series.columns.len() + 1) * 14);
+    text.push_str("time_s");
+    for id in &series.ids {
+        text.push(',');
+        text.push_str(id);
+    }
+    text.push('\n');
+    for (i, t) in series.time.iter().enumerate() {
+        let _ = write!(text, "{}", round_significant(*t, 9));
+        for column in &series.columns {
+            let _ = write!(text, ",{:e}", round_significant(column[i], 7));
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// Reads a JSON document of this `format` from `path`; `what` names it in messages.
+///
+/// Errors: an unreadable file, text that is not JSON, another format version.
+pub(super) fn read_document<T: DeserializeOwned>(path: &Path, format: &str, what: &str) -> Result<T, Error> {
+    let fault = |what: String| Error::File {
+        path: path.into(),
+        what,
+    };
+    let text = std::fs::read_to_string(path).map_err(|e| fault(describe(&e)))?;
+    let value: serde_json::Value =
+        serde_json::from_str(&text).map_err(|e| fault(format!("not the results of {what}: {e}")))?;
+    match value.get("format").and_then(serde_json::Value::as_str) {
+        Some(found) if found == format => {}
+        Some(other) => return Err(fault(format!("format `{other}`, this version reads `{format}`"))),
+        None => return Err(fault(format!("not the results of {what}: no format"))),
+    }
+    serde_json::from_value(value).map_err(|e| fault(format!("not the results of {what}: {e}")))
+}
+
+/// Writes a file of a folder of results.
+///
+/// Errors: [`Error::Unwritten`].
+pub fn put(path: &Path, text: &[u8]) -> Result<(), Error> {
+    std::fs::write(path, text).map_err(|e| Error::Unwritten {
+        path: path.into(),
+        what: describe(&e),
+    })
+}
+
+/// Writes a JSON document to `path`, whole or not at all; 10 significant digits.
+///
+/// Errors: a file that cannot be written.
+pub(super) fn write_document(path: &Path, document: &impl Serialize) -> Result<(), Error> {
+    let mut value = serde_json::to_value(document).map_err(|e| Error::Report(e.to_string()))?;
+    round_numbers(&mut value);
+    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::Report(e.to_string()))?;
+    text.push('\n');
+    write_whole(path, text.as_bytes())
+}
+
+/// Rounds every number of a JSON value to 10 significant digits.
+fn round_numbers(value: &mut serde_json::Value) {
+    use serde_json::Value;
+    match value {
+        Value::Number(number) if number.is_f64() => {
+            if let Some(rounded) = number
+                .as_f64()
+                .and_then(|x| serde_json::Number::from_f64(round_significant(x, 10)))
+            {
+                *number = rounded;
+            }
+        }
+        Value::Array(items) => items.iter_mut().for_each(round_numbers),
+        Value::Object(map) => map.values_mut().for_each(round_numbers),
+        _ => {}
+    }
+}
+
+/// `x` rounded to `digits` significant digits, by a decimal round trip (exact to the last bit, unlike scaling).
+fn round_significant(x: f64, digits: usize) -> f64 {
+    if x == 0.0 {
+        return 0.0;
+    }
+    format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A quotation mark is part of its column's name; the lines after it are still read.
+    #[test]
+    fn a_quotation_mark_does_not_swallow_the_table() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        std::fs::write(folder.path().join(SERIES_FILE), "time_s,\"a,b\n0,1,2\n0.5,3,4\n").expect("writable");
+        let series = read_series(folder.path()).expect("readable");
+        assert_eq!(series.ids, ["\"a", "b"]);
+        assert_eq!(
+            (series.time, series.columns),
+            (vec![0.0, 0.5], vec![vec![1.0, 3.0], vec![2.0, 4.0]])
+        );
+    }
+}

@@ -1,0 +1,208 @@
+//! ParaView files of [`Snapshots`]: a collection `tank.pvd` of unstructured grids, two for every moment.
+//!
+//! ```text
+//! tank.pvd ─┬─ liquid_0000.vtu   hexahedra: displacement at nodes, pressure in cells
+//!           └─ wall_0000.vtu     quadrilaterals: displacement at nodes, stress resultants in cells
+//! ```
+//!
+//! The format is VTK's XML, version 1.0: every array inline as base64 of its length in bytes (UInt64) and its values in
+//! little-endian order. Coordinates are those at rest; ParaView's filter *Warp By Vector* shows the motion.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use super::{Snapshot, Snapshots, put};
+use files::Kind;
+use files::error::Error;
+
+/// Name of the collection.
+pub const COLLECTION: &str = "tank.pvd";
+
+/// VTK's numbers of cell types.
+const QUAD: u8 = 9;
+const HEXAHEDRON: u8 = 12;
+
+/// The folder of the files.
+pub const FOLDER: Kind = Kind {
+    id: "compare --vtu",
+    option: "--vtu",
+    names: owns,
+    keeps: |_| false,
+};
+
+/// Whether we write files of this name.
+fn owns(name: &str) -> bool {
+    let stem = name.strip_suffix(".vtu").unwrap_or("");
+    let number = stem.strip_prefix("liquid_").or_else(|| stem.strip_prefix("wall_"));
+    name == COLLECTION || number.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
+}
+
+/// Writes collection and grids into an existing folder.
+///
+/// Errors: a file that cannot be written.
+pub fn write(folder: &Path, snapshots: &Snapshots) -> Result<(), Error> {
+    let put = |name: &str, text: &str| put(&folder.join(name), text.as_bytes());
+    let mut list = String::new();
+    for (i, state) in snapshots.states.iter().enumerate() {
+        let parts = [
+            (format!("liquid_{i:04}.vtu"), liquid(snapshots, state)),
+            (format!("wall_{i:04}.vtu"), wall(snapshots, state)),
+        ];
+        for (part, (name, text)) in parts.iter().enumerate() {
+            put(name, text)?;
+            let time = state.time;
+            let _ = writeln!(list, r#"    <DataSet timestep="{time}" part="{part}" file="{name}"/>"#);
+        }
+    }
+    let head = r#"<?xml version="1.0"?>
+<VTKFile type="Collection" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+  <Collection>
+"#;
+    put(COLLECTION, &format!("{head}{list}  </Collection>\n</VTKFile>\n"))
+}
+
+fn liquid(snapshots: &Snapshots, state: &Snapshot) -> String {
+    grid(
+        snapshots,
+        state,
+        HEXAHEDRON,
+        &snapshots.liquid,
+        &[("pressure [Pa]", state.pressure.clone())],
+    )
+}
+
+fn wall(snapshots: &Snapshots, state: &Snapshot) -> String {
+    let of = |value: fn(&super::Resultants) -> f64| state.resultants.iter().map(value).collect();
+    let arrays: [(&str, Vec<f64>); 7] = [
+        ("n_phi [N/m]", of(|r| r.n_phi)),
+        ("n_v [N/m]", of(|r| r.n_v)),
+        ("n_phi_v [N/m]", of(|r| r.n_phi_v)),
+        ("m_phi [N]", of(|r| r.m_phi)),
+        ("m_v [N]", of(|r| r.m_v)),
+        ("m_phi_v [N]", of(|r| r.m_phi_v)),
+        ("q_v [N/m]", of(|r| r.q_v)),
+    ];
+    grid(snapshots, state, QUAD, &snapshots.wall, &arrays)
+}
+
+/// One grid with the nodes its cells use.
+fn grid<const N: usize>(
+    snapshots: &Snapshots,
+    state: &Snapshot,
+    kind: u8,
+    cells: &[[usize; N]],
+    arrays: &[(&str, Vec<f64>)],
+) -> String {
+    // Numbers of the nodes within this part, by first use.
+    let mut own = vec![usize::MAX; snapshots.nodes.len()];
+    let mut used = Vec::new();
+    for &node in cells.iter().flatten() {
+        if own[node] == usize::MAX {
+            own[node] = used.len();
+            used.push(node);
+        }
+    }
+    let points = used.iter().flat_map(|&n| snapshots.nodes[n]);
+    let displacement = used.iter().flat_map(|&n| state.displacement[n]);
+    let connectivity = cells.iter().flatten().map(|&n| own[n] as i64);
+    let offsets = (1..=cells.len()).map(|c| (c * N) as i64);
+    let mut text = String::new();
+    let _ = write!(
+        text,
+        r#"<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+  <UnstructuredGrid>
+    <Piece NumberOfPoints="{}" NumberOfCells="{}">
+      <Points>
+        {}
+      </Points>
+      <Cells>
+        {}
+        {}
+        {}
+      </Cells>
+      <PointData>
+        {}
+      </PointData>
+      <CellData>
+"#,
+        used.len(),
+        cells.len(),
+        array("Float64", "Points", 3, points.flat_map(f64::to_le_bytes)),
+        array("Int64", "connectivity", 1, connectivity.flat_map(i64::to_le_bytes)),
+        array("Int64", "offsets", 1, offsets.flat_map(i64::to_le_bytes)),
+        array("UInt8", "types", 1, std::iter::repeat_n(kind, cells.len())),
+        array(
+            "Float64",
+            "displacement [m]",
+            3,
+            displacement.flat_map(f64::to_le_bytes)
+        ),
+    );
+    for (name, values) in arrays {
+        let bytes = values.iter().flat_map(|v| v.to_le_bytes());
+        let _ = writeln!(text, "        {}", array("Float64", name, 1, bytes));
+    }
+    text.push_str("      </CellData>\n    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n");
+    text
+}
+
+/// A data array, inline and binary.
+fn array(kind: &str, name: &str, components: usize, values: impl Iterator<Item = u8>) -> String {
+    let values: Vec<u8> = values.collect();
+    let mut bytes = (values.len() as u64).to_le_bytes().to_vec();
+    bytes.extend(values);
+    format!(
+        r#"<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="binary">{}</DataArray>"#,
+        base64(&bytes)
+    )
+}
+
+/// Base64 of RFC 4648 with padding.
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for group in bytes.chunks(3) {
+        let byte = |i: usize| u32::from(group.get(i).copied().unwrap_or(0));
+        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for digit in 0..4 {
+            if digit <= group.len() {
+                text.push(char::from(DIGITS[(bits >> (18 - 6 * digit)) as usize & 63]));
+            } else {
+                text.push('=');
+            }
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The test vectors of RFC 4648, section 10.
+    #[test]
+    fn base64_as_in_rfc_4648() {
+        for (plain, coded) in [
+            ("", ""),
+            ("f", "Zg=="),
+            ("fo", "Zm8="),
+            ("foo", "Zm9v"),
+            ("foob", "Zm9vYg=="),
+            ("fooba", "Zm9vYmE="),
+            ("foobar", "Zm9vYmFy"),
+        ] {
+            assert_eq!(base64(plain.as_bytes()), coded);
+        }
+    }
+
+    #[test]
+    fn own_files_are_known_by_name() {
+        for name in ["tank.pvd", "liquid_0000.vtu", "wall_12345.vtu"] {
+            assert!(owns(name), "{name}");
+        }
+        for name in ["tank.vtu", "wall_.vtu", "wall_1.vtu.bak", "mesh_0000.vtu", "wall_a.vtu"] {
+            assert!(!owns(name), "{name}");
+        }
+    }
+}
