@@ -6,7 +6,7 @@
 use std::hint::black_box;
 use std::path::Path;
 
-use codes::procedure::ALL;
+use codes::ALL;
 use criterion::{Criterion, criterion_group, criterion_main};
 use oscillator::record::Record;
 use tank::Case;

@@ -29,7 +29,7 @@ use results::{
 ///
 /// Errors: an unknown id, with the known ones.
 pub fn select_procedures(ids: &[String]) -> Result<Vec<String>, Error> {
-    let known: Vec<&str> = codes::procedure::ALL.iter().map(|p| p.id()).collect();
+    let known: Vec<&str> = codes::ALL.iter().map(|p| p.id()).collect();
     if let Some(unknown) = ids.iter().find(|id| !known.contains(&id.as_str())) {
         return Err(Error::input(format!(
             "error: procedures: found `{unknown}`, allowed any of {}",
@@ -187,7 +187,7 @@ fn assess(job: &Job) -> Result<Vec<Method>, Error> {
     let chosen = |p: &&&dyn Procedure| job.procedures.iter().any(|id| id == p.id());
     let mut methods = Vec::new();
     for &excitation in &excitations {
-        for procedure in codes::procedure::ALL.iter().filter(chosen) {
+        for procedure in codes::ALL.iter().filter(chosen) {
             methods.push(method(*procedure, job, excitation)?);
         }
     }
@@ -211,7 +211,7 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
     };
     Ok(Method {
         id: procedure.id().into(),
-        title: procedure.title().into(),
+        title: procedure.label().title.into(),
         excitation,
         status,
         quantities: quantities(&assessment.values),

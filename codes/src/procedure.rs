@@ -1,7 +1,7 @@
 //! What a code procedure is.
 
 use tank::assessment::{Assessment, Excitation, NotApplicable};
-use tank::case::Case;
+use tank::case::{Case, Site};
 
 /// Failure of a computation inside a procedure.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -31,41 +31,41 @@ pub enum CodeError {
     },
 }
 
-/// A code procedure of one edition.
-pub trait Procedure: Sync {
-    /// Id as in `results.json` (`housner`, `ec8-env`, `ec8-2006`, `api650-1993`, `api650-2020`).
-    fn id(&self) -> &'static str;
+/// How a procedure is named and drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Label {
     /// Title with edition ("EN 1998-4:2006, annex A").
-    fn title(&self) -> &'static str;
+    pub title: &'static str,
+    /// Short label for figures and tables ("EN 1998-4:2006").
+    pub short: &'static str,
+    /// Class of its colour and dash in `templates/figure.css` ("k-ec8-2006").
+    pub figure_key: &'static str,
+}
+
+/// A design spectrum to draw beside the record's.
+pub struct DesignCurve {
+    /// Id of the curve, unique among the curves of a report.
+    pub id: String,
+    /// Title for the legend.
+    pub title: String,
+    /// Damping ratio.
+    pub damping: f64,
+    /// Spectral acceleration [m/s²] at a period [s].
+    pub acceleration: Box<dyn Fn(f64) -> f64>,
+}
+
+/// A code procedure of one edition. All that belongs to it stands in its folder; other crates find it in [`crate::ALL`].
+pub trait Procedure: Sync {
+    /// Id as in `results.json` and in `procedures` of the tank file.
+    fn id(&self) -> &'static str;
+    /// How it is named and drawn.
+    fn label(&self) -> Label;
+    /// Design spectra of the site at the damping ratios asked for; none where the site is not given or not covered.
+    fn design_curves(&self, _site: &Site, _dampings: &[f64]) -> Vec<DesignCurve> {
+        Vec::new()
+    }
     /// Whether the procedure covers this case under this excitation; if not, the clause and the reason.
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable>;
     /// Runs the procedure. Callers need not call [`Procedure::applies`] before.
     fn assess(&self, case: &Case, excitation: Excitation) -> Result<Assessment, CodeError>;
-}
-
-/// All procedures in report order.
-pub const ALL: &[&dyn Procedure] = &[
-    &crate::housner::Housner,
-    &crate::ec8::Env1998,
-    &crate::ec8::En2006,
-    &crate::api650::edition1993::Api6501993,
-    &crate::api650::edition2020::Api6502020,
-];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The order of the report, each id once; every id leads to a title of its own that names the edition.
-    #[test]
-    fn procedures_in_report_order() {
-        let ids: Vec<_> = ALL.iter().map(|p| p.id()).collect();
-        assert_eq!(ids, ["housner", "ec8-env", "ec8-2006", "api650-1993", "api650-2020"]);
-        for (procedure, part) in ALL
-            .iter()
-            .zip(["Housner", "ENV 1998-4:1998", "EN 1998-4:2006", "1993", "2020"])
-        {
-            assert!(procedure.title().contains(part), "{}", procedure.title());
-        }
-    }
 }

@@ -1,7 +1,5 @@
 //! What the report says of the ground motion: measures of the records, response and design spectra.
 
-use codes::api650::ground_motion::DesignSpectrum;
-use codes::ec8::spectrum::ElasticSpectrum;
 use oscillator::record::Record;
 use oscillator::spectrum::{self, Method};
 use tank::case::Site;
@@ -56,24 +54,12 @@ fn response(record: &Record, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCu
         .collect()
 }
 
-/// Design spectra; a site the code does not cover gives none (its procedure says why).
+/// Design spectra of all procedures; a site the code does not cover gives none (its procedure says why).
 fn design(site: &Site, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCurve> {
-    let mut curves = Vec::new();
-    if let Some(spectrum) = site.ec8.as_ref().and_then(|site| ElasticSpectrum::new(site).ok()) {
-        for &damping in dampings {
-            let title = format!("EN 1998-1 elastic, ξ = {:.1} %", damping * 100.0);
-            curves.push(curve(&format!("ec8-{damping}"), &title, damping, period, |t| {
-                spectrum.horizontal(t, damping)
-            }));
-        }
-    }
-    if let Some(spectrum) = site.api650.as_ref().and_then(|site| DesignSpectrum::new(site).ok()) {
-        // ASCE 7 has one shape for all damping ratios; API 650 E.4.6 raises its sloshing branch by K = 1.5.
-        curves.push(curve("asce7-0.05", "ASCE 7 design, ξ = 5 %", 0.05, period, |t| {
-            spectrum.acceleration(t) * tank::STANDARD_GRAVITY
-        }));
-    }
+    let curves = codes::ALL.iter().flat_map(|p| p.design_curves(site, dampings));
     curves
+        .map(|c| curve(&c.id, &c.title, c.damping, period, c.acceleration))
+        .collect()
 }
 
 fn curve(id: &str, title: &str, damping: f64, period: &[f64], acceleration: impl Fn(f64) -> f64) -> SpectrumCurve {

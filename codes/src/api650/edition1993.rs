@@ -15,7 +15,7 @@
 //!
 //! The appendix has no base shear, no moment with base pressure, no wave height and no vertical motion.
 
-use crate::procedure::{CodeError, Procedure};
+use crate::procedure::{CodeError, Label, Procedure};
 use crate::sheet::Sheet;
 use oscillator::spectrum::ordinates;
 use tank::assessment::{Assessment, Check, Excitation, NotApplicable};
@@ -102,8 +102,12 @@ impl Procedure for Api6501993 {
         "api650-1993"
     }
 
-    fn title(&self) -> &'static str {
-        "API 650, appendix E (9th edition, 1993, superseded)"
+    fn label(&self) -> Label {
+        Label {
+            title: "API 650, appendix E (9th edition, 1993, superseded)",
+            short: "API 650, 9th ed.",
+            figure_key: "k-api650-1993",
+        }
     }
 
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {

@@ -42,11 +42,12 @@ mod work;
 use demand::{Demand, Edition};
 use work::Work;
 
-use crate::procedure::{CodeError, Procedure};
+use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::sheet::Sheet;
+use spectrum::ElasticSpectrum;
 use tank::Shape;
 use tank::assessment::{Assessment, Excitation, NotApplicable};
-use tank::case::{Case, Combination, FlexibleImpulsive};
+use tank::case::{Case, Combination, FlexibleImpulsive, Site};
 
 /// EN 1998-4:2006 annex A with EN 1998-1:2004 (`ec8-2006`).
 #[derive(Clone, Copy, Debug)]
@@ -61,8 +62,25 @@ impl Procedure for En2006 {
         "ec8-2006"
     }
 
-    fn title(&self) -> &'static str {
-        "EN 1998-4:2006, annex A"
+    fn label(&self) -> Label {
+        Label {
+            title: "EN 1998-4:2006, annex A",
+            short: "EN 1998-4:2006",
+            figure_key: "k-ec8-2006",
+        }
+    }
+
+    fn design_curves(&self, site: &Site, dampings: &[f64]) -> Vec<DesignCurve> {
+        let Some(spectrum) = site.ec8.as_ref().and_then(|site| ElasticSpectrum::new(site).ok()) else {
+            return Vec::new();
+        };
+        let curve = |&damping: &f64| DesignCurve {
+            id: format!("ec8-{damping}"),
+            title: format!("EN 1998-1 elastic, ξ = {:.1} %", damping * 100.0),
+            damping,
+            acceleration: Box::new(move |t| spectrum.horizontal(t, damping)),
+        };
+        dampings.iter().map(curve).collect()
     }
 
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
@@ -79,8 +97,12 @@ impl Procedure for Env1998 {
         "ec8-env"
     }
 
-    fn title(&self) -> &'static str {
-        "ENV 1998-4:1998, annex B (superseded)"
+    fn label(&self) -> Label {
+        Label {
+            title: "ENV 1998-4:1998, annex B (superseded)",
+            short: "ENV 1998-4",
+            figure_key: "k-ec8-env",
+        }
     }
 
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {

@@ -6,7 +6,7 @@ use super::motion::{self, Motion, SOURCE};
 use super::stress::{self, Pressures};
 use super::{notes, slender};
 use crate::mechanical::Plan;
-use crate::procedure::{CodeError, Procedure};
+use crate::procedure::{CodeError, Label, Procedure};
 use crate::sheet::Sheet;
 use tank::Shape;
 use tank::assessment::{Assessment, Excitation, NotApplicable, Profile};
@@ -28,8 +28,12 @@ impl Procedure for Housner {
         "housner"
     }
 
-    fn title(&self) -> &'static str {
-        "Housner (1957, 1963)"
+    fn label(&self) -> Label {
+        Label {
+            title: "Housner (1957, 1963)",
+            short: "Housner",
+            figure_key: "k-housner",
+        }
     }
 
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {

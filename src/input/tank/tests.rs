@@ -268,7 +268,7 @@ fn options() {
 
 #[test]
 fn every_procedure_can_be_named() {
-    for procedure in codes::procedure::ALL {
+    for procedure in codes::ALL {
         let file = read(&small(&format!(
             r#", "procedures": {{ "run": ["{}"] }}"#,
             procedure.id()

@@ -26,9 +26,12 @@ mod resistance;
 #[cfg(test)]
 mod tests;
 
-use crate::procedure::{CodeError, Procedure};
+use crate::api650::ground_motion::DesignSpectrum;
+use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::sheet::Sheet;
+use tank::STANDARD_GRAVITY;
 use tank::assessment::{Assessment, Check, Excitation, NotApplicable};
+use tank::case::Site;
 use tank::case::{Api650Site, Case};
 use tank::quantity::Quantity;
 use tank::units::Dimension;
@@ -89,8 +92,25 @@ impl Procedure for Api6502020 {
         "api650-2020"
     }
 
-    fn title(&self) -> &'static str {
-        "API 650, annex E (12th and 13th edition, 2020)"
+    fn label(&self) -> Label {
+        Label {
+            title: "API 650, annex E (12th and 13th edition, 2020)",
+            short: "API 650 annex E",
+            figure_key: "k-api650-2020",
+        }
+    }
+
+    /// ASCE 7 has one shape for all damping ratios; API 650 E.4.6 raises its sloshing branch by K = 1.5.
+    fn design_curves(&self, site: &Site, _dampings: &[f64]) -> Vec<DesignCurve> {
+        let Some(spectrum) = site.api650.as_ref().and_then(|site| DesignSpectrum::new(site).ok()) else {
+            return Vec::new();
+        };
+        vec![DesignCurve {
+            id: "asce7-0.05".into(),
+            title: "ASCE 7 design, ξ = 5 %".into(),
+            damping: 0.05,
+            acceleration: Box::new(move |t| spectrum.acceleration(t) * STANDARD_GRAVITY),
+        }]
     }
 
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
