@@ -31,7 +31,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// A fault of the command line or between files, in full sentences.
+    /// A fault of the command line or between files (`error: …`, `help: …`).
     pub fn input(text: String) -> Error {
         Error::Files(files::error::Error::Input(text))
     }

@@ -1,8 +1,7 @@
-//! The whole flow of an incremental dynamic analysis: job → tank → runs → `ida.json`, `ida.csv`, report.
-//!
-//! Every run that is finished goes to `ida.partial.json` at once, and runs under way keep checkpoints, so that an analysis
-//! that is killed can be resumed; a run does not depend on the others, and a resumed analysis gives the same numbers. All
-//! this stands in `unfinished/` of the output folder until the analysis is complete.
+//! The whole flow of an incremental dynamic analysis: job → tank → runs → `ida.json`, `ida.csv`, report. Finished
+//! runs are stored in `ida.partial.json` immediately, and unfinished runs keep checkpoints, so that a killed analysis
+//! can be resumed. Runs are independent, and a resumed analysis gives the same numbers. These files are in
+//! `unfinished/` of the output folder until the analysis is complete.
 
 use std::path::Path;
 
@@ -21,7 +20,7 @@ use results::{
 /// Name of the table of runs.
 const CSV_FILE: &str = "ida.csv";
 
-/// What names of checkpoints of runs under way begin with, before the scale.
+/// Prefix of the names of checkpoints, before the scale.
 const CHECKPOINT: &str = "checkpoint-";
 
 /// Results of an analysis.
@@ -32,25 +31,24 @@ const IDA: Kind = Kind {
     keeps: |_| false,
 };
 
-/// Whether an unfinished analysis keeps a file of this name.
+/// Whether a file of this name belongs to an unfinished analysis.
 fn is_work(name: &str) -> bool {
     name.starts_with(CHECKPOINT) || name.starts_with(IDA_PARTIAL_FILE)
 }
 
-/// Runs a job; `volatile` stamps the results.
-///
-/// Errors: a tank or option that the nonlinear engine does not know; a folder that holds another analysis or cannot be
-/// written; a failure of the engine. Collapse of the wall is none.
+/// Runs a job; `volatile` stamps the results. Errors: a tank or option that the nonlinear engine does not support; a
+/// folder that contains another analysis or cannot be written; a failure of the engine. Collapse is a result, not an
+/// error.
 pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progress) -> Result<Ida, Error> {
     let key = job.job.key();
-    // Whatever is wrong with the folder is said before anything is computed.
+    // Faults of the folder are reported before anything is computed.
     let folder = OutputFolder::prepare(&job.out, IDA)?;
     let work = WorkFolder::open(&job.out, IDA.id, is_work, job.resume)?;
     let partial = work.file(IDA_PARTIAL_FILE);
     let earlier = job.out.join(IDA_FILE);
     let mut runs = match kept(&earlier, &key) {
         _ if !job.resume => Vec::new(),
-        // Complete results of another analysis beside unfinished work of this one.
+        // Complete results of another analysis next to unfinished work of this one.
         Err(_) if !work.names()?.is_empty() => Vec::new(),
         runs => runs?,
     };
@@ -64,7 +62,7 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
         inspect(&path).map_err(|e| {
             Error::Files(files::error::Error::Taken {
                 what: e.cause().to_string(),
-                help: "remove the file: the run of its scale then starts over, and the others are kept".into(),
+                help: "remove the file; the run of its scale starts over, and the others are kept".into(),
                 path,
             })
         })?;
@@ -99,8 +97,8 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
         insert(&mut ida.runs, run);
         match write_ida(&partial, &ida) {
             Ok(()) => checkpoint(scale).remove(),
-            // Its results are still in memory, its checkpoint stays: the next run tries again.
-            Err(error) => progress.warn(&format!("{error}; the analysis goes on")),
+            // Its results are in memory and its checkpoint stays; the next run retries.
+            Err(error) => progress.warn(&format!("{error}; the analysis continues")),
         }
     })?;
     ida.incomplete = !job.scales.iter().all(|&scale| has(&ida.runs, scale));
@@ -118,17 +116,17 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
     Ok(ida)
 }
 
-/// What is unusual in the input, to stand above what the engine assumed.
+/// Warnings about the input, placed above the assumptions of the engine.
 fn warnings(job: &IdaJob) -> Vec<String> {
     job.job.warnings.iter().map(|w| format!("Warning: {w}")).collect()
 }
 
-/// Whether there is a run of a scale.
+/// Whether a run of this scale exists.
 fn has(runs: &[IdaRun], scale: f64) -> bool {
     runs.iter().any(|run| same(run.scale, scale))
 }
 
-/// Whether two scales are one: files keep ten digits.
+/// Whether two scales are equal to the ten digits stored in files.
 fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-9 * a.abs().max(b.abs())
 }
@@ -138,7 +136,7 @@ fn insert(runs: &mut Vec<IdaRun>, run: IdaRun) {
     runs.insert(at, run);
 }
 
-/// Runs that a file has of this very analysis; none if it is not there.
+/// Runs of this analysis in a file; empty if the file does not exist.
 fn kept(path: &Path, key: &str) -> Result<Vec<IdaRun>, Error> {
     if !path.exists() {
         return Ok(Vec::new());
@@ -149,13 +147,13 @@ fn kept(path: &Path, key: &str) -> Result<Vec<IdaRun>, Error> {
         false => Err(Error::Files(files::error::Error::Taken {
             path: path.into(),
             what: "belongs to another tank, record, option or version".into(),
-            help: "name another folder with --out, or leave --resume out to start over".into(),
+            help: "name another folder with --out, or remove --resume to start over".into(),
         })),
     }
 }
 
-/// Writes an analysis; returns it as written. Table and report have the digits of the file, so that they do not depend on which
-/// runs were computed now and which were kept.
+/// Writes an analysis; returns it as written. Table and report use the digits of the file, so that they are the same
+/// for computed and for stored runs.
 fn write(folder: &OutputFolder, ida: &Ida) -> Result<Ida, Error> {
     let path = folder.path().join(IDA_FILE);
     write_ida(&path, ida)?;

@@ -1,4 +1,4 @@
-//! What is to be computed: plain, validated data in SI.
+//! Input of a computation: plain, validated data in SI.
 
 use sha2::{Digest, Sha256};
 use tank::Case;
@@ -16,9 +16,9 @@ pub enum Engines {
     Harmonic,
     /// Three-dimensional elements.
     Solid,
-    /// The harmonic engine, and the three-dimensional one beside it.
+    /// The harmonic and the three-dimensional engine.
     Both,
-    /// The harmonic engine, and the nonlinear one beside it.
+    /// The harmonic and the nonlinear engine.
     Nonlinear,
 }
 
@@ -44,20 +44,21 @@ pub struct Job {
     pub solid: SolidOptions,
     /// Options of the nonlinear engine alone.
     pub nonlinear: NonlinearOptions,
-    /// Where the nonlinear run is kept while it is under way.
+    /// Checkpoint file of the nonlinear run.
     pub checkpoint: Option<CheckpointFile>,
     /// Echo of the input, defaults marked.
     pub echo: Vec<InputValue>,
-    /// Files the job was made from, with their hashes.
+    /// Input files of the job, with their hashes.
     pub files: Vec<SourceFile>,
-    /// What is unusual in the input, one sentence each.
+    /// Warnings about the input, one sentence each.
     pub warnings: Vec<String>,
     /// Horizontal (and vertical) record as read, before scaling, for the report's echo.
     pub raw_records: Vec<oscillator::record::Record>,
 }
 
 impl Job {
-    /// Fingerprint of everything a nonlinear run depends on: the version, the tank, the records as computed with, the options.
+    /// Fingerprint of everything a nonlinear run depends on: the version, the tank, the processed records, the
+    /// options.
     pub fn key(&self) -> String {
         fingerprint(&(&self.case, &self.nonlinear))
     }
@@ -67,7 +68,7 @@ impl Job {
 fn fingerprint(of: &dyn std::fmt::Debug) -> String {
     let mut hash = Sha256::new();
     hash.update(env!("CARGO_PKG_VERSION"));
-    // The debug form holds every number to the last digit.
+    // The debug form has every number to the last digit.
     hash.update(format!("{of:?}"));
     hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
@@ -79,11 +80,11 @@ pub struct IdaJob {
     pub job: Job,
     /// Factors on the record, ascending and different, ≥ 0; never empty.
     pub scales: Vec<f64>,
-    /// Runs at a time, ≥ 1.
+    /// Number of parallel runs, ≥ 1.
     pub jobs: usize,
     /// Folder of the results.
     pub out: std::path::PathBuf,
-    /// Whether runs that the folder has already are kept.
+    /// Whether existing runs of the folder are kept.
     pub resume: bool,
 }
 
@@ -96,7 +97,7 @@ pub struct PushJob {
     pub options: PushOptions,
     /// Folder of the results.
     pub out: std::path::PathBuf,
-    /// Where the run is kept while it is under way.
+    /// Checkpoint file of the run.
     pub checkpoint: Option<CheckpointFile>,
 }
 

@@ -1,4 +1,4 @@
-//! Seismic verification of liquid storage tanks: code procedures beside a coupled finite-element time history.
+//! Seismic verification of liquid storage tanks: code procedures and a coupled finite-element time history.
 //!
 //! Data flows one way:
 //!
@@ -10,8 +10,8 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`input`] | reading `tank.json` and records; the only place that knows units in text and file formats |
-//! | [`job`] | what is to be computed: a `tank::Case`, the procedures, the finite-element options |
+//! | [`input`] | reading `tank.json` and records; the only place with units in text and file formats |
+//! | [`job`] | input of a computation: a `tank::Case`, the procedures, the finite-element options |
 //! | [`pipeline`] | the whole flow of a verification in one function |
 //! | [`ida`] | that of an incremental dynamic analysis |
 //! | [`push`] | that of a pushover |

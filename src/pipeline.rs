@@ -1,6 +1,5 @@
-//! The whole flow of a verification in one function.
-//!
-//! Procedures and engine see the same [`Job`] and nothing of each other; they meet in [`compare`].
+//! The whole flow of a verification in one function. Procedures and engine use the same [`Job`] and are
+//! independent of each other; [`compare`] joins their results.
 
 mod motion;
 mod second;
@@ -25,14 +24,14 @@ use results::{
     TankSummary, Value, Verdict, Volatile, finite,
 };
 
-/// Ids of the procedures to run, in report order; an empty list stands for all.
+/// Ids of the procedures to run, in report order; an empty list means all.
 ///
 /// Errors: an unknown id, with the known ones.
 pub fn select_procedures(ids: &[String]) -> Result<Vec<String>, Error> {
     let known: Vec<&str> = codes::ALL.iter().map(|p| p.id()).collect();
     if let Some(unknown) = ids.iter().find(|id| !known.contains(&id.as_str())) {
         return Err(Error::input(format!(
-            "error: procedures: found `{unknown}`, allowed any of {}",
+            "error: procedures: found `{unknown}`, expected any of {}",
             known.join(", ")
         )));
     }
@@ -43,18 +42,18 @@ pub fn select_procedures(ids: &[String]) -> Result<Vec<String>, Error> {
         .collect())
 }
 
-/// What a job gives.
+/// Results of a job.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// For `results.json`.
     pub results: Results,
     /// For `series.csv`.
     pub series: Series,
-    /// States of the three-dimensional model, where they were asked for.
+    /// States of the three-dimensional model, if requested.
     pub snapshots: Option<Snapshots>,
 }
 
-/// Runs a job: procedures, engines, comparison. `volatile` is left empty but for the version.
+/// Runs a job: procedures, engines, comparison. `volatile` is empty except for the version.
 ///
 /// Errors: a procedure that does not converge, a failure of an engine, a result that is not finite.
 pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
@@ -77,7 +76,7 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     let (mut methods, records) = codes?;
     let mut simulation = simulation.transpose()?;
     let mut second = second::run(job, progress)?;
-    // The histories as computed; beside those of a longer run they are NaN after their end.
+    // Histories as computed; padded with NaN next to those of a longer run.
     for (id, run) in [(compare::FE, &simulation), ("second engine", &second.run)] {
         run.as_ref()
             .map_or(Ok(()), |run| finite::check_series(id, &run.series))?;
@@ -113,7 +112,7 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     }
     context.nonlinear = second::happened(fe.as_ref(), fe_nonlinear.as_ref());
     if let Some(layered) = job.case.tank.courses.iter().find_map(Course::layer_assumption) {
-        // The nonlinear engine has the layers themselves.
+        // The nonlinear engine models the layers.
         let computed = methods
             .iter_mut()
             .filter(|m| matches!(m.status, Status::Computed) && m.id != FE_NONLINEAR);
@@ -238,7 +237,7 @@ fn quantities(values: &BTreeMap<Quantity, f64>) -> BTreeMap<String, Value> {
         .collect()
 }
 
-/// Periods of the tank [s]: the engine's modes with their first numbers, or those of the procedures where there is none.
+/// Periods of the tank [s]: the first modes of the engine, or those of the procedures without an engine.
 fn tank_periods(methods: &[Method], simulation: Option<&Simulation>) -> Vec<f64> {
     match simulation {
         Some(simulation) => {
@@ -307,7 +306,7 @@ fn measured(job: &Job) -> Option<Method> {
     })
 }
 
-/// What the explanations of the comparison need to know.
+/// Input of the explanations of the comparison.
 fn context(job: &Job, simulation: Option<&Simulation>) -> Context {
     let damping = job.case.damping;
     let mut context = Context {

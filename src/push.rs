@@ -23,12 +23,11 @@ const PUSH: Kind = Kind {
     keeps: |_| false,
 };
 
-/// Runs a job; `volatile` stamps the results.
-///
-/// Errors: a tank or option that a pushover does not know; a folder that holds something else or cannot be written; a wall
-/// that does not carry its liquid at rest. That it fails under the pushing is none.
+/// Runs a job; `volatile` stamps the results. Errors: a tank or option that a pushover does not support; a folder
+/// with other contents or that cannot be written; a wall that does not carry its liquid at rest. Failure under the
+/// pushover load is a result, not an error.
 pub fn run(job: &PushJob, volatile: impl Fn() -> Volatile, progress: &dyn Progress) -> Result<Push, Error> {
-    // Whatever is wrong with the folder is said before anything is computed.
+    // Faults of the folder are reported before anything is computed.
     let folder = OutputFolder::prepare_alone(&job.out, PUSH)?;
     let case = &job.job.case;
     let pushed = pushover(
@@ -68,7 +67,8 @@ pub fn run(job: &PushJob, volatile: impl Fn() -> Volatile, progress: &dyn Progre
     Ok(push)
 }
 
-/// What the codes say of the compression that the wall carries. Those that need a yield strength stand where every course has one.
+/// Limits of the codes for the compression of the wall. Those that need a yield strength appear if every course has
+/// one.
 fn formulas(case: &Case) -> Vec<Formula<'_>> {
     let Shape::Cylinder { radius } = case.tank.shape else {
         return Vec::new();

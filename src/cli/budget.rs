@@ -1,14 +1,14 @@
-//! What a run will take, said beforehand and held against the limits.
+//! Estimated memory and time of a run, printed before it starts and compared with the limits.
 
 use crate::cli::Global;
 use crate::cli::terminal::say;
 use crate::error::Error;
 use engines::estimate::{Estimate, WORTH_SAYING};
 
-/// Memory that a run may take.
+/// Memory limit of a run.
 #[derive(clap::Args, Clone, Copy, Debug, Default)]
 pub struct MemoryArg {
-    /// Most memory of a run; a larger one is refused before it begins [default: 4096, or as in the tank file].
+    /// Memory limit; a run that needs more is rejected before it starts [default: 4096, or as in the tank file].
     #[arg(long, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=16_777_216))]
     memory_limit: Option<u64>,
 }
@@ -20,7 +20,7 @@ impl MemoryArg {
     }
 }
 
-/// Refuses a run that passes a limit; announces it if it takes its time, or if `always`.
+/// Rejects a run that exceeds a limit; prints the estimate of a long run, or always if `always`.
 ///
 /// * `limit`: memory allowed [MiB]
 ///

@@ -40,8 +40,8 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let site = &job.case.site;
     if job.case.ground_motion.is_none() && site.ec8.is_none() && site.api650.is_none() {
         return Err(Error::input(
-            "error: nothing shakes the tank\n  help: add `site` to the tank file (design spectra), or give a record with \
-             --quake"
+            "error: the ground motion is missing\n  help: add `site` to the tank file (design spectra), or give a record \
+             with --quake"
                 .into(),
         ));
     }

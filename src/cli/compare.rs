@@ -40,11 +40,11 @@ Examples:
   tankcheck compare tank.json --quake elcentro.csv --fe nonlinear --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe nonlinear --out out/ --resume
 
-Ctrl-C stops a three-dimensional or nonlinear run and keeps what it has, marked incomplete; pressed again it drops
-everything but the checkpoint of a nonlinear run.
+Ctrl-C stops a three-dimensional or nonlinear run and keeps the finished part, marked incomplete; a second Ctrl-C
+discards everything except the checkpoint of a nonlinear run.
 
 Exit codes: 0 every check holds; 1 a check fails; 2 bad input; 3 the computation failed or was interrupted, or the tank
-collapsed; 130 dropped by a second Ctrl-C.")]
+collapsed; 130 stopped by a second Ctrl-C.")]
 pub struct Args {
     #[command(flatten)]
     inputs: Inputs,
@@ -72,7 +72,7 @@ pub struct Args {
     /// Multiply every element count of the default mesh, 0.25 to 16.
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     refine: Option<f64>,
-    /// Leave out the second, coarser mesh that estimates the discretisation error.
+    /// Skip the second, coarser mesh that estimates the discretisation error.
     #[arg(long)]
     no_mesh_error: bool,
     /// Folder whose files replace the built-in report templates.
@@ -92,9 +92,9 @@ enum Engine {
     Solid,
     /// Both, side by side.
     Both,
-    /// No engine: the codes alone.
+    /// The codes alone, without an engine.
     None,
-    /// The harmonic engine, and beside it walls that yield and crack, in large rotations.
+    /// The harmonic engine, and a nonlinear run with walls that yield and crack, with large rotations.
     Nonlinear,
 }
 
@@ -112,7 +112,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
     if args.inputs.quake.is_none() {
         return Err(Error::input(
-            "error: no ground motion\n  help: give a record with --quake, or run `tankcheck check` for the codes alone"
+            "error: the ground motion is missing\n  help: give a record with --quake, or run `tankcheck check` for the codes alone"
                 .into(),
         ));
     }
@@ -129,7 +129,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     nonlinear::announce(&job, global);
     if args.vtu.as_ref() == Some(&args.out) {
         return Err(Error::input(format!(
-            "error: --vtu and --out name one folder, `{}`\n  help: each needs a folder of its own",
+            "error: --vtu and --out are the same folder, `{}`\n  help: use a separate folder for each",
             args.out.display()
         )));
     }
@@ -157,14 +157,14 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
             vtu::write(&vtu.path(), snapshots)?;
         }
         folder.commit()?;
-        // Without a state the folder stays as it was.
+        // Without a state the folder is not changed.
         vtu.filter(|_| snapshots.is_some())
             .map_or(Ok(()), OutputFolder::commit)?;
         nonlinear::tidy(&job, &results);
     }
     watch.finish();
     print(&results, Some(&args.out), args.format, global)?;
-    // Those of the input have been printed before the run.
+    // Warnings about the input were printed before the run.
     for warning in results.warnings.iter().skip(job.warnings.len()) {
         say!("warning: {}", text::line(warning));
     }
@@ -173,7 +173,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         (Some(folder), Some(_)) if !global.quiet => {
             say!("ParaView: {}", folder.join(vtu::COLLECTION).display());
         }
-        (Some(_), None) => say!("ParaView: interrupted before there was a state to write"),
+        (Some(_), None) => say!("ParaView: no files written; the run was interrupted before the first state"),
         _ => {}
     }
     Ok(match &results.verdict {
@@ -183,7 +183,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     })
 }
 
-/// What the engines of a job will take.
+/// Estimates of the engines of a job.
 fn estimates(job: &Job) -> Result<Vec<Estimate>, FeError> {
     let Some(options) = &job.fe else { return Ok(Vec::new()) };
     let harmonic = || engines::harmonic::estimate(&job.case, options);
@@ -196,7 +196,7 @@ fn estimates(job: &Job) -> Result<Vec<Estimate>, FeError> {
     })
 }
 
-/// Lays the options of the command line over those of the tank file.
+/// Applies the options of the command line over those of the tank file.
 fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
     job.solid.memory_limit_mib = args.memory.over(job.solid.memory_limit_mib);
     job.engines = match args.fe {
@@ -225,7 +225,7 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
         let unused = args.solid.given().or(args.vtu.as_ref().map(|_| "--vtu"));
         return match unused {
             Some(option) => Err(Error::input(format!(
-                "error: {option} belongs to the three-dimensional engine\n  help: add --fe solid or --fe both"
+                "error: {option} applies to the three-dimensional engine only\n  help: add --fe solid or --fe both"
             ))),
             None => Ok(()),
         };
@@ -237,7 +237,7 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
     Ok(())
 }
 
-/// States in the ParaView files unless the user says otherwise: enough for a smooth animation.
+/// Default number of states in the ParaView files: enough for a smooth animation.
 const STATES: f64 = 100.0;
 
 /// Time between two states in the ParaView files [s].
@@ -251,16 +251,16 @@ fn interval(job: &Job, given: Option<f64>) -> Result<f64, Error> {
         None => Ok((duration / STATES).max(record.dt)),
         Some(every) if every >= record.dt && every.is_finite() => Ok(every),
         Some(every) => Err(Error::input(format!(
-            "error: --vtu-every: found `{every}`, allowed a time [s] from the time step of the record, {}, on",
+            "error: --vtu-every: found `{every}`, expected a time [s] of at least the time step of the record, {}",
             record.dt
         ))),
     }
 }
 
-/// Fills in what differs between identical runs.
+/// Fills in the fields that differ between identical runs.
 pub fn stamp(results: &mut Results, started: Instant) {
     results.volatile.created = jiff::Timestamp::now().to_string();
-    // The name of the command, not where this machine keeps it.
+    // The name of the command, without the path on this machine.
     let arguments = std::env::args().skip(1);
     results.volatile.command = std::iter::once("tankcheck".to_string())
         .chain(arguments)
@@ -297,7 +297,7 @@ pub fn print(results: &Results, out: Option<&Path>, format: Format, global: &Glo
     Ok(())
 }
 
-/// Mark of a number that is not to be used.
+/// Mark of an unusable number.
 const UNUSABLE: &str = "‡";
 
 /// Quantity × method for one excitation, values with their ratio to the engine.
@@ -415,7 +415,7 @@ impl Later {
             ""
         };
         format!(
-            "* the linear peak comes later ({}): {FE_NONLINEAR} ends at {:.2} s, fe goes on{after}",
+            "* the linear peak is later ({}): {FE_NONLINEAR} ends at {:.2} s, fe continues{after}",
             times.join(", "),
             self.end
         )
@@ -468,7 +468,7 @@ fn verdict(results: &Results) -> String {
             verdict.checks, verdict.failed, governing.check.name, governing.method, governing.check.utilisation
         );
     }
-    // A limit that several engines exceed is told once.
+    // A limit that several engines exceed is printed once.
     let mut told: Vec<&str> = Vec::new();
     for fe in results.fe.iter().chain(&results.fe_solid).chain(&results.fe_nonlinear) {
         let exceeded: Vec<&Limit> = fe.limits.iter().filter(|l| !l.holds).collect();

@@ -35,7 +35,10 @@ pub fn run(args: Args, _: &Global) -> Result<u8, Error> {
                 "" => command,
                 name => command.find_subcommand(name).cloned().ok_or_else(|| {
                     let known: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
-                    Error::input(format!("error: no subcommand `{name}`; allowed: {}", known.join(", ")))
+                    Error::input(format!(
+                        "error: unknown subcommand; found `{name}`, expected one of {}",
+                        known.join(", ")
+                    ))
                 })?,
             };
             clap_mangen::Man::new(chosen)

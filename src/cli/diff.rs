@@ -36,10 +36,10 @@ pub struct Args {
     /// Accept NEW: copy it over OLD and keep the reason in OLD/accepted.json.
     #[arg(long, requires = "reason")]
     bless: bool,
-    /// Why the numbers may move.
+    /// Reason why the numbers may move.
     #[arg(long)]
     reason: Option<String>,
-    /// Most rows to print.
+    /// Largest number of rows to print.
     #[arg(long, default_value_t = 30)]
     most: usize,
     /// Form of the output.
@@ -47,7 +47,7 @@ pub struct Args {
     format: Format,
 }
 
-/// The results folder that another one is copied over.
+/// The results folder that is overwritten.
 const BLESSED: Kind = Kind {
     option: "OLD",
     ..COMPARE
@@ -77,7 +77,7 @@ fn copy(from: &Path, to: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// File of a golden folder that keeps why it was accepted.
+/// File of a golden folder with the reasons for acceptance.
 const ACCEPTED_FILE: &str = "accepted.json";
 
 /// Runs the subcommand; returns the exit code.
@@ -85,13 +85,13 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     for (name, value) in [("--rtol", args.rtol), ("--time-tolerance", args.time_tolerance)] {
         if !(value.is_finite() && value >= 0.0) {
             return Err(Error::input(format!(
-                "error: {name}: found {value}, allowed a number ≥ 0"
+                "error: {name}: found {value}, expected a number ≥ 0"
             )));
         }
     }
     if args.reason.as_ref().is_some_and(|reason| reason.trim().is_empty()) {
         return Err(Error::input(
-            "error: --reason: found nothing, expected a sentence\n  help: say why the numbers may move".into(),
+            "error: --reason: found an empty text, expected a sentence\n  help: state why the numbers may move".into(),
         ));
     }
     let options = Options {
@@ -99,7 +99,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         time_tolerance: args.time_tolerance,
     };
     if args.bless {
-        // Only results of this form are copied: those of `ida` and `push` are compared alone.
+        // Only results of this form are copied; those of `ida` and `push` can only be compared.
         results::read(&args.new)?;
     }
     if args.bless && !args.old.exists() {
@@ -115,7 +115,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     if args.bless {
         bless(&args, &report)?;
         if !global.quiet {
-            say!("accepted: {} now holds the new results", args.old.display());
+            say!("accepted: {} now contains the new results", args.old.display());
         }
         return Ok(EXIT_OK);
     }
@@ -200,7 +200,7 @@ fn bless(args: &Args, report: &Report) -> Result<(), Error> {
         Ok(text) => serde_json::from_str(&text).map_err(|e| {
             Error::Files(files::error::Error::File {
                 path: accepted.clone(),
-                what: format!("not a list of acceptances: {e}"),
+                what: format!("found no list of acceptances: {e}"),
             })
         })?,
         Err(_) => Vec::new(),

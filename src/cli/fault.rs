@@ -1,7 +1,6 @@
-//! The last resort: a fault of the program itself, in whatever thread, ends the run with one line and exit code 3.
-//!
-//! The line names the place of the fault, the input files that repeat it and where to report it. What is half-written is
-//! removed. Files that are whole, a checkpoint among them, stay.
+//! Panic handler: a fault of the program itself, in any thread, ends the run with one line and exit code 3. The line
+//! gives the place of the fault, the input files that reproduce it and the address for reports. Partial files are
+//! removed; complete files, including a checkpoint, stay.
 
 use std::panic::PanicHookInfo;
 use std::path::Path;
@@ -13,7 +12,7 @@ use crate::error::EXIT_COMPUTATION;
 /// Set by the first thread that panics.
 static FAULT: AtomicBool = AtomicBool::new(false);
 
-/// Ends the process at the first panic from here on.
+/// Installs the panic hook, which ends the process at the first panic.
 pub(crate) fn install() {
     std::panic::set_hook(Box::new(|info| {
         // One line is enough: while the first thread ends the process, all others wait.
@@ -63,7 +62,7 @@ fn line(what: &str, place: &str, arguments: impl Iterator<Item = String>) -> Str
     )
 }
 
-/// Where faults are reported.
+/// Address for reports of faults.
 fn maintainers(repository: &str) -> &str {
     match repository {
         "" => "the maintainers",
@@ -79,10 +78,10 @@ mod tests {
     use files::OutputFolder;
     use results::COMPARE;
 
-    /// Tells the test below that it is the child.
+    /// Marks the process of the test below as the child.
     const CHILD: &str = "TANKCHECK_TEST_OF_FAULTS";
 
-    /// Runs as a process of its own: prepares an output folder and panics in a thread of the given name.
+    /// Runs as a separate process: prepares an output folder and panics in a thread of the given name.
     #[test]
     fn child() {
         let Ok(home) = std::env::var(CHILD) else { return };

@@ -18,7 +18,7 @@ use files::text;
 use report::{self, number::significant};
 use results::ida_csv;
 
-/// Most runs of one analysis.
+/// Largest number of runs of one analysis.
 const MAX_RUNS: usize = 1000;
 /// Largest factor on a record.
 const MAX_SCALE: f64 = 100.0;
@@ -32,7 +32,7 @@ Examples:
   tankcheck ida tank.json --quake elcentro.csv --scale 0..1.1 --steps 12 -o ida/ --resume
 
 Exit codes: 0 done; 2 bad input; 3 the computation failed or was interrupted, or results could not be
-written; 130 dropped by a second Ctrl-C.")]
+written; 130 stopped by a second Ctrl-C.")]
 pub struct Args {
     /// The tank (`-` reads standard input).
     tank: PathBuf,
@@ -44,19 +44,20 @@ pub struct Args {
     vertical: Option<PathBuf>,
     #[command(flatten)]
     reading: Reading,
-    /// Factors on the record as the tank file scales it: a range `0..1.1`, both ends included, or a list `0.5,0.9,1`.
+    /// Factors on the record after the scaling of the tank file: a range `0..1.1`, both ends included, or a list
+    /// `0.5,0.9,1`.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     scale: String,
     /// Number of factors in a range, evenly spaced.
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     steps: Option<String>,
-    /// Runs at a time.
+    /// Number of parallel runs.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
     jobs: u16,
     /// Folder for the results of all runs.
     #[arg(long, short, value_name = "FOLDER", default_value = "ida")]
     out: PathBuf,
-    /// Keep the runs that the folder has, whatever their scales, and go on with those that it does not have yet; from the
+    /// Keep all finished runs of the folder, of any scale, and continue with the missing ones; start from the
     /// beginning if there are none.
     #[arg(long)]
     resume: bool,
@@ -101,13 +102,13 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
             }
         }
         for sentence in report::ida::departures(&found) {
-            say!("left the model: {sentence}");
+            say!("outside the model: {sentence}");
         }
         for sentence in report::ida::partings(&found) {
             say!("note: {sentence}");
         }
         if found.incomplete {
-            say!("incomplete: the same command with --resume goes on");
+            say!("incomplete: repeat the command with --resume to continue");
         }
         say!("report: {}", job.out.join("report.html").display());
     }
@@ -148,53 +149,53 @@ impl Args {
 /// The factors of `--scale` and `--steps`, ascending.
 fn scales(text: &str, steps: Option<&str>) -> Result<Vec<f64>, Error> {
     let refuse = |what: String, help: &str| Err(Error::input(format!("error: {what}\n  help: {help}")));
-    let allowed = format!("allowed factors from 0 to {MAX_SCALE}");
+    let expected = format!("expected factors from 0 to {MAX_SCALE}");
     let number = |part: &str| part.trim().parse::<f64>().ok();
     let sound = |scale: &f64| (0.0..=MAX_SCALE).contains(scale);
     let Some((from, to)) = text.split_once("..") else {
         let Some(list) = text.split(',').map(number).collect::<Option<Vec<f64>>>() else {
             return refuse(
-                format!("--scale: found `{text}`, {allowed}"),
-                "a range `0..1.1` with --steps 12, or a list `0.5,0.9,1`",
+                format!("--scale: found `{text}`, {expected}"),
+                "write a range `0..1.1` with --steps 12, or a list `0.5,0.9,1`",
             );
         };
         if let Some(bad) = list.iter().find(|s| !sound(s)) {
             return refuse(
-                format!("--scale: found `{bad}`, {allowed}"),
-                "a negative factor turns the record round: turn the file",
+                format!("--scale: found `{bad}`, {expected}"),
+                "use factors ≥ 0; to reverse the motion, change the sign of the record",
             );
         }
         if list.windows(2).any(|w| w[1] <= w[0]) {
             return refuse(
-                format!("--scale: found `{text}`, allowed a list that ascends"),
-                "each run starts where the curve stands: order the factors",
+                format!("--scale: found `{text}`, expected an ascending list"),
+                "sort the factors and remove duplicates",
             );
         }
         if let Some(steps) = steps {
             return refuse(
-                format!("--steps: found `{steps}` beside the list `{text}`, allowed with a range only"),
-                "leave --steps out, or give a range `0..1.1`",
+                format!("--steps: found `{steps}` with the list `{text}`, expected a range only"),
+                "remove --steps, or give a range `0..1.1`",
             );
         }
         if list.len() > MAX_RUNS {
             return refuse(
-                format!("--scale: found {} factors, allowed at most {MAX_RUNS}", list.len()),
-                "fewer factors",
+                format!("--scale: found {} factors, expected at most {MAX_RUNS}", list.len()),
+                "give fewer factors",
             );
         }
         return Ok(list);
     };
     let (Some(low), Some(high)) = (number(from), number(to)) else {
         return refuse(
-            format!("--scale: found `{text}`, {allowed}, such as `0..1.1`"),
-            "a range has two ends with two dots between them",
+            format!("--scale: found `{text}`, {expected}, such as `0..1.1`"),
+            "write both ends of the range with two dots between them",
         );
     };
     for end in [low, high] {
         if !sound(&end) {
             return refuse(
-                format!("--scale: found `{end}` in `{text}`, {allowed}"),
-                "a range such as `0..1.1`",
+                format!("--scale: found `{end}` in `{text}`, {expected}"),
+                "write a range such as `0..1.1`",
             );
         }
     }
@@ -205,26 +206,26 @@ fn scales(text: &str, steps: Option<&str>) -> Result<Vec<f64>, Error> {
             ("a reversed range", format!("write {}..{}", to.trim(), from.trim()))
         };
         return refuse(
-            format!("--scale: found `{text}`, {what}, allowed a range that ascends"),
+            format!("--scale: found `{text}`, {what}, expected an ascending range"),
             &help,
         );
     }
     let Some(steps) = steps else {
         return refuse(
-            format!("--steps is missing: the number of factors in `{text}`"),
-            "for example --steps 12",
+            format!("--steps is missing; expected the number of factors in `{text}`"),
+            "add for example --steps 12",
         );
     };
     let count = match steps.trim().parse::<usize>() {
         Ok(count) if (2..=MAX_RUNS).contains(&count) => count,
         _ => {
             return refuse(
-                format!("--steps: found `{steps}`, allowed a whole number from 2 to {MAX_RUNS}"),
-                "a range has two ends; for one run write --scale 0.9",
+                format!("--steps: found `{steps}`, expected a whole number from 2 to {MAX_RUNS}"),
+                "give at least 2 for a range; for one run write --scale 0.9",
             );
         }
     };
-    // Weights of the ends instead of sums of steps: the last factor is the upper end to the digit.
+    // Weights of the ends instead of sums of steps: the last factor is exactly the upper end.
     let last = (count - 1) as f64;
     Ok((0..count)
         .map(|i| (low * (last - i as f64) + high * i as f64) / last)
@@ -256,10 +257,10 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_range() {
+    fn invalid_ranges_are_rejected() {
         for (text, steps, parts) in [
             ("", None, vec!["--scale", "found ``"]),
-            ("..", Some("3"), vec!["--scale", "`..`", "two ends"]),
+            ("..", Some("3"), vec!["--scale", "`..`", "both ends"]),
             ("0..", Some("3"), vec!["--scale", "`0..`"]),
             ("1.1..0", Some("12"), vec!["reversed", "write 0..1.1"]),
             ("0.5..0.5", Some("3"), vec!["empty range", "--scale 0.5"]),
@@ -277,8 +278,8 @@ mod tests {
             ("0..1", Some("-3"), vec!["--steps: found `-3`"]),
             ("0..1", Some("2.5"), vec!["--steps: found `2.5`"]),
             ("0..1", Some("5000"), vec!["--steps: found `5000`"]),
-            ("1,0.5", None, vec!["ascends"]),
-            ("0.5,0.5", None, vec!["ascends"]),
+            ("1,0.5", None, vec!["ascending list"]),
+            ("0.5,0.5", None, vec!["ascending list"]),
             ("0.5,x", None, vec!["found `0.5,x`"]),
             ("0.5,-1", None, vec!["found `-1`"]),
             ("0.5,1", Some("3"), vec!["--steps", "a range only"]),

@@ -47,7 +47,7 @@ mod tests {
     use crate::input::tank::parse;
 
     #[test]
-    fn our_own_reader_takes_both() {
+    fn both_files_are_valid() {
         for shape in [Shape::Cylinder, Shape::Rectangle] {
             let source = Source::new("tank.json", shape.text());
             let file = parse(&source).unwrap_or_else(|faults| panic!("{}", faults.render(&source, false)));

@@ -1,4 +1,4 @@
-//! Arguments that say what to read, shared by `compare` and `check`.
+//! Input arguments, shared by `compare` and `check`.
 
 use std::path::PathBuf;
 
@@ -32,8 +32,7 @@ pub struct Inputs {
 
 impl Inputs {
     /// Reads everything; the job's finite-element options are those of the tank file.
-    ///
-    /// * `nonlinear`: what will be asked of the nonlinear engine, if anything; a file that it cannot run is refused
+    /// * `nonlinear`: purpose of the nonlinear run, if any; a file that the engine cannot run is rejected
     pub fn job(&self, nonlinear: Option<Purpose>) -> Result<Job, Error> {
         let tank = input::read_tank(&self.tank)?;
         if let Some(purpose) = nonlinear {
@@ -103,16 +102,16 @@ impl Inputs {
     }
 }
 
-/// How to read an accelerogram whose format leaves something open.
+/// Options for accelerograms whose format is ambiguous.
 #[derive(clap::Args, Clone, Debug, Default)]
 pub struct Reading {
-    /// Unit of the accelerations, where the file does not name it.
+    /// Unit of the accelerations, if the file does not give it.
     #[arg(long, value_enum, value_name = "UNIT")]
     pub units: Option<Unit>,
     /// Time step [s] of a file without a time column.
     #[arg(long, value_name = "SECONDS")]
     pub dt: Option<f64>,
-    /// Accept a peak ground acceleration above 5 g, in the file and as computed with; never above 1000 g.
+    /// Accept a peak ground acceleration above 5 g, before and after scaling; never above 1000 g.
     #[arg(long)]
     pub allow_implausible: bool,
 }

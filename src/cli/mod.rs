@@ -1,4 +1,4 @@
-//! The command line: one file a subcommand.
+//! The command line: one file per subcommand.
 //!
 //! Results go to standard output, messages and progress to standard error. Exit codes: see [`crate::error`].
 
@@ -94,7 +94,7 @@ enum Command {
     Modes(modes::Args),
     /// Response spectra of a record.
     Spectrum(spectrum::Args),
-    /// Look at an accelerogram.
+    /// Print the properties of an accelerogram.
     Quake(quake::Args),
     /// Render the report of a results folder again.
     Report(report::Args),
@@ -125,15 +125,15 @@ Examples:
   tankcheck diff golden/ out/
 
 Exit codes: 0 done and every check holds; 1 a check fails or diff found a change; 2 bad input or usage;
-3 the computation failed or was interrupted, its results could not be written, or the tank collapsed, or results could not be
-written; 130 ended by Ctrl-C with nothing kept.";
+3 the computation failed or was interrupted, its results could not be written, or the tank collapsed;
+130 ended by Ctrl-C with nothing kept.";
 
-/// A spinner on standard error while `what` is computed; invisible unless a person watches a terminal.
+/// A spinner on standard error while `what` is computed; hidden unless standard error is a terminal.
 pub(crate) fn spinner(global: &Global, what: &'static str) -> indicatif::ProgressBar {
     if global.quiet {
         return indicatif::ProgressBar::hidden();
     }
-    // `new_spinner` draws to standard error and hides itself where that is no terminal.
+    // `new_spinner` draws to standard error and hides itself where that is not a terminal.
     let spinner = indicatif::ProgressBar::new_spinner().with_message(what);
     spinner.enable_steady_tick(std::time::Duration::from_millis(100));
     spinner
@@ -144,7 +144,8 @@ pub(crate) fn command() -> clap::Command {
     Cli::command()
 }
 
-/// A result as JSON for standard output. Characters that steer a terminal are spelled `\u009b`, which is the same value.
+/// A result as JSON for standard output. Control characters of a terminal are written as `\u009b`, which is the same
+/// value.
 ///
 /// Errors: a number that is not finite.
 pub(crate) fn json(value: &impl serde::Serialize) -> Result<String, Error> {
@@ -153,7 +154,7 @@ pub(crate) fn json(value: &impl serde::Serialize) -> Result<String, Error> {
     Ok(format!("{}\n", text::json(&text)))
 }
 
-/// What differs between identical runs.
+/// Fields that differ between identical runs.
 pub(crate) fn stamp(started: std::time::Instant) -> Volatile {
     Volatile {
         version: env!("CARGO_PKG_VERSION").into(),
@@ -205,10 +206,10 @@ impl Cli {
     }
 }
 
-/// Prints what clap answers instead of running: help and version are results, all else is bad usage. Returns the exit code.
+/// Prints the output of clap for help, version or bad usage; returns the exit code. Help and version are results.
 fn refused(answer: &clap::Error) -> u8 {
     let text = answer.render();
-    // Colours of clap and escapes of an argument cannot be told apart: then there are none.
+    // Colours of clap cannot be distinguished from escapes in an argument: print without colours.
     if std::env::args_os().any(|a| a.to_string_lossy().chars().any(text::hostile)) {
         say!("{}", text.to_string().trim_end());
         return EXIT_INPUT;
@@ -229,10 +230,10 @@ fn refused(answer: &clap::Error) -> u8 {
     }
 }
 
-/// Prints why a run failed; returns its exit code.
+/// Prints the error of a failed run; returns its exit code.
 fn report_failure(error: &Error) -> u8 {
     match error {
-        // The user's text in it has been made visible; what is left are our own colours.
+        // The user's text is already escaped; the remaining escapes are our own colours.
         Error::Files(files::error::Error::Faults(rendered)) => terminal::coloured(rendered.trim_end()),
         Error::Files(files::error::Error::Input(rendered)) => say!("{}", rendered.trim_end()),
         other => say!("error: {other}"),

@@ -19,10 +19,10 @@ use engines::solid::SolidOptions;
 use files::text;
 use results::{Mode, finite};
 
-/// Largest circumferential harmonic offered: beyond it the default meshes no longer resolve the waves.
+/// Largest circumferential harmonic: the default meshes do not resolve more waves.
 const MAX_HARMONIC: u32 = 20;
 
-/// Most modes of each kind.
+/// Largest number of modes of each kind.
 const MAX_COUNT: usize = 100;
 
 /// Arguments.
@@ -33,9 +33,9 @@ Examples:
   tankcheck modes tank.json --harmonics 1 --count 5 --format json
   tankcheck modes tank.json --fe solid --mesh 12x16x20 --count 10
 
-Harmonic 1 answers horizontal motion, 0 vertical motion (its effective mass is that of pressure and weight), 2 and more
-no uniform motion of the ground at all. A rectangle has the symmetric half (0) and the antisymmetric half (1) of its plane
-strip.")]
+Harmonic 1 responds to horizontal motion, 0 to vertical motion (its effective mass is that of pressure and weight); 2 and
+more do not respond to uniform ground motion. A rectangle has the symmetric half (0) and the antisymmetric half (1) of its
+plane strip.")]
 pub struct Args {
     /// The tank (`-` reads standard input).
     #[arg(value_name = "TANK")]
@@ -91,7 +91,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         Engine::Harmonic => {
             if let Some(option) = args.solid.given() {
                 return Err(Error::input(format!(
-                    "error: {option} belongs to the three-dimensional engine\n  help: add --fe solid"
+                    "error: {option} applies to the three-dimensional engine only\n  help: add --fe solid"
                 )));
             }
             let mut estimate = harmonic::estimate(&case, &options)?;
@@ -123,13 +123,13 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
             let most = engines::solid::most_waves(&case, &options, &solid)?;
             if let Some(n) = harmonics.iter().find(|n| **n > most) {
                 return Err(Error::input(format!(
-                    "error: --harmonics: found {n}, allowed 0 to {most} on this mesh\n  help: a wave needs six sectors; give --mesh \
-                     more of them"
+                    "error: --harmonics: found {n}, expected 0 to {most} on this mesh\n  help: give --mesh more sectors; a wave \
+                     needs six"
                 )));
             }
             notes.push(format!(
-                "wave numbers up to n = {most} are searched: a wave needs six sectors. A wall may have lower modes with more waves; \
-                 a mesh with more sectors shows them"
+                "wave numbers up to n = {most} are searched (a wave needs six sectors); modes with more waves may be lower and \
+                 need a mesh with more sectors"
             ));
             (modes, notes)
         }
@@ -163,7 +163,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
 
 fn check(harmonics: &[u32], count: usize, shape: Shape) -> Result<(), Error> {
     let usage = |option: &str, found: String, allowed: String| {
-        Error::input(format!("error: {option}: found `{found}`, allowed {allowed}"))
+        Error::input(format!("error: {option}: found `{found}`, expected {allowed}"))
     };
     let largest = match shape {
         Shape::Cylinder { .. } => MAX_HARMONIC,
@@ -192,7 +192,7 @@ fn check(harmonics: &[u32], count: usize, shape: Shape) -> Result<(), Error> {
 }
 
 fn table(modes: &[Mode], liquid_mass: f64, engine: Engine) -> Table {
-    // Wave numbers as the theory manual names them: the harmonic engine has one, the wall of the other two.
+    // Wave numbers as in the theory manual: one for the harmonic engine, two for the wall of the three-dimensional one.
     let waves: &[&str] = match engine {
         Engine::Harmonic => &["m"],
         Engine::Solid => &["n (around)", "m (axial)"],

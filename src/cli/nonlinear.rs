@@ -1,4 +1,4 @@
-//! Arguments of the nonlinear engine in `compare`: where a run is kept while it is under way, and whether it goes on.
+//! Checkpoint arguments of the nonlinear engine, shared by `compare` and `push`.
 
 use std::path::{Path, PathBuf};
 
@@ -13,28 +13,27 @@ use report::number::plain;
 use results::nonlinear::End;
 use results::{Results, describe};
 
-/// How a nonlinear run survives an interruption.
+/// Checkpoint options.
 #[derive(clap::Args, Clone, Debug)]
 pub struct NonlinearArgs {
-    /// File that keeps a nonlinear run while it is under way; removed when it is done [default: the output folder with
-    /// `.checkpoint` at its end].
+    /// Checkpoint file of a nonlinear run; removed when the run is finished [default: the output folder with
+    /// `.checkpoint` appended].
     #[arg(long, value_name = "FILE")]
     checkpoint: Option<PathBuf>,
-    /// Go on with a nonlinear run where its checkpoint ends; from the beginning if there is none.
+    /// Continue a nonlinear run from its checkpoint; start from the beginning if there is none.
     #[arg(long)]
     resume: bool,
 }
 
 impl NonlinearArgs {
-    /// Lays these options over the job's; `out` is the output folder.
-    ///
-    /// Errors: options without a nonlinear run; a place where no checkpoint can be written; nothing to go on from.
+    /// Applies these options to the job; `out` is the output folder. Errors: options without a
+    /// nonlinear run; those of [`NonlinearArgs::file`].
     pub fn apply(&self, job: &mut Job, out: &Path) -> Result<(), Error> {
         if job.engines != Engines::Nonlinear {
             let unused = self.checkpoint.as_ref().map(|_| "--checkpoint");
             return match unused.or(self.resume.then_some("--resume")) {
                 Some(option) => refuse(
-                    &format!("{option} belongs to the nonlinear engine"),
+                    &format!("{option} applies to the nonlinear engine only"),
                     "add --fe nonlinear",
                 ),
                 None => Ok(()),
@@ -46,9 +45,8 @@ impl NonlinearArgs {
 
     /// The checkpoint of a run with the output folder `out`.
     ///
-    /// * `key`: hash of its input
-    ///
-    /// Errors: a place where no checkpoint can be written; one from which no run can go on.
+    /// * `key`: hash of its input Errors: a path where a checkpoint cannot be written; a checkpoint
+    ///   that cannot be resumed.
     pub fn file(&self, out: &Path, key: String) -> Result<CheckpointFile, Error> {
         let path = self.checkpoint.clone().unwrap_or_else(|| beside(out));
         let shown = path.display();
@@ -61,8 +59,8 @@ impl NonlinearArgs {
         match path.parent() {
             Some(parent) if self.checkpoint.is_some() && !parent.as_os_str().is_empty() && !parent.is_dir() => {
                 return refuse(
-                    &format!("--checkpoint: there is no folder `{}`", parent.display()),
-                    "make it, or name a file in another one",
+                    &format!("--checkpoint: folder `{}` does not exist", parent.display()),
+                    "create it, or name a file in another folder",
                 );
             }
             _ => {}
@@ -73,14 +71,14 @@ impl NonlinearArgs {
             resume: self.resume,
         };
         for path in file.files() {
-            // Half a checkpoint of a killed run is the beginning of one.
+            // A killed run leaves the first part of a checkpoint.
             let parts = [(unfinished(&path), true), (path, false)];
             for (path, part) in parts {
                 let own = |head: Vec<u8>| if part { MAGIC.starts_with(&head) } else { head == MAGIC };
                 if !begins(&path)?.is_none_or(own) {
                     return refuse(
-                        &format!("--checkpoint: `{}` is a file that is no checkpoint", path.display()),
-                        "name another file; this one is left alone",
+                        &format!("--checkpoint: `{}` is not a checkpoint", path.display()),
+                        "name another file; tankcheck does not overwrite this one",
                     );
                 }
             }
@@ -96,7 +94,7 @@ fn refuse<T>(what: &str, help: &str) -> Result<T, Error> {
     Err(Error::input(format!("error: {what}\n  help: {help}")))
 }
 
-/// Refuses a checkpoint from which no run can go on. Whether it is of this very run shows once the model is built.
+/// Rejects a checkpoint that cannot be resumed. The engine checks later that it belongs to this run.
 fn sound(path: &Path) -> Result<(), Error> {
     match inspect(path) {
         Ok(()) => Ok(()),
@@ -106,14 +104,14 @@ fn sound(path: &Path) -> Result<(), Error> {
         })),
         Err(fault) => refuse(
             &format!("--resume: the checkpoint `{}` is {}", path.display(), fault.cause()),
-            "leave --resume out to start over, which overwrites it, or name another one with --checkpoint",
+            "remove --resume to start over and overwrite it, or name another file with --checkpoint",
         ),
     }
 }
 
 /// `out/` → `out.checkpoint`.
 fn beside(out: &Path) -> PathBuf {
-    // A folder without a name of its own (`.`) has one from the root on.
+    // A folder without a name (`.`) has one as an absolute path.
     let whole = match out.file_name() {
         Some(_) => out.to_path_buf(),
         None => std::path::absolute(out).unwrap_or_else(|_| out.to_path_buf()),
@@ -141,7 +139,7 @@ fn begins(path: &Path) -> Result<Option<Vec<u8>>, Error> {
     Ok(Some(head))
 }
 
-/// Says what the nonlinear run of a job is about to do.
+/// Prints the start of the nonlinear run of a job.
 pub fn announce(job: &Job, global: &Global) {
     if let (Some(file), Some(motion)) = (&job.checkpoint, &job.case.ground_motion) {
         let what = format!("nonlinear run of {} s", plain(motion.horizontal.duration(), 2));
@@ -149,9 +147,8 @@ pub fn announce(job: &Job, global: &Global) {
     }
 }
 
-/// Says where a run starts, and how often it keeps a checkpoint.
-///
-/// * `every`: computing time between two of them [s]
+/// Prints where a run starts and how often it writes a checkpoint.
+/// * `every`: computing time between two checkpoints [s]
 pub fn announce_start(what: &str, file: &CheckpointFile, every: f64, global: &Global) {
     if global.quiet {
         return;
@@ -159,7 +156,7 @@ pub fn announce_start(what: &str, file: &CheckpointFile, every: f64, global: &Gl
     let shown = file.path.display();
     let start = match (file.resume, file.path.exists()) {
         (true, true) => format!("resumes from `{shown}`"),
-        (true, false) => format!("starts from the beginning, there is no checkpoint `{shown}`"),
+        (true, false) => format!("starts from the beginning; checkpoint `{shown}` does not exist"),
         (false, true) => format!("starts over and overwrites `{shown}`; use --resume to continue"),
         (false, false) => "starts".into(),
     };
@@ -172,7 +169,7 @@ fn end(results: &Results) -> Option<&End> {
     Some(&run.end)
 }
 
-/// Removes the checkpoint of a run that has come to its end.
+/// Removes the checkpoint of a finished run.
 pub fn tidy(job: &Job, results: &Results) {
     if let (Some(file), Some(End::Completed | End::Collapsed { .. } | End::Left { .. })) =
         (&job.checkpoint, end(results))
@@ -181,7 +178,7 @@ pub fn tidy(job: &Job, results: &Results) {
     }
 }
 
-/// Says how an interrupted nonlinear run goes on.
+/// Prints how to continue an interrupted nonlinear run.
 pub fn advise(job: &Job, results: &Results, global: &Global) {
     if let (Some(file), false) = (
         &job.checkpoint,
@@ -194,11 +191,11 @@ pub fn advise(job: &Job, results: &Results, global: &Global) {
     }
 }
 
-/// Says how an interrupted run goes on, if it has left a checkpoint.
+/// Prints how to continue an interrupted run, if it has a checkpoint.
 pub fn advise_resume(file: &CheckpointFile, global: &Global) {
     if !global.quiet && file.path.exists() {
         say!(
-            "checkpoint: {}; the same command with --resume goes on",
+            "checkpoint: {}; repeat the command with --resume to continue",
             file.path.display()
         );
     }
@@ -209,7 +206,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_checkpoint_stands_beside_the_output_folder() {
+    fn the_checkpoint_is_next_to_the_output_folder() {
         for (out, file) in [
             ("out", "out.checkpoint"),
             ("out/", "out.checkpoint"),

@@ -1,9 +1,6 @@
-//! Long runs: progress with the time left on standard error, and Ctrl-C.
-//!
-//! A person at a terminal sees a bar; a file gets a line every tenth of a stage, or every minute if that is sooner.
-//!
-//! The first Ctrl-C asks the analysis to stop: it returns what it has, marked incomplete. The second ends the process
-//! at once and removes what is half-written.
+//! Long runs: progress with the time left on standard error, and Ctrl-C. A terminal shows a bar; a file gets a line
+//! every tenth of a stage, or every minute if that is sooner. The first Ctrl-C stops the analysis, which returns the
+//! finished part, marked incomplete. The second ends the process immediately and removes partial files.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -19,51 +16,51 @@ use engines::estimate::span;
 
 /// Set by Ctrl-C.
 static STOP: AtomicBool = AtomicBool::new(false);
-/// Whether the first Ctrl-C asks the analysis to stop instead of ending the process.
+/// Whether the first Ctrl-C stops the analysis instead of ending the process.
 static GRACEFUL: AtomicBool = AtomicBool::new(false);
 
-/// Listens for Ctrl-C from here on, in every command: it ends the process with exit code 130 and removes what is
-/// half-written, unless [`stop_gracefully`] was called.
+/// Installs the Ctrl-C handler of every command: it ends the process with exit code 130 and removes partial files,
+/// unless [`stop_gracefully`] was called.
 pub fn listen(global: &Global) {
     let quiet = global.quiet;
     // A handler that is already set (a second run in one process) does the same.
     let _ = ctrlc::set_handler(move || {
         let graceful = GRACEFUL.load(Ordering::SeqCst);
         if !graceful || STOP.swap(true, Ordering::SeqCst) {
-            // Results that were in place already stay, and the run was over but for its last words.
+            // Results already in place stay: the run was finished except for its messages.
             std::process::exit(i32::from(match files::discard_unfinished() {
                 true => EXIT_COMPUTATION,
                 false => EXIT_INTERRUPTED,
             }));
         }
         if !quiet {
-            say!("interrupted: finishing what is computed (Ctrl-C again to drop it)");
+            say!("interrupted: writing the finished part (press Ctrl-C again to discard it)");
         }
     });
 }
 
-/// From here on the first Ctrl-C asks the analysis to stop; it returns what it has. The second ends the process.
+/// Makes the first Ctrl-C stop the analysis, which returns the finished part. The second ends the process.
 pub fn stop_gracefully() {
     GRACEFUL.store(true, Ordering::SeqCst);
 }
 
-/// Progress on standard error, that also knows of Ctrl-C.
+/// Progress on standard error, with the state of Ctrl-C.
 pub struct Watch {
-    /// Invisible unless a person watches a terminal.
+    /// Hidden unless standard error is a terminal.
     bar: ProgressBar,
-    /// For a file, unless it is to be quiet.
+    /// For a file, unless `--quiet`.
     log: Option<Mutex<Log>>,
 }
 
 impl Watch {
-    /// Begins with a spinner that says `what`.
+    /// Starts a spinner with the message `what`.
     pub fn new(global: &Global, what: &'static str) -> Watch {
         let bar = super::spinner(global, what);
         let log = (bar.is_hidden() && !global.quiet).then(|| Mutex::new(Log::new(Instant::now())));
         Watch { bar, log }
     }
 
-    /// Names what is under way within a stage.
+    /// Sets the message within a stage.
     pub fn name(&self, what: &str) {
         self.bar.set_message(what.to_owned());
     }
@@ -74,7 +71,7 @@ impl Watch {
     }
 
     fn logged<T>(&self, act: impl FnOnce(&mut Log) -> T) -> Option<T> {
-        // A thread that panicked while it counted leaves counts, which are good for progress still.
+        // Counts of a thread that panicked are still valid for progress.
         let mut log = self.log.as_ref()?.lock().unwrap_or_else(PoisonError::into_inner);
         Some(act(&mut log))
     }
@@ -90,7 +87,7 @@ impl Progress for Watch {
         self.bar.set_message(name.to_owned());
         if steps > 1 {
             self.bar.set_length(steps);
-            // The template is a constant: if it does not parse, the plain bar serves.
+            // The template is a constant: if it does not parse, the plain bar is used.
             if let Ok(style) = ProgressStyle::with_template("{msg} {bar:30} {pos}/{len}, {eta} left") {
                 self.bar.set_style(style);
             }
@@ -116,17 +113,17 @@ impl Progress for Watch {
     }
 }
 
-/// Shortest time between two lines: a stage of less is not worth ten.
+/// Shortest time between two lines: short stages do not need ten.
 const LEAST: Duration = Duration::from_secs(5);
-/// Longest time between two lines, as long as steps come.
+/// Longest time between two lines, while steps advance.
 const MOST: Duration = Duration::from_secs(60);
 
-/// Where a stage is, in lines.
+/// Progress of a stage as lines.
 struct Log {
     name: String,
     steps: u64,
     done: u64,
-    /// Steps that were there when the stage began (a resumed run), which say nothing of the pace.
+    /// Steps done before the stage began (a resumed run); excluded from the pace.
     before: Option<u64>,
     began: Instant,
     /// Time and tenths of the last line.
@@ -153,10 +150,10 @@ impl Log {
         };
     }
 
-    /// Counts; the line that is due.
+    /// Counts steps; returns a line when one is due.
     fn advance(&mut self, steps: u64, now: Instant) -> Option<String> {
         self.done += steps;
-        // The first count of a resumed run is what it had already; that of a run from the start is none or one.
+        // The first count of a resumed run is its earlier steps; that of a new run is zero or one.
         let before = *self.before.get_or_insert(if steps > 1 { steps } else { 0 });
         if self.steps <= 1 || self.done >= self.steps {
             return None;
@@ -187,7 +184,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_file_gets_a_line_a_tenth_but_not_every_second() {
+    fn a_file_gets_a_line_per_tenth_but_not_every_second() {
         let start = Instant::now();
         let after = |s: f64| start + Duration::from_secs_f64(s);
         let mut log = Log::new(start);
@@ -220,7 +217,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_resumed_run_had_says_nothing_of_its_pace() {
+    fn earlier_steps_of_a_resumed_run_do_not_count_for_its_pace() {
         let start = Instant::now();
         let mut log = Log::new(start);
         log.stage("time steps", 1000, start);

@@ -20,7 +20,7 @@ use report;
 use report::number::with_unit;
 use tank::units::{self, Dimension};
 
-/// Largest amplitude of an imperfection in thicknesses.
+/// Largest amplitude of an imperfection, in thicknesses.
 const MAX_THICKNESSES: f64 = 10.0;
 
 /// Arguments.
@@ -33,19 +33,20 @@ Examples:
   tankcheck push tank.json --imperfection 1t --imperfection-shape mode -o push/
   tankcheck push tank.json --imperfection 1t --imperfection-shape mode -o push/ --resume
 
-A weld depression goes around the tank, outwards; inwards with a negative amplitude (--imperfection=-0.5t). The mode is the
-lowest linear buckling mode under the load of the perfect shell's capacity; its amplitude is that of its largest deviation,
-outwards there, inwards with a negative amplitude.
+A weld depression runs around the tank, outward; inward with a negative amplitude (--imperfection=-0.5t). The mode is the
+lowest linear buckling mode under the load at the capacity of the perfect shell; its amplitude is its largest deviation,
+outward there, inward with a negative amplitude.
 
-Ctrl-C stops the run and keeps what it has, marked incomplete; pressed again it drops everything but the checkpoint.
+Ctrl-C stops the run and keeps the finished part, marked incomplete; a second Ctrl-C discards everything except the
+checkpoint.
 
 Exit codes: 0 done; 2 bad input; 3 the computation failed or was interrupted, or results could not be
-written; 130 dropped by a second Ctrl-C.")]
+written; 130 stopped by a second Ctrl-C.")]
 pub struct Args {
     /// The tank (`-` reads standard input).
     tank: PathBuf,
-    /// Amplitude of an imperfect shell beside the perfect one: in thicknesses `0.5t`, as a length `6mm`, or by the fabrication
-    /// quality of EN 1993-1-6 `class-a`, `class-b`, `class-c`.
+    /// Amplitude of an imperfect shell, run after the perfect one: in thicknesses `0.5t`, as a length `6mm`, or by
+    /// the fabrication quality of EN 1993-1-6 `class-a`, `class-b`, `class-c`.
     #[arg(long, value_name = "AMPLITUDE", allow_hyphen_values = true)]
     imperfection: Option<String>,
     /// Shape of the imperfection.
@@ -93,7 +94,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         }
     };
     let found = push::run(&job, || stamp(started), &watch).inspect_err(|error| {
-        // Interrupted, or the results could not be written; a failure of the analysis would come again.
+        // Interrupted, or the results could not be written; a failure of the analysis would repeat.
         if error.exit_code() == EXIT_COMPUTATION && !matches!(error, Error::Fe(FeError::Analysis(_))) {
             advise();
         }
@@ -101,7 +102,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     watch.finish();
     match args.format {
         Format::Human => {
-            // Quantities down, shells across: eleven columns are too many for a terminal.
+            // One row per quantity: eleven columns are too wide for a terminal.
             let summary = Table::turned(&report::push::summary(&found));
             let limits = Table::of(&report::push::limits(&found));
             print(&format!("{}\n\n{summary}\n{limits}", text::line(&found.name)))?;
@@ -116,10 +117,10 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
             let name = report::push::name_of(shell);
             say!("{name}: {}", shell.end);
             if !shell.capacity.limit {
-                say!("{name}: no maximum was passed, the capacity is a lower bound");
+                say!("{name}: the maximum was not reached; the capacity is a lower bound");
             }
         }
-        // Those of the input have been printed before the run.
+        // Warnings about the input were printed before the run.
         for doubt in found.doubts.iter().filter(|d| !job.job.warnings.contains(d)) {
             say!("warning: {doubt}");
         }
@@ -142,8 +143,8 @@ impl Args {
         let height = self.imperfection_at.as_deref().map(height).transpose()?;
         if self.imperfection_shape == Shape::Mode && height.is_some() {
             return refuse(
-                "--imperfection-at: a buckling mode has its own height".into(),
-                "leave --imperfection-at out, or choose --imperfection-shape weld",
+                "--imperfection-at: does not apply to a buckling mode".into(),
+                "remove --imperfection-at, or choose --imperfection-shape weld",
             );
         }
         let form = match self.imperfection_shape {
@@ -163,8 +164,8 @@ impl Args {
             let file = job.files.first().map_or("tank", |f| f.name.as_str());
             return refuse(
                 format!("{file}: {no_steel}"),
-                "a steel wall yields with \"behaviour\": { \"steel\": { \"yield_strength\": \"235 MPa\" } } in its material; walls of \
-                 concrete run through a record with compare --fe nonlinear",
+                "for a steel wall add \"behaviour\": { \"steel\": { \"yield_strength\": \"235 MPa\" } } to its material; run walls of \
+                 concrete with compare --fe nonlinear",
             );
         }
         let mut job = PushJob {
@@ -188,7 +189,7 @@ fn refuse<T>(what: String, help: &str) -> Result<T, Error> {
 
 /// `0.5t`, `6mm`, `class-b`.
 fn amplitude(text: &str) -> Result<Amplitude, Error> {
-    const HELP: &str = "thicknesses `0.5t`, a length `6mm`, or a quality class `class-b`";
+    const HELP: &str = "give thicknesses `0.5t`, a length `6mm`, or a quality class `class-b`";
     let plain = text.trim().to_ascii_lowercase();
     if let Some(class) = plain.strip_prefix("class-") {
         return match class {
@@ -196,7 +197,7 @@ fn amplitude(text: &str) -> Result<Amplitude, Error> {
             "b" => Ok(Amplitude::Quality(Quality::B)),
             "c" => Ok(Amplitude::Quality(Quality::C)),
             _ => refuse(
-                format!("--imperfection: found `{text}`, allowed class-a, class-b or class-c"),
+                format!("--imperfection: found `{text}`, expected class-a, class-b or class-c"),
                 HELP,
             ),
         };
@@ -205,9 +206,9 @@ fn amplitude(text: &str) -> Result<Amplitude, Error> {
         if number == 0.0 || number.is_nan() || number.abs() > MAX_THICKNESSES {
             return refuse(
                 format!(
-                    "--imperfection: found `{text}`, allowed up to {MAX_THICKNESSES} thicknesses in or outwards, not zero"
+                    "--imperfection: found `{text}`, expected up to {MAX_THICKNESSES} thicknesses inward or outward, not zero"
                 ),
-                "the perfect shell is always run: leave --imperfection out",
+                "remove --imperfection; the perfect shell is always run",
             );
         }
         return Ok(Amplitude::Thicknesses(number));
@@ -217,7 +218,7 @@ fn amplitude(text: &str) -> Result<Amplitude, Error> {
             if value.abs() > 1.0 {
                 return refuse(
                     format!(
-                        "--imperfection: found {}, allowed up to 1 m",
+                        "--imperfection: found {}, expected up to 1 m",
                         with_unit(value, Dimension::Length)
                     ),
                     HELP,
@@ -226,7 +227,7 @@ fn amplitude(text: &str) -> Result<Amplitude, Error> {
             Ok(Amplitude::Length(value))
         }
         _ => refuse(
-            format!("--imperfection: found `{text}`, allowed an amplitude with its unit, not zero"),
+            format!("--imperfection: found `{text}`, expected an amplitude with its unit, not zero"),
             HELP,
         ),
     }
@@ -236,8 +237,8 @@ fn height(text: &str) -> Result<f64, Error> {
     match units::parse(text.trim(), Dimension::Length) {
         Ok(value) if value >= 0.0 && value.is_finite() => Ok(value),
         _ => refuse(
-            format!("--imperfection-at: found `{text}`, allowed a height above the base with its unit"),
-            "for example 2m",
+            format!("--imperfection-at: found `{text}`, expected a height above the base with its unit"),
+            "write for example 2m",
         ),
     }
 }

@@ -1,4 +1,4 @@
-//! `tankcheck quake`: look at an accelerogram.
+//! `tankcheck quake`: properties of an accelerogram.
 
 use std::path::PathBuf;
 
@@ -23,7 +23,7 @@ pub struct Args {
 
 #[derive(clap::Subcommand)]
 enum Command {
-    /// Peaks, intensity and duration of a record, and what was understood of its format.
+    /// Peaks, intensity and duration of a record, and its format as read.
     Info(Info),
 }
 
@@ -85,7 +85,11 @@ pub fn run(args: Args, _: &Global) -> Result<u8, Error> {
         Format::Json => {
             print(&json(&facts)?)?;
         }
-        Format::Csv => return Err(Error::input("error: --format: found csv, allowed human or json".into())),
+        Format::Csv => {
+            return Err(Error::input(
+                "error: --format: found csv, expected human or json".into(),
+            ));
+        }
     }
     Ok(EXIT_OK)
 }
@@ -150,7 +154,7 @@ fn human(facts: &Facts) -> String {
     if facts.final_velocity.abs() > 0.02 * facts.pgv {
         text.push_str(&format!(
             "note     the ground does not come to rest ({:.1} % of the peak velocity at the end): the record is not \
-             baseline-corrected, its displacement drifts\n",
+             baseline-corrected, and its displacement drifts\n",
             100.0 * facts.final_velocity.abs() / facts.pgv
         ));
     }

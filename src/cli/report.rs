@@ -13,7 +13,7 @@ use results::{COMPARE_REPORT, REPORT_FILE};
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  tankcheck report out/\n  tankcheck report out/ --templates our-letterhead/")]
 pub struct Args {
-    /// Results folder, as `tankcheck compare` or `tankcheck check` wrote it.
+    /// Results folder written by `tankcheck compare` or `tankcheck check`.
     folder: PathBuf,
     /// Folder of templates that replace the built-in ones of the same name (report.html, style.css, sections/….html).
     #[arg(long, value_name = "DIR")]
@@ -23,7 +23,7 @@ pub struct Args {
 /// Runs the subcommand; returns the exit code.
 pub fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     for name in files::edited(&args.folder, COMPARE_REPORT) {
-        say!("warning: {name} has changed since tankcheck wrote it; the report shows it as it is now");
+        say!("warning: {name} has changed since tankcheck wrote it; the report shows the changed file");
     }
     let report = report::of_folder(&args.folder, args.templates.as_deref())?;
     let folder = OutputFolder::prepare(&args.folder, COMPARE_REPORT)?;

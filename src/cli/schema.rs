@@ -9,7 +9,7 @@ use crate::error::{EXIT_OK, Error};
 Examples:
   tankcheck schema > tank.schema.json
 
-Put \"$schema\": \"./tank.schema.json\" into tank.json, and your editor helps while you type.")]
+With \"$schema\": \"./tank.schema.json\" in tank.json an editor completes and explains the keys.")]
 pub struct Args {}
 
 /// Runs the subcommand; returns the exit code.

@@ -4,7 +4,7 @@ use crate::job::Job;
 use engines::solid::{Liquid, MeshSize, SolidOptions};
 use results::InputValue;
 
-/// How the three-dimensional engine meshes and what it may take.
+/// Options of the three-dimensional engine.
 #[derive(clap::Args, Clone, Debug)]
 pub struct SolidArgs {
     /// Elements over radius, circumference and height of the wall, as 12x16x20 [default: by the size of the tank].
@@ -31,7 +31,7 @@ impl SolidArgs {
         mesh.or(self.liquid.map(|_| "--liquid"))
     }
 
-    /// Lays these options over those of the tank file.
+    /// Applies these options over those of the tank file.
     pub fn over(&self, options: &SolidOptions) -> SolidOptions {
         let mut options = options.clone();
         options.mesh = self.mesh.or(options.mesh);
@@ -43,7 +43,7 @@ impl SolidArgs {
         options
     }
 
-    /// Lays these options over the job's and echoes what the engine will work with.
+    /// Applies these options to the job and echoes the resulting values.
     pub fn apply(&self, job: &mut Job) {
         job.solid = self.over(&job.solid);
         let liquid = match job.solid.liquid {

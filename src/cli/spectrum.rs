@@ -20,7 +20,7 @@ use crate::input::records::{self, AccelerationUnit, Processing};
 use engines::estimate::{Estimate, Lever, MEMORY_LIMIT_MIB, NUMBER, PROGRAM, WORTH_SAYING};
 use files::text;
 
-/// Most oscillators in one call.
+/// Largest number of oscillators in one call.
 const MAX_OSCILLATORS: usize = 1_000_000;
 
 /// Arguments.
@@ -51,7 +51,7 @@ pub struct Args {
     /// Number of periods of a range.
     #[arg(long, value_name = "N", default_value_t = 200)]
     points: usize,
-    /// How the oscillators are integrated.
+    /// Integration of the oscillators.
     #[arg(long, value_enum, default_value_t = How::Exact)]
     method: How,
     /// Scale the record to this peak, with its unit (`0.5 g`, `2 m/s2`).
@@ -150,14 +150,14 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     Ok(EXIT_OK)
 }
 
-/// Time of a step of one oscillator [s]: the kernel of eight at a time, and the reference methods.
+/// Time per step of one oscillator [s]: the kernel for eight at a time, and the reference methods.
 const STEP_TIME: [f64; 2] = [2e-9, 3e-8];
-/// Numbers that a reference method keeps of a point: ground, displacement, velocity, acceleration.
+/// Numbers that a reference method stores per point: ground, displacement, velocity, acceleration.
 const AT_POINT: f64 = 4.0;
-/// Parts in which a long spectrum is computed, so that its progress shows.
+/// Number of parts of a long spectrum, for its progress.
 const PARTS: usize = 200;
 
-/// What a spectrum takes: the reference methods refine the record to [`POINTS_PER_PERIOD`] points a period.
+/// Estimate of a spectrum: the reference methods refine the record to [`POINTS_PER_PERIOD`] points per period.
 fn estimate(record: &Record, periods: &[f64], dampings: &[f64], method: Method) -> Estimate {
     let samples = record.acceleration.len() as f64;
     let oscillates = || periods.iter().filter(|t| **t > 0.0);
@@ -168,11 +168,11 @@ fn estimate(record: &Record, periods: &[f64], dampings: &[f64], method: Method) 
     let most = oscillates().fold(0.0, |most, &t| f64::max(most, parts(t)));
     let steps = samples * dampings.len() as f64 * oscillates().map(|&t| parts(t)).sum::<f64>();
     let (kept, time, other) = match method {
-        Method::Exact => (0.0, STEP_TIME[0], "ask for fewer periods"),
+        Method::Exact => (0.0, STEP_TIME[0], "request fewer periods"),
         _ => (
             AT_POINT,
             STEP_TIME[1],
-            "leave out the shortest periods, or use --method exact",
+            "remove the shortest periods, or use --method exact",
         ),
     };
     let oscillators = periods.len() * dampings.len();
@@ -197,7 +197,7 @@ fn estimate(record: &Record, periods: &[f64], dampings: &[f64], method: Method) 
     }
 }
 
-/// [`spectrum`] in parts, each of which counts.
+/// [`spectrum`] in parts, with progress.
 fn in_parts(record: &Record, periods: &[f64], dampings: &[f64], method: Method, watch: &Watch) -> Spectrum {
     let part = periods.len().div_ceil(PARTS).next_multiple_of(8);
     watch.stage("periods", periods.len() as u64);
@@ -217,7 +217,7 @@ fn in_parts(record: &Record, periods: &[f64], dampings: &[f64], method: Method, 
 }
 
 fn usage(option: &str, found: &str, allowed: &str) -> Error {
-    Error::input(format!("error: {option}: found `{found}`, allowed {allowed}"))
+    Error::input(format!("error: {option}: found `{found}`, expected {allowed}"))
 }
 
 /// A comma-separated list.
@@ -272,7 +272,7 @@ fn periods(text: &str, points: usize) -> Result<Vec<f64>, Error> {
         ));
     }
     let ratio = (last / first).ln() / (points - 1) as f64;
-    // The ends are exactly what was asked for.
+    // The ends are exactly the given ones.
     Ok((0..points)
         .map(|i| {
             if i + 1 == points {
@@ -428,7 +428,7 @@ mod tests {
         }
     }
 
-    /// 64 points in a period of 1 ns for a record of two samples 1 s apart: 512 GB a number.
+    /// 64 points in a period of 1 ns for a record of two samples 1 s apart: 512 GB per stored number.
     #[test]
     fn refined_records_beyond_the_memory_are_refused() {
         let record = Record {

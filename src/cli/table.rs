@@ -30,7 +30,7 @@ impl Table {
         table
     }
 
-    /// The same with a line for every column of the report's table.
+    /// The transposed table: one line per column of the report's table.
     pub fn turned(data: &report::table::Table) -> Table {
         let line = |c: usize| {
             let column = &data.columns[c];
@@ -48,7 +48,7 @@ impl Table {
         table
     }
 
-    /// Adds a row; every cell is one line, the user's text in it made visible.
+    /// Adds a row; every cell is one line, with the user's text escaped.
     pub fn row(&mut self, cells: impl IntoIterator<Item = impl Into<String>>) {
         let cells = cells.into_iter().map(|cell| {
             let cell: String = cell.into();

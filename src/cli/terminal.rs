@@ -1,9 +1,8 @@
 //! The two streams of the command line: results on standard output, everything else on standard error.
+//! Text of the user is escaped here, see [`files::text`].
 //!
-//! The user's text on its way to either of them is made visible here, see [`files::text`].
-//!
-//! A result that cannot be written is a failure of the run (exit code 3). A message that cannot be written is not: the run
-//! goes on, and its exit code still says how it ended.
+//! A result that cannot be written is a failure of the run (exit code 3). A message that cannot be written is not:
+//! the run continues with its usual exit code.
 
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
@@ -12,14 +11,14 @@ use crate::error::Error;
 use files::text;
 use results::describe;
 
-/// Writes a result to standard output. A reader that has seen enough (`| head`) is no failure.
+/// Writes a result to standard output. A reader that closes early (`| head`) is not a failure.
 ///
 /// Errors: [`Error::Output`] if the text cannot be written, for instance because a device is full.
 pub(crate) fn print(text: &str) -> Result<(), Error> {
     print_coloured(&text::visible(text))
 }
 
-/// Writes a result without text of the user's to standard output; see [`print`].
+/// Writes a result that does not contain text of the user to standard output; see [`print`].
 ///
 /// Errors: as [`print`].
 pub(crate) fn print_coloured(text: &str) -> Result<(), Error> {
@@ -30,15 +29,14 @@ pub(crate) fn print_coloured(text: &str) -> Result<(), Error> {
     }
 }
 
-/// Writes a line to standard error. Failure to write is ignored: there is no other place to report it.
+/// Writes a line to standard error. Failure to write is ignored: it cannot be reported elsewhere.
 pub(crate) fn message(text: impl Display) {
     coloured(&text::visible(&text.to_string()));
 }
 
-/// Writes a line in which the user's text has been made visible to standard error, with our own colours only where
-/// [`anstream`] finds them wanted.
+/// Writes a line with escaped user text to standard error, in colour where [`anstream`] allows it.
 pub(crate) fn coloured(text: &str) {
-    // One piece, so that lines of several threads do not mix.
+    // One write, so that lines of several threads do not mix.
     let line = format!("{text}\n");
     let mut messages = anstream::stderr().lock();
     let _ = messages.write_all(line.as_bytes()).and_then(|()| messages.flush());

@@ -16,9 +16,9 @@ use crate::verify::{self, Choice, Entry, Manual, Pace, manual};
 Examples:
   tankcheck verify
   tankcheck verify --format html > verification.html
-  tankcheck verify --records ~/records          also the rows that need records which may not be redistributed
+  tankcheck verify --records ~/records          also the rows that need records that may not be redistributed
   tankcheck verify --slow                       also the rows that take minutes
-  tankcheck verify --write docs/verification    write the manual: index, a page and a figure a benchmark
+  tankcheck verify --write docs/verification    write the manual: index, and one page and figure per benchmark
 
 Exit codes: 0 every row that ran is within its tolerance; 1 one is not; 2 bad input; 3 the computation failed.")]
 pub struct Args {
@@ -45,7 +45,7 @@ enum Form {
     Json,
     /// Comma-separated values.
     Csv,
-    /// One page with a sheet a benchmark.
+    /// One page with one sheet per benchmark.
     Html,
 }
 
@@ -54,7 +54,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     if let Some(folder) = args.records.as_ref().filter(|folder| !folder.is_dir()) {
         return Err(Error::Files(files::error::Error::File {
             path: folder.clone(),
-            what: "no such folder, expected one with accelerograms".into(),
+            what: "folder not found, expected a folder with accelerograms".into(),
         }));
     }
     let choice = Choice {

@@ -5,7 +5,8 @@ use tank::{BarDirection, Behaviour, Layer, Tank};
 
 use files::text::line;
 
-/// One line a layered course: `course 1: 6.00 mm liner (steel) | 250 mm wall (concrete; hoop 15.0 cm²/m at 40.0 mm of bars)`.
+/// One line per layered course: `course 1: 6.00 mm liner (steel) | 250 mm wall (concrete; hoop 15.0 cm²/m at 40.0 mm
+/// of bars)`.
 pub fn lines(tank: &Tank) -> Vec<String> {
     let layered = tank.courses.iter().enumerate().filter(|(_, c)| !c.layers.is_empty());
     layered

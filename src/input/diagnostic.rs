@@ -1,7 +1,6 @@
-//! Faults in an input file, collected and shown all at once.
-//!
-//! A [`Fault`] says what is wrong, where (bytes of the file, path in the document), what was found, what is allowed, and
-//! how to mend it. [`Faults`] renders them as rustc does, with the place in the file underlined:
+//! Faults in an input file, collected and shown all at once. A [`Fault`] has a message, a place (bytes of the file,
+//! path in the document), the found and the expected value, and a help. [`Faults`] renders them as rustc does, with
+//! the place in the file underlined:
 //!
 //! ```text
 //! error: a mass where a length belongs
@@ -11,7 +10,7 @@
 //!   |                       ^^^^^^^^^ found "1.83 kg"
 //!   |
 //!   = path: tank.radius
-//!   = allowed: a length such as "1.83 m" (units: mm, cm, m, in, ft), greater than 0
+//!   = expected: a length such as "1.83 m" (units: mm, cm, m, in, ft), greater than 0
 //! ```
 //!
 //! Record files use the same with [`Source::line_span`], where the place is a line instead of a JSON value.
@@ -26,13 +25,13 @@ use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet}
 use files::error::Error;
 use files::text;
 
-/// Longest message part that is shown, in characters.
+/// Longest message part shown [characters].
 const SHOWN_TEXT: usize = 400;
-/// Most faults that are shown.
+/// Largest number of faults shown.
 const SHOWN_FAULTS: usize = 50;
-/// Most faults that are kept; of more the first ones of the file, the others are counted.
+/// Largest number of faults kept: the first ones of the file; the others are only counted.
 const KEPT_FAULTS: usize = 1000;
-/// Longest line that is handed to the renderer as a whole [bytes]; of a longer one a piece around the place.
+/// Longest line passed to the renderer as a whole [bytes]; of a longer line only a piece around the place.
 const LONGEST_LINE: usize = 1000;
 /// Piece of a long line: bytes before the place, and of place and rest together.
 const PIECE: (usize, usize) = (60, 240);
@@ -40,22 +39,22 @@ const PIECE: (usize, usize) = (60, 240);
 /// One fault.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Fault {
-    /// What is wrong, one line ("unknown key `radios`").
+    /// Message, one line ("unknown key `radios`").
     pub message: String,
-    /// Bytes of the file to underline; `None` if no place is to blame.
+    /// Bytes of the file to underline; `None` for a fault without a place.
     pub span: Option<Range<usize>>,
     /// Path in the document (`tank.courses[0].thickness`), or empty.
     pub path: Box<str>,
-    /// What was found, as written; may be empty.
+    /// Found text, as written; may be empty.
     pub found: Box<str>,
-    /// What is allowed; may be empty.
+    /// Expected values; may be empty.
     pub allowed: Box<str>,
-    /// How to mend it, where that can be told.
+    /// How to fix it, if known.
     pub help: Option<String>,
 }
 
 impl Fault {
-    /// A fault with nothing but a message.
+    /// A fault with only a message.
     pub fn new(message: impl Into<String>) -> Fault {
         Fault {
             message: message.into(),
@@ -63,31 +62,31 @@ impl Fault {
         }
     }
 
-    /// Where: bytes of the file.
+    /// Sets the place: bytes of the file.
     pub fn at(mut self, span: Range<usize>) -> Fault {
         self.span = Some(span);
         self
     }
 
-    /// Where: path in the document.
+    /// Sets the place: path in the document.
     pub fn path(mut self, path: impl Into<String>) -> Fault {
         self.path = path.into().into();
         self
     }
 
-    /// What was found.
+    /// Sets the found text.
     pub fn found(mut self, found: impl Into<String>) -> Fault {
         self.found = found.into().into();
         self
     }
 
-    /// What is allowed.
+    /// Sets the expected values.
     pub fn allowed(mut self, allowed: impl Into<String>) -> Fault {
         self.allowed = allowed.into().into();
         self
     }
 
-    /// How to mend it.
+    /// Sets the help.
     pub fn help(mut self, help: impl Into<String>) -> Fault {
         self.help = Some(help.into());
         self
@@ -95,13 +94,13 @@ impl Fault {
 }
 
 impl Fault {
-    /// Where it stands among others: the first byte of its place.
+    /// Sort key: the first byte of its place.
     fn place(&self) -> usize {
         self.span.as_ref().map_or(usize::MAX, |s| s.start)
     }
 }
 
-/// How helps that suggest a word begin.
+/// Beginning of helps that suggest a word.
 const SUGGESTION: &str = "did you mean ";
 
 /// An input file and its text.
@@ -163,8 +162,8 @@ fn floor(text: &str, byte: usize) -> usize {
 
 /// The faults of one file.
 ///
-/// Memory and time are bounded by the number of faults, not by its square: beyond a thousand only the first ones of the
-/// file are kept, all are counted.
+/// Memory and time are bounded by the number of faults, not by its square: of more than a thousand only the first
+/// ones of the file are kept; all are counted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Faults {
     list: Vec<Fault>,
@@ -174,7 +173,7 @@ pub struct Faults {
 }
 
 impl Faults {
-    /// None so far.
+    /// An empty list.
     pub fn new() -> Faults {
         Faults::default()
     }
@@ -195,7 +194,7 @@ impl Faults {
         }
     }
 
-    /// Whether there is none.
+    /// Whether the list is empty.
     pub fn is_empty(&self) -> bool {
         self.count == 0
     }
@@ -210,13 +209,13 @@ impl Faults {
         &self.list
     }
 
-    /// Whether some fault comes with this very help, which begins with "did you mean".
+    /// Whether a fault has exactly this help, which begins with "did you mean".
     pub fn suggest(&self, help: &str) -> bool {
         self.suggested.contains(help)
     }
 
-    /// The message for people: every fault (of many the first ones), then their number. Coloured if `styled`; else there is
-    /// no control character in it but line breaks.
+    /// The message for people: every fault (at most the first ones), then their number. Coloured if `styled`; else
+    /// without control characters except line breaks.
     pub fn render(&self, source: &Source, styled: bool) -> String {
         let renderer = if styled { Renderer::styled() } else { Renderer::plain() };
         let mut ordered: Vec<&Fault> = self.list.iter().collect();
@@ -264,7 +263,7 @@ fn render_one(fault: &Fault, source: &Source, renderer: &Renderer) -> String {
         found => format!("found {}", one_line(found)),
     };
     let name = text::line(&source.name);
-    // Only the line of the place is handed over; the renderer cuts it to the width of a terminal.
+    // Only the line of the place is passed; the renderer cuts it to the width of a terminal.
     if let Some(span) = &fault.span {
         let window = Window::around(source, span);
         let mut annotation = AnnotationKind::Primary.span(window.span.clone());
@@ -294,7 +293,7 @@ fn render_one(fault: &Fault, source: &Source, renderer: &Renderer) -> String {
         }
     };
     remark("path", &fault.path);
-    remark("allowed", &fault.allowed);
+    remark("expected", &fault.allowed);
     remark("help", fault.help.as_deref().unwrap_or_default());
     let rendered = renderer.render(&[group]);
     if !rendered.contains(NAMELESS) {
@@ -307,7 +306,7 @@ fn render_one(fault: &Fault, source: &Source, renderer: &Renderer) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// What the renderer writes before the name of a further file.
+/// Text of the renderer before the name of a further file.
 const NAMELESS: &str = ":::";
 
 /// Control characters and line breaks of user text made harmless, and the whole made short.
@@ -398,7 +397,7 @@ mod tests {
     }
 
     #[test]
-    fn shows_file_line_column_path_found_allowed_help() {
+    fn shows_file_line_column_path_found_expected_help() {
         let text = Faults::from(fault()).render(&Source::new("in/tank.json", TANK), false);
         println!("{text}");
         for part in [
@@ -407,7 +406,7 @@ mod tests {
             "\"radius\": \"1.83 kg\"",
             "^^^^^^^^^ found \"1.83 kg\"",
             "path: tank.radius",
-            "allowed: a length",
+            "expected: a length",
             "help: write metres",
             "1 fault in in/tank.json",
         ] {

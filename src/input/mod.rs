@@ -19,7 +19,7 @@ use tank::Places;
 pub struct TankFile {
     /// The case, complete but for the ground motion.
     pub case: Case,
-    /// What to do to a record.
+    /// Processing of the record.
     pub record: records::Processing,
     /// Echo of every field, defaults marked.
     pub echo: Vec<InputValue>,
@@ -31,7 +31,7 @@ pub struct TankFile {
     pub solid: engines::solid::SolidOptions,
     /// Options of the nonlinear engine.
     pub nonlinear: engines::nonlinear::NonlinearOptions,
-    /// What is worth saying though it is no fault ("nothing is made of the material `steel`"), one sentence each.
+    /// Remarks that are not faults ("material `steel` is unused"), one sentence each.
     pub remarks: Vec<String>,
     /// Values that are possible but unusual, one sentence each with the usual range.
     pub warnings: Vec<String>,
@@ -39,14 +39,13 @@ pub struct TankFile {
     pub sha256: String,
     /// Its text.
     pub source: Source,
-    /// Places in it that the nonlinear engine may object to.
+    /// Places in it that the nonlinear engine may reject.
     pub places: Places,
 }
 
 impl TankFile {
-    /// Whether the nonlinear engine can run this file.
-    ///
-    /// Errors: all that it refuses, each with its place.
+    /// Whether the nonlinear engine can run this file. Errors: all unsupported inputs, each with
+    /// its place.
     pub fn fits(&self, purpose: Purpose) -> Result<(), Error> {
         let faults = self.refused(purpose);
         match faults.is_empty() {
@@ -55,7 +54,7 @@ impl TankFile {
         }
     }
 
-    /// What the nonlinear engine refuses of this file.
+    /// Inputs of this file that the nonlinear engine rejects.
     pub fn refused(&self, purpose: Purpose) -> Faults {
         let mut faults = Faults::new();
         for refusal in scope::refusals(&self.case, &self.nonlinear, purpose) {

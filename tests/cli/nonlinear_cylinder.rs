@@ -136,8 +136,8 @@ fn resumed_is_uninterrupted() {
     has(
         &message,
         &[
-            "interrupted: finishing",
-            "checkpoint: part.checkpoint; the same command with --resume goes on",
+            "interrupted: writing the finished part",
+            "checkpoint: part.checkpoint; repeat the command with --resume to continue",
         ],
     );
     let (unfinished, _) = results(home, "part");
@@ -150,7 +150,7 @@ fn resumed_is_uninterrupted() {
     assert_eq!(code, Some(2), "{message}");
     has(
         &message,
-        &["part.checkpoint", "truncated", "leave --resume out to start over"],
+        &["part.checkpoint", "truncated", "remove --resume to start over"],
     );
     assert!(!message.contains("resumes from"), "{message}");
     std::fs::write(&checkpoint, &sound).expect("writable");

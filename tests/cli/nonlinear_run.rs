@@ -55,15 +55,15 @@ fn a_place_for_the_checkpoint_is_looked_at_before_the_run() {
     for more in [&[][..], &["--resume"]] {
         let mut command = vec!["--fe", "nonlinear", "--checkpoint", text(&thesis)];
         command.extend(more);
-        refused(&command, &out, &["thesis.doc", "no checkpoint"]);
+        refused(&command, &out, &["thesis.doc", "is not a checkpoint"]);
     }
-    assert_eq!(std::fs::read_to_string(&thesis).expect("left alone"), "mine");
+    assert_eq!(std::fs::read_to_string(&thesis).expect("untouched"), "mine");
     // Neither is the file of the second wall, nor that of a checkpoint that is being written.
     for name in ["out.checkpoint.theta_180", "out.checkpoint.part"] {
         let mine = home.path().join(name);
         std::fs::write(&mine, "mine").expect("writable");
-        refused(&["--fe", "nonlinear"], &out, &[name, "no checkpoint"]);
-        assert_eq!(std::fs::read_to_string(&mine).expect("left alone"), "mine");
+        refused(&["--fe", "nonlinear"], &out, &[name, "is not a checkpoint"]);
+        assert_eq!(std::fs::read_to_string(&mine).expect("untouched"), "mine");
         std::fs::remove_file(&mine).expect("writable");
     }
     refused(
@@ -75,6 +75,6 @@ fn a_place_for_the_checkpoint_is_looked_at_before_the_run() {
     refused(
         &["--fe", "nonlinear", "--checkpoint", text(&nowhere)],
         &out,
-        &["there is no folder", "no_folder"],
+        &["does not exist", "no_folder"],
     );
 }

@@ -136,7 +136,7 @@ fn what_cannot_be_pushed_is_refused() {
             "--imperfection-at",
             "1m",
         ],
-        &["--imperfection-at", "its own height"],
+        &["--imperfection-at", "does not apply to a buckling mode"],
     );
     refused(&["examples/06_sandwich_strip/tank.json"], &["cylinders"]);
     refused(

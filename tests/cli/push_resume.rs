@@ -146,9 +146,9 @@ fn an_interrupted_pushover_says_how_it_goes_on() {
     has(
         &message,
         &[
-            "interrupted: finishing",
+            "interrupted: writing the finished part",
             "incomplete: ",
-            "checkpoint: mine; the same command with --resume goes on",
+            "checkpoint: mine; repeat the command with --resume to continue",
         ],
     );
     assert!(results(home, "part").incomplete);
@@ -170,9 +170,9 @@ fn an_interrupted_pushover_says_how_it_goes_on() {
         &["mine cannot be used: of another run", "help: leave --resume out"],
     );
     std::fs::write(&checkpoint, &sound[..sound.len() / 2]).expect("writable");
-    refused(&[], &["`mine` is truncated", "leave --resume out"]);
+    refused(&[], &["`mine` is truncated", "remove --resume"]);
     std::fs::write(&checkpoint, "mine").expect("writable");
-    refused(&[], &["`mine` is a file that is no checkpoint"]);
+    refused(&[], &["`mine` is not a checkpoint"]);
     std::fs::write(&checkpoint, &sound).expect("writable");
 
     // Without --resume it starts over, with a word.

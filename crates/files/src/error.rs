@@ -1,4 +1,4 @@
-//! What can go wrong with files: one message each, with the file, what was found and what is allowed.
+//! Errors of files, each with one message: the file, the found and the expected value.
 
 use std::path::PathBuf;
 
@@ -13,7 +13,7 @@ pub const EXIT_INPUT: u8 = 2;
 /// Exit code 3: the computation failed, its results could not be written, or they are incomplete: it was interrupted, or the
 /// tank collapsed.
 pub const EXIT_COMPUTATION: u8 = 3;
-/// Exit code 130: ended by Ctrl-C, nothing is written (128 + SIGINT, as shells have it).
+/// Exit code 130: ended by Ctrl-C without results (128 + SIGINT, as in shells).
 pub const EXIT_INTERRUPTED: u8 = 130;
 
 /// A failure of reading or writing.
@@ -22,8 +22,8 @@ pub enum Error {
     /// Faults of the command line or between files, in full sentences (`error: …`, `help: …`).
     #[error("{0}")]
     Input(String),
-    /// Faults of an input file, rendered as diagnostics (file, line, JSON path, found, allowed), all at once; coloured where
-    /// standard error is, the user's text made visible.
+    /// Faults of an input file, rendered as diagnostics (file, line, JSON path, found, expected), all together;
+    /// coloured if standard error is, with the user's text escaped.
     #[error("{0}")]
     Faults(String),
     /// A file that cannot be read or written.
@@ -31,10 +31,10 @@ pub enum Error {
     File {
         /// The file.
         path: PathBuf,
-        /// What went wrong and what would be right.
+        /// Cause and expected value.
         what: String,
     },
-    /// A file or folder that this run must not touch, with the way out.
+    /// A file or folder that this run must not change, with a help.
     #[error(
         "{path}: {what}\n  help: {help}",
         path = text::line(&path.to_string_lossy()),
@@ -44,9 +44,9 @@ pub enum Error {
     Taken {
         /// The file or folder.
         path: PathBuf,
-        /// What is wrong with it.
+        /// Cause.
         what: String,
-        /// What to do, an imperative.
+        /// Imperative help.
         help: String,
     },
     /// Results that could not be written.
@@ -58,7 +58,7 @@ pub enum Error {
     Unwritten {
         /// The file or folder.
         path: PathBuf,
-        /// What went wrong.
+        /// Cause.
         what: String,
     },
     /// A result that cannot be written to standard output.
@@ -67,7 +67,7 @@ pub enum Error {
     /// A result that is not a finite number.
     #[error("the computation gave {value} for {quantity}")]
     NotFinite {
-        /// What it is, with the method that gave it.
+        /// The quantity and the method that computed it.
         quantity: String,
         /// NaN or an infinity.
         value: f64,

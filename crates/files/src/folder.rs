@@ -1,4 +1,4 @@
-//! The folder that a command writes its results into.
+//! The output folder of a command.
 
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -17,26 +17,25 @@ pub struct Kind {
     pub option: &'static str,
     /// Names (files and folders at the top) that such results may have.
     pub names: fn(&str) -> bool,
-    /// Names that stay from earlier results of the same kind unless they are written anew.
+    /// Names kept from earlier results of the same kind unless they are rewritten.
     pub keeps: fn(&str) -> bool,
 }
 
-/// An output folder under construction; dropped without [`OutputFolder::commit`] it leaves nothing.
+/// An output folder under construction; removed on drop unless [`OutputFolder::commit`] was called.
 #[derive(Debug)]
 pub struct OutputFolder {
     target: PathBuf,
     kind: Kind,
     staging: Staging,
-    /// Folders that were made for it, the deepest last.
+    /// Folders created for it, the deepest last.
     made: Vec<PathBuf>,
     committed: bool,
 }
 
 impl OutputFolder {
-    /// Prepares to write results of a kind into `target`; sweeps what killed runs have left there.
-    ///
-    /// Errors: the target is a file, holds results of another kind, or files where the results belong that are not of this
-    /// program or changed since; a folder that cannot be made.
+    /// Prepares to write results of a kind into `target`; removes the leftovers of killed runs there. Errors: the
+    /// target is a file, or contains results of another kind, or foreign or changed files at the paths of the
+    /// results; a folder that cannot be created.
     pub fn prepare(target: &Path, kind: Kind) -> Result<OutputFolder, Error> {
         let fault = |what: String| Error::File {
             path: target.into(),
@@ -53,7 +52,7 @@ impl OutputFolder {
                 return Err(fault("is read-only".into()));
             }
         }
-        // Inside an existing target (it may be a mount point, its parent read-only), else beside it.
+        // Inside an existing target (it may be a mount point, its parent read-only), else next to it.
         let mut made = Vec::new();
         let home = if exists {
             target.to_path_buf()
@@ -92,7 +91,7 @@ impl OutputFolder {
         }
     }
 
-    /// As [`OutputFolder::prepare`] for a run that keeps a checkpoint: two of them would overwrite each other's.
+    /// As [`OutputFolder::prepare`] for a run with a checkpoint, which two runs must not share.
     ///
     /// Errors: as there; another run that writes into the same folder.
     pub fn prepare_alone(target: &Path, kind: Kind) -> Result<OutputFolder, Error> {
@@ -100,7 +99,7 @@ impl OutputFolder {
         match staging::owner([target.to_path_buf(), parent(target)], target) {
             Some(process) => Err(Error::Taken {
                 path: target.into(),
-                what: format!("another run (process {process}) writes here"),
+                what: format!("is in use by another run (process {process})"),
                 help: format!("wait for it, or name another folder with {}", kind.option),
             }),
             None => OutputFolder::prepare(target, kind),
@@ -112,16 +111,15 @@ impl OutputFolder {
         self.staging.files()
     }
 
-    /// Moves everything to the target, replacing the results of an earlier run.
-    ///
-    /// Errors: [`Error::Unwritten`], the old results are still there; files that have come into the way meanwhile.
+    /// Moves everything to the target, replacing the results of an earlier run. Errors: [`Error::Unwritten`], with
+    /// the old results kept; files created meanwhile at the paths of the results.
     pub fn commit(mut self) -> Result<(), Error> {
         let files = self.path();
         let mut manifest = Manifest::of(&files, self.kind.id)?;
         let new: Vec<PathBuf> = files_below(&files).map_err(|e| unwritten(&files, &e))?;
         // An ending process waits until everything is in its place.
         let mut ledger = staging::ledger();
-        // One commit at a time: the folder itself is the lock, where the file system knows locks.
+        // One commit at a time: the folder itself is the lock, if the file system supports locks.
         let lock = std::fs::File::open(&self.target).ok();
         let _ = lock.as_ref().map(std::fs::File::lock);
         let mut stale = Vec::new();
@@ -157,7 +155,7 @@ impl OutputFolder {
         moved.map_err(|e| unwritten(&self.target, &e))
     }
 
-    /// Whether a new file may stand at its path in the target.
+    /// Whether a new file may be placed at its path in the target.
     fn free(&self, path: &Path, old: Option<&Manifest>) -> Result<(), Error> {
         let key = manifest::key(path);
         let there = self.target.join(path).symlink_metadata().is_ok();
@@ -171,14 +169,14 @@ impl OutputFolder {
 impl Drop for OutputFolder {
     fn drop(&mut self) {
         if !self.committed {
-            // The staging folder goes first: it may stand in one of them.
+            // The staging folder first: it may be inside one of them.
             staging::discard(&self.staging.folder);
             unmake(&self.made);
         }
     }
 }
 
-/// Names of the files that results keep and that somebody has changed.
+/// Names of kept files that were changed by others.
 pub fn edited(folder: &Path, kind: Kind) -> Vec<String> {
     let Found::Own(manifest) = Manifest::find(folder) else {
         return Vec::new();
@@ -190,15 +188,15 @@ pub fn edited(folder: &Path, kind: Kind) -> Vec<String> {
         .collect()
 }
 
-/// What is said of an interrupted run that leaves complete results of an earlier one in place.
+/// Message of an interrupted run that does not replace complete results of an earlier run.
 pub fn kept_complete(folder: &Path) -> String {
     format!(
-        "`{}` keeps the complete results of an earlier run; those of this one, which was interrupted, are not written there",
+        "`{}` keeps the complete results of an earlier run; the results of this interrupted run are not written",
         folder.display()
     )
 }
 
-/// Finishes or sweeps what killed runs have left in a results folder and beside it. Whoever reads results calls this first.
+/// Finishes or removes the leftovers of killed runs in and next to a results folder. Call before reading results.
 pub fn settle(folder: &Path) {
     if folder.is_dir() {
         staging::sweep(folder);
@@ -222,7 +220,7 @@ fn vacant(target: &Path, kind: Kind) -> Result<Option<Manifest>, Error> {
     if let Some(other) = manifest.as_ref().filter(|m| m.kind != kind.id) {
         return Err(taken(
             target,
-            format!("holds results of `tankcheck {}`", other.kind),
+            format!("contains results of `tankcheck {}`", other.kind),
             kind,
         ));
     }
@@ -256,7 +254,7 @@ fn vacant(target: &Path, kind: Kind) -> Result<Option<Manifest>, Error> {
 }
 
 fn foreign(target: &Path, name: &str, kind: Kind) -> Error {
-    let what = format!("holds `{name}`, which is not in the manifest of files that tankcheck wrote");
+    let what = format!("contains `{name}`, which is not in the manifest of tankcheck");
     taken(target, what, kind)
 }
 
@@ -264,11 +262,11 @@ fn taken(target: &Path, what: String, kind: Kind) -> Error {
     Error::Taken {
         path: target.into(),
         what,
-        help: format!("move it away, or name another folder with {}", kind.option),
+        help: format!("move it elsewhere, or name another folder with {}", kind.option),
     }
 }
 
-/// Files and their folders, on the disk. Side by side: a journal takes many at the price of a few.
+/// Synchronises files and their folders to the disk, in parallel: a journal writes many for the cost of a few.
 fn durable(files: &Path, new: &[PathBuf]) -> Result<(), Error> {
     const THREADS: usize = 8;
     let outcome = std::thread::scope(|scope| {
@@ -286,7 +284,7 @@ fn durable(files: &Path, new: &[PathBuf]) -> Result<(), Error> {
     outcome.and_then(|_| sync(files)).map_err(|e| unwritten(files, &e))
 }
 
-/// Removes folders that were made, the deepest first, as far as they are empty.
+/// Removes created folders that are empty, the deepest first.
 fn unmake(made: &[PathBuf]) {
     for folder in made.iter().rev() {
         if std::fs::remove_dir(folder).is_err() {
@@ -295,11 +293,11 @@ fn unmake(made: &[PathBuf]) {
     }
 }
 
-/// The folder that a path stands in.
+/// The parent folder of a path.
 fn parent(path: &Path) -> PathBuf {
     match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
-        // `out`, or `.` and `..`, whose parents have no name here.
+        // `out`, or `.` and `..`, whose parents do not have a name.
         _ if path.file_name().is_some() => PathBuf::from("."),
         _ => path.join(".."),
     }

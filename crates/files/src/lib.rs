@@ -1,19 +1,18 @@
 //! The output folder: whole or not at all, and only its own files.
 //!
 //! ```text
-//! prepare ─ staging beside the target ─ files ─ commit: manifest, fsync, moves ─ target
-//!             └ swept by the next run if its process is gone, moved on if the commit had begun
+//! prepare ─ staging next to the target ─  files ─ commit: manifest, fsync, moves ─ target
+//!             └ removed by the next run if its process is gone, finished if the commit had begun
 //! ```
-//!
-//! * **Ownership.** A results folder holds `manifest.json` with the hash of every file that was written into it
-//!   (`manifest`). A file that is not in it, or that changed since, is never replaced and never removed; one that stands
-//!   where a result belongs is refused before anything is computed.
-//! * **Staging.** Files are written into a folder of their own that carries a marker, locked as long as the process lives
-//!   (`staging`). After a kill the lock is free: the next run removes the folder, or, if all files were in place and only
-//!   the moves were missing, finishes them.
-//! * **Replacing.** The old files stay until the new ones are complete and on the disk; then each new file replaces its
-//!   predecessor by a rename, the manifest last, and what the new results do not have any more is removed.
-//! * **Unfinished work** that a later run can resume stands in a folder beside the results (`work`).
+//! * **Ownership.** A results folder contains `manifest.json` with the hash of every file written into it
+//!   (`manifest`). A file that is not in it, or that changed since, is never replaced or removed; if it is at the
+//!   path of a result, the run is rejected before anything is computed.
+//! * **Staging.** Files are written into a separate folder with a marker, locked while the process lives (`staging`).
+//!   After a kill the lock is free: the next run removes the folder, or, if all files were complete and only the
+//!   moves were missing, finishes them.
+//! * **Replacing.** The old files stay until the new ones are complete and on the disk; then each new file replaces
+//!   its predecessor by a rename, the manifest last, and obsolete files are removed.
+//! * **Unfinished work** that a later run can resume is in a folder next to the results (`work`).
 
 pub mod error;
 mod folder;
@@ -35,9 +34,8 @@ use std::path::{Path, PathBuf};
 
 use crate::error::{Error, describe};
 
-/// Text is written to `path` by way of a file beside it and a rename: whole or not at all, and on the disk.
-///
-/// Errors: [`Error::Unwritten`]; the file beside it is removed.
+/// Writes text to `path` through a temporary file and a rename: complete or not at all, and synchronised to the disk.
+/// Errors: [`Error::Unwritten`]; the temporary file is removed.
 pub fn write_whole(path: &Path, text: &[u8]) -> Result<(), Error> {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(PART);
@@ -50,7 +48,7 @@ pub fn write_whole(path: &Path, text: &[u8]) -> Result<(), Error> {
         std::fs::rename(&beside, path)
     };
     write().map_err(|e| {
-        // Half a file is litter; if it cannot be removed either, the first error says more.
+        // A partial file is useless; if it cannot be removed either, the first error is more informative.
         let _ = std::fs::remove_file(&beside);
         unwritten(path, &e)
     })
@@ -66,8 +64,7 @@ fn unwritten(path: &Path, error: &std::io::Error) -> Error {
     }
 }
 
-/// Makes what has been written to a file or folder survive a loss of power. Folders cannot be synchronised everywhere:
-/// their failure is none.
+/// Synchronises a file or folder to the disk. Not every system can synchronise folders, so their failure is ignored.
 fn sync(path: &Path) -> std::io::Result<()> {
     let file = File::open(path)?;
     match file.sync_all() {

@@ -1,4 +1,4 @@
-//! What this program has written into a folder: `manifest.json`.
+//! The list of files written by this program into a folder: `manifest.json`.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -18,16 +18,16 @@ const FORMAT: &str = "tankcheck-manifest/1";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Manifest {
     format: String,
-    /// Which kind of results they are ([`super::Kind::id`]).
+    /// Kind of the results ([`super::Kind::id`]).
     pub kind: String,
     /// Path in the folder, with `/` between its parts → SHA-256 as hexadecimal digits.
     pub files: BTreeMap<String, String>,
 }
 
-/// What stands in a folder in place of a manifest.
+/// State of the manifest in a folder.
 #[derive(Debug)]
 pub enum Found {
-    /// Nothing.
+    /// Absent.
     None,
     /// A manifest of this program.
     Own(Manifest),
@@ -64,7 +64,7 @@ impl Manifest {
         }
     }
 
-    /// Whether every file is below the folder: a manifest is a file that anybody can edit.
+    /// Whether every file is below the folder: a manifest may have been edited.
     fn inside(&self) -> bool {
         let plain = |part: std::path::Component| matches!(part, std::path::Component::Normal(_));
         self.files
@@ -84,7 +84,7 @@ impl Manifest {
         self.files.contains_key(name) || self.files.keys().any(|k| k.starts_with(&folder))
     }
 
-    /// A file of `folder` that is there and not what was written, if there is one, among those that `counts` names.
+    /// The first file of `folder` that exists but differs from the manifest, among those that `counts` accepts.
     pub fn changed(&self, folder: &Path, counts: impl Fn(&str) -> bool) -> Option<&str> {
         let differs = |(name, written): &(&String, &String)| {
             let path = folder.join(name);

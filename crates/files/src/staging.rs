@@ -1,14 +1,13 @@
-//! Staging folders: where results are written before they are whole.
+//! Staging folders: results are written here until they are complete.
 //!
 //! ```text
 //! .out.4711.partial/
 //!   staging.json     marker: format, process, target; locked while the process lives
 //!   files/           the new files with their manifest
-//!   commit.json      there from the moment on when all files are complete: what the target loses
+//!   commit.json      exists once all files are complete: list of obsolete files in the target
 //! ```
-//!
-//! The lock, not the number of the process, tells whether its owner lives: numbers are used again, and mean nothing in
-//! another container. Where a file system knows no locks, the number has to do.
+//! The lock, not the process number, shows whether the owner lives: numbers are reused and are meaningless in another
+//! container. On file systems without locks the number is used.
 
 use std::fs::{File, TryLockError};
 use std::io::{ErrorKind, Write};
@@ -28,8 +27,8 @@ const FILES: &str = "files";
 /// End of the name of a staging folder.
 const PARTIAL: &str = ".partial";
 
-/// What this process has begun to write and what it has put in place. Held while a staging folder is made and while results
-/// move to their place, so that an ending process waits for both.
+/// Staging folders of this process, and whether it has committed. Locked while a staging folder is created and while
+/// results move, so that an ending process waits for both.
 pub(super) static LEDGER: Mutex<Ledger> = Mutex::new(Ledger {
     unfinished: Vec::new(),
     kept: false,
@@ -40,13 +39,13 @@ pub(super) static LEDGER: Mutex<Ledger> = Mutex::new(Ledger {
 pub(super) struct Ledger {
     /// Staging folders that are not committed.
     pub unfinished: Vec<PathBuf>,
-    /// Whether results have been put in place.
+    /// Whether results have been committed.
     pub kept: bool,
-    /// The process ends: nothing is begun or put in place any more.
+    /// The process ends: new staging folders and commits are blocked.
     ended: bool,
 }
 
-/// The ledger of a process that goes on. In one that is being ended the caller waits for the end.
+/// The ledger of a running process. In an ending process the caller waits for the end.
 pub(super) fn ledger() -> MutexGuard<'static, Ledger> {
     loop {
         let ledger = LEDGER.lock().unwrap_or_else(PoisonError::into_inner);
@@ -58,8 +57,8 @@ pub(super) fn ledger() -> MutexGuard<'static, Ledger> {
     }
 }
 
-/// Removes what is half-written, before the process is ended without unwinding. Results that are moving to their place get
-/// there first, and none after that. Whether this process has put any in place.
+/// Removes partial files before the process exits without unwinding. A commit in progress is finished first; later
+/// ones are blocked. Returns whether this process has committed results.
 pub fn discard_unfinished() -> bool {
     const PATIENCE: Duration = Duration::from_secs(10);
     let began = Instant::now();
@@ -70,9 +69,9 @@ pub fn discard_unfinished() -> bool {
                 ledger.unfinished.drain(..).for_each(|staging| remove(&staging));
                 return ledger.kept;
             }
-            // A thread that panicked while it moved results: the next run finishes that.
+            // A thread that panicked while moving results: the next run finishes the move.
             Err(TryLockFailure::Poisoned(_)) => return false,
-            // It may be the thread that ends the process itself.
+            // It may be the ending thread itself.
             Err(TryLockFailure::WouldBlock) if began.elapsed() > PATIENCE => return false,
             Err(TryLockFailure::WouldBlock) => std::thread::sleep(Duration::from_millis(5)),
         }
@@ -87,12 +86,12 @@ struct Marker {
     target: PathBuf,
 }
 
-/// What a commit still has to do.
+/// Remaining work of a commit.
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Commit {
-    /// Where the files go.
+    /// Target folder.
     pub target: PathBuf,
-    /// Paths in the target that the new results do not have any more.
+    /// Obsolete paths in the target.
     pub stale: Vec<PathBuf>,
 }
 
@@ -106,7 +105,7 @@ pub(super) struct Staging {
 }
 
 impl Staging {
-    /// Makes one in `home` for results that go to `target`.
+    /// Creates one in `home` for the results of `target`.
     ///
     /// Errors: those of the file system.
     pub fn new(home: &Path, name: &str, target: &Path) -> std::io::Result<Staging> {
@@ -117,17 +116,17 @@ impl Staging {
             let end = if count == 0 { String::new() } else { format!("-{count}") };
             let folder = home.join(format!(".{name}.{process}{end}{PARTIAL}"));
             match std::fs::create_dir(&folder) {
-                // Of another run in this process, or of one in another container.
+                // Belongs to another run in this process, or in another container.
                 Err(e) if e.kind() == ErrorKind::AlreadyExists && count < 100 => continue,
                 other => other?,
             }
-            // A sweep may take the empty folder for litter in this very moment.
+            // A sweep may remove the empty folder at this moment.
             let marker = match File::create_new(folder.join(MARKER)) {
                 Err(e) if e.kind() == ErrorKind::NotFound && count < 100 => continue,
                 other => other,
             };
             let marked = marker.and_then(|mut file| {
-                // Without locks the process counts.
+                // Without locks the process number decides.
                 let _ = file.try_lock();
                 let text = serde_json::to_vec(&Marker {
                     format: FORMAT.into(),
@@ -155,12 +154,12 @@ impl Staging {
         unreachable!("the count ends with an error of the file system")
     }
 
-    /// Where the files are written.
+    /// Folder of the new files.
     pub fn files(&self) -> PathBuf {
         self.folder.join(FILES)
     }
 
-    /// Moves the files to their place: from here on they get there, if not by this process then by the next.
+    /// Moves the files to the target. Once started, the commit is finished by this process or by the next run.
     ///
     /// Errors: those of the file system.
     pub fn move_on(&self, commit: &Commit) -> std::io::Result<()> {
@@ -183,22 +182,22 @@ impl Drop for Staging {
     }
 }
 
-/// Gives up a staging folder of this process.
+/// Releases a staging folder of this process.
 pub(super) fn discard(folder: &Path) {
     let mut ledger = ledger();
     ledger.unfinished.retain(|other| other != folder);
     clear(folder);
 }
 
-/// Removes a staging folder. One whose commit could not move everything stays for the next run.
+/// Removes a staging folder, unless its commit is incomplete; then the next run finishes it.
 pub(super) fn clear(folder: &Path) {
     if !folder.join(COMMIT).exists() {
         remove(folder);
     }
 }
 
-/// Moves every file of a staging folder to its place, the manifest last, removes what is stale, then the folder itself. Can
-/// be repeated after an end at any moment.
+/// Moves every file of a staging folder to the target, the manifest last, then removes obsolete files and the folder
+/// itself. Can be repeated after an interruption at any point.
 fn moves(folder: &Path, commit: &Commit) -> std::io::Result<()> {
     let (files, target) = (folder.join(FILES), &commit.target);
     if files.is_dir() {
@@ -223,7 +222,7 @@ fn moves(folder: &Path, commit: &Commit) -> std::io::Result<()> {
             Err(e) if e.kind() != ErrorKind::NotFound => return Err(e),
             _ => {}
         }
-        // Folders that are empty now; others stay.
+        // Only empty folders are removed.
         let homes = path.ancestors().skip(1).filter(|p| !p.as_os_str().is_empty());
         for home in homes {
             if std::fs::remove_dir(target.join(home)).is_err() {
@@ -235,10 +234,10 @@ fn moves(folder: &Path, commit: &Commit) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Removes a staging folder, its marker last: an end half-way leaves one that is recognised.
+/// Removes a staging folder, its marker last, so that it is recognised after an interruption.
 fn remove(folder: &Path) {
-    // A thread of a process that is ended may still be writing: until the folder of files is gone. What cannot be removed is
-    // litter that the next run tries again.
+    // A thread of an ending process may still be writing: repeat until the folder of files is gone. The next run
+    // retries whatever remains.
     for _ in 0..200 {
         match std::fs::remove_dir_all(folder.join(FILES)) {
             Err(e) if e.kind() == ErrorKind::DirectoryNotEmpty => {}
@@ -251,8 +250,8 @@ fn remove(folder: &Path) {
     let _ = std::fs::remove_dir(folder);
 }
 
-/// Sweeps the staging folders in `home` whose process is gone: those that were being committed move on, the others are
-/// removed. Folders without a marker of this program are left alone.
+/// Sweeps the staging folders in `home` whose process is gone: started commits are finished, the others are removed.
+/// Folders without a marker of this program are untouched.
 pub(super) fn sweep(home: &Path) {
     let Ok(entries) = std::fs::read_dir(home) else {
         return;
@@ -266,7 +265,7 @@ pub(super) fn sweep(home: &Path) {
     }
 }
 
-/// The process of another staging folder in one of `homes` that lives and writes to `target`.
+/// The live process of another staging folder in one of `homes` that writes to `target`.
 pub(super) fn owner(homes: [PathBuf; 2], target: &Path) -> Option<u32> {
     let target = std::path::absolute(target).ok()?;
     let entries = homes
@@ -277,7 +276,7 @@ pub(super) fn owner(homes: [PathBuf; 2], target: &Path) -> Option<u32> {
     let markers = entries
         .filter(|entry| entry.file_name().to_string_lossy().ends_with(PARTIAL))
         .filter_map(|entry| std::fs::read(entry.path().join(MARKER)).ok());
-    // Folders of processes that are gone have been swept.
+    // Folders of dead processes have been swept.
     markers
         .filter_map(|text| serde_json::from_slice::<Marker>(&text).ok())
         .find(|marker| marker.format == FORMAT && marker.target == target)
@@ -288,7 +287,7 @@ fn sweep_one(folder: &Path) {
     let marker = match File::open(folder.join(MARKER)) {
         Ok(file) => file,
         Err(_) => {
-            // Ended before it had a marker, or after it had lost it: empty, or not ours.
+            // Ended before the marker was written or after it was removed: empty, or not ours.
             let _ = std::fs::remove_dir(folder);
             return;
         }
@@ -311,13 +310,13 @@ fn sweep_one(folder: &Path) {
     }
     let commit = std::fs::read(folder.join(COMMIT)).ok();
     match commit.and_then(|text| serde_json::from_slice::<Commit>(&text).ok()) {
-        // What cannot be moved now stays for the next run.
+        // The next run moves the rest.
         Some(commit) => drop(moves(folder, &commit)),
         None => remove(folder),
     }
 }
 
-/// Whether there is a process of this number, where that can be seen; else it is taken to live.
+/// Whether a process of this number exists; assumed true if this cannot be determined.
 fn process_lives(process: u32) -> bool {
     let all = Path::new("/proc");
     !all.join("self").exists() || all.join(process.to_string()).exists()

@@ -146,12 +146,12 @@ fn results_of_another_kind_are_not_replaced_and_kept_names_stay() {
     };
     write_as(report, home.path(), &[("report.html", "again")]);
     assert_eq!(tree(home.path()), [MANIFEST_FILE, "report.html", "results.json"]);
-    // Both are still known as our own.
+    // Both are still recognised as our own.
     write_as(KIND, home.path(), &[("report.html", "third")]);
     assert_eq!(tree(home.path()), [MANIFEST_FILE, "report.html"]);
 }
 
-/// A manifest that names files outside its folder is none of ours.
+/// A manifest with files outside its folder is rejected.
 #[test]
 fn a_manifest_reaches_no_further_than_its_folder() {
     for name in ["../precious.txt", "/etc/hostname", "figures/../../precious.txt", ""] {
@@ -170,7 +170,7 @@ fn a_manifest_reaches_no_further_than_its_folder() {
     }
 }
 
-/// What a killed process leaves: the folder without its lock. The lock goes with the handle.
+/// Leftover of a killed process: the folder without its lock, which is released with the handle.
 fn killed(staging: Staging) -> std::path::PathBuf {
     let folder = staging.folder.clone();
     let kept = folder.with_extension("kept");
@@ -198,7 +198,7 @@ fn staging_of_a_process_that_is_gone_is_swept_and_that_of_one_that_lives_is_kept
     assert!(alive.folder.exists());
 }
 
-/// A commit is cut off after each of its moves; the next run brings it to its end.
+/// A commit is interrupted after each of its moves; the next run finishes it.
 #[test]
 fn a_commit_that_was_cut_off_anywhere_is_finished() {
     let new = [
@@ -244,7 +244,7 @@ fn a_commit_that_was_cut_off_anywhere_is_finished() {
             "{moved}"
         );
         assert_eq!(text(&out.join("report.html")), "new");
-        // What is there is our own.
+        // All files are recognised as our own.
         write_as(KIND, &out, &[("report.html", "third")]);
     }
 }
@@ -279,7 +279,7 @@ fn is_work(name: &str) -> bool {
     name.starts_with("checkpoint-") || name.starts_with("ida.partial.json")
 }
 
-/// Files and folders that somebody put among unfinished work stay, and are in the way of nothing.
+/// Foreign files and folders among unfinished work stay and do not block a run.
 #[test]
 fn files_of_others_among_unfinished_work_stay() {
     let home = tempfile::tempdir().unwrap();
@@ -307,7 +307,7 @@ fn files_of_others_among_unfinished_work_stay() {
 fn unfinished_work_is_kept_for_a_resume_and_swept_otherwise() {
     let home = tempfile::tempdir().unwrap();
     let out = home.path().join("out");
-    // Nothing done, nothing left.
+    // A run without work leaves no folder.
     drop(WorkFolder::open(&out, "ida", is_work, false).unwrap());
     assert!(!out.exists());
     let work = WorkFolder::open(&out, "ida", is_work, false).unwrap();

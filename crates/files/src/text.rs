@@ -1,15 +1,13 @@
-//! Text of the user's made visible: no name, message or file of theirs can steer a terminal or hide what a page shows.
-//!
-//! A hostile character is shown as the escape that Rust and JSON5 would write for it, `\u{1b}`. Everything that leaves the
-//! program for people's eyes goes through [`visible`]: standard output and standard error in `cli`, pages and figures in
-//! [`report::Report::new`]. A name that stands inside a sentence goes through [`line`], so that it cannot forge
-//! lines of its own. Files for programs keep the exact text; JSON on standard output has the same values in the
-//! escapes of [`json`].
+//! Escaping of user text, so that names, messages and files cannot control a terminal or hide parts of a page. A
+//! hostile character is shown as its escape in Rust and JSON5, `\u{1b}`. All output for people goes through
+//! [`visible`]: standard output and standard error in `cli`, pages and figures in [`report::Report::new`]. A name
+//! inside a sentence goes through [`line`], so that it cannot forge lines. Files for programs keep the exact text;
+//! JSON on standard output has the same values in the escapes of [`json`].
 
 use std::borrow::Cow;
 use std::fmt::Write;
 
-/// Whether a character acts on a terminal or on the order of text instead of being seen.
+/// Whether a character controls a terminal or the order of text instead of being visible.
 ///
 /// * C0 but for tab and line feed, DEL, C1 (U+0080 to U+009F)
 /// * direction: U+061C, U+200E, U+200F, U+202A to U+202E, U+2066 to U+206F
@@ -29,7 +27,7 @@ pub fn hostile(c: char) -> bool {
 /// The text with every hostile character as `\u{…}`; tabs and line breaks stay.
 ///
 /// ```
-/// assert_eq!(tankcheck::text::visible("a\u{1b}[31mb\n"), "a\\u{1b}[31mb\n");
+/// assert_eq!(files::text::visible("a\u{1b}[31mb\n"), "a\\u{1b}[31mb\n");
 /// ```
 pub fn visible(text: &str) -> Cow<'_, str> {
     replaced(text, hostile, braces)
@@ -38,20 +36,20 @@ pub fn visible(text: &str) -> Cow<'_, str> {
 /// [`visible`] in one line: tabs and line breaks too become escapes.
 ///
 /// ```
-/// assert_eq!(tankcheck::text::line("a\nb"), "a\\u{a}b");
+/// assert_eq!(files::text::line("a\nb"), "a\\u{a}b");
 /// ```
 pub fn line(text: &str) -> Cow<'_, str> {
     replaced(text, |c| hostile(c) || c == '\n' || c == '\t', braces)
 }
 
 /// The text of a JSON document with every hostile character as `\uXXXX`: another spelling of the same value, because
-/// outside of its strings JSON has none of them.
+/// JSON has hostile characters only in its strings.
 ///
 /// ```
-/// assert_eq!(tankcheck::text::json("\"\u{85}\""), "\"\\u0085\"");
+/// assert_eq!(files::text::json("\"\u{85}\""), "\"\\u0085\"");
 /// ```
 pub fn json(text: &str) -> Cow<'_, str> {
-    // A carriage return may stand between the values of a document.
+    // A carriage return may be between the values of a document.
     replaced(
         text,
         |c| hostile(c) && c != '\r',
@@ -131,7 +129,7 @@ mod tests {
         assert_eq!(line("a\tb\nc"), "a\\u{9}b\\u{a}c");
     }
 
-    /// The search by leading bytes finds what the definition names, and nothing else, of all characters.
+    /// The search by leading bytes finds exactly the characters of the definition.
     #[test]
     fn every_hostile_character_is_found_by_its_first_byte() {
         for c in '\0'..=char::MAX {

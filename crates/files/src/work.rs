@@ -3,7 +3,7 @@
 //! ```text
 //! out/unfinished/
 //!   work.json     marker: format, kind; locked while a run works here
-//!   …             what the run keeps
+//!   …             files of the run
 //! ```
 
 use std::fs::{File, OpenOptions, TryLockError};
@@ -26,24 +26,22 @@ struct Marker {
     kind: String,
 }
 
-/// The folder of a run under way.
+/// The folder of an unfinished run.
 #[derive(Debug)]
 pub struct WorkFolder {
     folder: PathBuf,
     /// Keeps the lock.
     marker: File,
-    /// Names of the files that a run leaves; others are not touched.
+    /// Names of the files of a run; others are not touched.
     owns: fn(&str) -> bool,
-    /// The output folder, if it was made for this.
+    /// The output folder, if it was created for this.
     made: Option<PathBuf>,
 }
 
 impl WorkFolder {
-    /// Opens the folder of an output folder, or makes it; without `resume` what an earlier run has left is removed: the files
-    /// whose names `owns` accepts.
-    ///
-    /// Errors: one that this program did not write, of another kind of run, or in which another process works; those of the
-    /// file system.
+    /// Opens or creates the work folder of an output folder; without `resume` the files of an earlier run (names
+    /// accepted by `owns`) are removed. Errors: a folder that this program did not write, of another kind of run, or
+    /// in use by another process; those of the file system.
     pub fn open(out: &Path, kind: &str, owns: fn(&str) -> bool, resume: bool) -> Result<WorkFolder, Error> {
         let folder = out.join(FOLDER);
         let fault = |what: String| Error::File {
@@ -53,7 +51,7 @@ impl WorkFolder {
         let taken = |what: String| Error::Taken {
             path: folder.clone(),
             what,
-            help: "move it away, or name another folder with --out".into(),
+            help: "move it elsewhere, or name another folder with --out".into(),
         };
         let marker = folder.join(MARKER);
         let found = folder.symlink_metadata().is_ok();
@@ -72,7 +70,7 @@ impl WorkFolder {
             .map_err(|e| fault(describe(&e)))?;
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             return Err(fault(
-                "another process works here; wait for it, or name another folder with --out".into(),
+                "is in use by another process; wait for it, or name another folder with --out".into(),
             ));
         }
         let mut text = String::new();
@@ -115,7 +113,7 @@ impl WorkFolder {
         self.folder.join(name)
     }
 
-    /// Names of the files that a run has left, sorted.
+    /// Names of the files of an earlier run, sorted.
     ///
     /// Errors: those of the file system.
     pub fn names(&self) -> Result<Vec<String>, Error> {
@@ -137,13 +135,13 @@ impl WorkFolder {
     /// Removes the folder: the work is done.
     pub fn done(self) {
         for name in self.names().unwrap_or_default() {
-            // What cannot be removed the next run removes.
+            // The next run removes the rest.
             let _ = std::fs::remove_file(self.folder.join(name));
         }
     }
 }
 
-/// A folder without work and without files of others is removed, its marker last but for the folder itself.
+/// Removes a folder without work and without foreign files; the marker is the last file.
 impl Drop for WorkFolder {
     fn drop(&mut self) {
         let alone = || std::fs::read_dir(&self.folder).is_ok_and(|entries| entries.count() <= 1);

@@ -3,7 +3,7 @@
 use super::pencil::Pencil;
 use super::{LinalgError, Matrix, dot, product, transposed_product};
 
-/// A new direction counts if at least this part of it is new: what remains of less is rounding.
+/// A direction counts as new if at least this fraction of it is new; a smaller remainder is rounding.
 const NEW: f64 = 1e-12;
 
 /// Columns Q with Qᵀ M Q = I, and M Q.
@@ -13,7 +13,7 @@ pub(super) struct Basis<'a> {
     pub mq: Matrix,
 }
 
-/// What [`Basis::append`] did: W = Q `old` + Q_new `new`.
+/// Result of [`Basis::append`]: W = Q `old` + Q_new `new`.
 pub(super) struct Appended {
     /// Coefficients on the columns that were there.
     pub old: Matrix,
@@ -85,7 +85,7 @@ impl<'a> Basis<'a> {
         Ok(Appended { old, new })
     }
 
-    /// Columns `first ..`, as a matrix of its own.
+    /// Columns `first ..`, as a separate matrix.
     pub fn mass_columns(&self, first: usize) -> Matrix {
         let rows = self.mq.rows;
         Matrix {

@@ -19,7 +19,7 @@ pub(super) fn view_mut(a: &mut Matrix) -> MatMut<'_, f64> {
 /// Cholesky factor L of a symmetric positive definite matrix A = L Lᵀ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cholesky {
-    /// L in the lower triangle; what is above the diagonal is not used.
+    /// L in the lower triangle; entries above the diagonal are not used.
     lower: Matrix,
 }
 

@@ -6,7 +6,7 @@
 //!
 //! K mixes the gravity stiffness of a liquid surface with the stiffness of a shell, up to 10¹² times larger. Dividing
 //! by K, not by M, makes the sloshing modes the *largest* eigenvalues μ, which are exact to rounding. Frequencies far
-//! above the lowest lose digits: the error of μ is about 10⁻¹⁶ n μ₁, so that ω keeps six digits up to some 10⁴ ω₁.
+//! above the lowest lose digits: the error of μ is about 10⁻¹⁶ n μ₁, so that ω has six digits up to about 10⁴ ω₁.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, self_adjoint_evd, self_adjoint_evd_scratch};
@@ -165,7 +165,7 @@ mod tests {
         }
     }
 
-    /// A soft chain beside one 10¹² times stiffer: the soft frequencies keep their digits.
+    /// A soft chain and one 10¹² times stiffer: the soft frequencies keep their digits.
     #[test]
     fn low_modes_survive_a_stiff_neighbour() {
         let n = 20;
@@ -191,7 +191,8 @@ mod tests {
         }
     }
 
-    /// Two chains 10¹⁸ apart in stiffness: the stiff one lies beyond double precision and is left out, not returned wrong.
+    /// Two chains 10¹⁸ apart in stiffness: the stiff one is beyond double precision and is omitted, not returned
+    /// wrong.
     #[test]
     fn modes_beyond_double_precision_are_left_out() {
         let n = 6;

@@ -45,11 +45,11 @@ pub struct Factor {
     values: Vec<f64>,
     kind: Kind,
     pivots: Pivots,
-    /// Working space of solves, kept from one to the next.
+    /// Working space of solves, reused.
     space: Mutex<Option<(usize, MemBuffer)>>,
 }
 
-/// What pivoting adds to the factor.
+/// Additional data of a pivoted factor.
 #[derive(Default)]
 struct Pivots {
     /// Off-diagonal entry of each pivot of two rows, at its first row; zero elsewhere.
@@ -147,7 +147,7 @@ impl Factor {
                 );
             }
         }
-        // A NaN passes the comparison of the pivots, and pivoting divides by zero without a word.
+        // A NaN passes the comparison of the pivots, and pivoting divides by zero without an error.
         if self.values.iter().all(|v| v.is_finite()) {
             Ok(())
         } else if self.kind == Kind::Definite {
@@ -174,7 +174,7 @@ impl Factor {
             .expect("the analysis was made before the factor")
     }
 
-    /// B ← A⁻¹ B, all columns at once.
+    /// B ← A⁻¹ B for all columns.
     ///
     /// Errors: not enough memory.
     pub fn solve(&self, b: &mut Matrix) -> Result<(), LinalgError> {
@@ -182,7 +182,7 @@ impl Factor {
             return Ok(());
         }
         let symbolic = self.analysis();
-        // Another thread that solves with the same factor makes a working space of its own.
+        // Another thread that solves with the same factor creates its own working space.
         let mut held = self.space.try_lock().ok();
         let kept = held
             .as_mut()

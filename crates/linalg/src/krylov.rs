@@ -4,14 +4,14 @@
 //! span{ (K + s M)⁻¹ f,  (K + s M)⁻¹ M (K + s M)⁻¹ f,  … }   for real poles s ≥ 0,        Qᵀ M Q = I
 //! ```
 //!
-//! With s = 0 among the poles the first vector is the static response, so that the basis holds it exactly and no missing
-//! mass is left to be added (load-dependent Ritz vectors, Wilson, Yuan & Dickens 1982). A pole s = ω² speeds up the modes
-//! near ω. Every pole s matches moments of the transfer function at the imaginary frequency i√s.
+//! With s = 0 among the poles the first vector is the static response, so that the basis contains it exactly and
+//! missing mass need not be added (load-dependent Ritz vectors, Wilson, Yuan & Dickens 1982). A pole s = ω² speeds up
+//! the modes near ω. Every pole s matches moments of the transfer function at the imaginary frequency i√s.
 //!
-//! A displacement liquid has hundreds of rotational modes between the sloshing and the bulging modes. An eigenvalue solver
-//! must find them all on its way; the loads do not excite them, and they do not enter this basis.
+//! A displacement liquid has hundreds of rotational modes between the sloshing and the bulging modes. An eigenvalue
+//! solver must find all of them; the loads do not excite them, and they do not enter this basis.
 //!
-//! The pencil projected on Q is solved for its Ritz pairs, so that what is returned can be used like modes: K and M are
+//! The pencil projected on Q is solved for its Ritz pairs, so that the result can be used like modes: K and M are
 //! diagonal in it.
 
 use super::basis::Basis;
@@ -21,15 +21,15 @@ use super::{LinalgError, Matrix, dot, product, transposed_product};
 
 /// Ritz vectors with less than this share of a load's effective mass need not be modes.
 const SHARE: f64 = 1e-3;
-/// A direction of which less is new is rounding.
+/// Smallest new fraction of a direction; less is rounding.
 const NOISE: f64 = 1e-11;
 
-/// How a reduction is made.
+/// Options of a reduction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduction {
     /// Poles s ≥ 0 [rad²/s²]. Start with 0 unless K is singular.
     pub poles: Vec<f64>,
-    /// Blocks (one vector a load) at each pole; the last pole goes on until the accuracy is reached.
+    /// Blocks (one vector per load) at each pole; the last pole continues until the accuracy is reached.
     pub blocks: usize,
     /// Ritz pairs up to this frequency that carry more than 0.1 % of a load's effective mass have to converge [rad/s].
     pub band: f64,
@@ -52,18 +52,18 @@ impl Reduction {
     }
 }
 
-/// A pencil reduced to what loads excite: M = I and K = diag(λ) in the vectors.
+/// A pencil reduced to the motion that loads excite: M = I and K = diag(λ) in the vectors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduced {
     /// λ = ω² of the Ritz pairs, ascending [rad²/s²].
     pub lambda: Vec<f64>,
     /// Ritz vectors x column by column, x_iᵀ M x_j = δ_ij.
     pub vectors: Matrix,
-    /// xᵀ f, one row a Ritz vector, one column a load.
+    /// xᵀ f, one row per Ritz vector, one column per load.
     pub participation: Matrix,
     /// Residual of each Ritz pair in the band with more than 0.1 % of some load's effective mass; `None` for the others.
     pub residual: Vec<Option<f64>>,
-    /// Whether all those residuals reach the accuracy asked for.
+    /// Whether all those residuals reach the required accuracy.
     pub converged: bool,
 }
 

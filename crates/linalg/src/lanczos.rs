@@ -5,14 +5,13 @@
 //! A = (K + s M)⁻¹ M        A x = θ x        λ = 1/θ − s
 //! ```
 //!
-//! The eigenvalues nearest −s are the largest |θ| and appear first. Every pair is checked explicitly, and Sylvester's law
-//! of inertia proves that none was missed: K − σ M, factored beyond the last pair, must have as many negative pivots as
-//! pairs were found. If it has more, the iteration goes on with new random directions.
-//!
-//! **What the check of a pair can say.** ‖K x − λ M x‖ ≤ 10⁻⁸ ‖K x‖ cannot hold where K x itself is the small difference
-//! of large terms (the sloshing modes of a liquid with a volume stiffness 10⁸ times larger). The residual that bounds the
-//! error is that of A: |λ − λ_exact| ≤ (λ + s) ‖x − (λ + s) A x‖_M for xᵀ M x = 1. Both are returned; the second
-//! must be at most 10⁻⁸, the first at most 10⁻⁸ or what rounding of the terms of K x leaves.
+//! The eigenvalues nearest −s are the largest |θ| and appear first. Every pair is checked explicitly, and Sylvester's
+//! law of inertia proves that all were found: K − σ M, factored beyond the last pair, must have as many negative
+//! pivots as pairs were found. If it has more, the iteration continues with new random directions. **Limits of the
+//! check of a pair.** ‖K x − λ M x‖ ≤ 10⁻⁸ ‖K x‖ cannot hold where K x itself is the small difference of large terms
+//! (the sloshing modes of a liquid with a volume stiffness 10⁸ times larger). The residual that bounds the error is
+//! that of A: |λ − λ_exact| ≤ (λ + s) ‖x − (λ + s) A x‖_M for xᵀ M x = 1. Both are returned; the second must be at
+//! most 10⁻⁸, the first at most 10⁻⁸ or the rounding of the terms of K x.
 
 use super::basis::{Basis, Noise};
 use super::eigen::{orient, symmetric_eigen};
@@ -23,24 +22,25 @@ use super::{LinalgError, Matrix, dot};
 const CONVERGED: f64 = 1e-10;
 /// Largest allowed ‖x − (λ + s) A x‖_M of a pair that is returned, and largest ‖K x − λ M x‖/‖K x‖.
 const ALLOWED: f64 = 1e-8;
-/// Rounding of a sum, relative to the sum of its terms' sizes: 10⁻¹⁶ a term, rows of a solid have some 10² terms, and
-/// the solve has an error of its own.
+/// Rounding of a sum, relative to the sum of its terms' sizes: 10⁻¹⁶ per term, rows of a solid have about 10² terms,
+/// plus the error of the solve.
 const ROUNDING: f64 = 1e-12;
 /// Relative distance of two eigenvalues between which a shift can be placed.
 const GAP: f64 = 1e-6;
 /// Restarts before the solver gives up.
 const RESTARTS: usize = 40;
 
-/// What is asked of the eigenvalue solver.
+/// Request to the eigenvalue solver.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Search {
     /// Number of pairs.
     pub count: usize,
     /// Shift s [rad²/s²]: pairs with λ nearest −s are found. Zero or positive for the lowest: positive if K is singular.
     pub shift: f64,
-    /// Vectors in a block. Multiple eigenvalues need not be foreseen; a block costs less than its vectors one by one.
+    /// Vectors in a block. Multiple eigenvalues need not be known in advance; a block costs less than its vectors one
+    /// by one.
     pub block: usize,
-    /// Whether the inertia count is made.
+    /// Whether to make the inertia count.
     pub prove: bool,
 }
 
@@ -75,8 +75,8 @@ pub struct Modes {
     pub inverse_residual: Vec<f64>,
     /// ‖K x − λ M x‖/‖K x‖ of each.
     pub residual: Vec<f64>,
-    /// Interval (from, to) of λ [rad²/s²] in which an inertia count has proved that there are exactly the modes found (`from`
-    /// is −∞ for the lowest); `None` if not asked for.
+    /// Interval (from, to) of λ [rad²/s²] in which an inertia count has proved that there are exactly the modes found
+    /// (`from` is −∞ for the lowest); `None` if not requested.
     pub complete_in: Option<(f64, f64)>,
     /// Vectors multiplied by A.
     pub products: usize,
@@ -89,7 +89,7 @@ impl Modes {
     }
 }
 
-/// Finds modes of a pencil. Fewer than asked are returned only if there are no more finite ones.
+/// Finds modes of a pencil. Fewer than requested are returned only if all finite ones were found.
 ///
 /// Errors: K + s M cannot be factored ([`Search::shift`]), no convergence, a pair that fails its check, an inertia count
 /// that disagrees.
@@ -123,7 +123,7 @@ pub fn modes(pencil: &dyn Pencil, search: &Search) -> Result<Modes, LinalgError>
             let interval = interval(search.shift, &pairs, next);
             let counted = count(pencil, interval)?;
             if counted > pairs.len() && !all && proofs < 5 {
-                // Something is invisible to the directions so far.
+                // The directions so far miss a mode.
                 proofs += 1;
                 lanczos.start(counted - pairs.len() + 1)?;
                 continue;
@@ -182,9 +182,9 @@ struct Pair {
 struct Found {
     /// Converged pairs, largest |θ| first, ending before a gap.
     pairs: Vec<Pair>,
-    /// |θ| of the next one, zero if there is none.
+    /// |θ| of the next pair, or zero.
     next: f64,
-    /// There are no other finite eigenvalues.
+    /// Whether all finite eigenvalues were found.
     all: bool,
 }
 
@@ -192,7 +192,7 @@ struct Lanczos<'a> {
     basis: Basis<'a>,
     solver: &'a dyn Shifted,
     search: Search,
-    /// Projected operator Qᵀ M A Q: column j holds the rows that are known.
+    /// Projected operator Qᵀ M A Q: column j contains the computed rows.
     t: Vec<Vec<f64>>,
     /// Columns of Q already multiplied by A.
     processed: usize,
@@ -209,7 +209,7 @@ impl Lanczos<'_> {
         let mut w = self.basis.pencil.mass(&noise)?;
         self.solver.solve(&mut w)?;
         self.products += columns;
-        // Random directions are as large as they like.
+        // Random directions have arbitrary size.
         let mw = self.basis.pencil.mass(&w)?;
         for j in 0..columns {
             let length = dot(w.column(j), mw.column(j)).max(0.0).sqrt();
@@ -220,7 +220,7 @@ impl Lanczos<'_> {
         Ok(self.basis.append(w, 1e-10)?.new.rows)
     }
 
-    /// Multiplies the open columns by A and appends what is new.
+    /// Multiplies the open columns by A and appends the new directions.
     fn step(&mut self) -> Result<(), LinalgError> {
         let (first, last) = (self.processed, self.basis.len());
         let mut w = self.basis.mass_columns(first);
@@ -242,14 +242,14 @@ impl Lanczos<'_> {
         Ok(())
     }
 
-    /// Qᵀ M A Q of the processed columns. Where two columns know the same entry the later one is newer by a step.
+    /// Qᵀ M A Q of the processed columns. If two columns contain the same entry, the later one is newer by a step.
     fn projected(&self) -> Matrix {
         let k = self.processed;
         let mut out = Matrix::zeros(k, k);
         for j in 0..k {
             for i in 0..=j {
                 let mut v = self.t[j][i];
-                // Columns of one block know each other.
+                // Columns of the same block share entries.
                 if let Some(&other) = self.t[i].get(j).filter(|_| self.t[i].len() == self.t[j].len()) {
                     v = 0.5 * (v + other);
                 }
@@ -260,7 +260,7 @@ impl Lanczos<'_> {
         out
     }
 
-    /// ‖A x − θ x‖_M of x = Q y: what A puts on the open columns.
+    /// ‖A x − θ x‖_M of x = Q y: the part of A x on the open columns.
     fn estimate(&self, y: &[f64]) -> f64 {
         (self.processed..self.basis.len())
             .map(|row| {
@@ -334,7 +334,7 @@ impl Lanczos<'_> {
                     });
                 }
             }
-            // Nothing new came of the last step: other directions, or none, remain.
+            // The last step gave no new direction: try others, or stop.
             if self.basis.len() == self.processed {
                 continue;
             }
@@ -361,7 +361,7 @@ impl Lanczos<'_> {
         let (theta, y) = symmetric_eigen(&self.projected())?;
         let mut order: Vec<usize> = (0..theta.len()).collect();
         order.sort_by(|&a, &b| theta[b].abs().total_cmp(&theta[a].abs()));
-        // With a definite shift all θ are positive; what is not is rounding.
+        // With a definite shift all θ are positive; others are rounding.
         let definite = self.search.shift >= 0.0;
         let keep = order
             .into_iter()
@@ -414,8 +414,8 @@ impl Lanczos<'_> {
             cols: self.processed,
             data: m.data[..m.rows * self.processed].to_vec(),
         };
-        // One more product with A takes out what M does not see, and what rounding put on stiff unknowns (Ericsson & Ruhe
-        // 1980).
+        // One more product with A removes components in the null space of M and rounding on stiff unknowns (Ericsson
+        // & Ruhe 1980).
         let mut vectors = super::product(&head(&self.basis.mq), &y);
         self.solver.solve(&mut vectors)?;
         let mx = pencil.mass(&vectors)?;

@@ -1,4 +1,4 @@
-//! Plain `f64` linear algebra over faer: the only crate that names it, so that its generic code is compiled once.
+//! Plain `f64` linear algebra over faer; the only crate that uses faer, so that its generic code is compiled once.
 //!
 //! Everything runs on the calling thread (`Par::Seq`): the systems of the harmonic engine are too small to gain from a
 //! second one.
@@ -36,7 +36,7 @@ pub enum LinalgError {
     /// A pivot is not positive.
     #[error("not positive definite: pivot {pivot} of {size}")]
     NotPositiveDefinite {
-        /// Number of the pivot, from 1 (0 where the factorisation does not tell).
+        /// Number of the pivot, from 1 (0 if unknown).
         pivot: usize,
         /// Number of rows.
         size: usize,
@@ -47,7 +47,7 @@ pub enum LinalgError {
         /// Number of rows.
         size: usize,
     },
-    /// A factor larger than what the caller allows.
+    /// A factor larger than the limit of the caller.
     #[error(
         "the factor of {size} unknowns needs {:.2} GB, allowed {:.2} GB: take a coarser mesh or allow more",
         *needed as f64 / 1e9, *allowed as f64 / 1e9
@@ -68,7 +68,7 @@ pub enum LinalgError {
     },
     /// An inertia count that disagrees with the eigenpairs found.
     #[error(
-        "{found} eigenvalues found between {from:.6e} and {to:.6e} rad2/s2, but the signs of the pivots say that there are {counted}"
+        "{found} eigenvalues found between {from:.6e} and {to:.6e} rad2/s2, but the signs of the pivots give {counted}"
     )]
     Count {
         /// Eigenpairs found.
@@ -102,9 +102,7 @@ pub enum LinalgError {
         column: usize,
     },
     /// A liquid that nothing bounds and nothing moves.
-    #[error(
-        "the liquid of unknown {unknown} is coupled to nothing: neither a surface, nor a wall, nor a held potential"
-    )]
+    #[error("the liquid of unknown {unknown} is not coupled to a surface, a wall or a fixed potential")]
     UncoupledLiquid {
         /// One of its unknowns.
         unknown: usize,

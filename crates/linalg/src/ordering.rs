@@ -1,13 +1,13 @@
 //! Orders of elimination that keep the factor of a spatial model small.
 //!
-//! Nested dissection (George 1973): a separator S splits the graph into parts A and B without an edge between them; A is
-//! eliminated first, B next, S last, and the parts are split in turn. The separators are found from the positions of the
-//! nodes: for each of a few keys (x, y, z, x ± y, radius and angle about the vertical through the centre) the graph is cut
-//! at five quantiles of the key; S is the smaller of the two layers of nodes that touch the cut. The cheapest of all
-//! candidates by |S| (1 + 2 (b − 1/2)), b = larger part/both parts, is taken.
+//! Nested dissection (George 1973): a separator S splits the graph into parts A and B without an edge between them; A
+//! is eliminated first, B next, S last, and the parts are split in turn. The separators are found from the positions
+//! of the nodes: for each of a few keys (x, y, z, x ± y, radius and angle about the vertical through the centre) the
+//! graph is cut at five quantiles of the key; S is the smaller of the two layers of nodes that touch the cut. The
+//! cheapest of all candidates by |S| (1 + 2 (b − 1/2)), b = larger part/both parts, is used.
 //!
-//! All unknowns of a node stay together: the graph is that of the nodes, its weights count their unknowns. On
-//! graphs that positions do not describe well minimum degree may be better; [`Ordering::best`] compares both by the
+//! All unknowns of a node stay together: the graph is that of the nodes, its weights count their unknowns. If
+//! positions describe the graph poorly, minimum degree may be better; [`Ordering::best`] compares both by the
 //! operations of the factorisation, counted on the elimination tree (Liu 1990).
 
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -22,7 +22,7 @@ const LEAF: usize = 24;
 const QUANTILES: [f64; 5] = [0.40, 0.45, 0.50, 0.55, 0.60];
 /// Number of keys.
 const KEYS: usize = 7;
-/// Marks what is absent.
+/// Marks an absent entry.
 const NONE: u32 = u32::MAX;
 
 /// Order in which unknowns are eliminated: `order[k]` is the k-th.
@@ -184,7 +184,7 @@ impl Graph {
         order
     }
 
-    /// Parts and separator of the cheapest cut; `None` if no key tells the nodes apart.
+    /// Parts and separator of the cheapest cut; `None` if no key separates the nodes.
     fn separate(&self, keys: &[[f64; KEYS]], part: &[u32], side: &mut [Side]) -> Option<[Vec<u32>; 3]> {
         let mut best: Option<(f64, usize, f64, bool)> = None;
         let mut values: Vec<f64> = Vec::with_capacity(part.len());
@@ -196,7 +196,7 @@ impl Graph {
             let mut last = f64::NAN;
             for q in QUANTILES {
                 let cut = values[(q * part.len() as f64) as usize];
-                // Equal keys stay on one side: a cut at the smallest value leaves nothing below it.
+                // Equal keys stay on one side: a cut at the smallest value has an empty lower part.
                 if cut == last || cut <= values[0] {
                     continue;
                 }
@@ -333,7 +333,7 @@ impl Graph {
     }
 }
 
-/// Where a node lies with respect to a cut.
+/// Side of a cut on which a node lies.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Side {
     Outside,

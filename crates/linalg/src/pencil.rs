@@ -1,4 +1,4 @@
-//! The pencil K x = ω² M x, as eigenvalue solvers and reductions see it: products with K and M, and solves with K + s M.
+//! The pencil K x = ω² M x for eigenvalue solvers and reductions: products with K and M, and solves with K + s M.
 //!
 //! [`Pencil`] is implemented by [`Sparse`] (K and M assembled) and by [`ThreeField`](super::ThreeField) (M known only through the
 //! potential of a liquid).
@@ -16,7 +16,7 @@ pub trait Pencil {
     /// K X.
     fn stiffness(&self, x: &Matrix) -> Matrix;
 
-    /// |K| |x| and what it means: the size of the terms whose sum is K x, one entry an unknown. Rounding leaves K x uncertain
+    /// |K| |x|, the size of the terms whose sum is K x, one entry per unknown. Rounding leaves K x uncertain
     /// by about 10⁻¹⁶ of it.
     fn stiffness_terms(&self, x: &[f64]) -> Vec<f64>;
 
@@ -96,14 +96,14 @@ impl Pencil for Sparse<'_> {
     }
 }
 
-/// Largest backward error of a factor without pivoting that is trusted; pivots that are large enough leave some 10⁻¹⁵.
+/// Largest backward error of a factor without pivoting that is trusted; pivots that are large enough leave about
+/// 10⁻¹⁵.
 const BACKWARD: f64 = 1e-12;
-/// The same with pivoting, which cannot reach beyond a supernode.
+/// The same with pivoting, which is limited to supernodes.
 const BACKWARD_PIVOTED: f64 = 1e-9;
 
-/// LDLᵀ, or LBLᵀ if the pivots of the first turn out too small for a test vector.
-///
-/// Errors: neither is usable: the matrix is singular to rounding; not enough memory.
+/// LDLᵀ, or LBLᵀ if the pivots of the first are too small for a test vector. Errors: the matrix is
+/// singular to rounding, so that both fail; not enough memory.
 pub(super) fn trusted(symbolic: &Arc<Symbolic>, matrix: &Symmetric) -> Result<Factor, LinalgError> {
     match symbolic.factor(matrix, Kind::QuasiDefinite) {
         Ok(factor) if backward_error(&factor, matrix)? <= BACKWARD => return Ok(factor),

@@ -73,7 +73,7 @@ impl Triplets {
     }
 }
 
-/// Cholesky factor of a sparse matrix, with a minimum-degree order (plane meshes with one unknown a node).
+/// Cholesky factor of a sparse matrix, with a minimum-degree order (plane meshes with one unknown per node).
 #[derive(Debug)]
 pub struct SparseCholesky {
     symbolic: SymbolicCholesky<usize>,
@@ -127,7 +127,7 @@ impl SparseCholesky {
         self.values.len()
     }
 
-    /// B ← A⁻¹ B, all columns at once.
+    /// B ← A⁻¹ B for all columns.
     ///
     /// Errors: not enough memory.
     pub fn solve(&self, b: &mut Matrix) -> Result<(), LinalgError> {
@@ -148,7 +148,7 @@ mod tests {
     use super::*;
     use crate::Cholesky;
 
-    /// Five-point Laplacian on a 30 × 20 grid: the factor must solve what the dense factor solves.
+    /// Five-point Laplacian on a 30 × 20 grid: the sparse factor must agree with the dense factor.
     #[test]
     fn agrees_with_the_dense_factor() {
         let (nx, ny) = (30, 20);

@@ -1,4 +1,4 @@
-//! Symbolic phase of a sparse factorisation: what the factor will need is known before any number is computed.
+//! Symbolic phase of a sparse factorisation: size and cost of the factor before any number is computed.
 
 use std::sync::{Arc, OnceLock};
 
@@ -13,14 +13,13 @@ use faer::{Par, Side};
 use super::factor::{Factor, Kind};
 use super::{LinalgError, Ordering, Pattern, Symmetric};
 
-/// The symbolic phase for one pattern: order, elimination tree, places of the factor.
-///
-/// It serves every matrix on the pattern: K, K + s M, the effective matrices of time integration.
+/// The symbolic phase for one pattern: order, elimination tree, places of the factor. It applies to
+/// every matrix on the pattern: K, K + s M, the effective matrices of time integration.
 #[derive(Debug)]
 pub struct Symbolic {
     pub(super) pattern: Arc<Pattern>,
     symbolic: SymbolicCholesky<usize>,
-    /// The same with supernodes throughout, which pivoting needs; made when first asked for.
+    /// The same with supernodes throughout, as pivoting needs; created on first use.
     pivoting: OnceLock<SymbolicCholesky<usize>>,
 }
 
@@ -52,7 +51,7 @@ impl Symbolic {
         })
     }
 
-    /// The analysis that serves a kind of factor.
+    /// The analysis for a kind of factor.
     pub(super) fn of_kind(&self, kind: Kind) -> Result<&SymbolicCholesky<usize>, LinalgError> {
         if kind != Kind::Indefinite || matches!(self.symbolic.raw(), SymbolicCholeskyRaw::Supernodal(_)) {
             return Ok(&self.symbolic);
@@ -112,7 +111,7 @@ impl Symbolic {
         }
     }
 
-    /// Refuses a factor that needs more than `allowed` bytes.
+    /// Rejects a factor that needs more than `allowed` bytes.
     ///
     /// Errors: [`LinalgError::TooLarge`], with both numbers.
     pub fn check_memory(&self, allowed: usize) -> Result<(), LinalgError> {

@@ -147,7 +147,8 @@ impl Symmetric {
         y
     }
 
-    /// Y ← Y + A X for the first four columns of length `size` in `x` and `y`. Values of one row lie side by side meanwhile.
+    /// Y ← Y + A X for the first four columns of length `size` in `x` and `y`. Values of one row are contiguous
+    /// during the product.
     fn add_four(&self, x: &[f64], y: &mut [f64]) {
         let (n, pattern) = (self.size(), &*self.pattern);
         let rows: Vec<[f64; 4]> = (0..n).map(|i| [0, 1, 2, 3].map(|c| x[i + c * n])).collect();
@@ -201,7 +202,7 @@ impl Symmetric {
         }
     }
 
-    /// The part with rows and columns `keep` (ascending), on a pattern of its own.
+    /// The part with rows and columns `keep` (ascending), on a separate pattern.
     pub fn submatrix(&self, keep: &[usize]) -> Symmetric {
         let mut position = vec![usize::MAX; self.size()];
         for (k, &i) in keep.iter().enumerate() {

@@ -18,24 +18,25 @@
 //! (1968), with σ = −s > 0: In(K₃ − σ M₃) = In(σ H) + In(K − σ M), so that the negative pivots count the eigenvalues
 //! below σ.
 //!
-//! **Constant potential.** H is singular where nothing holds φ: H 1 = 0 for each connected liquid that no support of φ
-//! bounds. Then the rows of φ demand 1ᵀF x = cᵀx = 0: the liquid keeps its volume. The pencil lives on the subspace
-//! of the x that do so, and everything here is taken there:
+//! **Constant potential.** H is singular where φ is not supported: H 1 = 0 for each connected liquid without a
+//! support of φ. Then the rows of φ require 1ᵀF x = cᵀx = 0: the volume of the liquid is constant. The pencil is
+//! defined on the subspace of these x, and all operations are restricted to it:
 //!
-//! * products are P K P and P M P with the orthogonal projector P on that subspace; H ψ = F P x is then solvable, and one
-//!   node of ψ is fixed to zero (ψ is determined but for a constant, Fᵀ1 = c drops out under P);
+//! * products are P K P and P M P with the orthogonal projector P on that subspace; H ψ = F P x is then solvable, and
+//!   one node of ψ is fixed to zero (ψ is determined up to a constant, Fᵀ1 = c vanishes under P);
 //! * solves with s ≠ 0 obey the constraint by themselves, the constant of φ is its multiplier; for s = 0
 //!   x = K⁻¹b − K⁻¹C (Cᵀ K⁻¹ C)⁻¹ Cᵀ K⁻¹ b;
-//! * the bordered matrix has one more negative (and positive) pivot a constraint: the count is lowered by their number.
+//! * the bordered matrix has one more negative (and positive) pivot per constraint: the count is reduced by their
+//!   number.
 //!
-//! A time integration with K₃ + s M₃, s = 1/(β Δt²), needs nothing of this: the matrix is regular.
+//! A time integration with K₃ + s M₃, s = 1/(β Δt²), does not need this treatment: the matrix is regular.
 
 use std::sync::Arc;
 
 use super::pencil::{Pencil, Shifted, trusted};
 use super::{Cholesky, Factor, Kind, LinalgError, Matrix, Symbolic, Symmetric, dot, product, transposed_product};
 
-/// A row sum of H below this part of the sum of magnitudes counts as zero: assembly leaves some 10⁻¹⁵.
+/// A row sum of H below this part of the sum of magnitudes counts as zero: assembly leaves about 10⁻¹⁵.
 const CONSTANT: f64 = 1e-10;
 
 /// K₃ and M₃ with the unknowns to be condensed.
@@ -59,8 +60,8 @@ pub struct ThreeField<'a> {
 impl<'a> ThreeField<'a> {
     /// K₃ and M₃ on the pattern of `symbolic`; `condensed` are the unknowns φ, ascending.
     ///
-    /// Errors: K₃ has an entry in a row of φ; a liquid that nothing bounds and nothing moves; −M₃ not positive definite on φ
-    /// (but for the constants).
+    /// Errors: K₃ has an entry in a row of φ; a liquid without support and without moving boundary; −M₃ not positive
+    /// definite on φ (except for the constants).
     pub fn new(
         stiffness: &'a Symmetric,
         mass: &'a Symmetric,
@@ -128,7 +129,7 @@ impl<'a> ThreeField<'a> {
         &self.kept
     }
 
-    /// Number of liquids whose volume is kept by a constraint.
+    /// Number of liquids with a volume constraint.
     pub fn constraints(&self) -> usize {
         self.constraints.cols
     }
@@ -138,8 +139,8 @@ impl<'a> ThreeField<'a> {
         self.kept.iter().map(|&i| all[i]).collect()
     }
 
-    /// x and the potential that goes with it, φ = H⁻¹ F x, over all unknowns. Where nothing bounds the liquid φ is zero at one
-    /// node: its constant is the multiplier of the constraint and is not known from x alone.
+    /// x and its potential, φ = H⁻¹ F x, over all unknowns. In a liquid without support φ is zero at one node: its
+    /// constant is the multiplier of the constraint and is not determined by x alone.
     ///
     /// Errors: not enough memory.
     pub fn expand(&self, x: &Matrix) -> Result<Matrix, LinalgError> {

@@ -1,7 +1,7 @@
-//! Stress laws, nanoseconds a point: `cargo bench -p materials`.
+//! Stress laws, nanoseconds per point: `cargo bench -p materials`.
 //!
-//! A point follows a path and commits every step; the time is that of one step. The least of many runs is printed, which
-//! other load on the machine disturbs least. Aims: fibres of beams 15 ns; layers 100 ns elastic, 1.5 µs cracking.
+//! A point follows a path and commits every step; the time is that of one step. The minimum of many runs is printed,
+//! which is least affected by other load. Goals: fibres of beams 15 ns; layers 100 ns elastic, 1.5 µs cracking.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -15,7 +15,7 @@ use materials::drucker_prager::DruckerPrager;
 use materials::plastic_fracturing::{Parameters, PlasticFracturing};
 use materials::von_mises::VonMises;
 
-/// Runs a law along a path again and again, each time from the virgin state.
+/// Runs a law along a path repeatedly, each time from the initial state.
 fn along<const N: usize>(name: &str, law: &dyn Law<N>, path: &[[f64; N]]) {
     let (mut old, mut new) = (vec![0.0; law.history_len()], vec![0.0; law.history_len()]);
     let mut least = f64::INFINITY;
@@ -78,7 +78,7 @@ fn concrete() {
     along("fibre, crushing", &fibre, &path(1000, |t| [-4e-3 * t]));
     along("fibre, cyclic", &fibre, &path(1000, |t| [-4e-4 * t + 2e-3 * wave(t)]));
     let plane = |size: f64, wave: f64| [size * wave, -0.3 * size * wave, 0.4 * size * wave];
-    // Without the detour over the trait, as the fibres of a beam call it.
+    // Without the trait, as the fibres of a beam call it.
     direct(
         "fibre, cyclic, direct",
         &fibre,

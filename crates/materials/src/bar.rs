@@ -5,10 +5,11 @@
 //! ε_p += Δg sign ,   b = H ε_p ,   tangent E H/(E + H) = E_T
 //! ```
 //!
-//! The return is exact for any increment. Dissipation f_y Δg: what hardening takes up is stored.
+//! The return is exact for any increment. Dissipation f_y Δg: hardening stores its part of the work.
 //!
-//! The rupture strain ε_su is a total strain in tension. By default passing it is only recorded ([`Bar::ruptured`]); if
-//! asked, the bar carries nothing from then on, and its stored energy ½ E ε_e² + ½ H ε_p² counts as dissipated.
+//! The rupture strain ε_su is a total strain in tension. By default exceeding it is only recorded
+//! ([`Bar::ruptured`]); optionally the bar is removed, and its stored energy ½ E ε_e² + ½ H ε_p² counts as
+//! dissipated.
 //!
 //! Source: Prager 1956 (kinematic hardening); Simo & Hughes 1998 box 1.5.
 
@@ -17,13 +18,13 @@ use crate::{Law, LawError, PointState, Response};
 
 const KIND: &str = "bar";
 
-/// What passing the rupture strain does.
+/// Effect of exceeding the rupture strain.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Rupture {
     /// It is recorded; the bar keeps its stress.
     #[default]
     Recorded,
-    /// The bar is gone.
+    /// The bar is removed.
     Drops,
 }
 
@@ -58,7 +59,7 @@ impl Bar {
         })
     }
 
-    /// Sets the rupture strain and what passing it does.
+    /// Sets the rupture strain and the effect of exceeding it.
     ///
     /// * `rupture_strain` ε_su, above the yield strain f_y/E
     ///
@@ -87,7 +88,7 @@ impl Bar {
         self.yield_stress
     }
 
-    /// Whether a bar of this history has passed its rupture strain.
+    /// Whether a bar of this history has exceeded its rupture strain.
     pub fn ruptured(&self, history: &[f64]) -> bool {
         history[1] >= self.rupture_strain
     }
@@ -182,7 +183,7 @@ mod tests {
         let mut new = [0.0; 2];
         let stress = kept.respond(&[0.1], &[0.0; 2], &mut new).unwrap().stress[0];
         assert!((stress - 1.0).abs() < 1e-12 && kept.ruptured(&new) && kept.inspect(&[0.1], &new).damage == 0.0);
-        // What is only recorded can be seen all the same; it stays when the bar is unloaded.
+        // A recorded rupture is visible and persists after unloading.
         assert_eq!(kept.inspect(&[0.1], &new).rupture, 1.0);
         assert_eq!(kept.inspect(&[0.0], &new).rupture, 1.0);
         assert_eq!(law.inspect(&[0.1], &new).rupture, 0.0);

@@ -54,7 +54,7 @@ pub(crate) fn found(value: f64, unit: &str) -> String {
 
 /// A number to four digits.
 pub(crate) fn digits(value: f64) -> String {
-    // What Rust writes it reads; a number that is none stays itself.
+    // Rust reads back its own format; NaN and infinities are unchanged.
     let rounded = format!("{value:.3e}").parse::<f64>().unwrap_or(value);
     format!("{rounded}")
 }

@@ -1,4 +1,4 @@
-//! Normal stress of an interlayer or a contact: full stiffness in compression, next to none in tension.
+//! Normal stress of an interlayer or a contact: full stiffness in compression, nearly zero in tension.
 //!
 //! ```text
 //! σ = E ε              ε ≤ 0, and ε > 0 if it is glued
@@ -22,7 +22,7 @@ const KIND: &str = "interlayer-normal";
 /// Stiffness left in tension, as a share of that in compression.
 pub const RESIDUAL: f64 = 1e-6;
 
-/// What an interlayer does in tension.
+/// Behaviour of an interlayer in tension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Opening {
     /// Glued: elastic both ways.

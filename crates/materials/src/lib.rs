@@ -6,8 +6,8 @@
 //! (strain, history) → (stress, consistent tangent, new history, dissipation of the step)
 //! ```
 //!
-//! It knows no element and keeps nothing: whoever calls it owns the history and commits it with the converged step. Strains
-//! and stresses are components in an orthonormal frame, shears as engineering strains:
+//! It is independent of the element and stateless: the caller owns the history and commits it with the converged
+//! step. Strains and stresses are components in an orthonormal frame, shears as engineering strains:
 //!
 //! ```text
 //! N = 1   ε                              bars, fibres
@@ -30,7 +30,7 @@ pub mod von_mises;
 
 use std::fmt::Debug;
 
-/// Stress of a law, and what comes with it.
+/// Response of a law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Response<const N: usize> {
     /// Stress [Pa].
@@ -112,7 +112,7 @@ pub trait Law<const N: usize>: Debug + Send + Sync {
         0
     }
 
-    /// Writes the virgin history; zeros by default.
+    /// Writes the initial history; zeros by default.
     fn init_history(&self, slots: &mut [f64]) {
         slots.fill(0.0);
     }

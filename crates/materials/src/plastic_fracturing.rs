@@ -5,8 +5,8 @@
 //! σ = (1 − d) σ_eff ,   σ_eff = C (ε − ε_p) ,   √J_2(σ_eff) + α I_1(σ_eff) = η s(a) ,   η = 1/√3 − α ,   a' = η λ
 //! ```
 //!
-//! s(a) and d(a) are such that uniaxial compression follows an envelope σ_env, and unloads to the plastic strain that Karsan
-//! and Jirsa measured. With x = ε/ε_0 (ε_0: strain at the peak) and w = a/ε_0:
+//! s(a) and d(a) are such that uniaxial compression follows an envelope σ_env, and unloads to the plastic strain
+//! measured by Karsan and Jirsa. With x = ε/ε_0 (ε_0: strain at the peak) and w = a/ε_0:
 //!
 //! ```text
 //! w = 0.145 x² + 0.13 x                                       x ≥ ½
@@ -17,16 +17,16 @@
 //! σ_env = f_c max(0.2, 1 − (x − 1) ε_0 f_c h/(2 G_c))            beyond: crushing energy G_c over the length h
 //! ```
 //!
-//! The formula of Karsan and Jirsa has plastic strain from the first load on; the tangent at x = ½ gives the cone a size to
-//! begin with and moves no point measured. Where σ_env exceeds s (small x, or strong concrete with small E ε_0/f_c) there is
-//! no damage and the stress is s.
+//! The formula of Karsan and Jirsa has plastic strain from the first load on; the tangent at x = ½ gives the cone an
+//! initial size and keeps all measured points. Where σ_env exceeds s (small x, or strong concrete with small E
+//! ε_0/f_c) the damage is zero and the stress is s.
 //!
 //! Dissipation (1 − d) η s λ + ½ σ_eff : C⁻¹ σ_eff d' ≥ 0: hardening stores nothing. The tangent is not symmetric where
 //! damage grows.
 //!
-//! Limits: compression only. In tension the law flows at about 0.2 f_c and more: it belongs together with a crack law. It
-//! stands for the plastic-fracturing law of Bažant & Kim 1979, whose fracturing decrement alone leaves the loss of
-//! stiffness open.
+//! Limits: compression only. In tension the law flows at about 0.2 f_c or more: combine it with a crack law. It
+//! replaces the plastic-fracturing law of Bažant & Kim 1979, whose fracturing decrement alone does not define the
+//! loss of stiffness.
 //!
 //! Source: Karsan & Jirsa 1969; Sargin 1971; Bažant & Kim 1979; Drucker & Prager 1952. Checks: row M4.
 
@@ -38,7 +38,7 @@ use crate::{Law, LawError, PointState, Response};
 
 const KIND: &str = "plastic_fracturing";
 
-/// Where the tangent of Karsan and Jirsa's parabola takes over.
+/// x below which the tangent of Karsan and Jirsa's parabola is used.
 const X_TANGENT: f64 = 0.5;
 /// Its slope there, 0.29 x + 0.13.
 const SLOPE: f64 = 0.275;
@@ -64,7 +64,7 @@ pub struct PlasticFracturing {
     alpha: f64,
     strength: f64,
     peak_strain: f64,
-    /// Strain from the peak to where the falling line would meet 0.
+    /// Strain from the peak to the zero of the falling line.
     fall: f64,
 }
 

@@ -1,9 +1,9 @@
-//! Recorded ground motion and what it does to an oscillator of one degree of freedom.
+//! Recorded ground motion and the response of an oscillator of one degree of freedom.
 //!
 //! | module | idea |
 //! |---|---|
 //! | [`record`] | a ground motion sampled at equal steps |
-//! | [`sdof`] | exact recurrence for piecewise linear loads, Duhamel's integral beside it |
+//! | [`sdof`] | exact recurrence for piecewise linear loads; Duhamel's integral as a reference |
 //! | [`newmark`] | coefficients of Newmark's method |
 //! | [`spectrum`] | response spectra |
 //!

@@ -17,8 +17,8 @@
 //! [M + a₇ C + (1/a₀) K] ü₁ = P₁ − C (u̇₀ + a₆ ü₀) − K (u₀ + h u̇₀ + (a₃/a₀) ü₀)
 //! ```
 //!
-//! The average acceleration method (β = 1/4, γ = 1/2) is stable for every step, has no numerical damping, and lengthens
-//! the period T by the relative amount (ω h)²/12: 0.8 % at h = T/20.
+//! The average acceleration method (β = 1/4, γ = 1/2) is stable for every step, is free of numerical damping, and
+//! lengthens the period T by the relative amount (ω h)²/12: 0.8 % at h = T/20.
 //!
 //! Source: Newmark 1959; names a₀ … a₇ after Bathe 1996, table 9.4.
 

@@ -1,8 +1,8 @@
 //! Ground motion: a uniformly sampled acceleration record, and its measures.
 //!
 //! The acceleration is taken as linear between samples; velocity and displacement are its exact integrals from rest,
-//! **without baseline correction**: what the engine shakes the tank with is what is measured here. A record whose
-//! velocity does not come back to zero shows it in [`Measures::final_velocity`].
+//! **without baseline correction**: the measures are those of the motion used by the engine.
+//! [`Measures::final_velocity`] shows whether the velocity returns to zero.
 
 use serde::{Deserialize, Serialize};
 
@@ -19,7 +19,7 @@ pub struct Record {
     pub dt: f64,
     /// Ground acceleration a_g [m/s²].
     pub acceleration: Vec<f64>,
-    /// What was done to the file's numbers, in order, in words for the report ("scaled to 0.5 g (factor 1.4368)").
+    /// Processing steps, in order, in words for the report ("scaled to 0.5 g (factor 1.4368)").
     pub processing: Vec<String>,
 }
 
@@ -127,7 +127,7 @@ impl Record {
         }
     }
 
-    /// Time at which ∫ a² dt reaches `target` [s]; the end of the record if it never does.
+    /// Time at which ∫ a² dt reaches `target` [s]; else the end of the record.
     fn time_of_energy(&self, target: f64) -> f64 {
         let h = self.dt;
         let mut sum = 0.0;
@@ -158,7 +158,7 @@ fn energy_to(a0: f64, a1: f64, h: f64, t: f64) -> f64 {
     t * (a0 * a0 + a0 * a + a * a) / 3.0
 }
 
-/// Zeros of v₀ + a₀ τ + s τ²/2 (NaN where there is none).
+/// Zeros of v₀ + a₀ τ + s τ²/2 (NaN if a zero does not exist).
 fn turning_points(v0: f64, a0: f64, slope: f64) -> [f64; 2] {
     let root = (a0 * a0 - 2.0 * slope * v0).sqrt();
     // q avoids the cancellation of −a₀ ± root; it also covers slope = 0, where one zero is infinite.

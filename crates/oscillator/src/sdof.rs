@@ -28,8 +28,7 @@
 //! ```text
 //! ω² G₁ = 1 − ġ − 2ξω g          ω² G₂ = t − g − 2ξω G₁
 //! ```
-//!
-//! which lose digits as ω h → 0; there the power series of g serves instead. This covers ω = 0 (free mass), ξ = 0,
+//! which lose digits as ω h → 0; there the power series of g is used. This covers ω = 0 (free mass), ξ = 0,
 //! the critical and the over-critical oscillator with one set of formulas.
 
 use crate::newmark::Newmark;
@@ -45,7 +44,7 @@ struct Impulse {
 
 /// Impulse response and its integrals at time `t` ≥ 0 [s] for ω ≥ 0 [rad/s], ξ ≥ 0.
 fn impulse(omega: f64, damping: f64, t: f64) -> Impulse {
-    // Below 1 the closed forms of G₁, G₂ would lose up to (ωt)²/6 and more; the series needs 24 terms at 1.
+    // Below 1 the closed forms of G₁, G₂ lose (ωt)²/6 and more of their digits; the series needs 24 terms at 1.
     if omega * t * f64::max(1.0, 2.0 * damping) < 1.0 {
         return impulse_series(omega, damping, t);
     }
@@ -67,7 +66,8 @@ fn impulse(omega: f64, damping: f64, t: f64) -> Impulse {
         if damping < 2.0 {
             return from_impulse(omega, damping, t, g, g_dot);
         }
-        // Partial fractions: g = (e^{−λ₁t} − e^{−λ₂t})/(λ₂ − λ₁); no loss of digits while the slow root is hardly felt.
+        // Partial fractions: g = (e^{−λ₁t} − e^{−λ₂t})/(λ₂ − λ₁); digits are kept while the slow root has little
+        // effect.
         let (a1, a2) = decay_integrals(slow, t);
         let (b1, b2) = decay_integrals(slow + gap, t);
         Impulse {
@@ -271,8 +271,7 @@ pub fn duhamel(ground: &[f64], h: f64, omega: f64, damping: f64, sub_steps: usiz
 }
 
 /// Response by Newmark's average acceleration (β = 1/4, γ = 1/2), `sub_steps` ≥ 1 steps to a record step.
-///
-/// The period comes out too long by the relative amount (ωh)²/12; steps of T/20 or less are usual.
+/// The period is too long by the relative amount (ωh)²/12; steps of T/20 or less are usual.
 pub fn newmark(ground: &[f64], h: f64, omega: f64, damping: f64, sub_steps: usize) -> History {
     let n = sub_steps.max(1);
     let h = h / n as f64;
@@ -428,7 +427,7 @@ mod tests {
         assert!(error > 3.6e-4 && error < 4.0e-4, "{error:e}");
     }
 
-    /// A record with kinks, of no particular origin.
+    /// An arbitrary record with kinks.
     fn rough_record() -> Vec<f64> {
         let mut seed = 12345u64;
         (0..400)
@@ -465,7 +464,7 @@ mod tests {
                 let n = (omega * 0.02 / 5e-4).ceil().max(100.0);
                 let stepped = newmark(&ground, 0.02, omega, damping, n as usize);
                 let error = difference(&reference, &stepped, omega);
-                // The period error (ωh)²/12 adds up to the phase error ωt (ωh)²/12; beside it stand the h²/12 of the
+                // The period error (ωh)²/12 adds up to the phase error ωt (ωh)²/12; added to it are the h²/12 of the
                 // load in soft oscillators and the rounding of differences u₁ − u₀, 1e-16/(ωh)².
                 let bound = 2.0 * omega * 8.0 * (omega * 0.02 / n).powi(2) / 12.0 + 1e-7;
                 assert!(
@@ -478,7 +477,7 @@ mod tests {
 
     #[test]
     fn duhamel_equals_the_convolution_as_written() {
-        // The integral of the textbook, term by term at every t, without carrying anything on.
+        // The integral of the textbook, recomputed term by term at every t.
         let ground = &rough_record()[..120];
         let (h, omega, damping, n) = (0.02, 17.0, 0.03, 32);
         let omega_d = omega * f64::sqrt(1.0 - damping * damping);

@@ -1,8 +1,8 @@
 //! Response spectra of a record.
 //!
 //! [`ordinates`] and [`spectrum`] run the exact recurrence in a kernel for eight oscillators at a time and find the
-//! maxima of the *continuous* response: between samples, and in the free vibration after the end of the record. Two
-//! reference methods ([`Method`]) stand beside it.
+//! maxima of the *continuous* response: between samples, and in the free vibration after the end of the record.
+//! [`Method`] selects two reference methods.
 
 mod kernel;
 mod lanes;
@@ -231,7 +231,7 @@ mod tests {
         }
     }
 
-    /// A record of noise under an envelope, of no particular origin.
+    /// An arbitrary record of noise under an envelope.
     fn noise(dt: f64, samples: usize) -> Record {
         let mut seed = 2024u64;
         let acceleration = (0..samples)
@@ -364,7 +364,7 @@ mod tests {
         // and at n − 1/2 … ; 1000 samples a period make the load short by (ωh)²/12 = 3e-6.
         let r = record(1e-3, (0..=10_000).map(|k| (TAU * 1e-3 * f64::from(k)).sin()).collect());
         let o = ordinates(&r, 1.0, 0.0);
-        // Free vibration goes on with u = 10/(2ω), v = 0.
+        // Free vibration continues with u = 10/(2ω), v = 0.
         assert!((o.sd / (10.0 / (2.0 * TAU)) - 1.0).abs() < 1e-5, "{o:?}");
     }
 

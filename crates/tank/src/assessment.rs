@@ -1,4 +1,4 @@
-//! What a code procedure concludes: quantities, calculation sheet, checks, profiles over the height.
+//! The result of a code procedure: quantities, calculation sheet, checks, profiles over the height.
 //!
 //! Plain data: procedures fill it, results keep it, reports print it.
 
@@ -9,11 +9,11 @@ use serde::{Deserialize, Serialize};
 use crate::quantity::Quantity;
 use crate::units::Dimension;
 
-/// What shakes the tank in one assessment.
+/// Ground motion of an assessment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Excitation {
-    /// The spectrum of the record, like with like against the finite-element history.
+    /// The spectrum of the record, comparable with the finite-element history.
     Record,
     /// The design spectrum of the site.
     Site,
@@ -22,7 +22,7 @@ pub enum Excitation {
 /// One line of a calculation sheet: symbol = formula = numbers = value, with its clause.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Step {
-    /// Heading under which the line stands ("Convective part").
+    /// Heading of the line ("Convective part").
     pub section: String,
     /// Symbol as in the source ("m_c").
     pub symbol: String,
@@ -40,7 +40,7 @@ pub struct Step {
     pub clause: String,
 }
 
-/// A demand held against a capacity.
+/// A demand compared with a capacity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Check {
     /// Stable id ("buckling_elastic").
@@ -53,7 +53,7 @@ pub struct Check {
     pub capacity: f64,
     /// Dimension of both.
     pub dimension: Dimension,
-    /// demand / capacity; infinite (`null` in JSON) without any capacity.
+    /// demand / capacity; infinite (`null` in JSON) if the capacity is ≤ 0.
     #[serde(with = "infinite_as_null")]
     pub utilisation: f64,
     /// Whether it holds (utilisation ≤ 1).
@@ -64,7 +64,7 @@ pub struct Check {
     pub note: String,
 }
 
-/// JSON has no infinity: writes it as `null`.
+/// Writes infinity as `null`, since JSON cannot represent it.
 mod infinite_as_null {
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -133,19 +133,19 @@ pub struct Assessment {
     pub checks: Vec<Check>,
     /// Values over the height.
     pub profiles: Vec<Profile>,
-    /// What the procedure assumed, one sentence each.
+    /// Assumptions of the procedure, one sentence each.
     pub assumptions: Vec<String>,
     /// Warnings and remarks, one sentence each.
     pub notes: Vec<String>,
 }
 
-/// Why a procedure does not apply.
+/// Reason why a procedure does not apply.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, thiserror::Error)]
 #[error("{clause}: {reason}")]
 pub struct NotApplicable {
     /// Clause that sets the limit.
     pub clause: String,
-    /// Reason, with the values found and allowed.
+    /// Reason, with found and expected values.
     pub reason: String,
 }
 

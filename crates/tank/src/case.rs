@@ -1,4 +1,4 @@
-//! All that a procedure needs to know of one verification.
+//! Complete input of a procedure for one verification.
 
 use serde::{Deserialize, Serialize};
 
@@ -25,9 +25,9 @@ pub struct Case {
     pub site: Site,
     /// Choices within the code procedures.
     pub procedures: ProcedureOptions,
-    /// Measured values to stand beside the computed ones.
+    /// Measured values for comparison.
     pub measured: Vec<Reported>,
-    /// Values others have published for this tank, with what is known of them.
+    /// Published values of others for this tank, with remarks.
     pub published: Vec<Reported>,
 }
 
@@ -131,7 +131,7 @@ pub struct Api650Site {
     pub joint_efficiency: f64,
     /// Friction coefficient μ of sliding, at most 0.4.
     pub friction: f64,
-    /// 9th edition: zone factor Z (0, 0.075, 0.15, 0.20, 0.30, 0.40); absent: the zone method is not run.
+    /// 9th edition: zone factor Z (0, 0.075, 0.15, 0.20, 0.30, 0.40); if absent, the zone method is not run.
     pub zone_factor: Option<f64>,
     /// 9th edition: site amplification S (1.0, 1.2, 1.5, 2.0).
     pub soil_factor: f64,
@@ -146,9 +146,9 @@ pub struct Reported {
     pub quantity: Quantity,
     /// Value in SI.
     pub value: f64,
-    /// Who, where.
+    /// Source.
     pub source: String,
-    /// What is known of it ("belongs to the record as recorded, not to the stated scaling").
+    /// Remark ("belongs to the record as recorded, not to the stated scaling").
     pub note: Option<String>,
 }
 

@@ -1,15 +1,16 @@
 //! Vocabulary of the seismic verification of liquid storage tanks: plain data that procedures, engines, results and
-//! reports share. It imports no procedure, no engine and no file format.
+//! reports share. It does not depend on procedures, engines or file formats.
 //!
 //! | module | idea |
 //! |---|---|
 //! | [`units`] | dimensions, parsing and printing of quantities with units |
-//! | [`Tank`], [`Liquid`] and what they are made of | the tank and its contents |
-//! | [`case`] | all that a procedure or an engine needs of one verification |
-//! | [`quantity`] | what procedures and engines can be compared by |
-//! | [`assessment`] | what a procedure concludes |
+//! | [`Tank`], [`Liquid`] and their parts | the tank and its contents |
+//! | [`case`] | input of a procedure or an engine for one verification |
+//! | [`quantity`] | comparable quantities of procedures and engines |
+//! | [`assessment`] | result of a procedure |
 //!
-//! SI units throughout (m, kg, s, N, Pa, rad); every field names its unit. `z` points upwards from the tank bottom.
+//! SI units throughout (m, kg, s, N, Pa, rad); the unit is in the doc of every field. `z` points upwards from the
+//! tank bottom.
 
 pub mod assessment;
 pub mod case;

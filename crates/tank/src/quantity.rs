@@ -1,4 +1,4 @@
-//! What can be compared between the code procedures and the finite-element engine.
+//! Comparable quantities of the code procedures and the finite-element engines.
 //!
 //! All quantities are the *seismic* part alone (hydrostatic and self-weight states excluded), absolute maxima over time
 //! and circumference. Values combined with the static state appear in checks and profiles, never here.
@@ -107,7 +107,7 @@ impl Quantity {
 mod tests {
     use super::*;
 
-    /// Ids are part of the file formats (`reported` in the tank file, `results.json`): files of earlier versions name them.
+    /// Ids are part of the file formats (`reported` in the tank file, `results.json`) of earlier versions.
     #[test]
     fn ids_of_the_file_formats() {
         let ids = Quantity::ALL.map(Quantity::id);

@@ -1,13 +1,13 @@
-//! The tanks of the dissertation, as the verification rows take them.
+//! The tanks of [B02, chapter 8] (docs/references.md) for the verification rows.
 
 use crate::Case;
 use crate::case::{Damping, ProcedureOptions, Site};
 use crate::{Course, Liquid, Material, Roof, Shape, Support, Tank};
 
-/// Acceleration of free fall of all rows [m/s²], that of the dissertation.
+/// Acceleration of free fall of all rows [m/s²], as in [B02].
 pub const GRAVITY: f64 = 9.81;
 
-/// Example 8.1 (Manos & Clough 1982), liquid of this density [kg/m³], 1.525 m deep.
+/// `manos_clough_broad` [B02, 8.1], tested by Manos & Clough (1982); liquid of this density [kg/m³], 1.525 m deep.
 pub fn broad(density: f64) -> Case {
     let aluminium = material(69e9, 0.32, 2750.0);
     case(
@@ -18,7 +18,7 @@ pub fn broad(density: f64) -> Case {
     )
 }
 
-/// Example 8.3: slender steel tank, wall 5.5 m, 2 mm; liquid of this density [kg/m³] and depth [m].
+/// `slender_steel` [B02, 8.3]: wall 5.5 m, 2 mm; liquid of this density [kg/m³] and depth [m].
 pub fn slender(density: f64, depth: f64) -> Case {
     let steel = material(210e9, 0.3, 7850.0);
     case(

@@ -1,4 +1,4 @@
-//! The tank and what is in it.
+//! The tank and its contents.
 
 mod behaviour;
 mod layers;
@@ -46,7 +46,7 @@ impl Shape {
     }
 }
 
-/// How the wall stands on the ground.
+/// Support of the wall on the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Support {
@@ -71,7 +71,7 @@ pub struct Material {
     pub yield_strength: Option<f64>,
     /// Allowable design stress S_d [Pa] (API 650 table 5-2), needed by the API hoop check only.
     pub allowable_stress: Option<f64>,
-    /// What it does beyond its elastic range (nonlinear engine).
+    /// Behaviour beyond its elastic range (nonlinear engine).
     #[serde(default, skip_serializing_if = "Behaviour::is_elastic")]
     pub behaviour: Behaviour,
 }
@@ -173,7 +173,7 @@ impl Tank {
             }
         }
         z.sort_by(f64::total_cmp);
-        // A joint on a step but for rounding would show twice.
+        // A joint that equals a step up to rounding must not appear twice.
         z.dedup_by(|b, a| (*b - *a).abs() < 1e-9 * depth);
         z
     }

@@ -8,9 +8,9 @@
 //!    .9984852E-03   .9991426E-03   …
 //! ```
 //!
-//! The line with `NPTS` and `DT` ends the header; before NGA it was also written `5372 .0100 NPTS, DT`. The unit stands
-//! after the word `UNITS`. The last line may be partial. NPTS must be the number of values: a file that was cut off
-//! must not pass.
+//! The line with `NPTS` and `DT` ends the header; before NGA it was also written `5372 .0100 NPTS, DT`. The unit
+//! follows the word `UNITS`. The last line may be partial. NPTS must equal the number of values, so that truncated
+//! files are rejected.
 
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::number::{parse, split_glued};
@@ -91,7 +91,7 @@ fn counts(line: &str) -> Result<(usize, Option<f64>), Fault> {
     };
     let shape = "`NPTS= 4000, DT= .01000 SEC` or `4000 .01000 NPTS, DT`";
     let fault = |what: &str| Fault::new(what).found(line.trim()).allowed(shape);
-    let npts = npts.ok_or_else(|| fault("no number of points beside NPTS"))?;
+    let npts = npts.ok_or_else(|| fault("the line with NPTS does not contain the number of points"))?;
     if npts.fract() != 0.0 || npts < 2.0 {
         return Err(fault("NPTS must be a whole number of at least 2"));
     }
@@ -104,7 +104,7 @@ fn counts(line: &str) -> Result<(usize, Option<f64>), Fault> {
     Ok((npts as usize, dt))
 }
 
-/// Refuses the companions of `.AT2`: `.VT2` (velocity) and `.DT2` (displacement).
+/// Rejects the companions of `.AT2`: `.VT2` (velocity) and `.DT2` (displacement).
 fn acceleration(header: &[(usize, &str)]) -> Result<(), Fault> {
     for &(start, line) in header {
         let upper = line.to_ascii_uppercase();
@@ -155,7 +155,7 @@ fn values(lines: &[(usize, &str)], expected: usize, text: &str) -> Result<(Vec<f
     let mut faults = Collector::new();
     let mut surplus = None;
     'file: for &(start, line) in lines {
-        // Words after a complete record are a trailer; a further number would contradict NPTS.
+        // Words after a complete record are a trailer; a further number contradicts NPTS.
         if values.len() == expected && faults.is_empty() && !line.contains(|c: char| c.is_ascii_digit()) {
             continue;
         }
@@ -186,17 +186,17 @@ fn values(lines: &[(usize, &str)], expected: usize, text: &str) -> Result<(Vec<f
     }
     faults.finish()?;
     if let Some(span) = surplus {
-        return Err(Fault::new("the file holds more values than NPTS says")
+        return Err(Fault::new("the file contains more values than NPTS")
             .at(span)
             .found(format!("a value after the {expected} of NPTS"))
-            .help("mend NPTS, or remove what follows the record")
+            .help("correct NPTS, or delete the lines after the record")
             .into());
     }
     if values.len() < expected {
         return Err(Fault::new("the file ends before NPTS values were read")
             .at(text.trim_end().len()..text.trim_end().len())
             .found(format!("{} values, NPTS = {expected}", values.len()))
-            .help("the file is cut off, or NPTS is wrong")
+            .help("complete the file, or correct NPTS")
             .into());
     }
     Ok((values, places))

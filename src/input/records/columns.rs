@@ -5,7 +5,7 @@
 //! * Lines in front of the numbers that do not begin with a number are titles; one of them may name the columns and
 //!   their units: `time_s,acceleration_m_s2`, `t [s]; a [g]`, `Time(s) Accel(g)`. Lines that begin with `#`, `%`, `!`
 //!   or `//` are comments; they too may name the columns.
-//! * Time is in seconds unless the header says `ms`. Acceleration has no default unit.
+//! * Time is in seconds unless the header has `ms`. Acceleration does not have a default unit.
 
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::number::{begins_like_number, parse, resolution};
@@ -15,10 +15,10 @@ use crate::input::records::{
     AccelerationUnit, Collector, Draft, MAX_SAMPLES, ReadOptions, printable, settle_dt, settle_unit, token_at,
 };
 
-/// A step of a time column without a unit from which on it is not taken in seconds.
+/// Step from which a time column without a unit is not read as seconds.
 const MILLISECONDS: f64 = 0.5;
 
-/// What separates the columns.
+/// Separator of the columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Separator {
     Semicolon,
@@ -50,7 +50,7 @@ impl Separator {
         }
     }
 
-    /// Cells and the byte at which each begins; one empty cell at the end of a line is no cell.
+    /// Cells and the byte at which each begins; an empty cell at the end of a line is ignored.
     fn cells<'a>(self, line: &'a str) -> Vec<(usize, &'a str)> {
         let place = |cell: &'a str| {
             let bare = cell.trim();
@@ -78,7 +78,7 @@ impl Separator {
     }
 }
 
-/// What the columns are.
+/// Meaning of the columns.
 #[derive(Clone, Debug)]
 struct Layout {
     time: Option<usize>,
@@ -128,7 +128,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     }
     faults.finish()?;
     let Some((separator, layout)) = data else {
-        return Err(Fault::new("the file holds no numbers")
+        return Err(Fault::new("the file does not contain numbers")
             .allowed("CSV, two-column text or PEER .AT2")
             .into());
     };
@@ -136,7 +136,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         return Err(Fault::new("the record is too long")
             .found(format!("more than {MAX_SAMPLES} samples"))
             .allowed(format!("up to {MAX_SAMPLES} samples (5.5 hours at 100 Hz)"))
-            .help("cut the record to the shaking")
+            .help("cut the record to the strong motion")
             .into());
     }
     draft(table, separator, layout, text, options).map_err(Faults::from)
@@ -158,11 +158,11 @@ fn draft(
         && step >= MILLISECONDS
     {
         return Err(
-            Fault::new("the time column names no unit, and its step is that of milliseconds")
+            Fault::new("the time column does not have a unit, and its step looks like milliseconds")
                 .at(token_at(text, first.place as usize))
                 .found(format!("a step of {step}"))
-                .allowed("steps below 0.5 s in a time column without a unit; usual are 0.002 to 0.02 s")
-                .help("name the unit in a header: `time_ms,…`, or `time_s,…` if the step is in seconds"),
+                .allowed("steps below 0.5 s in a time column without a unit; usual values are 0.002 to 0.02 s")
+                .help("give the unit in a header: `time_ms,…`, or `time_s,…` if the step is in seconds"),
         );
     }
     if layout.time.is_some() && layout.time_unit.is_none() {
@@ -175,7 +175,7 @@ fn draft(
         ));
     }
     let dt = settle_dt(named_dt, options)?.ok_or_else(|| {
-        Fault::new("a single column of accelerations has no time step")
+        Fault::new("a single column of accelerations does not have a time step")
             .allowed("--dt SECONDS, or a first column with the time")
     })?;
     let example = "a header such as `time_s,acceleration_m_s2` or `t [s]; a [g]`";
@@ -212,7 +212,7 @@ fn comment_text(line: &str) -> Option<&str> {
     ["#", "%", "!", "//"].iter().find_map(|mark| line.strip_prefix(mark))
 }
 
-/// Decides what the columns are, by the first line of numbers and the lines before it.
+/// Finds the meaning of the columns from the first line of numbers and the lines before it.
 fn layout(titles: &[(usize, Line)], separator: Separator, first: Line) -> Result<Layout, Fault> {
     let cells = separator.cells(first.1);
     let whole = first.0..first.0 + first.1.len();
@@ -228,7 +228,7 @@ fn layout(titles: &[(usize, Line)], separator: Separator, first: Line) -> Result
             .at(whole)
             .found(first.1.trim())
             .allowed("one column (acceleration) or two (time, acceleration)")
-            .help("keep one component a file; values in reading order need a PEER header with NPTS and DT"));
+            .help("write one component per file; values in reading order need a PEER header with NPTS and DT"));
     }
     let plain = Layout {
         time: (cells.len() == 2).then_some(0),
@@ -285,7 +285,7 @@ fn named(heads: &[String], plain: &Layout, number: usize, line: Line) -> Result<
     let span = line.0..line.0 + line.1.len();
     let fault = |what: &str| Fault::new(what).at(span.clone()).found(line.1.trim());
     if heads.len() != plain.columns {
-        return Err(fault("the header does not fit the numbers").allowed(format!(
+        return Err(fault("the header does not match the numbers").allowed(format!(
             "{} name(s), as there are {} column(s) of numbers",
             plain.columns, plain.columns
         )));
@@ -320,7 +320,7 @@ fn named(heads: &[String], plain: &Layout, number: usize, line: Line) -> Result<
     match (plain.columns, roles) {
         (1, [Some(true), _]) => return Err(fault("the only column is the time").allowed("accelerations")),
         (2, [Some(a), Some(b)]) if a == b => {
-            return Err(fault("both columns are named alike").allowed("one column of time, one of acceleration"));
+            return Err(fault("both columns have the same name").allowed("one column of time, one of acceleration"));
         }
         (2, [Some(false), _] | [_, Some(true)]) => (layout.time, layout.acceleration) = (Some(1), 0),
         _ => {}
@@ -343,7 +343,7 @@ impl Table {
     fn add(&mut self, line: Line, separator: Separator, layout: &Layout) -> Result<(), Fault> {
         let cells = separator.cells(line.1);
         if cells.len() != layout.columns {
-            return Err(Fault::new("the line does not fit the others")
+            return Err(Fault::new("the line does not match the others")
                 .at(line.0..line.0 + line.1.len())
                 .found(format!("{} column(s)", cells.len()))
                 .allowed(format!(
@@ -352,7 +352,7 @@ impl Table {
                     separator.name()
                 )));
         }
-        // Both cells are looked at before either is kept, so that the columns stay of one length.
+        // Both cells are parsed before either is stored, so that the columns have the same length.
         let value = self.number(line.0, cells[layout.acceleration], separator, "the acceleration")?;
         if let Some(column) = layout.time {
             let cell = cells[column];
@@ -381,7 +381,7 @@ impl Table {
         if let (Some(mark), Some(known)) = (mark, self.comma)
             && mark != known
         {
-            return Err(Fault::new("decimal point and decimal comma in one file")
+            return Err(Fault::new("decimal point and decimal comma in the same file")
                 .at(span)
                 .found(cell.1)
                 .allowed("one decimal mark, no thousands separators"));
@@ -396,7 +396,7 @@ impl Table {
             Fault::new(wrong.message(what))
                 .at(span)
                 .found(if cell.1.is_empty() { "nothing" } else { cell.1 })
-                .allowed("finite numbers; lines of text must begin with `#` or stand in front of the numbers")
+                .allowed("finite numbers; lines of text must begin with `#` or precede the numbers")
         })
     }
 }

@@ -1,8 +1,8 @@
-//! Formats of agencies that are recognised by their first lines, to say plainly that they are not read.
+//! Formats of agencies recognised by their first lines, for a clear message that they are not supported.
 
 use crate::input::diagnostic::Fault;
 
-/// A format, how its first lines look, and how it is turned into something that is read.
+/// A format and the test for its first lines.
 struct Foreign {
     name: &'static str,
     looks: fn(&[&str]) -> bool,
@@ -35,21 +35,21 @@ const FOREIGN: &[Foreign] = &[
     },
 ];
 
-/// First line of SMC: a digit and what the file is.
+/// First line of SMC: a digit and the kind of the file.
 fn smc(line: &str) -> bool {
     let words: Vec<&str> = line.split_whitespace().collect();
     matches!(words.as_slice(), [n, "CORRECTED" | "UNCORRECTED", "ACCELEROGRAM", ..] if n.parse::<u8>().is_ok())
 }
 
-/// The fault for a format that is known but not read; `None` if the text is none of these.
+/// The fault for a known but unsupported format; `None` for any other text.
 pub fn recognise(text: &str) -> Option<Fault> {
     let lines: Vec<&str> = text.lines().take(4).collect();
     let first = *lines.first()?;
     let foreign = FOREIGN.iter().find(|f| (f.looks)(&lines))?;
     Some(
-        Fault::new(format!("this is {}, which is not read", foreign.name))
+        Fault::new(format!("this is {}, which is not supported", foreign.name))
             .at(0..first.len())
             .allowed("CSV or plain text of one or two columns, PEER .AT2")
-            .help("write its acceleration as a CSV file with the header `time_s,acceleration_m_s2`"),
+            .help("convert its acceleration to a CSV file with the header `time_s,acceleration_m_s2`"),
     )
 }

@@ -23,7 +23,7 @@ pub fn load(path: &Path) -> Result<Vec<u8>, Error> {
         std::fs::metadata(path).map_err(|e| fail(format!("cannot read the record: {}", files::error::describe(&e))))?;
     if metadata.is_dir() {
         return Err(fail(
-            "found a folder, allowed a record file (CSV, two-column text, PEER .AT2)".into(),
+            "found a folder, expected a record file (CSV, two-column text, PEER .AT2)".into(),
         ));
     }
     if metadata.len() > MAX_BYTES {
@@ -49,7 +49,7 @@ fn read_limited(reader: impl Read, path: &Path) -> Result<Vec<u8>, Error> {
 
 fn too_large(bytes: u64) -> String {
     format!(
-        "found a file of {} MB or more, allowed a record of up to {} MB and {} samples; cut it to the shaking",
+        "found a file of {} MB or more, expected a record of up to {} MB and {} samples; cut it to the strong motion",
         bytes >> 20,
         MAX_BYTES >> 20,
         super::MAX_SAMPLES
@@ -59,7 +59,7 @@ fn too_large(bytes: u64) -> String {
 /// Text of the bytes: UTF-8 with or without byte order mark, otherwise Latin-1 (only words can differ, not numbers).
 ///
 /// # Errors
-/// An empty file, UTF-16, bytes that are no text.
+/// An empty file, UTF-16, bytes that are not text.
 pub fn decode(bytes: &[u8]) -> Result<String, Fault> {
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
         return Err(Fault::new("the file is UTF-16 text")
@@ -84,7 +84,7 @@ pub fn decode(bytes: &[u8]) -> Result<String, Fault> {
             .found(found)
             .allowed("CSV, two-column text or PEER .AT2"));
     }
-    // Old Macintosh line ends and the DOS mark are made plain, byte for byte, so that places stay true.
+    // Old Macintosh line ends and the DOS mark are replaced byte for byte, so that places stay valid.
     let plain = |text: String| {
         let text = text.replace('\u{1a}', " ");
         if text.contains('\n') {

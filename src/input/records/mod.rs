@@ -4,11 +4,11 @@
 //! |---|---|
 //! | [`columns`] | CSV and plain text: one column (acceleration) or two (time, acceleration) |
 //! | [`at2`] | PEER `.AT2`, headers of 1999 and NGA |
-//! | [`foreign`] | formats that are recognised only to say so |
+//! | [`foreign`] | formats that are recognised but not supported |
 //! | `process` | scaling, time stretching, resampling |
 //!
 //! The unit of acceleration comes from the format, the header or [`ReadOptions::unit`], never from the size of the
-//! numbers. Whatever is wrong is an [`Error::Input`] with file, line, what was found and what is allowed.
+//! numbers. Every fault is an [`Error::Input`] with file, line, found and expected value.
 
 pub mod at2;
 pub mod columns;
@@ -30,7 +30,7 @@ use files::error::Error;
 pub use process::process;
 pub use unit::AccelerationUnit;
 
-/// Most samples of a record: 5.5 hours at 100 Hz. Beyond that the histories of the engine would not fit in memory.
+/// Largest number of samples of a record: 5.5 hours at 100 Hz. Histories of longer records do not fit in memory.
 pub const MAX_SAMPLES: usize = 2_000_000;
 /// Largest file that is read [bytes].
 pub const MAX_BYTES: u64 = 128 << 20;
@@ -38,12 +38,12 @@ pub const MAX_BYTES: u64 = 128 << 20;
 pub const MAX_PLAUSIBLE: f64 = 5.0 * tank::STANDARD_GRAVITY;
 /// Largest peak ground acceleration of all, 1000 g [m/s²]: beyond shaking tables in centrifuges.
 pub const MAX_PEAK: f64 = 1000.0 * tank::STANDARD_GRAVITY;
-/// Smallest peak ground acceleration that is motion [m/s²]; instruments resolve 1e-6 m/s².
+/// Smallest peak ground acceleration of a record [m/s²]; instruments resolve 1e-6 m/s².
 pub const MIN_PEAK: f64 = 1e-9;
 /// Reading stops after this many faults.
 const MAX_FAULTS: usize = 20;
 
-/// What `tank.json` asks to be done to a record, in the order of the fields.
+/// Processing of a record by `tank.json`, in the order of the fields.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Processing {
     /// Scale to this peak [m/s²].
@@ -67,10 +67,10 @@ impl Processing {
     }
 }
 
-/// How to read a file.
+/// Options for reading a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReadOptions {
-    /// Unit, needed where the format does not tell.
+    /// Unit, needed if the format does not give it.
     pub unit: Option<AccelerationUnit>,
     /// Time step [s], needed for a single column without time.
     pub dt: Option<f64>,
@@ -95,7 +95,7 @@ pub struct ReadRecord {
     pub sha256: String,
 }
 
-/// What a format's reader makes of a text: numbers in the unit of the file.
+/// Result of the reader of a format: numbers in the unit of the file.
 struct Draft {
     title: Option<String>,
     format: String,
@@ -123,7 +123,7 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<ReadRecord, Error> {
 pub fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<ReadRecord, Error> {
     if let Some(dt) = options.dt.filter(|dt| !(*dt > 0.0 && *dt <= plausible::LONGEST_STEP)) {
         return Err(Error::Input(format!(
-            "error: --dt: found {dt}, allowed a time step in seconds greater than 0, at most {}",
+            "error: --dt: found {dt}, expected a time step in seconds greater than 0, at most {}",
             plausible::LONGEST_STEP
         )));
     }
@@ -160,7 +160,7 @@ fn draft(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     Ok(draft)
 }
 
-/// Refuses files that are not accelerograms: fewer than two samples, no motion at all, peaks above 5 g (with the option:
+/// Rejects files that are not accelerograms: fewer than two samples, zero motion, peaks above 5 g (with the option:
 /// above 1000 g).
 fn plausible(draft: &Draft, text: &str, options: &ReadOptions) -> Result<(), Faults> {
     if draft.values.len() < 2 {
@@ -177,16 +177,16 @@ fn plausible(draft: &Draft, text: &str, options: &ReadOptions) -> Result<(), Fau
         return Err(Fault::new("the time step is out of range")
             .found(format!("a step of {} s", draft.dt))
             .allowed(format!(
-                "at most {} s; usual are 0.002 to 0.02 s",
+                "at most {} s; usual values are 0.002 to 0.02 s",
                 plausible::LONGEST_STEP
             ))
             .help("correct the unit of the time column, or DT")
             .into());
     }
-    // In SI: the smallest numbers of a file vanish there.
+    // In SI, where the smallest numbers of a file vanish.
     if peak * draft.unit.si() == 0.0 {
         return Err(Fault::new("all accelerations are zero")
-            .allowed("a record with motion in it")
+            .allowed("a record with motion")
             .into());
     }
     let peak_si = peak * draft.unit.si();
@@ -204,7 +204,7 @@ fn plausible(draft: &Draft, text: &str, options: &ReadOptions) -> Result<(), Fau
             .at(token_at(text, place as usize))
             .found(format!("{peak} {}, unit from {}", draft.unit, draft.unit_source))
             .allowed("up to 5 g (the largest recorded are near 3 g)")
-            .help("mend the unit in the header or --units; if the peak is meant, give --allow-implausible")
+            .help("correct the unit in the header or --units; if the peak is right, add --allow-implausible")
             .into());
     }
     Ok(())
@@ -229,7 +229,7 @@ impl Collector {
         Collector { faults: Faults::new() }
     }
 
-    /// Adds a fault; true if it was the last one that is taken.
+    /// Adds a fault; returns true at the limit.
     #[must_use]
     fn push(&mut self, fault: Fault) -> bool {
         self.faults.push(fault);
@@ -254,8 +254,8 @@ impl Collector {
     }
 }
 
-/// The unit to read with: that of the file, that of the options, or a fault. `named` is the file's own unit with its
-/// source in words.
+/// The unit of the numbers: that of the file, that of the options, or a fault. `named` is the unit in the file with
+/// its source in words.
 fn settle_unit(
     named: Option<(AccelerationUnit, String)>,
     options: &ReadOptions,
@@ -267,23 +267,23 @@ fn settle_unit(
         (Some((unit, source)), Some(given)) => Err(Fault::new("the file and --units disagree")
             .found(format!("{unit} in the {source}, --units {given}"))
             .allowed("one unit")
-            .help("leave --units out, or mend the header")),
+            .help("remove --units, or correct the header")),
         (None, Some(given)) => Ok((given, format!("--units {given}"))),
-        (None, None) => Err(Fault::new("the file does not name the unit of acceleration")
+        (None, None) => Err(Fault::new("the file does not give the unit of acceleration")
             .allowed(format!(
                 "{example}, or --units with one of {}",
                 AccelerationUnit::ALLOWED
             ))
-            .help("the unit is never guessed from the size of the numbers")),
+            .help("give the unit; it is never guessed from the size of the numbers")),
     }
 }
 
-/// The time step to read with: that of the file, that of the options, or `None`.
+/// The time step: that of the file, that of the options, or `None`.
 fn settle_dt(named: Option<f64>, options: &ReadOptions) -> Result<Option<f64>, Fault> {
     match (named, options.dt) {
         (Some(dt), Some(given)) if (dt - given).abs() > 1e-6 * dt => Err(Fault::new("the file and --dt disagree")
             .found(format!("a step of {dt} s in the file, --dt {given}"))
-            .help("leave --dt out; to stretch the time axis use the time factor")),
+            .help("remove --dt; to stretch the time axis use the time factor")),
         (Some(dt), _) => Ok(Some(dt)),
         (None, given) => Ok(given),
     }

@@ -1,6 +1,6 @@
-//! Numbers as people and Fortran programs write them.
+//! Numbers as written by people and Fortran programs.
 
-/// Why a text is no usable number.
+/// Reason why a text is not a usable number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotANumber {
     /// NaN, infinite, or beyond the range of a double.
@@ -12,7 +12,7 @@ pub enum NotANumber {
 }
 
 impl NotANumber {
-    /// What is wrong, in words, of a column called `what`.
+    /// The message for a column called `what`.
     pub fn message(self, what: &str) -> String {
         match self {
             NotANumber::NotFinite => format!("{what} is not a finite number"),

@@ -1,4 +1,4 @@
-//! What ground motion can be: what is refused, and what is computed with a warning.
+//! Plausibility of ground motion: limits that reject a record, and warnings.
 
 use std::fmt::Display;
 
@@ -9,17 +9,16 @@ use crate::input::records::process::number;
 use crate::input::records::{MAX_PEAK, MAX_PLAUSIBLE, Processing};
 use files::error::Error;
 
-/// Longest time step of ground motion that is usual [s]: at 0.1 s nothing above 5 Hz is left.
+/// Longest usual time step of ground motion [s]: at 0.1 s the record ends at 5 Hz.
 const LONG_STEP: f64 = 0.1;
 /// Longest time step of a record [s].
 pub const LONGEST_STEP: f64 = 10.0;
-/// Fewest samples that are usual.
+/// Smallest usual number of samples.
 const FEW_SAMPLES: usize = 10;
 
-/// Refuses a record, as computed with, that no ground motion is: a peak above 5 g (with `allow_implausible` above
+/// Rejects a processed record that is not ground motion: a peak above 5 g (with `allow_implausible` above
 /// [`MAX_PEAK`]), numbers that are not finite, a time step beyond 10 s.
-///
-/// * `origin`: what makes the peak, for the message (`record.scale_by`)
+/// * `origin`: option that sets the peak, for the message (`record.scale_by`)
 ///
 /// Errors: [`Error::Input`] with the value and the range.
 pub fn check(record: &Record, origin: &str, allow_implausible: bool) -> Result<(), Error> {
@@ -40,7 +39,7 @@ pub fn check(record: &Record, origin: &str, allow_implausible: bool) -> Result<(
     check_peak(peak, origin, allow_implausible)
 }
 
-/// Refuses a peak ground acceleration [m/s²]; see [`check`].
+/// Rejects a peak ground acceleration [m/s²] out of range; see [`check`].
 ///
 /// Errors: [`Error::Input`] with the value and the range.
 pub fn check_peak(peak: f64, origin: impl Display, allow_implausible: bool) -> Result<(), Error> {
@@ -56,7 +55,7 @@ pub fn check_peak(peak: f64, origin: impl Display, allow_implausible: bool) -> R
     if peak > MAX_PLAUSIBLE && !allow_implausible {
         return Err(Error::Input(format!(
             "error: {origin}: implausible peak ground acceleration; found {} g, expected up to {} g (the largest recorded are near \
-             3 g)\n  help: correct the factor or the unit, or give --allow-implausible",
+             3 g)\n  help: correct the factor or the unit, or add --allow-implausible",
             number(g(peak)),
             g(MAX_PLAUSIBLE)
         )));
@@ -64,25 +63,25 @@ pub fn check_peak(peak: f64, origin: impl Display, allow_implausible: bool) -> R
     Ok(())
 }
 
-/// What is unusual in a record as computed with, one sentence each with the usual range.
+/// Unusual values of a processed record, one sentence each with the usual range.
 pub fn doubts(record: &Record, processing: &Processing) -> Vec<String> {
     let mut all = Vec::new();
     let name = &record.name;
     if let Some(factor) = processing.scale_by.filter(|f| *f < 0.0) {
         all.push(format!(
-            "record `{name}`: scale_by is negative, which reverses the shaking; found {factor}, usual are factors above 0"
+            "record `{name}`: scale_by is negative, which reverses the shaking; found {factor}, usual values are above 0"
         ));
     }
     if record.acceleration.len() < FEW_SAMPLES {
         all.push(format!(
-            "record `{name}`: found {} samples, usual are hundreds to thousands",
+            "record `{name}`: found {} samples, usual numbers are hundreds to thousands",
             record.acceleration.len()
         ));
     }
     if record.dt > LONG_STEP {
         all.push(format!(
-            "record `{name}`: found a time step of {} s, usual are 0.002 to 0.02 s; beyond {LONG_STEP} s the record holds nothing \
-             at the periods of stiff walls",
+            "record `{name}`: found a time step of {} s, usual values are 0.002 to 0.02 s; above {LONG_STEP} s the record lacks \
+             the periods of stiff walls",
             number(record.dt)
         ));
     }

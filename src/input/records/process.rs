@@ -28,7 +28,7 @@ pub fn process(record: &Record, processing: &Processing) -> Result<Record, Error
     if let Some(peak) = processing.scale_to {
         check("scale_to", peak, peak > 0.0, "an acceleration greater than 0")?;
         let factor = peak / record.pga();
-        check("scale_to", factor, factor > 0.0, "a record with motion in it")?;
+        check("scale_to", factor, factor > 0.0, "a record with motion")?;
         scale(&mut record, factor);
         let g = peak / STANDARD_GRAVITY;
         let words = format!(
@@ -55,7 +55,7 @@ pub fn process(record: &Record, processing: &Processing) -> Result<Record, Error
         check("resample", dt, dt > 0.0, "a time step greater than 0")?;
         resample(&mut record, dt)?;
     }
-    // Peaks up to 5 g or beyond are for the caller to judge; here only that the numbers are ground motion at all.
+    // The caller checks peaks above 5 g; this checks only that the numbers are ground motion.
     plausible::check(&record, processing.scaled_by(), true)?;
     Ok(record)
 }
@@ -64,7 +64,9 @@ fn check(name: &str, value: f64, holds: bool, allowed: &str) -> Result<(), Error
     if value.is_finite() && holds {
         return Ok(());
     }
-    Err(Error::Input(format!("error: {name}: found {value}, allowed {allowed}")))
+    Err(Error::Input(format!(
+        "error: {name}: found {value}, expected {allowed}"
+    )))
 }
 
 fn scale(record: &mut Record, factor: f64) {
@@ -76,13 +78,13 @@ fn scale(record: &mut Record, factor: f64) {
 fn resample(record: &mut Record, dt: f64) -> Result<(), Error> {
     let ratio = dt / record.dt;
     let last = record.acceleration.len().saturating_sub(1);
-    // A hair more than the last sample still counts as the last sample.
+    // A rounding error beyond the last sample still counts as the last sample.
     let steps = (last as f64 / ratio * (1.0 + 1e-12)).floor();
     if !(1.0..MAX_SAMPLES as f64).contains(&steps) {
         let samples = steps + 1.0;
         return Err(Error::Input(format!(
             "error: resample: found a step of {dt} s, which makes {samples:.0} samples of a record of {} s; \
-             allowed 2 to {MAX_SAMPLES} samples",
+             expected 2 to {MAX_SAMPLES} samples",
             number(record.duration())
         )));
     }

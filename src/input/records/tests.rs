@@ -80,7 +80,7 @@ fn at2_in_its_dialects() {
     );
     fault(
         "X\nY\nNPTS= 2, DT= .01 SEC\n1. 2.\n",
-        &["does not name the unit", "--units"],
+        &["does not give the unit", "--units"],
     );
 }
 
@@ -89,7 +89,7 @@ fn faults_name_line_found_and_allowed() {
     let head = "time_s,acceleration_m_s2\n";
     fault("", &["empty"]);
     fault(" \n\n", &["empty"]);
-    fault("time_s,acceleration_m_s2\n", &["no numbers"]);
+    fault("time_s,acceleration_m_s2\n", &["does not contain numbers"]);
     fault(&format!("{head}0,1\n"), &["two samples"]);
     fault(
         &format!("{head}0,1\n0.02,nan\n0.04,1\n"),
@@ -102,7 +102,7 @@ fn faults_name_line_found_and_allowed() {
     fault(&format!("{head}0,1\n0.02,1e999\n"), &["not a finite number"]);
     fault(
         &format!("{head}0,1\n0.02,x\n0.04\n"),
-        &["quake.csv:3", "not a number", "quake.csv:4", "does not fit"],
+        &["quake.csv:3", "not a number", "quake.csv:4", "does not match"],
     );
     fault(
         &format!("{head}0,1\n0.02,2\n0.01,2\n"),
@@ -117,8 +117,8 @@ fn faults_name_line_found_and_allowed() {
         &["implausible", "--allow-implausible"],
     );
     fault(&format!("{head}0,0\n0.02,0\n"), &["zero"]);
-    fault("0 1\n0.02 2\n", &["does not name the unit", "--units"]);
-    fault("t,a_g\n0,1\n0.02,2\n", &["does not name the unit"]);
+    fault("0 1\n0.02 2\n", &["does not give the unit", "--units"]);
+    fault("t,a_g\n0,1\n0.02,2\n", &["does not give the unit"]);
     fault("acceleration_m_s2\n1\n2\n", &["time step", "--dt"]);
     fault("1 2 3\n4 5 6\n", &["3 columns"]);
     fault("t [s];a [g]\n0,00;1.5\n", &["decimal point and decimal comma"]);

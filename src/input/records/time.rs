@@ -17,14 +17,14 @@ pub struct Stamp {
 /// The uniform step of the stamps [s].
 ///
 /// Printed times are rounded. The step is the mean one, in as few decimals as the rounding of the first and the last
-/// time leaves open. If these decimals are among the printed ones, every printed step must be equal to it; if not
+/// time permits. If these decimals are among the printed ones, every printed step must be equal to it; if not
 /// (1/256 s printed as 0.0039, 0.0078, 0.0117, …), each may differ by the rounding of its two ends.
 ///
 /// # Errors
 /// Fewer than two times, times that do not increase, steps that differ.
 pub fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
     let (Some(first), Some(last)) = (stamps.first(), stamps.last()) else {
-        return Err(Fault::new("a record needs at least two samples").found("no sample"));
+        return Err(Fault::new("a record needs at least two samples").found("0 samples"));
     };
     if stamps.len() < 2 {
         return Err(Fault::new("a record needs at least two samples")
@@ -35,7 +35,7 @@ pub fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
         let help = if pair[1].time == pair[0].time && pair[1].rounding >= pair[0].rounding {
             "if a comma is the decimal mark, separate the columns by `;`; if the times are rounded, print more digits"
         } else {
-            "the samples must stand in the order of time"
+            "sort the samples by time"
         };
         return Err(Fault::new("time does not increase")
             .at(token_at(text, pair[1].place as usize))
@@ -49,7 +49,8 @@ pub fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
     let count = (stamps.len() - 1) as f64;
     let mean = (last.time - first.time) / count;
     let uncertainty = (first.rounding + last.rounding) / count * (1.0 + 1e-6) + 1e-12 * mean;
-    // The finest printed digit: trailing zeros may have been dropped, so that `0.1` stands among `0.08` and `0.12`.
+    // The finest printed digit: trailing zeros may have been dropped, so that `0.1` appears between `0.08` and
+    // `0.12`.
     let finest = stamps
         .iter()
         .map(|s| s.rounding)
@@ -86,7 +87,7 @@ pub fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
                 pair[1].time - pair[0].time
             ))
             .allowed("equal steps")
-            .help("resample the record, or mend the missing or displaced samples"));
+            .help("resample the record, or correct the missing or displaced samples"));
     }
     Ok(dt)
 }

@@ -14,7 +14,7 @@ pub enum AccelerationUnit {
 }
 
 impl AccelerationUnit {
-    /// What may be written for a unit.
+    /// Accepted names of the units.
     pub const ALLOWED: &'static str = "g, gal, cm/s2, m/s2";
 
     /// Size of the unit [m/s²].
@@ -60,7 +60,7 @@ impl fmt::Display for AccelerationUnit {
 /// Longest cell that can name a column [bytes].
 const MAX_HEAD: usize = 200;
 
-/// What a cell of a header says of its column.
+/// Meaning of a header cell for its column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Head {
     /// Time, with the size of its unit [s] if it is named.
@@ -69,7 +69,7 @@ pub enum Head {
     Acceleration(Option<AccelerationUnit>),
     /// Velocity or displacement, by name or unit.
     OtherMotion,
-    /// Not understood.
+    /// Unknown.
     Unknown,
 }
 
@@ -77,7 +77,7 @@ pub enum Head {
 ///
 /// `a_g` and `ag` are symbols of the ground acceleration, not a unit.
 pub fn head(cell: &str) -> Head {
-    // Every separator of a cell begins a unit that is tried.
+    // A unit may follow any separator of a cell.
     if cell.len() > MAX_HEAD {
         return Head::Unknown;
     }
@@ -120,7 +120,7 @@ fn classify(name: &str, unit: &str) -> Option<Head> {
         return Some(Head::OtherMotion);
     }
     if let Some(seconds) = time_unit(unit) {
-        // `s` beside a name of acceleration is no unit of it.
+        // `s` after a name of acceleration is not its unit.
         return (!starts(&["acc", "besch"])).then_some(Head::Time(Some(seconds)));
     }
     if let Some(unit) = AccelerationUnit::parse(unit) {

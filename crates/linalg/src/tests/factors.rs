@@ -35,12 +35,12 @@ fn dissection_is_a_bijection_and_saves_operations() {
         assert!(Ordering::is_bijection(order, pattern.size()));
         flops.push(Symbolic::new(pattern.clone(), &ordering).unwrap().flops());
     }
-    // The better of the two is taken. Nested dissection wins on every grid of this size (George 1973).
+    // The better of the two is used. Nested dissection wins on every grid of this size (George 1973).
     assert!(flops[0] < flops[2], "{flops:?}");
     assert_eq!(flops[1], flops[0]);
 }
 
-/// Nodes that positions do not tell apart, and parts that hang together by nothing.
+/// Nodes with equal positions, and disconnected parts.
 #[test]
 fn dissection_survives_coinciding_and_separate_nodes() {
     let model = Box3::new([6, 5, 4], 2);
@@ -75,7 +75,7 @@ fn kinds_of_factors_solve_the_same_system() {
         // The condition number is below 4·12/(3·0.1) = 160.
         assert!(misfit(&model.stiffness, &x, &b) < 1e-13, "{kind:?}");
         assert_eq!(factor.inertia().negative, 0);
-        // The space of the first solve serves a narrower one.
+        // A narrower solve reuses the space of the first.
         let narrow = factor.solve_vector(b.column(2)).unwrap();
         for (n, w) in narrow.iter().zip(x.column(2)) {
             assert!((n - w).abs() < 1e-11 * w.abs().max(1.0));

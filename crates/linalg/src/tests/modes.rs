@@ -24,7 +24,7 @@ fn lowest_modes_with_multiplicities() {
     }
 }
 
-/// A block of one vector sees one mode of a multiple eigenvalue at first; the count finds out.
+/// A block of one vector first finds one mode of a multiple eigenvalue; the count detects the others.
 #[test]
 fn inertia_reveals_missed_modes() {
     let model = Box3::new([7, 7, 7], 1);
@@ -100,7 +100,7 @@ fn mass_may_be_semidefinite() {
     assert_eq!(all.lambda.len(), 80);
 }
 
-/// A free body has eigenvalue zero: without a shift the factor refuses, with one the mode is found.
+/// A free body has eigenvalue zero: without a shift the factorisation fails, with one the mode is found.
 #[test]
 fn singular_stiffness_needs_a_shift() {
     let mut model = Box3::new([6, 6, 6], 1);

@@ -4,10 +4,10 @@
 //! CrackedConcrete    N = 3   layers: two fixed orthogonal cracks, plastic compression
 //! UniaxialConcrete   N = 1   one axis: fibres of beams, rings
 //! ```
-//!
-//! What opens is a crack strain e, added to the elastic and the plastic strain; its traction softens by the fracture energy
-//! G_f over the element size h ([`Tension`]), so that a localised crack consumes G_f whatever the mesh. A closed crack carries
-//! full compression, and reopens along the secant to its largest opening: no second cracking strength.
+//! A crack opens by a crack strain e, added to the elastic and the plastic strain; its traction softens by the
+//! fracture energy G_f over the element size h ([`Tension`]), so that a localised crack consumes G_f on any mesh. A
+//! closed crack carries full compression, and reopens along the secant to its largest opening: no second cracking
+//! strength.
 //!
 //! Strengths are positive numbers, stresses and strains positive in tension.
 

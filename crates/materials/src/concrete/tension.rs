@@ -6,10 +6,11 @@
 //! e_f  = G_f/(f_t h)                     so that ∫ t de = G_f/h
 //! ```
 //!
-//! Tension stiffening replaces the tail by b_ts f_t, up to the strain ε_y at which the crossing bar yields; from there it
-//! fades linearly and is gone at 2 ε_y (the sheet's sources stop it at yield; a jump would not converge).
+//! Tension stiffening replaces the tail by b_ts f_t, up to the strain ε_y at which the crossing bar yields; from
+//! there it falls linearly to zero at 2 ε_y (the sources of the theory sheet stop it at yield; a jump does not
+//! converge).
 //!
-//! The recoverable energy of a crack is ½ t(m) e²/m. What is left of the work is a function of m alone,
+//! The recoverable energy of a crack is ½ t(m) e²/m. The rest of the work is a function of m alone,
 //!
 //! ```text
 //! D(m) = ∫₀ᵐ t de − ½ m t(m) ,   D' = ½ (t − m t') ≥ 0
@@ -165,7 +166,7 @@ impl Traction {
         }
     }
 
-    /// Whether the traction falls at once.
+    /// Whether the traction drops suddenly.
     pub fn brittle(&self) -> bool {
         self.softening_strain == 0.0 && self.strength > 0.0
     }

@@ -6,8 +6,8 @@
 //! α = (f_bc − f_c)/(√3 (2 f_bc − f_c)) ,   k = f_c f_bc/(√3 (2 f_bc − f_c))
 //! ```
 //!
-//! f_c and f_bc are the uniaxial and the biaxial strength. The cone alone carries k/(1/√3 + α) in tension, 0.78 f_c for
-//! f_bc = 1.16 f_c: it belongs together with a crack law.
+//! f_c and f_bc are the uniaxial and the biaxial strength. The cone alone carries k/(1/√3 + α) in tension, 0.78 f_c
+//! for f_bc = 1.16 f_c: combine it with a crack law.
 //!
 //! In plane stress ρ_zz is not zero, because the material flows through the thickness. Since n : n = ½ + 3α² and F is
 //! homogeneous, the back stress of a step acts like a growth of the cone about the centre at its beginning:
@@ -16,9 +16,9 @@
 //! √J_2(η) + α I_1(η) − k − c (½ + 3α²) λ = 0 ,   η = σ − ρ_n
 //! ```
 //!
-//! In plane stress the return is two scalar equations (`plane.rs`), in the solid it is explicit, on the cone as at its apex
-//! I_1 = k/α. The apex is out of reach in plane stress without hardening: α < 1/√12 is asked for, so that the plane section of the
-//! cone is closed.
+//! In plane stress the return is two scalar equations (`plane.rs`), in the solid it is explicit, on the cone as at
+//! its apex I_1 = k/α. The apex is out of reach in plane stress without hardening: α < 1/√12 is required, so that the
+//! plane section of the cone is closed.
 //!
 //! Dissipation (σ − ρ) : ε_p' = k λ ≥ 0; ½ ρ : ρ/c is stored.
 //!
@@ -77,7 +77,7 @@ impl Cone {
         })
     }
 
-    /// Plastic strain in uniaxial compression a multiplier of 1 makes: 1/√3 − α.
+    /// Plastic strain in uniaxial compression for a multiplier of 1: 1/√3 − α.
     pub fn uniaxial(&self) -> f64 {
         1.0 / 3f64.sqrt() - self.alpha
     }
@@ -111,8 +111,8 @@ impl DruckerPrager {
         })
     }
 
-    /// Linear kinematic hardening ρ' = c ε_p', without bound. In plane stress a tensile flow of about k/(3 α c) brings the
-    /// state to the apex, where the law has no answer.
+    /// Linear kinematic hardening ρ' = c ε_p', without bound. In plane stress a tensile flow of about k/(3 α c)
+    /// brings the state to the apex, where the law returns an error.
     ///
     /// * `modulus` c [Pa] ≥ 0
     ///
@@ -174,7 +174,7 @@ impl Law<3> for DruckerPrager {
         let step = plane::plastic_step(&self.modes, self.cone.alpha, trial, centre, |lambda| {
             (strength + growth * lambda, growth)
         })
-        // Beyond that η and ξ would point in opposite directions: the apex.
+        // Beyond that η and ξ point in opposite directions: the apex.
         .filter(|step| step.root > 0.5 * self.hardening * step.multiplier)
         .ok_or_else(|| LawError::NoConvergence {
             law: KIND,

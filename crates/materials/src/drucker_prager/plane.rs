@@ -1,7 +1,7 @@
 //! Return to the cone in plane stress.
 //!
-//! η = σ − ρ has the components xx, yy, zz, xy, and η_zz = −ρ_zz stays in the step. J_2 does not feel a hydrostatic shift,
-//! so that with η' = η − η_zz (1, 1, 1), a plane state again,
+//! η = σ − ρ has the components xx, yy, zz, xy, and η_zz = −ρ_zz stays in the step. J_2 is invariant under a
+//! hydrostatic shift, so that with η' = η − η_zz (1, 1, 1), a plane state again,
 //!
 //! ```text
 //! F = √J_2(η') + α (η'_x + η'_y) − (k − 3 α η_zz)

@@ -23,7 +23,7 @@ fn plane_stress_agrees_with_the_solid() {
         let (mut plane_new, mut solid_new) = (vec![0.0; 5], vec![0.0; 7]);
         for strain in [[-2e-3, 1e-4, 3e-4], [-2.5e-3, -1e-3, 2e-3], [1e-3, -1e-3, -1e-3]] {
             let plane = law.respond(&strain, &plane_old, &mut plane_new).unwrap();
-            // ε_zz = ε_zz,e + ε_zz,p, known from the answer in the plane.
+            // ε_zz = ε_zz,e + ε_zz,p from the plane solution.
             let [x, y, _] = plane.stress;
             let thick = -0.2 * (x + y) / 34e9 + plane_new[4];
             let full = [strain[0], strain[1], thick, strain[2], 0.0, 0.0];

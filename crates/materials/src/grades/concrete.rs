@@ -75,7 +75,7 @@ const fn din1045(name: &'static str, beta_wn: f64, beta_bz: f64, e_b: f64) -> Co
         poisson_ratio: 0.2,
         density: 2549.0,
         source: "DIN 1045:1988, table 1 (β_WN, β_WS = β_WN + 5 N/mm², 200 mm cube), table 11 (E_b), 16.2.2 (ν); 0.85 from cube to \
-                 cylinder; axial tensile strength 0.25 β_WN^(2/3) (Rüsch 1975; the dissertation takes 0.1 β_WN, 3.5 N/mm² for \
+                 cylinder; axial tensile strength 0.25 β_WN^(2/3) (Rüsch 1975; [B02] uses 0.1 β_WN, 3.5 N/mm² for \
                  B35); DIN 1055-1 (25 kN/m³, reinforced)",
     }
 }

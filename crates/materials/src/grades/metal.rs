@@ -152,6 +152,6 @@ pub const BARS: &[BarGrade] = &[
         ultimate_strength: 550e6,
         ultimate_strain: 0.10,
         source: "DIN 488-1:1984, BSt 500 S (β_S 500, β_Z 550 N/mm², elongation at fracture A_10 10 %); DIN 1045:1988, 16.2.1 (E). \
-                 The 5 ‰ of DIN 1045 limit the design, they are no rupture strain.",
+                 The 5 ‰ of DIN 1045 are a design limit, not a rupture strain.",
     },
 ];

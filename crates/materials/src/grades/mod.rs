@@ -15,7 +15,7 @@ mod metal;
 pub use concrete::{CONCRETES, ConcreteGrade};
 pub use metal::{BARS, BarGrade, STEELS, SteelGrade};
 
-/// A name no list has.
+/// An unknown name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("no {kind} is named \"{found}\", allowed {}", allowed.join(", "))]
 pub struct UnknownGrade {

@@ -17,18 +17,17 @@
 //! κ/√(3/2 ξᵀ P ξ) − 1 = 0
 //! ```
 //!
-//! C and P share their eigenvectors, so that ξ is had without a matrix; in the solid and in the bar this is the radial
-//! return. The last line is linear in Δa there under linear hardening, and nearly so in plane stress: Newton from Δa = 0
-//! needs few steps for increments of any size. A bracket guards it. The tangent is the derivative of this map.
-//! It is symmetric unless γ_i > 0.
+//! C and P share their eigenvectors, so that ξ is computed without a matrix; in the solid and in the bar this is the
+//! radial return. The last line is linear in Δa there under linear hardening, and nearly so in plane stress: Newton
+//! from Δa = 0 needs few steps for increments of any size. A bracket guards it. The tangent is the derivative of this
+//! map. It is symmetric unless γ_i > 0.
 //!
 //! Dissipation. With the stored energy ½ ε_e : C : ε_e + Σ 3/(4 H_i) b_i : b_i + ∫ (κ − f_y) da,
 //!
 //! ```text
 //! σ : ε_p' − Σ b_i : (ε_p' − 3γ_i/(2H_i) b_i a') − (κ − f_y) a' = (f_y + Σ 3γ_i/(2H_i) b_iᵀ P b_i) a' ≥ 0
 //! ```
-//!
-//! What linear hardening takes up is stored, not dissipated.
+//! Linear hardening stores its part of the work.
 //!
 //! Source: Simo & Taylor 1986 (plane stress), Simo & Hughes 1998 ch. 3 (tangents), Armstrong & Frederick 1966, Voce 1948,
 //! Chaboche 1986 (several back stresses).
@@ -43,7 +42,7 @@ use crate::{Law, LawError, PointState, Response, refuse};
 
 const KIND: &str = "von_mises";
 
-/// Most back stresses a law may have.
+/// Largest number of back stresses.
 pub const BACK_STRESSES: usize = 4;
 
 /// Relative excess of the yield surface taken for rounding.

@@ -170,7 +170,7 @@ fn energy_of_a_bar() {
                 (end, stress) = (next, response.stress[0]);
             }
             let expected = if by_energy { G_F } else { G_F * size / 0.2 };
-            // Trapezoidal rule; exp(−25) is nothing.
+            // Trapezoidal rule; exp(−25) is negligible.
             assert!((work / expected - 1.0).abs() < 1e-3, "{elements}: {work}");
             assert!((dissipated / expected - 1.0).abs() < 1e-6, "{elements}: {dissipated}");
         }
@@ -225,7 +225,7 @@ fn closed_crack_carries_and_remembers() {
     }
 }
 
-/// Tension beside compression cracks at f_t (1 − 0.8 |σ_2|/f_c).
+/// Tension with lateral compression cracks at f_t (1 − 0.8 |σ_2|/f_c).
 #[test]
 fn compression_lowers_the_tensile_strength() {
     let law = law();
@@ -237,7 +237,8 @@ fn compression_lowers_the_tensile_strength() {
             let t = share * strength;
             let strain = [(t - NU * sigma) / E, (sigma - NU * t) / E, 0.0];
             let mut point = Point::new(&law);
-            // The cone allows f_t beside 0.9 f_c no more: there the point flows first, and cracks or not by its own stress.
+            // With 0.9 f_c of compression the cone excludes f_t: the point flows first, and its own stress decides
+            // about cracking.
             let response = point.step(&strain);
             let state = law.inspect(&strain, &point.history);
             if state.plastic_strain == 0.0 {
@@ -284,8 +285,8 @@ fn strain_that_is_no_number_is_an_error() {
     }
 }
 
-/// Cracks as pictures show them: uniaxial stress at 0.5 rad from axis 1 opens one crack, its normal at that angle; the
-/// opening is what exceeds the elastic strain. Tension both ways opens two, at right angles.
+/// Cracks as pictures show them: uniaxial stress at 0.5 rad from axis 1 opens one crack, its normal at that angle;
+/// the opening is the strain beyond the elastic strain. Tension both ways opens two, at right angles.
 #[test]
 fn cracks_are_reported() {
     let law = law();

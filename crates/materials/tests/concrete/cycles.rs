@@ -21,7 +21,7 @@ fn closed_path(noise: &mut Noise, size: f64, corners: usize, steps: usize) -> Ve
     path
 }
 
-/// Laws worth a property test, by name.
+/// Laws for the property tests, by name.
 fn all() -> Vec<(&'static str, CrackedConcrete)> {
     let stiffening = Some(Stiffening {
         share: 0.3,
@@ -52,7 +52,8 @@ fn all() -> Vec<(&'static str, CrackedConcrete)> {
     .to_vec()
 }
 
-/// M7. 150 closed strain cycles of 360 steps: no work gained, no negative dissipation, 99.9 % of the steps in one part.
+/// M7. 150 closed strain cycles of 360 steps: no work gained, no negative dissipation, 99.9 % of the steps without
+/// substeps.
 #[test]
 fn closed_cycles_give_no_work() {
     for (name, law) in all() {
@@ -81,8 +82,8 @@ fn closed_cycles_give_no_work() {
     }
 }
 
-/// Tangents against central differences along random paths. At a kink (a crack that closes, begins or opens further, the
-/// cone reached) the two sides differ and nothing is compared.
+/// Tangents against central differences along random paths. At a kink (a crack that closes, begins or opens further,
+/// the cone reached) the two sides differ and are not compared.
 #[test]
 fn tangents_are_derivatives() {
     for (name, law) in all() {
@@ -129,7 +130,7 @@ fn tangents_are_derivatives() {
     }
 }
 
-/// Same input, same bits; the committed strain asked again gives the same stress and dissipates nothing.
+/// Same input, same bits; the committed strain evaluated again gives the same stress and zero dissipation.
 #[test]
 fn repeatable() {
     for (name, law) in all() {
@@ -156,7 +157,7 @@ fn repeatable() {
     }
 }
 
-/// A strain path turned as a whole turns the stress.
+/// Rotating a strain path rotates the stress.
 #[test]
 fn axes_are_found_wherever_they_lie() {
     let law = CrackedConcrete::new(&parameters()).unwrap();
@@ -180,8 +181,8 @@ fn axes_are_found_wherever_they_lie() {
     }
 }
 
-/// Jumps between strains that have nothing to do with each other, as a Newton iteration of a structure may ask for: always an
-/// answer, finite, no energy gained; elements up to the largest admissible size, and brittle cracks.
+/// Jumps between unrelated strains, as in a Newton iteration of a structure: the response always exists, is finite
+/// and does not gain energy; elements up to the largest admissible size, and brittle cracks.
 #[test]
 fn wild_jumps_have_an_answer() {
     for (number, softening) in [

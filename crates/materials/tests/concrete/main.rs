@@ -6,7 +6,7 @@ mod uniaxial;
 
 use materials::{Law, Response};
 
-/// Numbers that look random and are the same everywhere (xorshift of 64 bits).
+/// Pseudo-random numbers, equal on every machine (xorshift of 64 bits).
 struct Noise(u64);
 
 impl Noise {

@@ -42,7 +42,7 @@ fn plastic() -> UniaxialConcrete {
     UniaxialConcrete::new(E, Compression::Plastic { strength: F_C }, Some(softening(0.1))).unwrap()
 }
 
-/// All combinations worth a property test.
+/// All combinations for the property tests.
 fn all() -> Vec<UniaxialConcrete> {
     let mut laws = vec![UniaxialConcrete::new(E, Compression::Elastic, None).unwrap()];
     let stiffened = Tension {
@@ -142,7 +142,7 @@ fn crack_takes_its_energy() {
         let far = 40.0 * G_F / (F_T * size);
         let (there, d_there) = work(&mut point, 0.0, far, 20_000);
         let (back, d_back) = work(&mut point, far, 0.0, 10);
-        // exp(−40) is nothing; the trapezoidal rule has (Δe/e_f)²/12 = 3e-7.
+        // exp(−40) is negligible; the trapezoidal rule has (Δe/e_f)²/12 = 3e-7.
         assert!(((there + back) * size / G_F - 1.0).abs() < 1e-5);
         // 20 000 differences of ½ m t, whose rounding is 1e-16 E u m each.
         assert!(((d_there + d_back) * size / G_F - 1.0).abs() < 1e-7 && d_back == 0.0);
@@ -187,7 +187,7 @@ fn residual_strains_of_karsan_and_jirsa() {
     }
 }
 
-/// The unloading modulus never rises, whatever the strain reached.
+/// The unloading modulus never rises.
 #[test]
 fn compression_only_weakens() {
     for post in [
@@ -247,7 +247,7 @@ fn properties_on_random_paths() {
     }
 }
 
-/// Closed strain cycles: the work equals the dissipation, as nothing is stored at zero stress.
+/// Closed strain cycles: the work equals the dissipation, as the stored energy is zero at zero stress.
 #[test]
 fn work_is_what_is_dissipated() {
     for (number, law) in all().iter().enumerate() {
@@ -307,7 +307,7 @@ fn brittle_concrete_breaks_once() {
     assert!((point.step(&[-1e-4]).stress[0] / -3.4e6 - 1.0).abs() < 1e-12);
 }
 
-/// The message names the largest admissible size: 0.98 · 34e9 · 100/(3.5e6)² = 0.2720 m.
+/// The message gives the largest admissible size: 0.98 · 34e9 · 100/(3.5e6)² = 0.2720 m.
 #[test]
 fn parameters_out_of_range_are_refused() {
     let with = |compression, tension| UniaxialConcrete::new(E, compression, Some(tension));

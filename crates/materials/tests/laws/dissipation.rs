@@ -1,4 +1,4 @@
-//! No step gives energy back, and no closed cycle of strain from the virgin state yields work.
+//! Dissipation is never negative, and closed cycles of strain from the initial state do not produce work.
 
 use crate::path::{Noise, Point, cycle, norm, wander};
 use crate::registry::{Case, every_law};

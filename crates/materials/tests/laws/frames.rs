@@ -1,5 +1,5 @@
-//! A strain path turned as a whole turns its stresses. Laws with fixed crack axes obey this too, since their axes are found
-//! on the way.
+//! Rotating a strain path rotates its stresses. This includes laws with fixed crack axes, since the path determines
+//! their axes.
 
 use crate::path::{Noise, Point, norm, wander};
 use crate::registry::{Case, plane, solid};
@@ -55,7 +55,7 @@ fn turned(r: &Matrix, t: &Matrix) -> Matrix {
     })
 }
 
-/// Turn by `b` about axis 1 after one by `a` about axis 3.
+/// Rotation by `b` about axis 1 after a rotation by `a` about axis 3.
 fn rotation(a: f64, b: f64) -> Matrix {
     let ((sa, ca), (sb, cb)) = (a.sin_cos(), b.sin_cos());
     [[ca, -sa, 0.0], [cb * sa, cb * ca, -sb], [sb * sa, sb * ca, cb]]

@@ -1,4 +1,4 @@
-//! Answering again at the committed strain with the committed history: the same stress, no dissipation.
+//! A second response at the committed strain with the committed history: the same stress, zero dissipation.
 
 use crate::path::{Noise, Point, norm, wander};
 use crate::registry::{Case, every_law};

@@ -1,12 +1,11 @@
-//! Checks that every stress law must pass. A law joins by a line in [`registry`].
-//!
-//! | check | what it asks |
+//! Checks that every stress law must pass. Add a law with a line in [`registry`].
+//! | check | requirement |
 //! |---|---|
 //! | `tangents` | the tangent is the derivative of the stress, on random paths |
-//! | `frames` | turning the whole strain path turns the stress |
-//! | `dissipation` | no step gives energy back, no closed cycle of strain yields work |
-//! | `restart` | a run split at any step repeats the whole run bit by bit |
-//! | `idempotence` | answering again at the committed state changes nothing and dissipates nothing |
+//! | `frames` | rotating the whole strain path rotates the stress |
+//! | `dissipation` | dissipation is never negative, closed cycles of strain do not produce work |
+//! | `restart` | a run split at any step equals the whole run bit for bit |
+//! | `idempotence` | a second response at the committed state is equal, with zero dissipation |
 
 mod dissipation;
 mod frames;

@@ -23,8 +23,8 @@ impl Noise {
     }
 }
 
-/// Straight pieces between random corners of components up to `size`, `steps` steps a piece; some corners repeat earlier
-/// ones, so that cracks close and yield surfaces are left and met again.
+/// Straight pieces between random corners of components up to `size`, `steps` steps a piece; some corners repeat
+/// earlier ones, so that cracks close and yield surfaces are reached repeatedly.
 pub fn wander<const N: usize>(noise: &mut Noise, size: f64, pieces: usize, steps: u32) -> Vec<[f64; N]> {
     let mut corners = vec![[0.0; N]];
     for i in 0..pieces {
@@ -71,7 +71,7 @@ impl<'a, const N: usize> Point<'a, N> {
         Point { law, history }
     }
 
-    /// Answers without committing.
+    /// Response without committing.
     pub fn answer(&self, strain: &[f64; N]) -> (Response<N>, Vec<f64>) {
         let mut new = vec![f64::NAN; self.history.len()];
         let response = self
@@ -81,7 +81,7 @@ impl<'a, const N: usize> Point<'a, N> {
         (response, new)
     }
 
-    /// Answers and commits.
+    /// Response and commit.
     pub fn step(&mut self, strain: &[f64; N]) -> Response<N> {
         let (response, new) = self.answer(strain);
         self.history = new;

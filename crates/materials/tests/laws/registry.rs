@@ -10,7 +10,7 @@ use materials::elastic::Elastic;
 use materials::plastic_fracturing::{Parameters, PlasticFracturing};
 use materials::von_mises::VonMises;
 
-/// A law and the size of strains that make it work.
+/// A law and the size of strains that activate it.
 pub struct Case<const N: usize> {
     pub name: &'static str,
     pub law: Box<dyn Law<N>>,

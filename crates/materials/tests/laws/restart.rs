@@ -1,4 +1,4 @@
-//! Equal input, equal bits: a run taken up from the stored history at any step repeats the whole run.
+//! Equal input, equal bits: a run restarted from the stored history at any step equals the whole run.
 
 use crate::path::{Noise, Point, wander};
 use crate::registry::{Case, every_law};
@@ -25,7 +25,7 @@ fn check<const N: usize>(case: &Case<N>) {
             law: &*case.law,
             history: point.history.clone(),
         };
-        // An answer that is not committed leaves no trace.
+        // A response that is not committed has no effect.
         again.answer(&path[0]);
         parts.extend(bits(&mut again, &path[split..]));
         assert!(parts == whole, "{}, N = {N}: split at {split}", case.name);

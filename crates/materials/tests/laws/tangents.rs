@@ -1,9 +1,9 @@
 //! The tangent against differences of the stress.
 //!
-//! Central differences with Richardson's extrapolation, error O(h⁴), at two widths h. Where the stress has a kink within
-//! reach (first yield, start of unloading, opening and closing of a crack) it has no derivative: such a point shows itself
-//! by the two widths disagreeing, or by dissipating on one side of the kink only, and is left out. Both tests know nothing
-//! of the tangent. At most a tenth of all points may be left out.
+//! Central differences with Richardson's extrapolation, error O(h⁴), at two widths h. Where the stress has a kink
+//! within reach (first yield, start of unloading, opening and closing of a crack) the derivative does not exist: such
+//! a point is detected by the disagreement of the two widths, or by dissipation on one side of the kink only, and is
+//! excluded. Both tests are independent of the tangent. At most a tenth of all points may be excluded.
 
 use crate::path::{Noise, Point, wander};
 use crate::registry::{Case, every_law};
@@ -11,7 +11,7 @@ use crate::registry::{Case, every_law};
 /// Relative to the largest entry of the elastic tangent.
 const TOLERANCE: f64 = 1e-8;
 
-/// ∂σ/∂ε_j by differences of width `h`; `None` beside a kink.
+/// ∂σ/∂ε_j by differences of width `h`; `None` at a kink.
 fn column<const N: usize>(point: &Point<'_, N>, strain: &[f64; N], j: usize, h: f64) -> Option<[f64; N]> {
     let dissipates = point.answer(strain).0.dissipation > 0.0;
     let at = |shift: f64| {

@@ -3,13 +3,12 @@
 //! Units and symbols are those of [`super::peaks`]. Each group of oscillators is run in two passes:
 //!
 //! 1. **Trace** the whole record, eight oscillators at a time, in vector registers whose width is chosen at run
-//!    time ([`pulp`]). Of each block of 16 steps the
-//!    state at its start is kept, and what bounds the continuous response within it.
-//! 2. **Search**: only blocks whose bound exceeds the largest value found so far are gone through again, for the one
-//!    oscillator concerned, and within them only the steps that could hold the maximum.
+//!    time ([`pulp`]). For each block of 16 steps the state at its start and a bound of the continuous response are stored.
+//! 2. **Search**: only blocks whose bound exceeds the largest value so far are searched, for the one oscillator
+//!   concerned, and within them only the steps that can contain the maximum.
 //!
-//! Oscillators with at least eight samples a period are [`super::soft`], the others [`super::stiff`]; the two differ in
-//! how they step and in their bounds. Both are exact but for rounding and for the interpolation error of
+//! Oscillators with at least eight samples per period are [`super::soft`], the others [`super::stiff`]; the two
+//! differ in how they step and in their bounds. Both are exact except for rounding and for the interpolation error of
 //! [`super::peaks`], below 3e-7 R.
 
 use std::f64::consts::TAU;
@@ -21,9 +20,9 @@ use super::stiff::{Stiff, StiffTrace};
 
 /// Steps of a block.
 pub const BLOCK: usize = 16;
-/// Oscillators with fewer steps a period are stiff.
+/// Oscillators with fewer steps per period are stiff.
 const STIFF: f64 = 8.0;
-/// Intervals a period in which extrema are looked for.
+/// Intervals per period for the search of extrema.
 pub const INTERVALS: f64 = 16.0;
 
 /// An oscillator: circular frequency [rad/s] > 0 and damping ratio 0 ≤ ξ < 1.
@@ -56,11 +55,12 @@ pub fn maxima(ground: &[f64], h: f64, oscillators: &[Oscillator]) -> Vec<Maxima>
         .chain(order[border..].chunks(LANES).map(|group| (false, group)))
         .collect();
     let mut result = vec![Maxima::default(); oscillators.len()];
-    // A thread costs some 30 µs to start, a group of a usual record about as much: four groups a thread pay for it.
+    // A thread costs about 30 µs to start, a group of a usual record about as much: use at least four groups per
+    // thread.
     let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
     let workers = cores.min(groups.len() / 4).max(1);
     let share = &|worker: usize| {
-        // By turns, as neighbours in frequency cost alike.
+        // Distributed in turn, because neighbours in frequency have similar cost.
         run(&loads, h, oscillators, groups.iter().skip(worker).step_by(workers))
     };
     let found: Vec<(usize, Maxima)> = std::thread::scope(|scope| {
@@ -181,13 +181,13 @@ impl<'a> Loads<'a> {
     }
 }
 
-/// What is kept of a block.
+/// Stored data of a block.
 #[derive(Clone, Copy, Default)]
 pub struct Trace {
     /// State at its start: (y, y') or (x₁, x₂).
     pub start: [Lanes; 2],
     /// Bounds of |y|, |y'|, |A|.
     pub bound: [Lanes; 3],
-    /// Soft oscillators: what of the bounds is not seen at samples.
+    /// Soft oscillators: the part of the bounds that the samples do not include.
     pub slack: [Lanes; 3],
 }

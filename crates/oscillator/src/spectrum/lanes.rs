@@ -12,7 +12,7 @@ pub fn lanes(f: impl FnMut(usize) -> f64) -> Lanes {
     std::array::from_fn(f)
 }
 
-/// `N` vector registers: as many lanes as are worked on at once.
+/// `N` vector registers: as many lanes as are processed together.
 pub type Pack<S, const N: usize> = [<S as Simd>::f64s; N];
 
 /// Arithmetic on [`Pack`]s. Two or more registers at a time hide the latency of each.

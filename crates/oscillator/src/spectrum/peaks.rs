@@ -66,7 +66,7 @@ impl State {
         }
     }
 
-    /// R² of the oscillation beside the line of the load, (x₁, x₂) being its state.
+    /// R² of the oscillation about the line of the load, (x₁, x₂) being its state.
     #[inline]
     pub fn oscillation(&self, p: f64, sigma: f64, xi: f64) -> (f64, f64) {
         let x1 = self.y - p + 2.0 * xi * sigma;
@@ -82,7 +82,7 @@ impl State {
 }
 
 impl Maxima {
-    /// Takes the values at one time.
+    /// Includes the values at one time.
     #[inline]
     pub fn take(&mut self, y: f64, y1: f64, xi: f64) {
         self.y = larger(y.abs(), self.y);
@@ -90,7 +90,7 @@ impl Maxima {
         self.a = larger((y + 2.0 * xi * y1).abs(), self.a);
     }
 
-    /// Takes the end `s1` of an interval of length `phi` = Δφ ≤ 2π/16 and what lies between; `r` ≥ R.
+    /// Includes the interval of length `phi` = Δφ ≤ 2π/16 that ends at `s1`; `r` ≥ R.
     #[inline]
     pub fn take_interval(&mut self, s0: &State, s1: &State, phi: f64, r: f64, xi: f64) {
         self.take(s1.y, s1.y1, xi);
@@ -99,7 +99,7 @@ impl Maxima {
         between(&mut self.a, s0.absolute(xi), s1.absolute(xi), phi, r);
     }
 
-    /// Takes the free vibration from the state y, y' on.
+    /// Includes the free vibration from the state y, y'.
     ///
     /// e^{−ξφ} (α cos κφ + β sin κφ), κ = √(1 − ξ²), has its first extremum where tan κφ = f'/(ακ + ξβ) in [0, π); all
     /// later ones are smaller.
@@ -130,7 +130,7 @@ fn between(m: &mut f64, f0: [f64; 3], f1: [f64; 3], phi: f64, r: f64) {
     }
 }
 
-/// Largest |f| at the extrema inside (0, 1), from f, f', f'' at 0 and 1; 0 if there is none.
+/// Largest |f| at the extrema inside (0, 1), from f, f', f'' at 0 and 1; else 0.
 fn extremum([f0, d0, c0]: [f64; 3], [f1, d1, c1]: [f64; 3]) -> f64 {
     // Derivative of the cubic: d₀ + 2 b x + 3 c x².
     let rise = f1 - f0;

@@ -18,7 +18,7 @@ use super::lanes::{LANES, Lanes, Unit, lanes};
 use super::peaks::{Maxima, State, larger};
 use crate::sdof::Recurrence;
 
-/// Most steps taken at once.
+/// Largest number of combined steps.
 const MAX_STRIDE: usize = 4;
 
 /// Coefficients of soft oscillators.
@@ -26,7 +26,7 @@ pub struct Soft {
     oscillators: [Oscillator; LANES],
     /// The recurrence for (y, y') over one step.
     one: [Recurrence; LANES],
-    /// Steps taken at once, m.
+    /// Number of combined steps, m.
     stride: usize,
     /// Over m steps: y and y' from y, y' …
     state: [[Lanes; 2]; 2],
@@ -35,7 +35,7 @@ pub struct Soft {
     two_xi: Lanes,
     /// 1/ω.
     per_omega: Lanes,
-    /// ε = (ωH)²/8 and what follows from it for the bound of a block.
+    /// ε = (ωH)²/8 and its factors in the bound of a block.
     e: Lanes,
     r: Lanes,
     scale: Lanes,
@@ -45,7 +45,7 @@ impl Soft {
     /// Coefficients for steps of `h` [s].
     pub fn new(oscillators: &[Oscillator; LANES], h: f64) -> Soft {
         let fastest = oscillators.iter().fold(0.0, |m, o| larger(o.omega, m));
-        // T ≥ 32 H and four steps at most: with more the load varies too much between the samples that are looked at.
+        // T ≥ 32 H and four steps at most: with more the load varies too much between the used samples.
         let mut stride = 1;
         while stride < MAX_STRIDE && 2.0 * (2 * stride) as f64 * h * INTERVALS * fastest <= TAU {
             stride *= 2;
@@ -164,7 +164,7 @@ fn scaled(oscillator: &Oscillator, h: f64) -> Recurrence {
     }
 }
 
-/// What the first pass over soft oscillators gives.
+/// Result of the first pass over soft oscillators.
 pub struct SoftTraced {
     /// (y, y') at the last sample.
     end: [Lanes; 2],
@@ -178,7 +178,7 @@ pub struct SoftTrace<'a> {
     pub soft: &'a Soft,
     /// The record.
     pub loads: &'a Loads<'a>,
-    /// One entry a block, to be filled.
+    /// One entry per block, to be filled.
     pub trace: &'a mut [Trace],
 }
 
@@ -244,7 +244,7 @@ impl SoftTrace<'_> {
                     top_a = u.max_abs(top_a, u.fma(two_xi, y1, y));
                     first += STRIDE;
                 }
-                // What is left of the last block, step by step.
+                // The rest of the last block, step by step.
                 for pair in p[first..].windows(2) {
                     let one = |f: fn(&Recurrence) -> f64| u.load(&lanes(|i| f(&s.one[i])));
                     let (p0, p1) = (u.splat(pair[0]), u.splat(pair[1]));

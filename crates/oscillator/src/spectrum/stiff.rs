@@ -67,8 +67,8 @@ impl Stiff {
         ]
     }
 
-    /// Maxima of one oscillator in the free vibration at the end and in its most promising block, which raises the bar
-    /// for all others.
+    /// Maxima of one oscillator in the free vibration at the end and in its most promising block, which raises the
+    /// threshold for all others.
     pub fn begin(&self, lane: usize, loads: &Loads, trace: &[Trace], traced: &StiffTraced) -> Maxima {
         let oscillator = self.oscillators[lane];
         let xi = oscillator.damping;
@@ -193,7 +193,7 @@ impl StiffStep {
         let slope = (pair[1] - pair[0]) / self.h;
         let sigma = slope / self.oscillator.omega;
         let r = (x.0 * x.0 + x.1 * x.1).sqrt();
-        // Beside a line only the oscillation is curved, so this much may lie above two neighbouring points.
+        // Only the oscillation is curved, so the response exceeds two neighbouring points by at most this.
         let slack = phi * phi / 8.0 * r;
         let point = |x: (f64, f64), time: f64| {
             let p = pair[0] + slope * time;
@@ -222,7 +222,7 @@ impl StiffStep {
     }
 }
 
-/// What the first pass over stiff oscillators gives.
+/// Result of the first pass over stiff oscillators.
 pub struct StiffTraced {
     /// (x₁, x₂) at the last sample.
     end: [Lanes; 2],
@@ -236,7 +236,7 @@ pub struct StiffTrace<'a> {
     pub stiff: &'a Stiff,
     /// The record.
     pub loads: &'a Loads<'a>,
-    /// One entry a block, to be filled.
+    /// One entry per block, to be filled.
     pub trace: &'a mut [Trace],
 }
 

@@ -1,4 +1,4 @@
-//! Goal: the one place where demand meets capacity: what holds, at and next to the limit, and what has no capacity.
+//! Goal: checks at and next to the limit, and without capacity.
 
 use super::*;
 
@@ -24,7 +24,7 @@ fn holds_up_to_a_utilisation_of_one() {
     assert!(check(0.0, 1.0).holds && check(-1.0, 1.0).holds);
 }
 
-/// Nothing holds without a capacity, not even a demand of zero.
+/// Without a capacity every check fails, even for a demand of zero.
 #[test]
 fn a_capacity_of_zero_or_less_never_holds() {
     for capacity in [0.0, -0.0, -1e-300, -5.0, f64::NAN] {
@@ -45,7 +45,7 @@ fn a_check_keeps_what_it_was_given() {
     assert_eq!((c.demand, c.capacity, c.dimension), (2.0, 4.0, Dimension::Stress));
 }
 
-/// JSON has no infinity: `null` there is infinite, a number is itself.
+/// `null` in JSON is infinite, a number is itself.
 #[test]
 fn utilisation_survives_json() {
     for (demand, capacity) in [(2.0, 4.0), (4.0, 3.0), (1.0, 0.0)] {

@@ -1,5 +1,5 @@
-//! How a material behaves beyond its elastic range. Plain data for the nonlinear engine; the code procedures and the
-//! linear engines see E, ν and ρ only.
+//! Behaviour of a material beyond its elastic range. Plain data for the nonlinear engine; the code procedures and the
+//! linear engines use E, ν and ρ only.
 
 use serde::{Deserialize, Serialize};
 
@@ -21,7 +21,7 @@ pub enum Behaviour {
 }
 
 impl Behaviour {
-    /// Kind, as users name it.
+    /// Kind, as in the tank file.
     pub fn kind(&self) -> &'static str {
         match self {
             Behaviour::Elastic => "elastic",
@@ -106,7 +106,7 @@ pub enum Softening {
     FractureEnergy(f64),
     /// The same with this strain e_f in every element: the energy of a crack grows with the element.
     Strain(f64),
-    /// The stress falls to nothing.
+    /// The stress drops to zero.
     Brittle,
 }
 
@@ -123,18 +123,18 @@ pub struct Interlayer {
     pub tension: bool,
 }
 
-/// Part of the greatest stable element size that is used.
+/// Used fraction of the largest stable element size.
 const MARGIN: f64 = 0.98;
 
 impl Concrete {
-    /// Largest element size h [m] on which the softening branch is no steeper than the elastic one of Young's modulus
-    /// `e` [Pa], with a margin of 2 %; infinite where the branch knows no size.
+    /// Largest element size h [m] for which the softening branch is not steeper than the elastic one of Young's
+    /// modulus `e` [Pa], with a margin of 2 %; infinite if the branch is independent of the size.
     ///
     /// ```text
     /// |dσ/de| = f_t²h/G_f ≤ E   ⇔   h ≤ E G_f/f_t²
     /// ```
     ///
-    /// On a larger element a crack snaps back: its strain would have to fall while it opens (Bažant and Oh 1983).
+    /// On a larger element a crack snaps back: its strain falls while it opens (Bažant and Oh 1983).
     /// Known value: E = 34 GPa, G_f = 140 N/m, f_t = 3.5 MPa gives 0.98 · 0.3886 m.
     pub fn largest_element(&self, e: f64) -> f64 {
         match self.softening {

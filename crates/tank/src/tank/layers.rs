@@ -24,7 +24,7 @@ pub struct Layer {
 pub enum LayerKind {
     /// Carries membrane forces and bending.
     Shell,
-    /// Keeps two shells apart.
+    /// Separates two shells.
     Interlayer,
 }
 
@@ -51,7 +51,7 @@ pub enum BarDirection {
     Vertical,
 }
 
-/// Name of the material that stands for a layered wall.
+/// Name of the equivalent material of a layered wall.
 pub const EQUIVALENT: &str = "equivalent of the layers";
 
 impl Course {
@@ -65,20 +65,20 @@ impl Course {
         }
     }
 
-    /// A course of layers from inside to outside, at least one of them a shell. Layers of shell that touch are one shell
-    /// (plane sections); an interlayer parts the wall into two.
+    /// A course of layers from inside to outside, at least one of them a shell. Layers of shell that touch are one
+    /// shell (plane sections); an interlayer divides the wall into two.
     ///
-    /// `thickness` and `material` are those of the homogeneous wall with the same membrane and bending stiffness and mass,
-    /// which stands for the layers in the code procedures and the linear engines:
+    /// `thickness` and `material` are those of the homogeneous wall with the same membrane and bending stiffness and
+    /// mass, which replaces the layers in the code procedures and the linear engines:
     ///
     /// ```text
     /// A = Σ E_i t_i        D = Σ over the shells of Σ E_i (t_i³/12 + t_i y_i²)
     /// t = (12 D/A)^½       E = A/t       ν = Σ ν_i E_i t_i/A       ρ = Σ ρ_i t_i/t (interlayer included)
     /// ```
     ///
-    /// with y_i from the elastic centroid of the shell to which the layer belongs. The interlayer passes no shear, so the
-    /// shells bend on their own and their rigidities add; bars are left out. Strengths of the homogeneous wall are unknown:
-    /// checks that need them are left out.
+    /// with y_i from the elastic centroid of the shell to which the layer belongs. The interlayer does not transmit
+    /// shear, so the shells bend separately and their rigidities add; bars are neglected. Strengths of the
+    /// homogeneous wall are unknown: checks that need them are omitted.
     pub fn layered(height: f64, layers: Vec<Layer>) -> Course {
         let shells = layers.iter().filter(|l| l.kind == LayerKind::Shell);
         let membrane: f64 = shells.clone().map(Layer::membrane).sum();
@@ -126,7 +126,7 @@ impl Course {
         }
     }
 
-    /// What the code procedures and the linear engines assume of a layered course; `None` for a uniform one.
+    /// Assumptions of the code procedures and the linear engines for a layered course; `None` for a uniform one.
     pub fn layer_assumption(&self) -> Option<&'static str> {
         if self.layers.is_empty() {
             return None;

@@ -1,8 +1,8 @@
 //! Dimensions and units: parse `"1.83 m"`, convert to SI, print with an engineer's unit.
 //!
-//! A quantity in text is a decimal number, then a unit: `"2.03 mm"`, `"69 GPa"`, `"1000 kg/m3"`, `"0.5 g"`. What `g`
-//! means follows from the dimension that is asked for (gram or standard gravity). Units may be written with `^`, `*`,
-//! `·`, superscripts and blanks around `/` (`kg / m^3`, `kN·m`); upper and lower case matter (`mm`, `MPa`).
+//! A quantity in text is a decimal number, then a unit: `"2.03 mm"`, `"69 GPa"`, `"1000 kg/m3"`, `"0.5 g"`. The
+//! expected dimension decides the meaning of `g` (gram or standard gravity). Units may be written with `^`, `*`, `·`,
+//! superscripts and blanks around `/` (`kg / m^3`, `kN·m`); upper and lower case matter (`mm`, `MPa`).
 
 mod parse;
 mod print;
@@ -132,7 +132,7 @@ impl Dimension {
         }
     }
 
-    /// An example as an input file writes it, without quotes.
+    /// An example as in an input file, without quotes.
     pub fn example(self) -> &'static str {
         match self {
             Dimension::Dimensionless => "0.02",
@@ -161,7 +161,7 @@ impl Dimension {
         UNITS.iter().filter(move |u| u.dimension == self)
     }
 
-    /// What is allowed, for messages: `a length such as "1.83 m" (units: m, cm, mm, in, ft)`.
+    /// Expected form, for messages: `a length such as "1.83 m" (units: m, cm, mm, in, ft)`.
     pub fn allowed(self) -> String {
         if self == Dimension::Dimensionless {
             return "a number without a unit such as 0.02, or a percentage such as \"2 %\"".into();

@@ -1,22 +1,22 @@
 //! Text → SI.
 //!
-//! Decimal factors shift the exponent of the text, so `"2.03 mm"` is the very number `0.00203`, correctly rounded.
+//! Decimal factors shift the exponent of the text, so `"2.03 mm"` is exactly `0.00203`, correctly rounded.
 
 use super::table::canonical;
 use super::{Dimension, Unit};
 
-/// Why a text is not a quantity of the asked dimension.
+/// Reason why a text is not a quantity of the expected dimension.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum UnitError {
     /// Nothing but blanks.
     #[error("no value")]
     Empty,
-    /// It does not begin with a decimal number, or the number goes on where a unit should stand.
+    /// The text does not begin with a decimal number, or the number continues where the unit should begin.
     #[error("`{found}` does not begin with a number")]
     NotANumber {
         /// The text.
         found: String,
-        /// How to write it, where that can be told.
+        /// How to write it, if known.
         instead: Option<String>,
     },
     /// Infinite, not a number, or too large for one.
@@ -30,15 +30,15 @@ pub enum UnitError {
     MissingUnit {
         /// The number.
         number: String,
-        /// A unit that would do.
+        /// A suitable unit.
         example: &'static str,
     },
-    /// Nobody writes this unit.
+    /// Unknown unit.
     #[error("unknown unit `{unit}`")]
     UnknownUnit {
         /// The unit.
         unit: String,
-        /// Nearest known unit of the asked dimension.
+        /// Nearest known unit of the expected dimension.
         nearest: Option<&'static str>,
     },
     /// A unit of another dimension.
@@ -48,7 +48,7 @@ pub enum UnitError {
         unit: String,
         /// Dimensions it belongs to.
         found: Vec<Dimension>,
-        /// The dimension asked for.
+        /// The expected dimension.
         expected: Dimension,
     },
 }
@@ -58,7 +58,7 @@ fn nouns(dimensions: &[Dimension]) -> String {
 }
 
 impl UnitError {
-    /// How to mend it, where that can be told.
+    /// How to fix it, if known.
     pub fn help(&self) -> Option<String> {
         match self {
             UnitError::NotANumber { instead, .. } => instead.as_ref().map(|i| format!("did you mean `{i}`?")),
@@ -74,13 +74,12 @@ impl UnitError {
 /// Reads a quantity of the given dimension and returns it in SI.
 ///
 /// ```
-/// use codes::units::{Dimension, parse};
+/// use tank::units::{Dimension, parse};
 /// assert_eq!(parse("2.03 mm", Dimension::Length), Ok(0.00203));
 /// assert_eq!(parse("0.5 g", Dimension::Acceleration), Ok(4.903325));
 /// assert!(parse("1.83 kg", Dimension::Length).is_err());
 /// ```
-///
-/// Infinite values and NaN are refused; signs and magnitude are for the caller to judge.
+/// Infinite values and NaN are rejected; the caller checks sign and magnitude.
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
     let trimmed = text.trim();
     if trimmed.is_empty() {
@@ -120,7 +119,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
         .ok_or_else(|| UnitError::NotFinite { found: trimmed.into() })
 }
 
-/// The leading decimal number and what follows it.
+/// The leading decimal number and the rest of the text.
 fn split_number(text: &str) -> (&str, &str) {
     let bytes = text.as_bytes();
     let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
@@ -148,7 +147,7 @@ fn split_number(text: &str) -> (&str, &str) {
 }
 
 /// Decimal commas, grouped thousands, second points: the number does not end where the unit should begin.
-/// `Some(None)` if it is wrong and there is no guess how it was meant.
+/// `Some(None)` if it is wrong without a likely correction.
 fn misread_number(number: &str, rest: &str) -> Option<Option<String>> {
     let after = rest.trim_start();
     let tail = after.strip_prefix([',', '.', '_', '\'']).unwrap_or(after).trim_start();
@@ -186,7 +185,7 @@ fn find_or_explain(spelling: &str, dimension: Dimension) -> Result<&'static Unit
     }
 }
 
-/// The unit of this dimension whose spelling is nearest, if any is near enough to be meant.
+/// The unit of this dimension with the nearest spelling, if one is close enough.
 fn nearest(spelling: &str, dimension: Dimension) -> Option<&'static str> {
     let wanted = canonical(spelling);
     let folded = wanted.to_lowercase();
@@ -195,7 +194,7 @@ fn nearest(spelling: &str, dimension: Dimension) -> Option<&'static str> {
         .flat_map(|u| u.spellings().map(move |s| (u, canonical(s))))
         .map(|(u, s)| {
             let distance = strsim::osa_distance(&wanted, &s);
-            // Another case only is the likeliest slip.
+            // A difference in case only is the likeliest mistake.
             (if s.to_lowercase() == folded { 0 } else { distance }, distance, u)
         })
         .filter(|(slip, _, u)| *slip * 2 <= wanted.chars().count() && !u.text.is_empty())
@@ -351,7 +350,7 @@ mod tests {
             ("1 000 m", Some("1000 m")),
             ("1'000 m", Some("1000 m")),
             ("1.2.3 m", None),
-            // A comma after a point: neither reading is sure.
+            // A comma after a point is ambiguous.
             ("1.234,5 m", None),
             ("1e3,5 m", None),
             ("about 2 m", None),

@@ -6,7 +6,7 @@ use super::{Dimension, Unit};
 /// The value in a unit of the same dimension.
 ///
 /// ```
-/// use codes::units::{Dimension, Unit, in_unit};
+/// use tank::units::{Dimension, Unit, in_unit};
 /// let mm = Unit::find("mm", Dimension::Length).unwrap();
 /// assert_eq!(in_unit(0.137, mm), 137.0);
 /// ```
@@ -18,8 +18,8 @@ pub fn in_unit(value: f64, unit: &Unit) -> f64 {
     }
 }
 
-/// The unit an engineer would print this value with: the largest of mm, m; kg, t; Pa, kPa, MPa, GPa; N, kN, MN; … that
-/// keeps the number at 1 or above (kg up to 10 t). Zero and what is not finite get the SI unit.
+/// The usual engineering unit of this value: the largest of mm, m; kg, t; Pa, kPa, MPa, GPa; N, kN, MN; … that
+/// keeps the number at 1 or above (kg up to 10 t). Zero and non-finite values get the SI unit.
 pub fn unit_for(value: f64, dimension: Dimension) -> &'static Unit {
     let magnitude = value.abs();
     if magnitude == 0.0 || !magnitude.is_finite() {
@@ -53,7 +53,7 @@ pub fn display(value: f64, dimension: Dimension) -> String {
     display_in(value, unit_for(value, dimension), 3)
 }
 
-/// Prints in a given unit with so many significant digits.
+/// Prints in a given unit with a number of significant digits.
 pub fn display_in(value: f64, unit: &Unit, digits: usize) -> String {
     let number = significant(in_unit(value, unit), digits);
     match unit.symbol {
@@ -63,8 +63,9 @@ pub fn display_in(value: f64, unit: &Unit, digits: usize) -> String {
     }
 }
 
-/// A number with so many significant digits: the integer part is never cut, trailing zeros stay (they are significant),
-/// powers of ten from 10⁷ and below 10⁻⁴. Zero is `0`; what is not finite is `∞`, `−∞` or `not a number`.
+/// A number with the given significant digits: the integer part is never cut, trailing zeros stay (they are
+/// significant), powers of ten from 10⁷ and below 10⁻⁴. Zero is `0`; a non-finite value is `∞`, `−∞` or `not a
+/// number`.
 pub fn significant(value: f64, digits: usize) -> String {
     if value.is_nan() {
         return "not a number".into();
@@ -76,7 +77,7 @@ pub fn significant(value: f64, digits: usize) -> String {
         return "0".into();
     }
     let digits = digits.clamp(1, 17);
-    // The exponent after rounding to the asked digits (9.996 with 3 digits is 10.0).
+    // The exponent after rounding to the given digits (9.996 with 3 digits is 10.0).
     let scientific = format!("{value:.*e}", digits - 1);
     let exponent: i32 = scientific
         .split_once('e')

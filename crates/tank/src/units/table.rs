@@ -17,7 +17,7 @@ pub(super) enum Scale {
 pub struct Unit {
     /// Symbol for print (`kN·m`, `kg/m³`).
     pub symbol: &'static str,
-    /// Symbol in ASCII, as input files and messages write it (`kNm`, `kg/m3`).
+    /// Symbol in ASCII, as in input files and messages (`kNm`, `kg/m3`).
     pub text: &'static str,
     /// Other spellings that are read.
     aliases: &'static [&'static str],
@@ -65,7 +65,7 @@ const POUND: f64 = 0.453_592_37;
 const POUND_FORCE: f64 = POUND * STANDARD_GRAVITY;
 const PSI: f64 = POUND_FORCE / (INCH * INCH);
 
-/// All units. Within a dimension the ones that print chooses from ascend.
+/// All units. Within a dimension the units chosen by print ascend.
 pub const UNITS: &[Unit] = &[
     ten("", "", D::Dimensionless, 0),
     read("%", "%", D::Dimensionless, -2),
@@ -238,7 +238,7 @@ pub(super) fn canonical(spelling: &str) -> String {
             c => out.push(c),
         }
     }
-    // "kN m" and "kN·m" are "kNm"; "m s" stays what it is, no unit.
+    // "kN m" and "kN·m" are "kNm"; "m s" is not changed and is not a unit.
     for force in ["N", "lbf", "kip"] {
         for arm in ["m", "ft"] {
             for sign in ['·', ' '] {

@@ -100,7 +100,7 @@ impl CrackedConcrete {
             return None;
         }
         let (mut n, mut h) = ([0.0; 3], [[0.0; 3]; 3]);
-        // On the axis of the cone there is no flow to speak of: cracks come first.
+        // On the axis of the cone flow is negligible: cracks come first.
         if q > 1e-9 * self.cone.k {
             (n, h) = normal(&self.cone, &stress, q);
         }

@@ -100,7 +100,7 @@ impl Frame {
 mod tests {
     use super::*;
 
-    /// Work σ·ε and D do not depend on the axes; principal axes have no shear and the larger strain first.
+    /// Work σ·ε and D do not depend on the axes; principal axes have zero shear and the larger strain first.
     #[test]
     fn turning_keeps_work() {
         for (e, t) in [

@@ -7,10 +7,10 @@
 //! σ_i = t_i(e_i)                      e_i > m_i
 //! ```
 //!
-//! While no crack opens beyond its largest opening, this is a linear complementarity problem of two variables, and C has
-//! positive minors: the answer is unique. One crack that opens further leaves one scalar equation, u = e + t(e)/D, with the
-//! modulus D of the axis once the other crack is condensed: D = E/(1 − ν²) if it is closed, E ≤ D if it is open. Two that
-//! open further take Newton's method in two variables.
+//! While no crack opens beyond its largest opening, this is a linear complementarity problem of two variables, and C
+//! has positive minors: the solution is unique. One crack that opens further leaves one scalar equation, u = e +
+//! t(e)/D, with the modulus D of the axis once the other crack is condensed: D = E/(1 − ν²) if it is closed, E ≤ D if
+//! it is open. Two that open further need Newton's method in two variables.
 
 use super::CrackedConcrete;
 use crate::concrete::tension::Traction;
@@ -75,7 +75,7 @@ impl Axis {
     }
 }
 
-/// What is asked: strain and cracks in the axes.
+/// Input: strain and cracks in the axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Problem {
     /// Strain less old plastic strain.
@@ -84,7 +84,7 @@ pub(super) struct Problem {
     pub axes: [Axis; 2],
     /// Old shear factor β.
     pub beta: f64,
-    /// Whether the axes turn with the strain: no shear in them, and the stress stays coaxial.
+    /// Whether the axes rotate with the strain: zero shear in them, and a coaxial stress.
     pub coaxial: bool,
 }
 
@@ -95,7 +95,7 @@ impl Problem {
     }
 }
 
-/// The answer in the axes.
+/// Result in the axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Solution {
     pub stress: [f64; 3],
@@ -117,7 +117,7 @@ enum Status {
 }
 
 impl CrackedConcrete {
-    /// Stress without plastic flow; `None` if the cracks find no rest.
+    /// Stress without plastic flow; `None` if the cracks do not converge.
     pub(super) fn without_flow(&self, problem: &Problem) -> Option<Solution> {
         let Problem { strain: a, axes, .. } = problem;
         let (nu, c) = (self.poisson_ratio, self.plane_modulus);
@@ -168,7 +168,7 @@ impl CrackedConcrete {
             }
             [Status::Softening, Status::Softening] => return self.both_soften(problem),
             _ => {
-                // One is condensed: the closed one, or the one on its secant beside one that softens.
+                // One is condensed: the closed one, or the one on its secant if the other softens.
                 let i = match status {
                     [Status::Softening, _] | [Status::Secant, Status::Closed] => 0,
                     _ => 1,

@@ -4,36 +4,36 @@
 //! ε = ε_e + ε_p + ε_cr ,  σ = C ε_e
 //! ```
 //!
-//! When the larger principal stress passes f_t, its axes n, s are fixed; a second crack can only open across s. Lateral
-//! compression lowers the strength of a crack that begins, f = f_t (1 − 0.8 |σ_2|/f_c) (theory sheet of this project, after
-//! Kupfer, Hilsdorf & Rüsch 1969); the crack keeps that strength and the whole fracture energy. The traction is that of
-//! [`super::Tension`].
+//! When the larger principal stress exceeds f_t, its axes n, s are fixed; a second crack can only open across s.
+//! Lateral compression lowers the strength of a crack that begins, f = f_t (1 − 0.8 |σ_2|/f_c) (theory sheet of this
+//! project, after Kupfer, Hilsdorf & Rüsch 1969); the crack keeps that strength and the whole fracture energy. The
+//! traction is that of [`super::Tension`].
 //!
 //! ```text
 //! τ = β G γ_e ,  β = b + (1 − b) exp(−m/e_b)        m: the larger of both largest openings
 //! ```
 //!
-//! β never recovers. Were it to follow the present opening, a cycle of strain could create energy; with the history it is
-//! damage, of dissipation −½ G γ_e² dβ ≥ 0. Small e_b: fixed cracks that keep much shear lock, the principal tension between
-//! them passes f_t (de Borst & Nauta 1985, Rots 1988).
+//! β never recovers. If it followed the present opening, a cycle of strain could create energy; with the history it
+//! is damage, of dissipation −½ G γ_e² dβ ≥ 0. Small e_b: fixed cracks that keep much shear lock, the principal
+//! tension between them exceeds f_t (de Borst & Nauta 1985, Rots 1988).
 //!
 //! Compression: Drucker-Prager cone (f_c, f_bc), associated, ideally plastic; dissipation k dλ.
 //!
 //! ## Steps
 //!
-//! 1. A whole point whose elastic stress passes neither cone nor strength is elastic.
-//! 2. Cracks without plastic flow, `local.rs`: nothing to iterate for closed cracks and cracks on their secant, one scalar
-//!    equation for one that opens further.
-//! 3. If the cone is passed, all six unknowns, `flow.rs`.
-//! 4. If that fails, the strain increment in 2, 4, 8 parts. The tangent is then taken by central differences of the whole
-//!    sequence (six of them), which is what a chain of the parts' derivatives would give, of 1e-6 accuracy.
+//! 1. An uncracked point is elastic if its elastic stress is inside the cone and below the strength.
+//! 2. Cracks without plastic flow, `local.rs`: explicit for closed cracks and cracks on their secant, one scalar
+//!   equation for one that opens further.
+//! 3. If the cone is exceeded, all six unknowns, `flow.rs`.
+//! 4. If that fails, the strain increment in 2, 4, 8 substeps. The tangent is then taken by central differences of
+//!   the whole sequence (six of them), equal to the chain rule over the substeps with 1e-6 accuracy.
 //!
-//! Where a crack begins, its axes and strength depend on this step's strain. The stress is then coaxial with the strain
-//! ε − ε_p, and so is the tangent: its shear modulus in the axes is (σ_n − σ_s)/(2 (a_n − a_s)), and the strength's
-//! derivative is followed. Without that the first step after cracking would have no consistent tangent.
+//! Where a crack begins, its axes and strength depend on this step's strain. The stress and the tangent are then
+//! coaxial with the strain ε − ε_p: the shear modulus in the axes is (σ_n − σ_s)/(2 (a_n − a_s)), and the derivative
+//! of the strength is included. Otherwise the tangent of the first step after cracking is not consistent.
 //!
-//! The options are those of the sheet: brittle cracks, tension stiffening, and axes that turn with the strain while no
-//! crack is wider than 2 f_t/E.
+//! The options are those of the theory sheet: brittle cracks, tension stiffening, and axes that rotate with the
+//! strain until a crack is wider than 2 f_t/E.
 
 mod flow;
 mod frame;
@@ -53,7 +53,7 @@ use crate::{Crack, Law, LawError, PointState, Response};
 /// Name in errors and files.
 const KIND: &str = "cracked-concrete";
 
-// Slots of the history; zeros are virgin.
+// Slots of the history; zero initially.
 const PLASTIC: usize = 0; // ε_p, three components in the plane
 const STRAIN: usize = 3; // committed strain, three components
 const AXIS: usize = 6; // n = (c, s); (0, 0): whole
@@ -65,7 +65,7 @@ const EQUIVALENT: usize = 15; // accumulated equivalent plastic strain
 const PARTS: usize = 16; // parts of the last step, 0 before the first
 const SLOTS: usize = 17;
 
-/// Tolerance on the cone, as a share of k: a stress returned to it stays elastic when it is asked again.
+/// Tolerance on the cone, as a share of k: a stress returned to it stays elastic when evaluated again.
 const ON_CONE: f64 = 1e-11;
 
 /// Cracking concrete of a layer.
@@ -80,13 +80,13 @@ pub struct CrackedConcrete {
     cone: Cone,
     traction: Traction,
     retention: ShearRetention,
-    /// Opening up to which the axes turn.
+    /// Opening up to which the axes rotate.
     turning: f64,
 }
 
 impl CrackedConcrete {
-    /// Errors: a parameter out of range; an element too large for its fracture energy (the message says how large it may
-    /// be).
+    /// Errors: a parameter out of range; an element too large for its fracture energy (the message gives the largest
+    /// size).
     pub fn new(parameters: &CrackedParameters) -> Result<CrackedConcrete, LawError> {
         let traction = parameters.check(KIND)?;
         let CrackedParameters {
@@ -114,12 +114,13 @@ impl CrackedConcrete {
         })
     }
 
-    /// Whether a crack loses its traction at once: the energy then depends on mesh and step, and results should say so.
+    /// Whether a crack loses its traction suddenly: the energy then depends on mesh and step, and results should
+    /// state this.
     pub fn is_brittle(&self) -> bool {
         self.traction.brittle()
     }
 
-    /// Number of parts into which the step that led to this history was cut; 1 as a rule, 0 before the first step.
+    /// Number of substeps of the last step; usually 1, 0 before the first step.
     pub fn parts(&self, history: &[f64]) -> usize {
         history[PARTS] as usize
     }
@@ -132,13 +133,13 @@ impl CrackedConcrete {
         (least + x, -x / strain)
     }
 
-    /// Strength of a crack that begins beside the stress σ_2 [Pa], and its derivative by σ_2.
+    /// Strength of a new crack under the lateral stress σ_2 [Pa], and its derivative by σ_2.
     fn beginning(&self, beside: f64) -> (f64, f64) {
         let f_t = self.traction.strength;
         if beside >= 0.0 {
             return (f_t, 0.0);
         }
-        // Compression beyond f_c happens beside compression only; the bound keeps the strength positive.
+        // Compression beyond f_c occurs only with lateral compression; the bound keeps the strength positive.
         let share = (-beside / self.strength).min(1.0);
         (
             f_t * (1.0 - 0.8 * share),

@@ -4,7 +4,7 @@ use crate::check::positive;
 use crate::concrete::tension::{Tension, Traction};
 use crate::{LawError, refuse};
 
-/// Shear stiffness that cracks leave, β = b + (1 − b) exp(−m/e_b).
+/// Shear stiffness of cracked concrete, β = b + (1 − b) exp(−m/e_b).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShearRetention {
     /// Least share b of G, above 0 to 1.
@@ -28,7 +28,7 @@ pub enum CrackAxes {
     /// Fixed when the first crack begins.
     #[default]
     Fixed,
-    /// Turning with the strain while no crack is wider than 2 f_t/E, then fixed.
+    /// Rotating with the strain until a crack is wider than 2 f_t/E, then fixed.
     Turning,
 }
 
@@ -52,7 +52,7 @@ pub struct CrackedParameters {
 }
 
 impl CrackedParameters {
-    /// Defaults beside the parameters that have none: f_bc = 1.16 f_c (Kupfer, Hilsdorf & Rüsch 1969), b = 0.1,
+    /// Defaults for the optional parameters: f_bc = 1.16 f_c (Kupfer, Hilsdorf & Rüsch 1969), b = 0.1,
     /// e_b = 2e-4, fixed axes.
     pub fn new(
         young_modulus: f64,
@@ -71,7 +71,7 @@ impl CrackedParameters {
         }
     }
 
-    /// Refuses what is out of range; the traction of the cracks otherwise.
+    /// Rejects parameters out of range; otherwise returns the traction of the cracks.
     pub(super) fn check(&self, law: &'static str) -> Result<Traction, LawError> {
         positive(law, "youngs_modulus", self.young_modulus, "Pa")?;
         positive(law, "compressive_strength", self.compressive_strength, "Pa")?;

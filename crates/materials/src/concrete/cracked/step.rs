@@ -1,4 +1,4 @@
-//! One step of a point: axes, cracks that begin, history; and the step in parts where one is not enough.
+//! One step of a point: axes, new cracks, history; and substeps where one is not enough.
 
 use super::frame::Frame;
 use super::local::{Axis, Problem, Solution};
@@ -9,7 +9,7 @@ use crate::concrete::surface::at;
 use crate::{LawError, Response};
 
 impl CrackedConcrete {
-    /// Answer in given axes: without flow if that stays inside the cone.
+    /// Result in given axes: without flow if that stays inside the cone.
     fn solve(&self, problem: &Problem) -> Option<Solution> {
         let elastic = self.without_flow(problem);
         if let Some(solution) = &elastic
@@ -34,7 +34,7 @@ impl CrackedConcrete {
         }
     }
 
-    /// One step in one part; `None` if no stress is found.
+    /// One step without substeps; `None` if no stress is found.
     pub(super) fn part(&self, strain: &[f64; 3], old: &[f64], new: &mut [f64]) -> Option<Response<3>> {
         let a: [f64; 3] = std::array::from_fn(|i| strain[i] - old[PLASTIC + i]);
         new.copy_from_slice(&old[..SLOTS]);
@@ -70,7 +70,7 @@ impl CrackedConcrete {
             coaxial,
         };
         let mut solution = self.solve(&problem)?;
-        // Cracks that begin: the larger stress first, each beside the answer that has not got it yet.
+        // New cracks: the larger stress first, each added to the result without it.
         for _ in 0..2 {
             let over = |i: usize| {
                 let whole = problem.axes[i].traction.is_none();
@@ -98,7 +98,7 @@ impl CrackedConcrete {
         Some(self.commit(&problem, frame, solution, new))
     }
 
-    /// Writes the history of an answer, and turns it into the plane.
+    /// Writes the history of a result and rotates it into the plane.
     fn commit(&self, problem: &Problem, frame: Frame, solution: Solution, new: &mut [f64]) -> Response<3> {
         let Solution {
             stress,
@@ -149,7 +149,7 @@ impl CrackedConcrete {
                 dissipation += if !traction.brittle() {
                     traction.dissipated(opening[i], t) - before
                 } else if axis.largest == 0.0 {
-                    // What the whole concrete had stored, if the stress was uniaxial.
+                    // Energy stored in the uncracked concrete, if the stress was uniaxial.
                     0.5 * traction.strength * traction.strength / self.young_modulus
                 } else {
                     0.0
@@ -170,7 +170,7 @@ impl CrackedConcrete {
         }
     }
 
-    /// One step in `parts` equal parts.
+    /// One step in `parts` equal substeps.
     fn sequence(&self, strain: &[f64; 3], old: &[f64], parts: usize) -> Option<(Response<3>, [f64; SLOTS])> {
         let mut history = [0.0; SLOTS];
         history.copy_from_slice(&old[..SLOTS]);
@@ -192,7 +192,7 @@ impl CrackedConcrete {
         Some((total, history))
     }
 
-    /// Steps in 2, 4, 8 parts.
+    /// Steps in 2, 4, 8 substeps.
     pub(super) fn in_parts(&self, strain: &[f64; 3], old: &[f64], new: &mut [f64]) -> Result<Response<3>, LawError> {
         let increment: [f64; 3] = std::array::from_fn(|i| strain[i] - old[STRAIN + i]);
         let size = increment.iter().map(|v| v * v).sum::<f64>().sqrt();

@@ -18,20 +18,20 @@
 //! s − s_p ≥ σ/(1.05 E)
 //! ```
 //!
-//! The two limits are ours. Beyond x = 3 the fitted parabola would bring the plastic strain to the strain itself and the
-//! stiffness up again; below x ≈ 0.3 it would make unloading stiffer than the first loading. With them the unloading
-//! modulus only falls, and the dissipation D(s) = ∫σ ds − ½ σ (s − s_p) only grows.
+//! The two limits are additions. Beyond x = 3 the plastic strain of the fitted parabola approaches the strain itself
+//! and the stiffness rises again; below x ≈ 0.3 its unloading is stiffer than the first loading. With them the
+//! unloading modulus only falls, and the dissipation D(s) = ∫σ ds − ½ σ (s − s_p) only grows.
 
 use crate::check::{found, positive};
 use crate::{LawError, refuse};
 
-/// Stress that is left of f_c after crushing.
+/// Residual stress after crushing, as a share of f_c.
 const RESIDUAL: f64 = 0.2;
 
 /// x from which the elastic part of the strain no longer grows: the zero of 0.87 − 0.29 x.
 const LAST: f64 = 3.0;
 
-/// What follows the peak of the compressive stress.
+/// Branch after the peak of the compressive stress.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PostPeak {
     /// Linear to 0.2 f_c, by energy.
@@ -46,7 +46,7 @@ pub enum PostPeak {
         /// Strain, positive.
         strain: f64,
     },
-    /// Sargin's curve goes on to this strain, at least ε_c1 (or to 0.2 f_c, if that comes first); then constant.
+    /// Sargin's curve continues to this strain, at least ε_c1 (or to 0.2 f_c, if that comes first); then constant.
     Curve {
         /// Strain, positive.
         strain: f64,

@@ -79,11 +79,11 @@ pub struct UniaxialConcrete {
 
 impl UniaxialConcrete {
     /// * `young_modulus`: E [Pa] > 0
-    /// * `compression`: what happens below ε_p
-    /// * `tension`: what happens above it; `None`: no tension at all, neither strength nor energy
+    /// * `compression`: law below ε_p
+    /// * `tension`: law above it; `None`: zero tensile strength and energy
     ///
-    /// Errors: a parameter out of range, f_t ≥ f_c, an element too large for its fracture energy (the message says how large
-    /// it may be).
+    /// Errors: a parameter out of range, f_t ≥ f_c, an element too large for its fracture energy (the message gives
+    /// the largest size).
     pub fn new(
         young_modulus: f64,
         compression: Compression,
@@ -136,7 +136,8 @@ impl UniaxialConcrete {
         self.young_modulus
     }
 
-    /// Whether a crack loses its traction at once: the energy then depends on mesh and step, and results should say so.
+    /// Whether a crack loses its traction suddenly: the energy then depends on mesh and step, and results should
+    /// state this.
     pub fn is_brittle(&self) -> bool {
         self.traction.brittle()
     }
@@ -153,7 +154,7 @@ impl UniaxialConcrete {
         }
     }
 
-    /// [`Law::respond`] without its error: there is a stress for every number.
+    /// [`Law::respond`] without its error: every strain has a stress.
     ///
     /// * `strain`: ε
     /// * `old`, `new`: committed and new history, five slots each
@@ -205,7 +206,7 @@ impl UniaxialConcrete {
         }
     }
 
-    /// The crack opens beyond all it has been.
+    /// The crack opens beyond its largest opening.
     fn open(&self, u: f64, old: &[f64], new: &mut [f64]) -> Response<1> {
         let young = self.young_modulus;
         let m_old = old[CRACKED] * old[LONGEST];
@@ -219,7 +220,7 @@ impl UniaxialConcrete {
         new[LONGEST] = u;
         new[CRACKED] = m / u;
         let dissipation = if self.traction.brittle() {
-            // What the uncracked concrete had stored.
+            // Energy stored in the uncracked concrete.
             if old[CRACKED] > 0.0 {
                 0.0
             } else {
@@ -271,7 +272,7 @@ impl Law<1> for UniaxialConcrete {
         let stress = self.update(strain[0], history, &mut new).stress[0];
         let largest = new[CRACKED] * new[LONGEST];
         let opening = new[CRACKED] * (strain[0] - new[PLASTIC]).max(0.0);
-        // Of a crack, the strength that is left of it.
+        // Of a crack, its remaining strength.
         let left = if new[CRACKED] > 0.0 {
             new[LONGEST] * (1.0 - new[CRACKED]) * self.young_modulus
         } else {
