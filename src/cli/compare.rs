@@ -14,7 +14,7 @@ use crate::cli::inputs::Inputs;
 use crate::cli::progress::{self, Watch};
 use crate::cli::table::Table;
 use crate::cli::terminal::{self, say};
-use crate::cli::{Format, Global, nonlinear, solid};
+use crate::cli::{Format, Global, nonlinear, now, solid};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::job::{Engines, Job};
 use crate::pipeline::{self, Outcome};
@@ -259,7 +259,7 @@ fn interval(job: &Job, given: Option<f64>) -> Result<f64, Error> {
 
 /// Fills in the fields that differ between identical runs.
 pub fn stamp(results: &mut Results, started: Instant) {
-    results.volatile.created = jiff::Timestamp::now().to_string();
+    results.volatile.created = now();
     // The name of the command, without the path on this machine.
     let arguments = std::env::args().skip(1);
     results.volatile.command = std::iter::once("tankcheck".to_string())

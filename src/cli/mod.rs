@@ -9,7 +9,6 @@ use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::error::{EXIT_INPUT, EXIT_OK, Error};
 use files::text;
-use results::{Volatile, finite};
 use terminal::say;
 
 mod budget;
@@ -18,6 +17,7 @@ mod compare;
 mod completions;
 mod diff;
 mod fault;
+mod global;
 mod ida;
 mod init;
 mod inputs;
@@ -35,6 +35,8 @@ mod terminal;
 mod verify;
 mod wall;
 
+pub use global::{Format, Global, When};
+pub(crate) use global::{json, now, spinner, stamp};
 pub(crate) use terminal::print;
 
 /// Seismic verification of liquid storage tanks.
@@ -45,39 +47,6 @@ struct Cli {
     command: Command,
     #[command(flatten)]
     global: Global,
-}
-
-/// Options of every subcommand.
-#[derive(clap::Args, Clone, Debug)]
-pub struct Global {
-    /// When to colour messages.
-    #[arg(long, global = true, value_enum, default_value_t = When::Auto)]
-    pub color: When,
-    /// No progress and no hints on standard error.
-    #[arg(long, short, global = true)]
-    pub quiet: bool,
-}
-
-/// When to colour.
-#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub enum When {
-    /// On a terminal, unless NO_COLOR is set.
-    Auto,
-    /// Always.
-    Always,
-    /// Never.
-    Never,
-}
-
-/// Form of the output on standard output.
-#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// A table for people.
-    Human,
-    /// JSON in SI units.
-    Json,
-    /// Comma-separated values in SI units, where the result is a table.
-    Csv,
 }
 
 #[derive(Subcommand)]
@@ -128,43 +97,9 @@ Exit codes: 0 done and every check holds; 1 a check fails or diff found a change
 3 the computation failed or was interrupted, its results could not be written, or the tank collapsed;
 130 ended by Ctrl-C with nothing kept.";
 
-/// A spinner on standard error while `what` is computed; hidden unless standard error is a terminal.
-pub(crate) fn spinner(global: &Global, what: &'static str) -> indicatif::ProgressBar {
-    if global.quiet {
-        return indicatif::ProgressBar::hidden();
-    }
-    // `new_spinner` draws to standard error and hides itself where that is not a terminal.
-    let spinner = indicatif::ProgressBar::new_spinner().with_message(what);
-    spinner.enable_steady_tick(std::time::Duration::from_millis(100));
-    spinner
-}
-
 /// The command line as data, for completions and the manual page.
 pub(crate) fn command() -> clap::Command {
     Cli::command()
-}
-
-/// A result as JSON for standard output. Control characters of a terminal are written as `\u009b`, which is the same
-/// value.
-///
-/// Errors: a number that is not finite.
-pub(crate) fn json(value: &impl serde::Serialize) -> Result<String, Error> {
-    finite::check("the result", value)?;
-    let text = serde_json::to_string_pretty(value).map_err(|e| Error::report(e.to_string()))?;
-    Ok(format!("{}\n", text::json(&text)))
-}
-
-/// Fields that differ between identical runs.
-pub(crate) fn stamp(started: std::time::Instant) -> Volatile {
-    Volatile {
-        version: env!("CARGO_PKG_VERSION").into(),
-        created: jiff::Timestamp::now().to_string(),
-        command: std::iter::once("tankcheck".to_owned())
-            .chain(std::env::args().skip(1))
-            .collect::<Vec<_>>()
-            .join(" "),
-        seconds: started.elapsed().as_secs_f64(),
-    }
 }
 
 /// Entry point of the binary.

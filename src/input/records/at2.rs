@@ -13,10 +13,9 @@
 //! files are rejected.
 
 use crate::input::diagnostic::{Fault, Faults};
+use crate::input::records::draft::{Collector, Draft, printable, settle_dt, settle_unit};
 use crate::input::records::number::{parse, split_glued};
-use crate::input::records::{
-    AccelerationUnit, Collector, Draft, MAX_SAMPLES, ReadOptions, printable, settle_dt, settle_unit,
-};
+use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
 
 /// The header ends within this many lines.
 const HEADER_LINES: usize = 30;

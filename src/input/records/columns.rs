@@ -8,12 +8,11 @@
 //! * Time is in seconds unless the header has `ms`. Acceleration does not have a default unit.
 
 use crate::input::diagnostic::{Fault, Faults};
+use crate::input::records::draft::{Collector, Draft, printable, settle_dt, settle_unit, token_at};
 use crate::input::records::number::{begins_like_number, parse, resolution};
 use crate::input::records::time::{Stamp, uniform_step};
 use crate::input::records::unit::{Head, head};
-use crate::input::records::{
-    AccelerationUnit, Collector, Draft, MAX_SAMPLES, ReadOptions, printable, settle_dt, settle_unit, token_at,
-};
+use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
 
 /// Step from which a time column without a unit is not read as seconds.
 const MILLISECONDS: f64 = 0.5;

@@ -1,7 +1,7 @@
 //! From a printed time column to a uniform step.
 
 use crate::input::diagnostic::Fault;
-use crate::input::records::token_at;
+use crate::input::records::draft::token_at;
 
 /// A printed time.
 #[derive(Clone, Copy, Debug)]

@@ -1,0 +1,110 @@
+//! What the reader of a format gives, and what all readers share: faults up to a limit, unit and time step settled between
+//! file and options.
+
+use super::options::ReadOptions;
+use super::unit::AccelerationUnit;
+use crate::input::diagnostic::{Fault, Faults};
+
+/// Reading stops after this many faults.
+const MAX_FAULTS: usize = 20;
+
+/// Result of the reader of a format: numbers in the unit of the file.
+pub(super) struct Draft {
+    pub title: Option<String>,
+    pub format: String,
+    pub unit: AccelerationUnit,
+    pub unit_source: String,
+    pub dt: f64,
+    pub values: Vec<f64>,
+    /// Byte of the text at which each value begins.
+    pub places: Vec<u32>,
+    pub notes: Vec<String>,
+}
+
+/// Bytes of the number or word that begins at `start`.
+pub(super) fn token_at(text: &str, start: usize) -> std::ops::Range<usize> {
+    let rest = text.get(start..).unwrap_or_default();
+    let end = rest
+        .find(|c: char| c.is_whitespace() || c == ',' || c == ';')
+        .unwrap_or(rest.len());
+    start..start + end
+}
+
+/// Collects faults up to the limit.
+pub(super) struct Collector {
+    faults: Faults,
+}
+
+impl Collector {
+    pub fn new() -> Collector {
+        Collector { faults: Faults::new() }
+    }
+
+    /// Adds a fault; returns true at the limit.
+    #[must_use]
+    pub fn push(&mut self, fault: Fault) -> bool {
+        self.faults.push(fault);
+        if self.faults.list().len() < MAX_FAULTS {
+            return false;
+        }
+        self.faults
+            .push(Fault::new(format!("reading stopped after {MAX_FAULTS} faults")));
+        true
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.faults.is_empty()
+    }
+
+    pub fn finish(self) -> Result<(), Faults> {
+        if self.faults.is_empty() {
+            Ok(())
+        } else {
+            Err(self.faults)
+        }
+    }
+}
+
+/// The unit of the numbers: that of the file, that of the options, or a fault. `named` is the unit in the file with
+/// its source in words.
+pub(super) fn settle_unit(
+    named: Option<(AccelerationUnit, String)>,
+    options: &ReadOptions,
+    example: &str,
+) -> Result<(AccelerationUnit, String), Fault> {
+    match (named, options.unit) {
+        (Some((unit, source)), None) => Ok((unit, source)),
+        (Some((unit, source)), Some(given)) if unit == given => Ok((unit, source)),
+        (Some((unit, source)), Some(given)) => Err(Fault::new("the file and --units disagree")
+            .found(format!("{unit} in the {source}, --units {given}"))
+            .allowed("one unit")
+            .help("remove --units, or correct the header")),
+        (None, Some(given)) => Ok((given, format!("--units {given}"))),
+        (None, None) => Err(Fault::new("the file does not give the unit of acceleration")
+            .allowed(format!(
+                "{example}, or --units with one of {}",
+                AccelerationUnit::ALLOWED
+            ))
+            .help("give the unit; it is never guessed from the size of the numbers")),
+    }
+}
+
+/// The time step: that of the file, that of the options, or `None`.
+pub(super) fn settle_dt(named: Option<f64>, options: &ReadOptions) -> Result<Option<f64>, Fault> {
+    match (named, options.dt) {
+        (Some(dt), Some(given)) if (dt - given).abs() > 1e-6 * dt => Err(Fault::new("the file and --dt disagree")
+            .found(format!("a step of {dt} s in the file, --dt {given}"))
+            .help("remove --dt; to stretch the time axis use the time factor")),
+        (Some(dt), _) => Ok(Some(dt)),
+        (None, given) => Ok(given),
+    }
+}
+
+/// Without control characters and surplus spaces.
+pub(super) fn printable(text: &str) -> String {
+    let words: Vec<&str> = text
+        .split(|c: char| c.is_whitespace() || c.is_control())
+        .filter(|w| !w.is_empty())
+        .collect();
+    words.join(" ")
+}

@@ -1,0 +1,67 @@
+//! What is asked of the reader, what it gives, and the limits of a record.
+
+use oscillator::record::Record;
+
+use super::unit::AccelerationUnit;
+
+/// Largest number of samples of a record: 5.5 hours at 100 Hz. Histories of longer records do not fit in memory.
+pub const MAX_SAMPLES: usize = 2_000_000;
+/// Largest file that is read [bytes].
+pub const MAX_BYTES: u64 = 128 << 20;
+/// Largest plausible peak ground acceleration, 5 g [m/s²]; the largest recorded are near 3 g.
+pub const MAX_PLAUSIBLE: f64 = 5.0 * tank::STANDARD_GRAVITY;
+/// Largest peak ground acceleration of all, 1000 g [m/s²]: beyond shaking tables in centrifuges.
+pub const MAX_PEAK: f64 = 1000.0 * tank::STANDARD_GRAVITY;
+/// Smallest peak ground acceleration of a record [m/s²]; instruments resolve 1e-6 m/s².
+pub const MIN_PEAK: f64 = 1e-9;
+/// Processing of a record by `tank.json`, in the order of the fields.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Processing {
+    /// Scale to this peak [m/s²].
+    pub scale_to: Option<f64>,
+    /// Multiply accelerations by this.
+    pub scale_by: Option<f64>,
+    /// Multiply the time axis by this.
+    pub time_factor: Option<f64>,
+    /// Resample (linear) to this time step [s].
+    pub resample: Option<f64>,
+}
+
+impl Processing {
+    /// The option that sets the peak, for messages.
+    pub fn scaled_by(&self) -> &'static str {
+        match (self.scale_to, self.scale_by) {
+            (Some(_), _) => "scale_to",
+            (None, Some(_)) => "scale_by",
+            (None, None) => "record",
+        }
+    }
+}
+
+/// Options for reading a file.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ReadOptions {
+    /// Unit, needed if the format does not give it.
+    pub unit: Option<AccelerationUnit>,
+    /// Time step [s], needed for a single column without time.
+    pub dt: Option<f64>,
+    /// Accept peaks above 5 g.
+    pub allow_implausible: bool,
+}
+
+/// A record as read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReadRecord {
+    /// The record, unprocessed.
+    pub record: Record,
+    /// Format, in words.
+    pub format: String,
+    /// Unit of the numbers in the file.
+    pub unit: AccelerationUnit,
+    /// Where the unit came from, in words.
+    pub unit_source: String,
+    /// Remarks: a time axis that does not begin at zero, a time column without a unit.
+    pub notes: Vec<String>,
+    /// SHA-256 of the file.
+    pub sha256: String,
+}
