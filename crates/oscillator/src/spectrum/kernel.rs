@@ -5,7 +5,7 @@
 //! 1. **Trace** the whole record, eight oscillators at a time, in vector registers whose width is chosen at run
 //!    time ([`pulp`]). For each block of 16 steps the state at its start and a bound of the continuous response are stored.
 //! 2. **Search**: only blocks whose bound exceeds the largest value so far are searched, for the one oscillator
-//!   concerned, and within them only the steps that can contain the maximum.
+//!    concerned, and within them only the steps that can contain the maximum.
 //!
 //! Oscillators with at least eight samples per period are [`super::soft`], the others [`super::stiff`]; the two
 //! differ in how they step and in their bounds. Both are exact except for rounding and for the interpolation error of

@@ -23,10 +23,10 @@
 //!
 //! 1. An uncracked point is elastic if its elastic stress is inside the cone and below the strength.
 //! 2. Cracks without plastic flow, `local.rs`: explicit for closed cracks and cracks on their secant, one scalar
-//!   equation for one that opens further.
+//!    equation for one that opens further.
 //! 3. If the cone is exceeded, all six unknowns, `flow.rs`.
 //! 4. If that fails, the strain increment in 2, 4, 8 substeps. The tangent is then taken by central differences of
-//!   the whole sequence (six of them), equal to the chain rule over the substeps with 1e-6 accuracy.
+//!    the whole sequence (six of them), equal to the chain rule over the substeps with 1e-6 accuracy.
 //!
 //! Where a crack begins, its axes and strength depend on this step's strain. The stress and the tangent are then
 //! coaxial with the strain ε − ε_p: the shear modulus in the axes is (σ_n − σ_s)/(2 (a_n − a_s)), and the derivative
