@@ -76,7 +76,7 @@ pub struct Forces {
     pub internal: Vec<f64>,
     /// Of the held dofs, in the order of [`Assembler::supports`].
     pub support: Vec<f64>,
-    /// Part of `internal` that time steps take at their end ([`Element::acts_at_end`]); empty without such elements.
+    /// Part of `internal` that time steps take at their end ([`acts_at_end`](crate::element::Contact::acts_at_end)); empty without such elements.
     pub at_end: Vec<f64>,
 }
 
@@ -102,7 +102,7 @@ impl<'a> Ask<'a> {
     }
 }
 
-/// What the elements keep from one iteration of a step to the next ([`Element::respond_mixed`]).
+/// What the elements keep from one iteration of a step to the next ([`respond_mixed`](crate::element::Mixed::respond_mixed)).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kept {
     values: Vec<f64>,
@@ -115,7 +115,7 @@ impl Kept {
     pub fn new(model: &Model) -> Kept {
         let mut offsets = vec![0];
         for element in model.elements() {
-            offsets.push(offsets[offsets.len() - 1] + element.mixed_len());
+            offsets.push(offsets[offsets.len() - 1] + element.mixed().map_or(0, |mixed| mixed.mixed_len()));
         }
         Kept {
             values: vec![0.0; offsets[offsets.len() - 1]],
@@ -147,7 +147,11 @@ impl Assembler {
         let dofs = model.dofs();
         let (mut equations, mut equation_starts) = (Vec::new(), vec![0]);
         let (mut turned, mut linear, mut held) = (Vec::new(), Vec::new(), Vec::new());
-        let ends: Vec<bool> = model.elements().iter().map(|e| e.acts_at_end()).collect();
+        let ends: Vec<bool> = model
+            .elements()
+            .iter()
+            .map(|e| e.contact().is_some_and(|joint| joint.acts_at_end()))
+            .collect();
         let mut supports: Vec<(usize, Dof)> = Vec::new();
         let mut number = std::collections::BTreeMap::new();
         for element in model.elements() {
@@ -224,6 +228,11 @@ impl Assembler {
     /// Held dofs that some element uses, along the axes of their nodes.
     pub fn supports(&self) -> &[(usize, Dof)] {
         &self.supports
+    }
+
+    /// Whether some element's force is taken at the end of a time step.
+    pub fn acts_at_end(&self) -> bool {
+        !self.at_end.is_empty()
     }
 
     /// The pattern of all matrices of the model.
@@ -317,8 +326,9 @@ impl Assembler {
         let mut out = Symmetric::zeros(self.pattern.clone());
         let mut local = LocalMatrix::default();
         for (e, element) in model.elements().iter().enumerate() {
-            local.reset(local_size(&**element));
-            if element.geometric_stiffness(&local_values(model, &**element, u), &mut local)? {
+            if let Some(slender) = element.buckling() {
+                local.reset(local_size(&**element));
+                slender.geometric_stiffness(&local_values(model, &**element, u), &mut local)?;
                 self.scatter(model, e, &mut local, &mut Sink::whole(&mut out.values));
             }
         }
@@ -512,7 +522,7 @@ impl Assembler {
         Ok(forces.internal)
     }
 
-    /// The same by [`Element::respond_mixed`].
+    /// The same by [`respond_mixed`](crate::element::Mixed::respond_mixed).
     ///
     /// Errors: those of [`Assembler::respond`].
     pub fn respond_mixed(
@@ -543,7 +553,7 @@ impl Assembler {
         self.answer(model, state, Ask::now(want, linear), tangent, forces, None)
     }
 
-    /// [`Assembler::respond_into`], by [`Element::respond_mixed`] if there is something `kept`.
+    /// [`Assembler::respond_into`], by [`respond_mixed`](crate::element::Mixed::respond_mixed) if there is something `kept`.
     pub(crate) fn answer(
         &self,
         model: &Model,
@@ -596,8 +606,8 @@ impl Assembler {
                 }
             };
             let (old, new) = (&state.old[range.clone()], &mut state.new[range]);
-            match kept.as_deref_mut() {
-                Some(kept) => element.respond_mixed(motion, old, new, want, kept.of(e), &mut response),
+            match kept.as_deref_mut().and_then(|kept| Some((element.mixed()?, kept))) {
+                Some((mixed, kept)) => mixed.respond_mixed(motion, old, new, want, kept.of(e), &mut response),
                 None => element.respond(motion, old, new, want, &mut response),
             }
             .map_err(|error| (e, error))?;

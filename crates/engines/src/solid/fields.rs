@@ -5,6 +5,7 @@
 
 use fem::assembly::local_values;
 use fem::dofs::Dof;
+use fem::element::Inspect;
 use fem::element::shell::recovery::centre_resultants;
 use tank::units::Dimension;
 

@@ -12,6 +12,7 @@ use std::collections::BTreeMap;
 
 use fem::assembly::Assembler;
 use fem::dofs::{Dof, KINDS};
+use fem::element::Inspect;
 use fem::element::{local_size, reference_mass, reference_stiffness};
 use fem::linalg::dot;
 use fem::shape::{gauss, quad4};

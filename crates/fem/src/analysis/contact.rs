@@ -153,8 +153,10 @@ fn switches(model: &Model, state: &State) -> Vec<bool> {
     let mut out = Vec::new();
     let mut gather = Gather::default();
     for (e, element) in model.elements().iter().enumerate() {
-        let motion = gather.motion(model, &state.trial, &**element);
-        element.switches(motion, &state.old[state.history(e)], &mut |on| out.push(on));
+        if let Some(joint) = element.contact() {
+            let motion = gather.motion(model, &state.trial, &**element);
+            joint.switches(motion, &state.old[state.history(e)], &mut |on| out.push(on));
+        }
     }
     out
 }
@@ -163,8 +165,10 @@ fn worst_penetration(model: &Model, state: &State) -> f64 {
     let mut gather = Gather::default();
     let mut worst = 0.0_f64;
     for element in model.elements() {
-        let motion = gather.motion(model, &state.committed, &**element);
-        worst = worst.max(element.penetration(motion).unwrap_or(0.0));
+        if let Some(joint) = element.contact() {
+            let motion = gather.motion(model, &state.committed, &**element);
+            worst = worst.max(joint.penetration(motion));
+        }
     }
     worst
 }
@@ -173,9 +177,11 @@ fn worst_penetration(model: &Model, state: &State) -> f64 {
 fn augment(model: &Model, state: &mut State) {
     let mut gather = Gather::default();
     for (e, element) in model.elements().iter().enumerate() {
-        let range = state.history(e);
-        let motion = gather.motion(model, &state.committed, &**element);
-        element.augment(motion, &mut state.old[range]);
+        if let Some(joint) = element.contact() {
+            let range = state.history(e);
+            let motion = gather.motion(model, &state.committed, &**element);
+            joint.augment(motion, &mut state.old[range]);
+        }
     }
     state.revert();
 }

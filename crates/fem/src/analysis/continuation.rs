@@ -120,7 +120,7 @@ impl<'a> Continuation<'a> {
     }
 
     /// The same with geometric stiffness from extrapolated stresses
-    /// ([`Element::respond_mixed`](crate::element::Element::respond_mixed)); a step that fails is tried again without.
+    /// ([`Mixed`](crate::element::Mixed)); a step that fails is tried again without.
     pub fn with_extrapolated_stresses(mut self) -> Continuation<'a> {
         self.kept = Some(Kept::new(self.model));
         self

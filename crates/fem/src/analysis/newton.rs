@@ -316,7 +316,7 @@ impl<'a> Newton<'a> {
     }
 
     /// The same with geometric stiffness from extrapolated stresses
-    /// ([`Element::respond_mixed`](crate::element::Element::respond_mixed)); a step that fails is tried again without.
+    /// ([`Mixed`](crate::element::Mixed)); a step that fails is tried again without.
     pub fn with_extrapolated_stresses(mut self) -> Newton<'a> {
         self.kept = Some(Kept::new(self.model));
         self
@@ -475,7 +475,7 @@ impl<'a> Newton<'a> {
             of_this_model("effective tangent", values.len(), self.effective.values.len())?;
         }
         if let Some(forces) = &memory.forces {
-            let late = self.model.elements().iter().any(|e| e.acts_at_end());
+            let late = self.assembler.acts_at_end();
             of_this_model("internal forces", forces.internal.len(), unknowns)?;
             of_this_model("support forces", forces.support.len(), self.assembler.supports().len())?;
             let allowed = if late { unknowns } else { 0 };

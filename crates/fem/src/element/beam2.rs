@@ -14,7 +14,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
 use crate::dofs::Dof;
 
 const KIND: &str = "beam2";
@@ -282,6 +282,12 @@ impl Element for Beam2 {
         }
     }
 
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+}
+
+impl Inspect for Beam2 {
     /// Forces and moments on the cut at the first and the second end, positive on the face that looks along e₁:
     /// `n_11`, `q_2`, `q_3`, `m_1`, `m_2`, `m_3`. Loads between the nodes are not in them.
     fn samples(&self) -> Vec<Sample> {

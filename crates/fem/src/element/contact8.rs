@@ -33,7 +33,7 @@ use nalgebra::Vector3;
 
 use super::contact8_area::Gap;
 pub use super::contact8_area::Integration;
-use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Contact, Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Face;
@@ -384,6 +384,42 @@ impl Element for Contact8 {
         Ok(())
     }
 
+    fn contact(&self) -> Option<&dyn Contact> {
+        Some(self)
+    }
+
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+}
+
+impl Contact for Contact8 {
+    /// Corners of a joint that may open: closed or open.
+    fn switches(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(bool)) {
+        if self.law.opening != Opening::Bonded {
+            let gaps = self.shifted_gaps(motion.values, history);
+            gaps.iter().for_each(|&g| see(g <= 0.0));
+        }
+    }
+
+    fn augment(&self, motion: Motion<'_>, history: &mut [f64]) {
+        let gaps = self.gaps(motion.values);
+        for (lambda, g) in history.iter_mut().zip(gaps) {
+            let next = *lambda - self.law.normal_stiffness * g;
+            *lambda = match self.law.opening {
+                Opening::Bonded => next,
+                Opening::Unilateral { .. } => next.max(0.0),
+            };
+        }
+    }
+
+    /// Largest penetration at the corners [m], ≥ 0.
+    fn penetration(&self, motion: Motion<'_>) -> f64 {
+        self.gaps(motion.values).iter().fold(0.0, |m, g| m.max(-g))
+    }
+}
+
+impl Inspect for Contact8 {
     /// `gap` [m] and `contact_pressure` −k_n g [Pa] (pressed: positive; of the bonded joint) at the 2 × 2 points.
     fn samples(&self) -> Vec<Sample> {
         let mut samples = Vec::new();
@@ -408,30 +444,6 @@ impl Element for Contact8 {
             }
         });
         samples
-    }
-
-    /// Corners of a joint that may open: closed or open.
-    fn switches(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(bool)) {
-        if self.law.opening != Opening::Bonded {
-            let gaps = self.shifted_gaps(motion.values, history);
-            gaps.iter().for_each(|&g| see(g <= 0.0));
-        }
-    }
-
-    fn augment(&self, motion: Motion<'_>, history: &mut [f64]) {
-        let gaps = self.gaps(motion.values);
-        for (lambda, g) in history.iter_mut().zip(gaps) {
-            let next = *lambda - self.law.normal_stiffness * g;
-            *lambda = match self.law.opening {
-                Opening::Bonded => next,
-                Opening::Unilateral { .. } => next.max(0.0),
-            };
-        }
-    }
-
-    /// Largest penetration at the corners [m], ≥ 0.
-    fn penetration(&self, motion: Motion<'_>) -> Option<f64> {
-        Some(self.gaps(motion.values).iter().fold(0.0, |m, g| m.max(-g)))
     }
 }
 

@@ -27,7 +27,9 @@ use std::sync::Arc;
 use nalgebra::{Matrix3, Vector3};
 
 use super::beam_section::FibreSection;
-use super::{Element, ElementError, Inspection, LocalMatrix, Motion, Response, Sample, SectionState, Want};
+use super::{
+    Buckling, Element, ElementError, Inspect, Inspection, LocalMatrix, Motion, Response, Sample, SectionState, Want,
+};
 use crate::dofs::Dof;
 use crate::model::Builder;
 use crate::shape::gauss;
@@ -399,19 +401,6 @@ impl Element for FibreBeam {
         Ok(())
     }
 
-    fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<bool, ElementError> {
-        let k = self.section.at_rest()?.tangent[0];
-        let force: f64 = self
-            .stations
-            .iter()
-            .map(|s| s.weight * (k[0] * dot(&s.strain, values) + k[1] * dot(&s.curvature, values)))
-            .sum();
-        for (o, g) in out.data.iter_mut().zip(&shortening(self.along, self.length).data) {
-            *o += force * g;
-        }
-        Ok(true)
-    }
-
     fn body_force(&self, acceleration: [f64; 3], out: &mut [f64]) {
         let [x, z] = self.along;
         let load = self.section.weight_mass() * self.length;
@@ -426,6 +415,16 @@ impl Element for FibreBeam {
         out.iter_mut().zip(row).for_each(|(o, f)| *o += f);
     }
 
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+
+    fn buckling(&self) -> Option<&dyn Buckling> {
+        Some(self)
+    }
+}
+
+impl Inspect for FibreBeam {
     /// `n_11` and `m_11` at the sections.
     fn samples(&self) -> Vec<Sample> {
         let Ok(rest) = self.section.at_rest() else {
@@ -451,7 +450,7 @@ impl Element for FibreBeam {
         self.stations.iter().enumerate().map(own).sum()
     }
 
-    fn inspect(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(&Inspection)) {
+    fn material_points(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(&Inspection)) {
         let shortened = self.shorten(motion.values).map_or(0.0, |(e, _)| e);
         let [x, z] = self.along;
         for (point, station) in self.stations.iter().enumerate() {
@@ -498,6 +497,21 @@ impl Element for FibreBeam {
             states.push(state);
         }
         Ok(states)
+    }
+}
+
+impl Buckling for FibreBeam {
+    fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<(), ElementError> {
+        let k = self.section.at_rest()?.tangent[0];
+        let force: f64 = self
+            .stations
+            .iter()
+            .map(|s| s.weight * (k[0] * dot(&s.strain, values) + k[1] * dot(&s.curvature, values)))
+            .sum();
+        for (o, g) in out.data.iter_mut().zip(&shortening(self.along, self.length).data) {
+            *o += force * g;
+        }
+        Ok(())
     }
 }
 

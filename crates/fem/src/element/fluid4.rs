@@ -11,7 +11,7 @@
 //! r towards x and s towards z. Source: Wilson & Khalvati 1983; dissertation, chapter 5 (eqs. (5.60) to (5.62)).
 
 use super::fluid::{LiquidProperties, VolumePart, parameter_error};
-use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Face;
@@ -241,6 +241,12 @@ impl Element for Fluid4 {
         }
     }
 
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+}
+
+impl Inspect for Fluid4 {
     /// The pressure −K e, positive in compression, of the element's centre (in the cylindrical chart at θ = 0). Not a
     /// wall pressure.
     fn samples(&self) -> Vec<Sample> {

@@ -21,7 +21,7 @@ use std::sync::LazyLock;
 use nalgebra::Vector3;
 
 use super::fluid::{LiquidProperties, VolumePart};
-use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Hexahedron;
@@ -439,6 +439,12 @@ impl Element for Fluid8 {
         }
     }
 
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+}
+
+impl Inspect for Fluid8 {
     /// The pressure −K e, positive in compression, of the element's centre. Not a wall pressure.
     fn samples(&self) -> Vec<Sample> {
         vec![Sample {

@@ -35,7 +35,7 @@ pub fn check(model: &Model) -> Result<(), ElementError> {
         }
     }
     for (number, element) in model.elements().iter().enumerate() {
-        if !element.only_between_shells() {
+        if !element.contact().is_some_and(|layer| layer.only_between_shells()) {
             continue;
         }
         let held = |node: usize| Dof::TRANSLATIONS.iter().all(|&d| model.is_held(node, d));

@@ -14,11 +14,11 @@
 //! undeformed height.
 //!
 //! F never falls with e, so that it has a convex potential and Newton's method on the set of closed points ends. Time steps
-//! take the force at their end ([`Element::acts_at_end`]): a trapezoidal rule gains energy at every touch.
+//! take the force at their end ([`Contact::acts_at_end`]): a trapezoidal rule gains energy at every touch.
 //!
 //! Source: Moreau 1999; Alart & Curnier 1991; theory sheet of this project (pressure of the displaced particle).
 
-use super::{Element, ElementError, LocalMatrix, Motion, Response, Want};
+use super::{Contact, Element, ElementError, LocalMatrix, Motion, Response, Want};
 use crate::dofs::Dof;
 
 const KIND: &str = "liquid_joint";
@@ -153,10 +153,6 @@ impl Element for LiquidJoint {
         true
     }
 
-    fn acts_at_end(&self) -> bool {
-        true
-    }
-
     /// s·x of each point at the end of the last step.
     fn history_len(&self) -> usize {
         self.points.len()
@@ -187,15 +183,25 @@ impl Element for LiquidJoint {
         Ok(())
     }
 
+    fn contact(&self) -> Option<&dyn Contact> {
+        Some(self)
+    }
+}
+
+impl Contact for LiquidJoint {
+    fn acts_at_end(&self) -> bool {
+        true
+    }
+
     fn switches(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(bool)) {
         for (point, relief) in self.points.iter().zip(history) {
             see(point.stiffness * dot(&point.closing, motion.values) + relief >= 0.0);
         }
     }
 
-    fn penetration(&self, motion: Motion<'_>) -> Option<f64> {
+    fn penetration(&self, motion: Motion<'_>) -> f64 {
         let closing = self.points.iter().map(|p| dot(&p.closing, motion.values));
-        Some(closing.fold(0.0, f64::max))
+        closing.fold(0.0, f64::max)
     }
 }
 

@@ -180,7 +180,10 @@ pub struct SectionState {
     pub resultants: [f64; 8],
 }
 
-/// A finite element.
+/// A finite element: what assembly asks of every one.
+///
+/// What only some can do stands in traits of their own, which an element that has them hands out: [`Contact`], [`Inspect`],
+/// [`Mixed`], [`Buckling`].
 pub trait Element: Send + Sync {
     /// Kind, as users name it (`fluid8`, `shell4`, …).
     fn kind(&self) -> &'static str;
@@ -200,12 +203,6 @@ pub trait Element: Send + Sync {
     /// Whether internal force and tangent are K u with a constant K, in small rotations: such elements are assembled once
     /// for all steps.
     fn is_linear(&self) -> bool {
-        false
-    }
-
-    /// Whether time steps take the element's force at their end, whatever their scheme blends the others with: so that a
-    /// one-sided joint never gains energy (Moreau 1999).
-    fn acts_at_end(&self) -> bool {
         false
     }
 
@@ -240,57 +237,70 @@ pub trait Element: Send + Sync {
         out: &mut Response,
     ) -> Result<(), ElementError>;
 
-    /// Number of variables that [`Element::respond_mixed`] keeps from one iteration to the next; zeros at the beginning of a
-    /// step. None: it is [`Element::respond`].
-    fn mixed_len(&self) -> usize {
-        0
-    }
-
-    /// [`Element::respond`] with a tangent whose geometric part takes stresses extrapolated from the iterate before: Newton's
-    /// method then needs far fewer iterations in thin bodies with large rotations. The force is that of
-    /// [`Element::respond`], and so is the tangent at equilibrium.
-    ///
-    /// Errors: those of [`Element::respond`].
-    fn respond_mixed(
-        &self,
-        motion: Motion<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        want: Want,
-        _kept: &mut [f64],
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
-        self.respond(motion, old, new, want, out)
-    }
-
     /// Viscous damping matrix of the element itself (dashpots, element Rayleigh); returns false if it has none.
     fn damping(&self, _out: &mut LocalMatrix) -> bool {
         false
     }
 
-    /// Geometric stiffness at the reference state of the stresses that belong to the linear displacement `values`;
-    /// returns false if it has none. Buckling at λ times the load: (K + λ K_G) φ = 0.
-    ///
-    /// Errors: a material without an answer at rest.
-    fn geometric_stiffness(&self, _values: &[f64], _out: &mut LocalMatrix) -> Result<bool, ElementError> {
-        Ok(false)
-    }
-
     /// Adds the consistent nodal forces of a uniform acceleration field b (gravity: b = (0, 0, −g)), ∫ ρ Nᵀ b dV.
     fn body_force(&self, _acceleration: [f64; 3], _out: &mut [f64]) {}
 
+    /// The element as something that opens and closes.
+    fn contact(&self) -> Option<&dyn Contact> {
+        None
+    }
+
+    /// The element as something that can be looked into.
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        None
+    }
+
+    /// The element with a second tangent.
+    fn mixed(&self) -> Option<&dyn Mixed> {
+        None
+    }
+
+    /// The element as something that buckles.
+    fn buckling(&self) -> Option<&dyn Buckling> {
+        None
+    }
+}
+
+/// What joins two bodies and may part: contact, one-sided joints, layers.
+pub trait Contact {
+    /// Shows every yes or no of the element at `motion`, in a fixed order: joint closed, layer pressed. A solution counts only
+    /// when these repeat from one iteration to the next.
+    fn switches(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(bool));
+
+    /// Whether time steps take the element's force at their end, whatever their scheme blends the others with: so that a
+    /// one-sided joint never gains energy (Moreau 1999).
+    fn acts_at_end(&self) -> bool {
+        false
+    }
+
+    /// Whether the element is stable only between shells or beams ([`interlayer::check`]).
+    fn only_between_shells(&self) -> bool {
+        false
+    }
+
+    /// Largest penetration of a penalty at `motion` [m]; 0 without a penalty.
+    fn penetration(&self, _motion: Motion<'_>) -> f64 {
+        0.0
+    }
+
+    /// Moves what is left of a penalty's violation at `motion` into `history` (augmented Lagrangian).
+    fn augment(&self, _motion: Motion<'_>, _history: &mut [f64]) {}
+}
+
+/// What an element shows of its inside; nothing by default. No analysis depends on it.
+pub trait Inspect {
     /// Stresses, resultants or pressure as linear functions of the dofs at the reference state.
     fn samples(&self) -> Vec<Sample> {
         Vec::new()
     }
 
-    /// Energy that the element has dissipated so far [J], read from its committed history.
-    fn dissipated(&self, _history: &[f64]) -> f64 {
-        0.0
-    }
-
     /// Shows every material point at the committed `motion` and `history`, in a fixed order.
-    fn inspect(&self, _motion: Motion<'_>, _history: &[f64], _see: &mut dyn FnMut(&Inspection)) {}
+    fn material_points(&self, _motion: Motion<'_>, _history: &[f64], _see: &mut dyn FnMut(&Inspection)) {}
 
     /// Strains and resultants of the sections at the committed `motion` and `history`; elements without sections have
     /// none.
@@ -300,22 +310,61 @@ pub trait Element: Send + Sync {
         Ok(Vec::new())
     }
 
-    /// Whether the element is stable only between shells or beams ([`interlayer::check`]).
-    fn only_between_shells(&self) -> bool {
-        false
+    /// Energy that the element has dissipated so far [J], read from its committed history.
+    fn dissipated(&self, _history: &[f64]) -> f64 {
+        0.0
+    }
+}
+
+/// An element that cannot be looked into shows nothing.
+impl Inspect for dyn Element + '_ {
+    fn samples(&self) -> Vec<Sample> {
+        self.inspect().map_or_else(Vec::new, |own| own.samples())
     }
 
-    /// Shows every yes or no of the element at `motion`, in a fixed order: joint closed, layer pressed. A solution counts only
-    /// when these repeat from one iteration to the next.
-    fn switches(&self, _motion: Motion<'_>, _history: &[f64], _see: &mut dyn FnMut(bool)) {}
-
-    /// Moves what is left of a penalty's violation at `motion` into `history` (augmented Lagrangian).
-    fn augment(&self, _motion: Motion<'_>, _history: &mut [f64]) {}
-
-    /// Largest penetration of a penalty at `motion` [m]; elements without contact have none.
-    fn penetration(&self, _motion: Motion<'_>) -> Option<f64> {
-        None
+    fn material_points(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(&Inspection)) {
+        if let Some(own) = self.inspect() {
+            own.material_points(motion, history, see);
+        }
     }
+
+    fn sections(&self, motion: Motion<'_>, history: &[f64]) -> Result<Vec<SectionState>, ElementError> {
+        self.inspect()
+            .map_or_else(|| Ok(Vec::new()), |own| own.sections(motion, history))
+    }
+
+    fn dissipated(&self, history: &[f64]) -> f64 {
+        self.inspect().map_or(0.0, |own| own.dissipated(history))
+    }
+}
+
+/// A second tangent, whose geometric part takes stresses extrapolated from the iterate before: Newton's method then needs
+/// far fewer iterations in thin bodies with large rotations.
+pub trait Mixed {
+    /// Number of variables that are kept from one iteration to the next; zeros at the beginning of a step.
+    fn mixed_len(&self) -> usize;
+
+    /// [`Element::respond`] with that tangent. The force is that of [`Element::respond`], and so is the tangent at
+    /// equilibrium.
+    ///
+    /// Errors: those of [`Element::respond`].
+    fn respond_mixed(
+        &self,
+        motion: Motion<'_>,
+        old: &[f64],
+        new: &mut [f64],
+        want: Want,
+        kept: &mut [f64],
+        out: &mut Response,
+    ) -> Result<(), ElementError>;
+}
+
+/// What linear buckling asks: at λ times the load, (K + λ K_G) φ = 0.
+pub trait Buckling {
+    /// Adds the geometric stiffness at the reference state of the stresses that belong to the linear displacement `values`.
+    ///
+    /// Errors: a material without an answer at rest.
+    fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<(), ElementError>;
 }
 
 /// Sum of the dofs of all nodes.

@@ -25,7 +25,7 @@
 use nalgebra::Matrix3;
 
 use super::potential_face::check_positive;
-use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Hexahedron;
@@ -153,6 +153,12 @@ impl Element for Potential8 {
         Ok(())
     }
 
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+}
+
+impl Inspect for Potential8 {
     /// Pressure p' = −ρ φ̈ at the centre.
     fn samples(&self) -> Vec<Sample> {
         let mut centre = [0.0; 3];

@@ -9,7 +9,7 @@
 //! Source: Morand & Ohayon 1995, chapter 5. Limits: small waves, no surface tension.
 
 use super::potential_face::{check_face, check_positive, gauss_points, point};
-use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Face;
@@ -103,6 +103,12 @@ impl Element for PotentialSurface {
         Ok(())
     }
 
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+}
+
+impl Inspect for PotentialSurface {
     /// Elevation η at the centre.
     fn samples(&self) -> Vec<Sample> {
         let centre = point(&self.face, self.chart, 0.0, 0.0);

@@ -48,7 +48,10 @@ use turn::Turn;
 use super::shell::drilling::{Corner, turned};
 use super::shell::geometry::Point;
 use super::shell::section::{Section, SectionResponse};
-use super::{Element, ElementError, Inspection, LocalMatrix, Motion, Response, Sample, SectionState, Want};
+use super::{
+    Buckling, Element, ElementError, Inspect, Inspection, LocalMatrix, Mixed, Motion, Response, Sample, SectionState,
+    Want,
+};
 use crate::dofs::Dof;
 
 /// Number of local dofs.
@@ -386,41 +389,6 @@ impl Element for Shell4 {
         self.answer(motion, old, new, want, None, out)
     }
 
-    fn mixed_len(&self) -> usize {
-        mixed::LEN
-    }
-
-    fn respond_mixed(
-        &self,
-        motion: Motion<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        want: Want,
-        kept: &mut [f64],
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
-        self.answer(motion, old, new, want, Some(kept), out)
-    }
-
-    fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<bool, ElementError> {
-        let reference = self.reference();
-        let common = self.common(&reference);
-        let tangent = self.virgin_tangent()?;
-        let mut stressed = Stressed::default();
-        for (g, p) in self.points.iter().enumerate() {
-            let k = self.kinematics(p, &reference, &common);
-            let strain = k
-                .rows
-                .map(|row| row.iter().zip(values).map(|(b, v)| b * v).sum::<f64>());
-            let turn = self.turns.as_ref().map_or(Turn::NONE, |t| t[g]);
-            let strain = turn.strain(&strain);
-            let resultants = tangent.map(|row| row.iter().zip(&strain).map(|(c, e)| c * e).sum());
-            self.stress(p, &turn.resultants_back(&resultants), &mut stressed);
-        }
-        self.add_geometric(&reference, &stressed, out);
-        Ok(true)
-    }
-
     fn body_force(&self, acceleration: [f64; 3], out: &mut [f64]) {
         let [m0, m1, _] = self.section.inertia();
         let b = Vector3::from(acceleration);
@@ -436,6 +404,20 @@ impl Element for Shell4 {
         }
     }
 
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+
+    fn mixed(&self) -> Option<&dyn Mixed> {
+        Some(self)
+    }
+
+    fn buckling(&self) -> Option<&dyn Buckling> {
+        Some(self)
+    }
+}
+
+impl Inspect for Shell4 {
     /// Resultants in the frame of [`Axes`]: at the centre, then at the four Gauss points counter-clockwise, eight each
     /// in the order of [`RESULTANTS`]. m > 0 stretches the side to which the directors point.
     fn samples(&self) -> Vec<Sample> {
@@ -447,13 +429,52 @@ impl Element for Shell4 {
     }
 
     /// Layers and bars at the four Gauss points.
-    fn inspect(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(&Inspection)) {
+    fn material_points(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(&Inspection)) {
         self.show(&motion, history, see);
     }
 
     /// At the four Gauss points, in the frame of [`Axes`].
     fn sections(&self, motion: Motion<'_>, history: &[f64]) -> Result<Vec<SectionState>, ElementError> {
         self.section_states(&motion, history)
+    }
+}
+
+impl Mixed for Shell4 {
+    fn mixed_len(&self) -> usize {
+        mixed::LEN
+    }
+
+    fn respond_mixed(
+        &self,
+        motion: Motion<'_>,
+        old: &[f64],
+        new: &mut [f64],
+        want: Want,
+        kept: &mut [f64],
+        out: &mut Response,
+    ) -> Result<(), ElementError> {
+        self.answer(motion, old, new, want, Some(kept), out)
+    }
+}
+
+impl Buckling for Shell4 {
+    fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<(), ElementError> {
+        let reference = self.reference();
+        let common = self.common(&reference);
+        let tangent = self.virgin_tangent()?;
+        let mut stressed = Stressed::default();
+        for (g, p) in self.points.iter().enumerate() {
+            let k = self.kinematics(p, &reference, &common);
+            let strain = k
+                .rows
+                .map(|row| row.iter().zip(values).map(|(b, v)| b * v).sum::<f64>());
+            let turn = self.turns.as_ref().map_or(Turn::NONE, |t| t[g]);
+            let strain = turn.strain(&strain);
+            let resultants = tangent.map(|row| row.iter().zip(&strain).map(|(c, e)| c * e).sum());
+            self.stress(p, &turn.resultants_back(&resultants), &mut stressed);
+        }
+        self.add_geometric(&reference, &stressed, out);
+        Ok(())
     }
 }
 

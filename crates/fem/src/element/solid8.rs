@@ -27,7 +27,9 @@ use materials::PointState;
 use nalgebra::{Matrix3, Vector3};
 
 use super::solid8_law::{Law, Moduli, Tension, dyad};
-use super::{Element, ElementError, Inspection, LocalMatrix, Motion, Response, Sample, Want};
+use super::{
+    Buckling, Contact, Element, ElementError, Inspect, Inspection, LocalMatrix, Motion, Response, Sample, Want,
+};
 use crate::dofs::Dof;
 use crate::shape::hex8::CORNERS;
 
@@ -511,24 +513,6 @@ impl Element for Solid8 {
         Ok(())
     }
 
-    /// Stresses of the linear solution times products of gradients.
-    fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<bool, ElementError> {
-        for point in &self.points() {
-            let h = displacement_gradient(point, values);
-            let strain = voigt(&(0.5 * (h + h.transpose())));
-            let (stress, _) = self.material.law.stress(&strain, &point.normal);
-            let s = tensor(&stress);
-            for b in 0..8 {
-                let sg = s * Vector3::from(point.gradients[b]) * point.volume;
-                for a in 0..8 {
-                    let value = Vector3::from(point.gradients[a]).dot(&sg);
-                    (0..3).for_each(|i| out.add(3 * a + i, 3 * b + i, value));
-                }
-            }
-        }
-        Ok(true)
-    }
-
     fn damping(&self, out: &mut LocalMatrix) -> bool {
         let (mass, stiffness) = (self.material.damping_mass, self.material.damping_stiffness);
         if mass == 0.0 && stiffness == 0.0 {
@@ -553,6 +537,35 @@ impl Element for Solid8 {
         }
     }
 
+    /// Layers only.
+    fn contact(&self) -> Option<&dyn Contact> {
+        let law = &self.material.law;
+        (law.only_between_shells() || !law.is_linear()).then_some(self as &dyn Contact)
+    }
+
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+
+    fn buckling(&self) -> Option<&dyn Buckling> {
+        Some(self)
+    }
+}
+
+impl Contact for Solid8 {
+    fn only_between_shells(&self) -> bool {
+        self.material.law.only_between_shells()
+    }
+
+    /// The points of a layer without tension: pressed or parted.
+    fn switches(&self, motion: Motion<'_>, _history: &[f64], see: &mut dyn FnMut(bool)) {
+        if !self.material.law.is_linear() {
+            self.normal_strains(motion.values).iter().for_each(|&e| see(e <= 0.0));
+        }
+    }
+}
+
+impl Inspect for Solid8 {
     /// Stresses at the 2 × 2 × 2 points: `stress_11` … `stress_13` in global components, or `stress_nn` along the layer's
     /// normal.
     fn samples(&self) -> Vec<Sample> {
@@ -598,19 +611,8 @@ impl Element for Solid8 {
         samples
     }
 
-    fn only_between_shells(&self) -> bool {
-        self.material.law.only_between_shells()
-    }
-
-    /// The points of a layer without tension: pressed or parted.
-    fn switches(&self, motion: Motion<'_>, _history: &[f64], see: &mut dyn FnMut(bool)) {
-        if !self.material.law.is_linear() {
-            self.normal_strains(motion.values).iter().for_each(|&e| see(e <= 0.0));
-        }
-    }
-
     /// Strain and stress along the layer's normal at the 2 × 2 × 2 points, for layers only.
-    fn inspect(&self, motion: Motion<'_>, _history: &[f64], see: &mut dyn FnMut(&Inspection)) {
+    fn material_points(&self, motion: Motion<'_>, _history: &[f64], see: &mut dyn FnMut(&Inspection)) {
         if !self.material.law.only_between_shells() {
             return;
         }
@@ -635,6 +637,26 @@ impl Element for Solid8 {
                 state: PointState::default(),
             });
         }
+    }
+}
+
+impl Buckling for Solid8 {
+    /// Stresses of the linear solution times products of gradients.
+    fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<(), ElementError> {
+        for point in &self.points() {
+            let h = displacement_gradient(point, values);
+            let strain = voigt(&(0.5 * (h + h.transpose())));
+            let (stress, _) = self.material.law.stress(&strain, &point.normal);
+            let s = tensor(&stress);
+            for b in 0..8 {
+                let sg = s * Vector3::from(point.gradients[b]) * point.volume;
+                for a in 0..8 {
+                    let value = Vector3::from(point.gradients[a]).dot(&sg);
+                    (0..3).for_each(|i| out.add(3 * a + i, 3 * b + i, value));
+                }
+            }
+        }
+        Ok(())
     }
 }
 

@@ -10,7 +10,7 @@
 //! The direction d is fixed (small displacements). A dashpot enters [`Element::damping`] only, a spring the stiffness only;
 //! both together stand in parallel.
 
-use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
 use crate::dofs::Dof;
 
 /// What a link measures at its nodes.
@@ -165,6 +165,12 @@ impl Element for Spring {
         Ok(())
     }
 
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+}
+
+impl Inspect for Spring {
     /// `force` k e [N or N m]; its position is not known to the element.
     fn samples(&self) -> Vec<Sample> {
         vec![Sample {

@@ -20,7 +20,7 @@
 //!
 //! Source: Guyan 1965; Craig & Bampton 1968; Morand & Ohayon 1995, chapter 5.
 
-use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
 use crate::dofs::Dof;
 use crate::linalg::Matrix;
 
@@ -246,6 +246,12 @@ impl Element for SuperElement {
         self.damping.is_some()
     }
 
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+}
+
+impl Inspect for SuperElement {
     fn samples(&self) -> Vec<Sample> {
         self.samples.clone()
     }

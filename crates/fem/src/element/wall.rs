@@ -34,7 +34,8 @@ use super::shell4::strain::add_turn_block;
 use super::shell4::{RESULTANTS, SIZE as SHELL_SIZE, Shell4};
 use super::solid8::{Elastic, Kinematics, Solid8};
 use super::{
-    Element, ElementError, Inspection, LocalMatrix, Motion, Response, Sample, SectionState, Want, reference_stiffness,
+    Buckling, Contact, Element, ElementError, Inspect, Inspection, LocalMatrix, Motion, Response, Sample, SectionState,
+    Want, reference_stiffness,
 };
 use crate::dofs::Dof;
 
@@ -369,29 +370,6 @@ impl Element for Wall {
         damped
     }
 
-    fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<bool, ElementError> {
-        for (shell, i) in self.shells() {
-            let mut part = LocalMatrix::zeros(SHELL_SIZE);
-            shell.geometric_stiffness(&values[SHELL_SIZE * i..SHELL_SIZE * (i + 1)], &mut part)?;
-            add_block(i, &part, out);
-        }
-        let pull = self.pull(&self.directors);
-        let mut u = vec![0.0; 24];
-        for a in 0..8 {
-            let turn = pull[a] * Vector3::from_column_slice(&values[6 * a + 3..6 * a + 6]);
-            (0..3).for_each(|i| u[3 * a + i] = values[6 * a + i] + turn[i]);
-        }
-        let mut face = LocalMatrix::zeros(24);
-        self.layer.geometric_stiffness(&u, &mut face)?;
-        self.add_pulled(&face, &self.directors, out);
-        let force = reference_stiffness(&self.layer)?.to_matrix().times(&u);
-        for a in 0..8 {
-            let f = Vector3::from_column_slice(&force[3 * a..3 * a + 3]) * self.lever[a];
-            add_turn_block(out, a, &f, &self.directors[a]);
-        }
-        Ok(true)
-    }
-
     fn body_force(&self, acceleration: [f64; 3], out: &mut [f64]) {
         for (shell, i) in self.shells() {
             shell.body_force(acceleration, &mut out[SHELL_SIZE * i..SHELL_SIZE * (i + 1)]);
@@ -403,6 +381,31 @@ impl Element for Wall {
         }
     }
 
+    fn contact(&self) -> Option<&dyn Contact> {
+        Some(self)
+    }
+
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+
+    fn buckling(&self) -> Option<&dyn Buckling> {
+        Some(self)
+    }
+}
+
+impl Contact for Wall {
+    fn switches(&self, motion: Motion<'_>, _history: &[f64], see: &mut dyn FnMut(bool)) {
+        let (u, _) = self.faces(&motion);
+        let face = Motion {
+            values: &u,
+            rotations: motion.rotations,
+        };
+        self.layer.switches(face, &[], see);
+    }
+}
+
+impl Inspect for Wall {
     /// Samples of the inner shell (`inner_n_11`, …), the layer (`stress_nn`, …) and the outer shell (`outer_n_11`, …).
     fn samples(&self) -> Vec<Sample> {
         let mut out = Vec::new();
@@ -438,13 +441,13 @@ impl Element for Wall {
     }
 
     /// Points of the inner shell 0 to 3, of the outer 4 to 7, of the layer 8 to 15.
-    fn inspect(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(&Inspection)) {
+    fn material_points(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(&Inspection)) {
         let shift = |inspection: &Inspection, by: usize| Inspection {
             point: inspection.point + by,
             ..inspection.clone()
         };
         for (shell, i) in self.shells() {
-            shell.inspect(Wall::part(&motion, i), &history[self.slots(i)], &mut |p| {
+            shell.material_points(Wall::part(&motion, i), &history[self.slots(i)], &mut |p| {
                 see(&shift(p, 4 * i))
             });
         }
@@ -453,7 +456,7 @@ impl Element for Wall {
             values: &u,
             rotations: motion.rotations,
         };
-        self.layer.inspect(face, &[], &mut |p| see(&shift(p, 8)));
+        self.layer.material_points(face, &[], &mut |p| see(&shift(p, 8)));
     }
 
     /// Sections of the inner shell, then of the outer.
@@ -464,14 +467,30 @@ impl Element for Wall {
         }
         Ok(out)
     }
+}
 
-    fn switches(&self, motion: Motion<'_>, _history: &[f64], see: &mut dyn FnMut(bool)) {
-        let (u, _) = self.faces(&motion);
-        let face = Motion {
-            values: &u,
-            rotations: motion.rotations,
-        };
-        self.layer.switches(face, &[], see);
+impl Buckling for Wall {
+    fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<(), ElementError> {
+        for (shell, i) in self.shells() {
+            let mut part = LocalMatrix::zeros(SHELL_SIZE);
+            shell.geometric_stiffness(&values[SHELL_SIZE * i..SHELL_SIZE * (i + 1)], &mut part)?;
+            add_block(i, &part, out);
+        }
+        let pull = self.pull(&self.directors);
+        let mut u = vec![0.0; 24];
+        for a in 0..8 {
+            let turn = pull[a] * Vector3::from_column_slice(&values[6 * a + 3..6 * a + 6]);
+            (0..3).for_each(|i| u[3 * a + i] = values[6 * a + i] + turn[i]);
+        }
+        let mut face = LocalMatrix::zeros(24);
+        self.layer.geometric_stiffness(&u, &mut face)?;
+        self.add_pulled(&face, &self.directors, out);
+        let force = reference_stiffness(&self.layer)?.to_matrix().times(&u);
+        for a in 0..8 {
+            let f = Vector3::from_column_slice(&force[3 * a..3 * a + 3]) * self.lever[a];
+            add_turn_block(out, a, &f, &self.directors[a]);
+        }
+        Ok(())
     }
 }
 

@@ -30,7 +30,7 @@
 use nalgebra::Vector3;
 
 use super::potential_face::{check_face, check_positive, gauss_points, point};
-use super::{Element, ElementError, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
 use crate::chart::Chart;
 use crate::dofs::Dof;
 use crate::mesh::Face;
@@ -351,6 +351,12 @@ impl Element for WetFace {
         Ok(())
     }
 
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+}
+
+impl Inspect for WetFace {
     /// Pressure p' = −ρ φ̈ on the wall, at the centre of the coupled part.
     fn samples(&self) -> Vec<Sample> {
         let (n, position) = self.centre;

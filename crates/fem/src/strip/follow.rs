@@ -7,6 +7,7 @@ use super::{BaseReaction, StripError, StripModel, lost};
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::march::{Instant, Observe, Range};
 use crate::dofs::Dof;
+use crate::element::Inspect;
 use crate::liquid::separation::{Openings, SeparationCheck};
 use crate::liquid::strip::Place;
 use crate::state::Gather;
@@ -171,7 +172,7 @@ impl<'a> Watch<'a> {
             let motion = gather.motion(&strip.model, &now.state.committed, &**element);
             let (mut cell, mut widest) = (Cell::default(), [[0.0_f64; 2]; 2]);
             let (mut point, mut cracked) = (usize::MAX, 0);
-            element.inspect(motion, &now.state.old[now.state.history(e)], &mut |fibre| {
+            element.material_points(motion, &now.state.old[now.state.history(e)], &mut |fibre| {
                 let state = &fibre.state;
                 let mut first = |kind: EventKind| {
                     seen[kind as usize].get_or_insert((fibre.position[2], fibre.depth));

@@ -13,7 +13,7 @@ use crate::dofs::{Dof, KINDS};
 use crate::element::fibre_beam::FibreBeam;
 use crate::element::spring::{Direction, Spring};
 use crate::element::super_element::SuperElement;
-use crate::element::{Response, Want, local_size};
+use crate::element::{Inspect, Response, Want, local_size};
 use crate::linalg::{Eigen, Matrix, Ordering, Symbolic, dot, generalized_eigen};
 use crate::liquid::strip::{Trace, WallLiquid};
 use crate::model::{Builder, Model};

@@ -15,6 +15,7 @@ use crate::analysis::motion::Motion;
 use crate::analysis::observable::apply;
 use crate::analysis::scheme::TimeScheme;
 use crate::analysis::transient::Load;
+use crate::element::Inspect;
 use crate::element::beam_section::FibreSection;
 use crate::progress::Silent;
 use crate::state::Gather;

@@ -17,7 +17,7 @@
 use super::{BaseReaction, StripModel};
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::march::Instant;
-use crate::element::Inspection;
+use crate::element::{Inspect, Inspection};
 
 /// Strain of a bar whose strain at rupture is not given: the least characteristic strain at the greatest force of any class
 /// (class A).

@@ -5,6 +5,7 @@ use super::validity::{BarStrain, Departure, Validity, first_of};
 use super::{BaseReaction, StripError, StripModel, lost};
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::march::{Instant, Observe};
+use crate::element::Inspect;
 use crate::liquid::separation::Parting;
 use crate::state::Gather;
 
@@ -127,7 +128,7 @@ impl Demand {
         let beams = strip.model.elements().iter().zip(&strip.tank.sections).enumerate();
         for (e, (element, section)) in beams {
             let motion = gather.motion(&strip.model, &state.committed, &**element);
-            element.inspect(motion, &state.old[state.history(e)], &mut |fibre| {
+            element.material_points(motion, &state.old[state.history(e)], &mut |fibre| {
                 if fibre.layer >= section.layers() {
                     bar.see(fibre);
                     self.bar_stress = self.bar_stress.max(fibre.stress[0].abs());

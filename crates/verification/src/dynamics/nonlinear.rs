@@ -26,7 +26,7 @@ use fem::assembly::Assembler;
 use fem::dofs::Dof;
 use fem::element::spring::PointMass;
 use fem::element::super_element::SuperElement;
-use fem::element::{Element, ElementError, Motion as Movement, Response, Want};
+use fem::element::{Element, ElementError, Inspect, Motion as Movement, Response, Want};
 use fem::linalg::{Ordering, Symbolic};
 use fem::model::{Builder, Model};
 use fem::progress::Silent;
@@ -113,6 +113,12 @@ impl Element for Bar {
         Ok(())
     }
 
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+}
+
+impl Inspect for Bar {
     fn dissipated(&self, history: &[f64]) -> f64 {
         history[self.points()]
     }

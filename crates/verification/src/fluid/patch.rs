@@ -12,7 +12,7 @@ use super::{BULK_MODULUS, Page};
 use crate::{Reference, Row, VerifyError};
 use fem::assembly::Assembler;
 use fem::chart::Chart;
-use fem::element::{Element, Fluid4, Fluid8, LiquidProperties, RotationPart, VolumePart};
+use fem::element::{Element, Fluid4, Fluid8, Inspect, LiquidProperties, RotationPart, VolumePart};
 use fem::linalg::{Kind, Ordering, Symbolic};
 use fem::mesh::{Face, Hexahedron, Rectangle};
 use fem::model::{Builder, Model};

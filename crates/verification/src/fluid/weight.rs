@@ -12,7 +12,7 @@ use super::tank::{Part, Tank};
 use super::{BULK_MODULUS, GRAVITY, Page};
 use crate::{Reference, Row, VerifyError};
 use fem::chart::Chart;
-use fem::element::{Element, LiquidProperties, RotationPart, VolumePart};
+use fem::element::{Inspect, LiquidProperties, RotationPart, VolumePart};
 use fem::linalg::{Kind, Ordering, Symbolic};
 
 const SIZE: f64 = 5.0;

@@ -6,6 +6,7 @@ use super::{Answer, Case, Grid, hold, solve, surface};
 use crate::{Reference, Row};
 use fem::assembly::Assembler;
 use fem::dofs::Dof;
+use fem::element::Inspect;
 use fem::element::shell::load::NodalLoads;
 use fem::element::shell::recovery::nodal_resultants;
 use fem::element::shell::section::{ElasticSection, Section};

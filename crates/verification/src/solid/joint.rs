@@ -14,7 +14,7 @@ use fem::chart::Chart;
 use fem::dofs::Dof;
 use fem::element::contact8::{Contact8, ContactLaw, Opening};
 use fem::element::solid8::{Elastic, Kinematics, Solid8};
-use fem::element::{Element, Motion, Response, Want};
+use fem::element::{Element, Inspect, Motion, Response, Want};
 use fem::mesh::Face;
 use fem::model::{Builder, Model};
 use fem::shape::quad4;

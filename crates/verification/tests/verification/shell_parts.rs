@@ -9,7 +9,7 @@ use fem::element::shell::recovery::nodal_resultants;
 use fem::element::shell::section::{ElasticSection, Section};
 use fem::element::shell::surface::{ShellCell, ShellSurface};
 use fem::element::shell4::{Axes, MassKind, RESULTANTS, Shell4};
-use fem::element::{Element, reference_mass};
+use fem::element::{Element, Inspect, reference_mass};
 use fem::linalg::{Kind, Ordering, Symbolic};
 use fem::model::{Builder, Model};
 use nalgebra::Vector3;

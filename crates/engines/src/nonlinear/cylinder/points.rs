@@ -1,6 +1,6 @@
 //! A look at all material points of the wall, cell by cell.
 
-use fem::element::Inspection;
+use fem::element::{Inspect, Inspection};
 use fem::state::{Gather, State};
 use serde::{Deserialize, Serialize};
 
@@ -68,7 +68,7 @@ pub fn look(tank: &CylinderModel, state: &State) -> Look {
             let motion = gather.motion(&tank.model, &state.committed, element);
             // Widest cracks of each face: of the point where they are widest.
             let mut widest: [Option<[Option<Crack>; 2]>; 2] = [None, None];
-            element.inspect(motion, &state.old[state.history(e)], &mut |p| {
+            element.material_points(motion, &state.old[state.history(e)], &mut |p| {
                 let leaf = p.point / 4;
                 let Some(part) = parts.get(leaf).and_then(|l| l.get(p.layer)) else {
                     return;

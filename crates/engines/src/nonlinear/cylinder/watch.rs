@@ -9,6 +9,7 @@ use fem::analysis::damping::Rayleigh;
 use fem::analysis::march::{Instant, Observe, Quantity, Reaction, Recorder};
 use fem::analysis::observable::Observable;
 use fem::dofs::{Dof, KINDS};
+use fem::element::Inspect;
 use fem::linalg::Matrix;
 use fem::liquid::separation::{Openings, SeparationCheck};
 use fem::state::Gather;

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use fem::analysis::checkpoint::{CheckpointError, Reader, Writer};
+use fem::element::Inspect;
 use fem::state::{Gather, State};
 use tank::units::Dimension;
 
@@ -260,7 +261,7 @@ fn plastic(model: &PushModel, state: &State) -> Vec<f64> {
             let element = &*model.model.elements()[row[k]];
             let motion = gather.motion(&model.model, &state.committed, element);
             let mut largest = 0.0_f64;
-            element.inspect(motion, &state.old[state.history(row[k])], &mut |i| {
+            element.material_points(motion, &state.old[state.history(row[k])], &mut |i| {
                 largest = largest.max(i.state.plastic_strain);
             });
             out.push(largest);

@@ -4,6 +4,7 @@ use super::Problem;
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::scheme::GeneralizedAlpha;
 use crate::assembly::Forces;
+use crate::element::Inspect;
 use crate::linalg::{Symmetric, dot};
 use crate::state::{Fields, State};
 

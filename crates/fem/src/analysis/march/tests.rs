@@ -9,7 +9,7 @@ use crate::analysis::motion::Motion;
 use crate::analysis::observable::Observable;
 use crate::analysis::transient::{self, integrate};
 use crate::element::spring::{Direction, PointMass, Spring};
-use crate::element::{Element, ElementError, Motion as Movement, Response, Want};
+use crate::element::{Element, ElementError, Inspect, Motion as Movement, Response, Want};
 use crate::linalg::Ordering;
 use crate::model::Builder;
 use crate::progress::Silent;
@@ -80,6 +80,12 @@ impl Element for Link {
         Ok(())
     }
 
+    fn inspect(&self) -> Option<&dyn Inspect> {
+        Some(self)
+    }
+}
+
+impl Inspect for Link {
     fn dissipated(&self, history: &[f64]) -> f64 {
         history[1]
     }

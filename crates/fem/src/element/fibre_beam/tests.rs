@@ -3,7 +3,7 @@
 use super::*;
 use crate::analysis::newton::{Criteria, Newton, load_path};
 use crate::assembly::Assembler;
-use crate::element::{local_size, reference_mass, reference_stiffness};
+use crate::element::{Inspect, local_size, reference_mass, reference_stiffness};
 use crate::linalg::{Ordering, Symbolic};
 use crate::model::Model;
 use crate::progress::Silent;
@@ -349,7 +349,7 @@ fn history_and_dissipation() {
     // 0.5 per volume.
     assert!((beam.dissipated(&new) - 0.5 * 0.3 * 2.0).abs() < 1e-14);
     let mut fibres = 0;
-    beam.inspect(motion, &new, &mut |_| fibres += 1);
+    beam.material_points(motion, &new, &mut |_| fibres += 1);
     assert_eq!(fibres, 6);
 }
 

@@ -14,6 +14,7 @@ use nalgebra::Vector3;
 
 use crate::assembly::local_values;
 use crate::dofs::KINDS;
+use crate::element::Inspect;
 use crate::element::shell4::RESULTANTS;
 use crate::model::Model;
 

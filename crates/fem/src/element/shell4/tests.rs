@@ -174,7 +174,7 @@ fn layered_shell_in_hoop_axes() {
         rotations: &rotations,
     };
     let mut bars = 0;
-    shell.inspect(motion, &history, &mut |i| {
+    shell.material_points(motion, &history, &mut |i| {
         let radius = Vector3::new(i.position[0] - 5.0, i.position[1] + 3.0, 0.0);
         let along = Vector3::z().cross(&radius).normalize();
         if i.layer == 2 {

@@ -245,7 +245,7 @@ fn samples_of_all_parts() {
         values: &[0.0; SIZE],
         rotations: &[UnitQuaternion::identity(); 8],
     };
-    wall.inspect(motion, &[], &mut |p| seen.push(p.point));
+    wall.material_points(motion, &[], &mut |p| seen.push(p.point));
     assert!(seen.ends_with(&[8, 9, 10, 11, 12, 13, 14, 15]));
 }
 
