@@ -22,7 +22,7 @@ pub(super) struct Appended {
 }
 
 impl<'a> Basis<'a> {
-    pub fn new(pencil: &'a dyn Pencil) -> Basis<'a> {
+    pub(crate) fn new(pencil: &'a dyn Pencil) -> Basis<'a> {
         let n = pencil.size();
         Basis {
             pencil,
@@ -31,13 +31,13 @@ impl<'a> Basis<'a> {
         }
     }
 
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.q.cols
     }
 
     /// Appends the directions of W that are not in the basis yet. `noise` is the size (in the M-norm) below which a
     /// direction is rounding.
-    pub fn append(&mut self, mut w: Matrix, noise: f64) -> Result<Appended, LinalgError> {
+    pub(crate) fn append(&mut self, mut w: Matrix, noise: f64) -> Result<Appended, LinalgError> {
         let columns = w.cols;
         let mut old = Matrix::zeros(self.len(), columns);
         // Twice is enough (Kahan; Parlett 1998, 6.9).
@@ -86,7 +86,7 @@ impl<'a> Basis<'a> {
     }
 
     /// Columns `first ..`, as a separate matrix.
-    pub fn mass_columns(&self, first: usize) -> Matrix {
+    pub(crate) fn mass_columns(&self, first: usize) -> Matrix {
         let rows = self.mq.rows;
         Matrix {
             rows,
@@ -96,7 +96,7 @@ impl<'a> Basis<'a> {
     }
 
     /// Replaces the first `of` columns by their combinations Q Y.
-    pub fn combine(&mut self, of: usize, y: &Matrix) {
+    pub(crate) fn combine(&mut self, of: usize, y: &Matrix) {
         for matrix in [&mut self.q, &mut self.mq] {
             let rows = matrix.rows;
             let rest = matrix.data.split_off(of * rows);
@@ -133,11 +133,11 @@ fn push(matrix: &mut Matrix, column: &[f64], factor: f64) {
 pub(super) struct Noise(u64);
 
 impl Noise {
-    pub fn new() -> Noise {
+    pub(crate) fn new() -> Noise {
         Noise(0x9E37_79B9_7F4A_7C15)
     }
 
-    pub fn block(&mut self, rows: usize, cols: usize) -> Matrix {
+    pub(crate) fn block(&mut self, rows: usize, cols: usize) -> Matrix {
         let mut out = Matrix::zeros(rows, cols);
         for v in &mut out.data {
             self.0 ^= self.0 << 13;

@@ -28,7 +28,7 @@ pub(crate) struct Modes<const N: usize> {
 }
 
 impl Modes<1> {
-    pub fn bar(elastic: &Elastic) -> Self {
+    pub(crate) fn bar(elastic: &Elastic) -> Self {
         Modes {
             c: [elastic.young_modulus()],
             p: [2.0 / 3.0],
@@ -38,7 +38,7 @@ impl Modes<1> {
 }
 
 impl Modes<3> {
-    pub fn plane(elastic: &Elastic) -> Self {
+    pub(crate) fn plane(elastic: &Elastic) -> Self {
         let g = elastic.shear_modulus();
         Modes {
             c: [elastic.young_modulus() / (1.0 - elastic.poisson_ratio()), 2.0 * g, g],
@@ -49,7 +49,7 @@ impl Modes<3> {
 }
 
 impl Modes<6> {
-    pub fn solid(elastic: &Elastic) -> Self {
+    pub(crate) fn solid(elastic: &Elastic) -> Self {
         let g = elastic.shear_modulus();
         let bulk = elastic.young_modulus() / (1.0 - 2.0 * elastic.poisson_ratio());
         Modes {
@@ -62,7 +62,7 @@ impl Modes<6> {
 
 impl<const N: usize> Modes<N> {
     /// Components along the modes.
-    pub fn split(v: &[f64; N]) -> [f64; N] {
+    pub(crate) fn split(v: &[f64; N]) -> [f64; N] {
         let mut m = *v;
         if N == 3 {
             m[0] = FRAC_1_SQRT_2 * (v[0] + v[1]);
@@ -76,7 +76,7 @@ impl<const N: usize> Modes<N> {
     }
 
     /// Back from [`Modes::split`].
-    pub fn join(m: &[f64; N]) -> [f64; N] {
+    pub(crate) fn join(m: &[f64; N]) -> [f64; N] {
         let mut v = *m;
         if N == 3 {
             v[0] = FRAC_1_SQRT_2 * (m[0] + m[1]);
@@ -91,7 +91,7 @@ impl<const N: usize> Modes<N> {
     }
 
     /// A matrix given along the modes, diag(d) + l rᵀ, in components.
-    pub fn matrix(d: &[f64; N], l: &[f64; N], r: &[f64; N]) -> [[f64; N]; N] {
+    pub(crate) fn matrix(d: &[f64; N], l: &[f64; N], r: &[f64; N]) -> [[f64; N]; N] {
         let (l, r) = (Self::join(l), Self::join(r));
         let mut m = [[0.0; N]; N];
         for j in 0..N {
@@ -110,7 +110,7 @@ impl<const N: usize> Modes<N> {
     }
 
     /// von Mises' equivalent stress √(3 J_2) of a stress given along the modes.
-    pub fn equivalent(&self, xi: &[f64; N]) -> f64 {
+    pub(crate) fn equivalent(&self, xi: &[f64; N]) -> f64 {
         (1.5 * self.p.iter().zip(xi).map(|(p, x)| p * x * x).sum::<f64>()).sqrt()
     }
 }

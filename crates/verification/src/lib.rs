@@ -12,6 +12,7 @@ use fem::model::ModelError;
 pub mod dynamics;
 pub mod fluid;
 pub mod materials;
+pub mod moreau;
 pub mod potential;
 pub mod shell;
 pub mod solid;

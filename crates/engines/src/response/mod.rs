@@ -10,4 +10,4 @@
 pub mod direct;
 pub mod superpose;
 
-pub use fem::analysis::{motion, observe};
+pub use fem::analysis::{motion, observer as observe};

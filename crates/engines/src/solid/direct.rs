@@ -176,7 +176,7 @@ impl Direct<'_> {
             .pop()
             .ok_or_else(|| analysis_error("no record was integrated"))?;
 
-        let extreme = |e: &fem::analysis::observe::Extreme| Extreme {
+        let extreme = |e: &fem::analysis::observer::Extreme| Extreme {
             min: e.min,
             min_time: e.min_time,
             max: e.max,

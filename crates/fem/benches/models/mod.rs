@@ -18,7 +18,7 @@ fn volume([radial, sectors, levels]: [usize; 3]) -> Volume {
 }
 
 /// Concrete bricks, 3 unknowns a node (E = 30 GPa, ν = 0.2, ρ = 2500 kg/m³).
-pub fn solid(bricks: [usize; 3]) -> Model {
+pub(crate) fn solid(bricks: [usize; 3]) -> Model {
     let mesh = volume(bricks);
     let mut builder = Builder::new();
     builder.nodes(&mesh.nodes);
@@ -35,7 +35,7 @@ pub fn solid(bricks: [usize; 3]) -> Model {
 }
 
 /// Liquid with φ = 0 at the base, one unknown a node: its mass matrix is −ρ H.
-pub fn scalar(bricks: [usize; 3]) -> Model {
+pub(crate) fn scalar(bricks: [usize; 3]) -> Model {
     let mesh = volume(bricks);
     let mut builder = Builder::new();
     builder.nodes(&mesh.nodes);

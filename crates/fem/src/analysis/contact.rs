@@ -10,6 +10,9 @@
 //! A residual alone may pass at the wrong set (an open joint carries next to nothing), so the set is asked for as well. Each
 //! pass starts from the last solution. If Newton's method runs between two sets for ever, the step is halved along δu.
 //!
+//! What for: static solutions with [`crate::element::contact8`] where it may open; benchmarks use them. The engines take that
+//! element bonded in linear analyses, and [`crate::element::liquid_joint`] in time.
+//!
 //! Source: Alart & Curnier 1991; Hüeber & Wohlmuth 2005 (active set as semi-smooth Newton); Simo & Laursen 1992 (augmented).
 
 use std::sync::Arc;

@@ -13,6 +13,8 @@
 //! window**): the motion times e^{−σt} decays whatever the damping, and the response is multiplied by e^{σt} again. With
 //! σ T = ln 10⁶ what the previous period leaves is 10⁻⁶ of it, and rounding grows to 10⁻¹⁰.
 //!
+//! What for: an independent answer to check modal superposition and direct integration with; no engine uses it.
+//!
 //! Source: Clough & Penzien 1993, chapter 6; exponential window: Kausel & Roësset 1992.
 
 use nalgebra::{Complex, DMatrix, DVector};
@@ -21,7 +23,7 @@ use realfft::RealFftPlanner;
 use super::modal::ModalBasis;
 use super::motion::Grid;
 use super::observable::{Observable, apply};
-use super::observe::{Extreme, History};
+use super::observer::{Extreme, History};
 use super::system::System;
 use super::transient::Load;
 use super::{AnalysisError, check_length};
@@ -144,6 +146,7 @@ impl Reduced {
     /// Histories of `observables` at the samples of the grid, extremes at its sub-steps.
     ///
     /// Errors: nodal forces, a window out of range, a system that is singular at a frequency.
+    // Long: window, transforms and solutions of one record after the other.
     pub fn respond(
         &self,
         load: &Load,

@@ -9,11 +9,10 @@
 //! |---|---|
 //! | [`system`] | matrices and influence vectors of a model |
 //! | [`statics`] | linear static analysis, reactions at supports |
-//! | [`contact`] | statics with joints that open: active sets, augmented Lagrangian |
+//! | [`contact`] | statics with joints that open: active sets, augmented Lagrangian; no engine yet, benchmarks only |
 //! | [`damping`] | Rayleigh, by group, modal, dashpots |
-//! | [`moreau`] | time steps with one-sided joints, their force at the end of the step |
 //! | [`motion`] | time steps, and ground motion or the time function of a force on them |
-//! | [`observe`] | histories of scalars, extremes of everything else; [`observable`] says of what |
+//! | [`observer`] | histories of scalars, extremes of everything else; [`observable`] says of what |
 //! | [`scheme`] | generalised-α and its special cases: Newmark, Hilber-Hughes-Taylor, trapezoidal rule |
 //! | [`transient`] | direct time integration, one factor for many records, with energy balance |
 //! | [`newton`] | one nonlinear load or time step; static load paths |
@@ -24,7 +23,7 @@
 //! | [`buckling`] | linear buckling about a loaded state |
 //! | [`modal`] | modal superposition with missing mass |
 //! | [`spectrum`] | response-spectrum method: SRSS, CQC, missing mass, components |
-//! | [`frequency`] | frequency domain |
+//! | [`frequency`] | frequency domain, to check the time domain with |
 //! | [`ida`] | one model under one record at rising scales |
 
 pub mod buckling;
@@ -36,11 +35,10 @@ pub mod frequency;
 pub mod ida;
 pub mod march;
 pub mod modal;
-pub mod moreau;
 pub mod motion;
 pub mod newton;
 pub mod observable;
-pub mod observe;
+pub mod observer;
 pub mod scheme;
 pub mod spectrum;
 pub mod statics;

@@ -75,6 +75,7 @@ pub struct Peak {
 ///
 /// Errors: a ratio a mode is missing, an axis that does not exist, an observable of velocities, for which spectra of
 /// pseudo-acceleration say nothing.
+// Long: modal parts, missing mass and components share their arrays.
 pub fn peaks(
     basis: &ModalBasis,
     ratios: &[f64],

@@ -36,7 +36,7 @@ impl Gap {
     }
 
     /// Calls `point(r, s, weight)` for the points of the 2 × 2 rule.
-    pub fn whole(mut point: impl FnMut(f64, f64, f64)) {
+    pub(crate) fn whole(mut point: impl FnMut(f64, f64, f64)) {
         for &(r, wr) in gauss::TWO {
             for &(s, ws) in gauss::TWO {
                 point(r, s, wr * ws);
@@ -45,7 +45,7 @@ impl Gap {
     }
 
     /// Calls `point(r, s, weight)` for the points of the closed part g < 0 of the square.
-    pub fn closed(&self, integration: Integration, mut point: impl FnMut(f64, f64, f64)) {
+    pub(crate) fn closed(&self, integration: Integration, mut point: impl FnMut(f64, f64, f64)) {
         let closed = self.0.iter().filter(|&&g| g < 0.0).count();
         let touching = self.0.iter().filter(|&&g| g <= 0.0).count();
         if closed == 0 {

@@ -3,6 +3,10 @@
 //! An element is pure: it holds parameters, reads the committed history and writes the trial history it is handed, and
 //! knows neither equations nor supports. Its local vector runs node by node over [`Element::dofs`] of each node; all
 //! vector components are global Cartesian (the model turns them into the frames of its nodes).
+//!
+//! What assembly asks of every element is [`Element`]; what some can do besides is [`Contact`], [`Inspect`], [`Mixed`] and
+//! [`Buckling`]. A new kind is a file here, a line below, and an entry in `tests/laws/registry`, whose suite asks every
+//! element for the laws it must obey.
 
 use materials::{LawError, PointState};
 use nalgebra::{UnitQuaternion, Vector3};

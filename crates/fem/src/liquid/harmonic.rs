@@ -50,7 +50,7 @@ pub(super) struct Block {
 }
 
 impl Block {
-    pub fn elevations(&self, levels: usize) -> usize {
+    pub(crate) fn elevations(&self, levels: usize) -> usize {
         self.mass.rows - levels
     }
 }

@@ -79,6 +79,7 @@ impl Cylinder {
     /// The liquid volume.
     ///
     /// Errors: fewer than 3 sectors, radii that do not ascend from 0, heights that do not ascend.
+    // Long: one numbering of nodes, read by the cells and by every face that follows.
     pub fn volume(&self) -> Result<Volume, MeshError> {
         self.check()?;
         check_ascending("radii", &self.radii, 2)?;

@@ -12,7 +12,7 @@
 
 use std::sync::Arc;
 
-use super::model::WALL_DOFS;
+use super::build::WALL_DOFS;
 use super::{PENALTY, StripError, StripTank};
 use crate::analysis::failed;
 use crate::assembly::Assembler;

@@ -22,24 +22,25 @@
 //!   [`StripModel::run`]: one wall, its [`Demand`] alone; [`StripModel::incremental`]: both at rising scales.
 //! * [`levels`]: nodes along a wall.
 
+mod build;
 mod contact;
-mod follow;
+mod demand;
 mod history;
 mod model;
 mod parting;
 mod run;
 mod validity;
-mod watch;
 
 #[cfg(test)]
 mod tests;
 
+pub use build::StripDamping;
 pub use contact::{Joints, Touch};
+pub use demand::{BaseMoment, Demand, FirstCrack};
 pub use history::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory};
-pub use model::{BaseReaction, Side, StripDamping, StripModel};
+pub use model::{BaseReaction, Side, StripModel};
 pub use run::{StripLevel, StripQuake, StripRun, WallRun};
 pub use validity::{ACCELERATION, BAR_STRAIN, Departure, DepartureKind, ENERGY_SHARE, MOMENT_SHARE};
-pub use watch::{BaseMoment, Demand, FirstCrack};
 
 use std::sync::Arc;
 

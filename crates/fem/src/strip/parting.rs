@@ -25,9 +25,9 @@ impl StripModel {
     }
 }
 
-/// Watches one wall.
+/// Observes one wall.
 #[derive(Clone, Debug)]
-pub(super) struct PartingWatch {
+pub(super) struct PartingObserver {
     /// Middles of the wet elements.
     places: Vec<Place>,
     /// Unknowns of the liquid at rest.
@@ -36,12 +36,12 @@ pub(super) struct PartingWatch {
     openings: Option<Openings>,
 }
 
-impl PartingWatch {
-    pub fn new(strip: &StripModel) -> PartingWatch {
+impl PartingObserver {
+    pub(crate) fn new(strip: &StripModel) -> PartingObserver {
         let (tank, liquid) = (&strip.tank, &strip.tank.liquid);
         let middles = tank.levels.windows(2).map(|w| 0.5 * (w[0] + w[1]));
         let heights: Vec<f64> = middles.filter(|z| *z < liquid.depth).collect();
-        PartingWatch {
+        PartingObserver {
             places: liquid.places(tank.contact.trace(), strip.face_levels(), tank.sloshing, &heights),
             rest: Vec::new(),
             check: SeparationCheck::new(liquid.density * liquid.gravity, liquid.depth, heights),
@@ -50,7 +50,7 @@ impl PartingWatch {
     }
 
     /// Looks at one instant.
-    pub fn see(&mut self, strip: &StripModel, now: &Instant<'_>) {
+    pub(crate) fn see(&mut self, strip: &StripModel, now: &Instant<'_>) {
         if let (Some(joints), Some(openings)) = (&strip.joints, &mut self.openings) {
             let touches = joints.look(&strip.model, now.state);
             openings.see(now.time, touches.iter().map(|t| (t.gap, t.penetration)));
@@ -77,12 +77,12 @@ impl PartingWatch {
     }
 
     /// The first parting so far.
-    pub fn first(&self) -> Option<Parting> {
+    pub(crate) fn first(&self) -> Option<Parting> {
         Parting::first(&self.check, self.openings.as_ref())
     }
 
     /// Writes what was seen to a checkpoint.
-    pub fn save(&self, to: &mut Writer) {
+    pub(crate) fn save(&self, to: &mut Writer) {
         to.numbers(&self.rest);
         self.check.save(to);
         if let Some(openings) = &self.openings {
@@ -93,7 +93,7 @@ impl PartingWatch {
     /// Reads it back.
     ///
     /// Errors: a payload that is not its own.
-    pub fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
+    pub(crate) fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
         self.rest = from.numbers("the state at rest")?;
         self.check.restore(from)?;
         match &mut self.openings {

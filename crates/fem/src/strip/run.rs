@@ -4,9 +4,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use oscillator::record::Record;
 
-use super::follow::Watch;
-use super::history::WallHistory;
-use super::watch::DemandWatch;
+use super::demand::DemandObserver;
+use super::history::{WallHistory, WallObserver};
 use super::{Demand, Side, StripError, StripModel};
 use crate::analysis::ida::{self, Point};
 use crate::analysis::march::{Checkpoint, Observe, Outcome, Problem, Run, Settings, march};
@@ -71,7 +70,7 @@ pub struct StripRun {
     pub iterations: u64,
 }
 
-/// One wall after a run that was watched closely.
+/// One wall after a run that was observed closely.
 #[derive(Clone, Debug)]
 pub struct WallRun {
     /// What was seen.
@@ -155,10 +154,10 @@ impl StripModel {
         checkpoint: Option<Checkpoint>,
         progress: &dyn Progress,
     ) -> Result<StripRun, StripError> {
-        let mut watch = DemandWatch::new(self);
-        let run = self.march(quake, scale, side, checkpoint, &mut watch, progress)?;
+        let mut observer = DemandObserver::new(self);
+        let run = self.march(quake, scale, side, checkpoint, &mut observer, progress)?;
         Ok(StripRun {
-            demand: watch.finish()?,
+            demand: observer.finish()?,
             time: run.time,
             hysteretic: run.balance.samples.last().map_or(0.0, |e| e.hysteretic),
             imbalance: run.balance.error(),
@@ -170,7 +169,7 @@ impl StripModel {
     }
 
     /// Both walls under the records as they are, side by side, with all that can be told of them. The tank ends with the wall
-    /// that collapses first: the other one is not followed further.
+    /// that collapses first: the other one is not observed further.
     ///
     /// * `checkpoints`: of the walls at +L and −L
     ///
@@ -184,13 +183,13 @@ impl StripModel {
         progress.stage("time steps of both walls", 2 * self.grid(quake).steps() as u64);
         let counted = Counted::new(progress);
         let [first, second] = checkpoints;
-        let follow = |side, checkpoint, until| self.follow(quake, side, checkpoint, until, &counted);
+        let observe = |side, checkpoint, until| self.observed(quake, side, checkpoint, until, &counted);
         let (a, b) = std::thread::scope(|scope| {
             let other = scope.spawn(|| {
                 let own = Counted::new(progress);
-                self.follow(quake, Side::Negative, second, None, &own)
+                self.observed(quake, Side::Negative, second, None, &own)
             });
-            let one = follow(Side::Positive, first, None);
+            let one = observe(Side::Positive, first, None);
             let other = match other.join() {
                 Ok(run) => run,
                 Err(panic) => std::panic::resume_unwind(panic),
@@ -202,7 +201,7 @@ impl StripModel {
         let end = end.fold(f64::INFINITY, f64::min);
         for (wall, side) in walls.iter_mut().zip(Side::BOTH) {
             if wall.run.time > end && wall.run.outcome != Outcome::Interrupted {
-                *wall = self.follow(quake, side, None, Some(end), &Quiet(progress))?;
+                *wall = self.observed(quake, side, None, Some(end), &Quiet(progress))?;
             }
         }
         Ok(walls)
@@ -212,10 +211,10 @@ impl StripModel {
     ///
     /// Errors: those of the analysis. Collapse is none.
     pub fn single(&self, quake: &StripQuake, side: Side, progress: &dyn Progress) -> Result<WallRun, StripError> {
-        self.follow(quake, side, None, None, progress)
+        self.observed(quake, side, None, None, progress)
     }
 
-    fn follow(
+    fn observed(
         &self,
         quake: &StripQuake,
         side: Side,
@@ -223,11 +222,11 @@ impl StripModel {
         until: Option<f64>,
         progress: &dyn Progress,
     ) -> Result<WallRun, StripError> {
-        let mut watch = Watch::new(self, until);
-        let run = self.march(quake, 1.0, side, checkpoint, &mut watch, progress)?;
+        let mut observer = WallObserver::new(self, until);
+        let run = self.march(quake, 1.0, side, checkpoint, &mut observer, progress)?;
         Ok(WallRun {
-            lost: watch.lost(),
-            history: watch.finish()?,
+            lost: observer.lost(),
+            history: observer.finish()?,
             run,
         })
     }

@@ -94,7 +94,7 @@ fn quake(frequency: f64, amplitude: f64, until: f64, radius: f64) -> StripQuake 
 }
 
 /// Looks at every step of the wall at +L.
-fn watch(strip: &StripModel, quake: &StripQuake, mut see: impl FnMut(&Instant<'_>)) {
+fn observe(strip: &StripModel, quake: &StripQuake, mut see: impl FnMut(&Instant<'_>)) {
     let grid = strip.grid(quake);
     let record = &quake.horizontal;
     let load = Load::ground(0, Motion::sampled(record.dt, &record.acceleration, &grid));
@@ -119,7 +119,7 @@ fn the_reaction_is_section_damping_inertia_and_load() {
     let softening = Softening::Strain { softening_strain: 3e-4 };
     let strip = strip(section(concrete(softening), bar()), BY_GROUP);
     let [mut worst, mut largest, mut cracked] = [0.0_f64; 3];
-    watch(&strip, &quake(2.0, 1.0, 0.8, 0.9), |now| {
+    observe(&strip, &quake(2.0, 1.0, 0.8, 0.9), |now| {
         let reaction = strip.base_reaction(now.state, now.ground).unwrap();
         let element = &*strip.model.elements()[0];
         let mut gather = Gather::default();
@@ -154,7 +154,7 @@ fn the_reaction_of_an_elastic_wall_is_the_linear_one() {
     let strip = strip(section, BY_GROUP);
     let row = strip.base_moment();
     let (mut rest, mut worst, mut largest) = (None, 0.0_f64, 0.0_f64);
-    watch(&strip, &quake(3.0, 0.3, 1.0, 0.9), |now| {
+    observe(&strip, &quake(3.0, 0.3, 1.0, 0.9), |now| {
         let fields = &now.state.committed;
         let total = row.total_ground(&strip.system.influence);
         let own = apply(&row.displacement, &fields.u)
@@ -177,7 +177,7 @@ fn the_section_bears_its_yield_moment_and_hardening() {
     let wall = || section(concrete(softening), bar());
     let strip = strip(wall(), BY_GROUP);
     let [mut curvature, mut own, mut reaction, mut axial] = [0.0_f64; 4];
-    watch(&strip, &quake(4.0, 1.2, 0.8, 0.9), |now| {
+    observe(&strip, &quake(4.0, 1.2, 0.8, 0.9), |now| {
         let element = &*strip.model.elements()[0];
         let mut gather = Gather::default();
         let motion = gather.motion(&strip.model, &now.state.committed, element);

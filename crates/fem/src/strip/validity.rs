@@ -91,7 +91,7 @@ pub(super) struct BarStrain {
 
 impl BarStrain {
     /// Takes in a bar.
-    pub fn see(&mut self, bar: &Inspection) {
+    pub(crate) fn see(&mut self, bar: &Inspection) {
         let strain = bar.strain[0];
         let ratio = match bar.state.rupture {
             0.0 => strain / BAR_STRAIN,
@@ -125,7 +125,7 @@ pub(super) struct Validity {
 
 impl Validity {
     /// Takes in a committed step, with the reaction at the base and the worst bar.
-    pub fn see(&mut self, strip: &StripModel, now: &Instant<'_>, reaction: &BaseReaction, bar: BarStrain) {
+    pub(crate) fn see(&mut self, strip: &StripModel, now: &Instant<'_>, reaction: &BaseReaction, bar: BarStrain) {
         let elements = strip.model.elements().iter().enumerate();
         let dissipated: f64 = elements
             .map(|(e, element)| element.dissipated(&now.state.old[now.state.history(e)]))
@@ -199,17 +199,17 @@ impl Validity {
     }
 
     /// The first of each kind, by time.
-    pub fn found(&self) -> &[Departure] {
+    pub(crate) fn found(&self) -> &[Departure] {
         &self.found
     }
 
     /// Why the run ends.
-    pub fn stop(&self) -> Option<String> {
+    pub(crate) fn stop(&self) -> Option<String> {
         let reason = "the time integration gains energy: no answer of the model any more".to_owned();
         self.found.iter().any(|d| d.kind.stops()).then_some(reason)
     }
 
-    pub fn save(&self, to: &mut Writer) {
+    pub(crate) fn save(&self, to: &mut Writer) {
         let [dissipated, rest] = self.start.unwrap_or([f64::NAN; 2]);
         let [reaction, section] = self.moments;
         to.numbers(&[dissipated, rest, self.largest, reaction, section, self.joints]);
@@ -219,7 +219,7 @@ impl Validity {
         to.numbers(&all.collect::<Vec<_>>());
     }
 
-    pub fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
+    pub(crate) fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
         let mut kept = [0.0; 6];
         from.numbers_into("limits of the model", &mut kept)?;
         let [dissipated, rest, largest, reaction, section, joints] = kept;

@@ -47,7 +47,7 @@ fn turned_axes_turn_the_answers() {
     }
 }
 
-pub fn damping(element: &dyn Element) -> LocalMatrix {
+pub(crate) fn damping(element: &dyn Element) -> LocalMatrix {
     let mut out = LocalMatrix::zeros(fem::element::local_size(element));
     if !element.damping(&mut out) {
         out.data.fill(0.0);
@@ -55,13 +55,13 @@ pub fn damping(element: &dyn Element) -> LocalMatrix {
     out
 }
 
-pub fn weight(element: &dyn Element, acceleration: Vector3<f64>) -> Vec<f64> {
+pub(crate) fn weight(element: &dyn Element, acceleration: Vector3<f64>) -> Vec<f64> {
     let mut out = vec![0.0; fem::element::local_size(element)];
     element.body_force(acceleration.into(), &mut out);
     out
 }
 
-pub fn geometric(element: &dyn Element, values: &[f64]) -> LocalMatrix {
+pub(crate) fn geometric(element: &dyn Element, values: &[f64]) -> LocalMatrix {
     let mut out = LocalMatrix::zeros(values.len());
     let buckling = element.buckling().expect("asked of elements that buckle");
     buckling.geometric_stiffness(values, &mut out).unwrap();

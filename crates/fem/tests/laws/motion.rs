@@ -8,13 +8,13 @@ use crate::specimen::Specimen;
 
 /// What the nodes of a specimen do. Rotational dofs hold the rotation vector of the same rotation.
 #[derive(Clone, Debug)]
-pub struct Moved {
-    pub values: Vec<f64>,
-    pub rotations: Vec<UnitQuaternion<f64>>,
+pub(crate) struct Moved {
+    pub(crate) values: Vec<f64>,
+    pub(crate) rotations: Vec<UnitQuaternion<f64>>,
 }
 
 impl Moved {
-    pub fn motion(&self) -> Motion<'_> {
+    pub(crate) fn motion(&self) -> Motion<'_> {
         Motion {
             values: &self.values,
             rotations: &self.rotations,
@@ -22,7 +22,7 @@ impl Moved {
     }
 
     /// Nothing.
-    pub fn rest(specimen: &Specimen) -> Moved {
+    pub(crate) fn rest(specimen: &Specimen) -> Moved {
         Moved {
             values: vec![0.0; specimen.locals().len()],
             rotations: vec![UnitQuaternion::identity(); specimen.positions.len()],
@@ -30,7 +30,7 @@ impl Moved {
     }
 
     /// Something without any pattern, number `k`, of `part` of the specimen's amplitude.
-    pub fn scattered(specimen: &Specimen, k: usize, part: f64) -> Moved {
+    pub(crate) fn scattered(specimen: &Specimen, k: usize, part: f64) -> Moved {
         let locals = specimen.locals();
         let value = |i: usize| part * specimen.amplitude * (0.7 + 1.9 * i as f64 + 2.3 * k as f64).sin();
         let values: Vec<f64> = (0..locals.len()).map(value).collect();
@@ -47,7 +47,7 @@ impl Moved {
     }
 
     /// A run of `steps` motions that goes out and back, so that laws load and unload.
-    pub fn run(specimen: &Specimen, steps: usize) -> Vec<Moved> {
+    pub(crate) fn run(specimen: &Specimen, steps: usize) -> Vec<Moved> {
         let part = |k: usize| (4.0 * k as f64 / steps as f64).sin();
         (0..steps)
             .map(|k| Moved::scattered(specimen, k / 3, part(k + 1)))
@@ -55,7 +55,7 @@ impl Moved {
     }
 
     /// The same with local dof `k` moved by `h`: rotations by a spin on top.
-    pub fn nudged(&self, specimen: &Specimen, k: usize, h: f64) -> Moved {
+    pub(crate) fn nudged(&self, specimen: &Specimen, k: usize, h: f64) -> Moved {
         let mut out = self.clone();
         out.values[k] += h;
         let (a, dof) = specimen.locals()[k];
@@ -68,7 +68,7 @@ impl Moved {
     }
 
     /// The same seen in turned axes.
-    pub fn turned(&self, specimen: &Specimen, turn: &UnitQuaternion<f64>) -> Moved {
+    pub(crate) fn turned(&self, specimen: &Specimen, turn: &UnitQuaternion<f64>) -> Moved {
         Moved {
             values: turned_vector(specimen, turn, &self.values),
             rotations: self.rotations.iter().map(|r| turn * r * turn.inverse()).collect(),
@@ -77,7 +77,7 @@ impl Moved {
 
     /// A rotation about the origin and a translation on top of the motion. Values of rotational dofs stay as they are:
     /// elements with finite rotations do not read them.
-    pub fn carried(&self, specimen: &Specimen, turn: &UnitQuaternion<f64>, shift: Vector3<f64>) -> Moved {
+    pub(crate) fn carried(&self, specimen: &Specimen, turn: &UnitQuaternion<f64>, shift: Vector3<f64>) -> Moved {
         let mut out = self.clone();
         let mut moved = vec![Vector3::zeros(); specimen.positions.len()];
         let locals = specimen.locals();
@@ -100,7 +100,7 @@ impl Moved {
 /// v ← T v, where T turns displacements and rotations of every node.
 ///
 /// Panics if a component appears that the element has no dof for.
-pub fn turned_vector(specimen: &Specimen, turn: &UnitQuaternion<f64>, v: &[f64]) -> Vec<f64> {
+pub(crate) fn turned_vector(specimen: &Specimen, turn: &UnitQuaternion<f64>, v: &[f64]) -> Vec<f64> {
     let locals = specimen.locals();
     let mut at = vec![[0.0; KINDS]; specimen.positions.len()];
     locals.iter().zip(v).for_each(|(&(a, dof), &x)| at[a][dof.index()] = x);

@@ -9,10 +9,10 @@ use crate::registry::all;
 use crate::specimen::{Rotations, answer, largest, times, virgin};
 
 /// Translations along x, y, z and rotations about them.
-pub const MODES: [&str; 6] = ["u_x", "u_y", "u_z", "r_x", "r_y", "r_z"];
+pub(crate) const MODES: [&str; 6] = ["u_x", "u_y", "u_z", "r_x", "r_y", "r_z"];
 
 /// Field of rigid motion `mode` in linear theory; potential, elevation and amplitudes rest.
-pub fn mode(mode: usize, x: [f64; 3]) -> [f64; KINDS] {
+pub(crate) fn mode(mode: usize, x: [f64; 3]) -> [f64; KINDS] {
     let mut out = [0.0; KINDS];
     out[mode] = 1.0;
     if mode >= 3 {

@@ -7,35 +7,35 @@ use nalgebra::{UnitQuaternion, Vector3};
 use crate::motion::Moved;
 
 /// Builds an element in axes turned about the origin.
-pub type Build = Box<dyn Fn(&UnitQuaternion<f64>) -> Box<dyn Element>>;
+pub(crate) type Build = Box<dyn Fn(&UnitQuaternion<f64>) -> Box<dyn Element>>;
 
 /// Components of a field at a point, in the order of [`Dof::ALL`].
-pub type Field = fn([f64; 3]) -> [f64; KINDS];
+pub(crate) type Field = fn([f64; 3]) -> [f64; KINDS];
 
 /// An element, where it lies, and what is expected of it.
-pub struct Specimen {
+pub(crate) struct Specimen {
     /// Its type, as in `impl Element for …`.
-    pub of: &'static str,
+    pub(crate) of: &'static str,
     /// Which of that type.
-    pub what: &'static str,
-    pub build: Build,
+    pub(crate) what: &'static str,
+    pub(crate) build: Build,
     /// Positions of its local nodes [m].
-    pub positions: Vec<[f64; 3]>,
+    pub(crate) positions: Vec<[f64; 3]>,
     /// Size of the displacements that make it work [m]; rotations are that of a metre's length.
-    pub amplitude: f64,
-    pub tangent: Tangent,
-    pub rotations: Rotations,
+    pub(crate) amplitude: f64,
+    pub(crate) tangent: Tangent,
+    pub(crate) rotations: Rotations,
     /// Rigid motions that meet a force at rest, in the order of [`crate::rigid::MODES`], and why.
-    pub resists: (&'static [usize], &'static str),
+    pub(crate) resists: (&'static [usize], &'static str),
     /// Why there is a force at rest.
-    pub load: Option<&'static str>,
-    pub turns: Turns,
-    pub mass: Mass,
+    pub(crate) load: Option<&'static str>,
+    pub(crate) turns: Turns,
+    pub(crate) mass: Mass,
 }
 
 /// How the tangent belongs to the force.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Tangent {
+pub(crate) enum Tangent {
     /// It is the derivative.
     Derivative,
     /// It is the symmetric part of the derivative, because …
@@ -46,7 +46,7 @@ pub enum Tangent {
 
 /// Rotations for which the element is meant.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Rotations {
+pub(crate) enum Rotations {
     /// Any: a rotation on top of a motion turns the forces.
     Finite,
     /// Those of linear theory, because …
@@ -55,7 +55,7 @@ pub enum Rotations {
 
 /// Axes in which the element can be built.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Turns {
+pub(crate) enum Turns {
     /// All.
     Any,
     /// Turned about the global y axis, because …
@@ -68,7 +68,7 @@ pub enum Turns {
 
 /// What the mass matrix sums up to.
 #[derive(Clone, Copy)]
-pub enum Mass {
+pub(crate) enum Mass {
     /// This mass [kg] in every direction that its dofs have, with its weight.
     Of(f64),
     /// The same along one axis only, because …
@@ -86,7 +86,7 @@ const LINEAR: &str = "it is linear: strains are those of small displacements";
 
 impl Turns {
     /// A turn about the origin, as long as there may be one.
-    pub fn turn(self) -> Option<UnitQuaternion<f64>> {
+    pub(crate) fn turn(self) -> Option<UnitQuaternion<f64>> {
         let vector = match self {
             Turns::Any => Vector3::new(0.5, -0.8, 1.1),
             Turns::AboutY(_) => Vector3::new(0.0, 0.7, 0.0),
@@ -99,7 +99,7 @@ impl Turns {
 
 impl Specimen {
     /// A specimen of small rotations that can be built in any axes, has its tangent for derivative and no mass.
-    pub fn new(
+    pub(crate) fn new(
         of: &'static str,
         what: &'static str,
         positions: &[[f64; 3]],
@@ -121,12 +121,12 @@ impl Specimen {
     }
 
     /// In the axes of its entry.
-    pub fn element(&self) -> Box<dyn Element> {
+    pub(crate) fn element(&self) -> Box<dyn Element> {
         (self.build)(&UnitQuaternion::identity())
     }
 
     /// Local dofs: node and kind.
-    pub fn locals(&self) -> Vec<(usize, Dof)> {
+    pub(crate) fn locals(&self) -> Vec<(usize, Dof)> {
         let element = self.element();
         assert_eq!(element.nodes().len(), self.positions.len(), "{self}: positions");
         let of = |a: usize| element.dofs(a).iter().map(move |&d| (a, d));
@@ -134,12 +134,12 @@ impl Specimen {
     }
 
     /// Whether its first node has a displacement along that axis.
-    pub fn moves(&self, axis: usize) -> bool {
+    pub(crate) fn moves(&self, axis: usize) -> bool {
         self.locals().contains(&(0, Dof::ALL[axis]))
     }
 
     /// Values of a field at the local dofs.
-    pub fn row(&self, field: impl Fn([f64; 3]) -> [f64; KINDS]) -> Vec<f64> {
+    pub(crate) fn row(&self, field: impl Fn([f64; 3]) -> [f64; KINDS]) -> Vec<f64> {
         let at = |&(a, dof): &(usize, Dof)| field(self.positions[a])[dof.index()];
         self.locals().iter().map(at).collect()
     }
@@ -153,20 +153,20 @@ impl std::fmt::Display for Specimen {
 
 /// What an element answers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Answer {
-    pub force: Vec<f64>,
-    pub tangent: LocalMatrix,
+pub(crate) struct Answer {
+    pub(crate) force: Vec<f64>,
+    pub(crate) tangent: LocalMatrix,
     /// Trial history.
-    pub history: Vec<f64>,
+    pub(crate) history: Vec<f64>,
 }
 
 /// Force, tangent and trial history at a motion, with the committed history `old`.
-pub fn answer(element: &dyn Element, moved: &Moved, old: &[f64]) -> Answer {
+pub(crate) fn answer(element: &dyn Element, moved: &Moved, old: &[f64]) -> Answer {
     asked(element, moved, old, fem::element::Want::ALL)
 }
 
 /// The same for what is wanted alone. The trial history begins as what no element may read.
-pub fn asked(element: &dyn Element, moved: &Moved, old: &[f64], want: fem::element::Want) -> Answer {
+pub(crate) fn asked(element: &dyn Element, moved: &Moved, old: &[f64], want: fem::element::Want) -> Answer {
     let mut out = Response::sized(local_size(element));
     let mut history = vec![f64::NAN; old.len()];
     element
@@ -181,24 +181,24 @@ pub fn asked(element: &dyn Element, moved: &Moved, old: &[f64], want: fem::eleme
 }
 
 /// The history of an element that nothing has happened to.
-pub fn virgin(element: &dyn Element) -> Vec<f64> {
+pub(crate) fn virgin(element: &dyn Element) -> Vec<f64> {
     let mut history = vec![0.0; element.history_len()];
     element.init_history(&mut history);
     history
 }
 
 /// Largest entry.
-pub fn largest(of: &[f64]) -> f64 {
+pub(crate) fn largest(of: &[f64]) -> f64 {
     of.iter().fold(0.0, |m, x| m.max(x.abs()))
 }
 
 /// K x.
-pub fn times(matrix: &LocalMatrix, x: &[f64]) -> Vec<f64> {
+pub(crate) fn times(matrix: &LocalMatrix, x: &[f64]) -> Vec<f64> {
     matrix.to_matrix().times(x)
 }
 
 /// Whether the matrix is symmetric to rounding: sums of 10² terms that cancel by 10² leave 10⁻¹² of the largest entry.
-pub fn symmetric(matrix: &LocalMatrix) -> bool {
+pub(crate) fn symmetric(matrix: &LocalMatrix) -> bool {
     let allowed = 1e-12 * largest(&matrix.data);
     (0..matrix.n).all(|j| (0..j).all(|i| (matrix.get(i, j) - matrix.get(j, i)).abs() <= allowed))
 }

@@ -86,7 +86,7 @@ pub(crate) struct Traction {
 
 impl Traction {
     /// Errors: a parameter out of range; with the largest admissible size where the element is too large.
-    pub fn new(law: &'static str, young_modulus: f64, tension: &Tension) -> Result<Traction, LawError> {
+    pub(crate) fn new(law: &'static str, young_modulus: f64, tension: &Tension) -> Result<Traction, LawError> {
         let f_t = tension.strength;
         positive(law, "tensile_strength", f_t, "Pa")?;
         let softening_strain = match tension.softening {
@@ -155,7 +155,7 @@ impl Traction {
     }
 
     /// Neither strength nor energy.
-    pub fn none() -> Traction {
+    pub(crate) fn none() -> Traction {
         Traction {
             strength: 0.0,
             softening_strain: 0.0,
@@ -167,13 +167,13 @@ impl Traction {
     }
 
     /// Whether the traction drops suddenly.
-    pub fn brittle(&self) -> bool {
+    pub(crate) fn brittle(&self) -> bool {
         self.softening_strain == 0.0 && self.strength > 0.0
     }
 
     /// Traction and slope [Pa] at a first opening e ≥ 0.
     #[inline]
-    pub fn at(&self, e: f64) -> (f64, f64) {
+    pub(crate) fn at(&self, e: f64) -> (f64, f64) {
         if e <= self.tail_from {
             if self.softening_strain == 0.0 {
                 return if e > 0.0 { (0.0, 0.0) } else { (self.strength, 0.0) };
@@ -192,7 +192,7 @@ impl Traction {
     }
 
     /// The same crack with a strength reduced by lateral compression; the fracture energy stays, if energy is given.
-    pub fn reduced(&self, strength: f64) -> Traction {
+    pub(crate) fn reduced(&self, strength: f64) -> Traction {
         let share = strength / self.strength;
         let stretch = if self.by_energy { 1.0 / share } else { 1.0 };
         Traction {
@@ -205,7 +205,7 @@ impl Traction {
     }
 
     /// ∂t/∂f_t at the opening e, along [`Traction::reduced`].
-    pub fn by_strength(&self, e: f64) -> f64 {
+    pub(crate) fn by_strength(&self, e: f64) -> f64 {
         if self.softening_strain == 0.0 {
             return if e > 0.0 { 0.0 } else { 1.0 };
         }
@@ -218,7 +218,7 @@ impl Traction {
 
     /// D(m) [J/m³]: what a crack of largest opening m has dissipated; `traction` is t(m).
     #[inline]
-    pub fn dissipated(&self, m: f64, traction: f64) -> f64 {
+    pub(crate) fn dissipated(&self, m: f64, traction: f64) -> f64 {
         let work = if m <= self.tail_from {
             self.softening_strain * (self.strength - traction)
         } else {
@@ -241,7 +241,7 @@ impl Traction {
     /// The exponential needs the root of x + a exp(−x) = u/e_f, a = f_t/(E e_f) < 1. The left side is convex and grows, so
     /// Newton's method converges from anywhere, and after the first step from above; near the root Halley's takes over.
     #[inline]
-    pub fn opened(&self, u: f64, young_modulus: f64, start: f64) -> (f64, f64, f64) {
+    pub(crate) fn opened(&self, u: f64, young_modulus: f64, start: f64) -> (f64, f64, f64) {
         let e_f = self.softening_strain;
         if e_f == 0.0 {
             return (u, 0.0, 0.0);

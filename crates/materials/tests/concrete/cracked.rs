@@ -5,14 +5,14 @@ use materials::{Law, Response};
 
 use super::Point;
 
-pub const E: f64 = 34e9;
+pub(crate) const E: f64 = 34e9;
 const NU: f64 = 0.2;
-pub const F_C: f64 = 35e6;
+pub(crate) const F_C: f64 = 35e6;
 const F_T: f64 = 3.5e6;
 const G_F: f64 = 100.0;
 const SIZE: f64 = 0.1;
 
-pub fn parameters() -> CrackedParameters {
+pub(crate) fn parameters() -> CrackedParameters {
     CrackedParameters::new(
         E,
         NU,

@@ -11,13 +11,13 @@ use materials::plastic_fracturing::{Parameters, PlasticFracturing};
 use materials::von_mises::VonMises;
 
 /// A law and the size of strains that activate it.
-pub struct Case<const N: usize> {
-    pub name: &'static str,
-    pub law: Box<dyn Law<N>>,
+pub(crate) struct Case<const N: usize> {
+    pub(crate) name: &'static str,
+    pub(crate) law: Box<dyn Law<N>>,
     /// Largest strain component of random paths.
-    pub strain: f64,
+    pub(crate) strain: f64,
     /// A stress to compare with [Pa].
-    pub strength: f64,
+    pub(crate) strength: f64,
 }
 
 fn case<const N: usize>(name: &'static str, law: impl Law<N> + 'static, strain: f64, strength: f64) -> Case<N> {
@@ -103,7 +103,7 @@ fn sargin() -> Compression {
 }
 
 /// Bars and fibres.
-pub fn bars() -> Vec<Case<1>> {
+pub(crate) fn bars() -> Vec<Case<1>> {
     vec![
         case("elastic", elastic(), 0.01, 355e6),
         case("von Mises, ideal", steel(0.0, 1.0), 0.01, 355e6),
@@ -127,7 +127,7 @@ pub fn bars() -> Vec<Case<1>> {
 }
 
 /// Plane stress.
-pub fn plane() -> Vec<Case<3>> {
+pub(crate) fn plane() -> Vec<Case<3>> {
     vec![
         case("elastic", elastic(), 0.01, 355e6),
         case("von Mises, ideal", steel(0.0, 1.0), 0.01, 355e6),
@@ -143,7 +143,7 @@ pub fn plane() -> Vec<Case<3>> {
 }
 
 /// Solids.
-pub fn solid() -> Vec<Case<6>> {
+pub(crate) fn solid() -> Vec<Case<6>> {
     vec![
         case("elastic", elastic(), 0.01, 355e6),
         case("von Mises, ideal", steel(0.0, 1.0), 0.01, 355e6),

@@ -19,15 +19,15 @@ use super::soft::{Soft, SoftTrace};
 use super::stiff::{Stiff, StiffTrace};
 
 /// Steps of a block.
-pub const BLOCK: usize = 16;
+pub(crate) const BLOCK: usize = 16;
 /// Oscillators with fewer steps per period are stiff.
 const STIFF: f64 = 8.0;
 /// Intervals per period for the search of extrema.
-pub const INTERVALS: f64 = 16.0;
+pub(crate) const INTERVALS: f64 = 16.0;
 
 /// An oscillator: circular frequency [rad/s] > 0 and damping ratio 0 ≤ ξ < 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Oscillator {
+pub(crate) struct Oscillator {
     /// ω [rad/s].
     pub omega: f64,
     /// ξ.
@@ -36,7 +36,7 @@ pub struct Oscillator {
 
 impl Oscillator {
     /// κ = √(1 − ξ²).
-    pub fn kappa(&self) -> f64 {
+    pub(crate) fn kappa(&self) -> f64 {
         ((1.0 - self.damping) * (1.0 + self.damping)).sqrt()
     }
 }
@@ -44,7 +44,7 @@ impl Oscillator {
 /// Largest ω²|u|, ω|u̇| and |ü + a_g| [m/s²] of each oscillator over the record and the free vibration after it.
 ///
 /// `ground`: acceleration [m/s²] at samples `h` [s] apart.
-pub fn maxima(ground: &[f64], h: f64, oscillators: &[Oscillator]) -> Vec<Maxima> {
+pub(crate) fn maxima(ground: &[f64], h: f64, oscillators: &[Oscillator]) -> Vec<Maxima> {
     // Neighbours in frequency share a group, so that a group is of one kind.
     let mut order: Vec<usize> = (0..oscillators.len()).collect();
     order.sort_by(|&i, &j| oscillators[j].omega.total_cmp(&oscillators[i].omega));
@@ -150,7 +150,7 @@ fn select(trace: &[Trace], m: &[Maxima; LANES], blocks: &mut Vec<usize>) {
 }
 
 /// The load of the oscillators. Its sign does not matter for maxima of absolute values, so p = a_g.
-pub struct Loads<'a> {
+pub(crate) struct Loads<'a> {
     /// p at the samples.
     pub p: &'a [f64],
     /// Step [s].
@@ -175,7 +175,7 @@ impl<'a> Loads<'a> {
 
     /// Samples of a block, its first and its last one included.
     #[inline(always)]
-    pub fn block(&self, block: usize) -> &'a [f64] {
+    pub(crate) fn block(&self, block: usize) -> &'a [f64] {
         let first = block * BLOCK;
         &self.p[first..self.p.len().min(first + BLOCK + 1)]
     }
@@ -183,7 +183,7 @@ impl<'a> Loads<'a> {
 
 /// Stored data of a block.
 #[derive(Clone, Copy, Default)]
-pub struct Trace {
+pub(crate) struct Trace {
     /// State at its start: (y, y') or (x₁, x₂).
     pub start: [Lanes; 2],
     /// Bounds of |y|, |y'|, |A|.

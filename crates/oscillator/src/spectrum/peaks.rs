@@ -30,7 +30,7 @@
 
 /// Scaled state at one time.
 #[derive(Clone, Copy, Debug)]
-pub struct State {
+pub(crate) struct State {
     pub y: f64,
     pub y1: f64,
     /// y''.
@@ -41,7 +41,7 @@ pub struct State {
 
 /// Largest |y|, |y'| and |A| so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Maxima {
+pub(crate) struct Maxima {
     pub y: f64,
     pub y1: f64,
     pub a: f64,
@@ -49,14 +49,14 @@ pub struct Maxima {
 
 /// The larger of two numbers, without the rules of `f64::max` for NaN.
 #[inline(always)]
-pub fn larger(a: f64, b: f64) -> f64 {
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
 impl State {
     /// Completes y and y' under the load `p` with the slope `sigma` = dp/dφ.
     #[inline]
-    pub fn new(y: f64, y1: f64, p: f64, sigma: f64, xi: f64) -> State {
+    pub(crate) fn new(y: f64, y1: f64, p: f64, sigma: f64, xi: f64) -> State {
         let y2 = p - y - 2.0 * xi * y1;
         State {
             y,
@@ -68,7 +68,7 @@ impl State {
 
     /// R² of the oscillation about the line of the load, (x₁, x₂) being its state.
     #[inline]
-    pub fn oscillation(&self, p: f64, sigma: f64, xi: f64) -> (f64, f64) {
+    pub(crate) fn oscillation(&self, p: f64, sigma: f64, xi: f64) -> (f64, f64) {
         let x1 = self.y - p + 2.0 * xi * sigma;
         (x1, (self.y1 - sigma + xi * x1) / ((1.0 - xi) * (1.0 + xi)).sqrt())
     }
@@ -84,7 +84,7 @@ impl State {
 impl Maxima {
     /// Includes the values at one time.
     #[inline]
-    pub fn take(&mut self, y: f64, y1: f64, xi: f64) {
+    pub(crate) fn take(&mut self, y: f64, y1: f64, xi: f64) {
         self.y = larger(y.abs(), self.y);
         self.y1 = larger(y1.abs(), self.y1);
         self.a = larger((y + 2.0 * xi * y1).abs(), self.a);
@@ -92,7 +92,7 @@ impl Maxima {
 
     /// Includes the interval of length `phi` = Δφ ≤ 2π/16 that ends at `s1`; `r` ≥ R.
     #[inline]
-    pub fn take_interval(&mut self, s0: &State, s1: &State, phi: f64, r: f64, xi: f64) {
+    pub(crate) fn take_interval(&mut self, s0: &State, s1: &State, phi: f64, r: f64, xi: f64) {
         self.take(s1.y, s1.y1, xi);
         between(&mut self.y, [s0.y, s0.y1, s0.y2], [s1.y, s1.y1, s1.y2], phi, r);
         between(&mut self.y1, [s0.y1, s0.y2, s0.y3], [s1.y1, s1.y2, s1.y3], phi, r);
@@ -103,7 +103,7 @@ impl Maxima {
     ///
     /// e^{−ξφ} (α cos κφ + β sin κφ), κ = √(1 − ξ²), has its first extremum where tan κφ = f'/(ακ + ξβ) in [0, π); all
     /// later ones are smaller.
-    pub fn take_free_vibration(&mut self, y: f64, y1: f64, xi: f64) {
+    pub(crate) fn take_free_vibration(&mut self, y: f64, y1: f64, xi: f64) {
         let kappa = ((1.0 - xi) * (1.0 + xi)).sqrt();
         let peak = |f: f64, slope: f64| {
             let beta = (slope + xi * f) / kappa;

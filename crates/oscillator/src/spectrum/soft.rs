@@ -22,7 +22,7 @@ use crate::sdof::Recurrence;
 const MAX_STRIDE: usize = 4;
 
 /// Coefficients of soft oscillators.
-pub struct Soft {
+pub(crate) struct Soft {
     oscillators: [Oscillator; LANES],
     /// The recurrence for (y, y') over one step.
     one: [Recurrence; LANES],
@@ -43,7 +43,7 @@ pub struct Soft {
 
 impl Soft {
     /// Coefficients for steps of `h` [s].
-    pub fn new(oscillators: &[Oscillator; LANES], h: f64) -> Soft {
+    pub(crate) fn new(oscillators: &[Oscillator; LANES], h: f64) -> Soft {
         let fastest = oscillators.iter().fold(0.0, |m, o| larger(o.omega, m));
         // T ≥ 32 H and four steps at most: with more the load varies too much between the used samples.
         let mut stride = 1;
@@ -91,7 +91,7 @@ impl Soft {
     }
 
     /// Maxima of one oscillator at the samples and in the free vibration at the end.
-    pub fn begin(&self, lane: usize, traced: &SoftTraced) -> Maxima {
+    pub(crate) fn begin(&self, lane: usize, traced: &SoftTraced) -> Maxima {
         let [y, y1, a] = traced.samples.map(|s| s[lane]);
         let mut m = Maxima { y, y1, a };
         m.take_free_vibration(traced.end[0][lane], traced.end[1][lane], self.oscillators[lane].damping);
@@ -99,7 +99,14 @@ impl Soft {
     }
 
     /// Maxima of one oscillator, at least `m`, from the candidate blocks.
-    pub fn search(&self, lane: usize, loads: &Loads, trace: &[Trace], candidates: &[usize], mut m: Maxima) -> Maxima {
+    pub(crate) fn search(
+        &self,
+        lane: usize,
+        loads: &Loads,
+        trace: &[Trace],
+        candidates: &[usize],
+        mut m: Maxima,
+    ) -> Maxima {
         let Oscillator { omega, damping } = self.oscillators[lane];
         let parts = (INTERVALS * omega * loads.h / TAU).ceil().max(1.0);
         let part = if parts > 1.0 {
@@ -165,7 +172,7 @@ fn scaled(oscillator: &Oscillator, h: f64) -> Recurrence {
 }
 
 /// Result of the first pass over soft oscillators.
-pub struct SoftTraced {
+pub(crate) struct SoftTraced {
     /// (y, y') at the last sample.
     end: [Lanes; 2],
     /// Largest |y|, |y'|, |A| at samples.
@@ -173,7 +180,7 @@ pub struct SoftTraced {
 }
 
 /// First pass over soft oscillators.
-pub struct SoftTrace<'a> {
+pub(crate) struct SoftTrace<'a> {
     /// The group.
     pub soft: &'a Soft,
     /// The record.

@@ -19,7 +19,7 @@ use super::lanes::{LANES, Lanes, Unit, lanes};
 use super::peaks::{Maxima, State, larger};
 
 /// Coefficients of stiff oscillators.
-pub struct Stiff {
+pub(crate) struct Stiff {
     oscillators: [Oscillator; LANES],
     /// Kick of x₁ and x₂ by a change of p₁ − p₀ from one step to the next.
     kick: [Lanes; 2],
@@ -41,7 +41,7 @@ fn rotation(oscillator: &Oscillator, time: f64) -> (f64, f64) {
 
 impl Stiff {
     /// Coefficients for steps of `h` [s].
-    pub fn new(oscillators: &[Oscillator; LANES], h: f64) -> Stiff {
+    pub(crate) fn new(oscillators: &[Oscillator; LANES], h: f64) -> Stiff {
         let turn: [(f64, f64); LANES] = std::array::from_fn(|i| rotation(&oscillators[i], h));
         let kick = |i: usize| {
             let Oscillator { omega, damping: xi } = oscillators[i];
@@ -69,7 +69,7 @@ impl Stiff {
 
     /// Maxima of one oscillator in the free vibration at the end and in its most promising block, which raises the
     /// threshold for all others.
-    pub fn begin(&self, lane: usize, loads: &Loads, trace: &[Trace], traced: &StiffTraced) -> Maxima {
+    pub(crate) fn begin(&self, lane: usize, loads: &Loads, trace: &[Trace], traced: &StiffTraced) -> Maxima {
         let oscillator = self.oscillators[lane];
         let xi = oscillator.damping;
         let (last, change) = match loads.p {
@@ -104,7 +104,14 @@ impl Stiff {
     }
 
     /// Maxima of one oscillator, at least `m`, from the candidate blocks.
-    pub fn search(&self, lane: usize, loads: &Loads, trace: &[Trace], candidates: &[usize], mut m: Maxima) -> Maxima {
+    pub(crate) fn search(
+        &self,
+        lane: usize,
+        loads: &Loads,
+        trace: &[Trace],
+        candidates: &[usize],
+        mut m: Maxima,
+    ) -> Maxima {
         let (two_xi, per_step) = (self.two_xi[lane], self.per_omega[lane] / loads.h);
         let mut step = None;
         for &block in candidates {
@@ -223,7 +230,7 @@ impl StiffStep {
 }
 
 /// Result of the first pass over stiff oscillators.
-pub struct StiffTraced {
+pub(crate) struct StiffTraced {
     /// (x₁, x₂) at the last sample.
     end: [Lanes; 2],
     /// Number of the block with the largest bound of |A|.
@@ -231,7 +238,7 @@ pub struct StiffTraced {
 }
 
 /// First pass over stiff oscillators.
-pub struct StiffTrace<'a> {
+pub(crate) struct StiffTrace<'a> {
     /// The group.
     pub stiff: &'a Stiff,
     /// The record.

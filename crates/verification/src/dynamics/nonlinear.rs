@@ -17,7 +17,7 @@ use crate::potential::rigid::uniform;
 use crate::{Reference, Row};
 use fem::analysis::AnalysisError;
 use fem::analysis::damping::{Damping, Rayleigh};
-use fem::analysis::march::{Instant, Outcome, Problem, Quantity, Recorder, Run, Settings, march};
+use fem::analysis::march::{Instant, Outcome, Problem, Quantity, QuantityObserver, Run, Settings, march};
 use fem::analysis::motion::{Grid, Motion};
 use fem::analysis::scheme::TimeScheme;
 use fem::analysis::system::System;
@@ -367,7 +367,7 @@ fn condensed_strip(rows: &mut Vec<Row>) -> Result<(), Failure> {
         let mut settings = Settings::new(grid);
         settings.scheme = scheme;
         let quantities = strip.observables.iter().cloned().map(Quantity::Linear).collect();
-        let mut recorder = Recorder::new(quantities);
+        let mut recorder = QuantityObserver::new(quantities);
         let run = completed(march(parts.problem(), &load, &settings, &mut [&mut recorder], &Silent)?)?;
         rows.push(row(
             "D9",

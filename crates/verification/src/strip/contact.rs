@@ -3,7 +3,7 @@
 //! Source:    dissertation 8.4, table 8.15; theory sheet of this project
 //! Model:     elastic fibre walls, clamped; liquid condensed onto a face of its own, linear between levels; a joint at each level
 //! Expected:  * closed, the strip without joint
-//!            * with the trapezoidal rule the march is Moreau's scheme, which [`fem::analysis::moreau`] solves on dense matrices
+//!            * with the trapezoidal rule the march is Moreau's scheme, which [`crate::moreau`] solves on dense matrices
 //!              by trial of sets: the same histories to rounding
 //!            * other spectral radii and steps: shown, since impacts have no limit to converge to
 //! Tolerance: (1/14)² at rest and 5·10⁻³ in motion for the face of 14 elements and the penalty; 10⁻⁴ between the two solvers in the first tenth
@@ -12,9 +12,9 @@
 use oscillator::record::Record;
 
 use super::{elastic_section, row, tank};
+use crate::moreau::{Joint, Jointed, Opening};
 use crate::{Reference, Row};
 use fem::analysis::damping::Rayleigh;
-use fem::analysis::moreau::{Joint, Jointed, Opening};
 use fem::analysis::newton::Options;
 use fem::analysis::scheme::TimeScheme;
 use fem::element::fibre_beam;

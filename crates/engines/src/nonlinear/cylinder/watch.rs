@@ -6,7 +6,7 @@
 use fem::analysis::AnalysisError;
 use fem::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use fem::analysis::damping::Rayleigh;
-use fem::analysis::march::{Instant, Observe, Quantity, Reaction, Recorder};
+use fem::analysis::march::{Instant, Observe, Quantity, QuantityObserver, Reaction};
 use fem::analysis::observable::Observable;
 use fem::dofs::{Dof, KINDS};
 use fem::element::Inspect;
@@ -151,7 +151,7 @@ pub struct Watch<'a> {
     /// Time between looks [s].
     interval: f64,
     /// Histories.
-    pub recorder: Recorder,
+    pub recorder: QuantityObserver,
     /// What was seen.
     pub seen: Seen,
     /// Where the liquid would leave the wall; sees nothing where it may.
@@ -183,7 +183,7 @@ impl<'a> Watch<'a> {
             })
             .collect();
         Ok(Watch {
-            recorder: Recorder::new(quantities(tank)?),
+            recorder: QuantityObserver::new(quantities(tank)?),
             separation: SeparationCheck::new(tank.unit_weight, tank.depth, heights.clone()),
             unknowns: tank.liquid_unknowns(),
             cosine: angles.iter().map(|t| t.cos()).collect(),

@@ -39,7 +39,11 @@ pub(super) struct Driver<'a> {
 }
 
 impl<'a> Driver<'a> {
-    pub fn new(problem: Problem<'a>, load: &'a Load, settings: &'a Settings) -> Result<Driver<'a>, AnalysisError> {
+    pub(crate) fn new(
+        problem: Problem<'a>,
+        load: &'a Load,
+        settings: &'a Settings,
+    ) -> Result<Driver<'a>, AnalysisError> {
         let system = problem.system;
         let inertia = Inertia {
             mass: &system.mass,
@@ -82,7 +86,11 @@ impl<'a> Driver<'a> {
         })
     }
 
-    pub fn run(mut self, observers: &mut [&mut dyn Observe], progress: &dyn Progress) -> Result<Run, AnalysisError> {
+    pub(crate) fn run(
+        mut self,
+        observers: &mut [&mut dyn Observe],
+        progress: &dyn Progress,
+    ) -> Result<Run, AnalysisError> {
         let settings = self.settings;
         let file = settings.checkpoint.as_ref();
         let resumed = match file {

@@ -115,7 +115,7 @@ pub(super) struct Meter<'a> {
 }
 
 impl<'a> Meter<'a> {
-    pub fn new(problem: Problem<'a>, state: &State) -> Meter<'a> {
+    pub(crate) fn new(problem: Problem<'a>, state: &State) -> Meter<'a> {
         Meter {
             problem,
             now: Energies::default(),
@@ -129,7 +129,7 @@ impl<'a> Meter<'a> {
     }
 
     /// Before a step: the committed state with its internal forces.
-    pub fn begin(&mut self, state: &State, force: &Forces) {
+    pub(crate) fn begin(&mut self, state: &State, force: &Forces) {
         self.before.clone_from(&state.committed);
         self.force.clone_from(force);
         let mass = &self.problem.system.mass;
@@ -138,7 +138,7 @@ impl<'a> Meter<'a> {
     }
 
     /// After a step that converged; `viscous` is the tangent damping that held in it.
-    pub fn end(
+    pub(crate) fn end(
         &mut self,
         state: &State,
         forces: &Forces,
@@ -198,16 +198,16 @@ impl<'a> Meter<'a> {
     }
 
     /// At a sample: asks the elements.
-    pub fn sample(&mut self, state: &State) {
+    pub(crate) fn sample(&mut self, state: &State) {
         self.now.hysteretic = hysteresis(self.problem, state) - self.initial;
     }
 
-    pub fn save(&self, to: &mut Writer) {
+    pub(crate) fn save(&self, to: &mut Writer) {
         to.numbers(&self.now.array());
         to.number(self.initial);
     }
 
-    pub fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
+    pub(crate) fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
         let mut now = [0.0; Energies::COUNT];
         from.numbers_into("energies", &mut now)?;
         self.now = Energies::of(&now);

@@ -9,7 +9,7 @@ use crate::element::{Element, Motion as Movement, Response, Want, local_size};
 use crate::linalg::Symmetric;
 
 /// Parts of an element's size that its nodes are moved by to see what it answers.
-const PROBES: [f64; 5] = [1e-5, -3e-4, 3e-3, -2e-2, 0.1];
+const PARTS: [f64; 5] = [1e-5, -3e-4, 3e-3, -2e-2, 0.1];
 
 pub(super) fn fingerprint(problem: Problem<'_>, load: &Load, settings: &Settings) -> u64 {
     let mut hash = Hash::default();
@@ -32,7 +32,7 @@ pub(super) fn fingerprint(problem: Problem<'_>, load: &Load, settings: &Settings
         hash.text(element.kind());
         hash.count(model.group_of(e));
         element.nodes().iter().for_each(|&n| hash.count(n));
-        probe(model.nodes(), &**element, &mut hash);
+        ask(model.nodes(), &**element, &mut hash);
     }
     let system = problem.system;
     let mut matrix = |m: &Symmetric| hash.numbers(&m.values);
@@ -64,7 +64,7 @@ pub(super) fn fingerprint(problem: Problem<'_>, load: &Load, settings: &Settings
 }
 
 /// What an element answers to a few motions of its nodes: laws have no name here, but they have an answer.
-fn probe(nodes: &[[f64; 3]], element: &dyn Element, hash: &mut Hash) {
+fn ask(nodes: &[[f64; 3]], element: &dyn Element, hash: &mut Hash) {
     if element.is_linear() {
         // In the matrices.
         return;
@@ -84,7 +84,7 @@ fn probe(nodes: &[[f64; 3]], element: &dyn Element, hash: &mut Hash) {
     let mut new = old.clone();
     let mut response = Response::sized(n);
     let rotations = vec![nalgebra::UnitQuaternion::identity(); own.len()];
-    for part in PROBES {
+    for part in PARTS {
         let mut values = Vec::with_capacity(n);
         for a in 0..own.len() {
             for dof in element.dofs(a) {

@@ -36,6 +36,7 @@ impl Newton<'_> {
     }
 
     /// Iterates from the committed state; `initial`: with the stiffness of the virgin model.
+    // Long: one iteration from top to bottom, as it is drawn in the module above.
     pub(super) fn iterate(
         &mut self,
         scheme: &dyn Scheme,

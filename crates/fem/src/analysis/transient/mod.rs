@@ -32,7 +32,7 @@ use std::sync::Arc;
 
 use super::motion::{Grid, Motion};
 use super::observable::{Observable, apply};
-use super::observe::{Chunk, Observed, Observer, Row, Slope};
+use super::observer::{Chunk, Observed, Observer, Row, Slope};
 use super::scheme::TimeScheme;
 use super::system::System;
 use super::{AnalysisError, check_length};
@@ -255,6 +255,7 @@ impl Observable {
 /// Interrupted, it returns what it has, marked incomplete.
 ///
 /// Errors: vectors of wrong length, an effective matrix that cannot be factored, a response that is not finite.
+// Long: what is checked and laid out here is what the loop at its end needs.
 pub fn integrate(
     system: &System,
     symbolic: &Arc<Symbolic>,

@@ -176,37 +176,6 @@ fn table_of_integration_rules() {
     }
 }
 
-/// The tangent is the derivative of the force, in a partly closed state and with tangential stiffness.
-#[test]
-fn tangent_is_the_derivative() {
-    let normals = [[0.6, 0.0, 0.8], [0.0, 0.6, 0.8], [0.0, 0.0, 1.0], [0.0, -0.28, 0.96]];
-    let law = ContactLaw::unilateral(2.0).with_tangential(0.3);
-    let element = Contact8::new(&square(), Chart::Cartesian, TOP, BOTTOM, normals, law).unwrap();
-    let values: [f64; 24] = std::array::from_fn(|i| 0.1 * (1.3 * i as f64).sin());
-    let gaps = element.gaps(&values);
-    assert!(
-        gaps.iter().any(|&g| g < 0.0) && gaps.iter().any(|&g| g > 0.0),
-        "{gaps:?}"
-    );
-    let all = respond(&element, &values);
-    let step = 1e-6;
-    for j in 0..24 {
-        let (mut lower, mut upper) = (values, values);
-        lower[j] -= step;
-        upper[j] += step;
-        let (fl, fu) = (respond(&element, &lower).force, respond(&element, &upper).force);
-        for i in 0..24 {
-            let slope = (fu[i] - fl[i]) / (2.0 * step);
-            // The chords of the arc leave g ≠ 0 on the boundary: third order of the chord's height.
-            assert!(
-                (slope - all.tangent.get(i, j)).abs() < 1e-3,
-                "{i} {j}: {slope} {}",
-                all.tangent.get(i, j)
-            );
-        }
-    }
-}
-
 /// Area and nodal areas of a cylindrical face are those of the cylinder, r dθ dz.
 #[test]
 fn area_of_a_cylindrical_face() {

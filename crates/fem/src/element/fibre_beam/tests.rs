@@ -3,7 +3,7 @@
 use super::*;
 use crate::analysis::newton::{Criteria, Newton, load_path};
 use crate::assembly::Assembler;
-use crate::element::{Inspect, local_size, reference_mass, reference_stiffness};
+use crate::element::Inspect;
 use crate::linalg::{Ordering, Symbolic};
 use crate::model::Model;
 use crate::progress::Silent;
@@ -61,85 +61,6 @@ fn section(law: impl Law<1> + 'static, layers: usize) -> FibreSection {
 }
 
 const ENDS: [[f64; 3]; 2] = [[1.0, 0.4, 0.5], [2.2, 0.4, 2.1]];
-
-/// Force against energy is not defined for laws with history; the tangent against the force is, in every option.
-#[test]
-fn tangent_is_the_derivative_of_the_force() {
-    let sections = [
-        section(Curved(100.0), 5),
-        section(Curved(100.0), 5).with_shear(30.0).unwrap(),
-    ];
-    for (section, second_order) in sections.iter().flat_map(|s| [(s, false), (s, true)]) {
-        for points in [Points::Gauss2, Points::Gauss3, Points::Lobatto3] {
-            let options = Options { points, second_order };
-            let beam = FibreBeam::new([0, 1, 2], ENDS, Arc::new(section.clone()), options).unwrap();
-            let u: Vec<f64> = (0..SIZE).map(|i| 0.01 * (1.7 * i as f64).sin()).collect();
-            let mut old = vec![0.0; beam.history_len()];
-            beam.init_history(&mut old);
-            let at = |u: &[f64]| {
-                let mut out = Response::sized(SIZE);
-                let motion = Motion {
-                    values: u,
-                    rotations: &[],
-                };
-                beam.respond(motion, &old, &mut old.clone(), Want::ALL, &mut out)
-                    .unwrap();
-                out
-            };
-            let exact = at(&u).tangent;
-            for j in 0..SIZE {
-                let step = |h: f64| {
-                    let mut v = u.clone();
-                    v[j] += h;
-                    at(&v).force
-                };
-                let (plus, minus) = (step(1e-6), step(-1e-6));
-                for i in 0..SIZE {
-                    let difference = (plus[i] - minus[i]) / 2e-6;
-                    assert!((difference - exact.get(i, j)).abs() < 1e-6, "{points:?} {i} {j}");
-                    assert!((exact.get(i, j) - exact.get(j, i)).abs() < 1e-12);
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn rigid_motions_and_mass() {
-    let beam = FibreBeam::new(
-        [0, 1, 2],
-        ENDS,
-        Arc::new(section(Elastic::new(50.0, 0.0).unwrap(), 4)),
-        Options::default(),
-    )
-    .unwrap();
-    let (k, m) = (reference_stiffness(&beam).unwrap(), reference_mass(&beam));
-    assert_eq!(local_size(&beam), SIZE);
-    let middle = [1.6, 1.3];
-    // θ about y: u = θ (z, −x).
-    let rotation = [
-        ENDS[0][2],
-        -ENDS[0][0],
-        1.0,
-        ENDS[1][2],
-        -ENDS[1][0],
-        1.0,
-        middle[1],
-        0.0,
-        -middle[0],
-    ];
-    let along_x = [1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0];
-    let along_z = [0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
-    for u in [rotation, along_x, along_z] {
-        let force = k.to_matrix().times(&u);
-        assert!(force.iter().all(|f| f.abs() < 1e-11), "{force:?}");
-    }
-    let form = |a: &Row, b: &Row| dot(a, &m.to_matrix().times(b));
-    for u in [along_x, along_z] {
-        assert!((form(&u, &u) - 4.0).abs() < 1e-13);
-    }
-    assert!(form(&along_x, &along_z).abs() < 1e-13);
-}
 
 /// A cantilever of `count` beams from the origin to `tip`.
 fn cantilever(tip: [f64; 3], count: usize, section: FibreSection, options: Options) -> Model {

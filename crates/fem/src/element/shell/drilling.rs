@@ -37,7 +37,12 @@ pub(crate) struct Corner {
 }
 
 impl Corner {
-    pub fn new(x: &[Vector3<f64>; 4], node: usize, stiffness: f64, nodes: &[usize; 4]) -> Result<Corner, ElementError> {
+    pub(crate) fn new(
+        x: &[Vector3<f64>; 4],
+        node: usize,
+        stiffness: f64,
+        nodes: &[usize; 4],
+    ) -> Result<Corner, ElementError> {
         let [r, s] = quad4::CORNERS[node];
         let point = Point::new(x, r, s, 1.0, nodes)?;
         Ok(Corner {
@@ -50,7 +55,13 @@ impl Corner {
     }
 
     /// Adds force and tangent; the pull-back of t_i is that of the director.
-    pub fn respond(&self, u: &[Vector3<f64>; 4], rotation: &UnitQuaternion<f64>, want: Want, out: &mut Response) {
+    pub(crate) fn respond(
+        &self,
+        u: &[Vector3<f64>; 4],
+        rotation: &UnitQuaternion<f64>,
+        want: Want,
+        out: &mut Response,
+    ) {
         let [e1, e2] = self.e;
         // x,i = e_i + u,i: the tangent frame is Cartesian, X,i = e_i.
         let (u1, u2) = (blend(&self.d1, u), blend(&self.d2, u));

@@ -1,10 +1,7 @@
 use std::sync::Arc;
 
-use nalgebra::DMatrix;
-
 use super::*;
 use crate::element::shell::section::ElasticSection;
-use crate::element::solid8_law::Tension;
 use crate::element::{reference_mass, reference_stiffness};
 
 const INNER_FACE: f64 = 0.04;
@@ -36,135 +33,11 @@ fn wall(material: Elastic, mass: LayerMass) -> (Wall, [[f64; 3]; 8]) {
     (wall, all)
 }
 
-fn scatter(k: usize) -> f64 {
-    (1.0 + 2.7 * k as f64 + 0.3 * (k * k) as f64).sin()
-}
-
-/// x → R x + v at all nodes.
-fn rigid(x: &[[f64; 3]; 8], turn: UnitQuaternion<f64>, shift: [f64; 3]) -> (Vec<f64>, [UnitQuaternion<f64>; 8]) {
-    let mut u = vec![0.0; SIZE];
-    for (a, x) in x.iter().enumerate() {
-        let moved = turned(&turn, &Vector3::from(*x)) + Vector3::from(shift);
-        (0..3).for_each(|i| u[6 * a + i] = moved[i]);
-    }
-    (u, [turn; 8])
-}
-
-/// A rigid motion with a deformation on top.
-fn deformed(x: &[[f64; 3]; 8]) -> (Vec<f64>, [UnitQuaternion<f64>; 8]) {
-    let turn = UnitQuaternion::from_scaled_axis(Vector3::new(0.7, -1.9, 1.1));
-    let (mut u, mut r) = rigid(x, turn, [0.3, 0.2, 0.1]);
-    for a in 0..8 {
-        (0..3).for_each(|i| u[6 * a + i] += 0.05 * scatter(3 * a + i));
-        let own = Vector3::new(scatter(40 + a), scatter(50 + a), scatter(60 + a)) * 0.2;
-        r[a] = UnitQuaternion::from_scaled_axis(own) * r[a];
-    }
-    (u, r)
-}
-
 fn respond(wall: &Wall, values: &[f64], rotations: &[UnitQuaternion<f64>; 8]) -> Response {
     let mut out = Response::sized(SIZE);
     wall.respond(Motion { values, rotations }, &[], &mut [], Want::ALL, &mut out)
         .unwrap();
     out
-}
-
-fn materials() -> [Elastic; 4] {
-    let wide = Elastic {
-        law: crate::element::solid8_law::Law::NormalOnly {
-            e_normal: 300.0,
-            tension: Tension::None {
-                residual: 1e-3,
-                width: 0.5,
-            },
-        },
-        ..Elastic::normal_only(1.0, 1.0)
-    };
-    [
-        Elastic::isotropic(300.0, 0.2, 1.5),
-        Elastic::normal_only(300.0, 1.5),
-        Elastic::core(300.0, 40.0, 1.5),
-        wide,
-    ]
-}
-
-/// The tangent is symmetric and equals the symmetric part of central differences of the force.
-#[test]
-fn tangent_is_the_derivative_of_the_force() {
-    for material in materials() {
-        let (wall, x) = wall(material, LayerMass::Halves);
-        let (u, r) = deformed(&x);
-        let tangent = respond(&wall, &u, &r).tangent;
-        // Five-point formula: truncation h⁴/30 times the fifth derivative, rounding 1e-16/h of the forces. Short enough that
-        // no point of the layer without tension passes the switch.
-        let h = 3e-5;
-        let mut difference = DMatrix::<f64>::zeros(SIZE, SIZE);
-        for j in 0..SIZE {
-            for (step, weight) in [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)] {
-                let (mut u, mut r) = (u.clone(), r);
-                if j % 6 < 3 {
-                    u[j] += step * h;
-                } else {
-                    let mut spin = Vector3::zeros();
-                    spin[j % 6 - 3] = step * h;
-                    r[j / 6] = UnitQuaternion::from_scaled_axis(spin) * r[j / 6];
-                }
-                let force = respond(&wall, &u, &r).force;
-                (0..SIZE).for_each(|i| difference[(i, j)] += weight * force[i] / (12.0 * h));
-            }
-        }
-        let symmetric = (&difference + difference.transpose()) * 0.5;
-        let mut worst = 0.0_f64;
-        let mut skew = 0.0_f64;
-        let largest = tangent.data.iter().fold(0.0_f64, |m, k| m.max(k.abs()));
-        for j in 0..SIZE {
-            for i in 0..SIZE {
-                worst = worst.max((tangent.get(i, j) - symmetric[(i, j)]).abs() / largest);
-                skew = skew.max((tangent.get(i, j) - tangent.get(j, i)).abs() / largest);
-            }
-        }
-        assert!(worst < 1e-9 && skew < 1e-14, "{material:?}: {worst:.1e}, {skew:.1e}");
-    }
-}
-
-#[test]
-fn rigid_motion_makes_no_force() {
-    for material in materials() {
-        let (wall, x) = wall(material, LayerMass::Halves);
-        for angle in [1e-6, 0.3, 2.0, 3.0] {
-            let turn = UnitQuaternion::from_scaled_axis(Vector3::new(0.6, -0.64, 0.48) * angle);
-            let (u, r) = rigid(&x, turn, [3.0, -2.0, 1.0]);
-            let force = respond(&wall, &u, &r).force;
-            let worst = force.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
-            // Rounding of displacements of some metres times E t.
-            assert!(worst < 1e-11, "{angle}: {worst:.1e}");
-        }
-    }
-}
-
-/// A rotation superposed on a deformed wall turns the forces and changes nothing else.
-#[test]
-fn forces_turn_with_the_wall() {
-    for material in materials() {
-        let (wall, x) = wall(material, LayerMass::Halves);
-        let (u, r) = deformed(&x);
-        let force = respond(&wall, &u, &r).force;
-        let turn = UnitQuaternion::from_scaled_axis(Vector3::new(-1.1, 0.4, 2.0));
-        let (mut v, mut s) = (u.clone(), r);
-        for a in 0..8 {
-            let place = Vector3::from(x[a]) + Vector3::from_column_slice(&u[6 * a..6 * a + 3]);
-            let moved = turn * place - Vector3::from(x[a]);
-            (0..3).for_each(|i| v[6 * a + i] = moved[i]);
-            s[a] = turn * r[a];
-        }
-        let turned = respond(&wall, &v, &s).force;
-        let size = force.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
-        for k in 0..16 {
-            let expected = turn * Vector3::from_column_slice(&force[3 * k..3 * k + 3]);
-            let found = Vector3::from_column_slice(&turned[3 * k..3 * k + 3]);
-            assert!((expected - found).norm() < 1e-12 * size);
-        }
-    }
 }
 
 /// Total mass, its first moment, and the weight, for every assignment of the layer's mass.

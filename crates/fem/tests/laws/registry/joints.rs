@@ -149,7 +149,7 @@ fn super_element(what: &'static str, load: bool) -> Specimen {
     }
 }
 
-pub fn all() -> Vec<Specimen> {
+pub(crate) fn all() -> Vec<Specimen> {
     let mut all = springs();
     all.extend([
         contact("bonded", ContactLaw::bonded(50.0).with_tangential(8.0)),

@@ -250,7 +250,7 @@ fn wet_faces() -> Vec<Specimen> {
     vec![joined("matching nodes", false), joined("overlapping faces", true)]
 }
 
-pub fn all() -> Vec<Specimen> {
+pub(crate) fn all() -> Vec<Specimen> {
     let full = liquid(VolumePart::Full, RotationPart::Full(1e4));
     let mean = liquid(VolumePart::MeanDilatation, SPLIT);
     let free = liquid(VolumePart::MeanDilatation, RotationPart::None);

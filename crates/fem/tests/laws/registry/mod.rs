@@ -10,7 +10,7 @@ mod solids;
 mod thin;
 
 /// All of them.
-pub fn all() -> Vec<Specimen> {
+pub(crate) fn all() -> Vec<Specimen> {
     [solids::all(), thin::all(), joints::all(), liquids::all()]
         .into_iter()
         .flatten()

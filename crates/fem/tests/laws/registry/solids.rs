@@ -9,7 +9,7 @@ use super::{turned, volume};
 use crate::specimen::{Mass, Rotations, Specimen, Tangent};
 
 /// A distorted brick, counter-clockwise below, then above.
-pub const BRICK: [[f64; 3]; 8] = [
+pub(crate) const BRICK: [[f64; 3]; 8] = [
     [0.03, -0.02, 0.06],
     [1.15, 0.04, -0.05],
     [1.22, 0.83, 0.07],
@@ -59,7 +59,7 @@ fn pressure(what: &'static str, dead: bool) -> Specimen {
     }
 }
 
-pub fn all() -> Vec<Specimen> {
+pub(crate) fn all() -> Vec<Specimen> {
     let isotropic = Elastic::isotropic(100.0, 0.3, DENSITY).with_damping(0.3, 0.02);
     vec![
         brick("linear", Kinematics::Linear, isotropic),

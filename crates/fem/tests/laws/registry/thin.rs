@@ -184,7 +184,7 @@ fn fibre_beam(what: &'static str, options: Options, yields: bool) -> Specimen {
     }
 }
 
-pub fn all() -> Vec<Specimen> {
+pub(crate) fn all() -> Vec<Specimen> {
     let second = |points| Options {
         points,
         second_order: true,

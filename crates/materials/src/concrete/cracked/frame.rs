@@ -9,7 +9,7 @@ pub(super) struct Frame {
 
 impl Frame {
     /// Principal axes of a strain, n the larger.
-    pub fn principal(e: &[f64; 3]) -> Frame {
+    pub(crate) fn principal(e: &[f64; 3]) -> Frame {
         let (x, y) = (e[0] - e[1], e[2]);
         let r = (x * x + y * y).sqrt();
         if r == 0.0 {
@@ -32,7 +32,7 @@ impl Frame {
     }
 
     /// Principal axes of a strain, n the one next to the old n.
-    pub fn principal_near(e: &[f64; 3], old: Frame) -> Frame {
+    pub(crate) fn principal_near(e: &[f64; 3], old: Frame) -> Frame {
         let f = Frame::principal(e);
         if (f.c * old.c + f.s * old.s).abs() >= (f.c * old.s - f.s * old.c).abs() {
             f
@@ -43,7 +43,7 @@ impl Frame {
 
     /// Strain in the axes.
     #[inline]
-    pub fn strain(&self, e: &[f64; 3]) -> [f64; 3] {
+    pub(crate) fn strain(&self, e: &[f64; 3]) -> [f64; 3] {
         let (cc, ss, cs) = (self.c * self.c, self.s * self.s, self.c * self.s);
         [
             cc * e[0] + ss * e[1] + cs * e[2],
@@ -54,13 +54,13 @@ impl Frame {
 
     /// Strain from the axes back to the plane.
     #[inline]
-    pub fn strain_back(&self, e: &[f64; 3]) -> [f64; 3] {
+    pub(crate) fn strain_back(&self, e: &[f64; 3]) -> [f64; 3] {
         Frame { c: self.c, s: -self.s }.strain(e)
     }
 
     /// Stress from the axes back to the plane.
     #[inline]
-    pub fn stress_back(&self, t: &[f64; 3]) -> [f64; 3] {
+    pub(crate) fn stress_back(&self, t: &[f64; 3]) -> [f64; 3] {
         let (cc, ss, cs) = (self.c * self.c, self.s * self.s, self.c * self.s);
         [
             cc * t[0] + ss * t[1] - 2.0 * cs * t[2],
@@ -71,7 +71,7 @@ impl Frame {
 
     /// Moduli from the axes back to the plane, Tᵀ D T.
     #[inline]
-    pub fn moduli_back(&self, d: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    pub(crate) fn moduli_back(&self, d: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
         // Rows of D T: a stress for a strain of the plane.
         let (cc, ss, cs) = (self.c * self.c, self.s * self.s, self.c * self.s);
         let t = [[cc, ss, cs], [ss, cc, -cs], [-2.0 * cs, 2.0 * cs, cc - ss]];
@@ -87,7 +87,7 @@ impl Frame {
     }
 
     /// Angle of n from axis 1 [rad], in −π/2 … π/2.
-    pub fn angle(&self) -> f64 {
+    pub(crate) fn angle(&self) -> f64 {
         if self.c < 0.0 {
             (-self.s).atan2(-self.c)
         } else {

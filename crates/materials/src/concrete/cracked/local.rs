@@ -30,7 +30,7 @@ pub(super) struct Axis {
 
 impl Axis {
     /// A direction that does not crack in this step.
-    pub const WHOLE: Axis = Axis {
+    pub(crate) const WHOLE: Axis = Axis {
         traction: None,
         largest: 0.0,
         at_largest: f64::INFINITY,
@@ -55,7 +55,7 @@ impl Axis {
 
     /// Traction and slope [Pa] at the opening e.
     #[inline]
-    pub fn at(&self, e: f64) -> (f64, f64) {
+    pub(crate) fn at(&self, e: f64) -> (f64, f64) {
         match &self.traction {
             None => (f64::INFINITY, 0.0),
             Some(_) if self.largest > 0.0 && e < self.largest => {
@@ -67,7 +67,7 @@ impl Axis {
     }
 
     /// ∂t/∂f at the opening e.
-    pub fn by_strength(&self, e: f64) -> f64 {
+    pub(crate) fn by_strength(&self, e: f64) -> f64 {
         match &self.traction {
             Some(traction) if e >= self.largest => traction.by_strength(e),
             _ => 0.0,
@@ -90,7 +90,7 @@ pub(super) struct Problem {
 
 impl Problem {
     /// Largest opening of both cracks so far.
-    pub fn largest(&self) -> f64 {
+    pub(crate) fn largest(&self) -> f64 {
         self.axes[0].largest.max(self.axes[1].largest)
     }
 }

@@ -72,7 +72,8 @@ pub(super) struct Envelope {
 }
 
 impl Envelope {
-    pub fn new(
+    // Long: three branches, each with the check that it exists.
+    pub(crate) fn new(
         law: &'static str,
         young_modulus: f64,
         strength: f64,
@@ -168,7 +169,7 @@ impl Envelope {
 
     /// Stress and slope [Pa] at a first strain s ≥ 0.
     #[inline]
-    pub fn at(&self, s: f64) -> (f64, f64) {
+    pub(crate) fn at(&self, s: f64) -> (f64, f64) {
         let x = s / self.peak_strain;
         if x <= self.curve_end {
             self.curve(x)
@@ -184,14 +185,14 @@ impl Envelope {
 
     /// Elastic part s − s_p of the strain s with envelope stress σ.
     #[inline]
-    pub fn recoverable(&self, s: f64, stress: f64) -> f64 {
+    pub(crate) fn recoverable(&self, s: f64, stress: f64) -> f64 {
         let x = (s / self.peak_strain).min(LAST);
         (self.peak_strain * (0.87 - 0.145 * x) * x).max(stress / self.initial)
     }
 
     /// ∫σ ds [J/m³] from s_0 (stress σ_0) to s_1 (σ_1) along the envelope: Simpson's rule on the curve, exact on the lines.
     #[inline]
-    pub fn work(&self, (s_0, sigma_0): (f64, f64), (s_1, sigma_1): (f64, f64)) -> f64 {
+    pub(crate) fn work(&self, (s_0, sigma_0): (f64, f64), (s_1, sigma_1): (f64, f64)) -> f64 {
         let simpson = |a: f64, at_a: f64, b: f64, at_b: f64| {
             (b - a) / 6.0 * (at_a + 4.0 * self.curve(0.5 * (a + b) / self.peak_strain).0 + at_b)
         };

@@ -3,9 +3,9 @@
 use super::super::strip::{
     DEPTH, HEIGHT, THICKNESS, WALL_DENSITY, beam_mass, beam_stiffness, bending_stiffness, liquid,
 };
+use crate::moreau::{Joint, Jointed, MarchReport, Opening};
 use fem::analysis::AnalysisError;
 use fem::analysis::damping::Rayleigh;
-use fem::analysis::moreau::{Joint, Jointed, MarchReport, Opening};
 use fem::linalg::Matrix;
 use fem::liquid::separation::{Separation, SeparationCheck};
 use fem::shape::{gauss, line};

@@ -265,5 +265,4 @@ impl Inspect for Fluid4 {
 }
 
 #[cfg(test)]
-#[path = "fluid4_tests.rs"]
 mod tests;

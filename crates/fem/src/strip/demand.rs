@@ -1,6 +1,6 @@
 //! What a nonlinear run of a strip is asked for, taken step by step.
 
-use super::parting::PartingWatch;
+use super::parting::PartingObserver;
 use super::validity::{BarStrain, Departure, Validity, first_of};
 use super::{BaseReaction, StripError, StripModel, lost};
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
@@ -185,21 +185,21 @@ fn earlier<T>(a: Option<T>, b: Option<T>, time: impl Fn(&T) -> f64) -> Option<T>
 }
 
 /// Observer that keeps the demand.
-pub(super) struct DemandWatch<'a> {
+pub(super) struct DemandObserver<'a> {
     strip: &'a StripModel,
     demand: Demand,
-    parting: PartingWatch,
+    parting: PartingObserver,
     validity: Validity,
     failure: Option<StripError>,
 }
 
-impl<'a> DemandWatch<'a> {
+impl<'a> DemandObserver<'a> {
     /// Of a wall of `strip`.
-    pub fn new(strip: &'a StripModel) -> DemandWatch<'a> {
-        DemandWatch {
+    pub(crate) fn new(strip: &'a StripModel) -> DemandObserver<'a> {
+        DemandObserver {
             strip,
             demand: Demand::default(),
-            parting: PartingWatch::new(strip),
+            parting: PartingObserver::new(strip),
             validity: Validity::default(),
             failure: None,
         }
@@ -208,7 +208,7 @@ impl<'a> DemandWatch<'a> {
     /// What was seen.
     ///
     /// Errors: those of the elements while it was seen.
-    pub fn finish(self) -> Result<Demand, StripError> {
+    pub(crate) fn finish(self) -> Result<Demand, StripError> {
         match self.failure {
             Some(failure) => Err(failure),
             None => Ok(Demand {
@@ -220,7 +220,7 @@ impl<'a> DemandWatch<'a> {
     }
 }
 
-impl Observe for DemandWatch<'_> {
+impl Observe for DemandObserver<'_> {
     fn see(&mut self, now: &Instant<'_>) {
         match self.demand.see(self.strip, now) {
             Ok((reaction, bar)) => self.validity.see(self.strip, now, &reaction, bar),

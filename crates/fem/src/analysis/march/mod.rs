@@ -49,10 +49,10 @@ use crate::state::State;
 mod driver;
 mod energy;
 mod fingerprint;
-mod record;
+mod observer;
 
 pub use energy::{Balance, Energies};
-pub use record::{Quantity, Range, Reaction, Recorder};
+pub use observer::{Quantity, QuantityObserver, Range, Reaction};
 
 /// What is marched.
 #[derive(Clone, Copy)]

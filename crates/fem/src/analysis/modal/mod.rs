@@ -23,7 +23,7 @@ use oscillator::sdof::Recurrence;
 
 use super::motion::Grid;
 use super::observable::{Observable, apply};
-use super::observe::{Chunk, Observed, Observer, Row, Slope};
+use super::observer::{Chunk, Observed, Observer, Row, Slope};
 use super::system::System;
 use super::transient::{Load, Snapshot, SnapshotAt};
 use super::{AnalysisError, check_length};

@@ -1,7 +1,8 @@
 //! Marches of a linear chain against direct integration, and of one with elastic-plastic links.
 
+mod resume;
+
 use std::cell::RefCell;
-use std::fs;
 
 use super::*;
 use crate::analysis::damping::{Damping, Rayleigh};
@@ -216,7 +217,7 @@ fn linear_march_is_direct_integration() {
         .remove(0);
         let mut settings = Settings::new(grid());
         settings.scheme = scheme;
-        let mut recorder = Recorder::new(vec![top(problem), base_shear(problem)]);
+        let mut recorder = QuantityObserver::new(vec![top(problem), base_shear(problem)]);
         let run = march(problem, &load, &settings, &mut [&mut recorder], &Silent).unwrap();
         assert_eq!(run.outcome, Outcome::Completed);
         for (found, expected) in recorder.histories.iter().zip(&direct.observed.scalars) {
@@ -274,7 +275,7 @@ fn hysteresis_and_balance() {
         settings.constant = parts.weight();
         settings.newton.modified = modified;
         settings.newton.line_search = search;
-        let mut recorder = Recorder::new(vec![top(parts.problem()), base_shear(parts.problem())]);
+        let mut recorder = QuantityObserver::new(vec![top(parts.problem()), base_shear(parts.problem())]);
         let run = march(parts.problem(), &shaking(3.0), &settings, &mut [&mut recorder], &Silent).unwrap();
         assert_eq!(run.outcome, Outcome::Completed);
         let balance = &run.balance;
@@ -303,7 +304,7 @@ fn collapse_is_an_outcome() {
     let parts = Parts::new(chain(12.0, 1.0));
     let mut settings = Settings::new(grid());
     settings.constant = parts.weight();
-    let mut recorder = Recorder::new(vec![top(parts.problem())]);
+    let mut recorder = QuantityObserver::new(vec![top(parts.problem())]);
     let run = march(
         parts.problem(),
         &shaking(12.0),
@@ -327,153 +328,6 @@ fn collapse_is_an_outcome() {
     };
     let factor = collapse.load_factor.unwrap();
     assert!(factor > 0.1 && factor < 1.0 && collapse.time == 0.0, "{factor}");
-}
-
-/// Stops a march after some steps, as a user would.
-struct Patience(std::sync::atomic::AtomicU64, u64);
-
-impl Progress for Patience {
-    fn stage(&self, _: &str, _: u64) {}
-    fn advance(&self, steps: u64) {
-        self.0.fetch_add(steps, std::sync::atomic::Ordering::Relaxed);
-    }
-    fn interrupted(&self) -> bool {
-        self.0.load(std::sync::atomic::Ordering::Relaxed) >= self.1
-    }
-}
-
-/// A march that was interrupted and resumed is the uninterrupted one bit by bit; files of other marches are refused.
-#[test]
-fn resumed_march_is_the_same() {
-    let folder = std::env::temp_dir().join(format!("march-{}", std::process::id()));
-    fs::create_dir_all(&folder).unwrap();
-    let path = folder.join("march.checkpoint");
-    let parts = Parts::new(chain(12.0, 10.0));
-    let problem = parts.problem();
-    let load = shaking(3.0);
-    let mut settings = Settings::new(grid());
-    settings.constant = parts.weight();
-    settings.newton.tangent_damping = vec![0.0, 0.001];
-    let recorder = || Recorder::new(vec![top(problem), base_shear(problem)]);
-    let mut whole = recorder();
-    let expected = march(problem, &load, &settings, &mut [&mut whole], &Silent).unwrap();
-    settings.checkpoint = Some(Checkpoint {
-        path: path.clone(),
-        steps: 25,
-        seconds: f64::INFINITY,
-        key: "test".into(),
-        resume: true,
-    });
-    // Twice interrupted; the recorders are new ones, as after a restart.
-    for patience in [150, 60] {
-        let patience = Patience(std::sync::atomic::AtomicU64::new(0), patience);
-        let run = march(problem, &load, &settings, &mut [&mut recorder()], &patience).unwrap();
-        assert_eq!(run.outcome, Outcome::Interrupted);
-    }
-    let mut last = recorder();
-    let found = march(problem, &load, &settings, &mut [&mut last], &Silent).unwrap();
-    assert_eq!(found.outcome, Outcome::Completed);
-    assert_eq!(found.state, expected.state);
-    assert_eq!(found.balance, expected.balance);
-    assert_eq!((found.cuts, found.cost), (expected.cuts, expected.cost));
-    assert_eq!((&last.histories, &last.ranges), (&whole.histories, &whole.ranges));
-
-    let refused = |problem: Problem<'_>, load: &Load, settings: &Settings| {
-        let mut recorder = Recorder::new(vec![top(problem), base_shear(problem)]);
-        match march(problem, load, settings, &mut [&mut recorder], &Silent) {
-            Err(AnalysisError::Checkpoint(error)) => {
-                // Whatever is wrong, the file is named.
-                assert!(error.to_string().contains(&path.display().to_string()), "{error}");
-                error.cause().clone()
-            }
-            other => panic!("{:?}", other.map(|r| r.outcome)),
-        }
-    };
-    let fingerprint = |e: CheckpointError| matches!(e, CheckpointError::Fingerprint { .. });
-    // Another strength of the links, which no matrix shows; another record; other settings.
-    let other = Parts::new(chain(12.5, 10.0));
-    assert!(fingerprint(refused(other.problem(), &load, &settings)));
-    assert!(fingerprint(refused(problem, &shaking(3.1), &settings)));
-    let mut changed = settings.clone();
-    changed.newton.criteria.energy = 1e-9;
-    assert!(fingerprint(refused(problem, &load, &changed)));
-    // Truncated, damaged, of another version, no checkpoint at all.
-    let bytes = fs::read(&path).unwrap();
-    fs::write(&path, &bytes[..bytes.len() - 9]).unwrap();
-    assert!(matches!(
-        refused(problem, &load, &settings),
-        CheckpointError::Length { .. }
-    ));
-    let mut broken = bytes.clone();
-    broken[200] ^= 4;
-    fs::write(&path, &broken).unwrap();
-    assert!(matches!(
-        refused(problem, &load, &settings),
-        CheckpointError::Checksum { .. }
-    ));
-    broken = bytes.clone();
-    broken[8] = 9;
-    fs::write(&path, &broken).unwrap();
-    let text = refused(problem, &load, &settings).to_string();
-    let known = format!(
-        "format 9, this one reads format {}",
-        crate::analysis::checkpoint::VERSION
-    );
-    assert!(text.contains(&known), "{text}");
-    fs::write(&path, b"something else").unwrap();
-    assert!(matches!(
-        refused(problem, &load, &settings),
-        CheckpointError::Magic { .. }
-    ));
-    fs::remove_dir_all(&folder).unwrap();
-}
-
-/// Counts warnings, and makes the folder of a checkpoint after some of them: a disk that has room again.
-struct Room(std::sync::atomic::AtomicU64, std::path::PathBuf);
-
-impl Progress for Room {
-    fn stage(&self, _: &str, _: u64) {}
-    fn advance(&self, _: u64) {}
-    fn interrupted(&self) -> bool {
-        false
-    }
-    fn warn(&self, what: &str) {
-        assert!(what.contains("march.checkpoint"), "{what}");
-        if self.0.fetch_add(1, std::sync::atomic::Ordering::Relaxed) == 2 {
-            fs::create_dir_all(&self.1).unwrap();
-        }
-    }
-}
-
-/// A checkpoint that cannot be written stops nothing, is tried again, and leaves no half of itself.
-#[test]
-fn a_march_goes_on_without_room_for_its_checkpoint() {
-    let folder = std::env::temp_dir().join(format!("march-room-{}", std::process::id()));
-    let parts = Parts::new(chain(12.0, 10.0));
-    let problem = parts.problem();
-    let load = shaking(3.0);
-    let mut settings = Settings::new(grid());
-    settings.constant = parts.weight();
-    let expected = march(problem, &load, &settings, &mut [], &Silent).unwrap();
-    settings.checkpoint = Some(Checkpoint {
-        path: folder.join("march.checkpoint"),
-        steps: 25,
-        seconds: f64::INFINITY,
-        key: "test".into(),
-        resume: false,
-    });
-    let room = Room(std::sync::atomic::AtomicU64::new(0), folder.clone());
-    let found = march(problem, &load, &settings, &mut [], &room).unwrap();
-    assert_eq!((&found.outcome, &found.state), (&Outcome::Completed, &expected.state));
-    // Three times in vain, then there was room.
-    assert_eq!(room.0.into_inner(), 3);
-    let names: Vec<_> = fs::read_dir(&folder)
-        .unwrap()
-        .flatten()
-        .map(|e| e.file_name())
-        .collect();
-    assert_eq!(names, ["march.checkpoint"]);
-    fs::remove_dir_all(&folder).unwrap();
 }
 
 /// A link without an answer to elongations that change by more than `most` in a step; history: its elongation.

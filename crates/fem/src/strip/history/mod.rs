@@ -3,8 +3,12 @@
 //! Signs are those of the wall at x = +L: deflections and pressures outwards, ζ from the wet face to the dry one, moments about
 //! y as the ground exerts them. Everything contains the state at rest. Faces: 0 is the wet half of the section, 1 the dry one.
 
+mod observer;
+
+pub(super) use observer::WallObserver;
+
+use super::demand::BaseMoment;
 use super::validity::Departure;
-use super::watch::BaseMoment;
 use crate::analysis::march::Range;
 use crate::liquid::separation::{Openings, SeparationCheck};
 

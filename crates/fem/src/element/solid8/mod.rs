@@ -23,13 +23,17 @@
 //! Source: dissertation, section 6.3.1 and (6.10)-(6.30), its factors ½ in (6.21) and the current metric in (6.25)
 //! corrected (docs/theory/solid-and-contact.md).
 
-use materials::PointState;
+mod abilities;
+mod kernels;
+mod material;
+
+pub use material::Elastic;
+
+use kernels::{add_isotropic_stiffness, add_stiffness, displacement_gradient, tensor, voigt};
 use nalgebra::{Matrix3, Vector3};
 
-use super::solid8_law::{Law, Moduli, Tension, dyad};
-use super::{
-    Buckling, Contact, Element, ElementError, Inspect, Inspection, LocalMatrix, Motion, Response, Sample, Want,
-};
+use super::solid8_law::dyad;
+use super::{Buckling, Contact, Element, ElementError, Inspect, LocalMatrix, Motion, Response, Want};
 use crate::dofs::Dof;
 use crate::shape::hex8::CORNERS;
 
@@ -60,78 +64,6 @@ const fn tabulate() -> ([[f64; 8]; POINTS], [[[f64; 3]; 8]; POINTS]) {
         q += 1;
     }
     (values, slopes)
-}
-
-/// Elastic material of a solid.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Elastic {
-    /// Stress law.
-    pub law: Law,
-    /// Density in the reference state ρ₀ [kg/m³], ≥ 0.
-    pub density: f64,
-    /// Mass-proportional part a_M of the element's own damping [1/s].
-    pub damping_mass: f64,
-    /// Stiffness-proportional part a_K of the element's own damping [s].
-    pub damping_stiffness: f64,
-}
-
-impl Elastic {
-    /// Isotropic: Young's modulus E [Pa], Poisson's ratio ν, density ρ₀ [kg/m³].
-    pub fn isotropic(young_modulus: f64, poisson_ratio: f64, density: f64) -> Elastic {
-        Elastic {
-            law: Law::Isotropic {
-                young_modulus,
-                poisson_ratio,
-            },
-            density,
-            damping_mass: 0.0,
-            damping_stiffness: 0.0,
-        }
-    }
-
-    /// Stiff along the layer's normal only: modulus [Pa], density ρ₀ [kg/m³].
-    pub fn normal_only(e_normal: f64, density: f64) -> Elastic {
-        Elastic {
-            law: Law::NormalOnly {
-                e_normal,
-                tension: Tension::Full,
-            },
-            density,
-            damping_mass: 0.0,
-            damping_stiffness: 0.0,
-        }
-    }
-
-    /// The same without tension ([`Tension::NONE`]).
-    pub fn pressed_only(e_normal: f64, density: f64) -> Elastic {
-        Elastic {
-            law: Law::NormalOnly {
-                e_normal,
-                tension: Tension::NONE,
-            },
-            ..Elastic::normal_only(e_normal, density)
-        }
-    }
-
-    /// Bonded layer, stiff along its normal and in shear across it: moduli [Pa], density ρ₀ [kg/m³].
-    pub fn core(e_normal: f64, shear_modulus: f64, density: f64) -> Elastic {
-        Elastic {
-            law: Law::Core {
-                e_normal,
-                shear_modulus,
-            },
-            ..Elastic::normal_only(e_normal, density)
-        }
-    }
-
-    /// The same with the element damping C_e = a_M M_e + a_K K_e(0); a_M [1/s], a_K [s].
-    pub fn with_damping(self, damping_mass: f64, damping_stiffness: f64) -> Elastic {
-        Elastic {
-            damping_mass,
-            damping_stiffness,
-            ..self
-        }
-    }
 }
 
 /// Strain measure of a solid.
@@ -337,108 +269,6 @@ impl Solid8 {
     }
 }
 
-/// Adds ∫ B_aᵀ D B_b + (g_a · S g_b) 1 of one point.
-fn add_stiffness(point: &Point, f: &Matrix3<f64>, moduli: &Moduli, stress: &[f64; 6], out: &mut LocalMatrix) {
-    let b = point.gradients.map(|g| strain_rows(f, &g));
-    let s = tensor(stress);
-    for (node, rows) in b.iter().enumerate() {
-        // D B_b, one column a component of the displacement.
-        let db = rows.map(|column| moduli.map(|d| d.iter().zip(&column).map(|(x, y)| x * y).sum::<f64>()));
-        let gb = Vector3::from(point.gradients[node]);
-        let sg = s * gb;
-        for a in node..8 {
-            let geometric = Vector3::from(point.gradients[a]).dot(&sg);
-            for j in 0..3 {
-                for i in 0..3 {
-                    let material: f64 = b[a][i].iter().zip(&db[j]).map(|(x, y)| x * y).sum();
-                    let value = point.volume * (material + if i == j { geometric } else { 0.0 });
-                    out.add(3 * a + i, 3 * node + j, value);
-                    if a != node {
-                        out.add(3 * node + j, 3 * a + i, value);
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// Adds the same for the isotropic law: λ h_a h_bᵀ + μ h_b h_aᵀ + μ (g_a · g_b) F Fᵀ + (g_a · S g_b) 1, h_a = F g_a.
-fn add_isotropic_stiffness(
-    point: &Point,
-    f: &Matrix3<f64>,
-    (lambda, mu): (f64, f64),
-    stress: &[f64; 6],
-    out: &mut LocalMatrix,
-) {
-    let (s, left) = (tensor(stress), f * f.transpose());
-    let g = point.gradients.map(Vector3::from);
-    let h = g.map(|g| f * g);
-    for b in 0..8 {
-        let sg = s * g[b];
-        for a in b..8 {
-            let (metric, geometric) = (mu * g[a].dot(&g[b]), g[a].dot(&sg));
-            for j in 0..3 {
-                for i in 0..3 {
-                    let mut value = lambda * h[a][i] * h[b][j] + mu * h[b][i] * h[a][j] + metric * left[(i, j)];
-                    if i == j {
-                        value += geometric;
-                    }
-                    value *= point.volume;
-                    out.add(3 * a + i, 3 * b + j, value);
-                    if a != b {
-                        out.add(3 * b + j, 3 * a + i, value);
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// Columns of B_a: the Voigt strain of a unit displacement of the node along x, y, z.
-fn strain_rows(f: &Matrix3<f64>, g: &[f64; 3]) -> [[f64; 6]; 3] {
-    std::array::from_fn(|i| {
-        let (f1, f2, f3) = (f[(i, 0)], f[(i, 1)], f[(i, 2)]);
-        [
-            f1 * g[0],
-            f2 * g[1],
-            f3 * g[2],
-            f1 * g[1] + f2 * g[0],
-            f2 * g[2] + f3 * g[1],
-            f1 * g[2] + f3 * g[0],
-        ]
-    })
-}
-
-/// Symmetric tensor of a Voigt stress.
-fn tensor(s: &[f64; 6]) -> Matrix3<f64> {
-    Matrix3::new(s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2])
-}
-
-/// Voigt vector, with engineering shears, of a symmetric strain tensor.
-fn voigt(e: &Matrix3<f64>) -> [f64; 6] {
-    [
-        e[(0, 0)],
-        e[(1, 1)],
-        e[(2, 2)],
-        2.0 * e[(0, 1)],
-        2.0 * e[(1, 2)],
-        2.0 * e[(0, 2)],
-    ]
-}
-
-/// H = Σ u_a g_aᵀ.
-fn displacement_gradient(point: &Point, values: &[f64]) -> Matrix3<f64> {
-    let mut h = Matrix3::zeros();
-    for (g, u) in point.gradients.iter().zip(values.as_chunks::<3>().0) {
-        for i in 0..3 {
-            for j in 0..3 {
-                h[(i, j)] += u[i] * g[j];
-            }
-        }
-    }
-    h
-}
-
 impl Element for Solid8 {
     fn kind(&self) -> &'static str {
         KIND
@@ -549,114 +379,6 @@ impl Element for Solid8 {
 
     fn buckling(&self) -> Option<&dyn Buckling> {
         Some(self)
-    }
-}
-
-impl Contact for Solid8 {
-    fn only_between_shells(&self) -> bool {
-        self.material.law.only_between_shells()
-    }
-
-    /// The points of a layer without tension: pressed or parted.
-    fn switches(&self, motion: Motion<'_>, _history: &[f64], see: &mut dyn FnMut(bool)) {
-        if !self.material.law.is_linear() {
-            self.normal_strains(motion.values).iter().for_each(|&e| see(e <= 0.0));
-        }
-    }
-}
-
-impl Inspect for Solid8 {
-    /// Stresses at the 2 × 2 × 2 points: `stress_11` … `stress_13` in global components, or `stress_nn` along the layer's
-    /// normal.
-    fn samples(&self) -> Vec<Sample> {
-        const NAMES: [&str; 6] = [
-            "stress_11",
-            "stress_22",
-            "stress_33",
-            "stress_12",
-            "stress_23",
-            "stress_13",
-        ];
-        let mut samples = Vec::new();
-        for (q, point) in self.points().iter().enumerate() {
-            let position = std::array::from_fn(|k| (0..8).map(|a| VALUES[q][a] * self.coordinates[a][k]).sum());
-            let columns = point.gradients.map(|g| strain_rows(&Matrix3::identity(), &g));
-            let (_, moduli) = self.material.law.stress(&[0.0; 6], &point.normal);
-            // Stress of a unit displacement, column after column.
-            let stresses: Vec<[f64; 6]> = columns
-                .as_flattened()
-                .iter()
-                .map(|strain| moduli.map(|row| row.iter().zip(strain).map(|(d, e)| d * e).sum()))
-                .collect();
-            let mut push = |name, row: Vec<f64>| {
-                samples.push(Sample {
-                    name,
-                    position,
-                    row,
-                    of_acceleration: false,
-                });
-            };
-            match self.material.law {
-                Law::NormalOnly { .. } | Law::Core { .. } => {
-                    let n = point.normal;
-                    push("stress_nn", stresses.iter().map(|s| n.dot(&(tensor(s) * n))).collect());
-                }
-                Law::Isotropic { .. } => {
-                    for (component, name) in NAMES.into_iter().enumerate() {
-                        push(name, stresses.iter().map(|s| s[component]).collect());
-                    }
-                }
-            }
-        }
-        samples
-    }
-
-    /// Strain and stress along the layer's normal at the 2 × 2 × 2 points, for layers only.
-    fn material_points(&self, motion: Motion<'_>, _history: &[f64], see: &mut dyn FnMut(&Inspection)) {
-        if !self.material.law.only_between_shells() {
-            return;
-        }
-        for (q, point) in self.points().iter().enumerate() {
-            let (_, strain) = self.strain(point, motion.values);
-            let p = dyad(&point.normal);
-            let (stress, _) = self.material.law.stress(&strain, &point.normal);
-            let along = point.normal.dot(&(tensor(&stress) * point.normal));
-            let wish = if point.normal.x.abs() < 0.7 {
-                Vector3::x()
-            } else {
-                Vector3::y()
-            };
-            see(&Inspection {
-                point: q,
-                layer: 0,
-                position: std::array::from_fn(|k| (0..8).map(|a| VALUES[q][a] * self.coordinates[a][k]).sum()),
-                depth: 0.0,
-                axes: [point.normal, point.normal.cross(&wish).normalize()],
-                strain: [p.iter().zip(strain).map(|(p, e)| p * e).sum(), 0.0, 0.0],
-                stress: [along, 0.0, 0.0],
-                state: PointState::default(),
-            });
-        }
-    }
-}
-
-impl Buckling for Solid8 {
-    /// Stresses of the linear solution times products of gradients.
-    fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<(), ElementError> {
-        for point in &self.points() {
-            let h = displacement_gradient(point, values);
-            let strain = voigt(&(0.5 * (h + h.transpose())));
-            let (stress, _) = self.material.law.stress(&strain, &point.normal);
-            let s = tensor(&stress);
-            for b in 0..8 {
-                let sg = s * Vector3::from(point.gradients[b]) * point.volume;
-                for a in 0..8 {
-                    let value = Vector3::from(point.gradients[a]).dot(&sg);
-                    (0..3).for_each(|i| out.add(3 * a + i, 3 * b + i, value));
-                }
-            }
-        }
-        Ok(())
     }
 }
 

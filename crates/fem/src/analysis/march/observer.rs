@@ -51,7 +51,7 @@ impl Reaction {
     }
 }
 
-/// What a [`Recorder`] records.
+/// What a [`QuantityObserver`] records.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Quantity {
     /// A linear functional of displacement, velocity and total acceleration.
@@ -127,7 +127,7 @@ impl Range {
 
 /// Histories at the samples, ranges over all steps.
 #[derive(Clone, Debug)]
-pub struct Recorder {
+pub struct QuantityObserver {
     quantities: Vec<Quantity>,
     /// Times of the samples reached [s].
     pub times: Vec<f64>,
@@ -137,10 +137,10 @@ pub struct Recorder {
     pub ranges: Vec<Range>,
 }
 
-impl Recorder {
+impl QuantityObserver {
     /// Of these quantities.
-    pub fn new(quantities: Vec<Quantity>) -> Recorder {
-        Recorder {
+    pub fn new(quantities: Vec<Quantity>) -> QuantityObserver {
+        QuantityObserver {
             times: Vec::new(),
             histories: vec![Vec::new(); quantities.len()],
             ranges: vec![Range::EMPTY; quantities.len()],
@@ -154,7 +154,7 @@ impl Recorder {
     }
 }
 
-impl Observe for Recorder {
+impl Observe for QuantityObserver {
     fn see(&mut self, now: &Instant<'_>) {
         if now.sample.is_some() {
             self.times.push(now.time);

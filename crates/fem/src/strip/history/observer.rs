@@ -1,9 +1,6 @@
 //! The observer that writes the history of a wall.
 
-use super::history::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory};
-use super::validity::{BarStrain, Validity};
-use super::watch::BaseMoment;
-use super::{BaseReaction, StripError, StripModel, lost};
+use super::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory};
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::march::{Instant, Observe, Range};
 use crate::dofs::Dof;
@@ -11,9 +8,12 @@ use crate::element::Inspect;
 use crate::liquid::separation::{Openings, SeparationCheck};
 use crate::liquid::strip::Place;
 use crate::state::Gather;
+use crate::strip::demand::BaseMoment;
+use crate::strip::validity::{BarStrain, Validity};
+use crate::strip::{BaseReaction, StripError, StripModel, lost};
 
 /// Observer of a wall.
-pub(super) struct Watch<'a> {
+pub(in crate::strip) struct WallObserver<'a> {
     strip: &'a StripModel,
     /// Wet levels, then middles of wet elements.
     places: Vec<Place>,
@@ -26,9 +26,9 @@ pub(super) struct Watch<'a> {
     failure: Option<StripError>,
 }
 
-impl<'a> Watch<'a> {
+impl<'a> WallObserver<'a> {
     /// Stops the run at the first step at or after `until` [s].
-    pub fn new(strip: &'a StripModel, until: Option<f64>) -> Watch<'a> {
+    pub(crate) fn new(strip: &'a StripModel, until: Option<f64>) -> WallObserver<'a> {
         let (tank, liquid) = (&strip.tank, &strip.tank.liquid);
         let tolerance = 1e-9 * liquid.depth;
         let mut heights: Vec<f64> = tank.levels.to_vec();
@@ -42,7 +42,7 @@ impl<'a> Watch<'a> {
             None => &heights[..wet],
         };
         let check = SeparationCheck::new(liquid.density * liquid.gravity, liquid.depth, heights[wet..].to_vec());
-        Watch {
+        WallObserver {
             places: liquid.places(tank.contact.trace(), strip.face_levels(), tank.sloshing, &heights),
             bottom: liquid.bottom_moment(tank.contact.trace(), strip.face_levels(), tank.sloshing),
             rest: Vec::new(),
@@ -68,7 +68,7 @@ impl<'a> Watch<'a> {
     }
 
     /// Whether the wall has moved too far or the run has left its model, and why that ends it.
-    pub fn lost(&self) -> Option<String> {
+    pub(crate) fn lost(&self) -> Option<String> {
         let last = self.history.scalar(Scalar::Deflection).last().copied();
         lost(last.unwrap_or(0.0), self.strip.height()).or(self.validity.stop())
     }
@@ -76,7 +76,7 @@ impl<'a> Watch<'a> {
     /// What was seen.
     ///
     /// Errors: those of the elements while it was seen.
-    pub fn finish(self) -> Result<WallHistory, StripError> {
+    pub(crate) fn finish(self) -> Result<WallHistory, StripError> {
         match self.failure {
             Some(failure) => Err(failure),
             None => Ok(WallHistory {
@@ -239,7 +239,7 @@ fn dot(row: &[f64], x: &[f64]) -> f64 {
     row.iter().zip(x).map(|(a, b)| a * b).sum()
 }
 
-impl Observe for Watch<'_> {
+impl Observe for WallObserver<'_> {
     fn see(&mut self, now: &Instant<'_>) {
         if self.failure.is_none() {
             self.failure = self.take(now).err();

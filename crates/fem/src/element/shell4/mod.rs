@@ -33,8 +33,8 @@
 //! Source: Dvorkin & Bathe 1984 (tying), Simo & Fox 1989 (measures); the centre-point shear and its reason are derived in
 //! `docs/theory/shell-element.md`. Thickness change is not represented.
 
+mod inspect;
 mod mixed;
-mod observe;
 pub(super) mod strain;
 mod turn;
 
@@ -48,10 +48,7 @@ use turn::Turn;
 use super::shell::drilling::{Corner, turned};
 use super::shell::geometry::Point;
 use super::shell::section::{Section, SectionResponse};
-use super::{
-    Buckling, Element, ElementError, Inspect, Inspection, LocalMatrix, Mixed, Motion, Response, Sample, SectionState,
-    Want,
-};
+use super::{Buckling, Element, ElementError, Inspect, LocalMatrix, Mixed, Motion, Response, Want};
 use crate::dofs::Dof;
 
 /// Number of local dofs.
@@ -414,28 +411,6 @@ impl Element for Shell4 {
 
     fn buckling(&self) -> Option<&dyn Buckling> {
         Some(self)
-    }
-}
-
-impl Inspect for Shell4 {
-    /// Resultants in the frame of [`Axes`]: at the centre, then at the four Gauss points counter-clockwise, eight each
-    /// in the order of [`RESULTANTS`]. m > 0 stretches the side to which the directors point.
-    fn samples(&self) -> Vec<Sample> {
-        self.resultant_samples()
-    }
-
-    fn dissipated(&self, history: &[f64]) -> f64 {
-        self.dissipated_energy(history)
-    }
-
-    /// Layers and bars at the four Gauss points.
-    fn material_points(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(&Inspection)) {
-        self.show(&motion, history, see);
-    }
-
-    /// At the four Gauss points, in the frame of [`Axes`].
-    fn sections(&self, motion: Motion<'_>, history: &[f64]) -> Result<Vec<SectionState>, ElementError> {
-        self.section_states(&motion, history)
     }
 }
 

@@ -457,5 +457,4 @@ impl Inspect for Fluid8 {
 }
 
 #[cfg(test)]
-#[path = "fluid8_tests.rs"]
 mod tests;

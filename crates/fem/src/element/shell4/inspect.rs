@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::{RESULTANTS, Row, SIZE, Shell4, Turn};
 use crate::element::shell::geometry::{Point, blend};
 use crate::element::shell::section::SectionResponse;
-use crate::element::{ElementError, Inspection, Motion, Sample, SectionState};
+use crate::element::{ElementError, Inspect, Inspection, Motion, Sample, SectionState};
 
 impl Shell4 {
     /// From the frame of a point to the shell's axes.
@@ -125,5 +125,27 @@ impl Shell4 {
             Ok(())
         })?;
         Ok(out)
+    }
+}
+
+impl Inspect for Shell4 {
+    /// Resultants in the frame of [`Axes`]: at the centre, then at the four Gauss points counter-clockwise, eight each
+    /// in the order of [`RESULTANTS`]. m > 0 stretches the side to which the directors point.
+    fn samples(&self) -> Vec<Sample> {
+        self.resultant_samples()
+    }
+
+    fn dissipated(&self, history: &[f64]) -> f64 {
+        self.dissipated_energy(history)
+    }
+
+    /// Layers and bars at the four Gauss points.
+    fn material_points(&self, motion: Motion<'_>, history: &[f64], see: &mut dyn FnMut(&Inspection)) {
+        self.show(&motion, history, see);
+    }
+
+    /// At the four Gauss points, in the frame of [`Axes`].
+    fn sections(&self, motion: Motion<'_>, history: &[f64]) -> Result<Vec<SectionState>, ElementError> {
+        self.section_states(&motion, history)
     }
 }

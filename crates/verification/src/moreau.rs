@@ -1,4 +1,5 @@
-//! Time steps of a linear system with one-sided joints, their force taken at the end of the step.
+//! Time steps of a linear system with one-sided joints, their force taken at the end of the step: dense matrices and sets of
+//! open joints, to check the marches of `fem` on its joint elements with.
 //!
 //! ```text
 //! M (v₁ − v₀) + h [K (x₀ + h/4 (v₀ + v₁)) + C (v₀ + v₁)/2 − p + Σ r_j F_j(x₁)] = 0 ,   x₁ = x₀ + h/2 (v₀ + v₁)
@@ -20,8 +21,8 @@
 //!
 //! Source: Moreau 1999; Jean 1999 (θ = 1 for the joint, ½ for the rest).
 
-use super::{AnalysisError, check_length, failed};
-use crate::linalg::{Cholesky, Matrix};
+use fem::analysis::AnalysisError;
+use fem::linalg::{Cholesky, Matrix};
 
 /// A sparse row: (unknown, coefficient).
 pub type SparseRow = Vec<(usize, f64)>;
@@ -91,6 +92,9 @@ pub struct MarchReport {
     pub changes: usize,
 }
 
+/// x₁, v₁ and the force of each joint.
+type End = (Vec<f64>, Vec<f64>, Vec<f64>);
+
 /// Sets tried in one step until it has failed.
 const SETS: usize = 60;
 
@@ -112,9 +116,19 @@ impl Jointed {
         mut each: impl FnMut(Moment<'_>),
     ) -> Result<MarchReport, AnalysisError> {
         let n = self.mass.rows;
-        check_length("rows of the damping matrix", self.damping.rows, n)?;
-        check_length("rows of the stiffness matrix", self.stiffness.rows, n)?;
-        check_length("load", load(0.0).len(), n)?;
+        for (option, found) in [
+            ("rows of the damping matrix", self.damping.rows),
+            ("rows of the stiffness matrix", self.stiffness.rows),
+            ("load", load(0.0).len()),
+        ] {
+            if found != n {
+                return Err(AnalysisError::Option {
+                    option,
+                    found: format!("{found} entries"),
+                    allowed: format!("{n}, one an equation"),
+                });
+            }
+        }
         if !(h > 0.0 && h.is_finite()) {
             return Err(AnalysisError::Option {
                 option: "time step",
@@ -142,45 +156,8 @@ impl Jointed {
                 .collect();
             let pressed: Vec<f64> = self.joints.iter().map(|j| j.preload + dot(&j.relief, &x)).collect();
             let before = open.clone();
-            let mut tried = 0;
-            let next = loop {
-                tried += 1;
-                if tried > SETS {
-                    return Err(AnalysisError::Option {
-                        option: "one-sided joints",
-                        found: format!("no repeating set of open joints in {SETS} trials at t = {time:.4} s"),
-                        allowed: "a smaller time step".into(),
-                    });
-                }
-                if factor.as_ref().is_none_or(|(set, _)| *set != open) {
-                    factor = Some((open.clone(), self.factor(&base, h, &open)?));
-                }
-                let Some((_, solver)) = &factor else {
-                    continue;
-                };
-                let mut b = right.clone();
-                for ((joint, &is_open), pressed) in self.joints.iter().zip(&open).zip(&pressed) {
-                    let force = if is_open {
-                        -pressed
-                    } else {
-                        joint.stiffness * (dot(&joint.closing, &x) + 0.5 * h * dot(&joint.closing, &v))
-                    };
-                    joint.closing.iter().for_each(|&(i, c)| b[i] -= h * force * c);
-                }
-                let v1 = solver.solve_vector(&b);
-                let x1: Vec<f64> = (0..n).map(|i| x[i] + 0.5 * h * (v[i] + v1[i])).collect();
-                let total = |(joint, pressed): (&Joint, &f64)| pressed + joint.stiffness * dot(&joint.closing, &x1);
-                let contact: Vec<f64> = self.joints.iter().zip(&pressed).map(total).collect();
-                let set: Vec<bool> = match self.opening {
-                    Opening::Bonded => vec![false; contact.len()],
-                    Opening::Unilateral => contact.iter().map(|&f| f < 0.0).collect(),
-                };
-                if set == open {
-                    break (x1, v1, contact);
-                }
-                open = set;
-            };
-            let (x1, v1, mut contact) = next;
+            let (tried, (x1, v1, mut contact)) =
+                self.close(&base, h, time, [&x, &v], &right, &pressed, &mut open, &mut factor)?;
             if !x1.iter().chain(&v1).all(|u| u.is_finite()) {
                 return Err(AnalysisError::NotFinite {
                     time,
@@ -208,6 +185,63 @@ impl Jointed {
         Ok(report)
     }
 
+    /// End of a step, x₁ and v₁ with the force of each joint, on the set of open joints that repeats; the number of sets tried.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "the step's own values, which its caller goes on with"
+    )]
+    fn close(
+        &self,
+        base: &Matrix,
+        h: f64,
+        time: f64,
+        [x, v]: [&Vec<f64>; 2],
+        right: &[f64],
+        pressed: &[f64],
+        open: &mut Vec<bool>,
+        factor: &mut Option<(Vec<bool>, Cholesky)>,
+    ) -> Result<(usize, End), AnalysisError> {
+        let n = right.len();
+        let mut tried = 0;
+        loop {
+            tried += 1;
+            if tried > SETS {
+                return Err(AnalysisError::Option {
+                    option: "one-sided joints",
+                    found: format!("no repeating set of open joints in {SETS} trials at t = {time:.4} s"),
+                    allowed: "a smaller time step".into(),
+                });
+            }
+            if factor.as_ref().is_none_or(|(set, _)| *set != *open) {
+                *factor = Some((open.clone(), self.factor(base, h, open)?));
+            }
+            let Some((_, solver)) = &*factor else {
+                continue;
+            };
+            let mut b = right.to_vec();
+            for ((joint, &is_open), pressed) in self.joints.iter().zip(&*open).zip(pressed) {
+                let force = if is_open {
+                    -pressed
+                } else {
+                    joint.stiffness * (dot(&joint.closing, x) + 0.5 * h * dot(&joint.closing, v))
+                };
+                joint.closing.iter().for_each(|&(i, c)| b[i] -= h * force * c);
+            }
+            let v1 = solver.solve_vector(&b);
+            let x1: Vec<f64> = (0..n).map(|i| x[i] + 0.5 * h * (v[i] + v1[i])).collect();
+            let total = |(joint, pressed): (&Joint, &f64)| pressed + joint.stiffness * dot(&joint.closing, &x1);
+            let contact: Vec<f64> = self.joints.iter().zip(pressed).map(total).collect();
+            let set: Vec<bool> = match self.opening {
+                Opening::Bonded => vec![false; contact.len()],
+                Opening::Unilateral => contact.iter().map(|&f| f < 0.0).collect(),
+            };
+            if set == *open {
+                return Ok((tried, (x1, v1, contact)));
+            }
+            *open = set;
+        }
+    }
+
     /// Factor of M + h/2 C + h²/4 K + h²/2 Σ_closed k r rᵀ.
     fn factor(&self, base: &Matrix, h: f64, open: &[bool]) -> Result<Cholesky, AnalysisError> {
         let mut a = base.clone();
@@ -219,7 +253,10 @@ impl Jointed {
                 }
             }
         }
-        Cholesky::factor(&a).map_err(failed("the effective matrix of a step with joints"))
+        Cholesky::factor(&a).map_err(|source| AnalysisError::Linalg {
+            what: "the effective matrix of a step with joints",
+            source,
+        })
     }
 }
 

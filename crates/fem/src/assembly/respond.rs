@@ -1,0 +1,299 @@
+//! What the elements answer to a motion.
+
+use super::matrices::{Sink, Work};
+use super::turn::turn_back;
+use super::{Assembler, NONE};
+use crate::element::{ElementError, LocalMatrix, Motion, Response, Want, local_size};
+use crate::linalg::Symmetric;
+use crate::model::Model;
+use crate::state::{Gather, State};
+
+/// Internal forces of a model.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Forces {
+    /// Of the unknowns.
+    pub internal: Vec<f64>,
+    /// Of the held dofs, in the order of [`Assembler::supports`].
+    pub support: Vec<f64>,
+    /// Part of `internal` that time steps take at their end ([`acts_at_end`](crate::element::Contact::acts_at_end)); empty without such elements.
+    pub at_end: Vec<f64>,
+}
+
+/// What an evaluation of all elements is asked for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ask<'a> {
+    /// Force, tangent.
+    pub want: Want,
+    /// Stands for the linear elements.
+    pub linear: Option<&'a LinearPart>,
+    /// Factor on the tangents of elements that act at the end of a step.
+    pub end_tangent: f64,
+}
+
+impl<'a> Ask<'a> {
+    /// At one instant.
+    pub(crate) fn now(want: Want, linear: Option<&'a LinearPart>) -> Ask<'a> {
+        Ask {
+            want,
+            linear,
+            end_tangent: 1.0,
+        }
+    }
+}
+
+/// What the elements keep from one iteration of a step to the next ([`respond_mixed`](crate::element::Mixed::respond_mixed)).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Kept {
+    values: Vec<f64>,
+    /// Start of each element's part, with the total at the end.
+    offsets: Vec<usize>,
+}
+
+impl Kept {
+    /// Nothing yet.
+    pub fn new(model: &Model) -> Kept {
+        let mut offsets = vec![0];
+        for element in model.elements() {
+            offsets.push(offsets[offsets.len() - 1] + element.mixed().map_or(0, |mixed| mixed.mixed_len()));
+        }
+        Kept {
+            values: vec![0.0; offsets[offsets.len() - 1]],
+            offsets,
+        }
+    }
+
+    /// Forgets the iterate before: a step begins.
+    pub fn clear(&mut self) {
+        self.values.fill(0.0);
+    }
+
+    fn of(&mut self, e: usize) -> &mut [f64] {
+        &mut self.values[self.offsets[e]..self.offsets[e + 1]]
+    }
+}
+
+/// Stiffness of the linear elements, assembled once for all steps.
+#[derive(Clone, Debug)]
+pub struct LinearPart {
+    tangent: Symmetric,
+    /// Rows of the held dofs: (support, unknown, coefficient).
+    support: Vec<(u32, u32, f64)>,
+}
+
+impl Assembler {
+    /// Assembles the linear elements once for all.
+    ///
+    /// Errors: the first element without an answer, with its number.
+    pub fn linear_part(&self, model: &Model) -> Result<LinearPart, (usize, ElementError)> {
+        let mut out = LinearPart {
+            tangent: Symmetric::zeros(self.pattern.clone()),
+            support: Vec::new(),
+        };
+        let mut work = Work::default();
+        for (e, element) in model.elements().iter().enumerate().filter(|(e, _)| self.linear[*e]) {
+            let local = work.stiffness(&**element).map_err(|error| (e, error))?;
+            self.scatter(model, e, local, &mut Sink::whole(&mut out.tangent.values));
+            let range = self.equation_starts[e]..self.equation_starts[e + 1];
+            let (equations, held) = (&self.equations[range.clone()], &self.held[range]);
+            for (i, &support) in held.iter().enumerate().filter(|(_, s)| **s != NONE) {
+                for (j, &equation) in equations.iter().enumerate() {
+                    let value = local.get(i, j);
+                    if equation != NONE && value != 0.0 {
+                        out.support.push((support, equation, value));
+                    }
+                }
+            }
+        }
+        Ok(out)
+    }
+
+    /// Internal force and, if wanted, tangent at the trial state; writes the trial history.
+    ///
+    /// Errors: the first element without an answer, with its number.
+    pub fn respond(
+        &self,
+        model: &Model,
+        state: &mut State,
+        want: Want,
+        tangent: &mut Symmetric,
+    ) -> Result<Vec<f64>, (usize, ElementError)> {
+        let mut forces = Forces::default();
+        self.respond_into(model, state, want, None, tangent, &mut forces)?;
+        Ok(forces.internal)
+    }
+
+    /// The same by [`respond_mixed`](crate::element::Mixed::respond_mixed).
+    ///
+    /// Errors: those of [`Assembler::respond`].
+    pub fn respond_mixed(
+        &self,
+        model: &Model,
+        state: &mut State,
+        want: Want,
+        tangent: &mut Symmetric,
+        kept: &mut Kept,
+    ) -> Result<Vec<f64>, (usize, ElementError)> {
+        let mut forces = Forces::default();
+        self.answer(model, state, Ask::now(want, None), tangent, &mut forces, Some(kept))?;
+        Ok(forces.internal)
+    }
+
+    /// The same with the forces at the supports, into storage that is kept; `linear` stands for the linear elements.
+    ///
+    /// Errors: the first element without an answer, with its number.
+    pub fn respond_into(
+        &self,
+        model: &Model,
+        state: &mut State,
+        want: Want,
+        linear: Option<&LinearPart>,
+        tangent: &mut Symmetric,
+        forces: &mut Forces,
+    ) -> Result<(), (usize, ElementError)> {
+        self.answer(model, state, Ask::now(want, linear), tangent, forces, None)
+    }
+
+    /// [`Assembler::respond_into`], by [`respond_mixed`](crate::element::Mixed::respond_mixed) if there is something `kept`.
+    pub(crate) fn answer(
+        &self,
+        model: &Model,
+        state: &mut State,
+        ask: Ask<'_>,
+        tangent: &mut Symmetric,
+        forces: &mut Forces,
+        mut kept: Option<&mut Kept>,
+    ) -> Result<(), (usize, ElementError)> {
+        let Ask { want, linear, .. } = ask;
+        let ends = !self.at_end.is_empty();
+        for (out, len) in [
+            (&mut forces.internal, model.dofs().len()),
+            (&mut forces.support, self.supports.len()),
+            (&mut forces.at_end, if ends { model.dofs().len() } else { 0 }),
+        ] {
+            out.clear();
+            out.resize(len, 0.0);
+        }
+        match linear {
+            Some(part) if want.tangent => tangent.values.copy_from_slice(&part.tangent.values),
+            None if want.tangent => tangent.values.fill(0.0),
+            _ => {}
+        }
+        if let (Some(part), true) = (linear, want.force) {
+            part.tangent.add_product(1.0, &state.trial.u, &mut forces.internal);
+            for &(s, e, k) in &part.support {
+                forces.support[s as usize] += k * state.trial.u[e as usize];
+            }
+        }
+        let (mut gather, mut response) = (Gather::default(), Response::default());
+        for (e, element) in model.elements().iter().enumerate() {
+            if linear.is_some() && self.linear[e] {
+                continue;
+            }
+            let dofs = self.equation_starts[e]..self.equation_starts[e + 1];
+            response.reset(dofs.len());
+            let range = state.history(e);
+            let motion: Motion<'_> = match self.turned[e] {
+                true => gather.motion(model, &state.trial, &**element),
+                // Components are the unknowns themselves.
+                false => {
+                    let value = |&q: &u32| if q == NONE { 0.0 } else { state.trial.u[q as usize] };
+                    gather.values(&state.trial, &**element, self.equations[dofs.clone()].iter().map(value))
+                }
+            };
+            let (old, new) = (&state.old[range.clone()], &mut state.new[range]);
+            match kept.as_deref_mut().and_then(|kept| Some((element.mixed()?, kept))) {
+                Some((mixed, kept)) => mixed.respond_mixed(motion, old, new, want, kept.of(e), &mut response),
+                None => element.respond(motion, old, new, want, &mut response),
+            }
+            .map_err(|error| (e, error))?;
+            if self.turned[e] {
+                turn_back(model, &**element, &state.trial.rotation, want, &mut response);
+            }
+            self.add_forces(model, e, want, &mut response, forces);
+            if ends && self.at_end[e] {
+                response.tangent.data.iter_mut().for_each(|k| *k *= ask.end_tangent);
+            }
+            if want.tangent {
+                self.scatter(model, e, &mut response.tangent, &mut Sink::whole(&mut tangent.values));
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds the force of element `e`: to the unknowns, the supports, and what acts at the end of a step.
+    fn add_forces(&self, model: &Model, e: usize, want: Want, response: &mut Response, forces: &mut Forces) {
+        if !want.force {
+            return;
+        }
+        self.scatter_vector(model, e, &mut response.force, &mut forces.internal);
+        let dofs = self.equation_starts[e]..self.equation_starts[e + 1];
+        for (&s, f) in self.held[dofs.clone()].iter().zip(&response.force) {
+            if s != NONE {
+                forces.support[s as usize] += f;
+            }
+        }
+        if self.at_end.get(e) == Some(&true) {
+            // Turned already.
+            for (&q, f) in self.equations[dofs]
+                .iter()
+                .zip(&response.force)
+                .filter(|(q, _)| **q != NONE)
+            {
+                forces.at_end[q as usize] += f;
+            }
+        }
+    }
+
+    /// Adds Σ a_e K_e⁺ of the elements' tangents at the trial state, where K_e⁺ is the positive part of K_e and
+    /// a_e = `factor(e)`.
+    ///
+    /// Errors: the first element without an answer, with its number.
+    pub fn add_positive_tangent(
+        &self,
+        model: &Model,
+        state: &State,
+        factor: impl Fn(usize) -> f64,
+        out: &mut Symmetric,
+    ) -> Result<(), (usize, ElementError)> {
+        let (mut gather, mut response) = (Gather::default(), Response::default());
+        let mut new = Vec::new();
+        for (e, element) in model.elements().iter().enumerate() {
+            let a = factor(e);
+            if a == 0.0 {
+                continue;
+            }
+            response.reset(local_size(&**element));
+            let old = &state.old[state.history(e)];
+            new.clear();
+            new.extend_from_slice(old);
+            let motion = gather.motion(model, &state.trial, &**element);
+            element
+                .respond(motion, old, &mut new, Want::TANGENT, &mut response)
+                .map_err(|error| (e, error))?;
+            positive_part(&mut response.tangent);
+            response.tangent.data.iter_mut().for_each(|k| *k *= a);
+            if self.turned[e] {
+                turn_back(model, &**element, &state.trial.rotation, Want::TANGENT, &mut response);
+            }
+            self.scatter(model, e, &mut response.tangent, &mut Sink::whole(&mut out.values));
+        }
+        Ok(())
+    }
+}
+
+/// Leaves the eigenvalues ≥ 0 of a symmetric matrix.
+fn positive_part(a: &mut LocalMatrix) {
+    let n = a.n;
+    let largest = a.data.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let mut shifted = nalgebra::DMatrix::from_column_slice(n, n, &a.data);
+    for i in 0..n {
+        shifted[(i, i)] += 1e-9 * largest;
+    }
+    if shifted.clone().cholesky().is_some() {
+        return;
+    }
+    let eigen = nalgebra::DMatrix::from_column_slice(n, n, &a.data).symmetric_eigen();
+    let kept = eigen.eigenvalues.map(|l| l.max(0.0));
+    let positive = &eigen.eigenvectors * nalgebra::DMatrix::from_diagonal(&kept) * eigen.eigenvectors.transpose();
+    a.data.copy_from_slice(positive.as_slice());
+}
