@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
 use fem::analysis::checkpoint::{Hash, MAGIC, Reader, Writer, inspect};
-use fem::analysis::march::{Checkpoint, Outcome, Problem, Quantity, Recorder, Run, Settings, march};
+use fem::analysis::march::{Checkpoint, Outcome, Problem, Quantity, QuantityObserver, Run, Settings, march};
 use fem::analysis::motion::{Grid, Motion};
 use fem::analysis::observable::Observable;
 use fem::analysis::system::System;
@@ -171,8 +171,8 @@ impl Chain {
         }
     }
 
-    fn recorder(&self) -> Recorder {
-        Recorder::new(vec![Quantity::Linear(Observable::displacement(
+    fn recorder(&self) -> QuantityObserver {
+        QuantityObserver::new(vec![Quantity::Linear(Observable::displacement(
             &self.model,
             MASSES,
             Dof::Ux,
@@ -182,7 +182,7 @@ impl Chain {
     fn march(
         &self,
         checkpoint: Option<&Path>,
-        recorder: &mut Recorder,
+        recorder: &mut QuantityObserver,
         progress: &dyn Progress,
     ) -> Result<Run, String> {
         let problem = Problem {
