@@ -6,6 +6,7 @@
 //! | [`units`] | dimensions, parsing and printing of quantities with units |
 //! | [`Tank`], [`Liquid`] and their parts | the tank and its contents |
 //! | [`case`] | input of a procedure or an engine for one verification |
+//! | [`formula`] | text of a formula, its value, and its text with numbers |
 //! | [`quantity`] | comparable quantities of procedures and engines |
 //! | [`assessment`] | result of a procedure |
 //!
@@ -14,6 +15,7 @@
 
 pub mod assessment;
 pub mod case;
+pub mod formula;
 pub mod quantity;
 pub mod reference;
 #[allow(clippy::module_inception)]
