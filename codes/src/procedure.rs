@@ -2,6 +2,7 @@
 
 use tank::assessment::{Assessment, Excitation, NotApplicable};
 use tank::case::{Case, Site};
+use tank::formula::FormulaError;
 
 /// Failure of a computation inside a procedure.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -29,6 +30,9 @@ pub enum CodeError {
         /// What is missing, what is allowed.
         reason: String,
     },
+    /// A formula of the calculation sheet cannot be evaluated: a fault of the procedure, not of the data.
+    #[error("calculation sheet: {0}")]
+    Formula(#[from] FormulaError),
 }
 
 /// How a procedure is named and drawn.

@@ -1,39 +1,40 @@
 //! Builder of calculation sheets: every line with symbol, formula, the numbers put in, value, dimension and clause.
 //!
-//! The substitution of a [`Step`] is made from its formula by [`substitute`], so that formula and numbers cannot part:
+//! A line is an input, a formula or a look-up. The value of a formula is computed from its text ([`Formula`]), so that
+//! what is printed is what was computed:
 //!
 //! ```
-//! use codes::sheet::{Sheet, substitute, with_unit};
-//! use codes::units::Dimension::{Acceleration, Force, Mass};
+//! use codes::sheet::Sheet;
+//! use tank::units::Dimension::{Acceleration, Force, Mass};
 //!
-//! let (a_b, m_i) = (4.903, 7600.6);
 //! let mut sheet = Sheet::new();
 //! sheet.section("Impulsive part");
 //! let p_i = sheet.calc(
 //!     "P_i",
 //!     "impulsive force",
 //!     "a_B·m_i",
-//!     &[("a_B", a_b, Acceleration), ("m_i", m_i, Mass)],
-//!     a_b * m_i,
+//!     &[("a_B", 4.903, Acceleration), ("m_i", 7600.6, Mass)],
 //!     Force,
 //!     "Housner 1957",
 //! );
-//! let steps = sheet.into_steps();
-//! assert_eq!(p_i, a_b * m_i);
+//! assert_eq!(p_i, 4.903 * 7600.6);
+//! let steps = sheet.into_steps().unwrap();
 //! assert_eq!(steps[0].substitution, "4.903 m/s²·7600.6 kg");
 //! ```
 
 use tank::assessment::Step;
-use tank::units::{Dimension, in_unit, significant, unit_for};
+use tank::formula::{Formula, FormulaError};
+use tank::units::Dimension;
 
-/// A value that stands in a formula: symbol, value in SI, dimension.
-pub type Term<'a> = (&'a str, f64, Dimension);
+pub use tank::formula::{Term, number, with_unit};
 
 /// A calculation sheet under construction.
 #[derive(Clone, Debug, Default)]
 pub struct Sheet {
     section: String,
     steps: Vec<Step>,
+    /// The first formula that could not be evaluated.
+    fault: Option<FormulaError>,
 }
 
 impl Sheet {
@@ -47,189 +48,144 @@ impl Sheet {
         self.section = title.into();
     }
 
-    /// Adds an input: a value without formula. Returns the value.
+    /// Adds an input: a value that is given, or that another sheet or a table of the report derives. Returns the value.
     pub fn input(&mut self, symbol: &str, name: &str, value: f64, dimension: Dimension, source: &str) -> f64 {
-        self.step(symbol, name, "", "", value, dimension, source)
+        self.push(Step {
+            symbol: symbol.into(),
+            name: name.into(),
+            value,
+            dimension,
+            clause: source.into(),
+            ..Step::default()
+        })
     }
 
-    /// Adds a line whose substitution is made from the formula by [`substitute`]. Returns the value.
+    /// Adds a line with a formula. Returns its value, in SI; NaN if the formula is faulty, which [`Sheet::into_steps`]
+    /// then reports.
     pub fn calc(
         &mut self,
         symbol: &str,
         name: &str,
         formula: &str,
         terms: &[Term],
-        value: f64,
         dimension: Dimension,
         clause: &str,
     ) -> f64 {
-        let substitution = substitute(formula, terms);
-        self.step(symbol, name, formula, &substitution, value, dimension, clause)
-    }
-
-    /// Adds a line as given; for formulas that cannot be substituted symbol by symbol. Returns the value.
-    pub fn step(
-        &mut self,
-        symbol: &str,
-        name: &str,
-        formula: &str,
-        substitution: &str,
-        value: f64,
-        dimension: Dimension,
-        clause: &str,
-    ) -> f64 {
-        self.steps.push(Step {
-            section: self.section.clone(),
+        let evaluated = Formula::cached(formula).and_then(|f| Ok((f.value(terms)?, f.substitution(terms))));
+        let (value, substitution) = evaluated.unwrap_or_else(|error| {
+            self.fault.get_or_insert(error);
+            (f64::NAN, String::new())
+        });
+        self.push(Step {
             symbol: symbol.into(),
             name: name.into(),
             formula: formula.into(),
-            substitution: substitution.into(),
+            substitution,
             value,
             dimension,
             clause: clause.into(),
+            ..Step::default()
+        })
+    }
+
+    /// Adds a value that no formula of the sheet gives: one from a table, a figure, a spectrum, a series, an iteration or
+    /// an integral. `source` says in words which. Returns the value.
+    pub fn look_up(
+        &mut self,
+        symbol: &str,
+        name: &str,
+        source: &str,
+        value: f64,
+        dimension: Dimension,
+        clause: &str,
+    ) -> f64 {
+        self.push(Step {
+            symbol: symbol.into(),
+            name: name.into(),
+            look_up: source.into(),
+            value,
+            dimension,
+            clause: clause.into(),
+            ..Step::default()
+        })
+    }
+
+    fn push(&mut self, step: Step) -> f64 {
+        let value = step.value;
+        self.steps.push(Step {
+            section: self.section.clone(),
+            ..step
         });
         value
     }
 
     /// The lines.
-    pub fn into_steps(self) -> Vec<Step> {
-        self.steps
-    }
-}
-
-/// The formula with numbers for symbols.
-///
-/// A symbol is a maximal run of letters, digits, `_` and `′` that starts with a letter (`a_B`, `h_i′`, `λ1`); runs that
-/// are not among `terms` stay (`tanh`, `cosh`). Write products with `·`. A value under an exponent (`R²`, `x^2`) or a
-/// negative one is put into parentheses.
-pub fn substitute(formula: &str, terms: &[Term]) -> String {
-    let chars: Vec<char> = formula.chars().collect();
-    let mut out = String::with_capacity(2 * formula.len());
-    let mut i = 0;
-    while i < chars.len() {
-        if !chars[i].is_alphabetic() {
-            out.push(chars[i]);
-            i += 1;
-            continue;
-        }
-        let start = i;
-        while i < chars.len() && belongs_to_symbol(chars[i]) {
-            i += 1;
-        }
-        let symbol: String = chars[start..i].iter().collect();
-        match terms.iter().find(|(s, _, _)| *s == symbol) {
-            None => out.push_str(&symbol),
-            Some(&(_, value, dimension)) => {
-                let text = with_unit(value, dimension);
-                let raised = chars.get(i).is_some_and(|&c| c == '^' || is_superscript(c));
-                if value < 0.0 || (raised && !text.chars().all(|c| c.is_ascii_digit() || c == '.')) {
-                    out.push('(');
-                    out.push_str(&text);
-                    out.push(')');
-                } else {
-                    out.push_str(&text);
-                }
-            }
+    ///
+    /// Errors: the first formula that does not parse or names a symbol without a value. No input leads there: each
+    /// formula is part of a procedure, and the tests run them all.
+    pub fn into_steps(self) -> Result<Vec<Step>, FormulaError> {
+        match self.fault {
+            Some(fault) => Err(fault),
+            None => Ok(self.steps),
         }
     }
-    out
 }
-
-fn belongs_to_symbol(c: char) -> bool {
-    (c.is_alphanumeric() && !is_superscript(c) && !('½'..='¾').contains(&c)) || c == '_' || c == '′'
-}
-
-fn is_superscript(c: char) -> bool {
-    matches!(c, '²' | '³' | '¹' | '⁰' | '⁴'..='⁹' | '⁺' | '⁻')
-}
-
-/// A number with five significant digits without trailing zeros: `2.9976`, `0.25475`, `37281`, `1.83`.
-pub fn number(value: f64) -> String {
-    let text = significant(value, DIGITS);
-    let (mantissa, exponent) = text.split_at(text.find('e').unwrap_or(text.len()));
-    if mantissa.contains('.') {
-        format!("{}{exponent}", mantissa.trim_end_matches('0').trim_end_matches('.'))
-    } else {
-        text
-    }
-}
-
-/// Significant digits of the numbers put into formulas.
-const DIGITS: usize = 5;
-
-/// A value in SI as [`number`] with an engineer's unit ([`unit_for`]): `1.27 mm`, `16.3 t`, `37.281 kN`, `69 GPa`.
-pub fn with_unit(value: f64, dimension: Dimension) -> String {
-    let unit = unit_for(value, dimension);
-    let number = number(in_unit(value, unit));
-    if unit.symbol.is_empty() {
-        number
-    } else {
-        format!("{number} {}", unit.symbol)
-    }
-}
-
-#[cfg(test)]
-pub(crate) mod arithmetic;
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn numbers_have_five_digits_and_no_idle_zeros() {
-        for (value, text) in [
-            (0.0, "0"),
-            (1.83, "1.83"),
-            (2.99763, "2.9976"),
-            (0.254_749, "0.25475"),
-            (37281.4, "37281"),
-            (9.999_996, "10"),
-            (-0.5, "-0.5"),
-            (1234567.0, "1234567"),
-            (6.9e10, "6.9e10"),
-            (3.2e-7, "3.2e-7"),
-            (f64::INFINITY, "∞"),
+    fn a_faulty_formula_is_an_error() {
+        for (formula, fault) in [
+            ("a·", "`a·`: found the end at character 3"),
+            ("a·b", "`a·b`: no value given for `b`"),
+            ("f(a)", "`f(a)`: no function `f` of 1 arguments"),
         ] {
-            assert_eq!(number(value), text);
+            let mut sheet = Sheet::new();
+            let value = sheet.calc(
+                "x",
+                "",
+                formula,
+                &[("a", 1.0, Dimension::Length)],
+                Dimension::Length,
+                "",
+            );
+            assert!(value.is_nan());
+            let error = sheet.into_steps().unwrap_err().to_string();
+            assert!(error.starts_with(fault), "{error}");
         }
     }
 
     #[test]
-    fn units_are_those_of_engineers() {
-        for (value, dimension, text) in [
-            (0.00203, Dimension::Length, "2.03 mm"),
-            (1.525, Dimension::Length, "1.525 m"),
-            (16300.0, Dimension::Mass, "16.3 t"),
-            (37281.0, Dimension::Force, "37.281 kN"),
-            (69e9, Dimension::Stress, "69 GPa"),
-            (1.58e6, Dimension::Stress, "1.58 MPa"),
-            (14960.0, Dimension::Stress, "14.96 kPa"),
-            (0.46629, Dimension::Dimensionless, "0.46629"),
-        ] {
-            assert_eq!(with_unit(value, dimension), text);
-        }
-    }
-
-    #[test]
-    fn substitution_replaces_whole_symbols_only() {
-        let terms = [
-            ("k", 1.8412, Dimension::Dimensionless),
-            ("R", 1.83, Dimension::Length),
-            ("H", 1.525, Dimension::Length),
-            ("h_i", 0.572, Dimension::Length),
-            ("h_i′", 1.4446, Dimension::Length),
-            ("n", -2.0, Dimension::Dimensionless),
-        ];
-        for (formula, text) in [
-            ("tanh(k·H/R)", "tanh(1.8412·1.525 m/1.83 m)"),
-            ("π·R²", "π·(1.83 m)²"),
-            ("k²", "1.8412²"),
-            ("√(H/R)", "√(1.525 m/1.83 m)"),
-            ("h_i + h_i′", "572 mm + 1.4446 m"),
-            ("3/8·H", "3/8·1.525 m"),
-            ("n·R", "(-2)·1.83 m"),
-        ] {
-            assert_eq!(substitute(formula, &terms), text);
-        }
+    fn kinds_of_lines() {
+        let mut sheet = Sheet::new();
+        sheet.section("first");
+        let a = sheet.input("a", "", 2.0, Dimension::Length, "tank");
+        sheet.section("second");
+        let b = sheet.look_up("b", "", "table 1", 3.0, Dimension::Length, "");
+        let terms = [("a", a, Dimension::Length), ("b", b, Dimension::Length)];
+        let c = sheet.calc("c", "", "a + b", &terms, Dimension::Length, "");
+        let steps = sheet.into_steps().unwrap();
+        assert_eq!((a, b, c), (2.0, 3.0, 5.0));
+        let kinds: Vec<_> = steps
+            .iter()
+            .map(|s| {
+                (
+                    s.section.as_str(),
+                    s.formula.as_str(),
+                    s.substitution.as_str(),
+                    s.look_up.as_str(),
+                )
+            })
+            .collect();
+        assert_eq!(
+            kinds,
+            [
+                ("first", "", "", ""),
+                ("second", "", "", "table 1"),
+                ("second", "a + b", "2 m + 3 m", "")
+            ]
+        );
     }
 }

@@ -413,6 +413,7 @@ fn text_of_the_input_is_escaped_everywhere() {
         method.notes = vec![hostile.into()];
         for step in &mut method.steps {
             step.formula = hostile.into();
+            step.look_up = hostile.into();
             step.symbol = hostile.into();
             step.clause = hostile.into();
         }

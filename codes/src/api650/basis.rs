@@ -1,14 +1,13 @@
 //! The tank in the terms of API 650, and the lines that both editions share.
 
-use crate::ec8::simplified::weighted_mean;
 use crate::sheet::{Sheet, with_unit};
 use tank::assessment::{Assessment, Check, NotApplicable};
 use tank::case::Case;
 use tank::units::Dimension::{Dimensionless, Force, Length, LineForce};
-use tank::{Shape, Support, Tank};
+use tank::{Shape, Support};
 
 use super::hold_down;
-use super::masses::{EffectiveMasses, SQUAT, effective_masses};
+use super::masses::SQUAT;
 
 /// Elastic modulus of steel [Pa] that the constants 83 MPa and 7.5 MPa of the allowable compression stand for.
 const STEEL: f64 = 206e9;
@@ -34,12 +33,8 @@ pub struct Basis<'a> {
     pub w_f: f64,
     /// Weight of the product W_p.
     pub w_p: f64,
-    /// Weight of shell and roof per length of shell w_t [N/m].
-    pub w_t: f64,
     /// Thickness of the bottom course t_s [m].
     pub t_s: f64,
-    /// Effective weights and heights.
-    pub masses: EffectiveMasses,
 }
 
 impl<'a> Basis<'a> {
@@ -68,9 +63,7 @@ impl<'a> Basis<'a> {
                 case.gravity * plate.material.density * plate.thickness * tank.shape.plan_area()
             }),
             w_p: case.gravity * case.liquid_mass(),
-            w_t: (w_s + w_r) / (std::f64::consts::PI * d),
             t_s: tank.courses[0].thickness,
-            masses: effective_masses(d / h),
         })
     }
 
@@ -139,8 +132,8 @@ impl<'a> Basis<'a> {
         }
     }
 
-    /// Line for the weight per length of shell.
-    pub fn weight_line(&self, sheet: &mut Sheet, clause: &str) {
+    /// Line for the weight of shell and roof per length of shell; returns it [N/m].
+    pub fn weight_line(&self, sheet: &mut Sheet, clause: &str) -> f64 {
         sheet.calc(
             "w_t",
             "weight of shell and roof per length of shell",
@@ -150,10 +143,9 @@ impl<'a> Basis<'a> {
                 ("W_r", self.w_r, Force),
                 ("D", self.d, Length),
             ],
-            self.w_t,
             LineForce,
             clause,
-        );
+        )
     }
 
     /// Assumptions common to both editions.
@@ -181,46 +173,21 @@ impl<'a> Basis<'a> {
     /// Allowable compression of the bottom course with its lines, or what is missing.
     pub fn allowable_compression(&self, sheet: &mut Sheet, symbol: &str, clause: &str) -> Result<f64, String> {
         use tank::units::Dimension::Stress;
-        let (d, h, g, t) = (self.d, self.h, self.g, self.t_s);
-        let ratio = sheet.calc(
-            "G·H·D²/t_s²",
-            "pressure parameter of the shell [m³/mm²]",
-            "G·H·(D/t_s)²/10⁶",
-            &[
-                ("G", g, Dimensionless),
-                ("H", h, Length),
-                ("D", d, Length),
-                ("t_s", t, Length),
-            ],
-            hold_down::slenderness(t, d, g, h),
-            Dimensionless,
-            clause,
-        );
         let f_ty = self.shell_yield();
-        let Some(allowable) = hold_down::allowable_compression(t, d, g, h, f_ty) else {
+        let terms = [
+            ("t_s", self.t_s, Length),
+            ("D", self.d, Length),
+            ("G", self.g, Dimensionless),
+            ("H", self.h, Length),
+            ("F_ty", f_ty.unwrap_or(0.0), Stress),
+        ];
+        let (ratio, name) = ("G·H·D²/t_s²", "pressure parameter of the shell [m³/mm²]");
+        let ratio = sheet.calc(ratio, name, hold_down::SLENDERNESS, &terms, Dimensionless, clause);
+        let Some(formula) = hold_down::allowable(ratio, f_ty.is_some()) else {
             let material = &self.case.tank.courses[0].material.name;
             return Err(format!("yield_strength is missing in material `{material}`"));
         };
-        let formula = match (ratio >= 44.0, f_ty) {
-            (true, None) => "83 GPa·t_s/D",
-            (true, Some(_)) => "min(83 GPa·t_s/D, 0.5·F_ty)",
-            (false, _) => "min(83 GPa·t_s/(2.5·D) + 7.5 MPa·√(G·H), 0.5·F_ty)",
-        };
-        Ok(sheet.calc(
-            symbol,
-            "allowable shell compression",
-            formula,
-            &[
-                ("t_s", t, Length),
-                ("D", d, Length),
-                ("G", g, Dimensionless),
-                ("H", h, Length),
-                ("F_ty", f_ty.unwrap_or(0.0), Stress),
-            ],
-            allowable,
-            Stress,
-            clause,
-        ))
+        Ok(sheet.calc(symbol, "allowable shell compression", formula, &terms, Stress, clause))
     }
 
     /// Anchor tension from the uplift `w_ab` per length [N/m] with its lines and check, or a remark why not.
@@ -247,7 +214,6 @@ impl<'a> Basis<'a> {
                 ("D", self.d, Length),
                 ("n_A", n, Dimensionless),
             ],
-            w_ab * std::f64::consts::PI * self.d / n,
             Force,
             clause,
         );
@@ -266,33 +232,4 @@ impl<'a> Basis<'a> {
             )),
         }
     }
-}
-
-/// Equivalent uniform thickness of the wetted shell [m]: the mean weighted with the depth below the surface.
-///
-/// ```text
-/// t_u = ∫ t (H − z) dz / ∫ (H − z) dz,   0 ≤ z ≤ H
-///     = Σ t_k [(H − z_k)² − (H − z_{k+1})²] / H²      course k from z_k to z_{k+1} ≤ H
-/// ```
-///
-/// The annex leaves the averaging open; this weight (that of the hydrostatic pressure) is the one EN 1998-4 A.3.2.2
-/// prescribes for the same formula. Check: 14, 12, 10, 8, 8 mm to 2.4 m each, H = 12 m: 11.680 mm.
-pub fn equivalent_thickness(tank: &Tank, depth: f64) -> f64 {
-    weighted_mean(tank, depth, |course| course.thickness)
-}
-
-/// The numbers put into the formula of [`equivalent_thickness`].
-pub fn equivalent_thickness_in_numbers(tank: &Tank, depth: f64) -> String {
-    let metres = |x: f64| with_unit(x, Length);
-    let (mut base, mut terms) = (0.0, Vec::new());
-    for course in &tank.courses {
-        if base >= depth {
-            break;
-        }
-        let top = (base + course.height).min(depth);
-        let (t, below, above) = (metres(course.thickness), metres(depth - base), metres(depth - top));
-        terms.push(format!("{t}·(({below})² - ({above})²)"));
-        base += course.height;
-    }
-    format!("({})/({})²", terms.join(" + "), metres(depth))
 }

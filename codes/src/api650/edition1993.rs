@@ -16,17 +16,18 @@
 //! The appendix has no base shear, no moment with base pressure, no wave height and no vertical motion.
 
 use crate::procedure::{CodeError, Label, Procedure};
-use crate::sheet::Sheet;
+use crate::sheet::{Sheet, Term};
 use oscillator::spectrum::ordinates;
 use tank::assessment::{Assessment, Check, Excitation, NotApplicable};
 use tank::case::Case;
+use tank::formula::evaluate;
 use tank::quantity::Quantity;
 use tank::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, Stress, Time};
 
 use super::basis::Basis;
 use super::ground_motion::{IMPULSIVE_RANGE, impulsive_plateau};
 use super::hold_down as hd;
-use super::masses::{sloshing_coefficient_1993, sloshing_period_1993};
+use super::masses::{ARGUMENT, COEFFICIENT_1993, PERIOD_1993, charts};
 
 const EDITION: &str = "API 650:1993";
 const E3_1: &str = "API 650:1993 E.3.1";
@@ -52,44 +53,18 @@ pub struct Api6501993;
 /// * `soil_factor`: S, 1.0 to 2.0
 /// * `period`: T [s]
 pub fn convective_coefficient(soil_factor: f64, period: f64) -> f64 {
-    if period <= 4.5 {
-        0.75 * soil_factor / period
-    } else {
-        3.375 * soil_factor / (period * period)
-    }
+    evaluate(convective_formula(period), &[("S", soil_factor), ("T", period)])
 }
 
-/// Shell compression b per length of an unanchored tank [N/m]; `None` if it is not stable (x ≥ 1/0.637 = 1.5699).
-///
-/// * `w_t`: weight per length [N/m]; `w_l`: hold-down force per length [N/m]; `x`: M/(D² (w_t + w_L))
-pub fn compression(w_t: f64, w_l: f64, x: f64) -> Option<f64> {
-    if x <= hd::NO_UPLIFT {
-        // 1.273 M/D² = 1.273 x (w_t + w_L)
-        Some(w_t + 1.273 * x * (w_t + w_l))
-    } else if x <= 1.5 {
-        hd::figure_e5(x).map(|y| y * (w_t + w_l) - w_l)
-    } else {
-        hd::figure_e5_tail(x).map(|y| y * (w_t + w_l) - w_l)
-    }
+/// Formula of C_2 for a period [s].
+fn convective_formula(period: f64) -> &'static str {
+    if period <= 4.5 { "0.75·S/T" } else { "3.375·S/T²" }
 }
 
-/// Overturning moment `a_1 (W_s X_s + W_r H_t + W_1 X_1) + a_2 W_2 X_2` as its impulsive and convective parts.
-///
-/// * `a_1`, `a_2`: Z I C_1 and Z I C_2, or the spectral accelerations in their place
-/// * `solid`, `impulsive`, `convective`: (weight, height) of shell and roof, W_1 and W_2
-pub fn overturning_moment(
-    a_1: f64,
-    a_2: f64,
-    solid: &[(f64, f64)],
-    impulsive: (f64, f64),
-    convective: (f64, f64),
-) -> (f64, f64) {
-    let solid: f64 = solid.iter().map(|(w, x)| w * x).sum();
-    (
-        a_1 * (solid + impulsive.0 * impulsive.1),
-        a_2 * convective.0 * convective.1,
-    )
-}
+/// Moment of shell, roof and W_1 [N·m]: a_1 is Z I C_1, or the spectral acceleration in its place.
+pub(super) const IMPULSIVE_MOMENT: &str = "a_1·(W_s·X_s + W_r·H_t + W_1·X_1)";
+/// Moment of W_2 [N·m]: a_2 is Z I C_2, or the spectral acceleration in its place.
+pub(super) const CONVECTIVE_MOMENT: &str = "a_2·W_2·X_2";
 
 /// Accelerations in g that multiply the impulsive and the convective weights.
 struct Coefficients {
@@ -135,90 +110,64 @@ impl Procedure for Api6501993 {
         let shell_height = case.tank.wall_height();
         basis.inputs(&mut sheet, ("H_t", shell_height));
 
-        let period = masses(&basis, &mut sheet, &mut out);
+        let masses = masses(&basis, &mut sheet, &mut out);
+        let period = masses.period;
         let c = coefficients(&basis, excitation, period, &mut sheet, &mut out)?;
-        let moment = moment(&basis, &c, shell_height, &mut sheet);
-        let axial = sheet.calc(
-            "σ_M",
-            "axial membrane stress of the moment, linear over the section",
-            "1.273·M/D²/t_s",
-            &[
-                ("M", moment, Moment),
-                ("D", basis.d, Length),
-                ("t_s", basis.t_s, Length),
-            ],
-            1.273 * moment / (basis.d * basis.d) / basis.t_s,
-            Stress,
-            E5_2,
-        );
+        let moment = moment(&basis, &masses, &c, shell_height, &mut sheet);
+        let terms = [
+            ("M", moment, Moment),
+            ("D", basis.d, Length),
+            ("t_s", basis.t_s, Length),
+        ];
+        let name = "axial membrane stress of the moment, linear over the section";
+        let axial = sheet.calc("σ_M", name, "1.273·M/D²/t_s", &terms, Stress, E5_2);
         resistance(&basis, moment, &mut sheet, &mut out);
 
         let g = case.gravity;
         out.values.extend([
             (Quantity::SloshingPeriod, period),
-            (Quantity::ImpulsiveMass, basis.masses.w_i * basis.w_p / g),
-            (Quantity::ConvectiveMass, basis.masses.w_c * basis.w_p / g),
+            (Quantity::ImpulsiveMass, masses.impulsive.0 / g),
+            (Quantity::ConvectiveMass, masses.convective.0 / g),
             (Quantity::BaseMoment, moment),
             (Quantity::AxialMembraneStress, axial),
         ]);
-        out.steps = sheet.into_steps();
+        out.steps = sheet.into_steps()?;
         Ok(out)
     }
 }
 
-/// Effective masses and sloshing period; returns the period.
-fn masses(basis: &Basis, sheet: &mut Sheet, out: &mut Assessment) -> f64 {
-    let Basis {
-        d, h, w_p, masses: m, ..
-    } = *basis;
+/// Weights [N] and heights [m] of the liquid's parts, and the sloshing period [s].
+struct Masses {
+    impulsive: (f64, f64),
+    convective: (f64, f64),
+    period: f64,
+}
+
+/// Effective masses and sloshing period with their lines.
+fn masses(basis: &Basis, sheet: &mut Sheet, out: &mut Assessment) -> Masses {
+    let Basis { d, h, w_p, .. } = *basis;
     let terms = [("D", d, Length), ("H", h, Length), ("W_p", w_p, Force)];
+    let charts = charts(d / h);
     sheet.section("Effective masses");
-    let (w_1, x_1) = if basis.squat() {
-        ("W_p·tanh(0.866·D/H)/(0.866·D/H)", "0.375·H")
-    } else {
-        ("W_p·(1 - 0.218·D/H)", "(0.5 - 0.094·D/H)·H")
-    };
-    sheet.calc("W_1", "impulsive weight", w_1, &terms, m.w_i * w_p, Force, E3_2);
-    let w_2 = "W_p·0.23·D/H·tanh(3.67·H/D)";
-    sheet.calc("W_2", "convective weight", w_2, &terms, m.w_c * w_p, Force, E3_2);
-    sheet.calc("X_1", "height of W_1", x_1, &terms, m.x_i * h, Length, E3_2);
-    let u = sheet.calc(
-        "u",
-        "argument of the sloshing mode",
-        "3.67·H/D",
-        &terms,
-        3.67 * h / d,
-        Dimensionless,
-        E3_2,
-    );
+    let w_1 = sheet.calc("W_1", "impulsive weight", charts.w_i, &terms, Force, E3_2);
+    let w_2 = sheet.calc("W_2", "convective weight", charts.w_c, &terms, Force, E3_2);
+    let x_1 = sheet.calc("X_1", "height of W_1", charts.x_i, &terms, Length, E3_2);
+    let name = "argument of the sloshing mode";
+    let u = sheet.calc("u", name, ARGUMENT, &terms, Dimensionless, E3_2);
     let terms = [("u", u, Dimensionless), ("H", h, Length), ("D", d, Length)];
-    let x_2 = "H·(1 - (cosh(u) - 1)/(u·sinh(u)))";
-    sheet.calc("X_2", "height of W_2", x_2, &terms, m.x_c * h, Length, E3_2);
-    let k = sloshing_coefficient_1993(d / h);
-    let figure = "API 650:1993 E.3.3, figure E-4";
-    sheet.calc(
-        "k",
-        "sloshing coefficient",
-        "0.578/√(tanh(u))",
-        &terms,
-        k,
-        Dimensionless,
-        figure,
-    );
-    let period = sloshing_period_1993(d, d / h);
+    let x_2 = sheet.calc("X_2", "height of W_2", charts.x_c, &terms, Length, E3_2);
+    let (name, figure) = ("sloshing coefficient", "API 650:1993 E.3.3, figure E-4");
+    let k = sheet.calc("k", name, COEFFICIENT_1993, &terms, Dimensionless, figure);
     let terms = [("k", k, Dimensionless), ("D", d, Length)];
-    sheet.calc(
-        "T",
-        "period of the first sloshing mode",
-        "k·√(D/0.3048 m)",
-        &terms,
-        period,
-        Time,
-        E3_3,
-    );
+    let name = "period of the first sloshing mode";
+    let period = sheet.calc("T", name, PERIOD_1993, &terms, Time, E3_3);
     out.assumptions
         .push("The 9th edition has the masses as charts; the closed forms are those of the current annex.".into());
-    period
+    Masses {
+        impulsive: (w_1, x_1),
+        convective: (w_2, x_2),
+        period,
+    }
 }
 
 /// Coefficients of the zone method or of the record's spectrum, with their lines.
@@ -288,18 +237,9 @@ fn coefficients(
             ] {
                 sheet.input(symbol, name, value, Dimensionless, &format!("{EDITION} {table}"));
             }
-            let formula = if period <= 4.5 { "0.75·S/T" } else { "3.375·S/T²" };
-            let c_2 = convective_coefficient(s, period);
+            let terms = [("S", s, Dimensionless), ("T", period, Time)];
             let name = "lateral force coefficient, convective";
-            sheet.calc(
-                "C_2",
-                name,
-                formula,
-                &[("S", s, Dimensionless), ("T", period, Time)],
-                c_2,
-                Dimensionless,
-                E3_3,
-            );
+            let c_2 = sheet.calc("C_2", name, convective_formula(period), &terms, Dimensionless, E3_3);
             if ![0.0, 0.075, 0.15, 0.20, 0.30, 0.40].contains(&z) {
                 out.notes.push(format!(
                     "Z = {z} is not a zone factor of table E-2 (0, 0.075, 0.15, 0.20, 0.30, 0.40)."
@@ -319,58 +259,31 @@ fn coefficients(
 }
 
 /// Overturning moment [N·m].
-fn moment(basis: &Basis, c: &Coefficients, shell_height: f64, sheet: &mut Sheet) -> f64 {
-    let Basis {
-        h,
-        w_s,
-        x_s,
-        w_r,
-        w_p,
-        masses: m,
-        ..
-    } = *basis;
-    let (w_1, x_1, w_2, x_2) = (m.w_i * w_p, m.x_i * h, m.w_c * w_p, m.x_c * h);
-    let solid = [(w_s, x_s), (w_r, shell_height)];
-    let (m_1, m_2) = overturning_moment(c.impulsive, c.convective, &solid, (w_1, x_1), (w_2, x_2));
+fn moment(basis: &Basis, masses: &Masses, c: &Coefficients, shell_height: f64, sheet: &mut Sheet) -> f64 {
+    let ((w_1, x_1), (w_2, x_2)) = (masses.impulsive, masses.convective);
     sheet.section("Overturning moment");
-    let a = ("a_1", c.impulsive, Dimensionless);
-    let impulsive = sheet.calc(
-        "M_1",
-        "moment of shell, roof and impulsive liquid; a_1 = Z·I·C_1 or A_1",
-        "a_1·(W_s·X_s + W_r·H_t + W_1·X_1)",
-        &[
-            a,
-            ("W_s", w_s, Force),
-            ("X_s", x_s, Length),
-            ("W_r", w_r, Force),
-            ("H_t", shell_height, Length),
-            ("W_1", w_1, Force),
-            ("X_1", x_1, Length),
-        ],
-        m_1,
-        Moment,
-        E3_1,
-    );
-    let convective = sheet.calc(
-        "M_2",
-        "moment of the convective liquid; a_2 = Z·I·C_2 or A_2",
-        "a_2·W_2·X_2",
-        &[
-            ("a_2", c.convective, Dimensionless),
-            ("W_2", w_2, Force),
-            ("X_2", x_2, Length),
-        ],
-        m_2,
-        Moment,
-        E3_1,
-    );
+    let terms = [
+        ("a_1", c.impulsive, Dimensionless),
+        ("a_2", c.convective, Dimensionless),
+        ("W_s", basis.w_s, Force),
+        ("X_s", basis.x_s, Length),
+        ("W_r", basis.w_r, Force),
+        ("H_t", shell_height, Length),
+        ("W_1", w_1, Force),
+        ("X_1", x_1, Length),
+        ("W_2", w_2, Force),
+        ("X_2", x_2, Length),
+    ];
+    let name = "moment of shell, roof and impulsive liquid; a_1 = Z·I·C_1 or A_1";
+    let impulsive = sheet.calc("M_1", name, IMPULSIVE_MOMENT, &terms, Moment, E3_1);
+    let name = "moment of the convective liquid; a_2 = Z·I·C_2 or A_2";
+    let convective = sheet.calc("M_2", name, CONVECTIVE_MOMENT, &terms, Moment, E3_1);
     let terms = [("M_1", impulsive, Moment), ("M_2", convective, Moment)];
     sheet.calc(
         "M",
         "overturning moment at the bottom of the shell",
         "M_1 + M_2",
         &terms,
-        impulsive + convective,
         Moment,
         E3_1,
     )
@@ -378,17 +291,16 @@ fn moment(basis: &Basis, c: &Coefficients, shell_height: f64, sheet: &mut Sheet)
 
 /// Hold-down, stability, shell compression, anchors.
 fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessment) {
-    let Basis { d, w_t, t_s, .. } = *basis;
+    let Basis { d, t_s, .. } = *basis;
     sheet.section("Resistance");
-    basis.weight_line(sheet, E4);
+    let w_t = basis.weight_line(sheet, E4);
     let linear = [("w_t", w_t, LineForce), ("M", moment, Moment), ("D", d, Length)];
     let b = if basis.anchored() {
-        let b = w_t + 1.273 * moment / (d * d);
         let name = "compression at the bottom of the shell, anchored";
-        Some(sheet.calc("b", name, "w_t + 1.273·M/D²", &linear, b, LineForce, E5_2))
+        Some(sheet.calc("b", name, LINEAR, &linear, LineForce, E5_2))
     } else {
         match basis.bottom() {
-            Ok((thickness, f_by)) => self_anchored(basis, moment, thickness, f_by, sheet, out),
+            Ok((thickness, f_by)) => self_anchored(basis, (moment, w_t), thickness, f_by, sheet, out),
             Err(missing) => {
                 out.notes.push(format!(
                     "{E4}, stability and shell compression: not checked, {missing}."
@@ -399,15 +311,8 @@ fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessmen
     };
     if let Some(b) = b {
         let terms = [("b", b, LineForce), ("t_s", t_s, Length)];
-        let f = sheet.calc(
-            "f",
-            "compressive stress of the bottom course",
-            "b/t_s",
-            &terms,
-            b / t_s,
-            Stress,
-            E5_3,
-        );
+        let name = "compressive stress of the bottom course";
+        let f = sheet.calc("f", name, "b/t_s", &terms, Stress, E5_3);
         match basis.allowable_compression(sheet, "F_a", E5_3) {
             Ok(allowable) => out.checks.push(Check::new(
                 "shell_compression",
@@ -424,9 +329,8 @@ fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessmen
         }
     }
     if basis.anchored() {
-        let uplift = 1.273 * moment / (d * d) - w_t;
         let name = "uplift per length that the anchors resist";
-        sheet.calc("w_AB", name, "1.273·M/D² - w_t", &linear, uplift, LineForce, E6);
+        let uplift = sheet.calc("w_AB", name, "1.273·M/D² - w_t", &linear, LineForce, E6);
         basis.anchors(sheet, out, uplift, "w_AB", E6, "Internal pressure is not added.");
     }
 }
@@ -434,13 +338,13 @@ fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessmen
 /// Hold-down of an unanchored tank; the compression b per length [N/m] unless it is unstable.
 fn self_anchored(
     basis: &Basis,
-    moment: f64,
+    (moment, w_t): (f64, f64),
     thickness: f64,
     f_by: f64,
     sheet: &mut Sheet,
     out: &mut Assessment,
 ) -> Option<f64> {
-    let Basis { d, h, g, w_t, t_s, .. } = *basis;
+    let Basis { d, h, g, t_s, .. } = *basis;
     // E.4.2: not more than the larger of 6 mm and the bottom course.
     let t_b = thickness.min(t_s.max(0.006));
     let name = "thickness of the bottom plate that counts (at most the larger of 6 mm and t_s)";
@@ -452,38 +356,23 @@ fn self_anchored(
         Stress,
         "tank.bottom",
     );
-    let w_l = hd::plate_force(t_b, f_by, g, h).min(hd::plate_limit_1993(g, h, d));
-    sheet.calc(
-        "w_L",
-        "hold-down force of the bottom strip per length [N/m]",
-        "min(99·t_b·√(F_by·G·H), 196·G·H·D)",
-        &[
-            ("t_b", t_b, Length),
-            ("F_by", f_by, Stress),
-            ("G", g, Dimensionless),
-            ("H", h, Length),
-            ("D", d, Length),
-        ],
-        w_l,
-        LineForce,
-        E4,
-    );
-    let x = hd::anchorage_ratio(moment, d, w_t + w_l);
+    let terms = [
+        ("t_b", t_b, Length),
+        ("F_by", f_by, Stress),
+        ("G", g, Dimensionless),
+        ("H", h, Length),
+        ("D", d, Length),
+    ];
+    let name = "hold-down force of the bottom strip per length [N/m]";
+    let w_l = sheet.calc("w_L", name, hd::HOLD_DOWN_1993, &terms, LineForce, E4);
     let terms = [
         ("M", moment, Moment),
         ("D", d, Length),
         ("w_t", w_t, LineForce),
         ("w_L", w_l, LineForce),
     ];
-    sheet.calc(
-        "x",
-        "ratio of moment and hold-down",
-        "M/(D²·(w_t + w_L))",
-        &terms,
-        x,
-        Dimensionless,
-        E5_1,
-    );
+    let (name, formula) = ("ratio of moment and hold-down", "M/(D²·(w_t + w_L))");
+    let x = sheet.calc("x", name, formula, &terms, Dimensionless, E5_1);
     let last = 1.0 / 0.637;
     let note = "1.57 as printed; the formula above 1.5 has no value from 1/0.637 = 1.5699 on.";
     out.checks.push(Check::new(
@@ -495,41 +384,45 @@ fn self_anchored(
         E5_1,
         note,
     ));
-    let b = compression(w_t, w_l, x);
-    let Some(b) = b else {
-        out.notes.push(format!(
+    let b = compression(sheet, x, &terms);
+    match b {
+        None => out.notes.push(format!(
             "{E5_1}: unstable at x = {x:.3}; anchor the tank or thicken the bottom plate."
-        ));
-        return None;
-    };
+        )),
+        Some(_) if x > hd::NO_UPLIFT => out
+            .notes
+            .push(format!("{E5_1}: the shell lifts (x = {x:.3} above 0.785).")),
+        Some(_) => {}
+    }
+    b
+}
+
+/// Compression where the whole ring bears; 1.273 is 4/π.
+const LINEAR: &str = "w_t + 1.273·M/D²";
+
+/// Lines of the shell compression b of an unanchored tank; returns it [N/m]. `None` if the tank is not stable
+/// (x ≥ 1/0.637 = 1.5699).
+///
+/// * `x`: M/(D² (w_t + w_L))
+/// * `terms`: M, D, the weight w_t and the hold-down w_L per length
+pub(super) fn compression(sheet: &mut Sheet, x: f64, terms: &[Term]) -> Option<f64> {
     let name = "compression at the bottom of the shell";
     if x <= hd::NO_UPLIFT {
-        sheet.calc("b", name, "w_t + 1.273·M/D²", &terms, b, LineForce, E5_1);
-    } else {
-        let y = (b + w_l) / (w_t + w_l);
-        if x <= 1.5 {
-            let what = "(b + w_L)/(w_t + w_L) of figure E-5, from equilibrium of the bearing arc";
-            sheet.input("y", what, y, Dimensionless, E5_1);
-        } else {
-            let what = "(b + w_L)/(w_t + w_L) above x = 1.5";
-            sheet.calc(
-                "y",
-                what,
-                "1.490/√(1 - 0.637·x)",
-                &[("x", x, Dimensionless)],
-                y,
-                Dimensionless,
-                E5_1,
-            );
-        }
-        let terms = [
-            ("y", y, Dimensionless),
-            ("w_t", w_t, LineForce),
-            ("w_L", w_l, LineForce),
-        ];
-        sheet.calc("b", name, "y·(w_t + w_L) - w_L", &terms, b, LineForce, E5_1);
-        out.notes
-            .push(format!("{E5_1}: the shell lifts (x = {x:.3} above 0.785)."));
+        return Some(sheet.calc("b", name, LINEAR, terms, LineForce, E5_1));
     }
-    Some(b)
+    let y = if x <= 1.5 {
+        let (what, source) = (
+            "(b + w_L)/(w_t + w_L)",
+            "figure E-5, from equilibrium of the bearing arc",
+        );
+        sheet.look_up("y", what, source, hd::figure_e5(x)?, Dimensionless, E5_1)
+    } else if hd::has_tail(x) {
+        let what = "(b + w_L)/(w_t + w_L) above x = 1.5";
+        let terms = [("x", x, Dimensionless)];
+        sheet.calc("y", what, hd::TAIL, &terms, Dimensionless, E5_1)
+    } else {
+        return None;
+    };
+    let terms = [terms, &[("y", y, Dimensionless)]].concat();
+    Some(sheet.calc("b", name, "y·(w_t + w_L) - w_L", &terms, LineForce, E5_1))
 }

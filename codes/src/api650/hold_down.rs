@@ -23,6 +23,8 @@
 
 use std::f64::consts::PI;
 
+use tank::formula::evaluate;
+
 /// Ratio x or J up to which no part of the ring lifts (π/4 as printed).
 pub const NO_UPLIFT: f64 = 0.785;
 /// Ratio x beyond which the 9th edition calls the tank unstable.
@@ -30,32 +32,54 @@ pub const UNSTABLE_1993: f64 = 1.57;
 /// Ratio J beyond which the current annex does not count a tank as self-anchored.
 pub const NOT_SELF_ANCHORED: f64 = 1.54;
 
-/// Force per length [N/m] of the lifted bottom strip before its limit: `99 t √(F_y G H)`.
+/// Hold-down w_L of the 9th edition [N/m]. 99 holds for mm, MPa and m and, the powers of ten cancelling, for SI.
+pub(super) const HOLD_DOWN_1993: &str = "min(99·t_b·√(F_by·G·H), 196·G·H·D)";
+/// Hold-down w_a of the current annex [N/m].
+pub(super) const HOLD_DOWN: &str = "min(99·t_a·√(F_y·H·G_e), 201.1·H·D·G_e)";
+/// Width L of the annulus that lifts [m]; t is the thickness that gives the hold-down force used. 0.01723 holds for mm
+/// and MPa and for SI.
+///
+/// With `w = 99 t √(F_y G_e H)` the first term is 1.7 times the distance `w/(ρ g G_e H)` of the hinges.
+pub(super) const ANNULUS: &str = "max(min(0.01723·t·√(F_y/(H·G_e)), 0.035·D), 0.45 m)";
+/// Uplift y_u of the shell for piping [m]: `12.10 F_y L²/t_a` in mm with MPa, m, mm. Source: 12th edition, E.7.3.1.
+pub(super) const UPLIFT: &str = "12.1·10⁻¹²·F_y·L²/t_a";
+/// Pressure parameter `G H D²/t²` [m³/mm²] that parts the branches of the allowable compression.
+pub(super) const SLENDERNESS: &str = "G·H·(D/t_s)²/10⁶";
+/// `y = (b + w)/(w_t + w)` of the 9th edition for 1.5 < x ≤ 1.57.
+pub(super) const TAIL: &str = "1.490/√(1 - 0.637·x)";
+/// Name and formula of the anchorage ratio J of the current annex; infinite if nothing resists and the moment is not
+/// zero.
+///
+/// * `resisting`: force per length that resists, the factor of D² in it [N/m]
+pub(super) fn anchorage(moment: f64, resisting: f64) -> (&'static str, &'static str) {
+    if moment == 0.0 {
+        ("anchorage ratio: no moment", "0")
+    } else if resisting > 0.0 {
+        ("anchorage ratio", "M_rw/(D²·(w_t·(1 - 0.4·A_v) + w_a - 0.4·w_int))")
+    } else {
+        ("anchorage ratio: nothing resists the moment", "∞")
+    }
+}
+
+/// Compression [Pa] of the current annex where the shell lifts; the quotient is its fit of figure E-5, up to 11 % above
+/// the exact curve, below it from J = 1.53.
+pub(super) const LIFTING: &str = "((w_t·(1 + 0.4·A_v) + w_a)/(0.607 - 0.18667·J^2.3) - w_a)/t_s";
+
+/// Force per length [N/m] of the lifted bottom strip before its limit: the first term of [`HOLD_DOWN`].
 ///
 /// * `thickness`: t [m]
 /// * `yield_strength`: F_y of the bottom plate [Pa]
 /// * `specific_gravity`: G, or G_e of the current annex
 /// * `depth`: H [m]
 pub fn plate_force(thickness: f64, yield_strength: f64, specific_gravity: f64, depth: f64) -> f64 {
-    99.0 * (thickness * 1e3) * (yield_strength / 1e6 * specific_gravity * depth).sqrt()
-}
-
-/// Limit of [`plate_force`] in the 9th edition [N/m]: `196 G H D`.
-pub fn plate_limit_1993(specific_gravity: f64, depth: f64, diameter: f64) -> f64 {
-    196.0 * specific_gravity * depth * diameter
-}
-
-/// Limit of [`plate_force`] in the current annex [N/m]: `201.1 H D G_e`.
-pub fn plate_limit(effective_gravity: f64, depth: f64, diameter: f64) -> f64 {
-    201.1 * depth * diameter * effective_gravity
-}
-
-/// Width of the annulus that lifts [m] before its limits 0.45 m and 0.035 D: `0.01723 t √(F_y/(H G_e))`.
-///
-/// With `w = 99 t √(F_y G_e H)` this is 1.7 times the distance `w/(ρ g G_e H)` of the hinges.
-/// Arguments as [`plate_force`]; t is the thickness that gives the hold-down force used.
-pub fn annulus_width(thickness: f64, yield_strength: f64, effective_gravity: f64, depth: f64) -> f64 {
-    0.01723 * (thickness * 1e3) * (yield_strength / 1e6 / (depth * effective_gravity)).sqrt()
+    let terms = [
+        ("t_a", thickness),
+        ("F_y", yield_strength),
+        ("G_e", specific_gravity),
+        ("H", depth),
+        ("D", f64::INFINITY),
+    ];
+    evaluate(HOLD_DOWN, &terms)
 }
 
 /// Ordinates (x, y) of figure E-5 at the half angle 0 < β ≤ π of the bearing arc.
@@ -98,29 +122,9 @@ pub fn figure_e5(x: f64) -> Option<f64> {
     Some(figure_e5_at(0.5 * (low + high)).1)
 }
 
-/// Fit of figure E-5 in the later editions: `1/(0.607 − 0.18667 x^2.3)`; up to 11 % above the exact curve, below it
-/// from x = 1.53.
-pub fn figure_e5_fit(x: f64) -> f64 {
-    1.0 / (0.607 - 0.18667 * x.powf(2.3))
-}
-
-/// Formula of the 9th edition for 1.5 < x ≤ 1.57: `1.490/√(1 − 0.637 x)`; `None` from x = 1/0.637 = 1.5699, where it
-/// has no value.
-pub fn figure_e5_tail(x: f64) -> Option<f64> {
-    let radicand = 1.0 - 0.637 * x;
-    (radicand > 0.0).then(|| 1.490 / radicand.sqrt())
-}
-
-/// Ratio M/(D² w) of an overturning moment to the resisting force per length (x of 1993, J of 2020); infinite if nothing
-/// resists and the moment is not zero.
-pub fn anchorage_ratio(moment: f64, diameter: f64, resisting: f64) -> f64 {
-    if moment == 0.0 {
-        0.0
-    } else if resisting > 0.0 {
-        moment / (diameter * diameter * resisting)
-    } else {
-        f64::INFINITY
-    }
+/// Whether [`TAIL`] has a value: up to x = 1/0.637 = 1.5699.
+pub(super) fn has_tail(x: f64) -> bool {
+    1.0 - 0.637 * x > 0.0
 }
 
 /// Allowable compression of the shell [Pa] (F_a of 1993, F_C of 2020), for steel.
@@ -139,25 +143,26 @@ pub fn allowable_compression(
     depth: f64,
     yield_strength: Option<f64>,
 ) -> Option<f64> {
-    let t = thickness * 1e3;
-    let cap = yield_strength.map_or(f64::INFINITY, |f| 0.5 * f);
-    if slenderness(thickness, diameter, specific_gravity, depth) >= 44.0 {
-        Some((83e6 * t / diameter).min(cap))
-    } else {
-        yield_strength.map(|_| (1e6 * (83.0 * t / (2.5 * diameter) + 7.5 * (specific_gravity * depth).sqrt())).min(cap))
+    let terms = [
+        ("t_s", thickness),
+        ("D", diameter),
+        ("G", specific_gravity),
+        ("H", depth),
+        ("F_ty", yield_strength.unwrap_or(0.0)),
+    ];
+    let formula = allowable(evaluate(SLENDERNESS, &terms), yield_strength.is_some())?;
+    Some(evaluate(formula, &terms))
+}
+
+/// Formula of the allowable compression for a value of [`SLENDERNESS`]; none if it needs the yield strength that is not
+/// given.
+pub(super) fn allowable(slenderness: f64, yield_strength_given: bool) -> Option<&'static str> {
+    match (slenderness >= 44.0, yield_strength_given) {
+        (true, false) => Some("83 GPa·t_s/D"),
+        (true, true) => Some("min(83 GPa·t_s/D, 0.5·F_ty)"),
+        (false, true) => Some("min(83 GPa·t_s/(2.5·D) + 7.5 MPa·√(G·H), 0.5·F_ty)"),
+        (false, false) => None,
     }
-}
-
-/// `G H D²/t²` [m³/mm²] that parts the branches of [`allowable_compression`].
-pub fn slenderness(thickness: f64, diameter: f64, specific_gravity: f64, depth: f64) -> f64 {
-    specific_gravity * depth * (diameter / (thickness * 1e3)).powi(2)
-}
-
-/// Uplift of the shell [m] for piping: `12.10 F_y L²/t_a` in mm with MPa, m, mm.
-///
-/// Arguments: yield strength [Pa], annulus width L [m], thickness t_a [m]. Source: 12th edition, E.7.3.1.
-pub fn uplift(yield_strength: f64, width: f64, thickness: f64) -> f64 {
-    12.10e-3 * (yield_strength / 1e6) * width * width / (thickness * 1e3)
 }
 
 #[cfg(test)]
@@ -169,6 +174,60 @@ mod tests {
 
     fn close(value: f64, printed: f64, half_digit: f64) {
         assert!((value - printed).abs() <= half_digit, "{value} {printed}");
+    }
+
+    /// Limits of the hold-down: those of a plate without end of its strength.
+    fn plate_limit_1993(g: f64, h: f64, d: f64) -> f64 {
+        let terms = [("t_b", f64::INFINITY), ("F_by", 1.0), ("G", g), ("H", h), ("D", d)];
+        evaluate(HOLD_DOWN_1993, &terms)
+    }
+
+    fn plate_limit(g_e: f64, h: f64, d: f64) -> f64 {
+        let terms = [("t_a", f64::INFINITY), ("F_y", 1.0), ("G_e", g_e), ("H", h), ("D", d)];
+        evaluate(HOLD_DOWN, &terms)
+    }
+
+    /// Width of an annulus in a tank so large that it has no limit above, in units of which the limit below is nothing.
+    fn annulus_width(t: f64, f_y: f64, g_e: f64, h: f64) -> f64 {
+        let scale = 1e6;
+        let terms = [
+            ("t", scale * t),
+            ("F_y", f_y),
+            ("G_e", g_e),
+            ("H", h),
+            ("D", f64::INFINITY),
+        ];
+        evaluate(ANNULUS, &terms) / scale
+    }
+
+    fn uplift(f_y: f64, width: f64, t_a: f64) -> f64 {
+        evaluate(UPLIFT, &[("F_y", f_y), ("L", width), ("t_a", t_a)])
+    }
+
+    fn slenderness(t: f64, d: f64, g: f64, h: f64) -> f64 {
+        evaluate(SLENDERNESS, &[("t_s", t), ("D", d), ("G", g), ("H", h)])
+    }
+
+    fn anchorage_ratio(m: f64, d: f64, w: f64) -> f64 {
+        let terms = [
+            ("M_rw", m),
+            ("D", d),
+            ("w_t", w),
+            ("A_v", 0.0),
+            ("w_a", 0.0),
+            ("w_int", 0.0),
+        ];
+        evaluate(anchorage(m, w).1, &terms)
+    }
+
+    /// The fit of figure E-5, y for w_a = 0: the compression over the weight.
+    fn figure_e5_fit(x: f64) -> f64 {
+        let terms = [("w_t", 1.0), ("A_v", 0.0), ("w_a", 0.0), ("J", x), ("t_s", 1.0)];
+        evaluate(LIFTING, &terms)
+    }
+
+    fn figure_e5_tail(x: f64) -> Option<f64> {
+        has_tail(x).then(|| evaluate(TAIL, &[("x", x)]))
     }
 
     const FT: f64 = 0.3048;

@@ -19,9 +19,12 @@
 //! them as charts only. The threshold is one of D/H, not H/D. At it the branches differ by less than 0.1 %. `W_i + W_c`
 //! is not `W_p` (1.013 at the threshold), and 1.937 is API's: exact theory has 2.
 //!
+//! The functions evaluate the formulas that the calculation sheets print.
+//!
 //! Sources: API 650, 12th edition, E.4.5, E.6.1.1, E.6.1.2; 9th edition, figures E-2, E-3, E-4.
 
 use crate::ec8::simplified;
+use tank::formula::evaluate;
 
 /// Ratio D/H that parts squat from slender tanks.
 pub const SQUAT: f64 = 1.333;
@@ -43,50 +46,108 @@ pub struct EffectiveMasses {
     pub x_cs: f64,
 }
 
-/// Effective weights and heights for the ratio D/H > 0.
-pub fn effective_masses(d_over_h: f64) -> EffectiveMasses {
-    let v = 0.866 * d_over_h;
-    let u = 3.67 / d_over_h;
-    let squat = d_over_h >= SQUAT;
-    EffectiveMasses {
-        w_i: if squat { v.tanh() / v } else { 1.0 - 0.218 * d_over_h },
-        w_c: 0.230 * d_over_h * u.tanh(),
-        x_i: if squat { 0.375 } else { 0.500 - 0.094 * d_over_h },
-        x_c: convective_height(u, 1.0),
-        x_is: if squat {
-            0.375 * (1.0 + 1.333 * (v / v.tanh() - 1.0))
-        } else {
-            0.500 + 0.060 * d_over_h
-        },
-        x_cs: convective_height(u, 1.937),
+/// Formulas of weights [N] and heights [m] with D, H, W_p and, for the convective part, `u = 3.67 H/D`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Charts {
+    pub w_i: &'static str,
+    pub w_c: &'static str,
+    pub x_i: &'static str,
+    pub x_c: &'static str,
+    pub x_is: &'static str,
+    pub x_cs: &'static str,
+}
+
+/// Argument u of the convective part.
+pub(super) const ARGUMENT: &str = "3.67·H/D";
+
+/// The formulas of a ratio D/H.
+pub(super) fn charts(d_over_h: f64) -> Charts {
+    let (w_i, x_i, x_is) = if d_over_h >= SQUAT {
+        (
+            "W_p·tanh(0.866·D/H)/(0.866·D/H)",
+            "0.375·H",
+            "0.375·(1 + 1.333·(0.866·D/H/tanh(0.866·D/H) - 1))·H",
+        )
+    } else {
+        ("W_p·(1 - 0.218·D/H)", "(0.5 - 0.094·D/H)·H", "(0.5 + 0.06·D/H)·H")
+    };
+    // From D/H = 1/80 on cosh and sinh are one to the last digit, before they overflow.
+    let (x_c, x_cs) = if 3.67 / d_over_h < 300.0 {
+        (
+            "H·(1 - (cosh(u) - 1)/(u·sinh(u)))",
+            "H·(1 - (cosh(u) - 1.937)/(u·sinh(u)))",
+        )
+    } else {
+        ("H·(1 - 1/u)", "H·(1 - 1/u)")
+    };
+    Charts {
+        w_i,
+        w_c: "W_p·0.23·D/H·tanh(3.67·H/D)",
+        x_i,
+        x_c,
+        x_is,
+        x_cs,
     }
 }
 
-/// `1 − (cosh u − c)/(u sinh u)`, finite for any u > 0.
-fn convective_height(u: f64, c: f64) -> f64 {
-    1.0 - (1.0 / u.tanh() - c / u.sinh()) / u
+/// Effective weights and heights for the ratio D/H > 0.
+pub fn effective_masses(d_over_h: f64) -> EffectiveMasses {
+    let of = |text| {
+        let u = evaluate(ARGUMENT, &[("D", d_over_h), ("H", 1.0)]);
+        evaluate(text, &[("D", d_over_h), ("H", 1.0), ("W_p", 1.0), ("u", u)])
+    };
+    let charts = charts(d_over_h);
+    EffectiveMasses {
+        w_i: of(charts.w_i),
+        w_c: of(charts.w_c),
+        x_i: of(charts.x_i),
+        x_c: of(charts.x_c),
+        x_is: of(charts.x_is),
+        x_cs: of(charts.x_cs),
+    }
 }
+
+/// Sloshing coefficient k of the 9th edition, with u.
+pub(super) const COEFFICIENT_1993: &str = "0.578/√(tanh(u))";
+/// Sloshing period of the 9th edition [s], with k and D: `1.811 k √D`.
+pub(super) const PERIOD_1993: &str = "k·√(D/0.3048 m)";
+/// Sloshing coefficient K_s of the current annex.
+pub(super) const COEFFICIENT: &str = "0.578/√(tanh(3.68·H/D))";
+/// Sloshing period of the current annex [s], with K_s, and D in metres.
+///
+/// The printed 1.8 is 0.6 % below the 1.811 of the form in feet; it is kept, so that printed examples agree.
+pub(super) const PERIOD: &str = "1.8·K_s·√(D)";
+/// Impulsive period T_i [s].
+///
+/// ```text
+/// T_i = C_i H √ρ / (√2000 √(t_u/D) √E)      ρ in kg/m³, t_u in mm, D in m, E in MPa
+///     = C_i H √ρ / (√(2 t_u/D) √E)          in SI
+/// ```
+///
+/// The factor √2000 turns mm/D into t/R. The American form has 27.8 with ρ in lb/ft³, although some printings say
+/// lb/in³.
+pub(super) const IMPULSIVE_PERIOD: &str = "C_i·H·√(ρ)/√(2·t_u/D·E)";
 
 /// Sloshing coefficient k of the 9th edition (figure E-4), in `T = k √D` with D in feet.
 pub fn sloshing_coefficient_1993(d_over_h: f64) -> f64 {
-    0.578 / (3.67 / d_over_h).tanh().sqrt()
+    evaluate(COEFFICIENT_1993, &[("u", 3.67 / d_over_h)])
 }
 
-/// Sloshing period of the 9th edition [s]: `T = k √(D/0.3048 m)`, i.e. `1.811 k √D`.
+/// Sloshing period of the 9th edition [s]: `T = k √(D/0.3048 m)`.
 pub fn sloshing_period_1993(diameter: f64, d_over_h: f64) -> f64 {
-    sloshing_coefficient_1993(d_over_h) * (diameter / 0.3048).sqrt()
+    let k = sloshing_coefficient_1993(d_over_h);
+    evaluate(PERIOD_1993, &[("k", k), ("D", diameter)])
 }
 
 /// Sloshing coefficient K_s of the current annex (E.4.5.2).
 pub fn sloshing_coefficient(d_over_h: f64) -> f64 {
-    0.578 / (3.68 / d_over_h).tanh().sqrt()
+    evaluate(COEFFICIENT, &[("H", 1.0), ("D", d_over_h)])
 }
 
 /// Sloshing period of the current annex [s]: `T_c = 1.8 K_s √D`, D in metres.
-///
-/// The printed 1.8 is 0.6 % below the 1.811 of the form in feet; it is kept, so that printed examples agree.
 pub fn sloshing_period(diameter: f64, d_over_h: f64) -> f64 {
-    1.8 * sloshing_coefficient(d_over_h) * diameter.sqrt()
+    let k_s = sloshing_coefficient(d_over_h);
+    evaluate(PERIOD, &[("K_s", k_s), ("D", diameter)])
 }
 
 /// Coefficient C_i of the impulsive period (figure E.1) for H/D, linear between H/D = 0.15 and 1.5; `None` outside.
@@ -102,25 +163,17 @@ pub fn impulsive_coefficient(h_over_d: f64) -> Option<f64> {
     simplified::table(gamma.clamp(first, last)).map(|row| row.impulsive_period)
 }
 
-/// Impulsive period [s], `None` outside figure E.1.
-///
-/// ```text
-/// T_i = C_i H √ρ / (√2000 √(t_u/D) √E)      ρ in kg/m³, t_u in mm, D in m, E in MPa
-///     = C_i H √ρ / (√(2 t_u/D) √E)          in SI
-/// ```
-///
-/// The factor √2000 turns mm/D into t/R. The American form has 27.8 with ρ in lb/ft³, although some printings say
-/// lb/in³.
+/// Impulsive period T_i [s], `None` outside figure E.1.
 pub fn impulsive_period(diameter: f64, depth: f64, density: f64, thickness: f64, modulus: f64) -> Option<f64> {
-    let c_i = impulsive_coefficient(depth / diameter)?;
-    Some(simplified::impulsive_period(
-        c_i,
-        density,
-        depth,
-        diameter / 2.0,
-        thickness,
-        modulus,
-    ))
+    let terms = [
+        ("C_i", impulsive_coefficient(depth / diameter)?),
+        ("H", depth),
+        ("ρ", density),
+        ("t_u", thickness),
+        ("D", diameter),
+        ("E", modulus),
+    ];
+    Some(evaluate(IMPULSIVE_PERIOD, &terms))
 }
 
 #[cfg(test)]

@@ -12,19 +12,32 @@
 
 use proptest::prelude::*;
 
-use super::edition1993::{Api6501993, compression, convective_coefficient, overturning_moment};
+use super::edition1993::{self, Api6501993, CONVECTIVE_MOMENT, IMPULSIVE_MOMENT, convective_coefficient};
 use super::example::{case, close, line, steel, with_record};
 use super::hold_down::figure_e5;
 use super::masses::effective_masses;
 use crate::procedure::{CodeError, Procedure};
-use crate::sheet::arithmetic;
+use crate::sheet::Sheet;
 use tank::assessment::{Assessment, Excitation};
 use tank::case::Case;
+use tank::formula::evaluate;
 use tank::quantity::Quantity;
+use tank::units::Dimension::{Length, LineForce, Moment};
 use tank::{Anchors, Shape, Support};
 
 fn assess(case: &Case, excitation: Excitation) -> Assessment {
     Api6501993.assess(case, excitation).expect("the example is admissible")
+}
+
+/// b of an unanchored tank with D = 1 m.
+fn compression(w_t: f64, w_l: f64, x: f64) -> Option<f64> {
+    let terms = [
+        ("M", x * (w_t + w_l), Moment),
+        ("D", 1.0, Length),
+        ("w_t", w_t, LineForce),
+        ("w_L", w_l, LineForce),
+    ];
+    edition1993::compression(&mut Sheet::new(), x, &terms)
 }
 
 #[test]
@@ -74,8 +87,16 @@ fn worked_example_scaled() {
 
 /// Weights of table D.2 in tonnes, accelerations in m/s², moments in kNm.
 fn d2(w_1: (f64, f64), w_2: (f64, f64), s_a: f64) -> f64 {
-    let (m_1, m_2) = overturning_moment(0.5 * 9.81, s_a, &[(0.3, 0.9)], w_1, w_2);
-    m_1 + m_2
+    let roof = [("W_r", 0.0), ("H_t", 0.0)];
+    let shell = [
+        ("a_1", 0.5 * 9.81),
+        ("W_s", 0.3),
+        ("X_s", 0.9),
+        ("W_1", w_1.0),
+        ("X_1", w_1.1),
+    ];
+    let convective = [("a_2", s_a), ("W_2", w_2.0), ("X_2", w_2.1)];
+    evaluate(IMPULSIVE_MOMENT, &[&shell[..], &roof].concat()) + evaluate(CONVECTIVE_MOMENT, &convective)
 }
 
 #[test]
@@ -218,12 +239,11 @@ fn scope() {
     ));
 }
 
-/// Spectrum method: the moment is that of the ordinates, whatever the zone; all lines read back.
+/// Spectrum method: the moment is that of the ordinates, whatever the zone.
 #[test]
-fn record_and_lines() {
+fn ordinates_of_the_record() {
     let c = with_record(case());
     let out = assess(&c, Excitation::Record);
-    arithmetic::check(&out.steps, 12);
     let record = &c.ground_motion.as_ref().unwrap().horizontal;
     let sa = |t: f64, damping: f64| oscillator::spectrum::ordinates(record, t, damping).psa / 9.81;
     let (t, a_1) = (line(&out, "T"), line(&out, "A_1"));
@@ -233,10 +253,6 @@ fn record_and_lines() {
         assert!(a_1 >= sa(period, 0.02) * 0.999);
     }
     assert!(a_1 > 2.0 * record.pga() / 9.81);
-    arithmetic::check(&assess(&case(), Excitation::Site).steps, 14);
-    let mut slender = case();
-    slender.tank.shape = Shape::Cylinder { radius: 6.0 };
-    arithmetic::check(&assess(&slender, Excitation::Site).steps, 12);
     let mut damped = c.clone();
     damped.damping.impulsive = 0.05;
     let other = assess(&damped, Excitation::Record);

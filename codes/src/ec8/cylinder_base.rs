@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::cylinder_stress::{Factors, State};
-use super::uplift;
+use super::cylinder_stress::State;
+use super::uplift::{self, Compression};
 use super::work::Work;
 use crate::sheet::with_unit;
 use tank::units::Dimension::*;
@@ -11,43 +11,21 @@ use tank::units::Dimension::*;
 /// Tension of the anchors, or a note that they are not given.
 pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
     let clause = work.edition.clause("9");
-    let tension = |factors: &Factors| {
-        let weight = state.weight(0.0) * (2.0 - state.weight_factor(factors.1));
-        factors.0 * state.axial(0.0) - weight
-    };
-    let largest = state
-        .combinations(vertical)
-        .iter()
-        .map(tension)
-        .fold(f64::NEG_INFINITY, f64::max);
     work.sheet.section("Anchorage");
+    let name = "uplift at the base of an anchored wall";
     let terms = [
         ("n_z", state.axial(0.0), LineForce),
         ("N_0", state.weight(0.0), LineForce),
+        ("A_v", work.demand.vertical_ground(), Acceleration),
+        ("g", state.gravity, Acceleration),
     ];
-    let formula = "n_z - N_0";
-    if !vertical {
-        work.sheet.calc(
-            "n_a",
-            "uplift at the base of an anchored wall",
-            formula,
-            &terms,
-            largest,
-            LineForce,
-            &clause,
-        );
+    // The larger of E_x + 0.3 E_z and 0.3 E_x + E_z.
+    let formula = if vertical {
+        "max(n_z - N_0·(1 - 0.3·A_v/g), 0.3·n_z - N_0·(1 - A_v/g))"
     } else {
-        let formula = "largest of n_z - N_0 over the combinations of horizontal and vertical motion";
-        work.sheet.step(
-            "n_a",
-            "uplift at the base of an anchored wall",
-            formula,
-            "",
-            largest,
-            LineForce,
-            &clause,
-        );
-    }
+        "n_z - N_0"
+    };
+    let largest = work.sheet.calc("n_a", name, formula, &terms, LineForce, &clause);
     let anchors = state
         .tank
         .anchors
@@ -75,51 +53,33 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
          used is an estimate from equilibrium: linear compression on one part of the circumference, the hold-down of wall weight \
          and bottom plate on the rest."
     ));
-    let pressure = state.pressure_hydrostatic(0.0);
     let diameter = 2.0 * state.radius;
-    let bottom = state
-        .tank
-        .bottom
-        .as_ref()
-        .and_then(|b| b.material.yield_strength.map(|f_y| (b.thickness, f_y)));
-    let hold_down = match bottom {
-        Some((thickness, f_y)) => uplift::hold_down(pressure, thickness, f_y, diameter),
-        None => {
-            work.out.notes.push(format!(
-                "{clause}: thickness or yield strength of the bottom plate is not given; only the weight of wall and roof holds down."
-            ));
-            0.0
-        }
+    work.sheet.section("Uplift (estimate)");
+    let name = "weight of wall and roof";
+    let weight = if work.demand.vertical {
+        let terms = [
+            ("N_0", state.weight(0.0), LineForce),
+            ("A_v", work.demand.vertical_ground(), Acceleration),
+            ("g", state.gravity, Acceleration),
+        ];
+        let name = format!("{name}, less 0.3 of the vertical motion");
+        work.sheet
+            .calc("w_t", &name, "N_0·(1 - 0.3·A_v/g)", &terms, LineForce, &clause)
+    } else {
+        work.sheet.input("w_t", name, state.weight(0.0), LineForce, &clause)
     };
-    let weight = state.weight(0.0) * (2.0 - state.weight_factor(0.3));
-    let capacity = diameter * diameter * (weight + hold_down);
-    let x = state.base_moment / capacity;
-    let terms = [
+    let hold_down = hold_down(work, state, diameter, &clause);
+    let mut terms = vec![
         ("M", state.base_moment, Moment),
         ("D", diameter, Length),
         ("w_t", weight, LineForce),
         ("w_L", hold_down, LineForce),
     ];
-    work.sheet.section("Uplift (estimate)");
-    work.sheet
-        .input("w_t", "weight of wall and roof", weight, LineForce, &clause);
-    work.sheet.input(
-        "w_L",
-        "hold-down of the bottom plate, t_b·√(p·f_y)",
-        hold_down,
-        LineForce,
-        "plastic bottom strip",
-    );
-    work.sheet.calc(
-        "x",
-        "overturning ratio",
-        "M/(D²·(w_t + w_L))",
-        &terms,
-        x,
-        Dimensionless,
-        "equilibrium",
-    );
-    let limit = 0.5 * PI * capacity;
+    let (name, formula) = ("overturning ratio", "M/(D²·(w_t + w_L))");
+    let x = work
+        .sheet
+        .calc("x", name, formula, &terms, Dimensionless, "equilibrium");
+    let limit = 0.5 * PI * diameter * diameter * (weight + hold_down);
     let note = "equilibrium without the code's diagrams; beyond it the tank overturns";
     work.check(
         "overturning",
@@ -130,27 +90,64 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
         &clause,
         note,
     );
-    let compression = uplift::compression(x, weight, hold_down)?;
-    let anchored = weight + state.axial(0.0);
-    let amplification = compression / anchored;
+    let name = "largest compression with uplift";
+    let compression = match uplift::compression(x)? {
+        Compression::Linear => {
+            let formula = "w_t + 4·M/(π·D²)";
+            work.sheet
+                .calc("N_u", name, formula, &terms, LineForce, "equilibrium, no uplift yet")
+        }
+        Compression::Arc(y) => {
+            let (what, source) = (
+                "(N_u + w_L)/(w_t + w_L)",
+                "equilibrium of the bearing arc at x, solved for its angle",
+            );
+            work.sheet.look_up("y", what, source, y, Dimensionless, "equilibrium");
+            terms.push(("y", y, Dimensionless));
+            let formula = "y·(w_t + w_L) - w_L";
+            work.sheet.calc("N_u", name, formula, &terms, LineForce, "equilibrium")
+        }
+    };
+    let terms = [("w_t", weight, LineForce), ("n_z", state.axial(0.0), LineForce)];
+    let name = "the same if anchored";
+    let anchored = work
+        .sheet
+        .calc("N_a", name, "w_t + n_z", &terms, LineForce, "membrane theory");
     let terms = [("N_u", compression, LineForce), ("N_a", anchored, LineForce)];
-    work.sheet.input(
-        "N_u",
-        "largest compression with uplift",
-        compression,
-        LineForce,
-        "equilibrium",
-    );
-    work.sheet
-        .input("N_a", "the same if anchored", anchored, LineForce, "membrane theory");
+    let factor = work
+        .sheet
+        .calc("N_u/N_a", "amplification", "N_u/N_a", &terms, Dimensionless, &clause);
+    Some(factor)
+}
+
+/// Hold-down of the bottom plate per length [N/m]: nothing where its data are missing.
+fn hold_down(work: &mut Work, state: &State, diameter: f64, clause: &str) -> f64 {
+    let bottom = state
+        .tank
+        .bottom
+        .as_ref()
+        .and_then(|b| b.material.yield_strength.map(|f_y| (b.thickness, f_y)));
+    let name = "hold-down of the bottom plate";
+    let Some((thickness, f_y)) = bottom else {
+        work.out.notes.push(format!(
+            "{clause}: thickness or yield strength of the bottom plate is not given; only the weight of wall and roof holds down."
+        ));
+        return work
+            .sheet
+            .input("w_L", name, 0.0, LineForce, "no data of the bottom plate");
+    };
+    let terms = [
+        ("t_b", thickness, Length),
+        ("p", state.pressure_hydrostatic(0.0), Stress),
+        ("f_y", f_y, Stress),
+        ("D", diameter, Length),
+    ];
     work.sheet.calc(
-        "N_u/N_a",
-        "amplification",
-        "N_u/N_a",
+        "w_L",
+        name,
+        uplift::HOLD_DOWN,
         &terms,
-        amplification,
-        Dimensionless,
-        &clause,
-    );
-    Some(amplification)
+        LineForce,
+        "plastic bottom strip",
+    )
 }

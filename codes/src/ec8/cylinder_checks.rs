@@ -3,11 +3,11 @@
 //! Stability is checked at the lower edge of every course under every combination of horizontal and vertical motion; the
 //! governing place is printed. The elastic check takes the smallest, the elastic-plastic one the largest interior pressure.
 
-use super::buckling::{classical, elastic, elastic_plastic};
+use super::buckling::{elastic, elastic_plastic};
 use super::cylinder_base;
 use super::cylinder_stress::{Factors, State};
 use super::work::Work;
-use crate::sheet::{number, with_unit};
+use crate::sheet::{Term, number, with_unit};
 use tank::units::Dimension::*;
 use tank::{Course, Support};
 
@@ -144,21 +144,14 @@ fn hoop_yield(work: &mut Work, state: &State, places: &[Place], vertical: bool) 
         ("s", place.course.thickness, Length),
     ];
     let name = format!("largest hoop stress, {}", place.describe(vertical));
-    work.sheet
-        .calc("σ_θ,max", &name, "p_max·R/s", &terms, hoop(&place), Stress, &clause);
+    let stress = work.sheet.calc("σ_θ,max", &name, "p_max·R/s", &terms, Stress, &clause);
     let note = format!("p R/(s f_y) < 1, {}", place.describe(vertical));
-    work.check(
-        "hoop_yield",
-        "Hoop stress below yield",
-        hoop(&place),
-        capacity,
-        Stress,
-        &clause,
-        &note,
-    );
+    let name = "Hoop stress below yield";
+    work.check("hoop_yield", name, stress, capacity, Stress, &clause, &note);
 }
 
-fn compression_lines(work: &mut Work, place: &Place, clause: &str) {
+/// Lines of the compression; returns it [Pa].
+fn compression_lines(work: &mut Work, place: &Place, clause: &str) -> f64 {
     let terms = [
         ("n_z", place.axial, LineForce),
         ("N_0", place.weight, LineForce),
@@ -173,15 +166,8 @@ fn compression_lines(work: &mut Work, place: &Place, clause: &str) {
         LineForce,
         clause,
     );
-    work.sheet.calc(
-        "σ_m",
-        "vertical membrane compression",
-        "(n_z + N_0)/s",
-        &terms,
-        place.compression(),
-        Stress,
-        clause,
-    );
+    let name = "vertical membrane compression";
+    work.sheet.calc("σ_m", name, "(n_z + N_0)/s", &terms, Stress, clause)
 }
 
 fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: bool) {
@@ -198,95 +184,14 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
             quality,
         )
     };
-    let Some((place, limit)) = governing(places, |p| p.compression(), |p| of(p).limit) else {
+    let Some((place, _)) = governing(places, |p| p.compression(), |p| of(p).limit) else {
         return;
     };
-    let e = of(&place);
     let clause = work.edition.clause("10.2");
     work.sheet
         .section(&format!("Elastic buckling, {}", place.describe(vertical)));
-    compression_lines(work, &place, &clause);
-    let pressure = place.p_min.max(0.0);
-    let terms = [
-        ("E", place.young(), Stress),
-        ("s", place.course.thickness, Length),
-        ("R", radius, Length),
-        ("a", quality, Dimensionless),
-        ("δ_s", e.imperfection, Dimensionless),
-        ("k_s", e.knock_down, Dimensionless),
-        ("λ2", e.slenderness_squared, Dimensionless),
-        ("f_y", place.yield_strength, Stress),
-        ("σ_c1", e.classical, Stress),
-        ("σ_o", e.unpressurised, Stress),
-        ("σ_p", e.pressurised, Stress),
-        ("p_min", pressure, Stress),
-        ("p_r", e.pressure, Dimensionless),
-    ];
-    let unpressurised = if e.slenderness_squared <= 2.0 {
-        "f_y·(1 - λ2/4)"
-    } else {
-        "k_s·σ_c1"
-    };
-    let pressurised = if e.pressure < 5.0 {
-        "σ_c1·√(1 - (1 - p_r/5)²·(1 - σ_o/σ_c1)²)"
-    } else {
-        "σ_c1"
-    };
-    for (symbol, name, formula, value, dimension) in [
-        ("σ_c1", "ideal buckling stress", "0.6·E·s/R", e.classical, Stress),
-        (
-            "δ_s",
-            "imperfection δ/s, a = quality of construction",
-            "0.06/a·√(R/s)",
-            e.imperfection,
-            Dimensionless,
-        ),
-        (
-            "k_s",
-            "knock-down s̄ without pressure",
-            "1 - 1.24·δ_s·(√(1 + 2/(1.24·δ_s)) - 1)",
-            e.knock_down,
-            Dimensionless,
-        ),
-        (
-            "λ2",
-            "slenderness λ²",
-            "f_y/(k_s·σ_c1)",
-            e.slenderness_squared,
-            Dimensionless,
-        ),
-        (
-            "σ_o",
-            "buckling stress without pressure",
-            unpressurised,
-            e.unpressurised,
-            Stress,
-        ),
-        (
-            "p_r",
-            "pressure parameter p̄, smallest interior pressure",
-            "p_min·R/(s·σ_c1)",
-            e.pressure,
-            Dimensionless,
-        ),
-        (
-            "σ_p",
-            "buckling stress with pressure",
-            pressurised,
-            e.pressurised,
-            Stress,
-        ),
-        (
-            "σ_lim",
-            "limit of elastic buckling",
-            "0.19·σ_c1 + 0.81·σ_p",
-            e.limit,
-            Stress,
-        ),
-    ] {
-        work.sheet
-            .calc(symbol, name, formula, &terms, value, dimension, &clause);
-    }
+    let compression = compression_lines(work, &place, &clause);
+    let limit = elastic_lines(work, &place, radius, quality, &clause);
     if place.p_min < 0.0 {
         work.out.notes.push(format!(
             "{clause}: the smallest interior pressure would be a suction of {} ({}); it is taken as zero.",
@@ -303,7 +208,7 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
     work.check(
         "buckling_elastic",
         "Elastic buckling of the wall",
-        place.compression(),
+        compression,
         limit,
         Stress,
         &clause,
@@ -311,51 +216,87 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
     );
 }
 
+/// Lines of A.10.2 at one place; returns the limit [Pa].
+fn elastic_lines(work: &mut Work, place: &Place, radius: f64, quality: f64, clause: &str) -> f64 {
+    let mut terms: Vec<Term> = vec![
+        ("E", place.young(), Stress),
+        ("s", place.course.thickness, Length),
+        ("R", radius, Length),
+        ("a", quality, Dimensionless),
+        ("f_y", place.yield_strength, Stress),
+        ("p_min", place.p_min.max(0.0), Stress),
+    ];
+    let mut line = |symbol: &'static str, name: &str, formula: &str, dimension| {
+        let value = work.sheet.calc(symbol, name, formula, &terms, dimension, clause);
+        terms.push((symbol, value, dimension));
+        value
+    };
+    line("σ_c1", "ideal buckling stress", "0.6·E·s/R", Stress);
+    let name = "imperfection δ/s, a = quality of construction";
+    line("δ_s", name, "0.06/a·√(R/s)", Dimensionless);
+    let formula = "1 - 1.24·δ_s·(√(1 + 2/(1.24·δ_s)) - 1)";
+    line("k_s", "knock-down s̄ without pressure", formula, Dimensionless);
+    let slenderness = line("λ2", "slenderness λ²", "f_y/(k_s·σ_c1)", Dimensionless);
+    let formula = if slenderness <= 2.0 {
+        "f_y·(1 - λ2/4)"
+    } else {
+        "k_s·σ_c1"
+    };
+    line("σ_o", "buckling stress without pressure", formula, Stress);
+    let name = "pressure parameter p̄, smallest interior pressure";
+    let pressure = line("p_r", name, "p_min·R/(s·σ_c1)", Dimensionless);
+    let formula = if pressure < 5.0 {
+        "σ_c1·√(1 - (1 - p_r/5)²·(1 - σ_o/σ_c1)²)"
+    } else {
+        "σ_c1"
+    };
+    line("σ_p", "buckling stress with pressure", formula, Stress);
+    line("σ_lim", "limit of elastic buckling", "0.19·σ_c1 + 0.81·σ_p", Stress)
+}
+
 fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bool) {
     let radius = state.radius;
     let of = |p: &Place| elastic_plastic(p.young(), p.yield_strength, p.course.thickness, radius, p.p_max);
-    let Some((place, limit)) = governing(places, |p| p.compression(), of) else {
+    let Some((place, _)) = governing(places, |p| p.compression(), of) else {
         return;
     };
     let clause = work.edition.clause("10.3");
     work.sheet
         .section(&format!("Elastic-plastic collapse, {}", place.describe(vertical)));
-    compression_lines(work, &place, &clause);
+    let compression = compression_lines(work, &place, &clause);
     let thickness = place.course.thickness;
-    let r = radius / thickness / 400.0;
-    let terms = [
+    let mut terms = vec![
         ("E", place.young(), Stress),
         ("s", thickness, Length),
         ("R", radius, Length),
         ("f_y", place.yield_strength, Stress),
         ("p_max", place.p_max, Stress),
-        ("r", r, Dimensionless),
-        ("σ_c1", classical(place.young(), thickness, radius), Stress),
     ];
-    work.sheet.calc(
-        "r",
-        "radius to thickness over 400",
-        "R/s/400",
-        &terms,
-        r,
-        Dimensionless,
-        &clause,
-    );
-    work.sheet.calc(
-        "σ_lim",
-        "limit of elastic-plastic collapse, largest interior pressure",
-        "σ_c1·(1 - (p_max·R/(s·f_y))²)·(1 - 1/(1.12 + r^1.15))·(r + f_y/250 MPa)/(r + 1)",
-        &terms,
-        limit,
-        Stress,
-        &clause,
-    );
+    let sheet = &mut work.sheet;
+    let name = "radius to thickness over 400";
+    let r = sheet.calc("r", name, "R/s/400", &terms, Dimensionless, &clause);
+    let name = "ideal buckling stress";
+    let classical = sheet.calc("σ_c1", name, "0.6·E·s/R", &terms, Stress, &clause);
+    terms.extend([("r", r, Dimensionless), ("σ_c1", classical, Stress)]);
+    let hoop = place.p_max * radius / (thickness * place.yield_strength);
+    let (name, formula) = if hoop < 1.0 {
+        (
+            "limit of elastic-plastic collapse, largest interior pressure",
+            "σ_c1·(1 - (p_max·R/(s·f_y))²)·(1 - 1/(1.12 + r^1.15))·(r + f_y/250 MPa)/(r + 1)",
+        )
+    } else {
+        (
+            "limit of elastic-plastic collapse: the hoop stress of the largest interior pressure reaches f_y",
+            "0 MPa",
+        )
+    };
+    let limit = sheet.calc("σ_lim", name, formula, &terms, Stress, &clause);
     let note = place.describe(vertical);
     let name = "Elastic-plastic collapse of the wall";
     work.check(
         "buckling_elastic_plastic",
         name,
-        place.compression(),
+        compression,
         limit,
         Stress,
         &clause,

@@ -173,8 +173,7 @@ pub(super) fn assess(work: &mut Work, radius: f64, moment: f64, a_i: f64, a_c: f
 fn base_pressures(work: &mut Work, state: &State) {
     work.sheet.section("Pressures on the wall at its base");
     let liquid = state.liquid;
-    let (p_i, p_c) = (state.pressure_impulsive(0.0), state.pressure_convective(0.0));
-    let terms = [
+    let mut terms = vec![
         ("ρ", liquid.density, Density),
         ("g", state.gravity, Acceleration),
         ("H", liquid.fill_height, Length),
@@ -183,45 +182,21 @@ fn base_pressures(work: &mut Work, state: &State) {
         ("A_c1", state.a_c, Acceleration),
         ("C", state.impulsive.wall(0.0), Dimensionless),
         ("c_1", state.convective.wall(0.0), Dimensionless),
-        ("p_i", p_i, Stress),
-        ("p_c", p_c, Stress),
     ];
     let [impulsive, convective] = ["2.1.2", "2.1.3"].map(|n| work.edition.clause(n));
-    let hydrostatic = state.pressure_hydrostatic(0.0);
-    work.sheet
-        .calc("p_0", "hydrostatic", "ρ·g·H", &terms, hydrostatic, Stress, "definition");
-    work.sheet.calc(
-        "p_i",
-        "impulsive, C = C_i(ξ = 1, ζ = 0)",
-        "ρ·H·C·A_i",
-        &terms,
-        p_i,
-        Stress,
-        &impulsive,
-    );
-    work.sheet.calc(
-        "p_c",
-        "convective, mode 1",
-        "ρ·R·c_1·A_c1",
-        &terms,
-        p_c,
-        Stress,
-        &convective,
-    );
+    let sheet = &mut work.sheet;
+    sheet.calc("p_0", "hydrostatic", "ρ·g·H", &terms, Stress, "definition");
+    let name = "impulsive, C = C_i(ξ = 1, ζ = 0)";
+    let p_i = sheet.calc("p_i", name, "ρ·H·C·A_i", &terms, Stress, &impulsive);
+    let p_c = sheet.calc("p_c", "convective, mode 1", "ρ·R·c_1·A_c1", &terms, Stress, &convective);
+    terms.extend([("p_i", p_i, Stress), ("p_c", p_c, Stress)]);
     let formula = match state.combination {
         Combination::Abs => "p_i + p_c",
         Combination::Srss => "√(p_i² + p_c²)",
     };
     let clause = work.edition.clause("2.1");
-    work.sheet.calc(
-        "p",
-        "horizontal motion",
-        formula,
-        &terms,
-        state.pressure_horizontal(0.0),
-        Stress,
-        &clause,
-    );
+    work.sheet
+        .calc("p", "horizontal motion", formula, &terms, Stress, &clause);
 }
 
 fn stresses(work: &mut Work, state: &State, vertical: bool) {
@@ -254,23 +229,16 @@ fn stresses(work: &mut Work, state: &State, vertical: bool) {
         ("s", state.tank.course_at(at).thickness, Length),
     ];
     let name = format!("largest hoop stress, at z = {}", with_unit(at, Length));
-    work.sheet
-        .calc("σ_θ", &name, "p·R/s", &terms, largest, Stress, "membrane theory");
+    let largest = work
+        .sheet
+        .calc("σ_θ", &name, "p·R/s", &terms, Stress, "membrane theory");
     let terms = [
         ("M", state.base_moment, Moment),
         ("R", state.radius, Length),
         ("s", base.thickness, Length),
     ];
-    let sigma = axial(0.0);
-    work.sheet.calc(
-        "σ_z",
-        "axial membrane stress at the base",
-        "M/(π·R²·s)",
-        &terms,
-        sigma,
-        Stress,
-        "membrane theory",
-    );
+    let (name, formula) = ("axial membrane stress at the base", "M/(π·R²·s)");
+    let sigma = work.sheet.calc("σ_z", name, formula, &terms, Stress, "membrane theory");
     work.out.values.insert(Quantity::HoopStress, largest);
     work.out.values.insert(Quantity::AxialMembraneStress, sigma);
 }

@@ -1,7 +1,5 @@
 //! Vertical motion of a cylinder on the calculation sheet: A.2.2 (rigid) and A.3.3 (breathing wall).
 
-use std::f64::consts::PI;
-
 use super::vertical;
 use super::work::Work;
 use crate::procedure::CodeError;
@@ -40,14 +38,9 @@ pub(super) fn assess(work: &mut Work, radius: f64, gamma: f64) -> Result<Option<
     work.sheet.section("Vertical motion");
     let third = case.tank.course_at(depth / 3.0);
     let material = &third.material;
-    let frequency = vertical::breathing_frequency(
-        radius,
-        depth,
-        case.liquid.density,
-        material.youngs_modulus,
-        material.poisson_ratio,
-        third.thickness,
-    );
+    let terms = [("γ", gamma, Dimensionless)];
+    let name = "argument of the Bessel functions";
+    let gamma_1 = work.sheet.calc("γ1", name, "π/(2·γ)", &terms, Dimensionless, &clause);
     let terms = [
         ("R", radius, Length),
         ("E", material.youngs_modulus, Stress),
@@ -55,45 +48,19 @@ pub(super) fn assess(work: &mut Work, radius: f64, gamma: f64) -> Result<Option<
         ("ρ", case.liquid.density, Density),
         ("H", depth, Length),
         ("ν", material.poisson_ratio, Dimensionless),
-        ("γ1", PI / (2.0 * gamma), Dimensionless),
-        ("γ", gamma, Dimensionless),
-        ("f_vd", frequency, Frequency),
+        ("γ1", gamma_1, Dimensionless),
     ];
-    work.sheet.calc(
-        "γ1",
-        "argument of the Bessel functions",
-        "π/(2·γ)",
-        &terms,
-        PI / (2.0 * gamma),
-        Dimensionless,
-        &clause,
-    );
-    work.sheet.calc(
-        "f_vd",
-        "frequency of the breathing mode, s at z = H/3",
-        "1/(4·R)·√(2·E·I₁(γ1)·s/(π·ρ·H·(1 - ν²)·I₀(γ1)))",
-        &terms,
-        frequency,
-        Frequency,
-        &clause,
-    );
-    let period = work
-        .sheet
-        .calc("T_vd", "its period", "1/f_vd", &terms, 1.0 / frequency, Time, &clause);
-    let formula = if gamma < 0.8 {
-        "1 (γ < 0.8)"
+    let name = "frequency of the breathing mode, s at z = H/3";
+    let formula = vertical::frequency(gamma_1);
+    let frequency = work.sheet.calc("f_vd", name, formula, &terms, Frequency, &clause);
+    let terms = [("f_vd", frequency, Frequency), ("γ", gamma, Dimensionless)];
+    let period = work.sheet.calc("T_vd", "its period", "1/f_vd", &terms, Time, &clause);
+    let name = if gamma < 0.8 {
+        "factor of the breathing pressure, γ < 0.8"
     } else {
-        "1.078 + 0.274·ln(γ)"
+        "factor of the breathing pressure"
     };
-    work.sheet.calc(
-        "f",
-        "factor of the breathing pressure",
-        formula,
-        &terms,
-        factor,
-        Dimensionless,
-        &clause,
-    );
+    let factor = work.sheet.calc("f", name, factor, &terms, Dimensionless, &clause);
     let breathing = work.demand.breathing(&mut work.sheet, period);
     let ground = work.demand.vertical_ground();
     let terms = [
@@ -103,38 +70,14 @@ pub(super) fn assess(work: &mut Work, radius: f64, gamma: f64) -> Result<Option<
         ("A_vf", breathing, Acceleration),
         ("f", factor, Dimensionless),
     ];
-    let scale = case.liquid.density * depth;
     let rigid_clause = work.edition.clause("2.2");
-    let rigid = work.sheet.calc(
-        "p_vr",
-        "rigid pressure at the base",
-        "ρ·H·A_v",
-        &terms,
-        scale * ground,
-        Stress,
-        &rigid_clause,
-    );
-    let formula = "0.815·f·ρ·H·A_vf";
-    let value = vertical::breathing_pressure(factor, 0.0) * scale * breathing;
-    let flexible = work.sheet.calc(
-        "p_vf",
-        "breathing pressure at the base",
-        formula,
-        &terms,
-        value,
-        Stress,
-        &clause,
-    );
+    let name = "rigid pressure at the base";
+    let rigid = work.sheet.calc("p_vr", name, "ρ·H·A_v", &terms, Stress, &rigid_clause);
+    let (name, formula) = ("breathing pressure at the base", "0.815·f·ρ·H·A_vf");
+    let flexible = work.sheet.calc("p_vf", name, formula, &terms, Stress, &clause);
     let terms = [("p_vr", rigid, Stress), ("p_vf", flexible, Stress)];
-    work.sheet.calc(
-        "p_v",
-        "vertical part at the base",
-        "√(p_vr² + p_vf²)",
-        &terms,
-        rigid.hypot(flexible),
-        Stress,
-        &clause,
-    );
+    let (name, formula) = ("vertical part at the base", "√(p_vr² + p_vf²)");
+    work.sheet.calc("p_v", name, formula, &terms, Stress, &clause);
     Ok(Some(VerticalMotion {
         ground,
         breathing,

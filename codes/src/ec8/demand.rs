@@ -6,7 +6,7 @@ use super::spectrum::{
 };
 use super::vertical::BREATHING_DAMPING;
 use crate::procedure::CodeError;
-use crate::sheet::{Sheet, number, with_unit};
+use crate::sheet::{Sheet, Term, number, with_unit};
 use oscillator::record::Record;
 use oscillator::spectrum::ordinates;
 use tank::assessment::{Excitation, NotApplicable};
@@ -158,7 +158,7 @@ impl<'a> Demand<'a> {
                 }
             }
             Source::En(s) => {
-                self.describe_site(sheet, s.ag, s.soil, s.corners, EN_HORIZONTAL);
+                self.describe_site(sheet, s.soil, s.corners, EN_HORIZONTAL);
                 if self.vertical {
                     sheet.calc(
                         "a_vg",
@@ -168,14 +168,13 @@ impl<'a> Demand<'a> {
                             ("k_v", s.vertical_ratio, Dimension::Dimensionless),
                             ("a_g", s.ag, Dimension::Acceleration),
                         ],
-                        s.vertical_peak(),
                         Dimension::Acceleration,
                         EN_VERTICAL,
                     );
                 }
             }
             Source::Env(s) => {
-                self.describe_site(sheet, s.ag, s.soil, s.corners, ENV_HORIZONTAL);
+                self.describe_site(sheet, s.soil, s.corners, ENV_HORIZONTAL);
                 if self.vertical {
                     sheet.calc(
                         "a_vg",
@@ -185,7 +184,6 @@ impl<'a> Demand<'a> {
                             ("a_g", s.ag, Dimension::Acceleration),
                             ("S", s.soil, Dimension::Dimensionless),
                         ],
-                        s.vertical_peak(),
                         Dimension::Acceleration,
                         "ENV 1998-1-1:1994 4.2.1",
                     );
@@ -194,7 +192,7 @@ impl<'a> Demand<'a> {
         }
     }
 
-    fn describe_site(&self, sheet: &mut Sheet, ag: f64, soil: f64, corners: [f64; 3], clause: &str) {
+    fn describe_site(&self, sheet: &mut Sheet, soil: f64, corners: [f64; 3], clause: &str) {
         let Some(site) = self.site else { return };
         let given = format!("site.ec8, ground {:?}", site.ground);
         sheet.input(
@@ -220,7 +218,6 @@ impl<'a> Demand<'a> {
             "design ground acceleration",
             "γ_I·a_gR",
             &terms,
-            ag,
             Dimension::Acceleration,
             clause,
         );
@@ -281,43 +278,34 @@ impl<'a> Demand<'a> {
         q: f64,
     ) -> f64 {
         let percent = number(100.0 * damping);
-        let (value, branch, eta, corners, ag, soil, clause) = match &self.source {
+        let (branch, eta, corners, ag, soil, clause) = match &self.source {
             Source::Record { horizontal, .. } => {
-                let value = ordinates(horizontal, period, damping).psa;
-                return sheet.step(
+                let at = with_unit(period, Dimension::Time);
+                return sheet.look_up(
                     symbol,
                     &format!("{part} spectral acceleration of the record"),
-                    "PSA(T, ξ)",
-                    &format!("PSA({}, {percent} %)", with_unit(period, Dimension::Time)),
-                    value,
+                    &format!("spectrum of the record at T = {at}, ξ = {percent} %"),
+                    ordinates(horizontal, period, damping).psa,
                     Dimension::Acceleration,
                     "spectrum of the record",
                 );
             }
-            Source::En(s) => {
-                let (value, branch) = s.horizontal_with_branch(period, damping);
-                (
-                    value,
-                    branch,
-                    damping_correction(damping),
-                    s.corners,
-                    s.ag,
-                    s.soil,
-                    EN_HORIZONTAL,
-                )
-            }
-            Source::Env(s) => {
-                let (value, branch) = s.horizontal_with_branch(period, damping);
-                (
-                    value,
-                    branch,
-                    damping_correction_env(damping),
-                    s.corners,
-                    s.ag,
-                    s.soil,
-                    ENV_HORIZONTAL,
-                )
-            }
+            Source::En(s) => (
+                s.horizontal_with_branch(period, damping).1,
+                damping_correction(damping),
+                s.corners,
+                s.ag,
+                s.soil,
+                EN_HORIZONTAL,
+            ),
+            Source::Env(s) => (
+                s.horizontal_with_branch(period, damping).1,
+                damping_correction_env(damping),
+                s.corners,
+                s.ag,
+                s.soil,
+                ENV_HORIZONTAL,
+            ),
         };
         let formula = match branch {
             Branch::Rising => "a_g·S·(1 + T/T_B·(2.5·η - 1))",
@@ -341,29 +329,22 @@ impl<'a> Demand<'a> {
             ("T", period, Dimension::Time),
             ("q", q, Dimension::Dimensionless),
         ];
-        if let (Source::En(s), Branch::AnnexA) = (&self.source, branch)
-            && let Some(displacement) = s.displacement_long(period, damping)
-        {
+        if let (Source::En(s), Branch::AnnexA) = (&self.source, branch) {
+            let displacement = long_displacement(sheet, s, part, &mut terms);
             terms.push(("S_De", displacement, Dimension::Length));
         }
+        let name = format!("{part} spectral acceleration, ξ = {percent} %, {}", branch.describe());
+        let value = sheet.calc(symbol, &name, &formula, &terms, Dimension::Acceleration, clause);
         if let (Source::En(s), true) = (&self.source, period > LONGEST_PERIOD) {
             notes.push(format!(
                 "{symbol}: T = {} lies beyond the 4 s of EN 1998-1:2004 3.2.2.2; {}: {} (the 1/T² branch continued: {}).",
                 with_unit(period, Dimension::Time),
                 branch.describe(),
-                with_unit(value / q, Dimension::Acceleration),
+                with_unit(value, Dimension::Acceleration),
                 with_unit(s.horizontal_continued(period, damping) / q, Dimension::Acceleration),
             ));
         }
-        sheet.calc(
-            symbol,
-            &format!("{part} spectral acceleration, ξ = {percent} %, {}", branch.describe()),
-            &formula,
-            &terms,
-            value / q,
-            Dimension::Acceleration,
-            clause,
-        )
+        value
     }
 
     /// Vertical acceleration of the breathing mode [m/s²] at its period and 3 % damping. Adds its line.
@@ -377,18 +358,32 @@ impl<'a> Demand<'a> {
                 "spectrum of the vertical record",
             ),
         };
-        sheet.step(
-            "S_ve(T_vd)",
-            "vertical spectral acceleration of the breathing mode",
-            "S_ve(T_vd, ξ)",
-            &format!(
-                "S_ve({}, {} %)",
-                with_unit(period, Dimension::Time),
-                number(100.0 * damping)
-            ),
-            value,
-            Dimension::Acceleration,
-            clause,
-        )
+        let source = format!(
+            "vertical spectrum at T_vd = {}, ξ = {} %",
+            with_unit(period, Dimension::Time),
+            number(100.0 * damping)
+        );
+        let name = "vertical spectral acceleration of the breathing mode";
+        sheet.look_up("S_ve(T_vd)", name, &source, value, Dimension::Acceleration, clause)
     }
+}
+
+/// Line of the displacement spectrum of annex A beyond 4 s; returns it [m]. Adds T_E and T_F to the terms.
+fn long_displacement(sheet: &mut Sheet, s: &ElasticSpectrum, part: &str, terms: &mut Vec<Term>) -> f64 {
+    let [t_e, t_f] = s.long_corners.unwrap_or_default();
+    terms.extend([("T_E", t_e, Dimension::Time), ("T_F", t_f, Dimension::Time)]);
+    let period = terms.iter().find(|t| t.0 == "T").map_or(0.0, |t| t.1);
+    let (formula, piece) = if period <= t_e {
+        ("0.025·a_g·S·T_C·T_D·2.5·η", "T ≤ T_E")
+    } else if period <= t_f {
+        (
+            "0.025·a_g·S·T_C·T_D·(2.5·η + (T - T_E)/(T_F - T_E)·(1 - 2.5·η))",
+            "T_E ≤ T ≤ T_F",
+        )
+    } else {
+        ("0.025·a_g·S·T_C·T_D", "T ≥ T_F")
+    };
+    let name = format!("{part} spectral displacement, {piece}");
+    let clause = "EN 1998-1:2004 annex A";
+    sheet.calc("S_De", &name, formula, terms, Dimension::Length, clause)
 }

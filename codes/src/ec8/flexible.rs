@@ -275,19 +275,12 @@ pub fn equivalent_density_period(radius: f64, courses: &[Course], liquid: Liquid
     Err(WetShell::not_converged(what, ROUNDS, change))
 }
 
-/// `T_f = 2R/g(γ) √(ρH/(E s_⅓))` with `g(γ) = 0.01675 γ² − 0.15 γ + 0.46` [s], A.3.1.
+/// Impulsive period T_f [s] by the approximate formula of A.3.1; E and s_⅓ at z = H/3.
 ///
-/// * `thickness`: s at z = H/3 [m]
-///
-/// In some reproductions g stands in the denominator of the frequency; only this form agrees with shell theory.
-pub fn period_formula(radius: f64, depth: f64, density: f64, youngs_modulus: f64, thickness: f64) -> f64 {
-    2.0 * radius / period_coefficient(depth / radius) * (density * depth / (youngs_modulus * thickness)).sqrt()
-}
-
-/// `g(γ) = 0.01675 γ² − 0.15 γ + 0.46`.
-pub fn period_coefficient(slenderness: f64) -> f64 {
-    0.01675 * slenderness * slenderness - 0.15 * slenderness + 0.46
-}
+/// In some reproductions g_γ stands in the denominator of the frequency; only this form agrees with shell theory.
+pub(super) const PERIOD: &str = "2·R/g_γ·√(ρ·H/(E·s_⅓))";
+/// Its coefficient g_γ.
+pub(super) const COEFFICIENT: &str = "0.01675·γ² - 0.15·γ + 0.46";
 
 #[cfg(test)]
 mod tests;

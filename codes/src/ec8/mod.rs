@@ -130,6 +130,7 @@ fn assess(case: &Case, excitation: Excitation, edition: Edition) -> Result<Asses
         edition,
         demand,
         sheet: Sheet::new(),
+        mass: 0.0,
         out: Assessment::default(),
     };
     assumptions(&mut work, excitation);
@@ -138,7 +139,7 @@ fn assess(case: &Case, excitation: Excitation, edition: Edition) -> Result<Asses
         Shape::Rectangle { length, breadth, strip } => rectangle::assess(&mut work, length, breadth, strip),
     }
     let Work { sheet, mut out, .. } = work;
-    out.steps = sheet.into_steps();
+    out.steps = sheet.into_steps()?;
     Ok(out)
 }
 

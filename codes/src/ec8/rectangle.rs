@@ -10,11 +10,10 @@
 
 use std::f64::consts::PI;
 
+use super::cylinder::LARGE;
 use super::plate::{Sides, deflection};
-use super::work::{Masses, Work, combined};
-use crate::mechanical::{
-    ConvectiveField, ImpulsiveField, Lumped, Plan, convective, eigenvalue, impulsive, sloshing_omega, wave_factor,
-};
+use super::work::{Masses, Ratio, Work, combined};
+use crate::mechanical::{ConvectiveField, ImpulsiveField, Lumped, Plan, impulsive, sloshing_omega};
 use tank::case::{Case, Combination};
 use tank::quantity::Quantity;
 use tank::units::Dimension::*;
@@ -23,19 +22,14 @@ use tank::units::Dimension::*;
 pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     let case = work.case;
     let half = 0.5 * length;
-    let depth = case.liquid.fill_height;
-    let gamma = depth / half;
-    work.tank("L", "half length in the direction of shaking", half);
+    let gamma = work.tank("L", "half length in the direction of shaking", half);
     work.sheet
         .input("b", "breadth across the shaking", breadth, Length, "input");
     work.demand.describe(&mut work.sheet);
 
-    let rigid = impulsive(Plan::Rectangle, gamma);
-    let first = convective(Plan::Rectangle, gamma, 1);
-    lines(work, gamma, half, rigid, first);
-    let t_c1 = 2.0 * PI / sloshing_omega(Plan::Rectangle, 1, half, depth, case.gravity);
-    let t_c2 = 2.0 * PI / sloshing_omega(Plan::Rectangle, 2, half, depth, case.gravity);
-    let t_i = wall_period(work, breadth, strip, rigid);
+    let (masses, t_c1) = lines(work, gamma, half);
+    let t_c2 = 2.0 * PI / sloshing_omega(Plan::Rectangle, 2, half, case.liquid.fill_height, case.gravity);
+    let t_i = wall_period(work, breadth, strip, &masses);
 
     work.sheet.section("Spectral accelerations");
     let damping = case.damping;
@@ -56,10 +50,9 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
         t_c2,
         damping.sloshing,
     );
-    let second = wave_factor(Plan::Rectangle, 2);
-    work.wave("L", wave_factor(Plan::Rectangle, 1), "4.1", a_c, Some((second, s_2)));
+    // 2/λ_n² of the first two modes.
+    work.wave("L", ["8/π²", "8/(9·π²)"], "4.1", a_c, s_2);
     let clause = work.edition.clause("4");
-    let masses = Masses::of(case, [rigid, first]);
     work.resultants(&masses, a_i, a_c, &clause);
     work.out.values.insert(Quantity::SloshingPeriod, t_c1);
     work.out.values.insert(Quantity::ImpulsivePeriod, t_i);
@@ -70,96 +63,82 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     );
 }
 
-/// Masses, levers and period of the rigid box.
-fn lines(work: &mut Work, gamma: f64, half: f64, rigid: Lumped, first: Lumped) {
+/// Masses and levers of the rigid box, and its first sloshing period [s].
+fn lines(work: &mut Work, gamma: f64, half: f64) -> (Masses, f64) {
     let case = work.case;
-    let (mass, depth) = (case.liquid_mass(), case.liquid.fill_height);
     let clause = work.edition.clause("4.1");
+    let rigid = impulsive(Plan::Rectangle, gamma);
     work.sheet.section("Liquid in a rigid tank");
-    for (symbol, name, formula, whole, ratio) in [
-        (
-            "m_i",
-            "impulsive mass",
-            "m·2·γ·Σ tanh(ν_n/γ)/ν_n³, ν_n = (2n+1)·π/2",
-            ("m", mass, Mass),
-            rigid.mass,
-        ),
-        (
-            "h_i",
-            "impulsive lever, wall only",
-            "H·Σ tanh·(ν_n - (-1)ⁿ)/ν_n⁴/Σ tanh/ν_n³",
-            ("H", depth, Length),
-            rigid.lever,
-        ),
-        (
-            "h_i′",
-            "impulsive lever, wall and base",
-            "H·[1/2 + 2·γ·Σ tanh·(ν_n - 2·(-1)ⁿ)/ν_n⁴]/[2·γ·Σ tanh/ν_n³]",
-            ("H", depth, Length),
-            rigid.lever_with_base,
-        ),
-    ] {
-        work.ratio((symbol, name), formula, whole, ratio, &clause);
-    }
-    let lambda = eigenvalue(Plan::Rectangle, 1);
-    let terms = [
-        ("m", mass, Mass),
+    let (whole, height) = (("m", work.mass, Mass), ("H", case.liquid.fill_height, Length));
+    let share = |symbol, source, value| Ratio { symbol, source, value };
+    let source = "series 2·γ·Σ tanh(ν_n/γ)/ν_n³, ν_n = (2n+1)·π/2";
+    let ratio = share("μ_i", source, rigid.mass);
+    let m_i = work.share(("m_i", "impulsive mass"), whole, ratio, &clause);
+    let source = "series Σ tanh·(ν_n - (-1)ⁿ)/ν_n⁴/Σ tanh/ν_n³";
+    let ratio = share("χ_i", source, rigid.lever);
+    let h_i = work.share(("h_i", "impulsive lever, wall only"), height, ratio, &clause);
+    let source = "series [1/2 + 2·γ·Σ tanh·(ν_n - 2·(-1)ⁿ)/ν_n⁴]/[2·γ·Σ tanh/ν_n³]";
+    let ratio = share("χ_i′", source, rigid.lever_with_base);
+    let h_ib = work.share(("h_i′", "impulsive lever, wall and base"), height, ratio, &clause);
+
+    let mut terms = vec![
+        whole,
+        height,
         ("γ", gamma, Dimensionless),
-        ("λ", lambda, Dimensionless),
-        ("H", depth, Length),
         ("L", half, Length),
         ("g", case.gravity, Acceleration),
     ];
-    let omega = sloshing_omega(Plan::Rectangle, 1, half, depth, case.gravity);
-    for (symbol, name, formula, value, dimension) in [
-        ("λ", "eigenvalue of sloshing mode 1", "π/2", lambda, Dimensionless),
-        (
-            "m_c1",
-            "mass of sloshing mode 1",
-            "m·2·tanh(λ·γ)/(λ³·γ)",
-            first.mass * mass,
-            Mass,
-        ),
-        (
-            "h_c1",
-            "its lever, wall only",
-            "H·(1 - (cosh(λ·γ) - 1)/(λ·γ·sinh(λ·γ)))",
-            first.lever * depth,
-            Length,
-        ),
-        (
-            "h_c1′",
-            "its lever, wall and base",
-            "H·(1 - (cosh(λ·γ) - 2)/(λ·γ·sinh(λ·γ)))",
-            first.lever_with_base * depth,
-            Length,
-        ),
-        ("T_c1", "its period", "2·π/√(g·λ·tanh(λ·γ)/L)", 2.0 * PI / omega, Time),
-    ] {
-        work.sheet
-            .calc(symbol, name, formula, &terms, value, dimension, &clause);
-    }
+    let sheet = &mut work.sheet;
+    let name = "eigenvalue of sloshing mode 1";
+    let lambda = sheet.calc("λ", name, "π/2", &[], Dimensionless, &clause);
+    terms.push(("λ", lambda, Dimensionless));
+    let (name, formula) = ("mass of sloshing mode 1", "m·2·tanh(λ·γ)/(λ³·γ)");
+    let m_c = sheet.calc("m_c1", name, formula, &terms, Mass, &clause);
+    let [h_c, h_cb] = [
+        ("h_c1", "its lever, wall only", 1),
+        ("h_c1′", "its lever, wall and base", 2),
+    ]
+    .map(|(symbol, name, constant)| {
+        let formula = if lambda * gamma < LARGE {
+            format!("H·(1 - (cosh(λ·γ) - {constant})/(λ·γ·sinh(λ·γ)))")
+        } else {
+            "H·(1 - 1/(λ·γ))".into()
+        };
+        sheet.calc(symbol, name, &formula, &terms, Length, &clause)
+    });
+    let formula = "2·π/√(g·λ·tanh(λ·γ)/L)";
+    let period = sheet.calc("T_c1", "its period", formula, &terms, Time, &clause);
+    let masses = Masses {
+        impulsive: Lumped {
+            mass: m_i,
+            lever: h_i,
+            lever_with_base: h_ib,
+        },
+        convective: Lumped {
+            mass: m_c,
+            lever: h_c,
+            lever_with_base: h_cb,
+        },
+    };
+    (masses, period)
 }
 
-/// Uniform load on one wall across the motion that stands for impulsive liquid and wall [Pa].
-fn wall_load(case: &Case, breadth: f64, impulsive_mass: f64) -> f64 {
-    let wall: f64 = case
+/// Mass of one wall across the motion [kg].
+fn mass_of_one_wall(case: &Case, breadth: f64) -> f64 {
+    let area: f64 = case
         .tank
         .courses
         .iter()
         .map(|c| c.height * c.thickness * c.material.density)
-        .sum::<f64>()
-        * breadth;
-    (0.5 * impulsive_mass + wall) * case.gravity / (breadth * case.liquid.fill_height)
+        .sum();
+    area * breadth
 }
 
-fn wall_period(work: &mut Work, breadth: f64, strip: bool, rigid: Lumped) -> f64 {
+/// Period of the impulsive mass on the flexible walls [s].
+fn wall_period(work: &mut Work, breadth: f64, strip: bool, masses: &Masses) -> f64 {
     let case = work.case;
     let depth = case.liquid.fill_height;
     let clause = work.edition.clause("4.2");
-    let mass = rigid.mass * case.liquid_mass();
-    let at = rigid.lever * depth;
-    let load = wall_load(case, breadth, mass);
     let sides = if strip {
         Sides::Strip
     } else {
@@ -167,28 +146,29 @@ fn wall_period(work: &mut Work, breadth: f64, strip: bool, rigid: Lumped) -> f64
             half_width: 0.5 * breadth,
         }
     };
-    let d_f = deflection(&case.tank.courses, sides, load, depth, at);
     work.sheet.section("Flexible wall");
+    let terms = [
+        ("m_i", masses.impulsive.mass, Mass),
+        ("m_wall", mass_of_one_wall(case, breadth), Mass),
+        ("g", case.gravity, Acceleration),
+        ("b", breadth, Length),
+        ("H", depth, Length),
+    ];
     let name = "uniform load of half the impulsive mass and one wall across the motion";
-    work.sheet
-        .step("q", name, "(m_i/2 + m_wall)·g/(b·H)", "", load, Stress, &clause);
+    let formula = "(m_i/2 + m_wall)·g/(b·H)";
+    let load = work.sheet.calc("q", name, formula, &terms, Stress, &clause);
     let how = if strip {
         "cantilever in plane strain"
     } else {
         "plate clamped at base and sides, free at the top"
     };
-    let name = format!("deflection on the centre line at z = h_i under q, {how}");
-    work.sheet.step("d_f", &name, "plate theory", "", d_f, Length, &clause);
+    let d_f = deflection(&case.tank.courses, sides, load, depth, masses.impulsive.lever);
+    let name = "deflection on the centre line at z = h_i under q";
+    let source = format!("plate theory, {how}");
+    let d_f = work.sheet.look_up("d_f", name, &source, d_f, Length, &clause);
     let terms = [("d_f", d_f, Length), ("g", case.gravity, Acceleration)];
-    work.sheet.calc(
-        "T_f",
-        "impulsive period",
-        "2·π·√(d_f/g)",
-        &terms,
-        2.0 * PI * (d_f / case.gravity).sqrt(),
-        Time,
-        &clause,
-    )
+    work.sheet
+        .calc("T_f", "impulsive period", "2·π·√(d_f/g)", &terms, Time, &clause)
 }
 
 fn pressures(work: &mut Work, gamma: f64, half: f64, strip: bool, a_i: f64, a_c: f64) {
@@ -213,8 +193,7 @@ fn pressures(work: &mut Work, gamma: f64, half: f64, strip: bool, a_i: f64, a_c:
 
     work.sheet.section("Pressures on the wall at its base");
     let clause = work.edition.clause("4.1");
-    let (i, c) = (p_i(0.0), p_c(0.0));
-    let terms = [
+    let mut terms = vec![
         ("ρ", rho, Density),
         ("H", depth, Length),
         ("L", half, Length),
@@ -222,39 +201,21 @@ fn pressures(work: &mut Work, gamma: f64, half: f64, strip: bool, a_i: f64, a_c:
         ("A_c1", a_c, Acceleration),
         ("C", field_i.wall(0.0), Dimensionless),
         ("q_c1", field_c.wall(0.0), Dimensionless),
-        ("p_i", i, Stress),
-        ("p_c", c, Stress),
+        ("A_v", ground, Acceleration),
     ];
-    work.sheet
-        .calc("p_i", "impulsive, q_0 = γ·C", "ρ·H·C·A_i", &terms, i, Stress, &clause);
-    work.sheet
-        .calc("p_c", "convective, mode 1", "ρ·L·q_c1·A_c1", &terms, c, Stress, &clause);
+    let sheet = &mut work.sheet;
+    let i = sheet.calc("p_i", "impulsive, q_0 = γ·C", "ρ·H·C·A_i", &terms, Stress, &clause);
+    let c = sheet.calc("p_c", "convective, mode 1", "ρ·L·q_c1·A_c1", &terms, Stress, &clause);
+    terms.extend([("p_i", i, Stress), ("p_c", c, Stress)]);
     let formula = match method {
         Combination::Abs => "p_i + p_c",
         Combination::Srss => "√(p_i² + p_c²)",
     };
     let combination = work.edition.clause("2.1");
-    work.sheet.calc(
-        "p",
-        "horizontal motion",
-        formula,
-        &terms,
-        combined(method, i, c),
-        Stress,
-        &combination,
-    );
+    sheet.calc("p", "horizontal motion", formula, &terms, Stress, &combination);
     if work.demand.vertical {
-        let terms = [("ρ", rho, Density), ("H", depth, Length), ("A_v", ground, Acceleration)];
-        let clause = work.edition.clause("2.2");
-        work.sheet.calc(
-            "p_v",
-            "vertical motion, rigid",
-            "ρ·H·A_v",
-            &terms,
-            p_v(0.0),
-            Stress,
-            &clause,
-        );
+        let (name, clause) = ("vertical motion, rigid", work.edition.clause("2.2"));
+        sheet.calc("p_v", name, "ρ·H·A_v", &terms, Stress, &clause);
     }
     if strip {
         bending(work, &field_i, &field_c, a_i, a_c);
@@ -273,23 +234,13 @@ fn bending(work: &mut Work, field_i: &ImpulsiveField, field_c: &ConvectiveField,
     let moment = combined(case.procedures.ec8_combination, impulsive, convective);
     let thickness = case.tank.courses[0].thickness;
     let terms = [("m_z", moment, LineMoment), ("s", thickness, Length)];
-    let stress = 6.0 * moment / (thickness * thickness);
     work.sheet.section("Bending of the wall (seismic part)");
-    work.sheet.input(
-        "m_z",
+    let (name, source) = (
         "clamping moment of one wall, cantilever",
-        moment,
-        LineMoment,
-        "statics",
+        "moment of the pressures over the height",
     );
-    work.sheet.calc(
-        "σ_b",
-        "bending stress at the base",
-        "6·m_z/s²",
-        &terms,
-        stress,
-        Stress,
-        "statics",
-    );
+    work.sheet.look_up("m_z", name, source, moment, LineMoment, "statics");
+    let name = "bending stress at the base";
+    let stress = work.sheet.calc("σ_b", name, "6·m_z/s²", &terms, Stress, "statics");
     work.out.values.insert(Quantity::BendingStress, stress);
 }

@@ -10,28 +10,44 @@ use std::f64::consts::PI;
 
 use crate::api650::hold_down::figure_e5;
 
-/// `w_L = t_b √(p f_y) ≤ 0.02 D p` [N/m].
-///
-/// * `pressure`: hydrostatic base pressure p [Pa]; `thickness`: t_b [m]; `yield_strength`: f_y [Pa]; `diameter`: D [m]
-pub fn hold_down(pressure: f64, thickness: f64, yield_strength: f64, diameter: f64) -> f64 {
-    (thickness * (pressure * yield_strength).sqrt()).min(0.02 * diameter * pressure)
+/// Pull of the bottom plate w_L [N/m]: hydrostatic base pressure p, thickness t_b, yield strength f_y, diameter D.
+pub(super) const HOLD_DOWN: &str = "min(t_b·√(p·f_y), 0.02·D·p)";
+
+/// How the largest compression N_u of the wall follows from x.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Compression {
+    /// No uplift: M/(πR²) = 4M/(πD²) on top of the weight.
+    Linear,
+    /// Uplift: (N_u + w_L)/(w_t + w_L) of the bearing arc.
+    Arc(f64),
 }
 
-/// Largest compression b [N/m]; none if x ≥ π/2, where the tank overturns, or if nothing holds down.
+/// The compression; none if x ≥ π/2, where the tank overturns, or if nothing holds down.
 ///
-/// * `x`: M/(D²(w_t + w_L)); `weight`: w_t, `hold_down`: w_L [N/m]
-pub fn compression(x: f64, weight: f64, hold_down: f64) -> Option<f64> {
-    let sum = weight + hold_down;
+/// * `x`: M/(D²(w_t + w_L))
+pub(super) fn compression(x: f64) -> Option<Compression> {
     if x <= 0.25 * PI {
-        // No uplift: M/(πR²) = 4M/(πD²) on top of the weight.
-        return Some(weight + 4.0 / PI * x * sum);
+        return Some(Compression::Linear);
     }
-    figure_e5(x).map(|y| y * sum - hold_down)
+    figure_e5(x).map(Compression::Arc)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tank::formula::evaluate;
+
+    fn hold_down(p: f64, t_b: f64, f_y: f64, d: f64) -> f64 {
+        evaluate(HOLD_DOWN, &[("p", p), ("t_b", t_b), ("f_y", f_y), ("D", d)])
+    }
+
+    /// N_u for a given hold-down.
+    fn compression(x: f64, w_t: f64, w_l: f64) -> Option<f64> {
+        super::compression(x).map(|how| match how {
+            Compression::Linear => w_t + 4.0 / PI * x * (w_t + w_l),
+            Compression::Arc(y) => y * (w_t + w_l) - w_l,
+        })
+    }
 
     /// Published values of the curve (four decimals; API 650 figure E-5 in closed form), with w_L = 0: y = b/w_t.
     #[test]

@@ -12,40 +12,34 @@
 
 use std::f64::consts::PI;
 
-use crate::bessel::i1_over_i0;
-
 /// Damping ratio of the breathing mode: 3 % (stiff soil) to 6 % (soft soil) are in use (Scharf 1990); the lower is safe.
 pub const BREATHING_DAMPING: f64 = 0.03;
 
-/// `f(γ)`; none for γ ≥ 4, where the annex gives nothing.
-pub fn breathing_factor(slenderness: f64) -> Option<f64> {
+/// Formula of `f(γ)`; none for γ ≥ 4, where the annex gives nothing.
+pub(super) fn breathing_factor(slenderness: f64) -> Option<&'static str> {
     if slenderness < 0.8 {
-        Some(1.0)
+        Some("1")
     } else if slenderness < 4.0 {
-        Some(1.078 + 0.274 * slenderness.ln())
+        Some("1.078 + 0.274·ln(γ)")
     } else {
         None
     }
 }
 
-/// Frequency `f_vd` of the breathing mode [Hz].
-///
-/// * `radius`: R, `depth`: H, `thickness`: s at z = H/3 [m]; `density`: ρ [kg/m³]; `youngs_modulus`: E [Pa];
-///   `poisson_ratio`: ν
+/// Formula of the frequency `f_vd` of the breathing mode [Hz] for its argument γ1; E, s, ν at z = H/3.
 ///
 /// Derived: uniform membrane shell with rollers at the base; the liquid moves as `cos(πζ/2) I₀(πr/(2H))`.
-pub fn breathing_frequency(
-    radius: f64,
-    depth: f64,
-    density: f64,
-    youngs_modulus: f64,
-    poisson_ratio: f64,
-    thickness: f64,
-) -> f64 {
-    let ratio = i1_over_i0(PI * radius / (2.0 * depth));
-    (2.0 * youngs_modulus * ratio * thickness / (PI * density * depth * (1.0 - poisson_ratio * poisson_ratio))).sqrt()
-        / (4.0 * radius)
+pub(super) fn frequency(gamma_1: f64) -> &'static str {
+    if gamma_1 < LARGE {
+        "1/(4·R)·√(2·E·I₁(γ1)·s/(π·ρ·H·(1 - ν²)·I₀(γ1)))"
+    } else {
+        // I₁/I₀ where both would overflow; the next term of the series is 1e-12 of it.
+        "1/(4·R)·√(2·E·s·(1 - 1/(2·γ1) - 1/(8·γ1²) - 1/(8·γ1³))/(π·ρ·H·(1 - ν²)))"
+    }
 }
+
+/// Argument from which the quotient of the Bessel functions is its asymptotic series.
+const LARGE: f64 = 650.0;
 
 /// `p_vr/(ρ H A_v) = 1 − ζ`.
 pub fn rigid_pressure(zeta: f64) -> f64 {
@@ -65,15 +59,43 @@ pub fn breathing_pressure(factor: f64, zeta: f64) -> f64 {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use tank::formula::evaluate;
+
+    fn breathing_frequency(r: f64, h: f64, rho: f64, e: f64, nu: f64, s: f64) -> f64 {
+        let gamma_1 = PI * r / (2.0 * h);
+        let terms = [
+            ("R", r),
+            ("H", h),
+            ("ρ", rho),
+            ("E", e),
+            ("ν", nu),
+            ("s", s),
+            ("γ1", gamma_1),
+        ];
+        evaluate(frequency(gamma_1), &terms)
+    }
+
+    fn factor(gamma: f64) -> Option<f64> {
+        Some(evaluate(breathing_factor(gamma)?, &[("γ", gamma)]))
+    }
+
+    /// The two forms of the frequency meet where the Bessel functions near their overflow.
+    #[test]
+    fn shallow_liquid() {
+        let at = |gamma_1: f64| breathing_frequency(1.0, PI / (2.0 * gamma_1), 1000.0, 210e9, 0.3, 0.01);
+        let (below, above) = (at(LARGE * (1.0 - 1e-9)), at(LARGE * (1.0 + 1e-9)));
+        assert!((below / above - 1.0).abs() < 2e-9, "{below} {above}");
+        assert!(at(1e5).is_finite());
+    }
 
     /// Worked example: R = 15 m, H = 12 m, ρ = 900, E = 210 GPa, s = 12 mm at H/3: 5.600 Hz, f = 1.0169.
     #[test]
     fn worked_example() {
         let f = breathing_frequency(15.0, 12.0, 900.0, 210e9, 0.3, 0.012);
         assert!((f - 5.600).abs() < 5e-4, "{f}");
-        assert!((breathing_factor(0.8).unwrap() - 1.0169).abs() < 5e-5);
-        assert_eq!(breathing_factor(0.7999), Some(1.0));
-        assert_eq!(breathing_factor(4.0), None);
+        assert!((factor(0.8).unwrap() - 1.0169).abs() < 5e-5);
+        assert_eq!(factor(0.7999), Some(1.0));
+        assert_eq!(factor(4.0), None);
     }
 
     /// Printed values of the formula [rad/s], half the last digit; coupled finite elements give 175.8, 105.2, 45.9, 105.1.

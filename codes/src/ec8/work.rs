@@ -2,7 +2,7 @@
 
 use super::demand::{Demand, Edition};
 use crate::mechanical::Lumped;
-use crate::sheet::{Sheet, Term, number, with_unit};
+use crate::sheet::{Sheet, Term};
 use tank::Shape;
 use tank::assessment::{Assessment, Check, Profile};
 use tank::case::{Case, Combination};
@@ -16,6 +16,8 @@ pub(super) struct Work<'a> {
     pub demand: Demand<'a>,
     pub sheet: Sheet,
     pub out: Assessment,
+    /// Mass of the liquid m [kg], once it stands on the sheet.
+    pub mass: f64,
 }
 
 /// Masses [kg] and levers [m] of a resultant.
@@ -25,20 +27,12 @@ pub(super) struct Masses {
     pub convective: Lumped,
 }
 
-impl Masses {
-    /// From ratios to the liquid mass and the depth.
-    pub fn of(case: &Case, [impulsive, convective]: [Lumped; 2]) -> Masses {
-        let (m, h) = (case.liquid_mass(), case.liquid.fill_height);
-        let scale = |part: Lumped| Lumped {
-            mass: part.mass * m,
-            lever: part.lever * h,
-            lever_with_base: part.lever_with_base * h,
-        };
-        Masses {
-            impulsive: scale(impulsive),
-            convective: scale(convective),
-        }
-    }
+/// A ratio that the sheet looks up: its symbol, and what it is read from.
+#[derive(Clone, Copy)]
+pub(super) struct Ratio<'a> {
+    pub symbol: &'a str,
+    pub source: &'a str,
+    pub value: f64,
 }
 
 /// Sum of absolute values, or root of the sum of squares.
@@ -50,8 +44,8 @@ pub(super) fn combined(method: Combination, impulsive: f64, convective: f64) -> 
 }
 
 impl Work<'_> {
-    /// Section on tank and liquid; `symbol` is R or L.
-    pub fn tank(&mut self, symbol: &str, name: &str, half_length: f64) {
+    /// Section on tank and liquid; `symbol` is R or L. Returns the slenderness γ.
+    pub fn tank(&mut self, symbol: &str, name: &str, half_length: f64) -> f64 {
         let case = self.case;
         let depth = case.liquid.fill_height;
         let sheet = &mut self.sheet;
@@ -60,15 +54,7 @@ impl Work<'_> {
         sheet.input("H", "depth of the liquid", depth, Length, "input");
         let terms = [("H", depth, Length), (symbol, half_length, Length)];
         let formula = format!("H/{symbol}");
-        sheet.calc(
-            "γ",
-            "slenderness",
-            &formula,
-            &terms,
-            depth / half_length,
-            Dimensionless,
-            "definition",
-        );
+        let gamma = sheet.calc("γ", "slenderness", &formula, &terms, Dimensionless, "definition");
         sheet.input("ρ", "density of the liquid", case.liquid.density, Density, "input");
         let (formula, breadth) = match case.tank.shape {
             Shape::Cylinder { .. } => ("ρ·π·R²·H", 0.0),
@@ -80,15 +66,7 @@ impl Work<'_> {
             ("b", breadth, Length),
             ("H", depth, Length),
         ];
-        sheet.calc(
-            "m",
-            "mass of the liquid",
-            formula,
-            &terms,
-            case.liquid_mass(),
-            Mass,
-            "definition",
-        );
+        self.mass = sheet.calc("m", "mass of the liquid", formula, &terms, Mass, "definition");
         sheet.input("m_w", "mass of the wall", case.tank.wall_mass(), Mass, "input");
         sheet.input(
             "h_w",
@@ -106,49 +84,44 @@ impl Work<'_> {
             .input("ξ_i", "damping ratio of the impulsive part", i, Dimensionless, &clause);
         self.sheet
             .input("ξ_c", "damping ratio of sloshing", c, Dimensionless, &clause);
+        gamma
     }
 
-    /// A line `whole·ratio` whose formula is a series.
-    pub fn ratio(&mut self, (symbol, name): (&str, &str), formula: &str, whole: Term, ratio: f64, clause: &str) -> f64 {
-        let (_, value, dimension) = whole;
-        let substitution = format!("{}·{}", with_unit(value, dimension), number(ratio));
-        self.sheet
-            .step(symbol, name, formula, &substitution, value * ratio, dimension, clause)
+    /// A line for a ratio that is looked up and one for its product with `whole`. Returns the product.
+    pub fn share(&mut self, (symbol, name): (&str, &str), whole: Term, ratio: Ratio, clause: &str) -> f64 {
+        let (of, _, dimension) = whole;
+        let what = format!("{name}, share of {of}");
+        let Ratio {
+            symbol: share,
+            source,
+            value,
+        } = ratio;
+        self.sheet.look_up(share, &what, source, value, Dimensionless, clause);
+        let formula = format!("{of}·{share}");
+        let terms = [whole, (share, value, Dimensionless)];
+        self.sheet.calc(symbol, name, &formula, &terms, dimension, clause)
     }
 
     /// Wave height `d = c·a·S_e(T_c1)/g`; with the second mode for information. Adds quantity and freeboard check.
-    pub fn wave(&mut self, symbol: &str, factor: f64, clause: &str, s_1: f64, second: Option<(f64, f64)>) {
-        let gravity = self.case.gravity;
+    ///
+    /// * `factors`: c of the first and the second mode, as written
+    pub fn wave(&mut self, symbol: &str, factors: [&str; 2], clause: &str, s_1: f64, s_2: f64) {
         let half_length = self.case.tank.shape.half_length();
         let clause = self.edition.clause(clause);
         self.sheet.section("Wave height");
-        let height = factor * half_length * s_1 / gravity;
         let terms = [
             (symbol, half_length, Length),
             ("S_1", s_1, Acceleration),
-            ("g", gravity, Acceleration),
+            ("S_2", s_2, Acceleration),
+            ("g", self.case.gravity, Acceleration),
         ];
-        let formula = format!("{}·{symbol}·S_1/g", number(factor));
-        self.sheet.calc(
-            "d_max",
-            "wave height, S_1 = S_e(T_c1)",
-            &formula,
-            &terms,
-            height,
-            Length,
-            &clause,
-        );
-        if let Some((factor_2, s_2)) = second {
-            let terms = [terms[0], terms[1], ("S_2", s_2, Acceleration), terms[2]];
-            let formula = format!(
-                "{symbol}·√(({}·S_1/g)² + ({}·S_2/g)²)",
-                number(factor),
-                number(factor_2)
-            );
-            let both = half_length * (factor * s_1 / gravity).hypot(factor_2 * s_2 / gravity);
-            let name = "wave height with the second mode, for information";
-            self.sheet.calc("d_2", name, &formula, &terms, both, Length, &clause);
-        }
+        let [first, second] = factors;
+        let name = "wave height, S_1 = S_e(T_c1)";
+        let formula = format!("{first}·{symbol}·S_1/g");
+        let height = self.sheet.calc("d_max", name, &formula, &terms, Length, &clause);
+        let name = "wave height with the second mode, for information";
+        let formula = format!("{symbol}·√(({first}·S_1/g)² + ({second}·S_2/g)²)");
+        self.sheet.calc("d_2", name, &formula, &terms, Length, &clause);
         self.out.values.insert(Quantity::SloshingHeight, height);
         let note = "the wave needs this freeboard if the liquid must neither spill nor strike the roof";
         let freeboard = self.case.freeboard();
@@ -178,7 +151,6 @@ impl Work<'_> {
             ("A_c", a_c, Acceleration),
         ];
         self.sheet.section("Base shear and moments");
-        let extra = m_w * h_w + m_r * h_r;
         let mut moment = 0.0;
         for (symbol, name, quantity, dimension, impulsive, convective) in [
             (
@@ -186,59 +158,38 @@ impl Work<'_> {
                 "base shear",
                 Quantity::BaseShear,
                 Force,
-                ((i.mass + m_w + m_r) * a_i, "(m_i + m_w + m_r)·A_i"),
-                (c.mass * a_c, "m_c·A_c"),
+                "(m_i + m_w + m_r)·A_i",
+                "m_c·A_c",
             ),
             (
                 "M",
                 "moment just above the base plate",
                 Quantity::BaseMoment,
                 Moment,
-                ((i.mass * i.lever + extra) * a_i, "(m_i·h_i + m_w·h_w + m_r·h_r)·A_i"),
-                (c.mass * c.lever * a_c, "m_c·h_c·A_c"),
+                "(m_i·h_i + m_w·h_w + m_r·h_r)·A_i",
+                "m_c·h_c·A_c",
             ),
             (
                 "M′",
                 "moment below the base plate",
                 Quantity::OverturningMoment,
                 Moment,
-                (
-                    (i.mass * i.lever_with_base + extra) * a_i,
-                    "(m_i·h_i′ + m_w·h_w + m_r·h_r)·A_i",
-                ),
-                (c.mass * c.lever_with_base * a_c, "m_c·h_c′·A_c"),
+                "(m_i·h_i′ + m_w·h_w + m_r·h_r)·A_i",
+                "m_c·h_c′·A_c",
             ),
         ] {
-            let (part_i, part_c) = (format!("{symbol}_i"), format!("{symbol}_c"));
-            self.sheet.calc(
-                &part_i,
-                &format!("{name}, impulsive"),
-                impulsive.1,
-                &terms,
-                impulsive.0,
-                dimension,
-                clause,
-            );
-            self.sheet.calc(
-                &part_c,
-                &format!("{name}, convective"),
-                convective.1,
-                &terms,
-                convective.0,
-                dimension,
-                clause,
-            );
-            let value = combined(method, impulsive.0, convective.0);
-            let parts = [
-                (part_i.as_str(), impulsive.0, dimension),
-                (part_c.as_str(), convective.0, dimension),
-            ];
-            let formula = match method {
-                Combination::Abs => format!("{part_i} + {part_c}"),
-                Combination::Srss => format!("√({part_i}² + {part_c}²)"),
+            let mut part = |index: &str, what: &str, formula: &str| {
+                let (symbol, name) = (format!("{symbol}_{index}"), format!("{name}, {what}"));
+                let value = self.sheet.calc(&symbol, &name, formula, &terms, dimension, clause);
+                (symbol, value)
             };
-            self.sheet
-                .calc(symbol, name, &formula, &parts, value, dimension, &combination);
+            let (i, c) = (part("i", "impulsive", impulsive), part("c", "convective", convective));
+            let formula = match method {
+                Combination::Abs => format!("{} + {}", i.0, c.0),
+                Combination::Srss => format!("√({}² + {}²)", i.0, c.0),
+            };
+            let parts = [(i.0.as_str(), i.1, dimension), (c.0.as_str(), c.1, dimension)];
+            let value = self.sheet.calc(symbol, name, &formula, &parts, dimension, &combination);
             self.out.values.insert(quantity, value);
             if quantity == Quantity::BaseMoment {
                 moment = value;

@@ -83,16 +83,6 @@ impl Coefficients {
             ConvectiveCoefficient::Housner1957 => Coefficients::housner_1957(plan),
         }
     }
-
-    /// Circular sloshing frequency `ω = √((k g/a) tanh(k H/a))` [rad/s].
-    ///
-    /// * `half_length`: a = R or L [m]; `depth`: H [m]; `gravity`: g [m/s²]
-    ///
-    /// Check: circle 1957, R = 1.83 m, H = 1.525 m, g = 9.81 m/s²: 2.9976 rad/s (dissertation table D.1: 3.0).
-    pub fn omega(&self, half_length: f64, depth: f64, gravity: f64) -> f64 {
-        let k = self.frequency;
-        (k * gravity / half_length * (k * depth / half_length).tanh()).sqrt()
-    }
 }
 
 #[cfg(test)]

@@ -1,31 +1,143 @@
-//! Lines of the calculation sheet: input, impulsive part, convective part, wave.
+//! The model as lines of the calculation sheet: each value is computed by the formula that is printed, from the values of
+//! the lines above it.
 
-use super::assess::{Run, SLENDER};
-use super::model::{Input, SLENDER_LIMIT};
+use super::model::{Input, InputError, Response, Resultant, SLENDER_LIMIT, Wave, check, not_negative};
 use crate::mechanical::Plan;
-use crate::sheet::Sheet;
-use tank::case::ConvectiveCoefficient;
+use crate::sheet::{Sheet, Term};
+use tank::case::Combination;
 use tank::units::Dimension::{
-    Acceleration, Angle, AngularFrequency, Dimensionless, Force, Length, Mass, Time, Velocity,
+    self, Acceleration, Angle, AngularFrequency, Dimensionless, Force, Length, Mass, Moment, Time, Velocity,
 };
 
-impl Run<'_> {
-    /// Symbols of the length a and of the depth that can slosh.
-    fn symbols(&self) -> (&'static str, &'static str) {
-        let a = match self.plan {
-            Plan::Circle => "R",
-            Plan::Rectangle => "L",
-        };
-        (a, if self.response.slender { "H_b" } else { "H" })
+/// Clause of the slender branch.
+pub(super) const SLENDER: &str = "TID-7024 (1963) ch. 6, H/a > 1.5; dissertation 8.3";
+/// Source of the printed constants.
+const PRINTED: &str = "TID-7024 (1963) ch. 6";
+
+/// Pseudo-acceleration of the sloshing mode.
+pub(super) struct Ordinate {
+    /// S_a [m/s²].
+    pub value: f64,
+    /// What it is read from, for the sheet.
+    pub look_up: String,
+    /// Its clause.
+    pub clause: String,
+}
+
+/// Base shear [N], moments just above and below the base plate [N·m], parts combined.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Totals {
+    pub shear: f64,
+    pub moment: f64,
+    pub overturning: f64,
+}
+
+/// The lines under way.
+pub(super) struct Lines<'a> {
+    pub(super) input: &'a Input,
+    plan: Plan,
+    /// Whether the convective constants are the exact ones.
+    pub(super) exact: bool,
+    combination: Combination,
+    sheet: &'a mut Sheet,
+    /// The values of the lines so far.
+    known: Vec<Term<'static>>,
+}
+
+/// What an angle, a depth and the impulsive part give for the wave, forces and moments.
+struct Convective {
+    x: f64,
+    omega: f64,
+    period: f64,
+    mass: f64,
+    acceleration: f64,
+    displacement: f64,
+    angle: f64,
+    force: f64,
+    lever: f64,
+    lever_with_base: f64,
+}
+
+impl<'a> Lines<'a> {
+    /// Lines with the printed constants; [`Lines::exact`] says otherwise.
+    pub(super) fn new(input: &'a Input, plan: Plan, combination: Combination, sheet: &'a mut Sheet) -> Lines<'a> {
+        Lines {
+            input,
+            plan,
+            exact: false,
+            combination,
+            sheet,
+            known: Vec::new(),
+        }
     }
 
-    /// True if the convective constants are the exact ones.
-    pub(super) fn exact(&self) -> bool {
-        self.case.procedures.housner_convective == ConvectiveCoefficient::Exact
+    /// All lines of the model.
+    ///
+    /// * `ground`: where the peak ground acceleration comes from
+    /// * `ordinate`: S_a for the sloshing frequency [rad/s] and period [s]
+    ///
+    /// Error: inadmissible numbers.
+    pub(super) fn respond(
+        mut self,
+        ground: &str,
+        ordinate: impl FnOnce(f64, f64) -> Ordinate,
+    ) -> Result<(Response, Totals), InputError> {
+        check(self.input)?;
+        self.inputs(ground);
+        let split = self.split();
+        let impulsive = self.impulsive();
+        let convective = self.convective(ordinate)?;
+        let wave = self.wave();
+        let (resultants, totals) = self.resultants();
+        let response = Response {
+            slender: self.slender(),
+            sloshing_depth: split.sloshing_depth,
+            sloshing_mass: split.sloshing_mass,
+            rigid_depth: split.rigid_depth,
+            rigid_mass: split.rigid_mass,
+            x: convective.x,
+            omega: convective.omega,
+            period: convective.period,
+            convective_mass: convective.mass,
+            displacement: convective.displacement,
+            acceleration: convective.acceleration,
+            angle: convective.angle,
+            convective_lever: convective.lever,
+            convective_lever_with_base: convective.lever_with_base,
+            convective_force: convective.force,
+            impulsive: resultants[0],
+            convective: resultants[1],
+            wave,
+            ..impulsive
+        };
+        Ok((response, totals))
+    }
+
+    /// Whether the lower part of the liquid is constrained.
+    pub(super) fn slender(&self) -> bool {
+        self.input.depth > SLENDER_LIMIT * self.input.half_length
+    }
+
+    /// Symbol of the length a.
+    pub(super) fn length(&self) -> &'static str {
+        match self.plan {
+            Plan::Circle => "R",
+            Plan::Rectangle => "L",
+        }
+    }
+
+    /// Symbol of the depth that can slosh.
+    fn depth(&self) -> &'static str {
+        if self.slender() { "H_b" } else { "H" }
+    }
+
+    /// Symbol of the mass that can slosh.
+    fn mass(&self) -> &'static str {
+        if self.slender() { "m_b" } else { "m" }
     }
 
     /// Where the formulas stand.
-    pub(super) fn source(&self) -> &'static str {
+    fn source(&self) -> &'static str {
         match self.plan {
             Plan::Circle => "Housner 1957; dissertation table D.1",
             Plan::Rectangle => "Housner 1957; dissertation 8.4.2",
@@ -34,319 +146,234 @@ impl Run<'_> {
 
     /// Source of the convective constants.
     fn constants(&self) -> &'static str {
-        match (self.exact(), self.plan) {
+        match (self.exact, self.plan) {
             (true, Plan::Circle) => "potential flow: λ₁ of J₁′ and 2/(λ₁ (λ₁² − 1)); printed 1.84 and 0.318",
             (true, Plan::Rectangle) => "potential flow: π/2 and 16/π³; printed 1.58 and 0.527",
-            (false, _) => "TID-7024 (1963) ch. 6",
+            (false, _) => PRINTED,
         }
     }
 
-    pub(super) fn inputs(&self, sheet: &mut Sheet) {
-        let (a, _) = self.symbols();
+    /// A line with a formula of the lines above.
+    pub(super) fn line(
+        &mut self,
+        symbol: &'static str,
+        name: &str,
+        formula: &str,
+        dimension: Dimension,
+        clause: &str,
+    ) -> f64 {
+        let value = self.sheet.calc(symbol, name, formula, &self.known, dimension, clause);
+        self.known.push((symbol, value, dimension));
+        value
+    }
+
+    fn given(&mut self, symbol: &'static str, name: &str, value: f64, dimension: Dimension, source: &str) {
+        self.sheet.input(symbol, name, value, dimension, source);
+        self.known.push((symbol, value, dimension));
+    }
+
+    fn inputs(&mut self, ground: &str) {
+        let a = self.length();
         let Input {
             half_length,
             depth,
             mass,
+            ground_acceleration,
             gravity,
             ..
-        } = self.input;
-        sheet.section("Tank and ground motion");
+        } = *self.input;
+        self.sheet.section("Tank and ground motion");
         let what = match self.plan {
             Plan::Circle => "inner radius",
             Plan::Rectangle => "half length in the direction of motion",
         };
-        sheet.input(a, what, half_length, Length, "input");
-        sheet.input("H", "liquid depth", depth, Length, "input");
-        sheet.input("m", "liquid mass", mass, Mass, "input");
-        sheet.input("g", "acceleration of free fall", gravity, Acceleration, "input");
-        sheet.input(
-            "a_B",
-            "peak ground acceleration",
-            self.motion.ground,
-            Acceleration,
-            &self.motion.ground_source,
-        );
-        sheet.calc(
-            &format!("H/{a}"),
-            "slenderness; squat up to 1.5",
-            &format!("H/{a}"),
-            &[("H", depth, Length), (a, half_length, Length)],
-            depth / half_length,
-            Dimensionless,
-            SLENDER,
-        );
-        let r = &self.response;
-        if r.slender {
-            let terms = [
-                (a, half_length, Length),
-                ("H", depth, Length),
-                ("m", mass, Mass),
-                ("H_b", r.sloshing_depth, Length),
-                ("m_b", r.sloshing_mass, Mass),
-            ];
-            for (symbol, name, formula, value, dimension) in [
-                (
-                    "H_b",
-                    "depth that can slosh",
-                    format!("{SLENDER_LIMIT}·{a}"),
-                    r.sloshing_depth,
-                    Length,
-                ),
-                ("m_b", "its mass", "m·H_b/H".into(), r.sloshing_mass, Mass),
-                (
-                    "H_r",
-                    "constrained depth below",
-                    "H − H_b".into(),
-                    r.rigid_depth,
-                    Length,
-                ),
-                (
-                    "m_r",
-                    "its mass, moves as a solid",
-                    "m − m_b".into(),
-                    r.rigid_mass,
-                    Mass,
-                ),
-            ] {
-                sheet.calc(symbol, name, &formula, &terms, value, dimension, SLENDER);
-            }
+        self.given(a, what, half_length, Length, "input");
+        self.given("H", "liquid depth", depth, Length, "input");
+        self.given("m", "liquid mass", mass, Mass, "input");
+        self.given("g", "acceleration of free fall", gravity, Acceleration, "input");
+        let name = "peak ground acceleration";
+        self.given("a_B", name, ground_acceleration, Acceleration, ground);
+        let ratio = match self.plan {
+            Plan::Circle => "H/R",
+            Plan::Rectangle => "H/L",
+        };
+        self.line(ratio, "slenderness; squat up to 1.5", ratio, Dimensionless, SLENDER);
+    }
+
+    /// The impulsive part of a response; the rest of it is zero.
+    fn impulsive(&mut self) -> Response {
+        let (a, h, m, source) = (self.length(), self.depth(), self.mass(), self.source());
+        self.sheet.section("Impulsive part");
+        let q = self.line("q", "argument", &format!("√3·{a}/{h}"), Dimensionless, source);
+        let r = self.line("r", "impulsive share", "tanh(q)/q", Dimensionless, source);
+        let impulsive_mass = self.line("m_i", "impulsive mass", &format!("{m}·r"), Mass, source);
+        let impulsive_force = self.line("P_i", "impulsive force", "a_B·m_i", Force, source);
+        let formula = format!("3/8·{h}");
+        let impulsive_lever = self.line("h_i", "its lever, wall pressure only", &formula, Length, source);
+        let formula = format!("{h}·(1/(2·r) − 1/8)");
+        let impulsive_lever_with_base = self.line("h_i′", "its lever with base pressure", &formula, Length, source);
+        let rigid_force = if self.slender() {
+            let name = "force of the constrained part, at H_r/2";
+            self.line("P_r", name, "a_B·m_r", Force, SLENDER)
+        } else {
+            0.0
+        };
+        Response {
+            q,
+            r,
+            impulsive_mass,
+            impulsive_force,
+            impulsive_lever,
+            impulsive_lever_with_base,
+            rigid_force,
+            ..Response::default()
         }
     }
 
-    pub(super) fn impulsive(&self, sheet: &mut Sheet) {
-        let (a, h) = self.symbols();
-        let r = &self.response;
-        let m = if r.slender { "m_b" } else { "m" };
-        let terms = [
-            (a, self.input.half_length, Length),
-            (h, r.sloshing_depth, Length),
-            (m, r.sloshing_mass, Mass),
-            ("q", r.q, Dimensionless),
-            ("r", r.r, Dimensionless),
-            ("a_B", self.motion.ground, Acceleration),
-            ("m_i", r.impulsive_mass, Mass),
-            ("m_r", r.rigid_mass, Mass),
-        ];
-        sheet.section("Impulsive part");
-        for (symbol, name, formula, value, dimension) in [
-            ("q", "argument", format!("√3·{a}/{h}"), r.q, Dimensionless),
-            ("r", "impulsive share", "tanh(q)/q".into(), r.r, Dimensionless),
-            ("m_i", "impulsive mass", format!("{m}·r"), r.impulsive_mass, Mass),
-            ("P_i", "impulsive force", "a_B·m_i".into(), r.impulsive_force, Force),
-            (
-                "h_i",
-                "its lever, wall pressure only",
-                format!("3/8·{h}"),
-                r.impulsive_lever,
-                Length,
-            ),
-            (
-                "h_i′",
-                "its lever with base pressure",
-                format!("{h}·(1/(2·r) − 1/8)"),
-                r.impulsive_lever_with_base,
-                Length,
-            ),
-        ] {
-            sheet.calc(symbol, name, &formula, &terms, value, dimension, self.source());
+    fn convective(&mut self, ordinate: impl FnOnce(f64, f64) -> Ordinate) -> Result<Convective, InputError> {
+        let (a, h, m, source) = (self.length(), self.depth(), self.mass(), self.source());
+        let (c, constants) = (self.input.coefficients, self.constants());
+        self.sheet.section("Convective part");
+        self.given("k", "frequency constant", c.frequency, Dimensionless, constants);
+        self.given("c_m", "mass constant", c.mass, Dimensionless, constants);
+        self.given("c_t", "angle constant", c.angle, Dimensionless, PRINTED);
+        if self.exact {
+            self.line("c_p", "force constant", "k/c_t", Dimensionless, "P_k = m_k·S_a");
+        } else {
+            self.given("c_p", "force constant", c.force, Dimensionless, constants);
         }
-        if r.slender {
-            sheet.calc(
-                "P_r",
-                "force of the constrained part, at H_r/2",
-                "a_B·m_r",
-                &terms,
-                r.rigid_force,
-                Force,
-                SLENDER,
-            );
-        }
-    }
-
-    pub(super) fn convective(&self, sheet: &mut Sheet) {
-        let (a, h) = self.symbols();
-        let r = &self.response;
-        let c = self.input.coefficients;
-        let m = if r.slender { "m_b" } else { "m" };
-        let velocity = r.acceleration / r.omega;
-        sheet.section("Convective part");
-        sheet.input("k", "frequency constant", c.frequency, Dimensionless, self.constants());
-        sheet.input("c_m", "mass constant", c.mass, Dimensionless, self.constants());
-        sheet.input("c_t", "angle constant", c.angle, Dimensionless, "TID-7024 (1963) ch. 6");
-        sheet.calc(
-            "c_p",
-            "force constant",
-            if self.exact() { "k/c_t" } else { "" },
-            &[("k", c.frequency, Dimensionless), ("c_t", c.angle, Dimensionless)],
-            c.force,
-            Dimensionless,
-            if self.exact() {
-                "P_k = m_k·S_a"
-            } else {
-                self.constants()
-            },
-        );
-        let terms = [
-            (a, self.input.half_length, Length),
-            (h, r.sloshing_depth, Length),
-            (m, r.sloshing_mass, Mass),
-            ("g", self.input.gravity, Acceleration),
-            ("k", c.frequency, Dimensionless),
-            ("c_m", c.mass, Dimensionless),
-            ("c_t", c.angle, Dimensionless),
-            ("c_p", c.force, Dimensionless),
-            ("x", r.x, Dimensionless),
-            ("ω", r.omega, AngularFrequency),
-            ("S_a", r.acceleration, Acceleration),
-            ("S_v", velocity, Velocity),
-            ("A_1", r.displacement, Length),
-            ("m_k", r.convective_mass, Mass),
-            ("θ_h", r.angle, Angle),
-        ];
+        let x = self.line("x", "argument", &format!("k·{h}/{a}"), Dimensionless, source);
+        let formula = format!("√(k·g/{a}·tanh(x))");
+        let omega = self.line("ω", "sloshing frequency", &formula, AngularFrequency, source);
+        let period = self.line("T", "sloshing period", "2·π/ω", Time, source);
+        let formula = format!("{m}·c_m·{a}/{h}·tanh(x)");
+        let mass = self.line("m_k", "convective mass", &formula, Mass, source);
+        let read = ordinate(omega, period);
+        not_negative("the spectral acceleration", read.value)?;
+        let name = "pseudo-acceleration at T";
+        let acceleration = self
+            .sheet
+            .look_up("S_a", name, &read.look_up, read.value, Acceleration, &read.clause);
+        self.known.push(("S_a", acceleration, Acceleration));
+        self.line("S_v", "pseudo-velocity", "S_a/ω", Velocity, source);
+        let displacement = self.line("A_1", "spectral displacement", "S_v/ω", Length, source);
+        let formula = format!("c_t·A_1/{a}·tanh(x)");
+        let angle = self.line("θ_h", "angle of the surface", &formula, Angle, source);
+        let force = self.line("P_k", "convective force", "c_p·m_k·g·θ_h", Force, source);
         let lever_source = match self.plan {
             Plan::Circle => "Housner 1957; dissertation table D.1 (printed 1.47 m there, 0.884 m by its own formula)",
-            Plan::Rectangle => self.source(),
+            Plan::Rectangle => source,
         };
-        let mut line = |symbol: &str, name: &str, formula: String, value, dimension, clause: &str| {
-            sheet.calc(symbol, name, &formula, &terms, value, dimension, clause);
-        };
-        line("x", "argument", format!("k·{h}/{a}"), r.x, Dimensionless, self.source());
-        line(
-            "ω",
-            "sloshing frequency",
-            format!("√(k·g/{a}·tanh(x))"),
-            r.omega,
-            AngularFrequency,
-            self.source(),
-        );
-        line("T", "sloshing period", "2·π/ω".into(), r.period, Time, self.source());
-        line(
-            "m_k",
-            "convective mass",
-            format!("{m}·c_m·{a}/{h}·tanh(x)"),
-            r.convective_mass,
-            Mass,
-            self.source(),
-        );
-        line(
-            "S_a",
-            "pseudo-acceleration at T",
-            String::new(),
-            r.acceleration,
-            Acceleration,
-            &self.motion.sloshing_source,
-        );
-        line(
-            "S_v",
-            "pseudo-velocity",
-            "S_a/ω".into(),
-            velocity,
-            Velocity,
-            self.source(),
-        );
-        line(
-            "A_1",
-            "spectral displacement",
-            "S_v/ω".into(),
-            r.displacement,
-            Length,
-            self.source(),
-        );
-        line(
-            "θ_h",
-            "angle of the surface",
-            format!("c_t·A_1/{a}·tanh(x)"),
-            r.angle,
-            Angle,
-            self.source(),
-        );
-        line(
-            "P_k",
-            "convective force",
-            "c_p·m_k·g·θ_h".into(),
-            r.convective_force,
-            Force,
-            self.source(),
-        );
-        line(
-            "h_k",
-            "its lever, wall pressure only",
-            format!("{h}·(1 − (cosh(x) − 1)/(x·sinh(x)))"),
-            r.convective_lever,
-            Length,
-            lever_source,
-        );
-        line(
-            "h_k′",
-            "its lever with base pressure",
-            format!("{h}·(1 − (cosh(x) − 2)/(x·sinh(x)))"),
-            r.convective_lever_with_base,
-            Length,
-            "Housner 1957; constant 2 exact",
-        );
+        let name = "its lever, wall pressure only";
+        let formula = format!("{h}·(1 − (cosh(x) − 1)/(x·sinh(x)))");
+        let lever = self.line("h_k", name, &formula, Length, lever_source);
+        let name = "its lever with base pressure";
+        let formula = format!("{h}·(1 − (cosh(x) − 2)/(x·sinh(x)))");
+        let lever_with_base = self.line("h_k′", name, &formula, Length, "Housner 1957; constant 2 exact");
+        Ok(Convective {
+            x,
+            omega,
+            period,
+            mass,
+            acceleration,
+            displacement,
+            angle,
+            force,
+            lever,
+            lever_with_base,
+        })
     }
 
-    pub(super) fn wave(&self, sheet: &mut Sheet) {
-        let (a, _) = self.symbols();
-        let r = &self.response;
-        let c = self.input.coefficients;
-        let terms = [
-            (a, self.input.half_length, Length),
-            ("g", self.input.gravity, Acceleration),
-            ("x", r.x, Dimensionless),
-            ("ω", r.omega, AngularFrequency),
-            ("θ_h", r.angle, Angle),
-            ("S_a", r.acceleration, Acceleration),
-            ("c_d", c.wave, Dimensionless),
-            ("w", c.wave_linear, Dimensionless),
-        ];
-        sheet.section("Wave at the wall");
-        let linear_source = if self.exact() {
+    fn wave(&mut self) -> Wave {
+        let (a, source, c) = (self.length(), self.source(), self.input.coefficients);
+        self.sheet.section("Wave at the wall");
+        let linear_source = if self.exact {
             "potential flow, first mode"
         } else {
             "c_d·c_t of TID-7024 (1963)"
         };
-        sheet.input("w", "linear wave factor", c.wave_linear, Dimensionless, linear_source);
-        sheet.calc(
-            "d_lin",
-            "linear value",
-            &format!("w·{a}·S_a/g"),
-            &terms,
-            r.wave.linear,
-            Length,
-            linear_source,
-        );
-        if r.wave.ratio.is_finite() {
-            sheet.calc(
-                "κ",
-                "must exceed 1 for the formula to hold",
-                &format!("g/(ω²·θ_h·{a})"),
-                &terms,
-                r.wave.ratio,
-                Dimensionless,
-                self.source(),
-            );
-        }
-        sheet.input("c_d", "wave constant", c.wave, Dimensionless, "TID-7024 (1963) ch. 6");
-        match r.wave.finite {
-            Some(height) => sheet.calc(
-                "d_max",
-                "largest rise, with the finite-angle term",
-                &format!("c_d·{a}/tanh(x)/(g/(ω²·θ_h·{a}) − 1)"),
-                &terms,
-                height,
-                Length,
-                self.source(),
-            ),
-            None => sheet.step(
-                "d_max",
-                "largest rise: sloshing amplitude outside Housner's theory, linear value",
-                "d_lin",
-                "",
-                r.wave.linear,
-                Length,
-                linear_source,
-            ),
+        self.given("w", "linear wave factor", c.wave_linear, Dimensionless, linear_source);
+        let formula = format!("w·{a}·S_a/g");
+        let linear = self.line("d_lin", "linear value", &formula, Length, linear_source);
+        // Without a wave there is no angle, and no limit to it.
+        let moves = self.known.iter().any(|t| t.0 == "θ_h" && t.1 > 0.0);
+        let ratio = if moves {
+            let name = "must exceed 1 for the formula to hold";
+            self.line("κ", name, &format!("g/(ω²·θ_h·{a})"), Dimensionless, source)
+        } else {
+            f64::INFINITY
         };
+        self.given("c_d", "wave constant", c.wave, Dimensionless, PRINTED);
+        let finite = if ratio > 1.0 {
+            let name = "largest rise, with the finite-angle term";
+            let formula = format!("c_d·{a}/tanh(x)/(g/(ω²·θ_h·{a}) − 1)");
+            Some(self.line("d_max", name, &formula, Length, source))
+        } else {
+            let name = "largest rise: sloshing amplitude outside Housner's theory, linear value";
+            self.line("d_max", name, "d_lin", Length, linear_source);
+            None
+        };
+        Wave { ratio, finite, linear }
+    }
+
+    /// Impulsive and convective resultants, and both combined.
+    fn resultants(&mut self) -> ([Resultant; 2], Totals) {
+        let slender = self.slender();
+        let clause = if slender { SLENDER } else { self.source() };
+        let with_base = if slender {
+            "extension: Housner defines no base pressure for slender tanks"
+        } else {
+            "Housner 1963; TID-7024 ch. 6, with base pressure"
+        };
+        let impulsive = |lever: &str| match slender {
+            true => format!("P_i·(H_r + {lever}) + P_r·H_r/2"),
+            false => format!("P_i·{lever}"),
+        };
+        let convective = |lever: &str| match slender {
+            true => format!("P_k·(H_r + {lever})"),
+            false => format!("P_k·{lever}"),
+        };
+        let total = if slender { "P_i + P_r" } else { "P_i" };
+        self.sheet.section("Forces and moments at the base");
+        let q_i = self.line("Q_i", "impulsive base shear", total, Force, clause);
+        let q_k = self.line("Q_k", "convective base shear", "P_k", Force, clause);
+        let shear = self.combined("Q", "base shear", ["Q_i", "Q_k"], Force, clause);
+        let name = "impulsive moment above the base";
+        let m_i = self.line("M_i", name, &impulsive("h_i"), Moment, clause);
+        let name = "convective moment above the base";
+        let m_k = self.line("M_k", name, &convective("h_k"), Moment, clause);
+        let moment = self.combined("M", "moment above the base", ["M_i", "M_k"], Moment, clause);
+        let name = "impulsive moment below the base plate";
+        let m_ib = self.line("M_i′", name, &impulsive("h_i′"), Moment, with_base);
+        let name = "convective moment below the base plate";
+        let m_kb = self.line("M_k′", name, &convective("h_k′"), Moment, with_base);
+        let overturning = self.combined("M′", "overturning moment", ["M_i′", "M_k′"], Moment, with_base);
+        let part = |force, wall_moment, base_moment| Resultant {
+            force,
+            wall_moment,
+            base_moment,
+        };
+        let totals = Totals {
+            shear,
+            moment,
+            overturning,
+        };
+        ([part(q_i, m_i, m_ib), part(q_k, m_k, m_kb)], totals)
+    }
+
+    /// The line that combines an impulsive and a convective part.
+    fn combined(
+        &mut self,
+        symbol: &'static str,
+        name: &str,
+        [i, k]: [&str; 2],
+        dimension: Dimension,
+        clause: &str,
+    ) -> f64 {
+        let (formula, rule) = match self.combination {
+            Combination::Abs => (format!("{i} + {k}"), "sum of absolute values"),
+            Combination::Srss => (format!("√({i}² + {k}²)"), "SRSS"),
+        };
+        self.line(symbol, &format!("{name}, {rule}"), &formula, dimension, clause)
     }
 }

@@ -1,9 +1,9 @@
-//! The two-mass model: pure functions of plain numbers.
-
-use std::f64::consts::PI;
+//! The two-mass model: its input and its values.
 
 use super::coefficients::Coefficients;
-use super::slender;
+use super::lines::{Lines, Ordinate};
+use crate::mechanical::Plan;
+use crate::sheet::Sheet;
 use tank::case::Combination;
 
 /// Spectral input of the sloshing mode: one of two equivalent ordinates.
@@ -28,8 +28,6 @@ pub struct Input {
     pub mass: f64,
     /// Peak ground acceleration a_B [m/s²].
     pub ground_acceleration: f64,
-    /// Spectral ordinate of the sloshing mode.
-    pub spectral: Spectral,
     /// g [m/s²].
     pub gravity: f64,
     /// Constants of the convective part; they also say whether the tank is circular or rectangular.
@@ -67,7 +65,7 @@ pub enum Arms {
 }
 
 /// Forces and moments of one part of the liquid.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Resultant {
     /// Horizontal force [N].
     pub force: f64,
@@ -78,7 +76,7 @@ pub struct Resultant {
 }
 
 /// Highest point of the surface at the wall.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wave {
     /// `g/(ω² θ_h a)`; Housner's formula has a solution if it is above 1.
     pub ratio: f64,
@@ -97,7 +95,7 @@ impl Wave {
 
 /// All values of the model. Levers are heights above the bottom of the part that can slosh, which lies `rigid_depth`
 /// above the tank bottom (0 in a squat tank).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Response {
     /// True for H/a > 1.5.
     pub slender: bool,
@@ -190,96 +188,31 @@ pub const SLENDER_LIMIT: f64 = 1.5;
 /// d_max = c_d a coth(x)/(g/(ω² θ_h a) − 1)
 /// ```
 ///
-/// Slender tanks: [`slender`]. Error: inadmissible numbers.
+/// Slender tanks: [`super::slender`]. The formulas that compute are those of the calculation sheet. Error: inadmissible
+/// numbers.
 ///
 /// Source: Housner 1957, 1963; TID-7024 (1963); dissertation table D.1. `h_i′` and the 2 in `h_k′` re-derived.
 ///
 /// Check: R = 1.83 m, H = 1.525 m, m = 16.3 t, a_B = 0.5 g, S_v = 0.80 m/s, constants of 1957: P_i = 37.28 kN,
 /// P_k = 13.59 kN, d_max = 0.425 m, moment above the base 33.33 kNm.
-pub fn respond(input: &Input) -> Result<Response, InputError> {
-    check(input)?;
-    let Input {
-        half_length: a,
-        gravity: g,
-        coefficients: c,
-        ..
-    } = *input;
-    let split = slender::split(input.depth, a, input.mass);
-    let (h, m) = (split.sloshing_depth, split.sloshing_mass);
-
-    let q = 3.0_f64.sqrt() * a / h;
-    let r = q.tanh() / q;
-    let x = c.frequency * h / a;
-    let omega = c.omega(a, h, g);
-    let displacement = match input.spectral {
-        Spectral::Velocity(s_v) => s_v / omega,
-        Spectral::Displacement(a_1) => a_1,
-        Spectral::Acceleration(s_a) => s_a / (omega * omega),
+pub fn respond(input: &Input, spectral: Spectral) -> Result<Response, InputError> {
+    let mut sheet = Sheet::new();
+    let ordinate = |omega: f64, _: f64| Ordinate {
+        value: match spectral {
+            Spectral::Velocity(s_v) => s_v * omega,
+            Spectral::Displacement(a_1) => omega * omega * a_1,
+            Spectral::Acceleration(s_a) => s_a,
+        },
+        look_up: String::new(),
+        clause: String::new(),
     };
-    let acceleration = omega * omega * displacement;
-    let impulsive_mass = m * r;
-    let convective_mass = m * c.mass * a / h * x.tanh();
-    let angle = c.angle * displacement / a * x.tanh();
-
-    let impulsive_force = input.ground_acceleration * impulsive_mass;
-    let rigid_force = input.ground_acceleration * split.rigid_mass;
-    let convective_force = c.force * convective_mass * g * angle;
-
-    let impulsive_lever = 0.375 * h;
-    let impulsive_lever_with_base = h * (0.5 / r - 0.125);
-    let convective_lever = h * crate::mechanical::convective_lever(x, 1.0);
-    let convective_lever_with_base = h * crate::mechanical::convective_lever(x, 2.0);
-    let raised = split.rigid_depth;
-    let rigid_moment = rigid_force * raised / 2.0;
-
-    Ok(Response {
-        slender: split.rigid_depth > 0.0,
-        sloshing_depth: h,
-        sloshing_mass: m,
-        rigid_depth: raised,
-        rigid_mass: split.rigid_mass,
-        q,
-        r,
-        x,
-        omega,
-        period: 2.0 * PI / omega,
-        impulsive_mass,
-        convective_mass,
-        displacement,
-        acceleration,
-        angle,
-        impulsive_lever,
-        impulsive_lever_with_base,
-        convective_lever,
-        convective_lever_with_base,
-        impulsive_force,
-        rigid_force,
-        convective_force,
-        impulsive: Resultant {
-            force: impulsive_force + rigid_force,
-            wall_moment: impulsive_force * (raised + impulsive_lever) + rigid_moment,
-            base_moment: impulsive_force * (raised + impulsive_lever_with_base) + rigid_moment,
-        },
-        convective: Resultant {
-            force: convective_force,
-            wall_moment: convective_force * (raised + convective_lever),
-            base_moment: convective_force * (raised + convective_lever_with_base),
-        },
-        wave: wave(&c, a, g, x, omega, angle, acceleration),
-    })
+    Ok(Lines::new(input, Plan::Circle, Combination::Abs, &mut sheet)
+        .respond("", ordinate)?
+        .0)
 }
 
-/// Wave height at the wall. With `ω² a/g = k tanh x` the finite-angle formula is `(c_d k a θ_h)/(1 − ω² θ_h a/g)`.
-fn wave(c: &Coefficients, a: f64, g: f64, x: f64, omega: f64, angle: f64, acceleration: f64) -> Wave {
-    let ratio = g / (omega * omega * angle * a);
-    Wave {
-        ratio,
-        finite: (ratio > 1.0).then(|| c.wave * a / x.tanh() / (ratio - 1.0)),
-        linear: c.wave_linear * a * acceleration / g,
-    }
-}
-
-fn check(input: &Input) -> Result<(), InputError> {
+/// Whether the tank and its motion can be computed with.
+pub(super) fn check(input: &Input) -> Result<(), InputError> {
     for (what, value) in [
         ("the radius or half length", input.half_length),
         ("the liquid depth", input.depth),
@@ -290,15 +223,14 @@ fn check(input: &Input) -> Result<(), InputError> {
             return Err(InputError::NotPositive { what, value });
         }
     }
-    let spectral = match input.spectral {
-        Spectral::Velocity(v) => ("the spectral velocity", v),
-        Spectral::Displacement(v) => ("the spectral displacement", v),
-        Spectral::Acceleration(v) => ("the spectral acceleration", v),
-    };
-    for (what, value) in [("the peak ground acceleration", input.ground_acceleration), spectral] {
-        if !(value >= 0.0 && value.is_finite()) {
-            return Err(InputError::Negative { what, value });
-        }
+    not_negative("the peak ground acceleration", input.ground_acceleration)
+}
+
+/// Whether an acceleration is zero or positive and finite.
+pub(super) fn not_negative(what: &'static str, value: f64) -> Result<(), InputError> {
+    if value >= 0.0 && value.is_finite() {
+        Ok(())
+    } else {
+        Err(InputError::Negative { what, value })
     }
-    Ok(())
 }

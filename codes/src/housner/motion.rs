@@ -1,8 +1,10 @@
 //! What shakes the tank: peak ground acceleration and the spectral ordinate of the sloshing mode.
 
+use super::lines::Ordinate;
 use crate::api650::ground_motion::DesignSpectrum;
 use crate::ec8::spectrum::ElasticSpectrum;
 use crate::procedure::CodeError;
+use oscillator::record::Record;
 use oscillator::spectrum;
 use tank::STANDARD_GRAVITY;
 use tank::assessment::{Excitation, NotApplicable};
@@ -15,18 +17,25 @@ pub const SOURCE: &str = "Housner 1957; TID-7024 (1963) ch. 6";
 const API_SLOSHING_FACTOR: f64 = 1.5;
 
 /// Ground motion as Housner's procedure uses it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Motion {
+#[derive(Clone, Debug)]
+pub struct Motion<'a> {
+    spectrum: Spectrum<'a>,
+    /// Damping ratio of the sloshing mode.
+    damping: f64,
     /// Peak ground acceleration a_B [m/s²].
     pub ground: f64,
-    /// Pseudo-acceleration S_a of the sloshing mode [m/s²].
-    pub sloshing: f64,
     /// Where a_B comes from, for the sheet.
     pub ground_source: String,
-    /// Where S_a comes from, for the sheet.
-    pub sloshing_source: String,
     /// What was assumed, one sentence.
     pub assumption: String,
+}
+
+/// What gives the ordinate of the sloshing mode.
+#[derive(Clone, Debug)]
+enum Spectrum<'a> {
+    Record(&'a Record),
+    Ec8(ElasticSpectrum),
+    Asce7(DesignSpectrum),
 }
 
 /// Whether the case has what the excitation needs.
@@ -44,56 +53,80 @@ pub fn available(case: &Case, excitation: Excitation) -> Result<(), NotApplicabl
     })
 }
 
-/// The motion of a case at the sloshing period [s]. Housner's procedure has no design spectrum of its own: under the
-/// site's excitation it takes the elastic spectrum of EN 1998-1 where `site.ec8` is given, else that of ASCE 7.
-pub fn motion(case: &Case, excitation: Excitation, period: f64) -> Result<Motion, CodeError> {
-    available(case, excitation)?;
-    let damping = case.damping.sloshing;
-    let percent = 100.0 * damping;
-    if let (Excitation::Record, Some(ground)) = (excitation, &case.ground_motion) {
-        let record = &ground.horizontal;
-        return Ok(Motion {
-            ground: record.pga(),
-            sloshing: spectrum::ordinates(record, period, damping).psa,
-            ground_source: format!("record `{}`", record.name),
-            sloshing_source: format!("spectrum of the record, {percent} % damping"),
-            assumption: format!(
-                "Peak ground acceleration and spectral ordinate are those of the record `{}` at {percent} % damping.",
-                record.name
-            ),
-        });
-    }
-    if let Some(site) = &case.site.ec8 {
-        let elastic = ElasticSpectrum::new(site)?;
-        let (sloshing, branch) = elastic.horizontal_with_branch(period, damping);
-        return Ok(Motion {
-            ground: elastic.peak(),
-            sloshing,
-            ground_source: "EN 1998-1:2004 3.2.2.2, S_e(0) = a_g·S".into(),
-            sloshing_source: format!("EN 1998-1:2004 3.2.2.2, {percent} % damping, {}", branch.describe()),
-            assumption: format!(
-                "Housner gives no design spectrum: the elastic spectrum of EN 1998-1 at {percent} % damping is used \
-                 (behaviour factor 1), with its value at T = 0 as ground acceleration."
-            ),
-        });
-    }
-    match &case.site.api650 {
-        Some(site) => {
-            let design = DesignSpectrum::new(site)?;
-            Ok(Motion {
-                ground: design.acceleration(0.0) * STANDARD_GRAVITY,
-                sloshing: API_SLOSHING_FACTOR * design.acceleration(period) * STANDARD_GRAVITY,
-                ground_source: "ASCE 7 11.4.5, S_a(0) = 0.4 S_DS".into(),
-                sloshing_source: "ASCE 7 11.4.5 times 1.5 for 0.5 % damping (API 650 E.4.6.1)".into(),
-                assumption: "Housner gives no design spectrum: the elastic design spectrum of ASCE 7 is used, without \
-                             response modification; times 1.5 for the sloshing mode (0.5 % damping, API 650 E.4.6.1), \
-                             with its value at T = 0 as ground acceleration."
-                    .into(),
-            })
+impl<'a> Motion<'a> {
+    /// The motion of a case. Housner's procedure has no design spectrum of its own: under the site's excitation it takes
+    /// the elastic spectrum of EN 1998-1 where `site.ec8` is given, else that of ASCE 7.
+    pub fn new(case: &'a Case, excitation: Excitation) -> Result<Motion<'a>, CodeError> {
+        available(case, excitation)?;
+        let damping = case.damping.sloshing;
+        let percent = 100.0 * damping;
+        if let (Excitation::Record, Some(ground)) = (excitation, &case.ground_motion) {
+            let record = &ground.horizontal;
+            return Ok(Motion {
+                ground: record.pga(),
+                ground_source: format!("record `{}`", record.name),
+                assumption: format!(
+                    "Peak ground acceleration and spectral ordinate are those of the record `{}` at {percent} % damping.",
+                    record.name
+                ),
+                spectrum: Spectrum::Record(record),
+                damping,
+            });
         }
-        None => Err(CodeError::Data {
-            clause: SOURCE.into(),
-            reason: "no site data".into(),
-        }),
+        if let Some(site) = &case.site.ec8 {
+            let elastic = ElasticSpectrum::new(site)?;
+            return Ok(Motion {
+                ground: elastic.peak(),
+                ground_source: "EN 1998-1:2004 3.2.2.2, S_e(0) = a_g·S".into(),
+                assumption: format!(
+                    "Housner gives no design spectrum: the elastic spectrum of EN 1998-1 at {percent} % damping is used \
+                     (behaviour factor 1), with its value at T = 0 as ground acceleration."
+                ),
+                spectrum: Spectrum::Ec8(elastic),
+                damping,
+            });
+        }
+        let Some(site) = &case.site.api650 else {
+            return Err(CodeError::Data {
+                clause: SOURCE.into(),
+                reason: "no site data".into(),
+            });
+        };
+        let design = DesignSpectrum::new(site)?;
+        Ok(Motion {
+            ground: design.acceleration(0.0) * STANDARD_GRAVITY,
+            ground_source: "ASCE 7 11.4.5, S_a(0) = 0.4 S_DS".into(),
+            assumption: "Housner gives no design spectrum: the elastic design spectrum of ASCE 7 is used, without response \
+                         modification; times 1.5 for the sloshing mode (0.5 % damping, API 650 E.4.6.1), with its value at \
+                         T = 0 as ground acceleration."
+                .into(),
+            spectrum: Spectrum::Asce7(design),
+            damping,
+        })
+    }
+
+    /// Pseudo-acceleration of the sloshing mode at its period [s].
+    pub(super) fn sloshing(&self, period: f64) -> Ordinate {
+        let percent = 100.0 * self.damping;
+        match &self.spectrum {
+            Spectrum::Record(record) => Ordinate {
+                value: spectrum::ordinates(record, period, self.damping).psa,
+                look_up: "spectrum of the record at T".into(),
+                clause: format!("spectrum of the record, {percent} % damping"),
+            },
+            Spectrum::Ec8(elastic) => {
+                let (value, branch) = elastic.horizontal_with_branch(period, self.damping);
+                Ordinate {
+                    value,
+                    look_up: "elastic spectrum of the site at T".into(),
+                    clause: format!("EN 1998-1:2004 3.2.2.2, {percent} % damping, {}", branch.describe()),
+                }
+            }
+            Spectrum::Asce7(design) => Ordinate {
+                value: API_SLOSHING_FACTOR * design.acceleration(period) * STANDARD_GRAVITY,
+                look_up: "1.5 times the design spectrum of the site at T".into(),
+                clause: "ASCE 7 11.4.5 times 1.5 for 0.5 % damping (API 650 E.4.6.1)".into(),
+            },
+        }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! H_b = 1.5 a     m_b = m H_b/H     upper part: the formulas of squat tanks with H → H_b, m → m_b
-//! H_r = H − H_b   m_r = m − m_b     P_r = a_B m_r, at H_r/2
+//! H_r = H − H_b   m_r = m H_r/H     P_r = a_B m_r, at H_r/2
 //! M   = P_i (H_r + h_i) + P_r H_r/2 + P_k (H_r + h_k)
 //! ```
 //!
@@ -12,11 +12,13 @@
 //!
 //! Source: TID-7024 (1963) as used in the dissertation's example 8.3; formulas re-derived.
 
+use super::lines::{Lines, SLENDER};
 use super::model::SLENDER_LIMIT;
+use tank::units::Dimension::{Length, Mass};
 
 /// The two parts of the liquid.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Split {
+pub(super) struct Split {
     /// H_b = min(H, 1.5 a) [m].
     pub sloshing_depth: f64,
     /// m_b [kg].
@@ -27,17 +29,25 @@ pub struct Split {
     pub rigid_mass: f64,
 }
 
-/// Splits the liquid into the part that can slosh and the constrained part below; the latter vanishes for H/a ≤ 1.5.
-///
-/// * `depth`: H [m]; `half_length`: a [m]; `mass`: m [kg]
-pub fn split(depth: f64, half_length: f64, mass: f64) -> Split {
-    let sloshing_depth = depth.min(SLENDER_LIMIT * half_length);
-    let rigid_depth = depth - sloshing_depth;
-    // Both by proportion: a difference of masses could round to a negative one.
-    Split {
-        sloshing_depth,
-        sloshing_mass: mass * sloshing_depth / depth,
-        rigid_depth,
-        rigid_mass: mass * rigid_depth / depth,
+impl Lines<'_> {
+    /// Splits the liquid into the part that can slosh and the constrained part below, with its lines; the latter vanishes
+    /// for H/a ≤ 1.5.
+    pub(super) fn split(&mut self) -> Split {
+        if !self.slender() {
+            return Split {
+                sloshing_depth: self.input.depth,
+                sloshing_mass: self.input.mass,
+                rigid_depth: 0.0,
+                rigid_mass: 0.0,
+            };
+        }
+        let depth = format!("{SLENDER_LIMIT}·{}", self.length());
+        Split {
+            sloshing_depth: self.line("H_b", "depth that can slosh", &depth, Length, SLENDER),
+            sloshing_mass: self.line("m_b", "its mass", "m·H_b/H", Mass, SLENDER),
+            rigid_depth: self.line("H_r", "constrained depth below", "H − H_b", Length, SLENDER),
+            // By proportion: the difference m − m_b could round to a negative mass.
+            rigid_mass: self.line("m_r", "its mass, moves as a solid", "m·H_r/H", Mass, SLENDER),
+        }
     }
 }

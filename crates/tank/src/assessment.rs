@@ -19,7 +19,8 @@ pub enum Excitation {
     Site,
 }
 
-/// One line of a calculation sheet: symbol = formula = numbers = value, with its clause.
+/// One line of a calculation sheet, with its clause: a formula (symbol = formula = numbers = value), a look-up, or an
+/// input, which has neither.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Step {
     /// Heading of the line ("Convective part").
@@ -28,16 +29,35 @@ pub struct Step {
     pub symbol: String,
     /// What it is, in words.
     pub name: String,
-    /// Formula in symbols, empty for an input.
+    /// Formula in symbols, of which the value was computed; empty otherwise.
     pub formula: String,
-    /// Formula with the numbers put in, empty for an input.
+    /// Formula with the numbers put in, empty without one.
     pub substitution: String,
+    /// Table, figure, spectrum, series, iteration or integral that gave the value, in words; empty otherwise.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub look_up: String,
     /// Value in SI.
     pub value: f64,
     /// Dimension of the value.
     pub dimension: Dimension,
     /// Clause and edition ("EN 1998-4:2006 A.2.1.3").
     pub clause: String,
+}
+
+impl Default for Step {
+    fn default() -> Step {
+        Step {
+            section: String::new(),
+            symbol: String::new(),
+            name: String::new(),
+            formula: String::new(),
+            substitution: String::new(),
+            look_up: String::new(),
+            value: 0.0,
+            dimension: Dimension::Dimensionless,
+            clause: String::new(),
+        }
+    }
 }
 
 /// A demand compared with a capacity.

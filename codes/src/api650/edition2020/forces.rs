@@ -1,9 +1,11 @@
 //! Base shear, moments and sloshing wave (E.6.1, E.7.2).
 
+use crate::sheet::{Sheet, Term};
 use tank::assessment::Excitation;
 use tank::units::Dimension::{Dimensionless, Force, Length, Moment};
 
 use super::super::ground_motion::DesignSpectrum;
+use super::super::masses::{ARGUMENT, charts};
 use super::Run;
 use super::accelerations::Accelerations;
 
@@ -14,258 +16,81 @@ const E6_1_2_2: &str = "API 650:2020 E.6.1.2.2";
 const E6_1_5: &str = "API 650:2020 E.6.1.5";
 const E7_2: &str = "API 650:2020 E.7.2";
 
-/// Weights [N] and heights [m] that the accelerations act on.
+/// Base shear [N], moments [N·m] and the liquid's weights [N].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Weights {
-    /// Shell: weight and height of its centre.
-    pub shell: (f64, f64),
-    /// Roof: weight and height.
-    pub roof: (f64, f64),
-    /// Floor: weight.
-    pub floor: f64,
-    /// Impulsive liquid: weight, heights without and with base pressure.
-    pub impulsive: (f64, f64, f64),
-    /// Convective liquid: weight, heights without and with base pressure.
-    pub convective: (f64, f64, f64),
-}
-
-/// Base shear [N] and moments [N·m] with their impulsive and convective parts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(missing_docs)]
-pub struct Forces {
-    pub v_i: f64,
-    pub v_c: f64,
+pub(super) struct Forces {
+    /// Base shear V.
     pub v: f64,
-    pub m_rw_i: f64,
-    pub m_rw_c: f64,
+    /// Ringwall moment M_rw.
     pub m_rw: f64,
-    pub m_s_i: f64,
-    pub m_s_c: f64,
+    /// Slab moment M_s.
     pub m_s: f64,
-}
-
-impl Weights {
-    /// Base shear and moments for accelerations in g (E.6.1, E.6.1.5).
-    pub fn forces(&self, a_i: f64, a_c: f64) -> Forces {
-        let Weights {
-            shell,
-            roof,
-            floor,
-            impulsive,
-            convective,
-        } = *self;
-        let solid = shell.0 * shell.1 + roof.0 * roof.1;
-        let (v_i, v_c) = (a_i * (shell.0 + roof.0 + floor + impulsive.0), a_c * convective.0);
-        let (m_rw_i, m_rw_c) = (
-            a_i * (impulsive.0 * impulsive.1 + solid),
-            a_c * convective.0 * convective.1,
-        );
-        let (m_s_i, m_s_c) = (
-            a_i * (impulsive.0 * impulsive.2 + solid),
-            a_c * convective.0 * convective.2,
-        );
-        Forces {
-            v_i,
-            v_c,
-            v: v_i.hypot(v_c),
-            m_rw_i,
-            m_rw_c,
-            m_rw: m_rw_i.hypot(m_rw_c),
-            m_s_i,
-            m_s_c,
-            m_s: m_s_i.hypot(m_s_c),
-        }
-    }
+    /// Impulsive weight W_i.
+    pub w_i: f64,
+    /// Convective weight W_c.
+    pub w_c: f64,
 }
 
 impl Run<'_> {
     /// Weights, base shear and moments with their lines.
     pub(super) fn forces(&mut self, a: &Accelerations) -> Forces {
         let b = self.basis;
-        let (d, h, m) = (b.d, b.h, b.masses);
-        let x_r = b.case.tank.roof_height();
-        let floor = b.w_f;
         self.out.assumptions.push(match &b.case.tank.bottom {
             Some(_) => "The whole floor has the thickness of the bottom plate under the shell.".into(),
             None => "The floor's weight is left out of the base shear: `tank.bottom` is missing.".to_string(),
         });
-        let weights = Weights {
-            shell: (b.w_s, b.x_s),
-            roof: (b.w_r, x_r),
-            floor,
-            impulsive: (m.w_i * b.w_p, m.x_i * h, m.x_is * h),
-            convective: (m.w_c * b.w_p, m.x_c * h, m.x_cs * h),
-        };
-        let f = weights.forces(a.a_i, a.a_c);
-        let squat = b.squat();
         let sheet = &mut self.sheet;
-        sheet.section("Effective masses");
-        let terms = [("D", d, Length), ("H", h, Length), ("W_p", b.w_p, Force)];
-        let w_i = if squat {
-            "W_p·tanh(0.866·D/H)/(0.866·D/H)"
-        } else {
-            "W_p·(1 - 0.218·D/H)"
-        };
-        let x_i = if squat { "0.375·H" } else { "(0.5 - 0.094·D/H)·H" };
-        let x_is = if squat {
-            "0.375·(1 + 1.333·(0.866·D/H/tanh(0.866·D/H) - 1))·H"
-        } else {
-            "(0.5 + 0.06·D/H)·H"
-        };
-        sheet.calc(
-            "W_i",
-            "impulsive weight",
-            w_i,
-            &terms,
-            weights.impulsive.0,
-            Force,
-            E6_1_1,
-        );
-        let w_c = "W_p·0.23·D/H·tanh(3.67·H/D)";
-        sheet.calc(
-            "W_c",
-            "convective weight",
-            w_c,
-            &terms,
-            weights.convective.0,
-            Force,
-            E6_1_1,
-        );
-        sheet.calc(
-            "X_i",
-            "height of the impulsive force, ringwall",
-            x_i,
-            &terms,
-            weights.impulsive.1,
-            Length,
-            E6_1_2_1,
-        );
-        let u = sheet.calc(
-            "u",
-            "argument of the sloshing mode",
-            "3.67·H/D",
-            &terms,
-            3.67 * h / d,
-            Dimensionless,
-            E6_1_2_1,
-        );
-        let arm = [("u", u, Dimensionless), ("H", h, Length)];
-        let x_c = "H·(1 - (cosh(u) - 1)/(u·sinh(u)))";
-        sheet.calc(
-            "X_c",
-            "height of the convective force, ringwall",
-            x_c,
-            &arm,
-            weights.convective.1,
-            Length,
-            E6_1_2_1,
-        );
-        sheet.calc(
-            "X_is",
-            "height of the impulsive force, slab",
-            x_is,
-            &terms,
-            weights.impulsive.2,
-            Length,
-            E6_1_2_2,
-        );
-        let x_cs = "H·(1 - (cosh(u) - 1.937)/(u·sinh(u)))";
-        sheet.calc(
-            "X_cs",
-            "height of the convective force, slab",
-            x_cs,
-            &arm,
-            weights.convective.2,
-            Length,
-            E6_1_2_2,
-        );
-        sheet.input("W_f", "weight of the floor", floor, Force, "tank.bottom");
-
-        sheet.section("Base shear and moments");
-        let terms = [
+        let mut terms: Vec<Term> = vec![
+            ("D", b.d, Length),
+            ("H", b.h, Length),
+            ("W_p", b.w_p, Force),
             ("A_i", a.a_i, Dimensionless),
             ("A_c", a.a_c, Dimensionless),
             ("W_s", b.w_s, Force),
             ("W_r", b.w_r, Force),
-            ("W_f", floor, Force),
-            ("W_i", weights.impulsive.0, Force),
-            ("W_c", weights.convective.0, Force),
+            ("W_f", b.w_f, Force),
             ("X_s", b.x_s, Length),
-            ("X_r", x_r, Length),
-            ("X_i", weights.impulsive.1, Length),
-            ("X_c", weights.convective.1, Length),
-            ("X_is", weights.impulsive.2, Length),
-            ("X_cs", weights.convective.2, Length),
-            ("V_i", f.v_i, Force),
-            ("V_c", f.v_c, Force),
-            ("M_rwi", f.m_rw_i, Moment),
-            ("M_rwc", f.m_rw_c, Moment),
-            ("M_si", f.m_s_i, Moment),
-            ("M_sc", f.m_s_c, Moment),
+            ("X_r", b.case.tank.roof_height(), Length),
         ];
-        for (symbol, name, formula, value, dimension, clause) in [
-            (
-                "V_i",
-                "impulsive base shear",
-                "A_i·(W_s + W_r + W_f + W_i)",
-                f.v_i,
-                Force,
-                E6_1,
-            ),
-            ("V_c", "convective base shear", "A_c·W_c", f.v_c, Force, E6_1),
-            ("V", "base shear", "√(V_i² + V_c²)", f.v, Force, E6_1),
-            (
-                "M_rwi",
-                "impulsive ringwall moment",
-                "A_i·(W_i·X_i + W_s·X_s + W_r·X_r)",
-                f.m_rw_i,
-                Moment,
-                E6_1_5,
-            ),
-            (
-                "M_rwc",
-                "convective ringwall moment",
-                "A_c·W_c·X_c",
-                f.m_rw_c,
-                Moment,
-                E6_1_5,
-            ),
-            (
-                "M_rw",
-                "ringwall moment, just above the bottom",
-                "√(M_rwi² + M_rwc²)",
-                f.m_rw,
-                Moment,
-                E6_1_5,
-            ),
-            (
-                "M_si",
-                "impulsive slab moment",
-                "A_i·(W_i·X_is + W_s·X_s + W_r·X_r)",
-                f.m_s_i,
-                Moment,
-                E6_1_5,
-            ),
-            (
-                "M_sc",
-                "convective slab moment",
-                "A_c·W_c·X_cs",
-                f.m_s_c,
-                Moment,
-                E6_1_5,
-            ),
-            (
-                "M_s",
-                "slab moment, with base pressure",
-                "√(M_si² + M_sc²)",
-                f.m_s,
-                Moment,
-                E6_1_5,
-            ),
-        ] {
-            sheet.calc(symbol, name, formula, &terms, value, dimension, clause);
-        }
-        f
+        sheet.section("Effective masses");
+        let mut line = |sheet: &mut Sheet, symbol: &'static str, name: &str, formula: &str, dimension, clause: &str| {
+            let value = sheet.calc(symbol, name, formula, &terms, dimension, clause);
+            terms.push((symbol, value, dimension));
+            value
+        };
+        let charts = charts(b.d / b.h);
+        let w_i = line(sheet, "W_i", "impulsive weight", charts.w_i, Force, E6_1_1);
+        let w_c = line(sheet, "W_c", "convective weight", charts.w_c, Force, E6_1_1);
+        let name = "height of the impulsive force, ringwall";
+        line(sheet, "X_i", name, charts.x_i, Length, E6_1_2_1);
+        let name = "argument of the sloshing mode";
+        line(sheet, "u", name, ARGUMENT, Dimensionless, E6_1_2_1);
+        let name = "height of the convective force, ringwall";
+        line(sheet, "X_c", name, charts.x_c, Length, E6_1_2_1);
+        let name = "height of the impulsive force, slab";
+        line(sheet, "X_is", name, charts.x_is, Length, E6_1_2_2);
+        let name = "height of the convective force, slab";
+        line(sheet, "X_cs", name, charts.x_cs, Length, E6_1_2_2);
+        sheet.input("W_f", "weight of the floor", b.w_f, Force, "tank.bottom");
+
+        sheet.section("Base shear and moments");
+        let formula = "A_i·(W_s + W_r + W_f + W_i)";
+        line(sheet, "V_i", "impulsive base shear", formula, Force, E6_1);
+        line(sheet, "V_c", "convective base shear", "A_c·W_c", Force, E6_1);
+        let v = line(sheet, "V", "base shear", "√(V_i² + V_c²)", Force, E6_1);
+        let formula = "A_i·(W_i·X_i + W_s·X_s + W_r·X_r)";
+        line(sheet, "M_rwi", "impulsive ringwall moment", formula, Moment, E6_1_5);
+        let formula = "A_c·W_c·X_c";
+        line(sheet, "M_rwc", "convective ringwall moment", formula, Moment, E6_1_5);
+        let (name, formula) = ("ringwall moment, just above the bottom", "√(M_rwi² + M_rwc²)");
+        let m_rw = line(sheet, "M_rw", name, formula, Moment, E6_1_5);
+        let formula = "A_i·(W_i·X_is + W_s·X_s + W_r·X_r)";
+        line(sheet, "M_si", "impulsive slab moment", formula, Moment, E6_1_5);
+        let formula = "A_c·W_c·X_cs";
+        line(sheet, "M_sc", "convective slab moment", formula, Moment, E6_1_5);
+        let (name, formula) = ("slab moment, with base pressure", "√(M_si² + M_sc²)");
+        let m_s = line(sheet, "M_s", name, formula, Moment, E6_1_5);
+        Forces { v, m_rw, m_s, w_i, w_c }
     }
 
     /// Height of the sloshing wave [m] with its line, and the freeboard.
@@ -273,15 +98,9 @@ impl Run<'_> {
         let d = self.basis.d;
         self.sheet.section("Sloshing wave");
         let terms = [("D", d, Length), ("A_f", a.a_f, Dimensionless)];
-        let delta = self.sheet.calc(
-            "δ_s",
-            "height of the sloshing wave",
-            "0.42·D·A_f",
-            &terms,
-            0.42 * d * a.a_f,
-            Length,
-            E7_2,
-        );
+        let delta = self
+            .sheet
+            .calc("δ_s", "height of the sloshing wave", "0.42·D·A_f", &terms, Length, E7_2);
         let freeboard = self.basis.case.freeboard();
         let metres = |x| crate::sheet::with_unit(x, Length);
         let (Excitation::Site, Some(site)) = (self.excitation, self.site) else {

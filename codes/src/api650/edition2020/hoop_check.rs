@@ -1,6 +1,6 @@
 //! Hoop stresses over the height and their check (E.6.1.4, E.6.2.4).
 
-use crate::sheet::with_unit;
+use crate::sheet::{Term, with_unit};
 use tank::assessment::Profile;
 use tank::units::Dimension::{Dimensionless, Length, LineForce, Stress};
 
@@ -145,19 +145,6 @@ impl Run<'_> {
     fn hoop_lines(&mut self, s: &Station, a: &Accelerations, symbol: &str, name: &str, total: bool) -> f64 {
         let b = self.basis;
         let (d, h, y) = (b.d, b.h, b.h - s.z);
-        let terms = [
-            ("A_i", a.a_i, Dimensionless),
-            ("A_c", a.a_c, Dimensionless),
-            ("A_v", a.a_v, Dimensionless),
-            ("G", b.g, Dimensionless),
-            ("D", d, Length),
-            ("H", h, Length),
-            ("Y", y, Length),
-            ("N_h", s.n.hydrostatic, LineForce),
-            ("N_i", s.n.impulsive, LineForce),
-            ("N_c", s.n.convective, LineForce),
-            ("t", s.t, Length),
-        ];
         let n_i = if b.squat() {
             "8480·A_i·G·D·H·(Y/H - 0.5·(Y/H)²)·tanh(0.866·D/H)"
         } else if y < 0.75 * d {
@@ -165,8 +152,12 @@ impl Run<'_> {
         } else {
             "2600·A_i·G·D²"
         };
-        let n_c = "1850·A_c·G·D²·cosh(3.68·(H - Y)/D)/cosh(3.68·H/D)";
-        let stress = if total { s.total() } else { s.dynamic() };
+        let n_c = if 3.68 * h / d < 300.0 {
+            "1850·A_c·G·D²·cosh(3.68·(H - Y)/D)/cosh(3.68·H/D)"
+        } else {
+            // The same to the last digit, where cosh(3.68 H/D) would overflow.
+            "1850·A_c·G·D²·exp(-3.68·Y/D)·(1 + exp(-7.36·(H - Y)/D))"
+        };
         let formula = match (total, a.a_v > 0.0) {
             (true, true) => "(N_h + √(N_i² + N_c² + (A_v·N_h/2.5)²))/t",
             (true, false) => "(N_h + √(N_i² + N_c²))/t",
@@ -174,43 +165,28 @@ impl Run<'_> {
             (false, false) => "√(N_i² + N_c²)/t",
         };
         let sheet = &mut self.sheet;
-        sheet.input(
-            "Y",
-            &format!("depth below the surface of the {name}"),
-            y,
-            Length,
-            E6_1_4,
-        );
+        let depth = format!("depth below the surface of the {name}");
+        sheet.input("Y", &depth, y, Length, E6_1_4);
         sheet.input("t", "thickness there", s.t, Length, "tank.courses");
+        let mut terms: Vec<Term> = vec![
+            ("A_i", a.a_i, Dimensionless),
+            ("A_c", a.a_c, Dimensionless),
+            ("A_v", a.a_v, Dimensionless),
+            ("G", b.g, Dimensionless),
+            ("D", d, Length),
+            ("H", h, Length),
+            ("Y", y, Length),
+            ("t", s.t, Length),
+        ];
+        let mut force = |symbol: &'static str, name: &str, formula: &str| {
+            let value = sheet.calc(symbol, name, formula, &terms, LineForce, E6_1_4);
+            terms.push((symbol, value, LineForce));
+        };
         if total || a.a_v > 0.0 {
-            sheet.calc(
-                "N_h",
-                "hydrostatic hoop force",
-                "4900·G·Y·D",
-                &terms,
-                s.n.hydrostatic,
-                LineForce,
-                E6_1_4,
-            );
+            force("N_h", "hydrostatic hoop force", "4900·G·Y·D");
         }
-        sheet.calc(
-            "N_i",
-            "impulsive hoop force",
-            n_i,
-            &terms,
-            s.n.impulsive,
-            LineForce,
-            E6_1_4,
-        );
-        sheet.calc(
-            "N_c",
-            "convective hoop force",
-            n_c,
-            &terms,
-            s.n.convective,
-            LineForce,
-            E6_1_4,
-        );
-        sheet.calc(symbol, name, formula, &terms, stress, Stress, E6_1_4)
+        force("N_i", "impulsive hoop force", n_i);
+        force("N_c", "convective hoop force", n_c);
+        sheet.calc(symbol, name, formula, &terms, Stress, E6_1_4)
     }
 }

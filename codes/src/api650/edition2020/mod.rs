@@ -150,8 +150,8 @@ impl Procedure for Api6502020 {
         values.extend([
             (Quantity::SloshingPeriod, periods.convective),
             (Quantity::SloshingHeight, delta),
-            (Quantity::ImpulsiveMass, basis.masses.w_i * basis.w_p / g),
-            (Quantity::ConvectiveMass, basis.masses.w_c * basis.w_p / g),
+            (Quantity::ImpulsiveMass, forces.w_i / g),
+            (Quantity::ConvectiveMass, forces.w_c / g),
             (Quantity::BaseShear, forces.v),
             (Quantity::BaseMoment, forces.m_rw),
             (Quantity::OverturningMoment, forces.m_s),
@@ -166,7 +166,7 @@ impl Procedure for Api6502020 {
                 "The annex sizes tanks for forces reduced by R_w; its checks are made under `site` only, with those forces.".into(),
             );
         }
-        run.out.steps = run.sheet.into_steps();
+        run.out.steps = run.sheet.into_steps()?;
         Ok(run.out)
     }
 }

@@ -1,6 +1,7 @@
 use super::*;
 use crate::mechanical::{ImpulsiveField, Plan, impulsive};
 use tank::Material;
+use tank::formula::evaluate;
 
 const E: f64 = 210e9;
 
@@ -111,7 +112,15 @@ fn period_formula_is_near_the_shell() {
         (3.0, 7.18),
     ] {
         // C = 2/(g √γ); half the last printed digit.
-        let period = period_formula(10.0, 10.0 * slenderness, 1000.0, E, 0.01);
+        let g = evaluate(COEFFICIENT, &[("γ", slenderness)]);
+        let wall = [
+            ("R", 10.0),
+            ("ρ", 1000.0),
+            ("H", 10.0 * slenderness),
+            ("E", E),
+            ("s_⅓", 0.01),
+        ];
+        let period = evaluate(PERIOD, &[&wall[..], &[("g_γ", g)]].concat());
         assert!(
             (coefficient(period, slenderness) - c).abs() <= 0.0051,
             "{} {c}",

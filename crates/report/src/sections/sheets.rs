@@ -1,4 +1,4 @@
-//! Calculation sheets: symbol = formula = numbers = value, unit, clause. The sheet of a procedure on the spectrum of the
+//! Calculation sheets: symbol = formula = numbers = value, or symbol from table = value; unit, clause. The sheet of a procedure on the spectrum of the
 //! site shows only the lines that differ from its sheet on the record.
 
 use serde::Serialize;
@@ -38,6 +38,8 @@ struct LineView {
     symbol: String,
     formula: String,
     substitution: String,
+    /// What a value without formula is read from, as HTML.
+    look_up: String,
     value: String,
     unit: &'static str,
     clause: String,
@@ -112,6 +114,11 @@ fn sheet(method: &Method, base: Option<&Method>) -> Sheet {
                 symbol: math::symbol(&step.symbol),
                 formula: set(formula),
                 substitution: set(substitution),
+                look_up: if step.look_up.is_empty() {
+                    String::new()
+                } else {
+                    math::words(&step.look_up)
+                },
                 value,
                 unit,
                 clause: step.clause.clone(),
