@@ -81,9 +81,6 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         run.as_ref()
             .map_or(Ok(()), |run| finite::check_series(id, &run.series))?;
     }
-    if let (Some(missing), Some(first)) = (&second.missing, &mut simulation) {
-        first.notes.push(format!("Missing in this report: {missing}."));
-    }
     let snapshots = [&mut second.run, &mut simulation]
         .into_iter()
         .flatten()
@@ -110,7 +107,7 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     if let Some(solid) = &fe_solid {
         context.solid_mesh_error = solid.mesh_error.clone();
     }
-    context.nonlinear = second::happened(fe.as_ref(), fe_nonlinear.as_ref());
+    context.nonlinear = second::happened(job, fe_nonlinear.as_ref());
     if let Some(layered) = job.case.tank.courses.iter().find_map(Course::layer_assumption) {
         // The nonlinear engine models the layers.
         let computed = methods
@@ -120,20 +117,19 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     }
     methods.extend(measured(job));
     let mut comparison = compare::compare(&methods, &context, job.case.published.clone());
-    let mut warnings = job.warnings.clone();
     for (id, run) in [
         (compare::FE, &fe),
         (compare::FE_SOLID, &fe_solid),
         (FE_NONLINEAR, &fe_nonlinear),
     ] {
         if let Some(run) = run {
-            warnings.extend(comparison.mark_unusable(&methods, id, &run.mesh_error));
+            comparison.mark_unusable(&methods, id, &run.mesh_error);
         }
     }
     let mut verdict: Verdict = compare::verdict(&methods);
-    verdict.reason = second::incomplete(second.missing, fe_nonlinear.as_ref());
+    verdict.cause = second::incomplete(second.missing, fe_nonlinear.as_ref());
     let mut runs = fe.iter().chain(&fe_solid).chain(&fe_nonlinear);
-    verdict.incomplete = !verdict.reason.is_empty() || runs.any(|fe| fe.incomplete);
+    verdict.incomplete = verdict.cause.is_some() || runs.any(|fe| fe.incomplete);
     verdict.holds &= !verdict.incomplete;
     let results = Results {
         format: FORMAT.into(),
@@ -164,7 +160,7 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         fe_nonlinear,
         comparison,
         verdict,
-        warnings,
+        warnings: job.warnings.clone(),
     };
     finite::check_results(&results)?;
     Ok(Outcome {
@@ -293,7 +289,7 @@ fn measured(job: &Job) -> Option<Method> {
         })
         .collect();
     Some(Method {
-        id: "measured".into(),
+        id: compare::MEASURED.into(),
         title: format!("Measured ({})", first.source),
         excitation: Excitation::Record,
         status: Status::Computed,
@@ -306,11 +302,12 @@ fn measured(job: &Job) -> Option<Method> {
     })
 }
 
-/// Input of the explanations of the comparison.
+/// Facts by which the comparison attributes differences.
 fn context(job: &Job, simulation: Option<&Simulation>) -> Context {
     let damping = job.case.damping;
     let mut context = Context {
         sloshing_damping: damping.sloshing,
+        approaches: codes::ALL.iter().map(|p| (p.id().to_owned(), p.approach())).collect(),
         ..Context::default()
     };
     let (Some(motion), Some(simulation)) = (&job.case.ground_motion, simulation) else {

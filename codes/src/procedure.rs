@@ -1,5 +1,6 @@
 //! What a code procedure is.
 
+use tank::approach::Approach;
 use tank::assessment::{Assessment, Excitation, NotApplicable};
 use tank::case::{Case, Site};
 use tank::formula::FormulaError;
@@ -64,6 +65,8 @@ pub trait Procedure: Sync {
     fn id(&self) -> &'static str;
     /// How it is named and drawn.
     fn label(&self) -> Label;
+    /// What it simplifies, by which the comparison explains differences.
+    fn approach(&self) -> Approach;
     /// Design spectra of the site at the damping ratios asked for; none where the site is not given or not covered.
     fn design_curves(&self, _site: &Site, _dampings: &[f64]) -> Vec<DesignCurve> {
         Vec::new()

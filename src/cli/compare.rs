@@ -24,8 +24,9 @@ use engines::{self, FeError, Integrator};
 use files::text;
 use files::{OutputFolder, kept_complete};
 use report;
-use results::compare::FE_NONLINEAR;
-use results::nonlinear::{End, Nonlinear, PARTED};
+use report::words;
+use results::compare::{FE_NONLINEAR, unusable};
+use results::nonlinear::{End, Nonlinear};
 use results::{self, ComparisonRow, Limit, MESH_ERROR_LIMIT, Method, Results, Series, Status, vtu};
 
 /// Arguments.
@@ -165,8 +166,8 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     watch.finish();
     print(&results, Some(&args.out), args.format, global)?;
     // Warnings about the input were printed before the run.
-    for warning in results.warnings.iter().skip(job.warnings.len()) {
-        say!("warning: {}", text::line(warning));
+    for found in unusable(&results) {
+        say!("warning: {}", words::verdict::unusable(&found));
     }
     nonlinear::advise(&job, &results, global);
     match (&args.vtu, &snapshots) {
@@ -450,11 +451,7 @@ fn verdict(results: &Results) -> String {
     let mut text = String::new();
     let verdict = &results.verdict;
     if verdict.incomplete {
-        let reason = match verdict.reason.as_str() {
-            "" => "INCOMPLETE: the finite-element run was interrupted, its extremes are not final",
-            reason => reason,
-        };
-        let _ = writeln!(text, "{reason}");
+        let _ = writeln!(text, "{}", words::verdict::headline(verdict));
     }
     if let Some(governing) = &verdict.governing {
         let state = if verdict.holds { "all hold" } else { "NOT all hold" };
@@ -479,7 +476,7 @@ fn verdict(results: &Results) -> String {
     }
     let nonlinear = results.fe_nonlinear.as_ref().and_then(|fe| fe.nonlinear.as_ref());
     if nonlinear.is_some_and(Nonlinear::parted) {
-        let _ = writeln!(text, "warning: {PARTED}");
+        let _ = writeln!(text, "warning: {}", words::verdict::LIQUID_PARTED);
     }
     text
 }

@@ -116,7 +116,13 @@ fn resumed_is_uninterrupted() {
         .and_then(|fe| fe.nonlinear.as_ref())
         .expect("a nonlinear run");
     assert_eq!(run.end, End::Completed);
-    assert!(run.events.iter().any(|e| e.id == "first_crack"), "{:?}", run.events);
+    assert!(
+        run.events
+            .iter()
+            .any(|e| e.kind == results::nonlinear::EventKind::FirstCrack),
+        "{:?}",
+        run.events
+    );
 
     // Interrupted as soon as there is a checkpoint.
     let mut part = start(home, "part", &[]);

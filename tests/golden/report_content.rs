@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use report::template::Templates;
 use report::{Report, build};
+use results::compare::Incomplete;
 use results::nonlinear::{BaseMoment, Columns, Departure, End, Energies, Nonlinear};
 use results::{NONLINEAR_PREFIX, Results, Series, SeriesInfo};
 use tank::units::Dimension;
@@ -203,7 +204,7 @@ fn a_collapse_is_told_first_and_its_numbers_are_bounds() {
         place: "θ = 0°, base <b>".into(),
     };
     results.verdict.incomplete = true;
-    results.verdict.reason = "Collapse: the nonlinear run finds no equilibrium after 7.31 s".into();
+    results.verdict.cause = Some(Incomplete::NoEquilibrium { time: 7.312 });
     let end = series.time.iter().position(|t| *t > 7.315).expect("a longer record");
     for (id, column) in series.ids.iter().zip(&mut series.columns) {
         if id.starts_with(NONLINEAR_PREFIX) {
@@ -402,7 +403,7 @@ fn text_of_the_input_is_escaped_everywhere() {
     results.files[0].name = hostile.into();
     results.volatile.command = hostile.into();
     results.comparison.published[0].source = hostile.into();
-    results.comparison.partings[0].what = hostile.into();
+    results.comparison.differences[0].method = hostile.into();
     let fe = results.fe.as_mut().expect("compare has an engine");
     fe.limits[1].note = hostile.into();
     fe.series[3].title = hostile.into();

@@ -18,6 +18,7 @@
 use crate::procedure::{CodeError, Label, Procedure};
 use crate::sheet::{Sheet, Term};
 use oscillator::spectrum::ordinates;
+use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
 use tank::assessment::{Assessment, Check, Excitation, NotApplicable};
 use tank::case::Case;
 use tank::formula::evaluate;
@@ -82,6 +83,14 @@ impl Procedure for Api6501993 {
             title: "API 650, appendix E (9th edition, 1993, superseded)",
             short: "API 650, 9th ed.",
             figure_key: "k-api650-1993",
+        }
+    }
+
+    fn approach(&self) -> Approach {
+        Approach {
+            wave: Wave::FittedPeriod,
+            convective_mass: ConvectiveMass::Fit,
+            forces: Forces::AnyPeriod,
         }
     }
 

@@ -46,6 +46,7 @@ use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::sheet::Sheet;
 use spectrum::ElasticSpectrum;
 use tank::Shape;
+use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
 use tank::assessment::{Assessment, Excitation, NotApplicable};
 use tank::case::{Case, Combination, FlexibleImpulsive, Site};
 
@@ -67,6 +68,14 @@ impl Procedure for En2006 {
             title: "EN 1998-4:2006, annex A",
             short: "EN 1998-4:2006",
             figure_key: "k-ec8-2006",
+        }
+    }
+
+    fn approach(&self) -> Approach {
+        Approach {
+            wave: Wave::SpectralPeak,
+            convective_mass: ConvectiveMass::AllModes,
+            forces: Forces::FirstMode,
         }
     }
 
@@ -102,6 +111,14 @@ impl Procedure for Env1998 {
             title: "ENV 1998-4:1998, annex B (superseded)",
             short: "ENV 1998-4",
             figure_key: "k-ec8-env",
+        }
+    }
+
+    fn approach(&self) -> Approach {
+        Approach {
+            wave: Wave::SpectralPeak,
+            convective_mass: ConvectiveMass::Fit,
+            forces: Forces::FirstMode,
         }
     }
 

@@ -10,6 +10,7 @@ use crate::mechanical::Plan;
 use crate::procedure::{CodeError, Label, Procedure};
 use crate::sheet::Sheet;
 use tank::Shape;
+use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
 use tank::assessment::{Assessment, Excitation, NotApplicable, Profile};
 use tank::case::{Case, Combination, ConvectiveCoefficient};
 use tank::quantity::Quantity;
@@ -32,6 +33,14 @@ impl Procedure for Housner {
             title: "Housner (1957, 1963)",
             short: "Housner",
             figure_key: "k-housner",
+        }
+    }
+
+    fn approach(&self) -> Approach {
+        Approach {
+            wave: Wave::FiniteAngle,
+            convective_mass: ConvectiveMass::Coefficient1957,
+            forces: Forces::RigidWall,
         }
     }
 

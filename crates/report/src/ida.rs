@@ -10,8 +10,8 @@ use crate::figure::chart::{Axis, Chart, Line, Mark};
 use crate::figure::{Figure, HALF, Room};
 use crate::number::{Scale, fixed, significant, with_unit};
 use crate::table::{Column, Table};
+use crate::words::verdict::LIQUID_PARTED;
 use files::error::Error;
-use results::nonlinear::PARTED;
 use results::{Ida, IdaRun};
 
 /// A demand that is drawn.
@@ -314,7 +314,7 @@ pub fn partings(ida: &Ida) -> Vec<String> {
         ));
     }
     if let Some(run) = first(true) {
-        out.push(format!("{}: {PARTED}", from(run)));
+        out.push(format!("{}: {LIQUID_PARTED}", from(run)));
     }
     out
 }

@@ -18,6 +18,7 @@
 //! | [`push`] | that of a pushover |
 //! | [`math`] | sets formulas |
 //! | [`number`] | prints numbers |
+//! | [`words`] | every sentence |
 //! | [`template`] | holds the templates, embedded or the user's |
 //! | [`verification`] | the page and the figures of the verification manual |
 
@@ -30,6 +31,7 @@ pub mod push;
 pub mod sections;
 pub mod table;
 pub mod template;
+pub mod words;
 
 use std::path::{Path, PathBuf};
 

@@ -1,11 +1,18 @@
-//! The join of procedures and engine: quantity × method, ratios to the finite-element column, partings, verdict.
+//! The join of procedures and engine: quantity × method, ratios to the finite-element column, differences, verdict.
+//!
+//! All that is found is a typed fact with its numbers; the report puts it into words.
 
+mod attribution;
+mod difference;
 mod nonlinear;
-mod partings;
 
 use std::collections::BTreeMap;
 
 use tank::Quantity;
+use tank::approach::Approach;
+
+pub use attribution::THRESHOLD;
+pub use difference::{Damping, Difference, Estimated, Incomplete, Ratio, Reason, SecondEngine, Unusable, unusable};
 
 use crate::nonlinear::{End, Event};
 use crate::{Cell, Comparison, ComparisonRow, Governing, MESH_ERROR_LIMIT, Method, Verdict};
@@ -18,6 +25,9 @@ pub const FE_SOLID: &str = "fe-solid";
 
 /// Id of the nonlinear engine's column beside the harmonic one's.
 pub const FE_NONLINEAR: &str = "fe-nonlinear";
+
+/// Id of the column of measured values.
+pub const MEASURED: &str = "measured";
 
 /// Lays the methods side by side.
 ///
@@ -48,42 +58,33 @@ pub fn compare(methods: &[Method], context: &Context, published: Vec<tank::case:
             })
         })
         .collect();
-    let partings = partings::explain(methods, &rows, context);
+    let differences = attribution::attribute(methods, &rows, context);
     Comparison {
         rows,
-        partings,
+        differences,
         published,
     }
 }
 
 impl Comparison {
-    /// Marks the values of a method whose estimated mesh error is above [`MESH_ERROR_LIMIT`]; returns a warning for each.
+    /// Marks the values of a method whose estimated mesh error is above [`MESH_ERROR_LIMIT`]; [`unusable`] lists them.
     ///
     /// * `method`: id of the method
     /// * `errors`: its relative errors by quantity id
-    pub fn mark_unusable(&mut self, methods: &[Method], method: &str, errors: &BTreeMap<String, f64>) -> Vec<String> {
+    pub fn mark_unusable(&mut self, methods: &[Method], method: &str, errors: &BTreeMap<String, f64>) {
         let Some(column) = methods.iter().position(|m| m.id == method) else {
-            return Vec::new();
+            return;
         };
-        let mut warnings = Vec::new();
         for row in &mut self.rows {
             let error = errors.get(&row.quantity).copied().unwrap_or(0.0);
             if let (true, Some(Some(cell))) = (error > MESH_ERROR_LIMIT, row.cells.get_mut(column)) {
                 cell.unusable = true;
-                warnings.push(format!(
-                    "{method}: {} is unusable; found an estimated mesh error of {:.0} %, usual is below 5 %, allowed up to {:.0} %: refine \
-                     the mesh",
-                    row.title,
-                    100.0 * error,
-                    100.0 * MESH_ERROR_LIMIT
-                ));
             }
         }
-        warnings
     }
 }
 
-/// What the explanations need to know beside the methods' values.
+/// What the attribution needs to know beside the methods' values.
 #[derive(Clone, Debug, Default)]
 pub struct Context {
     /// Peak ground acceleration of the horizontal record [m/s²].
@@ -100,11 +101,13 @@ pub struct Context {
     pub sloshing_damping: f64,
     /// Estimated discretisation error of the three-dimensional engine by quantity id, relative.
     pub solid_mesh_error: BTreeMap<String, f64>,
+    /// What each procedure simplifies, by method id.
+    pub approaches: BTreeMap<String, Approach>,
     /// What happened in the nonlinear run.
     pub nonlinear: Option<Happened>,
 }
 
-/// What happened in a nonlinear run, as far as it explains where that parts from the linear one.
+/// What happened in a nonlinear run, as far as it explains where that differs from the linear one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Happened {
     /// How it ended.
@@ -115,8 +118,8 @@ pub struct Happened {
     pub hysteretic: f64,
     /// Work of the loads until then [J].
     pub input: f64,
-    /// Damping of the linear and of the nonlinear run in words, where they say it.
-    pub damping: Option<[String; 2]>,
+    /// Damping of the linear and of the nonlinear run, where they are known.
+    pub damping: Option<[Damping; 2]>,
 }
 
 impl Context {
@@ -217,18 +220,11 @@ mod tests {
         let mut comparison = compare(&methods, &Context::default(), vec![]);
         let errors = |e: f64| BTreeMap::from([("base_shear".to_string(), e)]);
         for (error, unusable) in [(0.0, false), (0.2, false), (0.2001, true)] {
-            let warnings = comparison.mark_unusable(&methods, "fe", &errors(error));
+            comparison.mark_unusable(&methods, "fe", &errors(error));
             assert_eq!(
                 comparison.rows[0].cells[1].map(|c| c.unusable),
                 Some(unusable),
                 "{error}"
-            );
-            assert_eq!(warnings.len(), usize::from(unusable));
-            assert!(
-                warnings
-                    .iter()
-                    .all(|w| w.contains("fe: ") && w.contains("unusable") && w.contains("20 %")),
-                "{warnings:?}"
             );
         }
         assert_eq!(comparison.rows[0].cells[0].map(|c| c.unusable), Some(false));

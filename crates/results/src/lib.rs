@@ -73,7 +73,7 @@ pub struct Results {
     pub comparison: Comparison,
     /// The verdict.
     pub verdict: Verdict,
-    /// What is unusual in the input and which numbers are not to be used, one sentence each.
+    /// What is unusual in the input, one sentence each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
 }
@@ -464,8 +464,9 @@ pub struct Limit {
 pub struct Comparison {
     /// One row a quantity that at least one method gives.
     pub rows: Vec<ComparisonRow>,
-    /// Where and why the methods part, one paragraph each.
-    pub partings: Vec<Parting>,
+    /// Where and why the methods differ.
+    #[serde(default)]
+    pub differences: Vec<compare::Difference>,
     /// Values others have published for this tank.
     pub published: Vec<tank::case::Reported>,
 }
@@ -498,17 +499,6 @@ pub struct Cell {
 /// Estimated discretisation error, relative, above which a number is marked as unusable.
 pub const MESH_ERROR_LIMIT: f64 = 0.2;
 
-/// Where the methods part and why.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Parting {
-    /// Quantity id.
-    pub quantity: String,
-    /// One sentence what parts and by how much.
-    pub what: String,
-    /// The cause.
-    pub why: String,
-}
-
 /// The verdict of the verification.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
@@ -518,9 +508,9 @@ pub struct Verdict {
     /// those of a part of it.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub incomplete: bool,
-    /// Why it is incomplete, a sentence without its full stop; empty for an interrupted run.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
-    pub reason: String,
+    /// Why it is incomplete; none where the user stopped a linear run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cause: Option<compare::Incomplete>,
     /// Number of checks.
     pub checks: usize,
     /// Number that fail.

@@ -6,11 +6,6 @@
 use serde::{Deserialize, Serialize};
 use tank::units::Dimension;
 
-/// What to think of a run in which the liquid has left the wall.
-pub const PARTED: &str = "The liquid has left the wall and come back. An incompressible liquid on a stiff joint exaggerates the impact, and \
-                      a liquid parts from a tight wall near -98 kPa, not at the pressure of the air: forces and stresses after the \
-                      first opening are no design values.";
-
 /// A nonlinear run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Nonlinear {
@@ -72,13 +67,10 @@ pub struct BaseMoment {
     pub largest_section: f64,
 }
 
-/// Title of the event that the liquid leaves a wall which it may leave.
-pub const LEAVES: &str = "the liquid leaves the wall";
-
 impl Nonlinear {
     /// Whether the liquid has left the wall.
     pub fn parted(&self) -> bool {
-        self.events.iter().any(|e| e.id == "separation" && e.title == LEAVES)
+        self.events.iter().any(|e| e.kind == EventKind::Separation)
     }
 }
 
@@ -119,8 +111,9 @@ pub enum End {
 /// Something that happened for the first time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Event {
-    /// Id: `first_crack`, `first_yield`, `first_bar_yield`, `separation`, `bar_rupture`.
-    pub id: String,
+    /// Kind of event.
+    #[serde(rename = "id")]
+    pub kind: EventKind,
     /// What (`first crack`).
     pub title: String,
     /// When [s]; 0 is the state at rest.
@@ -129,6 +122,40 @@ pub struct Event {
     pub place: String,
     /// What else is known, one sentence; may be empty.
     pub note: String,
+}
+
+/// Kind of an event.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum EventKind {
+    /// A crack.
+    FirstCrack,
+    /// Yielding of a plate or of concrete in compression.
+    FirstYield,
+    /// Yielding of a bar.
+    FirstBarYield,
+    /// A bar passes its strain at rupture.
+    BarRupture,
+    /// A plate passes its tensile strength.
+    AboveStrength,
+    /// Concrete reaches its compressive strength.
+    Crushing,
+    /// The liquid leaves the wall, which it may leave.
+    Separation,
+    /// The pressure of the liquid falls below that of the air; the model keeps the liquid at the wall.
+    LowPressure,
+}
+
+impl EventKind {
+    /// Whether the wall cracks.
+    pub fn cracks(self) -> bool {
+        self == EventKind::FirstCrack
+    }
+
+    /// Whether something yields.
+    pub fn yields(self) -> bool {
+        matches!(self, EventKind::FirstYield | EventKind::FirstBarYield)
+    }
 }
 
 /// Columns of the grid.

@@ -8,11 +8,12 @@
 //! | [`case`] | input of a procedure or an engine for one verification |
 //! | [`formula`] | text of a formula, its value, and its text with numbers |
 //! | [`quantity`] | comparable quantities of procedures and engines |
-//! | [`assessment`] | result of a procedure |
+//! | [`assessment`], [`approach`] | result of a procedure, and what it simplifies |
 //!
 //! SI units throughout (m, kg, s, N, Pa, rad); the unit is in the doc of every field. `z` points upwards from the
 //! tank bottom.
 
+pub mod approach;
 pub mod assessment;
 pub mod case;
 pub mod formula;

@@ -143,8 +143,8 @@ fn run(tank: &Tank, liquid: &Liquid, time: &[f64]) -> Nonlinear {
             cracks,
         }
     };
-    let event = |id: &str, title: &str, time: f64, place: &str, note: &str| Event {
-        id: id.into(),
+    let event = |kind: EventKind, title: &str, time: f64, place: &str, note: &str| Event {
+        kind,
         title: title.into(),
         time,
         place: place.into(),
@@ -176,22 +176,28 @@ fn run(tank: &Tank, liquid: &Liquid, time: &[f64]) -> Nonlinear {
     Nonlinear {
         end: End::Completed,
         events: vec![
-            event("first_crack", "first crack", 0.0, "base, inner face", ""),
+            event(EventKind::FirstCrack, "first crack", 0.0, "base, inner face", ""),
             event(
-                "separation",
+                EventKind::LowPressure,
                 "separation",
                 2.31,
                 "θ = 180°, z = 1.50 m",
                 "Pressure of the displaced particle falls below zero.",
             ),
             event(
-                "first_yield",
+                EventKind::FirstYield,
                 "first yield",
                 3.94,
                 "θ = 4.5°, z = 0.02 m, outer face",
                 "",
             ),
-            event("first_bar_yield", "first yield of a bar", 4.02, "θ = 0°, base", ""),
+            event(
+                EventKind::FirstBarYield,
+                "first yield of a bar",
+                4.02,
+                "θ = 0°, base",
+                "",
+            ),
         ],
         maps: vec![
             map(

@@ -30,6 +30,7 @@ use crate::api650::ground_motion::DesignSpectrum;
 use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::sheet::Sheet;
 use tank::STANDARD_GRAVITY;
+use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
 use tank::assessment::{Assessment, Check, Excitation, NotApplicable};
 use tank::case::Site;
 use tank::case::{Api650Site, Case};
@@ -97,6 +98,14 @@ impl Procedure for Api6502020 {
             title: "API 650, annex E (12th and 13th edition, 2020)",
             short: "API 650 annex E",
             figure_key: "k-api650-2020",
+        }
+    }
+
+    fn approach(&self) -> Approach {
+        Approach {
+            wave: Wave::FittedPeriod,
+            convective_mass: ConvectiveMass::Fit,
+            forces: Forces::FittedPeriod,
         }
     }
 

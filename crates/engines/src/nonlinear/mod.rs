@@ -22,7 +22,6 @@ use super::estimate::Estimate;
 use super::harmonic::check_depth;
 use super::{FeError, Simulation};
 use results::LiquidParting;
-use results::nonlinear::PARTED;
 
 pub use incremental::Incremental;
 pub use options::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, ThicknessRule, WallElements};

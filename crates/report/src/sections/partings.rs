@@ -1,14 +1,14 @@
-//! Where and why the methods part.
+//! Where and why the methods differ.
 
 use serde::Serialize;
-use tank::Quantity;
 
 use super::{Section, Source};
+use crate::words::differences::{what, why};
 use files::error::Error;
 
 #[derive(Serialize)]
 struct Group {
-    quantity: String,
+    quantity: &'static str,
     items: Vec<Item>,
 }
 
@@ -21,19 +21,21 @@ struct Item {
 /// Makes the section.
 pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let mut groups: Vec<Group> = Vec::new();
-    for parting in &source.results.comparison.partings {
-        let id = &parting.quantity;
-        let quantity = Quantity::from_id(id).map_or(id.as_str(), |q| q.title());
+    for difference in &source.results.comparison.differences {
+        let Some(first) = difference.ratios.first() else {
+            continue;
+        };
+        let quantity = first.quantity.title();
         if groups.last().is_none_or(|g| g.quantity != quantity) {
             groups.push(Group {
-                quantity: quantity.into(),
+                quantity,
                 items: Vec::new(),
             });
         }
         if let Some(group) = groups.last_mut() {
             group.items.push(Item {
-                what: parting.what.clone(),
-                why: parting.why.clone(),
+                what: what(source.results, difference),
+                why: why(source.results, difference),
             });
         }
     }

@@ -8,12 +8,18 @@ use super::{Section, Source};
 use crate::math;
 use crate::methods::excitation;
 use crate::number::parts;
+use crate::words::verdict::LIQUID_PARTED;
 use files::error::Error;
+use results::compare::{FE_NONLINEAR, MEASURED};
+use results::nonlinear::Nonlinear;
 use results::{Method, Status};
 
 #[derive(Serialize)]
 struct Sheet {
     id: String,
+    /// Id of the method.
+    #[serde(skip)]
+    method: String,
     title: String,
     excitation: &'static str,
     not_applicable: Vec<String>,
@@ -47,16 +53,26 @@ struct LineView {
 
 /// Makes the section.
 pub fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let sheets: Vec<Sheet> = source
+    let mut sheets: Vec<Sheet> = source
         .results
         .methods
         .iter()
         .filter(|m| {
             let said = !m.steps.is_empty() || !m.assumptions.is_empty() || !m.notes.is_empty();
-            m.id != "measured" && (said || m.status != Status::Computed)
+            m.id != MEASURED && (said || m.status != Status::Computed)
         })
         .map(|m| sheet(m, source.results.methods.iter().find(|r| is_base(r, m))))
         .collect();
+    let run = source
+        .results
+        .fe_nonlinear
+        .as_ref()
+        .and_then(|fe| fe.nonlinear.as_ref());
+    if run.is_some_and(Nonlinear::parted)
+        && let Some(sheet) = sheets.iter_mut().find(|s| s.method == FE_NONLINEAR)
+    {
+        sheet.notes.insert(0, LIQUID_PARTED.into());
+    }
     if sheets.is_empty() {
         return Ok(None);
     }
@@ -127,6 +143,7 @@ fn sheet(method: &Method, base: Option<&Method>) -> Sheet {
     }
     Sheet {
         id: sheet_id(method),
+        method: method.id.clone(),
         title: method.title.clone(),
         excitation: excitation(method),
         not_applicable: match &method.status {

@@ -10,7 +10,9 @@ use crate::figure::Figure;
 use crate::figure::bars::{Bar, bars};
 use crate::methods::{excitation, figure_order, look};
 use crate::number::{Scale, fixed, given, percent, ratio, with_unit};
+use crate::words;
 use files::error::Error;
+use results::compare::unusable;
 use results::{Limit, Results};
 
 /// Headline quantities: sloshing height, base moment, membrane stresses.
@@ -65,7 +67,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("governing", &governing(results).into_iter().collect::<Vec<_>>());
     section.set("facts", &facts(source));
     section.set("warnings", &warnings(results));
-    section.set("unusual", &results.warnings);
+    section.set("unusual", &unusual(results));
     section.set("has_fe", &source.fe().is_some());
     section.set(
         "has_site",
@@ -85,43 +87,16 @@ fn subtitle(source: &Source) -> String {
 
 fn verdict(results: &Results) -> Verdict {
     let v = &results.verdict;
-    let checks = |n: usize| if n == 1 { "check" } else { "checks" };
-    if v.incomplete {
-        Verdict {
-            class: "fail",
-            sign: "✗",
-            headline: match v.reason.as_str() {
-                "" => "Incomplete: the finite-element run was interrupted, its extremes are not final".into(),
-                reason => reason.into(),
-            },
-        }
-    } else if v.checks == 0 {
-        Verdict {
-            class: "none",
-            sign: "–",
-            headline: "No check applies to this input".into(),
-        }
-    } else if v.holds {
-        Verdict {
-            class: "ok",
-            sign: "✓",
-            headline: match v.checks {
-                1 => "The one applicable check holds".into(),
-                n => format!("All {n} applicable checks hold"),
-            },
-        }
-    } else {
-        Verdict {
-            class: "fail",
-            sign: "✗",
-            headline: format!(
-                "{} of {} {} {}",
-                v.failed,
-                v.checks,
-                checks(v.checks),
-                if v.failed == 1 { "fails" } else { "fail" }
-            ),
-        }
+    let (class, sign) = match v {
+        v if v.incomplete => ("fail", "✗"),
+        v if v.checks == 0 => ("none", "–"),
+        v if v.holds => ("ok", "✓"),
+        _ => ("fail", "✗"),
+    };
+    Verdict {
+        class,
+        sign,
+        headline: words::verdict::headline(v),
     }
 }
 
@@ -231,6 +206,13 @@ fn warnings(results: &Results) -> Vec<Warning> {
             }
         })
         .collect()
+}
+
+/// Warnings about the input and about values that are not to be used.
+fn unusual(results: &Results) -> Vec<String> {
+    let unusable = unusable(results);
+    let unusable = unusable.iter().map(words::verdict::unusable);
+    results.warnings.iter().cloned().chain(unusable).collect()
 }
 
 fn headline_figures(results: &Results) -> Vec<Figure> {

@@ -8,7 +8,7 @@ use tank::Support;
 use tank::units::Dimension;
 use tank::{Case, Quantity};
 
-use super::super::{NonlinearOptions, PARTED};
+use super::super::NonlinearOptions;
 use super::completed;
 use super::curve::departures;
 use super::describe::{HELD_DOWN, assumptions, cost, integration, mesh};
@@ -17,7 +17,7 @@ use super::points::look;
 use super::state::{energies, events, grid, loops, maps, pictures, place};
 use super::watch::{BASE_MOMENT, BASE_SHEAR, BELLY_FRONT, Extremes, TOP_FRONT, WAVE_BACK, WAVE_FRONT, Watch};
 use crate::Simulation;
-use results::nonlinear::{End, Nonlinear};
+use results::nonlinear::{End, EventKind, Nonlinear};
 use results::{EnergyBalance, Envelope, FeResult, Series, SeriesInfo};
 
 /// Everything that is reported of a run.
@@ -48,14 +48,12 @@ pub fn report(
         )),
     }
     let events = events(tank, watch);
-    if let Some(parts) = events.iter().find(|e| e.id == "separation") {
-        notes.push(match tank.joints {
-            None => format!(
-                "The liquid would part from the wall ({}, first at {:.2} s); the engine keeps it there.",
-                parts.place, parts.time
-            ),
-            Some(_) => PARTED.to_owned(),
-        });
+    let kept = || events.iter().find(|e| e.kind == EventKind::LowPressure);
+    if let (None, Some(parts)) = (&tank.joints, kept()) {
+        notes.push(format!(
+            "The liquid would part from the wall ({}, first at {:.2} s); the engine keeps it there.",
+            parts.place, parts.time
+        ));
     }
     let balance = &run.balance;
     let energies = energies(run, watch);

@@ -8,7 +8,7 @@ use tank::units::{Dimension, display, significant};
 use super::model::CylinderModel;
 use super::points::Look;
 use super::watch::{BASE_SHEAR, BELLY_FRONT, Happening, Watch};
-use results::nonlinear::{CellMap, Columns, CrackPicture, Energies, Event, LEAVES, Loop, LoopAxis, WallGrid};
+use results::nonlinear::{CellMap, Columns, CrackPicture, Energies, Event, EventKind, Loop, LoopAxis, WallGrid};
 
 /// Points of a loop or a curve of energy at most.
 const POINTS: usize = 1500;
@@ -35,16 +35,16 @@ pub fn events(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Event> {
         .first
         .iter()
         .map(|&(what, time, cell)| {
-            let (id, title) = match what {
-                Happening::Crack => ("first_crack", "first crack"),
-                Happening::Yield => ("first_yield", "first yielding of a plate"),
-                Happening::BarYield => ("first_bar_yield", "first yielding of a bar"),
-                Happening::Tears => ("above_strength", "a plate passes its tensile strength"),
-                Happening::BarRupture => ("bar_rupture", "a bar passes its strain at rupture"),
-                Happening::Crushing => ("crushing", "concrete reaches its compressive strength"),
+            let (kind, title) = match what {
+                Happening::Crack => (EventKind::FirstCrack, "first crack"),
+                Happening::Yield => (EventKind::FirstYield, "first yielding of a plate"),
+                Happening::BarYield => (EventKind::FirstBarYield, "first yielding of a bar"),
+                Happening::Tears => (EventKind::AboveStrength, "a plate passes its tensile strength"),
+                Happening::BarRupture => (EventKind::BarRupture, "a bar passes its strain at rupture"),
+                Happening::Crushing => (EventKind::Crushing, "concrete reaches its compressive strength"),
             };
             Event {
-                id: id.into(),
+                kind,
                 title: title.into(),
                 time,
                 place: middle(tank, cell),
@@ -66,7 +66,7 @@ pub fn events(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Event> {
     {
         let [x, y, z] = tank.model.nodes()[tank.wetted[first.number]];
         out.push(Event {
-            id: "separation".into(),
+            kind: EventKind::LowPressure,
             title: "the liquid would part from the wall".into(),
             time: first.first,
             place: place(y.atan2(x), z),
@@ -93,8 +93,8 @@ fn parting(watch: &Watch<'_>, tank: &CylinderModel) -> Option<Event> {
     });
     let length = |x: f64| display(x, Dimension::Length);
     Some(Event {
-        id: "separation".into(),
-        title: LEAVES.into(),
+        kind: EventKind::Separation,
+        title: "the liquid leaves the wall".into(),
         time: first.first,
         place: at,
         note: format!(

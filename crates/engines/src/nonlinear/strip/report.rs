@@ -236,7 +236,6 @@ impl Report<'_> {
                 d.time, d.place, d.reason
             )
         }));
-        notes.extend(self.walls.parted());
         let negative: Vec<&RatioRow> = model.ratios.iter().filter(|r| r.ratio < 0.0).collect();
         if !negative.is_empty() {
             notes.push(format!(

@@ -15,7 +15,7 @@ use super::Strip;
 use crate::harmonic::test_tanks;
 use crate::nonlinear::{CheckpointFile, Contact, NonlinearOptions, WallElements, simulate};
 use crate::{FeError, Simulation};
-use results::nonlinear::{Columns, End, Nonlinear};
+use results::nonlinear::{Columns, End, EventKind, Nonlinear};
 
 /// g of the test cases.
 const G: f64 = 9.81;
@@ -254,7 +254,7 @@ fn walls_that_crack() {
     let found = run(&case, &options(&case, 12));
     let n = nonlinear(&found);
     assert_eq!(n.end, End::Completed, "{:?}", n.end);
-    assert!(n.events.iter().any(|e| e.id == "first_crack" && e.time > 0.0));
+    assert!(n.events.iter().any(|e| e.kind == EventKind::FirstCrack && e.time > 0.0));
     assert!(n.events.windows(2).all(|e| e[0].time <= e[1].time));
     let map = |id: &str| n.maps.iter().find(|m| m.id == id).unwrap();
     // At the base, not at the top.
@@ -386,7 +386,7 @@ fn collapse_is_a_result() {
         found.notes
     );
     assert!(!found.result.incomplete);
-    assert!(n.events.iter().any(|e| e.id == "first_crack"));
+    assert!(n.events.iter().any(|e| e.kind == EventKind::FirstCrack));
     assert!(found.values[&Quantity::BaseShear].is_finite());
     let again: results::FeResult =
         serde_json::from_str(&serde_json::to_string(&found.result).unwrap()).expect("finite numbers");

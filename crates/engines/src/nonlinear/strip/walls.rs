@@ -7,12 +7,11 @@ use tank::Case;
 use tank::units::{Dimension, display, significant};
 use tank::{Behaviour, Concrete, Layer};
 
-use super::super::PARTED;
 use super::departures::{base_moment, departure};
 use super::section::{course_at, main_leaf};
 use results::nonlinear::{
-    BaseMoment, CellMap, Columns, Count, Crack, CrackPicture, Departure, End, Energies, Event, LEAVES, Loop, LoopAxis,
-    Nonlinear, WallGrid,
+    BaseMoment, CellMap, Columns, Count, Crack, CrackPicture, Departure, End, Energies, Event, EventKind as Kind, Loop,
+    LoopAxis, Nonlinear, WallGrid,
 };
 
 /// Names of the walls.
@@ -184,15 +183,17 @@ impl Walls<'_> {
         let mut events = Vec::new();
         for (wall, run) in self.runs.iter().enumerate() {
             for event in &run.history.events {
-                let (id, title) = match event.kind {
-                    EventKind::Crack => ("first_crack", "first crack"),
-                    EventKind::Yield if self.cracks_at_all() => ("first_yield", "concrete at its compressive strength"),
-                    EventKind::Yield => ("first_yield", "first yield"),
-                    EventKind::BarYield => ("first_bar_yield", "first bar yields"),
-                    EventKind::BarRupture => ("bar_rupture", "first bar beyond its rupture strain"),
+                let (kind, title) = match event.kind {
+                    EventKind::Crack => (Kind::FirstCrack, "first crack"),
+                    EventKind::Yield if self.cracks_at_all() => {
+                        (Kind::FirstYield, "concrete at its compressive strength")
+                    }
+                    EventKind::Yield => (Kind::FirstYield, "first yield"),
+                    EventKind::BarYield => (Kind::FirstBarYield, "first bar yields"),
+                    EventKind::BarRupture => (Kind::BarRupture, "first bar beyond its rupture strain"),
                 };
                 events.push(Event {
-                    id: id.into(),
+                    kind,
                     title: title.into(),
                     time: event.time,
                     place: format!(
@@ -214,7 +215,7 @@ impl Walls<'_> {
                 let lowest = separation.lowest_below_trough().unwrap_or(first);
                 let worst = places.min_by(|a, b| a.pressure.total_cmp(&b.pressure)).unwrap_or(first);
                 events.push(Event {
-                    id: "separation".into(),
+                    kind: Kind::LowPressure,
                     title: "pressure of the liquid below that of the air".into(),
                     time: first.first,
                     place: format!("{}, z = {}", WALLS[wall], display(first.height, Dimension::Length)),
@@ -240,8 +241,8 @@ impl Walls<'_> {
         let widest = places.iter().max_by(|a, b| a.widest.total_cmp(&b.widest))?;
         let length = |x: f64| display(x, Dimension::Length);
         Some(Event {
-            id: "separation".into(),
-            title: LEAVES.into(),
+            kind: Kind::Separation,
+            title: "the liquid leaves the wall".into(),
             time: first.first,
             place: format!("{}, z = {}", WALLS[wall], length(first.height)),
             note: format!(
@@ -253,12 +254,6 @@ impl Walls<'_> {
                 significant(100.0 * widest.share, 2)
             ),
         })
-    }
-
-    /// What to think of a run in which the liquid has left a wall.
-    pub fn parted(&self) -> Option<String> {
-        let parted = |wall: &usize| self.parting(*wall).is_some();
-        (0..2).any(|wall| parted(&wall)).then(|| PARTED.to_owned())
     }
 
     /// Whether any wall can crack.

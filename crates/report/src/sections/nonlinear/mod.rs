@@ -10,9 +10,10 @@ use super::{Section, Source, capital, engine, histories};
 use crate::figure::{Figure, cells, cracks};
 use crate::number::{Scale, fixed, percent, plain, ratio, significant};
 use crate::table::{Column, Table};
+use crate::words::verdict::LIQUID_PARTED;
 use files::error::Error;
 use results::compare::{FE, FE_NONLINEAR};
-use results::nonlinear::{BaseMoment, Count, Departure, End, Event, Nonlinear, PARTED};
+use results::nonlinear::{BaseMoment, Count, Departure, End, Event, Nonlinear};
 use results::{FeResult, NONLINEAR_PREFIX, SeriesInfo};
 
 /// Histories of both engines drawn over each other, by the beginning of their id.
@@ -105,7 +106,7 @@ fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
                     .to_owned(),
             ];
             text.extend(run.departures.iter().map(left));
-            text.extend(run.parted().then(|| PARTED.to_owned()));
+            text.extend(run.parted().then(|| LIQUID_PARTED.to_owned()));
             fail(
                 format!("The run left its model at t = {} s", fixed(run.departures[0].time, 3)),
                 text,
@@ -117,7 +118,7 @@ fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
             headline: "Equilibrium was found to the end of the ground motion".into(),
             text: {
                 let mut text = vec!["No step was accepted before it had converged.".to_owned()];
-                text.extend(run.parted().then(|| PARTED.to_owned()));
+                text.extend(run.parted().then(|| LIQUID_PARTED.to_owned()));
                 text
             },
         },
@@ -125,7 +126,7 @@ fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
             let mut text = vec![format!("{}: {}.", capital(place), reason.trim_end_matches('.'))];
             let others = run.departures.iter().filter(|d| d.id != "stored_energy");
             text.extend(others.map(left));
-            text.extend(run.parted().then(|| PARTED.to_owned()));
+            text.extend(run.parted().then(|| LIQUID_PARTED.to_owned()));
             text.push("Values, pictures and histories are those until then.".into());
             fail(
                 format!("Stopped: the run left its model at t = {} s", fixed(*time, 3)),
@@ -157,7 +158,7 @@ fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
                 text.push(format!("Reason: {}.", reason.trim_end_matches('.')));
             }
             text.extend(run.departures.iter().map(left));
-            text.extend(run.parted().then(|| PARTED.to_owned()));
+            text.extend(run.parted().then(|| LIQUID_PARTED.to_owned()));
             if load_factor.is_none() {
                 text.push(bounds.into());
             }

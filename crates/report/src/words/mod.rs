@@ -1,0 +1,39 @@
+//! Every sentence of the report and of the terminal's summaries, from typed facts.
+//!
+//! This is what another language translates, together with the templates and the commands' help. A function takes facts
+//! and numbers and returns text; it decides nothing, and nothing reads its text back.
+//!
+//! | module | says |
+//! |---|---|
+//! | [`differences`] | where methods differ and why |
+//! | [`verdict`] | whether the tank holds, whether the results are complete |
+
+pub mod differences;
+pub mod verdict;
+
+use tank::Quantity;
+
+/// A quantity within a sentence, without its symbol.
+pub fn quantity(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::SloshingPeriod => "sloshing period",
+        Quantity::SloshingHeight => "sloshing height",
+        Quantity::ImpulsivePeriod => "impulsive period",
+        Quantity::ImpulsiveMass => "impulsive mass",
+        Quantity::ConvectiveMass => "convective mass",
+        Quantity::BaseShear => "base shear",
+        Quantity::BaseMoment => "base moment",
+        Quantity::OverturningMoment => "overturning moment",
+        Quantity::HoopStress => "hoop stress",
+        Quantity::AxialMembraneStress => "axial membrane stress at the base",
+        Quantity::BendingStress => "bending stress at the base",
+    }
+}
+
+/// First letter in upper case.
+pub fn capital(text: &str) -> String {
+    let mut chars = text.chars();
+    chars
+        .next()
+        .map_or(String::new(), |c| c.to_uppercase().collect::<String>() + chars.as_str())
+}

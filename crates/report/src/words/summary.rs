@@ -1,0 +1,38 @@
+//! First page: what was done, key figures, limits of the theory that are exceeded.
+
+use crate::number::Scale;
+use results::Limit;
+
+/// What the report is, in one line; `engine` is whether a finite-element run is part of it.
+pub fn subtitle(engine: bool) -> &'static str {
+    match engine {
+        true => "Seismic verification: code procedures beside a coupled finite-element time history",
+        false => "Seismic verification by code procedures",
+    }
+}
+
+/// Liquid mass of a whole tank or of a strip of it.
+pub fn liquid_mass(strip: bool) -> &'static str {
+    match strip {
+        true => "Liquid mass of the strip",
+        false => "Liquid mass",
+    }
+}
+
+/// Peak acceleration of the record as computed with.
+pub const PEAK_GROUND_ACCELERATION: &str = "Peak ground acceleration";
+/// Period of the first sloshing mode.
+pub const FIRST_SLOSHING: &str = "First sloshing period";
+/// Period of the first structural mode.
+pub const FIRST_STRUCTURAL: &str = "First structural period";
+
+/// What was found and what is allowed.
+pub fn exceeded(limit: &Limit) -> String {
+    let scale = Scale::of(limit.dimension, [limit.value, limit.limit]);
+    format!(
+        "{} against {} {}",
+        scale.text(limit.value),
+        scale.text(limit.limit),
+        scale.symbol()
+    )
+}

@@ -1,0 +1,265 @@
+//! Where a method differs from the finite elements and why, as facts: the report puts them into words.
+
+use serde::{Deserialize, Serialize};
+use tank::Quantity;
+
+use crate::Results;
+
+/// Where a method differs from the finite elements on the same ground motion, and why.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Difference {
+    /// Id of the method.
+    pub method: String,
+    /// What differs, at least one quantity; the report lists the difference under the first.
+    pub ratios: Vec<Ratio>,
+    /// Why, as far as the theory and the runs know it.
+    pub reasons: Vec<Reason>,
+}
+
+/// A quantity and its ratio to the finite-element value.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Ratio {
+    /// The quantity.
+    pub quantity: Quantity,
+    /// Value over finite-element value.
+    pub ratio: f64,
+}
+
+/// A quantity and its estimated discretisation error.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Estimated {
+    /// The quantity.
+    pub quantity: Quantity,
+    /// Relative error.
+    pub error: f64,
+}
+
+/// Why a method differs. The causes are those of the theory manual, with the numbers of the case.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum Reason {
+    /// Both engines solve one problem on different meshes.
+    Discretisation {
+        /// What the three-dimensional engine estimates.
+        estimated: Vec<Estimated>,
+    },
+    /// Test values read within the edge disturbance, of a wall that could uplift.
+    TestGauges,
+    /// Scatter of a test beside the assumptions of linear theory.
+    TestScatter,
+    /// Formulas of one potential flow at different depths, or rounded constants.
+    SloshingDepth,
+    /// One-term formula for a uniform wall that ends at the liquid.
+    UniformWall,
+    /// All liquid that does not slosh counts as impulsive.
+    RigidImpulsiveMass,
+    /// All sloshing modes as one convective mass.
+    AllSloshingModes,
+    /// Housner's coefficient of 1957.
+    Coefficient1957,
+    /// A fit to the first sloshing mode.
+    FittedMass,
+    /// Housner's wave.
+    FiniteAngleWave {
+        /// Damping ratio of the engine's sloshing modes.
+        damping: f64,
+    },
+    /// The first mode at its spectral peak.
+    SpectralPeakWave {
+        /// Damping ratio of the engine's sloshing modes.
+        damping: f64,
+    },
+    /// The first mode at a fitted period.
+    FittedPeriodWave {
+        /// Damping ratio of the engine's sloshing modes.
+        damping: f64,
+    },
+    /// The impulsive mass moves with the ground.
+    RigidWall {
+        /// S_a at the engine's first structural period over the peak ground acceleration.
+        amplification: f64,
+    },
+    /// The whole impulsive mass at one period; maxima are added.
+    FirstModeForces {
+        /// Whether the forces lie above the finite-element values.
+        above: bool,
+    },
+    /// One acceleration of the impulsive range; maxima are added.
+    AnyPeriodForces,
+    /// One acceleration at a fitted period; maxima by square roots.
+    FittedPeriodForces,
+    /// Maxima of single modes do not coincide in the history.
+    ModalMaxima {
+        /// Base shear of the first structural mode at its spectral peak [N].
+        impulsive: f64,
+        /// Base shear of the first sloshing mode at its spectral peak [N].
+        convective: f64,
+        /// Largest base shear of the history [N].
+        history: f64,
+    },
+    /// The nonlinear run left its model and was stopped.
+    LeftModel {
+        /// Time [s].
+        time: f64,
+    },
+    /// The nonlinear run was interrupted.
+    Interrupted {
+        /// Time [s].
+        time: f64,
+    },
+    /// The wall does not carry weight and pressure at rest.
+    NotCarriedAtRest,
+    /// The nonlinear run finds no equilibrium.
+    NoEquilibrium {
+        /// Time of the last equilibrium [s].
+        time: f64,
+    },
+    /// Nothing cracks, yields or separates.
+    StaysLinear,
+    /// Cracks, yielding, separation: the first events of the nonlinear run.
+    LeavesLinearTheory {
+        /// Number of events that are told.
+        events: usize,
+    },
+    /// The runs are damped differently.
+    Damping {
+        /// Of the linear run.
+        linear: Damping,
+        /// Of the nonlinear run.
+        nonlinear: Damping,
+    },
+    /// Cracks soften the wall.
+    Cracking,
+    /// Yielding bounds stresses.
+    Yielding,
+    /// The materials dissipate.
+    Dissipation {
+        /// Energy dissipated by the materials [J].
+        energy: f64,
+        /// Work of the loads [J].
+        work: f64,
+    },
+}
+
+/// Damping of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "model", rename_all = "kebab-case")]
+pub enum Damping {
+    /// A ratio by kind of mode.
+    Modal {
+        /// Ratio of sloshing modes.
+        sloshing: f64,
+        /// Ratio of structural modes.
+        structural: f64,
+    },
+    /// C = a_M M + a_K K.
+    Rayleigh {
+        /// a_M [1/s].
+        mass: f64,
+        /// a_K [s].
+        stiffness: f64,
+    },
+    /// Wall proportional to its initial stiffness, a ratio for every sloshing mode.
+    ByGroup {
+        /// Ratio of the first mode of wall and liquid.
+        wall: f64,
+        /// Ratio of each sloshing mode.
+        sloshing: f64,
+    },
+    /// Rayleigh damping on the initial stiffness, fitted at two circular frequencies.
+    InitialRayleigh {
+        /// Circular frequency [rad/s] and ratio.
+        first: [f64; 2],
+        /// Circular frequency [rad/s] and ratio.
+        second: [f64; 2],
+    },
+    /// Proportional to the mass.
+    MassProportional {
+        /// Ratio at its frequency.
+        ratio: f64,
+    },
+}
+
+/// Why results are not those of the whole ground motion.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum Incomplete {
+    /// The second engine gave nothing.
+    Missing {
+        /// Which.
+        engine: SecondEngine,
+        /// The error that stopped it; the user if there is none.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        error: Option<String>,
+    },
+    /// The wall does not carry weight and pressure at rest.
+    NotCarriedAtRest,
+    /// The nonlinear run finds no equilibrium.
+    NoEquilibrium {
+        /// Time of the last equilibrium [s].
+        time: f64,
+    },
+    /// The nonlinear run left its model and was stopped.
+    LeftModel {
+        /// Time [s].
+        time: f64,
+    },
+    /// The nonlinear run left its model and went on.
+    BeyondModel {
+        /// Time [s].
+        time: f64,
+    },
+    /// The nonlinear run was interrupted.
+    Interrupted {
+        /// Time [s].
+        time: f64,
+    },
+}
+
+/// The engine beside the harmonic one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SecondEngine {
+    /// Three-dimensional elements.
+    Solid,
+    /// Nonlinear walls.
+    Nonlinear,
+}
+
+/// A value whose estimated mesh error is above [`crate::MESH_ERROR_LIMIT`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unusable {
+    /// Id of the method.
+    pub method: String,
+    /// The quantity.
+    pub quantity: Quantity,
+    /// Estimated relative error.
+    pub error: f64,
+}
+
+/// All values that are not to be used, by method and quantity.
+pub fn unusable(results: &Results) -> Vec<Unusable> {
+    let runs = [
+        (super::FE, &results.fe),
+        (super::FE_SOLID, &results.fe_solid),
+        (super::FE_NONLINEAR, &results.fe_nonlinear),
+    ];
+    let mut found = Vec::new();
+    for (id, run) in runs {
+        let column = results.methods.iter().position(|m| m.id == id);
+        let (Some(column), Some(run)) = (column, run) else {
+            continue;
+        };
+        for row in &results.comparison.rows {
+            let marked = row.cells.get(column).copied().flatten().is_some_and(|c| c.unusable);
+            if let (true, Some(quantity)) = (marked, Quantity::from_id(&row.quantity)) {
+                found.push(Unusable {
+                    method: id.into(),
+                    quantity,
+                    error: run.mesh_error.get(&row.quantity).copied().unwrap_or(f64::NAN),
+                });
+            }
+        }
+    }
+    found
+}
