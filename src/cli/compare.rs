@@ -13,7 +13,7 @@ use crate::cli::budget::{self, MemoryArg};
 use crate::cli::inputs::Inputs;
 use crate::cli::progress::{self, Watch};
 use crate::cli::table::Table;
-use crate::cli::terminal::{self, say};
+use crate::cli::terminal::{self as stream, say};
 use crate::cli::{Format, Global, nonlinear, now, solid};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::job::{Engines, Job};
@@ -21,13 +21,12 @@ use crate::pipeline::{self, Outcome};
 use engines::estimate::Estimate;
 use engines::nonlinear::scope::Purpose;
 use engines::{self, FeError, Integrator};
-use files::text;
 use files::{OutputFolder, kept_complete};
 use report;
-use report::words;
+use report::words::{self, terminal};
 use results::compare::{FE_NONLINEAR, unusable};
 use results::nonlinear::{End, Nonlinear};
-use results::{self, ComparisonRow, Limit, MESH_ERROR_LIMIT, Method, Results, Series, Status, vtu};
+use results::{self, ComparisonRow, Limit, Method, Results, Series, vtu};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -280,16 +279,16 @@ fn write(folder: &OutputFolder, results: &Results, series: &Series, templates: O
 pub fn print(results: &Results, out: Option<&Path>, format: Format, global: &Global) -> Result<(), Error> {
     match format {
         Format::Json => {
-            terminal::print(&crate::cli::json(results)?)?;
+            stream::print(&crate::cli::json(results)?)?;
         }
-        Format::Csv => terminal::print(&csv(results))?,
+        Format::Csv => stream::print(&csv(results))?,
         Format::Human => {
             let mut text = String::new();
             for excitation in [Excitation::Record, Excitation::Site] {
                 text.push_str(&table(results, excitation));
             }
             text.push_str(&verdict(results));
-            terminal::print(&text)?;
+            stream::print(&text)?;
         }
     }
     if let (Some(out), false) = (out, global.quiet) {
@@ -297,9 +296,6 @@ pub fn print(results: &Results, out: Option<&Path>, format: Format, global: &Glo
     }
     Ok(())
 }
-
-/// Mark of an unusable number.
-const UNUSABLE: &str = "‡";
 
 /// Quantity × method for one excitation, values with their ratio to the engine.
 fn table(results: &Results, excitation: Excitation) -> String {
@@ -314,11 +310,8 @@ fn table(results: &Results, excitation: Excitation) -> String {
     if columns.is_empty() {
         return String::new();
     }
-    let corner = match excitation {
-        Excitation::Record => "record spectrum / history (ratio to fe)",
-        Excitation::Site => "design spectrum of the site (ratio to fe under the record)",
-    };
-    let head = std::iter::once(corner).chain(columns.iter().map(|&i| results.methods[i].id.as_str()));
+    let head =
+        std::iter::once(terminal::corner(excitation)).chain(columns.iter().map(|&i| results.methods[i].id.as_str()));
     let later = Later::of(results).filter(|_| excitation == Excitation::Record);
     let mut table = Table::new(head);
     for row in &results.comparison.rows {
@@ -339,7 +332,7 @@ fn table(results: &Results, excitation: Excitation) -> String {
                     true => "*",
                     false => "",
                 };
-                let mark = format!("{mark}{}", if cell.unusable { UNUSABLE } else { "" });
+                let mark = format!("{mark}{}", if cell.unusable { terminal::UNUSABLE } else { "" });
                 match cell.ratio {
                     Some(ratio) => format!("{value} ({ratio:.2}){mark}"),
                     None => format!("{value}{mark}"),
@@ -352,18 +345,14 @@ fn table(results: &Results, excitation: Excitation) -> String {
     let mut text = format!("{table}\n");
     let unusable = |row: &ComparisonRow| columns.iter().any(|&i| row.cells[i].is_some_and(|c| c.unusable));
     if results.comparison.rows.iter().any(unusable) {
-        let percent = 100.0 * MESH_ERROR_LIMIT;
-        let _ = writeln!(
-            text,
-            "{UNUSABLE} unusable: the estimated mesh error is above {percent:.0} %"
-        );
+        let _ = writeln!(text, "{}", terminal::unusable());
     }
     if let Some(later) = later {
-        let _ = writeln!(text, "{}", later.remark());
+        let _ = writeln!(text, "{}", terminal::later(&later.peaks, later.end, later.completed));
     }
     for method in results.methods.iter().filter(|m| m.excitation == excitation) {
-        if let Status::NotApplicable { clause, reason } = &method.status {
-            let _ = writeln!(text, "{}: not applicable, {clause}: {reason}", method.id);
+        if let Some(line) = terminal::not_applicable(method) {
+            let _ = writeln!(text, "{line}");
         }
     }
     text
@@ -403,24 +392,6 @@ impl Later {
         let completed = run.end == End::Completed;
         (!peaks.is_empty()).then_some(Later { end, completed, peaks })
     }
-
-    fn remark(&self) -> String {
-        let mut times: Vec<f64> = self.peaks.values().copied().collect();
-        times.sort_by(f64::total_cmp);
-        times.dedup();
-        let mut times: Vec<String> = times.iter().map(|t| format!("{t:.2} s")).collect();
-        times.dedup();
-        let after = if self.completed {
-            " with free vibration after the record"
-        } else {
-            ""
-        };
-        format!(
-            "* the linear peak is later ({}): {FE_NONLINEAR} ends at {:.2} s, fe continues{after}",
-            times.join(", "),
-            self.end
-        )
-    }
 }
 
 fn csv(results: &Results) -> String {
@@ -428,10 +399,7 @@ fn csv(results: &Results) -> String {
     for row in &results.comparison.rows {
         for (method, cell) in results.methods.iter().zip(&row.cells) {
             let Some(cell) = cell else { continue };
-            let excitation = match method.excitation {
-                Excitation::Record => "record",
-                Excitation::Site => "site",
-            };
+            let excitation = terminal::excitation(method.excitation);
             let ratio = cell.ratio.map_or(String::new(), |r| format!("{r:.6}"));
             let usable = if cell.unusable { "no" } else { "yes" };
             let _ = writeln!(
@@ -453,24 +421,15 @@ fn verdict(results: &Results) -> String {
     if verdict.incomplete {
         let _ = writeln!(text, "{}", words::verdict::headline(verdict));
     }
-    if let Some(governing) = &verdict.governing {
-        let state = if verdict.holds { "all hold" } else { "NOT all hold" };
-        let excitation = match governing.excitation {
-            Excitation::Record => "record",
-            Excitation::Site => "site",
-        };
-        let _ = writeln!(
-            text,
-            "{} checks, {} fail: {state}; governing: {} ({}, {excitation}), utilisation {:.2}",
-            verdict.checks, verdict.failed, governing.check.name, governing.method, governing.check.utilisation
-        );
+    if let Some(line) = terminal::checks(verdict) {
+        let _ = writeln!(text, "{line}");
     }
     // A limit that several engines exceed is printed once.
     let mut told: Vec<&str> = Vec::new();
     for fe in results.fe.iter().chain(&results.fe_solid).chain(&results.fe_nonlinear) {
         let exceeded: Vec<&Limit> = fe.limits.iter().filter(|l| !l.holds).collect();
         for limit in exceeded.iter().filter(|l| !told.contains(&l.id.as_str())) {
-            let _ = writeln!(text, "warning: {}: {}", limit.name, limit.note);
+            let _ = writeln!(text, "{}", terminal::exceeded(limit));
         }
         told.extend(exceeded.iter().map(|l| l.id.as_str()));
     }

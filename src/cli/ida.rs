@@ -15,7 +15,7 @@ use crate::input::records::plausible;
 use crate::job::{Engines, IdaJob};
 use engines::nonlinear::{self, scope::Purpose};
 use files::text;
-use report::{self, number::significant};
+use report::words;
 use results::ida_csv;
 
 /// Largest number of runs of one analysis.
@@ -92,23 +92,18 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     }
     if !global.quiet {
         for run in &found.runs {
-            if let Some(collapse) = &run.collapse {
-                say!(
-                    "scale {}: no equilibrium after {:.3} s: {}",
-                    significant(run.scale, 4),
-                    collapse.time,
-                    collapse.reason
-                );
+            if let Some(line) = words::terminal::collapse(run) {
+                say!("{line}");
             }
         }
-        for sentence in report::ida::departures(&found) {
+        for sentence in words::ida::departures(&found) {
             say!("outside the model: {sentence}");
         }
-        for sentence in report::ida::partings(&found) {
+        for sentence in words::ida::partings(&found) {
             say!("note: {sentence}");
         }
         if found.incomplete {
-            say!("incomplete: repeat the command with --resume to continue");
+            say!("{}", words::terminal::RESUME);
         }
         say!("report: {}", job.out.join("report.html").display());
     }

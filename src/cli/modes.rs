@@ -17,6 +17,7 @@ use crate::input;
 use engines::harmonic;
 use engines::solid::SolidOptions;
 use files::text;
+use report::words::terminal as words;
 use results::{Mode, finite};
 
 /// Largest circumferential harmonic: the default meshes do not resolve more waves.
@@ -127,10 +128,7 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
                      needs six"
                 )));
             }
-            notes.push(format!(
-                "wave numbers up to n = {most} are searched (a wave needs six sectors); modes with more waves may be lower and \
-                 need a mesh with more sectors"
-            ));
+            notes.push(words::wave_numbers(most));
             (modes, notes)
         }
     };

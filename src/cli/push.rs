@@ -18,6 +18,7 @@ use engines::nonlinear::scope::Purpose;
 use files::text;
 use report;
 use report::number::with_unit;
+use report::words;
 use tank::units::{self, Dimension};
 
 /// Largest amplitude of an imperfection, in thicknesses.
@@ -113,12 +114,8 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
         Format::Csv => print(&report::push::csv(&found))?,
     }
     if !global.quiet {
-        for shell in &found.shells {
-            let name = report::push::name_of(shell);
-            say!("{name}: {}", shell.end);
-            if !shell.capacity.limit {
-                say!("{name}: the maximum was not reached; the capacity is a lower bound");
-            }
+        for line in found.shells.iter().flat_map(words::terminal::path) {
+            say!("{line}");
         }
         // Warnings about the input were printed before the run.
         for doubt in found.doubts.iter().filter(|d| !job.job.warnings.contains(d)) {

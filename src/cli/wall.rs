@@ -4,6 +4,7 @@ use tank::units::{Dimension, display};
 use tank::{BarDirection, Behaviour, Layer, Tank};
 
 use files::text::line;
+use report::words::terminal as words;
 
 /// One line per layered course: `course 1: 6.00 mm liner (steel) | 250 mm wall (concrete; hoop 15.0 cm²/m at 40.0 mm
 /// of bars)`.
@@ -12,13 +13,7 @@ pub fn lines(tank: &Tank) -> Vec<String> {
     layered
         .map(|(i, course)| {
             let layers: Vec<String> = course.layers.iter().map(layer).collect();
-            format!(
-                "course {}: {} (inside to outside; codes and linear engines: {} of {} GPa)",
-                i + 1,
-                layers.join(" | "),
-                display(course.thickness, Dimension::Length),
-                tank::units::significant(course.material.youngs_modulus / 1e9, 3)
-            )
+            words::course(i + 1, &layers, course.thickness, course.material.youngs_modulus)
         })
         .collect()
 }
@@ -39,7 +34,7 @@ fn layer(layer: &Layer) -> String {
         })
         .collect();
     let kind = match layer.material.behaviour {
-        Behaviour::Interlayer(l) if l.shear_modulus == 0.0 => "interlayer without shear",
+        Behaviour::Interlayer(l) if l.shear_modulus == 0.0 => words::NO_SHEAR,
         ref behaviour => behaviour.kind(),
     };
     format!(

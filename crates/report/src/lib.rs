@@ -113,11 +113,11 @@ impl Report {
 fn facts(model: &[Fact]) -> Table {
     let mut table = Table::new(vec![Column::words("What"), Column::words("Value")]);
     for fact in model {
-        let value = match fact.name.starts_with("damping") {
+        let value = match fact.kind.is_damping() {
             true => percent(fact.value),
             false => with_unit(fact.value, fact.dimension),
         };
-        table.row(vec![fact.name.clone(), value]);
+        table.row(vec![words::facts::name(fact.kind).into(), value]);
     }
     table
 }

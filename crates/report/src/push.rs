@@ -10,26 +10,12 @@ use crate::figure::chart::{Axis, Chart, Line, Mark};
 use crate::figure::{Figure, HALF, Room, map};
 use crate::number::{Scale, fixed, significant, with_unit};
 use crate::table::{Column, Table, spread};
+use crate::words::push::{self as words, heads, shell_name};
 use files::error::Error;
 use results::{Push, PushPoint, PushShell};
 
 /// Classes of the curves of the perfect and the imperfect shell.
 const CLASSES: [&str; 2] = ["k-fe", "k-s2"];
-
-/// `perfect shell`, `0.50 t outwards at 0.35 m`, `0.50 t, buckling mode`.
-pub fn name_of(shell: &PushShell) -> String {
-    shell.imperfection.as_ref().map_or("perfect shell".into(), |i| {
-        if i.factor.is_some() {
-            return format!("{} t, buckling mode", fixed(i.over_thickness, 2));
-        }
-        let side = if i.amplitude > 0.0 { "outwards" } else { "inwards" };
-        format!(
-            "{} t {side} at {}",
-            fixed(i.over_thickness.abs(), 2),
-            with_unit(i.height, Dimension::Length)
-        )
-    })
-}
 
 /// The capacities, one line a shell.
 pub fn summary(push: &Push) -> Table {
@@ -45,9 +31,9 @@ pub fn summary(push: &Push) -> Table {
         Column::numbers("Base shear", shear.symbol()),
         Column::numbers("Overturning moment", moment.symbol()),
         Column::numbers("Buckle at", "m"),
-        Column::numbers("and at the angle", "°"),
-        Column::numbers("Axial compression at that height", stress.symbol()),
-        Column::numbers("of beam theory at the base", stress.symbol()),
+        Column::numbers(heads::ANGLE, "°"),
+        Column::numbers(heads::COMPRESSION, stress.symbol()),
+        Column::numbers(heads::BEAM, stress.symbol()),
         Column::numbers("Hoop stress", hoop.symbol()),
         Column::numbers("Pressure", pressure.symbol()),
         Column::numbers("Plastic strain", "%"),
@@ -55,7 +41,7 @@ pub fn summary(push: &Push) -> Table {
     for shell in &push.shells {
         let c = &shell.capacity;
         table.row(vec![
-            name_of(shell),
+            shell_name(shell),
             format!(
                 "{}{} g",
                 if c.limit { "" } else { "≥ " },
@@ -89,7 +75,7 @@ pub fn limits(push: &Push) -> Table {
         table.row(vec![
             limit.name.clone(),
             limit.source.clone(),
-            limit.acceleration.map_or("beyond 10 g".into(), |a| {
+            limit.acceleration.map_or(words::BEYOND.into(), |a| {
                 format!("{} g", significant(a / push.gravity, 3))
             }),
             limit.course.to_string(),
@@ -110,7 +96,7 @@ pub fn csv(push: &Push) -> String {
             let _ = writeln!(
                 text,
                 "{},{:.6},{:.6e},{:.6e},{:.6e},{:.6e},{:.6e},{:.4},{:.6e}",
-                name_of(shell),
+                shell_name(shell),
                 p.acceleration,
                 p.base_shear,
                 p.base_moment,
@@ -156,7 +142,7 @@ fn path_figure(
         chart.lines.push(Line {
             points: shell.path.iter().map(|p| (value(p), p.acceleration / g)).collect(),
             class: (*class).into(),
-            label: name_of(shell),
+            label: shell_name(shell),
         });
         let best = &shell.capacity.state;
         chart.marks.push(Mark {
@@ -167,7 +153,7 @@ fn path_figure(
         for i in spread(shell.path.len(), 12) {
             let p = &shell.path[i];
             table.row(vec![
-                name_of(shell),
+                shell_name(shell),
                 significant(p.acceleration / g, 4),
                 with_unit(value(p), dimension),
             ]);
@@ -177,9 +163,9 @@ fn path_figure(
     Ok(Figure {
         id: id.into(),
         title: title.into(),
-        caption: "Marked: the strongest state.".into(),
+        caption: words::PATH.into(),
         titled: false,
-        description: format!("Acceleration over: {title}."),
+        description: words::path(title),
         size: chart.size,
         markup: chart.draw()?,
         table,
@@ -243,13 +229,10 @@ fn meridian_figure(push: &Push, number: usize, shell: &PushShell) -> Result<Figu
     let chart = chart.with_plot_height(240.0);
     Ok(Figure {
         id: format!("push_meridian_{number}"),
-        title: format!("Compressed meridian, {}", name_of(shell)),
-        caption: "Outwards to the right.".into(),
+        title: words::meridian(shell),
+        caption: words::MERIDIAN.into(),
         titled: false,
-        description:
-            "Radial displacement of the compressed meridian over the height, at rest, at the strongest and at the last \
-                      state."
-                .into(),
+        description: words::MERIDIAN_DESCRIPTION.into(),
         size: chart.size,
         markup: chart.draw()?,
         table,
@@ -259,20 +242,10 @@ fn meridian_figure(push: &Push, number: usize, shell: &PushShell) -> Result<Figu
 
 fn figures(push: &Push) -> Result<Vec<Figure>, Error> {
     let mut out = vec![
-        path_figure(
-            push,
-            "push_bulge",
-            "bulge of the compressed meridian",
-            Dimension::Length,
-            |p| p.bulge,
-        )?,
-        path_figure(
-            push,
-            "push_compression",
-            "largest axial compression",
-            Dimension::Stress,
-            |p| p.compression,
-        )?,
+        path_figure(push, "push_bulge", words::BULGE, Dimension::Length, |p| p.bulge)?,
+        path_figure(push, "push_compression", words::COMPRESSION, Dimension::Stress, |p| {
+            p.compression
+        })?,
     ];
     for (number, shell) in push.shells.iter().enumerate() {
         out.push(meridian_figure(push, number, shell)?);
@@ -281,8 +254,8 @@ fn figures(push: &Push) -> Result<Vec<Figure>, Error> {
         let deviation = shell.imperfection.as_ref().and_then(|i| i.map.as_ref());
         for (id, map) in [("push_imperfection", deviation), ("push_plastic", Some(&shell.plastic))] {
             if let Some(mut figure) = map.and_then(|m| map::figure(&format!("{id}_{number}"), m)) {
-                figure.title = format!("{}, {}", figure.title, name_of(shell));
-                figure.caption = "Half of the developed wall, compressed at θ = 0.".into();
+                figure.title = format!("{}, {}", figure.title, shell_name(shell));
+                figure.caption = words::MAP.into();
                 out.push(figure);
             }
         }
@@ -298,25 +271,7 @@ pub fn report(push: &Push) -> Result<Report, Error> {
     let templates = Templates::new(None)?;
     let css = format!("{}{}", templates.css("figure.css"), templates.css("fields.css"));
     let views: Vec<FigureView> = figures.iter().map(FigureView::of).collect();
-    let ends: Vec<String> = push
-        .shells
-        .iter()
-        .map(|shell| {
-            let bound = if shell.capacity.limit {
-                ""
-            } else {
-                " No maximum was passed: the capacity is a lower bound."
-            };
-            let imperfection = shell.imperfection.as_ref().map_or(String::new(), |i| {
-                format!(
-                    " Imperfection of {} ({}).",
-                    with_unit(i.amplitude.abs(), Dimension::Length),
-                    i.source
-                )
-            });
-            format!("{}: {}.{bound}{imperfection}", name_of(shell), shell.end)
-        })
-        .collect();
+    let ends: Vec<String> = push.shells.iter().map(words::end).collect();
     let mut page = Context::new();
     page.insert("name", &push.name);
     page.insert("incomplete", &push.incomplete);

@@ -7,7 +7,7 @@ use tank::units::Dimension;
 
 use super::nonlinear::{BaseMoment, Departure};
 use super::store::{read_document, write_document};
-use super::{SourceFile, Volatile};
+use super::{Fact, SourceFile, Volatile};
 use files::error::Error;
 
 /// Version of the format; a reader refuses any other.
@@ -45,17 +45,6 @@ pub struct Ida {
 
 fn of_a_metre() -> Dimension {
     Dimension::LineMoment
-}
-
-/// A number of the model.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Fact {
-    /// What it is.
-    pub name: String,
-    /// Value.
-    pub value: f64,
-    /// Dimension.
-    pub dimension: Dimension,
 }
 
 /// One run: of a strip the worse of both walls in every quantity, of a cylinder the whole tank.

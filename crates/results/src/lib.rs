@@ -4,6 +4,7 @@
 //! [`Volatile`]. All values are SI, each with its unit beside it. The report, `diff` and users' scripts read nothing else.
 
 pub mod compare;
+mod fact;
 mod fields;
 pub mod finite;
 mod ida;
@@ -20,9 +21,10 @@ use serde::{Deserialize, Serialize};
 use tank::assessment::{Check, Excitation, Profile, Step};
 use tank::units::Dimension;
 
+pub use fact::{Fact, FactKind};
 pub use fields::{DeformedShape, Fields, Picture, WallMap};
 pub use ida::{
-    Collapse, Fact, FirstCrack, IDA_FILE, IDA_FORMAT, IDA_PARTIAL_FILE, Ida, IdaRun, LiquidParting, ida_csv, read_ida,
+    Collapse, FirstCrack, IDA_FILE, IDA_FORMAT, IDA_PARTIAL_FILE, Ida, IdaRun, LiquidParting, ida_csv, read_ida,
     write_ida,
 };
 pub use push::{

@@ -8,8 +8,10 @@ use tank::units::Dimension;
 use super::svg::{Svg, n};
 use super::wall::{self, BAR, Layout, STEPS, TOP};
 use super::{Figure, ticks};
-use crate::number::{Scale, fixed, percent, plain, significant};
+use crate::number::{Scale, fixed, plain, significant};
 use crate::table::{Column, Table, spread};
+use crate::words::capital;
+use crate::words::figures::wall as words;
 use results::nonlinear::{CellMap, Columns, WallGrid};
 
 /// Below this a bare number (a strain) is printed in thousandths.
@@ -64,21 +66,11 @@ fn range(values: &[f64]) -> (f64, f64) {
     }
 }
 
-/// Title with a capital.
-fn title(map: &CellMap) -> String {
-    let mut letters = map.title.chars();
-    letters
-        .next()
-        .map_or_else(String::new, |c| c.to_uppercase().collect::<String>() + letters.as_str())
-}
-
 /// A map in one sentence, where there is nothing to draw: the same value everywhere.
 pub fn sentence(map: &CellMap) -> String {
     let value = map.values.first().copied().unwrap_or(0.0);
-    match value == 0.0 {
-        true => format!("{}: zero everywhere.", title(map)),
-        false => format!("{}: {} everywhere.", title(map), Shown::of(map).with_unit(value)),
-    }
+    let text = (value != 0.0).then(|| Shown::of(map).with_unit(value));
+    words::uniform(&capital(&map.title), text.as_deref())
 }
 
 /// Draws a map; `None` where there is nothing to draw: no cells, a value missing, the same value everywhere.
@@ -114,18 +106,11 @@ pub fn figure(id: &str, grid: &WallGrid, map: &CellMap) -> Option<Figure> {
         if !caption.is_empty() && !caption.ends_with(' ') {
             caption.push(' ');
         }
-        caption.push_str(&match beyond {
-            0 => format!("{text} is reached nowhere."),
-            all if all == map.values.len() => format!("{text} is reached everywhere."),
-            some => format!(
-                "Double line: {text}; {} of the cells are at or above it.",
-                percent(some as f64 / map.values.len() as f64)
-            ),
-        });
+        caption.push_str(&words::mark(&text, beyond, map.values.len()));
     }
     Some(Figure {
         id: id.into(),
-        title: title(map),
+        title: capital(&map.title),
         caption,
         titled: false,
         description: describe(grid, map, &shown),
@@ -188,13 +173,12 @@ fn describe(grid: &WallGrid, map: &CellMap, shown: &Shown) -> String {
         (0..map.values.len()).fold(0, |b, i| if better(map.values[i], map.values[b]) { i } else { b })
     };
     let (most, least) = (best(|a, b| a > b), best(|a, b| a < b));
-    format!(
-        "{} in the cells of the developed wall: largest {} at {}; smallest {} at {}.",
-        map.title,
-        shown.with_unit(map.values[most]),
-        wall::place(grid, most),
-        shown.with_unit(map.values[least]),
-        wall::place(grid, least)
+    let at = |i: usize| [shown.with_unit(map.values[i]), wall::place(grid, i)];
+    let (largest, smallest) = (at(most), at(least));
+    words::cells(
+        &map.title,
+        largest.each_ref().map(String::as_str),
+        smallest.each_ref().map(String::as_str),
     )
 }
 

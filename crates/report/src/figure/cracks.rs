@@ -11,13 +11,13 @@
 //! Height and circumference have different scales: strokes are the images of the directions, like everything in the
 //! picture.
 
-use tank::units::Dimension;
-
 use super::svg::{Anchor, Svg, n, text_width};
 use super::wall::{self, Cell, Layout};
 use super::{Figure, WIDE};
-use crate::number::{count, fixed, plain, significant, with_unit};
+use crate::number::{fixed, significant};
 use crate::table::{Column, Table};
+use crate::words::figures::wall as words;
+use crate::words::{capital, labels};
 use results::nonlinear::{Columns, Crack, CrackPicture, WallGrid};
 
 /// Widths at which the strokes become heavier [m]: up to 0.2 mm a wall may still be called tight (EN 1992-3, 7.3.1), 0.3 to
@@ -39,16 +39,6 @@ fn weight(crack: &Crack) -> Option<usize> {
     (crack.width > CLOSED).then(|| WEIGHTS.iter().filter(|w| crack.width > **w).count())
 }
 
-/// Class in words.
-fn range(class: usize) -> String {
-    let mm = |i: usize| plain(1e3 * WEIGHTS[i], 2);
-    match class {
-        0 => format!("up to {} mm", mm(0)),
-        5 => format!("over {} mm", mm(4)),
-        i => format!("to {} mm", mm(i)),
-    }
-}
-
 /// A width with three digits.
 fn millimetres(width: f64) -> String {
     format!("{}\u{a0}mm", significant(1e3 * width, 3))
@@ -56,7 +46,7 @@ fn millimetres(width: f64) -> String {
 
 /// A picture without cracks, in one sentence.
 pub fn sentence(picture: &CrackPicture) -> String {
-    format!("{}: no crack, {}.", face(picture), when(picture))
+    words::no_crack(&face(picture), &when(picture))
 }
 
 fn when(picture: &CrackPicture) -> String {
@@ -69,10 +59,10 @@ fn when(picture: &CrackPicture) -> String {
 
 /// Face with a capital.
 fn face(picture: &CrackPicture) -> String {
-    let mut letters = picture.face.chars();
-    letters.next().map_or("Wall".into(), |c| {
-        c.to_uppercase().collect::<String>() + letters.as_str()
-    })
+    match picture.face.as_str() {
+        "" => "Wall".into(),
+        face => capital(face),
+    }
 }
 
 /// Draws a picture; `None` where there is nothing to draw: no cells, no cracks, a crack outside the grid.
@@ -109,32 +99,17 @@ pub fn figure(id: &str, grid: &WallGrid, picture: &CrackPicture) -> Option<Figur
     let open = picture.cracks.iter().filter(|c| weight(c).is_some()).count();
     let widest = picture.cracks.iter().map(|c| c.width).fold(0.0, f64::max);
     let mirrored = matches!(grid.columns, Columns::Sectors { mirrored: true, .. });
-    let mut caption = format!(
-        "{} open, {} closed; widest {}.",
-        count(open),
-        count(picture.cracks.len() - open),
-        millimetres(widest)
-    );
-    if mirrored {
-        caption.push_str(" Computed from 0° to 180°; the other half is its mirror image.");
-    }
     Some(Figure {
         id: id.into(),
         title: format!("{}, {}", face(picture), when(picture)),
-        caption,
+        caption: words::cracks(open, picture.cracks.len() - open, &millimetres(widest), mirrored),
         titled: false,
-        description: format!(
-            "Cracks of the {} on the developed wall, {}: {} cracks in {} cells, {} of them open, from z = {} to {}.",
-            match picture.face.as_str() {
-                "" => "wall",
-                face => face,
-            },
-            when(picture),
-            count(picture.cracks.len()),
-            count(grid.cells()),
-            count(open),
-            with_unit(reach(grid, picture, f64::min, 0), Dimension::Length),
-            with_unit(reach(grid, picture, f64::max, 1), Dimension::Length),
+        description: words::cracks_description(
+            picture,
+            &when(picture),
+            open,
+            grid.cells(),
+            [reach(grid, picture, f64::min, 0), reach(grid, picture, f64::max, 1)],
         ),
         size: layout.size,
         markup: svg.into_markup(),
@@ -210,7 +185,7 @@ fn legend(picture: &CrackPicture, width: f64) -> Vec<(usize, f64, f64, String)> 
     for class in present {
         let text = match class {
             0 => "closed".into(),
-            w => range(w - 1),
+            w => words::width(w - 1, &WEIGHTS),
         };
         let wide = 30.0 + text_width(&text) * super::chart::FONT + 14.0;
         if x + wide - 14.0 > width.min(WIDE) && x > 1.0 {
@@ -236,13 +211,13 @@ fn table(grid: &WallGrid, picture: &CrackPicture) -> Table {
     order.sort_by(|a, b| b.width.total_cmp(&a.width).then(b.largest.total_cmp(&a.largest)));
     let mut table = Table::new(vec![
         Column::words("Where"),
-        Column::numbers("Direction from the hoop", "°"),
+        Column::numbers(labels::CRACK_DIRECTION, "°"),
         Column::numbers("Width", "mm"),
-        Column::numbers("Largest so far", "mm"),
+        Column::numbers(labels::LARGEST_SO_FAR, "mm"),
         Column::words("State"),
     ]);
     if order.len() > LISTED {
-        table.caption = format!("The {LISTED} widest of {}", count(order.len()));
+        table.caption = words::widest(LISTED, order.len());
     }
     for crack in order.into_iter().take(LISTED) {
         table.row(vec![

@@ -10,6 +10,7 @@ use super::wall::{self, BAR, BELOW, LEFT, PLOT, STEPS, TOP};
 use super::{Figure, Room, WIDE, ticks};
 use crate::number::{Scale, fixed, plain, with_unit};
 use crate::table::{Column, Table, spread};
+use crate::words::figures::wall as words;
 use results::WallMap;
 
 /// Cells drawn over circumference and height.
@@ -131,7 +132,7 @@ pub fn figure(id: &str, map: &WallMap) -> Option<Figure> {
     Some(Figure {
         id: id.into(),
         title: map.title.clone(),
-        caption: format!("Developed wall at t = {} s.", fixed(map.time, 3)),
+        caption: words::map(map.time),
         titled: false,
         description: describe(map),
         size: (WIDE, bottom + BELOW),
@@ -261,13 +262,7 @@ fn describe(map: &WallMap) -> String {
             with_unit(map.z[j], Dimension::Length)
         )
     };
-    format!(
-        "{} over angle and height of the wall at t = {} s: largest {}; smallest {}.",
-        map.title,
-        fixed(map.time, 3),
-        place(|a, b| a > b),
-        place(|a, b| a < b)
-    )
+    words::map_description(&map.title, map.time, &place(|a, b| a > b), &place(|a, b| a < b))
 }
 
 /// Values at some angles (columns) and heights (rows).

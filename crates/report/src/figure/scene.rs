@@ -6,7 +6,7 @@
 //! light behind the eye's left shoulder.
 
 use super::svg::{Anchor, Svg, path_data};
-use crate::figure::svg::n;
+use crate::words;
 
 /// Width of a picture and its greatest height, in user units.
 const WIDTH: f64 = super::HALF;
@@ -251,13 +251,9 @@ pub fn round_down(value: f64) -> f64 {
     digit.unwrap_or(1.0) * power
 }
 
-/// A point as text, for descriptions.
+/// The point of view, for descriptions.
 pub fn eye() -> String {
-    format!(
-        "seen from {}° beside the x axis and {}° above the horizon",
-        n(AZIMUTH.abs().to_degrees().round()),
-        n(ELEVATION.to_degrees().round())
-    )
+    words::figures::spatial::eye(AZIMUTH.abs().to_degrees().round(), ELEVATION.to_degrees().round())
 }
 
 #[cfg(test)]

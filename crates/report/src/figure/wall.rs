@@ -256,7 +256,7 @@ pub fn angles(svg: &mut Svg, theta: (f64, f64), x: (f64, f64), bottom: f64) {
         (x.1, bottom + 30.0),
         Anchor::End,
         "at",
-        "Angle θ from the direction of shaking [°]",
+        crate::words::labels::ANGLE_AXIS,
     );
 }
 

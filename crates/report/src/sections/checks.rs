@@ -3,9 +3,10 @@
 use serde::Serialize;
 
 use super::summary::bar_width;
-use super::{Section, Source, capital};
+use super::{Section, Source};
 use crate::methods::excitation;
 use crate::number::{Scale, percent};
+use crate::words::capital;
 use files::error::Error;
 
 #[derive(Serialize)]
@@ -61,7 +62,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     if groups.is_empty() {
         return Ok(None);
     }
-    let mut section = Section::new("checks", "Checks");
+    let mut section = Section::new("checks");
     section.set("groups", &groups);
     Ok(Some(section))
 }

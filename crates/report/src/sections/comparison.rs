@@ -101,7 +101,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
                 .collect(),
         });
     }
-    let mut section = Section::new("comparison", "Quantities by method");
+    let mut section = Section::new("comparison");
     section.set("dense", &(head.len() > 7));
     section.set("has_fe", &source.fe().is_some());
     section.set("head", &head);

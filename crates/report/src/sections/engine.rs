@@ -4,9 +4,10 @@ use serde::Serialize;
 use tank::Quantity;
 use tank::units::Dimension;
 
-use super::{Section, Source, capital};
+use super::{Section, Source};
 use crate::number::{Scale, percent, significant};
 use crate::table::{Column, Table};
+use crate::words::{capital, labels};
 use files::error::Error;
 use results::{FeResult, MESH_ERROR_LIMIT};
 
@@ -21,7 +22,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let Some(fe) = &source.results.fe else {
         return Ok(None);
     };
-    let mut section = Section::new("engine", "Finite-element model");
+    let mut section = Section::new("engine");
     fill(&mut section, fe);
     Ok(Some(section))
 }
@@ -56,10 +57,7 @@ pub(super) fn fill(section: &mut Section, fe: &FeResult) {
     }
     section.set("damping", &damping);
 
-    let mut mesh_error = Table::new(vec![
-        Column::words("Quantity"),
-        Column::numbers("Estimated discretisation error", ""),
-    ]);
+    let mut mesh_error = Table::new(vec![Column::words("Quantity"), Column::numbers(labels::MESH_ERROR, "")]);
     for (id, error) in &fe.mesh_error {
         let title = Quantity::from_id(id).map_or(id.as_str(), |q| q.title());
         let mark = if *error > MESH_ERROR_LIMIT { ", unusable" } else { "" };
@@ -77,15 +75,11 @@ pub(super) fn fill(section: &mut Section, fe: &FeResult) {
     if let Some(e) = &fe.energy {
         let scale = Scale::of(Dimension::Energy, [e.input, e.kinetic, e.elastic, e.damping]);
         energy = Table::new(vec![
-            Column::words("Energy at the end"),
+            Column::words(labels::ENERGY_AT_END),
             Column::numbers("Value", scale.symbol()),
         ]);
-        for (label, value) in [
-            ("Work of the base motion", e.input),
-            ("Kinetic", e.kinetic),
-            ("Elastic and gravity potential", e.elastic),
-            ("Dissipated by damping", e.damping),
-        ] {
+        let values = [e.input, e.kinetic, e.elastic, e.damping];
+        for (label, value) in labels::ENERGIES.into_iter().zip(values) {
             energy.row(vec![label.into(), scale.text(value)]);
         }
         section.set("energy_error", &percent(e.error));

@@ -7,8 +7,9 @@ use super::{Section, Source};
 use crate::figure::chart::{Axis, Chart, Line, Mark};
 use crate::figure::decimate::decimate;
 use crate::figure::{Figure, Room, WIDE};
-use crate::number::{Scale, fixed, with_unit};
+use crate::number::{Scale, fixed};
 use crate::table::{Column, Table};
+use crate::words::{figures, labels};
 use files::error::Error;
 use results::SeriesInfo;
 
@@ -33,7 +34,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     if infos.is_empty() {
         return Ok(None);
     }
-    let mut figures = Vec::new();
+    let mut drawn = Vec::new();
     if let Some(values) = source.column("ground_acceleration") {
         let figure = history(
             source,
@@ -44,14 +45,14 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
             None,
             "k-ground",
         )?;
-        figures.extend(figure);
+        drawn.extend(figure);
     }
     for info in infos.iter().take(MOST) {
         let Some(values) = source.column(&info.id) else {
             continue;
         };
         let id = format!("history_{}", info.id);
-        figures.extend(history(
+        drawn.extend(history(
             source,
             &id,
             &info.title,
@@ -64,7 +65,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let mut table = Table::new(vec![
         Column::words("History"),
         Column::words("Unit"),
-        Column::numbers("Largest absolute value", ""),
+        Column::numbers(labels::LARGEST[0], ""),
         Column::numbers("Time", "s"),
         Column::numbers("Static value", ""),
     ]);
@@ -82,10 +83,10 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
             },
         ]);
     }
-    let mut section = Section::new("histories", "Time histories");
+    let mut section = Section::new("histories");
     section.set("undrawn", &infos.len().saturating_sub(MOST));
     section.set("peaks", &table);
-    section.set_figures("figures", figures);
+    section.set_figures("figures", drawn);
     Ok(Some(section))
 }
 
@@ -136,7 +137,7 @@ pub fn history(
     if chart.x.holds(time_of_peak) {
         chart.marks.push(Mark {
             at: (time_of_peak, peak),
-            label: format!("{} at {} s", with_unit(peak, dimension), fixed(time_of_peak, 2)),
+            label: figures::peak(peak, dimension, time_of_peak),
             class: "peak".into(),
         });
     }
@@ -149,33 +150,23 @@ pub fn history(
         table.row(vec![label.into(), scale.text(values[i]), fixed(time[i], 3)]);
     }
     table.row(vec![
-        "largest absolute value".into(),
+        labels::LARGEST[1].into(),
         scale.text(peak.abs()),
         fixed(time_of_peak, 3),
     ]);
     let static_value = info.map_or(0.0, |i| i.static_value);
-    let mut caption = String::new();
-    if static_value != 0.0 {
-        caption = format!(
-            "Seismic part; the static value {} is not contained. ",
-            with_unit(static_value, dimension)
-        );
-    }
-    if peak.abs() > 1.02 * values[sampled].abs() {
-        caption.push_str("The largest value lies between the samples drawn.");
-    }
+    let between = peak.abs() > 1.02 * values[sampled].abs();
     Ok(Some(Figure {
         id: id.into(),
         title: title.into(),
-        caption,
+        caption: figures::history(static_value, dimension, between),
         titled: true,
-        description: format!(
-            "{title} over {} s. Largest {} at {} s, smallest {} at {} s.",
-            fixed(time[n - 1], 1),
-            with_unit(values[highest], dimension),
-            fixed(time[highest], 2),
-            with_unit(values[lowest], dimension),
-            fixed(time[lowest], 2)
+        description: figures::history_description(
+            title,
+            dimension,
+            time[n - 1],
+            (values[highest], time[highest]),
+            (values[lowest], time[lowest]),
         ),
         size: chart.size,
         markup: chart.draw()?,

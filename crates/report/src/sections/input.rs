@@ -29,7 +29,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     if rows.is_empty() {
         return Ok(None);
     }
-    let mut section = Section::new("input", "Input");
+    let mut section = Section::new("input");
     section.set("defaults", &rows.iter().filter(|r| r.default).count());
     section.set("rows", &rows);
     Ok(Some(section))

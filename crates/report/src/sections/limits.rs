@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
-use super::{Section, Source, capital};
+use super::{Section, Source};
 use crate::number::Scale;
+use crate::words::capital;
 use files::error::Error;
 
 #[derive(Serialize)]
@@ -40,7 +41,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     if rows.is_empty() {
         return Ok(None);
     }
-    let mut section = Section::new("limits", "Limits of validity");
+    let mut section = Section::new("limits");
     section.set("broken", &rows.iter().filter(|r| !r.holds).count());
     section.set("rows", &rows);
     Ok(Some(section))

@@ -26,6 +26,7 @@ use tera::Context;
 
 use crate::figure::{Figure, Room};
 use crate::table::Table;
+use crate::words;
 use files::error::Error;
 use results::{Method, Results, Series};
 
@@ -76,10 +77,10 @@ pub const ALL: &[Maker] = &[
 
 impl Section {
     /// A section without content yet.
-    fn new(id: &'static str, title: &'static str) -> Section {
+    fn new(id: &'static str) -> Section {
         Section {
             id,
-            title,
+            title: words::headings::section(id),
             context: Context::new(),
             figures: Vec::new(),
         }
@@ -144,12 +145,4 @@ impl<'a> Source<'a> {
         let i = self.series.ids.iter().position(|c| c == id)?;
         self.series.columns.get(i).map(Vec::as_slice)
     }
-}
-
-/// First letter in upper case.
-fn capital(text: &str) -> String {
-    let mut chars = text.chars();
-    chars
-        .next()
-        .map_or(String::new(), |c| c.to_uppercase().collect::<String>() + chars.as_str())
 }

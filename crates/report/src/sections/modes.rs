@@ -2,10 +2,11 @@
 
 use tank::units::Dimension;
 
-use super::{Section, Source, capital};
+use super::{Section, Source};
 use crate::figure::{Figure, Room, shapes};
 use crate::number::{Scale, fixed, percent, significant};
 use crate::table::{Column, Table, spread};
+use crate::words::{self, capital};
 use files::error::Error;
 use results::{FeResult, Mode};
 
@@ -18,7 +19,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
         return Ok(None);
     };
     let rows: Vec<&Mode> = fe.modes.iter().filter(|m| m.number <= ROWS).collect();
-    let mut section = Section::new("modes", "Modes");
+    let mut section = Section::new("modes");
     section.set("modes", &table(source, &rows));
     section.set("unlisted", &(fe.modes.len() - rows.len()));
     section.set_figures("figures", drawn(fe).into_iter().map(|m| shape(source, m)).collect());
@@ -116,14 +117,7 @@ fn shape(source: &Source, mode: &Mode) -> Figure {
             significant(mode.period, 4),
             significant(1.0 / mode.period, 4)
         ),
-        description: format!(
-            "Section through the tank with the surface and the wall displaced in the {} mode number {} of harmonic {}, \
-             period {} s.",
-            mode.kind,
-            mode.number,
-            mode.harmonic,
-            significant(mode.period, 4)
-        ),
+        description: words::figures::mode(mode),
         size,
         markup,
         table,

@@ -8,6 +8,7 @@ use super::{Section, Source};
 use crate::figure::Figure;
 use crate::number::{count, fixed, significant};
 use crate::table::{Column, Table};
+use crate::words::{capital, labels};
 use files::error::Error;
 use results::{GROUND_COLUMNS, RecordSummary, VERTICAL_PREFIX};
 
@@ -40,7 +41,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     for record in records {
         figures.extend(curves(source, record)?);
     }
-    let mut section = Section::new("motion", "Ground motion");
+    let mut section = Section::new("motion");
     let views: Vec<Record> = records
         .iter()
         .map(|r| Record {
@@ -76,11 +77,7 @@ fn measures(source: &Source) -> Table {
     let records = &source.results.records;
     let gravity = source.results.tank.gravity;
     let mut columns = vec![Column::words("Measure"), Column::words("Unit")];
-    columns.extend(
-        records
-            .iter()
-            .map(|r| Column::numbers(&super::capital(&r.direction), "")),
-    );
+    columns.extend(records.iter().map(|r| Column::numbers(&capital(&r.direction), "")));
     let mut table = Table::new(columns);
     let mut add = |label: &str, unit: &str, of: &dyn Fn(&RecordSummary) -> String| {
         let mut row = vec![label.to_owned(), unit.to_owned()];
@@ -89,13 +86,13 @@ fn measures(source: &Source) -> Table {
     };
     add("Peak acceleration", "m/s²", &|r| significant(r.pga, 4));
     add("Peak acceleration", "g", &|r| significant(r.pga / gravity, 4));
-    add("Peak acceleration of the file, unprocessed", "g", &|r| {
+    add(labels::PEAK_AS_RECORDED, "g", &|r| {
         significant(r.pga_as_recorded / gravity, 4)
     });
     add("Peak velocity", "m/s", &|r| significant(r.pgv, 4));
     add("Peak displacement", "m", &|r| significant(r.pgd, 4));
     add("Arias intensity", "m/s", &|r| significant(r.arias, 4));
-    add("Cumulative absolute velocity", "m/s", &|r| significant(r.cav, 4));
+    add(labels::CUMULATIVE_VELOCITY, "m/s", &|r| significant(r.cav, 4));
     add("Significant duration D5–95", "s", &|r| {
         significant(r.significant_duration, 4)
     });

@@ -6,8 +6,9 @@ use super::Source;
 use crate::figure::chart::{Axis, Chart, Line, Rule};
 use crate::figure::decimate::decimate;
 use crate::figure::{Figure, Room, WIDE};
-use crate::number::{Scale, fixed, percent, with_unit};
+use crate::number::Scale;
 use crate::table::{Column, Table};
+use crate::words::{figures as words, labels};
 use files::error::Error;
 use results::SeriesInfo;
 
@@ -99,25 +100,14 @@ fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option
     let [a, b] = second.names;
     table.row(vec![format!("largest sample, {a}"), scale.text(largest)]);
     table.row(vec![format!("largest sample, {b}"), scale.text(peak(&other[..run]))]);
-    table.row(vec!["largest difference of two samples".into(), scale.text(apart)]);
-    let mut caption = format!(
-        "Samples differ by at most {} of the largest.",
-        percent(apart / largest.max(f64::MIN_POSITIVE))
-    );
-    if run < end {
-        caption.push_str(&format!(" The {b} run ends at {} s.", fixed(time[run - 1], 2)));
-    }
+    table.row(vec![labels::SAMPLE_DIFFERENCE.into(), scale.text(apart)]);
+    let stopped = (run < end).then(|| time[run - 1]);
     Ok(Some(Figure {
         id: format!("{}_{}", second.id, info.id),
         title: format!("{}, {}", info.title, second.title),
-        caption,
+        caption: words::overlay(apart / largest.max(f64::MIN_POSITIVE), b, stopped),
         titled: false,
-        description: format!(
-            "{} over time by the {a} and the {b} engine; largest sample {} and {}.",
-            info.title,
-            with_unit(largest, info.dimension),
-            with_unit(peak(&other[..run]), info.dimension)
-        ),
+        description: words::overlay_description(info, second.names, [largest, peak(&other[..run])]),
         size: chart.size,
         markup: chart.draw()?,
         table,

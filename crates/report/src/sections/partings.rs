@@ -42,7 +42,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     if groups.is_empty() {
         return Ok(None);
     }
-    let mut section = Section::new("partings", "Where and why the methods part");
+    let mut section = Section::new("partings");
     section.set("groups", &groups);
     Ok(Some(section))
 }

@@ -11,6 +11,7 @@ use crate::figure::{Figure, HALF, Room};
 use crate::methods::{Look, figure_order, look};
 use crate::number::{Scale, fixed};
 use crate::table::{Column, Table, spread};
+use crate::words::{figures as words, labels};
 use files::error::Error;
 use results::Envelope;
 
@@ -81,7 +82,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     if figures.is_empty() && site.is_empty() {
         return Ok(None);
     }
-    let mut section = Section::new("profiles", "Pressure and stress over the height");
+    let mut section = Section::new("profiles");
     section.set("has_fe", &source.results.fe.is_some());
     section.set("has_codes", &groups.values().any(|g| !g.profiles.is_empty()));
     section.set_figures("figures", figures);
@@ -132,7 +133,7 @@ fn seismic(id: &str, envelope: Option<&Envelope>, profiles: &[(Look, &Profile)],
         chart.bands.push(Band {
             points: band(e, false),
             class: "k-fe".into(),
-            label: "Finite elements, range".into(),
+            label: labels::ENGINE_RANGE.into(),
         });
         for side in [&e.max, &e.min] {
             chart.lines.push(Line {
@@ -152,18 +153,10 @@ fn seismic(id: &str, envelope: Option<&Envelope>, profiles: &[(Look, &Profile)],
     let chart = chart.with_plot_height(PLOT);
     Ok(Figure {
         id: format!("profile_{id}"),
-        title: format!("{title}, seismic part"),
+        title: words::seismic_part(&title),
         caption: String::new(),
         titled: false,
-        description: format!(
-            "{title} over the height: {}{} procedures.",
-            if envelope.is_some() {
-                "envelope of the finite elements and "
-            } else {
-                ""
-            },
-            profiles.len()
-        ),
+        description: words::profiles(&title, envelope.is_some(), profiles.len()),
         size: chart.size,
         markup: chart.draw()?,
         table: table(envelope, profiles, dimension),
@@ -190,7 +183,7 @@ fn combined(e: &Envelope, height: f64) -> Result<Figure, Error> {
     chart.bands.push(Band {
         points: corners,
         class: "k-fe".into(),
-        label: "static + seismic range".into(),
+        label: labels::COMBINED_RANGE.into(),
     });
     chart.lines.push(Line {
         points: pairs(&e.static_, &e.z),
@@ -222,15 +215,13 @@ fn combined(e: &Envelope, height: f64) -> Result<Figure, Error> {
         let value = |v: &[f64]| v.get(i).map_or("–".into(), |v| scale.text(*v));
         table.row(vec![fixed(e.z[i], 3), value(&e.static_), value(&e.min), value(&e.max)]);
     }
+    let [title, description] = words::combined(e);
     Ok(Figure {
         id: format!("envelope_{}", e.id),
-        title: format!("{}, finite elements with static state", e.title),
+        title,
         caption: String::new(),
         titled: false,
-        description: format!(
-            "{} over the height: static state and the range with the earthquake.",
-            e.title
-        ),
+        description,
         size: chart.size,
         markup: chart.draw()?,
         table,
@@ -247,8 +238,8 @@ fn table(envelope: Option<&Envelope>, profiles: &[(Look, &Profile)], dimension: 
     let scale = Scale::of(dimension, values);
     let mut columns = vec![Column::numbers("z", "m")];
     if envelope.is_some() {
-        columns.push(Column::numbers("Finite elements min", scale.symbol()));
-        columns.push(Column::numbers("Finite elements max", scale.symbol()));
+        columns.push(Column::numbers(labels::ENGINE_EXTREMES[0], scale.symbol()));
+        columns.push(Column::numbers(labels::ENGINE_EXTREMES[1], scale.symbol()));
     }
     columns.extend(
         profiles

@@ -34,7 +34,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
         })
         .collect();
     let v = &results.volatile;
-    let mut section = Section::new("provenance", "Provenance and reproduction");
+    let mut section = Section::new("provenance");
     section.set("files", &files);
     section.set("format", &results.format);
     section.set(

@@ -44,7 +44,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     if rows.is_empty() && remarks.is_empty() {
         return Ok(None);
     }
-    let mut section = Section::new("reported", "Measured and published values");
+    let mut section = Section::new("reported");
     section.set("has_fe", &source.fe().is_some());
     section.set("rows", &rows);
     section.set("remarks", &remarks);

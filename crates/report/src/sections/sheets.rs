@@ -76,7 +76,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     if sheets.is_empty() {
         return Ok(None);
     }
-    let mut section = Section::new("sheets", "Calculation sheets");
+    let mut section = Section::new("sheets");
     section.set("sheets", &sheets);
     Ok(Some(section))
 }

@@ -3,11 +3,13 @@
 
 use tank::units::Dimension;
 
-use super::{Section, Source, capital, engine, overlay};
+use super::{Section, Source, engine, overlay};
 use crate::figure::scene::{self, Face, Part};
 use crate::figure::{Figure, Room, map};
-use crate::number::{Scale, count, fixed, percent, ratio, significant, with_unit};
+use crate::number::{Scale, count, fixed, percent, ratio, significant};
 use crate::table::{Column, Table, spread};
+use crate::words::figures::spatial as words;
+use crate::words::{capital, labels};
 use files::error::Error;
 use results::compare::{FE, FE_SOLID};
 use results::{DeformedShape, Fields, Picture, SOLID_PREFIX};
@@ -30,7 +32,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
             "fields: a face or a displacement without its node".into(),
         ));
     }
-    let mut section = Section::new("spatial", "Three-dimensional run");
+    let mut section = Section::new("spatial");
     section.set("difference", &difference(source));
     section.set("own_engine", &solid.is_some());
     if let Some(solid) = solid {
@@ -81,7 +83,7 @@ fn difference(source: &Source) -> Table {
         Column::numbers("Harmonic", ""),
         Column::numbers("Three-dimensional", ""),
         Column::numbers("Difference", ""),
-        Column::numbers("Estimated error of the spatial mesh", ""),
+        Column::numbers(labels::SPATIAL_MESH_ERROR, ""),
     ]);
     for row in &results.comparison.rows {
         let cell = |i: usize| row.cells.get(i).copied().flatten();
@@ -169,24 +171,16 @@ fn largest(faces: &[[usize; 4]], displacement: &[[f64; 3]]) -> f64 {
 fn mesh(fields: &Fields) -> Figure {
     let (size, markup) = scene::draw(&faces(fields, None, 0.0, 0.0), &[], &[]);
     let mut table = Table::new(vec![Column::words("Drawn"), Column::numbers("Number", "")]);
-    for (label, number) in [
-        ("nodes of wall and free surface", fields.nodes.len()),
-        ("elements of the wall", fields.wall.len()),
-        ("elements of the free surface", fields.surface.len()),
-    ] {
+    let numbers = [fields.nodes.len(), fields.wall.len(), fields.surface.len()];
+    for (label, number) in labels::MESH.into_iter().zip(numbers) {
         table.row(vec![label.into(), count(number)]);
     }
     Figure {
         id: "mesh_spatial".into(),
-        title: "Mesh of wall and free surface".into(),
+        title: words::MESH.into(),
         caption: String::new(),
         titled: false,
-        description: format!(
-            "The tank {}: {} elements of the wall, {} of the free surface.",
-            scene::eye(),
-            count(fields.wall.len()),
-            count(fields.surface.len())
-        ),
+        description: words::mesh(&scene::eye(), [fields.wall.len(), fields.surface.len()]),
         size,
         markup,
         table,
@@ -208,14 +202,11 @@ fn mode(fields: &Fields, index: usize, mode: &Picture) -> Figure {
         title: capital(&mode.title),
         caption: format!("{} Hz.", significant(frequency, 4)),
         titled: false,
-        description: format!(
-            "Mode shape at {} Hz, circumferential wave number {}, {}; largest displacement of the wall {}, of the \
-             free surface {} of the largest.",
-            significant(frequency, 4),
+        description: words::mode(
+            frequency,
             mode.circumferential,
-            scene::eye(),
-            percent(largest(&fields.wall, &mode.displacement) / unit.max(f64::MIN_POSITIVE)),
-            percent(largest(&fields.surface, &mode.displacement) / unit.max(f64::MIN_POSITIVE)),
+            &scene::eye(),
+            [&fields.wall, &fields.surface].map(|f| largest(f, &mode.displacement) / unit.max(f64::MIN_POSITIVE)),
         ),
         size,
         markup,
@@ -236,22 +227,16 @@ fn moment(fields: &Fields, index: usize, moment: &DeformedShape) -> Figure {
         &ghost(fields),
         &fields.nodes,
     );
-    let factors = format!(
-        "Displacements of the wall × {}, of the free surface × {}",
-        factor_text(wall),
-        factor_text(surface)
-    );
-    let most = |part: &[[usize; 4]]| with_unit(largest(part, &moment.displacement), Dimension::Length);
+    let factors = words::factors(&factor_text(wall), &factor_text(surface));
     Figure {
         id: format!("moment_{}", index + 1),
         title: format!("{}, t = {} s", capital(&moment.title), fixed(moment.time, 3)),
-        caption: format!("{factors}; dashed: at rest."),
+        caption: words::moment(&factors),
         titled: false,
-        description: format!(
-            "Deformed tank {}. {factors}. Largest displacement of the wall {}, of the free surface {}.",
-            scene::eye(),
-            most(&fields.wall),
-            most(&fields.surface)
+        description: words::moment_description(
+            &scene::eye(),
+            &factors,
+            [&fields.wall, &fields.surface].map(|f| largest(f, &moment.displacement)),
         ),
         size,
         markup,

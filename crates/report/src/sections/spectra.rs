@@ -5,8 +5,9 @@ use tank::units::Dimension;
 use super::{Section, Source};
 use crate::figure::chart::{Axis, Chart, Line, Rule};
 use crate::figure::{Figure, Room, WIDE, fourway};
-use crate::number::{Scale, percent, plain, significant};
+use crate::number::{Scale, percent, significant};
 use crate::table::{Column, Table, spread};
+use crate::words::figures::spectra as words;
 use files::error::Error;
 use results::SpectrumCurve;
 
@@ -21,33 +22,48 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     if curves.is_empty() {
         return Ok(None);
     }
-    let mut section = Section::new("spectra", "Spectra");
+    let mut section = Section::new("spectra");
     let figures = vec![linear(source, &curves)?, four_way(source, &curves)?];
     section.set_figures("figures", figures);
     section.set("at_periods", &at_periods(source, &curves));
     Ok(Some(section))
 }
 
-/// Palette class of the i-th curve; design spectra draw thinner and dashed.
-fn class(curve: &SpectrumCurve, i: usize) -> String {
-    let site = if curve.id.contains("site") { " site" } else { "" };
-    format!("k-s{}{site}", i % 6 + 1)
+/// Palette class of the i-th curve.
+fn class(i: usize) -> String {
+    format!("k-s{}", i % 6 + 1)
 }
 
-/// The tank's periods with their symbols.
-fn periods(source: &Source) -> Vec<(String, f64)> {
+/// A period of the tank.
+struct Period {
+    /// `c` of sloshing, `i` of structural modes.
+    letter: char,
+    /// Number of the mode.
+    number: usize,
+    /// Period [s].
+    value: f64,
+}
+
+/// The tank's periods.
+fn periods(source: &Source) -> Vec<Period> {
     let mut periods = Vec::new();
     if let Some(fe) = &source.results.fe {
-        for (kind, letter, most) in [("sloshing", "c", 2), ("structural", "i", 1)] {
+        for (kind, letter, most) in [("sloshing", 'c', 2), ("structural", 'i', 1)] {
             let modes = fe.modes.iter().filter(|m| m.kind == kind && m.harmonic == 1);
-            for mode in modes.take(most) {
-                periods.push((format!("T_{letter}{}", mode.number), mode.period));
-            }
+            periods.extend(modes.take(most).map(|mode| Period {
+                letter,
+                number: mode.number,
+                value: mode.period,
+            }));
         }
     }
     if periods.is_empty() {
-        for (id, name) in [("sloshing_period", "T_c1"), ("impulsive_period", "T_i1")] {
-            periods.extend(source.best(id).map(|t| (name.to_owned(), t)));
+        for (id, letter) in [("sloshing_period", 'c'), ("impulsive_period", 'i')] {
+            periods.extend(source.best(id).map(|value| Period {
+                letter,
+                number: 1,
+                value,
+            }));
         }
     }
     periods
@@ -56,15 +72,15 @@ fn periods(source: &Source) -> Vec<(String, f64)> {
 fn rules(source: &Source) -> Vec<Rule> {
     periods(source)
         .into_iter()
-        .map(|(name, x)| Rule {
-            x,
-            label: format!("{name} = {} s", significant(x, 3)),
+        .map(|p| Rule {
+            x: p.value,
+            label: format!("T_{}{} = {} s", p.letter, p.number, significant(p.value, 3)),
         })
         .collect()
 }
 
 fn linear(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error> {
-    let longest = periods(source).iter().map(|p| p.1).fold(0.0, f64::max);
+    let longest = periods(source).iter().map(|p| p.value).fold(0.0, f64::max);
     let data_end = curves
         .iter()
         .filter_map(|c| c.period.last())
@@ -92,7 +108,7 @@ fn linear(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error> {
     for (i, c) in curves.iter().enumerate() {
         chart.lines.push(Line {
             points: shown(c),
-            class: class(c, i),
+            class: class(i),
             label: c.title.clone(),
         });
     }
@@ -116,14 +132,10 @@ fn linear(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error> {
     }
     Ok(Figure {
         id: "spectrum_linear".into(),
-        title: "Pseudo-acceleration spectra".into(),
-        caption: "Vertical lines: periods of the tank (c sloshing, i structural).".into(),
+        title: words::LINEAR.into(),
+        caption: words::LINEAR_CAPTION.into(),
         titled: false,
-        description: format!(
-            "Pseudo-acceleration over period up to {} s for {} spectra.",
-            plain(end, 2),
-            curves.len()
-        ),
+        description: words::linear(end, curves.len()),
         size: chart.size,
         markup: chart.draw()?,
         table,
@@ -141,7 +153,7 @@ fn four_way(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error>
         .enumerate()
         .map(|(i, c)| fourway::Curve {
             points: c.period.iter().copied().zip(c.psv.iter().copied()).collect(),
-            class: class(c, i),
+            class: class(i),
             label: c.title.clone(),
         })
         .collect();
@@ -167,12 +179,10 @@ fn four_way(source: &Source, curves: &[&SpectrumCurve]) -> Result<Figure, Error>
     }
     Ok(Figure {
         id: "spectrum_four_way".into(),
-        title: "Four-way logarithmic spectra".into(),
-        caption: "Pseudo-velocity upwards; falling lines of equal displacement, rising lines of equal \
-                  pseudo-acceleration."
-            .into(),
+        title: words::FOUR_WAY.into(),
+        caption: words::FOUR_WAY_CAPTION.into(),
         titled: false,
-        description: format!("Tripartite plot of {} spectra on logarithmic axes.", curves.len()),
+        description: words::four_way(curves.len()),
         size,
         markup,
         table,
@@ -197,11 +207,9 @@ fn at_periods(source: &Source, curves: &[&SpectrumCurve]) -> Table {
     let gravity = source.results.tank.gravity;
     let mut columns = vec![Column::words("Spectrum"), Column::numbers("Damping", "")];
     let periods = periods(source);
-    for (name, t) in &periods {
-        columns.push(Column::numbers(
-            &format!("PSA at {} = {} s", name.replace('_', ""), significant(*t, 3)),
-            "g",
-        ));
+    for p in &periods {
+        let head = format!("PSA at T{}{} = {} s", p.letter, p.number, significant(p.value, 3));
+        columns.push(Column::numbers(&head, "g"));
     }
     let mut table = Table::new(columns);
     if periods.is_empty() {
@@ -210,8 +218,8 @@ fn at_periods(source: &Source, curves: &[&SpectrumCurve]) -> Table {
     for c in curves {
         let scale = Scale::of(Dimension::Dimensionless, [0.1]);
         let mut row = vec![c.title.clone(), percent(c.damping)];
-        for (_, t) in &periods {
-            row.push(at(&c.period, &c.psa, *t).map_or("–".into(), |a| scale.text(a / gravity)));
+        for p in &periods {
+            row.push(at(&c.period, &c.psa, p.value).map_or("–".into(), |a| scale.text(a / gravity)));
         }
         table.row(row);
     }

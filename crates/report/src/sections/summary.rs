@@ -5,12 +5,12 @@ use tank::Quantity;
 use tank::Shape;
 use tank::units::Dimension;
 
-use super::{Section, Source, capital};
+use super::{Section, Source};
 use crate::figure::Figure;
 use crate::figure::bars::{Bar, bars};
 use crate::methods::{excitation, figure_order, look};
 use crate::number::{Scale, fixed, given, percent, ratio, with_unit};
-use crate::words;
+use crate::words::{self, capital};
 use files::error::Error;
 use results::compare::unusable;
 use results::{Limit, Results};
@@ -60,9 +60,9 @@ struct Warning {
 /// Makes the section.
 pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let results = source.results;
-    let mut section = Section::new("summary", "Summary");
+    let mut section = Section::new("summary");
     section.set("name", &results.name);
-    section.set("subtitle", &subtitle(source));
+    section.set("subtitle", words::summary::subtitle(source.fe().is_some()));
     section.set("verdict", &verdict(results));
     section.set("governing", &governing(results).into_iter().collect::<Vec<_>>());
     section.set("facts", &facts(source));
@@ -75,14 +75,6 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     );
     section.set_figures("figures", headline_figures(results));
     Ok(Some(section))
-}
-
-fn subtitle(source: &Source) -> String {
-    if source.fe().is_some() {
-        "Seismic verification: code procedures beside a coupled finite-element time history".into()
-    } else {
-        "Seismic verification by code procedures".into()
-    }
 }
 
 fn verdict(results: &Results) -> Verdict {
@@ -157,23 +149,21 @@ fn facts(source: &Source) -> Vec<Fact> {
         }
     }
     let strip = matches!(summary.tank.shape, Shape::Rectangle { strip: true, .. });
-    let label = if strip {
-        "Liquid mass of the strip"
-    } else {
-        "Liquid mass"
-    };
-    add(label, with_unit(summary.liquid_mass, Dimension::Mass));
+    add(
+        words::summary::liquid_mass(strip),
+        with_unit(summary.liquid_mass, Dimension::Mass),
+    );
     if let Some(record) = source.results.records.first() {
         add(
-            "Peak ground acceleration",
+            words::summary::PEAK_GROUND_ACCELERATION,
             format!("{}\u{a0}g", fixed(record.pga / summary.gravity, 3)),
         );
     }
     if let Some(t) = source.best("sloshing_period") {
-        add("First sloshing period", with_unit(t, Dimension::Time));
+        add(words::summary::FIRST_SLOSHING, with_unit(t, Dimension::Time));
     }
     if let Some(t) = source.best("impulsive_period") {
-        add("First structural period", with_unit(t, Dimension::Time));
+        add(words::summary::FIRST_STRUCTURAL, with_unit(t, Dimension::Time));
     }
     facts
 }
@@ -196,14 +186,10 @@ fn warnings(results: &Results) -> Vec<Warning> {
         .iter()
         .copied()
         .chain(others)
-        .map(|l| {
-            let scale = Scale::of(l.dimension, [l.value, l.limit]);
-            let unit = scale.symbol();
-            Warning {
-                name: capital(&l.name),
-                found: format!("{} against {} {unit}", scale.text(l.value), scale.text(l.limit)),
-                note: capital(&l.note),
-            }
+        .map(|l| Warning {
+            name: capital(&l.name),
+            found: words::summary::exceeded(l),
+            note: capital(&l.note),
         })
         .collect()
 }

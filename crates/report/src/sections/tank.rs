@@ -4,10 +4,12 @@ use serde::Serialize;
 use tank::units::Dimension;
 use tank::{BarDirection, LayerKind, Shape, Support};
 
-use super::{Section, Source, capital};
+use super::{Section, Source};
 use crate::figure::{Figure, Room, sketch};
-use crate::number::{Scale, given, plain, significant};
+use crate::number::{Scale, plain, significant};
 use crate::table::{Column, Table};
+use crate::words::labels::tank as words;
+use crate::words::{capital, figures};
 use files::error::Error;
 
 #[derive(Serialize)]
@@ -21,38 +23,25 @@ struct Deformability {
 pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let summary = &source.results.tank;
     let tank = &summary.tank;
-    let mut section = Section::new("tank", "Tank and liquid");
+    let mut section = Section::new("tank");
     let (size, markup, exaggeration) = sketch::draw(summary);
     let plan = match tank.shape {
         Shape::Cylinder { .. } => "upright cylinder",
-        Shape::Rectangle { strip: true, .. } => "strip of a long rectangular tank",
+        Shape::Rectangle { strip: true, .. } => words::STRIP,
         Shape::Rectangle { .. } => "rectangle",
     };
     let support = match tank.support {
         Support::Anchored => "anchored",
-        Support::Unanchored => "resting on the ground",
-    };
-    let caption = if exaggeration > 1.0 {
-        format!(
-            "Section and plan to one scale; wall thickness drawn {} times.",
-            plain(exaggeration, 0)
-        )
-    } else {
-        "Section and plan to one scale.".into()
+        Support::Unanchored => words::ON_GROUND,
     };
     section.set_figures(
         "figures",
         vec![Figure {
             id: "sketch".into(),
             title: "Tank".into(),
-            caption,
+            caption: figures::sketch(exaggeration),
             titled: false,
-            description: format!(
-                "Section through the tank ({plan}, {support}), wall {} high in {} courses, liquid {} deep.",
-                given(tank.wall_height(), Dimension::Length),
-                tank.courses.len(),
-                given(summary.liquid.fill_height, Dimension::Length)
-            ),
+            description: figures::sketch_description(plan, support, tank, &summary.liquid),
             size,
             markup,
             table: courses(source),
@@ -73,29 +62,21 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     fact("Wall mass", summary.wall_mass, Dimension::Mass);
     if tank.roof.mass > 0.0 {
         fact("Roof mass", tank.roof.mass, Dimension::Mass);
-        fact(
-            "Height of the roof's centre of mass",
-            tank.roof_height(),
-            Dimension::Length,
-        );
+        fact(words::ROOF_HEIGHT, tank.roof_height(), Dimension::Length);
     }
     fact(
         "Freeboard",
         tank.wall_height() - summary.liquid.fill_height,
         Dimension::Length,
     );
-    fact("Acceleration of free fall", summary.gravity, Dimension::Acceleration);
+    fact(words::GRAVITY, summary.gravity, Dimension::Acceleration);
     if let Some(bottom) = &tank.bottom {
-        fact(
-            "Thickness of the bottom plate under the shell",
-            bottom.thickness,
-            Dimension::Length,
-        );
+        fact(words::BOTTOM_PLATE, bottom.thickness, Dimension::Length);
     }
     if let Some(anchors) = &tank.anchors {
-        fact("Number of anchors", f64::from(anchors.count), Dimension::Dimensionless);
+        fact(words::ANCHORS, f64::from(anchors.count), Dimension::Dimensionless);
         if let Some(capacity) = anchors.capacity {
-            fact("Capacity of one anchor", capacity, Dimension::Force);
+            fact(words::ANCHOR_CAPACITY, capacity, Dimension::Force);
         }
     }
     section.set("plan", &capital(plan));
@@ -146,7 +127,7 @@ fn courses(source: &Source) -> Table {
             c.material.yield_strength.map_or("–".into(), |f| strength.given(f)),
         ]);
     }
-    table.caption = "Courses from the base up".into();
+    table.caption = words::COURSES.into();
     table
 }
 
@@ -185,7 +166,7 @@ fn layers(source: &Source) -> Vec<Table> {
             density.given(l.material.density),
         ]);
     }
-    table.caption = "Layers from inside to outside; the table above has the equivalent homogeneous wall".into();
+    table.caption = words::LAYERS.into();
     let bars = || all().flat_map(|(i, j, l)| l.reinforcement.iter().map(move |b| (i, j, b)));
     let area = Scale::of(Dimension::LineArea, bars().map(|(_, _, b)| b.area));
     let depth = Scale::of(Dimension::Length, bars().map(|(_, _, b)| b.depth));
@@ -194,7 +175,7 @@ fn layers(source: &Source) -> Vec<Table> {
         Column::numbers("Layer", ""),
         Column::words("Direction"),
         Column::numbers("Area", area.symbol()),
-        Column::numbers("Distance from the inner face", depth.symbol()),
+        Column::numbers(words::BAR_DEPTH, depth.symbol()),
         Column::words("Material"),
     ]);
     for (course, layer, b) in bars() {
@@ -210,7 +191,7 @@ fn layers(source: &Source) -> Vec<Table> {
             b.material.name.clone(),
         ]);
     }
-    steel.caption = "Bars (nonlinear engine)".into();
+    steel.caption = words::BARS.into();
     let mut tables = Vec::new();
     tables.extend(all().next().map(|_| table));
     tables.extend(bars().next().map(|_| steel));

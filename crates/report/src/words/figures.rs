@@ -90,7 +90,10 @@ pub mod spectra {
 
     /// Description of the linear plot of `count` spectra up to the period `end` [s].
     pub fn linear(end: f64, count: usize) -> String {
-        format!("Pseudo-acceleration over period up to {} s for {count} spectra.", plain(end, 2))
+        format!(
+            "Pseudo-acceleration over period up to {} s for {count} spectra.",
+            plain(end, 2)
+        )
     }
 
     /// Description of the logarithmic plot.
@@ -101,7 +104,11 @@ pub mod spectra {
 
 /// Description of profiles over the height; `engine` is whether the envelope of the finite elements is drawn.
 pub fn profiles(title: &str, engine: bool, procedures: usize) -> String {
-    let envelope = if engine { "envelope of the finite elements and " } else { "" };
+    let envelope = if engine {
+        "envelope of the finite elements and "
+    } else {
+        ""
+    };
     format!("{title} over the height: {envelope}{procedures} procedures.")
 }
 
@@ -160,7 +167,7 @@ pub mod spatial {
     }
 
     /// Description of a mode; `parts` are the largest displacements of wall and surface over the largest.
-    pub fn mode(frequency: f64, waves: usize, eye: &str, parts: [f64; 2]) -> String {
+    pub fn mode(frequency: f64, waves: u32, eye: &str, parts: [f64; 2]) -> String {
         format!(
             "Mode shape at {} Hz, circumferential wave number {waves}, {eye}; largest displacement of the wall {}, of the free \
              surface {} of the largest.",
@@ -251,7 +258,11 @@ pub mod wall {
         } else {
             ""
         };
-        format!("{} open, {} closed; widest {widest}.{mirrored}", count(open), count(closed))
+        format!(
+            "{} open, {} closed; widest {widest}.{mirrored}",
+            count(open),
+            count(closed)
+        )
     }
 
     /// Description of a crack picture: `open` cracks, `cells` of the wall, lowest and highest edge [m].

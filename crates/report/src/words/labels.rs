@@ -55,6 +55,9 @@ pub const LARGEST_SO_FAR: &str = "Largest so far";
 /// Axis around the developed wall.
 pub const ANGLE_AXIS: &str = "Angle θ from the direction of shaking [°]";
 
+/// Histories of a linear and a nonlinear run.
+pub const BOTH_RUNS: &str = "linear and nonlinear";
+
 /// The tank.
 pub mod tank {
     /// Plan of a strip.

@@ -6,9 +6,24 @@
 //! | module | says |
 //! |---|---|
 //! | [`differences`] | where methods differ and why |
-//! | [`verdict`] | whether the tank holds, whether the results are complete |
+//! | [`verdict`], [`outcome`] | whether the tank holds, whether the results are complete, how a nonlinear run ended |
+//! | [`headings`], [`labels`] | titles of sections, heads of columns, labels of rows |
+//! | [`summary`] | the first page |
+//! | [`figures`] | captions and descriptions of figures |
+//! | [`facts`] | names of the numbers of a model |
+//! | [`ida`], [`push`] | the pages of these analyses |
+//! | [`terminal`] | the summaries on the terminal |
 
 pub mod differences;
+pub mod facts;
+pub mod figures;
+pub mod headings;
+pub mod ida;
+pub mod labels;
+pub mod outcome;
+pub mod push;
+pub mod summary;
+pub mod terminal;
 pub mod verdict;
 
 use tank::Quantity;

@@ -64,5 +64,10 @@ pub fn reason(reason: &str) -> String {
 
 /// A departure from the model.
 pub fn departure(departure: &Departure) -> String {
-    format!("After {} s, {}: {}.", fixed(departure.time, 3), departure.place, departure.reason)
+    format!(
+        "After {} s, {}: {}.",
+        fixed(departure.time, 3),
+        departure.place,
+        departure.reason
+    )
 }

@@ -10,7 +10,7 @@ use super::super::{Contact, Damping, NonlinearOptions};
 use super::model::CylinderModel;
 use super::watch::Watch;
 use results::nonlinear::Count;
-use results::{Fact, Labelled};
+use results::{Fact, FactKind, Labelled};
 
 /// Said of a tank that the file calls unanchored.
 pub const HELD_DOWN: &str = "The tank is unanchored; the nonlinear engine clamps the base of its wall to the ground and does not let it uplift.";
@@ -42,25 +42,21 @@ pub fn cost(tank: &CylinderModel, watch: &Watch<'_>, run: &Run) -> Vec<Count> {
 
 /// The model in numbers.
 pub fn facts(tank: &CylinderModel, step: f64) -> Vec<Fact> {
-    let fact = |name: &str, value: f64, dimension| Fact {
-        name: name.into(),
-        value,
-        dimension,
-    };
+    let fact = |kind, value: f64, dimension| Fact { kind, value, dimension };
     let number = Dimension::Dimensionless;
     vec![
-        fact("shells around", tank.cells.columns() as f64, number),
-        fact("shells over the height", tank.cells.rows() as f64, number),
-        fact("sloshing modes of the liquid", tank.amplitudes.len() as f64, number),
-        fact("unknowns", tank.model.dofs().len() as f64, number),
-        fact("first sloshing mode", tank.sloshing_omega, Dimension::AngularFrequency),
+        fact(FactKind::ShellsAround, tank.cells.columns() as f64, number),
+        fact(FactKind::ShellsOverHeight, tank.cells.rows() as f64, number),
+        fact(FactKind::SloshingModes, tank.amplitudes.len() as f64, number),
+        fact(FactKind::Unknowns, tank.model.dofs().len() as f64, number),
         fact(
-            "first mode of wall and liquid",
-            tank.wall_omega,
+            FactKind::FirstSloshing,
+            tank.sloshing_omega,
             Dimension::AngularFrequency,
         ),
-        fact("damping of the first mode of wall and liquid", tank.wall_ratio, number),
-        fact("longest time step", step, Dimension::Time),
+        fact(FactKind::FirstWall, tank.wall_omega, Dimension::AngularFrequency),
+        fact(FactKind::WallDamping, tank.wall_ratio, number),
+        fact(FactKind::LongestStep, step, Dimension::Time),
     ]
 }
 

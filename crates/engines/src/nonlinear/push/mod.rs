@@ -39,7 +39,7 @@ use imperfection::{Dent, Depression, half_wave};
 use keep::{Keeper, Kept};
 use model::Plan;
 use path::Followed;
-use results::{Fact, Imperfection, PushLimit, PushShell};
+use results::{Fact, FactKind, Imperfection, PushLimit, PushShell};
 
 /// What a pushover is asked.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -304,33 +304,25 @@ fn imperfect(
 }
 
 fn facts(plan: &Plan) -> Vec<Fact> {
-    let fact = |name: &str, value: f64, dimension| Fact {
-        name: name.into(),
-        value,
-        dimension,
-    };
+    let fact = |kind, value: f64, dimension| Fact { kind, value, dimension };
     let number = Dimension::Dimensionless;
     let lowest = &plan.case.tank.courses[0];
     let bending = (plan.radius * lowest.thickness).sqrt();
     let (mass, moment) = plan.impulsive.above(0.0);
     let masses = limits::masses(plan, 0.0);
     vec![
-        fact("R/t of the lowest course", plan.radius / lowest.thickness, number),
-        fact("elements over the height", (plan.levels.len() - 1) as f64, number),
-        fact("elements around the half", (plan.angles.len() - 1) as f64, number),
+        fact(FactKind::RadiusOverThickness, plan.radius / lowest.thickness, number),
+        fact(FactKind::ElementsOverHeight, (plan.levels.len() - 1) as f64, number),
+        fact(FactKind::ElementsAround, (plan.angles.len() - 1) as f64, number),
         fact(
-            "lowest element over √(R t)",
+            FactKind::LowestElement,
             (plan.levels[1] - plan.levels[0]) / bending,
             number,
         ),
-        fact(
-            "smallest element along the circumference over √(R t)",
-            plan.radius * plan.angles[1] / bending,
-            number,
-        ),
-        fact("impulsive mass of the liquid", mass, Dimension::Mass),
-        fact("its height", moment / mass, Dimension::Length),
-        fact("mass of wall and roof", masses.0, Dimension::Mass),
+        fact(FactKind::SmallestAround, plan.radius * plan.angles[1] / bending, number),
+        fact(FactKind::ImpulsiveMass, mass, Dimension::Mass),
+        fact(FactKind::ImpulsiveHeight, moment / mass, Dimension::Length),
+        fact(FactKind::WallAndRoofMass, masses.0, Dimension::Mass),
     ]
 }
 

@@ -8,7 +8,7 @@ use tank::units::Dimension;
 
 use super::super::{Contact, Damping, MassProportionalAt, NonlinearOptions};
 use crate::FeError;
-use results::Fact;
+use results::{Fact, FactKind};
 
 /// Damping of the strip.
 ///
@@ -39,34 +39,22 @@ pub(super) fn damping(damping: Damping, liquid: &StripLiquid) -> Result<StripDam
 
 /// The model in numbers.
 pub(super) fn facts(model: &StripModel, tank: &StripTank, step: f64) -> Vec<Fact> {
-    let fact = |name: &str, value: f64, dimension| Fact {
-        name: name.into(),
-        value,
-        dimension,
-    };
+    let fact = |kind, value: f64, dimension| Fact { kind, value, dimension };
     let number = Dimension::Dimensionless;
     let fibres = tank.sections.iter().map(|s| s.fibre_count()).max().unwrap_or(0);
     vec![
-        fact("elements over a wall", (tank.levels.len() - 1) as f64, number),
-        fact("fibres in a section", fibres as f64, number),
-        fact("sloshing modes of the liquid", tank.sloshing as f64, number),
+        fact(FactKind::ElementsOverWall, (tank.levels.len() - 1) as f64, number),
+        fact(FactKind::SectionFibres, fibres as f64, number),
+        fact(FactKind::SloshingModes, tank.sloshing as f64, number),
         fact(
-            "first sloshing mode",
+            FactKind::FirstSloshing,
             model.modes.omega.first().copied().unwrap_or(f64::NAN),
             Dimension::AngularFrequency,
         ),
-        fact("damping of the first sloshing mode", model.ratios[0].ratio, number),
-        fact(
-            "first mode of wall and liquid",
-            model.wall_frequency(),
-            Dimension::AngularFrequency,
-        ),
-        fact(
-            "damping of the first mode of wall and liquid",
-            model.wall_ratio(),
-            number,
-        ),
-        fact("longest time step", step, Dimension::Time),
+        fact(FactKind::SloshingDamping, model.ratios[0].ratio, number),
+        fact(FactKind::FirstWall, model.wall_frequency(), Dimension::AngularFrequency),
+        fact(FactKind::WallDamping, model.wall_ratio(), number),
+        fact(FactKind::LongestStep, step, Dimension::Time),
     ]
 }
 

@@ -2,12 +2,13 @@
 
 use tank::units::Dimension;
 
-use super::super::capital;
 use crate::figure::chart::{Axis, Chart, Line, Rule};
 use crate::figure::decimate::{decimate, thin};
 use crate::figure::{Figure, HALF, Room, WIDE};
-use crate::number::{Scale, fixed, percent, with_unit};
+use crate::number::{Scale, fixed, percent};
 use crate::table::{Column, Table, spread};
+use crate::words::figures::nonlinear as words;
+use crate::words::{capital, labels};
 use files::error::Error;
 use results::nonlinear::{Loop, LoopAxis, Nonlinear};
 use results::{Envelope, FeResult};
@@ -76,23 +77,9 @@ fn one_loop(index: usize, curve: &Loop) -> Result<Option<Figure>, Error> {
     Ok(Some(Figure {
         id: format!("loop_{}_{}", index + 1, curve.id),
         title: curve.title.clone(),
-        caption: format!(
-            "From {} to {}, from {} to {}.",
-            with_unit(x.0, curve.x.dimension),
-            with_unit(x.1, curve.x.dimension),
-            with_unit(y.0, curve.y.dimension),
-            with_unit(y.1, curve.y.dimension)
-        ),
+        caption: words::extents(curve, x, y),
         titled: false,
-        description: format!(
-            "{} over {}: from {} to {} over {} to {}.",
-            capital(&curve.y.title),
-            curve.x.title,
-            with_unit(y.0, curve.y.dimension),
-            with_unit(y.1, curve.y.dimension),
-            with_unit(x.0, curve.x.dimension),
-            with_unit(x.1, curve.x.dimension)
-        ),
+        description: words::extents_description(curve, x, y),
         size: chart.size,
         markup: chart.draw()?,
         table,
@@ -106,14 +93,19 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
         return Ok(Vec::new());
     };
     let time = &energies.time;
-    let curves: [(&str, &str, &[f64]); 6] = [
-        ("work of the loads", "k-s1", &energies.input),
-        ("internal", "k-s2", &energies.internal),
-        ("materials (part of internal)", "k-s3", &energies.hysteretic),
-        ("damping", "k-s4", &energies.damping),
-        ("kinetic", "k-s5", &energies.kinetic),
-        ("time integration", "k-s6", &energies.numerical),
+    let values: [&[f64]; 6] = [
+        &energies.input,
+        &energies.internal,
+        &energies.hysteretic,
+        &energies.damping,
+        &energies.kinetic,
+        &energies.numerical,
     ];
+    let mut index = 0;
+    let curves = values.map(|values| {
+        index += 1;
+        (labels::NONLINEAR_ENERGIES[index - 1], format!("k-s{index}"), values)
+    });
     let whole = |v: &[f64]| v.len() == time.len() && v.iter().all(|x| x.is_finite());
     if !curves.iter().all(|(_, _, v)| whole(v)) {
         return Err(Error::Report(
@@ -149,9 +141,9 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
     let scale = Scale::of(Dimension::Energy, [largest]);
     let mut table = Table::new(vec![
         Column::words("Energy"),
-        Column::numbers("At the end", scale.symbol()),
+        Column::numbers(labels::AT_END[0], scale.symbol()),
         Column::numbers("Largest", scale.symbol()),
-        Column::numbers("At the end, part of the work", ""),
+        Column::numbers(labels::AT_END[1], ""),
     ]);
     let input = energies.input[end];
     for (label, _, values) in curves {
@@ -168,20 +160,13 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
     }
     Ok(vec![Figure {
         id: "energies".into(),
-        title: "Energy over time".into(),
-        caption: format!(
-            "Internal: stored and dissipated in the wall. Work of the loads less all others leaves at most {} of the largest.",
-            percent(energies.error)
-        ),
+        title: words::ENERGIES.into(),
+        caption: words::energies(energies.error),
         titled: false,
-        description: format!(
-            "Energies over {} s: work of the loads {} at the end, dissipated by damping {}, by the materials {}, by the time \
-             integration {}.",
-            fixed(time[end], 1),
-            with_unit(input, Dimension::Energy),
-            with_unit(energies.damping[end], Dimension::Energy),
-            with_unit(energies.hysteretic[end], Dimension::Energy),
-            with_unit(energies.numerical[end], Dimension::Energy)
+        description: words::energies_description(
+            time[end],
+            input,
+            [energies.damping[end], energies.hysteretic[end], energies.numerical[end]],
         ),
         size: chart.size,
         markup: chart.draw()?,
@@ -255,22 +240,13 @@ fn one_envelope(linear: Option<&Envelope>, nonlinear: &Envelope) -> Result<Optio
         ]);
     }
     let most = |e: &Envelope| e.min.iter().chain(&e.max).fold(0.0_f64, |m, v| m.max(v.abs()));
-    let beside = linear.map_or(String::new(), |e| {
-        format!(", linear {}", with_unit(most(e), nonlinear.dimension))
-    });
+    let [caption, description] = words::envelope(nonlinear, most(nonlinear), linear.map(most));
     Ok(Some(Figure {
         id: format!("envelope_nonlinear_{}", nonlinear.id),
         title: nonlinear.title.clone(),
-        caption: format!(
-            "Smallest and largest seismic value over time; largest absolute value {}{beside}.",
-            with_unit(most(nonlinear), nonlinear.dimension)
-        ),
+        caption,
         titled: false,
-        description: format!(
-            "{} over the height: smallest and largest value over time of the nonlinear run, largest absolute value {}{beside}.",
-            nonlinear.title,
-            with_unit(most(nonlinear), nonlinear.dimension)
-        ),
+        description,
         size: chart.size,
         markup: chart.draw()?,
         table,

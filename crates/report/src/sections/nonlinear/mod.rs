@@ -3,17 +3,20 @@
 mod charts;
 
 use serde::Serialize;
+use tank::Quantity;
 use tank::units::Dimension;
 
 use super::overlay::{self, Second};
-use super::{Section, Source, capital, engine, histories};
+use super::{Section, Source, engine, histories};
 use crate::figure::{Figure, cells, cracks};
-use crate::number::{Scale, fixed, percent, plain, ratio, significant};
+use crate::number::{Scale, fixed, plain, ratio, significant};
 use crate::table::{Column, Table};
+use crate::words::capital;
 use crate::words::verdict::LIQUID_PARTED;
+use crate::words::{labels, outcome};
 use files::error::Error;
 use results::compare::{FE, FE_NONLINEAR};
-use results::nonlinear::{BaseMoment, Count, Departure, End, Event, Nonlinear};
+use results::nonlinear::{BaseMoment, Count, End, Event, Nonlinear};
 use results::{FeResult, NONLINEAR_PREFIX, SeriesInfo};
 
 /// Histories of both engines drawn over each other, by the beginning of their id.
@@ -35,7 +38,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let Some(fe) = &source.results.fe_nonlinear else {
         return Ok(None);
     };
-    let mut section = Section::new("nonlinear", "Nonlinear run");
+    let mut section = Section::new("nonlinear");
     let (difference, bounds) = difference(source);
     section.set("difference", &difference);
     section.set("bounds", &bounds);
@@ -89,92 +92,60 @@ fn check(run: &Nonlinear) -> Result<(), Error> {
 
 /// The box above everything else.
 fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
-    let bounds =
-        "Values, pictures and histories are those until then: lower bounds of what the ground motion asks of the tank.";
     let fail = |headline: String, text: Vec<String>| Outcome {
         class: "fail",
         sign: "✗",
         headline,
         text,
     };
+    let bounds = || outcome::BOUNDS.to_owned();
+    let departures = || run.departures.iter().map(outcome::departure);
+    let parted = || run.parted().then(|| LIQUID_PARTED.to_owned());
     match &run.end {
-        End::Completed if fe.incomplete => fail("Incomplete".into(), vec![bounds.into()]),
-        End::Completed if !run.departures.is_empty() => {
-            let mut text = vec![
-                "Equilibrium was found to the end of the ground motion, but not within the limits of the model: what comes later is no \
-                 result."
-                    .to_owned(),
-            ];
-            text.extend(run.departures.iter().map(left));
-            text.extend(run.parted().then(|| LIQUID_PARTED.to_owned()));
-            fail(
-                format!("The run left its model at t = {} s", fixed(run.departures[0].time, 3)),
-                text,
-            )
-        }
-        End::Completed => Outcome {
-            class: "none",
-            sign: "✓",
-            headline: "Equilibrium was found to the end of the ground motion".into(),
-            text: {
-                let mut text = vec!["No step was accepted before it had converged.".to_owned()];
-                text.extend(run.parted().then(|| LIQUID_PARTED.to_owned()));
-                text
-            },
+        End::Completed if fe.incomplete => fail(outcome::INCOMPLETE.into(), vec![bounds()]),
+        End::Completed => match run.departures.first() {
+            Some(first) => {
+                let mut text = vec![outcome::BEYOND_MODEL.to_owned()];
+                text.extend(departures());
+                text.extend(parted());
+                fail(outcome::left_model(first.time, false), text)
+            }
+            None => {
+                let mut text = vec![outcome::CONVERGED.to_owned()];
+                text.extend(parted());
+                Outcome {
+                    class: "none",
+                    sign: "✓",
+                    headline: outcome::COMPLETED.into(),
+                    text,
+                }
+            }
         },
         End::Left { time, reason, place } => {
-            let mut text = vec![format!("{}: {}.", capital(place), reason.trim_end_matches('.'))];
+            let mut text = vec![outcome::stopped(place, reason)];
             let others = run.departures.iter().filter(|d| d.id != "stored_energy");
-            text.extend(others.map(left));
-            text.extend(run.parted().then(|| LIQUID_PARTED.to_owned()));
-            text.push("Values, pictures and histories are those until then.".into());
-            fail(
-                format!("Stopped: the run left its model at t = {} s", fixed(*time, 3)),
-                text,
-            )
+            text.extend(others.map(outcome::departure));
+            text.extend(parted());
+            text.push(outcome::UNTIL_THEN.into());
+            fail(outcome::left_model(*time, true), text)
         }
-        End::Interrupted { time } => fail(format!("Interrupted at t = {} s", fixed(*time, 2)), vec![bounds.into()]),
+        End::Interrupted { time } => fail(outcome::interrupted(*time), vec![bounds()]),
         End::Collapsed {
             time,
             load_factor,
             reason,
             place,
         } => {
-            let headline = match *time < 0.0 {
-                true => "Collapse: the wall does not carry weight and pressure at rest".into(),
-                false => format!("Collapse: no equilibrium after t = {} s", fixed(*time, 3)),
-            };
             let mut text = Vec::new();
-            if let Some(factor) = load_factor {
-                text.push(format!(
-                    "Of weight and pressure at rest it carries {}; the earthquake was not begun.",
-                    percent(*factor)
-                ));
-            }
-            if !place.is_empty() {
-                text.push(format!("Where forces are furthest from equilibrium: {place}."));
-            }
-            if !reason.is_empty() {
-                text.push(format!("Reason: {}.", reason.trim_end_matches('.')));
-            }
-            text.extend(run.departures.iter().map(left));
-            text.extend(run.parted().then(|| LIQUID_PARTED.to_owned()));
-            if load_factor.is_none() {
-                text.push(bounds.into());
-            }
-            fail(headline, text)
+            text.extend(load_factor.map(outcome::carried));
+            text.extend((!place.is_empty()).then(|| outcome::worst_place(place)));
+            text.extend((!reason.is_empty()).then(|| outcome::reason(reason)));
+            text.extend(departures());
+            text.extend(parted());
+            text.extend(load_factor.is_none().then(bounds));
+            fail(outcome::collapse(*time), text)
         }
     }
-}
-
-/// A departure as a sentence.
-fn left(departure: &Departure) -> String {
-    format!(
-        "After {} s, {}: {}.",
-        fixed(departure.time, 3),
-        departure.place,
-        departure.reason
-    )
 }
 
 /// What the largest moments at the base are made of.
@@ -191,8 +162,8 @@ fn moments(found: &[BaseMoment]) -> Table {
         Column::numbers("Section", unit),
         Column::numbers("Damping", unit),
         Column::numbers("Inertia", unit),
-        Column::numbers("Pressure at rest", unit),
-        Column::numbers("Largest of the section", unit),
+        Column::numbers(labels::PRESSURE_AT_REST, unit),
+        Column::numbers(labels::LARGEST_OF_SECTION, unit),
     ]);
     for m in found {
         table.row(vec![
@@ -269,7 +240,7 @@ fn difference(source: &Source) -> (Table, bool) {
         let scale = Scale::of(row.dimension, [a, b].into_iter().flatten().map(|c| c.value));
         let text = |c: Option<results::Cell>| c.map_or("–".to_owned(), |c| scale.text(c.value));
         // Periods and masses belong to the virgin wall: they are no extremes of the history.
-        let least = match bounds && !["period", "mass"].iter().any(|end| row.quantity.ends_with(end)) {
+        let least = match bounds && !Quantity::from_id(&row.quantity).is_some_and(of_the_structure) {
             true => "≥ ",
             false => "",
         };
@@ -284,6 +255,11 @@ fn difference(source: &Source) -> (Table, bool) {
     (table, bounds)
 }
 
+/// Whether a quantity belongs to tank and liquid, not to a history: periods and masses.
+fn of_the_structure(quantity: Quantity) -> bool {
+    matches!(quantity.dimension(), Dimension::Time | Dimension::Mass)
+}
+
 /// Histories of both engines.
 fn overlays(source: &Source, marks: &[(f64, String)]) -> Result<Vec<Figure>, Error> {
     let Some(fe) = &source.results.fe else {
@@ -292,7 +268,7 @@ fn overlays(source: &Source, marks: &[(f64, String)]) -> Result<Vec<Figure>, Err
     let second = Second {
         prefix: NONLINEAR_PREFIX,
         id: "nonlinear",
-        title: "linear and nonlinear",
+        title: labels::BOTH_RUNS,
         class: "k-fe-nonlinear hist",
         names: ["linear", "nonlinear"],
         rules: marks,

@@ -1,0 +1,132 @@
+//! The summaries on the terminal: one line each, without the line break.
+
+use std::collections::BTreeMap;
+
+use tank::assessment::Excitation;
+use tank::units::{self, Dimension};
+
+use crate::number::significant;
+use results::compare::FE_NONLINEAR;
+use results::{IdaRun, Limit, MESH_ERROR_LIMIT, Method, PushShell, Status, Verdict};
+
+/// Mark of a number that is not to be used.
+pub const UNUSABLE: &str = "‡";
+
+/// Corner of the table of `compare`.
+pub fn corner(excitation: Excitation) -> &'static str {
+    match excitation {
+        Excitation::Record => "record spectrum / history (ratio to fe)",
+        Excitation::Site => "design spectrum of the site (ratio to fe under the record)",
+    }
+}
+
+/// What shakes the tank, in a word.
+pub fn excitation(excitation: Excitation) -> &'static str {
+    match excitation {
+        Excitation::Record => "record",
+        Excitation::Site => "site",
+    }
+}
+
+/// Legend of [`UNUSABLE`].
+pub fn unusable() -> String {
+    format!(
+        "{UNUSABLE} unusable: the estimated mesh error is above {:.0} %",
+        100.0 * MESH_ERROR_LIMIT
+    )
+}
+
+/// A procedure outside its scope; none for one that gave values.
+pub fn not_applicable(method: &Method) -> Option<String> {
+    match &method.status {
+        Status::Computed => None,
+        Status::NotApplicable { clause, reason } => Some(format!("{}: not applicable, {clause}: {reason}", method.id)),
+    }
+}
+
+/// Peaks of the linear run after the end of the nonlinear one.
+///
+/// * `peaks`: time of the linear peak by quantity [s]
+/// * `end`: end of the nonlinear run [s], `completed` where it is that of the record
+pub fn later(peaks: &BTreeMap<String, f64>, end: f64, completed: bool) -> String {
+    let mut times: Vec<f64> = peaks.values().copied().collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    let mut times: Vec<String> = times.iter().map(|t| format!("{t:.2} s")).collect();
+    times.dedup();
+    let after = match completed {
+        true => " with free vibration after the record",
+        false => "",
+    };
+    format!(
+        "* the linear peak is later ({}): {FE_NONLINEAR} ends at {end:.2} s, fe continues{after}",
+        times.join(", ")
+    )
+}
+
+/// Number of checks and the governing one; none without checks.
+pub fn checks(verdict: &Verdict) -> Option<String> {
+    let governing = verdict.governing.as_ref()?;
+    let state = if verdict.holds { "all hold" } else { "NOT all hold" };
+    Some(format!(
+        "{} checks, {} fail: {state}; governing: {} ({}, {}), utilisation {:.2}",
+        verdict.checks,
+        verdict.failed,
+        governing.check.name,
+        governing.method,
+        excitation(governing.excitation),
+        governing.check.utilisation
+    ))
+}
+
+/// A limit of the theory that is exceeded.
+pub fn exceeded(limit: &Limit) -> String {
+    format!("warning: {}: {}", limit.name, limit.note)
+}
+
+/// A run of `ida` without equilibrium; none of one that has it.
+pub fn collapse(run: &IdaRun) -> Option<String> {
+    let collapse = run.collapse.as_ref()?;
+    Some(format!(
+        "scale {}: no equilibrium after {:.3} s: {}",
+        significant(run.scale, 4),
+        collapse.time,
+        collapse.reason
+    ))
+}
+
+/// How the path of a shell of `push` ends, one line each.
+pub fn path(shell: &PushShell) -> Vec<String> {
+    let name = super::push::shell_name(shell);
+    let mut lines = vec![format!("{name}: {}", shell.end)];
+    if !shell.capacity.limit {
+        lines.push(format!(
+            "{name}: the maximum was not reached; the capacity is a lower bound"
+        ));
+    }
+    lines
+}
+
+/// How an interrupted analysis goes on.
+pub const RESUME: &str = "incomplete: repeat the command with --resume to continue";
+
+/// How far the three-dimensional engine searches modes: `most` waves around the circumference.
+pub fn wave_numbers(most: u32) -> String {
+    format!(
+        "wave numbers up to n = {most} are searched (a wave needs six sectors); modes with more waves may be lower and need a mesh \
+         with more sectors"
+    )
+}
+
+/// A layered course, from 1; `layers` are already in words, lengths in metres, the modulus in Pa.
+pub fn course(number: usize, layers: &[String], thickness: f64, modulus: f64) -> String {
+    format!(
+        "course {number}: {} (inside to outside; codes and linear engines: {} of {} GPa)",
+        layers.join(" | "),
+        units::display(thickness, Dimension::Length),
+        units::significant(modulus / 1e9, 3)
+    )
+}
+
+/// Kind of an interlayer that passes no shear.
+pub const NO_SHEAR: &str = "interlayer without shear";
