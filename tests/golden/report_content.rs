@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use report::template::Templates;
 use report::{Report, build};
 use results::compare::Incomplete;
-use results::nonlinear::{BaseMoment, Columns, Departure, End, Energies, Nonlinear};
+use results::nonlinear::{BaseMoment, Columns, Departure, DepartureKind, End, Energies, Nonlinear, Passed};
 use results::{NONLINEAR_PREFIX, Results, Series, SeriesInfo};
 use tank::units::Dimension;
 
@@ -234,10 +234,14 @@ fn a_collapse_is_told_first_and_its_numbers_are_bounds() {
 #[test]
 fn a_run_that_left_its_model_is_marked() {
     let departure = Departure {
-        id: "bar_strain".into(),
+        kind: DepartureKind::BarStrain,
         time: 4.321,
-        place: "wall <b>, z = 12 mm".into(),
-        reason: "a bar is strained by 3 %, its strain at rupture is 2.5 %".into(),
+        theta: Some(0.0),
+        height: 0.012,
+        passed: Some(Passed {
+            value: 0.03,
+            limit: 0.025,
+        }),
     };
     let moments = BaseMoment {
         place: "wall at θ = 0°".into(),
@@ -251,8 +255,11 @@ fn a_run_that_left_its_model_is_marked() {
     };
     let stopped = End::Left {
         time: 4.4,
-        reason: "the time integration gains energy".into(),
-        place: "wall at θ = 0°, z = 3 m".into(),
+        departure: Departure {
+            kind: DepartureKind::StoredEnergy,
+            height: 3.0,
+            ..departure.clone()
+        },
     };
     for (end, words) in [
         (End::Completed, "The run left its model at t = 4.321 s"),
@@ -267,7 +274,7 @@ fn a_run_that_left_its_model_is_marked() {
         let html = rendered(&results, &series).html;
         for text in [
             words,
-            "wall &lt;b&gt;, z = 12 mm: a bar is strained by 3 %",
+            "wall at θ = 0°, z = 12.0 mm: a bar is strained by 3.00 %, its strain at rupture is 2.50 %",
             "Largest of the section",
         ] {
             assert!(html.contains(text), "{text}");

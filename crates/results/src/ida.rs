@@ -192,11 +192,7 @@ pub fn ida_csv(ida: &Ida) -> String {
             moment(run.moment_parts.as_ref().map(|m| m.damping)),
             moment(run.moment_parts.as_ref().map(|m| m.inertia)),
             option(run.departures.first().map(|d| d.time)),
-            run.departures
-                .iter()
-                .map(|d| d.id.as_str())
-                .collect::<Vec<_>>()
-                .join(" ")
+            run.departures.iter().map(|d| d.kind.id()).collect::<Vec<_>>().join(" ")
         );
     }
     text

@@ -36,14 +36,59 @@ pub struct Nonlinear {
 /// A limit of the model that a run has passed: what comes later is marked.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Departure {
-    /// Id of the limit: `bar_strain`, `moment_balance`, `acceleration`, `stored_energy`.
-    pub id: String,
+    /// Which limit.
+    #[serde(rename = "id")]
+    pub kind: DepartureKind,
     /// Time [s].
     pub time: f64,
-    /// Where, in words.
-    pub place: String,
-    /// What was found and what the model bears, one sentence without its full stop.
-    pub reason: String,
+    /// Angle of the wall from the direction of shaking [rad], where there are several walls.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub theta: Option<f64>,
+    /// Height above the base [m].
+    pub height: f64,
+    /// What was found and what the model bears, where both are known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub passed: Option<Passed>,
+}
+
+/// A value beyond its limit, both in the unit of their [`DepartureKind`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Passed {
+    /// Found.
+    pub value: f64,
+    /// Allowed.
+    pub limit: f64,
+}
+
+/// Limits of the nonlinear models.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DepartureKind {
+    /// Strain of a bar beyond its strain at rupture.
+    BarStrain,
+    /// Moment of damping and inertia at the base over that of the section.
+    MomentBalance,
+    /// Acceleration of the wall [m/s²].
+    Acceleration,
+    /// Energy that the wall stores below the least possible one [J/m]: the time integration gains energy, and the run is stopped.
+    StoredEnergy,
+}
+
+impl DepartureKind {
+    /// Id as in `ida.csv`.
+    pub fn id(self) -> &'static str {
+        match self {
+            DepartureKind::BarStrain => "bar_strain",
+            DepartureKind::MomentBalance => "moment_balance",
+            DepartureKind::Acceleration => "acceleration",
+            DepartureKind::StoredEnergy => "stored_energy",
+        }
+    }
+
+    /// Whether a run is stopped there.
+    pub fn stops(self) -> bool {
+        self == DepartureKind::StoredEnergy
+    }
 }
 
 /// A moment at the base of a wall and what it is made of [N m/m], with signs.
@@ -89,10 +134,8 @@ pub enum End {
     Left {
         /// Time [s].
         time: f64,
-        /// Reason.
-        reason: String,
-        /// Where, in words.
-        place: String,
+        /// The limit at which it was stopped.
+        departure: Departure,
     },
     /// No equilibrium was found with the shortest step: the results end here and are lower bounds.
     Collapsed {

@@ -8,10 +8,11 @@ use super::{Section, Source};
 use crate::math;
 use crate::methods::excitation;
 use crate::number::parts;
+use crate::words::outcome;
 use crate::words::verdict::LIQUID_PARTED;
 use files::error::Error;
 use results::compare::{FE_NONLINEAR, MEASURED};
-use results::nonlinear::Nonlinear;
+use results::nonlinear::{End, Nonlinear};
 use results::{Method, Status};
 
 #[derive(Serialize)]
@@ -68,10 +69,8 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
         .fe_nonlinear
         .as_ref()
         .and_then(|fe| fe.nonlinear.as_ref());
-    if run.is_some_and(Nonlinear::parted)
-        && let Some(sheet) = sheets.iter_mut().find(|s| s.method == FE_NONLINEAR)
-    {
-        sheet.notes.insert(0, LIQUID_PARTED.into());
+    if let (Some(run), Some(sheet)) = (run, sheets.iter_mut().find(|s| s.method == FE_NONLINEAR)) {
+        sheet.notes.splice(0..0, remarks(run));
     }
     if sheets.is_empty() {
         return Ok(None);
@@ -79,6 +78,18 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let mut section = Section::new("sheets");
     section.set("sheets", &sheets);
     Ok(Some(section))
+}
+
+/// What a nonlinear run asks a reader to mind.
+fn remarks(run: &Nonlinear) -> Vec<String> {
+    let mut remarks = Vec::new();
+    if let End::Left { departure, .. } = &run.end {
+        remarks.push(outcome::stopped_remark(departure));
+    }
+    let passed = run.departures.iter().filter(|d| !d.kind.stops());
+    remarks.extend(passed.map(outcome::remark));
+    remarks.extend(run.parted().then(|| LIQUID_PARTED.to_owned()));
+    remarks
 }
 
 fn sheet_id(method: &Method) -> String {

@@ -1,5 +1,6 @@
 //! Where the methods differ from the finite elements, and why.
 
+use crate::number::plain;
 use results::Results;
 use results::compare::{Damping, Difference, FE_NONLINEAR, Ratio, Reason, THRESHOLD};
 use results::nonlinear::Event;
@@ -223,8 +224,8 @@ pub fn damping(damping: &Damping) -> String {
     match *damping {
         Damping::Modal { sloshing, structural } => format!(
             "modal, {} % in sloshing modes, {} % in structural modes",
-            percent(sloshing),
-            percent(structural)
+            plain(100.0 * sloshing, 3),
+            plain(100.0 * structural, 3)
         ),
         Damping::Rayleigh { mass, stiffness } => {
             format!("Rayleigh, C = a_M M + a_K K with a_M = {mass:.5} 1/s, a_K = {stiffness:.6} s")

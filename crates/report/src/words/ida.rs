@@ -1,5 +1,6 @@
 //! The page of an incremental dynamic analysis and its summary on the terminal.
 
+use super::outcome::{passed, place};
 use super::verdict::LIQUID_PARTED;
 use crate::number::{fixed, significant, with_unit};
 use results::{Ida, IdaRun};
@@ -102,7 +103,7 @@ pub fn departures(ida: &Ida) -> Vec<String> {
 fn departure(ida: &Ida, run: &IdaRun) -> String {
     let how = run.departures.iter();
     let how: Vec<String> = how
-        .map(|d| format!("after {} s, {}: {}", fixed(d.time, 3), d.place, d.reason))
+        .map(|d| format!("after {} s, {}: {}", fixed(d.time, 3), place(d), passed(d)))
         .collect();
     let moment = |value: f64| with_unit(value, ida.moment);
     let parts = run.moment_parts.as_ref().map_or(String::new(), |m| {

@@ -1,7 +1,9 @@
 //! How a nonlinear run ended.
 
+use tank::units::{Dimension, display, significant};
+
 use crate::number::{fixed, percent};
-use results::nonlinear::Departure;
+use results::nonlinear::{Departure, DepartureKind, Passed};
 
 /// What the numbers of a run are worth that ended early.
 pub const BOUNDS: &str =
@@ -27,8 +29,8 @@ pub fn left_model(time: f64, stopped: bool) -> String {
 }
 
 /// Why a run was stopped, and where.
-pub fn stopped(place: &str, reason: &str) -> String {
-    format!("{}: {}.", super::capital(place), reason.trim_end_matches('.'))
+pub fn stopped(departure: &Departure) -> String {
+    format!("{}: {}.", super::capital(&place(departure)), passed(departure))
 }
 
 /// Headline of an interrupted run, at a time [s].
@@ -67,7 +69,73 @@ pub fn departure(departure: &Departure) -> String {
     format!(
         "After {} s, {}: {}.",
         fixed(departure.time, 3),
-        departure.place,
-        departure.reason
+        place(departure),
+        passed(departure)
     )
+}
+
+/// A departure at which a run was stopped, as a remark on the calculation.
+pub fn stopped_remark(departure: &Departure) -> String {
+    format!(
+        "The run has left its model after {:.3} s ({}): {}. All numbers are those until then.",
+        departure.time,
+        place(departure),
+        passed(departure)
+    )
+}
+
+/// A departure as a remark on the calculation.
+pub fn remark(departure: &Departure) -> String {
+    format!(
+        "The run leaves the limits of its model at {:.3} s ({}): {}.",
+        departure.time,
+        place(departure),
+        passed(departure)
+    )
+}
+
+/// Where a limit was passed: `wall at θ = 0°, z = 12.0 mm`.
+pub fn place(departure: &Departure) -> String {
+    let height = format!("z = {}", display(departure.height, Dimension::Length));
+    match departure.theta {
+        None => height,
+        Some(theta) => format!("wall at θ = {}°, {height}", significant(theta.to_degrees(), 3)),
+    }
+}
+
+/// What was found and what the model bears, a sentence without capital and full stop.
+pub fn passed(departure: &Departure) -> String {
+    let Some(Passed { value, limit }) = departure.passed else {
+        return match departure.kind {
+            DepartureKind::BarStrain => "a bar is strained beyond its strain at rupture",
+            DepartureKind::MomentBalance => "damping and inertia exert too large a part of the moment on the base",
+            DepartureKind::Acceleration => "the wall is accelerated too much",
+            DepartureKind::StoredEnergy => "the time integration gains energy",
+        }
+        .into();
+    };
+    let percent = |share: f64| significant(100.0 * share, 3);
+    match departure.kind {
+        DepartureKind::BarStrain => format!(
+            "a bar is strained by {} %, its strain at rupture is {} %",
+            percent(value),
+            percent(limit)
+        ),
+        DepartureKind::MomentBalance => format!(
+            "damping and inertia exert {} % of the moment of the section on the base, at most {} % are accepted",
+            percent(value),
+            percent(limit)
+        ),
+        DepartureKind::Acceleration => format!(
+            "the wall is accelerated by {} m/s², at most {} m/s² are accepted",
+            significant(value, 3),
+            significant(limit, 3)
+        ),
+        DepartureKind::StoredEnergy => format!(
+            "the time integration gains energy where cracks close and open within a step: the wall stores {} per metre, at least {} \
+             is possible; a smaller spectral_radius or damping by group keeps it stable",
+            display(value, Dimension::Energy),
+            display(limit, Dimension::Energy)
+        ),
+    }
 }

@@ -4,7 +4,7 @@ use fem::analysis::ida;
 use fem::analysis::march::{Outcome, Run};
 use fem::liquid::separation::Parting;
 use fem::progress::{Progress, Quiet};
-use tank::units::{Dimension, display};
+use tank::units::Dimension;
 
 use super::super::parting;
 use super::describe::{assumptions, facts};
@@ -14,7 +14,7 @@ use super::watch::{BASE_MOMENT, Happening, WAVE_BACK, WAVE_FRONT, Watch};
 use super::{CheckpointFile, Cylinder};
 use crate::FeError;
 use crate::simulate::checked_motion;
-use results::nonlinear::Departure;
+use results::nonlinear::{Departure, DepartureKind};
 use results::{Collapse, Fact, FirstCrack, IdaRun};
 
 /// Dimension of the moment at the base.
@@ -144,10 +144,11 @@ pub(super) fn departures(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Departu
     let departure = |&(_, time, cell): &(Happening, f64, usize)| {
         let z = &tank.cells.z[cell / tank.cells.columns()..];
         Departure {
-            id: "bar_strain".into(),
+            kind: DepartureKind::BarStrain,
             time,
-            place: format!("z = {}", display(0.5 * (z[0] + z[1]), Dimension::Length)),
-            reason: "a bar is strained beyond its strain at rupture".into(),
+            theta: None,
+            height: 0.5 * (z[0] + z[1]),
+            passed: None,
         }
     };
     rupture.map(departure).into_iter().collect()

@@ -1,57 +1,27 @@
 //! Limits of the model that a run of a wall has passed, and what its moments at the base are made of, for the results.
 
-use fem::strip::{self, DepartureKind};
-use tank::units::{Dimension, display, significant};
+use fem::strip;
 
-use results::nonlinear::{BaseMoment, Departure};
+use results::nonlinear::{BaseMoment, Departure, DepartureKind, Passed};
 
-/// A departure in words; `wall`: name of the wall, empty where it is not told.
-pub(super) fn departure(found: &strip::Departure, wall: &str) -> Departure {
-    let percent = |share: f64| significant(100.0 * share, 3);
-    let (id, reason) = match found.kind {
-        DepartureKind::BarStrain => (
-            "bar_strain",
-            format!(
-                "a bar is strained by {} %, its strain at rupture is {} %",
-                percent(found.value),
-                percent(found.limit)
-            ),
-        ),
-        DepartureKind::MomentBalance => (
-            "moment_balance",
-            format!(
-                "damping and inertia exert {} % of the moment of the section on the base, at most {} % are accepted",
-                percent(found.value),
-                percent(found.limit)
-            ),
-        ),
-        DepartureKind::Acceleration => (
-            "acceleration",
-            format!(
-                "the wall is accelerated by {} m/s², at most {} m/s² are accepted",
-                significant(found.value, 3),
-                significant(found.limit, 3)
-            ),
-        ),
-        DepartureKind::StoredEnergy => (
-            "stored_energy",
-            format!(
-                "the time integration gains energy where cracks close and open within a step: the wall stores {} per metre, at least \
-                 {} is possible; a smaller spectral_radius or damping by group keeps it stable",
-                display(found.value, Dimension::Energy),
-                display(found.limit, Dimension::Energy)
-            ),
-        ),
-    };
-    let height = format!("z = {}", display(found.height, Dimension::Length));
+/// A departure in the vocabulary of the results.
+///
+/// * `theta`: angle of the wall [rad]; none where only one of both is meant
+pub(super) fn departure(found: &strip::Departure, theta: Option<f64>) -> Departure {
     Departure {
-        id: id.into(),
-        time: found.time,
-        place: match wall {
-            "" => height,
-            wall => format!("{wall}, {height}"),
+        kind: match found.kind {
+            strip::DepartureKind::BarStrain => DepartureKind::BarStrain,
+            strip::DepartureKind::MomentBalance => DepartureKind::MomentBalance,
+            strip::DepartureKind::Acceleration => DepartureKind::Acceleration,
+            strip::DepartureKind::StoredEnergy => DepartureKind::StoredEnergy,
         },
-        reason,
+        time: found.time,
+        theta,
+        height: found.height,
+        passed: Some(Passed {
+            value: found.value,
+            limit: found.limit,
+        }),
     }
 }
 

@@ -183,7 +183,7 @@ impl Strip {
             wave: demand.wave,
             wall_displacement: demand.deflection,
             wall_displacement_time: demand.deflection_time,
-            departures: demand.departures.iter().map(|d| departure(d, "")).collect(),
+            departures: demand.departures.iter().map(|d| departure(d, None)).collect(),
             base_moment: demand.base_moment,
             section_moment: Some(demand.section_moment),
             moment_parts: Some(base_moment(&demand.parts, "", demand.section_moment)),

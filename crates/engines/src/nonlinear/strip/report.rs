@@ -205,18 +205,16 @@ impl Report<'_> {
     pub(super) fn notes(&self) -> Vec<String> {
         let model = &self.strip.model;
         let mut notes = Vec::new();
-        if let Some(wall) = self.walls.collapsed() {
-            notes.push(match (self.walls.left(wall), self.walls.load_factor(wall)) {
-                (Some(left), _) => format!(
-                    "The run has left its model after {:.3} s ({}): {}. All numbers are those until then.",
-                    left.time, left.place, left.reason
-                ),
-                (None, Some(factor)) => format!(
+        if let Some(wall) = self.walls.collapsed()
+            && self.walls.left(wall).is_none()
+        {
+            notes.push(match self.walls.load_factor(wall) {
+                Some(factor) => format!(
                     "The {} does not carry its weight and the liquid at rest: {} % of them at most. There is no response.",
                     WALLS[wall],
                     significant(100.0 * factor, 3)
                 ),
-                (None, None) => format!(
+                None => format!(
                     "Collapse: the {} is lost after {:.3} s. All numbers are those until then and lower bounds; the other wall is \
                      not followed further.",
                     WALLS[wall], self.walls.runs[wall].run.time
@@ -229,13 +227,6 @@ impl Report<'_> {
                 self.walls.time()
             ));
         }
-        let marks = self.walls.departures();
-        notes.extend(marks.iter().filter(|d| d.id != "stored_energy").map(|d| {
-            format!(
-                "The run leaves the limits of its model at {:.3} s ({}): {}.",
-                d.time, d.place, d.reason
-            )
-        }));
         let negative: Vec<&RatioRow> = model.ratios.iter().filter(|r| r.ratio < 0.0).collect();
         if !negative.is_empty() {
             notes.push(format!(

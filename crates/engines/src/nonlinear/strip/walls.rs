@@ -16,6 +16,8 @@ use results::nonlinear::{
 
 /// Names of the walls.
 pub(super) const WALLS: [&str; 2] = ["wall at θ = 0°", "wall at θ = 180°"];
+/// Their angles from the direction of shaking [rad].
+const ANGLES: [f64; 2] = [0.0, std::f64::consts::PI];
 /// What stands for them in ids.
 pub(super) const SUFFIXES: [&str; 2] = ["theta_0", "theta_180"];
 const FACES: [&str; 2] = ["inner face", "outer face"];
@@ -67,14 +69,14 @@ impl Walls<'_> {
 
     /// Limits of the model that were passed, the first of each kind by time.
     pub fn departures(&self) -> Vec<Departure> {
-        let walls = self.runs.iter().zip(WALLS);
+        let walls = self.runs.iter().zip(ANGLES);
         let mut all: Vec<Departure> = walls
-            .flat_map(|(run, name)| run.history.departures.iter().map(move |d| departure(d, name)))
+            .flat_map(|(run, theta)| run.history.departures.iter().map(move |d| departure(d, Some(theta))))
             .collect();
         all.sort_by(|a, b| a.time.total_cmp(&b.time));
         let mut first: Vec<Departure> = Vec::new();
         for found in all {
-            if first.iter().all(|d| d.id != found.id) {
+            if first.iter().all(|d| d.kind != found.kind) {
                 first.push(found);
             }
         }
@@ -85,7 +87,7 @@ impl Walls<'_> {
     pub fn left(&self, wall: usize) -> Option<Departure> {
         let history = &self.runs[wall].history;
         let found = history.departures.iter().find(|d| d.kind.stops())?;
-        Some(departure(found, WALLS[wall]))
+        Some(departure(found, Some(ANGLES[wall])))
     }
 
     /// The wall whose run ends first before its time: it collapses, or leaves the model.
@@ -121,8 +123,7 @@ impl Walls<'_> {
         if let Some(left) = self.left(wall) {
             return End::Left {
                 time: left.time,
-                reason: left.reason,
-                place: left.place,
+                departure: left,
             };
         }
         let (run, lost) = (&self.runs[wall].run, &self.runs[wall].lost);

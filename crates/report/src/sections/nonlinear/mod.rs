@@ -121,9 +121,9 @@ fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
                 }
             }
         },
-        End::Left { time, reason, place } => {
-            let mut text = vec![outcome::stopped(place, reason)];
-            let others = run.departures.iter().filter(|d| d.id != "stored_energy");
+        End::Left { time, departure } => {
+            let mut text = vec![outcome::stopped(departure)];
+            let others = run.departures.iter().filter(|d| !d.kind.stops());
             text.extend(others.map(outcome::departure));
             text.extend(parted());
             text.push(outcome::UNTIL_THEN.into());
