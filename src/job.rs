@@ -3,9 +3,13 @@
 use sha2::{Digest, Sha256};
 use tank::Case;
 
+use crate::input::TankFile;
+use crate::input::diagnostic::Faults;
 use engines::nonlinear::push::PushOptions;
+use engines::nonlinear::scope::{self, Purpose};
 use engines::nonlinear::{CheckpointFile, NonlinearOptions};
 use engines::solid::SolidOptions;
+use files::error::Error;
 use results::{InputValue, SourceFile};
 
 /// Which finite-element engines run.
@@ -26,6 +30,22 @@ impl Engines {
     /// Whether the three-dimensional engine runs.
     pub fn solid(self) -> bool {
         matches!(self, Engines::Solid | Engines::Both)
+    }
+}
+
+/// What the nonlinear engine refuses of a tank file, each with its place in the file.
+pub fn refused(tank: &TankFile, purpose: Purpose) -> Faults {
+    tank.faults(&scope::refusals(&tank.case, &tank.nonlinear, purpose))
+}
+
+/// Whether the nonlinear engine can run a tank file.
+///
+/// Errors: [`Error::Input`] with all that it refuses.
+pub fn fits(tank: &TankFile, purpose: Purpose) -> Result<(), Error> {
+    let faults = refused(tank, purpose);
+    match faults.is_empty() {
+        true => Ok(()),
+        false => Err(faults.into_error(&tank.source)),
     }
 }
 

@@ -8,6 +8,7 @@ use tank::units::{self, Dimension};
 use tankcheck::input::TankFile;
 use tankcheck::input::diagnostic::Source;
 use tankcheck::input::tank::parse;
+use tankcheck::job;
 
 use super::document::Json;
 
@@ -59,7 +60,7 @@ fn promises(file: &TankFile) {
     assert!(liquid.density > 0.0 && liquid.density.is_finite());
     assert!(file.case.gravity > 0.0 && file.case.damping.impulsive.is_finite());
     for purpose in [Purpose::History, Purpose::Pushover] {
-        let refused = file.refused(purpose);
+        let refused = job::refused(file, purpose);
         assert!(refused.is_empty() || refused.render(&file.source, false).contains("error"));
     }
 }

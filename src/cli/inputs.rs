@@ -7,7 +7,7 @@ use tank::case::GroundMotion;
 use crate::cli::terminal::say;
 use crate::error::Error;
 use crate::input::{self, records};
-use crate::job::{Engines, Job};
+use crate::job::{self, Engines, Job};
 use engines::nonlinear::scope::Purpose;
 use files::text;
 use results::SourceFile;
@@ -36,7 +36,7 @@ impl Inputs {
     pub fn job(&self, nonlinear: Option<Purpose>) -> Result<Job, Error> {
         let tank = input::read_tank(&self.tank)?;
         if let Some(purpose) = nonlinear {
-            tank.fits(purpose)?;
+            job::fits(&tank, purpose)?;
         }
         for remark in &tank.remarks {
             say!("note: {}", text::line(remark));

@@ -7,9 +7,10 @@ pub mod tank;
 use std::path::Path;
 
 use ::tank::Case;
+use ::tank::options::{LinearOptions, NonlinearOptions, SolidOptions};
+use ::tank::refusal::Refusal;
 
 use diagnostic::{Faults, Source};
-use engines::nonlinear::scope::{self, Purpose};
 use files::error::Error;
 use results::InputValue;
 use tank::Places;
@@ -26,11 +27,11 @@ pub struct TankFile {
     /// Ids of the procedures to run; empty for all.
     pub procedures: Vec<String>,
     /// Options of the finite-element engine.
-    pub fe: engines::Options,
+    pub fe: LinearOptions,
     /// Options of the three-dimensional engine.
-    pub solid: engines::solid::SolidOptions,
+    pub solid: SolidOptions,
     /// Options of the nonlinear engine.
-    pub nonlinear: engines::nonlinear::NonlinearOptions,
+    pub nonlinear: NonlinearOptions,
     /// Remarks that are not faults ("material `steel` is unused"), one sentence each.
     pub remarks: Vec<String>,
     /// Values that are possible but unusual, one sentence each with the usual range.
@@ -39,26 +40,16 @@ pub struct TankFile {
     pub sha256: String,
     /// Its text.
     pub source: Source,
-    /// Places in it that the nonlinear engine may reject.
+    /// Places in it that an engine may reject.
     pub places: Places,
 }
 
 impl TankFile {
-    /// Whether the nonlinear engine can run this file. Errors: all unsupported inputs, each with
-    /// its place.
-    pub fn fits(&self, purpose: Purpose) -> Result<(), Error> {
-        let faults = self.refused(purpose);
-        match faults.is_empty() {
-            true => Ok(()),
-            false => Err(faults.into_error(&self.source)),
-        }
-    }
-
-    /// Inputs of this file that the nonlinear engine rejects.
-    pub fn refused(&self, purpose: Purpose) -> Faults {
+    /// What an engine rejects of this file, each with its place.
+    pub fn faults(&self, refusals: &[Refusal]) -> Faults {
         let mut faults = Faults::new();
-        for refusal in scope::refusals(&self.case, &self.nonlinear, purpose) {
-            faults.push(self.places.fault(&refusal));
+        for refusal in refusals {
+            faults.push(self.places.fault(refusal));
         }
         faults
     }

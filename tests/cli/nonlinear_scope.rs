@@ -1,6 +1,7 @@
 //! What the nonlinear engine does not model is refused from the input, with its place.
 
 use engines::nonlinear::scope::Purpose;
+use tankcheck::job;
 
 use super::bad_tank::has;
 use super::nonlinear_input::{GOOD, changed, read};
@@ -8,7 +9,7 @@ use super::nonlinear_input::{GOOD, changed, read};
 /// What the engine refuses of a file that is sound otherwise; one cause, one message.
 fn refused(text: &str, purpose: Purpose) -> String {
     let file = read(text);
-    let faults = file.refused(purpose);
+    let faults = job::refused(&file, purpose);
     let text = faults.render(&file.source, false);
     assert!(
         text.contains("error: 1 fault in tank.json; nothing was computed"),
@@ -33,7 +34,7 @@ fn strip() -> String {
 fn what_fits() {
     for text in [GOOD, &strip()] {
         let file = read(text);
-        let faults = file.refused(Purpose::History);
+        let faults = job::refused(&file, Purpose::History);
         assert!(faults.is_empty(), "{}", faults.render(&file.source, false));
     }
 }
@@ -60,7 +61,7 @@ fn elements_on_which_a_crack_snaps_back() {
     // Bars that space the cracks mend it.
     let coarse = changed("\"height\": 24", "\"height\": 8");
     let spaced = coarse.replace("\"2.9 MPa\"", "\"2.9 MPa\", \"crack_spacing\": \"15 cm\"");
-    assert!(read(&spaced).refused(Purpose::History).is_empty());
+    assert!(job::refused(&read(&spaced), Purpose::History).is_empty());
     // What the engine chooses for itself is told of the concrete: 72 sectors of 873 mm.
     has(
         &unfit("\"elements\": { \"height\": 24, \"circumference\": 192 }, ", ""),
@@ -77,7 +78,7 @@ fn elements_on_which_a_crack_snaps_back() {
 #[test]
 fn softening_that_no_mesh_resolves() {
     let file = read(&changed("\"2.9 MPa\"", "\"2.9 MPa\", \"fracture_energy\": \"1 N/m\""));
-    let text = file.refused(Purpose::History).render(&file.source, false);
+    let text = job::refused(&file, Purpose::History).render(&file.source, false);
     has(
         &text,
         &[

@@ -13,13 +13,12 @@
 //! | computing time | [`LONGEST_RUN`] |
 
 use tank::Case;
+pub use tank::options::MEMORY_LIMIT_MIB;
 use tank::{Course, Shape};
 
 use super::FeError;
 use super::simulate::model::FREE_PERIODS;
 
-/// Most memory of a run unless the user says otherwise [MiB].
-pub const MEMORY_LIMIT_MIB: u64 = 4096;
 /// Most samples of a response, free vibration included: twice the longest record that is read (5.5 hours at 100 Hz).
 pub const MOST_SAMPLES: f64 = 4e6;
 /// Most steps of a time integration: the longest record with forty steps a sample takes 8e7.

@@ -17,6 +17,8 @@ pub mod solid;
 
 pub use fem::liquid;
 pub use simulate::{simulate, simulate_watched};
+pub use tank::options::LinearOptions as Options;
+pub use tank::options::linear::{DampingModel, Integrator};
 
 use std::collections::BTreeMap;
 
@@ -24,72 +26,6 @@ use fem::analysis::checkpoint::CheckpointError;
 use tank::{Case, Quantity};
 
 use results::{FeResult, Mode, Series, Snapshots};
-
-/// Time integration of the linear engine.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Integrator {
-    /// Exact piecewise-linear modal integration with missing mass.
-    Modal,
-    /// Direct Newmark (average acceleration) on all unknowns, with energy balance.
-    Newmark,
-}
-
-/// Damping of the linear engine.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum DampingModel {
-    /// Ratios of `Case::damping` by kind of mode.
-    Modal,
-    /// Rayleigh damping C = a_M M + a_K K fitted to two (circular frequency [rad/s], ratio) pairs.
-    Rayleigh {
-        /// First pair.
-        first: (f64, f64),
-        /// Second pair.
-        second: (f64, f64),
-        /// Accept a negative coefficient (parity with published runs), with a warning.
-        allow_negative: bool,
-    },
-    /// Rayleigh damping with its coefficients given, whatever their sign (parity with published runs), with a warning if
-    /// one is negative.
-    Coefficients {
-        /// a_M [1/s].
-        mass: f64,
-        /// a_K [s].
-        stiffness: f64,
-    },
-}
-
-/// Options of the engine. The defaults keep the errors stated in the theory manual.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Options {
-    /// Mesh refinement: every element count is multiplied by this (1 = default mesh).
-    pub refine: f64,
-    /// Time integration.
-    pub integrator: Integrator,
-    /// Damping.
-    pub damping: DampingModel,
-    /// Sloshing modes that count for the wave height (5).
-    pub wave_modes: usize,
-    /// Estimate the discretisation error by a second, coarser mesh.
-    pub mesh_error: bool,
-    /// Extra wave gauges: radii (or x) in the direction of shaking [m]; the wall is always gauged.
-    pub gauges: Vec<f64>,
-    /// Extra stress stations: heights above the base [m] with histories of hoop, axial and bending stress.
-    pub stations: Vec<f64>,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Options {
-            refine: 1.0,
-            integrator: Integrator::Modal,
-            damping: DampingModel::Modal,
-            wave_modes: 5,
-            mesh_error: true,
-            gauges: Vec::new(),
-            stations: Vec::new(),
-        }
-    }
-}
 
 /// A finished run.
 #[derive(Clone, Debug)]

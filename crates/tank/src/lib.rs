@@ -7,6 +7,8 @@
 //! | [`Tank`], [`Liquid`] and their parts | the tank and its contents |
 //! | [`case`] | input of a procedure or an engine for one verification |
 //! | [`formula`] | text of a formula, its value, and its text with numbers |
+//! | [`options`] | options of the engines with their defaults |
+//! | [`refusal`] | what an engine rejects, and where in the input |
 //! | [`quantity`] | comparable quantities of procedures and engines |
 //! | [`assessment`], [`approach`] | result of a procedure, and what it simplifies |
 //!
@@ -17,8 +19,10 @@ pub mod approach;
 pub mod assessment;
 pub mod case;
 pub mod formula;
+pub mod options;
 pub mod quantity;
 pub mod reference;
+pub mod refusal;
 #[allow(clippy::module_inception)]
 mod tank;
 pub mod units;

@@ -8,7 +8,7 @@ use super::read::{FromNode, wrong_kind, wrong_value};
 use super::schema::BehaviourKinds;
 use super::syntax::{Kind, Node};
 use crate::input::diagnostic::Faults;
-use engines::nonlinear::ThicknessRule;
+use tank::options::nonlinear::ThicknessRule;
 
 /// The word `"elastic"`, or an object with the parameters of another behaviour.
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ use tank::{Shape, Support};
 use super::{parse, values};
 use crate::input::TankFile;
 use crate::input::diagnostic::Source;
-use engines;
+use tank::options::{LinearOptions, linear};
 
 fn read(text: &str) -> TankFile {
     let source = Source::new("tank.json", text);
@@ -141,7 +141,7 @@ fn defaults_and_where_they_come_from() {
     assert!(default(&file, "site.api650.q").1.contains("E.4.6.1"));
     assert_eq!(default(&file, "procedures.run").0, "all");
     assert_eq!(default(&file, "tank.roof.mass").0, "0 kg");
-    assert_eq!(file.fe, engines::Options::default());
+    assert_eq!(file.fe, LinearOptions::default());
     let paths: std::collections::BTreeSet<&str> = file.echo.iter().map(|e| e.path.as_str()).collect();
     assert_eq!(paths.len(), file.echo.len(), "a path is echoed twice");
 }
@@ -194,14 +194,14 @@ fn options() {
     );
     assert_eq!(
         (file.fe.integrator, file.fe.wave_modes),
-        (engines::Integrator::Newmark, 3)
+        (linear::Integrator::Newmark, 3)
     );
     assert_eq!(
         (file.fe.gauges.as_slice(), file.fe.stations.as_slice()),
         ([9.0].as_slice(), [0.025, 5.0].as_slice())
     );
     let tau = 2.0 * std::f64::consts::PI;
-    let expected = engines::DampingModel::Rayleigh {
+    let expected = linear::DampingModel::Rayleigh {
         first: (2.0, 0.01),
         second: (tau, 0.02),
         allow_negative: false,
@@ -291,7 +291,7 @@ fn negative_rayleigh_coefficients_need_consent() {
     assert!(text.contains("a_M = -6.0") && text.contains("a_K = 1.32"), "{text}");
     assert!(matches!(
         read(&with(", \"allow_negative\": true")).fe.damping,
-        engines::DampingModel::Rayleigh {
+        linear::DampingModel::Rayleigh {
             allow_negative: true,
             ..
         }

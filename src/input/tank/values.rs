@@ -8,7 +8,7 @@ use tank::units::{self, Dimension, UnitError};
 use super::read::{Field, FromNode, wrong_kind, wrong_value};
 use super::syntax::{Kind, Node};
 use crate::input::diagnostic::{Fault, Faults};
-use engines::solid::MeshSize;
+use tank::options::solid::MeshSize;
 
 /// Reads a quantity of a dimension; a bare number is one only where there is no unit.
 pub(super) fn quantity(node: &Node, dimension: Dimension, faults: &mut Faults) -> Option<f64> {

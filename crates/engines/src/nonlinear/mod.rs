@@ -5,7 +5,6 @@
 mod cylinder;
 mod incremental;
 mod laws;
-mod options;
 pub mod push;
 pub mod scope;
 mod strip;
@@ -24,7 +23,9 @@ use super::{FeError, Simulation};
 use results::LiquidParting;
 
 pub use incremental::Incremental;
-pub use options::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, ThicknessRule, WallElements};
+pub use tank::options::nonlinear::{
+    Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, ThicknessRule, WallElements,
+};
 
 /// In the vocabulary of the results.
 fn parting(found: fem::liquid::separation::Parting) -> LiquidParting {

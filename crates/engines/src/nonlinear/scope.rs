@@ -5,6 +5,8 @@
 use std::f64::consts::TAU;
 
 use tank::Case;
+use tank::options::nonlinear::{MOST_ROWS, MOST_SECTORS};
+pub use tank::refusal::{Place, Refusal};
 use tank::units::{Dimension, display};
 use tank::{Behaviour, Concrete, ConcreteLaw, Course, Layer, LayerKind, Shape, Softening, Support};
 
@@ -14,11 +16,6 @@ use super::laws::uniaxial_concrete;
 use super::strip::section as fibres;
 use super::{NonlinearOptions, WallElements, strip};
 use crate::FeError;
-
-/// Most elements over the height of a wall.
-pub const MOST_ROWS: u32 = 1000;
-/// Most elements around a tank.
-pub const MOST_SECTORS: u32 = 4000;
 
 /// Size at which only a law itself can be at fault [m].
 const TINY: f64 = 1e-3;
@@ -32,73 +29,13 @@ pub enum Purpose {
     Pushover,
 }
 
-/// Place in the input.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Place {
-    /// Shape of the tank.
-    Shape,
-    /// Its support.
-    Support,
-    /// Mass of its roof.
-    Roof,
-    /// A course, counted from 0.
-    Course(usize),
-    /// The concrete of this material.
-    Concrete(String),
-    /// The law of that concrete.
-    Law(String),
-    /// The interlayer of this material.
-    Interlayer(String),
-    /// Number of elements over the height.
-    Rows,
-    /// Number of elements around the tank.
-    Sectors,
-}
-
-/// Something that the engine refuses.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Refusal {
-    /// Where.
-    pub place: Place,
-    /// What is wrong.
-    pub message: String,
-    /// What is there; empty if the input says it itself.
-    pub found: String,
-    /// What may be there.
-    pub allowed: String,
-    /// How to mend it; may be empty.
-    pub help: String,
-}
-
-impl Refusal {
-    fn new(place: Place, message: impl Into<String>, allowed: impl Into<String>) -> Refusal {
-        Refusal {
-            place,
-            message: message.into(),
-            found: String::new(),
-            allowed: allowed.into(),
-            help: String::new(),
+/// What the engine itself says against something.
+fn refusal(place: Place, error: FeError) -> Refusal {
+    match error {
+        FeError::Option { option, found, allowed } => {
+            Refusal::new(place, format!("{option} is out of range"), allowed).found(found)
         }
-    }
-
-    fn found(mut self, found: impl Into<String>) -> Refusal {
-        self.found = found.into();
-        self
-    }
-
-    fn help(mut self, help: impl Into<String>) -> Refusal {
-        self.help = help.into();
-        self
-    }
-
-    /// What the engine itself says against something.
-    fn of(place: Place, error: FeError) -> Refusal {
-        match error {
-            FeError::Option { option, found, allowed } => {
-                Refusal::new(place, format!("{option} is out of range"), allowed).found(found)
-            }
-            other => Refusal::new(place, other.to_string(), ""),
-        }
+        other => Refusal::new(place, other.to_string(), ""),
     }
 }
 
@@ -166,7 +103,7 @@ fn strip_walls(case: &Case, options: &NonlinearOptions, all: &mut Vec<Refusal>) 
         let main = match fibres::main_leaf(&layers) {
             Ok(main) => main,
             Err(error) => {
-                all.push(Refusal::of(Place::Course(index), error).found(in_words(course)));
+                all.push(refusal(Place::Course(index), error).found(in_words(course)));
                 continue;
             }
         };
@@ -182,7 +119,7 @@ fn strip_walls(case: &Case, options: &NonlinearOptions, all: &mut Vec<Refusal>) 
         if all.len() == before
             && let Err(error) = fibres::section(&layers, rows.longest(index, rows.count()), options)
         {
-            all.push(Refusal::of(Place::Course(index), error).found(in_words(course)));
+            all.push(refusal(Place::Course(index), error).found(in_words(course)));
         }
     }
 }
@@ -244,7 +181,7 @@ fn cylinder(case: &Case, options: &NonlinearOptions, radius: f64, sized: bool, a
             continue;
         }
         match shells::row(&layers, [TINY; 2], &options.integration) {
-            Err(error) => all.push(Refusal::of(Place::Course(index), error).found(in_words(course))),
+            Err(error) => all.push(refusal(Place::Course(index), error).found(in_words(course))),
             Ok(row) => {
                 let gap = *first_gap.get_or_insert(row.gap);
                 if (row.gap - gap).abs() > 1e-9 * radius {
@@ -466,7 +403,7 @@ fn against_law(layer: &Layer, concrete: &Concrete, error: FeError) -> Refusal {
         (FeError::Unsupported(message), _) => {
             Refusal::new(Place::Law(name), message, "\"cracked\" or \"uniaxial\" in a strip")
         }
-        (error, _) => Refusal::of(Place::Concrete(name), error),
+        (error, _) => refusal(Place::Concrete(name), error),
     }
 }
 

@@ -8,8 +8,8 @@ use super::{Limits, Resolver, range_fault};
 use crate::input::tank::read::Field;
 use crate::input::tank::schema;
 use crate::input::tank::values::{Number, Time, Whole};
-use engines::nonlinear::scope::{MOST_ROWS, MOST_SECTORS};
-use engines::nonlinear::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, WallElements};
+use tank::options::nonlinear::{Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, WallElements};
+use tank::options::nonlinear::{MOST_ROWS, MOST_SECTORS};
 
 /// What is not given is the engine's own default; it is echoed if anything is given.
 pub(super) fn nonlinear(

@@ -11,8 +11,9 @@ use crate::input::tank::read::{Field, FromNode};
 use crate::input::tank::reported::{Measured, Raw};
 use crate::input::tank::schema;
 use crate::input::tank::values::{Length, Number, Pitch, Whole, quantity};
-use engines;
-use engines::solid::{Liquid, SolidOptions};
+use tank::options::SolidOptions;
+use tank::options::solid::Liquid;
+use tank::options::{LinearOptions, linear};
 
 /// Damping ratios.
 pub(super) const RATIO: Limits = Limits::from(0.0).below(1.0);
@@ -219,8 +220,8 @@ pub(super) fn analysis(
     r: &mut Resolver<'_>,
     field: &Option<Field<schema::Analysis>>,
     tank: Option<&Tank>,
-) -> engines::Options {
-    let mut options = engines::Options::default();
+) -> LinearOptions {
+    let mut options = LinearOptions::default();
     let Some(given) = field.as_ref().and_then(|f| f.value.as_ref()) else {
         r.echo_default("analysis", "not given", "modal integration on the default mesh");
         return options;
@@ -228,8 +229,8 @@ pub(super) fn analysis(
     if let Some(field) = &given.integrator {
         r.echo_given(field);
         options.integrator = match field.value {
-            Some(schema::Integrator::Newmark) => engines::Integrator::Newmark,
-            _ => engines::Integrator::Modal,
+            Some(schema::Integrator::Newmark) => linear::Integrator::Newmark,
+            _ => linear::Integrator::Modal,
         };
     }
     if let Some(field) = &given.refine {
@@ -367,7 +368,7 @@ fn damping_model(
     r: &mut Resolver<'_>,
     field: &Field<schema::AnalysisDamping>,
     model: &schema::AnalysisDamping,
-) -> engines::DampingModel {
+) -> linear::DampingModel {
     match (&model.rayleigh, &model.coefficients) {
         (
             Some(Field {
@@ -376,25 +377,25 @@ fn damping_model(
             None,
         ) => {
             let (first, second, allow_negative) = self::rayleigh(r, rayleigh);
-            engines::DampingModel::Rayleigh {
+            linear::DampingModel::Rayleigh {
                 first,
                 second,
                 allow_negative,
             }
         }
-        (None, Some(Field { value: Some(c), .. })) => engines::DampingModel::Coefficients {
+        (None, Some(Field { value: Some(c), .. })) => linear::DampingModel::Coefficients {
             mass: r.number(&c.mass, Limits::from(-1e6).to(1e6)),
             stiffness: r.number(&c.stiffness, Limits::from(-1e6).to(1e6)),
         },
         (Some(Field { value: None, .. }), None) | (None, Some(Field { value: None, .. })) => {
-            engines::DampingModel::Modal
+            linear::DampingModel::Modal
         }
         (Some(_), Some(_)) | (None, None) => {
             r.faults.push(
                 range_fault(field, "one damping model is wanted", "either rayleigh or coefficients")
                     .help("leave analysis.damping out for the modal ratios of `damping`"),
             );
-            engines::DampingModel::Modal
+            linear::DampingModel::Modal
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Where the file says what the nonlinear engine may object to.
+//! Where the file says what an engine may object to.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use crate::input::diagnostic::Fault;
 use crate::input::tank::behaviour::Behaviour;
 use crate::input::tank::read::Field;
 use crate::input::tank::schema;
-use engines::nonlinear::scope::{Place, Refusal};
+use tank::refusal::{Place, Refusal};
 
 /// Places in a file.
 #[derive(Clone, Debug, Default)]
@@ -65,7 +65,7 @@ impl Places {
         Places(all)
     }
 
-    /// A refusal of the engine as a fault of the file.
+    /// A refusal of an engine as a fault of the file.
     pub fn fault(&self, refusal: &Refusal) -> Fault {
         let mut fault = match self.0.get(&refusal.place) {
             Some(place) => range_fault(place, &refusal.message, &refusal.allowed),

@@ -1,7 +1,16 @@
-//! What the user may choose. Plain data; nothing here is text.
+//! Options of the nonlinear engine.
+
+use serde::{Deserialize, Serialize};
+
+use crate::case;
+
+/// Most elements over the height of a wall.
+pub const MOST_ROWS: u32 = 1000;
+/// Most elements around a tank.
+pub const MOST_SECTORS: u32 = 4000;
 
 /// Options of the nonlinear engine.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NonlinearOptions {
     /// Numbers of elements of the wall; `None` lets the engine choose.
     pub elements: Option<WallElements>,
@@ -29,7 +38,7 @@ impl NonlinearOptions {
     /// The defaults, with the damping ratios of the case.
     ///
     /// * `damping`: of wall (impulsive) and sloshing
-    pub fn new(damping: tank::case::Damping) -> NonlinearOptions {
+    pub const fn new(damping: case::Damping) -> NonlinearOptions {
         NonlinearOptions {
             elements: None,
             symmetry: true,
@@ -42,14 +51,14 @@ impl NonlinearOptions {
             contact: Contact::Bonded,
             self_weight: true,
             follower_pressure: true,
-            integration: Integration::default(),
+            integration: Integration::DEFAULT,
             checkpoint: 60.0,
         }
     }
 }
 
 /// Numbers of elements of the wall.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct WallElements {
     /// Over its height.
     pub height: u32,
@@ -58,7 +67,8 @@ pub struct WallElements {
 }
 
 /// Contact of liquid and wall.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Contact {
     /// The liquid stays at the wall.
     #[default]
@@ -68,7 +78,8 @@ pub enum Contact {
 }
 
 /// Damping.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Damping {
     /// C = (2 ξ_w/ω_imp) K_wall in the wall, a ratio for every sloshing mode.
     ByGroup {
@@ -96,7 +107,8 @@ pub enum Damping {
 }
 
 /// Where a mass-proportional ratio holds.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum MassProportionalAt {
     /// At the first sloshing mode.
     FirstSloshing,
@@ -105,7 +117,7 @@ pub enum MassProportionalAt {
 }
 
 /// Points through the thickness of a layer, by kind of material.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Integration {
     /// Elastic layers.
     pub elastic: ThicknessRule,
@@ -115,19 +127,24 @@ pub struct Integration {
     pub concrete: ThicknessRule,
 }
 
-impl Default for Integration {
+impl Integration {
     /// Exact for elastic layers; 5 % of the moment of a yielding plate, 2 % of the compression of a cracked one.
+    pub const DEFAULT: Integration = Integration {
+        elastic: ThicknessRule::Gauss(2),
+        steel: ThicknessRule::Gauss(5),
+        concrete: ThicknessRule::MidPoint(20),
+    };
+}
+
+impl Default for Integration {
     fn default() -> Self {
-        Integration {
-            elastic: ThicknessRule::Gauss(2),
-            steel: ThicknessRule::Gauss(5),
-            concrete: ThicknessRule::MidPoint(20),
-        }
+        Integration::DEFAULT
     }
 }
 
 /// Quadrature through the thickness of a layer, with its number of points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum ThicknessRule {
     /// Gauss-Legendre.
     Gauss(u32),

@@ -1,9 +1,53 @@
-//! Numbers of elements as users write them: `12x16x20`.
+//! Options of the three-dimensional engine.
 
 use std::str::FromStr;
 
-/// Numbers of elements.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+use serde::{Deserialize, Serialize};
+
+use super::MEMORY_LIMIT_MIB;
+
+/// Formulation of the liquid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Liquid {
+    /// Displacement element in convective coordinates with mean dilatation and split rotation penalty (`fluid8`),
+    /// joined to the wall by `contact8`.
+    Displacement,
+    /// Displacement potential on hexahedra (`potential8`), in the sparse three-field form.
+    Potential,
+}
+
+/// Options of the three-dimensional engine.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SolidOptions {
+    /// Numbers of elements; by the mesh rule of the theory manual if `None`.
+    pub mesh: Option<MeshSize>,
+    /// Formulation of the liquid.
+    pub liquid: Liquid,
+    /// Largest memory of matrices and factors [MiB]; a larger model is refused before the run.
+    pub memory_limit_mib: u64,
+    /// Time between the states kept for pictures [s]; `None` keeps none.
+    pub snapshot_interval: Option<f64>,
+}
+
+impl SolidOptions {
+    /// The defaults.
+    pub const DEFAULT: SolidOptions = SolidOptions {
+        mesh: None,
+        liquid: Liquid::Potential,
+        memory_limit_mib: MEMORY_LIMIT_MIB,
+        snapshot_interval: None,
+    };
+}
+
+impl Default for SolidOptions {
+    fn default() -> Self {
+        SolidOptions::DEFAULT
+    }
+}
+
+/// Numbers of elements, written `12x16x20`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct MeshSize {
     /// Over the radius (or half length).
     pub radial: usize,
@@ -28,7 +72,7 @@ impl std::fmt::Display for MeshSize {
     }
 }
 
-/// Text that is no mesh.
+/// A text that is not a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("found `{found}`, allowed {}", MeshSize::ALLOWED)]
 pub struct MeshSizeError {

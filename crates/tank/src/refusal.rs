@@ -1,0 +1,66 @@
+//! What an engine or a procedure refuses of its input: the place, what is there, what may be there.
+//!
+//! Who refuses names a place in the case; who has read the file knows where in the file that is.
+
+/// Place in the input.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Place {
+    /// Shape of the tank.
+    Shape,
+    /// Its support.
+    Support,
+    /// Mass of its roof.
+    Roof,
+    /// A course, counted from 0.
+    Course(usize),
+    /// The concrete of this material.
+    Concrete(String),
+    /// The law of that concrete.
+    Law(String),
+    /// The interlayer of this material.
+    Interlayer(String),
+    /// Number of elements over the height.
+    Rows,
+    /// Number of elements around the tank.
+    Sectors,
+}
+
+/// Something of the input that is refused.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refusal {
+    /// Where.
+    pub place: Place,
+    /// What is wrong.
+    pub message: String,
+    /// What is there; empty if the input says it itself.
+    pub found: String,
+    /// What may be there.
+    pub allowed: String,
+    /// How to correct it; may be empty.
+    pub help: String,
+}
+
+impl Refusal {
+    /// Without found value and help.
+    pub fn new(place: Place, message: impl Into<String>, allowed: impl Into<String>) -> Refusal {
+        Refusal {
+            place,
+            message: message.into(),
+            found: String::new(),
+            allowed: allowed.into(),
+            help: String::new(),
+        }
+    }
+
+    /// With what is there.
+    pub fn found(mut self, found: impl Into<String>) -> Refusal {
+        self.found = found.into();
+        self
+    }
+
+    /// With how to correct it.
+    pub fn help(mut self, help: impl Into<String>) -> Refusal {
+        self.help = help.into();
+        self
+    }
+}
