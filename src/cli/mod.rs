@@ -73,7 +73,7 @@ enum Command {
     Verify(verify::Args),
     /// Write a commented tank.json to start from.
     Init(init::Args),
-    /// Print the JSON Schema of tank.json.
+    /// Print the JSON Schema of tank.json, or its reference page.
     Schema(schema::Args),
     /// Print shell completions or the manual page.
     Completions(completions::Args),

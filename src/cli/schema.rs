@@ -1,19 +1,28 @@
-//! `tankcheck schema`: the JSON Schema of the tank file.
+//! `tankcheck schema`: the JSON Schema of the tank file, or its reference page.
 
 use crate::cli::{Global, print};
 use crate::error::{EXIT_OK, Error};
+use crate::input::tank;
 
 /// Arguments.
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:
   tankcheck schema > tank.schema.json
+  tankcheck schema --markdown > input.md
 
-With \"$schema\": \"./tank.schema.json\" in tank.json an editor completes and explains the keys.")]
-pub struct Args {}
+Put \"$schema\": \"./tank.schema.json\" into tank.json, and your editor helps while you type.")]
+pub struct Args {
+    /// Write the reference page of all keys in Markdown instead.
+    #[arg(long)]
+    markdown: bool,
+}
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(_: Args, _: &Global) -> Result<u8, Error> {
-    print(&format!("{:#}\n", crate::input::tank::json_schema()))?;
+pub fn run(args: Args, _: &Global) -> Result<u8, Error> {
+    match args.markdown {
+        true => print(&tank::markdown())?,
+        false => print(&format!("{:#}\n", tank::json_schema()))?,
+    }
     Ok(EXIT_OK)
 }

@@ -1,8 +1,8 @@
 //! Arguments of the three-dimensional engine, shared by `compare` and `modes`.
 
+use crate::input::tank::solid_defaults;
 use crate::job::Job;
 use engines::solid::{Liquid, MeshSize, SolidOptions};
-use results::InputValue;
 
 /// Options of the three-dimensional engine.
 #[derive(clap::Args, Clone, Debug)]
@@ -50,36 +50,21 @@ impl SolidArgs {
             Liquid::Potential => "potential",
             Liquid::Displacement => "displacement",
         };
-        let lines = [
-            (
-                "mesh",
-                self.mesh.map(|m| m.to_string()),
-                None,
-                "by the size of the tank",
-            ),
-            (
-                "liquid",
-                self.liquid.map(|_| liquid.to_owned()),
-                Some(liquid.to_owned()),
-                "nothing to calibrate",
-            ),
-        ];
-        for (key, given, default, source) in lines {
-            let path = format!("analysis.solid.{key}");
-            job.echo.retain(|e| e.path != path || given.is_none());
-            if job.echo.iter().any(|e| e.path == path) {
-                continue;
+        let given = [self.mesh.map(|m| m.to_string()), self.liquid.map(|_| liquid.to_owned())];
+        for (mut line, given) in solid_defaults().into_iter().zip(given) {
+            let in_file = job.echo.iter().any(|e| e.path == line.path);
+            match given {
+                Some(text) => {
+                    job.echo.retain(|e| e.path != line.path);
+                    let key = line.path.rsplit('.').next().unwrap_or_default();
+                    line.source = format!("--{key}");
+                    line.text = text;
+                    line.default = false;
+                }
+                None if in_file => continue,
+                None => {}
             }
-            job.echo.push(InputValue {
-                default: given.is_none(),
-                text: given.clone().or(default).unwrap_or_else(|| "not given".into()),
-                source: if given.is_some() {
-                    format!("--{key}")
-                } else {
-                    source.into()
-                },
-                path,
-            });
+            job.echo.push(line);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! `init`, `schema` and `completions`; the committed schema is fresh; the examples are good.
+//! `init`, `schema` and `completions`; the committed schema and reference page are fresh; the examples are good.
 
 use std::path::Path;
 use std::process::Command;
@@ -27,13 +27,19 @@ fn read(path: &Path) -> tankcheck::input::TankFile {
 }
 
 #[test]
-fn committed_schema_is_fresh() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("schema/tank.schema.json");
-    let committed = std::fs::read_to_string(path).unwrap_or_default();
-    assert!(
-        committed == stdout(&["schema"]),
-        "schema/tank.schema.json is out of date; refresh it with\n\n    cargo run -- schema > schema/tank.schema.json\n"
-    );
+fn committed_schema_and_page_are_fresh() {
+    for (file, args) in [
+        ("schema/tank.schema.json", &["schema"] as &[&str]),
+        ("docs/input.md", &["schema", "--markdown"]),
+    ] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+        let committed = std::fs::read_to_string(path).unwrap_or_default();
+        assert!(
+            committed == stdout(args),
+            "{file} is out of date; refresh it with\n\n    cargo run -- {} > {file}\n",
+            args.join(" ")
+        );
+    }
 }
 
 #[test]

@@ -196,14 +196,19 @@ pub struct ProcedureOptions {
     pub ec8_impulsive: FlexibleImpulsive,
 }
 
+impl ProcedureOptions {
+    /// The defaults.
+    pub const DEFAULT: ProcedureOptions = ProcedureOptions {
+        housner_convective: ConvectiveCoefficient::Exact,
+        housner_combination: Combination::Abs,
+        ec8_combination: Combination::Abs,
+        ec8_impulsive: FlexibleImpulsive::Simplified,
+    };
+}
+
 impl Default for ProcedureOptions {
     fn default() -> Self {
-        ProcedureOptions {
-            housner_convective: ConvectiveCoefficient::Exact,
-            housner_combination: Combination::Abs,
-            ec8_combination: Combination::Abs,
-            ec8_impulsive: FlexibleImpulsive::Simplified,
-        }
+        ProcedureOptions::DEFAULT
     }
 }
 

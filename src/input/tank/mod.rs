@@ -1,13 +1,15 @@
-//! `tank.json`: text → tree (`syntax`) → mirror of the file (`schema`) → case in SI (`resolve`).
+//! `tank.json`: text → tree (`syntax`) → mirror of the file (`read`) → case in SI (`resolver`), by the declarations of `keys`.
 //!
 //! Every station notes its faults and goes on as far as it can, so that all faults of a file are shown at once.
 
-mod behaviour;
 mod bytes;
+mod key;
+mod keys;
+mod page;
 mod read;
-mod reported;
-mod resolve;
+mod resolver;
 mod schema;
+mod shape;
 mod syntax;
 #[cfg(test)]
 mod tests;
@@ -19,7 +21,8 @@ use crate::input::TankFile;
 use crate::input::diagnostic::{Faults, Source};
 use files::error::Error;
 
-pub use resolve::Places;
+pub use keys::{Places, solid_defaults};
+pub use page::markdown;
 pub use schema::json_schema;
 
 /// See [`crate::input::read_tank`].
@@ -39,8 +42,8 @@ pub fn parse(source: &Source) -> Result<TankFile, Faults> {
         if let syntax::Kind::Object(members) = &mut root.kind {
             members.retain(|m| m.key != "$schema");
         }
-        let file = <schema::TankFile as read::FromNode>::from_node(&root, &mut faults)?;
-        resolve::resolve(&file, &mut faults)
+        let file = <keys::TankFile as read::FromNode>::from_node(&root, &mut faults)?;
+        keys::resolve(&file, &mut faults)
     });
     match file {
         Some(file) if faults.is_empty() => Ok(TankFile {

@@ -1,14 +1,27 @@
 //! Tree of values → typed mirror of the file, every fault noted and none fatal.
 //!
-//! A mirror struct is declared once with [`object!`]; from that one declaration follow its reader (known keys, required
-//! keys, suggestions for misspelt ones) and its JSON Schema (the doc comments become the descriptions).
+//! An object of the file is declared once with [`object!`], a choice of words with [`choice!`]; from these follow the
+//! reader (known keys, required keys, suggestions for misspelt ones), what the resolver needs of a key (limits, default)
+//! and the book from which JSON Schema and reference page are written.
+//!
+//! ```text
+//! object! {
+//!     /// What the object is.
+//!     Name {
+//!         /// What the key is.
+//!         key (example): type [limits] = default,
+//!     }
+//! }
+//! ```
+//!
+//! Example, limits and default may be left out. The type is `Field<T>` for a key that is required, `Opt<T>` for one that
+//! is not.
 
-use std::borrow::Cow;
 use std::collections::BTreeSet;
-use std::ops::Range;
+use std::ops::{Deref, Range};
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-
+use super::key::{Key, Limits, list};
+use super::shape::{Book, KeyInfo, Shape};
 use super::syntax::{Kind, Member, Node, join};
 use crate::input::diagnostic::{Fault, Faults};
 
@@ -23,16 +36,39 @@ pub(super) struct Field<T> {
     pub path: String,
     /// As written, without quotes; empty for lists and objects.
     pub text: String,
+    /// Those of its key; of the items, where it is a list.
+    pub limits: Limits,
+}
+
+/// An optional key of an object.
+#[derive(Debug)]
+pub(super) struct Opt<T: 'static> {
+    pub key: &'static Key<T>,
+    pub path: String,
+    /// What the file gives.
+    pub given: Option<Field<T>>,
 }
 
 /// What can be read from a value of the file.
-pub(super) trait FromNode: Sized {
+pub(super) trait FromNode: Sized + 'static {
     /// Reads it; notes what is wrong and returns `None` if there is nothing to go on with.
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self>;
     /// What is allowed, for messages.
     fn allowed() -> String;
     /// How it is written, for messages ("\"1.83 m\"").
     fn example() -> String;
+    /// What it looks like, for the schema.
+    fn shape(book: &mut Book) -> Shape;
+    /// As a user would write it, without quotes; `None` for lists and objects.
+    fn written(&self) -> Option<String> {
+        None
+    }
+}
+
+/// An object of the file.
+pub(super) trait Object: FromNode {
+    /// The object as it is where the file does not give it; what it requires is missing without a fault.
+    fn absent(path: &str) -> Self;
 }
 
 impl<T: FromNode> Field<T> {
@@ -46,11 +82,23 @@ impl<T: FromNode> Field<T> {
                 Kind::Bool(_) | Kind::Number(_) => node.shown(),
                 Kind::Null | Kind::List(_) | Kind::Object(_) => String::new(),
             },
+            limits: Limits::ANY,
         }
     }
 }
 
 impl<T> Field<T> {
+    /// A key that is missing at this place.
+    pub fn missing(span: Range<usize>, path: String) -> Field<T> {
+        Field {
+            value: None,
+            span,
+            path,
+            text: String::new(),
+            limits: Limits::ANY,
+        }
+    }
+
     /// The place alone.
     pub fn place(&self) -> Field<()> {
         Field {
@@ -58,48 +106,119 @@ impl<T> Field<T> {
             span: self.span.clone(),
             path: self.path.clone(),
             text: self.text.clone(),
+            limits: self.limits,
         }
     }
 }
 
-/// A member of an object: required as [`Field`], optional as `Option<Field>`.
-pub(super) trait Property: Sized {
-    type Inner: FromNode + JsonSchema;
-    const REQUIRED: bool;
-    fn read(object: &mut ObjectReader<'_>, key: &'static str, faults: &mut Faults) -> Self;
+impl<T> Opt<T> {
+    /// What the file gives, if it is sound.
+    pub fn value(&self) -> Option<&T> {
+        self.given.as_ref().and_then(|field| field.value.as_ref())
+    }
+
+    /// The place of what the file gives.
+    pub fn place(&self) -> Option<Field<()>> {
+        self.given.as_ref().map(Field::place)
+    }
 }
 
-impl<T: FromNode + JsonSchema> Property for Field<T> {
+impl<T: Object> Opt<T> {
+    /// What the file gives, or the object without any of its keys; `None` if it is faulty.
+    pub fn or_absent(&self) -> Option<Part<'_, T>> {
+        match &self.given {
+            Some(field) => field.value.as_ref().map(Part::Given),
+            None => Some(Part::Absent(Box::new(T::absent(&self.path)))),
+        }
+    }
+}
+
+/// An object that the file gives, or one without any of its keys.
+pub(super) enum Part<'a, T> {
+    Given(&'a T),
+    Absent(Box<T>),
+}
+
+impl<T> Deref for Part<'_, T> {
+    type Target = T;
+    fn deref(&self) -> &T {
+        match self {
+            Part::Given(object) => object,
+            Part::Absent(object) => object,
+        }
+    }
+}
+
+/// A member of an object: required as [`Field`], optional as [`Opt`].
+pub(super) trait Property: Sized {
+    type Inner: FromNode;
+    const REQUIRED: bool;
+    /// Reads it; a required one that is missing is a fault.
+    fn read(object: &ObjectReader<'_>, key: &'static Key<Self::Inner>, faults: &mut Faults) -> Self;
+    /// As it is where the whole object at `path` is not given.
+    fn absent(path: &str, key: &'static Key<Self::Inner>) -> Self;
+    /// What the schema says of it.
+    fn info(key: &'static Key<Self::Inner>, book: &mut Book) -> KeyInfo {
+        let shape = Self::Inner::shape(book);
+        // The example of a type is written as in the file.
+        let example = match shape {
+            Shape::List(_) | Shape::Named(_) | Shape::Object(_) | Shape::Measured(_) => String::new(),
+            // Its dimension depends on another key.
+            Shape::Pattern { ref patterns, .. } if patterns.is_empty() => String::new(),
+            Shape::Either(word, _) => word.to_owned(),
+            _ => Self::Inner::example().trim_matches('"').to_owned(),
+        };
+        KeyInfo::new(key, Self::REQUIRED, shape, example, Self::Inner::written)
+    }
+}
+
+fn read_member<T: FromNode>(member: &Member, key: &Key<T>, faults: &mut Faults) -> Field<T> {
+    Field {
+        limits: key.limits,
+        ..Field::from_node(&member.value, faults)
+    }
+}
+
+impl<T: FromNode> Property for Field<T> {
     type Inner = T;
     const REQUIRED: bool = true;
-    fn read(object: &mut ObjectReader<'_>, key: &'static str, faults: &mut Faults) -> Self {
-        if let Some(member) = object.take(key) {
-            return Field::from_node(&member.value, faults);
+    fn read(object: &ObjectReader<'_>, key: &'static Key<T>, faults: &mut Faults) -> Self {
+        let name = key.name;
+        if let Some(member) = object.take(name) {
+            return read_member(member, key, faults);
         }
         // A misspelt key has been noted already, with this one as the suggestion.
-        if !object.meant.contains(key) {
+        if !object.meant.contains(name) {
             faults.push(
-                Fault::new(format!("the key `{key}` is missing"))
+                Fault::new(format!("the key `{name}` is missing"))
                     .at(object.head.clone())
-                    .path(join(&object.node.path, key))
+                    .path(join(&object.node.path, name))
                     .allowed(T::allowed())
-                    .help(format!("add \"{key}\": {}", T::example())),
+                    .help(format!("add \"{name}\": {}", T::example())),
             );
         }
-        Field {
-            value: None,
-            span: object.head.clone(),
-            path: join(&object.node.path, key),
-            text: String::new(),
-        }
+        Field::missing(object.head.clone(), join(&object.node.path, name))
+    }
+    fn absent(path: &str, key: &'static Key<T>) -> Self {
+        Field::missing(0..0, join(path, key.name))
     }
 }
 
-impl<T: FromNode + JsonSchema> Property for Option<Field<T>> {
+impl<T: FromNode> Property for Opt<T> {
     type Inner = T;
     const REQUIRED: bool = false;
-    fn read(object: &mut ObjectReader<'_>, key: &'static str, faults: &mut Faults) -> Self {
-        object.take(key).map(|member| Field::from_node(&member.value, faults))
+    fn read(object: &ObjectReader<'_>, key: &'static Key<T>, faults: &mut Faults) -> Self {
+        Opt {
+            given: object.take(key.name).map(|member| read_member(member, key, faults)),
+            ..Opt::absent(&object.node.path, key)
+        }
+    }
+    fn absent(path: &str, key: &'static Key<T>) -> Self {
+        Opt {
+            key,
+            path: join(path, key.name),
+            given: None,
+        }
     }
 }
 
@@ -149,10 +268,6 @@ impl<'a> ObjectReader<'a> {
     fn take(&self, key: &str) -> Option<&'a Member> {
         self.members.iter().find(|m| m.key == key)
     }
-
-    pub fn property<P: Property>(&mut self, key: &'static str, faults: &mut Faults) -> P {
-        P::read(self, key, faults)
-    }
 }
 
 /// The known word nearest to a misspelt one, if any is near enough to be meant.
@@ -177,15 +292,6 @@ pub(super) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) 
         .map(|(_, k)| k)
 }
 
-/// `a, b or c`.
-pub(super) fn list(words: &[&str], conjunction: &str) -> String {
-    match words {
-        [] => String::new(),
-        [one] => (*one).into(),
-        [all @ .., last] => format!("{} {conjunction} {last}", all.join(", ")),
-    }
-}
-
 pub(super) fn wrong_kind(node: &Node, allowed: &str) -> Fault {
     Fault::new(format!("{} does not belong here", node.noun()))
         .at(node.span.clone())
@@ -203,154 +309,118 @@ pub(super) fn wrong_value(node: &Node, message: &str, allowed: &str) -> Fault {
         .allowed(allowed)
 }
 
-impl<T: JsonSchema> JsonSchema for Field<T> {
-    fn schema_name() -> Cow<'static, str> {
-        T::schema_name()
+/// The item of a few that a word names; an unknown word is a fault, with the nearest known one as a suggestion.
+pub(super) fn one_of_words<T: Copy>(node: &Node, words: &[(&'static str, T)], faults: &mut Faults) -> Option<T> {
+    let known: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
+    let allowed = quoted(&known);
+    let Kind::Text(text) = &node.kind else {
+        faults.push(wrong_kind(node, &allowed));
+        return None;
+    };
+    let found = words.iter().find(|(word, _)| word == text);
+    if found.is_none() {
+        let mut fault = wrong_value(node, &format!("unknown choice `{text}`"), &allowed);
+        if let Some(near) = nearest(text, known) {
+            fault = fault.help(format!("did you mean \"{near}\"?"));
+        }
+        faults.push(fault);
     }
-    fn schema_id() -> Cow<'static, str> {
-        T::schema_id()
-    }
-    fn inline_schema() -> bool {
-        T::inline_schema()
-    }
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        T::json_schema(generator)
-    }
+    found.map(|(_, item)| *item)
 }
 
-/// Declares a closed choice of words.
+/// `"a", "b" or "c"`.
+pub(super) fn quoted(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|w| format!("\"{w}\"")).collect();
+    list(&quoted.iter().map(String::as_str).collect::<Vec<_>>(), "or")
+}
+
+/// Declares the words of a closed choice for an enum without data.
 macro_rules! choice {
     ($($(#[doc = $doc:literal])+ $name:ident { $($(#[doc = $vdoc:literal])+ $variant:ident = $word:literal,)+ })*) => {$(
-        $(#[doc = $doc])+
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub(in crate::input::tank) enum $name {
-            $($(#[doc = $vdoc])+ $variant,)+
-        }
-
-        impl $name {
-            const WORDS: &'static [&'static str] = &[$($word),+];
-        }
-
-        impl FromNode for $name {
-            fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
-                match &node.kind {
-                    Kind::Text(text) => match text.as_str() {
-                        $($word => Some($name::$variant),)+
-                        other => {
-                            let mut fault = wrong_value(node, &format!("unknown choice `{other}`"), &Self::allowed());
-                            if let Some(near) = nearest(other, Self::WORDS.iter().copied()) {
-                                fault = fault.help(format!("did you mean \"{near}\"?"));
-                            }
-                            faults.push(fault);
-                            None
-                        }
-                    },
-                    _ => {
-                        faults.push(wrong_kind(node, &Self::allowed()));
-                        None
-                    }
-                }
+        impl $crate::input::tank::read::FromNode for $name {
+            fn from_node(node: &$crate::input::tank::syntax::Node, faults: &mut $crate::input::diagnostic::Faults) -> Option<Self> {
+                $crate::input::tank::read::one_of_words(node, &[$(($word, $name::$variant)),+], faults)
             }
             fn allowed() -> String {
-                let quoted: Vec<String> = Self::WORDS.iter().map(|w| format!("\"{w}\"")).collect();
-                list(&quoted.iter().map(String::as_str).collect::<Vec<_>>(), "or")
+                $crate::input::tank::read::quoted(&[$($word),+])
             }
             fn example() -> String {
-                format!("\"{}\"", Self::WORDS[0])
+                format!("\"{}\"", [$($word),+][0])
             }
-        }
-
-        impl JsonSchema for $name {
-            fn schema_name() -> Cow<'static, str> {
-                stringify!($name).into()
+            fn shape(book: &mut $crate::input::tank::shape::Book) -> $crate::input::tank::shape::Shape {
+                let words = vec![$(($word, $crate::input::tank::key::prose(&[$($vdoc),+]))),+];
+                book.choice(stringify!($name), &[$($doc),+], words)
             }
-            fn json_schema(_: &mut SchemaGenerator) -> Schema {
-                json_schema!({ "oneOf": [$({ "const": $word, "description": prose(&[$($vdoc),+]) }),+] })
+            fn written(&self) -> Option<String> {
+                // A variant without a word does not compile.
+                Some(match self { $($name::$variant => $word,)+ }.into())
             }
         }
     )*};
 }
 
-/// Declares a mirror struct, its reader and its schema.
+/// Declares objects of the file; see the head of this module.
 macro_rules! object {
     ($(
         $(#[doc = $doc:literal])+
-        $name:ident { $($(#[doc = $fdoc:literal])+ $field:ident : $ty:ty,)+ }
+        $name:ident { $(
+            $(#[doc = $fdoc:literal])+
+            $field:ident $(($example:literal))? : $ty:ty $([$limits:expr])? $(= $absent:expr)?,
+        )+ }
     )*) => {$(
         $(#[doc = $doc])+
-        #[derive(Clone, Debug)]
+        #[derive(Debug)]
         pub(in crate::input::tank) struct $name { $($(#[doc = $fdoc])+ pub $field: $ty,)+ }
 
-        impl FromNode for $name {
-            fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
-                let mut reader = ObjectReader::new(node, &[$(stringify!($field)),+], faults)?;
-                Some($name { $($field: reader.property(stringify!($field), faults),)+ })
+        #[allow(non_upper_case_globals, reason = "named as the key")]
+        impl $name {
+            $(const $field: &'static $crate::input::tank::key::Key<<$ty as $crate::input::tank::read::Property>::Inner> =
+                &$crate::input::tank::key::Key {
+                    name: stringify!($field),
+                    help: &[$($fdoc),+],
+                    example: $crate::input::tank::read::either!(""; $(concat!($example))?),
+                    limits: $crate::input::tank::read::either!($crate::input::tank::key::Limits::ANY; $($limits)?),
+                    absent: $crate::input::tank::read::either!($crate::input::tank::key::Absent::Silent; $($absent)?),
+                };)+
+        }
+
+        impl $crate::input::tank::read::FromNode for $name {
+            fn from_node(node: &$crate::input::tank::syntax::Node, faults: &mut $crate::input::diagnostic::Faults) -> Option<Self> {
+                use $crate::input::tank::read::{ObjectReader, Property};
+                let reader = ObjectReader::new(node, &[$(stringify!($field)),+], faults)?;
+                Some($name { $($field: Property::read(&reader, Self::$field, faults),)+ })
             }
             fn allowed() -> String {
-                format!("an object with {}", list(&[$(stringify!($field)),+], "and"))
+                format!("an object with {}", $crate::input::tank::key::list(&[$(stringify!($field)),+], "and"))
             }
             fn example() -> String {
                 "{ … }".into()
             }
+            fn shape(book: &mut $crate::input::tank::shape::Book) -> $crate::input::tank::shape::Shape {
+                use $crate::input::tank::read::Property;
+                book.object(stringify!($name), &[$($doc),+], |book| {
+                    vec![$(<$ty as Property>::info(Self::$field, book)),+]
+                })
+            }
         }
 
-        impl JsonSchema for $name {
-            fn schema_name() -> Cow<'static, str> {
-                stringify!($name).into()
-            }
-            fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-                let mut schema = ObjectSchema::new(&[$($doc),+]);
-                $(schema.property::<$ty>(stringify!($field), &[$($fdoc),+], generator);)+
-                schema.finish()
+        impl $crate::input::tank::read::Object for $name {
+            fn absent(path: &str) -> Self {
+                use $crate::input::tank::read::Property;
+                $name { $($field: Property::absent(path, Self::$field),)+ }
             }
         }
     )*};
 }
 
-pub(super) use {choice, object};
-
-/// Doc comment lines as one text: lines joined, paragraphs kept.
-pub(super) fn prose(lines: &[&str]) -> String {
-    let paragraphs: Vec<String> = lines
-        .split(|l| l.trim().is_empty())
-        .map(|p| p.iter().map(|l| l.trim()).collect::<Vec<_>>().join(" "))
-        .filter(|p| !p.is_empty())
-        .collect();
-    paragraphs.join("\n\n")
+/// The second expression, or the first if there is none.
+macro_rules! either {
+    ($default:expr;) => {
+        $default
+    };
+    ($default:expr; $given:expr) => {
+        $given
+    };
 }
 
-/// Puts the schema of an object together.
-pub(super) struct ObjectSchema {
-    description: String,
-    properties: serde_json::Map<String, serde_json::Value>,
-    required: Vec<&'static str>,
-}
-
-impl ObjectSchema {
-    pub fn new(doc: &[&str]) -> Self {
-        ObjectSchema {
-            description: prose(doc),
-            properties: serde_json::Map::new(),
-            required: Vec::new(),
-        }
-    }
-
-    pub fn property<P: Property>(&mut self, key: &'static str, doc: &[&str], generator: &mut SchemaGenerator) {
-        let mut schema = generator.subschema_for::<P::Inner>();
-        schema.insert("description".into(), prose(doc).into());
-        self.properties.insert(key.into(), schema.into());
-        if P::REQUIRED {
-            self.required.push(key);
-        }
-    }
-
-    pub fn finish(self) -> Schema {
-        json_schema!({
-            "description": self.description,
-            "type": "object",
-            "properties": self.properties,
-            "required": self.required,
-            "additionalProperties": false,
-        })
-    }
-}
+pub(super) use {choice, either, object};

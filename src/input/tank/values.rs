@@ -1,14 +1,14 @@
 //! What stands in the fields of the file: quantities, numbers, words, lists.
 
-use std::borrow::Cow;
-
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use tank::options::solid::MeshSize;
 use tank::units::{self, Dimension, UnitError};
 
+use super::key::written;
 use super::read::{Field, FromNode, wrong_kind, wrong_value};
+use super::shape::{Book, Shape};
 use super::syntax::{Kind, Node};
+
 use crate::input::diagnostic::{Fault, Faults};
-use tank::options::solid::MeshSize;
 
 /// Reads a quantity of a dimension; a bare number is one only where there is no unit.
 pub(super) fn quantity(node: &Node, dimension: Dimension, faults: &mut Faults) -> Option<f64> {
@@ -63,14 +63,6 @@ pub(super) fn pattern(dimension: Dimension) -> String {
     format!("^[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)? ?({unit}){optional}$")
 }
 
-/// JSON Schema of a quantity.
-pub(super) fn quantity_schema(dimension: Dimension) -> Schema {
-    if dimension == Dimension::Dimensionless {
-        return json_schema!({ "anyOf": [{ "type": "number" }, { "type": "string", "pattern": pattern(dimension) }] });
-    }
-    json_schema!({ "type": "string", "pattern": pattern(dimension), "examples": [dimension.example()] })
-}
-
 /// Declares a quantity type of one dimension.
 macro_rules! quantity {
     ($($(#[$doc:meta])* $name:ident : $dimension:expr;)*) => {$(
@@ -91,6 +83,12 @@ macro_rules! quantity {
                     dimension => format!("\"{}\"", dimension.example()),
                 }
             }
+            fn shape(_: &mut Book) -> Shape {
+                Shape::Quantity($dimension)
+            }
+            fn written(&self) -> Option<String> {
+                Some(written(self.0, $dimension))
+            }
         }
 
         impl Si for $name {
@@ -100,14 +98,6 @@ macro_rules! quantity {
             }
         }
 
-        impl JsonSchema for $name {
-            fn schema_name() -> Cow<'static, str> {
-                stringify!($name).into()
-            }
-            fn json_schema(_: &mut SchemaGenerator) -> Schema {
-                quantity_schema($dimension)
-            }
-        }
     )*};
 }
 
@@ -162,6 +152,12 @@ macro_rules! conventional {
             fn example() -> String {
                 $example.into()
             }
+            fn shape(_: &mut Book) -> Shape {
+                Shape::Conventional($dimension, $unit)
+            }
+            fn written(&self) -> Option<String> {
+                Some(self.0.to_string())
+            }
         }
 
         impl Si for $name {
@@ -171,14 +167,6 @@ macro_rules! conventional {
             }
         }
 
-        impl JsonSchema for $name {
-            fn schema_name() -> Cow<'static, str> {
-                stringify!($name).into()
-            }
-            fn json_schema(_: &mut SchemaGenerator) -> Schema {
-                json_schema!({ "anyOf": [{ "type": "number" }, { "type": "string", "pattern": pattern($dimension) }] })
-            }
-        }
     )*};
 }
 
@@ -239,33 +227,23 @@ impl FromNode for Pitch {
     fn example() -> String {
         "\"3 rad/s\"".into()
     }
-}
-
-impl JsonSchema for Pitch {
-    fn schema_name() -> Cow<'static, str> {
-        "Frequency".into()
-    }
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let patterns: Vec<Schema> = Self::DIMENSIONS
-            .map(|d| json_schema!({ "pattern": pattern(d) }))
-            .into_iter()
-            .collect();
-        json_schema!({ "type": "string", "anyOf": patterns, "examples": ["3 rad/s", "0.48 Hz", "2.1 s"] })
+    fn shape(_: &mut Book) -> Shape {
+        Shape::Pattern {
+            noun: "a circular frequency, a frequency or a period".into(),
+            patterns: Self::DIMENSIONS.map(pattern).into(),
+            examples: &["3 rad/s", "0.48 Hz", "2.1 s"],
+        }
     }
 }
 
-/// Numbers of elements of a spatial mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Mesh(pub MeshSize);
-
-impl FromNode for Mesh {
+impl FromNode for MeshSize {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
         let Kind::Text(text) = &node.kind else {
             faults.push(wrong_kind(node, &Self::allowed()));
             return None;
         };
         match text.parse() {
-            Ok(mesh) => Some(Mesh(mesh)),
+            Ok(mesh) => Some(mesh),
             Err(_) => {
                 faults.push(wrong_value(node, "not a mesh", &Self::allowed()));
                 None
@@ -278,19 +256,16 @@ impl FromNode for Mesh {
     fn example() -> String {
         "\"12x16x20\"".into()
     }
-}
-
-impl JsonSchema for Mesh {
-    fn schema_name() -> Cow<'static, str> {
-        "Mesh".into()
-    }
-    fn inline_schema() -> bool {
-        true
-    }
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+    fn shape(_: &mut Book) -> Shape {
         let count = "(1000|[1-9][0-9]{0,2})";
-        let pattern = format!("^ *{count} *[xX×] *{count} *[xX×] *{count} *$");
-        json_schema!({ "type": "string", "pattern": pattern, "examples": ["12x16x20"] })
+        Shape::Pattern {
+            noun: "three whole numbers from 1 to 1000".into(),
+            patterns: vec![format!("^ *{count} *[xX×] *{count} *[xX×] *{count} *$")],
+            examples: &["12x16x20"],
+        }
+    }
+    fn written(&self) -> Option<String> {
+        Some(self.to_string())
     }
 }
 
@@ -314,17 +289,11 @@ impl FromNode for Whole {
     fn example() -> String {
         "1".into()
     }
-}
-
-impl JsonSchema for Whole {
-    fn schema_name() -> Cow<'static, str> {
-        "Whole".into()
+    fn shape(_: &mut Book) -> Shape {
+        Shape::Whole
     }
-    fn inline_schema() -> bool {
-        true
-    }
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": "integer", "minimum": 0 })
+    fn written(&self) -> Option<String> {
+        Some(self.0.to_string())
     }
 }
 
@@ -344,6 +313,9 @@ impl FromNode for String {
     fn example() -> String {
         "\"…\"".into()
     }
+    fn shape(_: &mut Book) -> Shape {
+        Shape::Text
+    }
 }
 
 impl FromNode for bool {
@@ -361,6 +333,12 @@ impl FromNode for bool {
     }
     fn example() -> String {
         "true".into()
+    }
+    fn shape(_: &mut Book) -> Shape {
+        Shape::Bool
+    }
+    fn written(&self) -> Option<String> {
+        Some(self.to_string())
     }
 }
 
@@ -380,6 +358,9 @@ impl<T: FromNode> FromNode for Vec<Field<T>> {
     }
     fn example() -> String {
         format!("[{}]", T::example())
+    }
+    fn shape(book: &mut Book) -> Shape {
+        Shape::List(Box::new(T::shape(book)))
     }
 }
 
@@ -408,16 +389,7 @@ impl<T: FromNode> FromNode for Named<T> {
     fn example() -> String {
         "{ … }".into()
     }
-}
-
-impl<T: JsonSchema> JsonSchema for Named<T> {
-    fn schema_name() -> Cow<'static, str> {
-        format!("Named{}", T::schema_name()).into()
-    }
-    fn inline_schema() -> bool {
-        true
-    }
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": "object", "additionalProperties": generator.subschema_for::<T>() })
+    fn shape(book: &mut Book) -> Shape {
+        Shape::Named(Box::new(T::shape(book)))
     }
 }

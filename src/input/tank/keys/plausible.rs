@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use tank::units::{Dimension, display_in, unit_for};
 use tank::{LayerKind, Liquid, Shape, Tank};
 
-use super::{Resolver, like_field, like_unit, range_fault};
+use super::TankFile;
 use crate::input::tank::read::Field;
-use crate::input::tank::schema;
+use crate::input::tank::resolver::{Resolver, like_field, like_unit, range_fault};
 use crate::input::tank::syntax::join;
 use crate::input::tank::values::Stress;
 
@@ -62,7 +62,7 @@ pub(super) fn yielding(r: &mut Resolver<'_>, field: &Field<Stress>, strength: f6
 }
 
 /// Proportions of tank and liquid, densities of the wall.
-pub(super) fn tank(r: &mut Resolver<'_>, file: &schema::TankFile, tank: Option<&Tank>, liquid: Option<Liquid>) {
+pub(super) fn tank(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, liquid: Option<Liquid>) {
     let (Some(tank), Some(given)) = (tank, &file.tank.value) else {
         return;
     };
@@ -71,8 +71,8 @@ pub(super) fn tank(r: &mut Resolver<'_>, file: &schema::TankFile, tank: Option<&
         return;
     };
     let fill = liquid.fill_height;
-    if let (Some(Field { value: Some(roof), .. }), Some(height)) = (&given.roof, tank.roof.height)
-        && let Some(field) = &roof.height
+    if let (Some(roof), Some(height)) = (given.roof.value(), tank.roof.height)
+        && let Some(field) = &roof.height.given
     {
         let wall = tank.wall_height();
         // Below half the wall it has been refused already.
@@ -121,7 +121,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, file: &schema::TankFile, tank: Option<&
 }
 
 /// Densities of shells; layers between two shells may be light.
-fn densities(r: &mut Resolver<'_>, file: &schema::TankFile, tank: &Tank) {
+fn densities(r: &mut Resolver<'_>, file: &TankFile, tank: &Tank) {
     let mut shells: BTreeMap<&str, f64> = BTreeMap::new();
     for course in &tank.courses {
         if course.layers.is_empty() {

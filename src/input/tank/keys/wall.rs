@@ -1,24 +1,82 @@
-//! Courses: of one material, or of layers with bars.
+//! `tank.courses`: of one material, or of layers with bars.
 
 use tank::units::Dimension;
-use tank::{BarDirection, Behaviour, Course, Layer, LayerKind, Material, Reinforcement};
+use tank::{BarDirection, Behaviour, LayerKind, Material};
 
 use super::materials::{MAX_MATERIALS, MAX_NAME, Materials};
 use super::tank::{HEIGHT, THICKNESS};
-use super::{Limits, Resolver, like_unit, range_fault};
-use crate::input::tank::read::{Field, FromNode, list, nearest};
-use crate::input::tank::schema;
+use crate::input::tank::key::{Limits, list};
+use crate::input::tank::read::{Field, FromNode, Opt, choice, nearest, object};
+use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
 use crate::input::tank::syntax::join;
-use crate::input::tank::values::Length;
+use crate::input::tank::values::{Length, LineArea};
 
-/// Most courses a wall may have.
-const MAX_COURSES: usize = 200;
-/// Most layers a course may have.
-const MAX_LAYERS: usize = 20;
-/// Most layers of bars a shell may have.
-const MAX_BARS: usize = 20;
 /// Most names of materials in a message.
 const SHOWN_NAMES: usize = 20;
+/// Bars: more than a tenth of a metre of steel is not reinforcement.
+const AREA: Limits = Limits::above(0.0).to(0.1);
+/// Distances of bars from a face.
+const COVER: Limits = Limits::above(0.0).to(10.0);
+
+object! {
+    /// A ring of the wall.
+    Course {
+        /// Height of the ring.
+        height ("2.4 m"): Field<Length> [HEIGHT],
+        /// Thickness of the wall. Give either this with a material, or layers.
+        thickness ("8 mm"): Opt<Length> [THICKNESS],
+        /// Name of its material; together with thickness.
+        material ("steel"): Opt<String>,
+        /// Layers of the wall from inside to outside, instead of one thickness and material.
+        ///
+        /// A shell; shells that touch (a liner on concrete); or two shells with an interlayer between them.
+        layers: Opt<Vec<Field<Layer>>> [Limits::ANY.items(1, 20)],
+    }
+
+    /// A layer of the wall.
+    Layer {
+        /// What it is.
+        kind: Field<LayerKind>,
+        /// Thickness of the layer.
+        thickness ("25 cm"): Field<Length> [THICKNESS],
+        /// Name of its material.
+        material ("concrete"): Field<String>,
+        /// Layers of bars in a concrete shell; nonlinear analysis only.
+        reinforcement: Opt<Vec<Field<Reinforcement>>> [Limits::ANY.items(1, 20)],
+    }
+
+    /// A layer of bars. Give its distance either from the inner or from the outer face of the shell.
+    Reinforcement {
+        /// Direction of the bars.
+        direction: Field<BarDirection>,
+        /// Area of steel per metre of wall.
+        area ("15 cm2/m"): Field<LineArea> [AREA],
+        /// Distance of the axis of the bars from the inner face of their shell.
+        from_inner ("4 cm"): Opt<Length> [COVER],
+        /// Distance of the axis of the bars from the outer face of their shell.
+        from_outer ("4 cm"): Opt<Length> [COVER],
+        /// Name of their material.
+        material ("bars"): Field<String>,
+    }
+}
+
+choice! {
+    /// Kind of a layer.
+    LayerKind {
+        /// Carries membrane forces and bending.
+        Shell = "shell",
+        /// Keeps two shells apart.
+        Interlayer = "interlayer",
+    }
+
+    /// Direction of bars.
+    BarDirection {
+        /// Around the tank; along the wall of a rectangle.
+        Hoop = "hoop",
+        /// Up the wall.
+        Vertical = "vertical",
+    }
+}
 
 /// What a material is to be used for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,24 +153,18 @@ pub(super) fn material(
 /// All courses; `None` if one is faulty.
 pub(super) fn courses(
     r: &mut Resolver<'_>,
-    field: &Field<Vec<Field<schema::Course>>>,
+    field: &Field<Vec<Field<Course>>>,
     materials: &Materials,
-) -> Option<Vec<Course>> {
+) -> Option<Vec<tank::Course>> {
     let list = field.value.as_ref()?;
-    if list.is_empty() || list.len() > MAX_COURSES {
-        let fault = range_fault(
-            field,
-            "too few or too many courses",
-            &format!("1 to {MAX_COURSES} courses"),
-        );
-        r.faults.push(fault.found(format!("{} courses", list.len())));
+    if !r.sized(field, "courses") {
         return None;
     }
     let mut courses = Vec::with_capacity(list.len());
     for field in list {
         let Some(c) = &field.value else { continue };
-        let height = r.number(&c.height, HEIGHT);
-        courses.extend(match &c.layers {
+        let height = r.number(&c.height);
+        courses.extend(match &c.layers.given {
             Some(layers) => layered(r, c, height, layers, materials),
             None => uniform(r, field, c, height, materials),
         });
@@ -123,20 +175,20 @@ pub(super) fn courses(
 
 fn uniform(
     r: &mut Resolver<'_>,
-    field: &Field<schema::Course>,
-    c: &schema::Course,
+    field: &Field<Course>,
+    c: &Course,
     height: f64,
     materials: &Materials,
-) -> Option<Course> {
-    let thickness = match &c.thickness {
-        Some(field) => r.number(field, THICKNESS),
+) -> Option<tank::Course> {
+    let thickness = match &c.thickness.given {
+        Some(field) => r.number(field),
         None => {
             missing::<Length, _>(r, field, "thickness");
             f64::NAN
         }
     };
-    match &c.material {
-        Some(name) => material(r, name, materials, Use::Shell).map(|m| Course::uniform(height, thickness, m)),
+    match &c.material.given {
+        Some(name) => material(r, name, materials, Use::Shell).map(|m| tank::Course::uniform(height, thickness, m)),
         None => {
             missing::<String, _>(r, field, "material");
             None
@@ -150,12 +202,7 @@ fn missing<T: FromNode, U>(r: &mut Resolver<'_>, object: &Field<U>, key: &str) {
     if r.faults.suggest(&format!("did you mean `{key}`?")) || r.faults.suggest("did you mean `layers`?") {
         return;
     }
-    let field = Field::<T> {
-        value: None,
-        span: object.span.start..object.span.start + 1,
-        path: join(&object.path, key),
-        text: String::new(),
-    };
+    let field = Field::<T>::missing(object.span.start..object.span.start + 1, join(&object.path, key));
     r.faults.push(
         range_fault(&field, &format!("the key `{key}` is missing"), &T::allowed())
             .help(format!("add \"{key}\": {}, or layers", T::example())),
@@ -164,15 +211,12 @@ fn missing<T: FromNode, U>(r: &mut Resolver<'_>, object: &Field<U>, key: &str) {
 
 fn layered(
     r: &mut Resolver<'_>,
-    c: &schema::Course,
+    c: &Course,
     height: f64,
-    field: &Field<Vec<Field<schema::Layer>>>,
+    field: &Field<Vec<Field<Layer>>>,
     materials: &Materials,
-) -> Option<Course> {
-    let own = [
-        ("thickness", c.thickness.as_ref().map(Field::place)),
-        ("material", c.material.as_ref().map(Field::place)),
-    ];
+) -> Option<tank::Course> {
+    let own = [("thickness", c.thickness.place()), ("material", c.material.place())];
     for (key, given) in own {
         if let Some(given) = given {
             r.faults.push(range_fault(
@@ -183,13 +227,7 @@ fn layered(
         }
     }
     let list = field.value.as_ref()?;
-    if list.is_empty() || list.len() > MAX_LAYERS {
-        let fault = range_fault(
-            field,
-            "too few or too many layers",
-            &format!("1 to {MAX_LAYERS} layers"),
-        );
-        r.faults.push(fault.found(format!("{} layers", list.len())));
+    if !r.sized(field, "layers") {
         return None;
     }
     order(r, field, list);
@@ -198,16 +236,16 @@ fn layered(
         layers.extend(layer(r, l, materials));
     }
     let shells = layers.iter().any(|l| l.kind == LayerKind::Shell);
-    (shells && layers.len() == list.len()).then(|| Course::layered(height, layers))
+    (shells && layers.len() == list.len()).then(|| tank::Course::layered(height, layers))
 }
 
 /// An interlayer stands between two shells, and there is at most one.
-fn order(r: &mut Resolver<'_>, field: &Field<Vec<Field<schema::Layer>>>, list: &[Field<schema::Layer>]) {
+fn order(r: &mut Resolver<'_>, field: &Field<Vec<Field<Layer>>>, list: &[Field<Layer>]) {
     // A layer whose kind is unknown may be a shell.
-    let between = |f: &Field<schema::Layer>| {
+    let between = |f: &Field<Layer>| {
         f.value
             .as_ref()
-            .is_some_and(|l| l.kind.value == Some(schema::LayerKind::Interlayer))
+            .is_some_and(|l| l.kind.value == Some(LayerKind::Interlayer))
     };
     let places: Vec<usize> = (0..list.len()).filter(|&i| between(&list[i])).collect();
     for &i in &places {
@@ -243,17 +281,17 @@ fn order(r: &mut Resolver<'_>, field: &Field<Vec<Field<schema::Layer>>>, list: &
     }
 }
 
-fn layer(r: &mut Resolver<'_>, l: &schema::Layer, materials: &Materials) -> Option<Layer> {
+fn layer(r: &mut Resolver<'_>, l: &Layer, materials: &Materials) -> Option<tank::Layer> {
     r.echo_given(&l.kind);
-    let thickness = r.number(&l.thickness, THICKNESS);
-    let (kind, purpose) = match l.kind.value {
-        Some(schema::LayerKind::Shell) => (LayerKind::Shell, Use::Shell),
-        Some(schema::LayerKind::Interlayer) => (LayerKind::Interlayer, Use::Interlayer),
-        None => return None,
+    let thickness = r.number(&l.thickness);
+    let kind = l.kind.value?;
+    let purpose = match kind {
+        LayerKind::Shell => Use::Shell,
+        LayerKind::Interlayer => Use::Interlayer,
     };
     let material = material(r, &l.material, materials, purpose);
     let mut reinforcement = Vec::new();
-    if let Some(field) = &l.reinforcement
+    if let Some(field) = &l.reinforcement.given
         && let Some(list) = &field.value
     {
         let fault = match (kind, material.as_ref().map(|m| m.behaviour)) {
@@ -266,18 +304,13 @@ fn layer(r: &mut Resolver<'_>, l: &schema::Layer, materials: &Materials) -> Opti
             let found = format!("layer of `{}`", l.material.text);
             r.faults
                 .push(range_fault(field, message, "bars in shells of concrete only").found(found));
-        } else if list.is_empty() || list.len() > MAX_BARS {
-            r.faults.push(
-                range_fault(field, "too few or too many layers of bars", &format!("1 to {MAX_BARS}"))
-                    .found(list.len().to_string()),
-            );
-        } else {
+        } else if r.sized(field, "layers of bars") {
             for field in list {
                 reinforcement.extend(bars(r, field, &l.thickness, thickness, materials));
             }
         }
     }
-    Some(Layer {
+    Some(tank::Layer {
         kind,
         thickness,
         material: material?,
@@ -288,16 +321,15 @@ fn layer(r: &mut Resolver<'_>, l: &schema::Layer, materials: &Materials) -> Opti
 /// One layer of bars in a shell of this thickness [m].
 fn bars(
     r: &mut Resolver<'_>,
-    field: &Field<schema::Reinforcement>,
+    field: &Field<Reinforcement>,
     shell: &Field<Length>,
     thickness: f64,
     materials: &Materials,
-) -> Option<Reinforcement> {
+) -> Option<tank::Reinforcement> {
     let b = field.value.as_ref()?;
     r.echo_given(&b.direction);
-    // More than a tenth of a metre of steel is no reinforcement.
-    let area = r.number(&b.area, Limits::above(0.0).to(0.1));
-    let given = match (&b.from_inner, &b.from_outer) {
+    let area = r.number(&b.area);
+    let given = match (&b.from_inner.given, &b.from_outer.given) {
         (Some(f), None) => Some((f, false)),
         (None, Some(f)) => Some((f, true)),
         _ => None,
@@ -312,7 +344,7 @@ fn bars(
             f64::NAN
         }
         Some((f, from_outer)) => {
-            let distance = r.number(f, Limits::above(0.0).to(10.0));
+            let distance = r.number(f);
             if distance >= thickness {
                 let allowed = format!(
                     "less than {}, the thickness of the shell",
@@ -326,13 +358,8 @@ fn bars(
         }
     };
     let material = material(r, &b.material, materials, Use::Bars);
-    let direction = match b.direction.value {
-        Some(schema::BarDirection::Hoop) => BarDirection::Hoop,
-        Some(schema::BarDirection::Vertical) => BarDirection::Vertical,
-        None => return None,
-    };
-    Some(Reinforcement {
-        direction,
+    Some(tank::Reinforcement {
+        direction: b.direction.value?,
         area,
         depth,
         material: material?,

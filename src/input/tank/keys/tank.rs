@@ -1,17 +1,18 @@
-//! Tank and liquid, and what must hold between values.
+//! `tank`, `liquid`, and what must hold between values.
 
 use std::collections::BTreeSet;
 
 use tank::units::{Dimension, Unit};
-use tank::{Anchors, Bottom, Liquid, Roof, Shape, Support, Tank};
+use tank::{Shape, Support};
 
+use super::TankFile;
 use super::materials::Materials;
-use super::wall::{self, Use};
-use super::{Limits, Resolver, like_field, range_fault};
-use crate::input::tank::read::Field;
-use crate::input::tank::schema;
+use super::wall::{self, Course, Layer, Use};
+use crate::input::tank::key::{Absent, Limits, default, without};
+use crate::input::tank::read::{Field, Opt, choice, object};
+use crate::input::tank::resolver::{Resolver, like_field, range_fault};
 use crate::input::tank::syntax::join;
-use crate::input::tank::values::Length;
+use crate::input::tank::values::{Density, Force, Length, Mass, Whole};
 
 /// Plan dimensions and the height of the roof, from the smallest laboratory tank up; the upper bound catches mm written as m.
 const SIZE: Limits = Limits::from(1e-3).to(1000.0);
@@ -24,69 +25,126 @@ const LIQUID_DENSITY: Limits = Limits::above(50.0).to(15_000.0);
 /// Slack for heights that are sums of decimal fractions.
 const ROUNDING: f64 = 1e-9;
 
+object! {
+    /// An upright tank on the ground.
+    Tank {
+        /// Plan shape.
+        shape: Field<Plan>,
+        /// Inner radius of a cylinder, which needs it.
+        radius ("10 m"): Opt<Length> [SIZE],
+        /// Inner length of a rectangle in the direction of shaking (the whole length); a rectangle needs it.
+        length ("20 m"): Opt<Length> [SIZE],
+        /// Inner breadth of a rectangle across the direction of shaking. Give either this or strip.
+        breadth ("8 m"): Opt<Length> [SIZE],
+        /// True for a strip 1 m wide of a long rectangular tank (plane strain); results are per metre of breadth.
+        strip (true): Opt<bool> = default(false),
+        /// How the wall stands on the ground.
+        support: Field<Support>,
+        /// Rings of the wall with constant thickness, from the base up. Their heights add up to the height of the wall.
+        courses: Field<Vec<Field<Course>>> [Limits::ANY.items(1, 200)],
+        /// Mass on top of the wall.
+        roof: Opt<Roof> = Absent::Follows("no mass"),
+        /// Bottom plate under the wall, needed by the anchorage and uplift checks.
+        bottom: Opt<Bottom> = Absent::Without("checks of uplift and anchorage are left out"),
+        /// Anchor bolts, needed by the anchorage checks.
+        anchors: Opt<Anchors>,
+    }
+
+    /// Mass on top of the wall.
+    Roof {
+        /// Mass of the roof with what it carries.
+        mass ("12 t"): Field<Mass> [Limits::from(0.0).to(1e9)],
+        /// Height of its centre of mass above the tank bottom, not below the liquid.
+        height ("11 m"): Opt<Length> [SIZE] = without("the top of the wall"),
+    }
+
+    /// Bottom plate under the wall.
+    Bottom {
+        /// Thickness of the bottom plate (of the annular plate, where there is one).
+        thickness ("8 mm"): Field<Length> [THICKNESS],
+        /// Name of its material.
+        material ("steel"): Field<String>,
+    }
+
+    /// Anchor bolts.
+    Anchors {
+        /// Number of anchors around the circumference.
+        count (36): Field<Whole> [Limits::count(1, 10_000)],
+        /// Design tension capacity of one anchor.
+        capacity ("120 kN"): Opt<Force> [Limits::above(0.0).to(1e9)]
+            = without("the force of an anchor is given without a check"),
+    }
+
+    /// The stored liquid.
+    Liquid {
+        /// Density.
+        density: Field<Density> [LIQUID_DENSITY],
+        /// Depth of the liquid above the tank bottom.
+        fill_height ("9 m"): Field<Length> [HEIGHT],
+    }
+}
+
+/// Plan shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::input::tank) enum Plan {
+    /// Circle.
+    Cylinder,
+    /// Rectangle.
+    Rectangle,
+}
+
+choice! {
+    /// Plan shape.
+    Plan {
+        /// Circular cylinder with a radius.
+        Cylinder = "cylinder",
+        /// Rectangle with a length in the direction of shaking, and a breadth or strip.
+        Rectangle = "rectangle",
+    }
+
+    /// Support of the wall.
+    Support {
+        /// Held down; the wall is clamped at its base.
+        Anchored = "anchored",
+        /// Resting on the ground, may uplift (code procedures only; the linear finite elements assume contact).
+        Unanchored = "unanchored",
+    }
+}
+
 /// The tank.
-pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<schema::Tank>, materials: &Materials) -> Option<Tank> {
+pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materials) -> Option<tank::Tank> {
     let t = field.value.as_ref()?;
     let shape = shape(r, field, t);
     r.echo_given(&t.support);
-    let support = t.support.value.map(|s| match s {
-        schema::Support::Anchored => Support::Anchored,
-        schema::Support::Unanchored => Support::Unanchored,
-    });
+    let support = t.support.value;
     let courses = wall::courses(r, &t.courses, materials);
-    let roof = match &t.roof {
-        Some(Field {
-            value: Some(roof),
-            path,
-            ..
-        }) => Roof {
-            mass: r.number(&roof.mass, Limits::from(0.0).to(1e9)),
-            height: r.optional(&join(path, "height"), &roof.height, SIZE, "the top of the wall"),
-        },
-        Some(_) => Roof::default(),
+    let roof = match &t.roof.given {
+        Some(field) => field
+            .value
+            .as_ref()
+            .map_or_else(tank::Roof::default, |roof| tank::Roof {
+                mass: r.number(&roof.mass),
+                height: r.optional(&roof.height),
+            }),
         None => {
             r.echo_default("tank.roof.mass", "0 kg", "no roof given");
-            Roof::default()
+            tank::Roof::default()
         }
     };
-    let bottom = match &t.bottom {
-        Some(Field {
-            value: Some(bottom), ..
-        }) => {
-            let thickness = r.number(&bottom.thickness, THICKNESS);
-            wall::material(r, &bottom.material, materials, Use::Shell).map(|material| Bottom { thickness, material })
-        }
-        Some(_) => None,
-        None => {
-            r.echo_default(
-                "tank.bottom",
-                "not given",
-                "checks of uplift and anchorage are left out",
-            );
-            None
-        }
-    };
-    let anchors = t
-        .anchors
-        .as_ref()
-        .and_then(|f| f.value.as_ref().map(|a| (a, &f.path)))
-        .map(|(a, path)| {
-            r.echo_given(&a.count);
-            let count = a.count.value.map_or(0, |c| c.0);
-            if a.count.value.is_some() && !(1..=10_000).contains(&count) {
-                r.faults
-                    .push(range_fault(&a.count, "out of range", "a whole number from 1 to 10000"));
-            }
-            let capacity = r.optional(
-                &join(path, "capacity"),
-                &a.capacity,
-                Limits::above(0.0).to(1e9),
-                "the force of an anchor is given without a check",
-            );
-            Anchors { count, capacity }
-        });
+    if t.bottom.given.is_none() {
+        r.not_given(&t.bottom);
+    }
+    let bottom = t.bottom.value().and_then(|bottom| {
+        let thickness = r.number(&bottom.thickness);
+        let material = wall::material(r, &bottom.material, materials, Use::Shell)?;
+        Some(tank::Bottom { thickness, material })
+    });
+    let anchors = t.anchors.value().map(|anchors| tank::Anchors {
+        count: r.count(&anchors.count).unwrap_or(0),
+        capacity: r.optional(&anchors.capacity),
+    });
     if support == Some(Support::Unanchored)
-        && let Some(anchors) = &t.anchors
+        && let Some(anchors) = &t.anchors.given
     {
         r.faults.push(range_fault(
             anchors,
@@ -94,7 +152,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<schema::Tank>, materials:
             "either \"support\": \"anchored\" or no anchors",
         ));
     }
-    Some(Tank {
+    Some(tank::Tank {
         shape: shape?,
         support: support?,
         courses: courses?,
@@ -104,42 +162,39 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<schema::Tank>, materials:
     })
 }
 
-fn shape(r: &mut Resolver<'_>, field: &Field<schema::Tank>, t: &schema::Tank) -> Option<Shape> {
+fn shape(r: &mut Resolver<'_>, field: &Field<Tank>, t: &Tank) -> Option<Shape> {
     r.echo_given(&t.shape);
     let kind = t.shape.value?;
     let (word, foreign) = match kind {
-        schema::Shape::Cylinder => (
-            "cylinder",
-            vec![("length", t.length.as_ref()), ("breadth", t.breadth.as_ref())],
-        ),
-        schema::Shape::Rectangle => ("rectangle", vec![("radius", t.radius.as_ref())]),
+        Plan::Cylinder => ("cylinder", vec![&t.length, &t.breadth]),
+        Plan::Rectangle => ("rectangle", vec![&t.radius]),
     };
     let allowed = match kind {
-        schema::Shape::Cylinder => "radius for a cylinder",
-        schema::Shape::Rectangle => "length and breadth (or strip) for a rectangle",
+        Plan::Cylinder => "radius for a cylinder",
+        Plan::Rectangle => "length and breadth (or strip) for a rectangle",
     };
-    for (key, given) in foreign {
-        if let Some(given) = given {
-            r.faults
-                .push(range_fault(given, &format!("a {word} has no {key}"), allowed));
+    for option in foreign {
+        if let Some(given) = &option.given {
+            let message = format!("a {word} has no {}", option.key.name);
+            r.faults.push(range_fault(given, &message, allowed));
         }
     }
     match kind {
-        schema::Shape::Cylinder => {
-            if let Some(strip) = &t.strip {
+        Plan::Cylinder => {
+            if let Some(strip) = &t.strip.given {
                 r.faults.push(range_fault(strip, "a cylinder has no strip", allowed));
             }
             Some(Shape::Cylinder {
-                radius: required(r, field, "radius", &t.radius),
+                radius: required(r, field, &t.radius),
             })
         }
-        schema::Shape::Rectangle => {
-            let length = required(r, field, "length", &t.length);
-            if let Some(strip) = &t.strip {
+        Plan::Rectangle => {
+            let length = required(r, field, &t.length);
+            if let Some(strip) = &t.strip.given {
                 r.echo_given(strip);
             }
-            let strip = t.strip.as_ref().is_some_and(|s| s.value == Some(true));
-            let breadth = match (&t.breadth, strip) {
+            let strip = t.strip.value() == Some(&true);
+            let breadth = match (&t.breadth.given, strip) {
                 (Some(breadth), true) => {
                     r.faults.push(range_fault(
                         breadth,
@@ -152,7 +207,7 @@ fn shape(r: &mut Resolver<'_>, field: &Field<schema::Tank>, t: &schema::Tank) ->
                     r.echo_default("tank.breadth", "1 m", "strip: results are per metre of breadth");
                     1.0
                 }
-                (_, false) => required(r, field, "breadth", &t.breadth),
+                (_, false) => required(r, field, &t.breadth),
             };
             Some(Shape::Rectangle { length, breadth, strip })
         }
@@ -160,20 +215,16 @@ fn shape(r: &mut Resolver<'_>, field: &Field<schema::Tank>, t: &schema::Tank) ->
 }
 
 /// A dimension that the shape requires.
-fn required(r: &mut Resolver<'_>, tank: &Field<schema::Tank>, key: &str, field: &Option<Field<Length>>) -> f64 {
-    match field {
-        Some(field) => r.number(field, SIZE),
+fn required(r: &mut Resolver<'_>, tank: &Field<Tank>, option: &Opt<Length>) -> f64 {
+    let key = option.key.name;
+    match &option.given {
+        Some(field) => r.number(field),
         // A misspelt key has been noted already, with this one as the suggestion.
         None if r.faults.suggest(&format!("did you mean `{key}`?")) => f64::NAN,
         None => {
             let alternative = if key == "breadth" { ", or \"strip\": true" } else { "" };
-            let missing = Field::<Length> {
-                value: None,
-                span: tank.span.start..tank.span.start + 1,
-                path: join(&tank.path, key),
-                text: String::new(),
-            };
-            let allowed = SIZE.describe(Dimension::Length);
+            let missing = Field::<Length>::missing(tank.span.start..tank.span.start + 1, join(&tank.path, key));
+            let allowed = option.key.limits.describe(Dimension::Length);
             r.faults.push(
                 range_fault(&missing, &format!("the key `{key}` is missing"), &allowed)
                     .help(format!("add \"{key}\": \"1.83 m\"{alternative}")),
@@ -184,16 +235,21 @@ fn required(r: &mut Resolver<'_>, tank: &Field<schema::Tank>, key: &str, field: 
 }
 
 /// The liquid.
-pub(super) fn liquid(r: &mut Resolver<'_>, field: &Field<schema::Liquid>) -> Option<Liquid> {
+pub(super) fn liquid(r: &mut Resolver<'_>, field: &Field<Liquid>) -> Option<tank::Liquid> {
     let l = field.value.as_ref()?;
-    Some(Liquid {
-        density: r.number(&l.density, LIQUID_DENSITY),
-        fill_height: r.number(&l.fill_height, HEIGHT),
+    Some(tank::Liquid {
+        density: r.number(&l.density),
+        fill_height: r.number(&l.fill_height),
     })
 }
 
 /// What must hold between values, each of which is right on its own.
-pub(super) fn cross_checks(r: &mut Resolver<'_>, file: &schema::TankFile, tank: Option<&Tank>, liquid: Option<Liquid>) {
+pub(super) fn cross_checks(
+    r: &mut Resolver<'_>,
+    file: &TankFile,
+    tank: Option<&tank::Tank>,
+    liquid: Option<tank::Liquid>,
+) {
     let Some(t) = &file.tank.value else { return };
     if let (Some(liquid), Some(given), Some(courses)) = (liquid, &file.liquid.value, &t.courses.value) {
         // Heights alone decide, so that a misspelt material does not hide this fault.
@@ -218,8 +274,8 @@ pub(super) fn cross_checks(r: &mut Resolver<'_>, file: &schema::TankFile, tank: 
         }
     }
     let Some(tank) = tank else { return };
-    if let (Some(Field { value: Some(roof), .. }), Some(height)) = (&t.roof, tank.roof.height)
-        && let Some(field) = &roof.height
+    if let (Some(roof), Some(height)) = (t.roof.value(), tank.roof.height)
+        && let Some(field) = &roof.height.given
         && height < 0.5 * tank.wall_height()
     {
         let allowed = format!(
@@ -238,12 +294,12 @@ pub(super) fn cross_checks(r: &mut Resolver<'_>, file: &schema::TankFile, tank: 
         Shape::Rectangle { .. } => (half / 2.0, "a quarter of the length"),
     };
     let thinnest = half / 20_000.0;
-    let courses: Vec<&schema::Course> = (t.courses.value.iter().flatten())
+    let courses: Vec<&Course> = (t.courses.value.iter().flatten())
         .filter_map(|c| c.value.as_ref())
         .collect();
-    let mut plates: Vec<&Field<Length>> = courses.iter().filter_map(|c| c.thickness.as_ref()).collect();
+    let mut plates: Vec<&Field<Length>> = courses.iter().filter_map(|c| c.thickness.given.as_ref()).collect();
     plates.extend(courses.iter().flat_map(|c| layers(c)).map(|l| &l.thickness));
-    plates.extend(t.bottom.as_ref().and_then(|b| b.value.as_ref()).map(|b| &b.thickness));
+    plates.extend(t.bottom.value().map(|b| &b.thickness));
     for field in plates {
         let Some(Length(thickness)) = field.value.filter(|l| THICKNESS.hold(l.0)) else {
             continue;
@@ -285,16 +341,16 @@ fn meant_thickness(text: &str, half: f64) -> Option<String> {
 }
 
 /// Materials that nothing is made of: no fault, but worth saying.
-pub(super) fn unused(r: &mut Resolver<'_>, file: &schema::TankFile) {
+pub(super) fn unused(r: &mut Resolver<'_>, file: &TankFile) {
     let (Some(tank), Some(materials)) = (&file.tank.value, &file.materials.value) else {
         return;
     };
     let courses = (tank.courses.value.iter().flatten()).filter_map(|c| c.value.as_ref());
     let layered = courses.clone().flat_map(layers);
-    let bars = layered.clone().filter_map(|l| l.reinforcement.as_ref()?.value.as_ref());
+    let bars = layered.clone().filter_map(|l| l.reinforcement.value());
     let bars = bars.flatten().filter_map(|b| b.value.as_ref());
-    let bottom = tank.bottom.iter().filter_map(|b| b.value.as_ref()).map(|b| &b.material);
-    let used: BTreeSet<&String> = (courses.filter_map(|c| c.material.as_ref()))
+    let bottom = tank.bottom.value().map(|b| &b.material);
+    let used: BTreeSet<&String> = (courses.filter_map(|c| c.material.given.as_ref()))
         .chain(layered.map(|l| &l.material))
         .chain(bars.map(|b| &b.material))
         .chain(bottom)
@@ -307,7 +363,7 @@ pub(super) fn unused(r: &mut Resolver<'_>, file: &schema::TankFile) {
 }
 
 /// The layers of a course, as far as they can be read.
-fn layers(course: &schema::Course) -> impl Iterator<Item = &schema::Layer> + Clone {
-    let list = course.layers.as_ref().and_then(|f| f.value.as_ref());
+fn layers(course: &Course) -> impl Iterator<Item = &Layer> + Clone {
+    let list = course.layers.value();
     list.into_iter().flatten().filter_map(|l| l.value.as_ref())
 }

@@ -1,0 +1,237 @@
+//! Declaration of a key of `tank.json`: name, help, example, limits, and what holds where it is not given.
+//!
+//! Reader, ranges, defaults with their echo in the report, JSON Schema and reference page follow from it.
+
+use tank::units::{Dimension, in_unit, unit_for};
+
+/// A key whose value is a `T`.
+#[derive(Debug)]
+pub(super) struct Key<T: 'static> {
+    /// Name as in the file.
+    pub name: &'static str,
+    /// What it is, line by line.
+    pub help: &'static [&'static str],
+    /// A value as a user writes it, without quotes; that of its type if empty.
+    pub example: &'static str,
+    /// Admissible values.
+    pub limits: Limits,
+    /// What holds where it is not given.
+    pub absent: Absent<T>,
+}
+
+/// What holds where an optional key is not given.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Absent<T> {
+    /// Nothing that a report would mention.
+    Silent,
+    /// A value.
+    Value {
+        /// The value.
+        value: T,
+        /// As the report shows it; as a user would write it if empty.
+        shown: &'static str,
+        /// Why, or where it comes from; the report lists the default unless this is empty.
+        why: &'static str,
+    },
+    /// No value; what that means, for the report.
+    Without(&'static str),
+    /// A value that depends on others, in words.
+    Follows(&'static str),
+}
+
+/// A default that the report does not list.
+pub(super) const fn default<T: Copy>(value: T) -> Absent<T> {
+    Absent::Value {
+        value,
+        shown: "",
+        why: "",
+    }
+}
+
+/// No value; the report says what that means.
+pub(super) const fn without<T: Copy>(meaning: &'static str) -> Absent<T> {
+    Absent::Without(meaning)
+}
+
+impl<T: Copy> Absent<T> {
+    /// Why it is the default: the report lists it.
+    pub const fn because(self, why: &'static str) -> Absent<T> {
+        match self {
+            Absent::Value { value, shown, .. } => Absent::Value { value, shown, why },
+            other => other,
+        }
+    }
+
+    /// How the report shows it.
+    pub const fn shown(self, shown: &'static str) -> Absent<T> {
+        match self {
+            Absent::Value { value, why, .. } => Absent::Value { value, shown, why },
+            other => other,
+        }
+    }
+}
+
+/// Admissible values: a range of numbers in SI, or a few numbers; the length of a list.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    pub low: f64,
+    pub low_allowed: bool,
+    pub high: f64,
+    pub high_allowed: bool,
+    /// The only numbers, if there are any.
+    pub values: &'static [f64],
+    /// Fewest and most items of a list; the other limits are those of each item.
+    pub items: (usize, usize),
+}
+
+impl Limits {
+    /// Everything.
+    pub const ANY: Limits = Limits {
+        low: f64::NEG_INFINITY,
+        low_allowed: true,
+        high: f64::INFINITY,
+        high_allowed: true,
+        values: &[],
+        items: (0, usize::MAX),
+    };
+
+    /// Greater than this.
+    pub const fn above(low: f64) -> Limits {
+        Limits {
+            low,
+            low_allowed: false,
+            ..Limits::ANY
+        }
+    }
+
+    /// This or greater.
+    pub const fn from(low: f64) -> Limits {
+        Limits { low, ..Limits::ANY }
+    }
+
+    /// And at most this.
+    pub const fn to(self, high: f64) -> Limits {
+        Limits { high, ..self }
+    }
+
+    /// And less than this.
+    pub const fn below(self, high: f64) -> Limits {
+        Limits {
+            high,
+            high_allowed: false,
+            ..self
+        }
+    }
+
+    /// A whole number between these.
+    pub const fn count(least: u32, most: u32) -> Limits {
+        Limits::from(least as f64).to(most as f64)
+    }
+
+    /// One of these numbers.
+    pub const fn one_of(values: &'static [f64]) -> Limits {
+        Limits { values, ..Limits::ANY }
+    }
+
+    /// A list with so many items.
+    pub const fn items(self, fewest: usize, most: usize) -> Limits {
+        Limits {
+            items: (fewest, most),
+            ..self
+        }
+    }
+
+    /// Whether a value lies in the range.
+    pub fn hold(self, value: f64) -> bool {
+        let low = match self.low_allowed {
+            true => value >= self.low,
+            false => value > self.low,
+        };
+        let high = match self.high_allowed {
+            true => value <= self.high,
+            false => value < self.high,
+        };
+        low && high
+    }
+
+    /// Whether the range has an end.
+    pub fn bounded(self) -> bool {
+        self.low.is_finite() || self.high.is_finite()
+    }
+
+    /// What is wrong with a value outside the range.
+    pub fn message(self, value: f64) -> &'static str {
+        match (value <= self.low, self.low == 0.0) {
+            (true, true) if self.low_allowed => "this must not be negative",
+            (true, true) => "this must be positive",
+            (true, false) if self.low_allowed && self.low > 0.0 && value <= 0.0 => "this must be positive",
+            (true, false) => "too small",
+            (false, _) => "too large",
+        }
+    }
+
+    /// The range in words: "a length greater than 0, at most 1000 m".
+    pub fn describe(self, dimension: Dimension) -> String {
+        let noun = match dimension {
+            Dimension::Dimensionless => "a number",
+            dimension => dimension.noun(),
+        };
+        format!("{noun} {}", self.range(dimension))
+    }
+
+    /// The range without the noun: "greater than 0, at most 1000 m".
+    pub fn range(self, dimension: Dimension) -> String {
+        let low = if self.low_allowed { "at least" } else { "greater than" };
+        let high = if self.high_allowed { "at most" } else { "less than" };
+        let ends = [(low, self.low), (high, self.high)];
+        let ends: Vec<String> = ends
+            .into_iter()
+            .filter(|(_, limit)| limit.is_finite())
+            .map(|(word, limit)| format!("{word} {}", shown(limit, dimension)))
+            .collect();
+        ends.join(", ")
+    }
+
+    /// The few numbers: "1, 1.5 or 2.5".
+    pub fn words(self) -> String {
+        let words: Vec<String> = self.values.iter().map(f64::to_string).collect();
+        list(&words.iter().map(String::as_str).collect::<Vec<_>>(), "or")
+    }
+}
+
+/// A value in SI as short as it goes, with an engineer's unit; zero without a unit.
+fn shown(value: f64, dimension: Dimension) -> String {
+    match value {
+        0.0 => "0".into(),
+        value => written(value, dimension),
+    }
+}
+
+/// A value in SI as a user would write it: as short as it goes, with an engineer's unit.
+pub(super) fn written(value: f64, dimension: Dimension) -> String {
+    let unit = unit_for(value, dimension);
+    let number = in_unit(value, unit);
+    match unit.text {
+        "" => format!("{number}"),
+        unit => format!("{number} {unit}"),
+    }
+}
+
+/// `a, b or c`.
+pub(super) fn list(words: &[&str], conjunction: &str) -> String {
+    match words {
+        [] => String::new(),
+        [one] => (*one).into(),
+        [all @ .., last] => format!("{} {conjunction} {last}", all.join(", ")),
+    }
+}
+
+/// Lines of a documentation comment as one text: lines joined, paragraphs kept.
+pub(super) fn prose(lines: &[&str]) -> String {
+    let paragraphs: Vec<String> = lines
+        .split(|l| l.trim().is_empty())
+        .map(|p| p.iter().map(|l| l.trim()).collect::<Vec<_>>().join(" "))
+        .filter(|p| !p.is_empty())
+        .collect();
+    paragraphs.join("\n\n")
+}

@@ -1,0 +1,230 @@
+//! `materials`: elastic values and grades.
+
+mod concrete;
+pub(super) mod laws;
+
+use std::collections::BTreeMap;
+
+use tank::units::{display_in, unit_for};
+
+use super::grades::{self, Preset, Strengths};
+use super::plausible;
+use crate::input::tank::key::{Absent, Limits, list, without};
+use crate::input::tank::read::{Field, FromNode, Opt, nearest, object};
+use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::syntax::join;
+use crate::input::tank::values::{Density, Named, Number, Si, Stress};
+use laws::Behaviour;
+
+/// Moduli and strengths; "rigid" walls of benchmarks are allowed.
+const STRESS: Limits = Limits::above(0.0).to(1e18);
+/// Moduli from soft plastics (0.8 GPa) up: `210 MPa` for steel is a slip of the unit. From 1e17 Pa on the motion of a wall is lost in
+/// the rounding of its stiffness: the shear of example 01 was 2.4 times that of a rigid wall at 2e17 Pa.
+const MODULUS: Limits = Limits::above(0.5e9).to(1e16);
+/// Wall materials.
+const DENSITY: Limits = Limits::above(0.0).to(30_000.0);
+/// Most materials of a file.
+pub(super) const MAX_MATERIALS: usize = 200;
+/// Longest name of a material, in characters: every place that uses it carries a copy.
+pub(super) const MAX_NAME: usize = 100;
+
+object! {
+    /// A material. Its elastic values serve the code procedures and the linear engines; its behaviour beyond them the
+    /// nonlinear engine.
+    Material {
+        /// Grade that supplies what is not given here, such as "C30/37", "B35", "S355" or "BSt500".
+        grade ("S355"): Opt<String>,
+        /// Young's modulus. Not for an interlayer, which has e_normal.
+        youngs_modulus ("210 GPa"): Opt<Stress> [MODULUS] = Absent::Follows("that of the grade; needed without one"),
+        /// Poisson's ratio. Not for an interlayer, which has e_normal.
+        poisson_ratio (0.3): Opt<Number> [Limits::from(0.0).below(0.5)]
+            = Absent::Follows("that of the grade; needed without one"),
+        /// Density. Usual for walls are 500 to 20000 kg/m3.
+        density ("7850 kg/m3"): Opt<Density> [DENSITY] = Absent::Follows("that of the grade; needed without one"),
+        /// Yield strength (characteristic), needed by the stability and anchorage checks. Usual is up to 2 GPa and up to 1 % of
+        /// Young's modulus (plastics: 5 %); more than a tenth of it is refused. A grade supplies its own.
+        yield_strength ("235 MPa"): Opt<Stress> [STRESS] = without("checks that need it are left out"),
+        /// Allowable design stress S_d (API 650 table 5-2), needed by the API hoop-stress check.
+        allowable_stress ("160 MPa"): Opt<Stress> [STRESS] = without("the API hoop-stress check is left out"),
+        /// What the material does beyond its elastic range.
+        behaviour: Opt<Behaviour> = Absent::Follows("that of the grade; elastic without one"),
+    }
+}
+
+/// Materials by name; `None` for a faulty one, so that its users are not blamed.
+pub(super) type Materials = BTreeMap<String, Option<tank::Material>>;
+
+/// Reads all materials.
+pub(super) fn materials(r: &mut Resolver<'_>, field: &Field<Named<Material>>) -> Materials {
+    let mut all = Materials::new();
+    let Some(named) = &field.value else {
+        return all;
+    };
+    if named.0.is_empty() {
+        r.faults
+            .push(range_fault(field, "no material", "at least one material"));
+    }
+    if named.0.len() > MAX_MATERIALS {
+        let fault = range_fault(
+            field,
+            "too many materials",
+            &format!("at most {MAX_MATERIALS} materials"),
+        );
+        r.faults.push(fault.found(format!("{} materials", named.0.len())));
+        return named.0.iter().map(|(name, _)| (name.clone(), None)).collect();
+    }
+    for (name, field) in &named.0 {
+        if name.chars().count() > MAX_NAME {
+            let allowed = format!("a name of at most {MAX_NAME} characters");
+            r.faults
+                .push(range_fault(field, "the name of a material is too long", &allowed).found(name.as_str()));
+            all.insert(name.clone(), None);
+            continue;
+        }
+        let material = field.value.as_ref().and_then(|m| material(r, name, field, m));
+        all.insert(name.clone(), material);
+    }
+    all
+}
+
+fn material(r: &mut Resolver<'_>, name: &str, field: &Field<Material>, m: &Material) -> Option<tank::Material> {
+    let mut reader = Reader {
+        preset: preset(r, m.grade.given.as_ref())?,
+        path: field.path.clone(),
+        head: field.span.start..field.span.start + 1,
+    };
+    let kinds = match m.behaviour.given.as_ref().map(|f| (f, f.value.as_ref())) {
+        None => None,
+        Some((_, None)) => return None,
+        Some((f, Some(value))) => Some((f, value)),
+    };
+    let interlayer = kinds
+        .as_ref()
+        .is_some_and(|(_, value)| matches!(value, Behaviour::Kinds(kinds) if kinds.interlayer.given.is_some()));
+    let (youngs_modulus, poisson_ratio) = if interlayer {
+        let foreign = [
+            ("youngs_modulus", m.youngs_modulus.place()),
+            ("poisson_ratio", m.poisson_ratio.place()),
+        ];
+        for (key, given) in foreign {
+            if let Some(given) = given {
+                let message = format!("an interlayer has no {key} beside its e_normal");
+                let allowed = "e_normal, e_parallel and shear_modulus alone";
+                r.faults.push(range_fault(&given, &message, allowed));
+            }
+        }
+        (f64::NAN, 0.0)
+    } else {
+        let e = reader.needed(r, &m.youngs_modulus, |p| p.youngs_modulus);
+        (e, reader.needed(r, &m.poisson_ratio, |p| p.poisson_ratio))
+    };
+    let density = reader.needed(r, &m.density, |p| p.density);
+    let characteristic = |p: &Preset| match p.strengths {
+        Strengths::Steel { yielding, .. } | Strengths::Bars { yielding, .. } => Some(yielding),
+        Strengths::Concrete { .. } => None,
+    };
+    let yield_strength = match reader.preset.as_ref().and_then(characteristic) {
+        Some(yielding) => Some(reader.supplied(r, &m.yield_strength, yielding)),
+        None => r.optional(&m.yield_strength),
+    };
+    if let (Some(field), Some(strength)) = (&m.yield_strength.given, yield_strength) {
+        plausible::yielding(r, field, strength, youngs_modulus);
+    }
+    let allowable_stress = r.optional(&m.allowable_stress);
+    reader.path = join(&field.path, "behaviour");
+    let elastic = (youngs_modulus, yield_strength);
+    let behaviour = match kinds {
+        None => laws::of_grade(r, &reader, elastic),
+        Some((field, Behaviour::Elastic)) => {
+            r.echo_given(field);
+            tank::Behaviour::Elastic
+        }
+        Some((field, Behaviour::Kinds(kinds))) => laws::of_file(r, &reader, field, kinds, elastic)?,
+    };
+    Some(tank::Material {
+        name: name.into(),
+        youngs_modulus: match behaviour {
+            tank::Behaviour::Interlayer(layer) => layer.e_normal,
+            _ => youngs_modulus,
+        },
+        poisson_ratio,
+        density,
+        yield_strength,
+        allowable_stress,
+        behaviour,
+    })
+}
+
+/// The grade; the outer `None` if it is unknown, which has been noted.
+fn preset(r: &mut Resolver<'_>, field: Option<&Field<String>>) -> Option<Option<Preset>> {
+    let Some(field) = field else { return Some(None) };
+    r.echo_given(field);
+    let name = field.value.as_ref()?;
+    if let Some(preset) = grades::find(name) {
+        return Some(Some(preset));
+    }
+    let names = grades::names();
+    let mut fault = range_fault(field, &format!("unknown grade `{name}`"), &list(&names, "or"));
+    if let Some(near) = nearest(name, names) {
+        fault = fault.help(format!("did you mean \"{near}\"?"));
+    }
+    r.faults.push(fault);
+    None
+}
+
+/// Where the values of a material come from.
+struct Reader {
+    preset: Option<Preset>,
+    /// Path of the object that is read.
+    path: String,
+    /// Place to underline for what is missing.
+    head: std::ops::Range<usize>,
+}
+
+impl Reader {
+    /// The same for an object inside this one.
+    fn inside(&self, key: &str) -> Reader {
+        Reader {
+            preset: self.preset.clone(),
+            path: join(&self.path, key),
+            head: self.head.clone(),
+        }
+    }
+
+    /// A number that the file gives, or else the grade; NaN if it is faulty or missing, which is a fault.
+    fn needed<T: Si + FromNode>(&self, r: &mut Resolver<'_>, option: &Opt<T>, of: impl Fn(&Preset) -> f64) -> f64 {
+        match (&option.given, &self.preset) {
+            (None, None) => self.missing(r, option, ""),
+            (_, Some(preset)) => self.supplied(r, option, of(preset)),
+            (Some(field), None) => r.number(field),
+        }
+    }
+
+    /// A number that the file gives, or else this one of the grade.
+    fn supplied<T: Si>(&self, r: &mut Resolver<'_>, option: &Opt<T>, value: f64) -> f64 {
+        let source = match &self.preset {
+            Some(preset) => format!("grade {}: {}", preset.name, preset.source),
+            None => String::new(),
+        };
+        r.or_else(option, value, &shown::<T>(value, 4), &source)
+    }
+
+    /// Notes that a key is missing.
+    fn missing<T: FromNode>(&self, r: &mut Resolver<'_>, option: &Opt<T>, otherwise: &str) -> f64 {
+        let key = option.key.name;
+        // A misspelt key has been noted already, with this one as the suggestion.
+        if !r.faults.suggest(&format!("did you mean `{key}`?")) {
+            let field = Field::<T>::missing(self.head.clone(), option.path.clone());
+            r.faults.push(
+                range_fault(&field, &format!("the key `{key}` is missing"), &T::allowed())
+                    .help(format!("add \"{key}\": {}{otherwise}", T::example())),
+            );
+        }
+        f64::NAN
+    }
+}
+
+/// A value with so many digits and an engineer's unit.
+fn shown<T: Si>(value: f64, digits: usize) -> String {
+    display_in(value, unit_for(value, T::DIMENSION), digits)
+}

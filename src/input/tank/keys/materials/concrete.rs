@@ -1,0 +1,171 @@
+//! `behaviour.concrete` of a material: concrete that cracks and crushes.
+
+use tank::{Concrete, ConcreteLaw, Softening};
+
+use super::laws::{ElasticPart, like};
+use super::{Reader, STRESS, shown};
+use crate::input::tank::key::{Absent, Limits, default, without};
+use crate::input::tank::keys::grades::{Preset, Strengths};
+use crate::input::tank::read::{Field, Opt, choice, object};
+use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::values::{Length, LineForce, Number, Stress};
+
+/// Strengths of concrete: `35 kPa` is a slip of the unit.
+const STRENGTH: Limits = Limits::above(1e6).to(500e6);
+
+object! {
+    /// Concrete that cracks and crushes. Give at most one of fracture_energy, softening_strain and brittle.
+    ConcreteBehaviour {
+        /// Law.
+        law: Opt<ConcreteLaw>
+            = default(ConcreteLaw::Cracked).because("fixed cracks at right angles, Drucker-Prager compression"),
+        /// Uniaxial compressive strength.
+        compressive_strength ("38 MPa"): Opt<Stress> [STRENGTH] = Absent::Follows("that of the grade; needed without one"),
+        /// Biaxial over uniaxial compressive strength.
+        biaxial_ratio (1.16): Opt<Number> [Limits::from(1.0).to(1.5)]
+            = default(Number(1.16)).because("Kupfer, Hilsdorf and Rüsch 1969"),
+        /// Tensile strength.
+        tensile_strength ("2.9 MPa"): Opt<Stress> [STRESS] = Absent::Follows("that of the grade; needed without one"),
+        /// Energy of a crack per area.
+        fracture_energy ("140 N/m"): Opt<LineForce> [Limits::above(0.0).to(1e5)] = Absent::Follows(
+            "73 N/m times the mean compressive strength in MPa to the power 0.18 (fib Model Code 2010)"
+        ),
+        /// Strain over which the tensile stress falls to f_t/e, whatever the element: results depend on the mesh.
+        softening_strain (2e-4): Opt<Number> [Limits::above(0.0).to(1.0)],
+        /// True if the tensile stress falls to nothing at the first crack: results depend on the mesh and the time step.
+        brittle (true): Opt<bool> = default(false),
+        /// Least share of the shear stiffness in a cracked point.
+        shear_retention (0.1): Opt<Number> [Limits::from(0.0).to(1.0)]
+            = default(Number(0.1)).because("more locks fixed cracks"),
+        /// Crack strain over which the shear stiffness falls.
+        shear_retention_strain (2e-4): Opt<Number> [Limits::above(0.0).to(1.0)]
+            = default(Number(2e-4)).shown("2e-4").because("more locks fixed cracks"),
+        /// Share of the tensile strength that stays between cracks while the bars across them are elastic.
+        tension_stiffening (0.4): Opt<Number> [Limits::from(0.0).below(1.0)]
+            = default(Number(0.0)).because("repeated loading destroys the bond"),
+        /// Spacing of cracks, where bars set it.
+        crack_spacing ("15 cm"): Opt<Length> [Limits::above(0.0).to(10.0)] = without("the size of the element"),
+    }
+}
+
+choice! {
+    /// Law of concrete.
+    ConcreteLaw {
+        /// Fixed cracks at right angles, Drucker-Prager compression.
+        Cracked = "cracked",
+        /// Uniaxial laws in the directions of the wall, for strips and rings.
+        Uniaxial = "uniaxial",
+        /// Plastic-fracturing theory.
+        PlasticFracturing = "plastic-fracturing",
+    }
+}
+
+/// Strengths, softening and cracks of a concrete; `field` is none where a grade alone supplies it.
+pub(super) fn concrete(
+    r: &mut Resolver<'_>,
+    reader: &Reader,
+    field: Option<&Field<ConcreteBehaviour>>,
+    c: &ConcreteBehaviour,
+    (e, _): ElasticPart,
+) -> Concrete {
+    let law = r.choice(&c.law);
+    let strengths = |p: &Preset| match p.strengths {
+        Strengths::Concrete {
+            compressive, tensile, ..
+        } => (compressive, tensile),
+        _ => (f64::NAN, f64::NAN),
+    };
+    let f_c = reader.needed(r, &c.compressive_strength, |p| strengths(p).0);
+    let mut f_t = reader.needed(r, &c.tensile_strength, |p| strengths(p).1);
+    let (given_c, given_t) = (&c.compressive_strength.given, &c.tensile_strength.given);
+    if f_t >= f_c
+        && let Some(field) = given_t.as_ref().or(given_c.as_ref())
+    {
+        let other = if given_t.is_some() { f_c } else { f_t };
+        let allowed = if given_t.is_some() {
+            format!("less than the compressive strength, {}", like(field, other))
+        } else {
+            format!("more than the tensile strength, {}", like(field, other))
+        };
+        r.faults.push(range_fault(
+            field,
+            "concrete is weaker in tension than in compression",
+            &allowed,
+        ));
+        // No second fault follows from it.
+        f_t = f64::NAN;
+    }
+    let biaxial_ratio = r.or_default(&c.biaxial_ratio);
+    let softening = softening(r, reader, field, c, (e, f_c, f_t));
+    Concrete {
+        law,
+        compressive_strength: f_c,
+        biaxial_ratio,
+        tensile_strength: f_t,
+        softening,
+        shear_retention: r.or_default(&c.shear_retention),
+        shear_retention_strain: r.or_default(&c.shear_retention_strain),
+        tension_stiffening: r.or_default(&c.tension_stiffening),
+        crack_spacing: r.optional(&c.crack_spacing),
+    }
+}
+
+/// Tension of concrete beyond f_t; `elastic` is (E, f_c, f_t) [Pa].
+fn softening(
+    r: &mut Resolver<'_>,
+    reader: &Reader,
+    field: Option<&Field<ConcreteBehaviour>>,
+    c: &ConcreteBehaviour,
+    (e, f_c, f_t): (f64, f64, f64),
+) -> Softening {
+    if let Some(brittle) = &c.brittle.given {
+        r.echo_given(brittle);
+    }
+    let brittle = c.brittle.value() == Some(&true);
+    let energy = (c.fracture_energy.given.as_ref()).map(|f| (f, r.number(f)));
+    let strain = (c.softening_strain.given.as_ref()).map(|f| (f, r.number(f)));
+    if let (Some(field), true) = (
+        field,
+        usize::from(brittle) + usize::from(energy.is_some()) + usize::from(strain.is_some()) > 1,
+    ) {
+        r.faults.push(range_fault(
+            field,
+            "one softening in tension is wanted",
+            "one of fracture_energy, softening_strain and \"brittle\": true",
+        ));
+    }
+    if let Some((field, strain)) = strain {
+        let least = f_t / (0.98 * e);
+        if strain < least {
+            let allowed = format!("at least f_t/E with a margin of 2 %, {least:.2e}");
+            r.faults.push(range_fault(
+                field,
+                "the softening is steeper than the elastic line: a crack would snap back",
+                &allowed,
+            ));
+        }
+        return Softening::Strain(strain);
+    }
+    if brittle {
+        r.remarks.push(format!(
+            "{}: brittle in tension: results depend on the mesh and the time step",
+            reader.path
+        ));
+        return Softening::Brittle;
+    }
+    if let Some((_, energy)) = energy {
+        return Softening::FractureEnergy(energy);
+    }
+    // The mean strength is the grade's, unless the file has a strength of its own.
+    let mean = match reader.preset.as_ref().map(|p| p.strengths) {
+        Some(Strengths::Concrete { mean, .. }) if c.compressive_strength.given.is_none() => mean,
+        _ => f_c,
+    };
+    let energy = 73.0 * (mean / 1e6).powf(0.18);
+    let source = format!(
+        "fib Model Code 2010, eq. (5.1-9), with f_cm = {}",
+        shown::<Stress>(mean, 3)
+    );
+    let energy = r.or_else(&c.fracture_energy, energy, &shown::<LineForce>(energy, 4), &source);
+    Softening::FractureEnergy(energy)
+}

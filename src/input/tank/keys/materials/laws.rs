@@ -1,0 +1,302 @@
+//! `behaviour` of a material: what it does beyond its elastic range.
+
+use tank::{Bar, Interlayer, Steel};
+
+use super::concrete::{self, ConcreteBehaviour};
+use super::{Field, FromNode, Reader, STRESS, shown};
+use crate::input::diagnostic::Faults;
+use crate::input::tank::key::{Absent, Limits, default, without};
+use crate::input::tank::keys::grades::Strengths;
+use crate::input::tank::keys::plausible;
+use crate::input::tank::read::{Object, Opt, object, wrong_kind, wrong_value};
+use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
+use crate::input::tank::shape::{Book, Shape};
+use crate::input::tank::syntax::{Kind, Node};
+use crate::input::tank::values::{Number, Si, Stress};
+
+/// Stiffer than any material [Pa]: `3.0e9 kN/m2` for 3.0e9 N/m2 is a slip of the unit.
+const STIFFEST_INTERLAYER: f64 = 1e11;
+/// Slopes and moduli that may be nothing.
+const SLOPE: Limits = Limits::from(0.0).to(1e18);
+
+object! {
+    /// What a material does beyond its elastic range. Give one of them.
+    BehaviourKinds {
+        /// Steel that yields.
+        steel: Opt<SteelBehaviour>,
+        /// Concrete that cracks and crushes.
+        concrete: Opt<ConcreteBehaviour>,
+        /// Bars in concrete.
+        reinforcement: Opt<BarBehaviour>,
+        /// Elastic layer between two shells.
+        interlayer: Opt<InterlayerBehaviour>,
+    }
+
+    /// Steel that yields: von Mises, linear hardening.
+    SteelBehaviour {
+        /// Yield strength of the law.
+        yield_strength ("355 MPa"): Opt<Stress> [STRESS] = Absent::Follows("yield_strength of the material"),
+        /// Slope of the stress-strain line beyond yielding; a grade supplies its own. Give either this or hardening_modulus.
+        tangent_modulus ("2.1 GPa"): Opt<Stress> [SLOPE] = default(Stress(0.0)).because("no hardening"),
+        /// Slope of the stress against the plastic strain.
+        hardening_modulus ("2.1 GPa"): Opt<Stress> [SLOPE],
+        /// Share of kinematic hardening, from 0 (isotropic) to 1 (kinematic).
+        kinematic_share (0.5): Opt<Number> [Limits::from(0.0).to(1.0)]
+            = default(Number(1.0)).because("kinematic hardening, for cyclic loading"),
+        /// Tensile strength: larger stresses are reported. A grade supplies its own.
+        ultimate_strength ("490 MPa"): Opt<Stress> [STRESS] = without("no limit"),
+    }
+
+    /// Bars in concrete: uniaxial, linear kinematic hardening.
+    BarBehaviour {
+        /// Yield strength of the law.
+        yield_strength ("500 MPa"): Opt<Stress> [STRESS] = Absent::Follows("yield_strength of the material"),
+        /// Slope of the stress-strain line beyond yielding; a grade supplies its own.
+        tangent_modulus ("1 GPa"): Opt<Stress> [SLOPE] = default(Stress(0.0)).because("no hardening"),
+        /// Strain at rupture: larger strains are reported. A grade supplies its own.
+        rupture_strain (0.05): Opt<Number> [Limits::above(0.0).to(1.0)] = without("no limit"),
+    }
+
+    /// Elastic layer between two shells.
+    InterlayerBehaviour {
+        /// Modulus along the normal of the wall.
+        e_normal ("10 MPa"): Field<Stress> [STRESS],
+        /// Modulus in the plane of the wall.
+        e_parallel ("10 MPa"): Opt<Stress> [SLOPE] = default(Stress(0.0)).because("stiff along the normal only"),
+        /// Transverse shear modulus; 0: the layer passes no shear.
+        shear_modulus ("4 MPa"): Opt<Stress> [SLOPE] = default(Stress(0.0)).because("passes no shear"),
+        /// Whether the layer carries tension along the normal.
+        tension (false): Opt<bool> = default(true).because("glued"),
+    }
+}
+
+/// The word `"elastic"`, or an object with the parameters of another behaviour.
+#[derive(Debug)]
+pub(in crate::input::tank) enum Behaviour {
+    Elastic,
+    Kinds(Box<BehaviourKinds>),
+}
+
+impl FromNode for Behaviour {
+    fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
+        match &node.kind {
+            Kind::Text(text) if text == "elastic" => Some(Behaviour::Elastic),
+            Kind::Object(_) => BehaviourKinds::from_node(node, faults).map(|kinds| Behaviour::Kinds(Box::new(kinds))),
+            Kind::Text(text) => {
+                let mut fault = wrong_value(node, &format!("unknown behaviour `{text}`"), &Self::allowed());
+                if ["steel", "concrete", "reinforcement", "interlayer"].contains(&text.as_str()) {
+                    fault = fault.help(format!("write {{ \"{text}\": {{ … }} }}"));
+                }
+                faults.push(fault);
+                None
+            }
+            _ => {
+                faults.push(wrong_kind(node, &Self::allowed()));
+                None
+            }
+        }
+    }
+    fn allowed() -> String {
+        "\"elastic\", or an object with steel, concrete, reinforcement or interlayer".into()
+    }
+    fn example() -> String {
+        "{ \"steel\": { … } }".into()
+    }
+    fn shape(book: &mut Book) -> Shape {
+        Shape::Either("elastic", Box::new(BehaviourKinds::shape(book)))
+    }
+}
+
+/// Young's modulus [Pa], and the yield strength of the material [Pa].
+pub(super) type ElasticPart = (f64, Option<f64>);
+
+/// The behaviour that a grade brings along.
+pub(super) fn of_grade(r: &mut Resolver<'_>, reader: &Reader, elastic: ElasticPart) -> tank::Behaviour {
+    let Some(preset) = &reader.preset else {
+        return tank::Behaviour::Elastic;
+    };
+    let reader = reader.inside(preset.strengths.kind());
+    match preset.strengths {
+        Strengths::Steel { .. } => {
+            tank::Behaviour::Steel(steel(r, &reader, &SteelBehaviour::absent(&reader.path), elastic))
+        }
+        Strengths::Concrete { .. } => {
+            let absent = ConcreteBehaviour::absent(&reader.path);
+            tank::Behaviour::Concrete(concrete::concrete(r, &reader, None, &absent, elastic))
+        }
+        Strengths::Bars { .. } => {
+            tank::Behaviour::Reinforcement(bars(r, &reader, &BarBehaviour::absent(&reader.path), elastic))
+        }
+    }
+}
+
+/// The behaviour that the file gives.
+pub(super) fn of_file(
+    r: &mut Resolver<'_>,
+    reader: &Reader,
+    field: &Field<Behaviour>,
+    kinds: &BehaviourKinds,
+    elastic: ElasticPart,
+) -> Option<tank::Behaviour> {
+    let given = [
+        kinds.steel.given.as_ref().map(|f| ("steel", f.value.is_some())),
+        kinds.concrete.given.as_ref().map(|f| ("concrete", f.value.is_some())),
+        (kinds.reinforcement.given.as_ref()).map(|f| ("reinforcement", f.value.is_some())),
+        kinds
+            .interlayer
+            .given
+            .as_ref()
+            .map(|f| ("interlayer", f.value.is_some())),
+    ];
+    let mut given = given.into_iter().flatten();
+    let (Some((word, sound)), None) = (given.next(), given.next()) else {
+        r.faults.push(range_fault(
+            field,
+            "one behaviour is wanted",
+            "one of steel, concrete, reinforcement and interlayer, or \"elastic\"",
+        ));
+        return None;
+    };
+    if !sound {
+        return None;
+    }
+    let mut reader = reader.inside(word);
+    reader.head = field.span.start..field.span.start + 1;
+    if let Some(preset) = &reader.preset
+        && preset.strengths.kind() != word
+    {
+        let message = format!("the grade {} is {}", preset.name, preset.strengths.kind());
+        let allowed = format!("\"elastic\" or {} with this grade", preset.strengths.kind());
+        r.faults.push(range_fault(field, &message, &allowed).found(word));
+        return None;
+    }
+    if let Some(s) = kinds.steel.value() {
+        return Some(tank::Behaviour::Steel(steel(r, &reader, s, elastic)));
+    }
+    if let Some(f) = &kinds.concrete.given
+        && let Some(c) = &f.value
+    {
+        let concrete = concrete::concrete(r, &reader, Some(f), c, elastic);
+        return Some(tank::Behaviour::Concrete(concrete));
+    }
+    if let Some(b) = kinds.reinforcement.value() {
+        return Some(tank::Behaviour::Reinforcement(bars(r, &reader, b, elastic)));
+    }
+    Some(tank::Behaviour::Interlayer(interlayer(r, kinds.interlayer.value()?)))
+}
+
+/// The yield strength of a law: its own, or that of the material.
+fn yielding(r: &mut Resolver<'_>, reader: &Reader, option: &Opt<Stress>, (e, material): ElasticPart) -> f64 {
+    match (&option.given, material) {
+        (Some(field), _) => {
+            let strength = r.number(field);
+            plausible::yielding(r, field, strength, e);
+            strength
+        }
+        (None, Some(strength)) => {
+            let text = shown::<Stress>(strength, 4);
+            r.or_else(option, strength, &text, "yield_strength of the material")
+        }
+        (None, None) => reader.missing(r, option, ", here or in the material"),
+    }
+}
+
+/// Slope beyond yielding, from 0 to below Young's modulus.
+fn tangent(r: &mut Resolver<'_>, reader: &Reader, option: &Opt<Stress>, e: f64) -> f64 {
+    let slope = match reader.preset.as_ref().map(|p| p.strengths) {
+        Some(Strengths::Steel { tangent, .. } | Strengths::Bars { tangent, .. }) => reader.supplied(r, option, tangent),
+        _ => r.or_default(option),
+    };
+    if let (Some(field), true) = (&option.given, slope >= e) {
+        let allowed = format!("at least 0, less than Young's modulus, {}", like(field, e));
+        r.faults.push(range_fault(
+            field,
+            "beyond yielding the stress would rise faster than before",
+            &allowed,
+        ));
+        return f64::NAN;
+    }
+    slope
+}
+
+fn steel(r: &mut Resolver<'_>, reader: &Reader, s: &SteelBehaviour, (e, strength): ElasticPart) -> Steel {
+    let yield_strength = yielding(r, reader, &s.yield_strength, (e, strength));
+    let tangent_modulus = match (&s.hardening_modulus.given, &s.tangent_modulus.given) {
+        (Some(field), Some(_)) => {
+            r.faults.push(range_fault(
+                field,
+                "two slopes beyond yielding",
+                "either tangent_modulus or hardening_modulus",
+            ));
+            f64::NAN
+        }
+        (Some(field), None) => {
+            let h = r.number(field);
+            e * h / (e + h)
+        }
+        (None, _) => tangent(r, reader, &s.tangent_modulus, e),
+    };
+    let kinematic_share = r.or_default(&s.kinematic_share);
+    let ultimate_strength = match reader.preset.as_ref().map(|p| p.strengths) {
+        Some(Strengths::Steel { ultimate, .. }) => Some(reader.supplied(r, &s.ultimate_strength, ultimate)),
+        _ => r.optional(&s.ultimate_strength),
+    };
+    if let (Some(field), Some(ultimate)) = (&s.ultimate_strength.given, ultimate_strength)
+        && ultimate <= yield_strength
+    {
+        let allowed = format!("more than the yield strength, {}", like(field, yield_strength));
+        r.faults.push(range_fault(
+            field,
+            "the tensile strength is not above the yield strength",
+            &allowed,
+        ));
+    }
+    Steel {
+        yield_strength,
+        tangent_modulus,
+        kinematic_share,
+        ultimate_strength,
+    }
+}
+
+fn bars(r: &mut Resolver<'_>, reader: &Reader, b: &BarBehaviour, (e, strength): ElasticPart) -> Bar {
+    let yield_strength = yielding(r, reader, &b.yield_strength, (e, strength));
+    let tangent_modulus = tangent(r, reader, &b.tangent_modulus, e);
+    let rupture_strain = match reader.preset.as_ref().map(|p| p.strengths) {
+        Some(Strengths::Bars { rupture, .. }) => Some(reader.supplied(r, &b.rupture_strain, rupture)),
+        _ => r.optional(&b.rupture_strain),
+    };
+    if let (Some(field), Some(rupture)) = (&b.rupture_strain.given, rupture_strain)
+        && rupture <= yield_strength / e
+    {
+        let allowed = format!("more than the strain at yielding, {:.2e}", yield_strength / e);
+        r.faults
+            .push(range_fault(field, "the bars would break before they yield", &allowed));
+    }
+    Bar {
+        yield_strength,
+        tangent_modulus,
+        rupture_strain,
+    }
+}
+
+fn interlayer(r: &mut Resolver<'_>, l: &InterlayerBehaviour) -> Interlayer {
+    let e_normal = r.number(&l.e_normal);
+    if e_normal > STIFFEST_INTERLAYER {
+        r.remarks.push(format!(
+            "{}: found \"{}\", which is stiffer than concrete and steel and above 1e8 kN/m2: kN/m2 for N/m2?",
+            l.e_normal.path, l.e_normal.text
+        ));
+    }
+    Interlayer {
+        e_normal,
+        e_parallel: r.or_default(&l.e_parallel),
+        shear_modulus: r.or_default(&l.shear_modulus),
+        tension: r.choice(&l.tension),
+    }
+}
+
+/// A stress in the unit in which a field gives it.
+pub(super) fn like(field: &Field<Stress>, stress: f64) -> String {
+    like_unit(field, stress, Stress::DIMENSION)
+}

@@ -1,0 +1,135 @@
+//! `procedures`: which run, and choices within them.
+
+use codes::ALL;
+use tank::case::{Combination, ConvectiveCoefficient, FlexibleImpulsive, ProcedureOptions};
+
+use crate::input::diagnostic::Faults;
+use crate::input::tank::key::{Absent, default};
+use crate::input::tank::read::{Field, FromNode, Opt, choice, object, one_of_words, quoted};
+use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::shape::{Book, Shape};
+use crate::input::tank::syntax::Node;
+
+/// What holds where nothing is given.
+const DEFAULT: ProcedureOptions = ProcedureOptions::DEFAULT;
+
+object! {
+    /// Choices within the code procedures.
+    Procedures {
+        /// Procedures to run.
+        run: Opt<Vec<Field<ProcedureId>>> = Absent::Follows("all that apply"),
+        /// Housner's procedure.
+        housner: Opt<HousnerOptions>,
+        /// Eurocode 8.
+        ec8: Opt<Ec8Options>,
+    }
+
+    /// Choices within Housner's procedure.
+    HousnerOptions {
+        /// Coefficients of the convective part.
+        convective: Opt<ConvectiveCoefficient>
+            = default(DEFAULT.housner_convective).because("the coefficients of 1957 are up to 30 % low"),
+        /// How impulsive and convective maxima are added.
+        combination: Opt<Combination> = default(DEFAULT.housner_combination).because("Housner 1963: the maxima are added"),
+    }
+
+    /// Choices within the Eurocode procedures.
+    Ec8Options {
+        /// How impulsive and convective maxima are added.
+        combination: Opt<Combination>
+            = default(DEFAULT.ec8_combination).because("EN 1998-4:2006 A.3.2.1: absolute values are added"),
+        /// How the flexible impulsive part is found.
+        impulsive: Opt<FlexibleImpulsive> = default(DEFAULT.ec8_impulsive).because("EN 1998-4:2006 A.3.2.2"),
+    }
+}
+
+choice! {
+    /// Convective coefficients of Housner's procedure.
+    ConvectiveCoefficient {
+        /// The exact first-mode coefficients of potential flow.
+        Exact = "exact",
+        /// Housner 1957: 0.318 (circular) and 0.527 (rectangular).
+        Housner1957 = "1957",
+    }
+
+    /// How the maxima of two parts are added.
+    Combination {
+        /// Sum of absolute values.
+        Abs = "abs",
+        /// Square root of the sum of squares.
+        Srss = "srss",
+    }
+
+    /// The flexible impulsive part of EN 1998-4.
+    FlexibleImpulsive {
+        /// A.3.2.2 with the coefficients of table A.2.
+        Simplified = "simplified",
+        /// A.3.1 with the iterated mode shape.
+        Iterative = "iterative",
+    }
+}
+
+/// Id of a code procedure.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::input::tank) struct ProcedureId(&'static str);
+
+/// Ids of all procedures.
+fn ids() -> Vec<(&'static str, ProcedureId)> {
+    ALL.iter().map(|p| (p.id(), ProcedureId(p.id()))).collect()
+}
+
+impl FromNode for ProcedureId {
+    fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
+        one_of_words(node, &ids(), faults)
+    }
+    fn allowed() -> String {
+        quoted(&ids().iter().map(|(id, _)| *id).collect::<Vec<_>>())
+    }
+    fn example() -> String {
+        format!("\"{}\"", ALL[0].id())
+    }
+    fn shape(book: &mut Book) -> Shape {
+        let words = ALL.iter().map(|p| (p.id(), format!("{}.", p.label().title))).collect();
+        book.choice("ProcedureId", &["A code procedure."], words)
+    }
+    fn written(&self) -> Option<String> {
+        Some(self.0.into())
+    }
+}
+
+/// Choices within the procedures, and the ids of those to run (empty: all).
+pub(super) fn procedures(r: &mut Resolver<'_>, option: &Opt<Procedures>) -> (ProcedureOptions, Vec<String>) {
+    let mut run: Vec<String> = Vec::new();
+    match option.value().and_then(|p| p.run.given.as_ref()) {
+        Some(list) => {
+            for id in list.value.iter().flatten().filter(|id| id.value.is_some()) {
+                r.echo_given(id);
+                if run.contains(&id.text) {
+                    r.faults
+                        .push(range_fault(id, "a procedure named twice", "each procedure once"));
+                }
+                run.push(id.text.clone());
+            }
+            if list.value.as_ref().is_some_and(Vec::is_empty) {
+                r.faults.push(range_fault(
+                    list,
+                    "no procedure",
+                    "at least one id; leave `run` out to run all",
+                ));
+            }
+        }
+        None => r.echo_default("procedures.run", "all", "every procedure that applies"),
+    }
+    let given = option.or_absent();
+    let mut options = DEFAULT;
+    // Of what is faulty the defaults stand in.
+    if let Some(housner) = given.as_ref().and_then(|p| p.housner.or_absent()) {
+        options.housner_convective = r.choice(&housner.convective);
+        options.housner_combination = r.choice(&housner.combination);
+    }
+    if let Some(ec8) = given.as_ref().and_then(|p| p.ec8.or_absent()) {
+        options.ec8_combination = r.choice(&ec8.combination);
+        options.ec8_impulsive = r.choice(&ec8.impulsive);
+    }
+    (options, run)
+}

@@ -1,0 +1,64 @@
+//! `analysis.solid`: options of the three-dimensional engine.
+
+use tank::options::SolidOptions;
+use tank::options::solid::{Liquid as LiquidElement, MeshSize};
+
+use super::linear::Analysis;
+use crate::input::diagnostic::Faults;
+use crate::input::tank::key::{Limits, default, without};
+use crate::input::tank::read::{Object, Opt, choice, object};
+use crate::input::tank::resolver::Resolver;
+use crate::input::tank::values::Whole;
+use results::InputValue;
+
+/// What holds where nothing is given.
+const DEFAULT: SolidOptions = SolidOptions::DEFAULT;
+
+object! {
+    /// Options of the three-dimensional engine.
+    Solid {
+        /// Numbers of elements over radius (or half length), circumference (or breadth) and height of the wall.
+        mesh: Opt<MeshSize> = without("by the size of the tank"),
+        /// Formulation of the liquid.
+        liquid: Opt<LiquidElement> = default(DEFAULT.liquid).because("nothing to calibrate"),
+        /// Largest memory of matrices and factors in MiB.
+        memory_limit (8192): Opt<Whole> [Limits::from(1.0)] = default(Whole(DEFAULT.memory_limit_mib as u32)),
+    }
+}
+
+choice! {
+    /// Formulation of the liquid in the three-dimensional engine.
+    LiquidElement {
+        /// Displacement potential on hexahedra.
+        Potential = "potential",
+        /// Displacements in convective coordinates with a rotation penalty, joined to the wall by contact elements.
+        Displacement = "displacement",
+    }
+}
+
+/// Options of the three-dimensional engine. What is not given is echoed where the engine runs: [`solid_defaults`].
+pub(super) fn solid(r: &mut Resolver<'_>, analysis: &Opt<Analysis>) -> SolidOptions {
+    let Some(given) = analysis.value().and_then(|a| a.solid.value()) else {
+        return DEFAULT;
+    };
+    let mut options = DEFAULT;
+    if let Some(field) = &given.mesh.given {
+        r.echo_given(field);
+        options.mesh = field.value;
+    }
+    if given.liquid.given.is_some() {
+        options.liquid = r.choice(&given.liquid);
+    }
+    options.memory_limit_mib = r.count_or_default(&given.memory_limit).into();
+    options
+}
+
+/// The echo of `mesh` and `liquid` as it is where the file does not give them.
+pub fn solid_defaults() -> Vec<InputValue> {
+    let absent = Solid::absent("analysis.solid");
+    let mut faults = Faults::new();
+    let mut r = Resolver::new(&mut faults);
+    r.not_given(&absent.mesh);
+    r.choice(&absent.liquid);
+    r.echo
+}

@@ -1,0 +1,251 @@
+//! Typed mirror → values in SI: ranges, defaults with their source, the echo, remarks and warnings.
+//!
+//! A faulty value is NaN from there on: no check objects to it a second time, and a file with any fault gives no case.
+
+use tank::units::{Dimension, display_in, unit_for};
+
+use super::key::{Absent, Limits};
+use super::read::{Field, FromNode, Opt};
+use super::values::{Si, Whole};
+use crate::input::diagnostic::{Fault, Faults};
+use results::InputValue;
+
+/// Collects the echo, the remarks, the warnings and the faults on the way.
+pub(super) struct Resolver<'f> {
+    pub faults: &'f mut Faults,
+    pub echo: Vec<InputValue>,
+    pub remarks: Vec<String>,
+    pub warnings: Vec<String>,
+}
+
+impl<'f> Resolver<'f> {
+    /// Without an echo.
+    pub fn new(faults: &'f mut Faults) -> Resolver<'f> {
+        Resolver {
+            faults,
+            echo: Vec::new(),
+            remarks: Vec::new(),
+            warnings: Vec::new(),
+        }
+    }
+
+    /// Echo of a value that the file gives.
+    pub fn echo_given<T>(&mut self, field: &Field<T>) {
+        if field.value.is_some() {
+            self.echo.push(InputValue {
+                path: field.path.clone(),
+                text: field.text.clone(),
+                default: false,
+                source: String::new(),
+            });
+        }
+    }
+
+    /// Echo of a value that the file does not give.
+    pub fn echo_default(&mut self, path: &str, text: &str, source: &str) {
+        self.echo.push(InputValue {
+            path: path.into(),
+            text: text.into(),
+            default: true,
+            source: source.into(),
+        });
+    }
+
+    /// A number that the file gives, within the limits of its key; NaN if faulty.
+    pub fn number<T: Si>(&mut self, field: &Field<T>) -> f64 {
+        self.within(field, field.limits)
+    }
+
+    /// A number that the file gives, within these limits; NaN if faulty.
+    pub fn within<T: Si>(&mut self, field: &Field<T>, limits: Limits) -> f64 {
+        self.echo_given(field);
+        let Some(value) = field.value else {
+            return f64::NAN;
+        };
+        if limits.values.is_empty() {
+            if limits.hold(value.si()) {
+                return value.si();
+            }
+            let allowed = limits.describe(T::DIMENSION);
+            self.faults
+                .push(range_fault(field, limits.message(value.si()), &allowed));
+            return f64::NAN;
+        }
+        // Decimal literals of the same number are the same double; the slack is for percentages.
+        if let Some(found) = limits.values.iter().find(|a| (*a - value.si()).abs() <= 1e-12) {
+            return *found;
+        }
+        self.faults.push(range_fault(
+            field,
+            "not one of the values the code knows",
+            &limits.words(),
+        ));
+        f64::NAN
+    }
+
+    /// A number, or its default.
+    pub fn or_default<T: Si + FromNode>(&mut self, option: &Opt<T>) -> f64 {
+        match &option.given {
+            Some(field) => self.number(field),
+            None => self.default(option).si(),
+        }
+    }
+
+    /// A number, or this one where the file does not give it.
+    pub fn or_else<T: Si>(&mut self, option: &Opt<T>, value: f64, text: &str, source: &str) -> f64 {
+        match &option.given {
+            Some(field) => self.number(field),
+            None => {
+                self.echo_default(&option.path, text, source);
+                value
+            }
+        }
+    }
+
+    /// A number, if the file gives it.
+    pub fn optional<T: Si>(&mut self, option: &Opt<T>) -> Option<f64> {
+        match &option.given {
+            Some(field) => Some(self.number(field)),
+            None => {
+                self.not_given(option);
+                None
+            }
+        }
+    }
+
+    /// A word, a switch or whatever else needs no limits; or its default.
+    pub fn choice<T: FromNode + Copy>(&mut self, option: &Opt<T>) -> T {
+        match &option.given {
+            Some(field) => {
+                self.echo_given(field);
+                match field.value {
+                    Some(value) => value,
+                    None => default(option),
+                }
+            }
+            None => self.default(option),
+        }
+    }
+
+    /// A whole number within the limits of its key.
+    pub fn count(&mut self, field: &Field<Whole>) -> Option<u32> {
+        self.echo_given(field);
+        let Whole(n) = field.value?;
+        let (limits, value) = (field.limits, f64::from(n));
+        if limits.values.contains(&value) || (limits.values.is_empty() && limits.hold(value)) {
+            return Some(n);
+        }
+        let fault = match limits.values {
+            [] if limits.high.is_finite() => {
+                let allowed = format!("a whole number from {} to {}", limits.low, limits.high);
+                range_fault(field, "out of range", &allowed)
+            }
+            [] => range_fault(field, "out of range", &format!("a whole number from {} on", limits.low)),
+            _ => range_fault(field, "not one of the values the code knows", &limits.words()),
+        };
+        self.faults.push(fault);
+        None
+    }
+
+    /// A whole number, or its default; the default if it is faulty.
+    pub fn count_or_default(&mut self, option: &Opt<Whole>) -> u32 {
+        match &option.given {
+            Some(field) => self.count(field).unwrap_or_else(|| default(option).0),
+            None => self.default(option).0,
+        }
+    }
+
+    /// A text that is not blank.
+    pub fn text(&mut self, field: &Field<String>) -> Option<String> {
+        self.echo_given(field);
+        let text = field.value.as_ref()?;
+        if text.trim().is_empty() {
+            self.faults.push(range_fault(field, "an empty text", "a text"));
+            return None;
+        }
+        Some(text.clone())
+    }
+
+    /// Echo of a key that the file does not give and that has no value then.
+    pub fn not_given<T>(&mut self, option: &Opt<T>) {
+        if let Absent::Without(meaning) = &option.key.absent {
+            self.echo_default(&option.path, "not given", meaning);
+        }
+    }
+
+    /// The default of a key, echoed if its declaration says why.
+    fn default<T: FromNode + Copy>(&mut self, option: &Opt<T>) -> T {
+        if let Absent::Value { value, shown, why } = option.key.absent
+            && !why.is_empty()
+        {
+            match shown {
+                "" => self.echo_default(&option.path, &value.written().unwrap_or_default(), why),
+                shown => self.echo_default(&option.path, shown, why),
+            }
+        }
+        default(option)
+    }
+
+    /// Notes a list that has too few or too many items for its key; whether it has not.
+    ///
+    /// * `what`: items in words ("courses")
+    pub fn sized<T>(&mut self, field: &Field<Vec<T>>, what: &str) -> bool {
+        let (fewest, most) = field.limits.items;
+        let found = field.value.as_ref().map_or(fewest, Vec::len);
+        let sound = (fewest..=most).contains(&found);
+        if !sound {
+            let fault = range_fault(
+                field,
+                &format!("too few or too many {what}"),
+                &format!("{fewest} to {most} {what}"),
+            );
+            self.faults.push(fault.found(format!("{found} {what}")));
+        }
+        sound
+    }
+}
+
+/// The default of a key.
+fn default<T: FromNode + Copy>(option: &Opt<T>) -> T {
+    match option.key.absent {
+        Absent::Value { value, .. } => value,
+        _ => unreachable!(
+            "`{}` is resolved as a key with a default and declared without one",
+            option.path
+        ),
+    }
+}
+
+/// A fault about the value of a field.
+pub(super) fn range_fault<T>(field: &Field<T>, message: &str, allowed: &str) -> Fault {
+    let bare = field.text.is_empty() || field.text.parse::<f64>().is_ok() || field.text.parse::<bool>().is_ok();
+    let found = if bare {
+        field.text.clone()
+    } else {
+        format!("\"{}\"", field.text)
+    };
+    Fault::new(message)
+        .at(field.span.clone())
+        .path(&field.path)
+        .found(found)
+        .allowed(allowed)
+}
+
+/// A length in the unit in which a field gives it, for messages that compare the two.
+pub(super) fn like_field<T>(field: &Field<T>, length: f64) -> String {
+    like_unit(field, length, Dimension::Length)
+}
+
+/// A value of this dimension in the unit in which a field gives it.
+pub(super) fn like_unit<T>(field: &Field<T>, value: f64, dimension: Dimension) -> String {
+    // The unit begins after the number and its exponent.
+    let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-');
+    let mut written = field.text.trim().trim_start_matches(number);
+    if let Some(exponent) = written.strip_prefix(['e', 'E'])
+        && exponent.starts_with(number)
+    {
+        written = exponent.trim_start_matches(number);
+    }
+    let unit = tank::units::Unit::find(written.trim(), dimension);
+    display_in(value, unit.unwrap_or_else(|| unit_for(value, dimension)), 4)
+}
