@@ -152,7 +152,7 @@ pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
     let verdict = Verdict {
         holds: failed == 0,
         incomplete: false,
-        reason: String::new(),
+        cause: None,
         checks: checks.len(),
         failed,
         governing,
