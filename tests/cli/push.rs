@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::compare::{stderr, tankcheck};
+use results::FactKind;
 
 /// A small squat tank of steel on a coarse mesh.
 const TANK: &str = r#"{
@@ -69,8 +70,14 @@ fn a_pushover_is_written() {
     // The yield strength was chosen for the hoop: at rest p R/t = 28 MPa.
     let best = &perfect.capacity;
     assert!(best.hoop > 0.5 * 60e6 && best.hoop < 1.2 * 60e6, "{}", best.hoop);
-    let fact = |name: &str| push.model.iter().find(|f| f.name == name).expect(name).value;
-    let mass = fact("impulsive mass of the liquid") + fact("mass of wall and roof");
+    let fact = |kind: FactKind| {
+        push.model
+            .iter()
+            .find(|f| f.kind == kind)
+            .expect("a fact of the model")
+            .value
+    };
+    let mass = fact(FactKind::ImpulsiveMass) + fact(FactKind::WallAndRoofMass);
     // Eight graded elements around the half take 2 % of the force of cos θ; at a tenth of g the liquid would pull only just below its
     // surface, where the wall fails it does on much of the other side.
     let first = &perfect.path[1];
