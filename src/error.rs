@@ -20,14 +20,9 @@ pub enum Error {
     /// The finite-element computation failed.
     #[error("finite elements: {0}")]
     Fe(#[from] FeError),
-    /// A benchmark of the verification manual failed to run.
-    #[error("verification, {topic}: {what}")]
-    Verification {
-        /// Topic.
-        topic: String,
-        /// Cause.
-        what: String,
-    },
+    /// A benchmark of the verification manual without an answer, or a file of the manual.
+    #[error(transparent)]
+    Verification(#[from] verification::Error),
 }
 
 impl Error {
@@ -49,7 +44,7 @@ impl Error {
     /// Exit code of this failure.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Error::Files(error) => error.exit_code(),
+            Error::Files(error) | Error::Verification(verification::Error::Files(error)) => error.exit_code(),
             Error::Fe(
                 FeError::Option { .. }
                 | FeError::NoRecord
@@ -58,7 +53,7 @@ impl Error {
                 | FeError::Unsupported(_)
                 | FeError::Checkpoint(_),
             ) => EXIT_INPUT,
-            Error::Code { .. } | Error::Fe(_) | Error::Verification { .. } => EXIT_COMPUTATION,
+            Error::Code { .. } | Error::Fe(_) | Error::Verification(_) => EXIT_COMPUTATION,
         }
     }
 }

@@ -15,7 +15,6 @@
 //! | [`pipeline`] | the whole flow of a verification in one function |
 //! | [`ida`] | that of an incremental dynamic analysis |
 //! | [`push`] | that of a pushover |
-//! | [`verify`] | the benchmarks of the verification manual |
 //! | [`cli`] | the command line |
 
 pub mod cli;
@@ -25,4 +24,3 @@ pub mod input;
 pub mod job;
 pub mod pipeline;
 pub mod push;
-pub mod verify;

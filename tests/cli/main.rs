@@ -23,5 +23,6 @@ mod records;
 mod solid;
 mod streams;
 mod tank_file;
+mod verify;
 mod vtu;
 mod vtu_sample;

@@ -14,7 +14,7 @@ use fem::linalg::{Pencil, Symbolic, ThreeField};
 use fem::progress::Silent;
 use tank::case::GroundMotion;
 use tank::reference::broad;
-use tankcheck::verify::solid::artificial;
+use verification::tanks::solid_against_harmonic::artificial;
 
 fn coarse(radial: usize, sectors: usize, vertical: usize) -> SolidOptions {
     SolidOptions {

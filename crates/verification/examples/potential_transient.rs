@@ -1,7 +1,7 @@
 //! Cost of a time step of a potential liquid in a shell wall: the model of `benches/peers/acoustic_vs_opensees.py`.
 //!
 //! ```text
-//! cargo run --release -p fem --example potential_transient -- RINGS SECTORS LEVELS STEPS
+//! cargo run --release -p verification --example potential_transient -- RINGS SECTORS LEVELS STEPS
 //! ```
 //!
 //! Steel cylinder R = 10 m, H = 10 m, t = 20 mm, clamped, full of water; radial forces cos θ kN at all nodes above the base grow
@@ -20,7 +20,7 @@ use fem::dofs::Dof;
 use fem::element::shell4::MembraneShear;
 use fem::linalg::Symbolic;
 use fem::progress::Silent;
-use verification::potential::Failure;
+use verification::Failure;
 use verification::potential::coupled::{Division, Tank, with_hexahedra};
 use verification::potential::rigid::uniform;
 

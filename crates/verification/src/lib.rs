@@ -1,127 +1,130 @@
-//! Verification: models whose answers are known from elsewhere, as functions that return rows of numbers.
+//! Verification: models whose answers are known from elsewhere, and the manual made of their rows.
 //!
-//! One module a topic. The tests assert that every row holds, the verification manual prints them. A row says what the
-//! reference *is*: one that only repeats our own earlier output is a [`Reference::Regression`] and verifies nothing.
+//! A benchmark is a file: its module documentation, a constant `BENCHMARK` (id and title of its page, model, meaning of its
+//! ids, parts) and the functions that compute its rows; [`ALL`] lists them. A row holds a computed value beside a reference
+//! that was not made by this program, and says of which kind the reference is; one that only repeats our own earlier output
+//! is a [`Reference::Regression`] and verifies nothing.
+//!
+//! ```text
+//! Benchmark ─ Part ─ Row ─ Entry ─ rows.json ─ pages (Markdown + SVG), HTML, table
+//! ```
+//!
+//! [`run`] computes the rows of a [`Choice`] of benchmarks; the pages are a function of `rows.json` and [`ALL`] alone
+//! ([`manual`]). The tests of this crate run every fast and tested part once, a test each.
 
-use fem::analysis::AnalysisError;
-use fem::element::ElementError;
-use fem::linalg::LinalgError;
-use fem::mesh::MeshError;
-use fem::model::ModelError;
+#![warn(unreachable_pub)]
 
-pub mod dynamics;
-pub mod fluid;
-pub mod materials;
+mod benchmark;
+mod dynamics;
+mod entry;
+mod fluid;
+pub mod html;
+pub mod manual;
+mod materials;
 pub mod moreau;
 pub mod potential;
-pub mod shell;
-pub mod solid;
+pub mod records;
+mod row;
+mod run;
+mod shell;
+mod solid;
 pub mod strip;
+pub mod tanks;
 
-/// A model that could not be made or solved.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum VerifyError {
-    /// Of a mesh.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-    /// Of an element.
-    #[error(transparent)]
-    Element(#[from] ElementError),
-    /// Of a model.
-    #[error(transparent)]
-    Model(#[from] ModelError),
-    /// Of a factorisation or an eigenvalue solver.
-    #[error(transparent)]
-    Linalg(#[from] LinalgError),
-    /// Of an analysis.
-    #[error(transparent)]
-    Analysis(#[from] AnalysisError),
-    /// Of a stress law.
-    #[error(transparent)]
-    Law(#[from] ::materials::LawError),
-    /// A mode that was looked for is not among those computed.
-    #[error("{what} is not among the {found} modes computed")]
-    Mode {
-        /// What was looked for.
+pub use benchmark::{Benchmark, Part, find};
+pub use entry::{Entry, Pace};
+pub use records::Records;
+pub use row::{Reference, Row};
+pub use run::{Choice, Manual, NotRun, Pattern, run};
+
+/// Failure of a model that should have an answer.
+pub type Failure = Box<dyn std::error::Error + Send + Sync>;
+
+/// The rows of a part, or why there are none.
+pub type Answer<T = Vec<Row>> = Result<T, Failure>;
+
+/// A failure of a benchmark or of the manual's files.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A benchmark without rows.
+    #[error("verification, {benchmark}: {what}")]
+    Benchmark {
+        /// Id of the benchmark.
+        benchmark: String,
+        /// Cause.
         what: String,
-        /// Number of modes computed.
-        found: usize,
     },
+    /// A file of the manual that cannot be read, drawn or written.
+    #[error(transparent)]
+    Files(#[from] files::error::Error),
 }
 
-/// What a reference value is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reference {
-    /// A closed form or a convergent series.
-    ClosedForm,
-    /// A published benchmark.
-    Published,
-    /// A second, independent formulation of ours.
-    SecondFormulation,
-    /// A number printed in the dissertation.
-    Dissertation,
-    /// A measurement.
-    Experiment,
-    /// Our own earlier output: guards against change, verifies nothing.
-    Regression,
-}
-
-/// One compared number.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// Identifier: `K4`, `S3`, `table-5.3`, …; unique together with `what`.
-    pub id: String,
-    /// Page of the verification manual that shows the row; rows of one benchmark share it.
-    pub page: &'static str,
-    /// The quantity, in words.
-    pub what: String,
-    /// Reference value, in `unit`.
-    pub reference: f64,
-    /// Where the reference comes from: author, year, equation or table.
-    pub source: &'static str,
-    /// What the reference is.
-    pub kind: Reference,
-    /// Our value, in `unit`.
-    pub computed: f64,
-    /// Allowed deviation: relative to the reference, absolute (in `unit`) if the reference is 0. Infinite where the
-    /// reference is shown for comparison only.
-    pub tolerance: f64,
-    /// Unit, as printed.
-    pub unit: &'static str,
-    /// Convergence study: (number of elements or mesh size, relative error).
-    pub convergence: Vec<(f64, f64)>,
-}
-
-impl Row {
-    /// Deviation: relative to the reference, absolute if the reference is 0.
-    pub fn error(&self) -> f64 {
-        if self.reference == 0.0 {
-            self.computed
-        } else {
-            (self.computed - self.reference) / self.reference.abs()
-        }
-    }
-
-    /// Whether the computed value is a number within the tolerance.
-    pub fn holds(&self) -> bool {
-        self.computed.is_finite() && self.error().abs() <= self.tolerance
-    }
-
-    /// One line for a failing test: what was found, what was expected.
-    pub fn line(&self) -> String {
-        format!(
-            "{} {}: {:.6} {}, reference {:.6} ({}), error {:.2e}, allowed {:.1e}",
-            self.id,
-            self.what,
-            self.computed,
-            self.unit,
-            self.reference,
-            self.source,
-            self.error(),
-            self.tolerance
-        )
-    }
-}
+/// All benchmarks, in the order of the manual.
+pub const ALL: &[&Benchmark] = &[
+    &tanks::rigid_sloshing::BENCHMARK,
+    &tanks::rigid_strip::BENCHMARK,
+    &tanks::rigid_masses::BENCHMARK,
+    &tanks::coupled_modes::BENCHMARK,
+    &tanks::solid_against_harmonic::BENCHMARK,
+    &shell::element::BENCHMARK,
+    &shell::patch::BENCHMARK,
+    &shell::scordelis_lo::BENCHMARK,
+    &shell::pinched_cylinder::BENCHMARK,
+    &shell::hemisphere::BENCHMARK,
+    &shell::twisted_beam::BENCHMARK,
+    &shell::cook::BENCHMARK,
+    &shell::z_cantilever::BENCHMARK,
+    &shell::square_frame::BENCHMARK,
+    &shell::cantilever_plate::BENCHMARK,
+    &shell::tank_static::BENCHMARK,
+    &shell::tank_sectors::BENCHMARK,
+    &shell::axial_buckling::BENCHMARK,
+    &shell::cylinder_modes::BENCHMARK,
+    &materials::steel::BENCHMARK,
+    &materials::concrete::BENCHMARK,
+    &solid::cantilever::BENCHMARK,
+    &solid::joint::BENCHMARK,
+    &solid::wall::BENCHMARK,
+    &solid::macro_wall::BENCHMARK,
+    &solid::elastica::BENCHMARK,
+    &potential::BENCHMARK,
+    &fluid::rank::BENCHMARK,
+    &fluid::patch::BENCHMARK,
+    &fluid::weight::BENCHMARK,
+    &fluid::rectangle::BENCHMARK,
+    &fluid::cylinder::BENCHMARK,
+    &fluid::disc::BENCHMARK,
+    &fluid::sloshing_box::BENCHMARK,
+    &fluid::impulsive::BENCHMARK,
+    &dynamics::time_integration::BENCHMARK,
+    &dynamics::rayleigh_damping::BENCHMARK,
+    &dynamics::response_spectrum_method::BENCHMARK,
+    &dynamics::condensed_liquid::BENCHMARK,
+    &dynamics::missing_mass::BENCHMARK,
+    &dynamics::energy_balance::BENCHMARK,
+    &dynamics::four_methods::BENCHMARK,
+    &strip::at_rest::BENCHMARK,
+    &strip::section::BENCHMARK,
+    &shell::tank_locking::BENCHMARK,
+    &shell::tank_grading::BENCHMARK,
+    &shell::cantilever::BENCHMARK,
+    &shell::roll_up::BENCHMARK,
+    &shell::slit_ring::BENCHMARK,
+    &shell::hemisphere_large::BENCHMARK,
+    &shell::pull_out::BENCHMARK,
+    &shell::hinged_roof::BENCHMARK,
+    &shell::follower_pressure::BENCHMARK,
+    &shell::plastic_plates::BENCHMARK,
+    &shell::pressurized_buckling::BENCHMARK,
+    &shell::elephant_foot::BENCHMARK,
+    &shell::pinched_large::BENCHMARK,
+    &shell::concrete_beams::BENCHMARK,
+    &dynamics::nonlinear::BENCHMARK,
+    &tanks::responses::BENCHMARK,
+    &dynamics::separation::BENCHMARK,
+    &strip::linear_response::BENCHMARK,
+    &strip::incremental::BENCHMARK,
+];
 
 /// El Centro NS scaled to 0.348 g: the version of the dissertation from the folder `TANKCHECK_RECORDS`, if set, else the textbook
 /// version that comes with the examples.
@@ -148,34 +151,5 @@ pub(crate) fn test_record() -> oscillator::record::Record {
         dt: pairs[1][0] - pairs[0][0],
         acceleration: pairs.iter().map(|p| p[1] / peak * 0.348 * 9.81).collect(),
         processing: Vec::new(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn row(reference: f64, computed: f64, tolerance: f64) -> Row {
-        Row {
-            id: "example".to_owned(),
-            page: "example",
-            what: "example".to_owned(),
-            reference,
-            source: "by hand",
-            kind: Reference::ClosedForm,
-            computed,
-            tolerance,
-            unit: "m",
-            convergence: Vec::new(),
-        }
-    }
-
-    #[test]
-    fn tolerance_is_relative_unless_the_reference_is_zero() {
-        assert!(row(-200.0, -201.0, 0.006).holds());
-        assert!(!row(-200.0, -201.0, 0.004).holds());
-        assert!(row(0.0, 1e-9, 1e-8).holds());
-        assert!(!row(0.0, 1e-7, 1e-8).holds());
-        assert!(!row(1.0, f64::NAN, f64::INFINITY).holds());
     }
 }

@@ -8,13 +8,12 @@
 use std::sync::Arc;
 
 use materials::von_mises::VonMises;
-use materials::{Law, Response as Stress};
 
-use super::Strip;
-use crate::potential::Failure;
+use super::bar::Bar;
+use super::strip::Strip;
 use crate::potential::coupled::{Assembled, Division, Tank, with_condensed, with_hexahedra};
 use crate::potential::rigid::uniform;
-use crate::{Reference, Row};
+use crate::{Answer, Benchmark, Failure, Part, Reference, Row};
 use fem::analysis::AnalysisError;
 use fem::analysis::damping::{Damping, Rayleigh};
 use fem::analysis::march::{Instant, Outcome, Problem, Quantity, QuantityObserver, Run, Settings, march};
@@ -26,103 +25,22 @@ use fem::assembly::Assembler;
 use fem::dofs::Dof;
 use fem::element::spring::PointMass;
 use fem::element::super_element::SuperElement;
-use fem::element::{Element, ElementError, Inspect, Motion as Movement, Response, Want};
 use fem::linalg::{Ordering, Symbolic};
 use fem::model::{Builder, Model};
 use fem::progress::Silent;
 
-const PAGE: &str = "nonlinear-dynamics";
-
-/// Bar between two nodes along x; history: that of the law, then the energy dissipated.
-struct Bar {
-    nodes: [usize; 2],
-    area: f64,
-    length: f64,
-    law: VonMises,
-}
-
-impl Bar {
-    fn points(&self) -> usize {
-        Law::<1>::history_len(&self.law)
-    }
-
-    fn strain(&self, values: &[f64]) -> [f64; 1] {
-        [(values[1] - values[0]) / self.length]
-    }
-
-    /// Elastic energy and that stored by hardening [J]: σ²/(2 E) + K a²/2 for isotropic linear hardening.
-    fn stored(&self, values: &[f64], history: &[f64], [young, hardening]: [f64; 2]) -> Result<f64, ElementError> {
-        let mut spare = vec![0.0; self.points()];
-        let stress = self.respond_at(values, &history[..self.points()], &mut spare)?.stress[0];
-        let a = history[0];
-        Ok(self.area * self.length * (0.5 * stress * stress / young + 0.5 * hardening * a * a))
-    }
-
-    fn respond_at(&self, values: &[f64], old: &[f64], new: &mut [f64]) -> Result<Stress<1>, ElementError> {
-        self.law
-            .respond(&self.strain(values), old, new)
-            .map_err(|source| ElementError::Law { kind: "bar", source })
-    }
-}
-
-impl Element for Bar {
-    fn kind(&self) -> &'static str {
-        "bar"
-    }
-
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        Dof::slice(0..1)
-    }
-
-    fn history_len(&self) -> usize {
-        self.points() + 1
-    }
-
-    fn init_history(&self, slots: &mut [f64]) {
-        let (own, energy) = slots.split_at_mut(self.points());
-        Law::<1>::init_history(&self.law, own);
-        energy.fill(0.0);
-    }
-
-    fn has_mass(&self) -> bool {
-        false
-    }
-
-    fn respond(
-        &self,
-        motion: Movement<'_>,
-        old: &[f64],
-        new: &mut [f64],
-        _want: Want,
-        out: &mut Response,
-    ) -> Result<(), ElementError> {
-        let n = self.points();
-        let found = self.respond_at(motion.values, &old[..n], &mut new[..n])?;
-        new[n] = old[n] + found.dissipation * self.area * self.length;
-        for (i, a) in [-1.0, 1.0].into_iter().enumerate() {
-            out.force[i] += a * self.area * found.stress[0];
-            for (j, b) in [-1.0, 1.0].into_iter().enumerate() {
-                out.tangent
-                    .add(i, j, a * b * self.area / self.length * found.tangent[0][0]);
-            }
-        }
-        Ok(())
-    }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
-    }
-}
-
-impl Inspect for Bar {
-    fn dissipated(&self, history: &[f64]) -> f64 {
-        history[self.points()]
-    }
-}
+/// The page.
+pub(crate) const BENCHMARK: Benchmark = Benchmark {
+    id: "nonlinear-dynamics",
+    title: "Nonlinear time histories",
+    model: "Rest, energy balance, and condensed liquids against the full ones, with walls that yield.",
+    ids: &[
+        ("D2", "rest under a constant load"),
+        ("D9", "energy balance of nonlinear runs"),
+        ("D11", "condensed liquids against full ones"),
+    ],
+    parts: &[Part::Tested(nonlinear)],
+};
 
 /// A model with what an analysis of it needs.
 struct Parts {
@@ -155,7 +73,9 @@ impl Parts {
 }
 
 const STOREYS: usize = 5;
+
 const YOUNG: f64 = 200e9;
+
 const TANGENT: f64 = 10e9;
 
 fn bar(storey: usize) -> Result<Bar, Failure> {
@@ -218,7 +138,6 @@ fn row(
 ) -> Row {
     Row {
         id: id.to_owned(),
-        page: PAGE,
         what,
         reference: 0.0,
         source,
@@ -232,6 +151,7 @@ fn row(
 
 /// Rest, balance and dissipation of the tower.
 fn steel(rows: &mut Vec<Row>) -> Result<(), Failure> {
+    // More than 80 lines: a run after the other on one tower, each with its rows.
     let parts = tower()?;
     let problem = parts.problem();
     // 26 kN at the base: it yields before the shaking begins.
@@ -521,7 +441,7 @@ fn condensation(rows: &mut Vec<Row>) -> Result<(), Failure> {
 /// Rows D2, D9 and D11.
 ///
 /// Errors: a model without an answer, a march that does not come to its end.
-pub fn nonlinear() -> Result<Vec<Row>, Failure> {
+pub(crate) fn nonlinear() -> Answer {
     let mut rows = Vec::new();
     steel(&mut rows)?;
     condensed_strip(&mut rows)?;

@@ -12,8 +12,8 @@
 use nalgebra::Matrix3;
 
 use super::tank::{lowest, sloshing};
-use super::{BULK_MODULUS, GRAVITY, Page};
-use crate::{Reference, Row, VerifyError};
+use super::{BULK_MODULUS, GRAVITY, Source};
+use crate::{Answer, Benchmark, Failure, Part, Reference};
 use fem::assembly::Assembler;
 use fem::chart::Chart;
 use fem::dofs::Dof;
@@ -22,11 +22,22 @@ use fem::mesh::Rectangle;
 use fem::mesh::grading::uniform;
 use fem::model::Builder;
 
+/// The page.
+pub(crate) const BENCHMARK: Benchmark = Benchmark {
+    id: "fluid-disc",
+    title: "Degenerate discs of table 5.4",
+    model: "Strip of (5.69), 5 × 5 m, as spatial elements one element thin in the cylindrical chart: a sector of \
+            1° and a ring of one element.",
+    ids: &[("table-5.4", "discs one element thin, dissertation table 5.4")],
+    parts: &[Part::Fast(degenerate_discs)],
+};
+
 const FILL: f64 = 5.0;
+
 const ANGLE: f64 = std::f64::consts::PI / 180.0;
 
 /// First sloshing frequency of a sector between rigid walls.
-fn frequency(r: [f64; 2], counts: [usize; 3]) -> Result<f64, VerifyError> {
+fn frequency(r: [f64; 2], counts: [usize; 3]) -> Result<f64, Failure> {
     // A block in (r, θ, z).
     let block = Rectangle {
         x: uniform(r[0], r[1], counts[0])?,
@@ -67,16 +78,14 @@ fn exact(k: f64) -> f64 {
 /// The two spatial models of table 5.4.
 ///
 /// Errors: none to be expected.
-pub fn degenerate_discs() -> Result<Vec<Row>, VerifyError> {
-    let page = Page {
-        name: "fluid-disc",
+pub(crate) fn degenerate_discs() -> Answer {
+    let against = Source {
         source: "potential flow in the sector",
         kind: Reference::ClosedForm,
     };
-    let printed = Page {
+    let printed = Source {
         source: "dissertation, (5.69); \"about 3 %\" for the spatial models",
         kind: Reference::Dissertation,
-        ..page
     };
     // First root of J₁(x) Y₁(2x) = J₁(2x) Y₁(x): x = 3.19658 (Abramowitz & Stegun 1964, table 9.7).
     let ring = exact(3.19658 / 5.0);
@@ -89,7 +98,7 @@ pub fn degenerate_discs() -> Result<Vec<Row>, VerifyError> {
         let coarse = frequency(r, counts.map(|n: usize| n.div_ceil(2)))?;
         let found = frequency(r, counts)?;
         // 8 elements along half a wave: (π/8)²/24 = 0.64 % is the error of linear elements.
-        let mut row = page.row("table-5.4", format!("{name}, ω₁"), (reference, found), 6.4e-3, "rad/s");
+        let mut row = against.row("table-5.4", format!("{name}, ω₁"), (reference, found), 6.4e-3, "rad/s");
         row.convergence = vec![(16.0, coarse / reference - 1.0), (64.0, found / reference - 1.0)];
         rows.push(row);
         rows.push(printed.row("table-5.4", format!("{name}, ω₁"), (2.5, found), 0.03, "rad/s"));

@@ -6,15 +6,25 @@
 
 use std::sync::Arc;
 
-use super::tank::{Part, Tank};
-use super::{BULK_MODULUS, GRAVITY, Page};
-use crate::{Reference, Row, VerifyError};
+use super::tank::{Sector, Tank};
+use super::{BULK_MODULUS, GRAVITY, Source};
+use crate::{Answer, Benchmark, Failure, Part, Reference};
 use fem::chart::Chart;
 use fem::dofs::Dof;
 use fem::element::{LiquidProperties, RotationPart, VolumePart};
 use fem::linalg::{Kind, Ordering, Symbolic, dot};
 
+/// The page.
+pub(crate) const BENCHMARK: Benchmark = Benchmark {
+    id: "fluid-impulsive",
+    title: "Impulsive mass of the displacement liquid",
+    model: "Tank 8.1, `fluid8`, the wall's normal acceleration prescribed, nearly incompressible.",
+    ids: &[("K7", "impulsive mass of tank 8.1")],
+    parts: &[Part::Fast(impulsive_mass)],
+};
+
 const RADIUS: f64 = 1.83;
+
 const FILL: f64 = 1.525;
 
 /// m_i/m = 1 − Σ 2 tanh(a)/(a (λ² − 1)), a = λ H/R, over the zeros of J₁'. Terms fall as λ⁻³: after 100 of them the
@@ -29,13 +39,13 @@ fn exact() -> f64 {
 }
 
 /// m_i/m on a mesh of the quarter.
-fn impulsive(counts: [usize; 3], volume: VolumePart) -> Result<f64, VerifyError> {
+fn impulsive(counts: [usize; 3], volume: VolumePart) -> Result<f64, Failure> {
     let tank = Tank {
         radius: RADIUS,
         fill: FILL,
         counts,
         grading: 1.0,
-        part: Part::Odd,
+        part: Sector::Odd,
     };
     let liquid = LiquidProperties {
         density: 1.0,
@@ -73,16 +83,14 @@ fn impulsive(counts: [usize; 3], volume: VolumePart) -> Result<f64, VerifyError>
 /// K7 and its convergence.
 ///
 /// Errors: none to be expected.
-pub fn impulsive_mass() -> Result<Vec<Row>, VerifyError> {
-    let prototype = Page {
-        name: "fluid-impulsive",
+pub(crate) fn impulsive_mass() -> Answer {
+    let prototype = Source {
         source: "independent prototype of the same element",
         kind: Reference::SecondFormulation,
     };
-    let series = Page {
+    let series = Source {
         source: "potential flow, 1 − Σ 2 tanh(a)/(a (λ² − 1))",
         kind: Reference::ClosedForm,
-        ..prototype
     };
     let reference = exact();
     let mut convergence = Vec::new();

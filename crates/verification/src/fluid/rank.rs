@@ -6,17 +6,27 @@
 
 use nalgebra::DMatrix;
 
-use super::{BULK_MODULUS, Page};
-use crate::{Reference, Row, VerifyError};
+use super::{BULK_MODULUS, Source};
+use crate::{Answer, Benchmark, Failure, Part, Reference};
 use fem::chart::Chart;
 use fem::element::{Element, Fluid4, Fluid8, LiquidProperties, RotationPart, VolumePart, reference_stiffness};
 use fem::mesh::{Face, Hexahedron};
 use fem::shape::{hex8, quad4};
 
+/// The page.
+pub(crate) const BENCHMARK: Benchmark = Benchmark {
+    id: "fluid-rank",
+    title: "Rank of the displacement fluid elements",
+    model: "Unit square and unit cube of `fluid4` and `fluid8`, K = 2.06·10⁶ kPa, K_rot = 100 kPa: eigenvectors \
+            of the stiffness told apart by volume energy, rotation energy or none, for the four variants of \
+            table 5.3.",
+    ids: &[("table-5.3", "rank of the element matrices, dissertation table 5.3")],
+    parts: &[Part::Fast(rank_table)],
+};
+
 const PENALTY: f64 = 100.0;
 
-const PAGE: Page = Page {
-    name: "fluid-rank",
+const SOURCE: Source = Source {
     source: "dissertation, table 5.3 (variant 4: the bracketed ranks)",
     kind: Reference::Dissertation,
 };
@@ -30,7 +40,7 @@ struct Counts {
     rotations: Vec<f64>,
 }
 
-fn dense(element: &impl Element) -> Result<DMatrix<f64>, VerifyError> {
+fn dense(element: &impl Element) -> Result<DMatrix<f64>, Failure> {
     let k = reference_stiffness(element)?;
     Ok(DMatrix::from_column_slice(k.n, k.n, &k.data))
 }
@@ -73,7 +83,7 @@ fn liquid(volume: VolumePart, rotation: RotationPart) -> LiquidProperties {
     }
 }
 
-fn spatial(chart: Chart, volume: VolumePart, rotation: RotationPart) -> Result<Counts, VerifyError> {
+fn spatial(chart: Chart, volume: VolumePart, rotation: RotationPart) -> Result<Counts, Failure> {
     let cell = Hexahedron {
         nodes: [0, 1, 2, 3, 4, 5, 6, 7],
         // Unit cube; in the cylindrical chart r runs from 1 to 2.
@@ -83,7 +93,7 @@ fn spatial(chart: Chart, volume: VolumePart, rotation: RotationPart) -> Result<C
     Ok(classify(dense(&make(rotation)?)?, &dense(&make(RotationPart::None)?)?))
 }
 
-fn plane(volume: VolumePart, rotation: RotationPart) -> Result<Counts, VerifyError> {
+fn plane(volume: VolumePart, rotation: RotationPart) -> Result<Counts, Failure> {
     let face = Face {
         nodes: [0, 1, 2, 3],
         chart: quad4::CORNERS.map(|c| [0.5 * c[0], 0.0, 0.5 * c[1]]),
@@ -95,7 +105,8 @@ fn plane(volume: VolumePart, rotation: RotationPart) -> Result<Counts, VerifyErr
 /// Table 5.3 for the four variants, 3-D and 2-D; the same for the element used here; eigenvalues of the rotation part.
 ///
 /// Errors: none to be expected.
-pub fn rank_table() -> Result<Vec<Row>, VerifyError> {
+pub(crate) fn rank_table() -> Answer {
+    // More than 80 lines: half of it is the table of references.
     use RotationPart::{Full, None, OnePoint};
     let split = RotationPart::Split {
         centre: PENALTY,
@@ -116,30 +127,29 @@ pub fn rank_table() -> Result<Vec<Row>, VerifyError> {
         ("variant 4", VolumePart::OnePoint, Full(PENALTY), [1, 9, 14], [1, 4, 3]),
     ];
     let mut rows = Vec::new();
-    let mut push = |page: &Page, name: &str, counts: &Counts, expected: [usize; 3]| {
+    let mut push = |against: &Source, name: &str, counts: &Counts, expected: [usize; 3]| {
         let found = [counts.deformation, counts.rigid, counts.rotation];
         for (kind, (expected, found)) in ["deformation", "rigid", "rotation"]
             .iter()
             .zip(expected.into_iter().zip(found))
         {
             let pair = (expected as f64, found as f64);
-            rows.push(page.row("table-5.3", format!("{name}: {kind} modes"), pair, 0.0, "modes"));
+            rows.push(against.row("table-5.3", format!("{name}: {kind} modes"), pair, 0.0, "modes"));
         }
     };
     for (name, volume, rotation, in_space, in_plane) in variants {
         push(
-            &PAGE,
+            &SOURCE,
             &format!("{name}, 3-D"),
             &spatial(Chart::Cartesian, volume, rotation)?,
             in_space,
         );
-        push(&PAGE, &format!("{name}, 2-D"), &plane(volume, rotation)?, in_plane);
+        push(&SOURCE, &format!("{name}, 2-D"), &plane(volume, rotation)?, in_plane);
     }
     // By hand: mean dilatation has rank one, and the split penalty the rank of the full one.
-    let own = Page {
+    let own = Source {
         source: "rank of one mean and of the full rotation part",
         kind: Reference::ClosedForm,
-        ..PAGE
     };
     push(
         &own,

@@ -1,32 +1,22 @@
-//! Sloshing between rigid walls: K4 to K6, examples 8.1 to 8.4, equation (5.69).
+//! Sloshing between rigid walls: what cylinders and rectangles share.
 
-use super::tank::{Part, Tank, exact, lowest, sloshing, zeros};
-use super::{BULK_MODULUS, GRAVITY, Page};
-use crate::{Reference, Row, VerifyError};
+use super::tank::{lowest, sloshing};
+use super::{BULK_MODULUS, GRAVITY, Source};
+use crate::{Failure, Reference};
 use fem::assembly::Assembler;
 use fem::chart::Chart;
 use fem::dofs::Dof;
 use fem::element::{Fluid4, FreeSurfaceLine, LiquidProperties, RotationPart, VolumePart};
-use fem::linalg::Search;
 use fem::mesh::Strip;
 use fem::mesh::grading::uniform;
 use fem::model::Builder;
 
 /// Example 8.1.
-const RADIUS: f64 = 1.83;
-const FILL: f64 = 1.525;
+pub(super) const RADIUS: f64 = 1.83;
 
-fn tank(radius: f64, fill: f64, counts: [usize; 3], part: Part) -> Tank {
-    Tank {
-        radius,
-        fill,
-        counts,
-        grading: 1.0,
-        part,
-    }
-}
+pub(super) const FILL: f64 = 1.525;
 
-fn liquid(volume: VolumePart, rotation: RotationPart) -> LiquidProperties {
+pub(super) fn liquid(volume: VolumePart, rotation: RotationPart) -> LiquidProperties {
     LiquidProperties {
         density: 1.0,
         bulk_modulus: BULK_MODULUS,
@@ -35,217 +25,25 @@ fn liquid(volume: VolumePart, rotation: RotationPart) -> LiquidProperties {
     }
 }
 
-/// The element as used: mean dilatation and split penalty.
-fn default_liquid(half_width: f64) -> LiquidProperties {
-    liquid(VolumePart::MeanDilatation, RotationPart::split(GRAVITY, half_width))
-}
-
-/// The dissertation's K_rot, with the quadratures that reproduce its frequencies.
-fn one_point() -> LiquidProperties {
-    liquid(VolumePart::OnePoint, RotationPart::OnePoint(100.0))
-}
-
-/// The first `wanted` sloshing frequencies of wave number m among the modes of a search in a quarter.
-fn frequencies(
-    tank: &Tank,
-    m: u32,
-    liquid: LiquidProperties,
-    search: &Search,
-    wanted: usize,
-) -> Result<Vec<f64>, VerifyError> {
-    let built = tank.build(Chart::Cylindrical, liquid, GRAVITY, true)?;
-    let mut found = built.sloshing(m, search)?;
-    if found.len() < wanted {
-        let what = format!("sloshing mode {wanted} of cos {m}θ");
-        return Err(VerifyError::Mode {
-            what,
-            found: search.count,
-        });
-    }
-    found.truncate(wanted);
-    Ok(found)
-}
-
-const PROTOTYPE: Page = Page {
-    name: "fluid-cylinder",
+pub(super) const PROTOTYPE: Source = Source {
     source: "independent prototype of the same element",
     kind: Reference::SecondFormulation,
 };
-const POTENTIAL: Page = Page {
-    name: "fluid-cylinder",
+
+pub(super) const POTENTIAL: Source = Source {
     source: "potential flow, ω² = (g λ/R) tanh(λ H/R), J_m'(λ) = 0",
     kind: Reference::ClosedForm,
 };
-const PRINTED: Page = Page {
-    name: "fluid-cylinder",
-    source: "dissertation, chapter 8",
-    kind: Reference::Dissertation,
-};
-
-/// K4 and K6.
-///
-/// Errors: none to be expected.
-pub fn cylinders() -> Result<Vec<Row>, VerifyError> {
-    let mut rows = Vec::new();
-    let exact_81 = exact(zeros::M1[0], RADIUS, FILL, GRAVITY);
-    // K4. Refinement halves every length, starting from the mesh's half.
-    let mut convergence = Vec::new();
-    let mut values = Vec::new();
-    for factor in [2, 3, 4] {
-        let mesh = tank(RADIUS, FILL, [3 * factor, 4 * factor, 3 * factor], Part::Odd);
-        let omega = frequencies(&mesh, 1, default_liquid(RADIUS), &Search::lowest(1), 1)?[0];
-        let elements = mesh.counts.iter().product::<usize>() as f64;
-        convergence.push((elements, omega / exact_81 - 1.0));
-        values.push(omega);
-    }
-    let finest = tank(RADIUS, FILL, [12, 16, 12], Part::Odd);
-    let modes = frequencies(&finest, 1, default_liquid(RADIUS), &Search::lowest(10), 3)?;
-    let mut k4 = PROTOTYPE.row(
-        "K4",
-        "tank 8.1, 12 × 16 × 12, m = 1, ω₁",
-        (3.020, modes[0]),
-        2e-3,
-        "rad/s",
-    );
-    k4.convergence = convergence.clone();
-    rows.push(k4);
-    // The errors of the prototype in modes 1 to 3: 0.71, 0.31 and 0.9 %, printed to half a last digit.
-    let printed = [(0.0071, 0.0002), (0.0031, 0.0002), (0.009, 0.0015)];
-    for (n, (error, margin)) in printed.into_iter().enumerate() {
-        let reference = exact(zeros::M1[n], RADIUS, FILL, GRAVITY);
-        let what = format!("tank 8.1, 12 × 16 × 12, m = 1, ω{} with the prototype's error", n + 1);
-        let pair = (reference * (1.0 + error), modes[n]);
-        rows.push(PROTOTYPE.row("K4", what, pair, margin, "rad/s"));
-    }
-    // Against the exact value: the error is that of m_eff = tan(D/2)/(D/2) = 1.013 with D = 2π/16, which raises ω₁ by
-    // ½ (1 + x/(sinh x cosh x)) 1.3 % ≈ 0.85 % at most, less what r and z give.
-    rows.push(POTENTIAL.row(
-        "K4",
-        "tank 8.1, 12 × 16 × 12, m = 1, ω₁",
-        (exact_81, modes[0]),
-        0.0085,
-        "rad/s",
-    ));
-    // Observed order between 9 × 12 × 9 and 12 × 16 × 12, errors of first neglected order h⁴ included: 2 ± 0.15.
-    let order = (convergence[1].1 / convergence[2].1).ln() / (4.0_f64 / 3.0).ln();
-    rows.push(POTENTIAL.row("K4", "observed order of ω₁", (2.0, order), 0.075, "-"));
-    // "No mode below": the lowest mode of the whole tank, whatever its shape, is the sloshing pair.
-    let whole = tank(RADIUS, FILL, [12, 16, 12], Part::Whole).build(
-        Chart::Cylindrical,
-        default_liquid(RADIUS),
-        GRAVITY,
-        true,
-    )?;
-    let all = lowest(&whole.model, &whole.assembler, 3)?;
-    let below = all.iter().filter(|m| m.omega < 0.999 * modes[0]).count();
-    rows.push(POTENTIAL.row("K4", "whole tank: modes below ω₁", (0.0, below as f64), 0.0, "modes"));
-    let pair = (
-        2.0,
-        all.iter().filter(|m| (m.omega / modes[0] - 1.0).abs() < 1e-6).count() as f64,
-    );
-    rows.push(POTENTIAL.row("K4", "whole tank: modes at ω₁", pair, 0.0, "modes"));
-    // K6: the lowest mode with little surface energy.
-    let full = liquid(VolumePart::OnePoint, RotationPart::Full(GRAVITY * RADIUS));
-    let built = finest.build(Chart::Cylindrical, full, GRAVITY, true)?;
-    let found = lowest(&built.model, &built.assembler, 4)?;
-    let spurious = found.iter().find(|m| m.surface < 0.5).map_or(f64::NAN, |m| m.omega);
-    let pair = (2.1, spurious / sloshing(&found, 0)?);
-    rows.push(PROTOTYPE.row(
-        "K6",
-        "full rotation part, α = 1: lowest spurious mode/ω₁",
-        pair,
-        0.05,
-        "-",
-    ));
-    Ok(rows)
-}
-
-/// K5, examples 8.2 and 8.3, meshes of section 4.4.
-///
-/// Errors: none to be expected.
-pub fn chapter_8() -> Result<Vec<Row>, VerifyError> {
-    let mut rows = Vec::new();
-    // K5: printed 3.02 and 4.13.
-    for (part, m, prototype, printed, lambda) in [
-        (Part::Odd, 1, 3.018, 3.02, zeros::M1[0]),
-        (Part::Even, 2, 4.132, 4.13, zeros::M2[0]),
-    ] {
-        let mesh = tank(RADIUS, FILL, [12, 16, 19], part);
-        // One-point rotation leaves modes without energy, and others below: the search is around the exact value.
-        let near = exact(lambda, RADIUS, FILL, GRAVITY);
-        let omega = frequencies(&mesh, m, one_point(), &Search::around(near, 8), 1)?[0];
-        let what = format!("tank 8.1, 12 × 16 × 19, one-point rotation, m = {m}, ω₁");
-        rows.push(PROTOTYPE.row("K5", what.clone(), (prototype, omega), 3e-3, "rad/s"));
-        rows.push(PRINTED.row("K5", what.clone(), (printed, omega), 3e-3, "rad/s"));
-        rows.push(POTENTIAL.row("K5", what, (near, omega), f64::INFINITY, "rad/s"));
-    }
-    // Example 8.2: R = 9.6 cm, f₁.
-    for (fill, printed) in [
-        (0.03, 1.580),
-        (0.06, 1.978),
-        (0.09, 2.116),
-        (0.12, 2.159),
-        (0.15, 2.171),
-    ] {
-        let mesh = tank(0.096, fill, [12, 16, 12], Part::Odd);
-        compare(&mut rows, "8.2", &mesh, printed, "Hz", std::f64::consts::TAU)?;
-    }
-    // Example 8.3: R = 1.83 m, ω₁; the range 3.16 to 3.17 is printed.
-    for fill in [3.0, 3.5, 4.0, 4.5, 5.0] {
-        let mesh = tank(RADIUS, fill, [12, 16, 19], Part::Odd);
-        compare(&mut rows, "8.3", &mesh, 3.165, "rad/s", 1.0)?;
-    }
-    // Section 4.4: errors of the prototype [%] in modes 1 to 3.
-    let table = [
-        (RADIUS, 5.0, [12, 16, 19], "H/R = 2.7", [0.30, -1.3, -2.8]),
-        (10.0, 3.0, [12, 16, 6], "H/R = 0.3", [1.2, 0.8, 1.6]),
-        (0.096, 0.09, [12, 16, 12], "R = 0.096 m, H = 0.09 m", [0.65, 0.2, 0.6]),
-    ];
-    for (radius, fill, counts, name, errors) in table {
-        let found = frequencies(
-            &tank(radius, fill, counts, Part::Odd),
-            1,
-            default_liquid(radius),
-            &Search::lowest(24),
-            3,
-        )?;
-        for (n, error) in errors.into_iter().enumerate() {
-            let reference = exact(zeros::M1[n], radius, fill, GRAVITY) * (1.0 + 0.01 * error);
-            let what = format!("{name}, m = 1, ω{} with the prototype's error", n + 1);
-            // Half a last digit of the printed percentage: 0.1 % with one decimal.
-            rows.push(PROTOTYPE.row("split-penalty", what, (reference, found[n]), 1e-3, "rad/s"));
-        }
-    }
-    Ok(rows)
-}
-
-/// One frequency beside the exact and the printed one.
-fn compare(
-    rows: &mut Vec<Row>,
-    example: &str,
-    mesh: &Tank,
-    printed: f64,
-    unit: &'static str,
-    divisor: f64,
-) -> Result<(), VerifyError> {
-    let omega = frequencies(mesh, 1, default_liquid(mesh.radius), &Search::lowest(4), 1)?[0] / divisor;
-    let reference = exact(zeros::M1[0], mesh.radius, mesh.fill, GRAVITY) / divisor;
-    let what = format!("H = {} m, first frequency", mesh.fill);
-    // 16 sectors see m = 1.013: at most 1.3 % in a shallow tank, where ω ~ λ; half of that in a deep one.
-    rows.push(POTENTIAL.row(example, what.clone(), (reference, omega), 0.013, unit));
-    rows.push(PRINTED.row(example, what, (printed, omega), f64::INFINITY, unit));
-    Ok(())
-}
 
 /// The first two sloshing frequencies between vertical walls at two places: plane, or axisymmetric if the chart is
 /// cylindrical and the first place is the axis.
-fn strip(
+pub(super) fn strip(
     chart: Chart,
     walls: [f64; 2],
     fill: f64,
     counts: [usize; 2],
     rotation: RotationPart,
-) -> Result<Vec<f64>, VerifyError> {
+) -> Result<Vec<f64>, Failure> {
     let plane = Strip {
         x: uniform(walls[0], walls[1], counts[0])?,
         z: uniform(0.0, fill, counts[1])?,
@@ -267,104 +65,4 @@ fn strip(
     let model = builder.build()?;
     let modes = lowest(&model, &Assembler::new(&model), 6)?;
     (0..2).map(|n| sloshing(&modes, n)).collect()
-}
-
-/// ω_n² = (n π g/L) tanh(n π H/L).
-fn exact_strip(n: f64, length: f64, fill: f64) -> f64 {
-    let k = n * std::f64::consts::PI / length;
-    (GRAVITY * k * (k * fill).tanh()).sqrt()
-}
-
-/// Equation (5.69) (5 × 5 m) and example 8.4 (5.0 × 2.57 m).
-///
-/// Errors: none to be expected.
-pub fn rectangles() -> Result<Vec<Row>, VerifyError> {
-    let exact_page = Page {
-        name: "fluid-rectangle",
-        source: "potential flow, ω² = (nπg/L) tanh(nπH/L)",
-        kind: Reference::ClosedForm,
-    };
-    let printed_page = Page {
-        source: "dissertation, (5.69) and 8.4",
-        kind: Reference::Dissertation,
-        ..exact_page
-    };
-    let prototype = Page {
-        source: PROTOTYPE.source,
-        kind: PROTOTYPE.kind,
-        ..exact_page
-    };
-    let mut rows = Vec::new();
-    for (id, fill, layers, printed) in [("(5.69)", 5.0, 8, [2.5, f64::NAN]), ("8.4", 2.57, 4, [2.39, 3.53])] {
-        let rotation = RotationPart::split(GRAVITY, 2.5);
-        // Nearly square elements.
-        let meshes = [1, 2, 4].map(|f| [8 * f, layers * f]);
-        let found: Vec<Vec<f64>> = meshes
-            .iter()
-            .map(|&m| strip(Chart::Cartesian, [-2.5, 2.5], fill, m, rotation))
-            .collect::<Result<_, _>>()?;
-        for n in 0..2 {
-            let reference = exact_strip((n + 1) as f64, 5.0, fill);
-            let what = format!("5.0 × {fill} m, 32 × {}, ω{}", 4 * layers, n + 1);
-            // The 16 × 8 mesh of 8.4 is 0.09 % off (prototype, table of section 5): a quarter of that, doubled for the
-            // taller one and for the second mode.
-            let mut row = exact_page.row(id, what, (reference, found[2][n]), 1e-3, "rad/s");
-            row.convergence = meshes
-                .iter()
-                .zip(&found)
-                .map(|(m, f)| ((m[0] * m[1]) as f64, f[n] / reference - 1.0))
-                .collect();
-            rows.push(row);
-            if printed[n].is_finite() {
-                let what = format!("5.0 × {fill} m, 16 × {}, ω{}", 2 * layers, n + 1);
-                // Half a last digit of (5.69); 8.4 prints 3.53 for 3.506, which the full rotation part explains.
-                rows.push(printed_page.row(id, what, (printed[n], found[1][n]), f64::INFINITY, "rad/s"));
-            }
-        }
-        let order = ((found[1][0] / exact_strip(1.0, 5.0, fill) - 1.0)
-            / (found[2][0] / exact_strip(1.0, 5.0, fill) - 1.0))
-            .log2();
-        rows.push(exact_page.row(id, "observed order of ω₁", (2.0, order), 0.1, "-"));
-    }
-    // The dissertation's full rotation part at K_rot = 100 on 8 × 8: 2.530 in the prototype.
-    let locked = strip(Chart::Cartesian, [-2.5, 2.5], 5.0, [8, 8], RotationPart::Full(100.0))?[0];
-    rows.push(prototype.row(
-        "(5.69)",
-        "8 × 8, full rotation part, K_rot = 100",
-        (2.530, locked),
-        5e-4,
-        "rad/s",
-    ));
-    let locked = strip(Chart::Cartesian, [-2.5, 2.5], 2.57, [16, 8], RotationPart::Full(100.0))?;
-    for (n, reference) in [2.402, 3.654].into_iter().enumerate() {
-        let what = format!("5.0 × 2.57 m, 16 × 8, full rotation part, K_rot = 100, ω{}", n + 1);
-        rows.push(prototype.row("8.4", what, (reference, locked[n]), 5e-4, "rad/s"));
-    }
-    // Axisymmetric motion of tank 8.1 with the plane element in the cylindrical chart.
-    let meshes = [[8, 6], [16, 12], [32, 24]];
-    let found: Vec<Vec<f64>> = meshes
-        .iter()
-        .map(|&m| {
-            strip(
-                Chart::Cylindrical,
-                [0.0, RADIUS],
-                FILL,
-                m,
-                RotationPart::split(GRAVITY, RADIUS),
-            )
-        })
-        .collect::<Result<_, _>>()?;
-    for n in 0..2 {
-        let reference = exact(zeros::M0[n], RADIUS, FILL, GRAVITY);
-        let what = format!("tank 8.1, 32 × 24 in r and z, m = 0, ω{}", n + 1);
-        // Linear elements: (k h)²/24 with k h = 7.02/32 is 0.2 % in the second mode.
-        let mut row = POTENTIAL.row("F2", what, (reference, found[2][n]), 2e-3, "rad/s");
-        row.convergence = meshes
-            .iter()
-            .zip(&found)
-            .map(|(m, f)| ((m[0] * m[1]) as f64, f[n] / reference - 1.0))
-            .collect();
-        rows.push(row);
-    }
-    Ok(rows)
 }

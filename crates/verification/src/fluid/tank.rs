@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Matrix3;
 
-use crate::VerifyError;
+use crate::Failure;
 use fem::assembly::Assembler;
 use fem::chart::Chart;
 use fem::dofs::Dof;
@@ -14,9 +14,9 @@ use fem::mesh::grading::{geometric, uniform};
 use fem::mesh::{Cylinder, Face, Hexahedron};
 use fem::model::{Builder, Model};
 
-/// Part of the circle that is modelled.
+/// Sector of the circle that is modelled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum Sector {
     /// All of it.
     Whole,
     /// 0 ≤ θ ≤ 90°, motion of cos θ, cos 3θ, … .
@@ -36,8 +36,8 @@ pub(super) struct Tank {
     pub counts: [usize; 3],
     /// Height of the lowest over that of the highest element.
     pub grading: f64,
-    /// Part of the circle.
-    pub part: Part,
+    /// Sector of the circle.
+    pub part: Sector,
 }
 
 /// Model of a tank.
@@ -57,7 +57,7 @@ impl Built {
     ///
     /// The wave number of a mode is the one of greatest amplitude among those of its part, |Σ w u_z cos mθ| along the
     /// edge of the surface with the weights of the trapezoidal rule.
-    pub fn sloshing(&self, m: u32, wanted: &Search) -> Result<Vec<f64>, VerifyError> {
+    pub(crate) fn sloshing(&self, m: u32, wanted: &Search) -> Result<Vec<f64>, Failure> {
         let (list, shapes) = search(&self.model, &self.assembler, wanted)?;
         let amplitude = |x: &[f64], harmonic: u32| {
             let last = self.edge.len() - 1;
@@ -83,13 +83,13 @@ impl Built {
 impl Tank {
     /// The model: bottom u_z = 0, axis and planes of symmetry as the part demands, wall u_r = 0 if `rigid`. The wall's
     /// unknowns are along e_r, e_θ, e_z. A Cartesian chart makes straight-sided cells of the same nodes.
-    pub fn build(
+    pub(crate) fn build(
         &self,
         chart: Chart,
         liquid: LiquidProperties,
         gravity: f64,
         rigid: bool,
-    ) -> Result<Built, VerifyError> {
+    ) -> Result<Built, Failure> {
         let mesh = Cylinder {
             radii: uniform(0.0, self.radius, self.counts[0])?,
             sectors: self.counts[1],
@@ -98,7 +98,7 @@ impl Tank {
         let volume = mesh.volume()?;
         let quarter = std::f64::consts::FRAC_PI_2;
         // The farthest corner decides: 10⁻⁹ rad is far below a sector.
-        let within = |theta: f64| self.part == Part::Whole || theta < quarter + 1e-9;
+        let within = |theta: f64| self.part == Sector::Whole || theta < quarter + 1e-9;
         let mut builder = Builder::new();
         builder.nodes(&volume.nodes);
         let own = |node: usize, place: [f64; 3]| match chart {
@@ -158,7 +158,7 @@ impl Tank {
 
     /// Planes y = 0 (mirror) and x = 0 (mirror for even, antimirror for odd motion).
     fn hold_symmetry(&self, nodes: &[[f64; 3]], wall: &[(usize, f64)], builder: &mut Builder) {
-        if self.part == Part::Whole {
+        if self.part == Sector::Whole {
             return;
         }
         let small = 1e-9 * self.radius;
@@ -173,7 +173,7 @@ impl Tank {
             if p[0].abs() < small && p[1] > -small {
                 let (along_x, along_y) = if framed { (Dof::Uy, Dof::Ux) } else { (Dof::Ux, Dof::Uy) };
                 match self.part {
-                    Part::Odd => {
+                    Sector::Odd => {
                         builder.hold(node, along_y);
                         builder.hold(node, Dof::Uz);
                     }
@@ -194,16 +194,12 @@ pub(super) struct Mode {
 }
 
 /// The lowest modes, proven complete by an inertia count. The stiffness of a group called `surface` is the lift.
-pub(super) fn lowest(model: &Model, assembler: &Assembler, count: usize) -> Result<Vec<Mode>, VerifyError> {
+pub(super) fn lowest(model: &Model, assembler: &Assembler, count: usize) -> Result<Vec<Mode>, Failure> {
     Ok(search(model, assembler, &Search::lowest(count))?.0)
 }
 
 /// Modes of a search with their shapes.
-pub(super) fn search(
-    model: &Model,
-    assembler: &Assembler,
-    search: &Search,
-) -> Result<(Vec<Mode>, Matrix), VerifyError> {
+pub(super) fn search(model: &Model, assembler: &Assembler, search: &Search) -> Result<(Vec<Mode>, Matrix), Failure> {
     let k = assembler.stiffness(model)?;
     let m = assembler.mass(model);
     let surface = model.group("surface");
@@ -226,16 +222,13 @@ pub(super) fn search(
 }
 
 /// The `number`-th sloshing mode (from 0): more than half of its potential energy is lift of the surface.
-pub(super) fn sloshing(modes: &[Mode], number: usize) -> Result<f64, VerifyError> {
+pub(super) fn sloshing(modes: &[Mode], number: usize) -> Result<f64, Failure> {
     modes
         .iter()
         .filter(|m| m.surface > 0.5)
         .nth(number)
         .map(|m| m.omega)
-        .ok_or_else(|| VerifyError::Mode {
-            what: format!("sloshing mode {}", number + 1),
-            found: modes.len(),
-        })
+        .ok_or_else(|| missing(&format!("sloshing mode {}", number + 1), modes.len()))
 }
 
 /// ω of the n-th mode of an upright rigid cylinder: ω² = (g λ/R) tanh(λ H/R), J_m'(λ) = 0.
@@ -246,9 +239,14 @@ pub(super) fn exact(lambda: f64, radius: f64, fill: f64, gravity: f64) -> f64 {
 /// Zeros λ of J_m' (Abramowitz & Stegun 1964, table 9.5).
 pub(super) mod zeros {
     /// m = 0.
-    pub const M0: [f64; 2] = [3.831_705_970_207_512, 7.015_586_669_815_619];
+    pub(crate) const M0: [f64; 2] = [3.831_705_970_207_512, 7.015_586_669_815_619];
     /// m = 1.
-    pub const M1: [f64; 3] = [1.841_183_781_340_659, 5.331_442_773_525_033, 8.536_316_366_346_286];
+    pub(crate) const M1: [f64; 3] = [1.841_183_781_340_659, 5.331_442_773_525_033, 8.536_316_366_346_286];
     /// m = 2.
-    pub const M2: [f64; 1] = [3.054_236_928_227_14];
+    pub(crate) const M2: [f64; 1] = [3.054_236_928_227_14];
+}
+
+/// A mode that is not among those computed.
+pub(super) fn missing(what: &str, found: usize) -> Failure {
+    format!("{what} is not among the {found} modes computed").into()
 }

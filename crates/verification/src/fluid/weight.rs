@@ -8,12 +8,21 @@
 
 use std::sync::Arc;
 
-use super::tank::{Part, Tank};
-use super::{BULK_MODULUS, GRAVITY, Page};
-use crate::{Reference, Row, VerifyError};
+use super::tank::{Sector, Tank};
+use super::{BULK_MODULUS, GRAVITY, Source};
+use crate::{Answer, Benchmark, Failure, Part, Reference};
 use fem::chart::Chart;
 use fem::element::{Inspect, LiquidProperties, RotationPart, VolumePart};
 use fem::linalg::{Kind, Ordering, Symbolic};
+
+/// The page.
+pub(crate) const BENCHMARK: Benchmark = Benchmark {
+    id: "fluid-weight",
+    title: "Cylinder of liquid under its own weight",
+    model: "R = H = 5 m, 8 × 8 × 8 `fluid8` between rigid walls, free surface with its stiffness ρ g.",
+    ids: &[("K3", "pressure and settlement under self-weight")],
+    parts: &[Part::Fast(self_weight)],
+};
 
 const SIZE: f64 = 5.0;
 
@@ -22,7 +31,7 @@ const TANK: Tank = Tank {
     fill: SIZE,
     counts: [8, 8, 8],
     grading: 1.0,
-    part: Part::Whole,
+    part: Sector::Whole,
 };
 
 /// What a solution under self-weight shows.
@@ -36,7 +45,7 @@ struct Settlement {
 }
 
 /// Solves under a weight that is integrated as `load` says.
-fn solve(chart: Chart, volume: VolumePart, load: VolumePart) -> Result<Settlement, VerifyError> {
+fn solve(chart: Chart, volume: VolumePart, load: VolumePart) -> Result<Settlement, Failure> {
     let liquid = |volume| LiquidProperties {
         density: 1.0,
         bulk_modulus: BULK_MODULUS,
@@ -79,9 +88,8 @@ fn solve(chart: Chart, volume: VolumePart, load: VolumePart) -> Result<Settlemen
 /// Tolerance 10⁻⁴ as asked; rounding is far below.
 ///
 /// Errors: none to be expected.
-pub fn self_weight() -> Result<Vec<Row>, VerifyError> {
-    let page = Page {
-        name: "fluid-weight",
+pub(crate) fn self_weight() -> Answer {
+    let against = Source {
         source: "hydrostatics of a compressible column",
         kind: Reference::ClosedForm,
     };
@@ -94,13 +102,13 @@ pub fn self_weight() -> Result<Vec<Row>, VerifyError> {
         ] {
             let s = solve(chart, volume, volume)?;
             let what = |quantity: &str| format!("{coordinates}, {name}: {quantity}");
-            rows.push(page.row("K3", what("pressure/exact"), (1.0, s.pressure), 1e-4, "-"));
-            rows.push(page.row("K3", what("u_h/settlement"), (0.0, s.horizontal), 1e-4, "-"));
-            rows.push(page.row("K3", what("u_z/settlement"), (1.0, s.vertical), 1e-4, "-"));
+            rows.push(against.row("K3", what("pressure/exact"), (1.0, s.pressure), 1e-4, "-"));
+            rows.push(against.row("K3", what("u_h/settlement"), (0.0, s.horizontal), 1e-4, "-"));
+            rows.push(against.row("K3", what("u_z/settlement"), (1.0, s.vertical), 1e-4, "-"));
         }
         let s = solve(chart, VolumePart::OnePoint, VolumePart::MeanDilatation)?;
         let what = format!("{coordinates}, one point, full load (fails): u_z/settlement");
-        rows.push(page.row("K3", what, (1.0, s.vertical), f64::INFINITY, "-"));
+        rows.push(against.row("K3", what, (1.0, s.vertical), f64::INFINITY, "-"));
     }
     Ok(rows)
 }

@@ -5,19 +5,18 @@ use materials::drucker_prager::DruckerPrager;
 use materials::plastic_fracturing::{Parameters, PlasticFracturing};
 
 use super::drive::Point;
-use crate::{Reference, Row, VerifyError};
-
-const PAGE: &str = "materials-concrete";
+use crate::{Answer, Failure, Reference, Row};
 
 /// E [Pa], ν, f_c [Pa].
 const E: f64 = 34e9;
+
 const NU: f64 = 0.2;
+
 const F_C: f64 = 35e6;
 
 fn row(id: &str, what: String, reference: f64, computed: f64, tolerance: f64) -> Row {
     Row {
         id: id.to_owned(),
-        page: PAGE,
         what,
         reference,
         source: "",
@@ -35,7 +34,7 @@ fn row(id: &str, what: String, reference: f64, computed: f64, tolerance: f64) ->
 /// against the curve of Kupfer & Gerstle, which it leaves by up to 5.1 %: shown, not asserted.
 ///
 /// Errors: a law without an answer.
-pub fn drucker_prager() -> Result<Vec<Row>, VerifyError> {
+pub(crate) fn drucker_prager() -> Answer {
     let law = DruckerPrager::new(E, NU, F_C, 1.16 * F_C)?;
     let table = [
         (0.0, 1.0000, 1.0000),
@@ -76,7 +75,7 @@ pub fn drucker_prager() -> Result<Vec<Row>, VerifyError> {
 }
 
 /// −σ_11 at ε_11 = −0.006 with σ_22 = r σ_11 at every step.
-fn plateau(law: &dyn Law<3>, r: f64) -> Result<f64, VerifyError> {
+fn plateau(law: &dyn Law<3>, r: f64) -> Result<f64, Failure> {
     let mut point = Point::new(law);
     let mut stress = 0.0;
     for i in 1..=60 {
@@ -100,7 +99,7 @@ fn plateau(law: &dyn Law<3>, r: f64) -> Result<f64, VerifyError> {
 /// M4: uniaxial compression to ½, 1, 1½ and 2 times the strain at the peak, unloading from each.
 ///
 /// Errors: a law without an answer.
-pub fn plastic_fracturing() -> Result<Vec<Row>, VerifyError> {
+pub(crate) fn plastic_fracturing() -> Answer {
     let (peak, crushing, length) = (2.2e-3, 25e3, 0.1);
     let law = PlasticFracturing::new(&Parameters {
         young_modulus: E,

@@ -5,16 +5,41 @@ use materials::concrete::{
     Compression, CrackedConcrete, CrackedParameters, PostPeak, ShearRetention, Softening, Tension, UniaxialConcrete,
 };
 
+use super::compression::{drucker_prager, plastic_fracturing};
 use super::drive::{Noise, Point};
-use crate::{Reference, Row, VerifyError};
+use crate::{Answer, Benchmark, Failure, Part, Reference, Row};
 
-const PAGE: &str = "materials-concrete";
+/// The page.
+pub(crate) const BENCHMARK: Benchmark = Benchmark {
+    id: "materials-concrete",
+    title: "Stress laws: cracking concrete",
+    model: "One point: E = 34 GPa, ν = 0.2, f_c = 35 MPa, f_t = 3.5 MPa, G_f = 100 N/m on 100 mm; and a bar of 1 \
+            m that localises in one element.",
+    ids: &[
+        ("M3", "Drucker-Prager: biaxial strength"),
+        ("M4", "plastic-fracturing law: stresses, stiffness and residual strains"),
+        ("M5", "cyclic path of cracking concrete"),
+        ("M6", "energy of a bar that localises"),
+        ("M7", "closed strain cycles dissipate"),
+        ("M8", "shear of a crack"),
+        ("M9", "a crack that closes and opens again"),
+    ],
+    parts: &[
+        Part::Fast(drucker_prager),
+        Part::Fast(plastic_fracturing),
+        Part::Fast(concrete),
+    ],
+};
 
 /// E [Pa], ν, f_c, f_t [Pa], G_f [N/m] of the rows, if not said otherwise.
 const E: f64 = 34e9;
+
 const NU: f64 = 0.2;
+
 const F_C: f64 = 35e6;
+
 const F_T: f64 = 3.5e6;
+
 const G_F: f64 = 100.0;
 
 /// A prototype of the law, in another language, as printed in the theory sheet of this project.
@@ -31,14 +56,13 @@ fn tension(size: f64) -> Tension {
     }
 }
 
-fn layer() -> Result<CrackedConcrete, VerifyError> {
+fn layer() -> Result<CrackedConcrete, Failure> {
     Ok(CrackedConcrete::new(&CrackedParameters::new(E, NU, F_C, tension(0.1)))?)
 }
 
 fn row(id: &str, what: String, reference: f64, source: &'static str, kind: Reference, computed: f64) -> Row {
     Row {
         id: id.to_owned(),
-        page: PAGE,
         what,
         reference,
         source,
@@ -54,7 +78,7 @@ fn row(id: &str, what: String, reference: f64, source: &'static str, kind: Refer
 /// and M9 (closing and opening again).
 ///
 /// Errors: a law without an answer.
-pub fn concrete() -> Result<Vec<Row>, VerifyError> {
+pub(crate) fn concrete() -> Answer {
     let mut rows = residual()?;
     rows.extend(path()?);
     rows.extend(bar()?);
@@ -65,7 +89,7 @@ pub fn concrete() -> Result<Vec<Row>, VerifyError> {
 }
 
 /// M4 of fibres: strain that remains after unloading from x ε_c1.
-fn residual() -> Result<Vec<Row>, VerifyError> {
+fn residual() -> Answer {
     let peak_strain = 2.2e-3;
     let law = UniaxialConcrete::new(
         E,
@@ -101,7 +125,7 @@ fn residual() -> Result<Vec<Row>, VerifyError> {
 }
 
 /// M5: uniaxial stress along a path of strains, by the plane law and by the law of fibres.
-fn path() -> Result<Vec<Row>, VerifyError> {
+fn path() -> Answer {
     const STEPS: [(f64, f64, f64); 11] = [
         (1e-4, 3.4, 0.0),
         (3e-4, 1.4171, 0.2583),
@@ -121,7 +145,7 @@ fn path() -> Result<Vec<Row>, VerifyError> {
     Ok(rows)
 }
 
-fn walk<const N: usize>(name: &str, law: &dyn Law<N>, steps: &[(f64, f64, f64)]) -> Result<Vec<Row>, VerifyError> {
+fn walk<const N: usize>(name: &str, law: &dyn Law<N>, steps: &[(f64, f64, f64)]) -> Answer {
     let mut point = Point::new(law);
     let mut rows = Vec::new();
     for (i, &(strain, stress, opening)) in steps.iter().enumerate() {
@@ -163,7 +187,7 @@ fn walk<const N: usize>(name: &str, law: &dyn Law<N>, steps: &[(f64, f64, f64)])
 /// M6: a bar of 1 m, one of its elements cracks, the others unload. Work of the end force by the trapezoidal rule.
 ///
 /// With e_f of h = 0.2 m kept for every mesh the energy is G_f h/(0.2 m): the mistake that the first rows exclude.
-fn bar() -> Result<Vec<Row>, VerifyError> {
+fn bar() -> Answer {
     let right = energies(|size| Softening::Energy {
         fracture_energy: G_F,
         size,
@@ -198,7 +222,7 @@ fn bar() -> Result<Vec<Row>, VerifyError> {
 }
 
 /// Number of elements and work per area [N/m] of the bar: E 30 GPa, f_t 3 MPa.
-fn energies(softening: impl Fn(f64) -> Softening) -> Result<Vec<(f64, f64)>, VerifyError> {
+fn energies(softening: impl Fn(f64) -> Softening) -> Result<Vec<(f64, f64)>, Failure> {
     let (young, strength) = (30e9, 3e6);
     let mut found = Vec::new();
     for elements in [5.0, 10.0, 20.0, 40.0] {
@@ -234,7 +258,7 @@ fn energies(softening: impl Fn(f64) -> Softening) -> Result<Vec<(f64, f64)>, Ver
 }
 
 /// M7: 150 random closed strain cycles of 360 steps.
-fn cycles() -> Result<Vec<Row>, VerifyError> {
+fn cycles() -> Answer {
     let law = layer()?;
     let mut noise = Noise(7);
     let (mut steps, mut cut) = (0.0, 0.0);
@@ -292,7 +316,7 @@ fn cycles() -> Result<Vec<Row>, VerifyError> {
 }
 
 /// M8: tension to 3e-4 without lateral strain, then a shear strain of 5e-4.
-fn shear() -> Result<Vec<Row>, VerifyError> {
+fn shear() -> Answer {
     let slow = ShearRetention {
         least: 0.05,
         strain: 1e-3,
@@ -328,7 +352,7 @@ fn shear() -> Result<Vec<Row>, VerifyError> {
 }
 
 /// M9: opened to a crack strain of about 1e-3, compressed to −30 MPa, opened again.
-fn reopening() -> Result<Vec<Row>, VerifyError> {
+fn reopening() -> Answer {
     let law = layer()?;
     let mut point = Point::new(&law as &dyn Law<3>);
     let mut stress = 0.0;

@@ -17,7 +17,7 @@ pub(super) struct Point<'a, const N: usize> {
 
 impl<'a, const N: usize> Point<'a, N> {
     /// Virgin point.
-    pub fn new(law: &'a dyn Law<N>) -> Self {
+    pub(crate) fn new(law: &'a dyn Law<N>) -> Self {
         let mut committed = vec![0.0; law.history_len()];
         law.init_history(&mut committed);
         Point {
@@ -33,14 +33,14 @@ impl<'a, const N: usize> Point<'a, N> {
     /// Answers at `strain` without committing.
     ///
     /// Errors: no stress found.
-    pub fn answer(&mut self, strain: [f64; N]) -> Result<Response<N>, LawError> {
+    pub(crate) fn answer(&mut self, strain: [f64; N]) -> Result<Response<N>, LawError> {
         self.law.respond(&strain, &self.committed, &mut self.trial)
     }
 
     /// Steps to `strain` and commits.
     ///
     /// Errors: no stress found.
-    pub fn step(&mut self, strain: [f64; N]) -> Result<Response<N>, LawError> {
+    pub(crate) fn step(&mut self, strain: [f64; N]) -> Result<Response<N>, LawError> {
         let response = self.answer(strain)?;
         self.committed.copy_from_slice(&self.trial);
         self.strain = strain;
@@ -52,7 +52,7 @@ impl<'a, const N: usize> Point<'a, N> {
     /// Steps to ε_1 = `axial` under uniaxial stress: all other stresses vanish within 10⁻¹⁰ `strength`.
     ///
     /// Errors: no stress found; other strains not found.
-    pub fn step_uniaxial(&mut self, axial: f64, strength: f64) -> Result<Response<N>, LawError> {
+    pub(crate) fn step_uniaxial(&mut self, axial: f64, strength: f64) -> Result<Response<N>, LawError> {
         let mut strain = self.strain;
         strain[0] = axial;
         for _ in 0..100 {
@@ -76,7 +76,7 @@ impl<'a, const N: usize> Point<'a, N> {
     }
 
     /// What a picture shows.
-    pub fn inspect(&self) -> materials::PointState {
+    pub(crate) fn inspect(&self) -> materials::PointState {
         self.law.inspect(&self.strain, &self.committed)
     }
 }
@@ -86,7 +86,7 @@ pub(super) struct Noise(pub u64);
 
 impl Noise {
     /// The next number.
-    pub fn next(&mut self) -> f64 {
+    pub(crate) fn next(&mut self) -> f64 {
         self.0 = self
             .0
             .wrapping_mul(6_364_136_223_846_793_005)
@@ -95,7 +95,7 @@ impl Noise {
     }
 
     /// The next `N` numbers.
-    pub fn vector<const N: usize>(&mut self) -> [f64; N] {
+    pub(crate) fn vector<const N: usize>(&mut self) -> [f64; N] {
         std::array::from_fn(|_| self.next())
     }
 }

@@ -4,19 +4,32 @@ use materials::Law;
 use materials::von_mises::VonMises;
 
 use super::drive::{Noise, Point};
-use crate::{Reference, Row, VerifyError};
+use crate::{Answer, Benchmark, Failure, Part, Reference, Row};
 
-const PAGE: &str = "materials-steel";
+/// The page.
+pub(crate) const BENCHMARK: Benchmark = Benchmark {
+    id: "materials-steel",
+    title: "Stress laws: steel and Drucker-Prager's cone",
+    model: "One point under strain paths: von Mises in a bar, in plane stress and in the solid; the cone in \
+            plane stress; concrete damaged in compression.",
+    ids: &[
+        ("M1", "von Mises: cycles of uniaxial strain"),
+        ("M2", "von Mises: dissipation and yield surface"),
+    ],
+    parts: &[Part::Fast(steel)],
+};
 
 /// E, f_y and E_T of M1 [Pa].
 const E: f64 = 2.1e11;
+
 const F_Y: f64 = 500e6;
+
 const E_T: f64 = 2.1e9;
 
 /// Rows M1 (uniaxial cycles) and M2 (dissipation, yield surface).
 ///
 /// Errors: a law without an answer.
-pub fn steel() -> Result<Vec<Row>, VerifyError> {
+pub(crate) fn steel() -> Answer {
     let mut rows = cycles()?;
     rows.extend(dissipation()?);
     rows.push(ellipse()?);
@@ -25,7 +38,7 @@ pub fn steel() -> Result<Vec<Row>, VerifyError> {
 
 /// M1: strain .005, −.005, .005, −.01, .01 in 200 steps each, as a bar and under uniaxial stress in the plane and in the
 /// solid. The worst of the three is compared.
-fn cycles() -> Result<Vec<Row>, VerifyError> {
+fn cycles() -> Answer {
     const PEAKS: [f64; 5] = [0.005, -0.005, 0.005, -0.01, 0.01];
     let table = [
         ("kinematic", 1.0, [505.50, -505.50, 505.50, -516.00, 516.00]),
@@ -48,7 +61,6 @@ fn cycles() -> Result<Vec<Row>, VerifyError> {
                 .unwrap_or(f64::NAN);
             rows.push(Row {
                 id: "M1".to_owned(),
-                page: PAGE,
                 what: format!("{name} hardening, strain {peak}, reversal {}", i + 1),
                 reference,
                 source: "bilinear law by hand, E 210 GPa, f_y 500 MPa, E_T 2.1 GPa",
@@ -64,7 +76,7 @@ fn cycles() -> Result<Vec<Row>, VerifyError> {
 }
 
 /// Stress at the reversals of strain.
-fn peaks<const N: usize>(law: &dyn Law<N>, peaks: &[f64]) -> Result<Vec<f64>, VerifyError> {
+fn peaks<const N: usize>(law: &dyn Law<N>, peaks: &[f64]) -> Result<Vec<f64>, Failure> {
     let mut point = Point::new(law);
     let mut answer = Vec::new();
     let mut from = 0.0;
@@ -82,7 +94,7 @@ fn peaks<const N: usize>(law: &dyn Law<N>, peaks: &[f64]) -> Result<Vec<f64>, Ve
 
 /// M2: a hundred random closed cycles of strain in plane stress. No step may give energy back, and the work of the closed
 /// cycle (trapezoidal rule) may not be negative.
-fn dissipation() -> Result<Vec<Row>, VerifyError> {
+fn dissipation() -> Answer {
     let laws = [
         VonMises::new(E, 0.3, F_Y, 0.0, 1.0)?,
         VonMises::new(E, 0.3, F_Y, E_T, 0.5)?,
@@ -118,7 +130,6 @@ fn dissipation() -> Result<Vec<Row>, VerifyError> {
     ]
     .map(|(what, least)| Row {
         id: "M2".to_owned(),
-        page: PAGE,
         what: format!("{what}: its negative part"),
         reference: 0.0,
         source: "second law of thermodynamics",
@@ -132,7 +143,7 @@ fn dissipation() -> Result<Vec<Row>, VerifyError> {
 }
 
 /// M2: ideal plasticity under proportional biaxial strain stays on σ_1² − σ_1 σ_2 + σ_2² = f_y².
-fn ellipse() -> Result<Row, VerifyError> {
+fn ellipse() -> Result<Row, Failure> {
     let law = VonMises::new(E, 0.3, F_Y, 0.0, 1.0)?;
     let mut worst: f64 = 0.0;
     for k in 0..36 {
@@ -148,7 +159,6 @@ fn ellipse() -> Result<Row, VerifyError> {
     }
     Ok(Row {
         id: "M2".to_owned(),
-        page: PAGE,
         what: "distance from the yield ellipse, ideal plasticity, 36 proportional paths to strain 0.02".to_owned(),
         reference: 0.0,
         source: "von Mises' ellipse",

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use materials::von_mises::VonMises;
 use nalgebra::Vector3;
 
-use super::Failure;
 use super::rigid::{DENSITY, GRAVITY, fill, uniform};
+use crate::Failure;
 use fem::assembly::{Assembler, order};
 use fem::chart::Chart;
 use fem::dofs::{Dof, KINDS};

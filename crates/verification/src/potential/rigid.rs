@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::Failure;
+use crate::Failure;
 use fem::assembly::{Assembler, order};
 use fem::chart::Chart;
 use fem::dofs::Dof;
@@ -13,6 +13,7 @@ use fem::model::{Builder, Model};
 
 /// Density ρ [kg/m³].
 pub const DENSITY: f64 = 1000.0;
+
 /// Gravity g [m/s²], of the sheets.
 pub const GRAVITY: f64 = 9.81;
 

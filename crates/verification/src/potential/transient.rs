@@ -2,9 +2,9 @@
 
 use oscillator::sdof;
 
-use super::Failure;
 use super::coupled::{Division, Tank, along_x, with_hexahedra};
 use super::rigid::uniform;
+use crate::Failure;
 use fem::analysis::motion::{Grid, Motion};
 use fem::analysis::observable::Observable;
 use fem::analysis::system::System;
@@ -22,6 +22,7 @@ pub type Compared = (&'static str, Vec<f64>, Vec<f64>);
 ///
 /// Errors: a model without an answer.
 pub fn three_field_and_modal() -> Result<Vec<Compared>, Failure> {
+    // More than 80 lines: one model, two solutions, compared at the end.
     let data = Tank::broad();
     let division = Division {
         sectors: 8,

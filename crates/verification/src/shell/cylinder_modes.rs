@@ -18,7 +18,7 @@ use std::sync::Arc;
 use nalgebra::{Matrix3, RowVector3, Vector3};
 
 use super::{Answer, Case, Grid, hold};
-use crate::{Reference, Row};
+use crate::{Benchmark, Part, Reference};
 use fem::assembly::Assembler;
 use fem::dofs::Dof;
 use fem::element::shell::section::{ElasticSection, Section};
@@ -27,12 +27,30 @@ use fem::element::shell4::Axes;
 use fem::linalg::generalized_eigen;
 use fem::model::Builder;
 
+/// The page.
+pub(crate) const BENCHMARK: Benchmark = Benchmark {
+    id: "shell-cylinder-modes",
+    title: "Shell: modes of a cylinder",
+    model: "Simply supported cylinder, R = 1 m, L = 2 m, t = 10 mm, steel; the lowest frequency by waves around.",
+    ids: &[(
+        "shell-modes",
+        "lowest frequencies of a simply supported cylinder by waves around",
+    )],
+    parts: &[Part::Fast(|| cylinder_modes(&[4, 8, 12, 16]))],
+};
+
 const RADIUS: f64 = 1.0;
+
 const LENGTH: f64 = 2.0;
+
 const THICKNESS: f64 = 0.01;
+
 const YOUNG: f64 = 200e9;
+
 const POISSON: f64 = 0.3;
+
 const DENSITY: f64 = 7850.0;
+
 /// Waves in the sector of the model.
 const WAVES: usize = 5;
 
@@ -96,10 +114,9 @@ fn lowest(n: usize) -> Answer<f64> {
 }
 
 /// Lowest frequency with 5 k waves round the circumference, symmetric to the middle.
-pub(super) fn cylinder_modes(meshes: &[usize]) -> Answer<Vec<Row>> {
+pub(super) fn cylinder_modes(meshes: &[usize]) -> Answer {
     let case = Case {
         id: "shell-modes",
-        page: "shell-cylinder-modes",
         source: "Sanders 1959, Leissa 1973: shear diaphragms, closed form",
         unit: "Hz",
     };

@@ -15,7 +15,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// One piece of wall of one thickness and one linear pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Piece {
+pub(crate) struct Piece {
     /// Its upper end [m] above the bottom.
     pub top: f64,
     /// Thickness t [m].
@@ -26,7 +26,7 @@ pub struct Piece {
 
 /// A wall.
 #[derive(Clone, Debug, PartialEq)]
-pub struct CylinderWall {
+pub(crate) struct CylinderWall {
     /// Radius R [m].
     pub radius: f64,
     /// Young's modulus E [Pa].
@@ -39,14 +39,14 @@ pub struct CylinderWall {
 
 /// Solution of a [`CylinderWall`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct WallSolution {
+pub(crate) struct WallSolution {
     wall: CylinderWall,
     coefficients: Vec<[f64; 4]>,
 }
 
 /// Values at one height.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WallPoint {
+pub(crate) struct WallPoint {
     /// w [m], outwards.
     pub w: f64,
     /// w'.
@@ -109,7 +109,7 @@ impl CylinderWall {
     }
 
     /// Solves for the coefficients; `None` if there is no piece or the heights do not ascend.
-    pub fn solve(self) -> Option<WallSolution> {
+    pub(crate) fn solve(self) -> Option<WallSolution> {
         let n = self.pieces.len();
         if n == 0 || (0..n).any(|i| self.pieces[i].top <= self.bottom(i)) {
             return None;
@@ -157,7 +157,7 @@ impl CylinderWall {
 
 impl WallSolution {
     /// Values at height z [m]; at a step those of the piece above.
-    pub fn at(&self, z: f64) -> WallPoint {
+    pub(crate) fn at(&self, z: f64) -> WallPoint {
         let last = self.wall.pieces.len() - 1;
         let piece = self.wall.pieces.iter().position(|p| z < p.top).unwrap_or(last);
         let t = self.wall.pieces[piece].thickness;
@@ -176,7 +176,7 @@ impl WallSolution {
     }
 
     /// Height and value of the largest `quantity` in [0, `to`], to 10⁻⁵ of the height.
-    pub fn largest(&self, to: f64, quantity: impl Fn(&WallPoint) -> f64) -> (f64, f64) {
+    pub(crate) fn largest(&self, to: f64, quantity: impl Fn(&WallPoint) -> f64) -> (f64, f64) {
         (0..=100_000)
             .map(|i| to * f64::from(i) / 1e5)
             .map(|z| (z, quantity(&self.at(z))))

@@ -5,13 +5,24 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 
 use super::{Answer, Case};
-use crate::{Reference, Row};
+use crate::{Benchmark, Part, Reference};
 use fem::element::shell::section::ElasticSection;
 use fem::element::shell::surface::rotation_frame;
 use fem::element::shell4::{Axes, SIZE, Shell4, rigid_motion};
 use fem::element::{Element, Motion, Response, Want, reference_stiffness};
 
+/// The page.
+pub(crate) const BENCHMARK: Benchmark = Benchmark {
+    id: "shell-element",
+    title: "Shell: one element",
+    model: "One distorted `shell4`: zero energies, finite rigid rotations, tangent against differences of the \
+            force.",
+    ids: &[("S1", "zero energies, rigid rotations, tangent of one element")],
+    parts: &[Part::Fast(element)],
+};
+
 const FLAT: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [1.2, 0.1, 0.0], [1.0, 0.9, 0.0], [-0.1, 1.1, 0.0]];
+
 const WARPED: [[f64; 3]; 4] = [[0.0, 0.0, 0.1], [1.2, 0.1, -0.1], [1.0, 0.9, 0.2], [-0.1, 1.1, -0.05]];
 
 fn shell(x: [[f64; 3]; 4], tilt: f64, drilling: bool) -> Answer<(Shell4, [Vector3<f64>; 4])> {
@@ -94,10 +105,9 @@ fn tangent_error(drilling: bool) -> Answer<f64> {
 }
 
 /// S1.
-pub(super) fn element() -> Answer<Vec<Row>> {
+pub(super) fn element() -> Answer {
     let case = Case {
         id: "S1",
-        page: "shell-element",
         source: "rigid bodies have six motions; a tangent is a derivative",
         unit: "-",
     };

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use super::{Answer, ShellVerifyError};
+use super::{Answer, Case};
+use crate::{Failure, Reference, Row};
 use fem::analysis::continuation::{Continuation, StepLength};
 use fem::analysis::newton::{Criteria, Newton, load_path};
 use fem::assembly::{Assembler, order};
@@ -86,10 +87,7 @@ impl Problem {
         let path = load_path(&mut newton, state, &none, &self.load, steps, &Silent, each)?;
         match path.failure {
             None => Ok((path.steps.len(), path.steps.iter().map(|s| s.1).sum())),
-            Some(failure) => Err(ShellVerifyError::Path {
-                reached: path.factor,
-                why: failure.to_string(),
-            }),
+            Some(failure) => Err(ended(path.factor, &failure)),
         }
     }
 
@@ -121,10 +119,60 @@ impl Problem {
         )?;
         match followed.failure {
             None => Ok((factors, followed.points.iter().map(|p| p.iterations).sum())),
-            Some(failure) => Err(ShellVerifyError::Path {
-                reached: factors.len() as f64 / targets.len() as f64,
-                why: failure.to_string(),
-            }),
+            Some(failure) => Err(ended(factors.len() as f64 / targets.len() as f64, &failure)),
         }
     }
+}
+
+const SZE: &str = "Sze, Liu & Lo 2004";
+
+const PROTOTYPE: &str = "independent prototype of the same formulation on the same mesh";
+
+pub(super) fn case(id: &'static str) -> Case {
+    Case {
+        id,
+        source: SZE,
+        unit: "length",
+    }
+}
+
+/// A row against the prototype.
+pub(super) fn prototype(case: &Case, what: impl Into<String>, reference: f64, value: f64, tolerance: f64) -> Row {
+    let mut row = case.row(what, Reference::SecondFormulation, reference, value, tolerance);
+    row.source = PROTOTYPE;
+    row
+}
+
+/// Iterations with extrapolated stresses and with the plain tangent: (steps, iterations) measured, and by the prototype.
+///
+/// Shown, not asserted: the prototype stops by another criterion of forces, and where a step had to be halved the steps differ.
+pub(super) fn iterations(
+    case: &Case,
+    found: (usize, usize),
+    plain: Option<(usize, usize)>,
+    expected: (usize, usize),
+) -> Vec<Row> {
+    let mut rows = vec![prototype(
+        case,
+        format!("iterations, extrapolated stresses, {} steps", found.0),
+        expected.0 as f64,
+        found.1 as f64,
+        f64::INFINITY,
+    )];
+    if let Some((steps, count)) = plain {
+        rows.push(prototype(
+            case,
+            format!("iterations, plain tangent, {steps} steps"),
+            expected.1 as f64,
+            count as f64,
+            f64::INFINITY,
+        ));
+    }
+    rows.iter_mut().for_each(|r| r.unit = "iterations");
+    rows
+}
+
+/// A path that ended early, at a part of its length.
+pub(super) fn ended(reached: f64, why: &dyn std::fmt::Display) -> Failure {
+    format!("the path ends at {reached:.3} of its length: {why}").into()
 }

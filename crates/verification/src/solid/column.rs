@@ -6,7 +6,8 @@
 //! Reference: force on the wall γ b H²/2; penetration at the foot near γ H/k_n
 //! Tolerance: see the rows; the liquid's pressure is constant in an element, γ (H − z) at its centre
 
-use super::{Failure, Reference, Row, row, solve};
+use super::{row, solve};
+use crate::{Answer, Failure, Reference};
 use fem::assembly::Assembler;
 use fem::chart::Chart;
 use fem::dofs::Dof;
@@ -16,15 +17,22 @@ use fem::element::{Fluid8, FreeSurface, LiquidProperties};
 use fem::mesh::{Face, Hexahedron};
 use fem::model::{Builder, Model};
 
-const PAGE: &str = "contact-joint";
 const LENGTH: f64 = 1.0;
+
 const BREADTH: f64 = 0.5;
+
 const DEPTH: f64 = 2.0;
+
 const THICKNESS: f64 = 0.2;
+
 const GRAVITY: f64 = 9.81;
+
 const DENSITY: f64 = 1000.0;
+
 const BULK: f64 = 2.06e9;
+
 const MODULUS: f64 = 3e10;
+
 const CELLS: [usize; 2] = [4, 8];
 
 pub(super) struct Column {
@@ -41,6 +49,7 @@ pub(super) struct Column {
 impl Column {
     /// k_n = `factor` K/h with h the length of a liquid cell.
     pub(super) fn new(factor: f64) -> Result<Column, Failure> {
+        // More than 80 lines: assembles one system block by block.
         let [nx, nz] = CELLS;
         let mut builder = Builder::new();
         let place = |i: usize, k: usize| [LENGTH * i as f64 / nx as f64, DEPTH * k as f64 / nz as f64];
@@ -179,11 +188,10 @@ impl Column {
 }
 
 /// The liquid's thrust reaches the wall, whatever the penalty.
-pub(super) fn rows() -> Result<Vec<Row>, Failure> {
+pub(super) fn rows() -> Answer {
     let [force, ..] = Column::new(100.0)?.lean()?;
     Ok(vec![row(
         "C7",
-        PAGE,
         "liquid column against a wall: thrust over γ b H²/2",
         (1.0, "hydrostatics", Reference::ClosedForm),
         force,

@@ -17,7 +17,8 @@
 use std::sync::Arc;
 
 use super::cantilever::{AXIAL, Cantilever, DEPTH, LENGTH, MODULUS, TRANSVERSE, inertia, symbolic};
-use super::{Failure, Reference, Row, row};
+use super::row;
+use crate::{Answer, Benchmark, Failure, Part, Reference};
 use fem::analysis::damping::Rayleigh;
 use fem::analysis::newton::{Criteria, Newton, load_path};
 use fem::assembly::Assembler;
@@ -33,7 +34,15 @@ use fem::model::{Builder, Model};
 use fem::progress::Silent;
 use fem::state::State;
 
-const PAGE: &str = "elastica";
+/// The page.
+pub(crate) const BENCHMARK: Benchmark = Benchmark {
+    id: "elastica",
+    title: "Large deflections of a cantilever with axial force",
+    model: "Dissertation 6.4.1, figure 6.5: bricks and shells under dead loads λ (P_v, P_h); reference: \
+            Reissner's extensible, shear-flexible elastica by shooting.",
+    ids: &[("C5", "large deflections with axial force, bricks and shells")],
+    parts: &[Part::Fast(|| rows(&[100, 200, 400]))],
+};
 
 /// Tip displacements (u, w) [m] of the elastica under λ times the loads, for ascending λ; `sign` 1 for tension, −1 for
 /// compression.
@@ -183,6 +192,7 @@ fn of_shells(elements: usize, sign: f64, factors: &[f64]) -> Result<Vec<[f64; 2]
 
 /// Values of the theory sheet: (λ, u, w).
 type Table = &'static [(f64, f64, f64)];
+
 /// Elastica in tension.
 const TENSION: Table = &[
     (0.5, -0.000052, 0.027203),
@@ -193,6 +203,7 @@ const TENSION: Table = &[
     (8.0, -0.003122, 0.149305),
     (10.0, -0.003288, 0.159314),
 ];
+
 /// Elastica in compression.
 const COMPRESSION: Table = &[
     (0.5, -0.000451, 0.036803),
@@ -204,8 +215,10 @@ const COMPRESSION: Table = &[
     (3.5, -0.675481, 1.51168),
     (4.0, -1.066747, 1.78519),
 ];
+
 /// Bricks of the prototype: number, sign of P_h, (λ, w).
 type Prototype = (usize, f64, [(f64, f64); 3]);
+
 const PROTOTYPE: [Prototype; 4] = [
     (200, 1.0, [(1.0, 0.047841), (4.0, 0.113885), (10.0, 0.158833)]),
     (200, -1.0, [(1.0, 0.088417), (2.0, 0.303845), (3.0, 1.031816)]),
@@ -216,7 +229,7 @@ const PROTOTYPE: [Prototype; 4] = [
 /// C5 with rows of `meshes` bricks; the finest is compared with the elastica, at 0.4 % from 400 bricks on.
 ///
 /// Errors: a path without equilibrium.
-pub(super) fn rows(meshes: &[usize]) -> Result<Vec<Row>, Failure> {
+pub(super) fn rows(meshes: &[usize]) -> Answer {
     let mut rows = Vec::new();
     for (sign, name, table) in [(1.0, "tension", TENSION), (-1.0, "compression", COMPRESSION)] {
         let factors: Vec<f64> = table.iter().map(|t| t.0).collect();
@@ -227,7 +240,6 @@ pub(super) fn rows(meshes: &[usize]) -> Result<Vec<Row>, Failure> {
             for (k, (sheet, quantity)) in [(u, "u"), (w, "w")].into_iter().enumerate() {
                 rows.push(row(
                     "C5",
-                    PAGE,
                     format!("elastica, {name}, λ = {factor}: {quantity}"),
                     (sheet, "independent shooting solution", Reference::SecondFormulation),
                     exact[i][k],
@@ -237,7 +249,6 @@ pub(super) fn rows(meshes: &[usize]) -> Result<Vec<Row>, Failure> {
             }
             rows.push(row(
                 "C5",
-                PAGE,
                 format!("40 shells, {name}, λ = {factor}: w"),
                 (exact[i][1], shot, Reference::ClosedForm),
                 shells[i][1],
@@ -260,7 +271,6 @@ pub(super) fn rows(meshes: &[usize]) -> Result<Vec<Row>, Failure> {
                 if let Some(sheet) = sheet {
                     rows.push(row(
                         "C5",
-                        PAGE,
                         format!("{bricks} bricks, {name}, λ = {factor}: w"),
                         (
                             sheet,
@@ -275,7 +285,6 @@ pub(super) fn rows(meshes: &[usize]) -> Result<Vec<Row>, Failure> {
             if let Some((bricks, values)) = found.last() {
                 let mut row = row(
                     "C5",
-                    PAGE,
                     format!("{bricks} bricks, {name}, λ = {factor}: w against the elastica"),
                     (
                         at[i][1],
@@ -301,6 +310,7 @@ pub(super) fn rows(meshes: &[usize]) -> Result<Vec<Row>, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Row;
 
     fn check(rows: Vec<Row>) {
         let mut failed = 0;

@@ -8,7 +8,8 @@
 
 use nalgebra::UnitQuaternion;
 
-use super::{Failure, Reference, Row, row, solve};
+use super::{column, opening, row, solve};
+use crate::{Answer, Benchmark, Failure, Part, Reference};
 use fem::assembly::{Assembler, local_values};
 use fem::chart::Chart;
 use fem::dofs::Dof;
@@ -19,12 +20,24 @@ use fem::mesh::Face;
 use fem::model::{Builder, Model};
 use fem::shape::quad4;
 
-const PAGE: &str = "contact-joint";
+/// The page.
+pub(crate) const BENCHMARK: Benchmark = Benchmark {
+    id: "contact-joint",
+    title: "Joint between two bodies",
+    model: "`contact8`: integrals over a partly closed face of 2 × 2 m; two blocks of bricks pressed by 1 MPa.",
+    ids: &[("C7", "joint partly closed, blocks pressed together, joint that opens")],
+    parts: &[Part::Fast(rows), Part::Fast(opening::rows), Part::Fast(column::rows)],
+};
+
 /// Young's modulus [Pa], Poisson's ratio, pressure [Pa], height of a block [m].
 const MODULUS: f64 = 3e10;
+
 const POISSON: f64 = 0.2;
+
 const PRESSURE: f64 = 1e6;
+
 const HEIGHT: f64 = 0.5;
+
 const UP: [[f64; 3]; 4] = [[0.0, 0.0, 1.0]; 4];
 
 /// Forces on the top nodes, per k_n, of a joint on the square that transmits no tension.
@@ -160,13 +173,12 @@ impl Blocks {
 }
 
 /// C7.
-pub(super) fn rows() -> Result<Vec<Row>, Failure> {
+pub(super) fn rows() -> Answer {
     let mut rows = Vec::new();
     let found = half_closed([-1.0, 1.0, 1.0, -1.0])?;
     for (a, exact) in [-5.0, -1.0, -1.0, -5.0].into_iter().enumerate() {
         rows.push(row(
             "C7",
-            PAGE,
             format!("force per k_n at corner {} of the half-closed square", a + 1),
             (exact / 12.0, "∫ N_a x dA over x < 0, by hand", Reference::ClosedForm),
             found[a],
@@ -176,7 +188,6 @@ pub(super) fn rows() -> Result<Vec<Row>, Failure> {
     for (what, gap, exact) in [("closed", -1.0, -1.0), ("open", 1.0, 0.0)] {
         rows.push(row(
             "C7",
-            PAGE,
             format!("force per k_n at a corner, uniformly {what}"),
             (exact, "a quarter of the area, by hand", Reference::ClosedForm),
             half_closed([gap; 4])?[0],
@@ -186,7 +197,6 @@ pub(super) fn rows() -> Result<Vec<Row>, Failure> {
     let (worst, shortening) = Blocks::new(1e3)?.press()?;
     rows.push(row(
         "C7",
-        PAGE,
         "two blocks pressed together: deviation of the joint's pressure",
         (0.0, "uniform pressure", Reference::ClosedForm),
         worst,
@@ -195,7 +205,6 @@ pub(super) fn rows() -> Result<Vec<Row>, Failure> {
     // The joint adds p/k_n to 2 p h/E: a share of 1/(2 k_n h/E).
     rows.push(row(
         "C7",
-        PAGE,
         "two blocks pressed together: shortening over that without joint",
         (1.0 + 0.5e-3, "1 + E/(2 k_n h)", Reference::ClosedForm),
         shortening,

@@ -11,21 +11,29 @@
 use std::sync::Arc;
 
 use super::wall::{CONCRETE, DEPTH, HEIGHT, LAYER, LINER, Shear, TwoBeams, beams, pressure};
-use super::{Failure, Reference, Row, row, solve};
+use super::{row, solve};
+use crate::{Answer, Benchmark, Failure, Part, Reference, Row};
 use fem::assembly::Assembler;
 use fem::dofs::Dof;
-use fem::element::ElementError;
-use fem::element::interlayer;
 use fem::element::shell::load::NodalLoads;
 use fem::element::shell::section::{ElasticSection, Section, SectionResponse};
 use fem::element::shell4::MassKind;
 use fem::element::solid8::{Elastic, Kinematics};
 use fem::element::wall::place::{Build, Footprint, Leaf, PlacedWall, WallMesh};
 use fem::element::wall::{Layer, LayerMass};
+use fem::element::{ElementError, interlayer};
 use fem::mesh::grading;
 use fem::model::{Builder, Model};
 
-const PAGE: &str = "macro-wall";
+/// The page.
+pub(crate) const BENCHMARK: Benchmark = Benchmark {
+    id: "macro-wall",
+    title: "Wall of two shells and a layer",
+    model: "Strip one element wide: the wall of example 8.4 by its exact statics, sandwich beams, rigid \
+            rotations.",
+    ids: &[("C9", "wall of two shells and a layer")],
+    parts: &[Part::Fast(rows)],
+};
 
 /// An elastic section whose shear stiffness is multiplied: a shell after Kirchhoff, to be compared with Bernoulli's beams.
 /// A hundred times leaves 1e-4 of the shear deflection of the concrete (1 %) and 2e-3 of the moment at the liner's edge;
@@ -152,10 +160,11 @@ const NAMES: [&str; 3] = [
     "base moment of the liner",
     "compression of the layer",
 ];
+
 const UNITS: [&str; 3] = ["kNm/m", "kNm/m", "m"];
 
 /// C9 with shells.
-fn layered_wall() -> Result<Vec<Row>, Failure> {
+fn layered_wall() -> Answer {
     let mut rows = Vec::new();
     let counts = [40, 80, 160];
     for e_normal in [3e6, 3e4, 3e2] {
@@ -188,7 +197,6 @@ fn layered_wall() -> Result<Vec<Row>, Failure> {
             for k in 0..3 {
                 let mut row = row(
                     "C9",
-                    PAGE,
                     format!("{}, {what}, e_normal {e_normal:.0e} kN/m²", NAMES[k]),
                     (reference[k], source, kind),
                     found[2][k],
@@ -205,7 +213,9 @@ fn layered_wall() -> Result<Vec<Row>, Failure> {
 
 /// Faces E, t; core c; length [N, m].
 const FACE: [f64; 3] = [70e9, 0.0, 0.002];
+
 const CORE: f64 = 0.05;
+
 const SPAN: f64 = 1.0;
 
 /// Largest pressure [Pa].
@@ -235,7 +245,7 @@ fn sandwich(material: Elastic, elements: usize) -> Result<f64, Failure> {
 }
 
 /// Composite action against the closed form of the sandwich, from no bond to a stiff one.
-fn composite() -> Result<Vec<Row>, Failure> {
+fn composite() -> Answer {
     let [e, _, t] = FACE;
     let (k, d) = (std::f64::consts::PI / SPAN, CORE + t);
     let (own, together) = (e * t.powi(3) / 6.0, 0.5 * e * t * d * d);
@@ -271,7 +281,6 @@ fn composite() -> Result<Vec<Row>, Failure> {
         let source = "q/W = k⁴ [D_f + D_0/(1 + D_0 k²/S)], Plantema 1966, Allen 1969";
         let mut row = row(
             "C9",
-            PAGE,
             format!("{what}: deflection of the middle"),
             (exact, source, Reference::ClosedForm),
             last,
@@ -319,7 +328,6 @@ fn ring() -> Result<Row, Failure> {
     let source = "p R_I = w (E_I t_I/R_I + E_O t_O/R_O)";
     let mut row = row(
         "C9",
-        PAGE,
         "cylinder of liner, stiff layer and wall under pressure: radial displacement",
         (exact, source, Reference::ClosedForm),
         last,
@@ -331,7 +339,7 @@ fn ring() -> Result<Row, Failure> {
 }
 
 /// Rows of the wall element.
-pub(super) fn rows() -> Result<Vec<Row>, Failure> {
+pub(super) fn rows() -> Answer {
     let mut rows = layered_wall()?;
     rows.extend(composite()?);
     rows.push(ring()?);

@@ -9,7 +9,8 @@
 
 use std::sync::Arc;
 
-use super::{Failure, Reference, Row, row};
+use super::row;
+use crate::{Answer, Failure, Reference};
 use fem::analysis::contact::{ContactReport, ContactSettings, settle};
 use fem::assembly::Assembler;
 use fem::chart::Chart;
@@ -22,12 +23,16 @@ use fem::mesh::Face;
 use fem::model::{Builder, Model};
 use fem::state::State;
 
-const PAGE: &str = "contact-joint";
 const BREADTH: f64 = 1.0;
+
 const LENGTH: f64 = 0.5;
+
 const HEIGHT: f64 = 1.0;
+
 const CELLS: usize = 4;
+
 const PENALTY: f64 = 1e6;
+
 /// Force [N].
 const FORCE: f64 = 1e3;
 
@@ -151,7 +156,7 @@ fn shares() -> Vec<f64> {
 }
 
 /// C7 with joints that open.
-pub(super) fn rows() -> Result<Vec<Row>, Failure> {
+pub(super) fn rows() -> Answer {
     let mut rows = Vec::new();
     let closed = |formula| (formula, Reference::ClosedForm);
     let stiff = 3e5 * PENALTY;
@@ -188,7 +193,6 @@ pub(super) fn rows() -> Result<Vec<Row>, Failure> {
         ] {
             rows.push(row(
                 "C7",
-                PAGE,
                 format!("stiff block, force at e = {eccentricity:.3} b: {what}"),
                 (exact, source, kind),
                 found,
@@ -204,7 +208,6 @@ pub(super) fn rows() -> Result<Vec<Row>, Failure> {
     let worst = |g: &[f64], exact: f64| g.iter().map(|g| (g / exact - 1.0).abs()).fold(0.0, f64::max);
     rows.push(row(
         "C7",
-        PAGE,
         "block pressed on a joint that may open: deviation of the penetration",
         (0.0, "uniform pressure", Reference::ClosedForm),
         worst(&block.gaps(), -FORCE / area / PENALTY),
@@ -214,7 +217,6 @@ pub(super) fn rows() -> Result<Vec<Row>, Failure> {
     let report = block.load(1e-3 * FORCE, 0.0, 0)?;
     rows.push(row(
         "C7",
-        PAGE,
         "the same lifted: deviation of the gap from F/(r k_n A)",
         (0.0, "residual stiffness", Reference::ClosedForm),
         worst(&block.gaps(), 1e-3 * FORCE / area / (1e-6 * PENALTY)),
@@ -222,7 +224,6 @@ pub(super) fn rows() -> Result<Vec<Row>, Failure> {
     ));
     rows.push(row(
         "C7",
-        PAGE,
         "the same lifted: corners still closed",
         (0.0, "all open", Reference::ClosedForm),
         report.closed as f64,
@@ -233,7 +234,7 @@ pub(super) fn rows() -> Result<Vec<Row>, Failure> {
 }
 
 /// Penetration after 0 … 3 updates of the multipliers.
-fn augmented() -> Result<Vec<Row>, Failure> {
+fn augmented() -> Answer {
     let area = BREADTH * LENGTH;
     let modulus = 1e8;
     let (block, bed) = (modulus * area / HEIGHT, PENALTY * area);
@@ -246,7 +247,6 @@ fn augmented() -> Result<Vec<Row>, Failure> {
         let force = (FORCE + spring * multiplier / bed) / (1.0 + spring / block + spring / bed);
         rows.push(row(
             "C7",
-            PAGE,
             format!("block between joint and springs: penetration after {pass} updates of the multiplier"),
             (
                 (force - multiplier) / bed,

@@ -10,7 +10,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{Failure, Reference, Row, row, solve};
+use super::{row, solve};
+use crate::{Answer, Benchmark, Failure, Part, Reference};
 use fem::assembly::Assembler;
 use fem::dofs::{Dof, KINDS};
 use fem::element::beam2::{Beam2, BeamSection};
@@ -20,16 +21,35 @@ use fem::mesh::grading;
 use fem::model::{Builder, Model};
 use fem::shape::{gauss, line};
 
-const PAGE: &str = "layered-wall";
+/// The page.
+pub(crate) const BENCHMARK: Benchmark = Benchmark {
+    id: "layered-wall",
+    title: "Layered wall of example 8.4",
+    model: "Concrete 0.30 m, layer 0.05 m, liner 6 mm; 3.00 m high, 2.57 m of liquid of 10 kN/m³, strip of 1 m \
+            in plane strain; beams with `solid8` of stiffness along its normal between them.",
+    ids: &[
+        ("C9", "concrete, layer and liner under the liquid"),
+        ("C10", "concrete wall alone under the liquid and its weight"),
+    ],
+    parts: &[Part::Fast(layered), Part::Fast(alone)],
+};
+
 pub(super) const HEIGHT: f64 = 3.0;
+
 pub(super) const DEPTH: f64 = 2.57;
+
 const GAMMA: f64 = 10.0;
+
 pub(super) const LAYER: f64 = 0.05;
+
 /// Half of the tank's breadth.
 const HALF: f64 = 2.5;
+
 /// E, ν, thickness, weight.
 pub(super) const CONCRETE: [f64; 4] = [3.4e7, 0.2, 0.3, 25.0];
+
 pub(super) const LINER: [f64; 4] = [2.1e8, 0.3, 0.006, 78.5];
+
 const GRAVITY: f64 = 9.81;
 
 /// Plane-strain E I of a strip of unit depth.
@@ -288,7 +308,7 @@ pub(super) fn beams(e_normal: f64, count: usize, shear: Shear) -> Result<[f64; 3
 }
 
 /// C9.
-pub(super) fn layered() -> Result<Vec<Row>, Failure> {
+pub(super) fn layered() -> Answer {
     let mut rows = Vec::new();
     for e_normal in [3e9, 3e6, 3e5, 3e4, 3e3, 3e2] {
         let exact = TwoBeams::new(e_normal)?;
@@ -310,7 +330,6 @@ pub(super) fn layered() -> Result<Vec<Row>, Failure> {
             let (values, reference) = found[counts.len() - 1];
             let mut row = row(
                 "C9",
-                PAGE,
                 format!("{}, e_normal {e_normal:.0e} kN/m²", names[k]),
                 (reference[k], "two Bernoulli beams on a layer", Reference::ClosedForm),
                 values[k],
@@ -329,7 +348,7 @@ pub(super) fn layered() -> Result<Vec<Row>, Failure> {
 
 /// C10. Beams are exact at their nodes under consistent loads, whatever the mesh; the settlement needs ∫ w dz, by the
 /// trapezoidal rule with its end correction.
-pub(super) fn alone() -> Result<Vec<Row>, Failure> {
+pub(super) fn alone() -> Answer {
     let strip = Strip::new(&[(0.0, CONCRETE)], 1.0, levels(20)?, Shear::Stiff)?;
     let (u, reactions) = strip.solve(true)?;
     let ei = bending(CONCRETE);
@@ -388,7 +407,7 @@ pub(super) fn alone() -> Result<Vec<Row>, Failure> {
     let rows = rows
         .into_iter()
         .map(|(what, exact, (source, kind), found, tolerance, unit)| {
-            row("C10", PAGE, what, (exact, source, kind), found, (tolerance, unit))
+            row("C10", what, (exact, source, kind), found, (tolerance, unit))
         });
     Ok(rows.collect())
 }

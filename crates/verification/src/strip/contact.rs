@@ -13,7 +13,7 @@ use oscillator::record::Record;
 
 use super::{elastic_section, row, tank};
 use crate::moreau::{Joint, Jointed, Opening};
-use crate::{Reference, Row};
+use crate::{Answer, Reference};
 use fem::analysis::damping::Rayleigh;
 use fem::analysis::newton::Options;
 use fem::analysis::scheme::TimeScheme;
@@ -22,12 +22,13 @@ use fem::linalg::Matrix;
 use fem::progress::Silent;
 use fem::strip::{Contact, Scalar, Side, StripDamping, StripError, StripModel, StripQuake, WallHistory};
 
-const PAGE: &str = "liquid-separation";
 /// Step [s].
 const STEP: f64 = 1.25e-3;
+
 /// Time after the first opening in which two solvers are compared [s]: a difference grows at every touch, from the last digit to
 /// per cents in a second of hard impacts.
 const TOUCHES: f64 = 0.1;
+
 /// k_n [N/m³] of the comparison with trials of sets, which cycle for ever on stiffer joints.
 const SOFT: f64 = 1e9;
 
@@ -158,11 +159,12 @@ fn by_moreau(model: &StripModel, case: Case<'_>) -> Result<[Vec<f64>; 3], StripE
 /// Rows of C8 in the march, for `record` (El Centro; 0.348 g at `scale` 1) up to the time `until` [s].
 ///
 /// Errors: those of the models.
-pub fn contact(record: &Record, until: f64) -> Result<Vec<Row>, StripError> {
+pub(crate) fn contact(record: &Record, until: f64) -> Answer {
+    // More than 80 lines: variants of one run, each with its rows and the reason of its tolerance.
     let mut rows = Vec::new();
     let own = |what: String, reference: (f64, &'static str), computed, (tolerance, unit)| {
         let reference = (reference.0, reference.1, Reference::SecondFormulation);
-        row("C8", PAGE, what, reference, computed, (tolerance, unit))
+        row("C8", what, reference, computed, (tolerance, unit))
     };
     let joined = |opens, penalty| model(Contact::Joined { opens, penalty });
     let tight = model(Contact::Bonded)?;

@@ -11,16 +11,6 @@
 //! Rows with a record take it as an argument: the version that the dissertation describes (0.348 g) may not be
 //! redistributed.
 
-mod contact;
-mod linear;
-mod nonlinear;
-mod section;
-
-pub use contact::contact;
-pub use linear::{linear, statics};
-pub use nonlinear::{nonlinear, runs};
-pub use section::section;
-
 use std::sync::Arc;
 
 use materials::elastic::Elastic;
@@ -33,18 +23,32 @@ use fem::element::fibre_beam::Options;
 use fem::liquid::strip::StripLiquid;
 use fem::strip::{Contact, StripError, StripTank, levels};
 
+pub(crate) mod at_rest;
+pub(crate) mod contact;
+pub(crate) mod incremental;
+pub(crate) mod linear_response;
+pub(crate) mod section;
+
 /// The dissertation's g; γ = 10 kN/m³ of the water and 25 kN/m³ of the concrete are exact with it.
 const G: f64 = 9.81;
+
 const HALF_WIDTH: f64 = 2.5;
+
 const DEPTH: f64 = 2.57;
+
 const HEIGHT: f64 = 3.0;
+
 const THICKNESS: f64 = 0.3;
+
 /// E/(1 − ν²) of the concrete [Pa].
 const PLANE_MODULUS: f64 = 34e9 / (1.0 - 0.2 * 0.2);
+
 /// Concrete by its weight [kg/m³].
 const CONCRETE: f64 = 25e3 / G;
+
 /// Liner 6 mm and layer 50 mm: they move with the concrete, their weight is not in its normal force [kg/m²].
 const ATTACHED: f64 = 8000.0 * 0.006 + 1500.0 * 0.05;
+
 /// Sloshing modes.
 const SLOSHING: usize = 12;
 
@@ -64,15 +68,6 @@ fn tank(section: FibreSection, wet: usize, ratio: f64, options: Options) -> Resu
         sloshing: SLOSHING,
         contact: Contact::Bonded,
     })
-}
-
-/// Rows that need no record.
-///
-/// Errors: those of the models.
-pub fn strip() -> Result<Vec<Row>, StripError> {
-    let mut rows = statics()?;
-    rows.extend(section()?);
-    Ok(rows)
 }
 
 /// The tank with the reinforced walls of the dissertation: `elements` wet elements and `layers` of concrete that softens over
@@ -108,7 +103,6 @@ fn elastic_section() -> Result<FibreSection, StripError> {
 /// A row of one of the pages of this topic.
 fn row(
     id: &str,
-    page: &'static str,
     what: impl Into<String>,
     reference: (f64, &'static str, Reference),
     computed: f64,
@@ -116,7 +110,6 @@ fn row(
 ) -> Row {
     Row {
         id: id.to_owned(),
-        page,
         what: what.into(),
         reference: reference.0,
         source: reference.1,

@@ -6,16 +6,28 @@ use materials::bar::Bar;
 use materials::concrete::{Compression, Softening, Tension, UniaxialConcrete};
 
 use super::{CONCRETE, G, HEIGHT, PLANE_MODULUS, THICKNESS, law_error, plain_section, row};
-use crate::{Reference, Row};
+use crate::{Answer, Benchmark, Part, Reference};
 use fem::element::beam_section::{CurvaturePoint, FibreSection};
 use fem::strip::StripError;
 
-const PAGE: &str = "strip-section";
+/// The page.
+pub(crate) const BENCHMARK: Benchmark = Benchmark {
+    id: "strip-section",
+    title: "Section of the wall of strip 8.4",
+    model: "Fibres of 30 cm of concrete with bars of 7.0 cm²/m on each face, under its own weight: moments over \
+            curvature.",
+    ids: &[("section", "cracking and yield moments of the base section")],
+    parts: &[Part::Fast(section)],
+};
+
 /// f_t and f_c of the concrete [Pa].
 const TENSION: f64 = 3.5e6;
+
 const COMPRESSION: f64 = 35e6;
+
 /// Young's modulus and yield stress of the bars [Pa].
 const BAR: [f64; 2] = [210e9, 500e6];
+
 /// Area [m²/m] and depth [m] of the bars of one face.
 const BARS: [f64; 2] = [7e-4, 0.115];
 
@@ -63,7 +75,7 @@ fn crossing(line: &[CurvaturePoint], reached: impl Fn(&CurvaturePoint) -> f64) -
 /// Rows of the base section under the weight of the wall: moment at the first crack without and with bars, yield moment.
 ///
 /// Errors: those of the section.
-pub fn section() -> Result<Vec<Row>, StripError> {
+pub(crate) fn section() -> Answer {
     let axial = -CONCRETE * G * THICKNESS * HEIGHT;
     // Cracking at κ = 6.8e-4, yield at 1.2e-2 1/m.
     let curvatures: Vec<f64> = (0..4000).map(|i| 5e-6 * f64::from(i)).collect();
@@ -82,7 +94,6 @@ pub fn section() -> Result<Vec<Row>, StripError> {
     let reinforced = reinforced(layers, 3e-4)?.moment_curvature(axial, &curvatures)?;
     rows.push(row(
         "section",
-        PAGE,
         "strip 8.4, base section without bars: moment when the edge reaches f_t",
         (cracking, "(f_t + N/A) h²/6", Reference::ClosedForm),
         crossing(&plain, edge),
@@ -90,7 +101,6 @@ pub fn section() -> Result<Vec<Row>, StripError> {
     ));
     rows.push(row(
         "section",
-        PAGE,
         "strip 8.4, base section with bars: moment when the edge reaches f_t",
         (with_bars, "transformed section", Reference::ClosedForm),
         crossing(&reinforced, edge),
@@ -109,7 +119,6 @@ pub fn section() -> Result<Vec<Row>, StripError> {
     );
     rows.push(row(
         "section",
-        PAGE,
         "strip 8.4, base section, concrete without tension: moment when the bars yield",
         reference,
         yields(&cracked),
@@ -118,7 +127,6 @@ pub fn section() -> Result<Vec<Row>, StripError> {
     ));
     rows.push(row(
         "section",
-        PAGE,
         "strip 8.4, base section, softening concrete: moment when the bars yield (reference without tension)",
         reference,
         yields(&reinforced),

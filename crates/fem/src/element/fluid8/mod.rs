@@ -14,7 +14,7 @@
 //! be one node with three Cartesian unknowns. A rigid horizontal translation is free of strain to O(Δθ²/12) only.
 //!
 //! Numbering: [`crate::shape::hex8`]. Source: dissertation, chapter 5 and appendix C; Flanagan & Belytschko 1981 (mean
-//! dilatation). Checked in [`crate::verify::fluid`].
+//! dilatation). Checked by `crates/verification/src/fluid/`.
 
 use std::sync::LazyLock;
 

@@ -12,6 +12,7 @@ use fem::shape::{gauss, line};
 
 /// Wet and dry elements of the wall, sloshing modes.
 pub(super) const MESH: [usize; 3] = [14, 3, 12];
+
 /// Seconds of the record that are run; its peaks come before.
 pub(super) const DURATION: f64 = 14.0;
 
@@ -61,6 +62,7 @@ impl Jointing {
     /// * `penalty` k_n [N/m³]
     /// * `damping` of wall and waves
     pub(super) fn new(penalty: f64, damping: Rayleigh, criterion: Criterion) -> Jointing {
+        // More than 80 lines: assembles one system block by block.
         let [wet, dry, sloshing] = MESH;
         let mut z: Vec<f64> = (0..=wet).map(|i| DEPTH * i as f64 / wet as f64).collect();
         z.extend((1..=dry).map(|i| DEPTH + (HEIGHT - DEPTH) * i as f64 / dry as f64));

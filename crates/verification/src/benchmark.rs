@@ -1,0 +1,83 @@
+//! What a benchmark is made of.
+
+use oscillator::record::Record;
+
+use crate::{ALL, Answer, Pace};
+
+/// A benchmark: a page of the manual.
+#[derive(Clone, Copy, Debug)]
+pub struct Benchmark {
+    /// Id and name of the page's file: lower-case letters, digits and hyphens.
+    pub id: &'static str,
+    /// Title.
+    pub title: &'static str,
+    /// The model in a few sentences: geometry, mesh, material, loads.
+    pub model: &'static str,
+    /// Ids of its rows with what they compare.
+    pub ids: &'static [(&'static str, &'static str)],
+    /// What computes its rows, in the order of the page.
+    pub parts: &'static [Part],
+}
+
+/// A function that gives rows, by who runs it.
+#[derive(Clone, Copy, Debug)]
+pub enum Part {
+    /// Takes seconds: `tankcheck verify` and `cargo test`.
+    Fast(fn() -> Answer),
+    /// Takes longer: `cargo test` and `tankcheck verify --slow`.
+    Tested(fn() -> Answer),
+    /// Takes minutes: `tankcheck verify --slow`.
+    Slow(fn() -> Answer),
+    /// Takes the El Centro record of 1940 (Caltech, 0.348 g): `tankcheck verify --records`.
+    Record(fn(&Record) -> Answer),
+}
+
+impl Part {
+    /// Who runs it.
+    pub fn pace(&self) -> Pace {
+        match self {
+            Part::Fast(_) => Pace::Fast,
+            Part::Tested(_) => Pace::Tested,
+            Part::Slow(_) => Pace::Slow,
+            Part::Record(_) => Pace::Record,
+        }
+    }
+}
+
+impl Benchmark {
+    /// The paces of its parts, each once.
+    pub fn paces(&self) -> Vec<Pace> {
+        let mut paces: Vec<Pace> = Vec::new();
+        for part in self.parts {
+            if !paces.contains(&part.pace()) {
+                paces.push(part.pace());
+            }
+        }
+        paces
+    }
+}
+
+/// The benchmark with this id.
+pub fn find(id: &str) -> Option<&'static Benchmark> {
+    ALL.iter().copied().find(|benchmark| benchmark.id == id)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_are_names_of_files_and_unique() {
+        for (i, benchmark) in ALL.iter().enumerate() {
+            let name = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+            assert!(benchmark.id.chars().all(name), "{}", benchmark.id);
+            assert!(
+                ALL[..i].iter().all(|other| other.id != benchmark.id),
+                "{}",
+                benchmark.id
+            );
+            let described = [benchmark.title, benchmark.model].iter().all(|text| !text.is_empty());
+            assert!(described && !benchmark.parts.is_empty(), "{}", benchmark.id);
+        }
+    }
+}

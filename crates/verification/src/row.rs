@@ -1,0 +1,101 @@
+//! One compared number.
+
+/// What a reference value is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reference {
+    /// A closed form or a convergent series.
+    ClosedForm,
+    /// A published benchmark.
+    Published,
+    /// A second, independent formulation of ours.
+    SecondFormulation,
+    /// A number printed in the dissertation.
+    Dissertation,
+    /// A measurement.
+    Experiment,
+    /// Our own earlier output: guards against change, verifies nothing.
+    Regression,
+}
+
+/// One compared number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Identifier: `K4`, `S3`, `table-5.3`, …; unique together with `what`.
+    pub id: String,
+    /// The quantity, in words.
+    pub what: String,
+    /// Reference value, in `unit`.
+    pub reference: f64,
+    /// Where the reference comes from: author, year, equation or table.
+    pub source: &'static str,
+    /// What the reference is.
+    pub kind: Reference,
+    /// Our value, in `unit`.
+    pub computed: f64,
+    /// Allowed deviation: relative to the reference, absolute (in `unit`) if the reference is 0. Infinite where the
+    /// reference is shown for comparison only.
+    pub tolerance: f64,
+    /// Unit, as printed.
+    pub unit: &'static str,
+    /// Convergence study: (number of elements or mesh size, relative error).
+    pub convergence: Vec<(f64, f64)>,
+}
+
+impl Row {
+    /// Deviation: relative to the reference, absolute if the reference is 0.
+    pub fn error(&self) -> f64 {
+        if self.reference == 0.0 {
+            self.computed
+        } else {
+            (self.computed - self.reference) / self.reference.abs()
+        }
+    }
+
+    /// Whether the computed value is a number within the tolerance.
+    pub fn holds(&self) -> bool {
+        self.computed.is_finite() && self.error().abs() <= self.tolerance
+    }
+
+    /// One line for a failing test: what was found, what was expected.
+    pub fn line(&self) -> String {
+        format!(
+            "{} {}: {:.6} {}, reference {:.6} ({}), error {:.2e}, allowed {:.1e}",
+            self.id,
+            self.what,
+            self.computed,
+            self.unit,
+            self.reference,
+            self.source,
+            self.error(),
+            self.tolerance
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(reference: f64, computed: f64, tolerance: f64) -> Row {
+        Row {
+            id: "example".to_owned(),
+            what: "example".to_owned(),
+            reference,
+            source: "by hand",
+            kind: Reference::ClosedForm,
+            computed,
+            tolerance,
+            unit: "m",
+            convergence: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn tolerance_is_relative_unless_the_reference_is_zero() {
+        assert!(row(-200.0, -201.0, 0.006).holds());
+        assert!(!row(-200.0, -201.0, 0.004).holds());
+        assert!(row(0.0, 1e-9, 1e-8).holds());
+        assert!(!row(0.0, 1e-7, 1e-8).holds());
+        assert!(!row(1.0, f64::NAN, f64::INFINITY).holds());
+    }
+}

@@ -1,0 +1,214 @@
+//! Examples 8.1 to 8.3 of the dissertation with its meshes A to D in three dimensions, its damping and as it should be.
+//!
+//! The document is made from the accelerograms it names; nothing in it is chosen to meet a printed number. The element
+//! heights of the dissertation's refined mesh (figure 8.2) are not printed: equal heights stand in for them.
+
+mod broad;
+mod model;
+mod slender;
+
+use std::fmt::Write as _;
+
+use oscillator::record::Record;
+
+use super::as_described;
+use crate::{Error, Failure, Records};
+use engines::solid::{self, Liquid, MeshSize, SolidOptions};
+use engines::{DampingModel, FeError, Options, Simulation, simulate};
+use fem::progress::Silent;
+use tank::case::GroundMotion;
+use tank::units::significant;
+use tank::{Case, Quantity};
+
+/// Meshes of table 8.1: elements over radius, circumference and height.
+pub const MESHES: [(&str, MeshSize); 4] = [
+    ("A", mesh(12, 16, 12)),
+    ("B", mesh(15, 18, 12)),
+    ("C", mesh(12, 16, 19)),
+    ("D", mesh(12, 16, 20)),
+];
+
+const fn mesh(radial: usize, sectors: usize, vertical: usize) -> MeshSize {
+    MeshSize {
+        radial,
+        sectors,
+        vertical,
+    }
+}
+
+/// Accelerograms of table 8.3: name, file.
+const RECORDS: [(&str, &str); 3] = [
+    ("El Centro", crate::records::EL_CENTRO),
+    ("Parkfield", crate::records::PARKFIELD),
+    ("Pacoima Dam", crate::records::PACOIMA),
+];
+
+/// A computed column.
+struct Column {
+    title: String,
+    values: Vec<f64>,
+}
+
+/// What a table shows: title, unit, numbers of the source's columns ("" where it has none).
+struct Line {
+    what: &'static str,
+    unit: &'static str,
+    sources: &'static [&'static str],
+}
+
+const fn line(what: &'static str, unit: &'static str, sources: &'static [&'static str]) -> Line {
+    Line { what, unit, sources }
+}
+
+/// What a run is asked for besides the mesh.
+fn options(damping: DampingModel, stations: &[f64]) -> Options {
+    Options {
+        mesh_error: false,
+        stations: stations.to_vec(),
+        damping,
+        ..Options::default()
+    }
+}
+
+fn shaken(mut case: Case, record: &Record) -> Case {
+    case.ground_motion = Some(GroundMotion {
+        horizontal: record.clone(),
+        vertical: None,
+    });
+    case
+}
+
+fn peak(run: &Simulation, id: &str) -> f64 {
+    let found = run.result.series.iter().find(|s| s.id == id);
+    found.map_or(f64::NAN, |s| s.peak)
+}
+
+/// First sloshing frequency [rad/s].
+fn omega(run: &Simulation) -> f64 {
+    let period = run.values.get(&Quantity::SloshingPeriod);
+    period.map_or(f64::NAN, |t| std::f64::consts::TAU / t)
+}
+
+/// A run on each of the four meshes with `liquid`, and one of the harmonic engine.
+fn runs(case: &Case, options: &Options, liquid: Liquid) -> Result<Vec<(String, Simulation)>, FeError> {
+    let mut out = Vec::new();
+    for (name, size) in MESHES {
+        let solid_options = SolidOptions {
+            mesh: Some(size),
+            liquid,
+            ..SolidOptions::default()
+        };
+        let run = solid::respond(case, options, &solid_options, &Silent)?;
+        out.push((format!("{name} {size}"), run));
+    }
+    out.push(("converged".to_owned(), simulate(case, options)?));
+    Ok(out)
+}
+
+fn columns(runs: &[(String, Simulation)], values: impl Fn(&Simulation) -> Vec<f64>) -> Vec<Column> {
+    let each = |(title, run): &(String, Simulation)| Column {
+        title: title.clone(),
+        values: values(run),
+    };
+    runs.iter().map(each).collect()
+}
+
+/// A table: `heads` name the source's columns.
+fn table(text: &mut String, heads: &[&str], lines: &[Line], columns: &[Column]) {
+    let titles: Vec<&str> = columns.iter().map(|c| c.title.as_str()).collect();
+    let _ = writeln!(text, "| | unit | {} | {} |", heads.join(" | "), titles.join(" | "));
+    let _ = writeln!(text, "|---|---|{}", "---|".repeat(heads.len() + columns.len()));
+    for (i, line) in lines.iter().enumerate() {
+        let values: Vec<String> = columns.iter().map(|c| significant(c.values[i], 4)).collect();
+        let sources: Vec<&str> = line
+            .sources
+            .iter()
+            .map(|s| if s.is_empty() { "–" } else { s })
+            .collect();
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} |",
+            line.what,
+            line.unit,
+            sources.join(" | "),
+            values.join(" | ")
+        );
+    }
+    text.push('\n');
+}
+
+/// The page, from the accelerograms of table 8.3.
+///
+/// Errors: a record that is not among `records`, a failure of an engine.
+pub fn page(records: &Records) -> Result<String, Error> {
+    document(records).map_err(|what| Error::Benchmark {
+        benchmark: "dissertation".into(),
+        what: what.to_string(),
+    })
+}
+
+fn document(records: &Records) -> Result<String, Failure> {
+    let mut described = Vec::new();
+    for (name, file) in RECORDS {
+        let original = records.get(file)?.clone();
+        let record = as_described(&original);
+        described.push((name, original, record));
+    }
+    let mut text = String::from(HEAD);
+    text.push_str(&broad::section(&described)?);
+    text.push_str(&model::section()?);
+    text.push_str(&slender::section(&described[0].2)?);
+    text.push_str(REASONS);
+    Ok(text)
+}
+
+const HEAD: &str = "# The dissertation's examples in three dimensions\n\n\
+Made by `tankcheck verify --slow --records FOLDER --write docs/verification`. Records: Caltech versions of El Centro NS \
+(0.348 g) and Cholame-Shandon 5 N85E (0.434 g; table 8.3 prints 0.343 g, its peak is another or a slip), Pacoima Dam S16E \
+(1.219 g in the version at hand, 1.170 g there), each scaled to 0.5 g and compressed by √3 as the dissertation describes. \
+Meshes of its table 8.1 with equal element heights (its own refinement towards the base, figure 8.2, has no printed \
+numbers), ρ = 10/9.81 t/m³. `printed` is the dissertation's simulation, `test` the measurement it cites, `converged` the \
+harmonic engine.\n\n";
+
+const REASONS: &str = "## Why the columns differ\n\n\
+* **Printed against meshes, displacement and hoop force.** The printed values are 11 to 14 % low. The dissertation blames \
+the coarse base; the shell of this engine on the same division does not show the deficit, because its membrane shear is \
+taken at the centre: the printed numbers are membrane locking of 16 flat facets (theory of the shell element).\n\
+* **C and D against A and B in the statics.** Equal elements of 9 cm at the clamped base are one and a half times √(R t): they \
+overshoot by 12 % in displacement and hoop force; A and B happen to meet the converged value with 15 cm. The mesh rule of \
+the engine starts with 2 cm.\n\
+* **Hoop stress at 5 cm.** The printed 4.83 N/mm² is met at 10 cm (5.04 converged), not at 5 cm: the stress of a coarse \
+element belongs to its middle.\n\
+* **Moment at the base.** Printed values are those of the first integration point; here they are reactions of the edge.\n\
+* **Meshes against converged.** 16 sectors leave a polygon error of ½ (π/16)² = 2 % in what the circumference carries \
+and lower the liquid's mass; 12 to 20 equal elements over the height are three to five times as long as √(R t) = 61 mm, in \
+which the edge bending lives. Mesh B with 18 sectors shows the first, C and D against A the second.\n\
+* **Damping.** The printed pair gives the first mode of wall and liquid more than its critical damping and modes below \
+2.14 rad/s a negative one; axial and bending stress then follow the ground nearly statically. With 2 % they are about \
+twice as large.\n\
+* **Wave of El Centro.** The printed wave belongs to the original record (input, see above). Parkfield and Pacoima Dam do \
+not show this.\n\
+* **Example 8.2.** Frequencies of the meshes lie 0.4 to 0.9 % above the converged ones (12 to 20 elements over the wall, of \
+which only those below the surface carry the liquid), the waves within 0.4 %. The test lies 4 to 9 % below potential theory at \
+every depth, which no mesh or damping explains. At 100 s the start has decayed to a quarter and still beats with the steady \
+state of 3.8 mm: printed and measured 6 mm are peaks after the start.\n\
+* **Example 8.3.** The wave of the printed table is that of the original record again (tank 8.1); the axial stress depends on \
+the damping of the wall mode, which the printed pair makes nearly critical.\n";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_has_a_row_a_line() {
+        let mut text = String::new();
+        let lines = [line("wave", "cm", &["38.6", ""]), line("shear", "kN", &["", ""])];
+        let columns = [Column {
+            title: "A".into(),
+            values: vec![1.0; 2],
+        }];
+        table(&mut text, &["printed", "test"], &lines, &columns);
+        assert_eq!(text.lines().filter(|l| l.starts_with('|')).count(), 4);
+        assert!(text.contains("| wave | cm | 38.6 | – | 1.000 |"), "{text}");
+    }
+}

@@ -1,0 +1,5 @@
+//! Models of the verification that are no rows: laws of the shell, walls of fibres.
+
+mod shell_element;
+mod shell_parts;
+mod strip;
