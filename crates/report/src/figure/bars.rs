@@ -8,6 +8,7 @@ use super::{Figure, Room};
 use crate::methods::Look;
 use crate::number::{Scale, ratio};
 use crate::table::{Column, Table};
+use crate::words::{figures, labels};
 
 const ROW: f64 = 17.0;
 const TOP: f64 = 24.0;
@@ -47,7 +48,7 @@ pub fn bars(id: &str, title: &str, dimension: Dimension, bars: &[Bar]) -> Option
         Column::words("Method"),
         Column::words("Excitation"),
         Column::numbers(title, scale.symbol()),
-        Column::numbers("Ratio to FE", ""),
+        Column::numbers(labels::RATIO_TO_ENGINE, ""),
     ]);
     for (i, bar) in bars.iter().enumerate() {
         let y = TOP + ROW * i as f64;
@@ -78,13 +79,11 @@ pub fn bars(id: &str, title: &str, dimension: Dimension, bars: &[Bar]) -> Option
     }
     svg.line((left, TOP - 2.0), (left, height - 4.0), "ax");
 
-    let mut description = format!("{title} by method: ");
     let all: Vec<String> = bars
         .iter()
         .map(|b| format!("{} {}", b.look.full_label(), scale.text(b.value)))
         .collect();
-    description.push_str(&all.join("; "));
-    description.push_str(&format!(" {}.", scale.symbol()));
+    let description = figures::by_method(title, &all.join("; "), scale.symbol());
     Some(Figure {
         id: id.into(),
         title: title.into(),

@@ -10,6 +10,11 @@ use results::{Envelope, Mode, SeriesInfo};
 /// A value and its time [s].
 pub type At = (f64, f64);
 
+/// Description of bars: a quantity by method, values in one unit.
+pub fn by_method(title: &str, values: &str, unit: &str) -> String {
+    format!("{title} by method: {values} {unit}.")
+}
+
 /// Mark at the peak of a history.
 pub fn peak(value: f64, dimension: Dimension, time: f64) -> String {
     format!("{} at {} s", with_unit(value, dimension), fixed(time, 2))

@@ -1,5 +1,7 @@
 //! Heads of columns and labels of rows, legends and axes.
 
+/// Ratio to the finite-element value.
+pub const RATIO_TO_ENGINE: &str = "Ratio to FE";
 /// Relative difference between two meshes.
 pub const MESH_ERROR: &str = "Estimated discretisation error";
 /// The same of the three-dimensional engine.
