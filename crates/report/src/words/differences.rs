@@ -71,9 +71,9 @@ fn model(reason: &Reason) -> String {
                 false => format!(" Its estimated discretisation error: {}.", list.join(", ")),
             };
             return format!(
-                "Both engines solve the same linear problem, so what parts them is discretisation, mostly of the spatial mesh: \
-                 linear elements over radius, circumference and height against higher-order elements in a Fourier \
-                 harmonic.{estimated} A finer --mesh must bring the two together; where it does not, one of them is wrong."
+                "Both engines solve the same linear problem; they differ by discretisation, mostly of the spatial mesh: linear elements \
+                 over radius, circumference and height against higher-order elements in a Fourier harmonic.{estimated} The \
+                 difference must decrease with a finer --mesh; if it does not, one of the engines is wrong."
             );
         }
         Reason::TestGauges => {
@@ -202,8 +202,8 @@ fn nonlinear(reason: &Reason, events: &[Event]) -> String {
             units::display(energy, Dimension::Energy),
             units::significant(100.0 * energy / work, 2)
         ),
-        _ => "Nothing cracks, yields or separates. What is left between the two is the mesh, the damping, large rotations and \
-              the pressure on the deformed wall."
+        _ => "Nothing cracks, yields or separates. The remaining causes are mesh, damping, large rotations and the pressure on \
+              the deformed wall."
             .into(),
     }
 }

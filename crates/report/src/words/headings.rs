@@ -5,7 +5,7 @@ pub fn section(id: &'static str) -> &'static str {
     match id {
         "summary" => "Summary",
         "comparison" => "Quantities by method",
-        "partings" => "Where and why the methods part",
+        "partings" => "Differences between methods",
         "reported" => "Measured and published values",
         "checks" => "Checks",
         "tank" => "Tank and liquid",

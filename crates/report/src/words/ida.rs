@@ -37,7 +37,11 @@ pub mod heads {
     /// First crack: time, moment at the base.
     pub const FIRST_CRACK: [&str; 2] = ["First crack at", "with base moment"];
     /// Separation: time where the liquid is kept at the wall, where it leaves it, height.
-    pub const SEPARATION: [&str; 3] = ["Liquid would part at", "Liquid parts at", "at the height"];
+    pub const SEPARATION: [&str; 3] = [
+        "Liquid separates (linear estimate) at",
+        "Liquid separates at",
+        "at the height",
+    ];
     /// Damping.
     pub const DAMPING: &str = "Damping of the wall mode";
 }
@@ -69,7 +73,7 @@ pub fn caption(ida: &Ida) -> String {
         sentences.push("Runs that found no equilibrium are lower bounds.");
     }
     if ida.runs.iter().any(|r| !r.departures.is_empty()) {
-        sentences.push("Runs that left the model are no results: the table of runs says when and why.");
+        sentences.push("Runs that left the model are not results; the table of runs lists when and why.");
     }
     sentences.join(" ")
 }
@@ -130,8 +134,8 @@ pub fn partings(ida: &Ida) -> Vec<String> {
     let mut out = Vec::new();
     if let Some(run) = first(false) {
         out.push(format!(
-            "{} the pressure of the liquid falls below that of the air under the surface: it would part from the wall where air \
-             can enter, and the model keeps it there. The option contact \"opening\" lets it go.",
+            "{} the pressure of the liquid falls below that of the air under the surface: the liquid separates where air can enter \
+             (linear estimate), and the model keeps it at the wall. Use contact \"opening\" to model the separation.",
             from(run)
         ));
     }

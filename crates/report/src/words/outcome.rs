@@ -13,12 +13,12 @@ pub const UNTIL_THEN: &str = "Values, pictures and histories are those until the
 /// Headline of a whole run.
 pub const COMPLETED: &str = "Equilibrium was found to the end of the ground motion";
 /// What a whole run guarantees.
-pub const CONVERGED: &str = "No step was accepted before it had converged.";
+pub const CONVERGED: &str = "Every accepted step has converged.";
 /// Headline of a run that the user stopped.
 pub const INCOMPLETE: &str = "Incomplete";
 /// What holds of a run that left its model and went on.
-pub const BEYOND_MODEL: &str = "Equilibrium was found to the end of the ground motion, but not within the limits of the model: what comes \
-                                later is no result.";
+pub const BEYOND_MODEL: &str = "Equilibrium was found to the end of the ground motion, but not within the limits of the model: later \
+                                values are not results.";
 
 /// Headline of a run that left its model at a time [s]; `stopped` there, or went on.
 pub fn left_model(time: f64, stopped: bool) -> String {
@@ -49,7 +49,7 @@ pub fn collapse(time: f64) -> String {
 /// Part of weight and pressure at rest that was carried.
 pub fn carried(factor: f64) -> String {
     format!(
-        "Of weight and pressure at rest it carries {}; the earthquake was not begun.",
+        "Of weight and pressure at rest it carries {}; the ground motion was not applied.",
         percent(factor)
     )
 }

@@ -4,9 +4,9 @@ use results::compare::{Incomplete, SecondEngine, Unusable};
 use results::{MESH_ERROR_LIMIT, Verdict};
 
 /// Why a run with separation gives no design values.
-pub const LIQUID_PARTED: &str = "The liquid has left the wall and come back. An incompressible liquid on a stiff joint exaggerates the \
-                                 impact, and a liquid parts from a tight wall near -98 kPa, not at the pressure of the air: forces and \
-                                 stresses after the first opening are no design values.";
+pub const LIQUID_PARTED: &str = "The liquid has separated from the wall and closed again. An incompressible liquid on a stiff joint \
+                                 exaggerates the impact, and a liquid separates from a tight wall near -98 kPa, not at atmospheric \
+                                 pressure: forces and stresses after the first separation are not design values.";
 
 /// The verdict in one line.
 pub fn headline(verdict: &Verdict) -> String {
@@ -47,7 +47,7 @@ pub fn incomplete(cause: &Incomplete) -> String {
             "The nonlinear run left its model and was stopped at {time:.2} s, its extremes are those until then"
         ),
         Incomplete::BeyondModel { time } => {
-            format!("The nonlinear run left its model at {time:.2} s, what comes later is no result")
+            format!("The nonlinear run left its model at {time:.2} s, later values are not results")
         }
         Incomplete::Interrupted { time } => {
             format!("Incomplete: the nonlinear run was interrupted at {time:.2} s, its extremes are not final")
