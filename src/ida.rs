@@ -40,7 +40,7 @@ fn is_work(name: &str) -> bool {
 /// folder that contains another analysis or cannot be written; a failure of the engine. Collapse is a result, not an
 /// error.
 pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progress) -> Result<Ida, Error> {
-    let key = job.job.key();
+    let key = job.job.incremental_key();
     // Faults of the folder are reported before anything is computed.
     let folder = OutputFolder::prepare(&job.out, IDA)?;
     let work = WorkFolder::open(&job.out, IDA.id, is_work, job.resume)?;
@@ -89,7 +89,7 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
     let key = ida.key.clone();
     let checkpoint = |scale: f64| CheckpointFile {
         path: work.file(&format!("{CHECKPOINT}{scale}")),
-        key: key.clone(),
+        key: format!("{key} {scale}"),
         resume: job.resume,
     };
     tank.run(&missing, job.jobs, &|scale| Some(checkpoint(scale)), progress, |run| {

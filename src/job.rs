@@ -1,37 +1,20 @@
 //! Input of a computation: plain, validated data in SI.
 
+use std::collections::BTreeMap;
+
+use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use tank::Case;
 
 use crate::input::TankFile;
 use crate::input::diagnostic::Faults;
+use engines::Task;
 use engines::nonlinear::push::PushOptions;
 use engines::nonlinear::scope::{self, Purpose};
 use engines::nonlinear::{CheckpointFile, NonlinearOptions};
 use engines::solid::SolidOptions;
 use files::error::Error;
-use results::{InputValue, SourceFile};
-
-/// Which finite-element engines run.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Engines {
-    /// One Fourier harmonic at a time.
-    #[default]
-    Harmonic,
-    /// Three-dimensional elements.
-    Solid,
-    /// The harmonic and the three-dimensional engine.
-    Both,
-    /// The harmonic and the nonlinear engine.
-    Nonlinear,
-}
-
-impl Engines {
-    /// Whether the three-dimensional engine runs.
-    pub fn solid(self) -> bool {
-        matches!(self, Engines::Solid | Engines::Both)
-    }
-}
+use results::{EngineId, InputValue, SourceFile};
 
 /// What the nonlinear engine refuses of a tank file, each with its place in the file.
 pub fn refused(tank: &TankFile, purpose: Purpose) -> Faults {
@@ -56,10 +39,10 @@ pub struct Job {
     pub case: Case,
     /// Ids of the procedures to run, in report order.
     pub procedures: Vec<String>,
-    /// Finite-element options of both engines; `None` leaves the engines out (`check`).
-    pub fe: Option<engines::Options>,
-    /// Which engines run.
-    pub engines: Engines,
+    /// Engines that run, in this order: all ratios refer to the first, the others stand beside it. None in `check`.
+    pub engines: Vec<EngineId>,
+    /// Options of the linear engines.
+    pub linear: engines::Options,
     /// Options of the three-dimensional engine alone.
     pub solid: SolidOptions,
     /// Options of the nonlinear engine alone.
@@ -77,20 +60,54 @@ pub struct Job {
 }
 
 impl Job {
-    /// Fingerprint of everything a nonlinear run depends on: the version, the tank, the processed records, the
-    /// options.
+    /// What the engines are asked for.
+    pub fn task(&self) -> Task<'_> {
+        Task {
+            case: &self.case,
+            linear: &self.linear,
+            solid: &self.solid,
+            nonlinear: &self.nonlinear,
+            checkpoint: self.checkpoint.as_ref(),
+        }
+    }
+
+    /// What a nonlinear run depends on.
     pub fn key(&self) -> String {
-        fingerprint(&(&self.case, &self.nonlinear))
+        identity("history", &self.case, json!(self.nonlinear))
+    }
+
+    /// What an incremental dynamic analysis depends on, whatever its scales.
+    pub fn incremental_key(&self) -> String {
+        identity("incremental", &self.case, json!(self.nonlinear))
     }
 }
 
-/// Hash of the version and of data.
-fn fingerprint(of: &dyn std::fmt::Debug) -> String {
+/// Hash of the canonical JSON of what an analysis depends on: the program, the analysis, the case with its records as computed
+/// with, the options. Another hash is another analysis.
+fn identity(analysis: &str, case: &Case, options: Value) -> String {
+    let everything = json!({
+        "analysis": analysis,
+        "case": case,
+        "checkpoint": fem::analysis::checkpoint::VERSION,
+        "engine": EngineId::Nonlinear,
+        "options": options,
+        "version": env!("CARGO_PKG_VERSION"),
+    });
     let mut hash = Sha256::new();
-    hash.update(env!("CARGO_PKG_VERSION"));
-    // The debug form has every number to the last digit.
-    hash.update(format!("{of:?}"));
+    hash.update(canonical(everything).to_string());
     hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// A JSON value with the keys of all its objects in order. Numbers are written with all their digits.
+fn canonical(value: Value) -> Value {
+    match value {
+        Value::Array(items) => items.into_iter().map(canonical).collect(),
+        Value::Object(map) => {
+            let sorted: BTreeMap<String, Value> = map.into_iter().map(|(key, item)| (key, canonical(item))).collect();
+            sorted.into_iter().collect()
+        }
+        other => other,
+    }
 }
 
 /// One incremental dynamic analysis: the nonlinear run of a job, once for each scale of its record.
@@ -122,8 +139,24 @@ pub struct PushJob {
 }
 
 impl PushJob {
-    /// Fingerprint of everything a pushover depends on: the version, the tank, the options, the imperfection.
+    /// What a pushover depends on.
     pub fn key(&self) -> String {
-        fingerprint(&(&self.job.case, &self.job.nonlinear, &self.options))
+        identity("push", &self.job.case, json!([self.job.nonlinear, self.options]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_order_of_keys_is_of_no_account_and_every_digit_counts() {
+        let of = |text: &str| canonical(serde_json::from_str(text).expect("JSON")).to_string();
+        assert_eq!(
+            of(r#"{"b": [{"d": 1, "c": 0.1}], "a": null}"#),
+            of(r#"{"a": null, "b": [{"c": 0.1, "d": 1}]}"#)
+        );
+        assert_ne!(of("[0.1]"), of("[0.10000000000000002]"));
+        assert_ne!(of("[1, 2]"), of("[2, 1]"));
     }
 }

@@ -2,7 +2,7 @@
 //! independent of each other; [`compare`] joins their results.
 
 mod motion;
-mod second;
+mod runs;
 mod series;
 
 use std::collections::BTreeMap;
@@ -16,12 +16,12 @@ use tank::Quantity;
 use tank::assessment::{Assessment, Excitation};
 
 use crate::error::Error;
-use crate::job::{Engines, Job};
-use engines::{self, Simulation};
-use results::compare::{self, Context, FE_NONLINEAR};
+use crate::job::Job;
+use engines::{Simulation, engine};
+use results::compare::{self, Context, Incomplete};
 use results::{
-    Deformability, FORMAT, FeResult, Method, NONLINEAR_PREFIX, Results, SOLID_PREFIX, Series, Snapshots, Status,
-    TankSummary, Value, Verdict, Volatile, finite,
+    Deformability, EngineId, FORMAT, Method, RecordSummary, Results, Run, Series, Snapshots, Status, TankSummary,
+    Value, Verdict, Volatile, finite,
 };
 
 /// Ids of the procedures to run, in report order; an empty list means all.
@@ -55,81 +55,38 @@ pub struct Outcome {
 
 /// Runs a job: procedures, engines, comparison. `volatile` is empty except for the version.
 ///
-/// Errors: a procedure that does not converge, a failure of an engine, a result that is not finite.
+/// Errors: what an engine refuses, a procedure that does not converge, a failure of an engine, a result that is not finite.
 pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
-    let (simulation, codes) = std::thread::scope(|scope| {
-        let engine = job.fe.as_ref().map(|options| {
-            scope.spawn(|| match job.engines {
-                Engines::Solid => engines::solid::simulate(&job.case, options, &job.solid, progress),
-                Engines::Harmonic | Engines::Both | Engines::Nonlinear => {
-                    engines::simulate_watched(&job.case, options, progress)
-                }
-            })
-        });
-        let codes = assess(job).map(|methods| (methods, motion::records(job)));
-        let simulation = engine.map(|handle| match handle.join() {
-            Ok(outcome) => outcome,
-            Err(panic) => std::panic::resume_unwind(panic),
-        });
-        (simulation, codes)
-    });
-    let (mut methods, records) = codes?;
-    let mut simulation = simulation.transpose()?;
-    let mut second = second::run(job, progress)?;
-    // Histories as computed; padded with NaN next to those of a longer run.
-    for (id, run) in [(compare::FE, &simulation), ("second engine", &second.run)] {
-        run.as_ref()
-            .map_or(Ok(()), |run| finite::check_series(id, &run.series))?;
+    runs::admit(job)?;
+    let (mut methods, records, mut simulations, missing) = assess_and_simulate(job, progress)?;
+    // The histories as computed; beside those of a longer run they are NaN after their end.
+    for (number, simulation) in simulations.iter().enumerate() {
+        finite::check_series(simulation.result.engine.column(number), &simulation.series)?;
     }
-    let snapshots = [&mut second.run, &mut simulation]
-        .into_iter()
-        .flatten()
-        .find_map(|s| s.snapshots.take());
-    let spectra = motion::spectra(job, &tank_periods(&methods, simulation.as_ref()));
-    let mut context = context(job, simulation.as_ref());
-    let (fe, mut series) = match simulation {
-        Some(simulation) => {
-            methods.push(fe_method(compare::FE, &simulation));
-            (Some(simulation.result), simulation.series)
+    let snapshots = simulations.iter_mut().rev().find_map(|s| s.snapshots.take());
+    let spectra = motion::spectra(job, &tank_periods(&methods, simulations.first()));
+    let mut context = context(job, simulations.first());
+    let (mut runs, mut series): (Vec<Run>, Series) = Default::default();
+    for (number, simulation) in simulations.into_iter().enumerate() {
+        methods.push(runs::method(job, number, &simulation));
+        match number {
+            0 => series = simulation.series,
+            _ => series::append(&mut series, &simulation.series, simulation.result.engine.prefix()),
         }
-        None => (None, Series::default()),
-    };
-    let (mut fe_solid, mut fe_nonlinear): (Option<FeResult>, Option<FeResult>) = (None, None);
-    if let Some(simulation) = second.run {
-        let (id, prefix, place) = match job.engines {
-            Engines::Nonlinear => (FE_NONLINEAR, NONLINEAR_PREFIX, &mut fe_nonlinear),
-            Engines::Harmonic | Engines::Solid | Engines::Both => (compare::FE_SOLID, SOLID_PREFIX, &mut fe_solid),
-        };
-        methods.push(fe_method(id, &simulation));
-        series::append(&mut series, &simulation.series, prefix);
-        *place = Some(simulation.result);
+        runs.push(simulation.result);
     }
-    if let Some(solid) = &fe_solid {
-        context.solid_mesh_error = solid.mesh_error.clone();
+    if let Some(solid) = runs.iter().skip(1).find(|run| run.engine == EngineId::Solid) {
+        context.solid_mesh_error.clone_from(&solid.mesh_error);
     }
-    context.nonlinear = second::happened(job, fe_nonlinear.as_ref());
-    if let Some(layered) = job.case.tank.courses.iter().find_map(Course::layer_assumption) {
-        // The nonlinear engine models the layers.
-        let computed = methods
-            .iter_mut()
-            .filter(|m| matches!(m.status, Status::Computed) && m.id != FE_NONLINEAR);
-        computed.for_each(|m| m.assumptions.push(layered.into()));
-    }
+    context.nonlinear = runs::happened(job, &runs);
     methods.extend(measured(job));
     let mut comparison = compare::compare(&methods, &context, job.case.published.clone());
-    for (id, run) in [
-        (compare::FE, &fe),
-        (compare::FE_SOLID, &fe_solid),
-        (FE_NONLINEAR, &fe_nonlinear),
-    ] {
-        if let Some(run) = run {
-            comparison.mark_unusable(&methods, id, &run.mesh_error);
-        }
+    for (number, run) in runs.iter().enumerate() {
+        comparison.mark_unusable(&methods, run.engine.column(number), &run.mesh_error);
     }
     let mut verdict: Verdict = compare::verdict(&methods);
-    verdict.cause = second::incomplete(second.missing, fe_nonlinear.as_ref());
-    let mut runs = fe.iter().chain(&fe_solid).chain(&fe_nonlinear);
-    verdict.incomplete = verdict.cause.is_some() || runs.any(|fe| fe.incomplete);
+    verdict.cause = runs::incomplete(missing, &runs);
+    verdict.incomplete = verdict.cause.is_some() || runs.iter().any(|run| run.incomplete);
     verdict.holds &= !verdict.incomplete;
     let results = Results {
         format: FORMAT.into(),
@@ -155,9 +112,7 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         records,
         spectra,
         methods,
-        fe,
-        fe_solid,
-        fe_nonlinear,
+        runs,
         comparison,
         verdict,
         warnings: job.warnings.clone(),
@@ -168,6 +123,32 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         series,
         snapshots,
     })
+}
+
+/// What the procedures, the records and the engines give, and what of the engines is missing.
+type Computed = (Vec<Method>, Vec<RecordSummary>, Vec<Simulation>, Option<Incomplete>);
+
+/// Procedures and engines, the first engine beside the procedures.
+fn assess_and_simulate(job: &Job, progress: &dyn Progress) -> Result<Computed, Error> {
+    let task = job.task();
+    let (first, codes) = std::thread::scope(|scope| {
+        let task = &task;
+        let run = |id: &EngineId| {
+            let id = *id;
+            scope.spawn(move || engine(id).run(task, progress))
+        };
+        let first = job.engines.first().map(run);
+        let codes = assess(job).map(|methods| (methods, motion::records(job)));
+        let first = first.map(|handle| match handle.join() {
+            Ok(outcome) => outcome,
+            Err(panic) => std::panic::resume_unwind(panic),
+        });
+        (first, codes)
+    });
+    let (methods, records) = codes?;
+    let mut simulations: Vec<Simulation> = first.transpose()?.into_iter().collect();
+    let missing = runs::beside(job, &mut simulations, progress)?;
+    Ok((methods, records, simulations, missing))
 }
 
 /// All chosen procedures under all excitations the case offers.
@@ -204,6 +185,10 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
             });
         }
     };
+    let mut assumptions = assessment.assumptions;
+    if let (Status::Computed, Some(layered)) = (&status, layers(job)) {
+        assumptions.push(layered.into());
+    }
     Ok(Method {
         id: procedure.id().into(),
         title: procedure.label().title.into(),
@@ -213,9 +198,14 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
         steps: assessment.steps,
         checks: assessment.checks,
         profiles: assessment.profiles,
-        assumptions: assessment.assumptions,
+        assumptions,
         notes: assessment.notes,
     })
+}
+
+/// What stands for layers in a method that knows one material only, if a wall has any.
+fn layers(job: &Job) -> Option<&'static str> {
+    job.case.tank.courses.iter().find_map(Course::layer_assumption)
 }
 
 fn quantities(values: &BTreeMap<Quantity, f64>) -> BTreeMap<String, Value> {
@@ -251,27 +241,6 @@ fn tank_periods(methods: &[Method], simulation: Option<&Simulation>) -> Vec<f64>
                 .flat_map(|m| ids.iter().filter_map(|id| m.quantities.get(*id)));
             values.map(|v| v.value).collect()
         }
-    }
-}
-
-/// An engine as a column of the comparison.
-fn fe_method(id: &str, simulation: &Simulation) -> Method {
-    let title = match simulation.result.engine.as_str() {
-        "solid" => "Finite elements in three dimensions, time history",
-        "nonlinear" => "Finite elements, nonlinear, time history",
-        _ => "Finite elements, time history",
-    };
-    Method {
-        id: id.into(),
-        title: title.into(),
-        excitation: Excitation::Record,
-        status: Status::Computed,
-        quantities: quantities(&simulation.values),
-        steps: Vec::new(),
-        checks: Vec::new(),
-        profiles: Vec::new(),
-        assumptions: simulation.assumptions.clone(),
-        notes: simulation.notes.clone(),
     }
 }
 

@@ -6,14 +6,14 @@
 
 use std::path::Path;
 
-use ::results::{Method, Results};
+use ::results::{EngineId, Method, Results};
 use ::tank::case::GroundMotion;
 use fem::progress::Silent;
 use oscillator::record::Record;
 use report;
 use tankcheck::input::TankFile;
 use tankcheck::input::records::{ReadOptions, process};
-use tankcheck::job::{Engines, Job};
+use tankcheck::job::Job;
 use tankcheck::pipeline::{self, Outcome};
 
 use super::document::Json;
@@ -114,8 +114,8 @@ fn compute(file: TankFile, quake: &Record) -> Option<Outcome> {
     let job = Job {
         case,
         procedures,
-        fe: Some(fe),
-        engines: Engines::Harmonic,
+        engines: vec![EngineId::Harmonic],
+        linear: fe,
         solid: file.solid,
         nonlinear: file.nonlinear,
         checkpoint: None,

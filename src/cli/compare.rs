@@ -16,17 +16,17 @@ use crate::cli::table::Table;
 use crate::cli::terminal::{self as stream, say};
 use crate::cli::{Format, Global, nonlinear, now, solid};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_OK, Error};
-use crate::job::{Engines, Job};
+use crate::job::Job;
 use crate::pipeline::{self, Outcome};
 use engines::estimate::Estimate;
 use engines::nonlinear::scope::Purpose;
-use engines::{self, FeError, Integrator};
+use engines::{FeError, Integrator, engine};
 use files::{OutputFolder, kept_complete};
 use report;
 use report::words::{self, terminal};
-use results::compare::{FE_NONLINEAR, unusable};
-use results::nonlinear::{End, Nonlinear};
-use results::{self, ComparisonRow, Limit, Method, Results, Series, vtu};
+use results::compare::unusable;
+use results::nonlinear::End;
+use results::{self, Channel, ComparisonRow, EngineId, Limit, Method, Results, Run, Series, SeriesInfo, vtu};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -119,12 +119,17 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let purpose = (args.fe == Engine::Nonlinear).then_some(Purpose::History);
     let mut job = args.inputs.job(purpose)?;
     choose(&mut job, &args)?;
-    if job.engines != Engines::Harmonic {
+    if job.engines.iter().any(|&id| engine(id).stops()) {
         progress::stop_gracefully();
     }
-    for estimate in &estimates(&job)? {
-        let solid = estimate.run == engines::solid::RUN;
-        budget::admit(estimate, job.solid.memory_limit_mib, solid, global)?;
+    // All of them before any is announced.
+    let estimates = job.engines.iter().map(|&id| engine(id).estimate(&job.task()));
+    for (id, estimate) in job
+        .engines
+        .iter()
+        .zip(estimates.collect::<Result<Vec<Estimate>, FeError>>()?)
+    {
+        budget::admit(&estimate, job.solid.memory_limit_mib, *id == EngineId::Solid, global)?;
     }
     nonlinear::announce(&job, global);
     if args.vtu.as_ref() == Some(&args.out) {
@@ -183,45 +188,28 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     })
 }
 
-/// Estimates of the engines of a job.
-fn estimates(job: &Job) -> Result<Vec<Estimate>, FeError> {
-    let Some(options) = &job.fe else { return Ok(Vec::new()) };
-    let harmonic = || engines::harmonic::estimate(&job.case, options);
-    let solid = || engines::solid::estimate(&job.case, options, &job.solid);
-    Ok(match job.engines {
-        Engines::Harmonic => vec![harmonic()?],
-        Engines::Solid => vec![solid()?],
-        Engines::Both => vec![harmonic()?, solid()?],
-        Engines::Nonlinear => vec![harmonic()?, engines::nonlinear::estimate(&job.case, &job.nonlinear)?],
-    })
-}
-
 /// Applies the options of the command line over those of the tank file.
 fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
     job.solid.memory_limit_mib = args.memory.over(job.solid.memory_limit_mib);
     job.engines = match args.fe {
-        Engine::None => {
-            job.fe = None;
-            Engines::Harmonic
-        }
-        Engine::Harmonic => Engines::Harmonic,
-        Engine::Solid => Engines::Solid,
-        Engine::Both => Engines::Both,
-        Engine::Nonlinear => Engines::Nonlinear,
+        Engine::None => Vec::new(),
+        Engine::Harmonic => vec![EngineId::Harmonic],
+        Engine::Solid => vec![EngineId::Solid],
+        Engine::Both => vec![EngineId::Harmonic, EngineId::Solid],
+        Engine::Nonlinear => vec![EngineId::Harmonic, EngineId::Nonlinear],
     };
-    if let Some(options) = &mut job.fe {
-        if let Some(refine) = args.refine {
-            options.refine = refine;
-        }
-        options.mesh_error &= !args.no_mesh_error;
-        match args.integrator {
-            Some(IntegratorArg::Modal) => options.integrator = Integrator::Modal,
-            Some(IntegratorArg::Newmark) => options.integrator = Integrator::Newmark,
-            None => {}
-        }
+    let options = &mut job.linear;
+    if let Some(refine) = args.refine {
+        options.refine = refine;
+    }
+    options.mesh_error &= !args.no_mesh_error;
+    match args.integrator {
+        Some(IntegratorArg::Modal) => options.integrator = Integrator::Modal,
+        Some(IntegratorArg::Newmark) => options.integrator = Integrator::Newmark,
+        None => {}
     }
     args.nonlinear.apply(job, &args.out)?;
-    if !job.engines.solid() {
+    if !job.engines.contains(&EngineId::Solid) {
         let unused = args.solid.given().or(args.vtu.as_ref().map(|_| "--vtu"));
         return match unused {
             Some(option) => Err(Error::input(format!(
@@ -324,7 +312,7 @@ fn table(results: &Results, excitation: Excitation) -> String {
             None => "–".to_string(),
             Some(cell) => {
                 let value = units::significant(units::in_unit(cell.value, unit), 3);
-                let nonlinear = results.methods[i].id == FE_NONLINEAR;
+                let nonlinear = results.methods[i].id == EngineId::Nonlinear.beside();
                 let mark = match later
                     .as_ref()
                     .is_some_and(|l| nonlinear && l.peaks.contains_key(&row.quantity))
@@ -371,25 +359,20 @@ struct Later {
 impl Later {
     /// `None` if there is none.
     fn of(results: &Results) -> Option<Later> {
-        let (linear, nonlinear) = (results.fe.as_ref()?, results.fe_nonlinear.as_ref()?);
+        let (linear, nonlinear) = (results.reference()?, results.beside(EngineId::Nonlinear)?);
         let run = nonlinear.nonlinear.as_ref()?;
         let end = *run.energies.time.last()?;
         let mut peaks = BTreeMap::new();
         for row in &results.comparison.rows {
-            let own = |id: &str| match row.quantity.as_str() {
-                "sloshing_height" => id.starts_with("wave_height_theta"),
-                "axial_membrane_stress" => id == "axial_membrane_stress_base",
-                "bending_stress" => id == "bending_stress_base",
-                quantity => id == quantity,
-            };
-            let histories = linear.series.iter().filter(|s| own(&s.id));
+            let own = |s: &&SeriesInfo| Channel::compared(&s.id).is_some_and(|q| q.id() == row.quantity);
+            let histories = linear.histories.iter().filter(own);
             if let Some(highest) = histories.max_by(|a, b| a.peak.abs().total_cmp(&b.peak.abs()))
                 && highest.time > end
             {
                 peaks.insert(row.quantity.clone(), highest.time);
             }
         }
-        let completed = run.end == End::Completed;
+        let completed = nonlinear.end == End::Completed;
         (!peaks.is_empty()).then_some(Later { end, completed, peaks })
     }
 }
@@ -426,15 +409,14 @@ fn verdict(results: &Results) -> String {
     }
     // A limit that several engines exceed is printed once.
     let mut told: Vec<&str> = Vec::new();
-    for fe in results.fe.iter().chain(&results.fe_solid).chain(&results.fe_nonlinear) {
-        let exceeded: Vec<&Limit> = fe.limits.iter().filter(|l| !l.holds).collect();
+    for run in &results.runs {
+        let exceeded: Vec<&Limit> = run.limits.iter().filter(|l| !l.holds).collect();
         for limit in exceeded.iter().filter(|l| !told.contains(&l.id.as_str())) {
             let _ = writeln!(text, "{}", terminal::exceeded(limit));
         }
         told.extend(exceeded.iter().map(|l| l.id.as_str()));
     }
-    let nonlinear = results.fe_nonlinear.as_ref().and_then(|fe| fe.nonlinear.as_ref());
-    if nonlinear.is_some_and(Nonlinear::parted) {
+    if results.runs.iter().any(Run::parted) {
         let _ = writeln!(text, "warning: {}", words::verdict::LIQUID_PARTED);
     }
     text

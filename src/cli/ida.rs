@@ -12,7 +12,7 @@ use crate::cli::{Format, Global, json, print, stamp};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::ida;
 use crate::input::records::plausible;
-use crate::job::{Engines, IdaJob};
+use crate::job::IdaJob;
 use engines::nonlinear::{self, scope::Purpose};
 use files::text;
 use report::words;
@@ -124,8 +124,7 @@ impl Args {
             reading: self.reading.clone(),
             procedures: None,
         };
-        let mut job = inputs.job(Some(Purpose::History))?;
-        job.engines = Engines::Nonlinear;
+        let job = inputs.job(Some(Purpose::History))?;
         if let (Some(motion), Some(largest)) = (&job.case.ground_motion, scales.last()) {
             let peak = motion.horizontal.pga() * largest;
             let origin = format!("--scale: the factor {largest}");

@@ -7,7 +7,7 @@ use tank::case::GroundMotion;
 use crate::cli::terminal::say;
 use crate::error::Error;
 use crate::input::{self, records};
-use crate::job::{self, Engines, Job};
+use crate::job::{self, Job};
 use engines::nonlinear::scope::Purpose;
 use files::text;
 use results::SourceFile;
@@ -31,8 +31,9 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// Reads everything; the job's finite-element options are those of the tank file.
-    /// * `nonlinear`: purpose of the nonlinear run, if any; a file that the engine cannot run is rejected
+    /// Reads everything; the job has no engines yet, and the options of the tank file.
+    ///
+    /// * `nonlinear`: what will be asked of the nonlinear engine, if anything; a file that it cannot run is refused
     pub fn job(&self, nonlinear: Option<Purpose>) -> Result<Job, Error> {
         let tank = input::read_tank(&self.tank)?;
         if let Some(purpose) = nonlinear {
@@ -89,8 +90,8 @@ impl Inputs {
         Ok(Job {
             case,
             procedures: crate::pipeline::select_procedures(&procedures)?,
-            fe: Some(tank.fe),
-            engines: Engines::default(),
+            engines: Vec::new(),
+            linear: tank.fe,
             solid: tank.solid,
             nonlinear: tank.nonlinear,
             checkpoint: None,

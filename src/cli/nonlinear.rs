@@ -7,11 +7,11 @@ use fem::analysis::checkpoint::{CheckpointError, MAGIC, inspect, unfinished};
 use crate::cli::Global;
 use crate::cli::terminal::say;
 use crate::error::Error;
-use crate::job::{Engines, Job};
+use crate::job::Job;
 use engines::nonlinear::CheckpointFile;
 use report::number::plain;
 use results::nonlinear::End;
-use results::{Results, describe};
+use results::{EngineId, Results, describe};
 
 /// Checkpoint options.
 #[derive(clap::Args, Clone, Debug)]
@@ -29,7 +29,7 @@ impl NonlinearArgs {
     /// Applies these options to the job; `out` is the output folder. Errors: options without a
     /// nonlinear run; those of [`NonlinearArgs::file`].
     pub fn apply(&self, job: &mut Job, out: &Path) -> Result<(), Error> {
-        if job.engines != Engines::Nonlinear {
+        if !job.engines.contains(&EngineId::Nonlinear) {
             let unused = self.checkpoint.as_ref().map(|_| "--checkpoint");
             return match unused.or(self.resume.then_some("--resume")) {
                 Some(option) => refuse(
@@ -165,8 +165,7 @@ pub fn announce_start(what: &str, file: &CheckpointFile, every: f64, global: &Gl
 
 /// How the nonlinear run of these results ended.
 fn end(results: &Results) -> Option<&End> {
-    let run = results.fe_nonlinear.as_ref()?.nonlinear.as_ref()?;
-    Some(&run.end)
+    Some(&results.beside(EngineId::Nonlinear)?.end)
 }
 
 /// Removes the checkpoint of a finished run.

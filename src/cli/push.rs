@@ -10,7 +10,7 @@ use crate::cli::table::Table;
 use crate::cli::terminal::say;
 use crate::cli::{Format, Global, json, nonlinear, print, stamp};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
-use crate::job::{Engines, PushJob};
+use crate::job::PushJob;
 use crate::push;
 use engines::FeError;
 use engines::nonlinear::push::{Amplitude, Form, NoSteel, PushOptions, Quality, estimate};
@@ -155,8 +155,7 @@ impl Args {
             reading: Reading::default(),
             procedures: None,
         };
-        let mut job = inputs.job(Some(Purpose::Pushover))?;
-        job.engines = Engines::Nonlinear;
+        let job = inputs.job(Some(Purpose::Pushover))?;
         if let (tank::Shape::Cylinder { .. }, Some(no_steel)) = (job.case.tank.shape, NoSteel::of(&job.case)) {
             let file = job.files.first().map_or("tank", |f| f.name.as_str());
             return refuse(

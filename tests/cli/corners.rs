@@ -12,9 +12,10 @@ use fem::progress::Silent;
 use oscillator::record::Record;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
+use results::EngineId;
 use tank::case::GroundMotion;
 use tankcheck::input::read_tank;
-use tankcheck::job::{Engines, Job};
+use tankcheck::job::Job;
 
 /// A number between two others, evenly in its logarithm.
 fn log(low: f64, high: f64) -> impl Strategy<Value = f64> {
@@ -128,8 +129,8 @@ fn job(text: &str) -> Option<Job> {
     Some(Job {
         case,
         procedures: tankcheck::pipeline::select_procedures(&[]).expect("all"),
-        fe: Some(tank.fe),
-        engines: Engines::Harmonic,
+        engines: vec![EngineId::Harmonic],
+        linear: tank.fe,
         solid: tank.solid,
         nonlinear: tank.nonlinear,
         checkpoint: None,
@@ -142,8 +143,7 @@ fn job(text: &str) -> Option<Job> {
 
 /// Runs a job as `compare` does; an error is one with words.
 fn runs(job: &Job) -> Result<(), TestCaseError> {
-    let options = job.fe.as_ref().expect("the job has an engine");
-    let admitted = engines::harmonic::estimate(&job.case, options).and_then(|e| e.hold(MEMORY_LIMIT_MIB));
+    let admitted = engines::harmonic::estimate(&job.case, &job.linear).and_then(|e| e.hold(MEMORY_LIMIT_MIB));
     if let Err(refusal) = admitted {
         prop_assert!(!refusal.to_string().is_empty());
         return Ok(());
@@ -194,7 +194,7 @@ fn each(cases: u32, body: impl Fn(Plan, Job) -> Result<(), TestCaseError>) {
 fn accepted_tanks_are_computed_or_refused_in_words() {
     each(40, |_, mut job| {
         runs(&job)?;
-        job.fe = None;
+        job.engines.clear();
         let codes = tankcheck::pipeline::run(&job, &Silent);
         prop_assert!(codes.is_ok() || !codes.unwrap_err().to_string().is_empty());
         Ok(())
@@ -244,7 +244,7 @@ fn the_shallowest_liquid() {
     };
     for (fill, computed) in [(5e-7, false), (0.99e-4, false), (1.01e-4, true), (1e-3, true)] {
         let job = job(&plan(fill).json()).expect("the input accepts it");
-        let options = job.fe.as_ref().expect("the job has an engine");
+        let options = &job.linear;
         let found = engines::simulate(&job.case, options);
         assert_eq!(found.is_ok(), computed, "{fill}: {:?}", found.err());
     }

@@ -7,7 +7,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 use results::nonlinear::End;
-use results::{Results, read};
+use results::{EngineId, Results, read};
 
 use super::bad_tank::has;
 
@@ -80,9 +80,9 @@ fn end(run: Child) -> (Option<i32>, String) {
 
 /// A linear peak after the end of the nonlinear run is marked.
 fn marked(whole: &Results, table: &str) {
-    let fe = whole.fe.as_ref().expect("the linear engine");
+    let fe = whole.reference().expect("the linear engine");
     let late = fe
-        .series
+        .histories
         .iter()
         .any(|s| s.id.starts_with("wave_height") && s.time > 15.0);
     let row = table.lines().find(|l| l.starts_with("Sloshing height")).expect("a row");
@@ -110,11 +110,7 @@ fn resumed_is_uninterrupted() {
     assert!(!home.join("whole.checkpoint").exists());
     let (whole, series) = results(home, "whole");
     marked(&whole, &String::from_utf8_lossy(&output.stdout));
-    let run = whole
-        .fe_nonlinear
-        .as_ref()
-        .and_then(|fe| fe.nonlinear.as_ref())
-        .expect("a nonlinear run");
+    let run = whole.beside(EngineId::Nonlinear).expect("a nonlinear run");
     assert_eq!(run.end, End::Completed);
     assert!(
         run.events
@@ -194,6 +190,6 @@ fn resumed_is_uninterrupted() {
     assert!(!checkpoint.exists());
     let (resumed, again) = results(home, "part");
     assert_eq!(again, series);
-    assert_eq!(resumed.fe_nonlinear, whole.fe_nonlinear);
+    assert_eq!(resumed.runs, whole.runs);
     assert_eq!(resumed.verdict, whole.verdict);
 }

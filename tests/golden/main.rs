@@ -2,5 +2,6 @@
 
 mod examples;
 mod kept;
+mod previous;
 mod report_content;
 mod sample;

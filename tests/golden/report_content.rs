@@ -6,7 +6,7 @@ use report::template::Templates;
 use report::{Report, build};
 use results::compare::Incomplete;
 use results::nonlinear::{BaseMoment, Columns, Departure, DepartureKind, End, Energies, Nonlinear, Passed};
-use results::{NONLINEAR_PREFIX, Results, Series, SeriesInfo};
+use results::{EngineId, Results, Series, SeriesInfo};
 use tank::units::Dimension;
 
 use crate::sample::{Kind, sample};
@@ -64,7 +64,7 @@ fn warnings_and_unusable_numbers_are_shown() {
         .find(|r| r.quantity == "base_shear")
         .expect("a base shear");
     row.cells[fe].as_mut().expect("a value").unusable = true;
-    let run = results.fe.as_mut().expect("a run");
+    let run = results.runs.first_mut().expect("a run");
     run.mesh_error.insert("base_shear".into(), 0.34);
     results.warnings = vec!["record `<b>`: found a time step of 0.2 s, usual are 0.002 to 0.02 s".into()];
     let html = rendered(&results, &series).html;
@@ -196,8 +196,7 @@ fn the_nonlinear_run_shows_what_became_of_the_wall() {
 #[test]
 fn a_collapse_is_told_first_and_its_numbers_are_bounds() {
     let (mut results, mut series) = sample(Kind::Nonlinear, TITLE);
-    let run = results.fe_nonlinear.as_mut().and_then(|fe| fe.nonlinear.as_mut());
-    run.expect("a nonlinear run").end = End::Collapsed {
+    results.runs[1].end = End::Collapsed {
         time: 7.312,
         load_factor: None,
         reason: "the step was halved 12 times".into(),
@@ -207,7 +206,7 @@ fn a_collapse_is_told_first_and_its_numbers_are_bounds() {
     results.verdict.cause = Some(Incomplete::NoEquilibrium { time: 7.312 });
     let end = series.time.iter().position(|t| *t > 7.315).expect("a longer record");
     for (id, column) in series.ids.iter().zip(&mut series.columns) {
-        if id.starts_with(NONLINEAR_PREFIX) {
+        if id.starts_with(EngineId::Nonlinear.prefix()) {
             column[end..].fill(f64::NAN);
         }
     }
@@ -266,9 +265,8 @@ fn a_run_that_left_its_model_is_marked() {
         (stopped, "Stopped: the run left its model at t = 4.400 s"),
     ] {
         let (mut results, series) = sample(Kind::Nonlinear, TITLE);
-        let run = results.fe_nonlinear.as_mut().and_then(|fe| fe.nonlinear.as_mut());
-        let run = run.expect("a nonlinear run");
-        run.end = end;
+        results.runs[1].end = end;
+        let run = results.runs[1].nonlinear.as_mut().expect("a nonlinear run");
         run.departures = vec![departure.clone()];
         run.moments = vec![moments.clone()];
         let html = rendered(&results, &series).html;
@@ -291,7 +289,7 @@ fn a_run_that_left_its_model_is_marked() {
 #[test]
 fn a_strip_shows_its_walls_side_by_side() {
     let (mut results, series) = sample(Kind::Nonlinear, TITLE);
-    let run = results.fe_nonlinear.as_mut().and_then(|fe| fe.nonlinear.as_mut());
+    let run = results.runs[1].nonlinear.as_mut();
     let run = run.expect("a nonlinear run");
     run.grid.columns = Columns::Walls {
         names: vec!["left wall".into(), "right wall".into()],
@@ -313,9 +311,8 @@ fn a_strip_shows_its_walls_side_by_side() {
 #[test]
 fn a_nonlinear_run_without_anything_is_no_broken_section() {
     let (mut results, series) = sample(Kind::Nonlinear, TITLE);
-    let fe = results.fe_nonlinear.as_mut().expect("a nonlinear run");
-    let run = fe.nonlinear.as_mut().expect("a nonlinear run");
-    run.events.clear();
+    results.runs[1].events.clear();
+    let run = results.runs[1].nonlinear.as_mut().expect("a nonlinear run");
     run.maps.clear();
     run.cracks.clear();
     run.loops.clear();
@@ -323,7 +320,7 @@ fn a_nonlinear_run_without_anything_is_no_broken_section() {
     run.energies = Energies::default();
     let short = rendered(&results, &series).html;
     assert!(short.contains("id=\"nonlinear\"") && !short.contains("id=\"fig-energies\""));
-    results.fe_nonlinear.as_mut().expect("a nonlinear run").nonlinear = None;
+    results.runs[1].nonlinear = None;
     assert!(rendered(&results, &series).html.contains("id=\"nonlinear\""));
 }
 
@@ -332,7 +329,7 @@ fn a_map_without_a_value_for_each_cell_is_an_error_and_no_panic() {
     let templates = Templates::new(None).expect("the embedded templates parse");
     let spoil = |spoil: &dyn Fn(&mut Nonlinear)| {
         let (mut results, series) = sample(Kind::Nonlinear, TITLE);
-        let run = results.fe_nonlinear.as_mut().and_then(|fe| fe.nonlinear.as_mut());
+        let run = results.runs[1].nonlinear.as_mut();
         spoil(run.expect("a nonlinear run"));
         build(&results, &series, &templates).expect_err("a fault").to_string()
     };
@@ -344,7 +341,7 @@ fn a_map_without_a_value_for_each_cell_is_an_error_and_no_panic() {
 #[test]
 fn an_interrupted_run_is_no_verdict() {
     let (mut results, series) = sample(Kind::Both, TITLE);
-    results.fe_solid.as_mut().expect("two engines").incomplete = true;
+    results.runs[1].incomplete = true;
     results.verdict.incomplete = true;
     let html = rendered(&results, &series).html;
     let summary = &html[..html.find("id=\"comparison\"").expect("a second section")];
@@ -356,8 +353,8 @@ fn an_interrupted_run_is_no_verdict() {
 fn broken_fields_are_an_error_and_no_panic() {
     let (mut results, series) = sample(Kind::Solid, TITLE);
     let fields = results
-        .fe
-        .as_mut()
+        .runs
+        .first_mut()
         .and_then(|fe| fe.fields.as_mut())
         .expect("a spatial run has fields");
     fields.modes[0].displacement.pop();
@@ -411,9 +408,9 @@ fn text_of_the_input_is_escaped_everywhere() {
     results.volatile.command = hostile.into();
     results.comparison.published[0].source = hostile.into();
     results.comparison.differences[0].method = hostile.into();
-    let fe = results.fe.as_mut().expect("compare has an engine");
+    let fe = results.runs.first_mut().expect("compare has an engine");
     fe.limits[1].note = hostile.into();
-    fe.series[3].title = hostile.into();
+    fe.histories[3].title = hostile.into();
     fe.envelopes[0].title = hostile.into();
     fe.mesh[0].text = hostile.into();
     for method in &mut results.methods {
@@ -542,12 +539,12 @@ fn peaks_of_long_histories_survive_and_the_file_stays_small() {
         *column = (0..n).map(|i| ((i * (k + 1)) as f64 * 0.7).sin()).collect();
         column[31_234] = 7.5;
     }
-    let fe = results.fe.as_mut().expect("compare has an engine");
+    let fe = results.runs.first_mut().expect("compare has an engine");
     for i in 0..20 {
         let id = format!("station_{i}");
         series.columns.push(series.columns[3].clone());
         series.ids.push(id.clone());
-        fe.series.push(SeriesInfo {
+        fe.histories.push(SeriesInfo {
             title: id.clone(),
             id,
             dimension: Dimension::Length,
@@ -574,7 +571,7 @@ fn awkward_numbers_do_no_harm() {
     results.methods[1].profiles[1].values[3] = f64::NAN;
     results.methods[2].steps[3].value = f64::NAN;
     results.spectra[0].psv.fill(0.0);
-    let fe = results.fe.as_mut().expect("compare has an engine");
+    let fe = results.runs.first_mut().expect("compare has an engine");
     fe.envelopes[0].min.clear();
     fe.modes[0].shape.surface.truncate(2);
     fe.limits.clear();

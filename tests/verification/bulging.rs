@@ -100,7 +100,7 @@ fn f16_no_structural_mode_below_bulging() {
 fn masses_add_up() {
     for case in [broad(1000.0), slender(1000.0, 5.0)] {
         let coupled = build(&case, &Options::default(), 1).unwrap();
-        let shear = coupled.probes.iter().find(|p| p.id == "base_shear").unwrap();
+        let shear = coupled.probes.iter().find(|p| p.channel.id() == "base_shear").unwrap();
         let total = coupled.liquid_mass + coupled.wall_mass;
         let free = dot(&coupled.influence, &coupled.mass.times(&coupled.influence));
         assert_close("ιᵀ M ι + edge", free + shear.ground_acceleration, total, 1e-9);

@@ -41,14 +41,14 @@ fn bulging(case: &Case, refine: f64) -> [f64; 4] {
     let modes = solve(&coupled, Some(coupled.surface.unknowns.len() + 3)).unwrap();
     let mode = modes.iter().find(|m| m.kind == Kind::Structural).unwrap();
     let stress = |id: &str| {
-        let probe = coupled.probes.iter().find(|p| p.id == id).unwrap();
+        let probe = coupled.probes.iter().find(|p| p.channel.id() == id).unwrap();
         dot(&probe.displacement, &mode.vector) * mode.participation / (mode.omega * mode.omega)
     };
     [
         mode.omega,
         mode.participation * mode.participation,
-        stress("axial_membrane_stress@base"),
-        stress("bending_stress@base"),
+        stress("axial_membrane_stress_base"),
+        stress("bending_stress_base"),
     ]
 }
 

@@ -31,11 +31,11 @@ fn value(probe: &Probe, coupled: &Coupled, x: &[f64]) -> f64 {
 }
 
 fn probe<'a>(coupled: &'a Coupled, id: &str) -> &'a Probe {
-    coupled.probes.iter().find(|p| p.id == id).unwrap()
+    coupled.probes.iter().find(|p| p.channel.id() == id).unwrap()
 }
 
 fn line(coupled: &Coupled, id: &str, x: &[f64]) -> Vec<(f64, f64)> {
-    let line = coupled.lines.iter().find(|l| l.id == id).unwrap();
+    let line = coupled.lines.iter().find(|l| l.what.id() == id).unwrap();
     line.z
         .iter()
         .zip(&line.probes)
@@ -59,9 +59,9 @@ fn constant_horizontal_acceleration_of_a_cylinder() {
             assert_close("pressure", pressure, -1000.0 * radius, 1e-6);
         }
         for (id, r) in [
-            ("wave_height@wall", radius),
-            ("wave_height@-1.83", -1.83),
-            ("wave_height@0.6", 0.6),
+            ("wave_height_theta_0", radius),
+            ("wave_height_r_-1.83", -1.83),
+            ("wave_height_r_0.6", 0.6),
         ] {
             assert_close(id, value(probe(&coupled, id), &coupled, &x), -r / GRAVITY, 1e-4);
         }
@@ -80,15 +80,15 @@ fn constant_horizontal_acceleration_of_a_cylinder() {
         assert_close("overturning", below - moment, 1000.0 * PI * radius.powi(4) / 4.0, 1e-6);
 
         let t = courses[0].thickness;
-        let axial = value(probe(&coupled, "axial_membrane_stress@base"), &coupled, &x) * t;
-        let bending = value(probe(&coupled, "wall_moment@base"), &coupled, &x);
+        let axial = value(probe(&coupled, "axial_membrane_stress_base"), &coupled, &x) * t;
+        let bending = value(probe(&coupled, "wall_moment_base"), &coupled, &x);
         assert_close(
             "stress resultant",
             PI * radius * (radius * axial + bending),
             moment,
             0.005,
         );
-        let stress = value(probe(&coupled, "bending_stress@base"), &coupled, &x);
+        let stress = value(probe(&coupled, "bending_stress_base"), &coupled, &x);
         assert_close("bending stress", stress, 6.0 * bending / (t * t), 1e-12);
     }
 }
@@ -156,7 +156,7 @@ fn constant_vertical_acceleration_is_the_static_state() {
             "radial_displacement",
         ] {
             let found = line(&coupled, id, &x);
-            let line = coupled.lines.iter().find(|l| l.id == id).unwrap();
+            let line = coupled.lines.iter().find(|l| l.what.id() == id).unwrap();
             let peak = line.probes.iter().fold(0.0_f64, |m, p| m.max(p.static_value.abs()));
             for (probe, (z, value)) in line.probes.iter().zip(found) {
                 let difference = value - probe.static_value / GRAVITY;
@@ -192,14 +192,14 @@ fn constant_horizontal_acceleration_of_a_strip() {
     }
     assert_close(
         "wave",
-        value(probe(&coupled, "wave_height@wall"), &coupled, &x),
+        value(probe(&coupled, "wave_height_theta_0"), &coupled, &x),
         -2.5 / GRAVITY,
         1e-4,
     );
     let moment = 2500.0 * 2.57_f64.powi(2) / 2.0 + 2500.0 * 0.3 * 3.0 * 1.5;
     assert_close(
         "wall moment",
-        value(probe(&coupled, "wall_moment@base"), &coupled, &x),
+        value(probe(&coupled, "wall_moment_base"), &coupled, &x),
         moment,
         0.005,
     );
@@ -216,13 +216,13 @@ fn constant_horizontal_acceleration_of_a_strip() {
         2.0 * 2.0 * 1000.0 * 2.5_f64.powi(3) / 3.0,
         1e-6,
     );
-    assert!(coupled.lines.iter().all(|l| l.id != "hoop_stress"));
+    assert!(coupled.lines.iter().all(|l| l.what.id() != "hoop_stress"));
 }
 
 #[test]
 fn lines_have_both_sides_of_a_joint() {
     let coupled = build(&broad(1000.0), &Options::default(), 1).unwrap();
-    let line = coupled.lines.iter().find(|l| l.id == "hoop_stress").unwrap();
+    let line = coupled.lines.iter().find(|l| l.what.id() == "hoop_stress").unwrap();
     assert!((60..=100).contains(&line.z.len()), "{}", line.z.len());
     assert!(line.z.windows(2).all(|w| w[1] >= w[0]));
     let joint: Vec<&Probe> = line

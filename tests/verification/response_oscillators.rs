@@ -7,14 +7,13 @@
 use engines::coupled::{Coupled, Part, ShapeRows};
 use engines::damping::{Damper, Rayleigh};
 use engines::harmonic::{CoupledMode, Kind, solve};
-use engines::probe::{ModeSelection, Probe};
+use engines::probe::Probe;
 use engines::response::direct::{self, DirectSystem};
 use engines::response::motion::{Grid, Motion};
 use engines::response::observe::Observed;
 use engines::response::superpose::{self, ModalSystem};
 use fem::linalg::Matrix;
 use oscillator::record::Record;
-use tank::units::Dimension;
 
 use crate::motions::{broad_band, record};
 
@@ -50,14 +49,9 @@ fn chain(masses: &[f64], springs: &[f64]) -> Coupled {
 
 fn probe(displacement: Vec<f64>, absolute_acceleration: Vec<f64>) -> Probe {
     Probe {
-        id: "y".into(),
-        title: "y".into(),
-        dimension: Dimension::Length,
         displacement,
         absolute_acceleration,
-        ground_acceleration: 0.0,
-        static_value: 0.0,
-        modes: ModeSelection::All,
+        ..Probe::new(results::Channel::BaseShear)
     }
 }
 

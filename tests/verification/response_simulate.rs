@@ -78,7 +78,7 @@ fn slow_vertical_acceleration_adds_weight() {
     assert!(
         found
             .result
-            .series
+            .histories
             .iter()
             .any(|s| s.id == "vertical_ground_acceleration")
     );
@@ -223,7 +223,7 @@ fn sloshing_may_peak_after_the_record() {
     let found = simulate(&shaken(push.clone(), None), &quick()).unwrap();
     let wave = found
         .result
-        .series
+        .histories
         .iter()
         .find(|s| s.id == "wave_height_theta_0")
         .unwrap();

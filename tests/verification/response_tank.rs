@@ -187,7 +187,10 @@ fn peaks(
     let observables: Vec<Observable> = probes.iter().map(|p| vec![(0, 1.0, *p)]).collect();
     let found: Observed =
         superpose::respond(&[system], &[&ground], grid, &[], &observables, &fem::progress::Silent).unwrap();
-    let name = |p: &&engines::probe::Probe| format!("{} {}", p.title, p.id);
+    let name = |p: &&engines::probe::Probe| {
+        let id = p.channel.id();
+        format!("{} {}", id.split("_z_").next().unwrap_or(&id), p.key())
+    };
     probes
         .iter()
         .map(name)
@@ -242,7 +245,7 @@ fn missing_mass_does_not_replace_the_wall_mode() {
         let found = peaks(&tank, &modes, keep, &motion);
         found
             .into_iter()
-            .find(|(name, _)| name.contains("wall_moment@base"))
+            .find(|(name, _)| name.contains("wall_moment_base"))
             .unwrap()
             .1
     };

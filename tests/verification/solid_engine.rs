@@ -85,7 +85,7 @@ fn shaken(vertical: bool) -> tank::Case {
 
 fn series(run: &Simulation, id: &str) -> f64 {
     run.result
-        .series
+        .histories
         .iter()
         .find(|s| s.id == id)
         .map_or(f64::NAN, |s| s.peak)

@@ -38,7 +38,7 @@ fn dry_cantilever() {
 #[test]
 fn masses_and_side_walls() {
     let coupled = build(&strip(1000.0), &Options::default(), 1).unwrap();
-    let shear = coupled.probes.iter().find(|p| p.id == "base_shear").unwrap();
+    let shear = coupled.probes.iter().find(|p| p.channel.id() == "base_shear").unwrap();
     let free = dot(&coupled.influence, &coupled.mass.times(&coupled.influence));
     let expected = 1000.0 * 5.0 * 2.57 + 2.0 * 3.0 * 0.3 * 2500.0;
     assert_close("mass", free + shear.ground_acceleration, expected, 1e-9);
@@ -51,7 +51,7 @@ fn masses_and_side_walls() {
         strip: false,
     };
     let closed = build(&tank, &Options::default(), 1).unwrap();
-    let shear_closed = closed.probes.iter().find(|p| p.id == "base_shear").unwrap();
+    let shear_closed = closed.probes.iter().find(|p| p.channel.id() == "base_shear").unwrap();
     let side = 2.0 * 5.0 * 3.0 * 0.3 * 2500.0;
     assert_close(
         "side",
@@ -62,7 +62,7 @@ fn masses_and_side_walls() {
     let moment = |c: &engines::coupled::Coupled| {
         c.probes
             .iter()
-            .find(|p| p.id == "base_moment")
+            .find(|p| p.channel.id() == "base_moment")
             .unwrap()
             .ground_acceleration
     };

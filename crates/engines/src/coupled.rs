@@ -5,7 +5,8 @@
 
 use crate::probe::{Probe, ProbeLine};
 use fem::linalg::{Matrix, dot};
-use results::ModeShape;
+use results::channel::OnWall;
+use results::{Channel, ModeShape};
 
 /// Matrices, loads and observations of one harmonic.
 #[derive(Clone, Debug)]
@@ -40,6 +41,18 @@ pub struct Coupled {
     pub mesh: Vec<results::Labelled>,
     /// Rows that turn an eigenvector into its shape for drawing.
     pub shape_rows: ShapeRows,
+}
+
+impl Coupled {
+    /// The line of a quantity over the height.
+    pub fn line(&self, what: OnWall) -> Option<&ProbeLine> {
+        self.lines.iter().find(|line| line.what == what)
+    }
+
+    /// The probe of a scalar.
+    pub fn probe(&self, channel: Channel) -> Option<&Probe> {
+        self.probes.iter().find(|probe| probe.channel == channel)
+    }
 }
 
 /// A part of the stiffness matrix that holds energy of one kind.

@@ -17,7 +17,7 @@ pub use tank::options::MEMORY_LIMIT_MIB;
 use tank::{Course, Shape};
 
 use super::FeError;
-use super::simulate::model::FREE_PERIODS;
+use super::linear::model::FREE_PERIODS;
 
 /// Most samples of a response, free vibration included: twice the longest record that is read (5.5 hours at 100 Hz).
 pub const MOST_SAMPLES: f64 = 4e6;

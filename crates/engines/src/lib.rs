@@ -6,43 +6,27 @@
 
 pub mod coupled;
 pub mod damping;
+pub mod engine;
 pub mod estimate;
 pub mod harmonic;
 pub mod nonlinear;
 
+mod histories;
+mod linear;
 pub mod probe;
 pub mod response;
-mod simulate;
 pub mod solid;
 
+pub use engine::{ALL, Engine, Simulation, Task, engine};
 pub use fem::liquid;
-pub use simulate::{simulate, simulate_watched};
+pub use linear::{simulate, simulate_watched};
 pub use tank::options::LinearOptions as Options;
 pub use tank::options::linear::{DampingModel, Integrator};
 
-use std::collections::BTreeMap;
-
 use fem::analysis::checkpoint::CheckpointError;
-use tank::{Case, Quantity};
+use tank::Case;
 
-use results::{FeResult, Mode, Series, Snapshots};
-
-/// A finished run.
-#[derive(Clone, Debug)]
-pub struct Simulation {
-    /// Comparable values, SI.
-    pub values: BTreeMap<Quantity, f64>,
-    /// The run in the vocabulary of the results folder.
-    pub result: FeResult,
-    /// Time histories.
-    pub series: Series,
-    /// What the engine assumed, one sentence each.
-    pub assumptions: Vec<String>,
-    /// Warnings, one sentence each.
-    pub notes: Vec<String>,
-    /// States of the three-dimensional model at moments, where they were asked for.
-    pub snapshots: Option<Snapshots>,
-}
+use results::Mode;
 
 /// Failure of the engine.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -1,6 +1,7 @@
 //! What is observed: linear functionals of the unknowns.
 
-use tank::units::Dimension;
+use results::Channel;
+use results::channel::OnWall;
 
 /// A scalar output y(t) = d·x(t) + a·ẍ_total(t) + b a_g(t), where x are the unknowns relative to the ground and
 /// ẍ_total = ẍ + ι a_g their absolute acceleration.
@@ -11,12 +12,10 @@ use tank::units::Dimension;
 /// Vectors have the length of the model's unknowns; an empty vector stands for zeros.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Probe {
-    /// Id, unique within the model (`base_shear`, `hoop_stress@0.135`).
-    pub id: String,
-    /// Title.
-    pub title: String,
-    /// Dimension of y.
-    pub dimension: Dimension,
+    /// What y is.
+    pub channel: Channel,
+    /// Number of its place on a line over the height; none for a scalar of the tank.
+    pub place: Option<usize>,
     /// Coefficients d.
     pub displacement: Vec<f64>,
     /// Coefficients a.
@@ -28,6 +27,29 @@ pub struct Probe {
     pub static_value: f64,
     /// Which modes count.
     pub modes: ModeSelection,
+}
+
+impl Probe {
+    /// A probe of `channel` that observes nothing yet.
+    pub fn new(channel: Channel) -> Probe {
+        Probe {
+            channel,
+            place: None,
+            displacement: Vec::new(),
+            absolute_acceleration: Vec::new(),
+            ground_acceleration: 0.0,
+            static_value: 0.0,
+            modes: ModeSelection::All,
+        }
+    }
+
+    /// Name that no other probe of a model has: two places of a line may be at one height, on both sides of a joint.
+    pub fn key(&self) -> String {
+        match self.place {
+            Some(place) => format!("{}[{place}]", self.channel.id()),
+            None => self.channel.id(),
+        }
+    }
 }
 
 /// Which modes count for a probe.
@@ -42,14 +64,20 @@ pub enum ModeSelection {
 /// Probes along the height that together make an envelope.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProbeLine {
-    /// Id of the envelope (`hoop_stress`).
-    pub id: String,
-    /// Title.
-    pub title: String,
-    /// Dimension.
-    pub dimension: Dimension,
+    /// What is observed.
+    pub what: OnWall,
     /// Heights [m], ascending.
     pub z: Vec<f64>,
     /// One probe a height.
     pub probes: Vec<Probe>,
+}
+
+impl ProbeLine {
+    /// The probe of a place of the line.
+    pub fn probe(what: OnWall, place: usize, z: f64) -> Probe {
+        Probe {
+            place: Some(place),
+            ..Probe::new(Channel::At { what, z })
+        }
+    }
 }

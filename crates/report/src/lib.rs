@@ -42,7 +42,7 @@ use figure::Figure;
 use files::error::Error;
 use files::text::visible;
 use number::{percent, with_unit};
-use results::{self, Fact, Results, Series, SourceFile, describe, put};
+use results::{self, EngineId, Fact, Results, Series, SourceFile, describe, put};
 use sections::Source;
 use table::{Column, Table};
 use template::Templates;
@@ -171,8 +171,8 @@ pub fn build(results: &Results, series: &Series, templates: &Templates) -> Resul
     }
     // The styles of spatial and nonlinear figures burden only the reports that have them.
     let mut css = templates.css("figure.css").to_owned();
-    let nonlinear = results.fe_nonlinear.is_some();
-    if views.iter().any(|v| v.id == "spatial") || results.fe_solid.is_some() || nonlinear {
+    let nonlinear = results.beside(EngineId::Nonlinear).is_some();
+    if views.iter().any(|v| v.id == "spatial") || results.beside(EngineId::Solid).is_some() || nonlinear {
         css.push_str(templates.css("fields.css"));
     }
     if nonlinear {

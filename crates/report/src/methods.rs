@@ -2,7 +2,7 @@
 
 use tank::assessment::Excitation;
 
-use results::{Method, Results};
+use results::{FE, Method, Results};
 
 /// Label, palette class and excitation of a method.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Look {
 /// The look of a method.
 pub fn look(method: &Method) -> Look {
     let (label, class) = match method.id.as_str() {
-        "fe" => ("Finite elements", "k-fe"),
+        FE => ("Finite elements", "k-fe"),
         "fe-solid" => ("3-D elements", "k-fe-solid"),
         "fe-nonlinear" => ("Nonlinear elements", "k-fe-nonlinear"),
         "measured" => ("Measured", "k-measured"),
@@ -68,8 +68,8 @@ pub fn excitation(method: &Method) -> &'static str {
 /// Indices of the methods for figures: finite elements, the second engine, measurement, procedures on the record, on the site's spectrum.
 pub fn figure_order(results: &Results) -> Vec<usize> {
     let rank = |m: &Method| match (m.id.as_str(), m.excitation) {
-        ("fe", _) => 0,
-        ("fe-solid" | "fe-nonlinear", _) => 1,
+        (FE, _) => 0,
+        _ if m.is_run() => 1,
         ("measured", _) => 2,
         (_, Excitation::Record) => 3,
         (_, Excitation::Site) => 4,

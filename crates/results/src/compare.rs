@@ -12,19 +12,10 @@ use tank::Quantity;
 use tank::approach::Approach;
 
 pub use attribution::THRESHOLD;
-pub use difference::{Damping, Difference, Estimated, Incomplete, Ratio, Reason, SecondEngine, Unusable, unusable};
+pub use difference::{Damping, Difference, Estimated, Incomplete, Ratio, Reason, Unusable, unusable};
 
 use crate::nonlinear::{End, Event};
-use crate::{Cell, Comparison, ComparisonRow, Governing, MESH_ERROR_LIMIT, Method, Verdict};
-
-/// Id of the finite-element column, the reference of all ratios.
-pub const FE: &str = "fe";
-
-/// Id of the three-dimensional engine's column beside the harmonic one's.
-pub const FE_SOLID: &str = "fe-solid";
-
-/// Id of the nonlinear engine's column beside the harmonic one's.
-pub const FE_NONLINEAR: &str = "fe-nonlinear";
+use crate::{Cell, Comparison, ComparisonRow, FE, Governing, MESH_ERROR_LIMIT, Method, Verdict};
 
 /// Id of the column of measured values.
 pub const MEASURED: &str = "measured";

@@ -3,6 +3,7 @@
 //! `results.json` is ordered and deterministic; everything that may differ between two identical runs stands in
 //! [`Volatile`]. All values are SI, each with its unit beside it. The report, `diff` and users' scripts read nothing else.
 
+pub mod channel;
 pub mod compare;
 mod fact;
 mod fields;
@@ -10,7 +11,9 @@ pub mod finite;
 mod ida;
 pub mod nonlinear;
 pub mod numdiff;
+mod previous;
 mod push;
+mod run;
 mod snapshots;
 mod store;
 pub mod vtu;
@@ -21,6 +24,7 @@ use serde::{Deserialize, Serialize};
 use tank::assessment::{Check, Excitation, Profile, Step};
 use tank::units::Dimension;
 
+pub use channel::Channel;
 pub use fact::{Fact, FactKind};
 pub use fields::{DeformedShape, Fields, Picture, WallMap};
 pub use ida::{
@@ -31,6 +35,9 @@ pub use push::{
     Capacity, Imperfection, PUSH_FILE, PUSH_FORMAT, Push, PushLimit, PushMeridian, PushPoint, PushShell, read_push,
     write_push,
 };
+pub use run::{
+    Balance, DampingRow, EnergyBalance, EngineId, Envelope, FE, Labelled, Limit, Mode, ModeShape, Run, SeriesInfo,
+};
 pub use snapshots::{Resultants, Snapshot, Snapshots};
 pub use store::{
     COMPARE, COMPARE_REPORT, FIGURES_FOLDER, OUTPUT, REPORT_FILE, RESULTS_FILE, SERIES_FILE, put, read, read_series,
@@ -39,8 +46,8 @@ pub use store::{
 
 pub use files::error::describe;
 
-/// Version of the format; a reader refuses any other.
-pub const FORMAT: &str = "tankcheck-results/1";
+/// Version of the format. The version before it is converted when it is read; any other is refused.
+pub const FORMAT: &str = "tankcheck-results/2";
 
 /// Everything in `results.json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -63,14 +70,8 @@ pub struct Results {
     pub spectra: Vec<SpectrumCurve>,
     /// Methods in report order: procedures, then `fe`, then `measured`.
     pub methods: Vec<Method>,
-    /// The finite-element run; absent in `check`.
-    pub fe: Option<FeResult>,
-    /// The run of the three-dimensional engine beside the harmonic one (`--fe both`).
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub fe_solid: Option<FeResult>,
-    /// The run of the nonlinear engine beside the harmonic one (`--fe nonlinear`).
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub fe_nonlinear: Option<FeResult>,
+    /// Runs of the engines, that of the reference first; empty in `check`.
+    pub runs: Vec<Run>,
     /// Quantities × methods.
     pub comparison: Comparison,
     /// The verdict.
@@ -78,6 +79,18 @@ pub struct Results {
     /// What is unusual in the input, one sentence each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
+}
+
+impl Results {
+    /// The first run, to which all ratios refer.
+    pub fn reference(&self) -> Option<&Run> {
+        self.runs.first()
+    }
+
+    /// The run of an engine beside the first one.
+    pub fn beside(&self, engine: EngineId) -> Option<&Run> {
+        self.runs.iter().skip(1).find(|run| run.engine == engine)
+    }
 }
 
 /// Fields that differ between identical runs.
@@ -140,6 +153,13 @@ pub struct InputValue {
     pub default: bool,
     /// Source of a default ("EN 1998-4:2006 2.3.3"), empty otherwise.
     pub source: String,
+}
+
+impl Method {
+    /// Whether it is the column of an engine.
+    pub fn is_run(&self) -> bool {
+        self.id == FE || EngineId::ALL.iter().any(|engine| engine.beside() == self.id)
+    }
 }
 
 /// Geometry of the tank for the sketch.
@@ -283,184 +303,6 @@ pub struct Method {
     pub notes: Vec<String>,
 }
 
-/// The finite-element run.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct FeResult {
-    /// Engine (`harmonic`, `solid`, `nonlinear`).
-    pub engine: String,
-    /// Mesh and unknowns, as label → text ("liquid elements (r × z)" → "5 × 8, quadratic").
-    pub mesh: Vec<Labelled>,
-    /// Coupled modes of all computed harmonics.
-    pub modes: Vec<Mode>,
-    /// Time integration, damping and number of modes, as label → text.
-    pub integration: Vec<Labelled>,
-    /// Damping ratios that result at the modes with more than 1 % of the mass (Rayleigh only).
-    pub damping_table: Vec<DampingRow>,
-    /// Estimated discretisation error by quantity id, relative (|fine − coarse| / |fine|).
-    pub mesh_error: BTreeMap<String, f64>,
-    /// Balance of masses, as label → relative error.
-    pub mass_balance: Vec<Balance>,
-    /// Energy balance of the direct integration; absent for modal integration.
-    pub energy: Option<EnergyBalance>,
-    /// Envelopes over the height at θ = 0.
-    pub envelopes: Vec<Envelope>,
-    /// Histories in `series.csv`.
-    pub series: Vec<SeriesInfo>,
-    /// Limits of validity: what was tested and what was found.
-    pub limits: Vec<Limit>,
-    /// Fields of the three-dimensional engine for pictures.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub fields: Option<Fields>,
-    /// What the wall has become, of the nonlinear engine.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub nonlinear: Option<nonlinear::Nonlinear>,
-    /// True if the run was interrupted: histories and extremes end at the time said in `integration`.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub incomplete: bool,
-}
-
-/// A label and its text.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Labelled {
-    /// Label.
-    pub label: String,
-    /// Text.
-    pub text: String,
-}
-
-/// A coupled mode.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Mode {
-    /// Circumferential harmonic m; 1 for a plane strip's antisymmetric modes.
-    pub harmonic: u32,
-    /// Axial wave number of a wall mode (half waves over the height), where the engine counts it.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub axial: Option<u32>,
-    /// `sloshing` or `structural`.
-    pub kind: String,
-    /// Number within harmonic and kind, from 1.
-    pub number: usize,
-    /// Circular frequency [rad/s].
-    pub omega: f64,
-    /// Period [s].
-    pub period: f64,
-    /// Damping ratio.
-    pub damping: f64,
-    /// Participation factor of the M-normalised mode [√kg].
-    pub participation: f64,
-    /// Effective mass in the direction of shaking [kg].
-    pub effective_mass: f64,
-    /// Height of the effective mass above the base [m], wall pressure only; 0 if the effective mass vanishes.
-    pub effective_height: f64,
-    /// Shape: radial displacement of the wall over the height, and surface elevation over the radius, scaled to max 1.
-    pub shape: ModeShape,
-}
-
-/// Shape of a mode at θ = 0.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct ModeShape {
-    /// Heights [m].
-    pub z: Vec<f64>,
-    /// Radial (outward) displacement of the wall.
-    pub wall: Vec<f64>,
-    /// Radii (or x from the centre) [m].
-    pub r: Vec<f64>,
-    /// Surface elevation.
-    pub surface: Vec<f64>,
-}
-
-/// Damping that results at a mode.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct DampingRow {
-    /// Circular frequency [rad/s].
-    pub omega: f64,
-    /// `sloshing` or `structural`.
-    pub kind: String,
-    /// Resulting ratio.
-    pub ratio: f64,
-    /// Remark ("over-critical: the mode is switched off").
-    pub note: String,
-}
-
-/// A balance that must close.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Balance {
-    /// What.
-    pub label: String,
-    /// Relative error.
-    pub error: f64,
-}
-
-/// Energy balance of a direct integration, each at the end of the run [J].
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct EnergyBalance {
-    /// Work of the base motion.
-    pub input: f64,
-    /// Kinetic.
-    pub kinetic: f64,
-    /// Elastic and gravity potential.
-    pub elastic: f64,
-    /// Dissipated by damping.
-    pub damping: f64,
-    /// Largest |residual| over time, relative to the largest input.
-    pub error: f64,
-}
-
-/// Envelope over the height at θ = 0.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Envelope {
-    /// Id: `pressure`, `hoop_stress`, `axial_membrane_stress`, `bending_stress`, `radial_displacement`.
-    pub id: String,
-    /// Title.
-    pub title: String,
-    /// Dimension.
-    pub dimension: Dimension,
-    /// Heights [m], ascending.
-    pub z: Vec<f64>,
-    /// Static state (hydrostatic and self-weight).
-    pub static_: Vec<f64>,
-    /// Smallest seismic value over time.
-    pub min: Vec<f64>,
-    /// Largest seismic value over time.
-    pub max: Vec<f64>,
-}
-
-/// A column of `series.csv`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SeriesInfo {
-    /// Column name (`wave_height_theta_0`, `base_shear`, …).
-    pub id: String,
-    /// Title.
-    pub title: String,
-    /// Dimension.
-    pub dimension: Dimension,
-    /// Value of the static state (not contained in the column).
-    pub static_value: f64,
-    /// Largest absolute value of the history between and at samples.
-    pub peak: f64,
-    /// Time of the peak [s].
-    pub time: f64,
-}
-
-/// A limit of validity and whether it is kept.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Limit {
-    /// Stable id (`wave_against_radius`, `wave_against_freeboard`, `suction`, `uplift_tension`, …).
-    pub id: String,
-    /// What is tested.
-    pub name: String,
-    /// Found.
-    pub value: f64,
-    /// Allowed.
-    pub limit: f64,
-    /// Dimension of both.
-    pub dimension: Dimension,
-    /// Whether it is kept.
-    pub holds: bool,
-    /// Consequence, where and when.
-    pub note: String,
-}
-
 /// Quantities × methods.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Comparison {
@@ -532,8 +374,8 @@ pub struct Governing {
     pub check: Check,
 }
 
-/// Time histories of `series.csv`: a time column and the columns of [`FeResult::series`] in order, then those of
-/// [`Results::fe_solid`] with [`SOLID_PREFIX`] or of [`Results::fe_nonlinear`] with [`NONLINEAR_PREFIX`].
+/// Time histories of `series.csv`: a time column and the columns of the [`Run::histories`] of the first run in order, then
+/// those of the others with their [`EngineId::prefix`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Series {
     /// Time [s].
@@ -547,9 +389,5 @@ pub struct Series {
 /// Columns of `series.csv` that hold the ground motion as computed with: acceleration [m/s²], velocity [m/s],
 /// displacement [m]; those of a vertical record carry [`VERTICAL_PREFIX`].
 pub const GROUND_COLUMNS: [&str; 3] = ["ground_acceleration", "ground_velocity", "ground_displacement"];
-/// Prefix of the columns of the three-dimensional engine beside the harmonic one.
-pub const SOLID_PREFIX: &str = "solid_";
-/// Prefix of the columns of the nonlinear engine beside the harmonic one.
-pub const NONLINEAR_PREFIX: &str = "nonlinear_";
 /// Prefix of [`GROUND_COLUMNS`] for the vertical record.
 pub const VERTICAL_PREFIX: &str = "vertical_";

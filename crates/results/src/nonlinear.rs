@@ -1,18 +1,13 @@
-//! What a nonlinear run leaves behind beside histories and extremes: how it ended, what happened when, and what the wall has
-//! become.
+//! How a run ended, what happened when, and what the wall of a nonlinear run has become.
 //!
 //! Places on the wall are cells of a grid over the developed wall, rows from the base up. Values are SI.
 
 use serde::{Deserialize, Serialize};
 use tank::units::Dimension;
 
-/// A nonlinear run.
+/// What a nonlinear run leaves behind.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Nonlinear {
-    /// How it ended.
-    pub end: End,
-    /// First yield, first crack, first separation and the like, by time.
-    pub events: Vec<Event>,
     /// Cells of the wall.
     pub grid: WallGrid,
     /// Quantities over the wall: plastic strain, utilisation, largest crack, …
@@ -110,13 +105,6 @@ pub struct BaseMoment {
     pub load: f64,
     /// Largest bending moment of the lowest section in the whole run, absolute.
     pub largest_section: f64,
-}
-
-impl Nonlinear {
-    /// Whether the liquid has left the wall.
-    pub fn parted(&self) -> bool {
-        self.events.iter().any(|e| e.kind == EventKind::Separation)
-    }
 }
 
 /// How a run ended.

@@ -133,20 +133,24 @@ fn group(path: &str) -> String {
         Some(at) if path.ends_with(']') => &path[..at],
         _ => path,
     };
-    if let Some(rest) = without_index.strip_prefix("fe.envelopes[") {
-        for array in ["].static_", "].min", "].max"] {
-            if let Some(index) = rest.strip_suffix(array) {
-                return format!("fe.envelopes[{index}]");
+    if let Some((run, inside)) = of_run(without_index) {
+        if inside.starts_with("envelopes[") {
+            for array in [".static_", ".min", ".max"] {
+                if let Some(envelope) = without_index.strip_suffix(array) {
+                    return envelope.to_owned();
+                }
             }
         }
-    }
-    if let Some((_, field)) = without_index
-        .strip_prefix("fe.modes[")
-        .and_then(|rest| rest.split_once(']'))
-    {
-        return format!("fe.modes{field}");
+        if let Some((_, field)) = inside.strip_prefix("modes[").and_then(|rest| rest.split_once(']')) {
+            return format!("{run}.modes{field}");
+        }
     }
     without_index.to_owned()
+}
+
+/// A path in a run as the run (`runs[1]`) and the place in it.
+fn of_run(path: &str) -> Option<(&str, &str)> {
+    path.starts_with("runs[").then(|| path.split_once('.')).flatten()
 }
 
 /// Runs `visit` on the children of a container with `path` extended to each.
@@ -235,10 +239,11 @@ fn walk(old: &Value, new: &Value, path: &mut String, scale: &Scale, report: &mut
 /// Absolute tolerance of the number at `path`.
 fn allowed_difference(path: &str, a: f64, b: f64, scale: &Scale) -> f64 {
     let field = path.rsplit('.').next().unwrap_or(path);
-    if path.starts_with("fe.series") && field == "time" {
+    let inside = of_run(path).map_or("", |(_, inside)| inside);
+    if inside.starts_with("histories[") && field == "time" {
         return scale.options.time_tolerance;
     }
-    if (field == "error" || path.starts_with("fe.mesh_error")) && a.abs().max(b.abs()) < ROUNDING {
+    if (field == "error" || inside.starts_with("mesh_error")) && a.abs().max(b.abs()) < ROUNDING {
         return ROUNDING;
     }
     scale.options.rtol * scale.peaks.get(&group(path)).copied().unwrap_or(0.0)
@@ -423,8 +428,8 @@ mod tests {
 
     #[test]
     fn envelopes_share_one_peak_and_modes_one_per_field() {
-        let old = json!({"fe": {"envelopes": [{"min": [-1e6], "max": [0.0]}], "modes": [{"m": 5.0}, {"m": 1e-9}]}});
-        let new = json!({"fe": {"envelopes": [{"min": [-1e6], "max": [0.5]}], "modes": [{"m": 5.0}, {"m": 2e-9}]}});
+        let old = json!({"runs": [{"envelopes": [{"min": [-1e6], "max": [0.0]}], "modes": [{"m": 5.0}, {"m": 1e-9}]}]});
+        let new = json!({"runs": [{"envelopes": [{"min": [-1e6], "max": [0.5]}], "modes": [{"m": 5.0}, {"m": 2e-9}]}]});
         assert!(moved(old, new).is_empty());
     }
 
@@ -444,8 +449,8 @@ mod tests {
 
     #[test]
     fn a_time_of_a_maximum_has_its_own_tolerance() {
-        let at = |t: f64| json!({"fe": {"series": [{"time": t}]}});
+        let at = |t: f64| json!({"runs": [{"histories": [{"time": t}]}]});
         assert!(moved(at(3.00), at(3.01)).is_empty());
-        assert_eq!(moved(at(3.0), at(3.5)), ["fe.series[0].time"]);
+        assert_eq!(moved(at(3.0), at(3.5)), ["runs[0].histories[0].time"]);
     }
 }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::ida::IDA_FILE;
 use super::push::PUSH_FILE;
-use super::{FORMAT, Results, Series};
+use super::{FORMAT, Results, Series, previous};
 use files::error::{Error, describe};
 use files::{Kind, settle, write_whole};
 
@@ -39,7 +39,7 @@ pub const COMPARE_REPORT: Kind = Kind {
     ..COMPARE
 };
 
-/// Reads `results.json` of a results folder.
+/// Reads `results.json` of a results folder; one of the previous format is converted.
 ///
 /// Errors: missing or unreadable file, text that is not JSON, another format version.
 pub fn read(folder: &Path) -> Result<Results, Error> {
@@ -68,18 +68,23 @@ pub fn read(folder: &Path) -> Result<Results, Error> {
         }
     }
     let text = std::fs::read_to_string(&path).map_err(|e| fault(describe(&e)))?;
+    let no_results = |e: serde_json::Error| fault(format!("not a results file: {e}"));
     #[derive(Deserialize)]
     struct Head {
         format: String,
     }
-    let head: Head = serde_json::from_str(&text).map_err(|e| fault(format!("not a results file: {e}")))?;
-    if head.format != FORMAT {
-        return Err(fault(format!(
-            "format `{}`, this version reads `{FORMAT}`",
-            head.format
-        )));
+    let head: Head = serde_json::from_str(&text).map_err(no_results)?;
+    match head.format.as_str() {
+        FORMAT => serde_json::from_str(&text).map_err(no_results),
+        previous::FORMAT => {
+            let value = serde_json::from_str(&text).map_err(no_results)?;
+            serde_json::from_value(previous::convert(value)).map_err(no_results)
+        }
+        other => Err(fault(format!(
+            "format `{other}`, this version reads `{FORMAT}` and `{}`",
+            previous::FORMAT
+        ))),
     }
-    serde_json::from_str(&text).map_err(|e| fault(format!("not a results file: {e}")))
 }
 
 /// Reads `series.csv` of a results folder; empty if there is none (`check` writes none).

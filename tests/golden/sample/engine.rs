@@ -15,7 +15,7 @@ pub(super) fn fe_result(
     liquid: &Liquid,
     omega_c: f64,
     omega_i: f64,
-) -> FeResult {
+) -> Run {
     let (r, h, wall) = (tank.shape.half_length(), liquid.fill_height, tank.wall_height());
     let mass = liquid.mass(tank.shape);
     let label = |label: &str, text: &str| Labelled {
@@ -49,8 +49,7 @@ pub(super) fn fe_result(
     let wet = |z: f64| if z < h { 1.0 - z / h } else { 0.0 };
     let layer = |z: f64| (-z / 0.06).exp() * (z / 0.06).cos();
     let thickness = |z: f64| tank.course_at(z).thickness;
-    FeResult {
-        engine: "harmonic".into(),
+    Run {
         mesh: vec![
             label("liquid elements (r × z)", "6 × 9, quadratic"),
             label("wall elements", "24, cubic w, graded to the base"),
@@ -66,7 +65,6 @@ pub(super) fn fe_result(
             label("damping", "modal: sloshing 0.5 %, structural 2 %"),
             label("time step", "0.01 s"),
         ],
-        damping_table: Vec::new(),
         mesh_error: BTreeMap::from([
             ("base_moment".to_owned(), 0.0007),
             ("sloshing_height".to_owned(), 0.0021),
@@ -126,7 +124,7 @@ pub(super) fn fe_result(
                 &|z| 1.3e-4 * wet(z).sqrt() * (1.0 - layer(z)),
             ),
         ],
-        series: columns
+        histories: columns
             .iter()
             .map(|(id, v)| {
                 let i = (0..v.len()).fold(0, |b, i| if v[i].abs() > v[b].abs() { i } else { b });
@@ -160,9 +158,7 @@ pub(super) fn fe_result(
                 note: "suction of 0.2 kPa at z = 1.48 m, t = 4.31 s; the liquid would part from the wall".into(),
             },
         ],
-        fields: None,
-        nonlinear: None,
-        incomplete: false,
+        ..Run::new(EngineId::Harmonic)
     }
 }
 

@@ -106,14 +106,15 @@ pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
     } else {
         (None, Series::default())
     };
-    let (mut methods, mut fe, mut series) = (methods, fe, series);
-    let (mut fe_solid, mut fe_nonlinear) = (None, None);
-    if let (Kind::Nonlinear, Some(engine)) = (kind, &fe) {
-        fe_nonlinear = Some(nonlinear::add(engine, &mut methods, &mut series, &tank, &liquid));
+    let (mut methods, mut series) = (methods, series);
+    let mut runs: Vec<Run> = fe.into_iter().collect();
+    if let (Kind::Nonlinear, Some(engine)) = (kind, runs.first()) {
+        let run = nonlinear::add(engine, &mut methods, &mut series, &tank, &liquid);
+        runs.push(run);
     }
-    if let (Kind::Both | Kind::Solid, Some(engine)) = (kind, fe.as_mut()) {
+    if let (Kind::Both | Kind::Solid, Some(engine)) = (kind, runs.first_mut()) {
         let mut spatial = engine.clone();
-        spatial.engine = "solid".into();
+        spatial.engine = EngineId::Solid;
         spatial.fields = Some(fields::fields(&tank, &liquid));
         if kind == Kind::Solid {
             *engine = spatial;
@@ -124,16 +125,18 @@ pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
                 .position(|m| m.id == "fe")
                 .expect("the sample has an engine");
             let mut method = methods[at].clone();
-            method.id = "fe-solid".into();
+            method.id = EngineId::Solid.beside().into();
             method.quantities.values_mut().for_each(|v| v.value *= 1.02);
             methods.insert(at + 1, method);
             for i in 0..series.ids.len() {
-                series.ids.push(format!("{SOLID_PREFIX}{}", series.ids[i]));
+                series
+                    .ids
+                    .push(format!("{}{}", EngineId::Solid.prefix(), series.ids[i]));
                 series
                     .columns
                     .push(series.columns[i].iter().map(|v| 1.02 * v).collect());
             }
-            fe_solid = Some(spatial);
+            runs.push(spatial);
         }
     }
     let checks: Vec<(&Method, &Check)> = methods
@@ -203,9 +206,7 @@ pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
         spectra: if with_fe { spectra(&acceleration) } else { Vec::new() },
         comparison: comparison(&methods, with_fe),
         methods,
-        fe,
-        fe_solid,
-        fe_nonlinear,
+        runs,
         verdict,
         warnings: Vec::new(),
     };

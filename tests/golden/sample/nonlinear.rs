@@ -12,19 +12,13 @@ const SECTORS: usize = 40;
 const ROWS: usize = 20;
 
 /// Adds method and series of the second engine: forces a fifth smaller, damped by what yields.
-pub(super) fn add(
-    linear: &FeResult,
-    methods: &mut Vec<Method>,
-    series: &mut Series,
-    tank: &Tank,
-    liquid: &Liquid,
-) -> FeResult {
+pub(super) fn add(linear: &Run, methods: &mut Vec<Method>, series: &mut Series, tank: &Tank, liquid: &Liquid) -> Run {
     let at = methods
         .iter()
         .position(|m| m.id == "fe")
         .expect("the sample has an engine");
     let mut method = methods[at].clone();
-    method.id = "fe-nonlinear".into();
+    method.id = EngineId::Nonlinear.beside().into();
     method.title = "Finite elements, nonlinear, time history".into();
     for (id, value) in &mut method.quantities {
         let factor = match id.as_str() {
@@ -37,7 +31,9 @@ pub(super) fn add(
     methods.insert(at + 1, method);
     let softened = |t: f64| if t > 4.0 { 0.7 } else { 1.0 };
     for i in 0..series.ids.len() {
-        series.ids.push(format!("{NONLINEAR_PREFIX}{}", series.ids[i]));
+        series
+            .ids
+            .push(format!("{}{}", EngineId::Nonlinear.prefix(), series.ids[i]));
         let column = series.time.iter().zip(&series.columns[i]);
         series.columns.push(column.map(|(t, v)| softened(*t) * v).collect());
     }
@@ -58,18 +54,53 @@ pub(super) fn add(
         peak: largest * 1e-8,
         time: 5.1,
     };
-    series.ids.push(format!("{NONLINEAR_PREFIX}{}", info.id));
+    series.ids.push(format!("{}{}", EngineId::Nonlinear.prefix(), info.id));
     series.columns.push(width);
     let mut fe = linear.clone();
-    fe.engine = "nonlinear".into();
-    fe.series.push(info);
+    fe.engine = EngineId::Nonlinear;
+    fe.histories.push(info);
     for envelope in &mut fe.envelopes {
         for v in envelope.min.iter_mut().chain(&mut envelope.max) {
             *v *= 0.85;
         }
     }
     fe.nonlinear = Some(run(tank, liquid, &series.time));
+    fe.events = events();
     fe
+}
+
+fn events() -> Vec<Event> {
+    let event = |kind: EventKind, title: &str, time: f64, place: &str, note: &str| Event {
+        kind,
+        title: title.into(),
+        time,
+        place: place.into(),
+        note: note.into(),
+    };
+    vec![
+        event(EventKind::FirstCrack, "first crack", 0.0, "base, inner face", ""),
+        event(
+            EventKind::LowPressure,
+            "separation",
+            2.31,
+            "θ = 180°, z = 1.50 m",
+            "Pressure of the displaced particle falls below zero.",
+        ),
+        event(
+            EventKind::FirstYield,
+            "first yield",
+            3.94,
+            "θ = 4.5°, z = 0.02 m, outer face",
+            "",
+        ),
+        event(
+            EventKind::FirstBarYield,
+            "first yield of a bar",
+            4.02,
+            "θ = 0°, base",
+            "",
+        ),
+    ]
 }
 
 fn run(tank: &Tank, liquid: &Liquid, time: &[f64]) -> Nonlinear {
@@ -143,13 +174,6 @@ fn run(tank: &Tank, liquid: &Liquid, time: &[f64]) -> Nonlinear {
             cracks,
         }
     };
-    let event = |kind: EventKind, title: &str, time: f64, place: &str, note: &str| Event {
-        kind,
-        title: title.into(),
-        time,
-        place: place.into(),
-        note: note.into(),
-    };
     let rate = |t: f64| (-(t - 5.0).powi(2) / 4.0).exp();
     let mut done = 0.0;
     let dissipated: Vec<f64> = time
@@ -174,31 +198,6 @@ fn run(tank: &Tank, liquid: &Liquid, time: &[f64]) -> Nonlinear {
         dimension,
     };
     Nonlinear {
-        end: End::Completed,
-        events: vec![
-            event(EventKind::FirstCrack, "first crack", 0.0, "base, inner face", ""),
-            event(
-                EventKind::LowPressure,
-                "separation",
-                2.31,
-                "θ = 180°, z = 1.50 m",
-                "Pressure of the displaced particle falls below zero.",
-            ),
-            event(
-                EventKind::FirstYield,
-                "first yield",
-                3.94,
-                "θ = 4.5°, z = 0.02 m, outer face",
-                "",
-            ),
-            event(
-                EventKind::FirstBarYield,
-                "first yield of a bar",
-                4.02,
-                "θ = 0°, base",
-                "",
-            ),
-        ],
         maps: vec![
             map(
                 "plastic_strain",

@@ -15,7 +15,7 @@ use crate::estimate::{
     DENSE_RATE, Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PROGRAM, Response, SWEEP_RATE, coarser,
     first_wall_frequency,
 };
-use crate::simulate::coarse_options;
+use crate::linear::coarse_options;
 use crate::{FeError, Integrator, Options};
 
 /// Dense matrices of the order of the coupled system that are there at a time while its modes are sought.

@@ -4,11 +4,12 @@
 //! positive acceleration (base shear = ιᵀ M ẍ_total). Values at θ = 0.
 
 use tank::Case;
-use tank::units::Dimension;
 
 use crate::Options;
 use crate::probe::{ModeSelection, Probe, ProbeLine};
 use fem::linalg::dot;
+use results::Channel;
+use results::channel::{OnWall, Side};
 
 use super::assembly::Assembly;
 use super::state::Static;
@@ -25,32 +26,12 @@ pub(super) struct Observer<'a> {
     pub(super) rigid: (f64, f64),
 }
 
-/// Ids, titles and dimensions of the lines over the height.
-const LINES: [(Output, &str, &str, Dimension); 4] = [
-    (
-        Output::HoopStress,
-        "hoop_stress",
-        "Hoop membrane stress",
-        Dimension::Stress,
-    ),
-    (
-        Output::AxialStress,
-        "axial_membrane_stress",
-        "Axial membrane stress",
-        Dimension::Stress,
-    ),
-    (
-        Output::BendingStress,
-        "bending_stress",
-        "Meridional bending stress, outer face",
-        Dimension::Stress,
-    ),
-    (
-        Output::RadialDisplacement,
-        "radial_displacement",
-        "Radial displacement",
-        Dimension::Length,
-    ),
+/// Outputs over the height.
+const LINES: [(Output, OnWall); 4] = [
+    (Output::HoopStress, OnWall::Hoop),
+    (Output::AxialStress, OnWall::Axial),
+    (Output::BendingStress, OnWall::Bending),
+    (Output::RadialDisplacement, OnWall::Displacement),
 ];
 
 /// A place on the wall: height, and the elements whose rows are averaged there.
@@ -62,36 +43,33 @@ struct Place {
 impl Observer<'_> {
     /// Scalar outputs.
     pub(super) fn probes(&self, options: &Options) -> Vec<Probe> {
-        let mut probes = vec![self.gauge(self.assembly.liquid.domain.half_length(), "wall", options)];
+        let mut probes = vec![self.gauge(
+            self.assembly.liquid.domain.half_length(),
+            Channel::Wave(Side::Front),
+            options,
+        )];
         for &r in &options.gauges {
-            probes.push(self.gauge(r, &r.to_string(), options));
+            probes.push(self.gauge(r, Channel::WaveAt { r }, options));
         }
         probes.extend(self.reactions());
         let base = Place {
             z: 0.0,
             at: vec![(0, -1.0)],
         };
-        for (output, id, title, dimension) in LINES.into_iter().filter(|l| self.exists(l.0)) {
-            if output == Output::AxialStress || output == Output::BendingStress {
-                let title = format!("{title} at the base");
-                probes.push(self.wall_probe(&format!("{id}@base"), &title, dimension, output, &base));
-            }
+        for (output, what) in [
+            (Output::AxialStress, OnWall::Axial),
+            (Output::BendingStress, OnWall::Bending),
+            (Output::BendingMoment, OnWall::Moment),
+        ] {
+            probes.push(self.wall_probe(Probe::new(Channel::Base(what)), output, &base));
         }
-        probes.push(self.wall_probe(
-            "wall_moment@base",
-            "Meridional bending moment of the wall at the base",
-            Dimension::LineMoment,
-            Output::BendingMoment,
-            &base,
-        ));
         for &z in &options.stations {
             let place = Place {
                 z,
                 at: vec![self.assembly.wall.locate(z, true)],
             };
-            for (output, id, title, dimension) in LINES.into_iter().filter(|l| self.exists(l.0)) {
-                let title = format!("{title} at z = {z} m");
-                probes.push(self.wall_probe(&format!("{id}@{z}"), &title, dimension, output, &place));
+            for (output, what) in LINES.into_iter().filter(|l| self.exists(l.0)) {
+                probes.push(self.wall_probe(Probe::new(Channel::At { what, z }), output, &place));
             }
         }
         probes
@@ -101,16 +79,13 @@ impl Observer<'_> {
     pub(super) fn lines(&self) -> Vec<ProbeLine> {
         let places = self.places();
         let mut lines = vec![self.pressure_line(&places)];
-        for (output, id, title, dimension) in LINES.into_iter().filter(|l| self.exists(l.0)) {
+        for (output, what) in LINES.into_iter().filter(|l| self.exists(l.0)) {
+            let probes = places.iter().enumerate();
             lines.push(ProbeLine {
-                id: id.into(),
-                title: title.into(),
-                dimension,
+                what,
                 z: places.iter().map(|p| p.z).collect(),
-                probes: places
-                    .iter()
-                    .enumerate()
-                    .map(|(i, p)| self.wall_probe(&format!("{id}[{i}]"), title, dimension, output, p))
+                probes: probes
+                    .map(|(i, p)| self.wall_probe(ProbeLine::probe(what, i, p.z), output, p))
                     .collect(),
             });
         }
@@ -162,7 +137,7 @@ impl Observer<'_> {
         places
     }
 
-    fn wall_probe(&self, id: &str, title: &str, dimension: Dimension, output: Output, place: &Place) -> Probe {
+    fn wall_probe(&self, probe: Probe, output: Output, place: &Place) -> Probe {
         let share = 1.0 / place.at.len() as f64;
         let assembly = self.assembly;
         let (mut row, mut inertia) = (vec![0.0; assembly.size], vec![0.0; assembly.size]);
@@ -177,7 +152,7 @@ impl Observer<'_> {
         let probe = Probe {
             displacement: assembly.reduction.row(&row),
             static_value,
-            ..empty(id, title, dimension)
+            ..probe
         };
         // The wall's own weight matters beside its axial stress under vertical motion only (m = 0).
         if assembly.harmonic == 0 && output == Output::AxialStress {
@@ -187,16 +162,12 @@ impl Observer<'_> {
         probe
     }
 
-    fn gauge(&self, r: f64, place: &str, options: &Options) -> Probe {
+    fn gauge(&self, r: f64, channel: Channel, options: &Options) -> Probe {
         let row = self.assembly.liquid_row(&self.assembly.liquid.elevation(r));
-        let title = match place {
-            "wall" => "Wave height at the wall".to_owned(),
-            at => format!("Wave height at {at} m from the centre"),
-        };
         Probe {
             displacement: self.assembly.reduction.row(&row),
             modes: ModeSelection::FirstSloshing(options.wave_modes),
-            ..empty(&format!("wave_height@{place}"), &title, Dimension::Length)
+            ..Probe::new(channel)
         }
     }
 
@@ -214,26 +185,14 @@ impl Observer<'_> {
             below.iter_mut().zip(&bottom).for_each(|(v, b)| *v += b);
             (rigid_mass, rigid_moment) = self.rigid;
         }
-        let probe = |id: &str, title: &str, dimension, row: &[f64], rigid: f64| {
+        let probe = |channel, row: &[f64], rigid: f64| {
             let value = dot(row, &assembly.translation) + rigid;
-            self.acceleration_probe(empty(id, title, dimension), row, value)
+            self.acceleration_probe(Probe::new(channel), row, value)
         };
         vec![
-            probe("base_shear", "Base shear", Dimension::Force, &shear, rigid_mass),
-            probe(
-                "base_moment",
-                "Moment above the base plate",
-                Dimension::Moment,
-                &moment,
-                rigid_moment,
-            ),
-            probe(
-                "overturning_moment",
-                "Moment below the base plate",
-                Dimension::Moment,
-                &below,
-                rigid_moment,
-            ),
+            probe(Channel::BaseShear, &shear, rigid_mass),
+            probe(Channel::BaseMoment, &moment, rigid_moment),
+            probe(Channel::OverturningMoment, &below, rigid_moment),
         ]
     }
 
@@ -250,7 +209,6 @@ impl Observer<'_> {
 
     fn pressure_line(&self, places: &[Place]) -> ProbeLine {
         let depth = self.case.liquid.fill_height;
-        let title = "Hydrodynamic pressure on the wall";
         let wetted: Vec<f64> = places
             .iter()
             .map(|p| p.z)
@@ -269,29 +227,14 @@ impl Observer<'_> {
             let probe = Probe {
                 displacement,
                 static_value: self.state.pressure(z),
-                ..empty(&format!("pressure[{i}]"), title, Dimension::Stress)
+                ..ProbeLine::probe(OnWall::Pressure, i, z)
             };
             self.acceleration_probe(probe, &row, rigid)
         });
         ProbeLine {
-            id: "pressure".into(),
-            title: title.into(),
-            dimension: Dimension::Stress,
+            what: OnWall::Pressure,
             probes: probes.collect(),
             z: wetted.clone(),
         }
-    }
-}
-
-fn empty(id: &str, title: &str, dimension: Dimension) -> Probe {
-    Probe {
-        id: id.into(),
-        title: title.into(),
-        dimension,
-        displacement: Vec::new(),
-        absolute_acceleration: Vec::new(),
-        ground_acceleration: 0.0,
-        static_value: 0.0,
-        modes: ModeSelection::All,
     }
 }

@@ -1,34 +1,22 @@
-//! Modal superposition, exact for ground motion that is linear between samples, with missing mass.
+//! Modal superposition of coupled systems by [`fem::analysis::modal`]: which modes are kept, and probes as observables.
 //!
-//! ```text
-//! x = Σ Γ_j φ_j D_j + x_r        D̈_j + 2 ξ_j ω_j Ḋ_j + ω_j² D_j = −a_g
-//! x_r = −a_g [K⁻¹ M ι − Σ Γ_j φ_j/ω_j²]
-//! ```
-//!
-//! D_j follows from the exact recurrence of [`oscillator::sdof::Recurrence`] with the mode's own damping. Modes that are not
-//! kept follow the ground statically (the missing mass): their part of K⁻¹ M ι stays in x_r, and their relative
-//! acceleration vanishes, so that ẍ_total = Σ Γ_j φ_j D̈_j + ι a_g. An output y = d·x + a·ẍ_total + b a_g becomes a
-//! combination of the states D_j, Ḋ_j and a_g, and so does its slope:
-//!
-//! ```text
-//! y = Σ (p_j − ω_j² q_j) D_j − Σ 2 ξ_j ω_j q_j Ḋ_j + [a·ι + b − Σ q_j − d·r] a_g
-//! p_j = Γ_j d·φ_j        q_j = Γ_j a·φ_j        r = K⁻¹ M ι − Σ Γ_j φ_j/ω_j²
-//! ```
-//!
-//! Source: Nigam & Jennings 1969; missing mass after Kennedy 1984 and Clough & Penzien 1993, section 12-6 (static
-//! correction).
+//! The systems (m = 1 under the horizontal record, m = 0 under the vertical one) share nothing but the observed quantities: they
+//! make one basis of diagonal blocks, each with a component of the ground motion of its own.
 
+use fem::analysis::modal::ModalBasis;
+use fem::analysis::observable::Observable as Functional;
+use fem::analysis::transient::Load;
 use fem::progress::Progress;
-use oscillator::sdof::Recurrence;
 
 use super::motion::{Grid, Motion};
-use super::observe::{Chunk, Observed, Observer, Row, Slope};
+use super::observe::Observed;
 use crate::FeError;
 use crate::coupled::Coupled;
 use crate::damping::Damper;
 use crate::harmonic::{CoupledMode, Kind, failure};
 use crate::probe::{ModeSelection, Probe};
-use fem::linalg::{Cholesky, dot};
+use fem::analysis::AnalysisError;
+use fem::linalg::{Cholesky, Matrix, dot};
 
 /// Modes kept by default: all up to this multiple of the first structural frequency.
 pub const FREQUENCY_FACTOR: f64 = 6.0;
@@ -46,8 +34,8 @@ pub struct ModalSystem<'a> {
     system: &'a Coupled,
     modes: Vec<&'a CoupledMode>,
     damping: Vec<f64>,
-    /// r of the module's theory.
-    residual: Vec<f64>,
+    /// K⁻¹ M ι: the modes that are not kept follow the ground statically.
+    statics: Vec<f64>,
 }
 
 /// The modes to keep of `modes` for `damper`: up to [`FREQUENCY_FACTOR`] × the first structural frequency, at least
@@ -78,90 +66,95 @@ impl<'a> ModalSystem<'a> {
     /// Errors: a stiffness matrix that is not positive definite.
     pub fn new(system: &'a Coupled, modes: Vec<&'a CoupledMode>, damper: &Damper) -> Result<ModalSystem<'a>, FeError> {
         let load = system.mass.times(&system.influence);
-        let mut residual = Cholesky::factor(&system.stiffness)
+        let statics = Cholesky::factor(&system.stiffness)
             .map_err(failure("the coupled stiffness matrix"))?
             .solve_vector(&load);
-        for mode in &modes {
-            let factor = mode.participation / (mode.omega * mode.omega);
-            for (r, phi) in residual.iter_mut().zip(&mode.vector) {
-                *r -= factor * phi;
-            }
-        }
         Ok(ModalSystem {
             system,
             damping: modes.iter().map(|m| damper.ratio(m.kind, m.omega)).collect(),
             modes,
-            residual,
+            statics,
         })
     }
 
-    /// Number of states: D_j, Ḋ_j, a_g.
-    fn states(&self) -> usize {
-        2 * self.modes.len() + 1
+    fn size(&self) -> usize {
+        self.system.influence.len()
     }
 
-    /// Adds `factor` × `probe` to `row`, with the states of this system starting at `offset`.
-    fn observe(&self, probe: &Probe, factor: f64, offset: usize, row: &mut Row) {
-        let slope = row.slope.get_or_insert_with(Slope::default);
-        let n = self.modes.len();
-        let ground = offset + 2 * n;
-        let counts = |mode: &CoupledMode| match probe.modes {
-            ModeSelection::All => true,
-            ModeSelection::FirstSloshing(most) => mode.kind == Kind::Sloshing && mode.number <= most,
+    /// Adds `factor` × `probe` to `row`: unknowns of this system start at `offset`, its ground motion is the component `axis`.
+    fn observe(&self, probe: &Probe, factor: f64, (offset, axis): (usize, usize), row: &mut Functional) {
+        let scaled = |dense: &[f64]| -> Vec<(usize, f64)> {
+            let entries = dense.iter().enumerate().filter(|(_, c)| **c != 0.0);
+            entries.map(|(i, c)| (offset + i, factor * c)).collect()
         };
         let (d, a) = (&probe.displacement, &probe.absolute_acceleration);
-        let mut rigid = match probe.modes {
-            ModeSelection::All => dot(a, &self.system.influence) + probe.ground_acceleration - dot(d, &self.residual),
-            // Selected modes only: their total acceleration is Γ φ (D̈ + a_g).
-            ModeSelection::FirstSloshing(_) => 0.0,
-        };
-        for (j, mode) in self.modes.iter().enumerate().filter(|(_, mode)| counts(mode)) {
-            let p = mode.participation * dot(d, &mode.vector);
-            let q = mode.participation * dot(a, &mode.vector);
-            let (c, k) = (2.0 * self.damping[j] * mode.omega, mode.omega * mode.omega);
-            if probe.modes == ModeSelection::All {
-                rigid -= q;
+        match probe.modes {
+            ModeSelection::All => {
+                row.displacement.extend(scaled(d));
+                row.acceleration.extend(scaled(a));
+                row.ground[axis] += factor * probe.ground_acceleration;
             }
-            let (on_d, on_v) = (factor * (p - k * q), -factor * c * q);
-            row.value.push((offset + j, on_d));
-            // ẏ = on_d Ḋ + on_v (−a_g − c Ḋ − k D)
-            slope.states.push((offset + n + j, on_d - c * on_v));
-            if on_v != 0.0 {
-                row.value.push((offset + n + j, on_v));
-                slope.states.push((offset + j, -k * on_v));
-                slope.states.push((ground, -on_v));
+            ModeSelection::FirstSloshing(most) => {
+                // Of the selected modes alone: x ← Σ φ φᵀ M x.
+                let (mut on_x, mut on_a) = (vec![0.0; self.size()], vec![0.0; self.size()]);
+                let selected = |m: &&&CoupledMode| m.kind == Kind::Sloshing && m.number <= most;
+                for mode in self.modes.iter().filter(selected) {
+                    let (p, q) = (dot(d, &mode.vector), dot(a, &mode.vector));
+                    let momentum = self.system.mass.times(&mode.vector);
+                    for ((x, y), m) in on_x.iter_mut().zip(&mut on_a).zip(momentum) {
+                        *x += p * m;
+                        *y += q * m;
+                    }
+                }
+                row.displacement.extend(scaled(&on_x));
+                row.acceleration.extend(scaled(&on_a));
             }
-        }
-        if rigid != 0.0 {
-            row.value.push((ground, factor * rigid));
-            slope.linear.push((ground, factor * rigid));
         }
     }
 }
 
-/// Rows of `observables` over the states of `systems`, which follow one another.
-fn rows(systems: &[ModalSystem], observables: &[Observable]) -> Vec<Row> {
-    let offsets: Vec<usize> = systems
-        .iter()
-        .scan(0, |next, s| {
-            let offset = *next;
-            *next += s.states();
-            Some(offset)
-        })
-        .collect();
-    observables
-        .iter()
-        .map(|terms| {
-            let mut row = Row::default();
-            for &(system, factor, probe) in terms {
-                systems[system].observe(probe, factor, offsets[system], &mut row);
-            }
-            row
-        })
-        .collect()
+/// The systems as blocks of one basis.
+///
+/// Errors: a mode without a positive frequency.
+fn basis(systems: &[ModalSystem], offsets: &[usize]) -> Result<ModalBasis, AnalysisError> {
+    let size = systems.iter().map(ModalSystem::size).sum();
+    let count = systems.iter().map(|s| s.modes.len()).sum();
+    let mut vectors = Matrix::zeros(size, count);
+    let (mut omega, mut participation) = (Vec::new(), Vec::new());
+    let mut influence = [0, 1, 2].map(|_| vec![0.0; size]);
+    let mut statics: [Option<Vec<f64>>; 3] = Default::default();
+    for (axis, (system, &offset)) in systems.iter().zip(offsets).enumerate() {
+        let own = offset..offset + system.size();
+        for mode in &system.modes {
+            vectors.column_mut(omega.len())[own.clone()].copy_from_slice(&mode.vector);
+            omega.push(mode.omega);
+            let mut factors = [0.0; 3];
+            factors[axis] = mode.participation;
+            participation.push(factors);
+        }
+        influence[axis][own.clone()].copy_from_slice(&system.system.influence);
+        let mut static_ = vec![0.0; size];
+        static_[own].copy_from_slice(&system.statics);
+        statics[axis] = Some(static_);
+    }
+    let statics = [0, 1, 2].map(|axis: usize| statics[axis].as_deref());
+    ModalBasis::from_parts(&omega, &vectors, participation, influence, statics)
 }
 
-/// Response of `systems` to `motions` (one each): histories of `scalars`, extremes of `others`.
+/// Counts the steps of a stage that several analyses share; a wish to stop is not heard.
+struct Steps<'a>(&'a dyn Progress);
+
+impl Progress for Steps<'_> {
+    fn stage(&self, _name: &str, _steps: u64) {}
+    fn advance(&self, steps: u64) {
+        self.0.advance(steps);
+    }
+    fn interrupted(&self) -> bool {
+        false
+    }
+}
+
+/// Response of `systems` (three at most) to `motions` (one each): histories of `scalars`, extremes of `others`.
 ///
 /// Errors: a response that is not finite, with its time.
 pub fn respond(
@@ -172,49 +165,33 @@ pub fn respond(
     others: &[Observable],
     progress: &dyn Progress,
 ) -> Result<Observed, FeError> {
-    let (scalars, others) = (rows(systems, scalars), rows(systems, others));
-    let mut observer = Observer::new(&scalars, &others, grid);
-    let recurrences: Vec<Vec<Recurrence>> = systems
-        .iter()
-        .map(|s| {
-            let step = |(mode, &damping): (&&CoupledMode, &f64)| Recurrence::new(mode.omega, damping, grid.h());
-            s.modes.iter().zip(&s.damping).map(step).collect()
-        })
-        .collect();
-    let mut chunk = Chunk::new(systems.iter().map(ModalSystem::states).sum());
-    // States at the first instant of the chunk, (D, Ḋ) mode by mode.
-    let mut now: Vec<Vec<(f64, f64)>> = systems.iter().map(|s| vec![(0.0, 0.0); s.modes.len()]).collect();
-    let mut load = Vec::with_capacity(Chunk::LENGTH);
-    while chunk.start < grid.steps() {
-        chunk.len = (grid.steps() - chunk.start).min(Chunk::LENGTH) + 1;
-        let mut offset = 0;
-        for ((system, motion), (steps, now)) in systems.iter().zip(motions).zip(recurrences.iter().zip(&mut now)) {
-            let n = system.modes.len();
-            load.clear();
-            load.extend((chunk.start..chunk.start + chunk.len - 1).map(|i| motion.interval(i)));
-            for (j, (step, state)) in steps.iter().zip(now.iter_mut()).enumerate() {
-                let (d, v) = chunk.pair_mut(offset + j, offset + n + j);
-                (d[0], v[0]) = *state;
-                for ((d, v), &(a0, a1)) in d[1..].iter_mut().zip(&mut v[1..]).zip(&load) {
-                    *state = step.step(state.0, state.1, -a0, -a1);
-                    (*d, *v) = *state;
-                }
-            }
-            let start = chunk.start;
-            for (k, a) in chunk.state_mut(offset + 2 * n).iter_mut().enumerate() {
-                *a = motion.at(start + k);
-            }
-            offset += system.states();
-        }
-        if !chunk.close() {
-            return Err(FeError::NotFinite {
-                time: grid.time(chunk.start),
-                cause: "a mode with negative damping, or ground motion that is not finite".into(),
-            });
-        }
-        observer.take(&chunk);
-        progress.advance((chunk.len - 1) as u64);
-        chunk.start += chunk.len - 1;
+    let mut offsets = vec![0];
+    for system in systems {
+        offsets.push(offsets[offsets.len() - 1] + system.size());
     }
-    Ok(observer.finish())
+    let rows = |observables: &[Observable]| -> Vec<Functional> {
+        let row = |terms: &Observable| {
+            let mut row = Functional::default();
+            for &(system, factor, probe) in terms {
+                systems[system].observe(probe, factor, (offsets[system], system), &mut row);
+            }
+            row
+        };
+        observables.iter().map(row).collect()
+    };
+    let ratios: Vec<f64> = systems.iter().flat_map(|s| s.damping.iter().copied()).collect();
+    let mut load = Load::default();
+    for (component, motion) in load.ground.iter_mut().zip(motions) {
+        *component = Some((*motion).clone());
+    }
+    let found = basis(systems, &offsets)
+        .and_then(|basis| basis.respond(&ratios, &load, grid, &rows(scalars), &rows(others), &Steps(progress)));
+    match found {
+        Ok((observed, _)) => Ok(observed),
+        Err(AnalysisError::NotFinite { time, cause }) => Err(FeError::NotFinite {
+            time,
+            cause: cause.into(),
+        }),
+        Err(error) => Err(FeError::Analysis(error.to_string())),
+    }
 }

@@ -24,15 +24,16 @@ use super::rows::{Row, sparse_dot};
 use super::system::System;
 use crate::damping::Damper;
 use crate::harmonic::{CoupledMode, Kind, failure};
+use crate::linear::Direct;
+use crate::linear::analysis::{Analysis, LineExtremes, largest_difference, mirrored};
+use crate::linear::model::Model;
 use crate::probe::{ModeSelection, Probe};
 use crate::response::observe::{Extreme, History};
-use crate::simulate::analysis::{Analysis, LineExtremes, largest_difference, mirrored};
-use crate::simulate::model::Model;
 use crate::{FeError, Integrator};
 use results::EnergyBalance;
 
 /// What the integration works on.
-pub struct Direct<'a> {
+pub struct OwnUnknowns<'a> {
     /// The tank.
     pub tank: &'a TankModel,
     /// Its factored matrices.
@@ -48,7 +49,7 @@ fn analysis_error(error: impl std::fmt::Display) -> FeError {
     FeError::Analysis(error.to_string())
 }
 
-impl Direct<'_> {
+impl OwnUnknowns<'_> {
     fn modes(&self) -> &[CoupledMode] {
         &self.model.horizontal.modes
     }
@@ -93,7 +94,7 @@ impl Direct<'_> {
             displacement,
             acceleration,
             held,
-        } = self.space.rows.get(&probe.id)?.clone();
+        } = self.space.rows.get(&probe.key())?.clone();
         let displacement = match probe.modes {
             ModeSelection::All => displacement,
             ModeSelection::FirstSloshing(most) => {
@@ -111,21 +112,19 @@ impl Direct<'_> {
             }
         };
         Some(Observable {
-            name: probe.id.clone(),
+            name: probe.key(),
             displacement,
             velocity: Vec::new(),
             acceleration,
             ground: [held, 0.0, 0.0],
         })
     }
+}
 
-    /// Replaces the histories and extremes of `analysis` by those of direct integration; returns the time at which it was
-    /// interrupted, if it was [s].
-    ///
-    /// Errors: an effective matrix that cannot be factored, a response that is not finite.
-    pub fn replace(
+impl Direct for OwnUnknowns<'_> {
+    fn replace(
         &self,
-        analysis: &mut Analysis,
+        analysis: &mut Analysis<'_>,
         motion: &GroundMotion,
         progress: &dyn Progress,
     ) -> Result<Option<f64>, FeError> {
@@ -210,7 +209,7 @@ impl Direct<'_> {
             .map(|line| {
                 let front: Vec<Extreme> = rest.by_ref().take(line.probes.len()).collect();
                 LineExtremes {
-                    id: line.id.clone(),
+                    what: line.what,
                     back: front.iter().map(mirrored).collect(),
                     front,
                 }

@@ -1,16 +1,16 @@
 //! The whole state of the model at given moments, from the reduced coordinates.
 
 use tank::case::GroundMotion;
-use tank::units::Dimension;
 
 use super::reduce::Space;
 use super::rows::sparse_dot;
 use crate::harmonic::CoupledMode;
-use crate::probe::{ModeSelection, Probe};
+use crate::linear::model::Model;
+use crate::probe::Probe;
 use crate::response::motion::Motion;
 use crate::response::superpose::{self, ModalSystem, Observable};
-use crate::simulate::model::Model;
 use crate::{FeError, Integrator, Options};
+use results::Channel;
 
 /// Histories of the reduced coordinates at the samples of the record.
 pub struct Histories {
@@ -127,15 +127,12 @@ impl Histories {
 
 /// Probes of every coordinate, of its absolute acceleration, and of the ground's acceleration.
 fn unit_probes(n: usize) -> Vec<Probe> {
+    // What they are called is not asked.
     let probe = |displacement, absolute_acceleration, ground_acceleration| Probe {
-        id: String::new(),
-        title: String::new(),
-        dimension: Dimension::Length,
         displacement,
         absolute_acceleration,
         ground_acceleration,
-        static_value: 0.0,
-        modes: ModeSelection::All,
+        ..Probe::new(Channel::Top)
     };
     let unit = |i: usize| -> Vec<f64> { (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect() };
     let mut probes: Vec<Probe> = (0..n).map(|i| probe(unit(i), Vec::new(), 0.0)).collect();

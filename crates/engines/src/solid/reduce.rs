@@ -27,7 +27,6 @@ use fem::element::{Fluid8, LiquidProperties, reference_stiffness};
 use fem::linalg::{Cholesky, Matrix, dot, transposed_product};
 use fem::progress::Progress;
 use tank::Case;
-use tank::units::Dimension;
 
 use super::Liquid;
 use super::SolidOptions;
@@ -40,7 +39,9 @@ use crate::coupled::{Coupled, Part, ShapeRows, SparseRow};
 use crate::harmonic::failure;
 use crate::probe::{ModeSelection, Probe, ProbeLine};
 use crate::{FeError, Options};
+use results::Channel;
 use results::Labelled;
+use results::channel::{OnWall, Side};
 
 /// Ritz vectors of one direction of motion.
 pub const VECTORS: usize = 80;
@@ -79,7 +80,7 @@ pub struct Space {
     pub potentials: Vec<bool>,
     /// Mean elevation of a potential liquid's surface over the unknowns.
     pub mean_elevation: SparseRow,
-    /// Row of every probe over the unknowns, by id.
+    /// Row of every probe over the unknowns, by [`Probe::key`].
     pub rows: BTreeMap<String, Row>,
 }
 
@@ -181,7 +182,7 @@ pub fn new(
     };
     let probes = projector.probes(case, options)?;
     let lines = projector.lines(case, &probes);
-    let moment_arm = match probes.iter().find(|p| p.id == "base_moment") {
+    let moment_arm = match probes.iter().find(|p| p.channel == Channel::BaseMoment) {
         // In free vibration q = −K⁻¹ M q̈, so that d·q + a·q̈ = (M κ)·q̈ with κ = M⁻¹ a − K⁻¹ d.
         Some(moment) if harmonic == 1 => {
             let mut arm = factor.solve_vector(&moment.absolute_acceleration);
@@ -322,7 +323,7 @@ struct Projector<'a> {
     influence: &'a [f64],
     statics: &'a [f64],
     observer: Observer<'a>,
-    /// The rows that have been made into probes, by id.
+    /// The rows that have been made into probes, by [`Probe::key`].
     rows: RefCell<BTreeMap<String, Row>>,
 }
 
@@ -338,7 +339,7 @@ impl Projector<'_> {
 
     /// Completes `probe` from its row.
     fn probe(&self, probe: Probe, row: &Row) -> Probe {
-        self.rows.borrow_mut().insert(probe.id.clone(), row.clone());
+        self.rows.borrow_mut().insert(probe.key(), row.clone());
         let dofs = self.tank.model.dofs();
         let mut displacement = row.displacement.clone();
         // The mean of φ̈ over the surface is −g times the mean elevation.
@@ -362,23 +363,19 @@ impl Projector<'_> {
         }
     }
 
-    fn gauge(&self, r: f64, place: &str, options: &Options) -> Probe {
-        let title = match place {
-            "wall" => "Wave height at the wall".to_owned(),
-            at => format!("Wave height at {at} m from the centre"),
-        };
+    fn gauge(&self, r: f64, channel: Channel, options: &Options) -> Probe {
         let probe = Probe {
             modes: ModeSelection::FirstSloshing(options.wave_modes),
-            ..empty(&format!("wave_height@{place}"), &title, Dimension::Length)
+            ..Probe::new(channel)
         };
         self.probe(probe, &self.observer.elevation(r))
     }
 
     /// Scalar outputs, as of the harmonic engine.
     fn probes(&self, case: &Case, options: &Options) -> Result<Vec<Probe>, FeError> {
-        let mut probes = vec![self.gauge(self.tank.radius, "wall", options)];
+        let mut probes = vec![self.gauge(self.tank.radius, Channel::Wave(Side::Front), options)];
         for &r in &options.gauges {
-            probes.push(self.gauge(r, &r.to_string(), options));
+            probes.push(self.gauge(r, Channel::WaveAt { r }, options));
         }
         probes.extend(self.reactions()?);
         probes.extend(self.base(case)?);
@@ -389,16 +386,16 @@ impl Projector<'_> {
                 continue;
             };
             for line in STRESSES {
-                let title = format!("{} at z = {z} m", line.title);
-                probes.push(self.wall_probe(&format!("{}@{z}", line.id), &title, line, course, z));
+                let probe = Probe::new(Channel::At { what: line.0, z });
+                probes.push(self.wall_probe(probe, line.1, course, z));
             }
             let nodes = &self.tank.wall.z;
             let share = (z - nodes[level]) / (nodes[level + 1] - nodes[level]);
             let mut row = self.observer.radial_displacement(level).scaled(1.0 - share);
             let above = self.observer.radial_displacement(level + 1).scaled(share);
             row.displacement.extend(above.displacement);
-            let title = format!("Radial displacement at z = {z} m");
-            probes.push(self.displacement(&format!("radial_displacement@{z}"), &title, &row));
+            let what = OnWall::Displacement;
+            probes.push(self.displacement(Probe::new(Channel::At { what, z }), &row));
         }
         Ok(probes)
     }
@@ -423,15 +420,9 @@ impl Projector<'_> {
             (Row::default(), Row::default(), Row::default())
         };
         Ok(vec![
-            self.probe(empty("base_shear", "Base shear", Dimension::Force), &shear),
-            self.probe(
-                empty("base_moment", "Moment above the base plate", Dimension::Moment),
-                &moment,
-            ),
-            self.probe(
-                empty("overturning_moment", "Moment below the base plate", Dimension::Moment),
-                &below,
-            ),
+            self.probe(Probe::new(Channel::BaseShear), &shear),
+            self.probe(Probe::new(Channel::BaseMoment), &moment),
+            self.probe(Probe::new(Channel::OverturningMoment), &below),
         ])
     }
 
@@ -444,54 +435,34 @@ impl Projector<'_> {
         // The weight that the lowest elements bring onto the edge itself is no displacement's.
         let (tank, roof) = (&case.tank, case.tank.roof.mass);
         let weight = case.gravity * (tank.wall_mass() + roof) / (std::f64::consts::TAU * self.tank.radius);
-        let probe = |id: &str, title: &str, dimension, row: Row, static_value| {
+        let probe = |what, row: Row, static_value| {
             let empty = Probe {
                 static_value,
-                ..empty(id, title, dimension)
+                ..Probe::new(Channel::Base(what))
             };
             self.probe(empty, &row)
         };
+        let bending = moment.clone().scaled(6.0 / (t * t));
         Ok(vec![
-            probe(
-                "axial_membrane_stress@base",
-                "Axial membrane stress at the base",
-                Dimension::Stress,
-                axial.scaled(1.0 / t),
-                -weight / t,
-            ),
-            probe(
-                "bending_stress@base",
-                "Meridional bending stress, outer face at the base",
-                Dimension::Stress,
-                moment.clone().scaled(6.0 / (t * t)),
-                6.0 / (t * t) * of_moment,
-            ),
-            probe(
-                "wall_moment@base",
-                "Meridional bending moment of the wall at the base",
-                Dimension::LineMoment,
-                moment,
-                of_moment,
-            ),
+            probe(OnWall::Axial, axial.scaled(1.0 / t), -weight / t),
+            probe(OnWall::Bending, bending, 6.0 / (t * t) * of_moment),
+            probe(OnWall::Moment, moment, of_moment),
         ])
     }
 
     /// A stress at the height z of a course.
-    fn wall_probe(&self, id: &str, title: &str, line: Stress, course: &std::ops::Range<usize>, z: f64) -> Probe {
+    fn wall_probe(&self, probe: Probe, resultant: Resultant, course: &std::ops::Range<usize>, z: f64) -> Probe {
         let wall = &self.tank.wall;
         let t = wall.thickness[course.start];
-        let factor = match line.resultant {
+        let factor = match resultant {
             Resultant::Moment => 6.0 / (t * t),
             _ => 1.0 / t,
         };
         let poisson = wall.poisson_ratio[course.start];
-        let row = self
-            .observer
-            .resultant(course, z, line.resultant, poisson)
-            .scaled(factor);
+        let row = self.observer.resultant(course, z, resultant, poisson).scaled(factor);
         let probe = Probe {
             static_value: sparse_dot(&row.displacement, self.statics) * self.static_factor(),
-            ..empty(id, title, Dimension::Stress)
+            ..probe
         };
         self.probe(probe, &row)
     }
@@ -504,30 +475,27 @@ impl Projector<'_> {
         }
     }
 
-    fn displacement(&self, id: &str, title: &str, row: &Row) -> Probe {
+    fn displacement(&self, probe: Probe, row: &Row) -> Probe {
         let probe = Probe {
             static_value: sparse_dot(&row.displacement, self.statics),
-            ..empty(id, title, Dimension::Length)
+            ..probe
         };
         self.probe(probe, row)
     }
 
     /// Outputs over the height; the stresses of the base are those of `base`, from reactions.
     fn lines(&self, case: &Case, base: &[Probe]) -> Vec<ProbeLine> {
-        let title = "Hydrodynamic pressure on the wall";
         let wetted = &self.tank.division.liquid;
         let weight = case.liquid.density * case.gravity;
         let pressure = wetted.iter().enumerate().map(|(i, z)| {
             let probe = Probe {
                 static_value: weight * (self.tank.depth - z).max(0.0),
-                ..empty(&format!("pressure[{i}]"), title, Dimension::Stress)
+                ..ProbeLine::probe(OnWall::Pressure, i, *z)
             };
             self.probe(probe, &self.observer.pressure(i))
         });
         let mut lines = vec![ProbeLine {
-            id: "pressure".into(),
-            title: title.into(),
-            dimension: Dimension::Stress,
+            what: OnWall::Pressure,
             z: wetted.clone(),
             probes: pressure.collect(),
         }];
@@ -536,40 +504,37 @@ impl Projector<'_> {
         let places: Vec<(f64, std::ops::Range<usize>)> = (self.tank.wall.courses().into_iter())
             .flat_map(|course| (course.start..=course.end).map(move |level| (z[level], course.clone())))
             .collect();
-        for line in STRESSES {
-            let edge = base.iter().find(|p| p.id == format!("{}@base", line.id));
+        for (what, resultant) in STRESSES {
+            let edge = base.iter().find(|p| p.channel == Channel::Base(what));
             let probes = places.iter().enumerate().map(|(i, (z, course))| {
-                let id = format!("{}[{i}]", line.id);
+                let probe = ProbeLine::probe(what, i, *z);
                 match (i, edge) {
                     (0, Some(edge)) => {
-                        let row = self.rows.borrow().get(&edge.id).cloned().unwrap_or_default();
-                        self.rows.borrow_mut().insert(id.clone(), row);
+                        let row = self.rows.borrow().get(&edge.key()).cloned().unwrap_or_default();
+                        self.rows.borrow_mut().insert(probe.key(), row);
                         Probe {
-                            id,
-                            title: line.title.into(),
+                            channel: probe.channel,
+                            place: probe.place,
                             ..edge.clone()
                         }
                     }
-                    _ => self.wall_probe(&id, line.title, line, course, *z),
+                    _ => self.wall_probe(probe, resultant, course, *z),
                 }
             });
             lines.push(ProbeLine {
-                id: line.id.into(),
-                title: line.title.into(),
-                dimension: Dimension::Stress,
+                what,
                 z: places.iter().map(|p| p.0).collect(),
                 probes: probes.collect(),
             });
         }
+        let what = OnWall::Displacement;
         lines.push(ProbeLine {
-            id: "radial_displacement".into(),
-            title: "Radial displacement".into(),
-            dimension: Dimension::Length,
+            what,
             z: z.clone(),
-            probes: (0..z.len())
-                .map(|level| {
+            probes: (z.iter().enumerate())
+                .map(|(level, z)| {
                     let row = self.observer.radial_displacement(level);
-                    self.displacement(&format!("radial_displacement[{level}]"), "Radial displacement", &row)
+                    self.displacement(ProbeLine::probe(what, level, *z), &row)
                 })
                 .collect(),
         });
@@ -593,41 +558,9 @@ impl Projector<'_> {
     }
 }
 
-/// A line of stresses over the height.
-#[derive(Clone, Copy)]
-struct Stress {
-    id: &'static str,
-    title: &'static str,
-    resultant: Resultant,
-}
-
-const STRESSES: [Stress; 3] = [
-    Stress {
-        id: "hoop_stress",
-        title: "Hoop membrane stress",
-        resultant: Resultant::Hoop,
-    },
-    Stress {
-        id: "axial_membrane_stress",
-        title: "Axial membrane stress",
-        resultant: Resultant::Axial,
-    },
-    Stress {
-        id: "bending_stress",
-        title: "Meridional bending stress, outer face",
-        resultant: Resultant::Moment,
-    },
+/// Stresses over the height.
+const STRESSES: [(OnWall, Resultant); 3] = [
+    (OnWall::Hoop, Resultant::Hoop),
+    (OnWall::Axial, Resultant::Axial),
+    (OnWall::Bending, Resultant::Moment),
 ];
-
-fn empty(id: &str, title: &str, dimension: Dimension) -> Probe {
-    Probe {
-        id: id.into(),
-        title: title.into(),
-        dimension,
-        displacement: Vec::new(),
-        absolute_acceleration: Vec::new(),
-        ground_acceleration: 0.0,
-        static_value: 0.0,
-        modes: ModeSelection::All,
-    }
-}

@@ -8,7 +8,7 @@ use tank::Case;
 use tank::Shape;
 use tank::case::GroundMotion;
 
-use super::direct::Direct;
+use super::direct::OwnUnknowns;
 use super::model::TankModel;
 use super::moments::Histories;
 use super::reduce::{self, Space, VECTORS};
@@ -19,11 +19,12 @@ use super::waves::classify;
 use super::{SolidOptions, fields};
 use crate::damping::Damper;
 use crate::harmonic::{Kind, check_options, solve};
-use crate::simulate::analysis::analyse;
-use crate::simulate::model::{Harmonic, Model};
-use crate::simulate::{self, checked_motion, coarse_options, note_mesh_error, report, review};
+use crate::linear::analysis::analyse;
+use crate::linear::model::{Harmonic, Model};
+use crate::linear::{Linear, checked_motion, coarse_options, complete, note_mesh_error};
 use crate::{FeError, Integrator, Options, Simulation};
-use results::{FeResult, Mode, ModeShape};
+use results::channel::Side;
+use results::{Channel, EngineId, Mode, ModeShape, Run};
 
 /// Ritz vectors of the search for modes of one wave number.
 const MODE_VECTORS: usize = 48;
@@ -158,14 +159,15 @@ impl Prepared {
 }
 
 /// Moments of the largest base moment and of the largest wave at the wall.
-fn extreme_moments(result: &FeResult) -> Vec<(String, f64)> {
+fn extreme_moments(result: &Run) -> Vec<(String, f64)> {
     [
-        ("base_moment", "largest base moment"),
-        ("wave_height_theta_0", "largest wave at θ = 0°"),
+        (Channel::BaseMoment, "largest base moment"),
+        (Channel::Wave(Side::Front), "largest wave at θ = 0°"),
     ]
     .into_iter()
-    .filter_map(|(id, title)| {
-        let series = result.series.iter().find(|s| s.id == id)?;
+    .filter_map(|(channel, title)| {
+        let id = channel.id();
+        let series = result.histories.iter().find(|s| s.id == id)?;
         Some((title.to_owned(), series.time))
     })
     .collect()
@@ -181,7 +183,7 @@ fn stop(progress: &dyn Progress, stage: &str) -> Result<(), FeError> {
 
 /// Time history of a case by the three-dimensional engine.
 ///
-/// Errors: as [`crate::simulate`]; a mesh that cannot be built; more memory than allowed; interrupted before there is
+/// Errors: as [`crate::simulate()`]; a mesh that cannot be built; more memory than allowed; interrupted before there is
 /// anything to show.
 pub fn simulate(
     case: &Case,
@@ -226,31 +228,21 @@ fn integrated(
     solid: &SolidOptions,
     progress: &dyn Progress,
 ) -> Result<(Prepared, Simulation), FeError> {
-    let motion = checked_motion(case)?;
+    let vertical = checked_motion(case)?.vertical.is_some();
     check_options(case, options)?;
-    let vertical = motion.vertical.is_some();
-    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     let prepared = Prepared::new(case, options, solid, vertical, progress)?;
-    let mut interrupted = None;
-    let mut simulation = if options.integrator == Integrator::Newmark && !vertical {
-        let notes = review(&prepared.model)?;
-        let modal = Options {
-            integrator: Integrator::Modal,
-            ..options.clone()
-        };
-        let mut analysis = analyse(&prepared.model, motion, &modal, progress)?;
-        let direct = Direct {
-            tank: &prepared.tank,
-            system: &prepared.system,
-            model: &prepared.model,
-            space: &prepared.spaces[0],
-        };
-        interrupted = direct.replace(&mut analysis, motion, progress)?;
-        report(case, options, motion, &prepared.model, round, analysis, notes)
-    } else {
-        simulate::complete(case, options, motion, &prepared.model, round, progress)?
+    let direct = OwnUnknowns {
+        tank: &prepared.tank,
+        system: &prepared.system,
+        model: &prepared.model,
+        space: &prepared.spaces[0],
     };
-    simulation.result.engine = "solid".into();
+    let linear = Linear {
+        engine: EngineId::Solid,
+        model: &prepared.model,
+        direct: Some(&direct),
+    };
+    let mut simulation = complete(case, options, &linear, progress)?;
     if options.integrator == Integrator::Newmark && vertical {
         for label in simulation.result.integration.iter_mut().filter(|l| l.label == "method") {
             label.text = "direct integration of the reduced coordinates, Newmark's average acceleration".into();
@@ -261,13 +253,6 @@ fn integrated(
          excites."
             .into(),
     );
-    if let Some(time) = interrupted {
-        simulation.result.incomplete = true;
-        simulation.notes.push(format!(
-            "The direct integration was interrupted at t = {time:.2} s: extremes are those until then, histories end there, and \
-             ratios to them mean nothing."
-        ));
-    }
     if options.integrator == Integrator::Newmark {
         simulation.notes.push(
             "Pictures and ParaView files of the three-dimensional engine come from the reduced coordinates by modal \

@@ -1,13 +1,13 @@
 //! Files that a long analysis is resumed from.
 //!
 //! ```text
-//! magic "TANKSTOP" | version u32 | fingerprint u64 | length u64 | payload | checksum u64
+//! magic "TANKSTOP" | version u32 | identity u64 | length u64 | payload | checksum u64
 //! ```
 //!
 //! Little-endian throughout; numbers are stored bit by bit, so that a resumed run is the uninterrupted one to the last
-//! digit. The **fingerprint** is a hash of the model (nodes, elements and what they answer, supports, groups), of the
-//! matrices, the settings and the loads: a file of another analysis is refused. Checksum and fingerprint are FNV-1a (Fowler,
-//! Noll & Vo 1991): they find accidents, not forgeries. A file is written beside its place and renamed, so that a crash
+//! digit. The **identity** is a hash of the key that the caller gives, which stands for everything the analysis was made from: a
+//! file of another analysis is refused. Checksum and identity are FNV-1a (Fowler, Noll & Vo 1991): they find accidents, not
+//! forgeries. A file is written beside its place and renamed, so that a crash
 //! leaves the old one; what a crash leaves of the new one is replaced by the next.
 
 use std::fs::{self, File};
@@ -19,7 +19,7 @@ use crate::state::State;
 /// First bytes of a file.
 pub const MAGIC: [u8; 8] = *b"TANKSTOP";
 /// Version of the format.
-pub const VERSION: u32 = 4;
+pub const VERSION: u32 = 5;
 /// Bytes before the payload.
 const HEAD: usize = 8 + 4 + 8 + 8;
 
@@ -48,8 +48,8 @@ pub enum CheckpointError {
     },
     /// Of another model, other settings or another record.
     #[error("of another run: the tank, the record, an option or the program has changed since it was written")]
-    Fingerprint {
-        /// Fingerprint found.
+    Identity {
+        /// Identity found.
         found: u64,
         /// That of this analysis.
         allowed: u64,
@@ -135,7 +135,7 @@ pub fn inspect(path: &Path) -> Result<(), CheckpointError> {
     read(path).map(|_| ()).map_err(|e| e.of(path))
 }
 
-/// Fingerprint and payload of a sound file.
+/// Identity and payload of a sound file.
 fn read(path: &Path) -> Result<(u64, Vec<u8>), CheckpointError> {
     let failed = |e: std::io::Error| CheckpointError::File {
         path: path.display().to_string(),
@@ -164,7 +164,7 @@ fn read(path: &Path) -> Result<(u64, Vec<u8>), CheckpointError> {
     if version != VERSION {
         return Err(CheckpointError::Version { found: version });
     }
-    let fingerprint = u64::from_le_bytes(head.take("fingerprint").map_err(short)?);
+    let identity = u64::from_le_bytes(head.take("identity").map_err(short)?);
     let length = u64::from_le_bytes(head.take("length").map_err(short)?);
     let allowed = length.saturating_add(HEAD as u64 + 8);
     if size != allowed {
@@ -181,7 +181,7 @@ fn read(path: &Path) -> Result<(u64, Vec<u8>), CheckpointError> {
             allowed: hash.value(),
         });
     }
-    Ok((fingerprint, payload))
+    Ok((identity, payload))
 }
 
 /// FNV-1a over bytes.
@@ -273,7 +273,7 @@ impl Writer {
     /// Writes the file: beside its place ([`unfinished`]), then renamed.
     ///
     /// Errors: those of the file system.
-    pub fn save(self, path: &Path, fingerprint: u64) -> Result<(), CheckpointError> {
+    pub fn save(self, path: &Path, identity: u64) -> Result<(), CheckpointError> {
         let failed = |e: std::io::Error| CheckpointError::File {
             path: path.display().to_string(),
             reason: e.to_string(),
@@ -285,7 +285,7 @@ impl Writer {
             let mut file = File::create(&beside)?;
             file.write_all(&MAGIC)?;
             file.write_all(&VERSION.to_le_bytes())?;
-            file.write_all(&fingerprint.to_le_bytes())?;
+            file.write_all(&identity.to_le_bytes())?;
             file.write_all(&(self.bytes.len() as u64).to_le_bytes())?;
             file.write_all(&self.bytes)?;
             file.write_all(&hash.value().to_le_bytes())?;
@@ -312,12 +312,12 @@ impl Reader {
     /// Opens a file of this analysis.
     ///
     /// Errors: the file system's; no checkpoint, of another version, truncated, damaged, of another analysis.
-    pub fn open(path: &Path, fingerprint: u64) -> Result<Reader, CheckpointError> {
+    pub fn open(path: &Path, identity: u64) -> Result<Reader, CheckpointError> {
         let (found, bytes) = read(path)?;
-        if found != fingerprint {
-            return Err(CheckpointError::Fingerprint {
+        if found != identity {
+            return Err(CheckpointError::Identity {
                 found,
-                allowed: fingerprint,
+                allowed: identity,
             });
         }
         Ok(Reader { bytes, at: 0 })

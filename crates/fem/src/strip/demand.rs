@@ -1,13 +1,9 @@
-//! What a nonlinear run of a strip is asked for, taken step by step.
+//! What a nonlinear run of a strip is asked for: the largest values of its history.
 
-use super::parting::PartingObserver;
-use super::validity::{BarStrain, Departure, Validity, first_of};
-use super::{BaseReaction, StripError, StripModel, lost};
-use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
-use crate::analysis::march::{Instant, Observe};
-use crate::element::Inspect;
+use super::BaseReaction;
+use super::history::{Cell, EventKind, Scalar, WallHistory};
+use super::validity::{Departure, first_of};
 use crate::liquid::separation::Parting;
-use crate::state::Gather;
 
 /// A moment at the base and what it is made of [N].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -107,48 +103,40 @@ pub struct Demand {
 }
 
 impl Demand {
-    /// Takes in a committed step; returns the reaction at the base and the worst bar.
-    ///
-    /// Errors: those of the elements.
-    fn see(&mut self, strip: &StripModel, now: &Instant<'_>) -> Result<(BaseReaction, BarStrain), StripError> {
-        let (time, state) = (now.time, now.state);
-        let u = &state.committed.u;
-        self.wave = self.wave.max(strip.elevation(u).abs());
-        let deflection = u[strip.top()].abs();
-        if deflection > self.deflection {
-            (self.deflection, self.deflection_time) = (deflection, time);
+    /// The largest values of a history.
+    pub(super) fn of(history: &WallHistory) -> Demand {
+        let largest = |scalar: Scalar| -> (f64, f64) {
+            let values = history.scalar(scalar).iter().zip(&history.times);
+            values.fold(
+                (0.0, 0.0),
+                |most, (v, &time)| if v.abs() > most.0 { (v.abs(), time) } else { most },
+            )
+        };
+        let (deflection, deflection_time) = largest(Scalar::Deflection);
+        let cells = |value: fn(&Cell) -> f64| history.cells.iter().map(value).fold(0.0, f64::max);
+        let [_, last] = &history.pictures;
+        let cracks = last.faces.iter().flatten().map(|[_, largest]| *largest);
+        let first_crack = history.events.iter().find(|e| e.kind == EventKind::Crack);
+        Demand {
+            wave: largest(Scalar::Elevation).0,
+            deflection,
+            deflection_time,
+            base_moment: history.peak.reaction.abs(),
+            parts: history.peak,
+            section_moment: largest(Scalar::SectionMoment).0,
+            first_crack: first_crack.map(|e| FirstCrack {
+                time: e.time,
+                height: e.height,
+                base_moment: e.base_moment.abs(),
+            }),
+            highest_crack: cells(|c| c.highest_crack),
+            largest_crack: cracks.fold(0.0, f64::max),
+            plastic_strain: cells(|c| c.plastic_strain),
+            bar_stress: cells(|c| c.bar_stress),
+            bar_plastic_strain: cells(|c| c.bar_plastic_strain),
+            parting: Parting::first(&history.separation, history.openings.as_ref()),
+            departures: history.departures.clone(),
         }
-        let reaction = strip.base_reaction(state, now.ground)?;
-        let moment = reaction.total()[2].abs();
-        if moment > self.base_moment {
-            (self.base_moment, self.parts) = (moment, BaseMoment::of(time, &reaction));
-        }
-        self.section_moment = self.section_moment.max(strip.lowest_section(state)?[1].abs());
-        let (mut gather, mut bar) = (Gather::default(), BarStrain::default());
-        let beams = strip.model.elements().iter().zip(&strip.tank.sections).enumerate();
-        for (e, (element, section)) in beams {
-            let motion = gather.motion(&strip.model, &state.committed, &**element);
-            element.material_points(motion, &state.old[state.history(e)], &mut |fibre| {
-                if fibre.layer >= section.layers() {
-                    bar.see(fibre);
-                    self.bar_stress = self.bar_stress.max(fibre.stress[0].abs());
-                    self.bar_plastic_strain = self.bar_plastic_strain.max(fibre.state.plastic_strain);
-                    return;
-                }
-                self.plastic_strain = self.plastic_strain.max(fibre.state.plastic_strain);
-                for crack in fibre.state.cracks.iter().flatten() {
-                    let height = fibre.position[2];
-                    self.highest_crack = self.highest_crack.max(height);
-                    self.largest_crack = self.largest_crack.max(crack.largest);
-                    self.first_crack.get_or_insert(FirstCrack {
-                        time,
-                        height,
-                        base_moment: moment,
-                    });
-                }
-            });
-        }
-        Ok((reaction, bar))
     }
 
     /// The worse of two walls in every quantity; the first crack and the first parting are the earlier ones.
@@ -181,121 +169,5 @@ fn earlier<T>(a: Option<T>, b: Option<T>, time: impl Fn(&T) -> f64) -> Option<T>
     match (a, b) {
         (Some(a), Some(b)) => Some(if time(&a) <= time(&b) { a } else { b }),
         (a, b) => a.or(b),
-    }
-}
-
-/// Observer that keeps the demand.
-pub(super) struct DemandObserver<'a> {
-    strip: &'a StripModel,
-    demand: Demand,
-    parting: PartingObserver,
-    validity: Validity,
-    failure: Option<StripError>,
-}
-
-impl<'a> DemandObserver<'a> {
-    /// Of a wall of `strip`.
-    pub(crate) fn new(strip: &'a StripModel) -> DemandObserver<'a> {
-        DemandObserver {
-            strip,
-            demand: Demand::default(),
-            parting: PartingObserver::new(strip),
-            validity: Validity::default(),
-            failure: None,
-        }
-    }
-
-    /// What was seen.
-    ///
-    /// Errors: those of the elements while it was seen.
-    pub(crate) fn finish(self) -> Result<Demand, StripError> {
-        match self.failure {
-            Some(failure) => Err(failure),
-            None => Ok(Demand {
-                parting: self.parting.first(),
-                departures: self.validity.found().to_vec(),
-                ..self.demand
-            }),
-        }
-    }
-}
-
-impl Observe for DemandObserver<'_> {
-    fn see(&mut self, now: &Instant<'_>) {
-        match self.demand.see(self.strip, now) {
-            Ok((reaction, bar)) => self.validity.see(self.strip, now, &reaction, bar),
-            Err(error) => self.failure = self.failure.take().or(Some(error)),
-        }
-        self.parting.see(self.strip, now);
-    }
-
-    fn stop(&self) -> Option<String> {
-        lost(self.demand.deflection, self.strip.height()).or(self.validity.stop())
-    }
-
-    fn save(&self, to: &mut Writer) {
-        let d = &self.demand;
-        to.numbers(&[
-            d.wave,
-            d.deflection,
-            d.deflection_time,
-            d.base_moment,
-            d.highest_crack,
-            d.largest_crack,
-            d.plastic_strain,
-            d.bar_stress,
-            d.bar_plastic_strain,
-            d.section_moment,
-        ]);
-        to.numbers(&d.parts.array());
-        self.validity.save(to);
-        let first = d.first_crack.map(|c| vec![c.time, c.height, c.base_moment]);
-        to.numbers(&first.unwrap_or_default());
-        self.parting.save(to);
-    }
-
-    fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
-        let mut values = [0.0; 10];
-        from.numbers_into("demands", &mut values)?;
-        let mut parts = [0.0; 6];
-        from.numbers_into("parts of the moment", &mut parts)?;
-        self.validity.restore(from)?;
-        let first = from.numbers("the first crack")?;
-        let [
-            wave,
-            deflection,
-            deflection_time,
-            base_moment,
-            highest_crack,
-            largest_crack,
-            plastic_strain,
-            bar_stress,
-            bar_plastic_strain,
-            section_moment,
-        ] = values;
-        self.demand = Demand {
-            wave,
-            deflection,
-            deflection_time,
-            base_moment,
-            parts: BaseMoment::from_array(parts),
-            section_moment,
-            first_crack: match first[..] {
-                [time, height, base_moment] => Some(FirstCrack {
-                    time,
-                    height,
-                    base_moment,
-                }),
-                _ => None,
-            },
-            highest_crack,
-            largest_crack,
-            plastic_strain,
-            bar_stress,
-            bar_plastic_strain,
-            parting: None,
-            departures: Vec::new(),
-        };
-        self.parting.restore(from)
     }
 }

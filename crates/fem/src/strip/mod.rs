@@ -27,7 +27,6 @@ mod contact;
 mod demand;
 mod history;
 mod model;
-mod parting;
 mod run;
 mod validity;
 

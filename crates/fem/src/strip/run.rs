@@ -4,7 +4,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use oscillator::record::Record;
 
-use super::demand::DemandObserver;
 use super::history::{WallHistory, WallObserver};
 use super::{Demand, Side, StripError, StripModel};
 use crate::analysis::ida::{self, Point};
@@ -154,10 +153,10 @@ impl StripModel {
         checkpoint: Option<Checkpoint>,
         progress: &dyn Progress,
     ) -> Result<StripRun, StripError> {
-        let mut observer = DemandObserver::new(self);
-        let run = self.march(quake, scale, side, checkpoint, &mut observer, progress)?;
+        let observed = self.observed(quake, scale, side, checkpoint, None, progress)?;
+        let run = observed.run;
         Ok(StripRun {
-            demand: observer.finish()?,
+            demand: Demand::of(&observed.history),
             time: run.time,
             hysteretic: run.balance.samples.last().map_or(0.0, |e| e.hysteretic),
             imbalance: run.balance.error(),
@@ -183,11 +182,11 @@ impl StripModel {
         progress.stage("time steps of both walls", 2 * self.grid(quake).steps() as u64);
         let counted = Counted::new(progress);
         let [first, second] = checkpoints;
-        let observe = |side, checkpoint, until| self.observed(quake, side, checkpoint, until, &counted);
+        let observe = |side, checkpoint, until| self.observed(quake, 1.0, side, checkpoint, until, &counted);
         let (a, b) = std::thread::scope(|scope| {
             let other = scope.spawn(|| {
                 let own = Counted::new(progress);
-                self.observed(quake, Side::Negative, second, None, &own)
+                self.observed(quake, 1.0, Side::Negative, second, None, &own)
             });
             let one = observe(Side::Positive, first, None);
             let other = match other.join() {
@@ -201,7 +200,7 @@ impl StripModel {
         let end = end.fold(f64::INFINITY, f64::min);
         for (wall, side) in walls.iter_mut().zip(Side::BOTH) {
             if wall.run.time > end && wall.run.outcome != Outcome::Interrupted {
-                *wall = self.observed(quake, side, None, Some(end), &Quiet(progress))?;
+                *wall = self.observed(quake, 1.0, side, None, Some(end), &Quiet(progress))?;
             }
         }
         Ok(walls)
@@ -211,19 +210,21 @@ impl StripModel {
     ///
     /// Errors: those of the analysis. Collapse is none.
     pub fn single(&self, quake: &StripQuake, side: Side, progress: &dyn Progress) -> Result<WallRun, StripError> {
-        self.observed(quake, side, None, None, progress)
+        self.observed(quake, 1.0, side, None, None, progress)
     }
 
+    /// Every run of a wall.
     fn observed(
         &self,
         quake: &StripQuake,
+        scale: f64,
         side: Side,
         checkpoint: Option<Checkpoint>,
         until: Option<f64>,
         progress: &dyn Progress,
     ) -> Result<WallRun, StripError> {
         let mut observer = WallObserver::new(self, until);
-        let run = self.march(quake, 1.0, side, checkpoint, &mut observer, progress)?;
+        let run = self.march(quake, scale, side, checkpoint, &mut observer, progress)?;
         Ok(WallRun {
             lost: observer.lost(),
             history: observer.finish()?,

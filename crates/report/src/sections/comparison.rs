@@ -7,7 +7,7 @@ use super::{Section, Source};
 use crate::methods::{excitation, figure_order, look};
 use crate::number::{Scale, ratio};
 use files::error::Error;
-use results::{Method, Status};
+use results::{FE, Method, Status};
 
 #[derive(Serialize)]
 struct Head {
@@ -74,7 +74,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
         .map(|(p, &i)| Head {
             label: look(&results.methods[i]).label,
             excitation: excitation(&results.methods[i]),
-            fe: results.methods[i].id == "fe",
+            fe: results.methods[i].id == FE,
             break_before: Some(p) == first_site,
         })
         .collect();

@@ -9,7 +9,7 @@ use crate::number::{Scale, percent, significant};
 use crate::table::{Column, Table};
 use crate::words::{capital, labels};
 use files::error::Error;
-use results::{FeResult, MESH_ERROR_LIMIT};
+use results::{MESH_ERROR_LIMIT, Run};
 
 #[derive(Serialize)]
 struct Pair {
@@ -19,7 +19,7 @@ struct Pair {
 
 /// Makes the section.
 pub fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let Some(fe) = &source.results.fe else {
+    let Some(fe) = source.results.reference() else {
         return Ok(None);
     };
     let mut section = Section::new("engine");
@@ -28,7 +28,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
 }
 
 /// Hands what the template `sections/engine.html` shows of a run to a section.
-pub(super) fn fill(section: &mut Section, fe: &FeResult) {
+pub(super) fn fill(section: &mut Section, fe: &Run) {
     let pairs = |list: &[results::Labelled]| -> Vec<Pair> {
         list.iter()
             .map(|l| Pair {
@@ -37,7 +37,7 @@ pub(super) fn fill(section: &mut Section, fe: &FeResult) {
             })
             .collect()
     };
-    section.set("engine", &fe.engine);
+    section.set("engine", fe.engine.id());
     section.set("mesh", &pairs(&fe.mesh));
     section.set("integration", &pairs(&fe.integration));
 

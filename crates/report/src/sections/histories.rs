@@ -12,24 +12,25 @@ use crate::table::{Column, Table};
 use crate::words::{figures, labels};
 use files::error::Error;
 use results::SeriesInfo;
+use results::channel::{AXIAL_MEMBRANE_STRESS, BASE_MOMENT, BASE_SHEAR, OVERTURNING_MOMENT, WAVE_HEIGHT};
 
 /// Histories drawn at most; the rest stands in the table of peaks and in `series.csv`.
 const MOST: usize = 9;
 /// Histories that come first, by the beginning of their id.
 const FIRST: [&str; 5] = [
-    "wave_height",
-    "base_shear",
-    "base_moment",
-    "axial_membrane_stress",
-    "overturning_moment",
+    WAVE_HEIGHT,
+    BASE_SHEAR,
+    BASE_MOMENT,
+    AXIAL_MEMBRANE_STRESS,
+    OVERTURNING_MOMENT,
 ];
 
 /// Makes the section.
 pub fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let Some(fe) = &source.results.fe else {
+    let Some(fe) = source.results.reference() else {
         return Ok(None);
     };
-    let mut infos: Vec<&SeriesInfo> = fe.series.iter().filter(|s| !is_ground_motion(&s.id)).collect();
+    let mut infos: Vec<&SeriesInfo> = fe.histories.iter().filter(|s| !is_ground_motion(&s.id)).collect();
     infos.sort_by_key(|s| FIRST.iter().position(|f| s.id.starts_with(f)).unwrap_or(FIRST.len()));
     if infos.is_empty() {
         return Ok(None);

@@ -6,6 +6,7 @@ use super::{Section, Source};
 use crate::number::Scale;
 use crate::words::capital;
 use files::error::Error;
+use results::{Limit, Run};
 
 #[derive(Serialize)]
 struct Row {
@@ -20,21 +21,25 @@ struct Row {
 /// Makes the section.
 pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let results = source.results;
-    let limits = results.fe.iter().flat_map(|fe| &fe.limits).map(|l| (l, ""));
-    let spatial = results.fe_solid.iter().flat_map(|fe| &fe.limits);
-    let nonlinear = results.fe_nonlinear.iter().flat_map(|fe| &fe.limits);
-    let rows: Vec<Row> = limits
-        .chain(spatial.map(|l| (l, " (three-dimensional)")))
-        .chain(nonlinear.map(|l| (l, " (nonlinear)")))
+    let of = |(number, run): (usize, &Run)| -> Vec<(Limit, String)> {
+        let name = match number {
+            0 => String::new(),
+            _ => format!(" ({})", run.engine.name()),
+        };
+        run.limits.iter().map(|limit| (limit.clone(), name.clone())).collect()
+    };
+    let runs = results.runs.iter().enumerate();
+    let rows: Vec<Row> = runs
+        .flat_map(of)
         .map(|(l, run)| {
             let scale = Scale::of(l.dimension, [l.value, l.limit]);
             Row {
-                name: capital(&l.name) + run,
+                name: capital(&l.name) + &run,
                 value: scale.text(l.value),
                 limit: scale.text(l.limit),
                 unit: scale.symbol(),
                 holds: l.holds,
-                note: l.note.clone(),
+                note: l.note,
             }
         })
         .collect();

@@ -28,7 +28,7 @@ use crate::figure::{Figure, Room};
 use crate::table::Table;
 use crate::words;
 use files::error::Error;
-use results::{Method, Results, Series};
+use results::{FE, Method, Results, Series};
 
 /// What a section is made from.
 pub struct Source<'a> {
@@ -129,7 +129,7 @@ impl FigureView {
 impl<'a> Source<'a> {
     /// The finite-element method, where it ran.
     fn fe(&self) -> Option<&'a Method> {
-        self.results.methods.iter().find(|m| m.id == "fe")
+        self.results.methods.iter().find(|m| m.id == FE)
     }
 
     /// A quantity of the finite elements, or else of the first method that gives it, in SI.

@@ -8,14 +8,14 @@ use crate::number::{Scale, fixed, percent, significant};
 use crate::table::{Column, Table, spread};
 use crate::words::{self, capital};
 use files::error::Error;
-use results::{FeResult, Mode};
+use results::{Mode, Run};
 
 /// Modes of one kind and harmonic in the table at most.
 const ROWS: usize = 6;
 
 /// Makes the section.
 pub fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let Some(fe) = source.results.fe.as_ref().filter(|fe| !fe.modes.is_empty()) else {
+    let Some(fe) = source.results.reference().filter(|fe| !fe.modes.is_empty()) else {
         return Ok(None);
     };
     let rows: Vec<&Mode> = fe.modes.iter().filter(|m| m.number <= ROWS).collect();
@@ -70,7 +70,7 @@ fn table(source: &Source, modes: &[&Mode]) -> Table {
 }
 
 /// The first three sloshing and the first two structural modes of the harmonic that is shaken.
-fn drawn(fe: &FeResult) -> Vec<&Mode> {
+fn drawn(fe: &Run) -> Vec<&Mode> {
     let pick = |kind: &'static str, most: usize| {
         fe.modes
             .iter()

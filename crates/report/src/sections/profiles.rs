@@ -42,7 +42,7 @@ struct Group<'a> {
 pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let mut groups: BTreeMap<(usize, &str), Group> = BTreeMap::new();
     let rank = |id: &str| ORDER.iter().position(|o| *o == id).unwrap_or(ORDER.len());
-    if let Some(fe) = &source.results.fe {
+    if let Some(fe) = source.results.reference() {
         for envelope in fe.envelopes.iter().filter(|e| e.z.len() > 1) {
             let id = envelope.id.as_str();
             groups.entry((rank(id), id)).or_default().envelope = Some(envelope);
@@ -83,7 +83,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
         return Ok(None);
     }
     let mut section = Section::new("profiles");
-    section.set("has_fe", &source.results.fe.is_some());
+    section.set("has_fe", &(!source.results.runs.is_empty()));
     section.set("has_codes", &groups.values().any(|g| !g.profiles.is_empty()));
     section.set_figures("figures", figures);
     section.set_figures("site_figures", site);

@@ -11,9 +11,9 @@ use crate::number::parts;
 use crate::words::outcome;
 use crate::words::verdict::LIQUID_PARTED;
 use files::error::Error;
-use results::compare::{FE_NONLINEAR, MEASURED};
-use results::nonlinear::{End, Nonlinear};
-use results::{Method, Status};
+use results::compare::MEASURED;
+use results::nonlinear::End;
+use results::{EngineId, Method, Run, Status};
 
 #[derive(Serialize)]
 struct Sheet {
@@ -64,12 +64,11 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
         })
         .map(|m| sheet(m, source.results.methods.iter().find(|r| is_base(r, m))))
         .collect();
-    let run = source
-        .results
-        .fe_nonlinear
-        .as_ref()
-        .and_then(|fe| fe.nonlinear.as_ref());
-    if let (Some(run), Some(sheet)) = (run, sheets.iter_mut().find(|s| s.method == FE_NONLINEAR)) {
+    let column = EngineId::Nonlinear.beside();
+    if let (Some(run), Some(sheet)) = (
+        source.results.beside(EngineId::Nonlinear),
+        sheets.iter_mut().find(|s| s.method == column),
+    ) {
         sheet.notes.splice(0..0, remarks(run));
     }
     if sheets.is_empty() {
@@ -81,12 +80,13 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
 }
 
 /// What a nonlinear run asks a reader to mind.
-fn remarks(run: &Nonlinear) -> Vec<String> {
+fn remarks(run: &Run) -> Vec<String> {
     let mut remarks = Vec::new();
     if let End::Left { departure, .. } = &run.end {
         remarks.push(outcome::stopped_remark(departure));
     }
-    let passed = run.departures.iter().filter(|d| !d.kind.stops());
+    let departures = run.nonlinear.iter().flat_map(|n| &n.departures);
+    let passed = departures.filter(|d| !d.kind.stops());
     remarks.extend(passed.map(outcome::remark));
     remarks.extend(run.parted().then(|| LIQUID_PARTED.to_owned()));
     remarks

@@ -11,19 +11,19 @@ use crate::table::{Column, Table, spread};
 use crate::words::figures::spatial as words;
 use crate::words::{capital, labels};
 use files::error::Error;
-use results::compare::{FE, FE_SOLID};
-use results::{DeformedShape, Fields, Picture, SOLID_PREFIX};
+use results::channel::{BASE_MOMENT, BASE_SHEAR, WAVE_HEIGHT};
+use results::{DeformedShape, EngineId, FE, Fields, Picture};
 
 /// Part of the tank's largest dimension that the largest displacement drawn takes.
 const SWING: f64 = 0.12;
 /// Histories of both engines drawn over each other, by the beginning of their id.
-const OVERLAID: [&str; 3] = ["wave_height", "base_shear", "base_moment"];
+const OVERLAID: [&str; 3] = [WAVE_HEIGHT, BASE_SHEAR, BASE_MOMENT];
 
 /// Makes the section.
 pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let results = source.results;
-    let solid = results.fe_solid.as_ref();
-    let fields = solid.or(results.fe.as_ref()).and_then(|fe| fe.fields.as_ref());
+    let solid = results.beside(EngineId::Solid);
+    let fields = solid.or(results.reference()).and_then(|fe| fe.fields.as_ref());
     if solid.is_none() && fields.is_none() {
         return Ok(None);
     }
@@ -73,10 +73,10 @@ fn sound(fields: &Fields) -> bool {
 fn difference(source: &Source) -> Table {
     let results = source.results;
     let column = |id: &str| results.methods.iter().position(|m| m.id == id);
-    let (Some(harmonic), Some(solid)) = (column(FE), column(FE_SOLID)) else {
+    let (Some(harmonic), Some(solid)) = (column(FE), column(EngineId::Solid.beside())) else {
         return Table::default();
     };
-    let error = |id: &str| results.fe_solid.as_ref().and_then(|fe| fe.mesh_error.get(id));
+    let error = |id: &str| results.beside(EngineId::Solid).and_then(|fe| fe.mesh_error.get(id));
     let mut table = Table::new(vec![
         Column::words("Quantity"),
         Column::words("Unit"),
@@ -111,18 +111,18 @@ fn signed(difference: f64) -> String {
 
 /// Histories of both engines.
 fn overlays(source: &Source) -> Result<Vec<Figure>, Error> {
-    let (Some(fe), Some(_)) = (&source.results.fe, &source.results.fe_solid) else {
+    let (Some(fe), Some(_)) = (source.results.reference(), source.results.beside(EngineId::Solid)) else {
         return Ok(Vec::new());
     };
     let second = overlay::Second {
-        prefix: SOLID_PREFIX,
+        prefix: EngineId::Solid.prefix(),
         id: "both",
         title: "both engines",
         class: "k-fe-solid hist",
         names: ["harmonic", "three-dimensional"],
         rules: &[],
     };
-    overlay::overlays(source, &fe.series, &OVERLAID, &second)
+    overlay::overlays(source, &fe.histories, &OVERLAID, &second)
 }
 
 /// Faces with the displacements of wall and surface multiplied by a factor each.

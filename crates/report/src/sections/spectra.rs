@@ -47,7 +47,7 @@ struct Period {
 /// The tank's periods.
 fn periods(source: &Source) -> Vec<Period> {
     let mut periods = Vec::new();
-    if let Some(fe) = &source.results.fe {
+    if let Some(fe) = source.results.reference() {
         for (kind, letter, most) in [("sloshing", 'c', 2), ("structural", 'i', 1)] {
             let modes = fe.modes.iter().filter(|m| m.kind == kind && m.harmonic == 1);
             periods.extend(modes.take(most).map(|mode| Period {

@@ -170,22 +170,13 @@ fn facts(source: &Source) -> Vec<Fact> {
 
 fn warnings(results: &Results) -> Vec<Warning> {
     // A limit that several engines exceed is told once.
-    let harmonic: Vec<&Limit> = results
-        .fe
+    let broken = |run: &'_ results::Run| run.limits.clone().into_iter().filter(|l| !l.holds);
+    let first: Vec<Limit> = results.reference().into_iter().flat_map(broken).collect();
+    let others = results.runs.iter().skip(1).flat_map(broken);
+    let others: Vec<Limit> = others.filter(|l| first.iter().all(|f| f.id != l.id)).collect();
+    first
         .iter()
-        .flat_map(|fe| &fe.limits)
-        .filter(|l| !l.holds)
-        .collect();
-    let second = results
-        .fe_solid
-        .iter()
-        .chain(&results.fe_nonlinear)
-        .flat_map(|fe| &fe.limits);
-    let others = second.filter(|l| !l.holds && harmonic.iter().all(|h| h.id != l.id));
-    harmonic
-        .iter()
-        .copied()
-        .chain(others)
+        .chain(&others)
         .map(|l| Warning {
             name: capital(&l.name),
             found: words::summary::exceeded(l),

@@ -1,9 +1,9 @@
 //! Where the methods differ from the finite elements, and why.
 
 use crate::number::plain;
-use results::Results;
-use results::compare::{Damping, Difference, FE_NONLINEAR, Ratio, Reason, THRESHOLD};
+use results::compare::{Damping, Difference, Ratio, Reason, THRESHOLD};
 use results::nonlinear::Event;
+use results::{EngineId, Results};
 use tank::Quantity;
 use tank::assessment::Excitation;
 use tank::units::{self, Dimension};
@@ -14,9 +14,9 @@ pub fn what(results: &Results, difference: &Difference) -> String {
     let method = methods.find(|m| m.id == difference.method && m.excitation == Excitation::Record);
     let title = method.map_or(difference.method.as_str(), |m| m.title.as_str());
     let list: Vec<String> = difference.ratios.iter().map(ratio).collect();
-    let reference = match difference.method.as_str() {
-        FE_NONLINEAR => "the linear value",
-        _ => "the finite-element value",
+    let reference = match difference.method == EngineId::Nonlinear.beside() {
+        true => "the linear value",
+        false => "the finite-element value",
     };
     format!("{title}: {} times {reference}.", list.join(", "))
 }
@@ -28,7 +28,7 @@ fn ratio(found: &Ratio) -> String {
 
 /// The causes of a difference, one or more sentences; empty where none is known.
 pub fn why(results: &Results, difference: &Difference) -> String {
-    let run = results.fe_nonlinear.as_ref().and_then(|fe| fe.nonlinear.as_ref());
+    let run = results.beside(EngineId::Nonlinear);
     let events = run.map_or(&[][..], |run| &run.events);
     let sentences: Vec<String> = difference.reasons.iter().map(|r| reason(r, events)).collect();
     sentences.join(" ")

@@ -6,8 +6,7 @@ use tank::assessment::Excitation;
 use tank::units::{self, Dimension};
 
 use crate::number::significant;
-use results::compare::FE_NONLINEAR;
-use results::{IdaRun, Limit, MESH_ERROR_LIMIT, Method, PushShell, Status, Verdict};
+use results::{EngineId, IdaRun, Limit, MESH_ERROR_LIMIT, Method, PushShell, Status, Verdict};
 
 /// Mark of a number that is not to be used.
 pub const UNUSABLE: &str = "‡";
@@ -59,8 +58,9 @@ pub fn later(peaks: &BTreeMap<String, f64>, end: f64, completed: bool) -> String
         false => "",
     };
     format!(
-        "* the linear peak is later ({}): {FE_NONLINEAR} ends at {end:.2} s, fe continues{after}",
-        times.join(", ")
+        "* the linear peak is later ({}): {} ends at {end:.2} s, fe continues{after}",
+        times.join(", "),
+        EngineId::Nonlinear.beside()
     )
 }
 

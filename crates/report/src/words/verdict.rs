@@ -1,6 +1,6 @@
 //! Whether the tank holds, and whether the results are complete.
 
-use results::compare::{Incomplete, SecondEngine, Unusable};
+use results::compare::{Incomplete, Unusable};
 use results::{MESH_ERROR_LIMIT, Verdict};
 
 /// Why a run with separation gives no design values.
@@ -30,10 +30,7 @@ pub fn headline(verdict: &Verdict) -> String {
 pub fn incomplete(cause: &Incomplete) -> String {
     match cause {
         Incomplete::Missing { engine, error } => {
-            let engine = match engine {
-                SecondEngine::Solid => "three-dimensional",
-                SecondEngine::Nonlinear => "nonlinear",
-            };
+            let engine = engine.name();
             match error {
                 None => format!("Incomplete: the {engine} run was interrupted before it had a result"),
                 Some(error) => format!("Incomplete: the {engine} run failed before it had a result ({error})"),

@@ -8,8 +8,8 @@ use tank::Quantity;
 use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
 use tank::assessment::Excitation;
 
-use super::{Context, Difference, Estimated, FE, FE_NONLINEAR, FE_SOLID, MEASURED, Ratio, Reason, nonlinear};
-use crate::{ComparisonRow, Method};
+use super::{Context, Difference, Estimated, MEASURED, Ratio, Reason, nonlinear};
+use crate::{ComparisonRow, EngineId, Method};
 
 /// Differences below this are within what record processing and damping assumptions move (theory manual).
 pub const THRESHOLD: f64 = 0.10;
@@ -56,7 +56,7 @@ pub fn attribute(methods: &[Method], rows: &[ComparisonRow], context: &Context) 
     found.extend(nonlinear::attribute(methods, rows, context));
     for (cause, quantities) in GROUPS {
         for (column, method) in methods.iter().enumerate() {
-            if method.excitation != Excitation::Record || [FE, FE_SOLID, FE_NONLINEAR].contains(&method.id.as_str()) {
+            if method.excitation != Excitation::Record || method.is_run() {
                 continue;
             }
             let ratios = ratios(rows, column, THRESHOLD, quantities);
@@ -80,7 +80,7 @@ pub fn attribute(methods: &[Method], rows: &[ComparisonRow], context: &Context) 
 
 /// Where the three-dimensional engine differs from the harmonic one: their meshes.
 fn engines(methods: &[Method], rows: &[ComparisonRow], context: &Context) -> Option<Difference> {
-    let column = methods.iter().position(|m| m.id == FE_SOLID)?;
+    let column = methods.iter().position(|m| m.id == EngineId::Solid.beside())?;
     let ratios = ratios(rows, column, ENGINES, &Quantity::ALL);
     ratios.first()?;
     let error = |r: &Ratio| {
@@ -90,7 +90,7 @@ fn engines(methods: &[Method], rows: &[ComparisonRow], context: &Context) -> Opt
         })
     };
     Some(Difference {
-        method: FE_SOLID.into(),
+        method: EngineId::Solid.beside().into(),
         reasons: vec![Reason::Discretisation {
             estimated: ratios.iter().filter_map(error).collect(),
         }],

@@ -1,5 +1,6 @@
 //! Where a method differs from the finite elements and why, as facts: the report puts them into words.
 
+use crate::EngineId;
 use serde::{Deserialize, Serialize};
 use tank::Quantity;
 
@@ -187,7 +188,7 @@ pub enum Incomplete {
     /// The second engine gave nothing.
     Missing {
         /// Which.
-        engine: SecondEngine,
+        engine: EngineId,
         /// The error that stopped it; the user if there is none.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         error: Option<String>,
@@ -216,16 +217,6 @@ pub enum Incomplete {
     },
 }
 
-/// The engine beside the harmonic one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SecondEngine {
-    /// Three-dimensional elements.
-    Solid,
-    /// Nonlinear walls.
-    Nonlinear,
-}
-
 /// A value whose estimated mesh error is above [`crate::MESH_ERROR_LIMIT`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unusable {
@@ -239,15 +230,10 @@ pub struct Unusable {
 
 /// All values that are not to be used, by method and quantity.
 pub fn unusable(results: &Results) -> Vec<Unusable> {
-    let runs = [
-        (super::FE, &results.fe),
-        (super::FE_SOLID, &results.fe_solid),
-        (super::FE_NONLINEAR, &results.fe_nonlinear),
-    ];
     let mut found = Vec::new();
-    for (id, run) in runs {
-        let column = results.methods.iter().position(|m| m.id == id);
-        let (Some(column), Some(run)) = (column, run) else {
+    for (number, run) in results.runs.iter().enumerate() {
+        let id = run.engine.column(number);
+        let Some(column) = results.methods.iter().position(|m| m.id == id) else {
             continue;
         };
         for row in &results.comparison.rows {

@@ -3,9 +3,9 @@
 use tank::Quantity;
 
 use super::attribution::ratios;
-use super::{Context, Difference, FE_NONLINEAR, Happened, Reason};
+use super::{Context, Difference, Happened, Reason};
 use crate::nonlinear::End;
-use crate::{ComparisonRow, Method};
+use crate::{ComparisonRow, EngineId, Method};
 
 /// While nothing yields or cracks, a mesh of shells or beams stays within this of the linear engine.
 const THRESHOLD: f64 = 0.05;
@@ -14,11 +14,11 @@ const TOLD: usize = 6;
 
 /// At most one difference.
 pub(super) fn attribute(methods: &[Method], rows: &[ComparisonRow], context: &Context) -> Option<Difference> {
-    let column = methods.iter().position(|m| m.id == FE_NONLINEAR)?;
+    let column = methods.iter().position(|m| m.id == EngineId::Nonlinear.beside())?;
     let ratios = ratios(rows, column, THRESHOLD, &Quantity::ALL);
     ratios.first()?;
     Some(Difference {
-        method: FE_NONLINEAR.into(),
+        method: EngineId::Nonlinear.beside().into(),
         ratios,
         reasons: context.nonlinear.as_ref().map_or_else(Vec::new, reasons),
     })
@@ -63,10 +63,10 @@ mod tests {
     use tank::assessment::Excitation;
     use tank::units::Dimension;
 
-    use super::super::{Damping, FE, compare};
+    use super::super::{Damping, compare};
     use super::*;
     use crate::nonlinear::{Event, EventKind};
-    use crate::{Status, Value};
+    use crate::{FE, Status, Value};
 
     fn method(id: &str, moment: f64) -> Method {
         Method {
@@ -117,11 +117,16 @@ mod tests {
                 nonlinear: Some(nonlinear),
                 ..Context::default()
             };
-            compare(&[method(FE, 10.0), method(FE_NONLINEAR, moment)], &context, vec![]).differences
+            compare(
+                &[method(FE, 10.0), method(EngineId::Nonlinear.beside(), moment)],
+                &context,
+                vec![],
+            )
+            .differences
         };
         assert!(of(10.4, run()).is_empty());
         let difference = of(8.0, run()).remove(0);
-        assert_eq!(difference.method, FE_NONLINEAR);
+        assert_eq!(difference.method, EngineId::Nonlinear.beside());
         assert_eq!((difference.ratios.len(), difference.ratios[0].ratio), (1, 0.8));
         assert_eq!(
             difference.reasons,

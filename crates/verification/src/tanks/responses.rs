@@ -198,6 +198,6 @@ fn shake(case: &mut Case, record: &Record) {
 
 /// Peak of a history.
 fn peak(simulation: &Simulation, id: &str) -> f64 {
-    let found = simulation.result.series.iter().find(|s| s.id == id);
+    let found = simulation.result.histories.iter().find(|s| s.id == id);
     found.map_or(f64::NAN, |s| s.peak)
 }

@@ -13,7 +13,7 @@ use super::points::look;
 use super::watch::{BASE_MOMENT, Happening, WAVE_BACK, WAVE_FRONT, Watch};
 use super::{CheckpointFile, Cylinder};
 use crate::FeError;
-use crate::simulate::checked_motion;
+use crate::linear::checked_motion;
 use results::nonlinear::{Departure, DepartureKind};
 use results::{Collapse, Fact, FirstCrack, IdaRun};
 

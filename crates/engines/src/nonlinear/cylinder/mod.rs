@@ -24,7 +24,7 @@ use tank::Case;
 use tank::case::GroundMotion;
 
 use super::{CheckpointFile, NonlinearOptions};
-use crate::simulate::checked_motion;
+use crate::linear::checked_motion;
 use crate::{FeError, Simulation};
 
 pub(super) use curve::MOMENT;

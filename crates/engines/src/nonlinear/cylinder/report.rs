@@ -5,7 +5,6 @@ use std::f64::consts::TAU;
 
 use fem::analysis::march::{Outcome, Run};
 use tank::Support;
-use tank::units::Dimension;
 use tank::{Case, Quantity};
 
 use super::super::NonlinearOptions;
@@ -17,8 +16,10 @@ use super::points::look;
 use super::state::{energies, events, grid, loops, maps, pictures, place};
 use super::watch::{BASE_MOMENT, BASE_SHEAR, BELLY_FRONT, Extremes, TOP_FRONT, WAVE_BACK, WAVE_FRONT, Watch};
 use crate::Simulation;
+use crate::histories::Histories;
+use results::channel::{OnWall, Side};
 use results::nonlinear::{End, EventKind, Nonlinear};
-use results::{EnergyBalance, Envelope, FeResult, Series, SeriesInfo};
+use results::{Channel, EnergyBalance, EngineId, Envelope, Run as Finished, SeriesInfo};
 
 /// Everything that is reported of a run.
 pub fn report(
@@ -31,7 +32,7 @@ pub fn report(
     let last = look(tank, &run.state);
     let mut worst = watch.seen.worst.clone().unwrap_or_else(|| last.clone());
     worst.envelop(&last);
-    let (info, series) = histories(watch);
+    let histories = histories(watch);
     let values = values(tank, watch);
     let mut notes = Vec::new();
     if case.tank.support == Support::Unanchored {
@@ -58,8 +59,6 @@ pub fn report(
     let balance = &run.balance;
     let energies = energies(run, watch);
     let nonlinear = Nonlinear {
-        end,
-        events,
         grid: grid(tank),
         maps: maps(case, tank, watch, &worst, &last),
         cracks: pictures(watch, &last, run.time),
@@ -71,14 +70,11 @@ pub fn report(
     };
     let total = balance.samples.last().copied().unwrap_or_default();
     let copies = tank.cells.copies();
-    let result = FeResult {
-        engine: "nonlinear".into(),
+    let result = Finished {
+        end,
+        events,
         mesh: mesh(tank),
-        modes: Vec::new(),
         integration: integration(tank, options, watch, run),
-        damping_table: Vec::new(),
-        mesh_error: BTreeMap::new(),
-        mass_balance: Vec::new(),
         energy: Some(EnergyBalance {
             input: copies * total.input,
             kinetic: copies * total.kinetic,
@@ -87,16 +83,15 @@ pub fn report(
             error: balance.error(),
         }),
         envelopes: envelopes(tank, watch),
-        series: info,
-        limits: Vec::new(),
-        fields: None,
+        histories: histories.info,
         nonlinear: Some(nonlinear),
         incomplete: !completed(run),
+        ..Finished::new(EngineId::Nonlinear)
     };
     Simulation {
         values,
         result,
-        series,
+        series: histories.series,
         assumptions: assumptions(case, options, tank),
         notes,
         snapshots: None,
@@ -104,86 +99,38 @@ pub fn report(
 }
 
 /// Histories relative to the state at rest, as those of the other engines.
-fn histories(watch: &Watch<'_>) -> (Vec<SeriesInfo>, Series) {
+fn histories(watch: &Watch<'_>) -> Histories {
     let recorder = &watch.recorder;
-    let (mut info, mut series) = (Vec::new(), Series::default());
-    series.time.clone_from(&recorder.times);
-    let mut push = |id: &str, title: &str, dimension, values: &[f64], peak: Option<(f64, f64)>| {
+    let times = &recorder.times;
+    let mut histories = Histories::at(times.clone());
+    let mut push = |channel: Channel, values: &[f64], peak: Option<(f64, f64)>| {
         let rest = values.first().copied().unwrap_or(0.0);
         let own: Vec<f64> = values.iter().map(|v| v - rest).collect();
         let sampled = || {
             let i = (0..own.len()).fold(0, |m, i| if own[i].abs() > own[m].abs() { i } else { m });
             (
                 own.get(i).map_or(0.0, |v| v.abs()),
-                recorder.times.get(i).copied().unwrap_or(0.0),
+                times.get(i).copied().unwrap_or(0.0),
             )
         };
-        let (peak, time) = peak.unwrap_or_else(sampled);
-        info.push(SeriesInfo {
-            id: id.into(),
-            title: title.into(),
-            dimension,
-            static_value: rest,
-            peak,
-            time,
-        });
-        series.ids.push(id.into());
-        series.columns.push(own);
+        let info = SeriesInfo::of(channel, rest, peak.unwrap_or_else(sampled));
+        histories.push(info, own);
     };
-    for (k, id, title, dimension) in [
-        (
-            WAVE_FRONT,
-            "wave_height_theta_0",
-            "Wave height at the wall, θ = 0°",
-            Dimension::Length,
-        ),
-        (
-            WAVE_BACK,
-            "wave_height_theta_180",
-            "Wave height at the wall, θ = 180°",
-            Dimension::Length,
-        ),
-        (BASE_SHEAR, "base_shear", "Base shear", Dimension::Force),
-        (
-            BASE_MOMENT,
-            "base_moment",
-            "Moment above the base plate",
-            Dimension::Moment,
-        ),
-        (
-            TOP_FRONT,
-            "top_displacement",
-            "Radial displacement of the top of the wall, θ = 0°",
-            Dimension::Length,
-        ),
-        (
-            BELLY_FRONT,
-            "belly_displacement",
-            "Radial displacement at a third of the levels of the wall, θ = 0°",
-            Dimension::Length,
-        ),
+    for (k, channel) in [
+        (WAVE_FRONT, Channel::Wave(Side::Front)),
+        (WAVE_BACK, Channel::Wave(Side::Back)),
+        (BASE_SHEAR, Channel::BaseShear),
+        (BASE_MOMENT, Channel::BaseMoment),
+        (TOP_FRONT, Channel::Top),
+        (BELLY_FRONT, Channel::Belly),
     ] {
-        let swing = extremes(watch, k);
-        push(id, title, dimension, &recorder.histories[k], Some(swing.swing()));
+        push(channel, &recorder.histories[k], Some(extremes(watch, k).swing()));
     }
-    for (side, angle) in [(0, 0), (1, 180)] {
-        let meridian = &watch.seen.sides[side];
-        push(
-            &format!("axial_membrane_stress_base_theta_{angle}"),
-            &format!("Axial membrane stress at the base, θ = {angle}°"),
-            Dimension::Stress,
-            &meridian.base_axial,
-            None,
-        );
-        push(
-            &format!("wall_moment_base_theta_{angle}"),
-            &format!("Meridional bending moment of the wall at the base, θ = {angle}°"),
-            Dimension::LineMoment,
-            &meridian.moment,
-            None,
-        );
+    for (meridian, side) in watch.seen.sides.iter().zip(Side::BOTH) {
+        push(Channel::BaseOn(OnWall::Axial, side), &meridian.base_axial, None);
+        push(Channel::BaseOn(OnWall::Moment, side), &meridian.moment, None);
     }
-    (info, series)
+    histories
 }
 
 /// Range of a recorded quantity with its value at rest; zeros where the state at rest was not reached.
@@ -253,19 +200,16 @@ fn end(tank: &CylinderModel, run: &Run) -> End {
 fn envelopes(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Envelope> {
     let z: Vec<f64> = tank.cells.z.windows(2).map(|z| 0.5 * (z[0] + z[1])).collect();
     let front = &watch.seen.sides[0];
-    [
-        ("hoop_stress", "Hoop membrane stress", &front.hoop),
-        ("axial_membrane_stress", "Axial membrane stress", &front.axial),
-    ]
-    .into_iter()
-    .map(|(id, title, list)| Envelope {
-        id: id.into(),
-        title: title.into(),
-        dimension: Dimension::Stress,
-        z: z[..list.len()].to_vec(),
-        static_: list.iter().map(|e| e.rest).collect(),
-        min: list.iter().map(|e| e.min - e.rest).collect(),
-        max: list.iter().map(|e| e.max - e.rest).collect(),
-    })
-    .collect()
+    [(OnWall::Hoop, &front.hoop), (OnWall::Axial, &front.axial)]
+        .into_iter()
+        .map(|(what, list)| Envelope {
+            id: what.id().into(),
+            title: what.title().into(),
+            dimension: what.dimension(),
+            z: z[..list.len()].to_vec(),
+            static_: list.iter().map(|e| e.rest).collect(),
+            min: list.iter().map(|e| e.min - e.rest).collect(),
+            max: list.iter().map(|e| e.max - e.rest).collect(),
+        })
+        .collect()
 }

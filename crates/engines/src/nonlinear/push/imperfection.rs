@@ -17,7 +17,7 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 
 /// How large an imperfection is asked for.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub enum Amplitude {
     /// In thicknesses of the wall where it stands, outwards positive.
     Thicknesses(f64),
@@ -28,7 +28,7 @@ pub enum Amplitude {
 }
 
 /// Fabrication tolerance quality class of EN 1993-1-6.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 pub enum Quality {
     /// Excellent, Q = 40.
     A,
@@ -82,7 +82,7 @@ impl Amplitude {
 }
 
 /// The form of an imperfection.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
 pub enum Form {
     /// The depression of a circumferential weld.
     #[default]

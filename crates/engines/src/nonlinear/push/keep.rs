@@ -32,7 +32,7 @@ pub(super) struct Kept<'a> {
 /// Writes checkpoints, if there is a file for them.
 pub(super) struct Keeper<'f> {
     file: Option<&'f CheckpointFile>,
-    fingerprint: u64,
+    identity: u64,
     /// Computing time between two checkpoints [s].
     seconds: f64,
     /// When the last one was written, or could not be; `None`: the next is due at once.
@@ -52,11 +52,11 @@ impl<'f> Keeper<'f> {
         hash.text("pushover");
         hash.text(file.map_or("", |f| &f.key));
         for values in [&plan.levels, &plan.angles, &plan.impulsive.line] {
-            hash.numbers(values);
+            hash.count(values.len());
         }
         Keeper {
             file,
-            fingerprint: hash.value(),
+            identity: hash.value(),
             seconds: plan.options.checkpoint,
             // A run killed early can be resumed, too; an older checkpoint is not overwritten before there is something to keep.
             last: file.filter(|f| f.path.exists()).map(|_| Instant::now()),
@@ -73,7 +73,7 @@ impl<'f> Keeper<'f> {
     pub(super) fn resume<'a>(&mut self, plan: &'a Plan<'a>) -> Result<Kept<'a>, FeError> {
         match self.file {
             Some(file) if file.resume && file.path.exists() => {
-                let kept = Reader::open(&file.path, self.fingerprint).and_then(|from| read(plan, from));
+                let kept = Reader::open(&file.path, self.identity).and_then(|from| read(plan, from));
                 let kept = kept.map_err(|fault| self.unusable(fault.into()))?;
                 kept.perfect.iter().for_each(|(seen, end)| self.finished(seen, end));
                 kept.mode.iter().for_each(|mode| self.found(mode));
@@ -123,7 +123,7 @@ impl<'f> Keeper<'f> {
             to.count(usize::from(part.is_some()));
             part.into_iter().for_each(|part| to.part(part));
         }
-        let saved = to.save(&file.path, self.fingerprint);
+        let saved = to.save(&file.path, self.identity);
         self.last = Some(Instant::now());
         self.written |= saved.is_ok();
         if let Err(error) = &saved {

@@ -42,7 +42,7 @@ use path::Followed;
 use results::{Fact, FactKind, Imperfection, PushLimit, PushShell};
 
 /// What a pushover is asked.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct PushOptions {
     /// Amplitude of the imperfect shell; `None`: the perfect shell alone.
     pub imperfection: Option<Amplitude>,

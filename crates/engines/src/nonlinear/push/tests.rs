@@ -306,8 +306,8 @@ fn a_checkpoint_of_another_run_is_refused() {
         key: "another pushover".into(),
         ..kept.clone()
     };
-    assert!(matches!(resume(&other, 12), CheckpointError::Fingerprint { .. }));
-    assert!(matches!(resume(&kept, 16), CheckpointError::Fingerprint { .. }));
+    assert!(matches!(resume(&other, 12), CheckpointError::Identity { .. }));
+    assert!(matches!(resume(&kept, 16), CheckpointError::Identity { .. }));
     let sound = std::fs::read(&kept.path).unwrap();
     std::fs::write(&kept.path, &sound[..sound.len() - 9]).unwrap();
     assert!(matches!(resume(&kept, 12), CheckpointError::Length { .. }));

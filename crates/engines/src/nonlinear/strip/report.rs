@@ -8,7 +8,8 @@ use tank::units::{Dimension, display, significant};
 use super::super::Damping;
 use super::simulate::{FREE_PERIODS, Report};
 use super::walls::WALLS;
-use crate::simulate::limits;
+use crate::linear::limits;
+use results::channel::OnWall;
 use results::{Balance, Envelope, Labelled, Limit};
 
 /// Damping of the wall below which a note says so.
@@ -25,9 +26,9 @@ impl Report<'_> {
         let weight = liquid.density * liquid.gravity;
         vec![
             Envelope {
-                id: "pressure".into(),
-                title: "Hydrodynamic pressure on the wall".into(),
-                dimension: Dimension::Stress,
+                id: OnWall::Pressure.id().into(),
+                title: OnWall::Pressure.title().into(),
+                dimension: OnWall::Pressure.dimension(),
                 z: history.pressure.iter().map(|(z, _)| *z).collect(),
                 static_: history
                     .pressure
@@ -38,9 +39,9 @@ impl Report<'_> {
                 max: history.pressure.iter().map(|(_, r)| r.max).collect(),
             },
             Envelope {
-                id: "radial_displacement".into(),
+                id: OnWall::Displacement.id().into(),
                 title: "Deflection of the wall".into(),
-                dimension: Dimension::Length,
+                dimension: OnWall::Displacement.dimension(),
                 z: self.strip.model.tank.levels.clone(),
                 static_: history.deflection.iter().map(|(rest, _)| *rest).collect(),
                 min: history.deflection.iter().map(|(rest, r)| r.min - rest).collect(),

@@ -6,22 +6,23 @@ use std::path::{Path, PathBuf};
 
 use fem::analysis::march::Checkpoint;
 use fem::progress::Progress;
-use fem::strip::{Scalar, Side, WallHistory};
+use fem::strip::{Scalar, Side as Wall, WallHistory};
 use tank::Shape;
 use tank::case::GroundMotion;
-use tank::units::Dimension;
 use tank::{Case, Quantity};
 
 use super::super::{CheckpointFile, Damping, NonlinearOptions};
 use super::modes::{damping_table, modes};
 use super::walls::{SUFFIXES, Walls};
 use super::{Strip, failed};
-use crate::simulate::{checked_motion, series};
+use crate::histories::Histories;
+use crate::linear::checked_motion;
 use crate::{FeError, Simulation};
-use results::{FeResult, Mode, Series, SeriesInfo};
+use results::channel::{OnWall, Side};
+use results::{Channel, EngineId, Mode, Run, SeriesInfo};
 
 /// Free vibration after the record, in periods of the first sloshing mode, as in the linear engine.
-pub(super) const FREE_PERIODS: f64 = crate::simulate::model::FREE_PERIODS;
+pub(super) const FREE_PERIODS: f64 = crate::linear::model::FREE_PERIODS;
 
 /// Time history of a strip.
 ///
@@ -42,7 +43,7 @@ pub(in crate::nonlinear) fn simulate(
     let vertical = motion.vertical.as_ref().map_or(0.0, |v| v.duration());
     let tail = strip.model.modes.omega.first().map_or(0.0, |w| FREE_PERIODS * TAU / w);
     strip.quake.until = Some(motion.horizontal.duration().max(vertical) + tail);
-    let files = Side::BOTH.map(|side| checkpoint.map(|c| wall_file(c, side, options.checkpoint)));
+    let files = Wall::BOTH.map(|side| checkpoint.map(|c| wall_file(c, side, options.checkpoint)));
     let runs = strip
         .model
         .histories(&strip.quake, files.clone(), progress)
@@ -71,7 +72,7 @@ pub(in crate::nonlinear) fn simulate(
 }
 
 /// Where a wall keeps what it needs to be resumed: the first in the file itself, the second beside it.
-pub(super) fn wall_file(file: &CheckpointFile, side: Side, seconds: f64) -> Checkpoint {
+pub(super) fn wall_file(file: &CheckpointFile, side: Wall, seconds: f64) -> Checkpoint {
     Checkpoint {
         path: wall_path(&file.path, side),
         steps: 0,
@@ -82,9 +83,9 @@ pub(super) fn wall_file(file: &CheckpointFile, side: Side, seconds: f64) -> Chec
 }
 
 /// The file of a wall.
-pub(in crate::nonlinear) fn wall_path(file: &Path, side: Side) -> PathBuf {
+pub(in crate::nonlinear) fn wall_path(file: &Path, side: Wall) -> PathBuf {
     let mut path = file.as_os_str().to_owned();
-    if side == Side::Negative {
+    if side == Wall::Negative {
         path.push(".");
         path.push(SUFFIXES[side as usize]);
     }
@@ -93,9 +94,8 @@ pub(in crate::nonlinear) fn wall_path(file: &Path, side: Side) -> PathBuf {
 
 /// A history of the tank or of a wall, with the state at rest.
 struct Line {
-    id: String,
+    channel: Channel,
     title: String,
-    dimension: Dimension,
     rest: f64,
     times: Vec<f64>,
     values: Vec<f64>,
@@ -138,10 +138,11 @@ impl Report<'_> {
         let modes = modes(model, self.walls.breadth);
         let lines = self.lines();
         let values = self.values(&modes, &lines);
-        let (info, series) = self.series(&lines);
+        let histories = self.histories(&lines);
         let wave = values.get(&Quantity::SloshingHeight).copied().unwrap_or(0.0);
-        let result = FeResult {
-            engine: "nonlinear".into(),
+        let result = Run {
+            end: self.walls.end(),
+            events: self.walls.events(),
             mesh: self.mesh(),
             integration: self.integration(),
             damping_table: match self.options.damping {
@@ -149,32 +150,29 @@ impl Report<'_> {
                 _ => damping_table(model),
             },
             modes,
-            mesh_error: BTreeMap::new(),
             mass_balance: self.mass_balance(),
-            energy: None,
             envelopes: self.envelopes(),
-            series: info,
+            histories: histories.info,
             limits: self.limits(wave),
-            fields: None,
             nonlinear: Some(self.walls.nonlinear()),
             incomplete: self.walls.interrupted(),
+            ..Run::new(EngineId::Nonlinear)
         };
         Simulation {
             values,
             result,
-            series,
+            series: histories.series,
             assumptions: self.strip.assumptions.clone(),
             notes: self.notes(),
             snapshots: None,
         }
     }
 
-    fn wall_line(&self, wall: usize, scalar: Scalar, id: &str, title: &str, dimension: Dimension) -> Line {
-        let history = &self.walls.runs[wall].history;
+    fn wall_line(&self, side: Side, scalar: Scalar, channel: Channel) -> Line {
+        let history = &self.walls.runs[side as usize].history;
         Line {
-            id: format!("{id}_{}", SUFFIXES[wall]),
-            title: format!("{title}, θ = {}°", [0, 180][wall]),
-            dimension,
+            channel,
+            title: channel.title(),
             rest: history.at_rest(scalar),
             times: history.times.clone(),
             values: history.scalar(scalar).to_vec(),
@@ -184,9 +182,8 @@ impl Report<'_> {
     /// Histories of the tank and of both walls.
     fn lines(&self) -> Vec<Line> {
         let mut lines = Vec::new();
-        for wall in 0..2 {
-            let title = "Wave height at the wall";
-            lines.push(self.wall_line(wall, Scalar::Elevation, "wave_height", title, Dimension::Length));
+        for side in Side::BOTH {
+            lines.push(self.wall_line(side, Scalar::Elevation, Channel::Wave(side)));
         }
         let shear = self.tank_line(|h| h.scalar(Scalar::Shear).to_vec());
         let moment = self.tank_line(|h| h.scalar(Scalar::Moment).to_vec());
@@ -194,53 +191,49 @@ impl Report<'_> {
             let (wall, bottom) = (h.scalar(Scalar::Moment), h.scalar(Scalar::BottomMoment));
             wall.iter().zip(bottom).map(|(a, b)| a + b).collect()
         });
-        for (id, title, dimension, (times, values)) in [
-            ("base_shear", "Base shear", Dimension::Force, shear),
-            ("base_moment", "Moment above the base plate", Dimension::Moment, moment),
-            (
-                "overturning_moment",
-                "Moment below the base plate",
-                Dimension::Moment,
-                below,
-            ),
+        for (channel, (times, values)) in [
+            (Channel::BaseShear, shear),
+            (Channel::BaseMoment, moment),
+            (Channel::OverturningMoment, below),
         ] {
             lines.push(Line {
-                id: id.into(),
-                title: title.into(),
-                dimension,
+                channel,
+                title: channel.title(),
                 rest: 0.0,
                 times,
                 values,
             });
         }
-        for (scalar, id, title, dimension) in [
+        type OnSide = fn(Side) -> Channel;
+        let walls: [(Scalar, OnSide, &str); 4] = [
             (
                 Scalar::Deflection,
-                "wall_displacement",
+                Channel::Deflection,
                 "Deflection of the top of the wall",
-                Dimension::Length,
             ),
             (
                 Scalar::Shear,
-                "wall_shear_base",
+                |side| Channel::BaseOn(OnWall::Shear, side),
                 "Shear force at the base of the wall",
-                Dimension::LineForce,
             ),
             (
                 Scalar::Moment,
-                "wall_moment_base",
+                |side| Channel::BaseOn(OnWall::Moment, side),
                 "Bending moment of the wall at the base",
-                Dimension::LineMoment,
             ),
             (
                 Scalar::SectionMoment,
-                "wall_moment_section",
+                Channel::SectionMoment,
                 "Bending moment of the lowest section of the wall",
-                Dimension::LineMoment,
             ),
-        ] {
-            for wall in 0..2 {
-                lines.push(self.wall_line(wall, scalar, id, title, dimension));
+        ];
+        for (scalar, channel, title) in walls {
+            for (side, angle) in Side::BOTH.into_iter().zip([0, 180]) {
+                lines.push(Line {
+                    // A strip has no meridian.
+                    title: format!("{title}, θ = {angle}°"),
+                    ..self.wall_line(side, scalar, channel(side))
+                });
             }
         }
         lines
@@ -278,57 +271,40 @@ impl Report<'_> {
                 values.insert(mass, mode.effective_mass);
             }
         }
-        let line = |id: &str| lines.iter().find(|l| l.id == id);
-        let rises = lines.iter().filter(|l| l.id.starts_with("wave_height"));
+        let rises = lines.iter().filter(|l| l.channel.is_wave());
         values.insert(
             Quantity::SloshingHeight,
             rises.map(|l| l.extremes()[0].0).fold(0.0, f64::max),
         );
-        for (quantity, id) in [
-            (Quantity::BaseShear, "base_shear"),
-            (Quantity::BaseMoment, "base_moment"),
-            (Quantity::OverturningMoment, "overturning_moment"),
-        ] {
-            if let Some(line) = line(id) {
+        for channel in [Channel::BaseShear, Channel::BaseMoment, Channel::OverturningMoment] {
+            let line = lines.iter().find(|l| l.channel == channel);
+            if let (Some(line), Some(quantity)) = (line, channel.quantity()) {
                 values.insert(quantity, line.peak().0);
             }
         }
         values
     }
 
-    fn series(&self, lines: &[Line]) -> (Vec<SeriesInfo>, Series) {
+    /// All histories at the samples that both walls have.
+    fn histories(&self, lines: &[Line]) -> Histories {
         let history = &self.walls.runs[0].history;
         let samples = history.samples.iter().take(self.walls.samples);
-        let times: Vec<f64> = samples.map(|&i| history.times[i]).collect();
-        let (mut info, mut series) = (Vec::new(), Series::default());
-        let mut push = |entry: SeriesInfo, column: Vec<f64>| {
-            series.ids.push(entry.id.clone());
-            series.columns.push(column);
-            info.push(entry);
-        };
-        if !times.is_empty() {
-            for (entry, column) in series::ground_motion(self.motion, &times) {
-                push(entry, column);
-            }
+        let mut histories = Histories::at(samples.map(|&i| history.times[i]).collect());
+        if !histories.series.time.is_empty() {
+            histories.push_ground(self.motion);
         }
         for line in lines {
-            let (peak, time) = line.peak();
             let mut at = 0;
-            let column = times
-                .iter()
-                .map(|&t| value_at(&line.times, &line.values, t, &mut at) - line.rest);
-            let entry = SeriesInfo {
-                id: line.id.clone(),
+            let times = histories.series.time.iter();
+            let column = times.map(|&t| value_at(&line.times, &line.values, t, &mut at) - line.rest);
+            let column = column.collect();
+            let info = SeriesInfo {
                 title: line.title.clone(),
-                dimension: line.dimension,
-                static_value: line.rest,
-                peak,
-                time,
+                ..SeriesInfo::of(line.channel, line.rest, line.peak())
             };
-            push(entry, column.collect());
+            histories.push(info, column);
         }
-        series.time = times;
-        (info, series)
+        histories
     }
 }
 
@@ -346,4 +322,4 @@ fn value_at(times: &[f64], values: &[f64], t: f64, at: &mut usize) -> f64 {
 }
 
 // Which wall comes first in arrays.
-const _: () = assert!(Side::Positive as usize == 0 && Side::Negative as usize == 1);
+const _: () = assert!(Wall::Positive as usize == 0 && Wall::Negative as usize == 1);

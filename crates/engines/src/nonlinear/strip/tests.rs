@@ -191,8 +191,8 @@ fn small_motion_is_that_of_the_linear_engine() {
         }
     }
     let n = nonlinear(&found);
-    assert_eq!(n.end, End::Completed);
-    assert!(n.events.is_empty(), "{:?}", n.events);
+    assert_eq!(found.result.end, End::Completed);
+    assert!(found.result.events.is_empty(), "{:?}", found.result.events);
     assert!(n.energies.error < 1e-6, "{}", n.energies.error);
     // Both walls the same, mirrored.
     let (a, b) = (
@@ -216,7 +216,7 @@ fn at_rest() {
         ("wall_shear_base_theta_180", -gamma * DEPTH * DEPTH / 2.0, 1e-6),
         ("wall_displacement_theta_180", top, 5e-3),
     ] {
-        let entry = found.result.series.iter().find(|s| s.id == id).unwrap();
+        let entry = found.result.histories.iter().find(|s| s.id == id).unwrap();
         assert!(
             (entry.static_value / reference - 1.0).abs() < tolerance,
             "{id}: {}",
@@ -230,7 +230,7 @@ fn at_rest() {
     let light = run(&case, &weightless);
     let entry = |s: &Simulation| {
         s.result
-            .series
+            .histories
             .iter()
             .find(|s| s.id == "wall_displacement_theta_0")
             .unwrap()
@@ -253,9 +253,10 @@ fn walls_that_crack() {
     let case = reinforced(6.0);
     let found = run(&case, &options(&case, 12));
     let n = nonlinear(&found);
-    assert_eq!(n.end, End::Completed, "{:?}", n.end);
-    assert!(n.events.iter().any(|e| e.kind == EventKind::FirstCrack && e.time > 0.0));
-    assert!(n.events.windows(2).all(|e| e[0].time <= e[1].time));
+    assert_eq!(found.result.end, End::Completed, "{:?}", found.result.end);
+    let events = &found.result.events;
+    assert!(events.iter().any(|e| e.kind == EventKind::FirstCrack && e.time > 0.0));
+    assert!(events.windows(2).all(|e| e[0].time <= e[1].time));
     let map = |id: &str| n.maps.iter().find(|m| m.id == id).unwrap();
     // At the base, not at the top.
     let (width, stress) = (map("crack_width"), map("bar_stress"));
@@ -279,7 +280,7 @@ fn walls_that_crack() {
         assert!(rest.abs() < 1e-3 * scale, "{rest} {scale}");
     }
     assert!(e.hysteretic.windows(2).all(|w| w[1] >= w[0] - 1e-9) && *e.hysteretic.last().unwrap() > 0.0);
-    for series in &found.result.series {
+    for series in &found.result.histories {
         assert_eq!(
             column(&found, &series.id).len(),
             found.series.time.len(),
@@ -307,14 +308,21 @@ fn contact_that_opens() {
         };
         let found = run(&case, &own);
         let n = nonlinear(&found);
-        assert_eq!(n.end, End::Completed);
+        assert_eq!(found.result.end, End::Completed);
         assert!(n.energies.error < 1e-6, "{}", n.energies.error);
         let would = nonlinear(&bonded).maps.iter().find(|m| m.id == "separation").unwrap();
         assert_eq!(would.values.iter().any(|p| *p < 0.0), opens);
         let gap = n.maps.iter().find(|m| m.id == "separation").unwrap();
         assert_eq!(gap.values.iter().any(|g| *g > 0.0), opens);
-        assert_eq!(n.events.iter().any(|e| e.title == "the liquid leaves the wall"), opens);
-        assert_eq!(n.parted(), opens);
+        assert_eq!(
+            found
+                .result
+                .events
+                .iter()
+                .any(|e| e.title == "the liquid leaves the wall"),
+            opens
+        );
+        assert_eq!(found.result.parted(), opens);
         // An incremental analysis says the same at the scale 1.
         for options in [&options(&case, 20), &own] {
             let curve = Strip::new(&case, options).unwrap();
@@ -323,7 +331,11 @@ fn contact_that_opens() {
             let parting = runs[0].parting;
             assert_eq!(parting.is_some(), opens);
             assert!(parting.is_none_or(|p| p.open == open && p.height > 0.0 && p.height <= DEPTH));
-            let told = n.events.iter().find(|e| e.title == "the liquid leaves the wall");
+            let told = found
+                .result
+                .events
+                .iter()
+                .find(|e| e.title == "the liquid leaves the wall");
             if let (Some(parting), Some(told), true) = (parting, told, open) {
                 assert_eq!(parting.time, told.time);
             }
@@ -351,14 +363,14 @@ fn collapse_at_rest() {
         load_factor: Some(factor),
         time,
         ..
-    } = nonlinear(&found).end
+    } = found.result.end
     else {
-        panic!("{:?}", nonlinear(&found).end);
+        panic!("{:?}", found.result.end);
     };
     assert!(time < 0.0 && factor > 0.5 && factor < 0.95, "{factor}");
     assert!(found.series.time.is_empty() && found.notes[0].contains("does not carry"));
     let text = serde_json::to_string(&found.result).unwrap();
-    serde_json::from_str::<results::FeResult>(&text).expect("finite numbers");
+    serde_json::from_str::<results::Run>(&text).expect("finite numbers");
 }
 
 /// Walls without bars break: a result that ends there, with time, place and all that was seen until then.
@@ -366,15 +378,14 @@ fn collapse_at_rest() {
 fn collapse_is_a_result() {
     let case = strip(concrete(), 12.0);
     let found = run(&case, &options(&case, 12));
-    let n = nonlinear(&found);
     let End::Collapsed {
         time,
         load_factor,
         reason,
         place,
-    } = &n.end
+    } = &found.result.end
     else {
-        panic!("{:?}", n.end);
+        panic!("{:?}", found.result.end);
     };
     assert!(*time > 0.1 && *time < 2.0 && load_factor.is_none() && !reason.is_empty());
     assert!(place.starts_with("wall at"), "{place}");
@@ -386,11 +397,11 @@ fn collapse_is_a_result() {
         found.notes
     );
     assert!(!found.result.incomplete);
-    assert!(n.events.iter().any(|e| e.kind == EventKind::FirstCrack));
+    assert!(found.result.events.iter().any(|e| e.kind == EventKind::FirstCrack));
     assert!(found.values[&Quantity::BaseShear].is_finite());
-    let again: results::FeResult =
+    let again: results::Run =
         serde_json::from_str(&serde_json::to_string(&found.result).unwrap()).expect("finite numbers");
-    assert_eq!(again.series, found.result.series);
+    assert_eq!(again.histories, found.result.histories);
 }
 
 /// Stops after so many steps.
@@ -443,7 +454,7 @@ fn resumed_with(contact: Contact) {
         };
         let part = simulate(&case, &own, Some(&file), &stop).unwrap();
         assert!(part.result.incomplete);
-        assert!(matches!(nonlinear(&part).end, End::Interrupted { time } if time > 0.0));
+        assert!(matches!(part.result.end, End::Interrupted { time } if time > 0.0));
         assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 2);
     }
     let resumed = simulate(&case, &own, Some(&file), &Silent).unwrap();

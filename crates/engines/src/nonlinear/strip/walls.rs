@@ -37,8 +37,6 @@ impl Walls<'_> {
     pub fn nonlinear(&self) -> Nonlinear {
         let levels = &self.model.tank.levels;
         Nonlinear {
-            end: self.end(),
-            events: self.events(),
             grid: WallGrid {
                 columns: Columns::Walls {
                     names: WALLS.map(String::from).to_vec(),
@@ -113,7 +111,8 @@ impl Walls<'_> {
         self.runs.iter().map(|r| r.run.time).fold(f64::INFINITY, f64::min)
     }
 
-    fn end(&self) -> End {
+    /// How the run ended.
+    pub fn end(&self) -> End {
         if self.interrupted() {
             return End::Interrupted { time: self.time() };
         }
@@ -180,7 +179,8 @@ impl Walls<'_> {
         }
     }
 
-    fn events(&self) -> Vec<Event> {
+    /// What happened for the first time, on either wall, by time.
+    pub fn events(&self) -> Vec<Event> {
         let mut events = Vec::new();
         for (wall, run) in self.runs.iter().enumerate() {
             for event in &run.history.events {

@@ -3,9 +3,8 @@
 use std::time::Instant as Clock;
 
 use super::energy::{Balance, Meter};
-use super::fingerprint::fingerprint;
 use super::*;
-use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
+use crate::analysis::checkpoint::{CheckpointError, Hash, Reader, Writer};
 use crate::analysis::newton::{Inertia, Memory, Newton, load_path};
 use crate::analysis::scheme::Weights;
 
@@ -35,7 +34,24 @@ pub(super) struct Driver<'a> {
     meter: Meter<'a>,
     balance: Balance,
     statics: Option<LoadPath>,
-    fingerprint: u64,
+    identity: u64,
+}
+
+/// What a checkpoint belongs to: the key of its input. Sizes and settings stand beside it, so that a key that does not hold them
+/// does no harm.
+fn identity(key: &str, state: &State, settings: &Settings) -> u64 {
+    let mut hash = Hash::default();
+    hash.text(key);
+    hash.count(state.committed.u.len());
+    hash.count(state.old.len());
+    hash.text(&format!(
+        "{:?} {:?} {:?}",
+        settings.scheme, settings.grid, settings.newton
+    ));
+    for count in [settings.load_steps, settings.halvings as usize, settings.recovery] {
+        hash.count(count);
+    }
+    hash.value()
 }
 
 impl<'a> Driver<'a> {
@@ -62,8 +78,8 @@ impl<'a> Driver<'a> {
             None => State::new(problem.model),
         };
         Ok(Driver {
-            fingerprint: match &settings.checkpoint {
-                Some(_) => fingerprint(problem, load, settings),
+            identity: match &settings.checkpoint {
+                Some(file) => identity(&file.key, &state, settings),
                 None => 0,
             },
             meter: Meter::new(problem, &state),
@@ -380,11 +396,11 @@ impl<'a> Driver<'a> {
             observer.save(&mut part);
             to.part(part);
         }
-        to.save(path, self.fingerprint)
+        to.save(path, self.identity)
     }
 
     fn restore(&mut self, path: &std::path::Path, observers: &mut [&mut dyn Observe]) -> Result<(), AnalysisError> {
-        let mut from = Reader::open(path, self.fingerprint)?;
+        let mut from = Reader::open(path, self.identity)?;
         let p = &mut self.position;
         let unit = 1_u64 << self.settings.halvings;
         p.step = from.count_within("the step", 0..=self.settings.grid.steps() as u64, "a step of the run")? as usize;

@@ -48,7 +48,6 @@ use crate::state::State;
 
 mod driver;
 mod energy;
-mod fingerprint;
 mod observer;
 
 pub use energy::{Balance, Energies};
@@ -116,7 +115,7 @@ pub struct Checkpoint {
     pub steps: usize,
     /// and after so many seconds (infinite: never), and when the march is interrupted or has come to its end.
     pub seconds: f64,
-    /// What the fingerprint cannot see of the model: a hash or name of its input.
+    /// What the march belongs to: a hash of everything that model, loads and settings were made from.
     pub key: String,
     /// Go on from the file if there is one.
     pub resume: bool,

@@ -107,10 +107,12 @@ pub struct Cell {
     pub bar_stress: f64,
     /// Largest plastic strain of a bar.
     pub bar_plastic_strain: f64,
+    /// Highest section with a crack [m]; 0 without any.
+    pub highest_crack: f64,
 }
 
 impl Cell {
-    pub(super) const COUNT: usize = 5;
+    pub(super) const COUNT: usize = 6;
 
     pub(super) fn array(&self) -> [f64; Cell::COUNT] {
         [
@@ -119,6 +121,7 @@ impl Cell {
             self.plastic_strain,
             self.bar_stress,
             self.bar_plastic_strain,
+            self.highest_crack,
         ]
     }
 
@@ -129,6 +132,7 @@ impl Cell {
             plastic_strain: a[2],
             bar_stress: a[3],
             bar_plastic_strain: a[4],
+            highest_crack: a[5],
         }
     }
 

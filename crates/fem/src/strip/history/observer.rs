@@ -12,6 +12,24 @@ use crate::strip::demand::BaseMoment;
 use crate::strip::validity::{BarStrain, Validity};
 use crate::strip::{BaseReaction, StripError, StripModel, lost};
 
+impl StripModel {
+    /// Unknowns of the liquid in `field`: those of its face, then the amplitudes.
+    fn face_of(&self, field: &[f64]) -> Vec<f64> {
+        let mut out: Vec<f64> = self.face_unknowns(field).collect();
+        out.extend(self.amplitudes.iter().map(|&e| field[e]));
+        out
+    }
+
+    /// The same of the accelerations, those of the face with the acceleration `ground` of the ground [m/s²].
+    fn face_acceleration(&self, field: &[f64], ground: f64) -> Vec<f64> {
+        let mut out = self.face_of(field);
+        let each = self.tank.contact.trace().unknowns();
+        let face = out[..each * self.face.len()].iter_mut();
+        face.step_by(each).for_each(|a| *a += ground);
+        out
+    }
+}
+
 /// Observer of a wall.
 pub(in crate::strip) struct WallObserver<'a> {
     strip: &'a StripModel,
@@ -199,6 +217,7 @@ impl<'a> WallObserver<'a> {
                 }
                 for crack in state.cracks.iter().flatten() {
                     first(EventKind::Crack);
+                    cell.highest_crack = cell.highest_crack.max(fibre.position[2]);
                     cracked += 1;
                     let [open, largest] = &mut widest[usize::from(fibre.depth > 0.0)];
                     (*open, *largest) = (open.max(crack.opening), largest.max(crack.largest));

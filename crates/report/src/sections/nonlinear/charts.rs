@@ -11,7 +11,7 @@ use crate::words::figures::nonlinear as words;
 use crate::words::{capital, labels};
 use files::error::Error;
 use results::nonlinear::{Loop, LoopAxis, Nonlinear};
-use results::{Envelope, FeResult};
+use results::{Envelope, Run};
 
 /// Height of the plots of loops in user units.
 const LOOP: f64 = 190.0;
@@ -176,7 +176,7 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
 }
 
 /// Envelopes over the height at θ = 0 of both engines.
-pub(super) fn envelopes(linear: Option<&FeResult>, nonlinear: &FeResult) -> Result<Vec<Figure>, Error> {
+pub(super) fn envelopes(linear: Option<&Run>, nonlinear: &Run) -> Result<Vec<Figure>, Error> {
     let mut figures = Vec::new();
     for envelope in &nonlinear.envelopes {
         let first = linear.and_then(|fe| fe.envelopes.iter().find(|e| e.id == envelope.id && sound(e)));

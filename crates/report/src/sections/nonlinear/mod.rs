@@ -15,12 +15,12 @@ use crate::words::capital;
 use crate::words::verdict::LIQUID_PARTED;
 use crate::words::{labels, outcome};
 use files::error::Error;
-use results::compare::{FE, FE_NONLINEAR};
+use results::channel::{BASE_MOMENT, BASE_SHEAR, WALL_MOMENT, WAVE_HEIGHT};
 use results::nonlinear::{BaseMoment, Count, End, Event, Nonlinear};
-use results::{FeResult, NONLINEAR_PREFIX, SeriesInfo};
+use results::{EngineId, FE, Run, SeriesInfo};
 
 /// Histories of both engines drawn over each other, by the beginning of their id.
-const OVERLAID: [&str; 4] = ["wave_height", "base_shear", "base_moment", "wall_moment"];
+const OVERLAID: [&str; 4] = [WAVE_HEIGHT, BASE_SHEAR, BASE_MOMENT, WALL_MOMENT];
 /// Histories that the linear engine does not have, drawn at most.
 const MOST: usize = 8;
 
@@ -35,7 +35,7 @@ struct Outcome {
 
 /// Makes the section.
 pub fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let Some(fe) = &source.results.fe_nonlinear else {
+    let Some(fe) = source.results.beside(EngineId::Nonlinear) else {
         return Ok(None);
     };
     let mut section = Section::new("nonlinear");
@@ -47,12 +47,12 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     if let Some(run) = run {
         check(run)?;
     }
-    let marks = run.map_or(Vec::new(), |run| marks(&run.events));
+    let marks = marks(&fe.events);
     section.set(
         "outcome",
         &run.map(|run| outcome(run, fe)).into_iter().collect::<Vec<_>>(),
     );
-    section.set("events", &run.map_or_else(Table::default, |run| events(&run.events)));
+    section.set("events", &run.map_or_else(Table::default, |_| events(&fe.events)));
     section.set("moments", &run.map_or_else(Table::default, |run| moments(&run.moments)));
     section.set("numbered", &!marks.is_empty());
     section.set_figures("overlays", overlays(source, &marks)?);
@@ -63,7 +63,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set_figures("map_figures", maps.figures);
     section.set("flat_maps", &maps.words);
     section.set_figures("loop_figures", charts::loops(run)?);
-    section.set_figures("envelope_figures", charts::envelopes(source.results.fe.as_ref(), fe)?);
+    section.set_figures("envelope_figures", charts::envelopes(source.results.reference(), fe)?);
     section.set_figures("energy_figures", charts::energies(run, &marks)?);
     section.set_figures("own_figures", own(source, fe)?);
     section.set("cost", &run.map_or_else(Table::default, |run| cost(&run.cost)));
@@ -91,7 +91,7 @@ fn check(run: &Nonlinear) -> Result<(), Error> {
 }
 
 /// The box above everything else.
-fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
+fn outcome(run: &Nonlinear, fe: &Run) -> Outcome {
     let fail = |headline: String, text: Vec<String>| Outcome {
         class: "fail",
         sign: "✗",
@@ -100,8 +100,8 @@ fn outcome(run: &Nonlinear, fe: &FeResult) -> Outcome {
     };
     let bounds = || outcome::BOUNDS.to_owned();
     let departures = || run.departures.iter().map(outcome::departure);
-    let parted = || run.parted().then(|| LIQUID_PARTED.to_owned());
-    match &run.end {
+    let parted = || fe.parted().then(|| LIQUID_PARTED.to_owned());
+    match &fe.end {
         End::Completed if fe.incomplete => fail(outcome::INCOMPLETE.into(), vec![bounds()]),
         End::Completed => match run.departures.first() {
             Some(first) => {
@@ -216,14 +216,11 @@ fn events(events: &[Event]) -> Table {
 fn difference(source: &Source) -> (Table, bool) {
     let results = source.results;
     let column = |id: &str| results.methods.iter().position(|m| m.id == id);
-    let (Some(linear), Some(nonlinear)) = (column(FE), column(FE_NONLINEAR)) else {
+    let (Some(linear), Some(nonlinear)) = (column(FE), column(EngineId::Nonlinear.beside())) else {
         return (Table::default(), false);
     };
-    let run = results.fe_nonlinear.as_ref();
-    let bounds = run.is_some_and(|fe| {
-        let ended = fe.nonlinear.as_ref().is_some_and(|n| n.end != End::Completed);
-        fe.incomplete || ended
-    });
+    let run = results.beside(EngineId::Nonlinear);
+    let bounds = run.is_some_and(|run| run.incomplete || run.end != End::Completed);
     let mut table = Table::new(vec![
         Column::words("Quantity"),
         Column::words("Unit"),
@@ -262,27 +259,27 @@ fn of_the_structure(quantity: Quantity) -> bool {
 
 /// Histories of both engines.
 fn overlays(source: &Source, marks: &[(f64, String)]) -> Result<Vec<Figure>, Error> {
-    let Some(fe) = &source.results.fe else {
+    let Some(fe) = source.results.reference() else {
         return Ok(Vec::new());
     };
     let second = Second {
-        prefix: NONLINEAR_PREFIX,
+        prefix: EngineId::Nonlinear.prefix(),
         id: "nonlinear",
         title: labels::BOTH_RUNS,
         class: "k-fe-nonlinear hist",
         names: ["linear", "nonlinear"],
         rules: marks,
     };
-    overlay::overlays(source, &fe.series, &OVERLAID, &second)
+    overlay::overlays(source, &fe.histories, &OVERLAID, &second)
 }
 
 /// Histories that only the nonlinear engine has.
-fn own(source: &Source, fe: &FeResult) -> Result<Vec<Figure>, Error> {
-    let linear = source.results.fe.as_ref().map_or(&[][..], |fe| &fe.series);
+fn own(source: &Source, fe: &Run) -> Result<Vec<Figure>, Error> {
+    let linear = source.results.reference().map_or(&[][..], |fe| &fe.histories);
     let own = |s: &&SeriesInfo| linear.iter().all(|l| l.id != s.id);
     let mut figures = Vec::new();
-    for info in fe.series.iter().filter(own).take(MOST) {
-        let id = format!("{NONLINEAR_PREFIX}{}", info.id);
+    for info in fe.histories.iter().filter(own).take(MOST) {
+        let id = format!("{}{}", fe.engine.prefix(), info.id);
         let Some(column) = source.column(&id) else { continue };
         let run = column.iter().take_while(|v| v.is_finite()).count();
         // A quantity that never moves is in the table of peaks, no figure.

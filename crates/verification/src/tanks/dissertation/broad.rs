@@ -59,7 +59,7 @@ fn statics(run: &Simulation) -> Vec<f64> {
         most(&mut lower.map(|(_, s)| *s))
     });
     let series = |id: &str| {
-        let found = run.result.series.iter().find(|s| s.id == id);
+        let found = run.result.histories.iter().find(|s| s.id == id);
         found.map_or(f64::NAN, |s| s.static_value)
     };
     vec![

@@ -79,7 +79,7 @@ fn shaken(mut case: Case, record: &Record) -> Case {
 }
 
 fn peak(run: &Simulation, id: &str) -> f64 {
-    let found = run.result.series.iter().find(|s| s.id == id);
+    let found = run.result.histories.iter().find(|s| s.id == id);
     found.map_or(f64::NAN, |s| s.peak)
 }
 

@@ -96,8 +96,12 @@ const MASSES: usize = 6;
 
 /// Chain of masses; `strength` infinite: linear springs instead of links.
 fn chain(strength: f64, brittle: f64) -> Model {
+    chain_of(MASSES, strength, brittle)
+}
+
+fn chain_of(masses: usize, strength: f64, brittle: f64) -> Model {
     let mut builder = Builder::new();
-    for k in 0..=MASSES {
+    for k in 0..=masses {
         let node = builder.node([k as f64, 0.0, 0.0]);
         builder.hold(node, Dof::Uy);
         builder.hold(node, Dof::Uz);

@@ -64,14 +64,16 @@ fn resumed_march_is_the_same() {
             other => panic!("{:?}", other.map(|r| r.outcome)),
         }
     };
-    let fingerprint = |e: CheckpointError| matches!(e, CheckpointError::Fingerprint { .. });
-    // Another strength of the links, which no matrix shows; another record; other settings.
-    let other = Parts::new(chain(12.5, 10.0));
-    assert!(fingerprint(refused(other.problem(), &load, &settings)));
-    assert!(fingerprint(refused(problem, &shaking(3.1), &settings)));
+    let identity = |e: CheckpointError| matches!(e, CheckpointError::Identity { .. });
+    // Another input, which its key says; a model of another size; other settings.
+    let mut changed = settings.clone();
+    changed.checkpoint.as_mut().unwrap().key.push('2');
+    assert!(identity(refused(problem, &load, &changed)));
+    let other = Parts::new(chain_of(MASSES + 1, 12.0, 10.0));
+    assert!(identity(refused(other.problem(), &load, &settings)));
     let mut changed = settings.clone();
     changed.newton.criteria.energy = 1e-9;
-    assert!(fingerprint(refused(problem, &load, &changed)));
+    assert!(identity(refused(problem, &load, &changed)));
     // Truncated, damaged, of another version, no checkpoint at all.
     let bytes = fs::read(&path).unwrap();
     fs::write(&path, &bytes[..bytes.len() - 9]).unwrap();

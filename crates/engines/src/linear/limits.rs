@@ -8,7 +8,8 @@ use super::analysis::Analysis;
 use super::model::{Harmonic, Model};
 use crate::harmonic::Kind;
 use crate::response::observe::Extreme;
-use results::Limit;
+use results::channel::{OnWall, Side};
+use results::{Channel, Limit};
 
 /// Waves higher than this share of the radius (or half length) are not small.
 const SMALL_WAVE: f64 = 0.2;
@@ -72,10 +73,10 @@ pub(crate) fn waves(case: &Case, wave: f64) -> [Limit; 2] {
 
 /// Total pressure below the trough: above it the wall is simply dry when the surface sinks.
 fn suction(case: &Case, model: &Model, analysis: &Analysis) -> Option<Limit> {
-    let line = model.horizontal.coupled.lines.iter().find(|l| l.id == "pressure")?;
-    let extremes = analysis.lines.iter().find(|l| l.id == "pressure")?;
+    let line = model.horizontal.coupled.line(OnWall::Pressure)?;
+    let extremes = analysis.line(OnWall::Pressure)?;
     let fall = |(front, back): (Extreme, Extreme)| -front.min.min(back.min);
-    let trough = case.liquid.fill_height - analysis.sides("wave_height_theta_0").map_or(0.0, fall);
+    let trough = case.liquid.fill_height - analysis.sides(Channel::Wave(Side::Front)).map_or(0.0, fall);
     let mut worst: Option<(f64, f64, f64, &str)> = None;
     // The base is tested even where linear waves would lay it dry.
     for (i, &z) in line.z.iter().enumerate().filter(|(i, z)| *i == 0 || **z < trough) {
@@ -112,9 +113,9 @@ fn uplift(case: &Case, model: &Model, analysis: &Analysis) -> Option<Limit> {
     let Shape::Cylinder { radius } = case.tank.shape else {
         return None;
     };
-    let probes = &model.horizontal.coupled.probes;
-    let probe = probes.iter().find(|p| p.id == "axial_membrane_stress@base")?;
-    let (front, back) = analysis.sides("axial_membrane_stress_base")?;
+    let channel = Channel::Base(OnWall::Axial);
+    let probe = model.horizontal.coupled.probe(channel)?;
+    let (front, back) = analysis.sides(channel)?;
     let (rise, time, side) = if front.max >= back.max {
         (front.max, front.max_time, "0°")
     } else {

@@ -10,7 +10,7 @@ use crate::harmonic::{self, CoupledMode, Kind};
 use crate::response::superpose::{FREQUENCY_FACTOR, SLOSHING_MODES, STRUCTURAL_MODES};
 use crate::{DampingModel, Integrator, Options};
 use fem::linalg::dot;
-use results::{Balance, Labelled};
+use results::{Balance, Channel, Labelled};
 
 /// Time integration, damping and number of modes, in words.
 pub fn integration(model: &Model, options: &Options, analysis: &Analysis, motion: &GroundMotion) -> Vec<Labelled> {
@@ -49,7 +49,7 @@ pub fn integration(model: &Model, options: &Options, analysis: &Analysis, motion
     if analysis
         .scalars
         .iter()
-        .any(|(s, h)| s.id.starts_with("wave") && h.extreme.peak().1 > record)
+        .any(|(s, h)| s.channel.is_wave() && h.extreme.peak().1 > record)
     {
         labels.push(label(
             "after the record",
@@ -107,9 +107,8 @@ pub fn mass_balance(model: &Model) -> Vec<Balance> {
     let coupled = &model.horizontal.coupled;
     let mass = coupled.liquid_mass + coupled.wall_mass;
     coupled
-        .probes
-        .iter()
-        .filter(|p| p.id == "base_shear")
+        .probe(Channel::BaseShear)
+        .into_iter()
         .map(|p| Balance {
             label: "base shear of a rigid translation against the mass of liquid, wall and roof".into(),
             error: (dot(&p.absolute_acceleration, &coupled.influence) + p.ground_acceleration) / mass - 1.0,

@@ -13,13 +13,14 @@ use crate::response::motion::{Grid, Motion};
 use crate::response::observe::{Extreme, History, Observed};
 use crate::response::superpose::{self, ModalSystem, Observable};
 use crate::{FeError, Integrator, Options};
-use results::EnergyBalance;
+use results::channel::{OnWall, Side};
+use results::{Channel, EnergyBalance};
 
 /// Extremes along a line at θ = 0 and at θ = 180°.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LineExtremes {
-    /// Id of the line.
-    pub id: String,
+    /// What is observed.
+    pub what: OnWall,
     /// At θ = 0, from the base up.
     pub front: Vec<Extreme>,
     /// At θ = 180°.
@@ -45,8 +46,8 @@ pub struct Analysis<'a> {
     pub grid: Grid,
     /// Scalars and their histories.
     pub scalars: Vec<(Scalar<'a>, History)>,
-    /// Extremes of the scalars at θ = 180° by id (equal to the mirrored ones of θ = 0 without a vertical record).
-    back: BTreeMap<String, Extreme>,
+    /// Extremes of the scalars at θ = 180°, of the first ones (equal to the mirrored ones of θ = 0 without a vertical record).
+    back: Vec<Extreme>,
     /// Extremes along the lines.
     pub lines: Vec<LineExtremes>,
     /// Numbers of modes kept, system by system; empty for direct integration.
@@ -59,27 +60,30 @@ pub struct Analysis<'a> {
 
 impl Analysis<'_> {
     /// Extremes of a scalar at θ = 0 and at θ = 180°.
-    pub fn sides(&self, id: &str) -> Option<(Extreme, Extreme)> {
-        let (_, history) = self.scalars.iter().find(|(s, _)| s.id == id)?;
-        let front = history.extreme;
-        Some((front, self.back.get(id).copied().unwrap_or(mirrored(&front))))
+    pub fn sides(&self, channel: Channel) -> Option<(Extreme, Extreme)> {
+        let i = self.scalars.iter().position(|(s, _)| s.channel == channel)?;
+        let front = self.scalars[i].1.extreme;
+        Some((front, self.back.get(i).copied().unwrap_or(mirrored(&front))))
     }
 
     /// Largest absolute value of a scalar over both sides.
-    pub fn peak(&self, id: &str) -> Option<f64> {
-        let (front, back) = self.sides(id)?;
+    fn peak(&self, channel: Channel) -> Option<f64> {
+        let (front, back) = self.sides(channel)?;
         Some(front.peak().0.max(back.peak().0))
+    }
+
+    /// The extremes along a line.
+    pub fn line(&self, what: OnWall) -> Option<&LineExtremes> {
+        self.lines.iter().find(|line| line.what == what)
     }
 
     /// Largest rise of the surface at the wall [m].
     pub fn wave(&self) -> Option<f64> {
-        let rise = |id: &str| {
-            self.scalars
-                .iter()
-                .find(|(s, _)| s.id == id)
-                .map(|(_, h)| h.extreme.max)
-        };
-        Some(rise("wave_height_theta_0")?.max(rise("wave_height_theta_180")?))
+        let rises = Side::BOTH.map(|side| {
+            let found = self.scalars.iter().find(|(s, _)| s.channel == Channel::Wave(side));
+            found.map(|(_, history)| history.extreme.max)
+        });
+        Some(rises[0]?.max(rises[1]?))
     }
 
     /// Comparable values. `round` tells a cylinder, whose walls have hoop and axial stress.
@@ -103,14 +107,20 @@ impl Analysis<'_> {
             mode(Kind::Structural).map(CoupledMode::effective_mass),
         );
         put(Quantity::SloshingHeight, self.wave());
-        put(Quantity::BaseShear, self.peak("base_shear"));
-        put(Quantity::BaseMoment, self.peak("base_moment"));
-        put(Quantity::OverturningMoment, self.peak("overturning_moment"));
-        put(Quantity::BendingStress, self.peak("bending_stress_base"));
+        let mut scalars = vec![
+            Channel::BaseShear,
+            Channel::BaseMoment,
+            Channel::OverturningMoment,
+            Channel::Base(OnWall::Bending),
+        ];
         if round {
-            put(Quantity::AxialMembraneStress, self.peak("axial_membrane_stress_base"));
-            let hoop = self.lines.iter().find(|l| l.id == "hoop_stress");
-            put(Quantity::HoopStress, hoop.map(|l| l.peak(l.worst())));
+            scalars.push(Channel::Base(OnWall::Axial));
+            put(Quantity::HoopStress, self.line(OnWall::Hoop).map(|l| l.peak(l.worst())));
+        }
+        for channel in scalars {
+            if let Some(quantity) = channel.quantity() {
+                put(quantity, self.peak(channel));
+            }
         }
         values
     }
@@ -163,7 +173,10 @@ pub fn analyse<'a>(
     progress.stage("linear response", 2 * grid.steps() as u64);
     let found = superpose::respond(&systems, &ground, grid, &[], &on_lines, progress)?;
     let mut extremes = collect(model, &found, both_sides);
-    let hoop = extremes.iter().find(|l| l.id == "hoop_stress").map(LineExtremes::worst);
+    let hoop = extremes
+        .iter()
+        .find(|l| l.what == OnWall::Hoop)
+        .map(LineExtremes::worst);
 
     let scalars = model.scalars(hoop);
     let observables: Vec<Observable> = scalars.iter().map(|s| s.observable.clone()).collect();
@@ -193,15 +206,10 @@ pub fn analyse<'a>(
         difference = largest_difference(&scalars, &observed.scalars, &direct.scalars);
         (observed, energy) = (direct, Some(balance));
     }
-    let back = scalars
-        .iter()
-        .zip(&observed.extremes)
-        .map(|(s, e)| (s.id.clone(), *e))
-        .collect();
     Ok(Analysis {
         grid: used,
+        back: observed.extremes,
         scalars: scalars.into_iter().zip(observed.scalars).collect(),
-        back,
         lines: extremes,
         kept,
         energy,
@@ -229,7 +237,7 @@ fn collect(model: &Model, found: &Observed, both_sides: bool) -> Vec<LineExtreme
             front.iter().map(mirrored).collect()
         };
         lines.push(LineExtremes {
-            id: line.id.clone(),
+            what: line.what,
             front,
             back,
         });
@@ -242,7 +250,10 @@ fn collect(model: &Model, found: &Observed, both_sides: bool) -> Vec<LineExtreme
 pub(crate) fn largest_difference(scalars: &[Scalar], modal: &[History], direct: &[History]) -> Option<(f64, String)> {
     let peak = |h: &History| h.extreme.peak().0;
     let counts = |s: &Scalar, m: &History| {
-        let same = scalars.iter().zip(modal).filter(|(o, _)| o.dimension == s.dimension);
+        let same = scalars
+            .iter()
+            .zip(modal)
+            .filter(|(o, _)| o.channel.dimension() == s.channel.dimension());
         let largest = same.map(|(_, h)| peak(h)).fold(0.0, f64::max);
         peak(m) > 1e-6 * largest
     };
@@ -250,6 +261,6 @@ pub(crate) fn largest_difference(scalars: &[Scalar], modal: &[History], direct: 
         .iter()
         .zip(modal.iter().zip(direct))
         .filter(|(s, (m, _))| counts(s, m))
-        .map(|(s, (m, d))| ((peak(d) / peak(m) - 1.0).abs(), s.title.clone()))
+        .map(|(s, (m, d))| ((peak(d) / peak(m) - 1.0).abs(), s.channel.title()))
         .max_by(|a, b| a.0.total_cmp(&b.0))
 }

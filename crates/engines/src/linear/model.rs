@@ -2,7 +2,6 @@
 
 use tank::Case;
 use tank::case::GroundMotion;
-use tank::units::Dimension;
 
 use crate::coupled::Coupled;
 use crate::damping::Damper;
@@ -11,6 +10,8 @@ use crate::probe::{Probe, ProbeLine};
 use crate::response::superpose::Observable;
 use crate::response::{direct, motion::Grid};
 use crate::{FeError, Integrator, Options, estimate};
+use results::Channel;
+use results::channel::{OnWall, Side};
 
 /// Sub-steps in the period of the highest significant mode, for extremes between samples (the response itself is exact).
 const SUB_STEPS_PER_PERIOD: f64 = 20.0;
@@ -115,14 +116,14 @@ impl Model {
 
     /// `probe` of m = 1 at θ = 0 (or 180°), with the probe of the same id of m = 0 where there is one.
     pub fn observable<'a>(&'a self, probe: &'a Probe, opposite: bool) -> Observable<'a> {
-        let of = |v: &'a Harmonic| v.coupled.probes.iter().find(|p| p.id == probe.id);
+        let of = |v: &'a Harmonic| v.coupled.probes.iter().find(|p| p.channel == probe.channel);
         superpose(probe, self.vertical.as_ref().and_then(of), opposite)
     }
 
     /// Probe `i` of `line` of m = 1 at θ = 0 (or 180°), with that of m = 0 (whose wall has the same heights).
     pub fn observable_on_line<'a>(&'a self, line: &'a ProbeLine, i: usize, opposite: bool) -> Observable<'a> {
         let of = |v: &'a Harmonic| {
-            let same = v.coupled.lines.iter().find(|l| l.id == line.id && l.z == line.z);
+            let same = v.coupled.lines.iter().find(|l| l.what == line.what && l.z == line.z);
             same.map(|l| &l.probes[i])
         };
         superpose(&line.probes[i], self.vertical.as_ref().and_then(of), opposite)
@@ -139,12 +140,8 @@ fn superpose<'a>(horizontal: &'a Probe, vertical: Option<&'a Probe>, opposite: b
 /// A scalar that gets a history.
 #[derive(Clone, Debug)]
 pub struct Scalar<'a> {
-    /// Column id.
-    pub id: String,
-    /// Title.
-    pub title: String,
-    /// Dimension.
-    pub dimension: Dimension,
+    /// What it is.
+    pub channel: Channel,
     /// Value in the static state.
     pub static_value: f64,
     /// What is observed.
@@ -155,47 +152,25 @@ impl Model {
     /// Scalars with a history; `hoop` is the place on the hoop line where the hoop stress is largest.
     pub fn scalars(&self, hoop: Option<usize>) -> Vec<Scalar<'_>> {
         let coupled = &self.horizontal.coupled;
-        let scalar = |probe: &Probe, id: String, title: String, observable| Scalar {
-            id,
-            title,
-            dimension: probe.dimension,
+        let scalar = |probe: &Probe, channel, observable| Scalar {
+            channel,
             static_value: probe.static_value,
             observable,
         };
         let mut scalars = Vec::new();
         for probe in &coupled.probes {
-            let at = |opposite| self.observable(probe, opposite);
-            match probe.id.split_once('@') {
-                Some(("wave_height", "wall")) => {
-                    let title = |side: &str| format!("{}, {side}", probe.title);
-                    scalars.push(scalar(probe, "wave_height_theta_0".into(), title("θ = 0°"), at(false)));
-                    scalars.push(scalar(
-                        probe,
-                        "wave_height_theta_180".into(),
-                        title("θ = 180°"),
-                        at(true),
-                    ));
-                }
-                Some((what, place)) => {
-                    let axis = match (what, place.parse::<f64>().is_ok()) {
-                        ("wave_height", true) => "_r",
-                        (_, true) => "_z",
-                        _ => "",
-                    };
-                    let id = format!("{what}{axis}_{place}");
-                    scalars.push(scalar(probe, id, probe.title.clone(), at(false)));
-                }
-                None => scalars.push(scalar(probe, probe.id.clone(), probe.title.clone(), at(false))),
+            scalars.push(scalar(probe, probe.channel, self.observable(probe, false)));
+            // The wave at θ = 180° has a history of its own.
+            if let Channel::Wave(Side::Front) = probe.channel {
+                let opposite = self.observable(probe, true);
+                scalars.push(scalar(probe, Channel::Wave(Side::Back), opposite));
             }
         }
-        if let (Some(i), Some(line)) = (hoop, coupled.lines.iter().find(|l| l.id == "hoop_stress")) {
-            let title = format!(
-                "{} at z = {} (largest over the height)",
-                line.title,
-                tank::units::display(line.z[i], Dimension::Length)
-            );
+        let what = OnWall::Hoop;
+        if let (Some(i), Some(line)) = (hoop, coupled.line(what)) {
+            let channel = Channel::Largest { what, z: line.z[i] };
             let observable = self.observable_on_line(line, i, false);
-            scalars.push(scalar(&line.probes[i], line.id.clone(), title, observable));
+            scalars.push(scalar(&line.probes[i], channel, observable));
         }
         scalars
     }

@@ -4,7 +4,6 @@ pub(crate) mod analysis;
 pub(crate) mod describe;
 pub(crate) mod limits;
 pub(crate) mod model;
-pub(crate) mod series;
 
 use std::collections::BTreeMap;
 
@@ -17,8 +16,10 @@ use tank::{Shape, Support};
 use analysis::{Analysis, analyse};
 use model::{Harmonic, Model};
 
+use super::histories::Histories;
 use super::{FeError, Integrator, Options, Simulation};
-use results::{Envelope, FeResult, Mode};
+use results::nonlinear::End;
+use results::{EngineId, Envelope, Mode, Run, SeriesInfo};
 
 /// Modes of each kind and harmonic that are listed in the results.
 const LISTED_MODES: usize = 6;
@@ -50,8 +51,14 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
                 Ok(analysis.values(&model, round))
             })
         });
-        let fine = Model::new(case, options, vertical)
-            .and_then(|model| complete(case, options, motion, &model, round, progress));
+        let fine = Model::new(case, options, vertical).and_then(|model| {
+            let linear = Linear {
+                engine: EngineId::Harmonic,
+                model: &model,
+                direct: None,
+            };
+            complete(case, options, &linear, progress)
+        });
         let coarse = coarse.map(|handle| match handle.join() {
             Ok(values) => values,
             Err(panic) => std::panic::resume_unwind(panic),
@@ -130,25 +137,66 @@ fn check_record(which: &str, record: &Record) -> Result<(), FeError> {
     }
 }
 
+/// Direct integration of an engine's own unknowns in place of those of its model.
+pub(crate) trait Direct {
+    /// Replaces the histories and extremes of `analysis`; returns the time at which it was interrupted, if it was [s].
+    ///
+    /// Errors: an effective matrix that cannot be factored, a response that is not finite.
+    fn replace(
+        &self,
+        analysis: &mut Analysis<'_>,
+        motion: &GroundMotion,
+        progress: &dyn Progress,
+    ) -> Result<Option<f64>, FeError>;
+}
+
+/// What an engine brings to a run on the wanted mesh.
+pub(crate) struct Linear<'a> {
+    /// Which engine.
+    pub engine: EngineId,
+    /// Its model, whole or reduced.
+    pub model: &'a Model,
+    /// Its own direct integration, for horizontal motion.
+    pub direct: Option<&'a dyn Direct>,
+}
+
 /// The run on the wanted mesh with everything that is reported of it.
 pub(crate) fn complete(
     case: &Case,
     options: &Options,
-    motion: &GroundMotion,
-    model: &Model,
-    round: bool,
+    linear: &Linear<'_>,
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
+    let motion = checked_motion(case)?;
     // What the damping does is looked at before anything is integrated with it.
-    let notes = review(model)?;
-    let analysis = analyse(model, motion, options, progress)?;
-    Ok(report(case, options, motion, model, round, analysis, notes))
+    let notes = review(linear.model)?;
+    let newmark = options.integrator == Integrator::Newmark && motion.vertical.is_none();
+    let Some(direct) = linear.direct.filter(|_| newmark) else {
+        let analysis = analyse(linear.model, motion, options, progress)?;
+        return Ok(report(case, options, linear, analysis, motion, notes));
+    };
+    let modal = Options {
+        integrator: Integrator::Modal,
+        ..options.clone()
+    };
+    let mut analysis = analyse(linear.model, motion, &modal, progress)?;
+    let interrupted = direct.replace(&mut analysis, motion, progress)?;
+    let mut simulation = report(case, options, linear, analysis, motion, notes);
+    if let Some(time) = interrupted {
+        simulation.result.end = End::Interrupted { time };
+        simulation.result.incomplete = true;
+        simulation.notes.push(format!(
+            "The direct integration was interrupted at t = {time:.2} s: extremes are those until then, histories end there, and \
+             ratios to them mean nothing."
+        ));
+    }
+    Ok(simulation)
 }
 
 /// Warnings about the damping.
 ///
 /// Errors: a ratio that has no meaning.
-pub(crate) fn review(model: &Model) -> Result<Vec<String>, FeError> {
+fn review(model: &Model) -> Result<Vec<String>, FeError> {
     let mut notes = Vec::new();
     for harmonic in model.systems() {
         notes.extend(model.damper.review(&harmonic.modes)?);
@@ -157,15 +205,16 @@ pub(crate) fn review(model: &Model) -> Result<Vec<String>, FeError> {
 }
 
 /// Everything that is reported of a finished analysis.
-pub(crate) fn report(
+fn report(
     case: &Case,
     options: &Options,
-    motion: &GroundMotion,
-    model: &Model,
-    round: bool,
+    linear: &Linear<'_>,
     analysis: Analysis,
+    motion: &GroundMotion,
     mut notes: Vec<String>,
 ) -> Simulation {
+    let model = linear.model;
+    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     if case.tank.support == Support::Unanchored {
         notes.push("The tank is unanchored; the linear engine holds the wall down and does not let it uplift.".into());
     }
@@ -183,9 +232,8 @@ pub(crate) fn report(
         );
     }
     let coupled = &model.horizontal.coupled;
-    let (info, series) = series::histories(motion, &analysis);
-    let result = FeResult {
-        engine: "harmonic".into(),
+    let histories = histories(motion, &analysis);
+    let result = Run {
         mesh: coupled.mesh.clone(),
         modes: modes(case, model),
         integration: describe::integration(model, options, &analysis, motion),
@@ -197,20 +245,17 @@ pub(crate) fn report(
                     .table(&h.modes, h.coupled.liquid_mass + h.coupled.wall_mass)
             })
             .collect(),
-        mesh_error: BTreeMap::new(),
         mass_balance: describe::mass_balance(model),
         energy: analysis.energy,
         envelopes: envelopes(model, &analysis),
-        series: info,
+        histories: histories.info,
         limits: limits::limits(case, model, &analysis, motion.horizontal.dt),
-        fields: None,
-        nonlinear: None,
-        incomplete: false,
+        ..Run::new(linear.engine)
     };
     Simulation {
         values: analysis.values(model, round),
         result,
-        series,
+        series: histories.series,
         assumptions: describe::assumptions(case, options),
         notes,
         snapshots: None,
@@ -232,6 +277,18 @@ fn modes(case: &Case, model: &Model) -> Vec<Mode> {
     model.systems().flat_map(listed).collect()
 }
 
+/// Ground motion and scalars.
+fn histories(motion: &GroundMotion, analysis: &Analysis) -> Histories {
+    let grid = &analysis.grid;
+    let mut histories = Histories::at((0..grid.samples).map(|k| k as f64 * grid.dt).collect());
+    histories.push_ground(motion);
+    for (scalar, history) in &analysis.scalars {
+        let info = SeriesInfo::of(scalar.channel, scalar.static_value, history.extreme.peak());
+        histories.push(info, history.values.clone());
+    }
+    histories
+}
+
 /// Envelopes at θ = 0 with the static state.
 fn envelopes(model: &Model, analysis: &Analysis) -> Vec<Envelope> {
     let lines = &model.horizontal.coupled.lines;
@@ -239,9 +296,9 @@ fn envelopes(model: &Model, analysis: &Analysis) -> Vec<Envelope> {
         .iter()
         .zip(&analysis.lines)
         .map(|(line, extremes)| Envelope {
-            id: line.id.clone(),
-            title: line.title.clone(),
-            dimension: line.dimension,
+            id: line.what.id().into(),
+            title: line.what.title().into(),
+            dimension: line.what.dimension(),
             z: line.z.clone(),
             static_: line.probes.iter().map(|p| p.static_value).collect(),
             min: extremes.front.iter().map(|e| e.min).collect(),

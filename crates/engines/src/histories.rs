@@ -1,0 +1,88 @@
+//! The histories of a run: columns of `series.csv`, each a [`Channel`], and what the results say of them.
+
+use oscillator::record::Record;
+use tank::case::GroundMotion;
+
+use results::channel::Ground;
+use results::{Channel, Series, SeriesInfo};
+
+/// Histories at common times.
+#[derive(Default)]
+pub(crate) struct Histories {
+    /// What the results say of each.
+    pub info: Vec<SeriesInfo>,
+    /// The columns.
+    pub series: Series,
+}
+
+impl Histories {
+    /// None yet, at these times [s].
+    pub fn at(time: Vec<f64>) -> Histories {
+        Histories {
+            info: Vec::new(),
+            series: Series {
+                time,
+                ..Series::default()
+            },
+        }
+    }
+
+    /// Adds a history.
+    pub fn push(&mut self, info: SeriesInfo, column: Vec<f64>) {
+        self.series.ids.push(info.id.clone());
+        self.series.columns.push(column);
+        self.info.push(info);
+    }
+
+    /// Adds the ground motion, that of a vertical record last.
+    pub fn push_ground(&mut self, motion: &GroundMotion) {
+        let records = [(false, Some(&motion.horizontal)), (true, motion.vertical.as_ref())];
+        for (vertical, record) in records {
+            let Some(record) = record else { continue };
+            let columns = ground(record, &self.series.time);
+            for (component, column) in columns {
+                let channel = Channel::Ground {
+                    motion: component,
+                    vertical,
+                };
+                let peak = (0..column.len()).fold(0, |w, i| if column[i].abs() > column[w].abs() { i } else { w });
+                let peak = (column[peak].abs(), self.series.time[peak]);
+                self.push(SeriesInfo::of(channel, 0.0, peak), column);
+            }
+        }
+    }
+}
+
+/// Acceleration, velocity and displacement of the ground at the given times. After the record the ground moves on
+/// without acceleration.
+fn ground(record: &Record, times: &[f64]) -> [(Ground, Vec<f64>); 3] {
+    let motion = record.motion();
+    let end = record.acceleration.len() - 1;
+    let (v_end, d_end) = (motion.velocity[end], motion.displacement[end]);
+    // Sample at or before each time and the share of the next; `None` after the record.
+    let places: Vec<Option<(usize, f64)>> = times
+        .iter()
+        .map(|t| {
+            let steps = t / record.dt;
+            let nearest = steps.round();
+            let steps = if (nearest - steps).abs() < 1e-6 { nearest } else { steps };
+            (steps <= end as f64).then_some((steps as usize, steps.fract()))
+        })
+        .collect();
+    let column = |values: &[f64], after: &dyn Fn(f64) -> f64| -> Vec<f64> {
+        let value = |(place, t): (&Option<(usize, f64)>, &f64)| match *place {
+            Some((i, share)) if share > 0.0 => values[i] + share * (values[i + 1] - values[i]),
+            Some((i, _)) => values[i],
+            None => after(t - record.duration()),
+        };
+        places.iter().zip(times).map(value).collect()
+    };
+    [
+        (Ground::Acceleration, column(&record.acceleration, &|_| 0.0)),
+        (Ground::Velocity, column(&motion.velocity, &|_| v_end)),
+        (
+            Ground::Displacement,
+            column(&motion.displacement, &|t| d_end + v_end * t),
+        ),
+    ]
+}

@@ -1,0 +1,151 @@
+//! The runs of the engines: one after the other, as columns of the comparison, and what is missing of them.
+
+use fem::progress::Progress;
+use tank::assessment::Excitation;
+
+use super::{layers, quantities};
+use crate::error::{EXIT_COMPUTATION, Error};
+use crate::job::Job;
+use engines::damping::Damper;
+use engines::{FeError, Simulation, engine, nonlinear};
+use results::compare::{Damping, Happened, Incomplete};
+use results::nonlinear::End;
+use results::{Method, Run, Status};
+
+/// Asks the engines of a job what they refuse of it.
+///
+/// Errors: the first refusal.
+pub(super) fn admit(job: &Job) -> Result<(), Error> {
+    let task = job.task();
+    let refused = job
+        .engines
+        .iter()
+        .find_map(|&id| engine(id).refuses(&task).into_iter().next());
+    let Some(refusal) = refused else { return Ok(()) };
+    let mut text = format!("error: {}", refusal.message);
+    for (word, what) in [("found", &refusal.found), ("allowed", &refusal.allowed)] {
+        if !what.is_empty() {
+            text.push_str(&format!(", {word} {what}"));
+        }
+    }
+    if !refusal.help.is_empty() {
+        text.push_str(&format!("\n  help: {}", refusal.help));
+    }
+    Err(Error::input(text))
+}
+
+/// Runs the engines after the first. Where one stops or fails before it has anything, the runs before it still make a report;
+/// returns then what is missing.
+///
+/// Errors: bad input.
+pub(super) fn beside(
+    job: &Job,
+    simulations: &mut Vec<Simulation>,
+    progress: &dyn Progress,
+) -> Result<Option<Incomplete>, Error> {
+    for &id in job.engines.iter().skip(1) {
+        let missing = |error: Option<String>| Ok(Some(Incomplete::Missing { engine: id, error }));
+        match engine(id).run(&job.task(), progress).map_err(Error::Fe) {
+            Ok(simulation) => simulations.push(simulation),
+            Err(Error::Fe(FeError::Interrupted { .. })) => return missing(None),
+            Err(error) if error.exit_code() == EXIT_COMPUTATION => return missing(Some(error.to_string())),
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(None)
+}
+
+/// A run as a column of the comparison.
+pub(super) fn method(job: &Job, number: usize, simulation: &Simulation) -> Method {
+    let id = simulation.result.engine;
+    let mut assumptions = simulation.assumptions.clone();
+    if !engine(id).has_layers() {
+        assumptions.extend(layers(job).map(String::from));
+    }
+    Method {
+        id: id.column(number).into(),
+        title: id.title().into(),
+        excitation: Excitation::Record,
+        status: Status::Computed,
+        quantities: quantities(&simulation.values),
+        steps: Vec::new(),
+        checks: Vec::new(),
+        profiles: Vec::new(),
+        assumptions,
+        notes: simulation.notes.clone(),
+    }
+}
+
+/// Why the results are not those of the whole ground motion; none if they are, or if the user stopped a linear run.
+pub(super) fn incomplete(missing: Option<Incomplete>, runs: &[Run]) -> Option<Incomplete> {
+    missing.or_else(|| runs.iter().find_map(ended))
+}
+
+/// Why a run has no results for the whole ground motion.
+fn ended(run: &Run) -> Option<Incomplete> {
+    let departures = &run.nonlinear.as_ref()?.departures;
+    match run.end {
+        End::Collapsed { time, .. } if time < 0.0 => Some(Incomplete::NotCarriedAtRest),
+        End::Collapsed { time, .. } => Some(Incomplete::NoEquilibrium { time }),
+        End::Left { time, .. } => Some(Incomplete::LeftModel { time }),
+        End::Interrupted { time } => Some(Incomplete::Interrupted { time }),
+        End::Completed => departures
+            .first()
+            .map(|first| Incomplete::BeyondModel { time: first.time }),
+    }
+}
+
+/// What the comparison needs to know of the nonlinear run.
+pub(super) fn happened(job: &Job, runs: &[Run]) -> Option<Happened> {
+    let (run, nonlinear) = runs.iter().find_map(|run| Some((run, run.nonlinear.as_ref()?)))?;
+    let last = |values: &[f64]| values.last().copied().unwrap_or(0.0);
+    Some(Happened {
+        end: run.end.clone(),
+        events: run.events.clone(),
+        hysteretic: last(&nonlinear.energies.hysteretic),
+        input: last(&nonlinear.energies.input),
+        damping: linear_damping(job).map(|linear| [linear, nonlinear_damping(&job.nonlinear.damping)]),
+    })
+}
+
+/// Damping of the harmonic run.
+fn linear_damping(job: &Job) -> Option<Damping> {
+    let model = &job.linear.damping;
+    Some(match Damper::new(&job.case, model).ok()? {
+        Damper::ByKind { sloshing, structural } => Damping::Modal { sloshing, structural },
+        Damper::Rayleigh(c) => Damping::Rayleigh {
+            mass: c.mass,
+            stiffness: c.stiffness,
+        },
+    })
+}
+
+/// Damping of the nonlinear run.
+fn nonlinear_damping(damping: &nonlinear::Damping) -> Damping {
+    match *damping {
+        nonlinear::Damping::ByGroup { wall, sloshing } => Damping::ByGroup { wall, sloshing },
+        nonlinear::Damping::Rayleigh { first, second, .. } => Damping::InitialRayleigh {
+            first: first.into(),
+            second: second.into(),
+        },
+        nonlinear::Damping::MassProportional { ratio, .. } => Damping::MassProportional { ratio },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use results::EngineId;
+
+    use super::*;
+
+    #[test]
+    fn a_missing_run_is_the_cause() {
+        let missing = Incomplete::Missing {
+            engine: EngineId::Nonlinear,
+            error: Some("the solver failed".into()),
+        };
+        assert_eq!(incomplete(Some(missing.clone()), &[]), Some(missing));
+        let harmonic = Run::new(EngineId::Harmonic);
+        assert_eq!(incomplete(None, std::slice::from_ref(&harmonic)), None);
+    }
+}
