@@ -6,7 +6,8 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use engines::Options;
-use engines::harmonic::{Kind, build, solve};
+use engines::harmonic::build;
+use engines::modes::{Kind, solve};
 
 fn harmonic(c: &mut Criterion) {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/01_broad_tank/tank.json");

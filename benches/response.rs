@@ -12,7 +12,8 @@ use criterion::{Criterion, criterion_group, criterion_main};
 mod motions;
 
 use engines::damping::Damper;
-use engines::harmonic::{build, solve};
+use engines::harmonic::build;
+use engines::modes::solve;
 use engines::response::direct::{self, DirectSystem};
 use engines::response::motion::{Grid, Motion};
 use engines::response::superpose::{self, ModalSystem, Observable};

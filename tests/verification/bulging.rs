@@ -5,7 +5,8 @@
 //! Tolerance: 0.3 % on frequencies (measured discretisation error of the default mesh 0.1 %), 0.5 % on effective masses,
 //!            2 % against C_i, which are printed with three digits and fitted
 
-use engines::harmonic::{CoupledMode, Kind, build, solve};
+use engines::harmonic::build;
+use engines::modes::{CoupledMode, Kind, solve};
 use engines::{Options, modes};
 use fem::linalg::dot;
 

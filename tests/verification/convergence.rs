@@ -6,7 +6,8 @@
 //! Tolerance: observed orders above 3.5 (mode 1 and 2); frequencies and stresses as the theory manual states
 
 use engines::Options;
-use engines::harmonic::{Kind, build, solve};
+use engines::harmonic::build;
+use engines::modes::{Kind, solve};
 use fem::linalg::dot;
 
 use crate::rigid_cylinder::{ZEROS_1, sloshing, tank};

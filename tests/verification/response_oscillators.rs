@@ -6,7 +6,7 @@
 
 use engines::coupled::{Coupled, Part, ShapeRows};
 use engines::damping::{Damper, Rayleigh};
-use engines::harmonic::{CoupledMode, Kind, solve};
+use engines::modes::{CoupledMode, Kind, solve};
 use engines::probe::Probe;
 use engines::response::direct::{self, DirectSystem};
 use engines::response::motion::{Grid, Motion};

@@ -6,7 +6,8 @@
 
 use codes::mechanical::{Plan, sloshing_omega, wave_factor};
 use engines::damping::Damper;
-use engines::harmonic::{CoupledMode, Kind, build, solve};
+use engines::harmonic::build;
+use engines::modes::{CoupledMode, Kind, solve};
 use engines::response::motion::{Grid, Motion};
 use engines::response::observe::Observed;
 use engines::response::superpose::{self, ModalSystem, Observable};

@@ -5,7 +5,7 @@
 //! Tolerance: counts exact; several per cent on coarse meshes, stated at each assertion (the rows of the verification
 //!            manual hold finer meshes to 1 %)
 
-use engines::harmonic::Kind;
+use engines::modes::Kind;
 use engines::solid::model::TankModel;
 use engines::solid::system::System;
 use engines::solid::{self, Liquid, MeshSize, SolidOptions, spectrum};

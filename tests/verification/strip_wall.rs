@@ -3,7 +3,8 @@
 //! Model:     example 8.4: 5.0 m × 2.57 m, concrete wall 0.3 m, per metre of breadth
 //! Tolerance: 0.01 % for two modes with 30 cubic elements; masses 1e-9
 
-use engines::harmonic::{Kind, build, solve};
+use engines::harmonic::build;
+use engines::modes::{Kind, solve};
 use engines::{FeError, Options};
 use fem::linalg::dot;
 

@@ -5,7 +5,7 @@
 
 use tank::Case;
 
-use crate::harmonic::{CoupledMode, Kind};
+use crate::modes::{CoupledMode, Kind};
 use crate::{DampingModel, FeError};
 use results::DampingRow;
 

@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 
 use fem::progress::Progress;
 use results::{EngineId, Run, Series, Snapshots};
-use tank::{Case, Quantity, Shape};
+use tank::refusal::Refusal;
+use tank::{Case, Quantity};
 
 use crate::estimate::Estimate;
-use crate::nonlinear::scope::{self, Place, Purpose, Refusal};
 use crate::nonlinear::{CheckpointFile, NonlinearOptions};
 use crate::solid::SolidOptions;
-use crate::{FeError, Options, harmonic, nonlinear, simulate_watched, solid};
+use crate::{FeError, Options};
 
 /// What an engine is asked for: a case, and the options of all engines, of which it takes its own.
 #[derive(Clone, Copy, Debug)]
@@ -72,133 +72,4 @@ pub trait Engine: Sync {
     /// Errors: no ground motion; something it does not model; options out of range; a model that cannot be built or solved; a
     /// checkpoint that cannot be written or belongs to another run; interrupted before there is anything to show.
     fn run(&self, task: &Task<'_>, progress: &dyn Progress) -> Result<Simulation, FeError>;
-}
-
-/// All engines, in the order of [`EngineId`].
-pub const ALL: [&dyn Engine; 3] = [&Harmonic, &Solid, &Nonlinear];
-
-/// The engine of an id.
-pub fn engine(id: EngineId) -> &'static dyn Engine {
-    ALL[id as usize]
-}
-
-/// One Fourier harmonic at a time.
-struct Harmonic;
-
-impl Engine for Harmonic {
-    fn id(&self) -> EngineId {
-        EngineId::Harmonic
-    }
-
-    fn refuses(&self, _: &Task<'_>) -> Vec<Refusal> {
-        Vec::new()
-    }
-
-    fn stops(&self) -> bool {
-        false
-    }
-
-    fn estimate(&self, task: &Task<'_>) -> Result<Estimate, FeError> {
-        harmonic::estimate(task.case, task.linear)
-    }
-
-    fn run(&self, task: &Task<'_>, progress: &dyn Progress) -> Result<Simulation, FeError> {
-        simulate_watched(task.case, task.linear, progress)
-    }
-}
-
-/// Three-dimensional elements.
-struct Solid;
-
-impl Engine for Solid {
-    fn id(&self) -> EngineId {
-        EngineId::Solid
-    }
-
-    fn refuses(&self, task: &Task<'_>) -> Vec<Refusal> {
-        match task.case.tank.shape {
-            Shape::Cylinder { .. } => Vec::new(),
-            Shape::Rectangle { .. } => vec![Refusal {
-                place: Place::Shape,
-                message: "the three-dimensional engine models upright cylinders".into(),
-                found: String::new(),
-                allowed: "\"cylinder\"".into(),
-                help: "use --fe harmonic for a rectangular tank".into(),
-            }],
-        }
-    }
-
-    fn estimate(&self, task: &Task<'_>) -> Result<Estimate, FeError> {
-        solid::estimate(task.case, task.linear, task.solid)
-    }
-
-    fn run(&self, task: &Task<'_>, progress: &dyn Progress) -> Result<Simulation, FeError> {
-        solid::simulate(task.case, task.linear, task.solid, progress)
-    }
-}
-
-/// Walls that yield and crack, in large rotations.
-struct Nonlinear;
-
-impl Engine for Nonlinear {
-    fn id(&self) -> EngineId {
-        EngineId::Nonlinear
-    }
-
-    fn refuses(&self, task: &Task<'_>) -> Vec<Refusal> {
-        scope::refusals(task.case, task.nonlinear, Purpose::History)
-    }
-
-    fn has_layers(&self) -> bool {
-        true
-    }
-
-    fn estimate(&self, task: &Task<'_>) -> Result<Estimate, FeError> {
-        nonlinear::estimate(task.case, task.nonlinear)
-    }
-
-    fn run(&self, task: &Task<'_>, progress: &dyn Progress) -> Result<Simulation, FeError> {
-        nonlinear::simulate(task.case, task.nonlinear, task.checkpoint, progress)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_id_has_its_engine() {
-        assert_eq!(ALL.len(), EngineId::ALL.len());
-        assert!(EngineId::ALL.iter().all(|&id| engine(id).id() == id));
-    }
-
-    #[test]
-    fn an_engine_refuses_what_it_does_not_model() {
-        let mut case = crate::harmonic::test_tanks::broad();
-        let (linear, solid) = (Options::default(), SolidOptions::default());
-        let nonlinear = NonlinearOptions::new(case.damping);
-        let refusals = |case: &Case| {
-            let task = Task {
-                case,
-                linear: &linear,
-                solid: &solid,
-                nonlinear: &nonlinear,
-                checkpoint: None,
-            };
-            EngineId::ALL.map(|id| {
-                engine(id)
-                    .refuses(&task)
-                    .into_iter()
-                    .map(|r| r.place)
-                    .collect::<Vec<_>>()
-            })
-        };
-        assert_eq!(refusals(&case), [Vec::new(), Vec::new(), Vec::new()]);
-        case.tank.shape = Shape::Rectangle {
-            length: 3.0,
-            breadth: 3.0,
-            strip: false,
-        };
-        assert_eq!(refusals(&case), [Vec::new(), vec![Place::Shape], vec![Place::Shape]]);
-    }
 }

@@ -2,7 +2,7 @@
 
 use oscillator::record::Record;
 
-use crate::{ALL, Answer, Pace};
+use crate::{Answer, Pace};
 
 /// A benchmark: a page of the manual.
 #[derive(Clone, Copy, Debug)]
@@ -57,14 +57,9 @@ impl Benchmark {
     }
 }
 
-/// The benchmark with this id.
-pub fn find(id: &str) -> Option<&'static Benchmark> {
-    ALL.iter().copied().find(|benchmark| benchmark.id == id)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use crate::ALL;
 
     #[test]
     fn ids_are_names_of_files_and_unique() {

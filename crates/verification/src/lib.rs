@@ -17,6 +17,7 @@
 mod benchmark;
 mod dynamics;
 mod entry;
+mod error;
 mod fluid;
 pub mod html;
 pub mod manual;
@@ -31,33 +32,12 @@ mod solid;
 pub mod strip;
 pub mod tanks;
 
-pub use benchmark::{Benchmark, Part, find};
+pub use benchmark::{Benchmark, Part};
 pub use entry::{Entry, Pace};
+pub use error::{Answer, Error, Failure};
 pub use records::Records;
 pub use row::{Reference, Row};
-pub use run::{Choice, Manual, NotRun, Pattern, run};
-
-/// Failure of a model that should have an answer.
-pub type Failure = Box<dyn std::error::Error + Send + Sync>;
-
-/// The rows of a part, or why there are none.
-pub type Answer<T = Vec<Row>> = Result<T, Failure>;
-
-/// A failure of a benchmark or of the manual's files.
-#[derive(Debug, thiserror::Error)]
-pub enum Error {
-    /// A benchmark without rows.
-    #[error("verification, {benchmark}: {what}")]
-    Benchmark {
-        /// Id of the benchmark.
-        benchmark: String,
-        /// Cause.
-        what: String,
-    },
-    /// A file of the manual that cannot be read, drawn or written.
-    #[error(transparent)]
-    Files(#[from] files::error::Error),
-}
+pub use run::{Choice, Manual, NotRun, Pattern, find, run};
 
 /// All benchmarks, in the order of the manual.
 pub const ALL: &[&Benchmark] = &[

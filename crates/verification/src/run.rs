@@ -172,6 +172,11 @@ fn rows(part: &Part, records: Option<&Records>) -> Answer {
     }
 }
 
+/// The benchmark with this id.
+pub fn find(id: &str) -> Option<&'static Benchmark> {
+    ALL.iter().copied().find(|benchmark| benchmark.id == id)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

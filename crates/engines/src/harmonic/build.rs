@@ -3,19 +3,18 @@
 use tank::Case;
 use tank::Shape;
 
+use crate::checks::check_options;
 use crate::coupled::{Coupled, Part, ShapeRows};
+use crate::error::failure;
 use crate::liquid::{Domain, LiquidMesh, Potential};
 use crate::{FeError, Options};
-use fem::linalg::{Cholesky, LinalgError};
+use fem::linalg::Cholesky;
 use results::Labelled;
 
 use super::assembly::{Assembly, RoofShare};
 use super::observe::Observer;
 use super::state::Static;
 use super::wall::Wall;
-
-/// Allowed range of [`Options::refine`].
-const REFINE: std::ops::RangeInclusive<f64> = 0.25..=16.0;
 
 /// Builds the coupled system of a harmonic: m = 0, 1, 2, … of a cylinder; 0 (symmetric) or 1 (antisymmetric) of a
 /// rectangle, which is modelled as a plane strip of its breadth.
@@ -75,56 +74,6 @@ pub fn build(case: &Case, options: &Options, harmonic: u32) -> Result<Coupled, F
     })
 }
 
-/// Checks the options that concern the model.
-///
-/// Errors: the first option out of range.
-pub fn check_options(case: &Case, options: &Options) -> Result<(), FeError> {
-    let out_of_range = |option: &str, found: String, allowed: String| FeError::Option {
-        option: option.into(),
-        found,
-        allowed,
-    };
-    if !REFINE.contains(&options.refine) {
-        let allowed = format!("{} to {}", REFINE.start(), REFINE.end());
-        return Err(out_of_range("refine", options.refine.to_string(), allowed));
-    }
-    if options.wave_modes == 0 {
-        return Err(out_of_range("wave_modes", "0".into(), "1 or more".into()));
-    }
-    check_depth(case)?;
-    let half_length = case.tank.shape.half_length();
-    if let Some(r) = options.gauges.iter().find(|r| r.is_nan() || r.abs() > half_length) {
-        return Err(out_of_range(
-            "gauges",
-            format!("{r} m"),
-            format!("{} m to {half_length} m", -half_length),
-        ));
-    }
-    let height = case.tank.wall_height();
-    if let Some(z) = options.stations.iter().find(|z| !(0.0..=height).contains(*z)) {
-        return Err(out_of_range("stations", format!("{z} m"), format!("0 m to {height} m")));
-    }
-    Ok(())
-}
-
-/// Least depth of the liquid over the height of the wall: nodes of the wall closer than a millionth of its height are one.
-const SHALLOWEST: f64 = 1e-4;
-
-/// Checks that the liquid is deep enough for nodes of its own.
-///
-/// Errors: a film on the bottom.
-pub fn check_depth(case: &Case) -> Result<(), FeError> {
-    let least = SHALLOWEST * case.tank.wall_height();
-    if case.liquid.fill_height >= least {
-        return Ok(());
-    }
-    Err(FeError::Option {
-        option: "liquid.fill_height".into(),
-        found: format!("{} m", case.liquid.fill_height),
-        allowed: format!("at least {least} m for finite elements, a ten-thousandth of the height of the wall"),
-    })
-}
-
 fn domain(case: &Case, harmonic: u32) -> Result<Domain, FeError> {
     match case.tank.shape {
         Shape::Cylinder { radius } => Ok(Domain::Cylinder { radius, harmonic }),
@@ -155,17 +104,6 @@ fn rigid_part(case: &Case, meshed: f64) -> (f64, f64) {
         walls + roof,
         walls * case.tank.wall_centroid() + roof * case.tank.roof_height(),
     )
-}
-
-/// Turns a failed factorisation into an error of the engine.
-pub(crate) fn failure(matrix: &'static str) -> impl Fn(LinalgError) -> FeError {
-    move |error| match error {
-        LinalgError::NotPositiveDefinite { .. } => FeError::NotPositiveDefinite {
-            matrix: matrix.into(),
-            cause: error.to_string(),
-        },
-        other => FeError::Eigen(format!("{matrix}: {other}")),
-    }
 }
 
 fn describe(assembly: &Assembly) -> Vec<Labelled> {

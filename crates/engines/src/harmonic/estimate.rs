@@ -100,7 +100,7 @@ impl Mesh {
 ///
 /// Errors: options out of range; a response longer than the limits.
 pub fn estimate(case: &Case, options: &Options) -> Result<Estimate, FeError> {
-    super::check_options(case, options)?;
+    crate::checks::check_options(case, options)?;
     let response = Response::of(case, true)?;
     let mut found = of(case, options, response);
     for refine in coarser(options.refine) {

@@ -14,11 +14,10 @@ mod state;
 mod wall;
 mod wall_mesh;
 
-pub(crate) use build::failure;
-pub use build::{build, check_depth, check_options};
+pub use build::build;
 pub use estimate::estimate;
 pub use limits::{assumptions, notes};
-pub use modes::{CoupledMode, Kind, modes, solve};
+pub use modes::modes;
 pub use state::Static;
 pub use wall::{Element, LOCAL, LocalMatrix, LocalRow, NODAL, NODE, Output, Wall};
 pub use wall_mesh::wall_nodes;

@@ -7,7 +7,7 @@ use tank::Quantity;
 use tank::case::GroundMotion;
 
 use super::model::{Harmonic, Model, Scalar};
-use crate::harmonic::{CoupledMode, Kind};
+use crate::modes::{CoupledMode, Kind};
 use crate::response::direct::{self, DirectSystem};
 use crate::response::motion::{Grid, Motion};
 use crate::response::observe::{Extreme, History, Observed};

@@ -6,7 +6,8 @@ use tank::units::significant;
 
 use super::analysis::Analysis;
 use super::model::{FREE_PERIODS, Harmonic, Model};
-use crate::harmonic::{self, CoupledMode, Kind};
+use crate::harmonic::{self};
+use crate::modes::{CoupledMode, Kind};
 use crate::response::superpose::{FREQUENCY_FACTOR, SLOSHING_MODES, STRUCTURAL_MODES};
 use crate::{DampingModel, Integrator, Options};
 use fem::linalg::dot;

@@ -6,7 +6,7 @@ use tank::{Shape, Support};
 
 use super::analysis::Analysis;
 use super::model::{Harmonic, Model};
-use crate::harmonic::Kind;
+use crate::modes::Kind;
 use crate::response::observe::Extreme;
 use results::channel::{OnWall, Side};
 use results::{Channel, Limit};

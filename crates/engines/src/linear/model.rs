@@ -5,7 +5,8 @@ use tank::case::GroundMotion;
 
 use crate::coupled::Coupled;
 use crate::damping::Damper;
-use crate::harmonic::{self, CoupledMode, Kind};
+use crate::harmonic::{self};
+use crate::modes::{CoupledMode, Kind};
 use crate::probe::{Probe, ProbeLine};
 use crate::response::superpose::Observable;
 use crate::response::{direct, motion::Grid};
@@ -72,7 +73,7 @@ impl Model {
         let prepare = |m: u32| -> Result<Harmonic, FeError> {
             let coupled = harmonic::build(case, options, m)?;
             // All that double precision resolves: a fixed number might not be, for a very stiff wall.
-            let modes = harmonic::solve(&coupled, None)?;
+            let modes = crate::modes::solve(&coupled, None)?;
             Ok(Harmonic { coupled, modes })
         };
         Ok(Model {

@@ -9,7 +9,7 @@ use super::cylinder::{self, Cylinder};
 use super::strip::Strip;
 use super::{CheckpointFile, NonlinearOptions};
 use crate::FeError;
-use crate::harmonic::check_depth;
+use crate::checks::check_depth;
 use results::{Fact, IdaRun};
 
 /// A tank ready to be shaken at rising scales.

@@ -18,8 +18,8 @@ use tank::Case;
 use tank::Shape;
 
 use super::estimate::Estimate;
-use super::harmonic::check_depth;
 use super::{FeError, Simulation};
+use crate::checks::check_depth;
 use results::LiquidParting;
 
 pub use incremental::Incremental;

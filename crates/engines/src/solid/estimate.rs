@@ -52,7 +52,7 @@ const ORTHOGONAL: f64 = 2.0;
 ///
 /// Errors: options out of range; a mesh that is none; a response longer than the limits.
 pub fn estimate(case: &Case, options: &Options, solid: &SolidOptions) -> Result<Estimate, FeError> {
-    crate::harmonic::check_options(case, options)?;
+    crate::checks::check_options(case, options)?;
     let response = Response::of(case, true)?;
     let mut found = of(case, options, solid, response)?;
     let smaller = |give: String, options: &Options, solid: &SolidOptions| -> Result<_, FeError> {

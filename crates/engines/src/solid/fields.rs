@@ -14,7 +14,7 @@ use super::model::TankModel;
 use super::moments::{Histories, Moment};
 use super::reduce::Space;
 use super::spectrum::TankMode;
-use crate::harmonic::Kind;
+use crate::modes::Kind;
 use results::{DeformedShape, Fields, Picture, Resultants, Snapshot, Snapshots, WallMap};
 
 /// Most levels of wall nodes that are drawn.

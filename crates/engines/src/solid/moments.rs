@@ -4,8 +4,8 @@ use tank::case::GroundMotion;
 
 use super::reduce::Space;
 use super::rows::sparse_dot;
-use crate::harmonic::CoupledMode;
 use crate::linear::model::Model;
+use crate::modes::CoupledMode;
 use crate::probe::Probe;
 use crate::response::motion::Motion;
 use crate::response::superpose::{self, ModalSystem, Observable};

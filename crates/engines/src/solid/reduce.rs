@@ -36,7 +36,7 @@ use super::rows::{Observer, Resultant, Row, sparse_dot, static_load};
 use super::symmetry::Harmonic;
 use super::system::{System, columns};
 use crate::coupled::{Coupled, Part, ShapeRows, SparseRow};
-use crate::harmonic::failure;
+use crate::error::failure;
 use crate::probe::{ModeSelection, Probe, ProbeLine};
 use crate::{FeError, Options};
 use results::Channel;

@@ -20,7 +20,8 @@ use super::symmetry::Harmonic;
 use super::system::System;
 use super::waves::{Waves, classify};
 use crate::FeError;
-use crate::harmonic::{Kind, failure};
+use crate::error::failure;
+use crate::modes::Kind;
 
 /// Largest residual of a mode.
 const RESIDUAL: f64 = 1e-6;

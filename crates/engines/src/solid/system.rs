@@ -28,7 +28,7 @@ use fem::model::Model;
 use super::model::element_error;
 use crate::FeError;
 use crate::coupled::SparseRow;
-use crate::harmonic::failure;
+use crate::error::failure;
 
 /// Entries (row, column, value) of a rectangular block between equations of the model.
 type Block = Vec<(usize, usize, f64)>;

@@ -6,7 +6,8 @@
 use std::f64::consts::PI;
 
 use crate::{Answer, Benchmark, Part, Reference, Row};
-use engines::harmonic::{CoupledMode, Kind, build, solve};
+use engines::harmonic::build;
+use engines::modes::{CoupledMode, Kind, solve};
 use engines::{FeError, Options};
 use tank::Shape;
 use tank::reference::{broad, case, material, slender};

@@ -24,7 +24,7 @@ use tank::{Behaviour, Course, Shape, Support};
 use super::imperfection::Dent;
 use super::load::{Impulsive, cosine_shares, shares};
 use crate::FeError;
-use crate::harmonic::check_depth;
+use crate::checks::check_depth;
 use crate::nonlinear::NonlinearOptions;
 use crate::nonlinear::cylinder::mesh::enough_rows;
 use crate::nonlinear::cylinder::section::row;

@@ -70,7 +70,9 @@ fn resumed_march_is_the_same() {
     changed.checkpoint.as_mut().unwrap().key.push('2');
     assert!(identity(refused(problem, &load, &changed)));
     let other = Parts::new(chain_of(MASSES + 1, 12.0, 10.0));
-    assert!(identity(refused(other.problem(), &load, &settings)));
+    let mut longer = settings.clone();
+    longer.constant = other.weight();
+    assert!(identity(refused(other.problem(), &load, &longer)));
     let mut changed = settings.clone();
     changed.newton.criteria.energy = 1e-9;
     assert!(identity(refused(problem, &load, &changed)));

@@ -1,0 +1,101 @@
+//! What every section has: its source, its context for the template, its figures.
+
+use results::{FE, Method, Results, Series};
+use serde::Serialize;
+use tera::Context;
+
+use crate::figure::{Figure, Room};
+use crate::table::Table;
+use crate::words;
+
+/// What a section is made from.
+pub struct Source<'a> {
+    /// `results.json`.
+    pub results: &'a Results,
+    /// `series.csv`.
+    pub series: &'a Series,
+}
+
+/// A section ready to be rendered.
+pub struct Section {
+    /// Id and anchor.
+    pub id: &'static str,
+    /// Heading.
+    pub title: &'static str,
+    /// Context of the template `sections/<id>.html`.
+    pub context: Context,
+    /// Figures, for `figures/`.
+    pub figures: Vec<Figure>,
+}
+
+impl Section {
+    /// A section without content yet.
+    pub(super) fn new(id: &'static str) -> Section {
+        Section {
+            id,
+            title: words::headings::section(id),
+            context: Context::new(),
+            figures: Vec::new(),
+        }
+    }
+
+    /// Hands a value to the template.
+    pub(super) fn set<T: Serialize + ?Sized>(&mut self, key: &'static str, value: &T) {
+        self.context.insert(key, value);
+    }
+
+    /// Hands figures to the template.
+    pub(super) fn set_figures(&mut self, key: &'static str, figures: Vec<Figure>) {
+        let views: Vec<FigureView> = figures.iter().map(FigureView::of).collect();
+        self.context.insert(key, &views);
+        self.figures.extend(figures);
+    }
+}
+
+/// A figure as the templates see it.
+#[derive(Serialize)]
+pub struct FigureView {
+    id: String,
+    title: String,
+    caption: String,
+    titled: bool,
+    svg: String,
+    room: Room,
+    table: Table,
+}
+
+impl FigureView {
+    /// Of a figure.
+    pub fn of(figure: &Figure) -> FigureView {
+        FigureView {
+            id: figure.id.clone(),
+            title: figure.title.clone(),
+            caption: figure.caption.clone(),
+            titled: figure.titled,
+            svg: figure.inline(),
+            room: figure.room,
+            table: figure.table.clone(),
+        }
+    }
+}
+
+impl<'a> Source<'a> {
+    /// The finite-element method, where it ran.
+    pub(super) fn fe(&self) -> Option<&'a Method> {
+        self.results.methods.iter().find(|m| m.id == FE)
+    }
+
+    /// A quantity of the finite elements, or else of the first method that gives it, in SI.
+    pub(super) fn best(&self, quantity: &str) -> Option<f64> {
+        let of = |m: &Method| m.quantities.get(quantity).map(|v| v.value);
+        self.fe()
+            .and_then(of)
+            .or_else(|| self.results.methods.iter().filter(|m| m.id != "measured").find_map(of))
+    }
+
+    /// A column of the series.
+    pub(super) fn column(&self, id: &str) -> Option<&'a [f64]> {
+        let i = self.series.ids.iter().position(|c| c == id)?;
+        self.series.columns.get(i).map(Vec::as_slice)
+    }
+}

@@ -1,0 +1,25 @@
+//! Failures of benchmarks and of the manual's files.
+
+use crate::row::Row;
+
+/// Failure of a model that should have an answer.
+pub type Failure = Box<dyn std::error::Error + Send + Sync>;
+
+/// The rows of a part, or why there are none.
+pub type Answer<T = Vec<Row>> = Result<T, Failure>;
+
+/// A failure of a benchmark or of the manual's files.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A benchmark without rows.
+    #[error("verification, {benchmark}: {what}")]
+    Benchmark {
+        /// Id of the benchmark.
+        benchmark: String,
+        /// Cause.
+        what: String,
+    },
+    /// A file of the manual that cannot be read, drawn or written.
+    #[error(transparent)]
+    Files(#[from] files::error::Error),
+}
