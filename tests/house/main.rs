@@ -2,5 +2,6 @@
 //! `ARCHITECTURE.md` draws the plan and gives the reasons.
 
 mod circles;
+mod labels;
 mod sources;
 mod walls;

@@ -65,7 +65,7 @@ pub(super) fn anchorage(moment: f64, resisting: f64) -> (&'static str, &'static 
 /// the exact curve, below it from J = 1.53.
 pub(super) const LIFTING: &str = "((w_t·(1 + 0.4·A_v) + w_a)/(0.607 - 0.18667·J^2.3) - w_a)/t_s";
 
-/// Force per length [N/m] of the lifted bottom strip before its limit: the first term of [`HOLD_DOWN`].
+/// Force per length [N/m] of the lifted bottom strip before its limit: the first term of `HOLD_DOWN`.
 ///
 /// * `thickness`: t [m]
 /// * `yield_strength`: F_y of the bottom plate [Pa]
