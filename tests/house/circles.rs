@@ -14,11 +14,9 @@ const KNOWN: &[(&str, usize)] = &[
     ("engines", 7),
     ("engines", 9),
     ("engines", 22),
-    ("fem", 4),
     ("results", 4),
     ("tank", 4),
     ("tankcheck", 21),
-    ("verification", 4),
 ];
 
 /// Name of a re-exported item → the module that defines it.

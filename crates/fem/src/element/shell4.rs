@@ -35,27 +35,26 @@
 
 mod inspect;
 mod mixed;
-pub(super) mod strain;
+mod rows;
+mod strain;
 mod turn;
 
 use std::sync::Arc;
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
-use strain::{Stressed, add_material, put};
+use rows::{add_material, put};
+use strain::Stressed;
 use turn::Turn;
 
-use super::shell::drilling::{Corner, turned};
+use super::shell::director::turned;
+use super::shell::drilling::Corner;
 use super::shell::geometry::Point;
 use super::shell::section::{Section, SectionResponse};
 use super::{Buckling, Element, ElementError, Inspect, LocalMatrix, Mixed, Motion, Response, Want};
 use crate::dofs::Dof;
 
-/// Number of local dofs.
-pub const SIZE: usize = 24;
-
-/// Row over the local dofs.
-pub type Row = [f64; SIZE];
+pub use rows::{Row, SIZE};
 
 /// Names of the resultants, in the order of the section.
 pub const RESULTANTS: [&str; 8] = ["n_11", "n_22", "n_12", "m_11", "m_22", "m_12", "q_1", "q_2"];

@@ -29,8 +29,8 @@
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
-use super::shell::drilling::turned;
-use super::shell4::strain::add_turn_block;
+use super::shell::director::add_turn_block;
+use super::shell::director::turned;
 use super::shell4::{SIZE as SHELL_SIZE, Shell4};
 use super::solid8::{Elastic, Kinematics, Solid8};
 use super::{Buckling, Contact, Element, ElementError, Inspect, LocalMatrix, Motion, Response, Want};

@@ -5,36 +5,11 @@
 
 mod broad;
 mod model;
+mod sheet;
 mod slender;
-
-use std::fmt::Write as _;
-
-use oscillator::record::Record;
 
 use super::as_described;
 use crate::{Error, Failure, Records};
-use engines::solid::{self, Liquid, MeshSize, SolidOptions};
-use engines::{DampingModel, FeError, Options, Simulation, simulate};
-use fem::progress::Silent;
-use tank::case::GroundMotion;
-use tank::units::significant;
-use tank::{Case, Quantity};
-
-/// Meshes of table 8.1: elements over radius, circumference and height.
-pub const MESHES: [(&str, MeshSize); 4] = [
-    ("A", mesh(12, 16, 12)),
-    ("B", mesh(15, 18, 12)),
-    ("C", mesh(12, 16, 19)),
-    ("D", mesh(12, 16, 20)),
-];
-
-const fn mesh(radial: usize, sectors: usize, vertical: usize) -> MeshSize {
-    MeshSize {
-        radial,
-        sectors,
-        vertical,
-    }
-}
 
 /// Accelerograms of table 8.3: name, file.
 const RECORDS: [(&str, &str); 3] = [
@@ -42,100 +17,6 @@ const RECORDS: [(&str, &str); 3] = [
     ("Parkfield", crate::records::PARKFIELD),
     ("Pacoima Dam", crate::records::PACOIMA),
 ];
-
-/// A computed column.
-struct Column {
-    title: String,
-    values: Vec<f64>,
-}
-
-/// What a table shows: title, unit, numbers of the source's columns ("" where it has none).
-struct Line {
-    what: &'static str,
-    unit: &'static str,
-    sources: &'static [&'static str],
-}
-
-const fn line(what: &'static str, unit: &'static str, sources: &'static [&'static str]) -> Line {
-    Line { what, unit, sources }
-}
-
-/// What a run is asked for besides the mesh.
-fn options(damping: DampingModel, stations: &[f64]) -> Options {
-    Options {
-        mesh_error: false,
-        stations: stations.to_vec(),
-        damping,
-        ..Options::default()
-    }
-}
-
-fn shaken(mut case: Case, record: &Record) -> Case {
-    case.ground_motion = Some(GroundMotion {
-        horizontal: record.clone(),
-        vertical: None,
-    });
-    case
-}
-
-fn peak(run: &Simulation, id: &str) -> f64 {
-    let found = run.result.histories.iter().find(|s| s.id == id);
-    found.map_or(f64::NAN, |s| s.peak)
-}
-
-/// First sloshing frequency [rad/s].
-fn omega(run: &Simulation) -> f64 {
-    let period = run.values.get(&Quantity::SloshingPeriod);
-    period.map_or(f64::NAN, |t| std::f64::consts::TAU / t)
-}
-
-/// A run on each of the four meshes with `liquid`, and one of the harmonic engine.
-fn runs(case: &Case, options: &Options, liquid: Liquid) -> Result<Vec<(String, Simulation)>, FeError> {
-    let mut out = Vec::new();
-    for (name, size) in MESHES {
-        let solid_options = SolidOptions {
-            mesh: Some(size),
-            liquid,
-            ..SolidOptions::default()
-        };
-        let run = solid::respond(case, options, &solid_options, &Silent)?;
-        out.push((format!("{name} {size}"), run));
-    }
-    out.push(("converged".to_owned(), simulate(case, options)?));
-    Ok(out)
-}
-
-fn columns(runs: &[(String, Simulation)], values: impl Fn(&Simulation) -> Vec<f64>) -> Vec<Column> {
-    let each = |(title, run): &(String, Simulation)| Column {
-        title: title.clone(),
-        values: values(run),
-    };
-    runs.iter().map(each).collect()
-}
-
-/// A table: `heads` name the source's columns.
-fn table(text: &mut String, heads: &[&str], lines: &[Line], columns: &[Column]) {
-    let titles: Vec<&str> = columns.iter().map(|c| c.title.as_str()).collect();
-    let _ = writeln!(text, "| | unit | {} | {} |", heads.join(" | "), titles.join(" | "));
-    let _ = writeln!(text, "|---|---|{}", "---|".repeat(heads.len() + columns.len()));
-    for (i, line) in lines.iter().enumerate() {
-        let values: Vec<String> = columns.iter().map(|c| significant(c.values[i], 4)).collect();
-        let sources: Vec<&str> = line
-            .sources
-            .iter()
-            .map(|s| if s.is_empty() { "–" } else { s })
-            .collect();
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} |",
-            line.what,
-            line.unit,
-            sources.join(" | "),
-            values.join(" | ")
-        );
-    }
-    text.push('\n');
-}
 
 /// The page, from the accelerograms of table 8.3.
 ///
@@ -194,21 +75,3 @@ every depth, which no mesh or damping explains. At 100 s the start has decayed t
 state of 3.8 mm: printed and measured 6 mm are peaks after the start.\n\
 * **Example 8.3.** The wave of the printed table is that of the original record again (tank 8.1); the axial stress depends on \
 the damping of the wall mode, which the printed pair makes nearly critical.\n";
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_table_has_a_row_a_line() {
-        let mut text = String::new();
-        let lines = [line("wave", "cm", &["38.6", ""]), line("shear", "kN", &["", ""])];
-        let columns = [Column {
-            title: "A".into(),
-            values: vec![1.0; 2],
-        }];
-        table(&mut text, &["printed", "test"], &lines, &columns);
-        assert_eq!(text.lines().filter(|l| l.starts_with('|')).count(), 4);
-        assert!(text.contains("| wave | cm | 38.6 | – | 1.000 |"), "{text}");
-    }
-}

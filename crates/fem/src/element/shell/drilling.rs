@@ -11,18 +11,11 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 
+use super::director::{add_turn_block, turned};
 use super::geometry::{Point, blend};
 use crate::element::shell4::SIZE;
-use crate::element::shell4::strain::add_turn_block;
 use crate::element::{ElementError, Response, Want};
 use crate::shape::quad4;
-
-/// (R − 1) v, accurate for small rotations: 2 w (q × v) + 2 q × (q × v) with the quaternion (w, q).
-pub(crate) fn turned(rotation: &UnitQuaternion<f64>, v: &Vector3<f64>) -> Vector3<f64> {
-    let q = rotation.imag();
-    let cross = q.cross(v) * 2.0;
-    cross * rotation.scalar() + q.cross(&cross)
-}
 
 /// One corner with drilling energy.
 #[derive(Clone, Debug)]

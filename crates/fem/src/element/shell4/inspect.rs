@@ -2,7 +2,9 @@
 
 use nalgebra::Vector3;
 
-use super::{RESULTANTS, Row, SIZE, Shell4, Turn};
+use super::rows::{Row, SIZE};
+use super::turn::Turn;
+use super::{RESULTANTS, Shell4};
 use crate::element::shell::geometry::{Point, blend};
 use crate::element::shell::section::SectionResponse;
 use crate::element::{ElementError, Inspect, Inspection, Motion, Sample, SectionState};

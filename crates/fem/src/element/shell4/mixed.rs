@@ -14,7 +14,8 @@
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use super::{SIZE, Shell4};
+use super::Shell4;
+use super::rows::SIZE;
 use crate::element::Motion;
 use crate::element::shell::section::SectionResponse;
 

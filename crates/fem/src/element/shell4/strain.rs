@@ -2,8 +2,9 @@
 
 use nalgebra::Vector3;
 
-use super::{MembraneShear, Row, SIZE, Shell4};
-use crate::element::shell::drilling::turned;
+use super::rows::{Row, SIZE, put};
+use super::{MembraneShear, Shell4};
+use crate::element::shell::director::{add_turn_block, turned};
 use crate::element::shell::geometry::{Point, blend};
 use crate::element::{LocalMatrix, Motion};
 
@@ -189,53 +190,6 @@ impl Shell4 {
                         out.add_symmetric(6 * a + i, 6 * b + 3 + j, stressed.xd[a][b] * p[(i, j)]);
                     }
                 }
-            }
-        }
-    }
-}
-
-/// Adds a vector to three entries of a row.
-pub(super) fn put(row: &mut Row, at: usize, v: Vector3<f64>) {
-    row[at] += v.x;
-    row[at + 1] += v.y;
-    row[at + 2] += v.z;
-}
-
-/// Adds ½ (f dᵀ + d fᵀ) − (f · d) 1 to the rotational block of a node.
-pub(in crate::element) fn add_turn_block(out: &mut LocalMatrix, node: usize, f: &Vector3<f64>, d: &Vector3<f64>) {
-    let product = f.dot(d);
-    for i in 0..3 {
-        for j in 0..3 {
-            let unit = if i == j { product } else { 0.0 };
-            out.add(
-                6 * node + 3 + i,
-                6 * node + 3 + j,
-                0.5 * (f[i] * d[j] + d[i] * f[j]) - unit,
-            );
-        }
-    }
-}
-
-/// out ← out + w Bᵀ C B, lower triangle only.
-pub(super) fn add_material(rows: &[Row; 8], tangent: &[[f64; 8]; 8], weight: f64, out: &mut LocalMatrix) {
-    let mut product = [[0.0; SIZE]; 8];
-    for (to, c) in product.iter_mut().zip(tangent) {
-        for (&c, row) in c.iter().zip(rows) {
-            if c != 0.0 {
-                let c = c * weight;
-                for (t, b) in to.iter_mut().zip(row) {
-                    *t += c * b;
-                }
-            }
-        }
-    }
-    for (j, column) in out.data.chunks_exact_mut(SIZE).enumerate() {
-        // Whole quarters of a column, so that the inner loop stays straight.
-        let first = j & !3;
-        for (row, cb) in rows.iter().zip(&product) {
-            let f = cb[j];
-            for (k, b) in column[first..].iter_mut().zip(&row[first..]) {
-                *k += f * b;
             }
         }
     }

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{INNER, OUTER, SHELL_SIZE, SIZE, Wall, add_block};
-use crate::element::shell4::strain::add_turn_block;
+use crate::element::shell::director::add_turn_block;
 use crate::element::shell4::{RESULTANTS, Shell4};
 use crate::element::{
     Buckling, ElementError, Inspect, Inspection, LocalMatrix, Motion, Sample, SectionState, reference_stiffness,

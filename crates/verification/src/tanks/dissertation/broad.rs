@@ -1,8 +1,16 @@
 //! Example 8.1: statics, frequencies and three records.
 
-use super::super::G;
-use super::*;
+use std::fmt::Write as _;
+
+use engines::solid::Liquid;
+use engines::{DampingModel, Simulation, simulate};
+use oscillator::record::Record;
 use tank::reference::broad;
+use tank::units::significant;
+
+use super::sheet::{Line, columns, line, omega, options, peak, runs, shaken, table};
+use crate::Failure;
+use crate::tanks::G;
 
 const STATIC: [Line; 5] = [
     line("first sloshing frequency", "rad/s", &["3.02"]),

@@ -1,11 +1,18 @@
 //! Example 8.2: the perspex model tank of Pal et al. (2001).
 
 use std::f64::consts::TAU;
+use std::fmt::Write as _;
 
-use super::super::G;
-use super::*;
-use tank::Shape;
+use engines::solid::Liquid;
+use engines::{DampingModel, Simulation};
+use oscillator::record::Record;
 use tank::reference::{case, material};
+use tank::units::significant;
+use tank::{Case, Shape};
+
+use super::sheet::{Line, columns, line, omega, options, peak, runs, shaken, table};
+use crate::Failure;
+use crate::tanks::G;
 
 /// Table 8.8: depth [m], test and simulation [Hz].
 const FREQUENCIES: [(f64, &str, &str); 5] = [

@@ -1,8 +1,15 @@
 //! Example 8.3: slender steel tank, five depths.
 
-use super::super::G;
-use super::*;
+use std::fmt::Write as _;
+
+use engines::solid::Liquid;
+use engines::{DampingModel, Simulation};
+use oscillator::record::Record;
 use tank::reference::slender;
+
+use super::sheet::{Line, columns, line, omega, options, peak, runs, shaken, table};
+use crate::Failure;
+use crate::tanks::G;
 
 /// Table 8.10: depth [m], wave [cm], axial stress [N/mm²].
 const PRINTED: [(f64, [Line; 3]); 5] = [
