@@ -45,7 +45,6 @@ mod memory;
 mod path;
 mod search;
 
-pub(super) use memory::Memory;
 pub use path::{LoadPath, load_path};
 
 /// When a step has converged, and when it has failed.

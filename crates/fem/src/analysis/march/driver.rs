@@ -5,8 +5,7 @@ use std::time::Instant as Clock;
 use super::energy::{Balance, Meter};
 use super::*;
 use crate::analysis::checkpoint::{CheckpointError, Hash, Reader, Writer};
-use crate::analysis::newton::{Inertia, Memory, Newton, load_path};
-use crate::analysis::scheme::Weights;
+use crate::analysis::newton::{Inertia, Newton, load_path};
 
 /// Where a march stands.
 #[derive(Clone, Copy, Debug)]
@@ -389,7 +388,7 @@ impl<'a> Driver<'a> {
         to.numbers(&self.functions);
         self.meter.save(&mut to);
         self.balance.save(&mut to);
-        write_memory(&self.newton.memory(), &mut to);
+        self.newton.save(&mut to);
         to.count(observers.len());
         for observer in observers.iter() {
             let mut part = Writer::default();
@@ -421,8 +420,7 @@ impl<'a> Driver<'a> {
         from.numbers_into("time functions", &mut self.functions)?;
         self.meter.restore(&mut from)?;
         self.balance = Balance::restore(&mut from)?;
-        let memory = read_memory(&mut from)?;
-        self.newton.recall(memory, &self.state)?;
+        self.newton.restore(&mut from, &self.state)?;
         let found = from.count()?;
         if found != observers.len() {
             return Err(CheckpointError::Shape {
@@ -437,73 +435,4 @@ impl<'a> Driver<'a> {
         }
         Ok(())
     }
-}
-
-fn write_memory(memory: &Memory, to: &mut Writer) {
-    to.number(memory.reference);
-    let c = &memory.cost;
-    for count in [c.steps, c.failures, c.iterations, c.evaluations, c.factors, c.searches] {
-        to.count(count as usize);
-    }
-    to.count(usize::from(memory.viscous.is_some()));
-    memory.viscous.iter().for_each(|v| to.numbers(v));
-    to.count(usize::from(memory.kept.is_some()));
-    if let Some((w, values)) = &memory.kept {
-        to.numbers(&[w.mass, w.damping, w.stiffness]);
-        to.numbers(values);
-    }
-    to.count(usize::from(memory.forces.is_some()));
-    if let Some(forces) = &memory.forces {
-        to.numbers(&forces.internal);
-        to.numbers(&forces.support);
-        to.numbers(&forces.at_end);
-    }
-}
-
-fn read_memory(from: &mut Reader) -> Result<Memory, CheckpointError> {
-    let reference = from.number()?;
-    let mut counts = [0; 6];
-    for count in &mut counts {
-        *count = from.count()? as u64;
-    }
-    let [steps, failures, iterations, evaluations, factors, searches] = counts;
-    let viscous = match from.count()? {
-        0 => None,
-        _ => Some(from.numbers("tangent damping")?),
-    };
-    let kept = match from.count()? {
-        0 => None,
-        _ => {
-            let mut w = [0.0; 3];
-            from.numbers_into("weights", &mut w)?;
-            let weights = Weights {
-                mass: w[0],
-                damping: w[1],
-                stiffness: w[2],
-            };
-            Some((weights, from.numbers("effective tangent")?))
-        }
-    };
-    let forces = match from.count()? {
-        0 => None,
-        _ => Some(Forces {
-            internal: from.numbers("internal forces")?,
-            support: from.numbers("support forces")?,
-            at_end: from.numbers("forces at the end of the step")?,
-        }),
-    };
-    Ok(Memory {
-        reference,
-        viscous,
-        kept,
-        forces,
-        cost: Cost {
-            steps,
-            failures,
-            iterations,
-            evaluations,
-            factors,
-            searches,
-        },
-    })
 }

@@ -1,69 +1,70 @@
-//! What a resumed run needs of Newton's method.
+//! Newton's part of a checkpoint: what the next steps depend on, besides the state.
 
-use super::{Cost, Newton};
+use super::Newton;
 use crate::analysis::AnalysisError;
-use crate::analysis::checkpoint::CheckpointError;
+use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::scheme::Weights;
-use crate::assembly::Forces;
 use crate::state::State;
 
-/// See [`Newton::memory`].
-#[derive(Clone, Debug, PartialEq)]
-pub(in crate::analysis) struct Memory {
-    pub reference: f64,
-    pub viscous: Option<Vec<f64>>,
-    pub kept: Option<(Weights, Vec<f64>)>,
-    pub forces: Option<Forces>,
-    pub cost: Cost,
-}
-
 impl Newton<'_> {
-    /// The parts that the next steps depend on, besides the state: largest first energy, C_T, and the matrix that the kept
-    /// factor was made of with its weights.
-    pub(in crate::analysis) fn memory(&self) -> Memory {
-        let weights = self.factor.as_ref().map(|(_, w)| *w);
-        Memory {
-            reference: self.reference,
-            viscous: self.viscous.as_ref().map(|c| c.values.clone()),
-            kept: weights.map(|w| (w, self.effective.values.clone())),
-            forces: self.committed_at.is_some().then(|| self.committed.clone()),
-            cost: self.cost,
+    /// Writes the largest first energy, the costs, C_T, the matrix of the kept factor with its weights, and the forces at the
+    /// committed state.
+    pub(in crate::analysis) fn save(&self, to: &mut Writer) {
+        to.number(self.reference);
+        let c = &self.cost;
+        for count in [c.steps, c.failures, c.iterations, c.evaluations, c.factors, c.searches] {
+            to.count(count as usize);
+        }
+        to.count(usize::from(self.viscous.is_some()));
+        self.viscous.iter().for_each(|c| to.numbers(&c.values));
+        to.count(usize::from(self.factor.is_some()));
+        if let Some((_, w)) = &self.factor {
+            to.numbers(&[w.mass, w.damping, w.stiffness]);
+            to.numbers(&self.effective.values);
+        }
+        to.count(usize::from(self.committed_at.is_some()));
+        if self.committed_at.is_some() {
+            to.numbers(&self.committed.internal);
+            to.numbers(&self.committed.support);
+            to.numbers(&self.committed.at_end);
         }
     }
 
-    /// Restores what [`Newton::memory`] gave, for a state with the same committed fields.
+    /// Reads what [`Newton::save`] wrote, for a state with the same committed fields.
     ///
-    /// Errors: numbers that are not of this model; a matrix that cannot be factored.
-    pub(in crate::analysis) fn recall(&mut self, memory: Memory, state: &State) -> Result<(), AnalysisError> {
-        let of_this_model = |what, found: usize, allowed: usize| match found == allowed {
-            true => Ok(()),
-            false => Err(CheckpointError::Shape { what, found, allowed }),
-        };
-        let unknowns = self.model.dofs().len();
-        let entries = |m: Option<usize>| m.unwrap_or(0);
-        of_this_model(
-            "tangent damping",
-            entries(memory.viscous.as_ref().map(Vec::len)),
-            entries(self.viscous.as_ref().map(|c| c.values.len())),
-        )?;
-        if let Some((_, values)) = &memory.kept {
-            of_this_model("effective tangent", values.len(), self.effective.values.len())?;
+    /// Errors: the end of the payload; numbers of another model; a matrix that cannot be factored.
+    pub(in crate::analysis) fn restore(&mut self, from: &mut Reader, state: &State) -> Result<(), AnalysisError> {
+        self.reference = from.number()?;
+        let c = &mut self.cost;
+        for count in [
+            &mut c.steps,
+            &mut c.failures,
+            &mut c.iterations,
+            &mut c.evaluations,
+            &mut c.factors,
+            &mut c.searches,
+        ] {
+            *count = from.count()? as u64;
         }
-        if let Some(forces) = &memory.forces {
-            let late = self.assembler.acts_at_end();
-            of_this_model("internal forces", forces.internal.len(), unknowns)?;
-            of_this_model("support forces", forces.support.len(), self.assembler.supports().len())?;
-            let allowed = if late { unknowns } else { 0 };
-            of_this_model("forces at the end of the step", forces.at_end.len(), allowed)?;
+        let found = from.count()?;
+        let allowed = usize::from(self.viscous.is_some());
+        if found != allowed {
+            let what = "matrices of tangent damping";
+            return Err(CheckpointError::Shape { what, found, allowed }.into());
         }
-        self.reference = memory.reference;
-        self.cost = memory.cost;
-        if let (Some(c), Some(values)) = (&mut self.viscous, memory.viscous) {
-            c.values = values;
+        if let Some(c) = &mut self.viscous {
+            from.numbers_into("tangent damping", &mut c.values)?;
         }
         self.factor = None;
-        if let Some((weights, values)) = memory.kept {
-            self.effective.values = values;
+        if from.count()? != 0 {
+            let mut w = [0.0; 3];
+            from.numbers_into("weights", &mut w)?;
+            from.numbers_into("effective tangent", &mut self.effective.values)?;
+            let weights = Weights {
+                mass: w[0],
+                damping: w[1],
+                stiffness: w[2],
+            };
             // A run keeps no tangent that it could not factor.
             let factor = self.symbolic.factor(&self.effective, self.kind);
             let factor = factor.map_err(|_| CheckpointError::Value {
@@ -73,8 +74,18 @@ impl Newton<'_> {
             })?;
             self.factor = Some((factor, weights));
         }
-        if let Some(forces) = memory.forces {
-            self.forces = forces;
+        if from.count()? != 0 {
+            let unknowns = self.model.dofs().len();
+            let late = if self.assembler.acts_at_end() { unknowns } else { 0 };
+            let forces = &mut self.forces;
+            for (what, values, length) in [
+                ("internal forces", &mut forces.internal, unknowns),
+                ("support forces", &mut forces.support, self.assembler.supports().len()),
+                ("forces at the end of the step", &mut forces.at_end, late),
+            ] {
+                values.resize(length, 0.0);
+                from.numbers_into(what, values)?;
+            }
             self.keep_forces(state);
         }
         Ok(())
