@@ -36,16 +36,7 @@ impl Source {
         tolerance: f64,
         unit: &'static str,
     ) -> Row {
-        Row {
-            id: id.to_owned(),
-            what: what.into(),
-            reference,
-            source: self.source,
-            kind: self.kind,
-            computed,
-            tolerance,
-            unit,
-            convergence: Vec::new(),
-        }
+        let reference = (reference, self.source, self.kind);
+        Row::new(id, what, reference, computed, (tolerance, unit))
     }
 }

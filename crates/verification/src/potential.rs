@@ -145,17 +145,7 @@ fn row(
     computed: f64,
     tolerance: f64,
 ) -> Row {
-    Row {
-        id: id.to_owned(),
-        what: what.into(),
-        reference: reference.0,
-        source: reference.1,
-        kind: reference.2,
-        computed,
-        tolerance,
-        unit: "",
-        convergence: Vec::new(),
-    }
+    Row::new(id, what, reference, computed, (tolerance, ""))
 }
 
 /// Observed order of convergence between the two last meshes.

@@ -42,6 +42,27 @@ pub struct Row {
 }
 
 impl Row {
+    /// A row without a convergence study: the reference with its source and kind, the tolerance with the unit.
+    pub fn new(
+        id: &str,
+        what: impl Into<String>,
+        (reference, source, kind): (f64, &'static str, Reference),
+        computed: f64,
+        (tolerance, unit): (f64, &'static str),
+    ) -> Row {
+        Row {
+            id: id.to_owned(),
+            what: what.into(),
+            reference,
+            source,
+            kind,
+            computed,
+            tolerance,
+            unit,
+            convergence: Vec::new(),
+        }
+    }
+
     /// Deviation: relative to the reference, absolute if the reference is 0.
     pub fn error(&self) -> f64 {
         if self.reference == 0.0 {
@@ -77,17 +98,8 @@ mod tests {
     use super::*;
 
     fn row(reference: f64, computed: f64, tolerance: f64) -> Row {
-        Row {
-            id: "example".to_owned(),
-            what: "example".to_owned(),
-            reference,
-            source: "by hand",
-            kind: Reference::ClosedForm,
-            computed,
-            tolerance,
-            unit: "m",
-            convergence: Vec::new(),
-        }
+        let reference = (reference, "by hand", Reference::ClosedForm);
+        Row::new("example", "example", reference, computed, (tolerance, "m"))
     }
 
     #[test]

@@ -162,17 +162,8 @@ struct Case {
 
 impl Case {
     fn row(&self, what: impl Into<String>, kind: Reference, reference: f64, computed: f64, tolerance: f64) -> Row {
-        Row {
-            id: self.id.to_owned(),
-            what: what.into(),
-            reference,
-            source: self.source,
-            kind,
-            computed,
-            tolerance,
-            unit: self.unit,
-            convergence: Vec::new(),
-        }
+        let reference = (reference, self.source, kind);
+        Row::new(self.id, what, reference, computed, (tolerance, self.unit))
     }
 
     /// The finest mesh against the published value with the convergence study, and every mesh that the prototype ran

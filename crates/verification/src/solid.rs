@@ -15,7 +15,7 @@
 
 use std::sync::Arc;
 
-use crate::{Failure, Reference, Row};
+use crate::Failure;
 use fem::analysis::statics::Statics;
 use fem::assembly::Assembler;
 use fem::linalg::{Kind, Ordering, Symbolic};
@@ -29,27 +29,6 @@ pub(crate) mod joint;
 pub(crate) mod macro_wall;
 mod opening;
 pub(crate) mod wall;
-
-/// A row of one of the pages of this topic.
-fn row(
-    id: &str,
-    what: impl Into<String>,
-    reference: (f64, &'static str, Reference),
-    computed: f64,
-    (tolerance, unit): (f64, &'static str),
-) -> Row {
-    Row {
-        id: id.to_owned(),
-        what: what.into(),
-        reference: reference.0,
-        source: reference.1,
-        kind: reference.2,
-        computed,
-        tolerance,
-        unit,
-        convergence: Vec::new(),
-    }
-}
 
 /// Linear statics: displacements under nodal forces given by equation.
 fn solve(model: &Model, assembler: &Assembler, load: &[f64]) -> Result<Vec<f64>, Failure> {

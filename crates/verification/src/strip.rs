@@ -16,7 +16,6 @@ use std::sync::Arc;
 use materials::elastic::Elastic;
 use materials::{Law, LawError};
 
-use crate::{Reference, Row};
 use fem::element::ElementError;
 use fem::element::beam_section::FibreSection;
 use fem::element::fibre_beam::Options;
@@ -98,25 +97,4 @@ fn law_error(source: LawError) -> StripError {
 fn elastic_section() -> Result<FibreSection, StripError> {
     let law = Elastic::new(PLANE_MODULUS, 0.0).map_err(law_error)?;
     plain_section(Arc::new(law), 2)
-}
-
-/// A row of one of the pages of this topic.
-fn row(
-    id: &str,
-    what: impl Into<String>,
-    reference: (f64, &'static str, Reference),
-    computed: f64,
-    (tolerance, unit): (f64, &'static str),
-) -> Row {
-    Row {
-        id: id.to_owned(),
-        what: what.into(),
-        reference: reference.0,
-        source: reference.1,
-        kind: reference.2,
-        computed,
-        tolerance,
-        unit,
-        convergence: Vec::new(),
-    }
 }

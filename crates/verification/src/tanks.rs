@@ -49,15 +49,6 @@ fn row(
     computed: f64,
     unit: &'static str,
 ) -> Row {
-    Row {
-        id: id.into(),
-        what,
-        reference,
-        source,
-        kind: Reference::ClosedForm,
-        tolerance,
-        computed,
-        unit,
-        convergence: Vec::new(),
-    }
+    let reference = (reference, source, Reference::ClosedForm);
+    Row::new(id, what, reference, computed, (tolerance, unit))
 }

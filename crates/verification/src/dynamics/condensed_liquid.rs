@@ -1,7 +1,7 @@
 //! D10: mass of the condensed liquid.
 
 use super::strip::*;
-use crate::{Answer, Benchmark, Part, Reference};
+use crate::{Answer, Benchmark, Part, Reference, Row};
 
 /// The page.
 pub(crate) const BENCHMARK: Benchmark = Benchmark {
@@ -14,7 +14,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 
 fn mass() -> Answer {
     // Twelve sloshing modes leave out 0.05 % of the mass; the series converges with 1/n².
-    Ok(vec![row(
+    Ok(vec![Row::new(
         "D10",
         format!("strip 8.4: liquid mass moved by a translation, {SLOSHING} sloshing modes"),
         (LIQUID_DENSITY * HALF_WIDTH * DEPTH, "ρ L H", Reference::ClosedForm),

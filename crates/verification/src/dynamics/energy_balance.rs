@@ -1,7 +1,7 @@
 //! D9: energy balance of a linear run.
 
 use super::strip::*;
-use crate::{Answer, Benchmark, Part, Reference};
+use crate::{Answer, Benchmark, Part, Reference, Row};
 use fem::analysis::scheme::TimeScheme;
 
 /// The page.
@@ -17,9 +17,9 @@ fn balance() -> Answer {
     let (grid, load) = shaking(32.0);
     let run = strip()?.direct(TimeScheme::Trapezoidal, &load, grid)?;
     let source = "closes to rounding whatever the step";
-    Ok(vec![row(
+    Ok(vec![Row::new(
         "D9",
-        "strip 8.4: residual of the energy balance, trapezoidal rule".into(),
+        "strip 8.4: residual of the energy balance, trapezoidal rule",
         (0.0, source, Reference::ClosedForm),
         run.energy.error(),
         (1e-10, "of the work done"),

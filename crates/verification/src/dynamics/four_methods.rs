@@ -1,7 +1,7 @@
 //! D8: time integration and frequency domain against the exact modal recurrence.
 
 use super::strip::*;
-use crate::{Answer, Benchmark, Part, Reference};
+use crate::{Answer, Benchmark, Part, Reference, Row};
 use fem::analysis::frequency::{Reduced, Window};
 use fem::analysis::scheme::TimeScheme;
 use fem::analysis::transient::Transient;
@@ -46,7 +46,7 @@ fn four_methods() -> Answer {
             ),
             ("D8", "frequency domain, zeros", padded[i].extreme.peak().0),
         ] {
-            rows.push(row(
+            rows.push(Row::new(
                 id,
                 format!("strip 8.4: {}, {method}", observable.name),
                 (exact[i], "exact modal recurrence", Reference::SecondFormulation),

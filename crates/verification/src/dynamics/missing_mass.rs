@@ -1,7 +1,7 @@
 //! D7: missing mass.
 
 use super::strip::*;
-use crate::{Answer, Benchmark, Part, Reference};
+use crate::{Answer, Benchmark, Part, Reference, Row};
 use fem::analysis::AnalysisError;
 
 /// The page.
@@ -31,7 +31,7 @@ fn missing_mass() -> Answer {
     // record is the order of magnitude.
     for (structural, allowed) in [(1, 0.02), (2, 2e-3), (3, 1e-3)] {
         let source = "all modes; theory: 0.6 % with one wall mode, 0.02 % with two, for another record";
-        rows.push(row(
+        rows.push(Row::new(
             "D7",
             format!("strip 8.4: error of the base moment, {structural} wall modes with missing mass"),
             (0.0, source, Reference::SecondFormulation),
@@ -40,7 +40,7 @@ fn missing_mass() -> Answer {
         ));
     }
     let without_wall_mode = error(0)?;
-    rows.push(row(
+    rows.push(Row::new(
         "D7",
         format!(
             "strip 8.4: missing mass is no substitute for the first wall mode (base moment {:.0} % in error): 1 if above 20 %",

@@ -136,17 +136,7 @@ fn row(
     tolerance: f64,
     unit: &'static str,
 ) -> Row {
-    Row {
-        id: id.to_owned(),
-        what,
-        reference: 0.0,
-        source,
-        kind,
-        computed,
-        tolerance,
-        unit,
-        convergence: Vec::new(),
-    }
+    Row::new(id, what, (0.0, source, kind), computed, (tolerance, unit))
 }
 
 /// Rest, balance and dissipation of the tower.

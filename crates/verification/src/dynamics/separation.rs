@@ -47,16 +47,8 @@ mod joints;
 /// Errors: those of the analyses.
 pub(crate) fn separation(samples: &[f64], dt: f64) -> Answer {
     // More than 80 lines: variants of one run, each with its rows and the reason of its tolerance.
-    let row = |what: String, (reference, source, kind), computed, (tolerance, unit)| Row {
-        id: "C8".to_owned(),
-        what,
-        reference,
-        source,
-        kind,
-        computed,
-        tolerance,
-        unit,
-        convergence: Vec::new(),
+    let row = |what: String, reference: (f64, &'static str, Reference), computed, (tolerance, unit)| {
+        Row::new("C8", what, reference, computed, (tolerance, unit))
     };
     let damping = Rayleigh::fit((2.39, 0.01), (3.53, 0.01), false)?;
     let (penalty, h) = (1e9, 2.5e-3);

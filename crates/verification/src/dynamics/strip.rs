@@ -8,7 +8,6 @@ use std::sync::Arc;
 
 use oscillator::STANDARD_GRAVITY;
 
-use crate::{Reference, Row};
 use fem::analysis::AnalysisError;
 use fem::analysis::damping::{Damping, Rayleigh};
 use fem::analysis::modal::ModalBasis;
@@ -288,25 +287,4 @@ pub(super) fn shaking(sub_steps: f64) -> (Grid, Load) {
 /// Errors: none but those of the eigenvalue solver.
 pub(super) fn strip() -> Result<Strip, AnalysisError> {
     Strip::new(14, 3, SLOSHING)
-}
-
-/// A row of a benchmark of the strip.
-pub(super) fn row(
-    id: &str,
-    what: String,
-    (reference, source, kind): (f64, &'static str, Reference),
-    computed: f64,
-    (tolerance, unit): (f64, &'static str),
-) -> Row {
-    Row {
-        id: id.to_owned(),
-        what,
-        reference,
-        source,
-        kind,
-        computed,
-        tolerance,
-        unit,
-        convergence: Vec::new(),
-    }
 }

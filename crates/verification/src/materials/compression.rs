@@ -15,17 +15,13 @@ const NU: f64 = 0.2;
 const F_C: f64 = 35e6;
 
 fn row(id: &str, what: String, reference: f64, computed: f64, tolerance: f64) -> Row {
-    Row {
-        id: id.to_owned(),
+    Row::new(
+        id,
         what,
-        reference,
-        source: "",
-        kind: Reference::ClosedForm,
+        (reference, "", Reference::ClosedForm),
         computed,
-        tolerance,
-        unit: "",
-        convergence: Vec::new(),
-    }
+        (tolerance, ""),
+    )
 }
 
 /// M3: the biaxial envelope, stresses in the ratio r driven to the plateau of ideal plasticity.

@@ -61,17 +61,7 @@ fn layer() -> Result<CrackedConcrete, Failure> {
 }
 
 fn row(id: &str, what: String, reference: f64, source: &'static str, kind: Reference, computed: f64) -> Row {
-    Row {
-        id: id.to_owned(),
-        what,
-        reference,
-        source,
-        kind,
-        computed,
-        tolerance: 2e-3,
-        unit: "MPa",
-        convergence: Vec::new(),
-    }
+    Row::new(id, what, (reference, source, kind), computed, (2e-3, "MPa"))
 }
 
 /// Rows M4 (residual strains of fibres), M5 (cyclic path), M6 (energy of a bar), M7 (closed cycles), M8 (shear of a crack)

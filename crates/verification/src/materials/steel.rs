@@ -59,17 +59,14 @@ fn cycles() -> Answer {
                 .map(|answer| answer[i] / 1e6)
                 .max_by(|a, b| (a - reference).abs().total_cmp(&(b - reference).abs()))
                 .unwrap_or(f64::NAN);
-            rows.push(Row {
-                id: "M1".to_owned(),
-                what: format!("{name} hardening, strain {peak}, reversal {}", i + 1),
-                reference,
-                source: "bilinear law by hand, E 210 GPa, f_y 500 MPa, E_T 2.1 GPa",
-                kind: Reference::ClosedForm,
-                computed: worst,
-                tolerance: 5e-4,
-                unit: "MPa",
-                convergence: Vec::new(),
-            });
+            let source = "bilinear law by hand, E 210 GPa, f_y 500 MPa, E_T 2.1 GPa";
+            rows.push(Row::new(
+                "M1",
+                format!("{name} hardening, strain {peak}, reversal {}", i + 1),
+                (reference, source, Reference::ClosedForm),
+                worst,
+                (5e-4, "MPa"),
+            ));
         }
     }
     Ok(rows)
@@ -128,16 +125,10 @@ fn dissipation() -> Answer {
         ("smallest dissipation of a step, 100 closed cycles", least_step),
         ("smallest work of a closed cycle, 100 cycles", least_work),
     ]
-    .map(|(what, least)| Row {
-        id: "M2".to_owned(),
-        what: format!("{what}: its negative part"),
-        reference: 0.0,
-        source: "second law of thermodynamics",
-        kind: Reference::ClosedForm,
-        computed: least.min(0.0),
-        tolerance: 0.0,
-        unit: "J/m³",
-        convergence: Vec::new(),
+    .map(|(what, least)| {
+        let what = format!("{what}: its negative part");
+        let reference = (0.0, "second law of thermodynamics", Reference::ClosedForm);
+        Row::new("M2", what, reference, least.min(0.0), (0.0, "J/m³"))
     })
     .into())
 }
@@ -157,15 +148,11 @@ fn ellipse() -> Result<Row, Failure> {
             }
         }
     }
-    Ok(Row {
-        id: "M2".to_owned(),
-        what: "distance from the yield ellipse, ideal plasticity, 36 proportional paths to strain 0.02".to_owned(),
-        reference: 0.0,
-        source: "von Mises' ellipse",
-        kind: Reference::ClosedForm,
-        computed: worst,
-        tolerance: 1e-9,
-        unit: "",
-        convergence: Vec::new(),
-    })
+    Ok(Row::new(
+        "M2",
+        "distance from the yield ellipse, ideal plasticity, 36 proportional paths to strain 0.02",
+        (0.0, "von Mises' ellipse", Reference::ClosedForm),
+        worst,
+        (1e-9, ""),
+    ))
 }

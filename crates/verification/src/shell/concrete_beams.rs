@@ -16,7 +16,7 @@ use materials::concrete::{CrackedConcrete, CrackedParameters, Softening, Tension
 use super::path::Problem;
 use super::{Answer, Case, Grid, hold};
 use crate::{Benchmark, Part, Reference, Row};
-use fem::analysis::continuation::{Continuation, StepLength};
+use fem::analysis::continuation::StepLength;
 use fem::analysis::newton::Criteria;
 use fem::dofs::Dof;
 use fem::element::ElementError;
@@ -176,19 +176,11 @@ impl Beam {
             loads.force(node, [0.0, 0.0, -250.0]);
         }
         let problem = Problem::new(builder, &loads)?;
-        let none = vec![0.0; problem.load.len()];
         let criteria = Criteria {
             iterations: 40,
             ..Criteria::default()
         };
-        let mut path = Continuation::new(
-            &problem.model,
-            &problem.assembler,
-            &problem.symbolic,
-            &none,
-            &problem.load,
-            criteria,
-        )?;
+        let mut path = problem.continuation(criteria)?;
         let mut state = State::new(&problem.model);
         let row = problem.model.row(grid.node(0, 0), Dof::Uz);
         let down: Vec<f64> = targets.iter().map(|w| -1e-3 * w).collect();

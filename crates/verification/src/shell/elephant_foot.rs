@@ -26,7 +26,7 @@ use super::path::{Problem, SHARP, ended};
 use super::tank::{TankStrip, wall_strip};
 use super::{Answer, Case, hold};
 use crate::{Benchmark, Part, Reference};
-use fem::analysis::continuation::{Constraint, Continuation, StepLength};
+use fem::analysis::continuation::{Constraint, StepLength};
 use fem::dofs::Dof;
 use fem::element::ElementError;
 use fem::element::shell::layered::{LayeredSection, Ply};
@@ -118,16 +118,7 @@ impl Foot {
             loads.force(node, [0.0, 0.0, -classical * t * PI * RADIUS / SECTORS as f64]);
         }
         let problem = Problem::new(builder, &loads)?;
-        let none = vec![0.0; problem.load.len()];
-        let mut path = Continuation::new(
-            &problem.model,
-            &problem.assembler,
-            &problem.symbolic,
-            &none,
-            &problem.load,
-            SHARP,
-        )?
-        .with_extrapolated_stresses();
+        let mut path = problem.continuation(SHARP)?.with_extrapolated_stresses();
         let mut state = State::new(&problem.model);
         path.step(&mut state, &Constraint::Load(0.0))
             .map_err(|e| ended(0.0, &e))?;

@@ -10,7 +10,7 @@ use crate::{Benchmark, Part};
 use fem::dofs::Dof;
 use fem::element::shell::load::NodalLoads;
 use fem::element::shell::section::{ElasticSection, Section};
-use fem::element::shell::surface::Normals;
+use fem::element::shell::surface::{Normals, PlacedShell};
 use fem::element::shell4::Axes;
 use fem::model::Builder;
 
@@ -26,6 +26,28 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     ],
 };
 
+/// Quarter of the hemisphere on n × n elements: free hole, symmetry at both meridians, held in height at one node.
+pub(super) fn quarter(n: usize) -> Answer<(Grid, Builder, PlacedShell)> {
+    let section: Arc<dyn Section> = Arc::new(ElasticSection::new(6.825e7, 0.3, 0.04, 0.0)?);
+    let grid = Grid::new(n, n);
+    let mut builder = Builder::new();
+    // i along the parallel, j from the equator up: hoop × meridian is the radius.
+    grid.nodes(&mut builder, |a, b| {
+        let ((s, c), (sv, cv)) = ((FRAC_PI_2 * a).sin_cos(), (72.0 * PI / 180.0 * b).sin_cos());
+        [10.0 * cv * c, 10.0 * cv * s, 10.0 * sv]
+    });
+    let positions: Vec<Vector3<f64>> = (0..(n + 1) * (n + 1)).map(|m| builder.position(m).into()).collect();
+    let radial = |_: usize, node: usize| positions[node];
+    let mut shell = grid.surface(&section);
+    (shell.normals, shell.axes) = (Normals::Exact(&radial), Axes::HOOP_Z);
+    let placed = shell.place(&mut builder)?;
+    hold(&mut builder, &grid.line_i(0), &[Dof::Uy, Dof::Ry]);
+    hold(&mut builder, &grid.line_i(n), &[Dof::Ux, Dof::Ry]);
+    // The loads are horizontal: this support only fixes the height.
+    hold(&mut builder, &[grid.node(0, 0)], &[Dof::Uz]);
+    Ok((grid, builder, placed))
+}
+
 /// S5: quarter of a hemisphere with an 18 degree hole under alternating radial loads, n × n elements.
 pub(super) fn hemisphere(meshes: &[usize]) -> Answer {
     let case = Case {
@@ -35,23 +57,7 @@ pub(super) fn hemisphere(meshes: &[usize]) -> Answer {
     };
     let mut values = Vec::new();
     for &n in meshes {
-        let section: Arc<dyn Section> = Arc::new(ElasticSection::new(6.825e7, 0.3, 0.04, 0.0)?);
-        let grid = Grid::new(n, n);
-        let mut builder = Builder::new();
-        // i along the parallel, j from the equator up: hoop × meridian is the radius.
-        grid.nodes(&mut builder, |a, b| {
-            let ((s, c), (sv, cv)) = ((FRAC_PI_2 * a).sin_cos(), (72.0 * PI / 180.0 * b).sin_cos());
-            [10.0 * cv * c, 10.0 * cv * s, 10.0 * sv]
-        });
-        let positions: Vec<Vector3<f64>> = (0..(n + 1) * (n + 1)).map(|m| builder.position(m).into()).collect();
-        let radial = |_: usize, node: usize| positions[node];
-        let mut shell = grid.surface(&section);
-        (shell.normals, shell.axes) = (Normals::Exact(&radial), Axes::HOOP_Z);
-        let placed = shell.place(&mut builder)?;
-        hold(&mut builder, &grid.line_i(0), &[Dof::Uy, Dof::Ry]);
-        hold(&mut builder, &grid.line_i(n), &[Dof::Ux, Dof::Ry]);
-        // The loads are horizontal: this support only fixes the height.
-        hold(&mut builder, &[grid.node(0, 0)], &[Dof::Uz]);
+        let (grid, builder, placed) = quarter(n)?;
         let mut loads = NodalLoads::new();
         loads.force(grid.node(0, 0), [1.0, 0.0, 0.0]);
         loads.force(grid.node(n, 0), [0.0, -1.0, 0.0]);

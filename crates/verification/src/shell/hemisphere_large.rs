@@ -1,19 +1,10 @@
 //! S16: hemisphere at large displacements. Geometry, loads and reference values: Sze, Liu & Lo 2004.
 
-use std::f64::consts::{FRAC_PI_2, PI};
-use std::sync::Arc;
-
-use nalgebra::Vector3;
-
+use super::Answer;
+use super::hemisphere::quarter;
 use super::path::{Problem, case, iterations, prototype};
-use super::{Answer, Grid, hold};
 use crate::{Benchmark, Part, Reference};
-use fem::dofs::Dof;
 use fem::element::shell::load::NodalLoads;
-use fem::element::shell::section::{ElasticSection, Section};
-use fem::element::shell::surface::Normals;
-use fem::element::shell4::Axes;
-use fem::model::Builder;
 
 /// The page.
 pub(crate) const BENCHMARK: Benchmark = Benchmark {
@@ -26,21 +17,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 
 /// Quarter of a hemisphere with an 18 degree hole under alternating radial loads of 200 each (400 on the whole), n × n.
 fn large_hemisphere(n: usize) -> Answer<(Problem, [usize; 2])> {
-    let section: Arc<dyn Section> = Arc::new(ElasticSection::new(6.825e7, 0.3, 0.04, 0.0)?);
-    let grid = Grid::new(n, n);
-    let mut builder = Builder::new();
-    grid.nodes(&mut builder, |a, b| {
-        let ((s, c), (sv, cv)) = ((FRAC_PI_2 * a).sin_cos(), (72.0 * PI / 180.0 * b).sin_cos());
-        [10.0 * cv * c, 10.0 * cv * s, 10.0 * sv]
-    });
-    let positions: Vec<Vector3<f64>> = (0..(n + 1) * (n + 1)).map(|m| builder.position(m).into()).collect();
-    let radial = |_: usize, node: usize| positions[node];
-    let mut shell = grid.surface(&section);
-    (shell.normals, shell.axes) = (Normals::Exact(&radial), Axes::HOOP_Z);
-    shell.place(&mut builder)?;
-    hold(&mut builder, &grid.line_i(0), &[Dof::Uy, Dof::Ry]);
-    hold(&mut builder, &grid.line_i(n), &[Dof::Ux, Dof::Ry]);
-    hold(&mut builder, &[grid.node(0, 0)], &[Dof::Uz]);
+    let (grid, builder, _) = quarter(n)?;
     let (out, inward) = (grid.node(0, 0), grid.node(n, 0));
     let mut loads = NodalLoads::new();
     loads.force(out, [200.0, 0.0, 0.0]);

@@ -8,7 +8,7 @@ use super::barrel::{ABOUT_Y, barrel};
 use super::path::{Problem, SHARP, case, prototype};
 use super::{Answer, hold};
 use crate::{Benchmark, Part, Reference};
-use fem::analysis::continuation::{Continuation, StepLength};
+use fem::analysis::continuation::StepLength;
 use fem::dofs::Dof;
 use fem::element::shell::load::NodalLoads;
 use fem::element::shell::section::{ElasticSection, Section};
@@ -89,17 +89,7 @@ pub(super) fn roof(n: usize) -> Answer {
 pub(super) fn snap_back(n: usize) -> Answer {
     let mut case = case("S19");
     let (problem, crown) = hinged_roof(n, 6.35)?;
-    let none = vec![0.0; problem.load.len()];
-    let mut path = Continuation::new(
-        &problem.model,
-        &problem.assembler,
-        &problem.symbolic,
-        &none,
-        &problem.load,
-        SHARP,
-    )?
-    .with_extrapolated_stresses()
-    .with_watch();
+    let mut path = problem.continuation(SHARP)?.with_extrapolated_stresses().with_watch();
     let mut state = State::new(&problem.model);
     // (W, λ, negative eigenvalues) until the load is above the first limit again.
     let mut curve: Vec<(f64, f64, usize)> = Vec::new();

@@ -136,16 +136,7 @@ impl Panel {
 
 /// Last stable load of a panel to a thousandth of the classical one, with the path and the state there.
 pub(super) fn instability<'a>(problem: &'a Problem) -> Answer<(Critical, Continuation<'a>, State)> {
-    let none = vec![0.0; problem.load.len()];
-    let mut path = Continuation::new(
-        &problem.model,
-        &problem.assembler,
-        &problem.symbolic,
-        &none,
-        &problem.load,
-        SHARP,
-    )?
-    .with_extrapolated_stresses();
+    let mut path = problem.continuation(SHARP)?.with_extrapolated_stresses();
     let mut state = State::new(&problem.model);
     let critical = path.first_instability(&mut state, 0.1, 1e-3, 1.5, &Silent)?;
     Ok((critical, path, state))

@@ -47,6 +47,15 @@ impl Problem {
         })
     }
 
+    /// The path under growing λ.
+    pub(super) fn continuation(&self, criteria: Criteria) -> Answer<Continuation<'_>> {
+        let none = vec![0.0; self.load.len()];
+        let parts = (&self.model, &self.assembler, &self.symbolic);
+        Ok(Continuation::new(
+            parts.0, parts.1, parts.2, &none, &self.load, criteria,
+        )?)
+    }
+
     /// Displacement of a node in the committed state.
     pub(super) fn displacement(&self, state: &State, node: usize) -> [f64; 3] {
         let [x, y, z, ..] = self.model.at_node(&state.committed.u, node);
@@ -100,9 +109,7 @@ impl Problem {
         first: f64,
         mut each: impl FnMut(f64, &State),
     ) -> Answer<(Vec<f64>, usize)> {
-        let none = vec![0.0; self.load.len()];
-        let mut path = Continuation::new(&self.model, &self.assembler, &self.symbolic, &none, &self.load, SHARP)?
-            .with_extrapolated_stresses();
+        let mut path = self.continuation(SHARP)?.with_extrapolated_stresses();
         let mut state = State::new(&self.model);
         let row = self.model.row(node, dof);
         let mut factors = Vec::with_capacity(targets.len());

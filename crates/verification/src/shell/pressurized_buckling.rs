@@ -32,7 +32,7 @@ use super::panel::{NU, Panel, THICKNESS, instability};
 use super::path::{SHARP, ended};
 use super::{Answer, Case};
 use crate::{Benchmark, Part, Reference};
-use fem::analysis::continuation::{Constraint, Continuation};
+use fem::analysis::continuation::Constraint;
 use fem::state::State;
 
 /// The page.
@@ -158,9 +158,7 @@ fn mode_as_imperfection(case: &Case, n: usize, pressure: f64, delta: f64) -> Ans
             normal + Vector3::new(rx, ry, rz).cross(&normal),
         )
     })?;
-    let none = vec![0.0; bent.load.len()];
-    let mut path = Continuation::new(&bent.model, &bent.assembler, &bent.symbolic, &none, &bent.load, SHARP)?
-        .with_extrapolated_stresses();
+    let mut path = bent.continuation(SHARP)?.with_extrapolated_stresses();
     let mut state = State::new(&bent.model);
     let mut amplitudes = Vec::new();
     for part in [0.0, 0.25, 0.5] {

@@ -10,8 +10,8 @@
 use std::sync::Arc;
 
 use super::forced::harmonic;
-use super::{row, solve};
-use crate::{Answer, Benchmark, Failure, Part, Reference};
+use super::solve;
+use crate::{Answer, Benchmark, Failure, Part, Reference, Row};
 use fem::analysis::damping::Rayleigh;
 use fem::assembly::Assembler;
 use fem::dofs::Dof;
@@ -136,7 +136,7 @@ pub(super) fn statics() -> Answer {
         let u = solve(&beam.model, &beam.assembler, &beam.tip_load([0.0, 0.0, TRANSVERSE]))?;
         let ratio = beam.tip_motion(&u)[2] / beam_deflection();
         convergence.push((bricks as f64, ratio - 1.0));
-        rows.push(row(
+        rows.push(Row::new(
             "C4",
             format!("deflection over that of the beam, {bricks} bricks"),
             (locking(bricks), "1/(1 + (l/h)²/2), by hand", Reference::ClosedForm),
@@ -147,7 +147,7 @@ pub(super) fn statics() -> Answer {
     // 400 bricks: the beam with its shear; what remains is the locking, 0.2 %.
     let shear = TRANSVERSE * LENGTH / (5.0 / 6.0 * 0.5 * MODULUS * DEPTH * DEPTH);
     let fine = beam_deflection() * (1.0 + convergence[convergence.len() - 1].1);
-    let mut c1 = row(
+    let mut c1 = Row::new(
         "C1",
         "deflection of the tip, 400 bricks",
         (
@@ -161,7 +161,7 @@ pub(super) fn statics() -> Answer {
     c1.convergence = convergence.clone();
     rows.push(c1);
     let at_200 = beam_deflection() * (1.0 + convergence[6].1);
-    rows.push(row(
+    rows.push(Row::new(
         "C1",
         "deflection of the tip, 200 bricks",
         (
@@ -176,7 +176,7 @@ pub(super) fn statics() -> Answer {
     for bricks in [1, 200] {
         let beam = Cantilever::linear(bricks)?;
         let u = solve(&beam.model, &beam.assembler, &beam.tip_load([AXIAL, 0.0, 0.0]))?;
-        rows.push(row(
+        rows.push(Row::new(
             "C2",
             format!("extension, {bricks} bricks"),
             (
@@ -264,7 +264,7 @@ pub(super) fn frequencies() -> Answer {
     }
     let mut rows = Vec::new();
     for (j, prototype) in [56.423, 351.67].into_iter().enumerate() {
-        rows.push(row(
+        rows.push(Row::new(
             "C3",
             format!("ω_{}, 200 bricks", j + 1),
             (
@@ -277,7 +277,7 @@ pub(super) fn frequencies() -> Answer {
         ));
     }
     // Timoshenko's beam with rotary inertia: 56.197.
-    let mut fine = row(
+    let mut fine = Row::new(
         "C3",
         "ω_1, 400 bricks",
         (

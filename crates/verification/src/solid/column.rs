@@ -6,8 +6,8 @@
 //! Reference: force on the wall γ b H²/2; penetration at the foot near γ H/k_n
 //! Tolerance: see the rows; the liquid's pressure is constant in an element, γ (H − z) at its centre
 
-use super::{row, solve};
-use crate::{Answer, Failure, Reference};
+use super::solve;
+use crate::{Answer, Failure, Reference, Row};
 use fem::assembly::Assembler;
 use fem::chart::Chart;
 use fem::dofs::Dof;
@@ -190,7 +190,7 @@ impl Column {
 /// The liquid's thrust reaches the wall, whatever the penalty.
 pub(super) fn rows() -> Answer {
     let [force, ..] = Column::new(100.0)?.lean()?;
-    Ok(vec![row(
+    Ok(vec![Row::new(
         "C7",
         "liquid column against a wall: thrust over γ b H²/2",
         (1.0, "hydrostatics", Reference::ClosedForm),

@@ -17,8 +17,7 @@
 use std::sync::Arc;
 
 use super::cantilever::{AXIAL, Cantilever, DEPTH, LENGTH, MODULUS, TRANSVERSE, inertia, symbolic};
-use super::row;
-use crate::{Answer, Benchmark, Failure, Part, Reference};
+use crate::{Answer, Benchmark, Failure, Part, Reference, Row};
 use fem::analysis::damping::Rayleigh;
 use fem::analysis::newton::{Criteria, Newton, load_path};
 use fem::assembly::Assembler;
@@ -238,7 +237,7 @@ pub(super) fn rows(meshes: &[usize]) -> Answer {
         for (i, &(factor, u, w)) in table.iter().enumerate() {
             let shot = "extensible elastica, Reissner 1972, by shooting";
             for (k, (sheet, quantity)) in [(u, "u"), (w, "w")].into_iter().enumerate() {
-                rows.push(row(
+                rows.push(Row::new(
                     "C5",
                     format!("elastica, {name}, λ = {factor}: {quantity}"),
                     (sheet, "independent shooting solution", Reference::SecondFormulation),
@@ -247,7 +246,7 @@ pub(super) fn rows(meshes: &[usize]) -> Answer {
                     (6e-6_f64.max(1e-6 / sheet.abs()), "m"),
                 ));
             }
-            rows.push(row(
+            rows.push(Row::new(
                 "C5",
                 format!("40 shells, {name}, λ = {factor}: w"),
                 (exact[i][1], shot, Reference::ClosedForm),
@@ -269,7 +268,7 @@ pub(super) fn rows(meshes: &[usize]) -> Answer {
                     .find(|p| p.0 == *bricks && p.1 == sign)
                     .map(|p| p.2[i].1);
                 if let Some(sheet) = sheet {
-                    rows.push(row(
+                    rows.push(Row::new(
                         "C5",
                         format!("{bricks} bricks, {name}, λ = {factor}: w"),
                         (
@@ -283,7 +282,7 @@ pub(super) fn rows(meshes: &[usize]) -> Answer {
                 }
             }
             if let Some((bricks, values)) = found.last() {
-                let mut row = row(
+                let mut row = Row::new(
                     "C5",
                     format!("{bricks} bricks, {name}, λ = {factor}: w against the elastica"),
                     (

@@ -5,8 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::Complex;
 
 use super::cantilever::*;
-use super::row;
-use crate::{Answer, Failure, Reference};
+use crate::{Answer, Failure, Reference, Row};
 use fem::analysis::damping::{Damping, Rayleigh};
 use fem::analysis::motion::{Grid, Motion};
 use fem::analysis::observable::Observable;
@@ -227,7 +226,7 @@ pub(super) fn harmonic() -> Answer {
         .map(|i| series.at(fine.time(i)).abs())
         .fold(0.0, f64::max);
     let mut rows = vec![
-        row(
+        Row::new(
             "C6",
             "stationary amplitude",
             (exact.norm(), closed, Reference::ClosedForm),
@@ -235,14 +234,14 @@ pub(super) fn harmonic() -> Answer {
             (5e-3, "m"),
         ),
         // 0.5 % of the amplitude is 0.005 rad.
-        row(
+        Row::new(
             "C6",
             "phase lag",
             (-exact.arg(), closed, Reference::ClosedForm),
             phase,
             (2e-2, "rad"),
         ),
-        row(
+        Row::new(
             "C6",
             "largest displacement from rest",
             (exact_peak, closed, Reference::ClosedForm),
@@ -271,7 +270,7 @@ pub(super) fn harmonic() -> Answer {
             ("amplitude", fit(history, coarse.dt).0, fit(&system, coarse.dt).0),
             ("largest displacement", largest(history), largest(&system)),
         ] {
-            rows.push(row(
+            rows.push(Row::new(
                 "C6",
                 format!("{quantity}: {what}"),
                 (reference, second, Reference::SecondFormulation),

@@ -8,8 +8,8 @@
 
 use nalgebra::UnitQuaternion;
 
-use super::{column, opening, row, solve};
-use crate::{Answer, Benchmark, Failure, Part, Reference};
+use super::{column, opening, solve};
+use crate::{Answer, Benchmark, Failure, Part, Reference, Row};
 use fem::assembly::{Assembler, local_values};
 use fem::chart::Chart;
 use fem::dofs::Dof;
@@ -177,7 +177,7 @@ pub(super) fn rows() -> Answer {
     let mut rows = Vec::new();
     let found = half_closed([-1.0, 1.0, 1.0, -1.0])?;
     for (a, exact) in [-5.0, -1.0, -1.0, -5.0].into_iter().enumerate() {
-        rows.push(row(
+        rows.push(Row::new(
             "C7",
             format!("force per k_n at corner {} of the half-closed square", a + 1),
             (exact / 12.0, "∫ N_a x dA over x < 0, by hand", Reference::ClosedForm),
@@ -186,7 +186,7 @@ pub(super) fn rows() -> Answer {
         ));
     }
     for (what, gap, exact) in [("closed", -1.0, -1.0), ("open", 1.0, 0.0)] {
-        rows.push(row(
+        rows.push(Row::new(
             "C7",
             format!("force per k_n at a corner, uniformly {what}"),
             (exact, "a quarter of the area, by hand", Reference::ClosedForm),
@@ -195,7 +195,7 @@ pub(super) fn rows() -> Answer {
         ));
     }
     let (worst, shortening) = Blocks::new(1e3)?.press()?;
-    rows.push(row(
+    rows.push(Row::new(
         "C7",
         "two blocks pressed together: deviation of the joint's pressure",
         (0.0, "uniform pressure", Reference::ClosedForm),
@@ -203,7 +203,7 @@ pub(super) fn rows() -> Answer {
         (1e-8, ""),
     ));
     // The joint adds p/k_n to 2 p h/E: a share of 1/(2 k_n h/E).
-    rows.push(row(
+    rows.push(Row::new(
         "C7",
         "two blocks pressed together: shortening over that without joint",
         (1.0 + 0.5e-3, "1 + E/(2 k_n h)", Reference::ClosedForm),

@@ -10,8 +10,8 @@
 
 use std::sync::Arc;
 
+use super::solve;
 use super::wall::{CONCRETE, DEPTH, HEIGHT, LAYER, LINER, Shear, TwoBeams, beams, pressure};
-use super::{row, solve};
 use crate::{Answer, Benchmark, Failure, Part, Reference, Row};
 use fem::assembly::Assembler;
 use fem::dofs::Dof;
@@ -195,7 +195,7 @@ fn layered_wall() -> Answer {
                 found.push(example(e_normal, count, shear)?);
             }
             for k in 0..3 {
-                let mut row = row(
+                let mut row = Row::new(
                     "C9",
                     format!("{}, {what}, e_normal {e_normal:.0e} kN/m²", NAMES[k]),
                     (reference[k], source, kind),
@@ -279,7 +279,7 @@ fn composite() -> Answer {
             format!("sandwich beam, core G = {g:.0e} Pa")
         };
         let source = "q/W = k⁴ [D_f + D_0/(1 + D_0 k²/S)], Plantema 1966, Allen 1969";
-        let mut row = row(
+        let mut row = Row::new(
             "C9",
             format!("{what}: deflection of the middle"),
             (exact, source, Reference::ClosedForm),
@@ -326,7 +326,7 @@ fn ring() -> Result<Row, Failure> {
         errors.push((sectors as f64, last / exact - 1.0));
     }
     let source = "p R_I = w (E_I t_I/R_I + E_O t_O/R_O)";
-    let mut row = row(
+    let mut row = Row::new(
         "C9",
         "cylinder of liner, stiff layer and wall under pressure: radial displacement",
         (exact, source, Reference::ClosedForm),

@@ -9,8 +9,7 @@
 
 use std::sync::Arc;
 
-use super::row;
-use crate::{Answer, Failure, Reference};
+use crate::{Answer, Failure, Reference, Row};
 use fem::analysis::contact::{ContactReport, ContactSettings, settle};
 use fem::assembly::Assembler;
 use fem::chart::Chart;
@@ -191,7 +190,7 @@ pub(super) fn rows() -> Answer {
                 "m",
             ),
         ] {
-            rows.push(row(
+            rows.push(Row::new(
                 "C7",
                 format!("stiff block, force at e = {eccentricity:.3} b: {what}"),
                 (exact, source, kind),
@@ -206,7 +205,7 @@ pub(super) fn rows() -> Answer {
     block.load(-FORCE, 0.0, 0)?;
     let area = BREADTH * LENGTH;
     let worst = |g: &[f64], exact: f64| g.iter().map(|g| (g / exact - 1.0).abs()).fold(0.0, f64::max);
-    rows.push(row(
+    rows.push(Row::new(
         "C7",
         "block pressed on a joint that may open: deviation of the penetration",
         (0.0, "uniform pressure", Reference::ClosedForm),
@@ -215,14 +214,14 @@ pub(super) fn rows() -> Answer {
     ));
     // From the pressed state, then pulled: the residual carries the force.
     let report = block.load(1e-3 * FORCE, 0.0, 0)?;
-    rows.push(row(
+    rows.push(Row::new(
         "C7",
         "the same lifted: deviation of the gap from F/(r k_n A)",
         (0.0, "residual stiffness", Reference::ClosedForm),
         worst(&block.gaps(), 1e-3 * FORCE / area / (1e-6 * PENALTY)),
         (1e-8, ""),
     ));
-    rows.push(row(
+    rows.push(Row::new(
         "C7",
         "the same lifted: corners still closed",
         (0.0, "all open", Reference::ClosedForm),
@@ -245,7 +244,7 @@ fn augmented() -> Answer {
     let mut rows = Vec::new();
     for (pass, &found) in report.penetration.iter().enumerate() {
         let force = (FORCE + spring * multiplier / bed) / (1.0 + spring / block + spring / bed);
-        rows.push(row(
+        rows.push(Row::new(
             "C7",
             format!("block between joint and springs: penetration after {pass} updates of the multiplier"),
             (

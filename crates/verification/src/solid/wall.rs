@@ -10,8 +10,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{row, solve};
-use crate::{Answer, Benchmark, Failure, Part, Reference};
+use super::solve;
+use crate::{Answer, Benchmark, Failure, Part, Reference, Row};
 use fem::assembly::Assembler;
 use fem::dofs::{Dof, KINDS};
 use fem::element::beam2::{Beam2, BeamSection};
@@ -328,7 +328,7 @@ pub(super) fn layered() -> Answer {
         ];
         for (k, tolerance) in [1e-4, 5e-3, 1e-3].into_iter().enumerate() {
             let (values, reference) = found[counts.len() - 1];
-            let mut row = row(
+            let mut row = Row::new(
                 "C9",
                 format!("{}, e_normal {e_normal:.0e} kN/m²", names[k]),
                 (reference[k], "two Bernoulli beams on a layer", Reference::ClosedForm),
@@ -407,7 +407,7 @@ pub(super) fn alone() -> Answer {
     let rows = rows
         .into_iter()
         .map(|(what, exact, (source, kind), found, tolerance, unit)| {
-            row("C10", what, (exact, source, kind), found, (tolerance, unit))
+            Row::new("C10", what, (exact, source, kind), found, (tolerance, unit))
         });
     Ok(rows.collect())
 }

@@ -1,6 +1,6 @@
 //! C10: the strip at rest.
 
-use super::{DEPTH, HALF_WIDTH, HEIGHT, PLANE_MODULUS, THICKNESS, elastic_section, row, tank};
+use super::{DEPTH, HALF_WIDTH, HEIGHT, PLANE_MODULUS, THICKNESS, elastic_section, tank};
 use crate::{Answer, Benchmark, Part, Reference, Row};
 use fem::analysis::AnalysisError;
 use fem::analysis::damping::Rayleigh;
@@ -89,7 +89,7 @@ pub(crate) fn statics() -> Answer {
                 .iter()
                 .map(|(n, values)| (*n, values[i] / reference - 1.0))
                 .collect(),
-            ..row(
+            ..Row::new(
                 "C10",
                 format!("strip 8.4 at rest, fibre wall: {what}"),
                 (reference, CANTILEVER, Reference::ClosedForm),

@@ -11,9 +11,9 @@
 
 use oscillator::record::Record;
 
-use super::{elastic_section, row, tank};
+use super::{elastic_section, tank};
 use crate::moreau::{Joint, Jointed, Opening};
-use crate::{Answer, Reference};
+use crate::{Answer, Reference, Row};
 use fem::analysis::damping::Rayleigh;
 use fem::analysis::newton::Options;
 use fem::analysis::scheme::TimeScheme;
@@ -164,7 +164,7 @@ pub(crate) fn contact(record: &Record, until: f64) -> Answer {
     let mut rows = Vec::new();
     let own = |what: String, reference: (f64, &'static str), computed, (tolerance, unit)| {
         let reference = (reference.0, reference.1, Reference::SecondFormulation);
-        row("C8", what, reference, computed, (tolerance, unit))
+        Row::new("C8", what, reference, computed, (tolerance, unit))
     };
     let joined = |opens, penalty| model(Contact::Joined { opens, penalty });
     let tight = model(Contact::Bonded)?;

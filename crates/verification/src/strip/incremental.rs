@@ -2,8 +2,8 @@
 
 use oscillator::record::Record;
 
-use super::{reinforced_tank, row};
-use crate::{Answer, Benchmark, Part, Reference};
+use super::reinforced_tank;
+use crate::{Answer, Benchmark, Part, Reference, Row};
 use fem::analysis::damping::Rayleigh;
 use fem::analysis::ida::largest_jump;
 use fem::element::fibre_beam::Options;
@@ -83,7 +83,7 @@ fn incremental(record: &Record) -> Answer {
         (50.0, 1.478e-3, 0.03),
         (85.0, 1.946e-3, f64::INFINITY),
     ] {
-        rows.push(row(
+        rows.push(Row::new(
             "C12",
             format!("strip 8.4, mass-proportional 2.2 %, {percent} %: largest deflection of the top"),
             (deflection, PROTOTYPE, Reference::SecondFormulation),
@@ -92,7 +92,7 @@ fn incremental(record: &Record) -> Answer {
         ));
     }
     for (percent, wave, _) in [TABLE[1], TABLE[5], TABLE[10], TABLE[13]] {
-        rows.push(row(
+        rows.push(Row::new(
             "C12",
             format!("strip 8.4, mass-proportional 2.2 %, {percent} %: largest wave"),
             (wave, PUBLISHED, Reference::Dissertation),
@@ -106,7 +106,7 @@ fn incremental(record: &Record) -> Answer {
         (85.0, 3.112 / 1.946, PROTOTYPE, Reference::SecondFormulation),
         (70.0, 7.40 / 2.94, PUBLISHED, Reference::Dissertation),
     ] {
-        rows.push(row(
+        rows.push(Row::new(
             "C12",
             format!(
                 "strip 8.4: deflection at 90 % over that at {low} % (an elastic wall: {:.2})",
@@ -118,7 +118,7 @@ fn incremental(record: &Record) -> Answer {
         ));
     }
     let bar = at(&found, 90.0).map_or(f64::NAN, |l| l.demand().bar_stress);
-    rows.push(row(
+    rows.push(Row::new(
         "C12",
         format!("strip 8.4, 90 %: bar stress ({:.0} MPa): 1 if above 150 MPa", bar / 1e6),
         (1.0, PROTOTYPE, Reference::SecondFormulation),
@@ -127,7 +127,7 @@ fn incremental(record: &Record) -> Answer {
     ));
     let first = at(&found, 50.0).and_then(|l| l.demand().first_crack);
     // The lowest section is 3.6 cm above the base, the outermost fibre 14.5 cm from the axis, and bars carry 5 %: 60.6 kNm/m.
-    rows.push(row(
+    rows.push(Row::new(
         "C12",
         "strip 8.4, 50 %: moment at the base when the first fibre cracks (edge of the concrete alone: reference)"
             .to_owned(),
@@ -148,7 +148,7 @@ fn incremental(record: &Record) -> Answer {
             ("wave", wave, d.wave),
             ("deflection of the top", 1e-2 * deflection, d.deflection),
         ] {
-            rows.push(row(
+            rows.push(Row::new(
                 "table-8.16",
                 format!("{what}: {quantity}"),
                 (reference, PUBLISHED, Reference::Dissertation),
@@ -166,7 +166,7 @@ fn incremental(record: &Record) -> Answer {
     let curve: Vec<_> = found.iter().map(|l| l.point(|d| d.deflection)).collect();
     let (jump, [from, to]) = largest_jump(&curve).unwrap_or((f64::NAN, [0.0; 2]));
     let smooth = jump < 1.3 && curve.iter().all(|p| !p.censored);
-    rows.push(row(
+    rows.push(Row::new(
         "C12",
         format!(
             "strip 8.4, by group (wall 3 %, sloshing 0.5 %), up to 150 %: no kink (largest ratio {jump:.2}, from {:.0} to {:.0} %): \

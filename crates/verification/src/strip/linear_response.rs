@@ -3,8 +3,8 @@
 use oscillator::record::Record;
 
 use super::at_rest::at_rest;
-use super::{elastic_section, row, tank};
-use crate::{Answer, Benchmark, Part, Reference};
+use super::{elastic_section, tank};
+use crate::{Answer, Benchmark, Part, Reference, Row};
 use fem::analysis::AnalysisError;
 use fem::analysis::damping::Rayleigh;
 use fem::analysis::motion::{Grid, Motion};
@@ -113,7 +113,7 @@ pub(crate) fn linear(record: &Record) -> Answer {
         let strip = StripModel::new(&tank(elastic_section()?, 15, 1.0, Options::default())?, damping)?;
         let found = peaks(&strip, record, 2.5e-3)?;
         for (i, (what, unit)) in OBSERVED.into_iter().enumerate() {
-            rows.push(row(
+            rows.push(Row::new(
                 "C11",
                 format!(
                     "strip 8.4, {name} (wall mode {:.3} %): {what}",
@@ -126,7 +126,7 @@ pub(crate) fn linear(record: &Record) -> Answer {
         }
         if rows.len() == 3 {
             for (i, published) in [1.3e-3, 50.4e3, 0.439].into_iter().enumerate() {
-                rows.push(row(
+                rows.push(Row::new(
                     "table-8.14",
                     format!("strip 8.4, {name}: {}; damping of the table not stated", OBSERVED[i].0),
                     (published, "dissertation, table 8.14", Reference::Dissertation),

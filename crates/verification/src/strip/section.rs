@@ -5,8 +5,8 @@ use std::sync::Arc;
 use materials::bar::Bar;
 use materials::concrete::{Compression, Softening, Tension, UniaxialConcrete};
 
-use super::{CONCRETE, G, HEIGHT, PLANE_MODULUS, THICKNESS, law_error, plain_section, row};
-use crate::{Answer, Benchmark, Part, Reference};
+use super::{CONCRETE, G, HEIGHT, PLANE_MODULUS, THICKNESS, law_error, plain_section};
+use crate::{Answer, Benchmark, Part, Reference, Row};
 use fem::element::beam_section::{CurvaturePoint, FibreSection};
 use fem::strip::StripError;
 
@@ -92,14 +92,14 @@ pub(crate) fn section() -> Answer {
     // the first fibre cracks, which is later.
     let plain = plain_section(Arc::new(concrete(3e-4)?), layers)?.moment_curvature(axial, &curvatures[..400])?;
     let reinforced = reinforced(layers, 3e-4)?.moment_curvature(axial, &curvatures)?;
-    rows.push(row(
+    rows.push(Row::new(
         "section",
         "strip 8.4, base section without bars: moment when the edge reaches f_t",
         (cracking, "(f_t + N/A) h²/6", Reference::ClosedForm),
         crossing(&plain, edge),
         (1e-3, "Nm/m"),
     ));
-    rows.push(row(
+    rows.push(Row::new(
         "section",
         "strip 8.4, base section with bars: moment when the edge reaches f_t",
         (with_bars, "transformed section", Reference::ClosedForm),
@@ -117,7 +117,7 @@ pub(crate) fn section() -> Answer {
         "cracked section without tension",
         Reference::ClosedForm,
     );
-    rows.push(row(
+    rows.push(Row::new(
         "section",
         "strip 8.4, base section, concrete without tension: moment when the bars yield",
         reference,
@@ -125,7 +125,7 @@ pub(crate) fn section() -> Answer {
         // The layer at the neutral axis: a tenth of the compression zone's depth, squared.
         (5e-3, "Nm/m"),
     ));
-    rows.push(row(
+    rows.push(Row::new(
         "section",
         "strip 8.4, base section, softening concrete: moment when the bars yield (reference without tension)",
         reference,

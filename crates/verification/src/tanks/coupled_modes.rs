@@ -52,21 +52,12 @@ fn row(
     computed: f64,
     unit: &'static str,
 ) -> Row {
-    Row {
-        id: id.into(),
-        what,
-        reference,
-        source,
-        kind: if source == MALHOTRA {
-            Reference::Published
-        } else {
-            Reference::SecondFormulation
-        },
-        tolerance,
-        computed,
-        unit,
-        convergence: Vec::new(),
-    }
+    let kind = if source == MALHOTRA {
+        Reference::Published
+    } else {
+        Reference::SecondFormulation
+    };
+    Row::new(id, what, (reference, source, kind), computed, (tolerance, unit))
 }
 
 /// A uniform steel tank R = 10 m, s = 10 mm, filled to the top.

@@ -44,17 +44,8 @@ fn rows(original: &Record) -> Answer {
 }
 
 fn row(id: &str, what: &str, (reference, tolerance): (f64, f64), computed: f64, unit: &'static str) -> Row {
-    Row {
-        id: id.into(),
-        what: what.into(),
-        reference,
-        source: PROTOTYPES,
-        kind: Reference::SecondFormulation,
-        tolerance,
-        computed,
-        unit,
-        convergence: Vec::new(),
-    }
+    let reference = (reference, PROTOTYPES, Reference::SecondFormulation);
+    Row::new(id, what, reference, computed, (tolerance, unit))
 }
 
 fn spectral(original: &Record, scaled: &Record) -> Vec<Row> {
