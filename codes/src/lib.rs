@@ -15,6 +15,8 @@ pub mod ec8;
 pub mod housner;
 pub mod mechanical;
 pub mod procedure;
+#[cfg(test)]
+mod samples;
 pub mod sheet;
 
 pub use procedure::Procedure;

@@ -12,11 +12,8 @@ use super::masses::{
     effective_masses, impulsive_coefficient, sloshing_coefficient, sloshing_coefficient_1993, sloshing_period,
     sloshing_period_1993,
 };
+use crate::samples::near as close;
 use tank::case::{Api650Site, SiteClass};
-
-fn close(value: f64, expected: f64, tolerance: f64, what: &str) {
-    assert!((value - expected).abs() <= tolerance, "{what}: {value} {expected}");
-}
 
 /// Figures E-2, E-3, E-4 (k) of 1993, which are E.6.1.1, E.6.1.2 and E.4.5.2 (K_s) of 2020:
 /// D/H, W_i/W_p, W_c/W_p, X_i/H, X_c/H, X_is/H, X_cs/H, k, K_s.

@@ -170,11 +170,8 @@ pub(super) fn allowable(slenderness: f64, yield_strength_given: bool) -> Option<
 #[allow(clippy::excessive_precision)]
 mod tests {
     use super::*;
+    use crate::samples::close;
     use proptest::prelude::*;
-
-    fn close(value: f64, printed: f64, half_digit: f64) {
-        assert!((value - printed).abs() <= half_digit, "{value} {printed}");
-    }
 
     /// Limits of the hold-down: those of a plate without end of its strength.
     fn plate_limit_1993(g: f64, h: f64, d: f64) -> f64 {

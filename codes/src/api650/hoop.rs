@@ -81,11 +81,8 @@ fn cosh_ratio(a: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::samples::close;
     use proptest::prelude::*;
-
-    fn close(value: f64, printed: f64, half_digit: f64) {
-        assert!((value - printed).abs() <= half_digit, "{value} {printed}");
-    }
 
     /// Worked example: N in N/mm and stresses in MPa at Y = 12, 6, 2 m (t = 14, 10, 8 mm there); half of the last digit,
     /// and for the forces what the six digits of A_i and A_c leave open (2e-6 relative).

@@ -179,11 +179,8 @@ pub fn impulsive_period(diameter: f64, depth: f64, density: f64, thickness: f64,
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::samples::close;
     use proptest::prelude::*;
-
-    fn close(value: f64, printed: f64, half_digit: f64) {
-        assert!((value - printed).abs() <= half_digit, "{value} {printed}");
-    }
 
     /// D = 30 m, H = 12 m, ρ = 900 kg/m³, E = 210 GPa, t_u = 11.680 mm; half of the last printed digit.
     #[test]

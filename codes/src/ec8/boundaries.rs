@@ -6,12 +6,11 @@
 
 use std::f64::consts::PI;
 
-use super::example::{case, check, line, oil_tank, site, steel};
+use super::example::{check, line, oil_tank, profile, site, steel};
 use super::*;
-use oscillator::record::Record;
-use tank::assessment::Profile;
+use crate::samples::{case, concrete_rectangle, course, record};
 use tank::case::{Ec8Site, GroundMotion};
-use tank::{Anchors, Bottom, Course, Liquid, Material, Roof, Support};
+use tank::{Anchors, Bottom, Roof, Support};
 
 const EPSILON: f64 = 3e-4;
 const UTILISATIONS: [(f64, bool); 5] = [
@@ -99,27 +98,18 @@ fn overturning() {
 fn stability() {
     // One course of 10 mm, so that the base governs; water 1 m deep in R = 5 m keeps the pressures small.
     let build = |ag: f64| {
-        let course = Course {
-            height: 4.0,
-            thickness: 0.010,
-            material: steel(),
-            layers: Vec::new(),
-        };
-        let roof = Roof {
+        let shape = Shape::Cylinder { radius: 5.0 };
+        let mut case = case(
+            shape,
+            vec![course(4.0, 0.010, steel())],
+            2.0,
+            Some(Ec8Site { ag, ..site() }),
+        );
+        case.tank.roof = Roof {
             mass: 2.0e6,
             height: Some(10.0),
         };
-        let liquid = Liquid {
-            density: 1000.0,
-            fill_height: 2.0,
-        };
-        case(
-            Shape::Cylinder { radius: 5.0 },
-            vec![course],
-            roof,
-            liquid,
-            Some(Ec8Site { ag, ..site() }),
-        )
+        case
     };
     // Moment and pressures are linear in a_g.
     let one = En2006.assess(&build(1.0), Excitation::Site).unwrap();
@@ -168,53 +158,11 @@ fn stability() {
     }
 }
 
-fn profile<'a>(a: &'a Assessment, id: &str) -> &'a Profile {
-    a.profiles.iter().find(|p| p.id == id).unwrap()
-}
-
-/// A ground that moves with the peak `a` [m/s²], 2 s at 2 Hz.
-fn record(a: f64) -> Record {
-    Record {
-        name: "sine".into(),
-        dt: 0.01,
-        acceleration: (0..200).map(|i| a * (4.0 * PI * 0.01 * f64::from(i)).sin()).collect(),
-        processing: vec![],
-    }
-}
-
-fn box_tank() -> Case {
-    let concrete = Material {
-        name: "concrete".into(),
-        youngs_modulus: 30e9,
-        poisson_ratio: 0.2,
-        density: 2500.0,
-        yield_strength: None,
-        allowable_stress: None,
-        behaviour: Default::default(),
-    };
-    let course = Course {
-        height: 3.0,
-        thickness: 0.3,
-        material: concrete,
-        layers: Vec::new(),
-    };
-    let shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 4.0,
-        strip: false,
-    };
-    let water = Liquid {
-        density: 1000.0,
-        fill_height: 2.5,
-    };
-    case(shape, vec![course], Roof::default(), water, Some(site()))
-}
-
 /// Rectangle, E_x + 0.3 E_z and 0.3 E_x + E_z: p = max(p_h + 0.3 p_v, 0.3 p_h + p_v), p_h = p_i + p_c, p_v = ρ (H − z) a_vg,
 /// with a_vg = 0.9 a_g = 2.6487 m/s².
 #[test]
 fn rectangle_combines_vertical_motion_with_0_3() {
-    let mut c = box_tank();
+    let mut c = concrete_rectangle(4.0, false, site());
     c.site.ec8 = Some(Ec8Site {
         vertical: true,
         ..site()
@@ -253,7 +201,9 @@ fn rectangle_combines_vertical_motion_with_0_3() {
     let a = En2006.assess(&c, Excitation::Record).unwrap();
     assert!(expected(&a, record(6.0).pga()).1, "0.3 E_x + E_z governs somewhere");
     // Without vertical motion nothing is added.
-    let a = En2006.assess(&box_tank(), Excitation::Site).unwrap();
+    let a = En2006
+        .assess(&concrete_rectangle(4.0, false, site()), Excitation::Site)
+        .unwrap();
     assert!(a.steps.iter().all(|s| s.symbol != "p_v"));
     expected(&a, 0.0);
 }
@@ -261,7 +211,7 @@ fn rectangle_combines_vertical_motion_with_0_3() {
 /// SRSS of the horizontal parts of a rectangle, where chosen.
 #[test]
 fn rectangle_combines_horizontal_parts_as_chosen() {
-    let mut c = box_tank();
+    let mut c = concrete_rectangle(4.0, false, site());
     c.procedures.ec8_combination = Combination::Srss;
     let a = En2006.assess(&c, Excitation::Site).unwrap();
     let (p_i, p_c, p) = (

@@ -98,11 +98,8 @@ pub fn elastic_plastic(youngs_modulus: f64, yield_strength: f64, thickness: f64,
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::samples::close;
     use proptest::prelude::*;
-
-    fn close(value: f64, expected: f64, tolerance: f64) {
-        assert!((value - expected).abs() <= tolerance, "{value} against {expected}");
-    }
 
     /// The worked example, 14 mm at R = 15 m, f_y = 235 MPa: every printed number, half the last digit.
     #[test]

@@ -45,30 +45,10 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     });
 
     work.sheet.section("Spectral accelerations");
-    let damping = case.damping;
-    let a_i = work
-        .demand
-        .impulsive(&mut work.sheet, &mut work.out.notes, "S_e(T_i)", t_i, damping.impulsive);
-    let s_1 = work.demand.convective(
-        &mut work.sheet,
-        &mut work.out.notes,
-        "S_e(T_c1)",
-        t_c1,
-        damping.sloshing,
-    );
-    let s_2 = work.demand.convective(
-        &mut work.sheet,
-        &mut work.out.notes,
-        "S_e(T_c2)",
-        t_c2,
-        damping.sloshing,
-    );
-    let a_c = match t_con {
-        Some(t) => work
-            .demand
-            .convective(&mut work.sheet, &mut work.out.notes, "S_e(T_con)", t, damping.sloshing),
-        None => s_1,
-    };
+    let a_i = work.impulsive("S_e(T_i)", t_i);
+    let s_1 = work.convective("S_e(T_c1)", t_c1);
+    let s_2 = work.convective("S_e(T_c2)", t_c2);
+    let a_c = t_con.map_or(s_1, |t| work.convective("S_e(T_con)", t));
     work.wave("R", ["0.84", "0.07"], "2.1.4", s_1, s_2);
     if t_con.is_some() {
         let terms = [

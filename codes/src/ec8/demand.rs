@@ -1,7 +1,7 @@
 //! Seismic action of one assessment: accelerations at the tank's periods from a design spectrum or a record's spectrum.
 
 use super::spectrum::{
-    Branch, EN_HORIZONTAL, EN_VERTICAL, ENV_HORIZONTAL, ElasticSpectrum, EnvSpectrum, LONGEST_PERIOD,
+    Branch, EN_HORIZONTAL, EN_VERTICAL, ENV_HORIZONTAL, ENV_VERTICAL, ElasticSpectrum, EnvSpectrum, LONGEST_PERIOD,
     damping_correction, damping_correction_env,
 };
 use super::vertical::BREATHING_DAMPING;
@@ -158,41 +158,31 @@ impl<'a> Demand<'a> {
                 }
             }
             Source::En(s) => {
-                self.describe_site(sheet, s.soil, s.corners, EN_HORIZONTAL);
-                if self.vertical {
-                    sheet.calc(
-                        "a_vg",
-                        "vertical ground acceleration",
-                        "k_v·a_g",
-                        &[
-                            ("k_v", s.vertical_ratio, Dimension::Dimensionless),
-                            ("a_g", s.ag, Dimension::Acceleration),
-                        ],
-                        Dimension::Acceleration,
-                        EN_VERTICAL,
-                    );
-                }
+                let vertical = (
+                    "k_v·a_g",
+                    ("k_v", s.vertical_ratio, Dimension::Dimensionless),
+                    EN_VERTICAL,
+                );
+                self.describe_site(sheet, (s.ag, s.soil, s.corners), EN_HORIZONTAL, vertical);
             }
             Source::Env(s) => {
-                self.describe_site(sheet, s.soil, s.corners, ENV_HORIZONTAL);
-                if self.vertical {
-                    sheet.calc(
-                        "a_vg",
-                        "vertical ground acceleration",
-                        "0.7·a_g·S",
-                        &[
-                            ("a_g", s.ag, Dimension::Acceleration),
-                            ("S", s.soil, Dimension::Dimensionless),
-                        ],
-                        Dimension::Acceleration,
-                        "ENV 1998-1-1:1994 4.2.1",
-                    );
-                }
+                let vertical = ("0.7·a_g·S", ("S", s.soil, Dimension::Dimensionless), ENV_VERTICAL);
+                self.describe_site(sheet, (s.ag, s.soil, s.corners), ENV_HORIZONTAL, vertical);
             }
         }
     }
 
-    fn describe_site(&self, sheet: &mut Sheet, soil: f64, corners: [f64; 3], clause: &str) {
+    /// Lines of a design spectrum.
+    ///
+    /// * a_g [m/s²], soil factor, control periods [s], and their clause
+    /// * formula of the vertical ground acceleration, its factor and its clause
+    fn describe_site(
+        &self,
+        sheet: &mut Sheet,
+        (ag, soil, corners): (f64, f64, [f64; 3]),
+        clause: &str,
+        (formula, factor, vertical_clause): (&str, Term, &str),
+    ) {
         let Some(site) = self.site else { return };
         let given = format!("site.ec8, ground {:?}", site.ground);
         sheet.input(
@@ -233,6 +223,11 @@ impl<'a> Demand<'a> {
             Dimension::Dimensionless,
             &given,
         );
+        if self.vertical {
+            let terms = [factor, ("a_g", ag, Dimension::Acceleration)];
+            let name = "vertical ground acceleration";
+            sheet.calc("a_vg", name, formula, &terms, Dimension::Acceleration, vertical_clause);
+        }
     }
 
     /// Horizontal acceleration of the impulsive part [m/s²]: `S_e(T, ξ)/q`. Adds its line as `symbol`.
@@ -352,7 +347,7 @@ impl<'a> Demand<'a> {
         let damping = BREATHING_DAMPING;
         let (value, clause) = match &self.source {
             Source::En(s) => (s.vertical(period, damping), EN_VERTICAL),
-            Source::Env(s) => (s.vertical(period, damping), "ENV 1998-1-1:1994 4.2.1"),
+            Source::Env(s) => (s.vertical(period, damping), ENV_VERTICAL),
             Source::Record { vertical, .. } => (
                 vertical.map_or(0.0, |v| ordinates(v, period, damping).psa),
                 "spectrum of the vertical record",

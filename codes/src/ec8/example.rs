@@ -7,21 +7,20 @@
 //! Tolerance: half the last printed digit, unless a comment says otherwise
 
 use super::*;
-use tank::case::{Damping, Ec8Site, GroundType, ProcedureOptions, Site};
+pub(super) use crate::samples::close;
+use crate::samples::{self, case, course};
+use tank::assessment::{Check, Profile};
+use tank::case::{Ec8Site, GroundType};
 use tank::quantity::Quantity;
-use tank::{Course, Liquid, Material, Roof, Support, Tank};
+use tank::{Material, Roof};
 
 const GRAVITY: f64 = 9.81;
 
+/// Steel with a yield strength.
 pub(super) fn steel() -> Material {
     Material {
-        name: "steel".into(),
-        youngs_modulus: 210e9,
-        poisson_ratio: 0.3,
-        density: 7850.0,
         yield_strength: Some(235e6),
-        allowable_stress: None,
-        behaviour: Default::default(),
+        ..samples::steel()
     }
 }
 
@@ -37,60 +36,15 @@ pub(super) fn site() -> Ec8Site {
     }
 }
 
-pub(super) fn case(shape: Shape, courses: Vec<Course>, roof: Roof, liquid: Liquid, site: Option<Ec8Site>) -> Case {
-    Case {
-        name: "example".into(),
-        tank: Tank {
-            shape,
-            support: Support::Anchored,
-            courses,
-            roof,
-            bottom: None,
-            anchors: None,
-        },
-        liquid,
-        gravity: GRAVITY,
-        ground_motion: None,
-        damping: Damping {
-            sloshing: 0.005,
-            impulsive: 0.02,
-        },
-        site: Site {
-            ec8: site,
-            api650: None,
-        },
-        procedures: ProcedureOptions::default(),
-        measured: vec![],
-        published: vec![],
-    }
-}
-
 pub(super) fn oil_tank() -> Case {
-    let courses = [14.0, 12.0, 10.0, 8.0, 8.0, 8.0]
-        .into_iter()
-        .map(|mm| Course {
-            height: 2.4,
-            thickness: mm * 1e-3,
-            material: steel(),
-            layers: Vec::new(),
-        })
-        .collect();
-    let roof = Roof {
+    let courses = [14.0, 12.0, 10.0, 8.0, 8.0, 8.0].map(|mm| course(2.4, mm * 1e-3, steel()));
+    let mut case = case(Shape::Cylinder { radius: 15.0 }, courses.to_vec(), 12.0, Some(site()));
+    case.liquid.density = 900.0;
+    case.tank.roof = Roof {
         mass: 35e3,
         height: Some(15.2),
     };
-    let liquid = Liquid {
-        density: 900.0,
-        fill_height: 12.0,
-    };
-    case(Shape::Cylinder { radius: 15.0 }, courses, roof, liquid, Some(site()))
-}
-
-pub(super) fn close(value: f64, expected: f64, tolerance: f64) {
-    assert!(
-        (value - expected).abs() <= tolerance,
-        "{value} against {expected} ± {tolerance}"
-    );
+    case
 }
 
 /// Value of the first line with this symbol.
@@ -102,8 +56,20 @@ pub(super) fn line(assessment: &Assessment, symbol: &str) -> f64 {
         .map_or(f64::NAN, |s| s.value)
 }
 
-pub(super) fn check<'a>(assessment: &'a Assessment, id: &str) -> &'a tank::assessment::Check {
+pub(super) fn check<'a>(assessment: &'a Assessment, id: &str) -> &'a Check {
     assessment.checks.iter().find(|c| c.id == id).unwrap()
+}
+
+pub(super) fn profile<'a>(assessment: &'a Assessment, id: &str) -> &'a Profile {
+    assessment.profiles.iter().find(|p| p.id == id).unwrap()
+}
+
+/// ∫ f z^k dz over a profile by the trapezoidal rule.
+pub(super) fn integral(p: &Profile, power: i32) -> f64 {
+    let f = |i: usize| p.values[i] * p.z[i].powi(power);
+    (1..p.z.len())
+        .map(|i| 0.5 * (f(i) + f(i - 1)) * (p.z[i] - p.z[i - 1]))
+        .sum()
 }
 
 /// Base, masses, levers, periods and impulsive part of the oil tank.

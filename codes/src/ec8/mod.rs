@@ -27,6 +27,8 @@ pub mod demand;
 mod example;
 pub mod flexible;
 pub mod plate;
+#[cfg(test)]
+mod properties;
 mod rectangle;
 #[cfg(test)]
 mod scope;

@@ -219,23 +219,10 @@ fn solve(mut a: Vec<Vec<f64>>, x: &mut [f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tank::Material;
+    use crate::samples::{self, material};
 
     fn course(height: f64, thickness: f64, nu: f64) -> Course {
-        Course {
-            height,
-            thickness,
-            material: Material {
-                name: "concrete".into(),
-                youngs_modulus: 30e9,
-                poisson_ratio: nu,
-                density: 2500.0,
-                yield_strength: None,
-                allowable_stress: None,
-                behaviour: Default::default(),
-            },
-            layers: Vec::new(),
-        }
+        samples::course(height, thickness, material("concrete", 30e9, nu, 2500.0))
     }
 
     fn rigidity(s: f64, nu: f64) -> f64 {

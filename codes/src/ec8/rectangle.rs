@@ -32,24 +32,9 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     let t_i = wall_period(work, breadth, strip, &masses);
 
     work.sheet.section("Spectral accelerations");
-    let damping = case.damping;
-    let a_i = work
-        .demand
-        .impulsive(&mut work.sheet, &mut work.out.notes, "S_e(T_f)", t_i, damping.impulsive);
-    let a_c = work.demand.convective(
-        &mut work.sheet,
-        &mut work.out.notes,
-        "S_e(T_c1)",
-        t_c1,
-        damping.sloshing,
-    );
-    let s_2 = work.demand.convective(
-        &mut work.sheet,
-        &mut work.out.notes,
-        "S_e(T_c2)",
-        t_c2,
-        damping.sloshing,
-    );
+    let a_i = work.impulsive("S_e(T_f)", t_i);
+    let a_c = work.convective("S_e(T_c1)", t_c1);
+    let s_2 = work.convective("S_e(T_c2)", t_c2);
     // 2/λ_n² of the first two modes.
     work.wave("L", ["8/π²", "8/(9·π²)"], "4.1", a_c, s_2);
     let clause = work.edition.clause("4");
@@ -244,3 +229,6 @@ fn bending(work: &mut Work, field_i: &ImpulsiveField, field_c: &ConvectiveField,
     let stress = work.sheet.calc("σ_b", name, "6·m_z/s²", &terms, Stress, "statics");
     work.out.values.insert(Quantity::BendingStress, stress);
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,113 +1,28 @@
-//! Whole procedures: the dissertation's tank, records, rectangles, unanchored walls, limits of scope, invariances.
+//! Whole procedures: the dissertation's tank, records, unanchored walls, limits of scope.
 //!
 //! Source:    dissertation tables 8.1 and D.3; closed forms; integration of the profiles; scaling laws
 //! Goal:      what the oil tank of `example` does not reach
 //! Tolerance: named beside each value
 
-use proptest::prelude::*;
-
-use super::example::{case, check, close, line, oil_tank, site, steel};
+use super::example::{check, close, integral, line, oil_tank, profile, site, steel};
 use super::*;
 use crate::api650::hold_down::figure_e5;
-use oscillator::record::Record;
+use crate::samples::{self, record};
 use oscillator::spectrum::ordinates;
-use tank::assessment::Profile;
 use tank::case::{Damping, Ec8Site, GroundMotion, GroundType};
 use tank::quantity::Quantity;
-use tank::{Anchors, Bottom, Course, Liquid, Material, Roof, Support};
+use tank::{Anchors, Bottom, Support};
 
 const GRAVITY: f64 = 9.81;
 
 /// The dissertation's broad aluminium tank, 8.1, on ground A with 0.5 g.
 fn broad_tank() -> Case {
-    let aluminium = Material {
-        name: "aluminium".into(),
-        youngs_modulus: 69e9,
-        poisson_ratio: 0.32,
-        density: 2750.0,
-        yield_strength: None,
-        allowable_stress: None,
-        behaviour: Default::default(),
-    };
-    let courses = [0.00203, 0.00127]
-        .into_iter()
-        .map(|thickness| Course {
-            height: 0.915,
-            thickness,
-            material: aluminium.clone(),
-            layers: Vec::new(),
-        })
-        .collect();
-    let water = Liquid {
-        density: 1000.0,
-        fill_height: 1.525,
-    };
-    let site = Ec8Site {
+    samples::broad_tank(Ec8Site {
         ground: GroundType::A,
         ag: 0.5 * GRAVITY,
         importance: 1.0,
         ..site()
-    };
-    case(
-        Shape::Cylinder { radius: 1.83 },
-        courses,
-        Roof::default(),
-        water,
-        Some(site),
-    )
-}
-
-/// A strip 2L = 5 m long, H = 2.5 m of water, concrete walls 0.3 m thick and 3 m high.
-fn strip() -> Case {
-    let concrete = Material {
-        name: "concrete".into(),
-        youngs_modulus: 30e9,
-        poisson_ratio: 0.2,
-        density: 2500.0,
-        yield_strength: None,
-        allowable_stress: None,
-        behaviour: Default::default(),
-    };
-    let course = Course {
-        height: 3.0,
-        thickness: 0.3,
-        material: concrete,
-        layers: Vec::new(),
-    };
-    let shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 1.0,
-        strip: true,
-    };
-    let water = Liquid {
-        density: 1000.0,
-        fill_height: 2.5,
-    };
-    case(shape, vec![course], Roof::default(), water, Some(site()))
-}
-
-/// Two seconds of sine at 2 Hz, 3 m/s².
-fn record(scale: f64) -> Record {
-    Record {
-        name: "sine".into(),
-        dt: 0.01,
-        acceleration: (0..200)
-            .map(|i| scale * 3.0 * (4.0 * std::f64::consts::PI * 0.01 * f64::from(i)).sin())
-            .collect(),
-        processing: vec![],
-    }
-}
-
-fn profile<'a>(a: &'a Assessment, id: &str) -> &'a Profile {
-    a.profiles.iter().find(|p| p.id == id).unwrap()
-}
-
-/// ∫ f z^k dz over a profile by the trapezoidal rule.
-fn integral(p: &Profile, power: i32) -> f64 {
-    let f = |i: usize| p.values[i] * p.z[i].powi(power);
-    (1..p.z.len())
-        .map(|i| 0.5 * (f(i) + f(i - 1)) * (p.z[i] - p.z[i - 1]))
-        .sum()
+    })
 }
 
 /// Table D.3 with η unrounded: 0.84·1.83 m·0.3645 = 0.560 m (printed 55.0 cm comes from η = 1.5, see `spectrum`), and under
@@ -148,16 +63,16 @@ fn record_replaces_the_design_spectrum() {
         ..site()
     });
     case.ground_motion = Some(GroundMotion {
-        horizontal: record(1.0),
+        horizontal: record(3.0),
         vertical: None,
     });
     for procedure in [&En2006 as &dyn Procedure, &Env1998] {
         let a = procedure.assess(&case, Excitation::Record).unwrap();
-        let psa = |period: &str, damping| ordinates(&record(1.0), line(&a, period), damping).psa;
+        let psa = |period: &str, damping| ordinates(&record(3.0), line(&a, period), damping).psa;
         close(line(&a, "S_e(T_c1)"), psa("T_c1", 0.005), 1e-12);
         let t_i = a.values[&Quantity::ImpulsivePeriod];
-        close(line(&a, "S_e(T_i)"), ordinates(&record(1.0), t_i, 0.02).psa, 1e-12);
-        close(line(&a, "PGA"), record(1.0).pga(), 0.0);
+        close(line(&a, "S_e(T_i)"), ordinates(&record(3.0), t_i, 0.02).psa, 1e-12);
+        close(line(&a, "PGA"), record(3.0).pga(), 0.0);
         close(
             a.values[&Quantity::SloshingHeight],
             0.84 * 15.0 * psa("T_c1", 0.005) / GRAVITY,
@@ -180,12 +95,12 @@ fn record_replaces_the_design_spectrum() {
 fn vertical_record() {
     let mut case = oil_tank();
     case.ground_motion = Some(GroundMotion {
-        horizontal: record(1.0),
-        vertical: Some(record(0.5)),
+        horizontal: record(3.0),
+        vertical: Some(record(1.5)),
     });
     let a = En2006.assess(&case, Excitation::Record).unwrap();
-    close(line(&a, "p_vr"), 900.0 * 12.0 * record(0.5).pga(), 1e-6);
-    let breathing = ordinates(&record(0.5), line(&a, "T_vd"), 0.03).psa;
+    close(line(&a, "p_vr"), 900.0 * 12.0 * record(1.5).pga(), 1e-6);
+    let breathing = ordinates(&record(1.5), line(&a, "T_vd"), 0.03).psa;
     close(line(&a, "p_vf"), 0.815 * line(&a, "f") * 900.0 * 12.0 * breathing, 1e-6);
 }
 
@@ -288,66 +203,6 @@ fn profiles_integrate_to_the_resultants() {
     let step = axial.z[1];
     let slope = line(&a, "Q") * step / a.values[&Quantity::BaseMoment];
     close(axial.values[1] / axial.values[0], 1.0 - slope, 5e-3);
-}
-
-/// Strip: masses of the published table at H/L = 1, wave 0.811 L S_e/g, T_f of a cantilever in closed form, clamping moment as
-/// the integral of pressure and inertia.
-#[test]
-fn rectangular_strip() {
-    let case = strip();
-    let a = En2006.assess(&case, Excitation::Site).unwrap();
-    let m = 5.0 * 2.5 * 1000.0;
-    close(line(&a, "m"), m, 1e-9);
-    close(line(&a, "m_i") / m, 0.5000, 5e-5);
-    close(line(&a, "h_i") / 2.5, 0.4047, 5e-5);
-    close(line(&a, "h_i′") / 2.5, 0.8093, 5e-5);
-    close(line(&a, "m_c1") / m, 0.4733, 5e-5);
-    close(line(&a, "h_c1") / 2.5, 0.5825, 5e-5);
-    close(line(&a, "h_c1′") / 2.5, 0.8591, 5e-5);
-    // q_0(0) = 0.6753 of the published table: p_i at the base over ρ L A_i.
-    close(line(&a, "p_i") / (1000.0 * 2.5 * line(&a, "S_e(T_f)")), 0.6753, 5e-5);
-    let s_1 = line(&a, "S_e(T_c1)");
-    close(
-        a.values[&Quantity::SloshingHeight],
-        0.811 * 2.5 * s_1 / GRAVITY,
-        5e-4 * 2.5 * s_1 / GRAVITY,
-    );
-    // Second mode: ω² = 3π/2 g/L tanh(3π/2 H/L), on the branch 1/T before T_D = 2 s; the first is on 1/T² after it.
-    let eigenvalue = 1.5 * std::f64::consts::PI;
-    let t_2 = 2.0 * std::f64::consts::PI / (eigenvalue * GRAVITY / 2.5 * eigenvalue.tanh()).sqrt();
-    let t_1 = a.values[&Quantity::SloshingPeriod];
-    close(line(&a, "S_e(T_c2)") / s_1, t_1 * t_1 / (2.0 * t_2), 1e-6);
-    // Load on the lower a = 2.5 m of the wall: w(z) = q (z⁴ − 4 a z³ + 6 a² z²)/(24 D) for z ≤ a.
-    let q = (0.5 * line(&a, "m_i") + 3.0 * 0.3 * 2500.0) * GRAVITY / 2.5;
-    let d = 30e9 * 0.3f64.powi(3) / (12.0 * (1.0 - 0.04));
-    let z = line(&a, "h_i");
-    let w = q * (z.powi(4) - 10.0 * z.powi(3) + 37.5 * z * z) / (24.0 * d);
-    close(line(&a, "d_f") / w, 1.0, 1e-9);
-    close(line(&a, "T_f"), 2.0 * std::f64::consts::PI * (w / GRAVITY).sqrt(), 1e-9);
-    // One wall: ∫ (p_i + p_c) z dz and its own inertia (trapezoidal rule: 0.3 %).
-    let wall = 3.0 * 0.3 * 2500.0 * 1.5 * line(&a, "S_e(T_f)");
-    let moment =
-        integral(profile(&a, "pressure_impulsive"), 1) + integral(profile(&a, "pressure_convective"), 1) + wall;
-    close(line(&a, "m_z") / moment, 1.0, 3e-3);
-    close(a.values[&Quantity::BendingStress], 6.0 * line(&a, "m_z") / 0.09, 1e-6);
-    assert!(!a.values.contains_key(&Quantity::HoopStress));
-    // A roof of 4 t rests on both walls, 3 m above the bottom.
-    let mut covered = strip();
-    covered.tank.roof.mass = 4000.0;
-    let r = En2006.assess(&covered, Excitation::Site).unwrap();
-    let own = (3.0 * 0.3 * 2500.0 * 1.5 + 2000.0 * 3.0) * line(&r, "S_e(T_f)");
-    let moment = integral(profile(&r, "pressure_impulsive"), 1) + integral(profile(&r, "pressure_convective"), 1) + own;
-    close(line(&r, "m_z") / moment, 1.0, 3e-3);
-    // A tank with side walls is stiffer than the strip.
-    let mut boxed = strip();
-    boxed.tank.shape = Shape::Rectangle {
-        length: 5.0,
-        breadth: 5.0,
-        strip: false,
-    };
-    let b = En2006.assess(&boxed, Excitation::Site).unwrap();
-    assert!(line(&b, "T_f") < line(&a, "T_f"));
-    assert!(!b.values.contains_key(&Quantity::BendingStress));
 }
 
 /// Unanchored walls: the note, the estimate's factor at the base, overturning.
@@ -482,79 +337,4 @@ fn limits_of_scope() {
             .any(|n| n.contains("yield_strength missing in material `aluminium`"))
     );
     assert!(a.checks.iter().all(|c| !c.id.starts_with("buckling")));
-}
-
-fn procedures() -> [&'static dyn Procedure; 2] {
-    [&En2006, &Env1998]
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
-
-    /// Any sensible tank: all lines finite, named and cited; SRSS ≤ absolute sum ≤ √2 SRSS.
-    #[test]
-    fn sheets_are_complete(radius in 1.0f64..40.0, gamma in 0.1f64..3.9, freeboard in 0.0f64..0.3, s in 0.5e-3f64..3e-3,
-                           vertical: bool, iterative: bool, anchored: bool) {
-        let depth = gamma * radius;
-        let height = depth * (1.0 + freeboard);
-        let courses = [1.0, 0.7]
-            .map(|k| Course { height: 0.5 * height, thickness: k * s * radius, material: steel(), layers: Vec::new(), })
-            .to_vec();
-        let shape = Shape::Cylinder { radius };
-        let liquid = Liquid { density: 900.0, fill_height: depth };
-        let mut case = case(shape, courses, Roof { mass: 100.0, height: None }, liquid, Some(Ec8Site { vertical, ..site() }));
-        case.tank.support = if anchored { Support::Anchored } else { Support::Unanchored };
-        if iterative {
-            case.procedures.ec8_impulsive = FlexibleImpulsive::Iterative;
-        }
-        for procedure in procedures() {
-            let a = procedure.assess(&case, Excitation::Site).unwrap();
-            for s in &a.steps {
-                prop_assert!(s.value.is_finite(), "{s:?}");
-                prop_assert!(!s.symbol.is_empty() && !s.name.is_empty() && !s.clause.is_empty() && !s.section.is_empty(), "{s:?}");
-            }
-            for c in &a.checks {
-                prop_assert!(c.demand.is_finite() && !c.utilisation.is_nan(), "{c:?}");
-            }
-            case.procedures.ec8_combination = Combination::Srss;
-            let srss = procedure.assess(&case, Excitation::Site).unwrap();
-            case.procedures.ec8_combination = Combination::Abs;
-            for q in [Quantity::BaseShear, Quantity::BaseMoment, Quantity::OverturningMoment, Quantity::HoopStress] {
-                let (sum, root) = (a.values[&q], srss.values[&q]);
-                prop_assert!(root <= sum * (1.0 + 1e-12) && sum <= std::f64::consts::SQRT_2 * root * (1.0 + 1e-12), "{q:?}");
-            }
-        }
-    }
-
-    /// Linear in the ground acceleration; liquid, wall and modulus scaled together leave periods and wave, and scale forces.
-    #[test]
-    fn scaling(k in 0.1f64..10.0, iterative: bool) {
-        let mut base = oil_tank();
-        if iterative {
-            base.procedures.ec8_impulsive = FlexibleImpulsive::Iterative;
-        }
-        let mut stronger = base.clone();
-        stronger.site.ec8 = Some(Ec8Site { ag: k * site().ag, ..site() });
-        let mut heavier = base.clone();
-        heavier.liquid.density *= k;
-        heavier.tank.roof.mass *= k;
-        for course in &mut heavier.tank.courses {
-            course.material.density *= k;
-            course.material.youngs_modulus *= k;
-        }
-        use Quantity::*;
-        for procedure in procedures() {
-            let [a, b, c] = [&base, &stronger, &heavier].map(|case| procedure.assess(case, Excitation::Site).unwrap().values);
-            for (q, value) in &a {
-                let (strong, heavy) = match q {
-                    SloshingPeriod | ImpulsivePeriod => (1.0, 1.0),
-                    SloshingHeight => (k, 1.0),
-                    ImpulsiveMass | ConvectiveMass => (1.0, k),
-                    _ => (k, k),
-                };
-                prop_assert!((b[q] / (strong * value) - 1.0).abs() < 1e-9, "{q:?}");
-                prop_assert!((c[q] / (heavy * value) - 1.0).abs() < 1e-6, "{q:?} {} {}", c[q], heavy * value);
-            }
-        }
-    }
 }

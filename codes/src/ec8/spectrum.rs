@@ -39,6 +39,8 @@ pub const EN_HORIZONTAL: &str = "EN 1998-1:2004 3.2.2.2";
 pub const EN_VERTICAL: &str = "EN 1998-1:2004 3.2.2.3";
 /// Clause of the elastic spectrum of the pre-standard.
 pub const ENV_HORIZONTAL: &str = "ENV 1998-1-1:1994 4.2.2";
+/// Clause of the vertical elastic spectrum of the pre-standard.
+pub const ENV_VERTICAL: &str = "ENV 1998-1-1:1994 4.2.1";
 
 /// Longest period of the elastic spectrum of EN 1998-1 3.2.2.2 [s].
 pub const LONGEST_PERIOD: f64 = 4.0;

@@ -87,6 +87,20 @@ impl Work<'_> {
         gamma
     }
 
+    /// Acceleration of the impulsive part [m/s²] at a period [s]; adds its line.
+    pub fn impulsive(&mut self, symbol: &str, period: f64) -> f64 {
+        let (sheet, notes) = (&mut self.sheet, &mut self.out.notes);
+        self.demand
+            .impulsive(sheet, notes, symbol, period, self.case.damping.impulsive)
+    }
+
+    /// Acceleration of a sloshing mode [m/s²] at a period [s]; adds its line.
+    pub fn convective(&mut self, symbol: &str, period: f64) -> f64 {
+        let (sheet, notes) = (&mut self.sheet, &mut self.out.notes);
+        self.demand
+            .convective(sheet, notes, symbol, period, self.case.damping.sloshing)
+    }
+
     /// A line for a ratio that is looked up and one for its product with `whole`. Returns the product.
     pub fn share(&mut self, (symbol, name): (&str, &str), whole: Term, ratio: Ratio, clause: &str) -> f64 {
         let (of, _, dimension) = whole;

@@ -5,14 +5,18 @@
 //! Tolerance: half the last printed digit for tables; stated at each identity
 
 use super::*;
+use crate::samples::near;
 
 const HALF_DIGIT: f64 = 0.500_001e-4;
 
-fn near(value: f64, reference: f64, atol: f64, what: &str) {
-    assert!(
-        (value - reference).abs() <= atol,
-        "{what}: {value} instead of {reference}"
-    );
+/// m_i/m, h_i/H, h_i'/H, m_c1/m, h_c1/H, h_c1'/H of a table.
+fn masses_and_levers(plan: Plan, gamma: f64, printed: [f64; 6]) {
+    let (i, c) = (impulsive(plan, gamma), convective(plan, gamma, 1));
+    let found = [i.mass, i.lever, i.lever_with_base, c.mass, c.lever, c.lever_with_base];
+    let names = ["m_i", "h_i", "h_i'", "m_c1", "h_c1", "h_c1'"];
+    for ((value, printed), name) in found.into_iter().zip(printed).zip(names) {
+        near(value, printed, HALF_DIGIT, name);
+    }
 }
 
 #[test]
@@ -29,14 +33,7 @@ fn circle_agrees_with_the_table_of_exact_values() {
         [3.0, 0.8418, 0.4388, 0.4715, 0.1515, 0.8204, 0.8218, 0.0046],
     ];
     for [gamma, m_i, h_i, h_i_base, m_c, h_c, h_c_base, m_c2] in table {
-        let i = impulsive(Plan::Circle, gamma);
-        let c = convective(Plan::Circle, gamma, 1);
-        near(i.mass, m_i, HALF_DIGIT, "m_i");
-        near(i.lever, h_i, HALF_DIGIT, "h_i");
-        near(i.lever_with_base, h_i_base, HALF_DIGIT, "h_i'");
-        near(c.mass, m_c, HALF_DIGIT, "m_c1");
-        near(c.lever, h_c, HALF_DIGIT, "h_c1");
-        near(c.lever_with_base, h_c_base, HALF_DIGIT, "h_c1'");
+        masses_and_levers(Plan::Circle, gamma, [m_i, h_i, h_i_base, m_c, h_c, h_c_base]);
         near(convective(Plan::Circle, gamma, 2).mass, m_c2, HALF_DIGIT, "m_c2");
     }
     // Tank of the dissertation's example 8.1.
@@ -65,14 +62,7 @@ fn rectangle_agrees_with_the_table_of_exact_values() {
         [3.0, 0.8191, 0.4340, 0.4784, 0.1720, 0.7916, 0.7954, 0.9854],
     ];
     for [gamma, m_i, h_i, h_i_base, m_c, h_c, h_c_base, q0] in table {
-        let i = impulsive(Plan::Rectangle, gamma);
-        let c = convective(Plan::Rectangle, gamma, 1);
-        near(i.mass, m_i, HALF_DIGIT, "m_i");
-        near(i.lever, h_i, HALF_DIGIT, "h_i");
-        near(i.lever_with_base, h_i_base, HALF_DIGIT, "h_i'");
-        near(c.mass, m_c, HALF_DIGIT, "m_c1");
-        near(c.lever, h_c, HALF_DIGIT, "h_c1");
-        near(c.lever_with_base, h_c_base, HALF_DIGIT, "h_c1'");
+        masses_and_levers(Plan::Rectangle, gamma, [m_i, h_i, h_i_base, m_c, h_c, h_c_base]);
         // q0 refers to L: p = q0 rho L A = C rho H A.
         near(
             gamma * ImpulsiveField::new(Plan::Rectangle, gamma).wall(0.0),

@@ -1,5 +1,6 @@
 use super::*;
 use crate::mechanical::{ImpulsiveField, Plan, impulsive};
+use crate::samples::{self, steel};
 use tank::Material;
 use tank::formula::evaluate;
 
@@ -10,20 +11,8 @@ fn close(value: f64, expected: f64, rtol: f64) {
 }
 
 fn course(height: f64, thickness: f64, density: f64) -> Course {
-    Course {
-        height,
-        thickness,
-        material: Material {
-            name: "steel".into(),
-            youngs_modulus: E,
-            poisson_ratio: 0.3,
-            density,
-            yield_strength: None,
-            allowable_stress: None,
-            behaviour: Default::default(),
-        },
-        layers: Vec::new(),
-    }
+    let material = Material { density, ..steel() };
+    samples::course(height, thickness, material)
 }
 
 /// R = 10 m, s = 10 mm, wall as high as the liquid, ρ = 1000 kg/m³.

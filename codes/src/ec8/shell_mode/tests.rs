@@ -1,21 +1,8 @@
 use super::*;
-use tank::Material;
+use crate::samples::{self, steel};
 
 fn course(height: f64, thickness: f64) -> Course {
-    Course {
-        height,
-        thickness,
-        material: Material {
-            name: "steel".into(),
-            youngs_modulus: 210e9,
-            poisson_ratio: 0.3,
-            density: 7850.0,
-            yield_strength: None,
-            allowable_stress: None,
-            behaviour: Default::default(),
-        },
-        layers: Vec::new(),
-    }
+    samples::course(height, thickness, steel())
 }
 
 /// First mode under the mass of the wall alone.

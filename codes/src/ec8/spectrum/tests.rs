@@ -1,4 +1,5 @@
 use super::*;
+use crate::samples::close;
 use proptest::prelude::*;
 
 fn site(ground: GroundType, spectrum: u8, ag: f64) -> Ec8Site {
@@ -15,13 +16,6 @@ fn site(ground: GroundType, spectrum: u8, ag: f64) -> Ec8Site {
 
 fn en(ground: GroundType, spectrum: u8, ag: f64) -> ElasticSpectrum {
     ElasticSpectrum::new(&site(ground, spectrum, ag)).unwrap()
-}
-
-fn close(value: f64, expected: f64, tolerance: f64) {
-    assert!(
-        (value - expected).abs() <= tolerance,
-        "{value} against {expected} ± {tolerance}"
-    );
 }
 
 /// EN 1998-1:2004 fig. 3.2 (table 3.2 evaluated by hand): a_g = 1, 5 %, type 1. Half the last printed digit.

@@ -3,28 +3,10 @@
 //! Tolerance: substitutions carry five digits
 
 use super::*;
+use crate::samples::{self, course, steel};
 use oscillator::record::Record;
-use tank::case::{
-    Api650Site, ConvectiveCoefficient, Damping, Ec8Site, GroundMotion, GroundType, ProcedureOptions, Site, SiteClass,
-};
-use tank::{Course, Liquid, Material, Roof, Support, Tank};
-
-fn course(height: f64, thickness: f64) -> Course {
-    Course {
-        height,
-        thickness,
-        material: Material {
-            name: "steel".into(),
-            youngs_modulus: 210e9,
-            poisson_ratio: 0.3,
-            density: 7850.0,
-            yield_strength: None,
-            allowable_stress: None,
-            behaviour: Default::default(),
-        },
-        layers: Vec::new(),
-    }
-}
+use tank::Support;
+use tank::case::{Api650Site, ConvectiveCoefficient, Ec8Site, GroundMotion, GroundType, Site, SiteClass};
 
 /// EN 1998-1, ground A, type 1, a_g = 0.5 g.
 fn ec8_site() -> Ec8Site {
@@ -40,34 +22,8 @@ fn ec8_site() -> Ec8Site {
 }
 
 fn case(shape: Shape, depth: f64) -> Case {
-    Case {
-        name: "test".into(),
-        tank: Tank {
-            shape,
-            support: Support::Anchored,
-            courses: vec![course(0.6 * depth, 4e-3), course(0.6 * depth, 3e-3)],
-            roof: Roof::default(),
-            bottom: None,
-            anchors: None,
-        },
-        liquid: Liquid {
-            density: 1000.0,
-            fill_height: depth,
-        },
-        gravity: 9.81,
-        ground_motion: None,
-        damping: Damping {
-            sloshing: 0.005,
-            impulsive: 0.02,
-        },
-        site: Site {
-            ec8: Some(ec8_site()),
-            api650: None,
-        },
-        procedures: ProcedureOptions::default(),
-        measured: Vec::new(),
-        published: Vec::new(),
-    }
+    let courses = [4e-3, 3e-3].map(|thickness| course(0.6 * depth, thickness, steel()));
+    samples::case(shape, courses.to_vec(), depth, Some(ec8_site()))
 }
 
 fn cylinder(depth: f64) -> Case {

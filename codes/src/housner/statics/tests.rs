@@ -9,6 +9,7 @@
 //!            regression bounds, set knowing the differences
 
 use super::*;
+use crate::samples::close as near;
 
 const RADIUS: f64 = 1.83;
 
@@ -24,10 +25,6 @@ fn ring(height: f64, thickness: f64) -> Ring {
 fn broad_tank() -> Wall {
     let rings = [ring(0.915, 2.03e-3), ring(0.915, 1.27e-3)];
     Wall::solve(RADIUS, &rings, 9810.0, 1.52, Base::Clamped).expect("the wall of tank 8.1 is admissible")
-}
-
-fn near(value: f64, reference: f64, atol: f64) {
-    assert!((value - reference).abs() <= atol, "{value} instead of {reference}");
 }
 
 #[test]
