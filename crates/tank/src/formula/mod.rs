@@ -34,6 +34,7 @@
 //! converted where it stands. A number without a unit is taken as it is, so the constant of a formula that a code prints
 //! for other units has to be written for SI, or with its unit.
 
+mod error;
 mod lex;
 mod parse;
 mod text;
@@ -45,16 +46,15 @@ mod tests;
 
 use std::cell::RefCell;
 use std::collections::HashMap;
-use std::ops::Range;
 use std::rc::Rc;
 
+pub use error::FormulaError;
 pub use text::{number, with_unit};
 pub use tree::{Bracket, Number, Operator, Power, Primary, Product, Sign, Sum};
+pub use value::Term;
 
 use crate::units::Dimension;
-
-/// A value that stands in a formula: symbol, value in SI, dimension.
-pub type Term<'a> = (&'a str, f64, Dimension);
+use tree::Place;
 
 /// A parsed formula.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,64 +64,17 @@ pub struct Formula {
     symbols: Vec<Place>,
 }
 
-/// A symbol in the text of a formula.
-#[derive(Clone, Debug, PartialEq)]
-struct Place {
-    /// Bytes of the text.
-    at: Range<usize>,
-    /// Whether an exponent follows.
-    raised: bool,
-}
-
-/// A text that is not a formula, or a formula that has no value.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum FormulaError {
-    /// The text departs from the grammar.
-    #[error("`{formula}`: found {found} at character {at}, expected {expected}")]
-    Unexpected {
-        /// The text.
-        formula: String,
-        /// Number of the character, from 1.
-        at: usize,
-        /// What stands there.
-        found: String,
-        /// What the grammar has there.
-        expected: &'static str,
-    },
-    /// Parentheses, roots and exponents within each other, more than any formula has.
-    #[error("`{formula}`: more than {limit} levels of parentheses")]
-    TooDeep {
-        /// The text.
-        formula: String,
-        /// The limit.
-        limit: usize,
-    },
-    /// A symbol without a term.
-    #[error("`{formula}`: no value given for `{symbol}`")]
-    NoValue {
-        /// The text.
-        formula: String,
-        /// The symbol.
-        symbol: String,
-    },
-    /// A function that does not exist, or not with so many arguments.
-    #[error("`{formula}`: no function `{name}` of {arguments} arguments")]
-    NoFunction {
-        /// The text.
-        formula: String,
-        /// Its name.
-        name: String,
-        /// Number of arguments.
-        arguments: usize,
-    },
-}
-
 impl Formula {
     /// Parses a text.
     ///
     /// Errors: [`FormulaError::Unexpected`] and [`FormulaError::TooDeep`].
     pub fn parse(text: &str) -> Result<Formula, FormulaError> {
-        parse::formula(text)
+        let (tree, symbols) = parse::formula(text)?;
+        Ok(Formula {
+            text: text.into(),
+            tree,
+            symbols,
+        })
     }
 
     /// The formula of a text, parsed at the first call in each thread: sheets evaluate the same few hundred texts for
@@ -160,13 +113,13 @@ impl Formula {
     ///
     /// Errors: [`FormulaError::NoValue`] and [`FormulaError::NoFunction`].
     pub fn value(&self, terms: &[Term]) -> Result<f64, FormulaError> {
-        value::of(self, terms)
+        value::of(&self.text, &self.tree, terms)
     }
 
     /// The text with numbers for symbols: five significant digits and an engineer's unit ([`with_unit`]). A value under
     /// an exponent (`R²`, `x^2`) or a negative one is put into parentheses; symbols without a term stay.
     pub fn substitution(&self, terms: &[Term]) -> String {
-        text::substitution(self, terms)
+        text::substitution(&self.text, &self.symbols, terms)
     }
 }
 

@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
+use super::error::FormulaError;
 use super::lex::{Token, tokens};
-use super::tree::{Bracket, Operator, Power, Primary, Product, Sign, Sum};
-use super::{Formula, FormulaError, Place};
+use super::tree::{Bracket, Operator, Place, Power, Primary, Product, Sign, Sum};
 
-/// Parses a text.
-pub(super) fn formula(text: &str) -> Result<Formula, FormulaError> {
+/// Parses a text: its tree, and where its symbols stand.
+pub(super) fn formula(text: &str) -> Result<(Sum, Vec<Place>), FormulaError> {
     let tokens = tokens(text);
     let mut parser = Parser {
         text,
@@ -20,11 +20,7 @@ pub(super) fn formula(text: &str) -> Result<Formula, FormulaError> {
     if parser.at < tokens.len() {
         return Err(parser.unexpected("an operator or the end"));
     }
-    Ok(Formula {
-        text: text.into(),
-        tree,
-        symbols: parser.symbols,
-    })
+    Ok((tree, parser.symbols))
 }
 
 /// Levels of parentheses, roots and exponents; the deepest formula of the sheets has seven.

@@ -1,14 +1,14 @@
 //! Values → text.
 
-use super::{Formula, Term};
+use super::tree::Place;
+use super::value::Term;
 use crate::units::{Dimension, in_unit, significant, unit_for};
 
 /// The text of a formula with numbers for symbols.
-pub(super) fn substitution(formula: &Formula, terms: &[Term]) -> String {
-    let text = &formula.text;
+pub(super) fn substitution(text: &str, symbols: &[Place], terms: &[Term]) -> String {
     let mut out = String::with_capacity(2 * text.len());
     let mut done = 0;
-    for place in &formula.symbols {
+    for place in symbols {
         out.push_str(&text[done..place.at.start]);
         done = place.at.end;
         let symbol = &text[place.at.clone()];

@@ -2,6 +2,7 @@
 //! of the tree: it is the formula as written.
 
 use std::fmt;
+use std::ops::Range;
 
 use crate::units::Unit;
 
@@ -92,6 +93,15 @@ pub enum Bracket {
     Square,
     /// `| … |`, the absolute value.
     Bar,
+}
+
+/// A symbol in the text of a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Place {
+    /// Bytes of the text.
+    pub at: Range<usize>,
+    /// Whether an exponent follows.
+    pub raised: bool,
 }
 
 impl Bracket {

@@ -4,16 +4,16 @@ use std::f64::consts::PI;
 
 use spec_math::cephes64;
 
+use super::error::FormulaError;
 use super::tree::{Bracket, Operator, Power, Primary, Product, Sign, Sum};
-use super::{Formula, FormulaError, Term};
+use crate::units::Dimension;
 
-/// Value of a formula.
-pub(super) fn of(formula: &Formula, terms: &[Term]) -> Result<f64, FormulaError> {
-    let reader = Reader {
-        formula: &formula.text,
-        terms,
-    };
-    reader.sum(&formula.tree)
+/// A value that stands in a formula: symbol, value in SI, dimension.
+pub type Term<'a> = (&'a str, f64, Dimension);
+
+/// Value of the tree of a formula.
+pub(super) fn of(formula: &str, tree: &Sum, terms: &[Term]) -> Result<f64, FormulaError> {
+    Reader { formula, terms }.sum(tree)
 }
 
 struct Reader<'a> {
