@@ -189,10 +189,10 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
     if let (Status::Computed, Some(layered)) = (&status, layers(job)) {
         assumptions.push(layered.into());
     }
+    let label = procedure.label();
     Ok(Method {
-        id: procedure.id().into(),
-        title: procedure.label().title.into(),
-        excitation,
+        label: label.short.into(),
+        figure_key: label.figure_key.into(),
         status,
         quantities: quantities(&assessment.values),
         steps: assessment.steps,
@@ -200,6 +200,7 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
         profiles: assessment.profiles,
         assumptions,
         notes: assessment.notes,
+        ..Method::new(procedure.id(), label.title, excitation)
     })
 }
 
@@ -257,17 +258,13 @@ fn measured(job: &Job) -> Option<Method> {
             None => format!("{}: {}.", m.quantity.title(), m.source),
         })
         .collect();
+    let title = format!("Measured ({})", first.source);
     Some(Method {
-        id: compare::MEASURED.into(),
-        title: format!("Measured ({})", first.source),
-        excitation: Excitation::Record,
-        status: Status::Computed,
+        label: "Measured".into(),
+        figure_key: "k-measured".into(),
         quantities: quantities(&values),
-        steps: Vec::new(),
-        checks: Vec::new(),
-        profiles: Vec::new(),
-        assumptions: Vec::new(),
         notes,
+        ..Method::new(compare::MEASURED, &title, Excitation::Record)
     })
 }
 

@@ -10,7 +10,7 @@ use engines::damping::Damper;
 use engines::{FeError, Simulation, engine, nonlinear};
 use results::compare::{Damping, Happened, Incomplete};
 use results::nonlinear::End;
-use results::{Method, Run, Status};
+use results::{Method, Run};
 
 /// Asks the engines of a job what they refuse of it.
 ///
@@ -63,16 +63,12 @@ pub(super) fn method(job: &Job, number: usize, simulation: &Simulation) -> Metho
         assumptions.extend(layers(job).map(String::from));
     }
     Method {
-        id: id.column(number).into(),
-        title: id.title().into(),
-        excitation: Excitation::Record,
-        status: Status::Computed,
+        label: id.label(number).into(),
+        figure_key: id.figure_key(number).into(),
         quantities: quantities(&simulation.values),
-        steps: Vec::new(),
-        checks: Vec::new(),
-        profiles: Vec::new(),
         assumptions,
         notes: simulation.notes.clone(),
+        ..Method::new(id.column(number), id.title(), Excitation::Record)
     }
 }
 

@@ -14,8 +14,6 @@ const KNOWN: &[(&str, usize)] = &[
     ("engines", 7),
     ("engines", 9),
     ("engines", 22),
-    ("results", 4),
-    ("tank", 4),
     ("tankcheck", 21),
 ];
 

@@ -2,6 +2,6 @@
 //! `ARCHITECTURE.md` draws the plan and gives the reasons.
 
 mod circles;
-mod labels;
+mod procedures;
 mod sources;
 mod walls;

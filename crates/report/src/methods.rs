@@ -1,8 +1,8 @@
-//! How methods are named and drawn: short labels, palette classes and report order.
+//! How methods are named and drawn: short labels, palette classes and report order. Each method brings its own.
 
-use tank::assessment::Excitation;
-
+use results::compare::MEASURED;
 use results::{FE, Method, Results};
+use tank::assessment::Excitation;
 
 /// Label, palette class and excitation of a method.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,26 +13,21 @@ pub struct Look {
     pub class: String,
     /// True for the column on the design spectrum of the site.
     pub site: bool,
+    /// True for the column to which all ratios refer.
+    pub reference: bool,
 }
 
 /// The look of a method.
 pub fn look(method: &Method) -> Look {
-    let (label, class) = match method.id.as_str() {
-        FE => ("Finite elements", "k-fe"),
-        "fe-solid" => ("3-D elements", "k-fe-solid"),
-        "fe-nonlinear" => ("Nonlinear elements", "k-fe-nonlinear"),
-        "measured" => ("Measured", "k-measured"),
-        "housner" => ("Housner", "k-housner"),
-        "ec8-env" => ("ENV 1998-4", "k-ec8-env"),
-        "ec8-2006" => ("EN 1998-4:2006", "k-ec8-2006"),
-        "api650-1993" => ("API 650, 9th ed.", "k-api650-1993"),
-        "api650-2020" => ("API 650 annex E", "k-api650-2020"),
-        _ => (method.title.as_str(), "k-other"),
+    let label = match method.label.as_str() {
+        "" => &method.title,
+        _ => &method.label,
     };
     Look {
-        label: label.into(),
-        class: class.into(),
+        label: label.clone(),
+        class: method.figure_key.clone(),
         site: method.excitation == Excitation::Site,
+        reference: method.id == FE,
     }
 }
 
@@ -59,18 +54,19 @@ impl Look {
 /// What shakes the tank, in a word.
 pub fn excitation(method: &Method) -> &'static str {
     match (method.id.as_str(), method.excitation) {
-        ("measured", _) => "test",
+        (MEASURED, _) => "test",
         (_, Excitation::Record) => "record",
         (_, Excitation::Site) => "site",
     }
 }
 
-/// Indices of the methods for figures: finite elements, the second engine, measurement, procedures on the record, on the site's spectrum.
+/// Indices of the methods for figures: finite elements, other engines, measurement, procedures on the record, on the spectrum of
+/// the site.
 pub fn figure_order(results: &Results) -> Vec<usize> {
     let rank = |m: &Method| match (m.id.as_str(), m.excitation) {
         (FE, _) => 0,
         _ if m.is_run() => 1,
-        ("measured", _) => 2,
+        (MEASURED, _) => 2,
         (_, Excitation::Record) => 3,
         (_, Excitation::Site) => 4,
     };

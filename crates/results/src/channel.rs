@@ -6,6 +6,12 @@
 use tank::Quantity;
 use tank::units::{Dimension, display};
 
+/// Columns of `series.csv` that hold the ground motion as computed with: acceleration [m/s²], velocity [m/s],
+/// displacement [m]; those of a vertical record carry [`VERTICAL_PREFIX`].
+pub const GROUND_COLUMNS: [&str; 3] = ["ground_acceleration", "ground_velocity", "ground_displacement"];
+/// Prefix of [`GROUND_COLUMNS`] for the vertical record.
+pub const VERTICAL_PREFIX: &str = "vertical_";
+
 /// What ids of wave heights begin with.
 pub const WAVE_HEIGHT: &str = "wave_height";
 /// Id of the base shear.
@@ -189,8 +195,8 @@ impl Channel {
     pub fn id(self) -> String {
         match self {
             Channel::Ground { motion, vertical } => {
-                let id = super::GROUND_COLUMNS[motion as usize];
-                let prefix = if vertical { super::VERTICAL_PREFIX } else { "" };
+                let id = GROUND_COLUMNS[motion as usize];
+                let prefix = if vertical { VERTICAL_PREFIX } else { "" };
                 format!("{prefix}{id}")
             }
             Channel::Wave(side) => format!("{WAVE_HEIGHT}_{}", side.id()),

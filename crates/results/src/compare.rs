@@ -4,6 +4,7 @@
 
 mod attribution;
 mod difference;
+mod mesh_error;
 mod nonlinear;
 
 use std::collections::BTreeMap;
@@ -12,10 +13,11 @@ use tank::Quantity;
 use tank::approach::Approach;
 
 pub use attribution::THRESHOLD;
-pub use difference::{Damping, Difference, Estimated, Incomplete, Ratio, Reason, Unusable, unusable};
+pub use difference::{Damping, Difference, Estimated, Incomplete, Ratio, Reason};
+pub use mesh_error::{Unusable, unusable};
 
 use crate::nonlinear::{End, Event};
-use crate::{Cell, Comparison, ComparisonRow, FE, Governing, MESH_ERROR_LIMIT, Method, Verdict};
+use crate::{Cell, Comparison, ComparisonRow, FE, Governing, Method, Verdict};
 
 /// Id of the column of measured values.
 pub const MEASURED: &str = "measured";
@@ -54,24 +56,6 @@ pub fn compare(methods: &[Method], context: &Context, published: Vec<tank::case:
         rows,
         differences,
         published,
-    }
-}
-
-impl Comparison {
-    /// Marks the values of a method whose estimated mesh error is above [`MESH_ERROR_LIMIT`]; [`unusable`] lists them.
-    ///
-    /// * `method`: id of the method
-    /// * `errors`: its relative errors by quantity id
-    pub fn mark_unusable(&mut self, methods: &[Method], method: &str, errors: &BTreeMap<String, f64>) {
-        let Some(column) = methods.iter().position(|m| m.id == method) else {
-            return;
-        };
-        for row in &mut self.rows {
-            let error = errors.get(&row.quantity).copied().unwrap_or(0.0);
-            if let (true, Some(Some(cell))) = (error > MESH_ERROR_LIMIT, row.cells.get_mut(column)) {
-                cell.unusable = true;
-            }
-        }
     }
 }
 
@@ -157,14 +141,10 @@ mod tests {
     use tank::units::Dimension;
 
     use super::*;
-    use crate::{Status, Value};
+    use crate::Value;
 
     fn method(id: &str, shear: f64) -> Method {
         Method {
-            id: id.into(),
-            title: id.into(),
-            excitation: Excitation::Record,
-            status: Status::Computed,
             quantities: BTreeMap::from([(
                 "base_shear".to_string(),
                 Value {
@@ -172,11 +152,7 @@ mod tests {
                     dimension: Dimension::Force,
                 },
             )]),
-            steps: vec![],
-            checks: vec![],
-            profiles: vec![],
-            assumptions: vec![],
-            notes: vec![],
+            ..Method::new(id, id, Excitation::Record)
         }
     }
 
@@ -203,26 +179,6 @@ mod tests {
                 unusable: false
             })
         );
-    }
-
-    #[test]
-    fn a_mesh_error_above_a_fifth_makes_a_number_unusable() {
-        let methods = [method("housner", 30.0), method("fe", 40.0)];
-        let mut comparison = compare(&methods, &Context::default(), vec![]);
-        let errors = |e: f64| BTreeMap::from([("base_shear".to_string(), e)]);
-        for (error, unusable) in [(0.0, false), (0.2, false), (0.2001, true)] {
-            comparison.mark_unusable(&methods, "fe", &errors(error));
-            assert_eq!(
-                comparison.rows[0].cells[1].map(|c| c.unusable),
-                Some(unusable),
-                "{error}"
-            );
-        }
-        assert_eq!(comparison.rows[0].cells[0].map(|c| c.unusable), Some(false));
-        // Results of an earlier version have no flag and read as usable.
-        let json = serde_json::to_value(comparison.rows[0].cells[0]).unwrap();
-        assert_eq!(json, serde_json::json!({ "value": 30.0, "ratio": 0.75 }));
-        assert!(!serde_json::from_value::<Cell>(json).unwrap().unusable);
     }
 
     #[test]

@@ -297,7 +297,7 @@ mod tests {
     use tank::units::Dimension;
 
     use super::*;
-    use crate::{Method, Status, Value};
+    use crate::{Method, Value};
 
     fn message(value: &impl Serialize) -> String {
         check("it", value).err().map_or(String::new(), |e| e.to_string())
@@ -321,10 +321,6 @@ mod tests {
     #[test]
     fn every_number_of_a_method_is_looked_at() {
         let method = |value| Method {
-            id: "housner".into(),
-            title: String::new(),
-            excitation: Excitation::Record,
-            status: Status::Computed,
             quantities: BTreeMap::from([(
                 "base_shear".to_string(),
                 Value {
@@ -332,11 +328,7 @@ mod tests {
                     dimension: Dimension::Force,
                 },
             )]),
-            steps: vec![],
-            checks: vec![],
-            profiles: vec![],
-            assumptions: vec![],
-            notes: vec![],
+            ..Method::new("housner", "", Excitation::Record)
         };
         assert_eq!(message(&method(1.0)), "");
         assert_eq!(

@@ -24,7 +24,7 @@ use serde::{Deserialize, Serialize};
 use tank::assessment::{Check, Excitation, Profile, Step};
 use tank::units::Dimension;
 
-pub use channel::Channel;
+pub use channel::{Channel, GROUND_COLUMNS, VERTICAL_PREFIX};
 pub use fact::{Fact, FactKind};
 pub use fields::{DeformedShape, Fields, Picture, WallMap};
 pub use ida::{
@@ -155,7 +155,32 @@ pub struct InputValue {
     pub source: String,
 }
 
+/// Class of the neutral colour in `templates/figure.css`.
+pub const NEUTRAL: &str = "k-other";
+
+fn neutral() -> String {
+    NEUTRAL.into()
+}
+
 impl Method {
+    /// An empty column of computed values in the neutral colour, labelled with its title.
+    pub fn new(id: &str, title: &str, excitation: Excitation) -> Method {
+        Method {
+            id: id.into(),
+            title: title.into(),
+            label: title.into(),
+            figure_key: neutral(),
+            excitation,
+            status: Status::Computed,
+            quantities: BTreeMap::new(),
+            steps: Vec::new(),
+            checks: Vec::new(),
+            profiles: Vec::new(),
+            assumptions: Vec::new(),
+            notes: Vec::new(),
+        }
+    }
+
     /// Whether it is the column of an engine.
     pub fn is_run(&self) -> bool {
         self.id == FE || EngineId::ALL.iter().any(|engine| engine.beside() == self.id)
@@ -281,10 +306,16 @@ pub enum Status {
 /// One column of the comparison.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Method {
-    /// `housner`, `ec8-env`, `ec8-2006`, `api650-1993`, `api650-2020`, `fe`, `fe-solid`, `fe-nonlinear`, `measured`.
+    /// Id of a procedure, [`FE`], `fe-solid`, `fe-nonlinear` or [`compare::MEASURED`].
     pub id: String,
     /// Title with edition.
     pub title: String,
+    /// Short label for figures and tables; empty in results of earlier versions, which show the title.
+    #[serde(default)]
+    pub label: String,
+    /// Class of its colour and dash in `templates/figure.css`; [`NEUTRAL`] in results of earlier versions.
+    #[serde(default = "neutral")]
+    pub figure_key: String,
     /// What shakes the tank.
     pub excitation: Excitation,
     /// Whether it gave values.
@@ -385,9 +416,3 @@ pub struct Series {
     /// Columns, SI.
     pub columns: Vec<Vec<f64>>,
 }
-
-/// Columns of `series.csv` that hold the ground motion as computed with: acceleration [m/s²], velocity [m/s],
-/// displacement [m]; those of a vertical record carry [`VERTICAL_PREFIX`].
-pub const GROUND_COLUMNS: [&str; 3] = ["ground_acceleration", "ground_velocity", "ground_displacement"];
-/// Prefix of [`GROUND_COLUMNS`] for the vertical record.
-pub const VERTICAL_PREFIX: &str = "vertical_";

@@ -55,6 +55,26 @@ impl EngineId {
         }
     }
 
+    /// Short label of its column in the comparison as the run `number` from 0.
+    pub fn label(self, number: usize) -> &'static str {
+        match (number, self) {
+            (0, _) => "Finite elements",
+            (_, EngineId::Harmonic) => "Harmonic elements",
+            (_, EngineId::Solid) => "3-D elements",
+            (_, EngineId::Nonlinear) => "Nonlinear elements",
+        }
+    }
+
+    /// Class of the colour and dash of its column as the run `number` from 0.
+    pub fn figure_key(self, number: usize) -> &'static str {
+        match (number, self) {
+            (0, _) => "k-fe",
+            (_, EngineId::Harmonic) => "k-other",
+            (_, EngineId::Solid) => "k-fe-solid",
+            (_, EngineId::Nonlinear) => "k-fe-nonlinear",
+        }
+    }
+
     /// Id of its column in the comparison where it runs beside another engine; the first one's is [`FE`].
     pub fn beside(self) -> &'static str {
         match self {

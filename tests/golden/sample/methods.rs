@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use codes::sheet::Sheet;
-use results::compare::{Difference, Ratio, Reason};
+use results::compare::{Difference, MEASURED, Ratio, Reason};
 use results::*;
 use tank::Quantity;
 use tank::assessment::{Check, Excitation, Profile};
@@ -35,19 +35,11 @@ pub(super) fn methods(
         for (i, (id, title, factor)) in procedures.into_iter().enumerate() {
             if kind == Kind::Rectangle && id.starts_with("api") {
                 methods.push(Method {
-                    id: id.into(),
-                    title: title.into(),
-                    excitation,
                     status: Status::NotApplicable {
                         clause: "API 650 1.1".into(),
                         reason: "the tank is rectangular; the standard covers vertical cylinders".into(),
                     },
-                    quantities: BTreeMap::new(),
-                    steps: Vec::new(),
-                    checks: Vec::new(),
-                    profiles: Vec::new(),
-                    assumptions: Vec::new(),
-                    notes: Vec::new(),
+                    ..column(id, title, excitation)
                 });
                 continue;
             }
@@ -57,37 +49,37 @@ pub(super) fn methods(
     }
     if with_fe {
         methods.push(Method {
-            id: "fe".into(),
-            title: "Finite elements, linear, harmonic".into(),
-            excitation: Excitation::Record,
-            status: Status::Computed,
+            label: EngineId::Harmonic.label(0).into(),
+            figure_key: EngineId::Harmonic.figure_key(0).into(),
             quantities: values.iter().map(|(q, v)| (q.id().to_owned(), value(*q, *v))).collect(),
-            steps: Vec::new(),
-            checks: Vec::new(),
-            profiles: Vec::new(),
             assumptions: vec![
                 "Small displacements and small waves; the liquid is inviscid and incompressible.".into(),
                 "The wall is clamped at its base.".into(),
             ],
-            notes: Vec::new(),
+            ..Method::new(FE, "Finite elements, linear, harmonic", Excitation::Record)
         });
         methods.push(Method {
-            id: "measured".into(),
-            title: "Measured".into(),
-            excitation: Excitation::Record,
-            status: Status::Computed,
+            figure_key: "k-measured".into(),
             quantities: BTreeMap::from([(
                 Quantity::SloshingHeight.id().to_owned(),
                 value(Quantity::SloshingHeight, 0.134),
             )]),
-            steps: Vec::new(),
-            checks: Vec::new(),
-            profiles: Vec::new(),
-            assumptions: Vec::new(),
             notes: vec!["Sloshing height: Manos and Clough 1982, shaking table test.".into()],
+            ..Method::new(MEASURED, "Measured", Excitation::Record)
         });
     }
     methods
+}
+
+/// An empty column of a procedure, named and drawn as the procedure of this id.
+fn column(id: &str, title: &str, excitation: Excitation) -> Method {
+    let found = codes::ALL.iter().find(|p| p.id() == id);
+    let label = found.expect("a procedure").label();
+    Method {
+        label: label.short.into(),
+        figure_key: label.figure_key.into(),
+        ..Method::new(id, title, excitation)
+    }
 }
 
 fn value(quantity: Quantity, value: f64) -> Value {
@@ -250,10 +242,6 @@ fn procedure(
         })
         .collect();
     Method {
-        id: id.into(),
-        title: title.into(),
-        excitation,
-        status: Status::Computed,
         quantities,
         steps: s.into_steps().expect("the formulas of the sample have all their terms"),
         checks: vec![
@@ -315,6 +303,7 @@ fn procedure(
         } else {
             Vec::new()
         },
+        ..column(id, title, excitation)
     }
 }
 

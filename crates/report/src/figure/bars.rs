@@ -64,7 +64,7 @@ pub fn bars(id: &str, title: &str, dimension: Dimension, bars: &[Bar]) -> Option
         let text = scale.text(bar.value);
         svg.text((WIDTH - 38.0, y + 10.5), Anchor::End, "vl", &text);
         let compared = bar.ratio.map_or("–".to_owned(), ratio);
-        if let (Some(_), false) = (bar.ratio, bar.look.class == "k-fe") {
+        if let (Some(_), false) = (bar.ratio, bar.look.reference) {
             svg.text((WIDTH, y + 10.5), Anchor::End, "mu", &format!("× {compared}"));
         }
         table.row(vec![
@@ -74,7 +74,7 @@ pub fn bars(id: &str, title: &str, dimension: Dimension, bars: &[Bar]) -> Option
             compared,
         ]);
     }
-    if let Some(fe) = bars.iter().find(|b| b.look.class == "k-fe") {
+    if let Some(fe) = bars.iter().find(|b| b.look.reference) {
         svg.line((at(fe.value), TOP - 2.0), (at(fe.value), height - 4.0), "rf");
     }
     svg.line((left, TOP - 2.0), (left, height - 4.0), "ax");

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::{Section, Source};
 use crate::number::{Scale, ratio};
 use files::error::Error;
+use results::compare::MEASURED;
 
 #[derive(Serialize)]
 struct Row {
@@ -22,7 +23,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let computed = |id: &str| source.fe().and_then(|m| m.quantities.get(id)).map(|v| v.value);
     let mut rows = Vec::new();
     let mut remarks: Vec<String> = Vec::new();
-    for method in source.results.methods.iter().filter(|m| m.id == "measured") {
+    for method in source.results.methods.iter().filter(|m| m.id == MEASURED) {
         remarks.extend(method.notes.iter().cloned());
     }
     for reported in &source.results.comparison.published {

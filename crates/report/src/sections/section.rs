@@ -1,5 +1,6 @@
 //! What every section has: its source, its context for the template, its figures.
 
+use results::compare::MEASURED;
 use results::{FE, Method, Results, Series};
 use serde::Serialize;
 use tera::Context;
@@ -90,7 +91,7 @@ impl<'a> Source<'a> {
         let of = |m: &Method| m.quantities.get(quantity).map(|v| v.value);
         self.fe()
             .and_then(of)
-            .or_else(|| self.results.methods.iter().filter(|m| m.id != "measured").find_map(of))
+            .or_else(|| self.results.methods.iter().filter(|m| m.id != MEASURED).find_map(of))
     }
 
     /// A column of the series.

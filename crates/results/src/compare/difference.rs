@@ -1,10 +1,9 @@
 //! Where a method differs from the finite elements and why, as facts: the report puts them into words.
 
-use crate::EngineId;
 use serde::{Deserialize, Serialize};
 use tank::Quantity;
 
-use crate::Results;
+use crate::EngineId;
 
 /// Where a method differs from the finite elements on the same ground motion, and why.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -215,37 +214,4 @@ pub enum Incomplete {
         /// Time [s].
         time: f64,
     },
-}
-
-/// A value whose estimated mesh error is above [`crate::MESH_ERROR_LIMIT`].
-#[derive(Clone, Debug, PartialEq)]
-pub struct Unusable {
-    /// Id of the method.
-    pub method: String,
-    /// The quantity.
-    pub quantity: Quantity,
-    /// Estimated relative error.
-    pub error: f64,
-}
-
-/// All values that are not to be used, by method and quantity.
-pub fn unusable(results: &Results) -> Vec<Unusable> {
-    let mut found = Vec::new();
-    for (number, run) in results.runs.iter().enumerate() {
-        let id = run.engine.column(number);
-        let Some(column) = results.methods.iter().position(|m| m.id == id) else {
-            continue;
-        };
-        for row in &results.comparison.rows {
-            let marked = row.cells.get(column).copied().flatten().is_some_and(|c| c.unusable);
-            if let (true, Some(quantity)) = (marked, Quantity::from_id(&row.quantity)) {
-                found.push(Unusable {
-                    method: id.into(),
-                    quantity,
-                    error: run.mesh_error.get(&row.quantity).copied().unwrap_or(f64::NAN),
-                });
-            }
-        }
-    }
-    found
 }

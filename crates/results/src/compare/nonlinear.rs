@@ -66,14 +66,10 @@ mod tests {
     use super::super::{Damping, compare};
     use super::*;
     use crate::nonlinear::{Event, EventKind};
-    use crate::{FE, Status, Value};
+    use crate::{FE, Value};
 
     fn method(id: &str, moment: f64) -> Method {
         Method {
-            id: id.into(),
-            title: id.into(),
-            excitation: Excitation::Record,
-            status: Status::Computed,
             quantities: BTreeMap::from([(
                 Quantity::BaseMoment.id().to_owned(),
                 Value {
@@ -81,11 +77,7 @@ mod tests {
                     dimension: Dimension::Moment,
                 },
             )]),
-            steps: vec![],
-            checks: vec![],
-            profiles: vec![],
-            assumptions: vec![],
-            notes: vec![],
+            ..Method::new(id, id, Excitation::Record)
         }
     }
 
