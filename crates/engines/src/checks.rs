@@ -2,7 +2,8 @@
 
 use tank::Case;
 
-use crate::{FeError, Options};
+use crate::FeError;
+use tank::options::LinearOptions as Options;
 
 /// Allowed range of [`Options::refine`].
 const REFINE: std::ops::RangeInclusive<f64> = 0.25..=16.0;

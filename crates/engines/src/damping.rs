@@ -5,9 +5,10 @@
 
 use tank::Case;
 
+use crate::FeError;
 use crate::modes::{CoupledMode, Kind};
-use crate::{DampingModel, FeError};
 use results::DampingRow;
+use tank::options::linear::DampingModel;
 
 pub use fem::analysis::damping::Rayleigh;
 use fem::analysis::damping::{DampingError, remark};

@@ -7,10 +7,12 @@ use results::{EngineId, Run, Series, Snapshots};
 use tank::refusal::Refusal;
 use tank::{Case, Quantity};
 
+use crate::FeError;
 use crate::estimate::Estimate;
-use crate::nonlinear::{CheckpointFile, NonlinearOptions};
-use crate::solid::SolidOptions;
-use crate::{FeError, Options};
+use crate::nonlinear::CheckpointFile;
+use tank::options::LinearOptions as Options;
+use tank::options::nonlinear::NonlinearOptions;
+use tank::options::solid::SolidOptions;
 
 /// What an engine is asked for: a case, and the options of all engines, of which it takes its own.
 #[derive(Clone, Copy, Debug)]

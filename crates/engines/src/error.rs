@@ -88,6 +88,11 @@ fn way_out(error: &CheckpointError) -> &'static str {
     }
 }
 
+/// An error of a model or an analysis as one of the engine.
+pub(crate) fn failed(error: impl std::fmt::Display) -> FeError {
+    FeError::Analysis(error.to_string())
+}
+
 /// Turns a failed factorisation into an error of the engine.
 pub(crate) fn failure(matrix: &'static str) -> impl Fn(LinalgError) -> FeError {
     move |error| match error {

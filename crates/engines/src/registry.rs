@@ -103,9 +103,9 @@ mod tests {
     use tank::Case;
 
     use super::*;
-    use crate::Options;
-    use crate::nonlinear::NonlinearOptions;
-    use crate::solid::SolidOptions;
+    use tank::options::LinearOptions as Options;
+    use tank::options::nonlinear::NonlinearOptions;
+    use tank::options::solid::SolidOptions;
 
     #[test]
     fn every_id_has_its_engine() {

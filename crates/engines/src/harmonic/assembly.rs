@@ -5,8 +5,8 @@
 use tank::Case;
 use tank::Shape;
 
-use crate::liquid::Potential;
 use fem::linalg::Matrix;
+use fem::liquid::Potential;
 
 use super::reduce::Reduction;
 use super::wall::{NODAL, NODE, Wall};

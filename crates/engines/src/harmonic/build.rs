@@ -3,13 +3,14 @@
 use tank::Case;
 use tank::Shape;
 
+use crate::FeError;
 use crate::checks::check_options;
 use crate::coupled::{Coupled, Part, ShapeRows};
 use crate::error::failure;
-use crate::liquid::{Domain, LiquidMesh, Potential};
-use crate::{FeError, Options};
 use fem::linalg::Cholesky;
+use fem::liquid::{Domain, LiquidMesh, Potential};
 use results::Labelled;
+use tank::options::LinearOptions as Options;
 
 use super::assembly::{Assembly, RoofShare};
 use super::observe::Observer;

@@ -11,12 +11,14 @@ use tank::Case;
 use tank::Shape;
 
 use super::wall_mesh::wall_nodes;
+use crate::FeError;
 use crate::estimate::{
     DENSE_RATE, Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PROGRAM, Response, SWEEP_RATE, coarser,
     first_wall_frequency,
 };
 use crate::linear::coarse_options;
-use crate::{FeError, Integrator, Options};
+use tank::options::LinearOptions as Options;
+use tank::options::linear::Integrator;
 
 /// Dense matrices of the order of the coupled system that are there at a time while its modes are sought.
 const MATRICES: f64 = 8.0;

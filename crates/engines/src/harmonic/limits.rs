@@ -101,8 +101,8 @@ pub fn notes(case: &Case, modes: &[Mode]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Options;
     use crate::harmonic::{modes, test_tanks};
+    use tank::options::LinearOptions as Options;
 
     /// The broad tank: 26.2 Hz against 0.3 · 235 Hz, thin wall. A stiff deep one of concrete must warn twice.
     #[test]

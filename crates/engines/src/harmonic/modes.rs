@@ -4,8 +4,9 @@ use results::Mode;
 use tank::Case;
 
 use super::build::build;
+use crate::FeError;
 use crate::modes::solve;
-use crate::{FeError, Options};
+use tank::options::LinearOptions as Options;
 
 /// Modes of several harmonics: at most `count` of each kind and harmonic, by ascending frequency within a harmonic.
 ///

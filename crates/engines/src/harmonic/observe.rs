@@ -5,11 +5,11 @@
 
 use tank::Case;
 
-use crate::Options;
 use crate::probe::{ModeSelection, Probe, ProbeLine};
 use fem::linalg::dot;
 use results::Channel;
 use results::channel::{OnWall, Side};
+use tank::options::LinearOptions as Options;
 
 use super::assembly::Assembly;
 use super::state::Static;

@@ -2,7 +2,7 @@
 
 use tank::{Shape, Tank};
 
-use crate::liquid::scaled;
+use fem::liquid::scaled;
 
 /// Elements over the height of the default mesh, outside the layer at the base.
 const ELEMENTS: f64 = 30.0;

@@ -7,14 +7,16 @@ use tank::Quantity;
 use tank::case::GroundMotion;
 
 use super::model::{Harmonic, Model, Scalar};
+use crate::FeError;
 use crate::modes::{CoupledMode, Kind};
 use crate::response::direct::{self, DirectSystem};
 use crate::response::motion::{Grid, Motion};
 use crate::response::observe::{Extreme, History, Observed};
 use crate::response::superpose::{self, ModalSystem, Observable};
-use crate::{FeError, Integrator, Options};
 use results::channel::{OnWall, Side};
 use results::{Channel, EnergyBalance};
+use tank::options::LinearOptions as Options;
+use tank::options::linear::Integrator;
 
 /// Extremes along a line at θ = 0 and at θ = 180°.
 #[derive(Clone, Debug, PartialEq)]

@@ -9,9 +9,10 @@ use super::model::{FREE_PERIODS, Harmonic, Model};
 use crate::harmonic::{self};
 use crate::modes::{CoupledMode, Kind};
 use crate::response::superpose::{FREQUENCY_FACTOR, SLOSHING_MODES, STRUCTURAL_MODES};
-use crate::{DampingModel, Integrator, Options};
 use fem::linalg::dot;
 use results::{Balance, Channel, Labelled};
+use tank::options::LinearOptions as Options;
+use tank::options::linear::{DampingModel, Integrator};
 
 /// Time integration, damping and number of modes, in words.
 pub fn integration(model: &Model, options: &Options, analysis: &Analysis, motion: &GroundMotion) -> Vec<Labelled> {

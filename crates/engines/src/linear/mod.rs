@@ -17,9 +17,11 @@ use analysis::{Analysis, analyse};
 use model::{Harmonic, Model};
 
 use super::histories::Histories;
-use super::{FeError, Integrator, Options, Simulation};
+use super::{FeError, Simulation};
 use results::nonlinear::End;
 use results::{EngineId, Envelope, Mode, Run, SeriesInfo};
+use tank::options::LinearOptions as Options;
+use tank::options::linear::Integrator;
 
 /// Modes of each kind and harmonic that are listed in the results.
 const LISTED_MODES: usize = 6;

@@ -10,9 +10,11 @@ use crate::modes::{CoupledMode, Kind};
 use crate::probe::{Probe, ProbeLine};
 use crate::response::superpose::Observable;
 use crate::response::{direct, motion::Grid};
-use crate::{FeError, Integrator, Options, estimate};
+use crate::{FeError, estimate};
 use results::Channel;
 use results::channel::{OnWall, Side};
+use tank::options::LinearOptions as Options;
+use tank::options::linear::Integrator;
 
 /// Sub-steps in the period of the highest significant mode, for extremes between samples (the response itself is exact).
 const SUB_STEPS_PER_PERIOD: f64 = 20.0;

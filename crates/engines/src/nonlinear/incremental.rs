@@ -5,12 +5,13 @@ use tank::Case;
 use tank::Shape;
 use tank::units::Dimension;
 
-use super::cylinder::{self, Cylinder};
+use super::CheckpointFile;
+use super::cylinder::Cylinder;
 use super::strip::Strip;
-use super::{CheckpointFile, NonlinearOptions};
 use crate::FeError;
 use crate::checks::check_depth;
 use results::{Fact, IdaRun};
+use tank::options::nonlinear::NonlinearOptions;
 
 /// A tank ready to be shaken at rising scales.
 pub struct Incremental<'a>(Kind<'a>);
@@ -70,7 +71,7 @@ impl<'a> Incremental<'a> {
     pub fn moment(&self) -> Dimension {
         match &self.0 {
             Kind::Strip(_) => Dimension::LineMoment,
-            Kind::Cylinder(_) => cylinder::MOMENT,
+            Kind::Cylinder(_) => Dimension::Moment,
         }
     }
 

@@ -11,8 +11,8 @@ use materials::elastic::Elastic;
 use materials::{Law, LawError};
 use tank::{Bar, BarDirection, Behaviour, Concrete, ConcreteLaw, Layer, Material, Softening};
 
-use super::ThicknessRule;
 use crate::FeError;
+use tank::options::nonlinear::ThicknessRule;
 
 /// Crushing energy over fracture energy (theory of the laws of concrete).
 pub(super) const CRUSHING: f64 = 250.0;

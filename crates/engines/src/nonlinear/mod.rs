@@ -2,65 +2,28 @@
 //!
 //! [`simulate`] runs a case once, [`Incremental`] at rising scales of its record, [`push`] is the static pushover of a cylinder.
 
+mod checkpoint;
 mod cylinder;
 mod incremental;
 mod laws;
+mod parting;
 pub mod push;
 pub mod scope;
 mod strip;
 
-use std::path::PathBuf;
-
-use fem::analysis::checkpoint::unfinished;
 use fem::progress::Progress;
-use fem::strip::Side;
 use tank::Case;
 use tank::Shape;
 
 use super::estimate::Estimate;
 use super::{FeError, Simulation};
 use crate::checks::check_depth;
-use results::LiquidParting;
 
+pub use checkpoint::CheckpointFile;
 pub use incremental::Incremental;
 pub use tank::options::nonlinear::{
     Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, ThicknessRule, WallElements,
 };
-
-/// In the vocabulary of the results.
-fn parting(found: fem::liquid::separation::Parting) -> LiquidParting {
-    LiquidParting {
-        time: found.time,
-        height: found.height,
-        open: found.open,
-    }
-}
-
-/// Where a run keeps what it needs to be resumed. A strip keeps its second wall beside it, in `path` with `.theta_180` after it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct CheckpointFile {
-    /// File.
-    pub path: PathBuf,
-    /// Hash of the input: another key is another analysis.
-    pub key: String,
-    /// Go on from the file if there is one.
-    pub resume: bool,
-}
-
-impl CheckpointFile {
-    /// The files that a run may keep.
-    pub fn files(&self) -> [PathBuf; 2] {
-        Side::BOTH.map(|side| strip::wall_path(&self.path, side))
-    }
-
-    /// Removes what a run has kept: its results are written. What cannot be removed is only litter.
-    pub fn remove(&self) {
-        for path in self.files() {
-            let _ = std::fs::remove_file(unfinished(&path));
-            let _ = std::fs::remove_file(path);
-        }
-    }
-}
 
 /// What [`simulate`] takes, from case and options alone.
 ///

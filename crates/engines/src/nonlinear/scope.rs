@@ -13,9 +13,10 @@ use tank::{Behaviour, Concrete, ConcreteLaw, Course, Layer, LayerKind, Shape, So
 use super::cylinder::mesh::Cells;
 use super::cylinder::section as shells;
 use super::laws::uniaxial_concrete;
+use super::strip;
 use super::strip::section as fibres;
-use super::{NonlinearOptions, WallElements, strip};
 use crate::FeError;
+use tank::options::nonlinear::{NonlinearOptions, WallElements};
 
 /// Size at which only a law itself can be at fault [m].
 const TINY: f64 = 1e-3;

@@ -22,6 +22,7 @@ use super::model::TankModel;
 use super::reduce::{Space, rigid_motion};
 use super::rows::{Row, sparse_dot};
 use super::system::System;
+use crate::FeError;
 use crate::damping::Damper;
 use crate::error::failure;
 use crate::linear::Direct;
@@ -30,8 +31,8 @@ use crate::linear::model::Model;
 use crate::modes::{CoupledMode, Kind};
 use crate::probe::{ModeSelection, Probe};
 use crate::response::observe::{Extreme, History};
-use crate::{FeError, Integrator};
 use results::EnergyBalance;
+use tank::options::linear::Integrator;
 
 /// What the integration works on.
 pub struct OwnUnknowns<'a> {

@@ -10,16 +10,16 @@
 use tank::Case;
 use tank::Shape;
 
+use super::memory::RUN;
 use super::mesh::Division;
-use super::reduce::{self, VECTORS};
-use super::{Liquid, MeshSize, SolidOptions};
+use super::poles::{VECTORS, poles};
+use crate::FeError;
 use crate::estimate::{
     Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PRODUCT_RATE, PROGRAM, Response, SWEEP_RATE, coarser,
 };
-use crate::{FeError, Integrator, Options};
-
-/// What messages call such a run.
-pub const RUN: &str = "three-dimensional run";
+use tank::options::LinearOptions as Options;
+use tank::options::linear::Integrator;
+use tank::options::solid::{Liquid, MeshSize, SolidOptions};
 
 /// Unknowns of a node of the wall.
 const WALL: f64 = 5.0;
@@ -114,7 +114,7 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
         depth: division.liquid.len() as f64,
         wall: (division.wall.len() - 1) as f64,
     };
-    let poles = reduce::poles(case, solid).len() as f64;
+    let poles = poles(case, solid).len() as f64;
     let n = unknowns(&nodes, solid.liquid);
     let factors = factors(&nodes, solid.liquid, poles);
     let cells = nodes.sectors * nodes.radial * (nodes.depth - 1.0);

@@ -9,13 +9,13 @@ use fem::element::Inspect;
 use fem::element::shell::recovery::centre_resultants;
 use tank::units::Dimension;
 
-use super::Liquid;
 use super::model::TankModel;
 use super::moments::{Histories, Moment};
 use super::reduce::Space;
 use super::spectrum::TankMode;
 use crate::modes::Kind;
 use results::{DeformedShape, Fields, Picture, Resultants, Snapshot, Snapshots, WallMap};
+use tank::options::solid::Liquid;
 
 /// Most levels of wall nodes that are drawn.
 const LEVELS: usize = 25;

@@ -14,8 +14,9 @@
 
 use tank::{Shape, Tank};
 
-use super::{MeshSize, SolidOptions};
-use crate::{FeError, Options};
+use crate::FeError;
+use tank::options::LinearOptions as Options;
+use tank::options::solid::{MeshSize, SolidOptions};
 
 /// Element length at the clamped base, in √(R t).
 const BASE: f64 = 0.3;

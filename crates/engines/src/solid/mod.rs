@@ -6,9 +6,12 @@
 mod direct;
 mod estimate;
 pub mod fields;
+mod memory;
 pub mod mesh;
 pub mod model;
 pub mod moments;
+mod poles;
+mod project;
 pub mod reduce;
 pub mod ritz;
 pub(crate) mod roof;
@@ -19,6 +22,6 @@ mod symmetry;
 pub mod system;
 pub mod waves;
 
-pub use estimate::{RUN, estimate};
+pub use estimate::estimate;
 pub use run::{modes, most_waves, respond, simulate};
 pub use tank::options::solid::{Liquid, MeshSize, MeshSizeError, SolidOptions};

@@ -13,16 +13,19 @@ use fem::element::shell::section::{ElasticSection, Section};
 use fem::element::shell::surface::{Normals, ShellCell, ShellSurface};
 use fem::element::shell4::Axes;
 use fem::element::{ElementError, Fluid8, FreeSurface, LiquidProperties, Potential8, PotentialSurface, WetFace};
-use fem::mesh::{Cylinder, Face, MeshError, Volume};
-use fem::model::{Builder, Model, ModelError};
+use fem::mesh::{Cylinder, Face, Volume};
+use fem::model::{Builder, Model};
 use nalgebra::Vector3;
 use tank::Case;
 use tank::Shape;
 
+use super::memory::allow;
 use super::mesh::Division;
 use super::roof::RoofRing;
-use super::{Liquid, SolidOptions};
-use crate::{FeError, Options};
+use crate::FeError;
+use crate::error::failed;
+use tank::options::LinearOptions as Options;
+use tank::options::solid::{Liquid, SolidOptions};
 
 /// Group of the wall's shells.
 pub const WALL: &str = "wall";
@@ -124,9 +127,7 @@ impl TankModel {
             Liquid::Displacement => joint_stiffness(case, &division),
             Liquid::Potential => 0.0,
         };
-        let model = builder
-            .build()
-            .map_err(|e: ModelError| FeError::Analysis(e.to_string()))?;
+        let model = builder.build().map_err(failed)?;
         let assembler = Assembler::new(&model);
         Ok(TankModel {
             division,
@@ -164,22 +165,13 @@ impl TankModel {
     }
 }
 
-/// An error of an element as one of the engine.
-pub fn element_error(error: ElementError) -> FeError {
-    FeError::Analysis(error.to_string())
-}
-
-fn mesh_error(error: MeshError) -> FeError {
-    FeError::Analysis(error.to_string())
-}
-
 fn add_wall(case: &Case, division: &Division, builder: &mut Builder) -> Result<WallPart, FeError> {
     let mesh = Cylinder {
         radii: division.radii.clone(),
         sectors: division.sectors,
         heights: division.wall.clone(),
     };
-    let wall = mesh.wall().map_err(mesh_error)?;
+    let wall = mesh.wall().map_err(failed)?;
     builder.nodes(&wall.nodes);
     let levels = division.wall.windows(2);
     let courses: Vec<_> = levels.map(|z| case.tank.course_at(0.5 * (z[0] + z[1]))).collect();
@@ -191,7 +183,7 @@ fn add_wall(case: &Case, division: &Division, builder: &mut Builder) -> Result<W
             Ok(Arc::new(section) as Arc<dyn Section>)
         })
         .collect::<Result<Vec<_>, ElementError>>()
-        .map_err(element_error)?;
+        .map_err(failed)?;
     let cells = wall
         .cells
         .iter()
@@ -211,7 +203,7 @@ fn add_wall(case: &Case, division: &Division, builder: &mut Builder) -> Result<W
         axes: Axes::HOOP_Z,
         ..ShellSurface::new(cells)
     };
-    let placed = surface.place(builder).map_err(element_error)?;
+    let placed = surface.place(builder).map_err(failed)?;
     for &node in &wall.rows[0] {
         for &dof in Dof::SHELL {
             builder.hold(node, dof);
@@ -237,9 +229,6 @@ fn add_wall(case: &Case, division: &Division, builder: &mut Builder) -> Result<W
 /// factor of a larger one needs more for each unknown.
 const LEAST_BYTES: f64 = 2048.0;
 
-/// What to do about a mesh that does not fit.
-pub(super) const COARSEN: &str = "coarsen the mesh (--mesh, --refine), or raise --memory-limit";
-
 /// Refuses a mesh that cannot fit, before its nodes and elements fill the memory themselves.
 ///
 /// Errors: more unknowns than the allowed memory holds at `LEAST_BYTES` each.
@@ -251,16 +240,7 @@ fn refuse_the_hopeless(division: &Division, solid: &SolidOptions) -> Result<(), 
         Liquid::Potential => 1.0,
     };
     let unknowns = unknowns_of_liquid * liquid + 5.0 * ring * (division.wall.len() - 1) as f64;
-    let needed = (unknowns * LEAST_BYTES / f64::from(1 << 20)).ceil() as u64;
-    if needed > solid.memory_limit_mib {
-        return Err(FeError::Memory {
-            run: super::RUN.into(),
-            needed_mib: needed,
-            allowed_mib: solid.memory_limit_mib,
-            help: COARSEN.into(),
-        });
-    }
-    Ok(())
+    allow((unknowns * LEAST_BYTES) as u64, solid.memory_limit_mib << 20)
 }
 
 fn add_liquid(
@@ -275,31 +255,30 @@ fn add_liquid(
         sectors: division.sectors,
         heights: division.liquid.clone(),
     };
-    let mut volume = mesh.volume().map_err(mesh_error)?;
+    let mut volume = mesh.volume().map_err(failed)?;
     let first = builder.nodes(&volume.nodes);
     shift(&mut volume, first);
     let (density, gravity) = (case.liquid.density, case.gravity);
     match liquid {
         Liquid::Potential => {
             for cell in &volume.cells {
-                let element = Potential8::new(cell, Chart::Cylindrical, density).map_err(element_error)?;
+                let element = Potential8::new(cell, Chart::Cylindrical, density).map_err(failed)?;
                 builder.element(LIQUID, element);
             }
             for face in &volume.surface {
-                let element =
-                    PotentialSurface::new(face, Chart::Cylindrical, density, gravity).map_err(element_error)?;
+                let element = PotentialSurface::new(face, Chart::Cylindrical, density, gravity).map_err(failed)?;
                 builder.element(SURFACE, element);
             }
-            join_potential(division, &volume, wall, density, builder).map_err(element_error)?;
+            join_potential(division, &volume, wall, density, builder).map_err(failed)?;
         }
         Liquid::Displacement => {
             let liquid = displacement_liquid(case);
             for cell in &volume.cells {
-                let element = Fluid8::new(cell, Chart::Cylindrical, liquid).map_err(element_error)?;
+                let element = Fluid8::new(cell, Chart::Cylindrical, liquid).map_err(failed)?;
                 builder.element(LIQUID, element);
             }
             for face in &volume.surface {
-                let element = FreeSurface::new(face, Chart::Cylindrical, density * gravity).map_err(element_error)?;
+                let element = FreeSurface::new(face, Chart::Cylindrical, density * gravity).map_err(failed)?;
                 builder.element(SURFACE, element);
             }
             // The bottom is rigid; the liquid slides on it.
@@ -309,8 +288,8 @@ fn add_liquid(
             let law = ContactLaw::bonded(joint_stiffness(case, division));
             for (face, wall) in volume.wall.iter().zip(&wall.faces) {
                 let normals = face.chart.map(|c| [c[1].cos(), c[1].sin(), 0.0]);
-                let joint = Contact8::new(face, Chart::Cylindrical, wall.nodes, face.nodes, normals, law)
-                    .map_err(element_error)?;
+                let joint =
+                    Contact8::new(face, Chart::Cylindrical, wall.nodes, face.nodes, normals, law).map_err(failed)?;
                 builder.element(JOINT, joint);
             }
         }

@@ -4,13 +4,15 @@ use tank::case::GroundMotion;
 
 use super::reduce::Space;
 use super::rows::sparse_dot;
+use crate::FeError;
 use crate::linear::model::Model;
 use crate::modes::CoupledMode;
 use crate::probe::Probe;
 use crate::response::motion::Motion;
 use crate::response::superpose::{self, ModalSystem, Observable};
-use crate::{FeError, Integrator, Options};
 use results::Channel;
+use tank::options::LinearOptions as Options;
+use tank::options::linear::Integrator;
 
 /// Histories of the reduced coordinates at the samples of the record.
 pub struct Histories {

@@ -24,49 +24,24 @@ use fem::assembly::local_values;
 use fem::chart::Chart;
 use fem::dofs::Dof;
 use fem::element::{Fluid8, LiquidProperties, reference_stiffness};
-use fem::linalg::{Cholesky, Matrix, dot, transposed_product};
+use fem::linalg::{Cholesky, Matrix, transposed_product};
 use fem::progress::Progress;
 use tank::Case;
 
-use super::Liquid;
-use super::SolidOptions;
-use super::model::{SURFACE, TankModel, WALL, displacement_liquid, element_error};
+use super::model::{SURFACE, TankModel, WALL, displacement_liquid};
+use super::poles::VECTORS;
+use super::project::Projector;
 use super::ritz::{Ritz, reduce, symmetric};
-use super::rows::{Observer, Resultant, Row, sparse_dot, static_load};
+use super::rows::{Observer, Row, static_load};
 use super::symmetry::Harmonic;
 use super::system::{System, columns};
-use crate::coupled::{Coupled, Part, ShapeRows, SparseRow};
-use crate::error::failure;
-use crate::probe::{ModeSelection, Probe, ProbeLine};
-use crate::{FeError, Options};
+use crate::FeError;
+use crate::coupled::{Coupled, Part, SparseRow};
+use crate::error::{failed, failure};
 use results::Channel;
 use results::Labelled;
-use results::channel::{OnWall, Side};
-
-/// Ritz vectors of one direction of motion.
-pub const VECTORS: usize = 80;
-
-/// Poles of the reduction beside s = 0 [rad²/s²]: none with a potential; with a displacement liquid, ω² and (2.5 ω)² with ω
-/// near the first mode of the wall,
-///
-/// ```text
-/// ω = 2π/(C H) √(E t/(ρ R))     C = 6.5, t the mean thickness (Malhotra, Wenk & Wieland 2000: C = 6.1 … 9.3)
-/// ```
-pub fn poles(case: &Case, solid: &SolidOptions) -> Vec<f64> {
-    if solid.liquid == Liquid::Potential {
-        return Vec::new();
-    }
-    let tank = &case.tank;
-    let height = tank.wall_height();
-    let stiffness: f64 = tank
-        .courses
-        .iter()
-        .map(|c| c.material.youngs_modulus * c.thickness * c.height)
-        .sum();
-    let (depth, radius) = (case.liquid.fill_height, tank.shape.half_length());
-    let omega = std::f64::consts::TAU / (6.5 * depth) * (stiffness / height / (case.liquid.density * radius)).sqrt();
-    vec![omega * omega, 6.25 * omega * omega]
-}
+use tank::options::LinearOptions as Options;
+use tank::options::solid::Liquid;
 
 /// What leads from the reduced coordinates of one direction of motion back to the model.
 pub struct Space {
@@ -80,7 +55,7 @@ pub struct Space {
     pub potentials: Vec<bool>,
     /// Mean elevation of a potential liquid's surface over the unknowns.
     pub mean_elevation: SparseRow,
-    /// Row of every probe over the unknowns, by [`Probe::key`].
+    /// Row of every probe over the unknowns, by [`crate::probe::Probe::key`].
     pub rows: BTreeMap<String, Row>,
 }
 
@@ -94,7 +69,7 @@ pub fn statics(tank: &TankModel) -> Result<Vec<f64>, FeError> {
     let stiffness = tank
         .assembler
         .stiffness_of(&tank.model, |e| tank.is_in(e, &[WALL]))
-        .map_err(element_error)?
+        .map_err(failed)?
         .submatrix(&own);
     let load = static_load(tank, &tank.assembler);
     let right: Vec<f64> = own.iter().map(|&e| load[e]).collect();
@@ -231,7 +206,7 @@ fn surface_part(tank: &TankModel, basis: &Matrix) -> Result<Part, FeError> {
     let gravity = tank
         .assembler
         .stiffness_of(&tank.model, |e| tank.is_in(e, &[SURFACE]))
-        .map_err(element_error)?;
+        .map_err(failed)?;
     let images: Vec<Vec<f64>> = (0..basis.cols).map(|j| gravity.times(basis.column(j))).collect();
     Ok(Part {
         unknowns: 0..basis.cols,
@@ -253,8 +228,8 @@ fn rotation_part(case: &Case, tank: &TankModel, basis: &Matrix) -> Result<Option
     let n = basis.cols;
     let mut sum = Matrix::zeros(n, n);
     for cell in &tank.volume.cells {
-        let element = Fluid8::new(cell, Chart::Cylindrical, rotation_only).map_err(element_error)?;
-        let stiffness = reference_stiffness(&element).map_err(element_error)?.to_matrix();
+        let element = Fluid8::new(cell, Chart::Cylindrical, rotation_only).map_err(failed)?;
+        let stiffness = reference_stiffness(&element).map_err(failed)?.to_matrix();
         let values: Vec<Vec<f64>> = (0..n)
             .map(|j| local_values(&tank.model, &element, basis.column(j)))
             .collect();
@@ -313,254 +288,3 @@ fn describe(tank: &TankModel, system: &System, vectors: usize) -> Vec<Labelled> 
         ),
     ]
 }
-
-/// Turns rows over the model into probes over the reduced coordinates.
-struct Projector<'a> {
-    tank: &'a TankModel,
-    system: &'a System,
-    basis: &'a Matrix,
-    rigid: &'a [f64],
-    influence: &'a [f64],
-    statics: &'a [f64],
-    observer: Observer<'a>,
-    /// The rows that have been made into probes, by [`Probe::key`].
-    rows: RefCell<BTreeMap<String, Row>>,
-}
-
-impl Projector<'_> {
-    fn project(&self, row: &[(usize, f64)]) -> Vec<f64> {
-        if row.is_empty() {
-            return Vec::new();
-        }
-        (0..self.basis.cols)
-            .map(|j| sparse_dot(row, self.basis.column(j)))
-            .collect()
-    }
-
-    /// Completes `probe` from its row.
-    fn probe(&self, probe: Probe, row: &Row) -> Probe {
-        self.rows.borrow_mut().insert(probe.key(), row.clone());
-        let dofs = self.tank.model.dofs();
-        let mut displacement = row.displacement.clone();
-        // The mean of φ̈ over the surface is −g times the mean elevation.
-        let potential: f64 = row
-            .acceleration
-            .iter()
-            .filter(|(e, _)| dofs.unknown(*e).1 == Dof::Phi)
-            .map(|(_, c)| c)
-            .sum();
-        if self.observer.harmonic == 0 && potential != 0.0 {
-            let factor = -self.tank.gravity * potential;
-            displacement.extend(self.system.mean_elevation.iter().map(|&(e, w)| (e, factor * w)));
-        }
-        let acceleration = self.project(&row.acceleration);
-        let rigid = row.held + sparse_dot(&row.acceleration, self.rigid);
-        Probe {
-            displacement: self.project(&displacement),
-            ground_acceleration: rigid - dot(&acceleration, self.influence),
-            absolute_acceleration: acceleration,
-            ..probe
-        }
-    }
-
-    fn gauge(&self, r: f64, channel: Channel, options: &Options) -> Probe {
-        let probe = Probe {
-            modes: ModeSelection::FirstSloshing(options.wave_modes),
-            ..Probe::new(channel)
-        };
-        self.probe(probe, &self.observer.elevation(r))
-    }
-
-    /// Scalar outputs, as of the harmonic engine.
-    fn probes(&self, case: &Case, options: &Options) -> Result<Vec<Probe>, FeError> {
-        let mut probes = vec![self.gauge(self.tank.radius, Channel::Wave(Side::Front), options)];
-        for &r in &options.gauges {
-            probes.push(self.gauge(r, Channel::WaveAt { r }, options));
-        }
-        probes.extend(self.reactions()?);
-        probes.extend(self.base(case)?);
-        for &z in &options.stations {
-            let level = self.level_of(z);
-            let courses = self.tank.wall.courses();
-            let Some(course) = courses.iter().find(|c| c.contains(&level)) else {
-                continue;
-            };
-            for line in STRESSES {
-                let probe = Probe::new(Channel::At { what: line.0, z });
-                probes.push(self.wall_probe(probe, line.1, course, z));
-            }
-            let nodes = &self.tank.wall.z;
-            let share = (z - nodes[level]) / (nodes[level + 1] - nodes[level]);
-            let mut row = self.observer.radial_displacement(level).scaled(1.0 - share);
-            let above = self.observer.radial_displacement(level + 1).scaled(share);
-            row.displacement.extend(above.displacement);
-            let what = OnWall::Displacement;
-            probes.push(self.displacement(Probe::new(Channel::At { what, z }), &row));
-        }
-        Ok(probes)
-    }
-
-    /// Level of elements that holds the height z, the upper one at a node.
-    fn level_of(&self, z: f64) -> usize {
-        let nodes = &self.tank.wall.z;
-        nodes.partition_point(|x| *x <= z).clamp(1, nodes.len() - 1) - 1
-    }
-
-    /// Base shear, moment above and below the bottom plate.
-    fn reactions(&self) -> Result<Vec<Probe>, FeError> {
-        let (shear, moment, below) = if self.observer.harmonic == 1 {
-            let ground = self.observer.ground();
-            let moment = self.observer.base_moment()?;
-            let bottom = self.observer.bottom_moment()?;
-            let mut below = moment.clone();
-            below.acceleration.extend(bottom.acceleration);
-            below.displacement.extend(bottom.displacement);
-            (self.observer.inertia(&|_| ground), moment, below)
-        } else {
-            (Row::default(), Row::default(), Row::default())
-        };
-        Ok(vec![
-            self.probe(Probe::new(Channel::BaseShear), &shear),
-            self.probe(Probe::new(Channel::BaseMoment), &moment),
-            self.probe(Probe::new(Channel::OverturningMoment), &below),
-        ])
-    }
-
-    /// Stresses of the clamped edge from its reactions.
-    fn base(&self, case: &Case) -> Result<Vec<Probe>, FeError> {
-        let t = self.tank.wall.thickness[0];
-        let moment = self.observer.edge_reaction(Dof::Ry)?;
-        let axial = self.observer.edge_reaction(Dof::Uz)?.scaled(-1.0);
-        let of_moment = sparse_dot(&moment.displacement, self.statics);
-        // The weight that the lowest elements bring onto the edge itself is no displacement's.
-        let (tank, roof) = (&case.tank, case.tank.roof.mass);
-        let weight = case.gravity * (tank.wall_mass() + roof) / (std::f64::consts::TAU * self.tank.radius);
-        let probe = |what, row: Row, static_value| {
-            let empty = Probe {
-                static_value,
-                ..Probe::new(Channel::Base(what))
-            };
-            self.probe(empty, &row)
-        };
-        let bending = moment.clone().scaled(6.0 / (t * t));
-        Ok(vec![
-            probe(OnWall::Axial, axial.scaled(1.0 / t), -weight / t),
-            probe(OnWall::Bending, bending, 6.0 / (t * t) * of_moment),
-            probe(OnWall::Moment, moment, of_moment),
-        ])
-    }
-
-    /// A stress at the height z of a course.
-    fn wall_probe(&self, probe: Probe, resultant: Resultant, course: &std::ops::Range<usize>, z: f64) -> Probe {
-        let wall = &self.tank.wall;
-        let t = wall.thickness[course.start];
-        let factor = match resultant {
-            Resultant::Moment => 6.0 / (t * t),
-            _ => 1.0 / t,
-        };
-        let poisson = wall.poisson_ratio[course.start];
-        let row = self.observer.resultant(course, z, resultant, poisson).scaled(factor);
-        let probe = Probe {
-            static_value: sparse_dot(&row.displacement, self.statics) * self.static_factor(),
-            ..probe
-        };
-        self.probe(probe, &row)
-    }
-
-    /// Rows of wall resultants under horizontal motion hold 1/cos(π/N), which the static state does not need.
-    fn static_factor(&self) -> f64 {
-        match self.observer.harmonic {
-            0 => 1.0,
-            _ => (std::f64::consts::PI / self.tank.division.sectors as f64).cos(),
-        }
-    }
-
-    fn displacement(&self, probe: Probe, row: &Row) -> Probe {
-        let probe = Probe {
-            static_value: sparse_dot(&row.displacement, self.statics),
-            ..probe
-        };
-        self.probe(probe, row)
-    }
-
-    /// Outputs over the height; the stresses of the base are those of `base`, from reactions.
-    fn lines(&self, case: &Case, base: &[Probe]) -> Vec<ProbeLine> {
-        let wetted = &self.tank.division.liquid;
-        let weight = case.liquid.density * case.gravity;
-        let pressure = wetted.iter().enumerate().map(|(i, z)| {
-            let probe = Probe {
-                static_value: weight * (self.tank.depth - z).max(0.0),
-                ..ProbeLine::probe(OnWall::Pressure, i, *z)
-            };
-            self.probe(probe, &self.observer.pressure(i))
-        });
-        let mut lines = vec![ProbeLine {
-            what: OnWall::Pressure,
-            z: wetted.clone(),
-            probes: pressure.collect(),
-        }];
-        let z = &self.tank.wall.z;
-        // Both sides of a joint of courses.
-        let places: Vec<(f64, std::ops::Range<usize>)> = (self.tank.wall.courses().into_iter())
-            .flat_map(|course| (course.start..=course.end).map(move |level| (z[level], course.clone())))
-            .collect();
-        for (what, resultant) in STRESSES {
-            let edge = base.iter().find(|p| p.channel == Channel::Base(what));
-            let probes = places.iter().enumerate().map(|(i, (z, course))| {
-                let probe = ProbeLine::probe(what, i, *z);
-                match (i, edge) {
-                    (0, Some(edge)) => {
-                        let row = self.rows.borrow().get(&edge.key()).cloned().unwrap_or_default();
-                        self.rows.borrow_mut().insert(probe.key(), row);
-                        Probe {
-                            channel: probe.channel,
-                            place: probe.place,
-                            ..edge.clone()
-                        }
-                    }
-                    _ => self.wall_probe(probe, resultant, course, *z),
-                }
-            });
-            lines.push(ProbeLine {
-                what,
-                z: places.iter().map(|p| p.0).collect(),
-                probes: probes.collect(),
-            });
-        }
-        let what = OnWall::Displacement;
-        lines.push(ProbeLine {
-            what,
-            z: z.clone(),
-            probes: (z.iter().enumerate())
-                .map(|(level, z)| {
-                    let row = self.observer.radial_displacement(level);
-                    self.displacement(ProbeLine::probe(what, level, *z), &row)
-                })
-                .collect(),
-        });
-        lines
-    }
-
-    fn shape_rows(&self) -> ShapeRows {
-        let dense = |row: SparseRow| -> SparseRow { self.project(&row).into_iter().enumerate().collect() };
-        let radii = &self.tank.division.radii;
-        ShapeRows {
-            z: self.tank.wall.z.clone(),
-            wall: (0..self.tank.wall.z.len())
-                .map(|level| dense(self.observer.radial_displacement(level).displacement))
-                .collect(),
-            r: radii.clone(),
-            surface: radii
-                .iter()
-                .map(|&r| dense(self.observer.elevation(r).displacement))
-                .collect(),
-        }
-    }
-}
-
-/// Stresses over the height.
-const STRESSES: [(OnWall, Resultant); 3] = [
-    (OnWall::Hoop, Resultant::Hoop),
-    (OnWall::Axial, Resultant::Axial),
-    (OnWall::Bending, Resultant::Moment),
-];

@@ -17,10 +17,11 @@ use fem::element::{local_size, reference_mass, reference_stiffness};
 use fem::linalg::dot;
 use fem::shape::{gauss, quad4};
 
-use super::Liquid;
-use super::model::{JOINT, LIQUID, TankModel, element_error};
+use super::model::{JOINT, LIQUID, TankModel};
 use crate::FeError;
 use crate::coupled::SparseRow;
+use crate::error::failed;
+use tank::options::solid::Liquid;
 
 /// A linear functional y = d · x + a · ẍ_total + b a_g over the unknowns of a model.
 ///
@@ -227,7 +228,7 @@ impl Observer<'_> {
                 continue;
             };
             let (i, n) = (before + place, local_size(element));
-            let k = reference_stiffness(element).map_err(element_error)?;
+            let k = reference_stiffness(element).map_err(failed)?;
             let m = reference_mass(element);
             for (matrix, out) in [(&k, &mut elastic), (&m, &mut inertia)] {
                 let local: Vec<f64> = (0..n).map(|j| matrix.get(i, j)).collect();
@@ -303,7 +304,7 @@ impl Observer<'_> {
                 let joint = tank
                     .assembler
                     .stiffness_of(&tank.model, |e| tank.is_in(e, &[JOINT]))
-                    .map_err(element_error)?;
+                    .map_err(failed)?;
                 let mut row = self.inertia(&wall);
                 row.displacement = sparse(&joint.times(&tank.model.vector(wall)));
                 Ok(row)
@@ -367,7 +368,7 @@ impl Observer<'_> {
                     k += 1;
                 }
             }
-            let stiffness = reference_stiffness(&**element).map_err(element_error)?.to_matrix();
+            let stiffness = reference_stiffness(&**element).map_err(failed)?.to_matrix();
             let mass = reference_mass(&**element).to_matrix();
             for (matrix, out) in [(&stiffness, &mut elastic), (&mass, &mut inertia)] {
                 for (i, c) in tank.model.spread(&**element, &matrix.times(&weights)) {

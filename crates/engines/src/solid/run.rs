@@ -9,23 +9,27 @@ use tank::Shape;
 use tank::case::GroundMotion;
 
 use super::direct::OwnUnknowns;
+use super::fields;
 use super::model::TankModel;
 use super::moments::Histories;
-use super::reduce::{self, Space, VECTORS};
+use super::poles::{VECTORS, poles};
+use super::reduce::{self, Space};
 use super::rows::{Observer, Row, sparse_dot};
 use super::spectrum::{self, TankMode};
 use super::system::System;
 use super::waves::classify;
-use super::{SolidOptions, fields};
 use crate::checks::check_options;
 use crate::damping::Damper;
 use crate::linear::analysis::analyse;
 use crate::linear::model::{Harmonic, Model};
 use crate::linear::{Linear, checked_motion, coarse_options, complete, note_mesh_error};
 use crate::modes::{Kind, solve};
-use crate::{FeError, Integrator, Options, Simulation};
+use crate::{FeError, Simulation};
 use results::channel::Side;
 use results::{Channel, EngineId, Mode, ModeShape, Run};
+use tank::options::LinearOptions as Options;
+use tank::options::linear::Integrator;
+use tank::options::solid::SolidOptions;
 
 /// Ritz vectors of the search for modes of one wave number.
 const MODE_VECTORS: usize = 48;
@@ -62,7 +66,7 @@ impl Prepared {
         let system = System::new(
             &tank.model,
             &tank.assembler,
-            &reduce::poles(case, solid),
+            &poles(case, solid),
             solid.memory_limit_mib << 20,
         )?;
         progress.advance(1);
@@ -288,7 +292,7 @@ pub fn modes(
     let system = System::new(
         &tank.model,
         &tank.assembler,
-        &reduce::poles(case, solid),
+        &poles(case, solid),
         solid.memory_limit_mib << 20,
     )?;
     progress.advance(1);

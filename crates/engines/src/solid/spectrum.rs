@@ -14,13 +14,13 @@
 use fem::linalg::{Symmetric, dot, generalized_eigen};
 use fem::progress::Progress;
 
-use super::model::{SURFACE, TankModel, WALL, element_error};
+use super::model::{SURFACE, TankModel, WALL};
 use super::ritz::reduce;
 use super::symmetry::Harmonic;
 use super::system::System;
 use super::waves::{Waves, classify};
 use crate::FeError;
-use crate::error::failure;
+use crate::error::{failed, failure};
 use crate::modes::Kind;
 
 /// Largest residual of a mode.
@@ -66,11 +66,11 @@ pub fn of_harmonic(
     let gravity = tank
         .assembler
         .stiffness_of(&tank.model, |e| tank.is_in(e, &[SURFACE]))
-        .map_err(element_error)?;
+        .map_err(failed)?;
     let wall = tank
         .assembler
         .stiffness_of(&tank.model, |e| tank.is_in(e, &[WALL]))
-        .map_err(element_error)?;
+        .map_err(failed)?;
     // Where the potential energy is; a displacement liquid keeps some in its rotation penalty.
     let kind_of = |vector: &[f64], omega: f64| -> Kind {
         let share = |part: &Symmetric| dot(vector, &part.times(vector)) / (omega * omega);

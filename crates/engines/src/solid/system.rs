@@ -25,10 +25,11 @@ use fem::dofs::Dof;
 use fem::linalg::{Factor, Kind, Matrix, Ordering, Symbolic, Symmetric, dot};
 use fem::model::Model;
 
-use super::model::element_error;
+use super::memory::allow;
+use super::poles::VECTORS;
 use crate::FeError;
 use crate::coupled::SparseRow;
-use crate::error::failure;
+use crate::error::{failed, failure};
 
 /// Entries (row, column, value) of a rectangular block between equations of the model.
 type Block = Vec<(usize, usize, f64)>;
@@ -83,7 +84,7 @@ struct Phase {
 
 impl Phase {
     fn new(model: &Model, assembler: &Assembler, poles: usize) -> Result<Phase, FeError> {
-        let stiffness = assembler.stiffness(model).map_err(element_error)?;
+        let stiffness = assembler.stiffness(model).map_err(failed)?;
         let mass = assembler.mass(model);
         let dofs = model.dofs();
         let (phi, own): (Vec<usize>, Vec<usize>) = (0..dofs.len()).partition(|&e| dofs.unknown(e).1 == Dof::Phi);
@@ -101,7 +102,7 @@ impl Phase {
             Some((free, h, symbolic))
         };
         // Factors, the matrices themselves, and the vectors of a reduction with their images.
-        let vectors = 3 * super::reduce::VECTORS;
+        let vectors = 3 * VECTORS;
         let bytes = 8 * (entries + 4 * stiffness.pattern.places() + vectors * dofs.len()) as u64;
         Ok(Phase {
             stiffness,
@@ -114,18 +115,6 @@ impl Phase {
             bytes,
         })
     }
-
-    fn check(&self, limit: u64) -> Result<(), FeError> {
-        if self.bytes > limit {
-            return Err(FeError::Memory {
-                run: super::RUN.into(),
-                needed_mib: self.bytes.div_ceil(1 << 20),
-                allowed_mib: limit >> 20,
-                help: super::model::COARSEN.into(),
-            });
-        }
-        Ok(())
-    }
 }
 
 impl System {
@@ -135,7 +124,7 @@ impl System {
     /// Errors: more memory than allowed, before anything is factored; a matrix that is not positive definite.
     pub fn new(model: &Model, assembler: &Assembler, poles: &[f64], limit: u64) -> Result<System, FeError> {
         let phase = Phase::new(model, assembler, poles.len())?;
-        phase.check(limit)?;
+        allow(phase.bytes, limit)?;
         let Phase {
             stiffness,
             mass: full_mass,

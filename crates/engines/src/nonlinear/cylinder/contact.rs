@@ -19,8 +19,8 @@ use fem::liquid::CondensedLiquid;
 use fem::model::{Builder, Model};
 use fem::state::{Gather, State};
 
-use super::model::failed;
 use crate::FeError;
+use crate::error::failed;
 
 /// Group of the joints.
 pub const JOINT: &str = "joint";

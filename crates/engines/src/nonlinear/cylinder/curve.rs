@@ -4,21 +4,18 @@ use fem::analysis::ida;
 use fem::analysis::march::{Outcome, Run};
 use fem::liquid::separation::Parting;
 use fem::progress::{Progress, Quiet};
-use tank::units::Dimension;
 
-use super::super::parting;
+use super::super::CheckpointFile;
+use super::super::parting::parting;
 use super::describe::{assumptions, facts};
+use super::march::Cylinder;
 use super::model::CylinderModel;
-use super::points::look;
-use super::watch::{BASE_MOMENT, Happening, WAVE_BACK, WAVE_FRONT, Watch};
-use super::{CheckpointFile, Cylinder};
+use super::points::{Happening, look};
+use super::watch::{BASE_MOMENT, WAVE_BACK, WAVE_FRONT, Watch};
 use crate::FeError;
 use crate::linear::checked_motion;
 use results::nonlinear::{Departure, DepartureKind};
 use results::{Collapse, Fact, FirstCrack, IdaRun};
-
-/// Dimension of the moment at the base.
-pub const MOMENT: Dimension = Dimension::Moment;
 
 impl Cylinder<'_> {
     /// The model in numbers.

@@ -6,11 +6,11 @@ use tank::Case;
 use tank::Support;
 use tank::units::{Dimension, display, significant};
 
-use super::super::{Contact, Damping, NonlinearOptions};
 use super::model::CylinderModel;
 use super::watch::Watch;
 use results::nonlinear::Count;
 use results::{Fact, FactKind, Labelled};
+use tank::options::nonlinear::{Contact, Damping, NonlinearOptions};
 
 /// Said of a tank that the file calls unanchored.
 pub const HELD_DOWN: &str = "The tank is unanchored; the nonlinear engine clamps the base of its wall to the ground and does not let it uplift.";

@@ -10,14 +10,14 @@
 use tank::Case;
 use tank::{Behaviour, Course, Layer, LayerKind};
 
-use super::super::{Contact, Damping, Integration, NonlinearOptions, ThicknessRule, WallElements};
+use super::march::{LOOKS, STEPS_PER_PERIOD};
 use super::mesh::Cells;
-use super::{LOOKS, STEPS_PER_PERIOD};
 use crate::FeError;
 use crate::estimate::{
     DENSE_RATE, Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PRODUCT_RATE, PROGRAM, Response, first_wall_frequency,
 };
 use crate::solid::mesh::check_levels;
+use tank::options::nonlinear::{Contact, Damping, Integration, NonlinearOptions, ThicknessRule, WallElements};
 
 /// Unknowns of a node of a shell.
 const SHELL: f64 = 5.0;

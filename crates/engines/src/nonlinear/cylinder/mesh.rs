@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use tank::Tank;
 
-use super::super::WallElements;
 use crate::solid::mesh::wall_levels;
+use tank::options::nonlinear::WallElements;
 
 /// Sectors of the full circle unless the user says otherwise.
 const SECTORS: usize = 72;

@@ -19,40 +19,26 @@ use fem::analysis::system::System;
 use fem::assembly::Assembler;
 use fem::dofs::Dof;
 use fem::element::interlayer;
-use fem::element::shell::load::{FollowerPressure, NodalLoads};
 use fem::element::shell4::MassKind;
 use fem::element::wall::place::{Footprint, PlacedWall, WallMesh};
 use fem::linalg::{Kind, Ordering, Pattern, Symbolic, dot};
-use fem::liquid::{CondensedLiquid, HarmonicLiquid, LiquidMesh};
+use fem::liquid::CondensedLiquid;
 use fem::model::{Builder, Model};
 use nalgebra::Matrix3;
 use tank::Case;
 use tank::Shape;
 
-use super::super::{Contact, Damping as Wanted, MassProportionalAt, NonlinearOptions};
 use super::contact::{JOINT, Join, Joints};
+use super::elements::{WALL, add_liquid, add_roof, build_rows, penalty, pressures, support};
 use super::mesh::Cells;
-use super::section::{self, RowBuild};
+use super::section::RowBuild;
 use crate::FeError;
-use crate::solid::roof::RoofRing;
+use crate::error::failed;
+use tank::options::nonlinear::{Contact, Damping as Wanted, MassProportionalAt, NonlinearOptions};
 
-/// Group of shells and layers.
-pub const WALL: &str = "wall";
-/// Group of the liquid.
-pub const LIQUID: &str = "liquid";
-/// Group of the pressure that turns with the wall.
-const PRESSURE: &str = "pressure";
-/// Group of the roof's mass.
-const ROOF: &str = "roof";
-
-/// Sloshing modes of the condensed liquid of each family: harmonic 0, cosine and sine of harmonic 1. The twelfth holds 1e-4 of
-/// the liquid's mass; those left out follow the wall without gravity.
-const SLOSHING_MODES: usize = 12;
 /// Modes of harmonic 1 that count for the wave at the wall, as in the linear engines: more only chase the singularity at the
 /// contact line.
 const WAVE_MODES: usize = 5;
-/// Highest harmonic whose surface is free to slosh.
-const SLOSHING_HARMONICS: u32 = 1;
 /// Iterations that find the first mode of wall and liquid, at most: each makes the second mode smaller to a ninth or less.
 /// More would raise modes of higher wave number from rounding, whose frequencies are lower in thin shells.
 const ITERATIONS: usize = 8;
@@ -108,10 +94,6 @@ pub struct CylinderModel {
     pub unit_weight: f64,
     /// g [m/s²].
     pub gravity: f64,
-}
-
-pub(super) fn failed(error: impl std::fmt::Display) -> FeError {
-    FeError::Analysis(error.to_string())
 }
 
 impl CylinderModel {
@@ -398,129 +380,6 @@ impl CylinderModel {
         };
         Ok(())
     }
-}
-
-fn build_rows(case: &Case, cells: &Cells, radius: f64, options: &NonlinearOptions) -> Result<Vec<RowBuild>, FeError> {
-    let length = radius * cells.angle();
-    cells
-        .z
-        .windows(2)
-        .map(|z| {
-            let course = case.tank.course_at(0.5 * (z[0] + z[1]));
-            section::row(&course.build_up(), [length, z[1] - z[0]], &options.integration)
-        })
-        .collect()
-}
-
-/// Stiffness of the joint of liquid and wall: [`fem::strip::PENALTY`] times that of the stiffest course against a pressure, E t/R².
-fn penalty(case: &Case, radius: f64) -> f64 {
-    let courses = case.tank.courses.iter().map(|course| {
-        let layers = course.build_up();
-        layers
-            .iter()
-            .map(|l| l.material.youngs_modulus * l.thickness)
-            .sum::<f64>()
-    });
-    fem::strip::PENALTY * courses.fold(0.0, f64::max) / (radius * radius)
-}
-
-/// Clamped base; the plane of symmetry.
-fn support(builder: &mut Builder, footprint: &Footprint, wall: &PlacedWall, cells: &Cells) {
-    wall.hold(builder, &footprint.levels[0], Dof::SHELL);
-    if cells.half {
-        for level in &footprint.levels {
-            let ends = [level[0], level[level.len() - 1]];
-            // u_θ, and the rotation about the meridian.
-            wall.hold(builder, &ends, &[Dof::Uy, Dof::Ry]);
-        }
-    }
-}
-
-fn add_roof(case: &Case, builder: &mut Builder, footprint: &Footprint, wall: &PlacedWall, cells: &Cells) {
-    let top = &footprint.levels[footprint.levels.len() - 1];
-    let nodes: Vec<usize> = top.iter().map(|&p| wall.inner[p]).collect();
-    let positions: Vec<[f64; 3]> = nodes.iter().map(|&n| builder.position(n)).collect();
-    let lever = case.tank.roof_height() - case.tank.wall_height();
-    let ring = match cells.half {
-        true => RoofRing::half(nodes, &positions, case.tank.roof.mass, lever),
-        false => RoofRing::new(nodes, &positions, case.tank.roof.mass, lever),
-    };
-    builder.element(ROOF, ring);
-}
-
-fn add_liquid(
-    case: &Case,
-    builder: &mut Builder,
-    cells: &Cells,
-    radius: f64,
-    wetted: &[usize],
-    options: &NonlinearOptions,
-) -> Result<(CondensedLiquid, Vec<usize>, usize), FeError> {
-    let (depth, density) = (case.liquid.fill_height, case.liquid.density);
-    let mut heights = cells.z[..cells.wet(depth)].to_vec();
-    if let Some(last) = heights.last_mut() {
-        *last = depth;
-    }
-    let mesh = LiquidMesh::graded(radius, depth, 1.0);
-    let harmonic = HarmonicLiquid::new(
-        radius,
-        density,
-        case.gravity,
-        cells.sectors,
-        &heights,
-        &mesh,
-        SLOSHING_HARMONICS,
-    )
-    .map_err(failed)?;
-    let whole = match cells.half {
-        true => CondensedLiquid::of_harmonic_half(&harmonic).map_err(failed)?,
-        false => CondensedLiquid::of_harmonic(&harmonic),
-    };
-    let families = if cells.half { 2 } else { 3 };
-    let liquid = whole
-        .with_sloshing_modes((families * SLOSHING_MODES).min(whole.surface()))
-        .map_err(failed)?;
-    let amplitudes: Vec<usize> = liquid.omega.iter().map(|_| builder.node([0.0, 0.0, depth])).collect();
-    let ratio = match options.damping {
-        Wanted::ByGroup { sloshing, .. } => sloshing,
-        _ => 0.0,
-    };
-    let wall: Vec<(usize, Dof)> = wetted.iter().map(|&n| (n, Dof::Ux)).collect();
-    let surface: Vec<(usize, Dof)> = amplitudes.iter().map(|&n| (n, Dof::Amplitude)).collect();
-    let element = liquid.element(&wall, &surface, ratio).map_err(failed)?;
-    let number = builder.element(LIQUID, element);
-    Ok((liquid, amplitudes, number))
-}
-
-/// Hydrostatic pressure as dead load and, where it turns with the wall, what that changes; and a unit pressure.
-fn pressures(
-    builder: &mut Builder,
-    footprint: &Footprint,
-    wall: &PlacedWall,
-    cells: &Cells,
-    [unit_weight, depth]: [f64; 2],
-    pressed: &BTreeMap<usize, usize>,
-    options: &NonlinearOptions,
-) -> (NodalLoads, NodalLoads) {
-    let (mut pressure, mut area) = (NodalLoads::new(), NodalLoads::new());
-    let at = |z: f64| unit_weight * (depth - z).max(0.0);
-    for (&cell, &row) in footprint.cells.iter().zip(&footprint.rows) {
-        if cells.z[row + 1] > depth * (1.0 + 1e-9) {
-            continue;
-        }
-        let nodes = wall.inner_cell(cell);
-        let positions = nodes.map(|n| builder.position(n));
-        // On the liquid's face.
-        let face = nodes.map(|n| pressed.get(&n).copied().unwrap_or(n));
-        pressure.pressure(&face, &positions, |x| at(x[2]));
-        area.pressure(&face, &positions, |_| 1.0);
-        if options.follower_pressure {
-            let corners = positions.map(|x| at(x[2]));
-            let follower = FollowerPressure::varying(nodes, positions, corners).without_dead_part();
-            builder.element(PRESSURE, follower);
-        }
-    }
-    (pressure, area)
 }
 
 /// Order of elimination: the wall by nested dissection, then the amplitudes and the radial displacements that the liquid

@@ -6,7 +6,6 @@ use serde::{Deserialize, Serialize};
 
 use super::model::CylinderModel;
 use super::section::Part;
-use super::watch::Happening;
 use results::nonlinear::Crack;
 
 /// What the cells look like; lists are empty where the wall has nothing of the kind.
@@ -32,6 +31,23 @@ pub struct Look {
     pub torn: Vec<usize>,
     /// The same of bars.
     pub ruptured: Vec<usize>,
+}
+
+/// Something that happens once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Happening {
+    /// A crack opens.
+    Crack,
+    /// A plate yields.
+    Yield,
+    /// A bar yields.
+    BarYield,
+    /// A plate passes its tensile strength.
+    Tears,
+    /// A bar passes its strain at rupture.
+    BarRupture,
+    /// Concrete reaches its compressive strength.
+    Crushing,
 }
 
 /// Stress at which a plate counts as yielding: rounding of the return is far below it.

@@ -7,8 +7,6 @@ use fem::analysis::march::{Outcome, Run};
 use tank::Support;
 use tank::{Case, Quantity};
 
-use super::super::NonlinearOptions;
-use super::completed;
 use super::curve::departures;
 use super::describe::{HELD_DOWN, assumptions, cost, integration, mesh};
 use super::model::CylinderModel;
@@ -20,6 +18,7 @@ use crate::histories::Histories;
 use results::channel::{OnWall, Side};
 use results::nonlinear::{End, EventKind, Nonlinear};
 use results::{Channel, EnergyBalance, EngineId, Envelope, Run as Finished, SeriesInfo};
+use tank::options::nonlinear::NonlinearOptions;
 
 /// Everything that is reported of a run.
 pub fn report(
@@ -85,7 +84,7 @@ pub fn report(
         envelopes: envelopes(tank, watch),
         histories: histories.info,
         nonlinear: Some(nonlinear),
-        incomplete: !completed(run),
+        incomplete: run.outcome != Outcome::Completed,
         ..Finished::new(EngineId::Nonlinear)
     };
     Simulation {

@@ -3,7 +3,6 @@
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-use fem::element::ElementError;
 use fem::element::shell::layered::{Bar, LayeredSection, Ply};
 use fem::element::solid8::{Elastic as Core, Kinematics};
 use fem::element::wall::place::{Build, Leaf};
@@ -16,8 +15,9 @@ use materials::von_mises::VonMises;
 use tank::{BarDirection, Behaviour, Concrete, ConcreteLaw, Layer, LayerKind};
 
 use super::super::laws::{CRUSHING, bar_law, quadrature, refused, tension, unsupported};
-use super::super::{Integration, ThicknessRule};
 use crate::FeError;
+use crate::error::failed;
+use tank::options::nonlinear::{Integration, ThicknessRule};
 
 /// What a point of a section is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,10 +48,6 @@ pub struct RowBuild {
     pub thickness: f64,
     /// Distance from the inner to the outer reference surface [m]; 0 of one shell.
     pub gap: f64,
-}
-
-fn failed(error: ElementError) -> FeError {
-    FeError::Analysis(error.to_string())
 }
 
 /// Shells and layer of a course with these layers, from inside to outside, in cells of [length, height] `element` [m].

@@ -6,8 +6,8 @@ use tank::Case;
 use tank::units::{Dimension, display, significant};
 
 use super::model::CylinderModel;
-use super::points::Look;
-use super::watch::{BASE_SHEAR, BELLY_FRONT, Happening, Watch};
+use super::points::{Happening, Look};
+use super::watch::{BASE_SHEAR, BELLY_FRONT, Watch};
 use results::nonlinear::{CellMap, Columns, CrackPicture, Energies, Event, EventKind, Loop, LoopAxis, WallGrid};
 
 /// Points of a loop or a curve of energy at most.

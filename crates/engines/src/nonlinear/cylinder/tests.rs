@@ -11,10 +11,11 @@ use tank::{BarDirection, Behaviour, Concrete, ConcreteLaw, Layer, LayerKind, Mat
 use tank::{Case, Quantity};
 use tank::{Course, Shape, Support};
 
-use super::super::{CheckpointFile, Contact, NonlinearOptions, WallElements, simulate};
+use super::super::{CheckpointFile, simulate};
 use super::model::CylinderModel;
 use crate as fe;
 use results::nonlinear::End;
+use tank::options::nonlinear::{Contact, NonlinearOptions, WallElements};
 use tank::reference::{case, material};
 
 /// An aluminium tank, R = 1.83 m, 3 mm; filled to 1.5 of 1.8 m.

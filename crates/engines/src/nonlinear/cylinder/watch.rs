@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 
 use super::contact::rise;
 use super::model::CylinderModel;
-use super::points::{Look, look};
+use super::points::{Happening, Look, look};
 
 /// A base moment larger by this factor than that of the last picture is worth a new one.
 const GROWN: f64 = 1.05;
@@ -126,23 +126,6 @@ pub struct Seen {
     pub looks: usize,
     /// Largest radial displacement of the wall at a sample, the state at rest included [m], and its time [s].
     pub displacement: (f64, f64),
-}
-
-/// Something that happens once.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Happening {
-    /// A crack opens.
-    Crack,
-    /// A plate yields.
-    Yield,
-    /// A bar yields.
-    BarYield,
-    /// A plate passes its tensile strength.
-    Tears,
-    /// A bar passes its strain at rupture.
-    BarRupture,
-    /// Concrete reaches its compressive strength.
-    Crushing,
 }
 
 /// Watches a run.

@@ -131,7 +131,7 @@ mod tests {
     use super::super::imperfection::Dent;
     use super::super::load::{cosine_shares, shares};
     use super::*;
-    use crate::nonlinear::{NonlinearOptions, WallElements};
+    use tank::options::nonlinear::{NonlinearOptions, WallElements};
     use tank::reference::{case, material};
 
     const RADIUS: f64 = 1.0;

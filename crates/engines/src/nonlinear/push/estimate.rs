@@ -10,8 +10,8 @@ use crate::checks::check_depth;
 use crate::estimate::{Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PROGRAM, SWEEP_RATE};
 use crate::nonlinear::cylinder::estimate::slots;
 use crate::nonlinear::cylinder::mesh::enough_rows;
-use crate::nonlinear::{NonlinearOptions, WallElements};
 use crate::solid::mesh::{based_levels, check_levels};
+use tank::options::nonlinear::{NonlinearOptions, WallElements};
 
 /// Unknowns of a node.
 const NODE: f64 = 5.0;

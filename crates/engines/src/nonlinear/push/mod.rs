@@ -32,7 +32,7 @@ pub use imperfection::{Amplitude, Form, Quality};
 pub use limits::{Capacity, Formula};
 pub use model::NoSteel;
 
-use super::{CheckpointFile, NonlinearOptions};
+use super::CheckpointFile;
 use crate::FeError;
 use buckling::Mode;
 use imperfection::{Dent, Depression, half_wave};
@@ -40,6 +40,7 @@ use keep::{Keeper, Kept};
 use model::Plan;
 use path::Followed;
 use results::{Fact, FactKind, Imperfection, PushLimit, PushShell};
+use tank::options::nonlinear::NonlinearOptions;
 
 /// What a pushover is asked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]

@@ -25,11 +25,11 @@ use super::imperfection::Dent;
 use super::load::{Impulsive, cosine_shares, shares};
 use crate::FeError;
 use crate::checks::check_depth;
-use crate::nonlinear::NonlinearOptions;
 use crate::nonlinear::cylinder::mesh::enough_rows;
 use crate::nonlinear::cylinder::section::row;
 use crate::nonlinear::laws::unsupported;
 use crate::solid::mesh::based_levels;
+use tank::options::nonlinear::NonlinearOptions;
 
 /// Sectors of the full circle unless the user says otherwise.
 pub(super) const SECTORS: u32 = 96;

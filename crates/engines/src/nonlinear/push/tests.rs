@@ -7,7 +7,7 @@ use fem::analysis::checkpoint::{CheckpointError, Hash, unfinished};
 use tank::{Behaviour, Shape, Steel};
 
 use super::*;
-use crate::nonlinear::WallElements;
+use tank::options::nonlinear::WallElements;
 use tank::reference::{case, material};
 
 /// Without formulas beside it.

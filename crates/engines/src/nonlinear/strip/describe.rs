@@ -6,9 +6,9 @@ use fem::strip::{StripDamping, StripModel, StripTank};
 use tank::Case;
 use tank::units::Dimension;
 
-use super::super::{Contact, Damping, MassProportionalAt, NonlinearOptions};
 use crate::FeError;
 use results::{Fact, FactKind};
+use tank::options::nonlinear::{Contact, Damping, MassProportionalAt, NonlinearOptions};
 
 /// Damping of the strip.
 ///

@@ -2,12 +2,12 @@
 
 use tank::Case;
 
-use super::super::NonlinearOptions;
+use super::build::{ELEMENTS, STEPS_PER_PERIOD};
 use super::section::course_at;
-use super::{ELEMENTS, STEPS_PER_PERIOD};
 use crate::FeError;
 use crate::estimate::{Estimate, Lever, NUMBER, PROGRAM, Response, first_wall_frequency};
 use crate::nonlinear::cylinder::estimate::slots;
+use tank::options::nonlinear::NonlinearOptions;
 
 /// Numbers that a step of a wall leaves behind: seven histories, time, energies, pressures that are followed.
 const AT_STEP: f64 = 18.0;

@@ -5,12 +5,12 @@ use std::f64::consts::TAU;
 use fem::analysis::damping::RatioRow;
 use tank::units::{Dimension, display, significant};
 
-use super::super::Damping;
 use super::simulate::{FREE_PERIODS, Report};
 use super::walls::WALLS;
 use crate::linear::limits;
 use results::channel::OnWall;
 use results::{Balance, Envelope, Labelled, Limit};
+use tank::options::nonlinear::Damping;
 
 /// Damping of the wall below which a note says so.
 const UNDAMPED: f64 = 0.005;

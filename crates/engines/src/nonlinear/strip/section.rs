@@ -10,15 +10,15 @@ use tank::Case;
 use tank::{BarDirection, Behaviour, Course, Layer, LayerKind};
 
 use super::super::laws::{bar_law, quadrature, refused, uniaxial_concrete, unsupported};
-use super::super::{NonlinearOptions, ThicknessRule};
-use super::failed;
 use crate::FeError;
+use crate::error::failed;
+use tank::options::nonlinear::{NonlinearOptions, ThicknessRule};
 
 /// Share of the bending stiffness that a leaf beside the main one may have without being modelled.
 const NEGLIGIBLE: f64 = 1e-2;
 
 /// Nodes over the wall: every joint of the courses and the surface is one, elements of nearly equal length.
-pub(in crate::nonlinear) fn levels(case: &Case, elements: u32) -> Vec<f64> {
+pub(crate) fn levels(case: &Case, elements: u32) -> Vec<f64> {
     let mut marks = vec![0.0, case.liquid.fill_height];
     let mut top = 0.0;
     for course in &case.tank.courses {
@@ -51,7 +51,7 @@ pub(super) fn course_at(case: &Case, z: f64) -> &Course {
 /// The leaf of a wall that bends: the stiffest one between interlayers.
 ///
 /// Errors: a wall without layers, or with two leaves of similar stiffness.
-pub(in crate::nonlinear) fn main_leaf(layers: &[Layer]) -> Result<&[Layer], FeError> {
+pub(crate) fn main_leaf(layers: &[Layer]) -> Result<&[Layer], FeError> {
     let leaves: Vec<&[Layer]> = layers.split(|l| l.kind == LayerKind::Interlayer).collect();
     let stiffness = |leaf: &[Layer]| -> f64 {
         let height: f64 = leaf.iter().map(|l| l.thickness).sum();
@@ -75,18 +75,13 @@ pub(in crate::nonlinear) fn main_leaf(layers: &[Layer]) -> Result<&[Layer], FeEr
 
 /// Section of a wall of 1 m breadth on an element of length `element` [m]: the leaf that carries the bending, the others as
 /// mass.
-pub(in crate::nonlinear) fn section(
-    layers: &[Layer],
-    element: f64,
-    options: &NonlinearOptions,
-) -> Result<FibreSection, FeError> {
+pub(crate) fn section(layers: &[Layer], element: f64, options: &NonlinearOptions) -> Result<FibreSection, FeError> {
     let main = main_leaf(layers)?;
     let mass = |layers: &[Layer]| -> f64 { layers.iter().map(|l| l.material.density * l.thickness).sum() };
-    let beam_error = |e: fem::element::ElementError| failed(e);
     let own = mass(main);
     let mut section = FibreSection::new(own)
         .and_then(|s| s.with_attached_mass(mass(layers) - own))
-        .map_err(beam_error)?;
+        .map_err(failed)?;
     // ζ from the middle of the leaf, towards the outside.
     let height: f64 = main.iter().map(|l| l.thickness).sum();
     let mut inner = -0.5 * height;
@@ -98,7 +93,7 @@ pub(in crate::nonlinear) fn section(
             ThicknessRule::MidPoint(n) => section.rectangle(law, [1.0, layer.thickness], centre, n as usize),
             rule => section.fibres(law, &fibres(rule, centre, layer.thickness)?),
         }
-        .map_err(beam_error)?;
+        .map_err(failed)?;
         for bar in layer
             .reinforcement
             .iter()
@@ -109,7 +104,7 @@ pub(in crate::nonlinear) fn section(
         inner += layer.thickness;
     }
     for (law, fibre) in bars {
-        section = section.bars(law, &[fibre]).map_err(beam_error)?;
+        section = section.bars(law, &[fibre]).map_err(failed)?;
     }
     Ok(section)
 }

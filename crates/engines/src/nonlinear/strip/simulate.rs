@@ -2,24 +2,24 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
-use std::path::{Path, PathBuf};
 
-use fem::analysis::march::Checkpoint;
 use fem::progress::Progress;
 use fem::strip::{Scalar, Side as Wall, WallHistory};
 use tank::Shape;
 use tank::case::GroundMotion;
 use tank::{Case, Quantity};
 
-use super::super::{CheckpointFile, Damping, NonlinearOptions};
+use super::super::CheckpointFile;
+use super::build::Strip;
+use super::failure::failed;
 use super::modes::{damping_table, modes};
-use super::walls::{SUFFIXES, Walls};
-use super::{Strip, failed};
+use super::walls::Walls;
 use crate::histories::Histories;
 use crate::linear::checked_motion;
 use crate::{FeError, Simulation};
 use results::channel::{OnWall, Side};
 use results::{Channel, EngineId, Mode, Run, SeriesInfo};
+use tank::options::nonlinear::{Damping, NonlinearOptions};
 
 /// Free vibration after the record, in periods of the first sloshing mode, as in the linear engine.
 pub(super) const FREE_PERIODS: f64 = crate::linear::model::FREE_PERIODS;
@@ -28,7 +28,7 @@ pub(super) const FREE_PERIODS: f64 = crate::linear::model::FREE_PERIODS;
 ///
 /// Errors: as [`Strip::new`]; a record that is none; a checkpoint that cannot be written or is of another run; interrupted
 /// before the first step of a wall.
-pub(in crate::nonlinear) fn simulate(
+pub(crate) fn simulate(
     case: &Case,
     options: &NonlinearOptions,
     checkpoint: Option<&CheckpointFile>,
@@ -43,7 +43,7 @@ pub(in crate::nonlinear) fn simulate(
     let vertical = motion.vertical.as_ref().map_or(0.0, |v| v.duration());
     let tail = strip.model.modes.omega.first().map_or(0.0, |w| FREE_PERIODS * TAU / w);
     strip.quake.until = Some(motion.horizontal.duration().max(vertical) + tail);
-    let files = Wall::BOTH.map(|side| checkpoint.map(|c| wall_file(c, side, options.checkpoint)));
+    let files = Side::BOTH.map(|side| checkpoint.map(|c| c.wall(side, options.checkpoint)));
     let runs = strip
         .model
         .histories(&strip.quake, files.clone(), progress)
@@ -69,27 +69,6 @@ pub(in crate::nonlinear) fn simulate(
         walls,
     }
     .simulation())
-}
-
-/// Where a wall keeps what it needs to be resumed: the first in the file itself, the second beside it.
-pub(super) fn wall_file(file: &CheckpointFile, side: Wall, seconds: f64) -> Checkpoint {
-    Checkpoint {
-        path: wall_path(&file.path, side),
-        steps: 0,
-        seconds,
-        key: format!("{} {}", file.key, SUFFIXES[side as usize]),
-        resume: file.resume,
-    }
-}
-
-/// The file of a wall.
-pub(in crate::nonlinear) fn wall_path(file: &Path, side: Wall) -> PathBuf {
-    let mut path = file.as_os_str().to_owned();
-    if side == Wall::Negative {
-        path.push(".");
-        path.push(SUFFIXES[side as usize]);
-    }
-    path.into()
 }
 
 /// A history of the tank or of a wall, with the state at rest.

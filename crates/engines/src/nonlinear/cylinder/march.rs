@@ -1,0 +1,99 @@
+//! A cylinder marched through its record.
+
+use fem::analysis::AnalysisError;
+use fem::analysis::march::{Run, Settings, march};
+use fem::analysis::motion::{Grid, Motion};
+use fem::analysis::newton::Options;
+use fem::analysis::scheme::TimeScheme;
+use fem::analysis::transient::Load;
+use fem::progress::Progress;
+use oscillator::record::Record;
+use tank::Case;
+use tank::case::GroundMotion;
+
+use super::super::CheckpointFile;
+use crate::FeError;
+use tank::options::nonlinear::NonlinearOptions;
+
+use super::model::CylinderModel;
+use super::watch::Watch;
+
+/// Steps of the time integration in a period of the first mode of wall and liquid.
+pub(super) const STEPS_PER_PERIOD: f64 = 20.0;
+/// Looks at all material points in a run.
+pub(super) const LOOKS: f64 = 200.0;
+
+/// A cylinder ready to be shaken.
+pub struct Cylinder<'a> {
+    pub case: &'a Case,
+    pub options: &'a NonlinearOptions,
+    pub tank: CylinderModel,
+}
+
+impl<'a> Cylinder<'a> {
+    /// Errors: no cylinder; a wall, a law or an option that the engine does not know; parameters out of range.
+    pub fn new(
+        case: &'a Case,
+        options: &'a NonlinearOptions,
+        progress: &dyn Progress,
+    ) -> Result<Cylinder<'a>, FeError> {
+        progress.stage("mesh, condensed liquid, order of elimination", 1);
+        let tank = CylinderModel::new(case, options)?;
+        progress.advance(1);
+        Ok(Cylinder { case, options, tank })
+    }
+
+    /// Longest step [s].
+    pub fn step(&self, record: &Record) -> f64 {
+        let period = std::f64::consts::TAU / self.tank.wall_omega;
+        let usual = || (period / STEPS_PER_PERIOD).min(0.5 * record.dt);
+        self.options.time_step.unwrap_or_else(usual)
+    }
+
+    /// Through `scale` times the records.
+    pub fn march(
+        &self,
+        motion: &GroundMotion,
+        scale: f64,
+        checkpoint: Option<&CheckpointFile>,
+        progress: &dyn Progress,
+    ) -> Result<(Watch<'_>, Run), FeError> {
+        let (tank, options) = (&self.tank, self.options);
+        let record = &motion.horizontal;
+        let grid = Grid::new(record.dt, record.duration(), 0.0, self.step(record));
+        let sampled = |record: &Record| {
+            let scaled: Vec<f64> = record.acceleration.iter().map(|a| scale * a).collect();
+            Motion::sampled(record.dt, &scaled, &grid)
+        };
+        let mut load = Load::ground(0, sampled(record));
+        if let Some(vertical) = &motion.vertical {
+            let motion = sampled(vertical);
+            let unit: Vec<f64> = tank.pressure.iter().map(|p| p / tank.gravity).collect();
+            load.forces.push((unit, motion.clone()));
+            load.ground[2] = Some(motion);
+        }
+        let mut settings = Settings::new(grid);
+        settings.scheme = TimeScheme::GeneralizedAlpha {
+            radius: options.spectral_radius,
+        };
+        settings.constant = tank.constant();
+        if tank.joints.is_some() {
+            settings.newton = Options::for_contact();
+        }
+        settings.checkpoint = checkpoint.map(|file| file.whole(options.checkpoint));
+        let interval = (record.duration() / LOOKS).max(record.dt);
+        let mut watch = Watch::new(tank, interval).map_err(analysis)?;
+        let run = march(tank.problem(), &load, &settings, &mut [&mut watch], progress).map_err(analysis)?;
+        match watch.failure.take() {
+            Some(failure) => Err(analysis(failure)),
+            None => Ok((watch, run)),
+        }
+    }
+}
+
+fn analysis(error: AnalysisError) -> FeError {
+    match error {
+        AnalysisError::Checkpoint(fault) => FeError::Checkpoint(fault),
+        other => FeError::Analysis(other.to_string()),
+    }
+}

@@ -1,0 +1,32 @@
+//! Time history of a case: march and report.
+
+use fem::analysis::march::Outcome;
+use fem::progress::Progress;
+use tank::Case;
+use tank::options::nonlinear::NonlinearOptions;
+
+use super::super::CheckpointFile;
+use super::march::Cylinder;
+use super::report::report;
+use crate::linear::checked_motion;
+use crate::{FeError, Simulation};
+
+/// Time history of a cylinder.
+///
+/// Errors: as [`Cylinder::new`]; no record; interrupted before there is anything to show.
+pub fn simulate(
+    case: &Case,
+    options: &NonlinearOptions,
+    checkpoint: Option<&CheckpointFile>,
+    progress: &dyn Progress,
+) -> Result<Simulation, FeError> {
+    let motion = checked_motion(case)?;
+    let cylinder = Cylinder::new(case, options, progress)?;
+    let (watch, run) = cylinder.march(motion, 1.0, checkpoint, progress)?;
+    if run.outcome == Outcome::Interrupted && watch.recorder.times.len() < 2 {
+        return Err(FeError::Interrupted {
+            stage: "the nonlinear run".into(),
+        });
+    }
+    Ok(report(case, options, &cylinder.tank, &watch, &run))
+}

@@ -1,0 +1,113 @@
+//! From a case to the strip of the nonlinear engine: fibre walls, liquid condensed onto them.
+
+use std::sync::Arc;
+
+use fem::analysis::newton::Options;
+use fem::analysis::scheme::TimeScheme;
+use fem::element::fibre_beam;
+use fem::liquid::strip::StripLiquid;
+use fem::strip::{StripModel, StripQuake, StripTank};
+use tank::Case;
+use tank::Shape;
+
+use super::super::laws::unsupported;
+use super::describe::{assumptions, damping, facts};
+use super::failure::failed;
+use super::section::{course_at, levels, section};
+use crate::FeError;
+use results::Fact;
+use tank::options::nonlinear::{Contact, NonlinearOptions};
+
+/// Sloshing modes of the condensed liquid: the tenth holds 1e-4 of the liquid's mass.
+const SLOSHING_MODES: usize = 12;
+/// Elements over the wall unless the user says otherwise.
+pub(crate) const ELEMENTS: u32 = 40;
+/// Steps of the time integration in a period of the first mode of wall and liquid.
+pub(super) const STEPS_PER_PERIOD: f64 = 20.0;
+
+/// A strip ready to be shaken.
+pub struct Strip {
+    pub model: StripModel,
+    pub quake: StripQuake,
+    /// Computing time between two checkpoints [s].
+    pub seconds: f64,
+    /// The model in numbers.
+    pub facts: Vec<Fact>,
+    /// What was assumed, one sentence each.
+    pub assumptions: Vec<String>,
+}
+
+impl Strip {
+    /// The strip of a case with its record.
+    ///
+    /// Errors: no record; a tank that is no strip; a wall, a law or an option that the strip does not know; parameters out of
+    /// range.
+    pub fn new(case: &Case, options: &NonlinearOptions) -> Result<Strip, FeError> {
+        let Some(motion) = &case.ground_motion else {
+            return Err(FeError::NoRecord);
+        };
+        let Shape::Rectangle {
+            length, strip: true, ..
+        } = case.tank.shape
+        else {
+            return unsupported(
+                "the nonlinear engine runs strips of long rectangular tanks (shape rectangle, strip true); this tank is none",
+            );
+        };
+        if case.tank.roof.mass > 0.0 {
+            return unsupported("the nonlinear strip knows no roof: leave its mass out");
+        }
+        let levels = levels(case, options.elements.map_or(ELEMENTS, |e| e.height));
+        let mut sections = Vec::new();
+        for ends in levels.windows(2) {
+            let layers = course_at(case, 0.5 * (ends[0] + ends[1])).build_up();
+            sections.push(Arc::new(section(&layers, ends[1] - ends[0], options)?));
+        }
+        let liquid = StripLiquid {
+            half_width: 0.5 * length,
+            depth: case.liquid.fill_height,
+            density: case.liquid.density,
+            gravity: case.gravity,
+        };
+        let tank = StripTank {
+            levels,
+            sections,
+            options: fibre_beam::Options::default(),
+            base_spring: None,
+            liquid,
+            sloshing: SLOSHING_MODES,
+            contact: match options.contact {
+                Contact::Bonded => fem::strip::Contact::Bonded,
+                Contact::Opening => fem::strip::Contact::Joined {
+                    opens: true,
+                    penalty: None,
+                },
+            },
+        };
+        let mut model = StripModel::new(&tank, damping(options.damping, &liquid)?).map_err(failed)?;
+        if !options.self_weight {
+            model.weight.fill(0.0);
+        }
+        let record = &motion.horizontal;
+        let period = std::f64::consts::TAU / model.wall_frequency();
+        let step = options
+            .time_step
+            .unwrap_or_else(|| (period / STEPS_PER_PERIOD).min(0.5 * record.dt));
+        let mut quake = StripQuake::new(record.clone(), step);
+        quake.vertical.clone_from(&motion.vertical);
+        quake.scheme = TimeScheme::GeneralizedAlpha {
+            radius: options.spectral_radius,
+        };
+        if options.contact == Contact::Opening {
+            quake.newton = Options::for_contact();
+        }
+        let facts = facts(&model, &tank, step);
+        Ok(Strip {
+            model,
+            quake,
+            seconds: options.checkpoint,
+            facts,
+            assumptions: assumptions(case, options),
+        })
+    }
+}

@@ -1,0 +1,138 @@
+//! The strip interrupted and resumed.
+
+use std::path::Path;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use fem::progress::{Progress, Silent};
+use results::nonlinear::End;
+use tank::options::nonlinear::{Contact, NonlinearOptions};
+
+use super::super::Strip;
+use super::{options, reinforced, run};
+use crate::FeError;
+use crate::nonlinear::{CheckpointFile, simulate};
+
+/// Stops after so many steps.
+struct StopAfter {
+    steps: u64,
+    done: AtomicU64,
+}
+
+impl Progress for StopAfter {
+    fn stage(&self, _: &str, _: u64) {}
+
+    fn advance(&self, steps: u64) {
+        self.done.fetch_add(steps, Ordering::Relaxed);
+    }
+
+    fn interrupted(&self) -> bool {
+        self.done.load(Ordering::Relaxed) >= self.steps
+    }
+}
+
+fn file(folder: &Path, key: &str) -> CheckpointFile {
+    CheckpointFile {
+        path: folder.join("run.checkpoint"),
+        key: key.into(),
+        resume: true,
+    }
+}
+
+/// Interrupted twice and resumed: the numbers of the run in one go, to the last bit. Then nothing is left behind.
+#[test]
+fn resumed_is_uninterrupted() {
+    for contact in [Contact::Bonded, Contact::Opening] {
+        resumed_with(contact);
+    }
+}
+
+fn resumed_with(contact: Contact) {
+    let case = reinforced(6.0);
+    let own = NonlinearOptions {
+        contact,
+        ..options(&case, 12)
+    };
+    let whole = run(&case, &own);
+    let home = tempfile::tempdir().unwrap();
+    let file = file(home.path(), "a");
+    for steps in [150, 250] {
+        let stop = StopAfter {
+            steps,
+            done: AtomicU64::new(0),
+        };
+        let part = simulate(&case, &own, Some(&file), &stop).unwrap();
+        assert!(part.result.incomplete);
+        assert!(matches!(part.result.end, End::Interrupted { time } if time > 0.0));
+        assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 2);
+    }
+    let resumed = simulate(&case, &own, Some(&file), &Silent).unwrap();
+    assert_eq!(resumed.values, whole.values);
+    assert_eq!(resumed.result, whole.result);
+    assert_eq!(resumed.series, whole.series);
+    assert_eq!(resumed.notes, whole.notes);
+    // Left until the results are written.
+    assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 2);
+    file.remove();
+    assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 0);
+}
+
+/// Is patient so many times.
+struct Patience(AtomicU64);
+
+impl Progress for Patience {
+    fn stage(&self, _: &str, _: u64) {}
+
+    fn advance(&self, _: u64) {}
+
+    fn interrupted(&self) -> bool {
+        let left = self.0.load(Ordering::Relaxed);
+        self.0.store(left.saturating_sub(1), Ordering::Relaxed);
+        left == 0
+    }
+}
+
+/// The same at a scale of an incremental analysis, in its second wall and in its first.
+#[test]
+fn resumed_run_of_a_curve_is_uninterrupted() {
+    let case = reinforced(6.0);
+    let strip = Strip::new(&case, &options(&case, 12)).unwrap();
+    let whole = strip.incremental(&[0.8], 1, &|_| None, &Silent, |_| {}).unwrap();
+    let home = tempfile::tempdir().unwrap();
+    let kept = |_: f64| Some(file(home.path(), "a"));
+    for polls in [100, 500] {
+        let found = strip.incremental(&[0.8], 1, &kept, &Patience(AtomicU64::new(polls)), |_| {});
+        assert_eq!(found.unwrap(), []);
+        assert!(std::fs::read_dir(home.path()).unwrap().count() > 0);
+    }
+    let mut heard = 0;
+    let resumed = strip.incremental(&[0.8], 1, &kept, &Silent, |_| heard += 1).unwrap();
+    assert_eq!((resumed, heard), (whole, 1));
+    file(home.path(), "a").remove();
+    assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 0);
+}
+
+/// The checkpoint of another job, which its key says: refused, and still there.
+#[test]
+fn checkpoints_of_other_runs_are_refused_and_kept() {
+    let case = reinforced(6.0);
+    let own = options(&case, 12);
+    let home = tempfile::tempdir().unwrap();
+    let stop = StopAfter {
+        steps: 100,
+        done: AtomicU64::new(0),
+    };
+    simulate(&case, &own, Some(&file(home.path(), "a")), &stop).unwrap();
+    let kept = || {
+        let read = |e: std::io::Result<std::fs::DirEntry>| std::fs::read(e.unwrap().path()).unwrap();
+        let mut all: Vec<Vec<u8>> = std::fs::read_dir(home.path()).unwrap().map(read).collect();
+        all.sort();
+        all
+    };
+    let before = kept();
+    assert_eq!(before.len(), 2);
+    match simulate(&case, &own, Some(&file(home.path(), "b")), &Silent) {
+        Err(FeError::Checkpoint(fault)) => assert!(fault.to_string().contains("of another run"), "{fault}"),
+        other => panic!("{other:?}"),
+    }
+    assert!(kept() == before);
+}

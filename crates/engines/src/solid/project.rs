@@ -1,0 +1,269 @@
+//! Rows over the model as probes over the reduced coordinates.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use fem::dofs::Dof;
+use fem::linalg::{Matrix, dot};
+use results::Channel;
+use results::channel::{OnWall, Side};
+use tank::Case;
+use tank::options::LinearOptions as Options;
+
+use super::model::TankModel;
+use super::rows::{Observer, Resultant, Row, sparse_dot};
+use super::system::System;
+use crate::FeError;
+use crate::coupled::{ShapeRows, SparseRow};
+use crate::probe::{ModeSelection, Probe, ProbeLine};
+
+/// Stresses over the height.
+const STRESSES: [(OnWall, Resultant); 3] = [
+    (OnWall::Hoop, Resultant::Hoop),
+    (OnWall::Axial, Resultant::Axial),
+    (OnWall::Bending, Resultant::Moment),
+];
+
+/// Turns rows over the model into probes over the reduced coordinates.
+pub struct Projector<'a> {
+    pub tank: &'a TankModel,
+    pub system: &'a System,
+    pub basis: &'a Matrix,
+    pub rigid: &'a [f64],
+    pub influence: &'a [f64],
+    pub statics: &'a [f64],
+    pub observer: Observer<'a>,
+    /// The rows that have been made into probes, by [`Probe::key`].
+    pub rows: RefCell<BTreeMap<String, Row>>,
+}
+
+impl Projector<'_> {
+    fn project(&self, row: &[(usize, f64)]) -> Vec<f64> {
+        if row.is_empty() {
+            return Vec::new();
+        }
+        (0..self.basis.cols)
+            .map(|j| sparse_dot(row, self.basis.column(j)))
+            .collect()
+    }
+
+    /// Completes `probe` from its row.
+    fn probe(&self, probe: Probe, row: &Row) -> Probe {
+        self.rows.borrow_mut().insert(probe.key(), row.clone());
+        let dofs = self.tank.model.dofs();
+        let mut displacement = row.displacement.clone();
+        // The mean of φ̈ over the surface is −g times the mean elevation.
+        let potential: f64 = row
+            .acceleration
+            .iter()
+            .filter(|(e, _)| dofs.unknown(*e).1 == Dof::Phi)
+            .map(|(_, c)| c)
+            .sum();
+        if self.observer.harmonic == 0 && potential != 0.0 {
+            let factor = -self.tank.gravity * potential;
+            displacement.extend(self.system.mean_elevation.iter().map(|&(e, w)| (e, factor * w)));
+        }
+        let acceleration = self.project(&row.acceleration);
+        let rigid = row.held + sparse_dot(&row.acceleration, self.rigid);
+        Probe {
+            displacement: self.project(&displacement),
+            ground_acceleration: rigid - dot(&acceleration, self.influence),
+            absolute_acceleration: acceleration,
+            ..probe
+        }
+    }
+
+    fn gauge(&self, r: f64, channel: Channel, options: &Options) -> Probe {
+        let probe = Probe {
+            modes: ModeSelection::FirstSloshing(options.wave_modes),
+            ..Probe::new(channel)
+        };
+        self.probe(probe, &self.observer.elevation(r))
+    }
+
+    /// Scalar outputs, as of the harmonic engine.
+    pub fn probes(&self, case: &Case, options: &Options) -> Result<Vec<Probe>, FeError> {
+        let mut probes = vec![self.gauge(self.tank.radius, Channel::Wave(Side::Front), options)];
+        for &r in &options.gauges {
+            probes.push(self.gauge(r, Channel::WaveAt { r }, options));
+        }
+        probes.extend(self.reactions()?);
+        probes.extend(self.base(case)?);
+        for &z in &options.stations {
+            let level = self.level_of(z);
+            let courses = self.tank.wall.courses();
+            let Some(course) = courses.iter().find(|c| c.contains(&level)) else {
+                continue;
+            };
+            for line in STRESSES {
+                let probe = Probe::new(Channel::At { what: line.0, z });
+                probes.push(self.wall_probe(probe, line.1, course, z));
+            }
+            let nodes = &self.tank.wall.z;
+            let share = (z - nodes[level]) / (nodes[level + 1] - nodes[level]);
+            let mut row = self.observer.radial_displacement(level).scaled(1.0 - share);
+            let above = self.observer.radial_displacement(level + 1).scaled(share);
+            row.displacement.extend(above.displacement);
+            let what = OnWall::Displacement;
+            probes.push(self.displacement(Probe::new(Channel::At { what, z }), &row));
+        }
+        Ok(probes)
+    }
+
+    /// Level of elements that holds the height z, the upper one at a node.
+    fn level_of(&self, z: f64) -> usize {
+        let nodes = &self.tank.wall.z;
+        nodes.partition_point(|x| *x <= z).clamp(1, nodes.len() - 1) - 1
+    }
+
+    /// Base shear, moment above and below the bottom plate.
+    fn reactions(&self) -> Result<Vec<Probe>, FeError> {
+        let (shear, moment, below) = if self.observer.harmonic == 1 {
+            let ground = self.observer.ground();
+            let moment = self.observer.base_moment()?;
+            let bottom = self.observer.bottom_moment()?;
+            let mut below = moment.clone();
+            below.acceleration.extend(bottom.acceleration);
+            below.displacement.extend(bottom.displacement);
+            (self.observer.inertia(&|_| ground), moment, below)
+        } else {
+            (Row::default(), Row::default(), Row::default())
+        };
+        Ok(vec![
+            self.probe(Probe::new(Channel::BaseShear), &shear),
+            self.probe(Probe::new(Channel::BaseMoment), &moment),
+            self.probe(Probe::new(Channel::OverturningMoment), &below),
+        ])
+    }
+
+    /// Stresses of the clamped edge from its reactions.
+    fn base(&self, case: &Case) -> Result<Vec<Probe>, FeError> {
+        let t = self.tank.wall.thickness[0];
+        let moment = self.observer.edge_reaction(Dof::Ry)?;
+        let axial = self.observer.edge_reaction(Dof::Uz)?.scaled(-1.0);
+        let of_moment = sparse_dot(&moment.displacement, self.statics);
+        // The weight that the lowest elements bring onto the edge itself is no displacement's.
+        let (tank, roof) = (&case.tank, case.tank.roof.mass);
+        let weight = case.gravity * (tank.wall_mass() + roof) / (std::f64::consts::TAU * self.tank.radius);
+        let probe = |what, row: Row, static_value| {
+            let empty = Probe {
+                static_value,
+                ..Probe::new(Channel::Base(what))
+            };
+            self.probe(empty, &row)
+        };
+        let bending = moment.clone().scaled(6.0 / (t * t));
+        Ok(vec![
+            probe(OnWall::Axial, axial.scaled(1.0 / t), -weight / t),
+            probe(OnWall::Bending, bending, 6.0 / (t * t) * of_moment),
+            probe(OnWall::Moment, moment, of_moment),
+        ])
+    }
+
+    /// A stress at the height z of a course.
+    fn wall_probe(&self, probe: Probe, resultant: Resultant, course: &std::ops::Range<usize>, z: f64) -> Probe {
+        let wall = &self.tank.wall;
+        let t = wall.thickness[course.start];
+        let factor = match resultant {
+            Resultant::Moment => 6.0 / (t * t),
+            _ => 1.0 / t,
+        };
+        let poisson = wall.poisson_ratio[course.start];
+        let row = self.observer.resultant(course, z, resultant, poisson).scaled(factor);
+        let probe = Probe {
+            static_value: sparse_dot(&row.displacement, self.statics) * self.static_factor(),
+            ..probe
+        };
+        self.probe(probe, &row)
+    }
+
+    /// Rows of wall resultants under horizontal motion hold 1/cos(π/N), which the static state does not need.
+    fn static_factor(&self) -> f64 {
+        match self.observer.harmonic {
+            0 => 1.0,
+            _ => (std::f64::consts::PI / self.tank.division.sectors as f64).cos(),
+        }
+    }
+
+    fn displacement(&self, probe: Probe, row: &Row) -> Probe {
+        let probe = Probe {
+            static_value: sparse_dot(&row.displacement, self.statics),
+            ..probe
+        };
+        self.probe(probe, row)
+    }
+
+    /// Outputs over the height; the stresses of the base are those of `base`, from reactions.
+    pub fn lines(&self, case: &Case, base: &[Probe]) -> Vec<ProbeLine> {
+        let wetted = &self.tank.division.liquid;
+        let weight = case.liquid.density * case.gravity;
+        let pressure = wetted.iter().enumerate().map(|(i, z)| {
+            let probe = Probe {
+                static_value: weight * (self.tank.depth - z).max(0.0),
+                ..ProbeLine::probe(OnWall::Pressure, i, *z)
+            };
+            self.probe(probe, &self.observer.pressure(i))
+        });
+        let mut lines = vec![ProbeLine {
+            what: OnWall::Pressure,
+            z: wetted.clone(),
+            probes: pressure.collect(),
+        }];
+        let z = &self.tank.wall.z;
+        // Both sides of a joint of courses.
+        let places: Vec<(f64, std::ops::Range<usize>)> = (self.tank.wall.courses().into_iter())
+            .flat_map(|course| (course.start..=course.end).map(move |level| (z[level], course.clone())))
+            .collect();
+        for (what, resultant) in STRESSES {
+            let edge = base.iter().find(|p| p.channel == Channel::Base(what));
+            let probes = places.iter().enumerate().map(|(i, (z, course))| {
+                let probe = ProbeLine::probe(what, i, *z);
+                match (i, edge) {
+                    (0, Some(edge)) => {
+                        let row = self.rows.borrow().get(&edge.key()).cloned().unwrap_or_default();
+                        self.rows.borrow_mut().insert(probe.key(), row);
+                        Probe {
+                            channel: probe.channel,
+                            place: probe.place,
+                            ..edge.clone()
+                        }
+                    }
+                    _ => self.wall_probe(probe, resultant, course, *z),
+                }
+            });
+            lines.push(ProbeLine {
+                what,
+                z: places.iter().map(|p| p.0).collect(),
+                probes: probes.collect(),
+            });
+        }
+        let what = OnWall::Displacement;
+        lines.push(ProbeLine {
+            what,
+            z: z.clone(),
+            probes: (z.iter().enumerate())
+                .map(|(level, z)| {
+                    let row = self.observer.radial_displacement(level);
+                    self.displacement(ProbeLine::probe(what, level, *z), &row)
+                })
+                .collect(),
+        });
+        lines
+    }
+
+    pub fn shape_rows(&self) -> ShapeRows {
+        let dense = |row: SparseRow| -> SparseRow { self.project(&row).into_iter().enumerate().collect() };
+        let radii = &self.tank.division.radii;
+        ShapeRows {
+            z: self.tank.wall.z.clone(),
+            wall: (0..self.tank.wall.z.len())
+                .map(|level| dense(self.observer.radial_displacement(level).displacement))
+                .collect(),
+            r: radii.clone(),
+            surface: radii
+                .iter()
+                .map(|&r| dense(self.observer.elevation(r).displacement))
+                .collect(),
+        }
+    }
+}
