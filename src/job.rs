@@ -5,31 +5,28 @@ use std::collections::BTreeMap;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use tank::Case;
+use tank::refusal::Refusal;
 
 use crate::input::TankFile;
 use crate::input::diagnostic::Faults;
 use engines::Task;
 use engines::nonlinear::push::PushOptions;
-use engines::nonlinear::scope::{self, Purpose};
 use engines::nonlinear::{CheckpointFile, NonlinearOptions};
 use engines::solid::SolidOptions;
-use files::error::Error;
 use results::{EngineId, InputValue, SourceFile};
 
-/// What the nonlinear engine refuses of a tank file, each with its place in the file.
-pub fn refused(tank: &TankFile, purpose: Purpose) -> Faults {
-    tank.faults(&scope::refusals(&tank.case, &tank.nonlinear, purpose))
-}
-
-/// Whether the nonlinear engine can run a tank file.
+/// What an analysis refuses of a tank file, each with its place in the file.
 ///
-/// Errors: [`Error::Input`] with all that it refuses.
-pub fn fits(tank: &TankFile, purpose: Purpose) -> Result<(), Error> {
-    let faults = refused(tank, purpose);
-    match faults.is_empty() {
-        true => Ok(()),
-        false => Err(faults.into_error(&tank.source)),
-    }
+/// * `refuses`: the refusals of an engine or of the pushover
+pub fn refused(tank: &TankFile, refuses: impl Fn(&Task<'_>) -> Vec<Refusal>) -> Faults {
+    let task = Task {
+        case: &tank.case,
+        linear: &tank.fe,
+        solid: &tank.solid,
+        nonlinear: &tank.nonlinear,
+        checkpoint: None,
+    };
+    tank.faults(&refuses(&task))
 }
 
 /// One verification to be run.

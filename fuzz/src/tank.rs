@@ -3,7 +3,9 @@
 //! A file that is read means the same when it is printed without comments, with its keys in another order, or with its
 //! lengths in millimetres; every quantity in it comes back from print in every unit of its dimension.
 
-use engines::nonlinear::scope::Purpose;
+use engines::nonlinear::push;
+use engines::{ALL, Task};
+use tank::refusal::Refusal;
 use tank::units::{self, Dimension};
 use tankcheck::input::TankFile;
 use tankcheck::input::diagnostic::Source;
@@ -48,6 +50,9 @@ pub fn read(text: &str) -> Option<TankFile> {
     }
 }
 
+/// What an analysis refuses.
+type Refuses<'a> = Box<dyn Fn(&Task<'_>) -> Vec<Refusal> + 'a>;
+
 /// What a resolved file keeps.
 fn promises(file: &TankFile) {
     let (tank, liquid) = (&file.case.tank, &file.case.liquid);
@@ -59,8 +64,11 @@ fn promises(file: &TankFile) {
     assert!(liquid.fill_height > 0.0 && liquid.fill_height <= tank.wall_height() * 1.000_001);
     assert!(liquid.density > 0.0 && liquid.density.is_finite());
     assert!(file.case.gravity > 0.0 && file.case.damping.impulsive.is_finite());
-    for purpose in [Purpose::History, Purpose::Pushover] {
-        let refused = job::refused(file, purpose);
+    let asked = ALL
+        .iter()
+        .map(|&engine| Box::new(move |task: &Task<'_>| engine.refuses(task)) as Refuses<'_>);
+    for refuses in asked.chain([Box::new(push::refuses) as Refuses<'_>]) {
+        let refused = job::refused(file, refuses);
         assert!(refused.is_empty() || refused.render(&file.source, false).contains("error"));
     }
 }

@@ -35,7 +35,7 @@ pub struct Args {
 /// Runs the subcommand; returns the exit code.
 pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
-    let job = args.inputs.job(None)?;
+    let job = args.inputs.job(|_| Vec::new())?;
     let site = &job.case.site;
     if job.case.ground_motion.is_none() && site.ec8.is_none() && site.api650.is_none() {
         return Err(Error::input(

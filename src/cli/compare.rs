@@ -19,7 +19,6 @@ use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::job::Job;
 use crate::pipeline::{self, Outcome};
 use engines::estimate::Estimate;
-use engines::nonlinear::scope::Purpose;
 use engines::{FeError, Integrator, engine};
 use files::{OutputFolder, kept_complete};
 use report;
@@ -98,6 +97,19 @@ enum Engine {
     Nonlinear,
 }
 
+impl Engine {
+    /// The engines that run, in this order.
+    fn ids(self) -> &'static [EngineId] {
+        match self {
+            Engine::None => &[],
+            Engine::Harmonic => &[EngineId::Harmonic],
+            Engine::Solid => &[EngineId::Solid],
+            Engine::Both => &[EngineId::Harmonic, EngineId::Solid],
+            Engine::Nonlinear => &[EngineId::Harmonic, EngineId::Nonlinear],
+        }
+    }
+}
+
 /// Time integration.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 enum IntegratorArg {
@@ -116,8 +128,11 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
                 .into(),
         ));
     }
-    let purpose = (args.fe == Engine::Nonlinear).then_some(Purpose::History);
-    let mut job = args.inputs.job(purpose)?;
+    let engines = args.fe.ids();
+    let mut job = args
+        .inputs
+        .job(|task| engines.iter().flat_map(|&id| engine(id).refuses(task)).collect())?;
+    job.engines = engines.to_vec();
     choose(&mut job, &args)?;
     if job.engines.iter().any(|&id| engine(id).stops()) {
         progress::stop_gracefully();
@@ -191,13 +206,6 @@ pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
 /// Applies the options of the command line over those of the tank file.
 fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
     job.solid.memory_limit_mib = args.memory.over(job.solid.memory_limit_mib);
-    job.engines = match args.fe {
-        Engine::None => Vec::new(),
-        Engine::Harmonic => vec![EngineId::Harmonic],
-        Engine::Solid => vec![EngineId::Solid],
-        Engine::Both => vec![EngineId::Harmonic, EngineId::Solid],
-        Engine::Nonlinear => vec![EngineId::Harmonic, EngineId::Nonlinear],
-    };
     let options = &mut job.linear;
     if let Some(refine) = args.refine {
         options.refine = refine;

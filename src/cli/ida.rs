@@ -13,10 +13,10 @@ use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::ida;
 use crate::input::records::plausible;
 use crate::job::IdaJob;
-use engines::nonlinear::{self, scope::Purpose};
+use engines::{engine, nonlinear};
 use files::text;
 use report::words;
-use results::ida_csv;
+use results::{EngineId, ida_csv};
 
 /// Largest number of runs of one analysis.
 const MAX_RUNS: usize = 1000;
@@ -124,7 +124,7 @@ impl Args {
             reading: self.reading.clone(),
             procedures: None,
         };
-        let job = inputs.job(Some(Purpose::History))?;
+        let job = inputs.job(|task| engine(EngineId::Nonlinear).refuses(task))?;
         if let (Some(motion), Some(largest)) = (&job.case.ground_motion, scales.last()) {
             let peak = motion.horizontal.pga() * largest;
             let origin = format!("--scale: the factor {largest}");

@@ -3,12 +3,13 @@
 use std::path::PathBuf;
 
 use tank::case::GroundMotion;
+use tank::refusal::Refusal;
 
 use crate::cli::terminal::say;
 use crate::error::Error;
 use crate::input::{self, records};
 use crate::job::{self, Job};
-use engines::nonlinear::scope::Purpose;
+use engines::Task;
 use files::text;
 use results::SourceFile;
 
@@ -33,11 +34,12 @@ pub struct Inputs {
 impl Inputs {
     /// Reads everything; the job has no engines yet, and the options of the tank file.
     ///
-    /// * `nonlinear`: what will be asked of the nonlinear engine, if anything; a file that it cannot run is refused
-    pub fn job(&self, nonlinear: Option<Purpose>) -> Result<Job, Error> {
+    /// * `refuses`: what the analysis refuses of the tank file
+    pub fn job(&self, refuses: impl Fn(&Task<'_>) -> Vec<Refusal>) -> Result<Job, Error> {
         let tank = input::read_tank(&self.tank)?;
-        if let Some(purpose) = nonlinear {
-            job::fits(&tank, purpose)?;
+        let faults = job::refused(&tank, refuses);
+        if !faults.is_empty() {
+            return Err(faults.into_error(&tank.source).into());
         }
         for remark in &tank.remarks {
             say!("note: {}", text::line(remark));

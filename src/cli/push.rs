@@ -13,8 +13,7 @@ use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::job::PushJob;
 use crate::push;
 use engines::FeError;
-use engines::nonlinear::push::{Amplitude, Form, NoSteel, PushOptions, Quality, estimate};
-use engines::nonlinear::scope::Purpose;
+use engines::nonlinear::push::{Amplitude, Form, NoSteel, PushOptions, Quality, estimate, refuses};
 use files::text;
 use report;
 use report::number::with_unit;
@@ -155,7 +154,7 @@ impl Args {
             reading: Reading::default(),
             procedures: None,
         };
-        let job = inputs.job(Some(Purpose::Pushover))?;
+        let job = inputs.job(refuses)?;
         if let (tank::Shape::Cylinder { .. }, Some(no_steel)) = (job.case.tank.shape, NoSteel::of(&job.case)) {
             let file = job.files.first().map_or("tank", |f| f.name.as_str());
             return refuse(

@@ -1,15 +1,18 @@
 //! What the nonlinear engine does not model is refused from the input, with its place.
 
-use engines::nonlinear::scope::Purpose;
+use engines::nonlinear::push;
+use engines::{Task, engine};
+use results::EngineId;
+use tank::refusal::Refusal;
 use tankcheck::job;
 
 use super::bad_tank::has;
 use super::nonlinear_input::{GOOD, changed, read};
 
 /// What the engine refuses of a file that is sound otherwise; one cause, one message.
-fn refused(text: &str, purpose: Purpose) -> String {
+fn refused(text: &str, refuses: fn(&Task<'_>) -> Vec<Refusal>) -> String {
     let file = read(text);
-    let faults = job::refused(&file, purpose);
+    let faults = job::refused(&file, refuses);
     let text = faults.render(&file.source, false);
     assert!(
         text.contains("error: 1 fault in tank.json; nothing was computed"),
@@ -19,8 +22,12 @@ fn refused(text: &str, purpose: Purpose) -> String {
     text
 }
 
+fn history(task: &Task<'_>) -> Vec<Refusal> {
+    engine(EngineId::Nonlinear).refuses(task)
+}
+
 fn unfit(from: &str, to: &str) -> String {
-    refused(&changed(from, to), Purpose::History)
+    refused(&changed(from, to), history)
 }
 
 /// The good file as a strip of concrete.
@@ -34,7 +41,7 @@ fn strip() -> String {
 fn what_fits() {
     for text in [GOOD, &strip()] {
         let file = read(text);
-        let faults = job::refused(&file, Purpose::History);
+        let faults = job::refused(&file, history);
         assert!(faults.is_empty(), "{}", faults.render(&file.source, false));
     }
 }
@@ -61,7 +68,7 @@ fn elements_on_which_a_crack_snaps_back() {
     // Bars that space the cracks mend it.
     let coarse = changed("\"height\": 24", "\"height\": 8");
     let spaced = coarse.replace("\"2.9 MPa\"", "\"2.9 MPa\", \"crack_spacing\": \"15 cm\"");
-    assert!(job::refused(&read(&spaced), Purpose::History).is_empty());
+    assert!(job::refused(&read(&spaced), history).is_empty());
     // What the engine chooses for itself is told of the concrete: 72 sectors of 873 mm.
     has(
         &unfit("\"elements\": { \"height\": 24, \"circumference\": 192 }, ", ""),
@@ -78,7 +85,7 @@ fn elements_on_which_a_crack_snaps_back() {
 #[test]
 fn softening_that_no_mesh_resolves() {
     let file = read(&changed("\"2.9 MPa\"", "\"2.9 MPa\", \"fracture_energy\": \"1 N/m\""));
-    let text = job::refused(&file, Purpose::History).render(&file.source, false);
+    let text = job::refused(&file, history).render(&file.source, false);
     has(
         &text,
         &[
@@ -104,10 +111,7 @@ fn laws_of_the_other_engine() {
         ],
     );
     has(
-        &refused(
-            &strip().replace("\"2.9 MPa\"", &law("plastic-fracturing")),
-            Purpose::History,
-        ),
+        &refused(&strip().replace("\"2.9 MPa\"", &law("plastic-fracturing")), history),
         &[
             "materials.concrete.behaviour.concrete.law",
             "found \"plastic-fracturing\"",
@@ -117,10 +121,7 @@ fn laws_of_the_other_engine() {
     // 2 · 250 · 73 · 38^0.18 · 33e9/38e6² = 1.60 m: it crushes over more than it may crack.
     let coarse = changed("\"circumference\": 192", "\"circumference\": 36");
     has(
-        &refused(
-            &coarse.replace("\"2.9 MPa\"", &law("plastic-fracturing")),
-            Purpose::History,
-        ),
+        &refused(&coarse.replace("\"2.9 MPa\"", &law("plastic-fracturing")), history),
         &[
             "elements.circumference",
             "the crushing of `concrete` is too brittle for elements of 1.75 m",
@@ -148,7 +149,7 @@ fn walls_that_are_not_modelled() {
     let text = GOOD.replacen("        ] }\n    ]", &format!("        ] }},\n {second}"), 1);
     assert!(text.contains(second) && text.contains(course));
     has(
-        &refused(&text, Purpose::History),
+        &refused(&text, history),
         &[
             "tank.courses[1]",
             "equally far apart in all courses",
@@ -163,7 +164,7 @@ fn walls_that_are_not_modelled() {
     );
     let twin = twin.replace("    \"liner\": { \"grade\": \"S355\" },\n", "");
     has(
-        &refused(&twin, Purpose::History),
+        &refused(&twin, history),
         &[
             "tank.courses[0].layers",
             "bends one leaf",
@@ -172,7 +173,7 @@ fn walls_that_are_not_modelled() {
     );
     let roof = strip().replace("\"support\":", "\"roof\": { \"mass\": \"1 t\" }, \"support\":");
     has(
-        &refused(&roof, Purpose::History),
+        &refused(&roof, history),
         &["tank.roof.mass", "knows no roof", "leave the roof out"],
     );
 }
@@ -180,14 +181,14 @@ fn walls_that_are_not_modelled() {
 #[test]
 fn tanks_of_another_kind() {
     has(
-        &refused(&strip(), Purpose::Pushover),
+        &refused(&strip(), push::refuses),
         &["tank.shape", "found \"rectangle\"", "\"cylinder\""],
     );
     has(
-        &refused(GOOD, Purpose::Pushover),
+        &refused(GOOD, push::refuses),
         &["tank.courses[0].layers", "6.00 mm liner, 50.0 mm foam, 250 mm concrete"],
     );
     let four = strip().replace("\"strip\": true", "\"breadth\": \"8 m\"");
     let four = four.replace("\"elements\": { \"height\": 24 }, ", "");
-    has(&refused(&four, Purpose::History), &["tank.shape", "four walls"]);
+    has(&refused(&four, history), &["tank.shape", "four walls"]);
 }

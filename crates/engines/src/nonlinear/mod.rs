@@ -8,7 +8,7 @@ mod incremental;
 mod laws;
 mod parting;
 pub mod push;
-pub mod scope;
+pub(crate) mod scope;
 mod strip;
 
 use fem::progress::Progress;

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use tank::Case;
 use tank::options::nonlinear::{MOST_ROWS, MOST_SECTORS};
-pub use tank::refusal::{Place, Refusal};
+use tank::refusal::{Place, Refusal};
 use tank::units::{Dimension, display};
 use tank::{Behaviour, Concrete, ConcreteLaw, Course, Layer, LayerKind, Shape, Softening, Support};
 
@@ -23,7 +23,7 @@ const TINY: f64 = 1e-3;
 
 /// What is asked of the engine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Purpose {
+pub(crate) enum Purpose {
     /// Runs through a record.
     History,
     /// A static pushover.
@@ -41,7 +41,7 @@ fn refusal(place: Place, error: FeError) -> Refusal {
 }
 
 /// Everything that the engine refuses of a case; empty if it can run.
-pub fn refusals(case: &Case, options: &NonlinearOptions, purpose: Purpose) -> Vec<Refusal> {
+pub(crate) fn refusals(case: &Case, options: &NonlinearOptions, purpose: Purpose) -> Vec<Refusal> {
     let mut all = Vec::new();
     match (case.tank.shape, purpose) {
         (Shape::Cylinder { radius }, Purpose::History) => cylinder(case, options, radius, true, &mut all),

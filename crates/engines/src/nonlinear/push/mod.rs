@@ -25,6 +25,7 @@ mod tests;
 use fem::analysis::checkpoint::Reader;
 use fem::progress::Progress;
 use tank::Case;
+use tank::refusal::Refusal;
 use tank::units::{Dimension, significant};
 
 pub use estimate::estimate;
@@ -33,7 +34,9 @@ pub use limits::{Capacity, Formula};
 pub use model::NoSteel;
 
 use super::CheckpointFile;
+use super::scope::{Purpose, refusals};
 use crate::FeError;
+use crate::engine::Task;
 use buckling::Mode;
 use imperfection::{Dent, Depression, half_wave};
 use keep::{Keeper, Kept};
@@ -68,6 +71,11 @@ pub struct Pushed {
     pub limits: Vec<PushLimit>,
     /// What an interruption left out, in words; empty if all was done.
     pub interruption: String,
+}
+
+/// Everything that a pushover refuses of a case; empty if it can run.
+pub fn refuses(task: &Task<'_>) -> Vec<Refusal> {
+    refusals(task.case, task.nonlinear, Purpose::Pushover)
 }
 
 /// Pushes the perfect shell, and the imperfect one if there is one.
