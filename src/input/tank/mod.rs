@@ -3,9 +3,11 @@
 //! Every station notes its faults and goes on as far as it can, so that all faults of a file are shown at once.
 
 mod bytes;
+mod file;
 mod key;
 mod keys;
 mod page;
+mod places;
 mod read;
 mod resolver;
 mod schema;
@@ -17,15 +19,16 @@ mod values;
 
 use std::path::Path;
 
-use crate::input::TankFile;
 use crate::input::diagnostic::{Faults, Source};
 use files::error::Error;
 
-pub use keys::{Places, solid_defaults};
+pub use file::TankFile;
+pub use keys::solid_defaults;
 pub use page::markdown;
+pub use places::Places;
 pub use schema::json_schema;
 
-/// See [`crate::input::read_tank`].
+/// Reads and resolves a tank file (`-` reads standard input). All faults are reported at once in [`Error::Input`].
 pub fn read(path: &Path) -> Result<TankFile, Error> {
     let (source, sha256) = bytes::read(path)?;
     match parse(&source) {

@@ -370,7 +370,7 @@ macro_rules! object {
     )*) => {$(
         $(#[doc = $doc])+
         #[derive(Debug)]
-        pub(in crate::input::tank) struct $name { $($(#[doc = $fdoc])+ pub $field: $ty,)+ }
+        pub(crate) struct $name { $($(#[doc = $fdoc])+ pub $field: $ty,)+ }
 
         #[allow(non_upper_case_globals, reason = "named as the key")]
         impl $name {

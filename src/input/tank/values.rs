@@ -68,7 +68,7 @@ macro_rules! quantity {
     ($($(#[$doc:meta])* $name:ident : $dimension:expr;)*) => {$(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq)]
-        pub(in crate::input::tank) struct $name(pub f64);
+        pub(crate) struct $name(pub f64);
 
         impl FromNode for $name {
             fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
@@ -136,7 +136,7 @@ macro_rules! conventional {
     ($($(#[$doc:meta])* $name:ident : $dimension:expr, $unit:literal, $factor:expr, $example:literal;)*) => {$(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq)]
-        pub(in crate::input::tank) struct $name(pub f64);
+        pub(crate) struct $name(pub f64);
 
         impl FromNode for $name {
             fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {

@@ -1,16 +1,16 @@
-//! `analysis`: options of the linear engines, and Rayleigh damping.
+//! `analysis`: options of the linear engines.
 
 use tank::options::LinearOptions;
 use tank::options::linear::{DampingModel, Integrator};
 use tank::{Shape, Tank};
 
-use super::damping::RATIO;
 use super::nonlinear::Nonlinear;
+use super::rayleigh::{Rayleigh, rayleigh};
 use super::solid::Solid;
 use crate::input::tank::key::{Absent, Limits, default};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, like_field, range_fault};
-use crate::input::tank::values::{Length, Number, Pitch, Time, Whole};
+use crate::input::tank::values::{Length, Number, Time, Whole};
 
 /// What holds where nothing is given.
 const DEFAULT: &LinearOptions = &LinearOptions::DEFAULT;
@@ -50,24 +50,6 @@ object! {
         coefficients: Opt<Coefficients>,
     }
 
-    /// Rayleigh damping C = a_M M + a_K K fitted to two ratios.
-    Rayleigh {
-        /// First pair.
-        first: Field<RatioAt>,
-        /// Second pair.
-        second: Field<RatioAt>,
-        /// Accept a negative coefficient (to repeat published runs).
-        allow_negative (true): Opt<bool> = default(false),
-    }
-
-    /// A damping ratio at a frequency.
-    RatioAt {
-        /// Circular frequency, frequency or period.
-        at ("2 Hz"): Field<Pitch>,
-        /// Damping ratio.
-        ratio (0.02): Field<Number> [RATIO],
-    }
-
     /// Coefficients of Rayleigh damping C = a_M M + a_K K.
     Coefficients {
         /// a_M in 1/s, a bare number.
@@ -88,8 +70,8 @@ choice! {
 }
 
 /// Options of the linear engines. Defaults are those of the engine and not echoed one by one.
-pub(super) fn analysis(r: &mut Resolver<'_>, option: &Opt<Analysis>, tank: Option<&Tank>) -> LinearOptions {
-    let Some(given) = option.value() else {
+pub(super) fn analysis(r: &mut Resolver<'_>, given: Option<&Analysis>, tank: Option<&Tank>) -> LinearOptions {
+    let Some(given) = given else {
         r.echo_default("analysis", "not given", "modal integration on the default mesh");
         return DEFAULT.clone();
     };
@@ -137,45 +119,6 @@ fn places(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Length>>>, end: f64, what
         all.push(value);
     }
     all
-}
-
-/// A (circular frequency [rad/s], ratio) pair.
-type Pair = (f64, f64);
-
-/// Both pairs of Rayleigh damping, and whether a negative coefficient is accepted.
-pub(super) fn rayleigh(r: &mut Resolver<'_>, rayleigh: &Rayleigh) -> (Pair, Pair, bool) {
-    let mut pair = |f: &Field<RatioAt>| {
-        let Some(pair) = &f.value else {
-            return (f64::NAN, f64::NAN);
-        };
-        r.echo_given(&pair.at);
-        (pair.at.value.map_or(f64::NAN, |p| p.0), r.number(&pair.ratio))
-    };
-    let (first, second) = (pair(&rayleigh.first), pair(&rayleigh.second));
-    if (first.0 - second.0).abs() <= 1e-9 * first.0 {
-        r.faults.push(range_fault(
-            &rayleigh.second,
-            "both pairs have the same frequency",
-            "two frequencies",
-        ));
-    }
-    let allow_negative = r.choice(&rayleigh.allow_negative);
-    // ζ = a_M/(2ω) + a_K ω/2 through both pairs.
-    let denominator = second.0.powi(2) - first.0.powi(2);
-    let stiffness = 2.0 * (second.1 * second.0 - first.1 * first.0) / denominator;
-    let mass = 2.0 * first.1 * first.0 - stiffness * first.0.powi(2);
-    if !allow_negative && (stiffness < 0.0 || mass < 0.0) {
-        r.faults.push(
-            range_fault(
-                &rayleigh.second,
-                "these pairs need a negative coefficient",
-                "both coefficients ≥ 0",
-            )
-            .found(format!("a_M = {mass:.4e} 1/s, a_K = {stiffness:.4e} s"))
-            .help("choose other pairs, or set allow_negative to repeat a published run"),
-        );
-    }
-    (first, second, allow_negative)
 }
 
 fn damping_model(r: &mut Resolver<'_>, field: &Field<AnalysisDamping>) -> DampingModel {

@@ -2,22 +2,20 @@
 
 mod concrete;
 pub(super) mod laws;
+mod reader;
+mod yielding;
 
 use std::collections::BTreeMap;
 
-use tank::units::{display_in, unit_for};
-
 use super::grades::{self, Preset, Strengths};
-use super::plausible;
 use crate::input::tank::key::{Absent, Limits, list, without};
-use crate::input::tank::read::{Field, FromNode, Opt, nearest, object};
+use crate::input::tank::read::{Field, Opt, nearest, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::syntax::join;
-use crate::input::tank::values::{Density, Named, Number, Si, Stress};
+use crate::input::tank::values::{Density, Named, Number, Stress};
 use laws::Behaviour;
+use reader::{Reader, STRESS};
 
-/// Moduli and strengths; "rigid" walls of benchmarks are allowed.
-const STRESS: Limits = Limits::above(0.0).to(1e18);
 /// Moduli from soft plastics (0.8 GPa) up: `210 MPa` for steel is a slip of the unit. From 1e17 Pa on the motion of a wall is lost in
 /// the rounding of its stiffness: the shear of example 01 was 2.4 times that of a rigid wall at 2e17 Pa.
 const MODULUS: Limits = Limits::above(0.5e9).to(1e16);
@@ -128,7 +126,7 @@ fn material(r: &mut Resolver<'_>, name: &str, field: &Field<Material>, m: &Mater
         None => r.optional(&m.yield_strength),
     };
     if let (Some(field), Some(strength)) = (&m.yield_strength.given, yield_strength) {
-        plausible::yielding(r, field, strength, youngs_modulus);
+        yielding::check(r, field, strength, youngs_modulus);
     }
     let allowable_stress = r.optional(&m.allowable_stress);
     reader.path = join(&field.path, "behaviour");
@@ -170,61 +168,4 @@ fn preset(r: &mut Resolver<'_>, field: Option<&Field<String>>) -> Option<Option<
     }
     r.faults.push(fault);
     None
-}
-
-/// Where the values of a material come from.
-struct Reader {
-    preset: Option<Preset>,
-    /// Path of the object that is read.
-    path: String,
-    /// Place to underline for what is missing.
-    head: std::ops::Range<usize>,
-}
-
-impl Reader {
-    /// The same for an object inside this one.
-    fn inside(&self, key: &str) -> Reader {
-        Reader {
-            preset: self.preset.clone(),
-            path: join(&self.path, key),
-            head: self.head.clone(),
-        }
-    }
-
-    /// A number that the file gives, or else the grade; NaN if it is faulty or missing, which is a fault.
-    fn needed<T: Si + FromNode>(&self, r: &mut Resolver<'_>, option: &Opt<T>, of: impl Fn(&Preset) -> f64) -> f64 {
-        match (&option.given, &self.preset) {
-            (None, None) => self.missing(r, option, ""),
-            (_, Some(preset)) => self.supplied(r, option, of(preset)),
-            (Some(field), None) => r.number(field),
-        }
-    }
-
-    /// A number that the file gives, or else this one of the grade.
-    fn supplied<T: Si>(&self, r: &mut Resolver<'_>, option: &Opt<T>, value: f64) -> f64 {
-        let source = match &self.preset {
-            Some(preset) => format!("grade {}: {}", preset.name, preset.source),
-            None => String::new(),
-        };
-        r.or_else(option, value, &shown::<T>(value, 4), &source)
-    }
-
-    /// Notes that a key is missing.
-    fn missing<T: FromNode>(&self, r: &mut Resolver<'_>, option: &Opt<T>, otherwise: &str) -> f64 {
-        let key = option.key.name;
-        // A misspelt key has been noted already, with this one as the suggestion.
-        if !r.faults.suggest(&format!("did you mean `{key}`?")) {
-            let field = Field::<T>::missing(self.head.clone(), option.path.clone());
-            r.faults.push(
-                range_fault(&field, &format!("the key `{key}` is missing"), &T::allowed())
-                    .help(format!("add \"{key}\": {}{otherwise}", T::example())),
-            );
-        }
-        f64::NAN
-    }
-}
-
-/// A value with so many digits and an engineer's unit.
-fn shown<T: Si>(value: f64, digits: usize) -> String {
-    display_in(value, unit_for(value, T::DIMENSION), digits)
 }

@@ -8,7 +8,7 @@ use tank::options::nonlinear::{
 use tank::{Shape, Tank};
 
 use super::damping::RATIO;
-use super::linear::{Analysis, Rayleigh, rayleigh};
+use super::rayleigh::{Rayleigh, rayleigh};
 use crate::input::diagnostic::Faults;
 use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, object, wrong_kind, wrong_value};
@@ -176,11 +176,11 @@ impl FromNode for ThicknessRule {
 /// * `ratios`: damping ratios of the case
 pub(super) fn nonlinear(
     r: &mut Resolver<'_>,
-    analysis: &Opt<Analysis>,
+    given: Option<&Nonlinear>,
     tank: Option<&Tank>,
     ratios: case::Damping,
 ) -> NonlinearOptions {
-    let Some(given) = analysis.value().and_then(|a| a.nonlinear.value()) else {
+    let Some(given) = given else {
         return NonlinearOptions::new(ratios);
     };
     let elements = elements(r, &given.elements, tank);

@@ -1,74 +1,52 @@
-//! Where the file says what an engine may object to.
+//! Places of the file that an engine may reject.
 
 use std::collections::BTreeMap;
 
-use tank::refusal::{Place, Refusal};
+use tank::refusal::Place;
 
-use super::TankFile;
+use super::file::TankFile;
 use super::materials::laws::Behaviour;
-use crate::input::diagnostic::Fault;
+use crate::input::tank::places::Places;
 use crate::input::tank::read::Field;
-use crate::input::tank::resolver::range_fault;
 
-/// Places in a file.
-#[derive(Clone, Debug, Default)]
-pub struct Places(BTreeMap<Place, Field<()>>);
-
-impl Places {
-    /// Of a file.
-    pub(super) fn of(file: &TankFile) -> Places {
-        let mut all = BTreeMap::new();
-        if let Some(tank) = &file.tank.value {
-            all.insert(Place::Shape, tank.shape.place());
-            all.insert(Place::Support, tank.support.place());
-            if let Some(roof) = &tank.roof.given {
-                let mass = roof.value.as_ref().map(|r| r.mass.place());
-                all.insert(Place::Roof, mass.unwrap_or_else(|| roof.place()));
-            }
-            for (index, course) in tank.courses.value.iter().flatten().enumerate() {
-                let layers = course.value.as_ref().and_then(|c| c.layers.place());
-                all.insert(Place::Course(index), layers.unwrap_or_else(|| course.place()));
-            }
+/// Where the file says what an engine may reject.
+pub(super) fn of(file: &TankFile) -> Places {
+    let mut all = BTreeMap::new();
+    if let Some(tank) = &file.tank.value {
+        all.insert(Place::Shape, tank.shape.place());
+        all.insert(Place::Support, tank.support.place());
+        if let Some(roof) = &tank.roof.given {
+            let mass = roof.value.as_ref().map(|r| r.mass.place());
+            all.insert(Place::Roof, mass.unwrap_or_else(|| roof.place()));
         }
-        for (name, material) in file.materials.value.iter().flat_map(|named| &named.0) {
-            let given = material.value.as_ref().and_then(|m| m.behaviour.given.as_ref());
-            let kinds = match given.and_then(|f| f.value.as_ref()) {
-                Some(Behaviour::Kinds(kinds)) => Some(kinds),
-                _ => None,
-            };
-            // A grade has the behaviour of concrete without saying so.
-            let whole = given.map_or_else(|| material.place(), Field::place);
-            let law = kinds
-                .and_then(|k| k.concrete.value())
-                .and_then(|concrete| concrete.law.place());
-            let concrete = kinds.and_then(|k| k.concrete.place()).unwrap_or_else(|| whole.clone());
-            let interlayer = kinds.and_then(|k| k.interlayer.place());
-            all.insert(Place::Law(name.clone()), law.unwrap_or_else(|| concrete.clone()));
-            all.insert(Place::Concrete(name.clone()), concrete);
-            all.insert(Place::Interlayer(name.clone()), interlayer.unwrap_or(whole));
+        for (index, course) in tank.courses.value.iter().flatten().enumerate() {
+            let layers = course.value.as_ref().and_then(|c| c.layers.place());
+            all.insert(Place::Course(index), layers.unwrap_or_else(|| course.place()));
         }
-        let nonlinear = file.analysis.value().and_then(|a| a.nonlinear.value());
-        if let Some(elements) = nonlinear.and_then(|n| n.elements.value()) {
-            all.insert(Place::Rows, elements.height.place());
-            if let Some(circumference) = elements.circumference.place() {
-                all.insert(Place::Sectors, circumference);
-            }
-        }
-        Places(all)
     }
-
-    /// A refusal of an engine as a fault of the file.
-    pub fn fault(&self, refusal: &Refusal) -> Fault {
-        let mut fault = match self.0.get(&refusal.place) {
-            Some(place) => range_fault(place, &refusal.message, &refusal.allowed),
-            None => Fault::new(&refusal.message).allowed(&refusal.allowed),
+    for (name, material) in file.materials.value.iter().flat_map(|named| &named.0) {
+        let given = material.value.as_ref().and_then(|m| m.behaviour.given.as_ref());
+        let kinds = match given.and_then(|f| f.value.as_ref()) {
+            Some(Behaviour::Kinds(kinds)) => Some(kinds),
+            _ => None,
         };
-        if !refusal.found.is_empty() {
-            fault = fault.found(&refusal.found);
-        }
-        if !refusal.help.is_empty() {
-            fault = fault.help(&refusal.help);
-        }
-        fault
+        // A grade has the behaviour of concrete without saying so.
+        let whole = given.map_or_else(|| material.place(), Field::place);
+        let law = kinds
+            .and_then(|k| k.concrete.value())
+            .and_then(|concrete| concrete.law.place());
+        let concrete = kinds.and_then(|k| k.concrete.place()).unwrap_or_else(|| whole.clone());
+        let interlayer = kinds.and_then(|k| k.interlayer.place());
+        all.insert(Place::Law(name.clone()), law.unwrap_or_else(|| concrete.clone()));
+        all.insert(Place::Concrete(name.clone()), concrete);
+        all.insert(Place::Interlayer(name.clone()), interlayer.unwrap_or(whole));
     }
+    let nonlinear = file.analysis.value().and_then(|a| a.nonlinear.value());
+    if let Some(elements) = nonlinear.and_then(|n| n.elements.value()) {
+        all.insert(Place::Rows, elements.height.place());
+        if let Some(circumference) = elements.circumference.place() {
+            all.insert(Place::Sectors, circumference);
+        }
+    }
+    Places::new(all)
 }

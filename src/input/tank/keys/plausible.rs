@@ -5,20 +5,10 @@ use std::collections::BTreeMap;
 use tank::units::{Dimension, display_in, unit_for};
 use tank::{LayerKind, Liquid, Shape, Tank};
 
-use super::TankFile;
-use crate::input::tank::read::Field;
-use crate::input::tank::resolver::{Resolver, like_field, like_unit, range_fault};
+use super::file::TankFile;
+use crate::input::tank::resolver::{Resolver, like_field, range_fault};
 use crate::input::tank::syntax::join;
-use crate::input::tank::values::Stress;
 
-/// Largest usual yield strength [Pa]: prestressing steel has 1.9 GPa.
-const STRONGEST: f64 = 2e9;
-/// Largest usual strain at yielding of metals, and Young's modulus [Pa] from which on a material is one.
-const METAL: (f64, f64) = (0.01, 20e9);
-/// Largest usual strain at yielding of plastics.
-const PLASTIC: f64 = 0.05;
-/// Share of Young's modulus at which the bonds of any solid fail.
-const THEORETICAL: f64 = 0.1;
 /// Usual densities of walls [kg/m³], from wood to tungsten.
 const WALL_DENSITY: std::ops::RangeInclusive<f64> = 500.0..=20_000.0;
 /// Largest usual H/R.
@@ -29,37 +19,6 @@ const SHALLOW: f64 = 0.01;
 const HIGHEST_ROOF: f64 = 10.0;
 /// Slack for sums and quotients of decimal fractions.
 const ROUNDING: f64 = 1e-9;
-
-/// A yield strength [Pa] beside Young's modulus [Pa] (NaN: unknown or faulty).
-pub(super) fn yielding(r: &mut Resolver<'_>, field: &Field<Stress>, strength: f64, e: f64) {
-    let show = |stress: f64| display_in(stress, unit_for(stress, Dimension::Stress), 3);
-    if strength > THEORETICAL * e * (1.0 + ROUNDING) {
-        let allowed = format!(
-            "at most {}, a tenth of Young's modulus",
-            like_unit(field, THEORETICAL * e, Dimension::Stress)
-        );
-        r.faults
-            .push(range_fault(field, "no material yields at this stress", &allowed));
-        return;
-    }
-    let strain = if e >= METAL.1 { METAL.0 } else { PLASTIC };
-    let usual = match e.is_nan() {
-        true => STRONGEST,
-        false => STRONGEST.min(strain * e),
-    };
-    if strength > usual * (1.0 + ROUNDING) {
-        let why = match usual < STRONGEST {
-            true => format!(" ({} % of Young's modulus)", 100.0 * strain),
-            false => String::new(),
-        };
-        r.warnings.push(format!(
-            "{}: unusual yield strength; found {}, usual is up to {}{why}",
-            field.path,
-            field.text,
-            show(usual)
-        ));
-    }
-}
 
 /// Proportions of tank and liquid, densities of the wall.
 pub(super) fn tank(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, liquid: Option<Liquid>) {

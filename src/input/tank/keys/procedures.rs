@@ -71,7 +71,7 @@ choice! {
 
 /// Id of a code procedure.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::input::tank) struct ProcedureId(&'static str);
+pub(crate) struct ProcedureId(&'static str);
 
 /// Ids of all procedures.
 fn ids() -> Vec<(&'static str, ProcedureId)> {

@@ -38,7 +38,7 @@ object! {
 
 /// A value as written, to be read when its quantity is known.
 #[derive(Debug)]
-pub(in crate::input::tank) struct Raw(pub Node);
+pub(crate) struct Raw(pub Node);
 
 impl FromNode for Raw {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
@@ -65,7 +65,7 @@ impl FromNode for Raw {
 
 /// Id of a comparable quantity.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::input::tank) struct QuantityId(pub Quantity);
+pub(crate) struct QuantityId(pub Quantity);
 
 /// Ids of all comparable quantities.
 fn quantity_ids() -> Vec<&'static str> {
@@ -113,7 +113,7 @@ fn unknown_quantity(text: &str, node: &Node) -> Fault {
 
 /// Measured values by quantity, in the order of the file.
 #[derive(Debug)]
-pub(in crate::input::tank) struct Measured(pub Vec<(Quantity, Field<Reported>)>);
+pub(crate) struct Measured(pub Vec<(Quantity, Field<Reported>)>);
 
 impl FromNode for Measured {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {

@@ -3,7 +3,6 @@
 use tank::options::SolidOptions;
 use tank::options::solid::{Liquid as LiquidElement, MeshSize};
 
-use super::linear::Analysis;
 use crate::input::diagnostic::Faults;
 use crate::input::tank::key::{Limits, default, without};
 use crate::input::tank::read::{Object, Opt, choice, object};
@@ -37,8 +36,8 @@ choice! {
 }
 
 /// Options of the three-dimensional engine. What is not given is echoed where the engine runs: [`solid_defaults`].
-pub(super) fn solid(r: &mut Resolver<'_>, analysis: &Opt<Analysis>) -> SolidOptions {
-    let Some(given) = analysis.value().and_then(|a| a.solid.value()) else {
+pub(super) fn solid(r: &mut Resolver<'_>, given: Option<&Solid>) -> SolidOptions {
+    let Some(given) = given else {
         return DEFAULT;
     };
     let mut options = DEFAULT;

@@ -4,12 +4,16 @@ use tank::units::Dimension;
 use tank::{BarDirection, Behaviour, LayerKind, Material};
 
 use super::materials::{MAX_MATERIALS, MAX_NAME, Materials};
-use super::tank::{HEIGHT, THICKNESS};
 use crate::input::tank::key::{Limits, list};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, nearest, object};
 use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
 use crate::input::tank::syntax::join;
 use crate::input::tank::values::{Length, LineArea};
+
+/// Heights of courses and of the liquid. What is too low for an engine depends on the radius: the engine refuses it.
+pub(super) const HEIGHT: Limits = Limits::above(0.0).to(1000.0);
+/// Wall and plate thicknesses; the least follows from the radius.
+pub(super) const THICKNESS: Limits = Limits::above(0.0).to(10.0);
 
 /// Most names of materials in a message.
 const SHOWN_NAMES: usize = 20;

@@ -2,8 +2,7 @@
 
 use tank::{Concrete, ConcreteLaw, Softening};
 
-use super::laws::{ElasticPart, like};
-use super::{Reader, STRESS, shown};
+use super::reader::{ElasticPart, Reader, STRESS, like, shown};
 use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::keys::grades::{Preset, Strengths};
 use crate::input::tank::read::{Field, Opt, choice, object};

@@ -3,16 +3,16 @@
 use tank::{Bar, Interlayer, Steel};
 
 use super::concrete::{self, ConcreteBehaviour};
-use super::{Field, FromNode, Reader, STRESS, shown};
+use super::reader::{ElasticPart, Reader, STRESS, like, shown};
+use super::yielding;
 use crate::input::diagnostic::Faults;
 use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::keys::grades::Strengths;
-use crate::input::tank::keys::plausible;
-use crate::input::tank::read::{Object, Opt, object, wrong_kind, wrong_value};
-use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
+use crate::input::tank::read::{Field, FromNode, Object, Opt, object, wrong_kind, wrong_value};
+use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
-use crate::input::tank::values::{Number, Si, Stress};
+use crate::input::tank::values::{Number, Stress};
 
 /// Stiffer than any material [Pa]: `3.0e9 kN/m2` for 3.0e9 N/m2 is a slip of the unit.
 const STIFFEST_INTERLAYER: f64 = 1e11;
@@ -72,7 +72,7 @@ object! {
 
 /// The word `"elastic"`, or an object with the parameters of another behaviour.
 #[derive(Debug)]
-pub(in crate::input::tank) enum Behaviour {
+pub(crate) enum Behaviour {
     Elastic,
     Kinds(Box<BehaviourKinds>),
 }
@@ -106,9 +106,6 @@ impl FromNode for Behaviour {
         Shape::Either("elastic", Box::new(BehaviourKinds::shape(book)))
     }
 }
-
-/// Young's modulus [Pa], and the yield strength of the material [Pa].
-pub(super) type ElasticPart = (f64, Option<f64>);
 
 /// The behaviour that a grade brings along.
 pub(super) fn of_grade(r: &mut Resolver<'_>, reader: &Reader, elastic: ElasticPart) -> tank::Behaviour {
@@ -190,7 +187,7 @@ fn yielding(r: &mut Resolver<'_>, reader: &Reader, option: &Opt<Stress>, (e, mat
     match (&option.given, material) {
         (Some(field), _) => {
             let strength = r.number(field);
-            plausible::yielding(r, field, strength, e);
+            yielding::check(r, field, strength, e);
             strength
         }
         (None, Some(strength)) => {
@@ -294,9 +291,4 @@ fn interlayer(r: &mut Resolver<'_>, l: &InterlayerBehaviour) -> Interlayer {
         shear_modulus: r.or_default(&l.shear_modulus),
         tension: r.choice(&l.tension),
     }
-}
-
-/// A stress in the unit in which a field gives it.
-pub(super) fn like(field: &Field<Stress>, stress: f64) -> String {
-    like_unit(field, stress, Stress::DIMENSION)
 }

@@ -1,0 +1,135 @@
+//! What must hold between values, and materials that are not used.
+
+use std::collections::BTreeSet;
+
+use tank::units::{Dimension, Unit};
+use tank::{Liquid, Shape, Tank};
+
+use super::file::TankFile;
+use super::wall::{Course, Layer, THICKNESS};
+use crate::input::tank::read::Field;
+use crate::input::tank::resolver::{Resolver, like_field, range_fault};
+use crate::input::tank::values::Length;
+
+/// Slack for heights that are sums of decimal fractions.
+const ROUNDING: f64 = 1e-9;
+
+/// What must hold between values, each of which is right on its own.
+pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, liquid: Option<Liquid>) {
+    let Some(t) = &file.tank.value else { return };
+    if let (Some(liquid), Some(given), Some(courses)) = (liquid, &file.liquid.value, &t.courses.value) {
+        // Heights alone decide, so that a misspelt material does not hide this fault.
+        let heights: Option<Vec<f64>> = courses
+            .iter()
+            .map(|c| c.value.as_ref().and_then(|c| c.height.value).map(|h| h.0))
+            .collect();
+        let wall = heights.map_or(f64::NAN, |h| h.iter().sum());
+        if liquid.fill_height > wall * (1.0 + ROUNDING) {
+            let field = &given.fill_height;
+            r.faults.push(
+                range_fault(
+                    field,
+                    "the liquid stands above the wall: the courses end below fill_height",
+                    &format!(
+                        "at most {}, the sum of the heights of tank.courses",
+                        like_field(field, wall)
+                    ),
+                )
+                .help("lower fill_height or add a course"),
+            );
+        }
+    }
+    let Some(tank) = tank else { return };
+    if let (Some(roof), Some(height)) = (t.roof.value(), tank.roof.height)
+        && let Some(field) = &roof.height.given
+        && height < 0.5 * tank.wall_height()
+    {
+        let allowed = format!(
+            "at least {}, half the height of the wall",
+            like_field(field, 0.5 * tank.wall_height())
+        );
+        r.faults.push(range_fault(
+            field,
+            "the roof lies in the lower half of the wall",
+            &allowed,
+        ));
+    }
+    let half = tank.shape.half_length();
+    let (thickest, what) = match tank.shape {
+        Shape::Cylinder { .. } => (half / 5.0, "a fifth of the radius"),
+        Shape::Rectangle { .. } => (half / 2.0, "a quarter of the length"),
+    };
+    let thinnest = half / 20_000.0;
+    let courses: Vec<&Course> = (t.courses.value.iter().flatten())
+        .filter_map(|c| c.value.as_ref())
+        .collect();
+    let mut plates: Vec<&Field<Length>> = courses.iter().filter_map(|c| c.thickness.given.as_ref()).collect();
+    plates.extend(courses.iter().flat_map(|c| layers(c)).map(|l| &l.thickness));
+    plates.extend(t.bottom.value().map(|b| &b.thickness));
+    for field in plates {
+        let Some(Length(thickness)) = field.value.filter(|l| THICKNESS.hold(l.0)) else {
+            continue;
+        };
+        let (message, allowed) = if thickness > thickest {
+            (
+                "the wall is thicker than any tank's",
+                format!("at most {}, {what}", like_field(field, thickest)),
+            )
+        } else if thickness < thinnest {
+            (
+                "the wall is thinner than any tank's",
+                format!("at least {}, R/20000", like_field(field, thinnest)),
+            )
+        } else {
+            continue;
+        };
+        let mut fault = range_fault(field, message, &allowed);
+        if let Some(meant) = meant_thickness(&field.text, half) {
+            fault = fault.help(format!("did you mean \"{meant}\"?"));
+        }
+        r.faults.push(fault);
+    }
+}
+
+/// The same number with the unit that makes it a usual thickness (R/t from 20 to 5000), if there is one.
+fn meant_thickness(text: &str, half: f64) -> Option<String> {
+    let number = text
+        .trim()
+        .trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.')
+        .trim_end();
+    let value: f64 = number.parse().ok()?;
+    ["mm", "cm", "m", "in"].into_iter().find_map(|unit| {
+        let thickness = value * Unit::find(unit, Dimension::Length)?.factor();
+        (half / 5000.0..=half / 20.0)
+            .contains(&thickness)
+            .then(|| format!("{number} {unit}"))
+    })
+}
+
+/// Materials that nothing is made of: no fault, but worth saying.
+pub(super) fn unused(r: &mut Resolver<'_>, file: &TankFile) {
+    let (Some(tank), Some(materials)) = (&file.tank.value, &file.materials.value) else {
+        return;
+    };
+    let courses = (tank.courses.value.iter().flatten()).filter_map(|c| c.value.as_ref());
+    let layered = courses.clone().flat_map(layers);
+    let bars = layered.clone().filter_map(|l| l.reinforcement.value());
+    let bars = bars.flatten().filter_map(|b| b.value.as_ref());
+    let bottom = tank.bottom.value().map(|b| &b.material);
+    let used: BTreeSet<&String> = (courses.filter_map(|c| c.material.given.as_ref()))
+        .chain(layered.map(|l| &l.material))
+        .chain(bars.map(|b| &b.material))
+        .chain(bottom)
+        .filter_map(|m| m.value.as_ref())
+        .collect();
+    for (name, field) in materials.0.iter().filter(|(name, _)| !used.contains(name)) {
+        r.remarks
+            .push(format!("{}: nothing is made of the material `{name}`", field.path));
+    }
+}
+
+/// The layers of a course, as far as they can be read.
+fn layers(course: &Course) -> impl Iterator<Item = &Layer> + Clone {
+    let list = course.layers.value();
+    list.into_iter().flatten().filter_map(|l| l.value.as_ref())
+}

@@ -1,0 +1,79 @@
+//! Values of a material: from the file, or else from its grade.
+
+use tank::units::{display_in, unit_for};
+
+use crate::input::tank::key::Limits;
+use crate::input::tank::keys::grades::Preset;
+use crate::input::tank::read::{Field, FromNode, Opt};
+use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
+use crate::input::tank::syntax::join;
+use crate::input::tank::values::{Si, Stress};
+
+/// Moduli and strengths; "rigid" walls of benchmarks are allowed.
+pub(super) const STRESS: Limits = Limits::above(0.0).to(1e18);
+
+/// Young's modulus [Pa], and the yield strength of the material [Pa].
+pub(super) type ElasticPart = (f64, Option<f64>);
+
+/// Where the values of a material come from.
+pub(super) struct Reader {
+    /// What the grade supplies, if there is one.
+    pub preset: Option<Preset>,
+    /// Path of the object that is read.
+    pub path: String,
+    /// Place to underline for what is missing.
+    pub head: std::ops::Range<usize>,
+}
+
+impl Reader {
+    /// The same for an object inside this one.
+    pub fn inside(&self, key: &str) -> Reader {
+        Reader {
+            preset: self.preset.clone(),
+            path: join(&self.path, key),
+            head: self.head.clone(),
+        }
+    }
+
+    /// A number that the file gives, or else the grade; NaN if it is faulty or missing, which is a fault.
+    pub fn needed<T: Si + FromNode>(&self, r: &mut Resolver<'_>, option: &Opt<T>, of: impl Fn(&Preset) -> f64) -> f64 {
+        match (&option.given, &self.preset) {
+            (None, None) => self.missing(r, option, ""),
+            (_, Some(preset)) => self.supplied(r, option, of(preset)),
+            (Some(field), None) => r.number(field),
+        }
+    }
+
+    /// A number that the file gives, or else this one of the grade.
+    pub fn supplied<T: Si>(&self, r: &mut Resolver<'_>, option: &Opt<T>, value: f64) -> f64 {
+        let source = match &self.preset {
+            Some(preset) => format!("grade {}: {}", preset.name, preset.source),
+            None => String::new(),
+        };
+        r.or_else(option, value, &shown::<T>(value, 4), &source)
+    }
+
+    /// Notes that a key is missing.
+    pub fn missing<T: FromNode>(&self, r: &mut Resolver<'_>, option: &Opt<T>, otherwise: &str) -> f64 {
+        let key = option.key.name;
+        // A misspelt key has been noted already, with this one as the suggestion.
+        if !r.faults.suggest(&format!("did you mean `{key}`?")) {
+            let field = Field::<T>::missing(self.head.clone(), option.path.clone());
+            r.faults.push(
+                range_fault(&field, &format!("the key `{key}` is missing"), &T::allowed())
+                    .help(format!("add \"{key}\": {}{otherwise}", T::example())),
+            );
+        }
+        f64::NAN
+    }
+}
+
+/// A value with so many digits and an engineer's unit.
+pub(super) fn shown<T: Si>(value: f64, digits: usize) -> String {
+    display_in(value, unit_for(value, T::DIMENSION), digits)
+}
+
+/// A stress in the unit in which a field gives it.
+pub(super) fn like(field: &Field<Stress>, stress: f64) -> String {
+    like_unit(field, stress, Stress::DIMENSION)
+}

@@ -1,0 +1,49 @@
+//! Whether a yield strength is one that a material can have.
+
+use tank::units::{Dimension, display_in, unit_for};
+
+use crate::input::tank::read::Field;
+use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
+use crate::input::tank::values::Stress;
+
+/// Largest usual yield strength [Pa]: prestressing steel has 1.9 GPa.
+const STRONGEST: f64 = 2e9;
+/// Largest usual strain at yielding of metals, and Young's modulus [Pa] from which on a material is one.
+const METAL: (f64, f64) = (0.01, 20e9);
+/// Largest usual strain at yielding of plastics.
+const PLASTIC: f64 = 0.05;
+/// Share of Young's modulus at which the bonds of any solid fail.
+const THEORETICAL: f64 = 0.1;
+/// Slack for quotients of decimal fractions.
+const ROUNDING: f64 = 1e-9;
+
+/// A yield strength [Pa] beside Young's modulus [Pa] (NaN: unknown or faulty).
+pub(super) fn check(r: &mut Resolver<'_>, field: &Field<Stress>, strength: f64, e: f64) {
+    let show = |stress: f64| display_in(stress, unit_for(stress, Dimension::Stress), 3);
+    if strength > THEORETICAL * e * (1.0 + ROUNDING) {
+        let allowed = format!(
+            "at most {}, a tenth of Young's modulus",
+            like_unit(field, THEORETICAL * e, Dimension::Stress)
+        );
+        r.faults
+            .push(range_fault(field, "no material yields at this stress", &allowed));
+        return;
+    }
+    let strain = if e >= METAL.1 { METAL.0 } else { PLASTIC };
+    let usual = match e.is_nan() {
+        true => STRONGEST,
+        false => STRONGEST.min(strain * e),
+    };
+    if strength > usual * (1.0 + ROUNDING) {
+        let why = match usual < STRONGEST {
+            true => format!(" ({} % of Young's modulus)", 100.0 * strain),
+            false => String::new(),
+        };
+        r.warnings.push(format!(
+            "{}: unusual yield strength; found {}, usual is up to {}{why}",
+            field.path,
+            field.text,
+            show(usual)
+        ));
+    }
+}
