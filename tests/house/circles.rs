@@ -10,8 +10,7 @@ use crate::sources::{Crate, Module, paths, uses, workspace};
 const LARGEST: usize = 3;
 
 /// Circles that are larger: crate and number of files. Who breaks one up takes it off; no other is added.
-const KNOWN: &[(&str, usize)] = &[
-];
+const KNOWN: &[(&str, usize)] = &[];
 
 /// Name of a re-exported item → the module that defines it.
 type Exports = BTreeMap<Module, BTreeMap<String, Module>>;
