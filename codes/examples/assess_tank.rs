@@ -1,0 +1,49 @@
+//! Assesses one tank with every code procedure that covers it.
+//!
+//!     cargo run -p codes --example assess_tank
+
+use tank::Quantity;
+use tank::assessment::Excitation;
+use tank::case::{Ec8Site, GroundType};
+use tank::reference;
+use tank::units::display;
+
+fn main() {
+    // Water, 1.525 m deep, in the aluminium tank of Manos & Clough (1982); SI throughout.
+    let mut case = reference::broad(1000.0);
+    case.site.ec8 = Some(Ec8Site {
+        ground: GroundType::B,
+        spectrum: 1,
+        ag: 2.5,
+        importance: 1.0,
+        behaviour_factor: 1.0,
+        construction_quality: 1.0,
+        vertical: false,
+    });
+    for procedure in codes::ALL {
+        let title = procedure.label().title;
+        match procedure.assess(&case, Excitation::Site) {
+            Ok(assessment) => {
+                println!("{title}");
+                for quantity in [
+                    Quantity::SloshingHeight,
+                    Quantity::BaseShear,
+                    Quantity::OverturningMoment,
+                ] {
+                    if let Some(value) = assessment.values.get(&quantity) {
+                        println!("  {:<44} {}", quantity.title(), display(*value, quantity.dimension()));
+                    }
+                }
+                for check in &assessment.checks {
+                    println!(
+                        "  {:<44} {} of {}",
+                        check.name,
+                        display(check.demand, check.dimension),
+                        display(check.capacity, check.dimension)
+                    );
+                }
+            }
+            Err(reason) => println!("{title}\n  {reason}"),
+        }
+    }
+}
