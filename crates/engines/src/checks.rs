@@ -11,7 +11,7 @@ const REFINE: std::ops::RangeInclusive<f64> = 0.25..=16.0;
 /// Checks the options that concern the model.
 ///
 /// Errors: the first option out of range.
-pub fn check_options(case: &Case, options: &Options) -> Result<(), FeError> {
+pub(crate) fn check_options(case: &Case, options: &Options) -> Result<(), FeError> {
     let out_of_range = |option: &str, found: String, allowed: String| FeError::Option {
         option: option.into(),
         found,
@@ -46,7 +46,7 @@ const SHALLOWEST: f64 = 1e-4;
 /// Checks that the liquid is deep enough for nodes of its own.
 ///
 /// Errors: a film on the bottom.
-pub fn check_depth(case: &Case) -> Result<(), FeError> {
+pub(crate) fn check_depth(case: &Case) -> Result<(), FeError> {
     let least = SHALLOWEST * case.tank.wall_height();
     if case.liquid.fill_height >= least {
         return Ok(());

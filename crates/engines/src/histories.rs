@@ -17,7 +17,7 @@ pub(crate) struct Histories {
 
 impl Histories {
     /// None yet, at these times [s].
-    pub fn at(time: Vec<f64>) -> Histories {
+    pub(crate) fn at(time: Vec<f64>) -> Histories {
         Histories {
             info: Vec::new(),
             series: Series {
@@ -28,14 +28,14 @@ impl Histories {
     }
 
     /// Adds a history.
-    pub fn push(&mut self, info: SeriesInfo, column: Vec<f64>) {
+    pub(crate) fn push(&mut self, info: SeriesInfo, column: Vec<f64>) {
         self.series.ids.push(info.id.clone());
         self.series.columns.push(column);
         self.info.push(info);
     }
 
     /// Adds the ground motion, that of a vertical record last.
-    pub fn push_ground(&mut self, motion: &GroundMotion) {
+    pub(crate) fn push_ground(&mut self, motion: &GroundMotion) {
         let records = [(false, Some(&motion.horizontal)), (true, motion.vertical.as_ref())];
         for (vertical, record) in records {
             let Some(record) = record else { continue };

@@ -4,7 +4,9 @@
 //! surface, coupled to a shell of revolution (or a plane wall strip). Everything it reports is a linear functional of
 //! the unknowns, a [`probe::Probe`]; the response analyses know nothing else of the model.
 
-pub mod checks;
+#![warn(unreachable_pub)]
+
+mod checks;
 pub mod coupled;
 pub mod damping;
 pub mod engine;

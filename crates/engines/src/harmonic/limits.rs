@@ -17,7 +17,7 @@ const ACOUSTIC_RATIO: f64 = 0.3;
 const THICK: f64 = 0.1;
 
 /// What the model assumes for this case, one sentence each.
-pub fn assumptions(case: &Case) -> Vec<String> {
+pub(crate) fn assumptions(case: &Case) -> Vec<String> {
     let mut out = vec![
         "The liquid is inviscid and incompressible, its waves are small (linear potential theory about the state of rest)."
             .to_owned(),

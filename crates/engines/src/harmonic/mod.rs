@@ -16,10 +16,11 @@ mod wall_mesh;
 
 pub use build::build;
 pub use estimate::estimate;
-pub use limits::{assumptions, notes};
+pub(crate) use limits::assumptions;
+pub use limits::notes;
 pub use modes::modes;
 pub use state::Static;
-pub use wall::{Element, LOCAL, LocalMatrix, LocalRow, NODAL, NODE, Output, Wall};
+pub use wall::{NODAL, NODE, Output, Wall};
 pub use wall_mesh::wall_nodes;
 
 #[cfg(test)]

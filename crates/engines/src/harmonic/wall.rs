@@ -32,17 +32,17 @@ pub const NODE: usize = 4;
 /// Nodal unknowns of an element.
 pub const NODAL: usize = 2 * NODE;
 /// Bubbles of u in an element.
-pub const U_BUBBLES: usize = 3;
+pub(super) const U_BUBBLES: usize = 3;
 /// Bubbles of an element: those of u, then two of v.
 const BUBBLES: usize = U_BUBBLES + 2;
 /// All unknowns of an element: u₁ v₁ w₁ w₁' u₂ v₂ w₂ w₂', then the bubbles of u and of v.
-pub const LOCAL: usize = NODAL + BUBBLES;
+pub(super) const LOCAL: usize = NODAL + BUBBLES;
 
 /// A linear functional of one element's unknowns.
-pub type LocalRow = [f64; LOCAL];
+pub(super) type LocalRow = [f64; LOCAL];
 
 /// Symmetric matrix of one element.
-pub type LocalMatrix = [[f64; LOCAL]; LOCAL];
+pub(super) type LocalMatrix = [[f64; LOCAL]; LOCAL];
 
 /// What can be observed at a height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -264,7 +264,7 @@ fn rigidities(thickness: f64, material: &Material) -> (f64, f64, f64) {
 }
 
 /// u, v, w at ξ of an element of the given length.
-pub fn displacements(xi: f64, length: f64) -> [LocalRow; 3] {
+pub(super) fn displacements(xi: f64, length: f64) -> [LocalRow; 3] {
     let [smooth, _] = line::bubbled(xi, length);
     [on_u(smooth), on_v(smooth), on_w(line::hermite(xi, length)[0])]
 }

@@ -20,7 +20,7 @@ use tank::options::linear::Integrator;
 
 /// Extremes along a line at θ = 0 and at θ = 180°.
 #[derive(Clone, Debug, PartialEq)]
-pub struct LineExtremes {
+pub(crate) struct LineExtremes {
     /// What is observed.
     pub what: OnWall,
     /// At θ = 0, from the base up.
@@ -31,7 +31,7 @@ pub struct LineExtremes {
 
 impl LineExtremes {
     /// Largest absolute value at place `i` on either side.
-    pub fn peak(&self, i: usize) -> f64 {
+    pub(crate) fn peak(&self, i: usize) -> f64 {
         self.front[i].peak().0.max(self.back[i].peak().0)
     }
 
@@ -43,7 +43,7 @@ impl LineExtremes {
 
 /// A finished run on one mesh.
 #[derive(Clone, Debug)]
-pub struct Analysis<'a> {
+pub(crate) struct Analysis<'a> {
     /// Time steps.
     pub grid: Grid,
     /// Scalars and their histories.
@@ -62,7 +62,7 @@ pub struct Analysis<'a> {
 
 impl Analysis<'_> {
     /// Extremes of a scalar at θ = 0 and at θ = 180°.
-    pub fn sides(&self, channel: Channel) -> Option<(Extreme, Extreme)> {
+    pub(crate) fn sides(&self, channel: Channel) -> Option<(Extreme, Extreme)> {
         let i = self.scalars.iter().position(|(s, _)| s.channel == channel)?;
         let front = self.scalars[i].1.extreme;
         Some((front, self.back.get(i).copied().unwrap_or(mirrored(&front))))
@@ -75,12 +75,12 @@ impl Analysis<'_> {
     }
 
     /// The extremes along a line.
-    pub fn line(&self, what: OnWall) -> Option<&LineExtremes> {
+    pub(crate) fn line(&self, what: OnWall) -> Option<&LineExtremes> {
         self.lines.iter().find(|line| line.what == what)
     }
 
     /// Largest rise of the surface at the wall [m].
-    pub fn wave(&self) -> Option<f64> {
+    pub(crate) fn wave(&self) -> Option<f64> {
         let rises = Side::BOTH.map(|side| {
             let found = self.scalars.iter().find(|(s, _)| s.channel == Channel::Wave(side));
             found.map(|(_, history)| history.extreme.max)
@@ -89,7 +89,7 @@ impl Analysis<'_> {
     }
 
     /// Comparable values. `round` tells a cylinder, whose walls have hoop and axial stress.
-    pub fn values(&self, model: &Model, round: bool) -> BTreeMap<Quantity, f64> {
+    pub(crate) fn values(&self, model: &Model, round: bool) -> BTreeMap<Quantity, f64> {
         let mut values = BTreeMap::new();
         let mut put = |quantity, value: Option<f64>| {
             if let Some(value) = value {
@@ -141,7 +141,7 @@ pub(crate) fn mirrored(front: &Extreme) -> Extreme {
 /// Runs `model` under `motion`.
 ///
 /// Errors: those of [`Model::grid`], [`superpose::respond`] and [`direct::respond`].
-pub fn analyse<'a>(
+pub(crate) fn analyse<'a>(
     model: &'a Model,
     motion: &GroundMotion,
     options: &Options,

@@ -15,7 +15,12 @@ use tank::options::LinearOptions as Options;
 use tank::options::linear::{DampingModel, Integrator};
 
 /// Time integration, damping and number of modes, in words.
-pub fn integration(model: &Model, options: &Options, analysis: &Analysis, motion: &GroundMotion) -> Vec<Labelled> {
+pub(crate) fn integration(
+    model: &Model,
+    options: &Options,
+    analysis: &Analysis,
+    motion: &GroundMotion,
+) -> Vec<Labelled> {
     let label = |label: &str, text: String| Labelled {
         label: label.into(),
         text,
@@ -105,7 +110,7 @@ fn kept_modes(h: &Harmonic, kept: &[&CoupledMode], options: &Options) -> Labelle
 }
 
 /// Base shear of the rigid translation against the mass of liquid, wall and roof.
-pub fn mass_balance(model: &Model) -> Vec<Balance> {
+pub(crate) fn mass_balance(model: &Model) -> Vec<Balance> {
     let coupled = &model.horizontal.coupled;
     let mass = coupled.liquid_mass + coupled.wall_mass;
     coupled
@@ -119,7 +124,7 @@ pub fn mass_balance(model: &Model) -> Vec<Balance> {
 }
 
 /// What the engine assumes.
-pub fn assumptions(case: &Case, options: &Options) -> Vec<String> {
+pub(crate) fn assumptions(case: &Case, options: &Options) -> Vec<String> {
     let mut list = harmonic::assumptions(case);
     list.push(format!(
         "Wave height: the first {} sloshing modes (more only chase the singularity at the contact line).",

@@ -22,7 +22,7 @@ const SOUND: f64 = 1435.0;
 const RECORD_STEPS: f64 = 10.0;
 
 /// All limits of a run.
-pub fn limits(case: &Case, model: &Model, analysis: &Analysis, record_step: f64) -> Vec<Limit> {
+pub(crate) fn limits(case: &Case, model: &Model, analysis: &Analysis, record_step: f64) -> Vec<Limit> {
     let mut found = Vec::new();
     if let Some(wave) = analysis.wave() {
         found.extend(waves(case, wave));

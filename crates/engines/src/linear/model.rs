@@ -26,11 +26,11 @@ const MOST_DIRECT: f64 = 400.0;
 /// A structural mode is significant if it carries this share of the mass.
 const SIGNIFICANT: f64 = 0.01;
 /// Free vibration after the record, in periods of the first sloshing mode.
-pub const FREE_PERIODS: f64 = 2.0;
+pub(crate) const FREE_PERIODS: f64 = 2.0;
 
 /// A coupled system and its modes.
 #[derive(Clone, Debug)]
-pub struct Harmonic {
+pub(crate) struct Harmonic {
     /// The system.
     pub coupled: Coupled,
     /// Its modes by ascending frequency.
@@ -39,7 +39,7 @@ pub struct Harmonic {
 
 impl Harmonic {
     /// First mode of a kind.
-    pub fn first(&self, kind: Kind) -> Option<&CoupledMode> {
+    pub(crate) fn first(&self, kind: Kind) -> Option<&CoupledMode> {
         self.modes.iter().find(|m| m.kind == kind)
     }
 
@@ -57,7 +57,7 @@ impl Harmonic {
 
 /// The model of a case: m = 1 for the horizontal record and, with a vertical one, m = 0.
 #[derive(Clone, Debug)]
-pub struct Model {
+pub(crate) struct Model {
     /// m = 1.
     pub horizontal: Harmonic,
     /// m = 0, with a vertical record only.
@@ -70,7 +70,7 @@ impl Model {
     /// Builds the systems and finds their modes.
     ///
     /// Errors: as [`harmonic::build`], [`harmonic::solve`] and [`Damper::new`].
-    pub fn new(case: &Case, options: &Options, vertical: bool) -> Result<Model, FeError> {
+    pub(crate) fn new(case: &Case, options: &Options, vertical: bool) -> Result<Model, FeError> {
         let damper = Damper::new(case, &options.damping)?;
         let prepare = |m: u32| -> Result<Harmonic, FeError> {
             let coupled = harmonic::build(case, options, m)?;
@@ -86,7 +86,7 @@ impl Model {
     }
 
     /// The systems, m = 1 first.
-    pub fn systems(&self) -> impl Iterator<Item = &Harmonic> {
+    pub(crate) fn systems(&self) -> impl Iterator<Item = &Harmonic> {
         std::iter::once(&self.horizontal).chain(&self.vertical)
     }
 
@@ -94,7 +94,7 @@ impl Model {
     ///
     /// Errors: more samples or steps than [`estimate::MOST_SAMPLES`] and [`estimate::MOST_STEPS`], which an estimate without
     /// the modes may not have seen.
-    pub fn grid(&self, motion: &GroundMotion, integrator: Integrator) -> Result<Grid, FeError> {
+    pub(crate) fn grid(&self, motion: &GroundMotion, integrator: Integrator) -> Result<Grid, FeError> {
         let omega = self.systems().map(Harmonic::significant).fold(0.0, f64::max);
         let (steps, most) = match integrator {
             Integrator::Modal => (SUB_STEPS_PER_PERIOD, MOST_MODAL),
@@ -118,13 +118,13 @@ impl Model {
     }
 
     /// `probe` of m = 1 at θ = 0 (or 180°), with the probe of the same id of m = 0 where there is one.
-    pub fn observable<'a>(&'a self, probe: &'a Probe, opposite: bool) -> Observable<'a> {
+    pub(crate) fn observable<'a>(&'a self, probe: &'a Probe, opposite: bool) -> Observable<'a> {
         let of = |v: &'a Harmonic| v.coupled.probes.iter().find(|p| p.channel == probe.channel);
         superpose(probe, self.vertical.as_ref().and_then(of), opposite)
     }
 
     /// Probe `i` of `line` of m = 1 at θ = 0 (or 180°), with that of m = 0 (whose wall has the same heights).
-    pub fn observable_on_line<'a>(&'a self, line: &'a ProbeLine, i: usize, opposite: bool) -> Observable<'a> {
+    pub(crate) fn observable_on_line<'a>(&'a self, line: &'a ProbeLine, i: usize, opposite: bool) -> Observable<'a> {
         let of = |v: &'a Harmonic| {
             let same = v.coupled.lines.iter().find(|l| l.what == line.what && l.z == line.z);
             same.map(|l| &l.probes[i])
@@ -142,7 +142,7 @@ fn superpose<'a>(horizontal: &'a Probe, vertical: Option<&'a Probe>, opposite: b
 
 /// A scalar that gets a history.
 #[derive(Clone, Debug)]
-pub struct Scalar<'a> {
+pub(crate) struct Scalar<'a> {
     /// What it is.
     pub channel: Channel,
     /// Value in the static state.
@@ -153,7 +153,7 @@ pub struct Scalar<'a> {
 
 impl Model {
     /// Scalars with a history; `hoop` is the place on the hoop line where the hoop stress is largest.
-    pub fn scalars(&self, hoop: Option<usize>) -> Vec<Scalar<'_>> {
+    pub(crate) fn scalars(&self, hoop: Option<usize>) -> Vec<Scalar<'_>> {
         let coupled = &self.horizontal.coupled;
         let scalar = |probe: &Probe, channel, observable| Scalar {
             channel,

@@ -35,7 +35,7 @@ use results::EnergyBalance;
 use tank::options::linear::Integrator;
 
 /// What the integration works on.
-pub struct OwnUnknowns<'a> {
+pub(super) struct OwnUnknowns<'a> {
     /// The tank.
     pub tank: &'a TankModel,
     /// Its factored matrices.

@@ -104,7 +104,7 @@ fn round_all(values: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
 }
 
 /// Circumferential and axial wave number of a mode in words.
-pub fn title(mode: &TankMode) -> String {
+pub(super) fn title(mode: &TankMode) -> String {
     let waves = match mode.harmonic {
         0 => "axisymmetric".to_owned(),
         n => format!("cos {}θ", if n == 1 { String::new() } else { n.to_string() }),
@@ -121,7 +121,7 @@ pub fn title(mode: &TankMode) -> String {
 }
 
 /// Pictures of `modes`, of the states at `moments` (title, time), and maps there.
-pub fn fields(
+pub(super) fn fields(
     tank: &TankModel,
     spaces: &[Space],
     histories: &Histories,
@@ -270,7 +270,13 @@ fn hoop_map(tank: &TankModel, spaces: &[Space], moment: &Moment, what: &str) -> 
 }
 
 /// The states every `interval` [s] up to `end` [s]. A potential liquid has displacements at its surface only.
-pub fn snapshots(tank: &TankModel, spaces: &[Space], histories: &Histories, interval: f64, end: f64) -> Snapshots {
+pub(super) fn snapshots(
+    tank: &TankModel,
+    spaces: &[Space],
+    histories: &Histories,
+    interval: f64,
+    end: f64,
+) -> Snapshots {
     let mut out = Snapshots {
         nodes: tank.model.nodes().to_vec(),
         liquid: tank.volume.cells.iter().map(|c| c.nodes).collect(),

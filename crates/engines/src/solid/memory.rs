@@ -3,12 +3,12 @@
 use crate::FeError;
 
 /// Name of such a run in messages.
-pub const RUN: &str = "three-dimensional run";
+pub(super) const RUN: &str = "three-dimensional run";
 
 /// Compares what a run needs with what it may take [bytes].
 ///
 /// Errors: more than allowed.
-pub fn allow(needed: u64, limit: u64) -> Result<(), FeError> {
+pub(super) fn allow(needed: u64, limit: u64) -> Result<(), FeError> {
     if needed <= limit {
         return Ok(());
     }

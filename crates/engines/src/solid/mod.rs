@@ -5,22 +5,22 @@
 
 mod direct;
 mod estimate;
-pub mod fields;
+mod fields;
 mod memory;
-pub mod mesh;
+pub(crate) mod mesh;
 pub mod model;
-pub mod moments;
+mod moments;
 mod poles;
 mod project;
-pub mod reduce;
-pub mod ritz;
+mod reduce;
+mod ritz;
 pub(crate) mod roof;
-pub mod rows;
+mod rows;
 mod run;
 pub mod spectrum;
 mod symmetry;
 pub mod system;
-pub mod waves;
+mod waves;
 
 pub use estimate::estimate;
 pub use run::{modes, most_waves, respond, simulate};

@@ -15,7 +15,7 @@ use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
 
 /// Histories of the reduced coordinates at the samples of the record.
-pub struct Histories {
+pub(super) struct Histories {
     /// Step of the samples [s].
     dt: f64,
     /// Number of samples.
@@ -31,7 +31,7 @@ struct Direction {
 }
 
 /// The state at one moment.
-pub struct Moment {
+pub(super) struct Moment {
     /// Time [s].
     pub time: f64,
     /// Unknowns relative to the ground; zero for potentials.
@@ -46,7 +46,7 @@ impl Histories {
     /// Modal superposition of the reduced coordinates themselves.
     ///
     /// Errors: those of [`superpose::respond`].
-    pub fn new(model: &Model, motion: &GroundMotion, options: &Options) -> Result<Histories, FeError> {
+    pub(super) fn new(model: &Model, motion: &GroundMotion, options: &Options) -> Result<Histories, FeError> {
         let kept: Vec<Vec<&CoupledMode>> = model
             .systems()
             .map(|h| superpose::keep(&h.modes, &model.damper, options.wave_modes))
@@ -95,7 +95,7 @@ impl Histories {
     }
 
     /// The state at the sample nearest to `time` [s]; `spaces` belong to the directions.
-    pub fn at(&self, spaces: &[Space], time: f64) -> Moment {
+    pub(super) fn at(&self, spaces: &[Space], time: f64) -> Moment {
         let sample = ((time / self.dt).round().max(0.0) as usize).min(self.samples - 1);
         let size = spaces[0].rigid.len();
         let (mut displacement, mut acceleration) = (vec![0.0; size], vec![0.0; size]);

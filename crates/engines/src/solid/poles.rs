@@ -4,7 +4,7 @@ use tank::Case;
 use tank::options::solid::{Liquid, SolidOptions};
 
 /// Ritz vectors of one direction of motion.
-pub const VECTORS: usize = 80;
+pub(super) const VECTORS: usize = 80;
 
 /// Poles of the reduction beside s = 0 [rad²/s²]: none with a potential; with a displacement liquid, ω² and (2.5 ω)² with ω
 /// near the first mode of the wall,
@@ -12,7 +12,7 @@ pub const VECTORS: usize = 80;
 /// ```text
 /// ω = 2π/(C H) √(E t/(ρ R))     C = 6.5, t the mean thickness (Malhotra, Wenk & Wieland 2000: C = 6.1 … 9.3)
 /// ```
-pub fn poles(case: &Case, solid: &SolidOptions) -> Vec<f64> {
+pub(super) fn poles(case: &Case, solid: &SolidOptions) -> Vec<f64> {
     if solid.liquid == Liquid::Potential {
         return Vec::new();
     }

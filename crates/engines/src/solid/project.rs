@@ -25,7 +25,7 @@ const STRESSES: [(OnWall, Resultant); 3] = [
 ];
 
 /// Turns rows over the model into probes over the reduced coordinates.
-pub struct Projector<'a> {
+pub(super) struct Projector<'a> {
     pub tank: &'a TankModel,
     pub system: &'a System,
     pub basis: &'a Matrix,
@@ -82,7 +82,7 @@ impl Projector<'_> {
     }
 
     /// Scalar outputs, as of the harmonic engine.
-    pub fn probes(&self, case: &Case, options: &Options) -> Result<Vec<Probe>, FeError> {
+    pub(super) fn probes(&self, case: &Case, options: &Options) -> Result<Vec<Probe>, FeError> {
         let mut probes = vec![self.gauge(self.tank.radius, Channel::Wave(Side::Front), options)];
         for &r in &options.gauges {
             probes.push(self.gauge(r, Channel::WaveAt { r }, options));
@@ -194,7 +194,7 @@ impl Projector<'_> {
     }
 
     /// Outputs over the height; the stresses of the base are those of `base`, from reactions.
-    pub fn lines(&self, case: &Case, base: &[Probe]) -> Vec<ProbeLine> {
+    pub(super) fn lines(&self, case: &Case, base: &[Probe]) -> Vec<ProbeLine> {
         let wetted = &self.tank.division.liquid;
         let weight = case.liquid.density * case.gravity;
         let pressure = wetted.iter().enumerate().map(|(i, z)| {
@@ -251,7 +251,7 @@ impl Projector<'_> {
         lines
     }
 
-    pub fn shape_rows(&self) -> ShapeRows {
+    pub(super) fn shape_rows(&self) -> ShapeRows {
         let dense = |row: SparseRow| -> SparseRow { self.project(&row).into_iter().enumerate().collect() };
         let radii = &self.tank.division.radii;
         ShapeRows {

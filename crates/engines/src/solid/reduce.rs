@@ -44,7 +44,7 @@ use tank::options::LinearOptions as Options;
 use tank::options::solid::Liquid;
 
 /// What leads from the reduced coordinates of one direction of motion back to the model.
-pub struct Space {
+pub(super) struct Space {
     /// Basis over the unknowns of the model, potentials included.
     pub basis: Matrix,
     /// Unknowns under a unit rigid motion of the ground: displacements and potential.
@@ -62,7 +62,7 @@ pub struct Space {
 /// Static displacements of the wall under hydrostatic pressure and weight.
 ///
 /// Errors: a stiffness matrix that is not positive definite.
-pub fn statics(tank: &TankModel) -> Result<Vec<f64>, FeError> {
+pub(super) fn statics(tank: &TankModel) -> Result<Vec<f64>, FeError> {
     let dofs = tank.model.dofs();
     let wall_nodes = tank.wall.rows.len() * tank.division.sectors;
     let own: Vec<usize> = (0..dofs.len()).filter(|&e| dofs.unknown(e).0 < wall_nodes).collect();
@@ -87,7 +87,7 @@ pub fn statics(tank: &TankModel) -> Result<Vec<f64>, FeError> {
 /// Unknowns and load of a unit rigid motion of the ground.
 ///
 /// Errors: not enough memory.
-pub fn rigid_motion(tank: &TankModel, system: &System, harmonic: u32) -> Result<(Vec<f64>, Vec<f64>), FeError> {
+pub(super) fn rigid_motion(tank: &TankModel, system: &System, harmonic: u32) -> Result<(Vec<f64>, Vec<f64>), FeError> {
     let observer = Observer { tank, harmonic };
     let ground = observer.ground();
     let model = &tank.model;
@@ -131,7 +131,7 @@ pub fn rigid_motion(tank: &TankModel, system: &System, harmonic: u32) -> Result<
 /// Reduces a tank for the motion of one harmonic: 1 along x, 0 along z.
 ///
 /// Errors: a matrix that is not positive definite; not enough memory.
-pub fn new(
+pub(super) fn new(
     case: &Case,
     options: &Options,
     tank: &TankModel,

@@ -25,7 +25,7 @@ const EXHAUSTED: f64 = 1e-8;
 const OVERLAP: f64 = 1e-6;
 
 /// The reduced system.
-pub struct Ritz {
+pub(super) struct Ritz {
     /// Basis over all unknowns, potentials included, column by column.
     pub basis: Matrix,
     /// Vᵀ M V.
@@ -37,7 +37,7 @@ pub struct Ritz {
 /// At most `count` Ritz vectors of `system` for the load `load`.
 ///
 /// Errors: not enough memory; a load of zero.
-pub fn reduce(
+pub(super) fn reduce(
     system: &System,
     load: &[f64],
     count: usize,
@@ -102,7 +102,7 @@ fn orthogonal(
 }
 
 /// The mean of a matrix and its transpose.
-pub fn symmetric(mut a: Matrix) -> Matrix {
+pub(super) fn symmetric(mut a: Matrix) -> Matrix {
     for j in 0..a.cols {
         for i in 0..j {
             let mean = 0.5 * (a.get(i, j) + a.get(j, i));

@@ -13,7 +13,7 @@ use fem::element::{Element, ElementError, LocalMatrix, Motion, Response, Want};
 
 /// The ring of mass.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RoofRing {
+pub(crate) struct RoofRing {
     nodes: Vec<usize>,
     /// (cos θ, sin θ) of the nodes.
     directions: Vec<(f64, f64)>,
@@ -26,14 +26,14 @@ pub struct RoofRing {
 
 impl RoofRing {
     /// A ring of `mass` [kg] on equally spaced nodes at `positions` about the z axis, its centre `lever` [m] above them.
-    pub fn new(nodes: Vec<usize>, positions: &[[f64; 3]], mass: f64, lever: f64) -> RoofRing {
+    pub(crate) fn new(nodes: Vec<usize>, positions: &[[f64; 3]], mass: f64, lever: f64) -> RoofRing {
         let share = 1.0 / nodes.len() as f64;
         let shares = vec![share; nodes.len()];
         RoofRing::of_shares(nodes, positions, shares, mass, lever)
     }
 
     /// The half at 0 ≤ θ ≤ π of a ring of `mass` [kg], for motions symmetric about that plane; nodes from θ = 0 to π.
-    pub fn half(nodes: Vec<usize>, positions: &[[f64; 3]], mass: f64, lever: f64) -> RoofRing {
+    pub(crate) fn half(nodes: Vec<usize>, positions: &[[f64; 3]], mass: f64, lever: f64) -> RoofRing {
         let sectors = (nodes.len() - 1) as f64;
         let mut shares = vec![1.0 / sectors; nodes.len()];
         for end in [0, nodes.len() - 1] {

@@ -27,7 +27,7 @@ use tank::options::solid::Liquid;
 ///
 /// Potentials in `acceleration` multiply φ̈ of the whole motion.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Row {
+pub(super) struct Row {
     /// d.
     pub displacement: SparseRow,
     /// a.
@@ -38,7 +38,7 @@ pub struct Row {
 
 impl Row {
     /// A row of displacements.
-    pub fn of_displacement(displacement: SparseRow) -> Row {
+    pub(super) fn of_displacement(displacement: SparseRow) -> Row {
         Row {
             displacement,
             ..Row::default()
@@ -46,7 +46,7 @@ impl Row {
     }
 
     /// factor × the row.
-    pub fn scaled(mut self, factor: f64) -> Row {
+    pub(super) fn scaled(mut self, factor: f64) -> Row {
         let all = self.displacement.iter_mut().chain(&mut self.acceleration);
         all.for_each(|(_, c)| *c *= factor);
         self.held *= factor;
@@ -55,7 +55,7 @@ impl Row {
 }
 
 /// Σ c x over a sparse row.
-pub fn sparse_dot(row: &[(usize, f64)], x: &[f64]) -> f64 {
+pub(super) fn sparse_dot(row: &[(usize, f64)], x: &[f64]) -> f64 {
     row.iter().map(|&(i, c)| c * x[i]).sum()
 }
 
@@ -65,14 +65,14 @@ fn sparse(row: &[f64]) -> SparseRow {
 }
 
 /// Field of a rigid motion of the ground, at every node in global components.
-pub type Field<'a> = &'a dyn Fn(usize) -> [f64; KINDS];
+pub(super) type Field<'a> = &'a dyn Fn(usize) -> [f64; KINDS];
 
 /// Natural coordinate of the Gauss points of a shell.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 
 /// Resultants of the wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Resultant {
+pub(super) enum Resultant {
     /// Hoop force n_φ.
     Hoop,
     /// Meridional force n_v.
@@ -92,7 +92,7 @@ impl Resultant {
 }
 
 /// Makes rows of one tank for one direction of the ground motion.
-pub struct Observer<'a> {
+pub(super) struct Observer<'a> {
     /// The tank.
     pub tank: &'a TankModel,
     /// Harmonic of the load: 1 along x, 0 along z.
@@ -105,14 +105,14 @@ impl Observer<'_> {
     }
 
     /// Rigid motion of the ground with unit acceleration.
-    pub fn ground(&self) -> [f64; KINDS] {
+    pub(super) fn ground(&self) -> [f64; KINDS] {
         let mut field = [0.0; KINDS];
         field[if self.harmonic == 1 { 0 } else { 2 }] = 1.0;
         field
     }
 
     /// Wave height at the radius `r` (negative: at θ = 180°).
-    pub fn elevation(&self, r: f64) -> Row {
+    pub(super) fn elevation(&self, r: f64) -> Row {
         let volume = &self.tank.volume;
         let (radii, sectors) = (&self.tank.division.radii, self.tank.division.sectors);
         let dof = match volume.surface_nodes.first() {
@@ -136,7 +136,7 @@ impl Observer<'_> {
     }
 
     /// Radial displacement of the wall at a level of its nodes.
-    pub fn radial_displacement(&self, level: usize) -> Row {
+    pub(super) fn radial_displacement(&self, level: usize) -> Row {
         Row::of_displacement(self.row(self.tank.wall.rows[level][0], Dof::Ux))
     }
 
@@ -173,7 +173,7 @@ impl Observer<'_> {
     ///
     /// Meridional force and moment are best at the centres of elements and linear between them. The hoop strain is best
     /// at nodes: n_φ = (n_φ − ν n_v) + ν n_v with the first part, E t ε_φ, from the element and the second from centres.
-    pub fn resultant(&self, course: &std::ops::Range<usize>, z: f64, resultant: Resultant, poisson: f64) -> Row {
+    pub(super) fn resultant(&self, course: &std::ops::Range<usize>, z: f64, resultant: Resultant, poisson: f64) -> Row {
         let nodes = &self.tank.wall.z;
         let middle = |level: usize| 0.5 * (nodes[level] + nodes[level + 1]);
         let mut row = BTreeMap::new();
@@ -214,7 +214,7 @@ impl Observer<'_> {
     /// Reaction of a dof of the clamped edge at θ = 0 over the length of edge that belongs to the node [N/m or N].
     ///
     /// Errors: an element without stiffness.
-    pub fn edge_reaction(&self, dof: Dof) -> Result<Row, FeError> {
+    pub(super) fn edge_reaction(&self, dof: Dof) -> Result<Row, FeError> {
         let tank = self.tank;
         let node = tank.wall.rows[0][0];
         let ground = self.ground();
@@ -256,7 +256,7 @@ impl Observer<'_> {
     }
 
     /// Hydrodynamic pressure on the wall at a level of the liquid's nodes: −ρ φ̈, or the pressure in the joint.
-    pub fn pressure(&self, level: usize) -> Row {
+    pub(super) fn pressure(&self, level: usize) -> Row {
         let node = self.tank.volume.wall_nodes[level][0];
         match self.tank.liquid {
             Liquid::Potential => Row {
@@ -274,7 +274,7 @@ impl Observer<'_> {
     }
 
     /// κᵀ M ẍ of a field κ over wall, roof and liquid.
-    pub fn inertia(&self, field: Field) -> Row {
+    pub(super) fn inertia(&self, field: Field) -> Row {
         let tank = self.tank;
         let ground = self.ground();
         let acceleration = tank.assembler.inertia(&tank.model, field);
@@ -292,7 +292,7 @@ impl Observer<'_> {
     /// Moment above the base plate: inertia of wall and roof, and the liquid's pressure on the wall.
     ///
     /// Errors: an element without stiffness.
-    pub fn base_moment(&self) -> Result<Row, FeError> {
+    pub(super) fn base_moment(&self) -> Result<Row, FeError> {
         let tank = self.tank;
         let nodes = tank.model.nodes();
         match tank.liquid {
@@ -315,7 +315,7 @@ impl Observer<'_> {
     /// Moment of the pressure on the bottom, ∫ p x dA with the sign of an inertia force.
     ///
     /// Errors: an element without stiffness.
-    pub fn bottom_moment(&self) -> Result<Row, FeError> {
+    pub(super) fn bottom_moment(&self) -> Result<Row, FeError> {
         if self.tank.liquid == Liquid::Displacement {
             return self.bottom_reaction();
         }
@@ -407,14 +407,14 @@ fn product(tank: &TankModel, a: Field, b: Field) -> f64 {
 }
 
 /// Rotation about the y axis through the centre of the base: u_x = z, u_z = −x.
-pub fn tilt(position: [f64; 3]) -> [f64; KINDS] {
+pub(super) fn tilt(position: [f64; 3]) -> [f64; KINDS] {
     let mut field = [0.0; KINDS];
     (field[0], field[2], field[4]) = (position[2], -position[0], 1.0);
     field
 }
 
 /// Load of gravity and hydrostatic pressure on the unknowns of the wall, downwards and outwards.
-pub fn static_load(tank: &TankModel, assembler: &Assembler) -> Vec<f64> {
+pub(super) fn static_load(tank: &TankModel, assembler: &Assembler) -> Vec<f64> {
     let mut load = assembler.body_force(&tank.model, [0.0, 0.0, -tank.gravity]);
     let dofs = tank.model.dofs();
     let wall_nodes = tank.wall.rows.len() * tank.division.sectors;

@@ -12,7 +12,7 @@ use fem::dofs::{Dof, KINDS};
 use super::model::TankModel;
 
 /// Projection on the motions of harmonic m that are symmetric about the plane y = 0.
-pub struct Harmonic<'a> {
+pub(super) struct Harmonic<'a> {
     tank: &'a TankModel,
     rings: Vec<Vec<usize>>,
     axis: Vec<usize>,
@@ -21,7 +21,7 @@ pub struct Harmonic<'a> {
 
 impl<'a> Harmonic<'a> {
     /// The projection for harmonic `harmonic`.
-    pub fn new(tank: &'a TankModel, harmonic: u32) -> Harmonic<'a> {
+    pub(super) fn new(tank: &'a TankModel, harmonic: u32) -> Harmonic<'a> {
         let (rings, axis) = tank.rings();
         Harmonic {
             tank,
@@ -32,7 +32,7 @@ impl<'a> Harmonic<'a> {
     }
 
     /// A load of the harmonic that excites all its modes: forces of irregular size on every ring, all directions.
-    pub fn load(&self) -> Vec<f64> {
+    pub(super) fn load(&self) -> Vec<f64> {
         // A linear congruential generator: the same numbers every time.
         let mut state = 1_u64;
         let mut next = || {
@@ -59,7 +59,7 @@ impl<'a> Harmonic<'a> {
     }
 
     /// Takes out of `x` what does not belong to the harmonic.
-    pub fn project(&self, x: &mut [f64]) {
+    pub(super) fn project(&self, x: &mut [f64]) {
         let model = &self.tank.model;
         let mut field = vec![[0.0; KINDS]; model.nodes().len()];
         let m = f64::from(self.harmonic);

@@ -26,7 +26,7 @@ pub struct Waves {
 const SMALL: f64 = 0.2;
 
 /// Wave numbers of `radial[level][sector]` at ascending heights `z`; `None` if nothing moves.
-pub fn classify(radial: &[Vec<f64>], z: &[f64]) -> Option<Waves> {
+pub(super) fn classify(radial: &[Vec<f64>], z: &[f64]) -> Option<Waves> {
     let sectors = radial.first()?.len();
     let lengths: Vec<f64> = (0..z.len())
         .map(|l| 0.5 * (z[(l + 1).min(z.len() - 1)] - z[l.saturating_sub(1)]))

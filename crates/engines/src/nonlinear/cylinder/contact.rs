@@ -23,10 +23,10 @@ use crate::FeError;
 use crate::error::failed;
 
 /// Group of the joints.
-pub const JOINT: &str = "joint";
+pub(super) const JOINT: &str = "joint";
 
 /// What joins liquid and wall is made of.
-pub struct Join<'a> {
+pub(super) struct Join<'a> {
     pub footprint: &'a Footprint,
     pub wall: &'a PlacedWall,
     /// Wetted nodes of the wall and the liquid's nodes at the same places, level by level, the held ones of the base first.
@@ -42,7 +42,7 @@ pub struct Join<'a> {
 }
 
 /// The joints of the wall.
-pub struct Joints {
+pub(crate) struct Joints {
     /// k_n [N/m³].
     pub penalty: f64,
     /// Number of each joint's node among the wetted ones.
@@ -56,7 +56,7 @@ impl Join<'_> {
     /// Adds a joint for every wetted node above the base.
     ///
     /// Errors: a penalty that is not positive.
-    pub fn add_to(&self, builder: &mut Builder) -> Result<Joints, FeError> {
+    pub(super) fn add_to(&self, builder: &mut Builder) -> Result<Joints, FeError> {
         let [wall_nodes, face_nodes] = self.nodes;
         let number: BTreeMap<usize, usize> = wall_nodes.iter().enumerate().map(|(i, &n)| (n, i)).collect();
         let modes = self.liquid.omega.len();
@@ -131,12 +131,12 @@ fn point([x, y]: [f64; 2], positions: &[[f64; 3]; 4]) -> ([f64; 4], f64, [f64; 3
 
 impl Joints {
     /// Heights of the joints [m].
-    pub fn heights(&self) -> Vec<f64> {
+    pub(crate) fn heights(&self) -> Vec<f64> {
         self.places.iter().map(|p| p[0]).collect()
     }
 
     /// Gap and penetration of each joint in the committed `state` [m].
-    pub fn look(&self, model: &Model, state: &State) -> impl Iterator<Item = (f64, f64)> {
+    pub(crate) fn look(&self, model: &Model, state: &State) -> impl Iterator<Item = (f64, f64)> {
         let mut gather = Gather::default();
         let mut out = Vec::with_capacity(self.places.len());
         for (e, joint) in &self.elements {
@@ -150,7 +150,7 @@ impl Joints {
 
 /// Vertical displacement of the particles at the wall under unit sloshing amplitudes: that of each mode decays from the surface
 /// as sinh kz/sinh kH, with ω² = g k tanh kH.
-pub fn rise(liquid: &CondensedLiquid, gravity: f64, depth: f64, heights: &[f64], angles: &[f64]) -> Matrix {
+pub(super) fn rise(liquid: &CondensedLiquid, gravity: f64, depth: f64, heights: &[f64], angles: &[f64]) -> Matrix {
     let mut out = Matrix::zeros(heights.len(), liquid.omega.len());
     for (j, omega) in liquid.omega.iter().enumerate() {
         let k = wave_number(omega * omega / gravity, depth);

@@ -19,13 +19,13 @@ use results::{Collapse, Fact, FirstCrack, IdaRun};
 
 impl Cylinder<'_> {
     /// The model in numbers.
-    pub fn facts(&self) -> Result<Vec<Fact>, FeError> {
+    pub(crate) fn facts(&self) -> Result<Vec<Fact>, FeError> {
         let step = self.step(&checked_motion(self.case)?.horizontal);
         Ok(facts(&self.tank, step))
     }
 
     /// What is assumed, one sentence each.
-    pub fn assumptions(&self) -> Vec<String> {
+    pub(crate) fn assumptions(&self) -> Vec<String> {
         assumptions(self.case, self.options, &self.tank)
     }
 
@@ -34,7 +34,7 @@ impl Cylinder<'_> {
     /// * `checkpoint`: where the run of a scale keeps what it needs to be resumed; left to the caller to remove
     ///
     /// Errors: a failure of the analysis; a checkpoint that cannot be written or is of another run. Collapse is none.
-    pub fn incremental(
+    pub(crate) fn incremental(
         &self,
         scales: &[f64],
         threads: usize,

@@ -13,14 +13,14 @@ use results::{Fact, FactKind, Labelled};
 use tank::options::nonlinear::{Contact, Damping, NonlinearOptions};
 
 /// Said of a tank that the file calls unanchored.
-pub const HELD_DOWN: &str = "The tank is unanchored; the nonlinear engine clamps the base of its wall to the ground and does not let it uplift.";
+pub(super) const HELD_DOWN: &str = "The tank is unanchored; the nonlinear engine clamps the base of its wall to the ground and does not let it uplift.";
 
 /// Shortest step [s]; 0 if none was taken.
 fn shortest(run: &Run) -> f64 {
     if run.shortest.is_finite() { run.shortest } else { 0.0 }
 }
 
-pub fn cost(tank: &CylinderModel, watch: &Watch<'_>, run: &Run) -> Vec<Count> {
+pub(super) fn cost(tank: &CylinderModel, watch: &Watch<'_>, run: &Run) -> Vec<Count> {
     let count = |label: &str, value: f64, dimension| Count {
         label: label.into(),
         value,
@@ -41,7 +41,7 @@ pub fn cost(tank: &CylinderModel, watch: &Watch<'_>, run: &Run) -> Vec<Count> {
 }
 
 /// The model in numbers.
-pub fn facts(tank: &CylinderModel, step: f64) -> Vec<Fact> {
+pub(super) fn facts(tank: &CylinderModel, step: f64) -> Vec<Fact> {
     let fact = |kind, value: f64, dimension| Fact { kind, value, dimension };
     let number = Dimension::Dimensionless;
     vec![
@@ -67,7 +67,7 @@ fn label(label: &str, text: String) -> Labelled {
     }
 }
 
-pub fn mesh(tank: &CylinderModel) -> Vec<Labelled> {
+pub(super) fn mesh(tank: &CylinderModel) -> Vec<Labelled> {
     let layers = tank
         .rows
         .iter()
@@ -98,7 +98,12 @@ pub fn mesh(tank: &CylinderModel) -> Vec<Labelled> {
     ]
 }
 
-pub fn integration(tank: &CylinderModel, options: &NonlinearOptions, watch: &Watch<'_>, run: &Run) -> Vec<Labelled> {
+pub(super) fn integration(
+    tank: &CylinderModel,
+    options: &NonlinearOptions,
+    watch: &Watch<'_>,
+    run: &Run,
+) -> Vec<Labelled> {
     let scheme = TimeScheme::GeneralizedAlpha {
         radius: options.spectral_radius,
     };
@@ -163,7 +168,7 @@ pub fn integration(tank: &CylinderModel, options: &NonlinearOptions, watch: &Wat
     out
 }
 
-pub fn assumptions(case: &Case, options: &NonlinearOptions, tank: &CylinderModel) -> Vec<String> {
+pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &CylinderModel) -> Vec<String> {
     let mut out = vec![
         "Wall of four-node shells with finite rotations, plane sections in each shell, layers and bars with the laws of the \
          input; clamped at its base, rigid bottom."

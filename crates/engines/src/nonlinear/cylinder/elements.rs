@@ -17,9 +17,9 @@ use crate::error::failed;
 use crate::solid::roof::RoofRing;
 
 /// Group of shells and layers.
-pub const WALL: &str = "wall";
+pub(super) const WALL: &str = "wall";
 /// Group of the liquid.
-pub const LIQUID: &str = "liquid";
+pub(super) const LIQUID: &str = "liquid";
 /// Group of the pressure that turns with the wall.
 const PRESSURE: &str = "pressure";
 /// Group of the roof's mass.
@@ -31,7 +31,7 @@ const SLOSHING_MODES: usize = 12;
 /// Highest harmonic whose surface is free to slosh.
 const SLOSHING_HARMONICS: u32 = 1;
 
-pub fn build_rows(
+pub(super) fn build_rows(
     case: &Case,
     cells: &Cells,
     radius: f64,
@@ -49,7 +49,7 @@ pub fn build_rows(
 }
 
 /// Stiffness of the joint of liquid and wall: [`fem::strip::PENALTY`] times that of the stiffest course against a pressure, E t/R².
-pub fn penalty(case: &Case, radius: f64) -> f64 {
+pub(super) fn penalty(case: &Case, radius: f64) -> f64 {
     let courses = case.tank.courses.iter().map(|course| {
         let layers = course.build_up();
         layers
@@ -61,7 +61,7 @@ pub fn penalty(case: &Case, radius: f64) -> f64 {
 }
 
 /// Clamped base; the plane of symmetry.
-pub fn support(builder: &mut Builder, footprint: &Footprint, wall: &PlacedWall, cells: &Cells) {
+pub(super) fn support(builder: &mut Builder, footprint: &Footprint, wall: &PlacedWall, cells: &Cells) {
     wall.hold(builder, &footprint.levels[0], Dof::SHELL);
     if cells.half {
         for level in &footprint.levels {
@@ -72,7 +72,7 @@ pub fn support(builder: &mut Builder, footprint: &Footprint, wall: &PlacedWall, 
     }
 }
 
-pub fn add_roof(case: &Case, builder: &mut Builder, footprint: &Footprint, wall: &PlacedWall, cells: &Cells) {
+pub(super) fn add_roof(case: &Case, builder: &mut Builder, footprint: &Footprint, wall: &PlacedWall, cells: &Cells) {
     let top = &footprint.levels[footprint.levels.len() - 1];
     let nodes: Vec<usize> = top.iter().map(|&p| wall.inner[p]).collect();
     let positions: Vec<[f64; 3]> = nodes.iter().map(|&n| builder.position(n)).collect();
@@ -84,7 +84,7 @@ pub fn add_roof(case: &Case, builder: &mut Builder, footprint: &Footprint, wall:
     builder.element(ROOF, ring);
 }
 
-pub fn add_liquid(
+pub(super) fn add_liquid(
     case: &Case,
     builder: &mut Builder,
     cells: &Cells,
@@ -129,7 +129,7 @@ pub fn add_liquid(
 }
 
 /// Hydrostatic pressure as dead load and, where it turns with the wall, what that changes; and a unit pressure.
-pub fn pressures(
+pub(super) fn pressures(
     builder: &mut Builder,
     footprint: &Footprint,
     wall: &PlacedWall,

@@ -45,7 +45,7 @@ const AT_SAMPLE: f64 = 60.0;
 /// What [`super::simulate`] takes; with `jobs` > 0 what so many runs of an incremental analysis at a time take, `runs` in all.
 ///
 /// Errors: no ground motion; a response longer than the limits.
-pub fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, runs: usize) -> Result<Estimate, FeError> {
+pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, runs: usize) -> Result<Estimate, FeError> {
     let response = Response::of(case, false)?.ok_or(FeError::NoRecord)?;
     check_levels(&case.tank, case.liquid.fill_height, 1.0)?;
     let mut found = of(case, options, response, [jobs, runs]);
@@ -145,14 +145,14 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
 }
 
 /// Shells in the wall: two where there is a layer between them.
-pub fn leaves(case: &Case) -> f64 {
+pub(crate) fn leaves(case: &Case) -> f64 {
     let between = |layer: &Layer| matches!(layer.kind, LayerKind::Interlayer);
     let two = case.tank.courses.iter().any(|c| c.build_up().iter().any(between));
     if two { 2.0 } else { 1.0 }
 }
 
 /// Numbers that the points of a cell remember.
-pub fn slots(course: &Course, integration: &Integration) -> f64 {
+pub(crate) fn slots(course: &Course, integration: &Integration) -> f64 {
     let points = |rule: ThicknessRule| {
         let (ThicknessRule::Gauss(n)
         | ThicknessRule::Lobatto(n)

@@ -24,7 +24,7 @@ pub(super) const STEPS_PER_PERIOD: f64 = 20.0;
 pub(super) const LOOKS: f64 = 200.0;
 
 /// A cylinder ready to be shaken.
-pub struct Cylinder<'a> {
+pub(crate) struct Cylinder<'a> {
     pub case: &'a Case,
     pub options: &'a NonlinearOptions,
     pub tank: CylinderModel,
@@ -32,7 +32,7 @@ pub struct Cylinder<'a> {
 
 impl<'a> Cylinder<'a> {
     /// Errors: no cylinder; a wall, a law or an option that the engine does not know; parameters out of range.
-    pub fn new(
+    pub(crate) fn new(
         case: &'a Case,
         options: &'a NonlinearOptions,
         progress: &dyn Progress,
@@ -44,14 +44,14 @@ impl<'a> Cylinder<'a> {
     }
 
     /// Longest step [s].
-    pub fn step(&self, record: &Record) -> f64 {
+    pub(crate) fn step(&self, record: &Record) -> f64 {
         let period = std::f64::consts::TAU / self.tank.wall_omega;
         let usual = || (period / STEPS_PER_PERIOD).min(0.5 * record.dt);
         self.options.time_step.unwrap_or_else(usual)
     }
 
     /// Through `scale` times the records.
-    pub fn march(
+    pub(crate) fn march(
         &self,
         motion: &GroundMotion,
         scale: f64,

@@ -12,7 +12,7 @@ const SECTORS: usize = 72;
 
 /// Cells of the wall.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Cells {
+pub(crate) struct Cells {
     /// Heights of the levels of nodes [m], from 0 to the top; the surface and every joint of courses is one.
     pub z: Vec<f64>,
     /// Sectors of the full circle.
@@ -22,7 +22,7 @@ pub struct Cells {
 }
 
 /// Levels of the coarsest `rows(refine)` that has `count` rows: their number grows with the refinement, if not evenly.
-pub fn enough_rows(rows: impl Fn(f64) -> Vec<f64>, count: usize) -> Vec<f64> {
+pub(crate) fn enough_rows(rows: impl Fn(f64) -> Vec<f64>, count: usize) -> Vec<f64> {
     let (mut low, mut high) = (1e-3, 1.0);
     while rows(high).len() <= count && high < 1e4 {
         high *= 2.0;
@@ -43,7 +43,7 @@ impl Cells {
     /// finer towards the base and the changes of the wall in either case.
     ///
     /// With `symmetry` an odd number of sectors is raised by one.
-    pub fn new(tank: &Tank, depth: f64, wanted: Option<WallElements>, symmetry: bool) -> Cells {
+    pub(crate) fn new(tank: &Tank, depth: f64, wanted: Option<WallElements>, symmetry: bool) -> Cells {
         let rows = |refine: f64| wall_levels(tank, depth, refine);
         let z = wanted.map_or_else(|| rows(1.0), |wanted| enough_rows(rows, wanted.height as usize));
         let sectors = wanted.map_or(SECTORS, |w| w.circumference as usize);
@@ -55,37 +55,37 @@ impl Cells {
     }
 
     /// Angle of a sector [rad].
-    pub fn angle(&self) -> f64 {
+    pub(crate) fn angle(&self) -> f64 {
         TAU / self.sectors as f64
     }
 
     /// Number of sectors computed.
-    pub fn columns(&self) -> usize {
+    pub(crate) fn columns(&self) -> usize {
         if self.half { self.sectors / 2 } else { self.sectors }
     }
 
     /// Number of rows.
-    pub fn rows(&self) -> usize {
+    pub(crate) fn rows(&self) -> usize {
         self.z.len() - 1
     }
 
     /// Angle computed [rad].
-    pub fn span(&self) -> f64 {
+    pub(crate) fn span(&self) -> f64 {
         if self.half { PI } else { TAU }
     }
 
     /// Edges of the columns [rad].
-    pub fn edges(&self) -> Vec<f64> {
+    pub(crate) fn edges(&self) -> Vec<f64> {
         (0..=self.columns()).map(|k| self.angle() * k as f64).collect()
     }
 
     /// Number of levels of nodes up to the surface at `depth` [m].
-    pub fn wet(&self, depth: f64) -> usize {
+    pub(crate) fn wet(&self, depth: f64) -> usize {
         self.z.iter().filter(|z| **z <= depth * (1.0 + 1e-9)).count()
     }
 
     /// Factor from what is computed to the whole tank.
-    pub fn copies(&self) -> f64 {
+    pub(crate) fn copies(&self) -> f64 {
         if self.half { 2.0 } else { 1.0 }
     }
 }

@@ -46,7 +46,7 @@ const ITERATIONS: usize = 8;
 const SETTLED: f64 = 1e-6;
 
 /// The model, built once; runs only read it.
-pub struct CylinderModel {
+pub(crate) struct CylinderModel {
     /// Cells of the wall.
     pub cells: Cells,
     /// Points of the wall.
@@ -100,7 +100,7 @@ impl CylinderModel {
     /// The model of a case.
     ///
     /// Errors: no cylinder; a wall, a law or an option that the engine does not know; parameters out of range.
-    pub fn new(case: &Case, options: &NonlinearOptions) -> Result<CylinderModel, FeError> {
+    pub(crate) fn new(case: &Case, options: &NonlinearOptions) -> Result<CylinderModel, FeError> {
         let Shape::Cylinder { radius } = case.tank.shape else {
             return Err(FeError::Unsupported("this tank is no cylinder".into()));
         };
@@ -242,7 +242,7 @@ impl CylinderModel {
     }
 
     /// What is marched.
-    pub fn problem(&self) -> Problem<'_> {
+    pub(crate) fn problem(&self) -> Problem<'_> {
         Problem {
             model: &self.model,
             assembler: &self.assembler,
@@ -252,12 +252,12 @@ impl CylinderModel {
     }
 
     /// Forces of weight and pressure at rest.
-    pub fn constant(&self) -> Vec<f64> {
+    pub(crate) fn constant(&self) -> Vec<f64> {
         self.weight.iter().zip(&self.pressure).map(|(w, p)| w + p).collect()
     }
 
     /// Row of the surface's elevation at the wall at the angle θ [rad]: of harmonic 0 whole, of harmonic 1 the first modes.
-    pub fn elevation(&self, theta: f64) -> Vec<(usize, f64)> {
+    pub(crate) fn elevation(&self, theta: f64) -> Vec<(usize, f64)> {
         let mut row = vec![0.0; self.liquid.mass.rows];
         for rim in &self.liquid.rim {
             let c = (f64::from(rim.harmonic) * theta).cos();
@@ -276,7 +276,7 @@ impl CylinderModel {
     }
 
     /// Equations of the liquid's unknowns, in its order; none where a support holds the wall.
-    pub fn liquid_unknowns(&self) -> Vec<Option<usize>> {
+    pub(crate) fn liquid_unknowns(&self) -> Vec<Option<usize>> {
         let wall = self.wetted.iter().map(|&n| self.model.dofs().equation(n, Dof::Ux));
         wall.chain(self.amplitudes.iter().map(|&e| Some(e))).collect()
     }

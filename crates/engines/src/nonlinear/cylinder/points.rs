@@ -10,7 +10,7 @@ use results::nonlinear::Crack;
 
 /// What the cells look like; lists are empty where the wall has nothing of the kind.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Look {
+pub(crate) struct Look {
     /// Largest stress of plates over their yield stress.
     pub utilisation: Vec<f64>,
     /// Largest plastic strain of plates.
@@ -35,7 +35,7 @@ pub struct Look {
 
 /// Something that happens once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Happening {
+pub(crate) enum Happening {
     /// A crack opens.
     Crack,
     /// A plate yields.
@@ -56,7 +56,7 @@ const YIELDS: f64 = 1e-9;
 const CRUSHES: f64 = 0.999;
 
 /// Looks at the committed state.
-pub fn look(tank: &CylinderModel, state: &State) -> Look {
+pub(super) fn look(tank: &CylinderModel, state: &State) -> Look {
     let cells = tank.cells.rows() * tank.cells.columns();
     let has = |f: &dyn Fn(&Part) -> bool| tank.rows.iter().flat_map(|r| r.parts.iter().flatten()).any(f);
     let room = |there: bool| if there { vec![0.0; cells] } else { Vec::new() };
@@ -173,7 +173,7 @@ impl Look {
     }
 
     /// Takes in the larger of every value; cracks are those of the later look.
-    pub fn envelop(&mut self, later: &Look) {
+    pub(crate) fn envelop(&mut self, later: &Look) {
         let raise = |to: &mut Vec<f64>, from: &[f64]| {
             to.iter_mut().zip(from).for_each(|(t, f)| *t = t.max(*f));
         };
@@ -190,7 +190,7 @@ impl Look {
     }
 
     /// What has happened, with the cell where it is worst.
-    pub fn happenings(&self) -> Vec<(Happening, usize)> {
+    pub(crate) fn happenings(&self) -> Vec<(Happening, usize)> {
         let worst = |list: &[f64], least: f64| {
             let largest = (0..list.len()).max_by(|&i, &j| list[i].total_cmp(&list[j]));
             largest.filter(|&i| list[i] > least)

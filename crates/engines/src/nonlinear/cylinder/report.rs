@@ -21,7 +21,7 @@ use results::{Channel, EnergyBalance, EngineId, Envelope, Run as Finished, Serie
 use tank::options::nonlinear::NonlinearOptions;
 
 /// Everything that is reported of a run.
-pub fn report(
+pub(super) fn report(
     case: &Case,
     options: &NonlinearOptions,
     tank: &CylinderModel,

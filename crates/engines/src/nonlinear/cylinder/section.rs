@@ -21,7 +21,7 @@ use tank::options::nonlinear::{Integration, ThicknessRule};
 
 /// What a point of a section is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Part {
+pub(crate) enum Part {
     /// Elastic.
     Elastic,
     /// Steel plate, with its tensile strength [Pa] where it is known.
@@ -39,7 +39,7 @@ pub enum Part {
 
 /// The cells of a row.
 #[derive(Clone)]
-pub struct RowBuild {
+pub(crate) struct RowBuild {
     /// Shells and what is between them.
     pub build: Build,
     /// Parts of each leaf, in the order in which its section shows its points: layers, then bars.
@@ -53,7 +53,7 @@ pub struct RowBuild {
 /// Shells and layer of a course with these layers, from inside to outside, in cells of [length, height] `element` [m].
 ///
 /// Errors: more than one interlayer, or one at a face; a law that shells do not have; parameters out of range.
-pub fn row(layers: &[Layer], element: [f64; 2], integration: &Integration) -> Result<RowBuild, FeError> {
+pub(crate) fn row(layers: &[Layer], element: [f64; 2], integration: &Integration) -> Result<RowBuild, FeError> {
     let leaves: Vec<&[Layer]> = layers.split(|l| l.kind == LayerKind::Interlayer).collect();
     let half = |leaf: &[Layer]| 0.5 * leaf.iter().map(|l| l.thickness).sum::<f64>();
     let thickness: f64 = leaves.iter().map(|l| 2.0 * half(l)).sum();
@@ -87,7 +87,7 @@ pub fn row(layers: &[Layer], element: [f64; 2], integration: &Integration) -> Re
 /// Law of the layer between two shells.
 ///
 /// Errors: one that the engine does not model.
-pub fn interlayer(layer: &Layer) -> Result<Between, FeError> {
+pub(crate) fn interlayer(layer: &Layer) -> Result<Between, FeError> {
     let material = &layer.material;
     let law = match material.behaviour {
         Behaviour::Interlayer(i) if i.e_parallel == 0.0 && i.shear_modulus == 0.0 => match i.tension {
@@ -206,7 +206,7 @@ fn plane_law(
 /// Law of concrete in plane stress in a cell of [length, height] `element` [m].
 ///
 /// Errors: a law that shells do not have; parameters out of range.
-pub fn plane_concrete(
+pub(crate) fn plane_concrete(
     concrete: &Concrete,
     young: f64,
     nu: f64,

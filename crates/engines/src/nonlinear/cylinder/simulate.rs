@@ -14,7 +14,7 @@ use crate::{FeError, Simulation};
 /// Time history of a cylinder.
 ///
 /// Errors: as [`Cylinder::new`]; no record; interrupted before there is anything to show.
-pub fn simulate(
+pub(crate) fn simulate(
     case: &Case,
     options: &NonlinearOptions,
     checkpoint: Option<&CheckpointFile>,

@@ -13,7 +13,7 @@ use results::nonlinear::{CellMap, Columns, CrackPicture, Energies, Event, EventK
 /// Points of a loop or a curve of energy at most.
 const POINTS: usize = 1500;
 
-pub fn place(theta: f64, z: f64) -> String {
+pub(super) fn place(theta: f64, z: f64) -> String {
     format!(
         "θ = {}°, z = {}",
         significant(theta.to_degrees().abs(), 3),
@@ -29,7 +29,7 @@ fn middle(tank: &CylinderModel, cell: usize) -> String {
     place(theta, 0.5 * (tank.cells.z[row] + tank.cells.z[row + 1]))
 }
 
-pub fn events(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Event> {
+pub(super) fn events(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Event> {
     let mut out: Vec<Event> = watch
         .seen
         .first
@@ -107,7 +107,7 @@ fn parting(watch: &Watch<'_>, tank: &CylinderModel) -> Option<Event> {
     })
 }
 
-pub fn grid(tank: &CylinderModel) -> WallGrid {
+pub(super) fn grid(tank: &CylinderModel) -> WallGrid {
     WallGrid {
         columns: Columns::Sectors {
             radius: tank.radius,
@@ -130,7 +130,7 @@ fn bar_strength(case: &Case) -> Option<f64> {
     strengths.min_by(f64::total_cmp)
 }
 
-pub fn maps(case: &Case, tank: &CylinderModel, watch: &Watch<'_>, worst: &Look, last: &Look) -> Vec<CellMap> {
+pub(super) fn maps(case: &Case, tank: &CylinderModel, watch: &Watch<'_>, worst: &Look, last: &Look) -> Vec<CellMap> {
     let mut out = Vec::new();
     let mut push = |id: &str, title: &str, dimension, values: &[f64], mark: Option<f64>, note: &str| {
         if !values.is_empty() {
@@ -250,7 +250,7 @@ fn around_nodes(tank: &CylinderModel, values: impl Iterator<Item = (usize, f64)>
     out
 }
 
-pub fn pictures(watch: &Watch<'_>, last: &Look, time: f64) -> Vec<CrackPicture> {
+pub(super) fn pictures(watch: &Watch<'_>, last: &Look, time: f64) -> Vec<CrackPicture> {
     let extreme = watch.seen.extreme.as_ref();
     let rest = watch.seen.rest.as_ref().map(|l| ("state at rest", 0.0, l));
     let extreme = extreme.map(|k| ("largest base moment", k.time, &k.look));
@@ -283,7 +283,7 @@ fn paired(x: &[f64], y: &[f64]) -> Vec<[f64; 2]> {
     x.iter().zip(y).step_by(stride(n)).map(|(x, y)| [*x, *y]).collect()
 }
 
-pub fn loops(watch: &Watch<'_>) -> Vec<Loop> {
+pub(super) fn loops(watch: &Watch<'_>) -> Vec<Loop> {
     let axis = |title: &str, dimension| LoopAxis {
         title: title.into(),
         dimension,
@@ -310,7 +310,7 @@ pub fn loops(watch: &Watch<'_>) -> Vec<Loop> {
     out
 }
 
-pub fn energies(run: &Run, watch: &Watch<'_>) -> Energies {
+pub(super) fn energies(run: &Run, watch: &Watch<'_>) -> Energies {
     let samples = &run.balance.samples;
     let copies = watch.copies();
     let every = stride(samples.len());

@@ -23,21 +23,21 @@ use super::points::{Happening, Look, look};
 const GROWN: f64 = 1.05;
 
 /// Numbers of the recorded quantities.
-pub const BASE_SHEAR: usize = 0;
+pub(super) const BASE_SHEAR: usize = 0;
 /// Moment about the y axis at the base.
-pub const BASE_MOMENT: usize = 1;
+pub(super) const BASE_MOMENT: usize = 1;
 /// Elevation of the surface at the wall, θ = 0.
-pub const WAVE_FRONT: usize = 2;
+pub(super) const WAVE_FRONT: usize = 2;
 /// The same at θ = π.
-pub const WAVE_BACK: usize = 3;
+pub(super) const WAVE_BACK: usize = 3;
 /// Radial displacement of the top of the wall, θ = 0.
-pub const TOP_FRONT: usize = 4;
+pub(super) const TOP_FRONT: usize = 4;
 /// Displacement along x of the wall's node that bulges most at rest.
-pub const BELLY_FRONT: usize = 5;
+pub(super) const BELLY_FRONT: usize = 5;
 
 /// Smallest and largest value with their times.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Extremes {
+pub(crate) struct Extremes {
     /// In the state at rest.
     pub rest: f64,
     /// Smallest.
@@ -71,7 +71,7 @@ impl Extremes {
     }
 
     /// Largest distance from the state at rest, and its time.
-    pub fn swing(&self) -> (f64, f64) {
+    pub(crate) fn swing(&self) -> (f64, f64) {
         let (down, up) = (self.rest - self.min, self.max - self.rest);
         if up >= down {
             (up, self.max_time)
@@ -83,7 +83,7 @@ impl Extremes {
 
 /// A meridian of cells.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Meridian {
+pub(crate) struct Meridian {
     /// Hoop force over the thickness of the shells, by row [Pa].
     pub hoop: Vec<Extremes>,
     /// Axial force over it [Pa].
@@ -98,7 +98,7 @@ pub struct Meridian {
 
 /// A picture kept.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Kept {
+pub(crate) struct Kept {
     /// Time [s].
     pub time: f64,
     /// Base moment then [N m].
@@ -109,7 +109,7 @@ pub struct Kept {
 
 /// What was seen so far, apart from what the parts of [`Watch`] keep themselves.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Seen {
+pub(crate) struct Seen {
     /// Meridians next to θ = 0 and π.
     pub sides: [Meridian; 2],
     /// The state at rest.
@@ -129,7 +129,7 @@ pub struct Seen {
 }
 
 /// Watches a run.
-pub struct Watch<'a> {
+pub(crate) struct Watch<'a> {
     tank: &'a CylinderModel,
     /// Time between looks [s].
     interval: f64,
@@ -155,7 +155,7 @@ impl<'a> Watch<'a> {
     /// Watches with looks every `interval` [s].
     ///
     /// Errors: those of the elements.
-    pub fn new(tank: &'a CylinderModel, interval: f64) -> Result<Watch<'a>, AnalysisError> {
+    pub(crate) fn new(tank: &'a CylinderModel, interval: f64) -> Result<Watch<'a>, AnalysisError> {
         let heights: Vec<f64> = tank.wetted.iter().map(|&n| tank.model.nodes()[n][2]).collect();
         let angles: Vec<f64> = tank
             .wetted
@@ -180,7 +180,7 @@ impl<'a> Watch<'a> {
     }
 
     /// Factor from what is computed to the whole tank.
-    pub fn copies(&self) -> f64 {
+    pub(crate) fn copies(&self) -> f64 {
         self.tank.cells.copies()
     }
 

@@ -26,7 +26,7 @@ pub(crate) const ELEMENTS: u32 = 40;
 pub(super) const STEPS_PER_PERIOD: f64 = 20.0;
 
 /// A strip ready to be shaken.
-pub struct Strip {
+pub(crate) struct Strip {
     pub model: StripModel,
     pub quake: StripQuake,
     /// Computing time between two checkpoints [s].
@@ -42,7 +42,7 @@ impl Strip {
     ///
     /// Errors: no record; a tank that is no strip; a wall, a law or an option that the strip does not know; parameters out of
     /// range.
-    pub fn new(case: &Case, options: &NonlinearOptions) -> Result<Strip, FeError> {
+    pub(crate) fn new(case: &Case, options: &NonlinearOptions) -> Result<Strip, FeError> {
         let Some(motion) = &case.ground_motion else {
             return Err(FeError::NoRecord);
         };

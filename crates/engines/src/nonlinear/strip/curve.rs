@@ -19,7 +19,7 @@ impl Strip {
     /// * `checkpoint`: where the run of a scale keeps what it needs to be resumed; left to the caller to remove
     ///
     /// Errors: a failure of the analysis; a checkpoint that cannot be written or is of another run. Collapse is none.
-    pub fn incremental(
+    pub(crate) fn incremental(
         &self,
         scales: &[f64],
         threads: usize,

@@ -30,7 +30,7 @@ const BEAM: f64 = 20_000.0;
 /// What [`super::simulate`] takes, with free vibration (`free`), or `runs` runs of an incremental analysis, `jobs` at a time.
 ///
 /// Errors: no ground motion; a response longer than the limits.
-pub fn estimate(
+pub(crate) fn estimate(
     case: &Case,
     options: &NonlinearOptions,
     free: bool,

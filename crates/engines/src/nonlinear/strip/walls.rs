@@ -31,7 +31,7 @@ pub(super) struct Walls<'a> {
 }
 
 impl Walls<'_> {
-    pub fn nonlinear(&self) -> Nonlinear {
+    pub(super) fn nonlinear(&self) -> Nonlinear {
         let levels = &self.model.tank.levels;
         Nonlinear {
             grid: WallGrid {
@@ -63,7 +63,7 @@ impl Walls<'_> {
     }
 
     /// Limits of the model that were passed, the first of each kind by time.
-    pub fn departures(&self) -> Vec<Departure> {
+    pub(super) fn departures(&self) -> Vec<Departure> {
         let walls = self.runs.iter().zip(ANGLES);
         let mut all: Vec<Departure> = walls
             .flat_map(|(run, theta)| run.history.departures.iter().map(move |d| departure(d, Some(theta))))
@@ -79,37 +79,37 @@ impl Walls<'_> {
     }
 
     /// How the run of a wall was stopped because it had left its model.
-    pub fn left(&self, wall: usize) -> Option<Departure> {
+    pub(super) fn left(&self, wall: usize) -> Option<Departure> {
         let history = &self.runs[wall].history;
         let found = history.departures.iter().find(|d| d.kind.stops())?;
         Some(departure(found, Some(ANGLES[wall])))
     }
 
     /// The wall whose run ends first before its time: it collapses, or leaves the model.
-    pub fn collapsed(&self) -> Option<usize> {
+    pub(super) fn collapsed(&self) -> Option<usize> {
         let collapsed = (0..2).filter(|&w| self.runs[w].collapsed());
         collapsed.min_by(|&a, &b| self.runs[a].run.time.total_cmp(&self.runs[b].run.time))
     }
 
     /// Part of weight and pressure at rest that could be carried, where they could not be carried whole.
-    pub fn load_factor(&self, wall: usize) -> Option<f64> {
+    pub(super) fn load_factor(&self, wall: usize) -> Option<f64> {
         match &self.runs[wall].run.outcome {
             Outcome::Collapsed(collapse) => collapse.load_factor,
             _ => None,
         }
     }
 
-    pub fn interrupted(&self) -> bool {
+    pub(super) fn interrupted(&self) -> bool {
         self.runs.iter().any(|r| r.run.outcome == Outcome::Interrupted)
     }
 
     /// Time that both walls have reached [s].
-    pub fn time(&self) -> f64 {
+    pub(super) fn time(&self) -> f64 {
         self.runs.iter().map(|r| r.run.time).fold(f64::INFINITY, f64::min)
     }
 
     /// How the run ended.
-    pub fn end(&self) -> End {
+    pub(super) fn end(&self) -> End {
         if self.interrupted() {
             return End::Interrupted { time: self.time() };
         }
@@ -159,7 +159,7 @@ impl Walls<'_> {
     }
 
     /// What happened for the first time, on either wall, by time.
-    pub fn events(&self) -> Vec<Event> {
+    pub(super) fn events(&self) -> Vec<Event> {
         let mut events = Vec::new();
         for (wall, run) in self.runs.iter().enumerate() {
             for event in &run.history.events {
