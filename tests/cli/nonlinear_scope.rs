@@ -91,7 +91,7 @@ fn softening_that_no_mesh_resolves() {
         &[
             "elements.circumference",
             "elements of at most 3.84 mm",
-            "more than the 4000 that are possible",
+            "more than the limit of 4000",
             "a crack_spacing of at most 3.84 mm; or a fracture_energy of at least 4.09 N/m, with 4000 elements",
             "elements.height",
             "2 faults",
@@ -167,14 +167,14 @@ fn walls_that_are_not_modelled() {
         &refused(&twin, history),
         &[
             "tank.courses[0].layers",
-            "bends one leaf",
+            "one bending leaf",
             "250 mm concrete, 50.0 mm foam, 250 mm concrete",
         ],
     );
     let roof = strip().replace("\"support\":", "\"roof\": { \"mass\": \"1 t\" }, \"support\":");
     has(
         &refused(&roof, history),
-        &["tank.roof.mass", "knows no roof", "leave the roof out"],
+        &["tank.roof.mass", "does not support a roof mass", "remove `roof`"],
     );
 }
 

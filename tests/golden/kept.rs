@@ -72,7 +72,7 @@ const SHORT: [Kept; 4] = [
             "housner",
         ],
         golden: "tests/golden/short/opening",
-        shows: &["Nonlinear run", "liquid leaves the wall", "Moment at the base"],
+        shows: &["Nonlinear run", "liquid separates from the wall", "Moment at the base"],
     },
     Kept {
         command: &["push", "tests/golden/short/cylinder.json", "--imperfection", "class-b"],

@@ -43,9 +43,9 @@ pub(crate) fn check_options(case: &Case, options: &Options) -> Result<(), FeErro
 /// Least depth of the liquid over the height of the wall: nodes of the wall closer than a millionth of its height are one.
 const SHALLOWEST: f64 = 1e-4;
 
-/// Checks that the liquid is deep enough for nodes of its own.
+/// Checks that the liquid is deep enough to be meshed.
 ///
-/// Errors: a film on the bottom.
+/// Errors: a liquid that only covers the bottom.
 pub(crate) fn check_depth(case: &Case) -> Result<(), FeError> {
     let least = SHALLOWEST * case.tank.wall_height();
     if case.liquid.fill_height >= least {

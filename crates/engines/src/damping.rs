@@ -20,7 +20,7 @@ pub enum Damper {
     ByKind {
         /// Sloshing modes.
         sloshing: f64,
-        /// Structural modes, and what else there is.
+        /// Structural modes and all others.
         structural: f64,
     },
     /// By frequency.
@@ -84,7 +84,7 @@ impl Damper {
 
     /// Warnings about negative and over-critical ratios at `modes`; empty for modal damping.
     ///
-    /// Errors: a ratio at or below −1, whose response has no meaning.
+    /// Errors: a ratio at or below −1, for which the response is undefined.
     pub fn review(&self, modes: &[CoupledMode]) -> Result<Vec<String>, FeError> {
         let Damper::Rayleigh(rayleigh) = self else {
             return Ok(Vec::new());

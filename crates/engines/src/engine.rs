@@ -1,4 +1,4 @@
-//! The one shape of an engine: what it refuses of a case, what a run of it takes, the run.
+//! The interface of an engine: refusals, estimate, run.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use tank::options::LinearOptions as Options;
 use tank::options::nonlinear::NonlinearOptions;
 use tank::options::solid::SolidOptions;
 
-/// What an engine is asked for: a case, and the options of all engines, of which it takes its own.
+/// Input of an engine: a case and the options of all engines; each reads its own.
 #[derive(Clone, Copy, Debug)]
 pub struct Task<'a> {
     /// The case, complete and validated.
@@ -25,11 +25,11 @@ pub struct Task<'a> {
     pub solid: &'a SolidOptions,
     /// Options of the nonlinear engine alone.
     pub nonlinear: &'a NonlinearOptions,
-    /// Where a run that takes long is kept while it is under way.
+    /// Checkpoint of a long run.
     pub checkpoint: Option<&'a CheckpointFile>,
 }
 
-/// What an engine gives back.
+/// Output of an engine.
 #[derive(Clone, Debug)]
 pub struct Simulation {
     /// Comparable values, SI.
@@ -38,33 +38,33 @@ pub struct Simulation {
     pub result: Run,
     /// Time histories.
     pub series: Series,
-    /// What the engine assumed, one sentence each.
+    /// Assumptions, one sentence each.
     pub assumptions: Vec<String>,
     /// Warnings, one sentence each.
     pub notes: Vec<String>,
-    /// States of the three-dimensional model at moments, where they were asked for.
+    /// States of the three-dimensional model at given times, if requested.
     pub snapshots: Option<Snapshots>,
 }
 
 /// A finite-element engine.
 pub trait Engine: Sync {
-    /// Which one.
+    /// Its id.
     fn id(&self) -> EngineId;
 
-    /// What it refuses of a case whose input is valid; empty if it can run.
+    /// Refusals of a valid case; empty if the engine can run it.
     fn refuses(&self, task: &Task<'_>) -> Vec<Refusal>;
 
-    /// Whether it has the layers of a wall themselves instead of one material that stands for them.
+    /// Whether it models the layers of a wall, not one equivalent material.
     fn has_layers(&self) -> bool {
         false
     }
 
-    /// Whether a run ends at the user's wish with what it has until then.
+    /// Whether an interrupted run keeps its results so far.
     fn stops(&self) -> bool {
         true
     }
 
-    /// What a run takes.
+    /// Memory and time of a run.
     ///
     /// Errors: options out of range; a response longer than the limits.
     fn estimate(&self, task: &Task<'_>) -> Result<Estimate, FeError>;
@@ -72,6 +72,6 @@ pub trait Engine: Sync {
     /// Time history of a case. Collapse is a result, not an error.
     ///
     /// Errors: no ground motion; something it does not model; options out of range; a model that cannot be built or solved; a
-    /// checkpoint that cannot be written or belongs to another run; interrupted before there is anything to show.
+    /// checkpoint that cannot be written or belongs to another run; interrupted before there are results.
     fn run(&self, task: &Task<'_>, progress: &dyn Progress) -> Result<Simulation, FeError>;
 }

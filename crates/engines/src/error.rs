@@ -42,17 +42,17 @@ pub enum FeError {
         needed_mib: u64,
         /// Limit [MiB].
         allowed_mib: u64,
-        /// What to do, and what fits.
+        /// Remedy, with a size that fits.
         help: String,
     },
     /// A run that takes more steps, samples or time than allowed.
     #[error("{what}; allowed {allowed}\n  help: {help}")]
     TooLong {
-        /// What takes how many.
+        /// The quantity and its number.
         what: String,
         /// The limit.
         allowed: String,
-        /// What to do, and what fits.
+        /// Remedy, with a size that fits.
         help: String,
     },
     /// An analysis failed.
@@ -61,10 +61,10 @@ pub enum FeError {
     /// A checkpoint that cannot be written, read or used.
     #[error("{0}{help}", help = way_out(.0))]
     Checkpoint(#[from] CheckpointError),
-    /// The user stopped the run before it had anything to show.
-    #[error("interrupted during {stage}: nothing is computed yet")]
+    /// The user stopped the run before it had results.
+    #[error("interrupted during {stage}; there are no results yet")]
     Interrupted {
-        /// What was under way.
+        /// Stage of the run.
         stage: String,
     },
     /// The response grows without bound or is not a number.
@@ -77,12 +77,12 @@ pub enum FeError {
     },
 }
 
-/// What to do about a checkpoint that is of no use.
+/// Help for an unusable checkpoint.
 fn way_out(error: &CheckpointError) -> &'static str {
     match error {
         CheckpointError::Unusable { .. } => {
-            "\n  help: leave --resume out to start over, which overwrites it, or name that of the same tank file, record, options \
-             and version"
+            "\n  help: omit --resume to start over and overwrite it, or give the checkpoint of the same tank file, record, \
+             options and version"
         }
         _ => "",
     }

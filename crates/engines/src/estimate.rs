@@ -1,7 +1,7 @@
-//! What a run will take, counted before anything is built, and the limits it is held against.
+//! Memory and time of a run, estimated before anything is built, and their limits.
 //!
 //! Every engine has a function from case and options to an [`Estimate`]: bytes of its matrices, factors and histories,
-//! operations of its solves and steps. [`Estimate::hold`] is the one place that compares them with the limits and says what
+//! operations of its solves and steps. [`Estimate::hold`] is the one place that compares them with the limits and reports what
 //! fits instead. Counts are numbers of type `f64`, which do not overflow on absurd input.
 //!
 //! | limit | value |
@@ -45,14 +45,14 @@ pub const SWEEP_RATE: f64 = 1.4e10;
 /// Bytes a second of products with a sparse matrix there [1/s].
 pub const PRODUCT_RATE: f64 = 5e9;
 
-/// What a run will take.
+/// Memory and time of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
     /// Which run, as `three-dimensional run`.
     pub run: &'static str,
     /// Its size in words: elements, unknowns, steps.
     pub size: String,
-    /// Bytes by what they hold.
+    /// Bytes by purpose.
     pub parts: Vec<(&'static str, f64)>,
     /// Samples of the response; 0 without one.
     pub samples: f64,
@@ -60,16 +60,16 @@ pub struct Estimate {
     pub steps: f64,
     /// Processor time [s] on one core of the reference machine.
     pub seconds: f64,
-    /// What makes the run smaller.
+    /// Ways to make the run smaller.
     pub lever: Lever,
 }
 
-/// What makes a run smaller.
+/// Ways to make a run smaller.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lever {
-    /// Smaller runs by falling size: what to give, with bytes and seconds of the run then.
+    /// Smaller runs in descending size: the option, and bytes and seconds of that run.
     pub smaller: Vec<(String, f64, f64)>,
-    /// What to give where none of these fits.
+    /// Advice if none of these fits.
     pub other: String,
 }
 
@@ -86,7 +86,7 @@ impl Estimate {
 
     /// Holds the run against the limits; `limit` is the memory allowed [MiB].
     ///
-    /// Errors: more memory, samples, steps or time than allowed, with what fits.
+    /// Errors: more memory, samples, steps or time than allowed, with a size that fits.
     pub fn hold(&self, limit: u64) -> Result<(), FeError> {
         check_steps(self.run, self.samples, self.steps)?;
         if self.bytes() > limit as f64 * MIB {
@@ -107,13 +107,13 @@ impl Estimate {
         Ok(())
     }
 
-    /// `factors 900 MiB`: what holds most.
+    /// The largest part, such as `factors 900 MiB`.
     fn largest_part(&self) -> String {
         let largest = self.parts.iter().max_by(|a, b| a.1.total_cmp(&b.1));
         largest.map_or(String::new(), |(what, bytes)| format!("{what} {} MiB", mib(*bytes)))
     }
 
-    /// What fits, else what to do.
+    /// A size that fits, or else advice.
     fn help(&self, limit: u64, other: &str) -> String {
         let fits = |bytes: f64, seconds: f64| bytes <= limit as f64 * MIB && seconds <= LONGEST_RUN;
         match self
@@ -197,7 +197,7 @@ pub struct Response {
 }
 
 impl Response {
-    /// The response of a case, with free vibration where the engine goes on after the record. Without a record there is none.
+    /// The response of a case, with free vibration if the engine continues after the record; `None` without a record.
     ///
     /// Errors: a sloshing period so long that the free vibration passes [`LONGEST_TAIL`].
     pub fn of(case: &Case, free: bool) -> Result<Option<Response>, FeError> {
@@ -325,7 +325,7 @@ impl Fill {
         }
         let mut half = nodes;
         half[longest] = 0.5 * (nodes[longest] - 1.0);
-        // The mean of both halves: the cut is a neighbour of each, what was there stays with one of them.
+        // Mean of both halves: the cut borders on each, and its former neighbours remain in one of them.
         let mut next = neighbours;
         next[longest] = 1.0 + 0.5 * neighbours[longest];
         Fill::front(area(longest) * dofs, around * dofs).with(2.0, Fill::block(half, dofs, next))

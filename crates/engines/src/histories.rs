@@ -1,4 +1,4 @@
-//! The histories of a run: columns of `series.csv`, each a [`Channel`], and what the results say of them.
+//! Histories of a run: columns of `series.csv`, each a [`Channel`], and their entries in the results.
 
 use oscillator::record::Record;
 use tank::case::GroundMotion;
@@ -9,7 +9,7 @@ use results::{Channel, Series, SeriesInfo};
 /// Histories at common times.
 #[derive(Default)]
 pub(crate) struct Histories {
-    /// What the results say of each.
+    /// Entry of each in the results.
     pub info: Vec<SeriesInfo>,
     /// The columns.
     pub series: Series,

@@ -1,8 +1,8 @@
 //! The finite-element engine: `simulate` a case, or find its `modes`.
 //!
 //! The linear engine works harmonic by harmonic: a displacement-potential liquid, condensed to the wall and the free
-//! surface, coupled to a shell of revolution (or a plane wall strip). Everything it reports is a linear functional of
-//! the unknowns, a [`probe::Probe`]; the response analyses know nothing else of the model.
+//! surface, coupled to a shell of revolution (or a plane wall strip). Everything it reports is a linear functional of the
+//! unknowns, a [`probe::Probe`]; the response analyses depend on nothing else of the model.
 
 #![warn(unreachable_pub)]
 

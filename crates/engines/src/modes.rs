@@ -17,7 +17,7 @@ use crate::error::failure;
 use fem::linalg::{dot, generalized_eigen};
 use results::Mode;
 
-/// What holds a mode's potential energy.
+/// Part of the model that stores a mode's potential energy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// Gravity at the free surface.

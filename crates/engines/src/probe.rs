@@ -1,4 +1,4 @@
-//! What is observed: linear functionals of the unknowns.
+//! Observables: linear functionals of the unknowns.
 
 use results::Channel;
 use results::channel::OnWall;
@@ -12,7 +12,7 @@ use results::channel::OnWall;
 /// Vectors have the length of the model's unknowns; an empty vector stands for zeros.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Probe {
-    /// What y is.
+    /// Channel of y.
     pub channel: Channel,
     /// Number of its place on a line over the height; none for a scalar of the tank.
     pub place: Option<usize>,
@@ -20,7 +20,7 @@ pub struct Probe {
     pub displacement: Vec<f64>,
     /// Coefficients a.
     pub absolute_acceleration: Vec<f64>,
-    /// Coefficient b of the ground acceleration: what moves rigidly with the ground and is no unknown, such as the
+    /// Coefficient b of the ground acceleration: parts that move rigidly with the ground and are not unknowns, such as the
     /// clamped edge of the wall, rigid side walls or, with vertical motion, the bottom.
     pub ground_acceleration: f64,
     /// Value in the static state (hydrostatic pressure and self-weight), 0 if it has none.
@@ -30,7 +30,7 @@ pub struct Probe {
 }
 
 impl Probe {
-    /// A probe of `channel` that observes nothing yet.
+    /// An empty probe of `channel`.
     pub fn new(channel: Channel) -> Probe {
         Probe {
             channel,
@@ -64,7 +64,7 @@ pub enum ModeSelection {
 /// Probes along the height that together make an envelope.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProbeLine {
-    /// What is observed.
+    /// Output.
     pub what: OnWall,
     /// Heights [m], ascending.
     pub z: Vec<f64>,

@@ -1,4 +1,4 @@
-//! The engines there are.
+//! Registry of the engines.
 
 use fem::progress::Progress;
 use results::EngineId;
@@ -73,7 +73,7 @@ impl Engine for Solid {
     }
 }
 
-/// Walls that yield and crack, in large rotations.
+/// Walls that yield and crack, with large rotations.
 struct Nonlinear;
 
 impl Engine for Nonlinear {

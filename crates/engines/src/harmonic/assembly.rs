@@ -136,7 +136,7 @@ impl Assembly {
     fn set_rigid_motion(&mut self, case: &Case) {
         let radius = match case.tank.shape {
             Shape::Cylinder { radius } => radius,
-            // The axial force of a strip's walls is no unknown of its antisymmetric half.
+            // The axial force of a strip's walls is not an unknown of its antisymmetric half.
             Shape::Rectangle { .. } => 0.0,
         };
         for (z, index) in self.wall.nodes.iter().zip(&self.node) {

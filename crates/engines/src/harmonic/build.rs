@@ -162,7 +162,7 @@ fn shape_rows(assembly: &Assembly) -> ShapeRows {
     };
     for (&r, column) in assembly.liquid.mesh.r.iter().zip(&assembly.liquid.surface) {
         let index = column.map(|c| assembly.reduction.index(start + c));
-        // The elevation that follows from the balance of volume is no unknown: its radius is left out.
+        // The elevation that follows from the balance of volume is not an unknown: its radius is omitted.
         if index != Some(None) {
             rows.r.push(r);
             rows.surface.push(row(index.flatten()));

@@ -1,4 +1,4 @@
-//! What a run of the harmonic engine takes, from counts of its elements.
+//! Memory and time of a run of the harmonic engine, from its numbers of elements.
 //!
 //! ```text
 //! n = unknowns a wall node × wall nodes + surface nodes        c = 2 × wetted wall nodes + surface nodes
@@ -24,7 +24,7 @@ use tank::options::linear::Integrator;
 const MATRICES: f64 = 8.0;
 /// Lines of observed places over the height of the wall.
 const LINES: f64 = 5.0;
-/// Histories of a run beside gauges and stations, and those a station has.
+/// Histories of a run without gauges and stations, and histories of a station.
 const HISTORIES: f64 = 14.0;
 const PER_STATION: f64 = 3.0;
 /// Times that a history is there: in the response, as a column of the results, as text.
@@ -98,7 +98,7 @@ impl Mesh {
     }
 }
 
-/// What [`crate::simulate`] takes, both meshes; without a record, what the modes of one harmonic take.
+/// Cost of [`crate::simulate`], both meshes; without a record, of the modes of one harmonic.
 ///
 /// Errors: options out of range; a response longer than the limits.
 pub fn estimate(case: &Case, options: &Options) -> Result<Estimate, FeError> {

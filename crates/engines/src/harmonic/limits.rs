@@ -1,9 +1,10 @@
-//! What the linear engine assumes, and where a case leaves the range it is good for.
+//! Assumptions of the linear engine, and cases outside its range of validity.
 
 use std::f64::consts::PI;
 use tank::Case;
 use tank::{Shape, Support};
 
+use crate::modes::Kind;
 use results::Mode;
 
 /// Velocity of sound in the liquid that the test of compressibility assumes (water) [m/s].
@@ -16,7 +17,7 @@ const ACOUSTIC_RATIO: f64 = 0.3;
 /// Thickness over radius above which a thin shell (no shear deformation, one radius) is no longer a good model.
 const THICK: f64 = 0.1;
 
-/// What the model assumes for this case, one sentence each.
+/// Assumptions of the model for this case, one sentence each.
 pub(crate) fn assumptions(case: &Case) -> Vec<String> {
     let mut out = vec![
         "The liquid is inviscid and incompressible, its waves are small (linear potential theory about the state of rest)."
@@ -58,13 +59,13 @@ pub(crate) fn assumptions(case: &Case) -> Vec<String> {
     out
 }
 
-/// Warnings that the modes of a case give rise to, one sentence each.
+/// Warnings that follow from the modes of a case, one sentence each.
 pub fn notes(case: &Case, modes: &[Mode]) -> Vec<String> {
     let mut out = Vec::new();
     let structural = |harmonic: u32| {
         modes
             .iter()
-            .find(move |m| m.harmonic == harmonic && m.kind == "structural")
+            .find(move |m| m.harmonic == harmonic && m.kind == Kind::Structural.id())
     };
     let acoustic = SOUND / (4.0 * case.liquid.fill_height);
     for (harmonic, name) in [(1, "bulging"), (0, "breathing")] {
@@ -79,7 +80,7 @@ pub fn notes(case: &Case, modes: &[Mode]) -> Vec<String> {
             ));
         }
     }
-    if modes.iter().any(|m| m.harmonic >= 2 && m.kind == "structural") {
+    if modes.iter().any(|m| m.harmonic >= 2 && m.kind == Kind::Structural.id()) {
         out.push(
             "structural modes with two or more waves around the circumference are without the stiffening by the \
              hydrostatic hoop tension and come out too low"
@@ -118,8 +119,8 @@ mod tests {
             (1000.0, 19.0),
         );
         let found = modes(&deep, &Options::default(), &[0, 1], 2).unwrap();
-        let said = notes(&deep, &found);
-        assert!(said.iter().any(|n| n.starts_with("compressibility")), "{said:?}");
-        assert!(said.iter().any(|n| n.starts_with("thick wall")), "{said:?}");
+        let notes = notes(&deep, &found);
+        assert!(notes.iter().any(|n| n.starts_with("compressibility")), "{notes:?}");
+        assert!(notes.iter().any(|n| n.starts_with("thick wall")), "{notes:?}");
     }
 }

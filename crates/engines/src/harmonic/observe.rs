@@ -1,4 +1,4 @@
-//! What is observed of one harmonic: probes and lines, each a linear functional of the free unknowns.
+//! Probes and lines of one harmonic, each a linear functional of the free unknowns.
 //!
 //! Signs: tension positive; liquid pressure positive in compression; reactions are positive as inertia forces of a
 //! positive acceleration (base shear = ιᵀ M ẍ_total). Values at θ = 0.
@@ -22,7 +22,7 @@ pub(super) struct Observer<'a> {
     pub(super) case: &'a Case,
     /// ι on the free unknowns.
     pub(super) influence: &'a [f64],
-    /// Mass and first moment of what moves with the ground and is not meshed (side walls of a rectangle).
+    /// Mass and first moment of the parts that move with the ground and are not meshed (side walls of a rectangle).
     pub(super) rigid: (f64, f64),
 }
 
@@ -92,7 +92,7 @@ impl Observer<'_> {
         lines
     }
 
-    /// A plane wall has no hoop stress.
+    /// Plane walls have no hoop stress.
     fn exists(&self, output: Output) -> bool {
         output != Output::HoopStress || self.assembly.wall.curvature > 0.0
     }
@@ -154,7 +154,7 @@ impl Observer<'_> {
             static_value,
             ..probe
         };
-        // The wall's own weight matters beside its axial stress under vertical motion only (m = 0).
+        // The wall's own weight affects its axial stress under vertical motion only (m = 0).
         if assembly.harmonic == 0 && output == Output::AxialStress {
             let rigid = dot(&inertia, &assembly.translation);
             return self.acceleration_probe(probe, &inertia, rigid);

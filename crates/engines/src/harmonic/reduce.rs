@@ -12,7 +12,7 @@ pub(super) struct Reduction {
 }
 
 impl Reduction {
-    /// Keeps what is not held. With `flux` q, the unknown `e` with the largest |q| among `candidates` follows from
+    /// Keeps the unknowns that are not held. With `flux` q, the unknown `e` with the largest |q| among `candidates` follows from
     /// qᵀ x = 0.
     pub(super) fn new(held: &[bool], flux: Option<(&[f64], std::ops::Range<usize>)>) -> Reduction {
         let eliminated = flux.map(|(q, candidates)| {

@@ -44,7 +44,7 @@ pub(super) type LocalRow = [f64; LOCAL];
 /// Symmetric matrix of one element.
 pub(super) type LocalMatrix = [[f64; LOCAL]; LOCAL];
 
-/// What can be observed at a height.
+/// Outputs at a height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Output {
     /// Outward displacement w [m].
@@ -343,7 +343,7 @@ mod tests {
         let ovalling = energy(&wall, |_| [0.0, 0.0, 1.0, 0.0]);
         let translation = energy(&wall, |_| [0.0, -1.0, 1.0, 0.0]);
         let rotation = energy(&wall, |z| [-radius, -z, z, 1.0]);
-        // Entries of K are up to 10⁴ times what this field feels, and rounding is of the entries.
+        // Entries of K are up to 10⁴ times the forces of this field, and rounding is relative to the entries.
         assert!(translation.abs() < 1e-10 * ovalling, "{translation:e} {ovalling:e}");
         assert!(rotation.abs() < 1e-10 * ovalling, "{rotation:e} {ovalling:e}");
     }

@@ -30,7 +30,7 @@ pub fn wall_nodes(tank: &Tank, fill_height: f64, refine: f64) -> (Vec<f64>, Vec<
     }
     *joints.last_mut().expect("the base is always there") = height;
 
-    // Breakpoints closer than this are one: a node there would only make a needle of an element.
+    // Breakpoints closer than this are merged; otherwise elements between them become slivers.
     let merge = 1e-6 * height;
     let mut cuts = joints.clone();
     for extra in [fill_height.min(height), layer] {

@@ -21,7 +21,7 @@ use tank::options::linear::Integrator;
 /// Extremes along a line at θ = 0 and at θ = 180°.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LineExtremes {
-    /// What is observed.
+    /// Output.
     pub what: OnWall,
     /// At θ = 0, from the base up.
     pub front: Vec<Extreme>,
@@ -88,7 +88,7 @@ impl Analysis<'_> {
         Some(rises[0]?.max(rises[1]?))
     }
 
-    /// Comparable values. `round` tells a cylinder, whose walls have hoop and axial stress.
+    /// Comparable values. `round`: whether the tank is a cylinder, whose walls have hoop and axial stress.
     pub(crate) fn values(&self, model: &Model, round: bool) -> BTreeMap<Quantity, f64> {
         let mut values = BTreeMap::new();
         let mut put = |quantity, value: Option<f64>| {
@@ -247,7 +247,7 @@ fn collect(model: &Model, found: &Observed, both_sides: bool) -> Vec<LineExtreme
     lines
 }
 
-/// Largest relative difference of the peaks of two runs, and whose it is. Scalars that are rounding errors beside others
+/// Largest relative difference of the peaks of two runs, with its title. Scalars that are rounding errors compared with others
 /// of their dimension (the axial stress of a plane wall under horizontal motion) do not count.
 pub(crate) fn largest_difference(scalars: &[Scalar], modal: &[History], direct: &[History]) -> Option<(f64, String)> {
     let peak = |h: &History| h.extreme.peak().0;

@@ -15,11 +15,14 @@ use tank::options::LinearOptions as Options;
 use tank::options::linear::{DampingModel, Integrator};
 
 /// Time integration, damping and number of modes, in words.
+///
+/// * `reduced`: whether the model is a reduction of a larger one
 pub(crate) fn integration(
     model: &Model,
     options: &Options,
     analysis: &Analysis,
     motion: &GroundMotion,
+    reduced: bool,
 ) -> Vec<Labelled> {
     let label = |label: &str, text: String| Labelled {
         label: label.into(),
@@ -30,6 +33,10 @@ pub(crate) fn integration(
         "method",
         match options.integrator {
             Integrator::Modal => "modal superposition, exact for ground motion linear between samples".into(),
+            // With a vertical record the reduction itself is integrated.
+            Integrator::Newmark if reduced && motion.vertical.is_some() => {
+                "direct integration of the reduced coordinates, Newmark's average acceleration".into()
+            }
             Integrator::Newmark => "direct integration of all unknowns, Newmark's average acceleration".into(),
         },
     )];
@@ -123,7 +130,7 @@ pub(crate) fn mass_balance(model: &Model) -> Vec<Balance> {
         .collect()
 }
 
-/// What the engine assumes.
+/// Assumptions of the engine.
 pub(crate) fn assumptions(case: &Case, options: &Options) -> Vec<String> {
     let mut list = harmonic::assumptions(case);
     list.push(format!(

@@ -1,4 +1,4 @@
-//! Limits of validity of the linear engine: what was tested and what was found.
+//! Limits of validity of the linear engine, tested on a run.
 
 use tank::Case;
 use tank::units::{Dimension, display};
@@ -78,7 +78,7 @@ fn suction(case: &Case, model: &Model, analysis: &Analysis) -> Option<Limit> {
     let fall = |(front, back): (Extreme, Extreme)| -front.min.min(back.min);
     let trough = case.liquid.fill_height - analysis.sides(Channel::Wave(Side::Front)).map_or(0.0, fall);
     let mut worst: Option<(f64, f64, f64, &str)> = None;
-    // The base is tested even where linear waves would lay it dry.
+    // The base is tested even if linear waves fall below it.
     for (i, &z) in line.z.iter().enumerate().filter(|(i, z)| *i == 0 || **z < trough) {
         for (side, extreme) in [("0°", &extremes.front[i]), ("180°", &extremes.back[i])] {
             let total = line.probes[i].static_value + extreme.min;
@@ -149,7 +149,7 @@ fn uplift(case: &Case, model: &Model, analysis: &Analysis) -> Option<Limit> {
             (false, None, _) => format!(
                 "The wall pulls {place}; the linear engine holds it down. Give the capacity of the anchors to have it checked."
             ),
-            (false, Some(_), _) => format!("The anchors are overstressed {place}: the wall would lift off."),
+            (false, Some(_), _) => format!("The anchors are overstressed {place}: the wall lifts off."),
         },
     })
 }

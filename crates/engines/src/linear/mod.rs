@@ -36,7 +36,7 @@ pub fn simulate(case: &Case, options: &Options) -> Result<Simulation, FeError> {
     simulate_watched(case, options, &Silent)
 }
 
-/// [`simulate`] with its steps counted; a wish to stop is not heard.
+/// [`simulate`] with progress; it cannot be interrupted.
 ///
 /// Errors: as [`simulate`].
 pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress) -> Result<Simulation, FeError> {
@@ -44,7 +44,7 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
     let vertical = motion.vertical.is_some();
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     progress.stage("wall, liquid and modes", 1);
-    // The two meshes share nothing: they are worked out side by side.
+    // The two meshes share nothing and are computed in parallel.
     let (fine, coarse) = std::thread::scope(|scope| {
         let coarse = coarse_options(options).map(|coarse| {
             scope.spawn(move || -> Result<BTreeMap<Quantity, f64>, FeError> {
@@ -74,7 +74,7 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
 
 /// The ground motion of a case.
 ///
-/// Errors: none given; a record that is none.
+/// Errors: no ground motion; an invalid record.
 pub(crate) fn checked_motion(case: &Case) -> Result<&GroundMotion, FeError> {
     let motion = case.ground_motion.as_ref().ok_or(FeError::NoRecord)?;
     check_record("horizontal record", &motion.horizontal)?;
@@ -152,7 +152,7 @@ pub(crate) trait Direct {
     ) -> Result<Option<f64>, FeError>;
 }
 
-/// What an engine brings to a run on the wanted mesh.
+/// Model of an engine for a run on the requested mesh.
 pub(crate) struct Linear<'a> {
     /// Which engine.
     pub engine: EngineId,
@@ -162,7 +162,7 @@ pub(crate) struct Linear<'a> {
     pub direct: Option<&'a dyn Direct>,
 }
 
-/// The run on the wanted mesh with everything that is reported of it.
+/// The run on the requested mesh, with everything that is reported.
 pub(crate) fn complete(
     case: &Case,
     options: &Options,
@@ -170,7 +170,7 @@ pub(crate) fn complete(
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
     let motion = checked_motion(case)?;
-    // What the damping does is looked at before anything is integrated with it.
+    // The damping is reviewed before it is used.
     let notes = review(linear.model)?;
     let newmark = options.integrator == Integrator::Newmark && motion.vertical.is_none();
     let Some(direct) = linear.direct.filter(|_| newmark) else {
@@ -189,7 +189,7 @@ pub(crate) fn complete(
         simulation.result.incomplete = true;
         simulation.notes.push(format!(
             "The direct integration was interrupted at t = {time:.2} s: extremes are those until then, histories end there, and \
-             ratios to them mean nothing."
+             ratios to them are meaningless."
         ));
     }
     Ok(simulation)
@@ -197,7 +197,7 @@ pub(crate) fn complete(
 
 /// Warnings about the damping.
 ///
-/// Errors: a ratio that has no meaning.
+/// Errors: an inadmissible ratio.
 fn review(model: &Model) -> Result<Vec<String>, FeError> {
     let mut notes = Vec::new();
     for harmonic in model.systems() {
@@ -218,7 +218,9 @@ fn report(
     let model = linear.model;
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     if case.tank.support == Support::Unanchored {
-        notes.push("The tank is unanchored; the linear engine holds the wall down and does not let it uplift.".into());
+        notes.push(
+            "The tank is unanchored; the linear engine clamps the wall to the ground and does not model uplift.".into(),
+        );
     }
     if let Shape::Rectangle { strip: false, .. } = case.tank.shape {
         notes.push(
@@ -238,7 +240,7 @@ fn report(
     let result = Run {
         mesh: coupled.mesh.clone(),
         modes: modes(case, model),
-        integration: describe::integration(model, options, &analysis, motion),
+        integration: describe::integration(model, options, &analysis, motion, linear.direct.is_some()),
         damping_table: model
             .systems()
             .flat_map(|h| {

@@ -1,4 +1,4 @@
-//! The coupled systems of a case with their modes, and what is observed of them.
+//! The coupled systems of a case with their modes and observables.
 
 use tank::Case;
 use tank::case::GroundMotion;
@@ -19,7 +19,7 @@ use tank::options::linear::Integrator;
 /// Sub-steps in the period of the highest significant mode, for extremes between samples (the response itself is exact).
 const SUB_STEPS_PER_PERIOD: f64 = 20.0;
 /// Most sub-steps in a step Δt of the record, modal. A mode of period T < Δt/2 follows the record statically but for the
-/// ringing after each kink, about T/(2π Δt) of it: what so few samples miss of the ringing is below 0.5 % of the whole.
+/// ringing after each kink, about T/(2π Δt) of it: so few samples miss less of the ringing than 0.5 % of the whole.
 const MOST_MODAL: f64 = 40.0;
 /// The same for direct integration, which must resolve the mode itself.
 const MOST_DIRECT: f64 = 400.0;
@@ -143,11 +143,11 @@ fn superpose<'a>(horizontal: &'a Probe, vertical: Option<&'a Probe>, opposite: b
 /// A scalar that gets a history.
 #[derive(Clone, Debug)]
 pub(crate) struct Scalar<'a> {
-    /// What it is.
+    /// Channel.
     pub channel: Channel,
     /// Value in the static state.
     pub static_value: f64,
-    /// What is observed.
+    /// Output.
     pub observable: Observable<'a>,
 }
 
@@ -163,7 +163,7 @@ impl Model {
         let mut scalars = Vec::new();
         for probe in &coupled.probes {
             scalars.push(scalar(probe, probe.channel, self.observable(probe, false)));
-            // The wave at θ = 180° has a history of its own.
+            // The wave at θ = 180° has a separate history.
             if let Channel::Wave(Side::Front) = probe.channel {
                 let opposite = self.observable(probe, true);
                 scalars.push(scalar(probe, Channel::Wave(Side::Back), opposite));

@@ -6,8 +6,7 @@ use fem::analysis::checkpoint::unfinished;
 use fem::analysis::march::Checkpoint;
 use results::channel::Side;
 
-/// Where a run keeps what it needs to be resumed. A strip keeps its second wall in a file of its own, `path` with `.theta_180`
-/// appended.
+/// Checkpoint of a run. A strip writes its second wall to a separate file, `path` with `.theta_180` appended.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CheckpointFile {
     /// File.

@@ -13,7 +13,7 @@ use crate::checks::check_depth;
 use results::{Fact, IdaRun};
 use tank::options::nonlinear::NonlinearOptions;
 
-/// A tank ready to be shaken at rising scales.
+/// A tank with its record, to be run at rising scales.
 pub struct Incremental<'a>(Kind<'a>);
 
 enum Kind<'a> {
@@ -24,7 +24,7 @@ enum Kind<'a> {
 impl<'a> Incremental<'a> {
     /// The tank of a case with its record.
     ///
-    /// Errors: no record; a tank, a wall, a law or an option that the engine does not know; parameters out of range.
+    /// Errors: no record; an unsupported tank, wall, law or option; parameters out of range.
     pub fn new(
         case: &'a Case,
         options: &'a NonlinearOptions,
@@ -50,7 +50,7 @@ impl<'a> Incremental<'a> {
         }
     }
 
-    /// What is assumed, one sentence each.
+    /// Assumptions, one sentence each.
     pub fn assumptions(&self) -> Vec<String> {
         let (mut out, whole) = match &self.0 {
             Kind::Strip(strip) => (strip.assumptions.clone(), "Each number is that of the worse wall."),
@@ -61,7 +61,7 @@ impl<'a> Incremental<'a> {
         };
         out.push(whole.to_owned());
         out.push(format!(
-            "A curve of one record says nothing of a capacity: that needs at least {} records.",
+            "One record is not enough to estimate a capacity; that needs at least {} records.",
             fem::analysis::ida::RECORDS_FOR_CAPACITY
         ));
         out
@@ -75,11 +75,12 @@ impl<'a> Incremental<'a> {
         }
     }
 
-    /// The tank at every scale on `threads` threads, by ascending scale; `each` gets every run as it is finished.
+    /// The tank at every scale on `threads` threads, by ascending scale; `each` receives every finished run.
     ///
-    /// * `checkpoint`: where the run of a scale keeps what it needs to be resumed; left to the caller to remove
+    /// * `checkpoint`: checkpoint of the run of a scale; the caller removes it
     ///
-    /// Errors: a failure of the analysis; a checkpoint that cannot be written or is of another run. Collapse is none.
+    /// Errors: a failure of the analysis; a checkpoint that cannot be written or belongs to another run. Collapse is a result,
+    /// not an error.
     pub fn run(
         &self,
         scales: &[f64],

@@ -17,7 +17,7 @@ use tank::options::nonlinear::ThicknessRule;
 /// Crushing energy over fracture energy (theory of the laws of concrete).
 pub(super) const CRUSHING: f64 = 250.0;
 
-/// Refuses what the engine does not model.
+/// An error for something that the engine does not model.
 pub(super) fn unsupported<T>(what: impl Into<String>) -> Result<T, FeError> {
     Err(FeError::Unsupported(what.into()))
 }
@@ -72,7 +72,7 @@ pub(super) fn uniaxial_concrete(
         },
         ConcreteLaw::PlasticFracturing => {
             return unsupported(
-                "plastic-fracturing concrete is a law of shells: choose `cracked` or `uniaxial` for a strip",
+                "plastic-fracturing concrete is for shells only: choose `cracked` or `uniaxial` for a strip",
             );
         }
     };

@@ -25,7 +25,7 @@ pub use tank::options::nonlinear::{
     Contact, Damping, Integration, MassProportionalAt, NonlinearOptions, ThicknessRule, WallElements,
 };
 
-/// What [`simulate`] takes, from case and options alone.
+/// Memory and time of [`simulate`], from case and options alone.
 ///
 /// Errors: no record; a response longer than the limits.
 pub fn estimate(case: &Case, options: &NonlinearOptions) -> Result<Estimate, FeError> {
@@ -36,7 +36,7 @@ pub fn estimate(case: &Case, options: &NonlinearOptions) -> Result<Estimate, FeE
     }
 }
 
-/// What `runs` runs of an [`Incremental`] analysis take, `jobs` at a time.
+/// Memory and time of `runs` runs of an [`Incremental`] analysis, `jobs` in parallel.
 ///
 /// Errors: as [`estimate`].
 pub fn estimate_incremental(
@@ -54,8 +54,8 @@ pub fn estimate_incremental(
 
 /// Time history of a case by the nonlinear engine. Collapse is a result, not an error.
 ///
-/// Errors: no record; a tank, a wall, a law or an option that the engine does not know; parameters out of range; a checkpoint
-/// that cannot be written or is of another analysis; interrupted before there is anything to show.
+/// Errors: no record; an unsupported tank, wall, law or option; parameters out of range; a checkpoint that cannot be written or
+/// belongs to another analysis; interrupted before there are results.
 pub fn simulate(
     case: &Case,
     options: &NonlinearOptions,

@@ -1,6 +1,6 @@
-//! What the engine does not model, told of the input before a run: the place, what is there, what may be there.
+//! Refusals of the nonlinear engine before a run: place in the input, value found, values allowed.
 //!
-//! The engine builds its sections with the same functions; what they refuse here they would refuse there.
+//! The engine builds its sections with the same functions, so that both refuse the same input.
 
 use std::f64::consts::TAU;
 
@@ -18,10 +18,10 @@ use super::strip::section as fibres;
 use crate::FeError;
 use tank::options::nonlinear::{NonlinearOptions, WallElements};
 
-/// Size at which only a law itself can be at fault [m].
+/// Size so small that only parameters of a law can be at fault [m].
 const TINY: f64 = 1e-3;
 
-/// What is asked of the engine.
+/// The analysis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Purpose {
     /// Runs through a record.
@@ -30,7 +30,7 @@ pub(crate) enum Purpose {
     Pushover,
 }
 
-/// What the engine itself says against something.
+/// An error of the engine as a refusal.
 fn refusal(place: Place, error: FeError) -> Refusal {
     match error {
         FeError::Option { option, found, allowed } => {
@@ -71,25 +71,25 @@ pub(crate) fn refusals(case: &Case, options: &NonlinearOptions, purpose: Purpose
             .help("a tank much broader than long is a strip: \"strip\": true in place of its breadth"),
         ),
     }
-    // One thing is said once, however many courses have it.
-    let mut told: Vec<Refusal> = Vec::new();
+    // Each refusal is listed once, however many courses share it.
+    let mut listed: Vec<Refusal> = Vec::new();
     for refusal in all {
-        if !told
+        if !listed
             .iter()
             .any(|r| r.place == refusal.place && r.message == refusal.message)
         {
-            told.push(refusal);
+            listed.push(refusal);
         }
     }
-    told
+    listed
 }
 
 fn strip_walls(case: &Case, options: &NonlinearOptions, all: &mut Vec<Refusal>) {
     if case.tank.roof.mass > 0.0 {
         all.push(Refusal::new(
             Place::Roof,
-            "the nonlinear strip knows no roof",
-            "no mass: leave the roof out",
+            "the strip engine does not support a roof mass",
+            "no roof mass; remove `roof`",
         ));
     }
     let levels = |n: u32| fibres::levels(case, n);
@@ -110,7 +110,7 @@ fn strip_walls(case: &Case, options: &NonlinearOptions, all: &mut Vec<Refusal>) 
         };
         let before = all.len();
         for (layer, concrete) in concretes(main) {
-            // Across the strip the strain is held.
+            // Plane strain across the strip.
             let nu = layer.material.poisson_ratio;
             let young = layer.material.youngs_modulus / (1.0 - nu * nu);
             let law = |size: f64| uniaxial_concrete(&concrete, young, layer, size).map(|_| ());
@@ -163,7 +163,7 @@ fn cylinder(case: &Case, options: &NonlinearOptions, radius: f64, sized: bool, a
             let (young, nu) = (layer.material.youngs_modulus, layer.material.poisson_ratio);
             let law = |size: f64| shells::plane_concrete(&concrete, young, nu, layer, [size, size]).map(|_| ());
             let softens = match concrete.law {
-                // It knows no tension of its own.
+                // It has no parameters of tension.
                 ConcreteLaw::PlasticFracturing => f64::INFINITY,
                 _ => concrete.largest_element(young),
             };
@@ -213,7 +213,7 @@ fn one_shell(case: &Case, all: &mut Vec<Refusal>) {
             all.push(
                 Refusal::new(
                     Place::Course(index),
-                    "a pushover knows walls of one shell, not of two with an interlayer",
+                    "a pushover supports walls of one shell, not of two with an interlayer",
                     "layers without an interlayer",
                 )
                 .found(in_words(course)),
@@ -257,11 +257,11 @@ fn interlayer_in_words(layer: &Layer) -> String {
 struct Rows<'a> {
     /// The tank.
     case: &'a Case,
-    /// What the user wants.
+    /// Elements given by the user.
     given: Option<WallElements>,
-    /// What the engine takes if he wants nothing.
+    /// Default number of rows.
     chosen: u32,
-    /// Heights of the nodes with so many elements.
+    /// Heights of the nodes for a number of elements.
     levels: &'a dyn Fn(u32) -> Vec<f64>,
 }
 
@@ -270,7 +270,7 @@ impl Rows<'_> {
         self.given.map_or(self.chosen, |e| e.height)
     }
 
-    /// Longest element of a course with so many [m].
+    /// Longest element of a course for a number of elements [m].
     fn longest(&self, course: usize, n: u32) -> f64 {
         let courses = &self.case.tank.courses;
         let base: f64 = courses[..course].iter().map(|c| c.height).sum();
@@ -280,9 +280,9 @@ impl Rows<'_> {
         inside.map(|z| z[1] - z[0]).fold(0.0, f64::max)
     }
 
-    /// Least number of which none in a course is longer than this [m], if it is allowed.
+    /// Least number with which no element of a course is longer than this [m], if within the limit.
     fn needed(&self, course: usize, largest: f64) -> Option<u32> {
-        // Begun below the number of equal elements: the marks of a wall may leave a course elements shorter than the others.
+        // Starts below the number of equal elements: marks may give a course shorter elements than the others.
         let least = (0.5 * self.case.tank.wall_height() / largest).clamp(1.0, f64::from(MOST_ROWS) + 1.0);
         (least as u32..=MOST_ROWS).find(|&n| self.longest(course, n) <= largest)
     }
@@ -299,7 +299,7 @@ struct Around {
     half: bool,
 }
 
-/// What a law of concrete has against itself, or against the size of the elements.
+/// Refusals of a law of concrete: parameters out of range, or elements that are too large.
 ///
 /// * `course`: which it is in
 /// * `softens`: largest element whose cracks do not snap back [m]
@@ -333,7 +333,7 @@ fn check(
         let needed = match (&place, around) {
             (Place::Sectors, Some(around)) => {
                 let n = (around.perimeter / largest).ceil();
-                // Half a tank has an even number.
+                // Half a tank needs an even number.
                 let even = |n: u32| if around.half { n.next_multiple_of(2) } else { n };
                 (n <= f64::from(most)).then_some(even(n as u32))
             }
@@ -343,11 +343,11 @@ fn check(
         let cracks = concrete.band(size) > softens;
         let message = match cracks {
             true => format!(
-                "the softening of `{name}` is too steep for elements of {}: a crack would snap back",
+                "the softening of `{name}` is too steep for elements of {}: cracks snap back",
                 length(size)
             ),
             false => format!(
-                "the crushing of `{name}` is too brittle for elements of {}: it would snap back",
+                "the crushing of `{name}` is too brittle for elements of {}: it snaps back",
                 length(size)
             ),
         };
@@ -355,7 +355,7 @@ fn check(
         let bound = format!("elements of at most {}{formula}", length(largest));
         let allowed = match needed {
             Some(n) => format!("{bound}: {n} or more"),
-            None if rows.given.is_some() => format!("{bound}, which takes more than the {most} that are possible"),
+            None if rows.given.is_some() => format!("{bound}, which needs more than the limit of {most}"),
             None => bound,
         };
         let spacing = format!("a crack_spacing of at most {}", length(largest));
@@ -377,14 +377,14 @@ fn check(
             },
             (None, false, true) => "the law `cracked`, which does not soften in compression".to_owned(),
             (_, _, false) => {
-                let own = "the engine chose them: give analysis.nonlinear.elements";
+                let own = "the engine chose them: set analysis.nonlinear.elements";
                 match cracks {
                     true => format!("{own}, or {spacing}"),
                     false => own.to_owned(),
                 }
             }
         };
-        // Elements that the user did not ask for are not to blame: what does not suit them is.
+        // Default elements are not at fault: the material that does not suit them is.
         let place = match rows.given {
             Some(_) => place,
             None => Place::Concrete(name.clone()),
@@ -411,7 +411,7 @@ fn against_law(layer: &Layer, concrete: &Concrete, error: FeError) -> Refusal {
 /// Largest size up to `refused` that the law takes [m]; it takes [`TINY`].
 fn largest(law: &dyn Fn(f64) -> Result<(), FeError>, refused: f64) -> f64 {
     let (mut low, mut high) = (TINY, refused);
-    // To the last digit that is shown, with some to spare.
+    // More digits than are shown.
     while high - low > 1e-6 * low {
         let middle = 0.5 * (low + high);
         match law(middle) {
@@ -422,9 +422,9 @@ fn largest(law: &dyn Fn(f64) -> Result<(), FeError>, refused: f64) -> f64 {
     low
 }
 
-/// To three digits, downwards: what is shown is allowed.
+/// Rounded down to three digits, so that the number shown is allowed.
 fn rounded_down(size: f64) -> f64 {
     let digit = 10f64.powf(size.log10().floor() - 2.0);
-    // A size that is such a number up to rounding stays it.
+    // A size that is such a number up to rounding is kept.
     (size / digit + 1e-4).floor() * digit
 }

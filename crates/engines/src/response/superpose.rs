@@ -1,7 +1,7 @@
 //! Modal superposition of coupled systems by [`fem::analysis::modal`]: which modes are kept, and probes as observables.
 //!
-//! The systems (m = 1 under the horizontal record, m = 0 under the vertical one) share nothing but the observed quantities: they
-//! make one basis of diagonal blocks, each with a component of the ground motion of its own.
+//! The systems (m = 1 under the horizontal record, m = 0 under the vertical one) share only the observed quantities: they form
+//! one basis of diagonal blocks, each with its own component of the ground motion.
 
 use fem::analysis::modal::ModalBasis;
 use fem::analysis::observable::Observable as Functional;
@@ -142,7 +142,7 @@ fn basis(systems: &[ModalSystem], offsets: &[usize]) -> Result<ModalBasis, Analy
     ModalBasis::from_parts(&omega, &vectors, participation, influence, statics)
 }
 
-/// Counts the steps of a stage that several analyses share; a wish to stop is not heard.
+/// Counts the steps of a stage that several analyses share; it cannot be interrupted.
 struct Steps<'a>(&'a dyn Progress);
 
 impl Progress for Steps<'_> {

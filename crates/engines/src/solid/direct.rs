@@ -9,7 +9,7 @@
 //! only: with a vertical record the reduced coordinates are integrated.
 
 use fem::analysis::damping::{Damping, ModalPart, Rayleigh};
-use fem::analysis::motion::{Grid, Motion};
+use fem::analysis::motion::Motion;
 use fem::analysis::observable::Observable;
 use fem::analysis::system::System as LinearSystem;
 use fem::analysis::transient::{Load, Settings, integrate};
@@ -24,7 +24,7 @@ use super::rows::{Row, sparse_dot};
 use super::system::System;
 use crate::FeError;
 use crate::damping::Damper;
-use crate::error::failure;
+use crate::error::{failed, failure};
 use crate::linear::Direct;
 use crate::linear::analysis::{Analysis, LineExtremes, largest_difference, mirrored};
 use crate::linear::model::Model;
@@ -34,7 +34,7 @@ use crate::response::observe::{Extreme, History};
 use results::EnergyBalance;
 use tank::options::linear::Integrator;
 
-/// What the integration works on.
+/// Input of the integration.
 pub(super) struct OwnUnknowns<'a> {
     /// The tank.
     pub tank: &'a TankModel,
@@ -42,13 +42,8 @@ pub(super) struct OwnUnknowns<'a> {
     pub system: &'a System,
     /// The reduced model, whose modes give damping and wave heights.
     pub model: &'a Model,
-    /// What leads from its horizontal coordinates back to the tank.
+    /// Map from its horizontal coordinates to the unknowns of the tank.
     pub space: &'a Space,
-}
-
-/// An error of the analysis as one of the engine.
-fn analysis_error(error: impl std::fmt::Display) -> FeError {
-    FeError::Analysis(error.to_string())
 }
 
 impl OwnUnknowns<'_> {
@@ -131,14 +126,9 @@ impl Direct for OwnUnknowns<'_> {
         progress: &dyn Progress,
     ) -> Result<Option<f64>, FeError> {
         let grid = self.model.grid(motion, Integrator::Newmark)?;
-        let own = Grid {
-            dt: grid.dt,
-            sub_steps: grid.sub_steps,
-            samples: grid.samples,
-        };
         let (rigid, load) = rigid_motion(self.tank, self.system, 1)?;
         let mut system = LinearSystem::new(&self.tank.model, &self.tank.assembler)
-            .map_err(analysis_error)?
+            .map_err(failed)?
             .with_damping(self.damping());
         (system.influence[0], system.inertia[0]) = (rigid, load);
         let pattern = self.tank.assembler.pattern();
@@ -146,16 +136,16 @@ impl Direct for OwnUnknowns<'_> {
             .map_err(failure("the symbolic factor of a step"))?
             .into();
         let record = &motion.horizontal;
-        let loads = [Load::ground(0, Motion::sampled(record.dt, &record.acceleration, &own))];
+        let loads = [Load::ground(0, Motion::sampled(record.dt, &record.acceleration, &grid))];
         let settings = Settings {
             kind: if self.space.potentials.contains(&true) {
                 FactorKind::QuasiDefinite
             } else {
                 FactorKind::Definite
             },
-            ..Settings::new(own)
+            ..Settings::new(grid)
         };
-        // θ = 180° has a scalar of its own, with the other sign.
+        // θ = 180° has a separate scalar, with the opposite sign.
         let scalars: Vec<Observable> = analysis
             .scalars
             .iter()
@@ -171,31 +161,24 @@ impl Direct for OwnUnknowns<'_> {
             .flat_map(|line| &line.probes)
             .map(|probe| self.observable(probe).unwrap_or_default())
             .collect();
-        progress.stage("direct integration of all unknowns", own.steps() as u64);
+        progress.stage("direct integration of all unknowns", grid.steps() as u64);
         let transient = integrate(&system, &symbolic, &loads, &settings, &scalars, &others, progress)
-            .map_err(analysis_error)?
+            .map_err(failed)?
             .pop()
-            .ok_or_else(|| analysis_error("no record was integrated"))?;
+            .ok_or_else(|| failed("no record was integrated"))?;
 
-        let extreme = |e: &fem::analysis::observer::Extreme| Extreme {
-            min: e.min,
-            min_time: e.min_time,
-            max: e.max,
-            max_time: e.max_time,
-        };
         let before: Vec<History> = analysis.scalars.iter().map(|(_, h)| h.clone()).collect();
         for ((scalar, history), found) in analysis.scalars.iter_mut().zip(&transient.observed.scalars) {
             let sign = scalar.observable.first().map_or(1.0, |t| t.1);
-            let found_extreme = extreme(&found.extreme);
             *history = History {
                 values: found.values.iter().map(|v| sign * v).collect(),
                 extreme: if sign < 0.0 {
-                    mirrored(&found_extreme)
+                    mirrored(&found.extreme)
                 } else {
-                    found_extreme
+                    found.extreme
                 },
             };
-            // What an interrupted run did not reach is unknown.
+            // Samples that an interrupted run did not reach are unknown.
             history.values.resize(grid.samples, f64::NAN);
         }
         let after: Vec<History> = analysis.scalars.iter().map(|(_, h)| h.clone()).collect();
@@ -205,7 +188,7 @@ impl Direct for OwnUnknowns<'_> {
         } else {
             None
         };
-        let mut rest = transient.observed.extremes.iter().map(extreme);
+        let mut rest = transient.observed.extremes.iter().copied();
         analysis.lines = lines
             .iter()
             .map(|line| {

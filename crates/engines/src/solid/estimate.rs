@@ -1,4 +1,4 @@
-//! What a run of the three-dimensional engine takes, from the numbers of its division.
+//! Memory and time of a run of the three-dimensional engine, from its mesh division.
 //!
 //! ```text
 //! wall       5 unknowns a node of a closed surface                    factor: nested dissection of a surface
@@ -37,7 +37,7 @@ const CELL_TIME: f64 = 3.5e-5;
 const DIRECT: (f64, f64) = (100.0, 400.0);
 /// States and outputs of one step of a modal response [s].
 const MODAL_STEP: f64 = 1e-6;
-/// Histories of a run with their copies, beside those of the reduced coordinates and their accelerations.
+/// Histories of a run with their copies, without those of the reduced coordinates and their accelerations.
 const HISTORIES: f64 = 60.0;
 /// Time of a number of a state for ParaView, written as text [s].
 const STATE_TIME: f64 = 3e-7;
@@ -48,9 +48,9 @@ const SOLVES: f64 = VECTORS as f64 + 96.0;
 /// Times that a vector meets those before it.
 const ORTHOGONAL: f64 = 2.0;
 
-/// What [`super::simulate`] takes, or, without a record, what [`super::modes`] takes.
+/// Memory and time of [`super::simulate`], or, without a record, of [`super::modes`].
 ///
-/// Errors: options out of range; a mesh that is none; a response longer than the limits.
+/// Errors: options out of range; an invalid mesh; a response longer than the limits.
 pub fn estimate(case: &Case, options: &Options, solid: &SolidOptions) -> Result<Estimate, FeError> {
     crate::checks::check_options(case, options)?;
     let response = Response::of(case, true)?;
@@ -152,7 +152,7 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
         };
         steps = samples * in_sample((25.0, 40.0));
         seconds += 3.0 * directions * steps * MODAL_STEP;
-        // A mesh of elements twice as long beside it.
+        // And a second mesh with elements twice as long.
         if solid.mesh.is_none() && options.mesh_error {
             seconds *= 1.2;
         }

@@ -26,7 +26,7 @@ const RAYS: usize = 48;
 /// Digits kept: pictures need no more.
 const DIGITS: usize = 6;
 
-/// What is drawn of a tank.
+/// Parts of a tank that are drawn.
 struct Drawing {
     /// Nodes of the model, wall level by level, then the surface from its middle.
     nodes: Vec<usize>,

@@ -5,7 +5,7 @@ use crate::FeError;
 /// Name of such a run in messages.
 pub(super) const RUN: &str = "three-dimensional run";
 
-/// Compares what a run needs with what it may take [bytes].
+/// Compares the memory of a run with its limit [bytes].
 ///
 /// Errors: more than allowed.
 pub(super) fn allow(needed: u64, limit: u64) -> Result<(), FeError> {

@@ -1,7 +1,7 @@
 //! The three-dimensional engine: the dissertation's elements on a tank.
 //!
 //! [`simulate`] turns a case into a model of the crate `fem` (liquid, shell wall, contact between them), runs it, and
-//! returns what the harmonic engine returns, so that both stand side by side in every report.
+//! returns what the harmonic engine returns, so that reports can compare them.
 
 mod direct;
 mod estimate;

@@ -1,6 +1,6 @@
 //! From a case to a model of nodes and elements.
 //!
-//! The wall is a mantle of `shell4`, clamped at its base; the liquid has nodes of its own. The bottom is rigid. All
+//! The wall is a mantle of `shell4`, clamped at its base; the liquid has separate nodes. The bottom is rigid. All
 //! horizontal ground motion is along x.
 
 use std::sync::Arc;
@@ -35,7 +35,7 @@ pub const ROOF: &str = "roof";
 pub const LIQUID: &str = "liquid";
 /// Group of the free surface.
 pub const SURFACE: &str = "surface";
-/// Group of what joins liquid and wall.
+/// Group of the joints of liquid and wall.
 pub const JOINT: &str = "joint";
 
 /// Bulk modulus of water [Pa] (dissertation, section 5).
@@ -112,7 +112,7 @@ impl TankModel {
     pub fn new(case: &Case, options: &Options, solid: &SolidOptions) -> Result<TankModel, FeError> {
         let Shape::Cylinder { radius } = case.tank.shape else {
             return Err(FeError::Unsupported(
-                "the three-dimensional engine models upright cylinders; take --fe harmonic for a rectangular tank"
+                "the three-dimensional engine models upright cylinders; use --fe harmonic for a rectangular tank"
                     .into(),
             ));
         };
@@ -225,8 +225,8 @@ fn add_wall(case: &Case, division: &Division, builder: &mut Builder) -> Result<W
     })
 }
 
-/// Least memory of an unknown with its matrices and factors [bytes]: below what the smallest models need (3.7 kB), and the
-/// factor of a larger one needs more for each unknown.
+/// Least memory of an unknown with its matrices and factors [bytes]: below the need of the smallest models (3.7 kB); the factor
+/// of a larger one needs more for each unknown.
 const LEAST_BYTES: f64 = 2048.0;
 
 /// Refuses a mesh that cannot fit, before its nodes and elements fill the memory themselves.
@@ -297,7 +297,7 @@ fn add_liquid(
     Ok(volume)
 }
 
-/// Properties of the displacement liquid of a case: bulk modulus of water, nothing calibrated.
+/// Properties of the displacement liquid of a case: bulk modulus of water, uncalibrated.
 pub fn displacement_liquid(case: &Case) -> LiquidProperties {
     let radius = case.tank.shape.half_length();
     LiquidProperties::new(case.liquid.density, BULK_MODULUS, case.gravity, radius)

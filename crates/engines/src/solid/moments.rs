@@ -129,7 +129,7 @@ impl Histories {
 
 /// Probes of every coordinate, of its absolute acceleration, and of the ground's acceleration.
 fn unit_probes(n: usize) -> Vec<Probe> {
-    // What they are called is not asked.
+    // Their titles are not used.
     let probe = |displacement, absolute_acceleration, ground_acceleration| Probe {
         displacement,
         absolute_acceleration,

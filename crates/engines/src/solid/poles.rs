@@ -6,7 +6,7 @@ use tank::options::solid::{Liquid, SolidOptions};
 /// Ritz vectors of one direction of motion.
 pub(super) const VECTORS: usize = 80;
 
-/// Poles of the reduction beside s = 0 [rad²/s²]: none with a potential; with a displacement liquid, ω² and (2.5 ω)² with ω
+/// Poles of the reduction other than s = 0 [rad²/s²]: none with a potential; with a displacement liquid, ω² and (2.5 ω)² with ω
 /// near the first mode of the wall,
 ///
 /// ```text

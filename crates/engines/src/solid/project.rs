@@ -142,7 +142,7 @@ impl Projector<'_> {
         let moment = self.observer.edge_reaction(Dof::Ry)?;
         let axial = self.observer.edge_reaction(Dof::Uz)?.scaled(-1.0);
         let of_moment = sparse_dot(&moment.displacement, self.statics);
-        // The weight that the lowest elements bring onto the edge itself is no displacement's.
+        // The weight that the lowest elements bring onto the edge does not depend on displacements.
         let (tank, roof) = (&case.tank, case.tank.roof.mass);
         let weight = case.gravity * (tank.wall_mass() + roof) / (std::f64::consts::TAU * self.tank.radius);
         let probe = |what, row: Row, static_value| {

@@ -43,7 +43,7 @@ use results::Labelled;
 use tank::options::LinearOptions as Options;
 use tank::options::solid::Liquid;
 
-/// What leads from the reduced coordinates of one direction of motion back to the model.
+/// Map from the reduced coordinates of one direction of motion to the model.
 pub(super) struct Space {
     /// Basis over the unknowns of the model, potentials included.
     pub basis: Matrix,
@@ -219,7 +219,7 @@ fn rotation_part(case: &Case, tank: &TankModel, basis: &Matrix) -> Result<Option
     if tank.liquid == Liquid::Potential {
         return Ok(None);
     }
-    // The same elements with a bulk modulus of nothing beside the penalty.
+    // The same elements with a negligible bulk modulus, so that the penalty remains.
     let own = displacement_liquid(case);
     let rotation_only = LiquidProperties {
         bulk_modulus: 1e-9 * own.density * case.gravity * tank.radius,

@@ -9,8 +9,7 @@
 //! not excite never appear. A displacement liquid has hundreds of rotational modes between the sloshing and the wall's
 //! modes, which the load hardly excites; a pole s = ω² leaps over them. Source: Wilson, Yuan & Dickens 1982; Ruhe 1984.
 //!
-//! A cyclic mesh keeps the symmetry of its load; `purify` takes out of every vector what rounding has put into other
-//! symmetries.
+//! A cyclic mesh keeps the symmetry of its load; `purify` removes from every vector the rounding in other symmetries.
 
 use fem::linalg::{Matrix, dot, transposed_product};
 use fem::progress::Progress;
@@ -21,7 +20,7 @@ use crate::FeError;
 /// A vector of which orthogonalisation leaves less than this part (in the norm of M) lies in the space already.
 const EXHAUSTED: f64 = 1e-8;
 /// Largest share of an older vector that may be left in a new one: more is rounding of an exhausted space, and the Gram
-/// matrix would not be definite.
+/// matrix becomes indefinite.
 const OVERLAP: f64 = 1e-6;
 
 /// The reduced system.
@@ -62,7 +61,7 @@ pub(super) fn reduce(
         }
     }
     if basis.is_empty() {
-        return Err(FeError::Analysis("the ground motion loads nothing in the model".into()));
+        return Err(FeError::Analysis("the ground motion does not load the model".into()));
     }
     let elastic: Vec<Vec<f64>> = basis.iter().map(|x| system.stiffness_times(x)).collect();
     let basis = columns(&basis);

@@ -132,7 +132,7 @@ mod tests {
         let rotation: Vec<f64> = positions.iter().flat_map(|p| [p[2], 0.0, -p[0]]).collect();
         let exact = mass * ((z + lever).powi(2) + 0.5 * radius * radius);
         assert!((energy(&rotation) / exact - 1.0).abs() < 1e-12);
-        // The half has half of it, in what is symmetric.
+        // Half the ring has half of it in symmetric motions.
         let part = &positions[..=n as usize / 2];
         let half = RoofRing::half((0..part.len()).collect(), part, mass, lever);
         let m = reference_mass(&half).to_matrix();

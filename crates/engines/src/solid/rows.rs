@@ -1,7 +1,7 @@
-//! What is observed of a tank in three dimensions, as rows over the unknowns of its model.
+//! Observables of a tank in three dimensions, as rows over the unknowns of its model.
 //!
 //! Signs and places as in the harmonic engine: tension positive, liquid pressure positive in compression, reactions positive
-//! as inertia forces of a positive acceleration, values at θ = 0. Wall resultants are those of the two elements beside
+//! as inertia forces of a positive acceleration, values at θ = 0. Wall resultants are those of the two elements next to
 //! θ = 0, averaged; under horizontal motion they vary with cos θ exactly, so that the mean divided by cos(π/N) is the
 //! value at θ = 0.
 //!
@@ -32,7 +32,7 @@ pub(super) struct Row {
     pub displacement: SparseRow,
     /// a.
     pub acceleration: SparseRow,
-    /// b: the share of what is held and follows the ground.
+    /// b: share of the held nodes, which follow the ground.
     pub held: f64,
 }
 
@@ -279,7 +279,7 @@ impl Observer<'_> {
         let ground = self.ground();
         let acceleration = tank.assembler.inertia(&tank.model, field);
         let rigid = tank.model.vector(|_| ground);
-        // What both fields make of the held nodes alone: κᵀ M ι less the share of the unknowns.
+        // Contribution of the held nodes alone: κᵀ M ι without the share of the unknowns.
         let whole = product(tank, field, &|_| ground);
         let held = whole - dot(&acceleration, &rigid);
         Row {

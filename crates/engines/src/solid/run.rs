@@ -44,7 +44,7 @@ const DRAWN_WAVES: [u32; 3] = [2, 3, 5];
 struct Prepared {
     tank: TankModel,
     system: System,
-    /// What leads back from the reduced coordinates to the model, direction by direction.
+    /// Maps from the reduced coordinates to the model, by direction.
     spaces: Vec<Space>,
     /// The model of the response analyses: the reductions for x and, with a vertical record, for z.
     model: Model,
@@ -72,7 +72,7 @@ impl Prepared {
         progress.advance(1);
         let directions = if vertical { 2 } else { 1 };
         progress.stage(
-            "reduction to what the ground motion excites",
+            "reduction to the space that the ground motion excites",
             VECTORS as u64 * directions,
         );
         let mut spaces = Vec::new();
@@ -119,7 +119,7 @@ impl Prepared {
             .collect()
     }
 
-    /// Modes to be drawn: what the ground motion excites first, and the lowest wall modes of some other wave numbers.
+    /// Modes to be drawn: the first that the ground motion excites, and the lowest wall modes of some other wave numbers.
     fn drawn_modes(&self, progress: &dyn Progress) -> Result<Vec<TankMode>, FeError> {
         let mut drawn = self.expanded(0, Kind::Sloshing, 3);
         drawn.extend(self.expanded(0, Kind::Structural, 2));
@@ -188,8 +188,7 @@ fn stop(progress: &dyn Progress, stage: &str) -> Result<(), FeError> {
 
 /// Time history of a case by the three-dimensional engine.
 ///
-/// Errors: as [`crate::simulate()`]; a mesh that cannot be built; more memory than allowed; interrupted before there is
-/// anything to show.
+/// Errors: as [`crate::simulate()`]; a mesh that cannot be built; more memory than allowed; interrupted before there are results.
 pub fn simulate(
     case: &Case,
     options: &Options,
@@ -248,11 +247,6 @@ fn integrated(
         direct: Some(&direct),
     };
     let mut simulation = complete(case, options, &linear, progress)?;
-    if options.integrator == Integrator::Newmark && vertical {
-        for label in simulation.result.integration.iter_mut().filter(|l| l.label == "method") {
-            label.text = "direct integration of the reduced coordinates, Newmark's average acceleration".into();
-        }
-    }
     simulation.assumptions.push(
         "Three dimensions: four-node shells and eight-node liquid elements, reduced to the space that the ground motion \
          excites."
@@ -307,7 +301,7 @@ pub fn modes(
             0 | 1 => Some(reduce::rigid_motion(&tank, &system, n)?.1),
             _ => None,
         };
-        // Modes of the rotation penalty of a displacement liquid are none of the tank's.
+        // Modes of the rotation penalty of a displacement liquid are not modes of the tank.
         for kind in [Kind::Sloshing, Kind::Structural] {
             for (k, mode) in modes.iter().filter(|m| m.kind == kind).take(count).enumerate() {
                 let gamma = participation.as_ref().map_or(0.0, |load| dot(load, &mode.vector));

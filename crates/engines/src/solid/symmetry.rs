@@ -58,7 +58,7 @@ impl<'a> Harmonic<'a> {
         model.vector(|node| field[node])
     }
 
-    /// Takes out of `x` what does not belong to the harmonic.
+    /// Removes from `x` the parts that do not belong to the harmonic.
     pub(super) fn project(&self, x: &mut [f64]) {
         let model = &self.tank.model;
         let mut field = vec![[0.0; KINDS]; model.nodes().len()];

@@ -7,7 +7,7 @@
 //! H φ = B u + S η          M = M_s ⊕ 0 + ρ Fᵀ H⁺ F,  F = [B S]          K = K_s ⊕ ρ g S
 //! ```
 //!
-//! without ever forming M: a product with it is one solve with H. A constant φ costs nothing, so that H is solved with one
+//! without ever forming M: a product with it is one solve with H. A constant φ has no energy, so that H is solved with one
 //! potential held; motions must keep the liquid's volume, cᵀ x = 0 with c = Fᵀ 1, and every solve with K is projected on
 //! them,
 //!
@@ -57,7 +57,7 @@ pub struct System {
     stiffness: Symmetric,
     /// Mass without the blocks of φ.
     mass: Symmetric,
-    /// Equations that are no potentials.
+    /// Equations that are not potentials.
     own: Vec<usize>,
     factor: Factor,
     potential: Option<Potential>,

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! The circumferential wave number is the n with the largest ∫ |c_n|² dz. The axial wave number counts half waves: one
-//! more than the sign changes of the amplitude in its own phase, leaving out what is smaller than a fifth of the largest.
+//! more than the sign changes of the amplitude in its own phase, ignoring values smaller than a fifth of the largest.
 
 use std::f64::consts::TAU;
 
@@ -25,7 +25,7 @@ pub struct Waves {
 /// Amplitudes smaller than this part of the largest do not count as a wave.
 const SMALL: f64 = 0.2;
 
-/// Wave numbers of `radial[level][sector]` at ascending heights `z`; `None` if nothing moves.
+/// Wave numbers of `radial[level][sector]` at ascending heights `z`; `None` if all are zero.
 pub(super) fn classify(radial: &[Vec<f64>], z: &[f64]) -> Option<Waves> {
     let sectors = radial.first()?.len();
     let lengths: Vec<f64> = (0..z.len())

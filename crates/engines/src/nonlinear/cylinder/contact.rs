@@ -1,4 +1,4 @@
-//! Liquid with a face of its own, joined to the wall.
+//! Liquid with a separate face, joined to the wall.
 //!
 //! ```text
 //! e = a − w at every wetted node         F = k e ≥ −s·x ,  k = k_n ∫ N dA of the node's shape function N
@@ -6,7 +6,7 @@
 //! ```
 //!
 //! a and w are the radial displacements of liquid and wall at the same nodes: one joint for every unknown of the face. The
-//! pressure at rest stands on the liquid's face, so that F is the whole of it. Law of the joints:
+//! hydrostatic pressure acts on the liquid's face, so that F is the total force. Law of the joints:
 //! [`fem::element::liquid_joint`].
 
 use std::collections::BTreeMap;
@@ -25,7 +25,7 @@ use crate::error::failed;
 /// Group of the joints.
 pub(super) const JOINT: &str = "joint";
 
-/// What joins liquid and wall is made of.
+/// Input of the joints between liquid and wall.
 pub(super) struct Join<'a> {
     pub footprint: &'a Footprint,
     pub wall: &'a PlacedWall,
@@ -45,7 +45,7 @@ pub(super) struct Join<'a> {
 pub(crate) struct Joints {
     /// k_n [N/m³].
     pub penalty: f64,
-    /// Number of each joint's node among the wetted ones.
+    /// Index of each joint's node among the wetted ones.
     pub numbers: Vec<usize>,
     /// Height and angle of each joint.
     pub places: Vec<[f64; 2]>,

@@ -24,16 +24,17 @@ impl Cylinder<'_> {
         Ok(facts(&self.tank, step))
     }
 
-    /// What is assumed, one sentence each.
+    /// Assumptions, one sentence each.
     pub(crate) fn assumptions(&self) -> Vec<String> {
         assumptions(self.case, self.options, &self.tank)
     }
 
-    /// The tank at every scale on `threads` threads, by ascending scale; `each` gets every run as it is finished.
+    /// The tank at every scale on `threads` threads, by ascending scale; `each` receives every finished run.
     ///
-    /// * `checkpoint`: where the run of a scale keeps what it needs to be resumed; left to the caller to remove
+    /// * `checkpoint`: checkpoint of the run of a scale; the caller removes it
     ///
-    /// Errors: a failure of the analysis; a checkpoint that cannot be written or is of another run. Collapse is none.
+    /// Errors: a failure of the analysis; a checkpoint that cannot be written or belongs to another run. Collapse is a result,
+    /// not an error.
     pub(crate) fn incremental(
         &self,
         scales: &[f64],
@@ -43,7 +44,7 @@ impl Cylinder<'_> {
         mut each: impl FnMut(IdaRun),
     ) -> Result<Vec<IdaRun>, FeError> {
         let motion = checked_motion(self.case)?;
-        // Highest first: these cut their steps and take longest.
+        // Highest first: these halve their steps and take longest.
         let mut order: Vec<f64> = scales.to_vec();
         order.sort_by(|a, b| b.total_cmp(a));
         let run = |scale: f64| -> Result<Option<IdaRun>, FeError> {
@@ -71,7 +72,7 @@ impl Cylinder<'_> {
         let last = look(tank, &run.state);
         let mut worst = seen.worst.clone().unwrap_or_else(|| last.clone());
         worst.envelop(&last);
-        // From the state at rest, in which the wall gives way and the surface settles.
+        // Relative to the static state, in which the wall has deflected and the surface has settled.
         let swing = |k: usize| match recorder.histories[k].first() {
             Some(rest) => (recorder.ranges[k].max - rest).max(rest - recorder.ranges[k].min),
             None => 0.0,
@@ -135,7 +136,7 @@ impl Cylinder<'_> {
     }
 }
 
-/// Bars beyond their strain at rupture: their law goes on with its hardening.
+/// Bars beyond their rupture strain: their law continues to harden.
 pub(super) fn departures(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Departure> {
     let rupture = watch.seen.first.iter().find(|f| f.0 == Happening::BarRupture);
     let departure = |&(_, time, cell): &(Happening, f64, usize)| {

@@ -12,8 +12,9 @@ use results::nonlinear::Count;
 use results::{Fact, FactKind, Labelled};
 use tank::options::nonlinear::{Contact, Damping, NonlinearOptions};
 
-/// Said of a tank that the file calls unanchored.
-pub(super) const HELD_DOWN: &str = "The tank is unanchored; the nonlinear engine clamps the base of its wall to the ground and does not let it uplift.";
+/// Note on an unanchored tank.
+pub(super) const HELD_DOWN: &str = "The tank is unanchored; the nonlinear engine clamps the base of its wall to the ground and \
+    does not model uplift.";
 
 /// Shortest step [s]; 0 if none was taken.
 fn shortest(run: &Run) -> f64 {
@@ -120,12 +121,12 @@ pub(super) fn integration(
     };
     let damping = match options.damping {
         Damping::ByGroup { wall, sloshing } => format!(
-            "wall {} % at the first mode of wall and liquid, proportional to the stiffness of the virgin wall; sloshing modes {} % \
-             each",
+            "wall {} % at the first mode of wall and liquid, proportional to the initial stiffness of the wall; sloshing modes \
+             {} % each",
             significant(100.0 * wall, 3),
             significant(100.0 * sloshing, 3)
         ),
-        Damping::Rayleigh { .. } => "Rayleigh damping on the stiffness of the virgin wall".into(),
+        Damping::Rayleigh { .. } => "Rayleigh damping on the initial stiffness of the wall".into(),
         Damping::MassProportional { ratio, .. } => {
             format!("proportional to the mass, {} %", significant(100.0 * ratio, 3))
         }
@@ -142,13 +143,13 @@ pub(super) fn integration(
         ),
         label(
             "duration",
-            format!("{:.2} s, the record without free vibration", run.time),
+            format!("{:.2} s, the record only, without free vibration", run.time),
         ),
         label("damping", damping),
         label(
             "damping of the first mode of wall and liquid",
             format!(
-                "{} % at {} rad/s, virgin wall",
+                "{} % at {} rad/s, initial stiffness",
                 significant(100.0 * tank.wall_ratio, 3),
                 significant(tank.wall_omega, 4)
             ),
@@ -158,7 +159,7 @@ pub(super) fn integration(
         out.push(label(
             "contact of liquid and wall",
             format!(
-                "opens; a joint at every wetted node, stiffness {} N/m³, into which the liquid sinks by at most {}; its force is taken at the \
+                "opens; a joint at every wetted node, stiffness {} N/m³, penetration at most {}; its force is evaluated at the \
                  end of the step",
                 significant(joints.penalty, 3),
                 display(openings.penetration(), Dimension::Length)
@@ -176,34 +177,36 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &Cylind
         match options.contact {
             Contact::Bonded => {
                 "Liquid of linear potential theory on the undeformed tank, condensed onto the radial displacements of the wall; \
-                 gravity acts on the surface in the circumferential waves 0 and 1. It stays at the wall: where the pressure of the \
-                 displaced particle falls below zero, the report says so."
+                 gravity acts on the surface in the circumferential waves 0 and 1. It stays in contact with the wall; the \
+                 report states where the pressure of the displaced particle falls below zero."
             }
             Contact::Opening => {
-                "Liquid of linear potential theory on the undeformed tank, condensed onto the radial displacements of a face of its \
-                 own; gravity acts on the surface in the circumferential waves 0 and 1. The wall presses the liquid and does not \
-                 pull it: it parts where the pressure of the displaced particle would fall below that of the air."
+                "Liquid of linear potential theory on the undeformed tank, condensed onto the radial displacements of a \
+                 separate face; gravity acts on the surface in the circumferential waves 0 and 1. The contact transfers \
+                 pressure only: the liquid separates where the pressure of the displaced particle falls below atmospheric pressure."
             }
         }
         .to_owned(),
-        "The run begins with weight and hydrostatic pressure. An unconverged step is never accepted: it is halved until it \
-         converges, or the run ends as a collapse, and its numbers are lower bounds."
+        "The run starts from equilibrium under weight and hydrostatic pressure. An unconverged step is never accepted: it is \
+         halved until it converges, or the run ends as a collapse and its numbers are lower bounds."
             .to_owned(),
-        "Damping of the wall is proportional to the stiffness of the virgin wall; where the wall softens, the damping force stays \
-         and the energy it takes is shown."
+        "Damping of the wall is proportional to its initial stiffness; where the wall softens, the damping force remains, and \
+         its energy is reported."
             .to_owned(),
     ];
     if case.tank.support == Support::Unanchored {
         out.push(HELD_DOWN.into());
     }
     if options.follower_pressure {
-        out.push("The hydrostatic pressure turns with the deformed wall; the dynamic pressure does not.".into());
+        out.push("The hydrostatic pressure rotates with the deformed wall; the dynamic pressure does not.".into());
     }
     if !options.self_weight {
-        out.push("The wall has no weight, as asked for.".into());
+        out.push("The weight of the wall is ignored, as requested.".into());
     }
     if tank.cells.half {
-        out.push("Motion symmetric to the plane of shaking: buckles that break this symmetry are left out.".into());
+        out.push(
+            "Motion is symmetric about the plane of shaking: buckles that break this symmetry are not modelled.".into(),
+        );
     }
     if case
         .tank
@@ -212,7 +215,8 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &Cylind
         .any(|c| c.build_up().iter().any(|l| !l.reinforcement.is_empty()))
     {
         out.push(
-            "Bars are smeared to layers and bonded; the concrete they displace and their mass are left out.".into(),
+            "Bars are smeared into layers and perfectly bonded; their mass and the concrete they displace are ignored."
+                .into(),
         );
     }
     out

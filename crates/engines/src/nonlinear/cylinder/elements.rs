@@ -20,7 +20,7 @@ use crate::solid::roof::RoofRing;
 pub(super) const WALL: &str = "wall";
 /// Group of the liquid.
 pub(super) const LIQUID: &str = "liquid";
-/// Group of the pressure that turns with the wall.
+/// Group of the pressure that rotates with the wall.
 const PRESSURE: &str = "pressure";
 /// Group of the roof's mass.
 const ROOF: &str = "roof";
@@ -128,7 +128,7 @@ pub(super) fn add_liquid(
     Ok((liquid, amplitudes, number))
 }
 
-/// Hydrostatic pressure as dead load and, where it turns with the wall, what that changes; and a unit pressure.
+/// Hydrostatic pressure as dead load, its change where it rotates with the wall, and a unit pressure.
 pub(super) fn pressures(
     builder: &mut Builder,
     footprint: &Footprint,

@@ -1,8 +1,8 @@
-//! What a nonlinear run of a cylinder takes, from the numbers of its cells and of the wetted nodes.
+//! Memory and time of a nonlinear run of a cylinder, from the numbers of its cells and wetted nodes.
 //!
 //! ```text
 //! liquid     a dense block over w wetted nodes: M, K, C of the element and of the liquid, places, M, C and tangents of the
-//!            model, the factor, what an iteration copies
+//!            model, the factor, copies of an iteration
 //! wall       5 unknowns a node (twice for two shells); nested dissection of a surface
 //! history    committed and trial state of every point of every layer
 //! ```
@@ -23,7 +23,7 @@ use tank::options::nonlinear::{Contact, Damping, Integration, NonlinearOptions, 
 const SHELL: f64 = 5.0;
 /// Full matrices over the wetted nodes that the model keeps.
 const MODEL_BLOCKS: f64 = 8.5;
-/// And those of a march: tangent, effective matrix and damping of half a matrix each, what an iteration copies.
+/// And those of a march: tangent, effective matrix and damping of half a matrix each, copies of an iteration.
 const MARCH_BLOCKS: f64 = 3.2;
 /// Bytes of a cell of one shell, its matrices in the model included, without its history.
 const CELL: f64 = 20_000.0;
@@ -39,10 +39,10 @@ const CELL_TIME: f64 = 8e-6;
 const POINT_TIME: f64 = 2.5e-7;
 /// Sloshing amplitudes of half a cylinder.
 const AMPLITUDES: f64 = 24.0;
-/// Numbers kept at a sample beside two of every row.
+/// Numbers kept at a sample, without the two of every row.
 const AT_SAMPLE: f64 = 60.0;
 
-/// What [`super::simulate`] takes; with `jobs` > 0 what so many runs of an incremental analysis at a time take, `runs` in all.
+/// Cost of [`super::simulate`]; with `jobs` > 0 of an incremental analysis of `runs` runs, `jobs` in parallel.
 ///
 /// Errors: no ground motion; a response longer than the limits.
 pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, runs: usize) -> Result<Estimate, FeError> {

@@ -23,7 +23,7 @@ pub(super) const STEPS_PER_PERIOD: f64 = 20.0;
 /// Looks at all material points in a run.
 pub(super) const LOOKS: f64 = 200.0;
 
-/// A cylinder ready to be shaken.
+/// A cylinder with its options.
 pub(crate) struct Cylinder<'a> {
     pub case: &'a Case,
     pub options: &'a NonlinearOptions,
@@ -31,7 +31,7 @@ pub(crate) struct Cylinder<'a> {
 }
 
 impl<'a> Cylinder<'a> {
-    /// Errors: no cylinder; a wall, a law or an option that the engine does not know; parameters out of range.
+    /// Errors: a tank that is not a cylinder; an unsupported wall, law or option; parameters out of range.
     pub(crate) fn new(
         case: &'a Case,
         options: &'a NonlinearOptions,

@@ -7,7 +7,7 @@ use tank::Tank;
 use crate::solid::mesh::wall_levels;
 use tank::options::nonlinear::WallElements;
 
-/// Sectors of the full circle unless the user says otherwise.
+/// Default number of sectors of the full circle.
 const SECTORS: usize = 72;
 
 /// Cells of the wall.
@@ -39,8 +39,8 @@ pub(crate) fn enough_rows(rows: impl Fn(f64) -> Vec<f64>, count: usize) -> Vec<f
 }
 
 impl Cells {
-    /// Cells of a tank filled to `depth` [m]: as many as the user wants, or by the length √(R t) of the bending at an edge,
-    /// finer towards the base and the changes of the wall in either case.
+    /// Cells of a tank filled to `depth` [m]: as many as given, or by the length √(R t) of the bending at an edge,
+    /// finer towards the base and the changes of the wall in both cases.
     ///
     /// With `symmetry` an odd number of sectors is raised by one.
     pub(crate) fn new(tank: &Tank, depth: f64, wanted: Option<WallElements>, symmetry: bool) -> Cells {
@@ -84,7 +84,7 @@ impl Cells {
         self.z.iter().filter(|z| **z <= depth * (1.0 + 1e-9)).count()
     }
 
-    /// Factor from what is computed to the whole tank.
+    /// Factor from the computed part to the whole tank.
     pub(crate) fn copies(&self) -> f64 {
         if self.half { 2.0 } else { 1.0 }
     }

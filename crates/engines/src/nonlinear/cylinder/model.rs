@@ -3,11 +3,11 @@
 //! ```text
 //! layered shells, or two with a layer between them   ─┐
 //! liquid condensed onto radial displacements w and sloshing amplitudes q   ├─ M ü + C u̇ + f_int(u) = p_c − M ι a_g
-//! hydrostatic pressure that turns with the wall, weight, roof              ─┘
+//! hydrostatic pressure that rotates with the wall, weight, roof              ─┘
 //! ```
 //!
 //! The liquid is that of linear theory ([`fem::liquid::HarmonicLiquid`]): a dense block on the wetted radial displacements.
-//! All other unknowns are eliminated before them, so that the block is factored once an iteration and nothing else is dense.
+//! All other unknowns are eliminated before them, so that the block is factored once an iteration and all other blocks are sparse.
 //! Horizontal ground motion is along x; with `symmetry` only 0 ≤ θ ≤ π is there.
 
 use std::collections::BTreeMap;
@@ -40,7 +40,7 @@ use tank::options::nonlinear::{Contact, Damping as Wanted, MassProportionalAt, N
 /// contact line.
 const WAVE_MODES: usize = 5;
 /// Iterations that find the first mode of wall and liquid, at most: each makes the second mode smaller to a ninth or less.
-/// More would raise modes of higher wave number from rounding, whose frequencies are lower in thin shells.
+/// More would amplify rounding in modes of higher wave number, whose frequencies are lower in thin shells.
 const ITERATIONS: usize = 8;
 /// Relative change of ω² at which they end.
 const SETTLED: f64 = 1e-6;
@@ -53,7 +53,7 @@ pub(crate) struct CylinderModel {
     pub footprint: Footprint,
     /// Where they went.
     pub wall: PlacedWall,
-    /// What each row is made of.
+    /// Section of each row.
     pub rows: Vec<RowBuild>,
     /// Nodes and elements.
     pub model: Model,
@@ -61,7 +61,7 @@ pub(crate) struct CylinderModel {
     pub assembler: Assembler,
     /// Order of elimination.
     pub symbolic: Arc<Symbolic>,
-    /// Mass and stiffness of the virgin tank, with the damping.
+    /// Mass and initial stiffness of the tank, with the damping.
     pub system: System,
     /// Rayleigh's coefficients by group.
     pub rayleigh: Vec<Rayleigh>,
@@ -99,10 +99,10 @@ pub(crate) struct CylinderModel {
 impl CylinderModel {
     /// The model of a case.
     ///
-    /// Errors: no cylinder; a wall, a law or an option that the engine does not know; parameters out of range.
+    /// Errors: a tank that is not a cylinder; an unsupported wall, law or option; parameters out of range.
     pub(crate) fn new(case: &Case, options: &NonlinearOptions) -> Result<CylinderModel, FeError> {
         let Shape::Cylinder { radius } = case.tank.shape else {
-            return Err(FeError::Unsupported("this tank is no cylinder".into()));
+            return Err(FeError::Unsupported("the tank is not a cylinder".into()));
         };
         let depth = case.liquid.fill_height;
         let unit_weight = case.liquid.density * case.gravity;
@@ -241,7 +241,7 @@ impl CylinderModel {
         Ok(out)
     }
 
-    /// What is marched.
+    /// The problem to be integrated.
     pub(crate) fn problem(&self) -> Problem<'_> {
         Problem {
             model: &self.model,
@@ -251,7 +251,7 @@ impl CylinderModel {
         }
     }
 
-    /// Forces of weight and pressure at rest.
+    /// Forces of weight and hydrostatic pressure.
     pub(crate) fn constant(&self) -> Vec<f64> {
         self.weight.iter().zip(&self.pressure).map(|(w, p)| w + p).collect()
     }
@@ -282,7 +282,7 @@ impl CylinderModel {
     }
 
     /// Forces of a unit horizontal acceleration of the ground on wall and liquid, the surface free of pressure: those of the
-    /// impulsive liquid, of the wall and of the roof, without what sloshes.
+    /// impulsive liquid, of the wall and of the roof, without the sloshing liquid.
     fn impulsive_load(&self) -> Vec<f64> {
         let mut load = self.system.inertia[0].clone();
         let mut follow = vec![0.0; load.len()];
@@ -297,7 +297,7 @@ impl CylinderModel {
     }
 
     /// Inverse iteration from the impulsive load: on a round tank it stays among the modes in which the tank moves sideways. The
-    /// amplitudes follow the wall as if gravity were nothing to them; their masses are 1 and not coupled.
+    /// amplitudes follow the wall as without gravity; their masses are 1 and uncoupled.
     fn first_wall_mode(&self) -> Result<f64, FeError> {
         let factor = self
             .symbolic
@@ -319,7 +319,7 @@ impl CylinderModel {
             let next = potential / kinetic;
             if !(next > 0.0 && next.is_finite()) {
                 return Err(FeError::NotPositiveDefinite {
-                    matrix: "stiffness of the wall at rest".into(),
+                    matrix: "stiffness of the wall in the static state".into(),
                     cause: "a wall without support or a layer without stiffness".into(),
                 });
             }
@@ -370,7 +370,7 @@ impl CylinderModel {
         self.system.damping = match self.joints {
             None => Damping::rayleigh(all),
             Some(_) => {
-                // A joint that is open must not pull by its rate either.
+                // An open joint must not pull through damping either.
                 let groups = self.rayleigh.iter_mut().zip(self.model.groups());
                 groups
                     .filter(|(_, name)| *name == JOINT)

@@ -1,4 +1,4 @@
-//! A look at all material points of the wall, cell by cell.
+//! State of all material points of the wall, cell by cell.
 
 use fem::element::{Inspect, Inspection};
 use fem::state::{Gather, State};
@@ -8,7 +8,7 @@ use super::model::CylinderModel;
 use super::section::Part;
 use results::nonlinear::Crack;
 
-/// What the cells look like; lists are empty where the wall has nothing of the kind.
+/// State of the cells; lists are empty where the wall has no such material.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Look {
     /// Largest stress of plates over their yield stress.
@@ -189,7 +189,7 @@ impl Look {
         self.crack_strain = self.crack_strain.max(later.crack_strain);
     }
 
-    /// What has happened, with the cell where it is worst.
+    /// Events so far, each with its worst cell.
     pub(crate) fn happenings(&self) -> Vec<(Happening, usize)> {
         let worst = |list: &[f64], least: f64| {
             let largest = (0..list.len()).max_by(|&i, &j| list[i].total_cmp(&list[j]));

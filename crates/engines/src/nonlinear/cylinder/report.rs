@@ -41,17 +41,17 @@ pub(super) fn report(
     match &end {
         End::Completed | End::Left { .. } => {}
         End::Interrupted { time } => {
-            notes.push(format!("Interrupted at {time:.3} s: everything ends there."));
+            notes.push(format!("Interrupted at {time:.3} s: all results end there."));
         }
         End::Collapsed { time, reason, .. } => notes.push(format!(
-            "Collapse: no equilibrium after {time:.3} s ({reason}). All numbers are those until then, lower bounds."
+            "Collapse: no equilibrium after {time:.3} s ({reason}). All numbers are those until then and are lower bounds."
         )),
     }
     let events = events(tank, watch);
     let kept = || events.iter().find(|e| e.kind == EventKind::LowPressure);
     if let (None, Some(parts)) = (&tank.joints, kept()) {
         notes.push(format!(
-            "The liquid would part from the wall ({}, first at {:.2} s); the engine keeps it there.",
+            "The liquid separates from the wall ({}, first at {:.2} s); the engine keeps it in contact.",
             parts.place, parts.time
         ));
     }
@@ -97,7 +97,7 @@ pub(super) fn report(
     }
 }
 
-/// Histories relative to the state at rest, as those of the other engines.
+/// Histories relative to the static state, as in the other engines.
 fn histories(watch: &Watch<'_>) -> Histories {
     let recorder = &watch.recorder;
     let times = &recorder.times;
@@ -132,7 +132,7 @@ fn histories(watch: &Watch<'_>) -> Histories {
     histories
 }
 
-/// Range of a recorded quantity with its value at rest; zeros where the state at rest was not reached.
+/// Range of a recorded quantity with its static value; zeros if the static state was not reached.
 fn extremes(watch: &Watch<'_>, k: usize) -> Extremes {
     let range = &watch.recorder.ranges[k];
     match watch.recorder.histories[k].first() {

@@ -19,7 +19,7 @@ use crate::FeError;
 use crate::error::failed;
 use tank::options::nonlinear::{Integration, ThicknessRule};
 
-/// What a point of a section is made of.
+/// Material of a point of a section.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Part {
     /// Elastic.
@@ -40,7 +40,7 @@ pub(crate) enum Part {
 /// The cells of a row.
 #[derive(Clone)]
 pub(crate) struct RowBuild {
-    /// Shells and what is between them.
+    /// Shells and the layer between them.
     pub build: Build,
     /// Parts of each leaf, in the order in which its section shows its points: layers, then bars.
     pub parts: Vec<Vec<Part>>,
@@ -138,7 +138,7 @@ fn leaf(layers: &[Layer], element: [f64; 2], integration: &Integration) -> Resul
                     BarDirection::Hoop => 0.0,
                     BarDirection::Vertical => FRAC_PI_2,
                 },
-                // As in the mass of the tank: bars are left out.
+                // As in the mass of the tank, bars are ignored.
                 density: 0.0,
             });
             bar_parts.push(Part::Bar(match bar.material.behaviour {
@@ -239,7 +239,7 @@ pub(crate) fn plane_concrete(
         }
         ConcreteLaw::Uniaxial => {
             return unsupported(
-                "uniaxial concrete is a law of strips: choose `cracked` or `plastic-fracturing` for shells",
+                "uniaxial concrete is for strips only: choose `cracked` or `plastic-fracturing` for shells",
             );
         }
     })

@@ -13,7 +13,7 @@ use crate::{FeError, Simulation};
 
 /// Time history of a cylinder.
 ///
-/// Errors: as [`Cylinder::new`]; no record; interrupted before there is anything to show.
+/// Errors: as [`Cylinder::new`]; no record; interrupted before there are results.
 pub(crate) fn simulate(
     case: &Case,
     options: &NonlinearOptions,

@@ -1,4 +1,4 @@
-//! What happened, when and where, and what the wall has become: events, maps, cracks, loops, energies.
+//! Events, maps, cracks, loops and energies of a run.
 
 use fem::analysis::march::Run;
 use tank::Behaviour;
@@ -39,8 +39,8 @@ pub(super) fn events(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Event> {
                 Happening::Crack => (EventKind::FirstCrack, "first crack"),
                 Happening::Yield => (EventKind::FirstYield, "first yielding of a plate"),
                 Happening::BarYield => (EventKind::FirstBarYield, "first yielding of a bar"),
-                Happening::Tears => (EventKind::AboveStrength, "a plate passes its tensile strength"),
-                Happening::BarRupture => (EventKind::BarRupture, "a bar passes its strain at rupture"),
+                Happening::Tears => (EventKind::AboveStrength, "a plate exceeds its tensile strength"),
+                Happening::BarRupture => (EventKind::BarRupture, "a bar exceeds its rupture strain"),
                 Happening::Crushing => (EventKind::Crushing, "concrete reaches its compressive strength"),
             };
             Event {
@@ -49,7 +49,7 @@ pub(super) fn events(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Event> {
                 time,
                 place: middle(tank, cell),
                 note: if time == 0.0 {
-                    "In the state at rest.".into()
+                    "In the static state.".into()
                 } else {
                     String::new()
                 },
@@ -67,11 +67,11 @@ pub(super) fn events(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Event> {
         let [x, y, z] = tank.model.nodes()[tank.wetted[first.number]];
         out.push(Event {
             kind: EventKind::LowPressure,
-            title: "the liquid would part from the wall".into(),
+            title: "pressure below atmospheric; the liquid separates".into(),
             time: first.first,
             place: place(y.atan2(x), z),
             note: format!(
-                "Lowest pressure there {} at {:.2} s, judged on the displaced particle.",
+                "Lowest pressure there {} at {:.2} s, at the displaced particle.",
                 display(first.pressure, Dimension::Stress),
                 first.time
             ),
@@ -81,7 +81,7 @@ pub(super) fn events(tank: &CylinderModel, watch: &Watch<'_>) -> Vec<Event> {
     out
 }
 
-/// When the liquid leaves the wall, where it may.
+/// When the liquid separates from the wall, where it may.
 fn parting(watch: &Watch<'_>, tank: &CylinderModel) -> Option<Event> {
     let (openings, joints) = (watch.openings.as_ref()?.places(), tank.joints.as_ref()?);
     let first = openings.iter().min_by(|a, b| a.first.total_cmp(&b.first))?;
@@ -94,7 +94,7 @@ fn parting(watch: &Watch<'_>, tank: &CylinderModel) -> Option<Event> {
     let length = |x: f64| display(x, Dimension::Length);
     Some(Event {
         kind: EventKind::Separation,
-        title: "the liquid leaves the wall".into(),
+        title: "the liquid separates from the wall".into(),
         time: first.first,
         place: at,
         note: format!(
@@ -206,11 +206,11 @@ pub(super) fn maps(case: &Case, tank: &CylinderModel, watch: &Watch<'_>, worst: 
         let gaps = around_nodes(tank, widest);
         push(
             "separation",
-            "Largest distance of liquid and wall",
+            "Largest gap between liquid and wall",
             Dimension::Length,
             &gaps,
             None,
-            "Widest gap at the corners of the cell; 0 where the liquid has stayed at the wall.",
+            "Widest gap at the corners of the cell; 0 where the liquid has stayed in contact.",
         );
     }
     let found = watch.separation.result();
@@ -219,7 +219,7 @@ pub(super) fn maps(case: &Case, tank: &CylinderModel, watch: &Watch<'_>, worst: 
         let share = around_nodes(tank, parted.map(|p| (p.number, p.share)));
         push(
             "separation",
-            "Share of the time in which the liquid would part from the wall",
+            "Share of the time in which the liquid separates from the wall",
             number,
             &share,
             None,
@@ -252,7 +252,7 @@ fn around_nodes(tank: &CylinderModel, values: impl Iterator<Item = (usize, f64)>
 
 pub(super) fn pictures(watch: &Watch<'_>, last: &Look, time: f64) -> Vec<CrackPicture> {
     let extreme = watch.seen.extreme.as_ref();
-    let rest = watch.seen.rest.as_ref().map(|l| ("state at rest", 0.0, l));
+    let rest = watch.seen.rest.as_ref().map(|l| ("static state", 0.0, l));
     let extreme = extreme.map(|k| ("largest base moment", k.time, &k.look));
     let extreme = extreme.filter(|e| e.1 > 0.0);
     let all = rest.into_iter().chain(extreme).chain([("end of the run", time, last)]);
@@ -273,7 +273,7 @@ pub(super) fn pictures(watch: &Watch<'_>, last: &Look, time: f64) -> Vec<CrackPi
     out
 }
 
-/// Every so-manieth of `n` points.
+/// Stride that leaves at most [`POINTS`] of `n` points.
 fn stride(n: usize) -> usize {
     n.div_ceil(POINTS).max(1)
 }

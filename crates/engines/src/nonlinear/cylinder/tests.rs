@@ -87,7 +87,7 @@ fn translation_carries_everything() {
     assert!((2.0 * mass / exact - 1.0).abs() < 1e-4, "{} {exact}", 2.0 * mass);
 }
 
-/// Shaken gently, an elastic tank answers as the linear engine says. The liquid is the same; the wall is another element
+/// Under weak shaking an elastic tank responds as in the linear engine. The liquid is the same; the wall is another element
 /// (flat shells on 48 sectors and 24 rows), whose discretisation costs 1 to 2 % of stresses (theory of the shell element); the
 /// geometric stiffness of the hydrostatic pressure, which the linear engine leaves out, raises the frequency by less than 1 %.
 /// Ten periods later that is up to half a radian of phase, by which histories of a wall that rings down part further: 8 %.
@@ -107,14 +107,14 @@ fn small_shaking_is_linear() {
     assert_eq!(nonlinear.result.end, End::Completed);
     let within = |q: Quantity, tolerance: f64| {
         let (a, b) = (nonlinear.values[&q], linear.values[&q]);
-        assert!((a / b - 1.0).abs() < tolerance, "{q:?}: {a} beside {b}");
+        assert!((a / b - 1.0).abs() < tolerance, "{q:?}: {a}, expected {b}");
     };
     within(Quantity::ImpulsivePeriod, 0.01);
     within(Quantity::SloshingPeriod, 0.005);
     within(Quantity::BaseMoment, 0.03);
-    // The mean of a cell beside the largest point of a meridian.
+    // The mean of a cell is compared with the largest point of a meridian.
     within(Quantity::HoopStress, 0.06);
-    // The linear run goes on in free vibration, where the wave may grow: compare histories instead.
+    // The linear run continues in free vibration, where the wave may grow: compare histories instead.
     let column = |s: &fe::Simulation, id: &str| -> Vec<f64> {
         let i = s.series.ids.iter().position(|c| c == id).unwrap();
         s.series.columns[i].clone()
@@ -130,7 +130,7 @@ fn small_shaking_is_linear() {
         let apart = (0..n).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
         assert!(apart < tolerance * largest, "{id}: {apart} of {largest}");
     }
-    // At rest the membrane carries ρ g (H − z) R, away from base and surface.
+    // Statically the membrane carries ρ g (H − z) R, away from base and surface.
     let hoop = nonlinear
         .result
         .envelopes
@@ -204,7 +204,7 @@ fn cracking() -> Case {
 }
 
 /// Half of the tank is the whole. A step ends with a residual of up to 1e-4 of the forces, and a crack that opens passes it on
-/// to the next: 1e-3 of the largest value after 50 steps or so; a wrong half would miss by its order of magnitude.
+/// to the next: 1e-3 of the largest value after 50 steps or so; a wrong half differs by its order of magnitude.
 #[test]
 fn half_is_the_whole() {
     let case = shaken(cracking(), 12.0, 25);
@@ -237,7 +237,7 @@ fn half_is_the_whole() {
     assert!((cracks(&half) / cracks(&whole) - 1.0).abs() < 1e-2);
 }
 
-/// Stops after so many steps.
+/// Stops after a number of steps.
 struct StopAfter {
     left: AtomicU64,
 }
@@ -297,8 +297,9 @@ fn resumed_with(contact: Contact) {
     assert_eq!(a.energies, b.energies);
 }
 
-/// A joint that may open is the wall's own displacement as long as it is pressed; pulled hard it opens near the surface, and the
-/// numbers stay finite. The penalty gives way by 1e-3 of the membrane, and peaks of a wall that rings at a frequency lower by half of
+/// A joint that may open follows the wall as long as it is in compression; pulled hard it opens near the surface, and the
+/// numbers stay finite. The penalty gives way by 1e-3 of the membrane, and peaks of a wall that rings at a frequency lower by
+/// half of
 /// that fall between other samples: 5e-3, not estimated further.
 #[test]
 fn contact_that_opens() {
@@ -320,7 +321,7 @@ fn contact_that_opens() {
                 .result
                 .events
                 .iter()
-                .any(|e| e.title == "the liquid leaves the wall"),
+                .any(|e| e.title == "the liquid separates from the wall"),
             opens
         );
         for (quantity, a) in &found.values {
@@ -330,7 +331,7 @@ fn contact_that_opens() {
     }
 }
 
-/// A wall that cannot carry the pressure at rest: collapse before the shaking, and every number is one that can be written.
+/// A wall that cannot carry the hydrostatic pressure: collapse before the shaking, and every number is finite.
 #[test]
 fn collapse_at_rest_is_a_result() {
     let mut case = shaken(cracking(), 1.0, 5);
@@ -350,7 +351,7 @@ fn collapse_at_rest_is_a_result() {
     assert_eq!(again.end, found.result.end);
 }
 
-/// A tank that may uplift is held down: the report says so, in its notes and its assumptions.
+/// An unanchored tank is clamped: the report states this in its notes and its assumptions.
 #[test]
 fn an_unanchored_tank_is_held_down_and_says_so() {
     let mut case = shaken(elastic(), 0.05, 4);

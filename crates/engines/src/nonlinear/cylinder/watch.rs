@@ -1,7 +1,7 @@
-//! What is seen of a run.
+//! Observer of a run.
 //!
 //! At every sample of the record: histories, the meridians next to θ = 0 and θ = π, the pressure on the wall. At every **look**
-//! (now and then, and when the base moment has grown by `GROWN`): all material points.
+//! (at intervals, and when the base moment has grown by `GROWN`): all material points.
 
 use fem::analysis::AnalysisError;
 use fem::analysis::checkpoint::{CheckpointError, Reader, Writer};
@@ -19,7 +19,7 @@ use super::contact::rise;
 use super::model::CylinderModel;
 use super::points::{Happening, Look, look};
 
-/// A base moment larger by this factor than that of the last picture is worth a new one.
+/// A base moment larger than that of the last picture by this factor gives a new one.
 const GROWN: f64 = 1.05;
 
 /// Numbers of the recorded quantities.
@@ -32,13 +32,13 @@ pub(super) const WAVE_FRONT: usize = 2;
 pub(super) const WAVE_BACK: usize = 3;
 /// Radial displacement of the top of the wall, θ = 0.
 pub(super) const TOP_FRONT: usize = 4;
-/// Displacement along x of the wall's node that bulges most at rest.
+/// Displacement along x of the wall's node that bulges most in the static state.
 pub(super) const BELLY_FRONT: usize = 5;
 
 /// Smallest and largest value with their times.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Extremes {
-    /// In the state at rest.
+    /// In the static state.
     pub rest: f64,
     /// Smallest.
     pub min: f64,
@@ -70,7 +70,7 @@ impl Extremes {
         }
     }
 
-    /// Largest distance from the state at rest, and its time.
+    /// Largest distance from the static state, and its time.
     pub(crate) fn swing(&self) -> (f64, f64) {
         let (down, up) = (self.rest - self.min, self.max - self.rest);
         if up >= down {
@@ -103,28 +103,28 @@ pub(crate) struct Kept {
     pub time: f64,
     /// Base moment then [N m].
     pub moment: f64,
-    /// What was seen.
+    /// The observations.
     pub look: Look,
 }
 
-/// What was seen so far, apart from what the parts of [`Watch`] keep themselves.
+/// Observations so far, without those that the parts of [`Watch`] store.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Seen {
     /// Meridians next to θ = 0 and π.
     pub sides: [Meridian; 2],
-    /// The state at rest.
+    /// The static state.
     pub rest: Option<Look>,
     /// The largest base moment.
     pub extreme: Option<Kept>,
     /// Time of the next look [s].
     next: f64,
-    /// Largest values of what does not only grow, cell by cell.
+    /// Largest values of quantities that can decrease, cell by cell.
     pub worst: Option<Look>,
     /// First time [s] and cell of each kind of event.
     pub first: Vec<(Happening, f64, usize)>,
     /// Number of looks.
     pub looks: usize,
-    /// Largest radial displacement of the wall at a sample, the state at rest included [m], and its time [s].
+    /// Largest radial displacement of the wall at a sample, the static state included [m], and its time [s].
     pub displacement: (f64, f64),
 }
 
@@ -135,11 +135,11 @@ pub(crate) struct Watch<'a> {
     interval: f64,
     /// Histories.
     pub recorder: QuantityObserver,
-    /// What was seen.
+    /// The observations.
     pub seen: Seen,
-    /// Where the liquid would leave the wall; sees nothing where it may.
+    /// Where bonded liquid would separate from the wall; unused where the contact opens.
     pub separation: SeparationCheck,
-    /// Where it has left the wall, at the points of the joints.
+    /// Where it has separated from the wall, at the points of the joints.
     pub openings: Option<Openings>,
     /// Equations of the liquid's unknowns.
     unknowns: Vec<Option<usize>>,
@@ -179,7 +179,7 @@ impl<'a> Watch<'a> {
         })
     }
 
-    /// Factor from what is computed to the whole tank.
+    /// Factor from the computed part to the whole tank.
     pub(crate) fn copies(&self) -> f64 {
         self.tank.cells.copies()
     }
@@ -341,7 +341,7 @@ impl Observe for Watch<'_> {
         if let Some(openings) = &self.openings {
             openings.save(to);
         }
-        // Plain numbers: nothing in it cannot be written.
+        // Plain numbers: writing cannot fail.
         to.text(&serde_json::to_string(&self.seen).unwrap_or_default());
     }
 
@@ -367,7 +367,7 @@ fn quantities(tank: &CylinderModel) -> Result<Vec<Quantity>, AnalysisError> {
         .iter()
         .flat_map(|&p| [Some(&tank.wall.inner), Some(&tank.wall.outer)].map(|l| l.and_then(|l| l.get(p)).copied()))
         .flatten()
-        // What the liquid at the base of the wall exerts goes into the ground there.
+        // The force of the liquid at the base of the wall goes into the ground there.
         .chain(tank.wetted[..tank.footprint.levels[0].len()].iter().copied())
         .collect();
     let copies = tank.cells.copies();

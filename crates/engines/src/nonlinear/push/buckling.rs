@@ -4,9 +4,10 @@
 //! (K_T(rest) + μ K_G(Δu)) φ = 0 ,   K_T(rest) Δu = load at a
 //! ```
 //!
-//! K_T is the tangent at rest, under weight and liquid, whose pressure stiffens the wall; K_G the stresses that inertia and
-//! impulsive pressure at the acceleration a add to it, by the linear answer: elastic, small displacements before buckling, what the
-//! liquid would pull left out as it is at a. μ a is no capacity: it knows neither yielding nor bending before it. Its mode is
+//! K_T is the static tangent, under weight and liquid, whose pressure stiffens the wall; K_G follows from the stresses that
+//! inertia and impulsive pressure at the acceleration a add in the linear response: elastic, small displacements before
+//! buckling, suction of the liquid excluded as at a. μ a is not a capacity: it includes neither yielding nor prebuckling
+//! bending. Its mode is
 //! the shape in which the elastic wall is softest.
 
 use fem::analysis::buckling::{Buckling, lowest};
@@ -175,7 +176,8 @@ mod tests {
     }
 
     /// Axial compression and bending: the classical stress. The waves grow from one clamped edge to the other, which adds
-    /// 2 (1.72 √(R t)/L)² = 3 %; bending at the edges before buckling takes up to 7 % (Almroth 1966); eight elements a half-wave add
+    /// 2 (1.72 √(R t)/L)² = 3 %; bending at the edges before buckling takes up to 7 % (Almroth 1966); eight elements a half-wave
+    /// add
     /// π²/(12 · 8²)/2 = 0.6 %. In bending only a part of the circumference is compressed that much, which adds a few per cent more
     /// (Seide & Weingarten 1961).
     #[test]

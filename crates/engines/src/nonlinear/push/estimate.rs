@@ -1,4 +1,4 @@
-//! What a pushover takes: half a wall of shells, and a path of up to so many states.
+//! Memory and time of a pushover: half a wall of shells, and a path of a limited number of states.
 
 use tank::Case;
 
@@ -27,7 +27,7 @@ const POINT_TIME: f64 = 2.5e-7;
 /// Numbers of a state that are kept, over the nodes of the wall.
 const SEEN: f64 = 4.0;
 
-/// What [`super::pushover`] takes.
+/// Memory and time of [`super::pushover`].
 ///
 /// Errors: a liquid too shallow for finite elements.
 pub fn estimate(case: &Case, options: &NonlinearOptions, push: &PushOptions) -> Result<Estimate, FeError> {
@@ -83,7 +83,8 @@ fn of(case: &Case, options: &NonlinearOptions, push: &PushOptions, rows: f64, se
     Estimate {
         run: "pushover",
         size: format!(
-            "{rows:.0} x {sectors:.0} elements, half of them computed, {:.0} unknowns, up to {STATES} states of {shells:.0} shell(s)",
+            "{rows:.0} x {sectors:.0} elements, half of them computed, {:.0} unknowns, up to {STATES} states of {shells:.0} \
+             shell(s)",
             NODE * nodes
         ),
         parts: vec![

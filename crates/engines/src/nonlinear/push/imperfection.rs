@@ -68,7 +68,7 @@ impl Amplitude {
         }
     }
 
-    /// Where it comes from, in words; `shape` says what has it.
+    /// Its source in words; `shape` describes the shape.
     pub fn source(self, shape: &str) -> String {
         match self {
             Amplitude::Quality(q) => format!(

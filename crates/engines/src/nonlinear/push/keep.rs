@@ -1,10 +1,11 @@
-//! The checkpoint of a pushover: when it is written, what stands in it.
+//! The checkpoint of a pushover: when it is written, and its contents.
 //!
 //! ```text
-//! perfect shell, if it is finished: end | states        buckling mode, if it is known: μ, place, φ        path under way, if there is one
+//! perfect shell, if it is finished: end | states        buckling mode, if it is known: μ, place, φ        path under way, if
+//! there is one
 //! ```
 //!
-//! A path that is restored goes on bit by bit (`path`); the model is built again, from the same numbers.
+//! A restored path continues bit for bit (`path`); the model is rebuilt from the same numbers.
 
 use std::time::Instant;
 
@@ -18,7 +19,7 @@ use super::seen::Seen;
 use crate::FeError;
 use crate::nonlinear::CheckpointFile;
 
-/// What a checkpoint holds.
+/// Contents of a checkpoint.
 #[derive(Default)]
 pub(super) struct Kept<'a> {
     /// States of the perfect shell, and why its path ends.
@@ -67,7 +68,7 @@ impl<'f> Keeper<'f> {
         }
     }
 
-    /// What the file holds, if the run is to go on from it and it is there.
+    /// Contents of the file, if it exists and the run resumes.
     ///
     /// Errors: a file of another pushover, or no sound one.
     pub(super) fn resume<'a>(&mut self, plan: &'a Plan<'a>) -> Result<Kept<'a>, FeError> {
@@ -128,16 +129,16 @@ impl<'f> Keeper<'f> {
         self.written |= saved.is_ok();
         if let Err(error) = &saved {
             if progress.interrupted() {
-                progress.warn(&format!("{error}; what was computed since the last checkpoint is lost"));
+                progress.warn(&format!("{error}; the computation since the last checkpoint is lost"));
             } else if !self.failed {
                 // Of a disk that stays full the first word is enough.
-                progress.warn(&format!("{error}; the run goes on and tries again later"));
+                progress.warn(&format!("{error}; the run continues and tries again later"));
             }
         }
         self.failed = saved.is_err();
     }
 
-    /// Removes what this run has written: there is nothing to go on with.
+    /// Removes the checkpoint of this run: it cannot be resumed.
     pub(super) fn discard(&self) {
         if let Some(file) = self.file.filter(|_| self.written) {
             file.remove();

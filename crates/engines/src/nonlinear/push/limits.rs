@@ -1,4 +1,4 @@
-//! Formulas beside the pushover: the acceleration at which the beam's axial stress reaches each of them.
+//! Formulas to compare with the pushover: the acceleration at which the beam's axial stress reaches each of them.
 //!
 //! ```text
 //! σ_m(z, a) = [M(z, a)/(π R²) + N_0(z)]/t         at the lower edge of every course
@@ -12,7 +12,7 @@ use tank::Course;
 
 use super::model::Plan;
 
-/// A formula for the compression that a wall carries, to stand beside the pushover.
+/// A formula for the compressive strength of a wall, to be compared with the pushover.
 pub struct Formula<'a> {
     /// Name.
     pub name: String,
@@ -20,7 +20,7 @@ pub struct Formula<'a> {
     pub source: String,
     /// Whether it holds for the bottom course alone.
     pub bottom_course: bool,
-    /// What the impulsive pressure is multiplied by before it is added to that at rest: 1, −1, or 0 if it has no say.
+    /// Factor of the impulsive pressure in the total pressure: 1, −1, or 0 if it does not count.
     pub impulsive: f64,
     /// Compression carried [Pa] by a course under an internal pressure [Pa].
     pub capacity: Capacity<'a>,

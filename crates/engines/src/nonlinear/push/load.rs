@@ -1,4 +1,4 @@
-//! The load of a pushover: what a unit of horizontal acceleration of ground and impulsive liquid does to the wall.
+//! The load of a pushover: forces on the wall under a unit horizontal acceleration of ground and impulsive liquid.
 //!
 //! ```text
 //! p(θ, z) = p_i(z) cos θ ,   q_l = ∫ p_i N_l dz = 2/(π R) (M_f ι)_l          impulsive pressure, levels l
@@ -6,7 +6,7 @@
 //! ```
 //!
 //! M_f is the added mass of the liquid with its surface free of pressure ([`HarmonicLiquid`], m = 1): the sloshing
-//! amplitudes stay at rest. The tank moves as a rigid body in it; a flexible wall makes the impulsive acceleration larger than
+//! amplitudes stay zero. The tank moves as a rigid body; a flexible wall makes the impulsive acceleration larger than
 //! that of the ground and changes the pattern towards the first mode, which is for the user to judge. θ = 0 is the compressed
 //! side: the inertia forces act along +x.
 
@@ -18,7 +18,7 @@ use tank::Case;
 
 use crate::FeError;
 
-/// Meridians that can tell the harmonics 0 to 2 apart.
+/// Least number of meridians that separates the harmonics 0 to 2.
 const MERIDIANS: usize = 4;
 
 /// Line loads at the levels of the wall, per unit of acceleration.

@@ -1,14 +1,14 @@
-//! Pushover of an anchored cylinder: the state at rest, then inertia forces and impulsive pressure of a growing horizontal
+//! Pushover of an anchored cylinder: the static state, then inertia forces and impulsive pressure of a growing horizontal
 //! acceleration through the limit point.
 //!
 //! ```text
 //! f_int(u) = weight + p_hydrostatic(u) + a M_s ι + max(a M_f ι, −p_hydrostatic)         a [m/s²]
 //! ```
 //!
-//! Load steps up to the last equilibrium, then an arc through the limit point in the pattern reached (the liquid does not pull,
-//! node by node). Large rotations, steel that yields, the hydrostatic pressure turns with the wall; see `load` for the pattern, `model` for
-//! mesh and supports, `imperfection` for what is wrong with the shell. A static capacity: neither the duration of the peak nor
-//! the cycles before it count.
+//! Load steps up to the last equilibrium, then arc-length steps through the limit point with the pattern reached (no suction of
+//! the liquid, node by node). Large rotations, yielding steel, hydrostatic pressure that rotates with the wall; see `load` for
+//! the pattern, `model` for mesh and supports, `imperfection` for the imperfect shell. A static capacity: neither the duration
+//! of the peak nor the cycles before it count.
 
 mod buckling;
 mod estimate;
@@ -45,7 +45,7 @@ use path::Followed;
 use results::{Fact, FactKind, Imperfection, PushLimit, PushShell};
 use tank::options::nonlinear::NonlinearOptions;
 
-/// What a pushover is asked.
+/// Options of a pushover.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct PushOptions {
     /// Amplitude of the imperfect shell; `None`: the perfect shell alone.
@@ -56,20 +56,20 @@ pub struct PushOptions {
     pub height: Option<f64>,
 }
 
-/// What a pushover found.
+/// Results of a pushover.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pushed {
     /// The model in numbers.
     pub model: Vec<Fact>,
-    /// What was assumed.
+    /// Assumptions, one sentence each.
     pub assumptions: Vec<String>,
-    /// What to doubt of it, one sentence each.
+    /// Doubts about it, one sentence each.
     pub doubts: Vec<String>,
     /// The perfect shell and the imperfect one.
     pub shells: Vec<PushShell>,
-    /// Formulas beside it.
+    /// Formulas for comparison.
     pub limits: Vec<PushLimit>,
-    /// What an interruption left out, in words; empty if all was done.
+    /// The missing part of an interrupted run, in words; empty if complete.
     pub interruption: String,
 }
 
@@ -80,12 +80,11 @@ pub fn refuses(task: &Task<'_>) -> Vec<Refusal> {
 
 /// Pushes the perfect shell, and the imperfect one if there is one.
 ///
-/// * `formulas`: what the found capacity is compared with
-/// * `checkpoint`: where the run is kept every [`NonlinearOptions::checkpoint`] seconds and when it is interrupted; left to the
-///   caller to remove
+/// * `formulas`: formulas to compare the capacity with
+/// * `checkpoint`: written every [`NonlinearOptions::checkpoint`] seconds and on interruption; the caller removes it
 ///
-/// Errors: a tank, a wall or an option that a pushover does not know; a state at rest that the wall does not carry; a checkpoint of
-/// another run. One that cannot be written is no error but a warning of `progress`.
+/// Errors: an unsupported tank, wall or option; a static load that the wall does not carry; a checkpoint of another run. A
+/// checkpoint that cannot be written is a warning of `progress`, not an error.
 pub fn pushover(
     case: &Case,
     options: &NonlinearOptions,
@@ -106,14 +105,14 @@ pub fn pushover(
     if push.height.is_some() && push.form == Form::Mode {
         return Err(FeError::Option {
             option: "height of the imperfection".into(),
-            found: "a height beside the buckling mode".into(),
-            allowed: "a height for a weld; a mode has its own".into(),
+            found: "a height together with the buckling mode".into(),
+            allowed: "a height for a weld only; a mode determines its height".into(),
         });
     }
     let mut keeper = Keeper::new(checkpoint, &plan);
     let kept = keeper.resume(&plan)?;
     let (shells, missing) = shells(&plan, push, kept, &mut keeper, progress).inspect_err(|error| {
-        // It would end there again.
+        // It would fail there again.
         if matches!(error, FeError::Analysis(_)) {
             keeper.discard();
         }
@@ -154,7 +153,7 @@ fn shells(
         return Ok((vec![perfect], true));
     }
     let imperfect = if progress.interrupted() {
-        // With a path under way the file has all that there is.
+        // While a path is under way the file is up to date.
         if path.is_none() {
             keeper.save(None, progress);
         }
@@ -162,7 +161,7 @@ fn shells(
     } else {
         match imperfect(plan, amplitude, push, &perfect, (mode, path), keeper, progress) {
             Ok(shell) => Some(shell),
-            // What is there is kept.
+            // The perfect shell is kept.
             Err(FeError::Interrupted { .. }) => None,
             Err(error) => return Err(error),
         }
@@ -174,15 +173,15 @@ fn shells(
 /// Longest element on which a bulge is one, over √(R t): its half wave is 1.7 √(R t) and more, three elements then.
 const COARSE: f64 = 0.6;
 
-/// What to doubt of a pushover.
+/// Doubts about a pushover.
 fn doubts(plan: &Plan, shells: &[PushShell]) -> Vec<String> {
     let lowest = &plan.case.tank.courses[0];
     let length = (plan.levels[1] - plan.levels[0]) / (plan.radius * lowest.thickness).sqrt();
     let mut out = Vec::new();
     if length > COARSE {
         out.push(format!(
-            "The mesh is too coarse for a bulge: the lowest element is {} √(R t) long, of which a bulge takes 1.7 to 2.4; at most {COARSE} \
-             would do. Capacities may be far too high.",
+            "The mesh is too coarse for a bulge, whose half wave is 1.7 to 2.4 √(R t): the lowest element is {} √(R t) long, \
+             expected at most {COARSE}. Capacities may be far too high.",
             significant(length, 3)
         ));
     }
@@ -191,14 +190,14 @@ fn doubts(plan: &Plan, shells: &[PushShell]) -> Vec<String> {
     {
         out.push(
             "The imperfect shell carries more than the perfect one: the imperfection stiffens the place where the perfect shell \
-             buckles, or the mesh does not resolve the buckle. No capacity is to be read from it."
+             buckles, or the mesh does not resolve the buckle. Its capacity is not valid."
                 .into(),
         );
     }
     out
 }
 
-/// What is left out, in words.
+/// The missing part, in words.
 fn interruption(shells: &[PushShell], missing: bool) -> String {
     let capacity = |shell: &PushShell| match shell.capacity.limit {
         true => "beyond its maximum",
@@ -337,33 +336,31 @@ fn facts(plan: &Plan) -> Vec<Fact> {
 
 fn assumptions(case: &Case, options: &NonlinearOptions) -> Vec<String> {
     let mut out = vec![
-        "Static: the load grows once, in one direction, from the state at rest under weight and liquid; no cycles, no duration. The \
-         acceleration is that of ground and impulsive liquid together: with the impulsive response spectrum the abscissa is S_a, not \
-         the peak ground acceleration."
+        "Static: the load grows once, in one direction, from equilibrium under weight and liquid; no cycles, no duration. The \
+         acceleration is that of ground and impulsive liquid together: with the impulsive response spectrum it is S_a, not the \
+         peak ground acceleration."
             .to_owned(),
-        "Inertia of the wall and impulsive pressure in the pattern of a rigid tank, the sloshing at rest; no vertical motion. The \
-         liquid does not pull: on the side away from the compression impulsive and hydrostatic pressure together are never below \
-         zero, so that shear and moment grow slower than the acceleration. The formulas are compared without that."
+        "Inertia of the wall and impulsive pressure in the pattern of a rigid tank, without sloshing; no vertical motion. No \
+         suction: on the side away from the compression the sum of impulsive and hydrostatic pressure is never below zero, so \
+         that shear and moment grow more slowly than the acceleration. The formulas do not include this."
             .into(),
-        "Half the wall between planes of symmetry, clamped at its base, free at its top: a roof is mass without stiffness. A buckle of the \
-         edge on the side away from the compression, where no liquid presses, is that of a wall without ring or roof; a ring can be given \
-         as a course of its own."
+        "Half the wall between planes of symmetry, clamped at its base, free at its top: a roof is mass without stiffness. A \
+         buckle of the edge on the side away from the compression, above the liquid, is that of a wall without ring or roof; a \
+         ring can be given as a separate course."
             .into(),
-        "Steel of the material's nominal strength; the elements carry transverse shear elastically and know no tearing.".into(),
+        "Steel of nominal strength; transverse shear of the elements is elastic, and tearing is not modelled.".into(),
         "Waves shorter than about eight elements around the circumference are too stiff: the axisymmetric bulge at the base is \
-         resolved, diamond buckles of an elastic wall are only as far as the element size in the table allows."
+         resolved; diamond buckles of an elastic wall are resolved only as far as the element size in the table allows."
             .into(),
     ];
     if case.tank.roof.mass > 0.0 {
-        out.push(
-            "The mass of the roof stands on the edge of the wall, its lever as a pair of forces along the edge.".into(),
-        );
+        out.push("The mass of the roof acts on the edge of the wall, its lever arm as a couple along the edge.".into());
     }
     if !options.follower_pressure {
-        out.push("The hydrostatic pressure does not turn with the wall, as asked for.".into());
+        out.push("The hydrostatic pressure does not rotate with the wall, as requested.".into());
     }
     if !options.self_weight {
-        out.push("The wall has no weight, as asked for.".into());
+        out.push("The weight of the wall is ignored, as requested.".into());
     }
     out
 }

@@ -31,7 +31,7 @@ use crate::nonlinear::laws::unsupported;
 use crate::solid::mesh::based_levels;
 use tank::options::nonlinear::NonlinearOptions;
 
-/// Sectors of the full circle unless the user says otherwise.
+/// Default number of sectors of the full circle.
 pub(super) const SECTORS: u32 = 96;
 /// Last over first element around the half circle.
 const GRADING: f64 = 4.0;
@@ -130,7 +130,7 @@ impl NoSteel {
     }
 }
 
-/// What the model is made from.
+/// Input of the model.
 pub(super) struct Plan<'a> {
     pub(super) case: &'a Case,
     pub(super) options: &'a NonlinearOptions,
@@ -145,7 +145,7 @@ fn failed(error: impl std::fmt::Display) -> FeError {
 }
 
 impl<'a> Plan<'a> {
-    /// Errors: a tank that is no anchored cylinder; an option out of range.
+    /// Errors: a tank that is not an anchored cylinder; an option out of range.
     pub(super) fn new(case: &'a Case, options: &'a NonlinearOptions) -> Result<Plan<'a>, FeError> {
         let Shape::Cylinder { radius } = case.tank.shape else {
             return unsupported("a pushover is for cylinders (shape cylinder); this tank is a rectangle");
@@ -213,7 +213,7 @@ impl<'a> Plan<'a> {
             let course = joints.iter().position(|top| middle < *top).unwrap_or(joints.len() - 1);
             let layers = case.tank.courses[course].build_up();
             let Build::Shell(leaf) = row(&layers, [length, z[1] - z[0]], &self.options.integration)?.build else {
-                return unsupported("a pushover knows walls of one shell, not of two with an interlayer");
+                return unsupported("a pushover supports walls of one shell, not of two with an interlayer");
             };
             for k in 0..angles.len() - 1 {
                 corners.push(ShellCell {
@@ -317,7 +317,7 @@ impl<'a> Plan<'a> {
         let (levels, angles) = (&self.levels, &self.angles);
         let mut out = Vec::new();
         for (l, ring) in rings.iter().enumerate().filter(|(l, _)| self.impulsive.line[*l] > 0.0) {
-            // ∫ ρ g (H − z) N_l dz by the middles of the two elements beside the level.
+            // ∫ ρ g (H − z) N_l dz between the middles of the two elements next to the level.
             let half = |a: f64, b: f64, share: f64| {
                 let head = liquid.fill_height - (a + share * (b - a));
                 0.5 * (b - a) * liquid.density * self.case.gravity * head.max(0.0)

@@ -40,7 +40,7 @@ pub(super) struct Followed<'a> {
 
 /// Follows the path of a shell, from where `from` has it; `keeper` writes checkpoints.
 ///
-/// Errors: a model that cannot be built; a state at rest that is not carried; an interruption before anything was carried beside it;
+/// Errors: a model that cannot be built; a static state without equilibrium; an interruption before the first load step;
 /// a checkpoint of another model.
 pub(super) fn follow<'a>(
     plan: &'a Plan<'a>,
@@ -93,7 +93,7 @@ struct Walk<'a, 'm> {
     seen: Seen<'a>,
     /// Acceleration of the last load step [m/s²].
     reached: f64,
-    /// The next load step [m/s²], zero for the state at rest.
+    /// The next load step [m/s²], zero for the static state.
     step: f64,
     /// ‖Δu‖ of a load step of [`FIRST`]; not finite before there is one.
     arc: f64,
@@ -134,7 +134,7 @@ impl<'a, 'm> Walk<'a, 'm> {
         }
     }
 
-    /// A load step while there is an equilibrium: what the liquid would pull is left out anew at each. The arc begins where there is none.
+    /// Load steps while there is an equilibrium; suction is removed again at each. The arc-length steps start where there is none.
     fn load_step(&mut self) -> Result<(), FeError> {
         let gravity = self.plan.case.gravity;
         if self.reached > MOST * gravity {
@@ -155,7 +155,7 @@ impl<'a, 'm> Walk<'a, 'm> {
             }
             Err(failure) if step == 0.0 => {
                 return Err(FeError::Analysis(format!(
-                    "the wall does not carry weight and hydrostatic pressure at rest: {failure}"
+                    "the wall does not carry its weight and the hydrostatic pressure: {failure}"
                 )));
             }
             Err(_) if step > LEAST * gravity => self.step *= 0.5,
@@ -167,7 +167,7 @@ impl<'a, 'm> Walk<'a, 'm> {
     fn begin_arc(&mut self) -> Result<(), FeError> {
         if !self.arc.is_finite() {
             return Err(FeError::Analysis(format!(
-                "no equilibrium under {LEAST} g beside the state at rest"
+                "no equilibrium at {LEAST} g, the smallest load step"
             )));
         }
         self.along = Some(Along {

@@ -1,4 +1,4 @@
-//! What is seen on the path of a shell, and what it comes to.
+//! States on the path of a shell, and their summary.
 
 use std::f64::consts::PI;
 
@@ -12,7 +12,7 @@ use super::model::{Plan, PushModel};
 use crate::FeError;
 use results::{Capacity, PushMeridian, PushPoint, PushShell, WallMap};
 
-/// The compressed meridian at one state, and of the whole wall what tells where it gives way.
+/// The compressed meridian at one state, and the places of the wall that yield or buckle.
 #[derive(Clone, Debug, Default)]
 struct Meridian {
     /// Radial displacement at the levels.
@@ -109,7 +109,8 @@ impl<'a> Seen<'a> {
         Ok(())
     }
 
-    /// Height [m], angle [rad] and row of cells of the buckle: where the plates have yielded most since the strongest state. Where they
+    /// Height [m], angle [rad] and row of cells of the buckle: where the plates have yielded most since the strongest state.
+    /// Where they
     /// have not, the buckle is elastic: where the wall has moved most since then. Before a maximum, where the plates have yielded
     /// most, or are compressed most.
     fn buckle(&self, best: usize) -> (f64, f64, usize) {
@@ -134,7 +135,7 @@ impl<'a> Seen<'a> {
         (self.plan.levels[level], angles[column], level.min(peak.axial.len() - 1))
     }
 
-    /// What it comes to; `end` says why the path ends.
+    /// Summary; `end` gives the reason why the path ends.
     pub(super) fn shell(&self, end: String) -> PushShell {
         let count = self.points.len();
         let best = (0..count)

@@ -1,4 +1,4 @@
-//! Interruptions: what they leave out, and that a resumed pushover is the uninterrupted one.
+//! Interruptions: the missing part is named, and a resumed pushover equals an uninterrupted one.
 
 use std::path::Path;
 use std::sync::Mutex;
@@ -10,7 +10,7 @@ use super::*;
 use tank::options::nonlinear::WallElements;
 use tank::reference::{case, material};
 
-/// Without formulas beside it.
+/// Without formulas.
 fn pushover(
     case: &Case,
     options: &NonlinearOptions,
@@ -78,7 +78,7 @@ fn stopped(stage: &'static str, steps: u64) -> Result<Pushed, FeError> {
     pushover(&case, &options(&case, 12), &imperfect(Form::Weld), None, &stop)
 }
 
-/// What is done is told apart from what is not.
+/// Finished and missing parts are distinguished.
 #[test]
 fn an_interruption_says_what_it_leaves_out() {
     assert!(matches!(stopped("perfect shell", 0), Err(FeError::Interrupted { .. })));
@@ -225,7 +225,7 @@ fn a_resumed_pushover_is_the_uninterrupted_one() {
     }
 }
 
-/// A checkpoint that cannot be written costs a warning and nothing else.
+/// A checkpoint that cannot be written gives a warning only.
 #[test]
 fn a_checkpoint_that_cannot_be_written_does_not_end_the_run() {
     let case = small();
@@ -241,13 +241,13 @@ fn a_checkpoint_that_cannot_be_written_does_not_end_the_run() {
     let warnings = kill.now.into_inner().unwrap().warnings;
     assert_eq!(warnings.len(), 1, "{warnings:?}");
     assert!(
-        warnings[0].contains("removed") && warnings[0].contains("the run goes on and tries again later"),
+        warnings[0].contains("removed") && warnings[0].contains("the run continues and tries again later"),
         "{warnings:?}"
     );
     assert!(!place.exists());
 }
 
-/// Without a state that could be resumed nothing is kept; one of a run that cannot go on is removed.
+/// Without a state to resume nothing is kept; the checkpoint of a failed run is removed.
 #[test]
 fn a_run_that_fails_leaves_no_checkpoint() {
     let mut case = small();
@@ -275,7 +275,7 @@ fn interrupted(home: &Path, states: u64) -> CheckpointFile {
     file
 }
 
-/// What was asked with another key, on another mesh or of a spoiled file is refused, with the file's name and a way out.
+/// A checkpoint with another key, of another mesh, or damaged is refused, with the file's name and help.
 #[test]
 fn a_checkpoint_of_another_run_is_refused() {
     let home = tempfile::tempdir().unwrap();

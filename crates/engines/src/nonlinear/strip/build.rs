@@ -20,12 +20,12 @@ use tank::options::nonlinear::{Contact, NonlinearOptions};
 
 /// Sloshing modes of the condensed liquid: the tenth holds 1e-4 of the liquid's mass.
 const SLOSHING_MODES: usize = 12;
-/// Elements over the wall unless the user says otherwise.
+/// Default number of elements over the wall.
 pub(crate) const ELEMENTS: u32 = 40;
 /// Steps of the time integration in a period of the first mode of wall and liquid.
 pub(super) const STEPS_PER_PERIOD: f64 = 20.0;
 
-/// A strip ready to be shaken.
+/// A strip with its ground motion.
 pub(crate) struct Strip {
     pub model: StripModel,
     pub quake: StripQuake,
@@ -33,15 +33,14 @@ pub(crate) struct Strip {
     pub seconds: f64,
     /// The model in numbers.
     pub facts: Vec<Fact>,
-    /// What was assumed, one sentence each.
+    /// Assumptions, one sentence each.
     pub assumptions: Vec<String>,
 }
 
 impl Strip {
     /// The strip of a case with its record.
     ///
-    /// Errors: no record; a tank that is no strip; a wall, a law or an option that the strip does not know; parameters out of
-    /// range.
+    /// Errors: no record; a tank that is not a strip; an unsupported wall, law or option; parameters out of range.
     pub(crate) fn new(case: &Case, options: &NonlinearOptions) -> Result<Strip, FeError> {
         let Some(motion) = &case.ground_motion else {
             return Err(FeError::NoRecord);
@@ -51,11 +50,11 @@ impl Strip {
         } = case.tank.shape
         else {
             return unsupported(
-                "the nonlinear engine runs strips of long rectangular tanks (shape rectangle, strip true); this tank is none",
+                "the tank is not a strip; the nonlinear engine runs strips of long rectangular tanks (shape rectangle, strip true)",
             );
         };
         if case.tank.roof.mass > 0.0 {
-            return unsupported("the nonlinear strip knows no roof: leave its mass out");
+            return unsupported("the strip engine does not support a roof mass; remove `roof`");
         }
         let levels = levels(case, options.elements.map_or(ELEMENTS, |e| e.height));
         let mut sections = Vec::new();

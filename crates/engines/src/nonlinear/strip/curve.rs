@@ -14,11 +14,12 @@ use results::channel::Side;
 use results::{Collapse, FirstCrack, IdaRun};
 
 impl Strip {
-    /// Both walls at every scale on `threads` threads, by ascending scale; `each` gets every run as it is finished.
+    /// Both walls at every scale on `threads` threads, by ascending scale; `each` receives every finished run.
     ///
-    /// * `checkpoint`: where the run of a scale keeps what it needs to be resumed; left to the caller to remove
+    /// * `checkpoint`: checkpoint of the run of a scale; the caller removes it
     ///
-    /// Errors: a failure of the analysis; a checkpoint that cannot be written or is of another run. Collapse is none.
+    /// Errors: a failure of the analysis; a checkpoint that cannot be written or belongs to another run. Collapse is a result,
+    /// not an error.
     pub(crate) fn incremental(
         &self,
         scales: &[f64],
@@ -44,7 +45,7 @@ impl Strip {
                 time: collapse.time,
                 reason: collapse.failure.to_string(),
             }),
-            // A run that has left its model has not collapsed.
+            // A run that exceeded a limit of its model has not collapsed.
             Outcome::Stopped { reason } if !wall.demand.departures.iter().any(|d| d.kind.stops()) => Some(Collapse {
                 time: wall.time,
                 reason: reason.clone(),

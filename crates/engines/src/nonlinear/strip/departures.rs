@@ -1,4 +1,4 @@
-//! Limits of the model that a run of a wall has passed, and what its moments at the base are made of, for the results.
+//! Limits of the model that a run of a wall has exceeded, and the parts of its moments at the base, for the results.
 
 use fem::strip;
 

@@ -58,28 +58,28 @@ pub(super) fn facts(model: &StripModel, tank: &StripTank, step: f64) -> Vec<Fact
     ]
 }
 
-/// What the strip assumes, one sentence each.
+/// Assumptions of the strip, one sentence each.
 pub(super) fn assumptions(case: &Case, options: &NonlinearOptions) -> Vec<String> {
     let mut out = vec![
         "Strip of 1 m breadth in plane strain; corners of the tank are outside the model; rigid base, clamped walls.".to_owned(),
         "Walls as fibre beams with plane sections and small deflections: no shear failure, no bond slip.".to_owned(),
         match options.contact {
             Contact::Bonded => {
-                "Liquid of linear potential theory, condensed onto the wall; it stays at the wall. Both walls are run: the record \
-                 and the record turned round."
+                "Liquid of linear potential theory, condensed onto the wall and bonded to it. Both walls are run: with the \
+                 record and with the reversed record."
             }
             Contact::Opening => {
-                "Liquid of linear potential theory, condensed onto a face of its own that the wall presses and does not pull: it \
-                 parts where the pressure of the displaced particle would fall below that of the air. Both walls are run: the \
-                 record and the record turned round."
+                "Liquid of linear potential theory, condensed onto a separate face; the contact transfers pressure only: the \
+                 liquid separates where the pressure of the displaced particle falls below atmospheric pressure. Both walls are \
+                 run: with the record and with the reversed record."
             }
         }
         .to_owned(),
-        "Every run begins with the weight of the walls and the hydrostatic pressure. An unconverged step is never accepted: it \
-         is halved until it converges, or the run ends as a collapse, and its numbers are lower bounds."
+        "Every run starts from equilibrium under the weight of the walls and the hydrostatic pressure. An unconverged step is \
+         never accepted: it is halved until it converges, or the run ends as a collapse and its numbers are lower bounds."
             .to_owned(),
         format!(
-            "A wall whose top has moved by {} of its height counts as collapsed: the theory of small deflections says no more.",
+            "A wall counts as collapsed when its top has moved by {} of its height, the limit of small-deflection theory.",
             fem::strip::LARGEST_DEFLECTION
         ),
     ];
@@ -91,11 +91,11 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions) -> Vec<String
         );
     }
     if !options.self_weight {
-        out.push("The walls have no weight, as asked for.".into());
+        out.push("The weight of the walls is ignored, as requested.".into());
     }
     if options.spectral_radius < 1.0 {
         out.push(format!(
-            "Generalised-α method with ρ∞ = {}: what the scheme itself dissipates is part of the energy balance.",
+            "Generalised-α method with ρ∞ = {}: its numerical dissipation is part of the energy balance.",
             options.spectral_radius
         ));
     }

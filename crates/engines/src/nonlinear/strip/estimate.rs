@@ -1,4 +1,4 @@
-//! What a nonlinear run of a strip takes: next to nothing for the wall, the histories of both walls step by step.
+//! Memory and time of a nonlinear run of a strip: little for the wall, most for the histories of both walls step by step.
 
 use tank::Case;
 
@@ -27,7 +27,7 @@ const BLOCKS: f64 = 4.0;
 /// Bytes of a beam in the model: section, element, matrices.
 const BEAM: f64 = 20_000.0;
 
-/// What [`super::simulate`] takes, with free vibration (`free`), or `runs` runs of an incremental analysis, `jobs` at a time.
+/// Cost of [`super::simulate`], with free vibration (`free`), or of `runs` runs of an incremental analysis, `jobs` in parallel.
 ///
 /// Errors: no ground motion; a response longer than the limits.
 pub(crate) fn estimate(

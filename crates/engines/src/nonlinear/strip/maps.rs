@@ -13,7 +13,7 @@ impl Walls<'_> {
     fn leaf(&self, e: usize) -> Vec<Layer> {
         let levels = &self.model.tank.levels;
         let layers = course_at(self.case, 0.5 * (levels[e] + levels[e + 1])).build_up();
-        // The strip was built from it.
+        // The strip was built from these layers, so that this succeeds.
         main_leaf(&layers).map(<[Layer]>::to_vec).unwrap_or_default()
     }
 
@@ -77,7 +77,7 @@ impl Walls<'_> {
             number,
             self.cells(|run, e| run.history.cells[e].utilisation),
             Some(1.0),
-            "Largest stress over strength of any fibre; in tension over what is left of the strength.",
+            "Largest stress over strength of any fibre; in tension over the remaining strength.",
         ));
         let leaves: Vec<Vec<Layer>> = (0..self.model.tank.sections.len()).map(|e| self.leaf(e)).collect();
         let layers = || leaves.iter().flatten();
@@ -120,16 +120,16 @@ impl Walls<'_> {
         if self.model.joints.is_some() {
             maps.push(map(
                 "separation",
-                "largest distance of liquid and wall",
+                "largest gap between liquid and wall",
                 Dimension::Length,
                 self.cells(|run, e| {
-                    // The lowest joint stands at level 1.
+                    // The lowest joint is at level 1.
                     let gaps = run.history.openings.iter().flat_map(|o| o.widest());
                     let own = gaps.skip(e.saturating_sub(1)).take(if e == 0 { 1 } else { 2 });
                     own.fold(0.0, f64::max)
                 }),
                 None,
-                "Widest gap at the ends of the element; 0 where the liquid has stayed at the wall.",
+                "Widest gap at the ends of the element; 0 where the liquid has stayed in contact.",
             ));
             return maps;
         }
@@ -142,8 +142,8 @@ impl Walls<'_> {
                 seen.map_or(0.0, |(_, p)| if p.is_finite() { p } else { 0.0 })
             }),
             Some(0.0),
-            "Gauge pressure of the particle that is there at rest, in the middle of the element; below 0 the liquid would part from \
-             the wall if air came in. 0 above the surface.",
+            "Gauge pressure of the particle that is there at rest, in the middle of the element; below 0 the liquid would \
+             separate from the wall if air entered. 0 above the surface.",
         ));
         maps
     }

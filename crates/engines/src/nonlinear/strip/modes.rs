@@ -1,4 +1,4 @@
-//! Modes of the virgin strip in the vocabulary of the results folder.
+//! Modes of the strip with its initial stiffness, for the results folder.
 
 use std::f64::consts::TAU;
 
@@ -6,13 +6,14 @@ use fem::dofs::Dof;
 use fem::linalg::dot;
 use fem::strip::StripModel;
 
+use crate::modes::Kind;
 use results::{DampingRow, Mode, ModeShape};
 
 /// Modes of each kind that are listed.
 const LISTED: usize = 6;
 /// Points over half of the surface.
 const SURFACE: usize = 20;
-/// Share of the mass from which a mode stands in the table of damping.
+/// Share of the mass from which a mode is listed in the table of damping.
 const SIGNIFICANT: f64 = 0.01;
 
 /// The first modes of each kind of a tank of the given breadth, both walls.
@@ -24,22 +25,25 @@ pub(super) fn modes(model: &StripModel, breadth: f64) -> Vec<Mode> {
     let mut out = Vec::new();
     for (j, &omega) in model.modes.omega.iter().enumerate() {
         let phi = model.modes.vectors.column(j);
-        let slosh = is_sloshing(model, j);
-        let counter = if slosh { &mut sloshing } else { &mut structural };
+        let kind = kind(model, j);
+        let counter = match kind {
+            Kind::Sloshing => &mut sloshing,
+            _ => &mut structural,
+        };
         *counter += 1;
         if *counter > LISTED {
             continue;
         }
         // φᵀ M φ = 1 of the whole tank, 2 b strips.
         let participation = (2.0 * breadth).sqrt() * dot(&model.system.inertia[0], phi);
-        // κᵀ M φ: what holds the base is all that opposes the moment of inertia.
+        // κᵀ M φ: the reactions at the base alone balance the moment of the inertia forces.
         let turned = sparse(&moment.acceleration, phi) - sparse(&moment.displacement, phi) / (omega * omega);
         let turned = (2.0 * breadth).sqrt() * turned;
         let carries_mass = participation * participation > 1e-12 * total;
         out.push(Mode {
             harmonic: 1,
             axial: None,
-            kind: if slosh { "sloshing" } else { "structural" }.into(),
+            kind: kind.id().into(),
             number: *counter,
             omega,
             period: TAU / omega,
@@ -53,12 +57,15 @@ pub(super) fn modes(model: &StripModel, breadth: f64) -> Vec<Mode> {
     out
 }
 
-/// Whether more than half of the potential energy of mode `j` is in the surface.
-fn is_sloshing(model: &StripModel, j: usize) -> bool {
+/// Kind of mode `j`: sloshing if more than half of its potential energy is in the surface.
+fn kind(model: &StripModel, j: usize) -> Kind {
     let phi = model.modes.vectors.column(j);
     let spring = model.tank.liquid.spring();
     let surface: f64 = model.amplitudes.iter().map(|&e| spring * phi[e] * phi[e]).sum();
-    surface > 0.5 * model.modes.omega[j].powi(2)
+    match surface > 0.5 * model.modes.omega[j].powi(2) {
+        true => Kind::Sloshing,
+        false => Kind::Structural,
+    }
 }
 
 fn shape(model: &StripModel, phi: &[f64]) -> ModeShape {
@@ -96,12 +103,7 @@ pub(super) fn damping_table(model: &StripModel) -> Vec<DampingRow> {
         let part = dot(&model.system.inertia[0], model.modes.vectors.column(j));
         (part * part > SIGNIFICANT * total).then(|| DampingRow {
             omega: ratio.omega,
-            kind: if is_sloshing(model, j) {
-                "sloshing"
-            } else {
-                "structural"
-            }
-            .into(),
+            kind: kind(model, j).id().into(),
             ratio: ratio.ratio,
             note: ratio.note.into(),
         })

@@ -12,7 +12,7 @@ use results::channel::OnWall;
 use results::{Balance, Envelope, Labelled, Limit};
 use tank::options::nonlinear::Damping;
 
-/// Damping of the wall below which a note says so.
+/// Damping of the wall below which there is a note.
 const UNDAMPED: f64 = 0.005;
 
 impl Report<'_> {
@@ -79,7 +79,7 @@ impl Report<'_> {
             label(
                 "method",
                 format!(
-                    "generalised-α with ρ∞ = {}, Newton's method; the state at rest first",
+                    "generalised-α with ρ∞ = {}, Newton's method; starts from static equilibrium",
                     self.options.spectral_radius
                 ),
             ),
@@ -103,8 +103,8 @@ impl Report<'_> {
             label(
                 "damping",
                 format!(
-                    "{}: {} % in the first sloshing mode, {} % in the first mode of wall and liquid, on the stiffness of the virgin \
-                     wall",
+                    "{}: {} % in the first sloshing mode, {} % in the first mode of wall and liquid, on the initial stiffness \
+                     of the wall",
                     match self.options.damping {
                         Damping::ByGroup { .. } => "wall stiffness-proportional, a ratio for every sloshing mode",
                         Damping::Rayleigh { .. } => "Rayleigh",
@@ -122,8 +122,8 @@ impl Report<'_> {
             out.push(label(
                 "contact of liquid and wall",
                 format!(
-                    "opens; a joint at every wet level, stiffness {} N/m³, into which the liquid sinks by at most {}; its force is taken \
-                     at the end of the step",
+                    "opens; a joint at every wet level, stiffness {} N/m³, penetration at most {}; its force is evaluated at \
+                     the end of the step",
                     significant(joints.penalty, 3),
                     display(penetration, Dimension::Length)
                 ),
@@ -172,7 +172,7 @@ impl Report<'_> {
             let found = run.history.separation.result();
             let places = run.history.separation.lowest_pressures();
             for (number, (height, pressure)) in places.enumerate() {
-                // The lowest place is looked at even where linear waves would lay it dry.
+                // The lowest place is tested even if linear waves fall below it.
                 if (height < found.trough || number == 0)
                     && pressure.is_finite()
                     && worst.is_none_or(|w| pressure < w.0)
@@ -195,8 +195,8 @@ impl Report<'_> {
                 String::new()
             } else {
                 format!(
-                    "Suction at z = {}, {name}, t = {time:.2} s: the liquid would part from the wall if air came in; the model keeps \
-                     it there.",
+                    "Suction at z = {}, {name}, t = {time:.2} s: the liquid would separate from the wall if air entered; the \
+                     model keeps it in contact.",
                     display(z, Dimension::Length)
                 )
             },
@@ -211,20 +211,20 @@ impl Report<'_> {
         {
             notes.push(match self.walls.load_factor(wall) {
                 Some(factor) => format!(
-                    "The {} does not carry its weight and the liquid at rest: {} % of them at most. There is no response.",
+                    "The {} does not carry its weight and the hydrostatic pressure, only {} % of them. There is no response.",
                     WALLS[wall],
                     significant(100.0 * factor, 3)
                 ),
                 None => format!(
-                    "Collapse: the {} is lost after {:.3} s. All numbers are those until then and lower bounds; the other wall is \
-                     not followed further.",
+                    "Collapse: the {} fails after {:.3} s. All numbers are those until then and are lower bounds; the other \
+                     wall is not computed further.",
                     WALLS[wall], self.walls.runs[wall].run.time
                 ),
             });
         }
         if self.walls.interrupted() {
             notes.push(format!(
-                "Interrupted: all numbers are those until {:.2} s; maps and events of each wall those of its own last step.",
+                "Interrupted: all numbers are those until {:.2} s; maps and events of each wall are those of its last step.",
                 self.walls.time()
             ));
         }

@@ -14,7 +14,7 @@ use crate::FeError;
 use crate::error::failed;
 use tank::options::nonlinear::{NonlinearOptions, ThicknessRule};
 
-/// Share of the bending stiffness that a leaf beside the main one may have without being modelled.
+/// Share of the bending stiffness below which a leaf other than the main one is not modelled.
 const NEGLIGIBLE: f64 = 1e-2;
 
 /// Nodes over the wall: every joint of the courses and the surface is one, elements of nearly equal length.
@@ -26,7 +26,7 @@ pub(crate) fn levels(case: &Case, elements: u32) -> Vec<f64> {
         marks.push(top);
     }
     marks.sort_by(f64::total_cmp);
-    // Marks closer than this are one.
+    // Marks closer than this are merged.
     marks.dedup_by(|b, a| (*b - *a).abs() < 1e-6 * top);
     let longest = top / f64::from(elements.max(1));
     let mut z = vec![0.0];
@@ -67,7 +67,7 @@ pub(crate) fn main_leaf(layers: &[Layer]) -> Result<&[Layer], FeError> {
     };
     if stiffness(main) < (1.0 - NEGLIGIBLE) * all {
         return unsupported(
-            "the nonlinear strip bends one leaf of the wall; both leaves of this sandwich have a share of the stiffness",
+            "the strip engine models one bending leaf; both leaves of this sandwich contribute to the stiffness",
         );
     }
     Ok(main)
@@ -119,7 +119,7 @@ fn fibres(rule: ThicknessRule, centre: f64, thickness: f64) -> Result<Vec<[f64; 
         .collect())
 }
 
-/// Law of a fibre along the wall, and its quadrature. Across the strip the strain is held: plane strain, E/(1 − ν²).
+/// Law of a fibre along the wall, and its quadrature. Plane strain across the strip: E/(1 − ν²).
 fn fibre_law(
     layer: &Layer,
     element: f64,

@@ -16,6 +16,7 @@ use super::modes::{damping_table, modes};
 use super::walls::Walls;
 use crate::histories::Histories;
 use crate::linear::checked_motion;
+use crate::modes::Kind;
 use crate::{FeError, Simulation};
 use results::channel::{OnWall, Side};
 use results::{Channel, EngineId, Mode, Run, SeriesInfo};
@@ -26,7 +27,7 @@ pub(super) const FREE_PERIODS: f64 = crate::linear::model::FREE_PERIODS;
 
 /// Time history of a strip.
 ///
-/// Errors: as [`Strip::new`]; a record that is none; a checkpoint that cannot be written or is of another run; interrupted
+/// Errors: as [`Strip::new`]; an invalid record; a checkpoint that cannot be written or belongs to another run; interrupted
 /// before the first step of a wall.
 pub(crate) fn simulate(
     case: &Case,
@@ -71,7 +72,7 @@ pub(crate) fn simulate(
     .simulation())
 }
 
-/// A history of the tank or of a wall, with the state at rest.
+/// A history of the tank or of a wall, with its static value.
 struct Line {
     channel: Channel,
     title: String,
@@ -81,7 +82,7 @@ struct Line {
 }
 
 impl Line {
-    /// Largest and smallest change from the state at rest, with their times.
+    /// Largest and smallest change from the static value, with their times.
     fn extremes(&self) -> [(f64, f64); 2] {
         let mut out = [(0.0, 0.0); 2];
         for (v, &t) in self.values.iter().zip(&self.times) {
@@ -102,7 +103,7 @@ impl Line {
     }
 }
 
-/// Everything that is told of a run.
+/// Everything that is reported of a run.
 pub(super) struct Report<'a> {
     pub case: &'a Case,
     pub options: &'a NonlinearOptions,
@@ -209,7 +210,7 @@ impl Report<'_> {
         for (scalar, channel, title) in walls {
             for (side, angle) in Side::BOTH.into_iter().zip([0, 180]) {
                 lines.push(Line {
-                    // A strip has no meridian.
+                    // Strips have no meridians.
                     title: format!("{title}, θ = {angle}°"),
                     ..self.wall_line(side, scalar, channel(side))
                 });
@@ -240,10 +241,10 @@ impl Report<'_> {
 
     fn values(&self, modes: &[Mode], lines: &[Line]) -> BTreeMap<Quantity, f64> {
         let mut values = BTreeMap::new();
-        let first = |kind: &str| modes.iter().find(|m| m.kind == kind && m.number == 1);
+        let first = |kind: Kind| modes.iter().find(|m| m.kind == kind.id() && m.number == 1);
         for (kind, period, mass) in [
-            ("sloshing", Quantity::SloshingPeriod, Quantity::ConvectiveMass),
-            ("structural", Quantity::ImpulsivePeriod, Quantity::ImpulsiveMass),
+            (Kind::Sloshing, Quantity::SloshingPeriod, Quantity::ConvectiveMass),
+            (Kind::Structural, Quantity::ImpulsivePeriod, Quantity::ImpulsiveMass),
         ] {
             if let Some(mode) = first(kind) {
                 values.insert(period, mode.period);
@@ -300,5 +301,5 @@ fn value_at(times: &[f64], values: &[f64], t: f64, at: &mut usize) -> f64 {
     }
 }
 
-// Which wall comes first in arrays.
+// Order of the walls in arrays.
 const _: () = assert!(Wall::Positive as usize == 0 && Wall::Negative as usize == 1);

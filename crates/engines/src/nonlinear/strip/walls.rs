@@ -62,7 +62,7 @@ impl Walls<'_> {
             .collect()
     }
 
-    /// Limits of the model that were passed, the first of each kind by time.
+    /// Limits of the model that were exceeded, the first of each kind by time.
     pub(super) fn departures(&self) -> Vec<Departure> {
         let walls = self.runs.iter().zip(ANGLES);
         let mut all: Vec<Departure> = walls
@@ -78,20 +78,20 @@ impl Walls<'_> {
         first
     }
 
-    /// How the run of a wall was stopped because it had left its model.
+    /// The limit of the model that stopped the run of a wall.
     pub(super) fn left(&self, wall: usize) -> Option<Departure> {
         let history = &self.runs[wall].history;
         let found = history.departures.iter().find(|d| d.kind.stops())?;
         Some(departure(found, Some(ANGLES[wall])))
     }
 
-    /// The wall whose run ends first before its time: it collapses, or leaves the model.
+    /// The wall whose run ends first prematurely: it collapses, or exceeds a limit of the model.
     pub(super) fn collapsed(&self) -> Option<usize> {
         let collapsed = (0..2).filter(|&w| self.runs[w].collapsed());
         collapsed.min_by(|&a, &b| self.runs[a].run.time.total_cmp(&self.runs[b].run.time))
     }
 
-    /// Part of weight and pressure at rest that could be carried, where they could not be carried whole.
+    /// Largest share of weight and hydrostatic pressure that was carried, if not all of it.
     pub(super) fn load_factor(&self, wall: usize) -> Option<f64> {
         match &self.runs[wall].run.outcome {
             Outcome::Collapsed(collapse) => collapse.load_factor,
@@ -126,7 +126,7 @@ impl Walls<'_> {
         let (reason, place) = match (&run.outcome, lost) {
             (Outcome::Collapsed(collapse), _) => (collapse.failure.to_string(), self.place_of(wall, collapse)),
             (_, Some(lost)) => (lost.clone(), WALLS[wall].to_owned()),
-            // Collapsed for one of the two reasons.
+            // A collapsed wall has one of the two reasons.
             _ => (String::new(), WALLS[wall].to_owned()),
         };
         let load_factor = self.load_factor(wall);
@@ -158,7 +158,7 @@ impl Walls<'_> {
         }
     }
 
-    /// What happened for the first time, on either wall, by time.
+    /// First events of each kind, on either wall, by time.
     pub(super) fn events(&self) -> Vec<Event> {
         let mut events = Vec::new();
         for (wall, run) in self.runs.iter().enumerate() {
@@ -196,11 +196,11 @@ impl Walls<'_> {
                 let worst = places.min_by(|a, b| a.pressure.total_cmp(&b.pressure)).unwrap_or(first);
                 events.push(Event {
                     kind: Kind::LowPressure,
-                    title: "pressure of the liquid below that of the air".into(),
+                    title: "pressure of the liquid below atmospheric".into(),
                     time: first.first,
                     place: format!("{}, z = {}", WALLS[wall], display(first.height, Dimension::Length)),
                     note: format!(
-                        "down to z = {}, at least {} at z = {} after {:.2} s; the model keeps the liquid at the wall",
+                        "down to z = {}, lowest {} at z = {} after {:.2} s; the model keeps the liquid in contact with the wall",
                         display(lowest.height, Dimension::Length),
                         display(worst.pressure, Dimension::Stress),
                         display(worst.height, Dimension::Length),
@@ -213,7 +213,7 @@ impl Walls<'_> {
         events
     }
 
-    /// When the liquid leaves the wall, where it may.
+    /// When the liquid separates from the wall, where it may.
     fn parting(&self, wall: usize) -> Option<Event> {
         let places = self.runs[wall].history.openings.as_ref()?.places();
         let first = places.iter().min_by(|a, b| a.first.total_cmp(&b.first))?;
@@ -222,7 +222,7 @@ impl Walls<'_> {
         let length = |x: f64| display(x, Dimension::Length);
         Some(Event {
             kind: Kind::Separation,
-            title: "the liquid leaves the wall".into(),
+            title: "the liquid separates from the wall".into(),
             time: first.first,
             place: format!("{}, z = {}", WALLS[wall], length(first.height)),
             note: format!(
@@ -268,7 +268,7 @@ impl Walls<'_> {
         loops
     }
 
-    /// Of the whole tank.
+    /// Energies of the whole tank.
     fn energies(&self) -> Energies {
         let sum = |value: fn(&fem::analysis::march::Energies) -> f64| -> Vec<f64> {
             let [a, b] = self.runs.each_ref().map(|r| &r.run.balance.samples);

@@ -203,7 +203,7 @@ fn small_motion_is_that_of_the_linear_engine() {
     assert!(a.iter().zip(b).all(|(x, y)| (x + y).abs() < 1e-6 * largest));
 }
 
-/// Without motion: moment, shear and deflection of a cantilever under hydrostatic pressure, and nothing else.
+/// Without motion: moment, shear and deflection of a cantilever under hydrostatic pressure only.
 #[test]
 fn at_rest() {
     let case = strip(Behaviour::Elastic, 0.0);
@@ -240,7 +240,7 @@ fn at_rest() {
     assert!(entry(&light).peak < 1e-6 * top);
     let n = nonlinear(&found);
     let separation = n.maps.iter().find(|m| m.id == "separation").unwrap();
-    // The pressure at rest in the middle of the lowest element.
+    // The hydrostatic pressure in the middle of the lowest element.
     let middle = 0.5 * (n.grid.z[0] + n.grid.z[1]);
     assert!((separation.values[1] / (gamma * (DEPTH - middle)) - 1.0).abs() < 1e-9);
     assert_eq!(separation.values.len(), n.grid.cells());
@@ -292,11 +292,11 @@ fn walls_that_crack() {
     assert!(n.loops.iter().all(|l| l.points.len() == found.series.time.len()));
 }
 
-/// A joint that may open is the wall's own displacement as long as it is pressed, and opens where the check of the bonded run says
-/// that the pressure falls below zero.
+/// A joint that may open follows the wall as long as it is in compression, and opens where the check of the bonded run finds
+/// pressure below zero.
 ///
-/// Tolerance: a pressure that is handed over at the nodes of 20 elements bends them less, (1/20)²; the penalty gives way by 1e-3 of
-/// what the wall does.
+/// Tolerance: a pressure that is handed over at the nodes of 20 elements bends them less, (1/20)²; the penalty yields by 1e-3 of
+/// the wall's displacement.
 #[test]
 fn contact_that_opens() {
     for (peak, opens) in [(0.5, false), (12.0, true)] {
@@ -319,11 +319,11 @@ fn contact_that_opens() {
                 .result
                 .events
                 .iter()
-                .any(|e| e.title == "the liquid leaves the wall"),
+                .any(|e| e.title == "the liquid separates from the wall"),
             opens
         );
         assert_eq!(found.result.parted(), opens);
-        // An incremental analysis says the same at the scale 1.
+        // An incremental analysis gives the same at the scale 1.
         for options in [&options(&case, 20), &own] {
             let curve = Strip::new(&case, options).unwrap();
             let runs = curve.incremental(&[1.0], 1, &|_| None, &Silent, |_| {}).unwrap();
@@ -335,7 +335,7 @@ fn contact_that_opens() {
                 .result
                 .events
                 .iter()
-                .find(|e| e.title == "the liquid leaves the wall");
+                .find(|e| e.title == "the liquid separates from the wall");
             if let (Some(parting), Some(told), true) = (parting, told, open) {
                 assert_eq!(parting.time, told.time);
             }
@@ -349,7 +349,7 @@ fn contact_that_opens() {
     }
 }
 
-/// A wall that does not carry the liquid at rest: the part of it that it does carry, and no response.
+/// A wall that does not carry the hydrostatic pressure: the part that it carries, and no response.
 #[test]
 fn collapse_at_rest() {
     let Behaviour::Concrete(mut weak) = concrete() else {
@@ -404,7 +404,7 @@ fn collapse_is_a_result() {
     assert_eq!(again.histories, found.result.histories);
 }
 
-/// Rectangles that are no strips, roofs.
+/// Rectangles that are not strips, roofs.
 #[test]
 fn what_the_strip_refuses() {
     let mut case = strip(Behaviour::Elastic, 0.0);

@@ -12,7 +12,7 @@ use super::{options, reinforced, run};
 use crate::FeError;
 use crate::nonlinear::{CheckpointFile, simulate};
 
-/// Stops after so many steps.
+/// Stops after a number of steps.
 struct StopAfter {
     steps: u64,
     done: AtomicU64,
@@ -38,7 +38,7 @@ fn file(folder: &Path, key: &str) -> CheckpointFile {
     }
 }
 
-/// Interrupted twice and resumed: the numbers of the run in one go, to the last bit. Then nothing is left behind.
+/// Interrupted twice and resumed: the same numbers as without interruption, to the last bit. No file remains.
 #[test]
 fn resumed_is_uninterrupted() {
     for contact in [Contact::Bonded, Contact::Opening] {
@@ -70,13 +70,13 @@ fn resumed_with(contact: Contact) {
     assert_eq!(resumed.result, whole.result);
     assert_eq!(resumed.series, whole.series);
     assert_eq!(resumed.notes, whole.notes);
-    // Left until the results are written.
+    // Kept until the results are written.
     assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 2);
     file.remove();
     assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 0);
 }
 
-/// Is patient so many times.
+/// Interrupts after a number of polls.
 struct Patience(AtomicU64);
 
 impl Progress for Patience {
@@ -111,7 +111,7 @@ fn resumed_run_of_a_curve_is_uninterrupted() {
     assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 0);
 }
 
-/// The checkpoint of another job, which its key says: refused, and still there.
+/// The checkpoint of another job, by its key: refused and kept.
 #[test]
 fn checkpoints_of_other_runs_are_refused_and_kept() {
     let case = reinforced(6.0);
