@@ -3,5 +3,5 @@
 mod examples;
 mod kept;
 mod previous;
-mod report_content;
+mod rendering;
 mod sample;
