@@ -7,7 +7,7 @@ use engines::estimate::{Estimate, WORTH_SAYING};
 
 /// Memory limit of a run.
 #[derive(clap::Args, Clone, Copy, Debug, Default)]
-pub struct MemoryArg {
+pub(crate) struct MemoryArg {
     /// Memory limit; a run that needs more is rejected before it starts [default: 4096, or as in the tank file].
     #[arg(long, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=16_777_216))]
     memory_limit: Option<u64>,
@@ -15,7 +15,7 @@ pub struct MemoryArg {
 
 impl MemoryArg {
     /// The limit [MiB]; `given` is that of the tank file.
-    pub fn over(self, given: u64) -> u64 {
+    pub(crate) fn over(self, given: u64) -> u64 {
         self.memory_limit.unwrap_or(given)
     }
 }
@@ -25,7 +25,7 @@ impl MemoryArg {
 /// * `limit`: memory allowed [MiB]
 ///
 /// Errors: [`engines::FeError::Memory`], [`engines::FeError::TooLong`], before anything is built.
-pub fn admit(estimate: &Estimate, limit: u64, always: bool, global: &Global) -> Result<(), Error> {
+pub(crate) fn admit(estimate: &Estimate, limit: u64, always: bool, global: &Global) -> Result<(), Error> {
     estimate.hold(limit)?;
     if !global.quiet && (always || estimate.seconds > WORTH_SAYING) {
         say!("{}", estimate.sentence());

@@ -21,7 +21,7 @@ Examples:
   tankcheck check tank.json --procedures api650-2020 --format json
 
 Exit codes: 0 every check holds; 1 a check fails; 2 bad input; 3 the computation failed.")]
-pub struct Args {
+pub(crate) struct Args {
     #[command(flatten)]
     inputs: Inputs,
     /// Also write a report (without finite elements) into this folder.
@@ -33,7 +33,7 @@ pub struct Args {
 }
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
+pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
     let job = args.inputs.job(|_| Vec::new())?;
     let site = &job.case.site;

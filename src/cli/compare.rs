@@ -44,7 +44,7 @@ discards everything except the checkpoint of a nonlinear run.
 
 Exit codes: 0 every check holds; 1 a check fails; 2 bad input; 3 the computation failed or was interrupted, or the tank
 collapsed; 130 stopped by a second Ctrl-C.")]
-pub struct Args {
+pub(crate) struct Args {
     #[command(flatten)]
     inputs: Inputs,
     /// Folder for report.html, results.json, series.csv and figures/.
@@ -120,7 +120,7 @@ enum IntegratorArg {
 }
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
+pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
     if args.inputs.quake.is_none() {
         return Err(Error::input(
@@ -254,7 +254,7 @@ fn interval(job: &Job, given: Option<f64>) -> Result<f64, Error> {
 }
 
 /// Fills in the fields that differ between identical runs.
-pub fn stamp(results: &mut Results, started: Instant) {
+pub(crate) fn stamp(results: &mut Results, started: Instant) {
     results.volatile.created = now();
     // The name of the command, without the path on this machine.
     let arguments = std::env::args().skip(1);
@@ -272,7 +272,7 @@ fn write(folder: &OutputFolder, results: &Results, series: &Series, templates: O
 }
 
 /// Prints the summary.
-pub fn print(results: &Results, out: Option<&Path>, format: Format, global: &Global) -> Result<(), Error> {
+pub(crate) fn print(results: &Results, out: Option<&Path>, format: Format, global: &Global) -> Result<(), Error> {
     match format {
         Format::Json => {
             stream::print(&crate::cli::json(results)?)?;

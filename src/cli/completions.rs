@@ -13,7 +13,7 @@ Examples:
   tankcheck completions zsh > \"${fpath[1]}/_tankcheck\"
   tankcheck completions fish > ~/.config/fish/completions/tankcheck.fish
   tankcheck completions --man > tankcheck.1")]
-pub struct Args {
+pub(crate) struct Args {
     /// Shell to complete for.
     #[arg(value_enum, required_unless_present = "man")]
     shell: Option<Shell>,
@@ -23,7 +23,7 @@ pub struct Args {
 }
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, _: &Global) -> Result<u8, Error> {
+pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
     let mut command = command();
     let mut page = Vec::new();
     match (args.shell, args.man.as_deref()) {

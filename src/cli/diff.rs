@@ -22,7 +22,7 @@ Examples:
   tankcheck diff golden/ out/ --bless --reason \"finer mesh at the base by default\"
 
 Exit codes: 0 the same within tolerance; 1 something moved; 2 bad input.")]
-pub struct Args {
+pub(crate) struct Args {
     /// The accepted results folder.
     old: PathBuf,
     /// The new results folder.
@@ -81,7 +81,7 @@ fn copy(from: &Path, to: &Path) -> Result<(), Error> {
 const ACCEPTED_FILE: &str = "accepted.json";
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
+pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     for (name, value) in [("--rtol", args.rtol), ("--time-tolerance", args.time_tolerance)] {
         if !(value.is_finite() && value >= 0.0) {
             return Err(Error::input(format!(

@@ -33,7 +33,7 @@ Examples:
 
 Exit codes: 0 done; 2 bad input; 3 the computation failed or was interrupted, or results could not be
 written; 130 stopped by a second Ctrl-C.")]
-pub struct Args {
+pub(crate) struct Args {
     /// The tank (`-` reads standard input).
     tank: PathBuf,
     /// Horizontal ground acceleration: CSV, two-column text or PEER .AT2.
@@ -69,7 +69,7 @@ pub struct Args {
 }
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
+pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
     let job = args.job()?;
     progress::stop_gracefully();

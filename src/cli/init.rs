@@ -10,7 +10,7 @@ Examples:
   tankcheck init > tank.json
   tankcheck init --shape rectangle > basin.json
   tankcheck init | tankcheck check -")]
-pub struct Args {
+pub(crate) struct Args {
     /// Shape of the tank.
     #[arg(long, value_enum, default_value_t = Shape::Cylinder)]
     shape: Shape,
@@ -35,7 +35,7 @@ impl Shape {
 }
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, _: &Global) -> Result<u8, Error> {
+pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
     print(args.shape.text())?;
     Ok(EXIT_OK)
 }

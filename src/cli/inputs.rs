@@ -15,7 +15,7 @@ use results::SourceFile;
 
 /// The tank file, the records and how to read them.
 #[derive(clap::Args, Clone, Debug)]
-pub struct Inputs {
+pub(crate) struct Inputs {
     /// The tank (`-` reads standard input); `tankcheck init` writes one to start from.
     pub tank: PathBuf,
     /// Horizontal ground acceleration: CSV, two-column text or PEER .AT2.
@@ -35,7 +35,7 @@ impl Inputs {
     /// Reads everything; the job has no engines yet, and the options of the tank file.
     ///
     /// * `refuses`: what the analysis refuses of the tank file
-    pub fn job(&self, refuses: impl Fn(&Task<'_>) -> Vec<Refusal>) -> Result<Job, Error> {
+    pub(crate) fn job(&self, refuses: impl Fn(&Task<'_>) -> Vec<Refusal>) -> Result<Job, Error> {
         let tank = input::read_tank(&self.tank)?;
         let faults = job::refused(&tank, refuses);
         if !faults.is_empty() {
@@ -107,7 +107,7 @@ impl Inputs {
 
 /// Options for accelerograms whose format is ambiguous.
 #[derive(clap::Args, Clone, Debug, Default)]
-pub struct Reading {
+pub(crate) struct Reading {
     /// Unit of the accelerations, if the file does not give it.
     #[arg(long, value_enum, value_name = "UNIT")]
     pub units: Option<Unit>,
@@ -121,7 +121,7 @@ pub struct Reading {
 
 /// Unit of accelerations on the command line.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unit {
+pub(crate) enum Unit {
     /// Standard gravity, 9.80665 m/s².
     G,
     /// cm/s².
@@ -134,7 +134,7 @@ pub enum Unit {
 
 impl Reading {
     /// In the vocabulary of the readers.
-    pub fn options(&self) -> records::ReadOptions {
+    pub(crate) fn options(&self) -> records::ReadOptions {
         records::ReadOptions {
             unit: self.units.map(|unit| match unit {
                 Unit::G => records::AccelerationUnit::G,

@@ -37,7 +37,7 @@ Examples:
 Harmonic 1 responds to horizontal motion, 0 to vertical motion (its effective mass is that of pressure and weight); 2 and
 more do not respond to uniform ground motion. A rectangle has the symmetric half (0) and the antisymmetric half (1) of its
 plane strip.")]
-pub struct Args {
+pub(crate) struct Args {
     /// The tank (`-` reads standard input).
     #[arg(value_name = "TANK")]
     tank: PathBuf,
@@ -72,7 +72,7 @@ enum Engine {
 }
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
+pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let tank = input::read_tank(&args.tank)?;
     for warning in &tank.warnings {
         say!("warning: {}", text::line(warning));

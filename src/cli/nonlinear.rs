@@ -15,7 +15,7 @@ use results::{EngineId, Results, describe};
 
 /// Checkpoint options.
 #[derive(clap::Args, Clone, Debug)]
-pub struct NonlinearArgs {
+pub(crate) struct NonlinearArgs {
     /// Checkpoint file of a nonlinear run; removed when the run is finished [default: the output folder with
     /// `.checkpoint` appended].
     #[arg(long, value_name = "FILE")]
@@ -28,7 +28,7 @@ pub struct NonlinearArgs {
 impl NonlinearArgs {
     /// Applies these options to the job; `out` is the output folder. Errors: options without a
     /// nonlinear run; those of [`NonlinearArgs::file`].
-    pub fn apply(&self, job: &mut Job, out: &Path) -> Result<(), Error> {
+    pub(crate) fn apply(&self, job: &mut Job, out: &Path) -> Result<(), Error> {
         if !job.engines.contains(&EngineId::Nonlinear) {
             let unused = self.checkpoint.as_ref().map(|_| "--checkpoint");
             return match unused.or(self.resume.then_some("--resume")) {
@@ -47,7 +47,7 @@ impl NonlinearArgs {
     ///
     /// * `key`: hash of its input Errors: a path where a checkpoint cannot be written; a checkpoint
     ///   that cannot be resumed.
-    pub fn file(&self, out: &Path, key: String) -> Result<CheckpointFile, Error> {
+    pub(crate) fn file(&self, out: &Path, key: String) -> Result<CheckpointFile, Error> {
         let path = self.checkpoint.clone().unwrap_or_else(|| beside(out));
         let shown = path.display();
         if path.is_dir() {
@@ -140,7 +140,7 @@ fn begins(path: &Path) -> Result<Option<Vec<u8>>, Error> {
 }
 
 /// Prints the start of the nonlinear run of a job.
-pub fn announce(job: &Job, global: &Global) {
+pub(crate) fn announce(job: &Job, global: &Global) {
     if let (Some(file), Some(motion)) = (&job.checkpoint, &job.case.ground_motion) {
         let what = format!("nonlinear run of {} s", plain(motion.horizontal.duration(), 2));
         announce_start(&what, file, job.nonlinear.checkpoint, global);
@@ -149,7 +149,7 @@ pub fn announce(job: &Job, global: &Global) {
 
 /// Prints where a run starts and how often it writes a checkpoint.
 /// * `every`: computing time between two checkpoints [s]
-pub fn announce_start(what: &str, file: &CheckpointFile, every: f64, global: &Global) {
+pub(crate) fn announce_start(what: &str, file: &CheckpointFile, every: f64, global: &Global) {
     if global.quiet {
         return;
     }
@@ -169,7 +169,7 @@ fn end(results: &Results) -> Option<&End> {
 }
 
 /// Removes the checkpoint of a finished run.
-pub fn tidy(job: &Job, results: &Results) {
+pub(crate) fn tidy(job: &Job, results: &Results) {
     if let (Some(file), Some(End::Completed | End::Collapsed { .. } | End::Left { .. })) =
         (&job.checkpoint, end(results))
     {
@@ -178,7 +178,7 @@ pub fn tidy(job: &Job, results: &Results) {
 }
 
 /// Prints how to continue an interrupted nonlinear run.
-pub fn advise(job: &Job, results: &Results, global: &Global) {
+pub(crate) fn advise(job: &Job, results: &Results, global: &Global) {
     if let (Some(file), false) = (
         &job.checkpoint,
         matches!(
@@ -191,7 +191,7 @@ pub fn advise(job: &Job, results: &Results, global: &Global) {
 }
 
 /// Prints how to continue an interrupted run, if it has a checkpoint.
-pub fn advise_resume(file: &CheckpointFile, global: &Global) {
+pub(crate) fn advise_resume(file: &CheckpointFile, global: &Global) {
     if !global.quiet && file.path.exists() {
         say!(
             "checkpoint: {}; repeat the command with --resume to continue",

@@ -21,7 +21,7 @@ static GRACEFUL: AtomicBool = AtomicBool::new(false);
 
 /// Installs the Ctrl-C handler of every command: it ends the process with exit code 130 and removes partial files,
 /// unless [`stop_gracefully`] was called.
-pub fn listen(global: &Global) {
+pub(crate) fn listen(global: &Global) {
     let quiet = global.quiet;
     // A handler that is already set (a second run in one process) does the same.
     let _ = ctrlc::set_handler(move || {
@@ -40,12 +40,12 @@ pub fn listen(global: &Global) {
 }
 
 /// Makes the first Ctrl-C stop the analysis, which returns the finished part. The second ends the process.
-pub fn stop_gracefully() {
+pub(crate) fn stop_gracefully() {
     GRACEFUL.store(true, Ordering::SeqCst);
 }
 
 /// Progress on standard error, with the state of Ctrl-C.
-pub struct Watch {
+pub(crate) struct Watch {
     /// Hidden unless standard error is a terminal.
     bar: ProgressBar,
     /// For a file, unless `--quiet`.
@@ -54,19 +54,19 @@ pub struct Watch {
 
 impl Watch {
     /// Starts a spinner with the message `what`.
-    pub fn new(global: &Global, what: &'static str) -> Watch {
+    pub(crate) fn new(global: &Global, what: &'static str) -> Watch {
         let bar = super::spinner(global, what);
         let log = (bar.is_hidden() && !global.quiet).then(|| Mutex::new(Log::new(Instant::now())));
         Watch { bar, log }
     }
 
     /// Sets the message within a stage.
-    pub fn name(&self, what: &str) {
+    pub(crate) fn name(&self, what: &str) {
         self.bar.set_message(what.to_owned());
     }
 
     /// Removes the bar.
-    pub fn finish(self) {
+    pub(crate) fn finish(self) {
         self.bar.finish_and_clear();
     }
 

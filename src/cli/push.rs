@@ -42,7 +42,7 @@ checkpoint.
 
 Exit codes: 0 done; 2 bad input; 3 the computation failed or was interrupted, or results could not be
 written; 130 stopped by a second Ctrl-C.")]
-pub struct Args {
+pub(crate) struct Args {
     /// The tank (`-` reads standard input).
     tank: PathBuf,
     /// Amplitude of an imperfect shell, run after the perfect one: in thicknesses `0.5t`, as a length `6mm`, or by
@@ -77,7 +77,7 @@ enum Shape {
 }
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
+pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
     let job = args.job()?;
     progress::stop_gracefully();

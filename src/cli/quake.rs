@@ -16,7 +16,7 @@ use results::finite;
 
 /// Arguments.
 #[derive(clap::Args)]
-pub struct Args {
+pub(crate) struct Args {
     #[command(subcommand)]
     command: Command,
 }
@@ -72,7 +72,7 @@ struct Facts<'a> {
 }
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, _: &Global) -> Result<u8, Error> {
+pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
     let Command::Info(info) = args.command;
     let read = records::read(&info.record, &info.reading.options())?;
     let facts = facts(&read);

@@ -12,7 +12,7 @@ use results::{COMPARE_REPORT, REPORT_FILE};
 /// Arguments.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  tankcheck report out/\n  tankcheck report out/ --templates our-letterhead/")]
-pub struct Args {
+pub(crate) struct Args {
     /// Results folder written by `tankcheck compare` or `tankcheck check`.
     folder: PathBuf,
     /// Folder of templates that replace the built-in ones of the same name (report.html, style.css, sections/….html).
@@ -21,7 +21,7 @@ pub struct Args {
 }
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, _global: &Global) -> Result<u8, Error> {
+pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     for name in files::edited(&args.folder, COMPARE_REPORT) {
         say!("warning: {name} has changed since tankcheck wrote it; the report shows the changed file");
     }

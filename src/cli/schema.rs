@@ -12,14 +12,14 @@ Examples:
   tankcheck schema --markdown > input.md
 
 Put \"$schema\": \"./tank.schema.json\" into tank.json, and your editor helps while you type.")]
-pub struct Args {
+pub(crate) struct Args {
     /// Write the reference page of all keys in Markdown instead.
     #[arg(long)]
     markdown: bool,
 }
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, _: &Global) -> Result<u8, Error> {
+pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
     match args.markdown {
         true => print(&tank::markdown())?,
         false => print(&format!("{:#}\n", tank::json_schema()))?,

@@ -6,7 +6,7 @@ use engines::solid::{Liquid, MeshSize, SolidOptions};
 
 /// Options of the three-dimensional engine.
 #[derive(clap::Args, Clone, Debug)]
-pub struct SolidArgs {
+pub(crate) struct SolidArgs {
     /// Elements over radius, circumference and height of the wall, as 12x16x20 [default: by the size of the tank].
     #[arg(long, value_name = "RxSxV", allow_hyphen_values = true)]
     mesh: Option<MeshSize>,
@@ -17,7 +17,7 @@ pub struct SolidArgs {
 
 /// Formulation of the liquid.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LiquidArg {
+pub(crate) enum LiquidArg {
     /// Displacement potential on hexahedra.
     Potential,
     /// Displacements in convective coordinates with a rotation penalty.
@@ -26,13 +26,13 @@ pub enum LiquidArg {
 
 impl SolidArgs {
     /// The first of these options that was given.
-    pub fn given(&self) -> Option<&'static str> {
+    pub(crate) fn given(&self) -> Option<&'static str> {
         let mesh = self.mesh.map(|_| "--mesh");
         mesh.or(self.liquid.map(|_| "--liquid"))
     }
 
     /// Applies these options over those of the tank file.
-    pub fn over(&self, options: &SolidOptions) -> SolidOptions {
+    pub(crate) fn over(&self, options: &SolidOptions) -> SolidOptions {
         let mut options = options.clone();
         options.mesh = self.mesh.or(options.mesh);
         match self.liquid {
@@ -44,7 +44,7 @@ impl SolidArgs {
     }
 
     /// Applies these options to the job and echoes the resulting values.
-    pub fn apply(&self, job: &mut Job) {
+    pub(crate) fn apply(&self, job: &mut Job) {
         job.solid = self.over(&job.solid);
         let liquid = match job.solid.liquid {
             Liquid::Potential => "potential",

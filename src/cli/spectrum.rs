@@ -33,7 +33,7 @@ Examples:
 
 The maxima are those of the continuous response: between samples too, and in the free vibration after the end of the
 record. sd, sv are relative to the ground; psv = ω sd, psa = ω² sd; sa is the absolute acceleration.")]
-pub struct Args {
+pub(crate) struct Args {
     /// The record (`-` reads standard input).
     #[arg(value_name = "RECORD")]
     record: PathBuf,
@@ -82,7 +82,7 @@ enum How {
 }
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
+pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let dampings = list("--damping", &args.damping, damping)?;
     let periods = periods(&args.periods, args.points)?;
     if periods.len().saturating_mul(dampings.len()) > MAX_OSCILLATORS {

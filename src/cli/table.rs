@@ -5,20 +5,20 @@ use report;
 
 /// A table with one head row; the first column is left-aligned, all others right-aligned.
 #[derive(Clone, Debug, Default)]
-pub struct Table {
+pub(crate) struct Table {
     rows: Vec<Vec<String>>,
 }
 
 impl Table {
     /// A table with these column heads.
-    pub fn new(head: impl IntoIterator<Item = impl Into<String>>) -> Table {
+    pub(crate) fn new(head: impl IntoIterator<Item = impl Into<String>>) -> Table {
         let mut table = Table::default();
         table.row(head);
         table
     }
 
     /// A table of the report, units in its heads.
-    pub fn of(data: &report::table::Table) -> Table {
+    pub(crate) fn of(data: &report::table::Table) -> Table {
         let head = data.columns.iter().map(|c| match c.unit.as_str() {
             "" => c.title.clone(),
             unit => format!("{} [{unit}]", c.title),
@@ -31,7 +31,7 @@ impl Table {
     }
 
     /// The transposed table: one line per column of the report's table.
-    pub fn turned(data: &report::table::Table) -> Table {
+    pub(crate) fn turned(data: &report::table::Table) -> Table {
         let line = |c: usize| {
             let column = &data.columns[c];
             let head = match column.unit.as_str() {
@@ -49,7 +49,7 @@ impl Table {
     }
 
     /// Adds a row; every cell is one line, with the user's text escaped.
-    pub fn row(&mut self, cells: impl IntoIterator<Item = impl Into<String>>) {
+    pub(crate) fn row(&mut self, cells: impl IntoIterator<Item = impl Into<String>>) {
         let cells = cells.into_iter().map(|cell| {
             let cell: String = cell.into();
             text::line(&cell).into_owned()

@@ -28,7 +28,7 @@ Examples:
   tankcheck verify --write docs/verification    write the manual: index, and one page and figure per benchmark
 
 Exit codes: 0 every row that ran is within its tolerance; 1 one is not; 2 bad input; 3 the computation failed.")]
-pub struct Args {
+pub(crate) struct Args {
     /// Id of rows, page, a part of either, or a glob with * and ?; all benchmarks without it.
     #[arg(value_name = "PATTERN")]
     pattern: Option<String>,
@@ -63,7 +63,7 @@ enum Form {
 }
 
 /// Runs the subcommand; returns the exit code.
-pub fn run(args: Args, global: &Global) -> Result<u8, Error> {
+pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let pattern = args.pattern.as_deref().map(pattern).transpose()?;
     let records = records(&args)?;
     let choice = Choice {

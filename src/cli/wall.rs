@@ -8,7 +8,7 @@ use report::words::terminal as words;
 
 /// One line per layered course: `course 1: 6.00 mm liner (steel) | 250 mm wall (concrete; hoop 15.0 cm²/m at 40.0 mm
 /// of bars)`.
-pub fn lines(tank: &Tank) -> Vec<String> {
+pub(crate) fn lines(tank: &Tank) -> Vec<String> {
     let layered = tank.courses.iter().enumerate().filter(|(_, c)| !c.layers.is_empty());
     layered
         .map(|(i, course)| {

@@ -24,7 +24,7 @@ fn periods(marks: &[f64]) -> Vec<f64> {
 
 /// Spectra of the horizontal record and design spectra of the site, at the damping ratios of the case; `marks` are
 /// periods of the tank [s].
-pub fn spectra(job: &Job, marks: &[f64]) -> Vec<SpectrumCurve> {
+pub(crate) fn spectra(job: &Job, marks: &[f64]) -> Vec<SpectrumCurve> {
     let mut dampings = vec![job.case.damping.sloshing, job.case.damping.impulsive];
     dampings.dedup();
     let periods = periods(marks);
@@ -77,7 +77,7 @@ fn curve(id: &str, title: &str, damping: f64, period: &[f64], acceleration: impl
 }
 
 /// The records as computed with, and their measures.
-pub fn records(job: &Job) -> Vec<RecordSummary> {
+pub(crate) fn records(job: &Job) -> Vec<RecordSummary> {
     let Some(motion) = &job.case.ground_motion else {
         return Vec::new();
     };

@@ -4,7 +4,7 @@ use results::Series;
 
 /// Appends the columns of `other`, their ids prefixed, at the times of `series`; between its own samples `other` is
 /// linear, after its end (an interrupted run) it is not a number.
-pub fn append(series: &mut Series, other: &Series, prefix: &str) {
+pub(crate) fn append(series: &mut Series, other: &Series, prefix: &str) {
     let same = series.time == other.time;
     for (id, column) in other.ids.iter().zip(&other.columns) {
         series.ids.push(format!("{prefix}{id}"));

@@ -36,13 +36,13 @@ pub(super) struct Collector {
 }
 
 impl Collector {
-    pub fn new() -> Collector {
+    pub(crate) fn new() -> Collector {
         Collector { faults: Faults::new() }
     }
 
     /// Adds a fault; returns true at the limit.
     #[must_use]
-    pub fn push(&mut self, fault: Fault) -> bool {
+    pub(crate) fn push(&mut self, fault: Fault) -> bool {
         self.faults.push(fault);
         if self.faults.list().len() < MAX_FAULTS {
             return false;
@@ -52,11 +52,11 @@ impl Collector {
         true
     }
 
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.faults.is_empty()
     }
 
-    pub fn finish(self) -> Result<(), Faults> {
+    pub(crate) fn finish(self) -> Result<(), Faults> {
         if self.faults.is_empty() {
             Ok(())
         } else {

@@ -11,7 +11,7 @@ use crate::input::records::MAX_BYTES;
 use files::error::Error;
 
 /// Reads the file, or standard input for `-`.
-pub fn load(path: &Path) -> Result<Vec<u8>, Error> {
+pub(crate) fn load(path: &Path) -> Result<Vec<u8>, Error> {
     let fail = |what: String| Error::File {
         path: path.into(),
         what,
@@ -60,7 +60,7 @@ fn too_large(bytes: u64) -> String {
 ///
 /// # Errors
 /// An empty file, UTF-16, bytes that are not text.
-pub fn decode(bytes: &[u8]) -> Result<String, Fault> {
+pub(crate) fn decode(bytes: &[u8]) -> Result<String, Fault> {
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
         return Err(Fault::new("the file is UTF-16 text")
             .allowed("UTF-8 or ASCII")
@@ -100,6 +100,6 @@ pub fn decode(bytes: &[u8]) -> Result<String, Fault> {
 }
 
 /// SHA-256, hexadecimal.
-pub fn sha256(bytes: &[u8]) -> String {
+pub(crate) fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
 }

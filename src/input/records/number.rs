@@ -2,7 +2,7 @@
 
 /// Reason why a text is not a usable number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NotANumber {
+pub(crate) enum NotANumber {
     /// NaN, infinite, or beyond the range of a double.
     NotFinite,
     /// A row of stars: the value did not fit Fortran's field.
@@ -13,7 +13,7 @@ pub enum NotANumber {
 
 impl NotANumber {
     /// The message for a column called `what`.
-    pub fn message(self, what: &str) -> String {
+    pub(crate) fn message(self, what: &str) -> String {
         match self {
             NotANumber::NotFinite => format!("{what} is not a finite number"),
             NotANumber::Overflow => format!("{what} did not fit the field of the program that wrote it"),
@@ -24,7 +24,7 @@ impl NotANumber {
 
 /// Parses a number: `1.5`, `-.123E-01`, `1.D-3`, `+2.`, `.1234567-103` (Fortran's three-digit exponent), `−1` (Unicode
 /// minus). The decimal mark is a point.
-pub fn parse(text: &str) -> Result<f64, NotANumber> {
+pub(crate) fn parse(text: &str) -> Result<f64, NotANumber> {
     let text = text.trim();
     if let Ok(value) = text.parse::<f64>() {
         return if value.is_finite() {
@@ -70,7 +70,7 @@ fn exponent_sign(text: &str) -> Option<usize> {
 }
 
 /// Whether a text begins like a number (NaN and infinity included), so that its line is data.
-pub fn begins_like_number(text: &str) -> bool {
+pub(crate) fn begins_like_number(text: &str) -> bool {
     let bare = text.trim_start_matches(['+', '-', '.', '\u{2212}', '"']);
     let lower: String = bare.chars().take(9).collect::<String>().to_ascii_lowercase();
     bare.starts_with(|c: char| c.is_ascii_digit())
@@ -84,7 +84,7 @@ pub fn begins_like_number(text: &str) -> bool {
 
 /// Splits Fortran fields that touch: a sign that follows a digit or a point begins the next number, unless it belongs to
 /// an exponent (`E-02`, or three last digits without `E`).
-pub fn split_glued(token: &str) -> Vec<(usize, &str)> {
+pub(crate) fn split_glued(token: &str) -> Vec<(usize, &str)> {
     let bytes = token.as_bytes();
     let mut parts = Vec::new();
     let mut start = 0;
@@ -110,7 +110,7 @@ pub fn split_glued(token: &str) -> Vec<(usize, &str)> {
 }
 
 /// The last printed digit of a number as a length: 0.01 for `12.34`, 1e-9 for `2.0000000e-002`.
-pub fn resolution(text: &str) -> f64 {
+pub(crate) fn resolution(text: &str) -> f64 {
     let text = text.trim();
     let split = text.find(['e', 'E', 'd', 'D']);
     let (mantissa, exponent) = split.map_or((text, ""), |i| (&text[..i], &text[i + 1..]));

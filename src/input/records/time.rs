@@ -5,7 +5,7 @@ use crate::input::records::draft::token_at;
 
 /// A printed time.
 #[derive(Clone, Copy, Debug)]
-pub struct Stamp {
+pub(crate) struct Stamp {
     /// Time [s].
     pub time: f64,
     /// Half the last printed digit [s].
@@ -22,7 +22,7 @@ pub struct Stamp {
 ///
 /// # Errors
 /// Fewer than two times, times that do not increase, steps that differ.
-pub fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
+pub(crate) fn uniform_step(stamps: &[Stamp], text: &str) -> Result<f64, Fault> {
     let (Some(first), Some(last)) = (stamps.first(), stamps.last()) else {
         return Err(Fault::new("a record needs at least two samples").found("0 samples"));
     };

@@ -62,7 +62,7 @@ const MAX_HEAD: usize = 200;
 
 /// Meaning of a header cell for its column.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Head {
+pub(crate) enum Head {
     /// Time, with the size of its unit [s] if it is named.
     Time(Option<f64>),
     /// Acceleration, with its unit if it is named.
@@ -76,7 +76,7 @@ pub enum Head {
 /// Reads a cell of a header: `time_s`, `Time [s]`, `t (sec)`, `t / s`, `acceleration_m_s2`, `a [g]`, `Accel[g]`, `g`.
 ///
 /// `a_g` and `ag` are symbols of the ground acceleration, not a unit.
-pub fn head(cell: &str) -> Head {
+pub(crate) fn head(cell: &str) -> Head {
     // A unit may follow any separator of a cell.
     if cell.len() > MAX_HEAD {
         return Head::Unknown;

@@ -55,7 +55,7 @@ pub(super) const fn without<T: Copy>(meaning: &'static str) -> Absent<T> {
 
 impl<T: Copy> Absent<T> {
     /// Why it is the default: the report lists it.
-    pub const fn because(self, why: &'static str) -> Absent<T> {
+    pub(crate) const fn because(self, why: &'static str) -> Absent<T> {
         match self {
             Absent::Value { value, shown, .. } => Absent::Value { value, shown, why },
             other => other,
@@ -63,7 +63,7 @@ impl<T: Copy> Absent<T> {
     }
 
     /// How the report shows it.
-    pub const fn shown(self, shown: &'static str) -> Absent<T> {
+    pub(crate) const fn shown(self, shown: &'static str) -> Absent<T> {
         match self {
             Absent::Value { value, why, .. } => Absent::Value { value, shown, why },
             other => other,
@@ -86,7 +86,7 @@ pub(super) struct Limits {
 
 impl Limits {
     /// Everything.
-    pub const ANY: Limits = Limits {
+    pub(crate) const ANY: Limits = Limits {
         low: f64::NEG_INFINITY,
         low_allowed: true,
         high: f64::INFINITY,
@@ -96,7 +96,7 @@ impl Limits {
     };
 
     /// Greater than this.
-    pub const fn above(low: f64) -> Limits {
+    pub(crate) const fn above(low: f64) -> Limits {
         Limits {
             low,
             low_allowed: false,
@@ -105,17 +105,17 @@ impl Limits {
     }
 
     /// This or greater.
-    pub const fn from(low: f64) -> Limits {
+    pub(crate) const fn from(low: f64) -> Limits {
         Limits { low, ..Limits::ANY }
     }
 
     /// And at most this.
-    pub const fn to(self, high: f64) -> Limits {
+    pub(crate) const fn to(self, high: f64) -> Limits {
         Limits { high, ..self }
     }
 
     /// And less than this.
-    pub const fn below(self, high: f64) -> Limits {
+    pub(crate) const fn below(self, high: f64) -> Limits {
         Limits {
             high,
             high_allowed: false,
@@ -124,17 +124,17 @@ impl Limits {
     }
 
     /// A whole number between these.
-    pub const fn count(least: u32, most: u32) -> Limits {
+    pub(crate) const fn count(least: u32, most: u32) -> Limits {
         Limits::from(least as f64).to(most as f64)
     }
 
     /// One of these numbers.
-    pub const fn one_of(values: &'static [f64]) -> Limits {
+    pub(crate) const fn one_of(values: &'static [f64]) -> Limits {
         Limits { values, ..Limits::ANY }
     }
 
     /// A list with so many items.
-    pub const fn items(self, fewest: usize, most: usize) -> Limits {
+    pub(crate) const fn items(self, fewest: usize, most: usize) -> Limits {
         Limits {
             items: (fewest, most),
             ..self
@@ -142,7 +142,7 @@ impl Limits {
     }
 
     /// Whether a value lies in the range.
-    pub fn hold(self, value: f64) -> bool {
+    pub(crate) fn hold(self, value: f64) -> bool {
         let low = match self.low_allowed {
             true => value >= self.low,
             false => value > self.low,
@@ -155,12 +155,12 @@ impl Limits {
     }
 
     /// Whether the range has an end.
-    pub fn bounded(self) -> bool {
+    pub(crate) fn bounded(self) -> bool {
         self.low.is_finite() || self.high.is_finite()
     }
 
     /// What is wrong with a value outside the range.
-    pub fn message(self, value: f64) -> &'static str {
+    pub(crate) fn message(self, value: f64) -> &'static str {
         match (value <= self.low, self.low == 0.0) {
             (true, true) if self.low_allowed => "this must not be negative",
             (true, true) => "this must be positive",
@@ -171,7 +171,7 @@ impl Limits {
     }
 
     /// The range in words: "a length greater than 0, at most 1000 m".
-    pub fn describe(self, dimension: Dimension) -> String {
+    pub(crate) fn describe(self, dimension: Dimension) -> String {
         let noun = match dimension {
             Dimension::Dimensionless => "a number",
             dimension => dimension.noun(),
@@ -180,7 +180,7 @@ impl Limits {
     }
 
     /// The range without the noun: "greater than 0, at most 1000 m".
-    pub fn range(self, dimension: Dimension) -> String {
+    pub(crate) fn range(self, dimension: Dimension) -> String {
         let low = if self.low_allowed { "at least" } else { "greater than" };
         let high = if self.high_allowed { "at most" } else { "less than" };
         let ends = [(low, self.low), (high, self.high)];
@@ -193,7 +193,7 @@ impl Limits {
     }
 
     /// The few numbers: "1, 1.5 or 2.5".
-    pub fn words(self) -> String {
+    pub(crate) fn words(self) -> String {
         let words: Vec<String> = self.values.iter().map(f64::to_string).collect();
         list(&words.iter().map(String::as_str).collect::<Vec<_>>(), "or")
     }

@@ -72,7 +72,7 @@ pub(super) trait Object: FromNode {
 }
 
 impl<T: FromNode> Field<T> {
-    pub fn from_node(node: &Node, faults: &mut Faults) -> Field<T> {
+    pub(crate) fn from_node(node: &Node, faults: &mut Faults) -> Field<T> {
         Field {
             value: T::from_node(node, faults),
             span: node.span.clone(),
@@ -89,7 +89,7 @@ impl<T: FromNode> Field<T> {
 
 impl<T> Field<T> {
     /// A key that is missing at this place.
-    pub fn missing(span: Range<usize>, path: String) -> Field<T> {
+    pub(crate) fn missing(span: Range<usize>, path: String) -> Field<T> {
         Field {
             value: None,
             span,
@@ -100,7 +100,7 @@ impl<T> Field<T> {
     }
 
     /// The place alone.
-    pub fn place(&self) -> Field<()> {
+    pub(crate) fn place(&self) -> Field<()> {
         Field {
             value: None,
             span: self.span.clone(),
@@ -113,19 +113,19 @@ impl<T> Field<T> {
 
 impl<T> Opt<T> {
     /// What the file gives, if it is sound.
-    pub fn value(&self) -> Option<&T> {
+    pub(crate) fn value(&self) -> Option<&T> {
         self.given.as_ref().and_then(|field| field.value.as_ref())
     }
 
     /// The place of what the file gives.
-    pub fn place(&self) -> Option<Field<()>> {
+    pub(crate) fn place(&self) -> Option<Field<()>> {
         self.given.as_ref().map(Field::place)
     }
 }
 
 impl<T: Object> Opt<T> {
     /// What the file gives, or the object without any of its keys; `None` if it is faulty.
-    pub fn or_absent(&self) -> Option<Part<'_, T>> {
+    pub(crate) fn or_absent(&self) -> Option<Part<'_, T>> {
         match &self.given {
             Some(field) => field.value.as_ref().map(Part::Given),
             None => Some(Part::Absent(Box::new(T::absent(&self.path)))),
@@ -233,7 +233,7 @@ pub(super) struct ObjectReader<'a> {
 }
 
 impl<'a> ObjectReader<'a> {
-    pub fn new(node: &'a Node, known: &[&'static str], faults: &mut Faults) -> Option<Self> {
+    pub(crate) fn new(node: &'a Node, known: &[&'static str], faults: &mut Faults) -> Option<Self> {
         let Kind::Object(members) = &node.kind else {
             faults.push(wrong_kind(node, &format!("an object with {}", list(known, "and"))));
             return None;

@@ -20,7 +20,7 @@ pub(super) struct Resolver<'f> {
 
 impl<'f> Resolver<'f> {
     /// Without an echo.
-    pub fn new(faults: &'f mut Faults) -> Resolver<'f> {
+    pub(crate) fn new(faults: &'f mut Faults) -> Resolver<'f> {
         Resolver {
             faults,
             echo: Vec::new(),
@@ -30,7 +30,7 @@ impl<'f> Resolver<'f> {
     }
 
     /// Echo of a value that the file gives.
-    pub fn echo_given<T>(&mut self, field: &Field<T>) {
+    pub(crate) fn echo_given<T>(&mut self, field: &Field<T>) {
         if field.value.is_some() {
             self.echo.push(InputValue {
                 path: field.path.clone(),
@@ -42,7 +42,7 @@ impl<'f> Resolver<'f> {
     }
 
     /// Echo of a value that the file does not give.
-    pub fn echo_default(&mut self, path: &str, text: &str, source: &str) {
+    pub(crate) fn echo_default(&mut self, path: &str, text: &str, source: &str) {
         self.echo.push(InputValue {
             path: path.into(),
             text: text.into(),
@@ -52,12 +52,12 @@ impl<'f> Resolver<'f> {
     }
 
     /// A number that the file gives, within the limits of its key; NaN if faulty.
-    pub fn number<T: Si>(&mut self, field: &Field<T>) -> f64 {
+    pub(crate) fn number<T: Si>(&mut self, field: &Field<T>) -> f64 {
         self.within(field, field.limits)
     }
 
     /// A number that the file gives, within these limits; NaN if faulty.
-    pub fn within<T: Si>(&mut self, field: &Field<T>, limits: Limits) -> f64 {
+    pub(crate) fn within<T: Si>(&mut self, field: &Field<T>, limits: Limits) -> f64 {
         self.echo_given(field);
         let Some(value) = field.value else {
             return f64::NAN;
@@ -84,7 +84,7 @@ impl<'f> Resolver<'f> {
     }
 
     /// A number, or its default.
-    pub fn or_default<T: Si + FromNode>(&mut self, option: &Opt<T>) -> f64 {
+    pub(crate) fn or_default<T: Si + FromNode>(&mut self, option: &Opt<T>) -> f64 {
         match &option.given {
             Some(field) => self.number(field),
             None => self.default(option).si(),
@@ -92,7 +92,7 @@ impl<'f> Resolver<'f> {
     }
 
     /// A number, or this one where the file does not give it.
-    pub fn or_else<T: Si>(&mut self, option: &Opt<T>, value: f64, text: &str, source: &str) -> f64 {
+    pub(crate) fn or_else<T: Si>(&mut self, option: &Opt<T>, value: f64, text: &str, source: &str) -> f64 {
         match &option.given {
             Some(field) => self.number(field),
             None => {
@@ -103,7 +103,7 @@ impl<'f> Resolver<'f> {
     }
 
     /// A number, if the file gives it.
-    pub fn optional<T: Si>(&mut self, option: &Opt<T>) -> Option<f64> {
+    pub(crate) fn optional<T: Si>(&mut self, option: &Opt<T>) -> Option<f64> {
         match &option.given {
             Some(field) => Some(self.number(field)),
             None => {
@@ -114,7 +114,7 @@ impl<'f> Resolver<'f> {
     }
 
     /// A word, a switch or whatever else needs no limits; or its default.
-    pub fn choice<T: FromNode + Copy>(&mut self, option: &Opt<T>) -> T {
+    pub(crate) fn choice<T: FromNode + Copy>(&mut self, option: &Opt<T>) -> T {
         match &option.given {
             Some(field) => {
                 self.echo_given(field);
@@ -128,7 +128,7 @@ impl<'f> Resolver<'f> {
     }
 
     /// A whole number within the limits of its key.
-    pub fn count(&mut self, field: &Field<Whole>) -> Option<u32> {
+    pub(crate) fn count(&mut self, field: &Field<Whole>) -> Option<u32> {
         self.echo_given(field);
         let Whole(n) = field.value?;
         let (limits, value) = (field.limits, f64::from(n));
@@ -148,7 +148,7 @@ impl<'f> Resolver<'f> {
     }
 
     /// A whole number, or its default; the default if it is faulty.
-    pub fn count_or_default(&mut self, option: &Opt<Whole>) -> u32 {
+    pub(crate) fn count_or_default(&mut self, option: &Opt<Whole>) -> u32 {
         match &option.given {
             Some(field) => self.count(field).unwrap_or_else(|| default(option).0),
             None => self.default(option).0,
@@ -156,7 +156,7 @@ impl<'f> Resolver<'f> {
     }
 
     /// A text that is not blank.
-    pub fn text(&mut self, field: &Field<String>) -> Option<String> {
+    pub(crate) fn text(&mut self, field: &Field<String>) -> Option<String> {
         self.echo_given(field);
         let text = field.value.as_ref()?;
         if text.trim().is_empty() {
@@ -167,7 +167,7 @@ impl<'f> Resolver<'f> {
     }
 
     /// Echo of a key that the file does not give and that has no value then.
-    pub fn not_given<T>(&mut self, option: &Opt<T>) {
+    pub(crate) fn not_given<T>(&mut self, option: &Opt<T>) {
         if let Absent::Without(meaning) = &option.key.absent {
             self.echo_default(&option.path, "not given", meaning);
         }
@@ -189,7 +189,7 @@ impl<'f> Resolver<'f> {
     /// Notes a list that has too few or too many items for its key; whether it has not.
     ///
     /// * `what`: items in words ("courses")
-    pub fn sized<T>(&mut self, field: &Field<Vec<T>>, what: &str) -> bool {
+    pub(crate) fn sized<T>(&mut self, field: &Field<Vec<T>>, what: &str) -> bool {
         let (fewest, most) = field.limits.items;
         let found = field.value.as_ref().map_or(fewest, Vec::len);
         let sound = (fewest..=most).contains(&found);

@@ -88,7 +88,12 @@ pub(super) struct Book {
 
 impl Book {
     /// The object of this name; `keys` declares them where it is met for the first time.
-    pub fn object(&mut self, name: &'static str, help: &[&str], keys: impl FnOnce(&mut Book) -> Vec<KeyInfo>) -> Shape {
+    pub(crate) fn object(
+        &mut self,
+        name: &'static str,
+        help: &[&str],
+        keys: impl FnOnce(&mut Book) -> Vec<KeyInfo>,
+    ) -> Shape {
         if !self.objects.iter().any(|o| o.name == name) {
             let place = self.objects.len();
             self.objects.push(Object {
@@ -102,7 +107,7 @@ impl Book {
     }
 
     /// The choice of this name.
-    pub fn choice(&mut self, name: &'static str, help: &[&str], words: Vec<(&'static str, String)>) -> Shape {
+    pub(crate) fn choice(&mut self, name: &'static str, help: &[&str], words: Vec<(&'static str, String)>) -> Shape {
         if !self.choices.iter().any(|c| c.name == name) {
             let help = prose(help);
             self.choices.push(Choice { name, help, words });
@@ -111,7 +116,7 @@ impl Book {
     }
 
     /// The words of a choice.
-    pub fn words(&self, name: &str) -> &[(&'static str, String)] {
+    pub(crate) fn words(&self, name: &str) -> &[(&'static str, String)] {
         let choice = self.choices.iter().find(|c| c.name == name);
         choice.map_or(&[], |c| &c.words)
     }
@@ -122,7 +127,7 @@ impl KeyInfo {
     ///
     /// * `example`: of its type
     /// * `write`: a value as a user would write it, without quotes
-    pub fn new<T: 'static>(
+    pub(crate) fn new<T: 'static>(
         key: &Key<T>,
         required: bool,
         shape: Shape,
@@ -162,7 +167,7 @@ impl KeyInfo {
     }
 
     /// What it is, its limits and its default as one text.
-    pub fn description(&self) -> String {
+    pub(crate) fn description(&self) -> String {
         let mut text = self.help.clone();
         let allowed = self.allowed();
         let mut letters = allowed.chars();
@@ -181,7 +186,7 @@ impl KeyInfo {
     }
 
     /// The limits in words, such as "greater than 0, at most 10 m"; empty if there are none.
-    pub fn allowed(&self) -> String {
+    pub(crate) fn allowed(&self) -> String {
         let (list, item) = match &self.shape {
             Shape::List(item) => (true, item.as_ref()),
             shape => (false, shape),

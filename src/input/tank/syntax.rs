@@ -54,7 +54,7 @@ pub(super) struct Member {
 
 impl Node {
     /// The kind of value, in words with its article.
-    pub fn noun(&self) -> &'static str {
+    pub(crate) fn noun(&self) -> &'static str {
         match self.kind {
             Kind::Null => "null",
             Kind::Bool(_) => "true or false",
@@ -66,7 +66,7 @@ impl Node {
     }
 
     /// The value as written, for messages: scalars in full, the others by name.
-    pub fn shown(&self) -> String {
+    pub(crate) fn shown(&self) -> String {
         match &self.kind {
             Kind::Bool(value) => value.to_string(),
             Kind::Number(text) => text.clone(),

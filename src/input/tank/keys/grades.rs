@@ -32,7 +32,7 @@ pub(super) enum Strengths {
 
 impl Strengths {
     /// Kind of behaviour, as users name it.
-    pub fn kind(self) -> &'static str {
+    pub(crate) fn kind(self) -> &'static str {
         match self {
             Strengths::Steel { .. } => "steel",
             Strengths::Concrete { .. } => "concrete",

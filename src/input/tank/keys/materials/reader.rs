@@ -27,7 +27,7 @@ pub(super) struct Reader {
 
 impl Reader {
     /// The same for an object inside this one.
-    pub fn inside(&self, key: &str) -> Reader {
+    pub(crate) fn inside(&self, key: &str) -> Reader {
         Reader {
             preset: self.preset.clone(),
             path: join(&self.path, key),
@@ -36,7 +36,12 @@ impl Reader {
     }
 
     /// A number that the file gives, or else the grade; NaN if it is faulty or missing, which is a fault.
-    pub fn needed<T: Si + FromNode>(&self, r: &mut Resolver<'_>, option: &Opt<T>, of: impl Fn(&Preset) -> f64) -> f64 {
+    pub(crate) fn needed<T: Si + FromNode>(
+        &self,
+        r: &mut Resolver<'_>,
+        option: &Opt<T>,
+        of: impl Fn(&Preset) -> f64,
+    ) -> f64 {
         match (&option.given, &self.preset) {
             (None, None) => self.missing(r, option, ""),
             (_, Some(preset)) => self.supplied(r, option, of(preset)),
@@ -45,7 +50,7 @@ impl Reader {
     }
 
     /// A number that the file gives, or else this one of the grade.
-    pub fn supplied<T: Si>(&self, r: &mut Resolver<'_>, option: &Opt<T>, value: f64) -> f64 {
+    pub(crate) fn supplied<T: Si>(&self, r: &mut Resolver<'_>, option: &Opt<T>, value: f64) -> f64 {
         let source = match &self.preset {
             Some(preset) => format!("grade {}: {}", preset.name, preset.source),
             None => String::new(),
@@ -54,7 +59,7 @@ impl Reader {
     }
 
     /// Notes that a key is missing.
-    pub fn missing<T: FromNode>(&self, r: &mut Resolver<'_>, option: &Opt<T>, otherwise: &str) -> f64 {
+    pub(crate) fn missing<T: FromNode>(&self, r: &mut Resolver<'_>, option: &Opt<T>, otherwise: &str) -> f64 {
         let key = option.key.name;
         // A misspelt key has been noted already, with this one as the suggestion.
         if !r.faults.suggest(&format!("did you mean `{key}`?")) {
