@@ -15,7 +15,7 @@ use engines::nonlinear::{CheckpointFile, NonlinearOptions};
 use engines::solid::SolidOptions;
 use results::{EngineId, InputValue, SourceFile};
 
-/// What an analysis refuses of a tank file, each with its place in the file.
+/// Refusals of an analysis for a tank file, each with its place in the file.
 ///
 /// * `refuses`: the refusals of an engine or of the pushover
 pub fn refused(tank: &TankFile, refuses: impl Fn(&Task<'_>) -> Vec<Refusal>) -> Faults {
@@ -36,7 +36,7 @@ pub struct Job {
     pub case: Case,
     /// Ids of the procedures to run, in report order.
     pub procedures: Vec<String>,
-    /// Engines that run, in this order: all ratios refer to the first, the others stand beside it. None in `check`.
+    /// Engines that run, in this order; ratios refer to the first. Empty in `check`.
     pub engines: Vec<EngineId>,
     /// Options of the linear engines.
     pub linear: engines::Options,
@@ -57,7 +57,7 @@ pub struct Job {
 }
 
 impl Job {
-    /// What the engines are asked for.
+    /// The request to the engines.
     pub fn task(&self) -> Task<'_> {
         Task {
             case: &self.case,
@@ -68,19 +68,19 @@ impl Job {
         }
     }
 
-    /// What a nonlinear run depends on.
+    /// Hash of the input of a nonlinear run.
     pub fn key(&self) -> String {
         identity("history", &self.case, json!(self.nonlinear))
     }
 
-    /// What an incremental dynamic analysis depends on, whatever its scales.
+    /// Hash of the input of an incremental dynamic analysis, without its scales.
     pub fn incremental_key(&self) -> String {
         identity("incremental", &self.case, json!(self.nonlinear))
     }
 }
 
-/// Hash of the canonical JSON of what an analysis depends on: the program, the analysis, the case with its records as computed
-/// with, the options. Another hash is another analysis.
+/// Hash of the input of an analysis as canonical JSON: the program, the analysis, the case with its processed records, the
+/// options. Different hashes mean different analyses.
 fn identity(analysis: &str, case: &Case, options: Value) -> String {
     let everything = json!({
         "analysis": analysis,
@@ -95,7 +95,7 @@ fn identity(analysis: &str, case: &Case, options: Value) -> String {
     hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// A JSON value with the keys of all its objects in order. Numbers are written with all their digits.
+/// A JSON value with the keys of all its objects sorted. Numbers keep all their digits.
 fn canonical(value: Value) -> Value {
     match value {
         Value::Array(items) => items.into_iter().map(canonical).collect(),
@@ -136,7 +136,7 @@ pub struct PushJob {
 }
 
 impl PushJob {
-    /// What a pushover depends on.
+    /// Hash of the input of a pushover.
     pub fn key(&self) -> String {
         identity("push", &self.job.case, json!([self.job.nonlinear, self.options]))
     }

@@ -55,11 +55,12 @@ pub struct Outcome {
 
 /// Runs a job: procedures, engines, comparison. `volatile` is empty except for the version.
 ///
-/// Errors: what an engine refuses, a procedure that does not converge, a failure of an engine, a result that is not finite.
+/// Errors: input that an engine does not support, a procedure that does not converge, a failure of an engine, a result that is
+/// not finite.
 pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     runs::admit(job)?;
     let (mut methods, records, mut simulations, missing) = assess_and_simulate(job, progress)?;
-    // The histories as computed; beside those of a longer run they are NaN after their end.
+    // Histories as computed; next to those of a longer run they are NaN after their end.
     for (number, simulation) in simulations.iter().enumerate() {
         finite::check_series(simulation.result.engine.column(number), &simulation.series)?;
     }
@@ -125,10 +126,10 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     })
 }
 
-/// What the procedures, the records and the engines give, and what of the engines is missing.
+/// Results of the procedures, the records and the engines, and the reason if those of the engines are incomplete.
 type Computed = (Vec<Method>, Vec<RecordSummary>, Vec<Simulation>, Option<Incomplete>);
 
-/// Procedures and engines, the first engine beside the procedures.
+/// Runs procedures and engines, the first engine in parallel with the procedures.
 fn assess_and_simulate(job: &Job, progress: &dyn Progress) -> Result<Computed, Error> {
     let task = job.task();
     let (first, codes) = std::thread::scope(|scope| {
@@ -204,7 +205,7 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
     })
 }
 
-/// What stands for layers in a method that knows one material only, if a wall has any.
+/// Note on the equivalent wall of a method for one material, if the wall has layers.
 fn layers(job: &Job) -> Option<&'static str> {
     job.case.tank.courses.iter().find_map(Course::layer_assumption)
 }

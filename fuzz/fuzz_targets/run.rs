@@ -1,4 +1,4 @@
-// What the targets under libFuzzer share; each names itself and includes this.
+// Shared by the targets under libFuzzer; each sets its name and includes this file.
 use std::path::Path;
 use std::sync::LazyLock;
 
@@ -16,7 +16,7 @@ fuzz_target!(
     |bytes: &[u8]| (TARGET.run)(bytes)
 );
 
-// Half the changes know the shape of the input, half are libFuzzer's own.
+// Half of the changes keep the structure of the input, half come from libFuzzer.
 fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
     let mut rng = Rng::new(seed.into());
     if rng.once_in(2) {

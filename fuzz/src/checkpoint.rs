@@ -1,7 +1,7 @@
-//! Checkpoints of a march: a file is refused with a message or read; what is read goes on or is refused, and never panics.
+//! Checkpoints of a march: a file is rejected with a message or read; a march resumes from it or rejects it, and never panics.
 //!
-//! The first byte of an input says what the rest is: a file, or the payload of a file whose head and checksum are right
-//! (accidents are found by the checksum; what is behind it must hold by itself). The untouched payload gives the
+//! The first byte of an input selects the meaning of the rest: a file, or the payload of a file whose head and checksum are right
+//! (the checksum finds accidental damage; the reader must also survive a payload with a valid one). The untouched payload gives the
 //! uninterrupted run to the last bit.
 
 use std::path::{Path, PathBuf};
@@ -62,7 +62,7 @@ fn file(bytes: &[u8]) {
     }
 }
 
-/// What is written is read, in the same order; beyond the end there is a message.
+/// Values are read in the order in which they were written; reading beyond the end returns a message.
 fn reader(bytes: &[u8]) {
     let folder = Folder::new();
     let path = folder.0.join("checkpoint");
@@ -80,7 +80,7 @@ fn reader(bytes: &[u8]) {
     to.part(part);
     to.save(&path, 7).expect("the temporary folder is writable");
     assert!(Reader::open(&path, 8).is_err(), "of another run");
-    let mut from = Reader::open(&path, 7).expect("what was written can be read");
+    let mut from = Reader::open(&path, 7).expect("written values can be read");
     assert_eq!(from.count(), Ok(bytes.len()));
     let bits = |v: &[f64]| v.iter().map(|v| v.to_bits()).collect::<Vec<u64>>();
     assert_eq!(bits(&from.numbers("numbers").expect("numbers")), bits(&chunks));
@@ -120,7 +120,7 @@ fn framed(payload: &[u8], fingerprint: u64) -> Vec<u8> {
     bytes
 }
 
-/// A march goes on from a payload, or refuses it.
+/// A march resumes from a payload or rejects it.
 fn payload(bytes: &[u8]) {
     let known = known();
     let folder = Folder::new();
@@ -239,7 +239,7 @@ fn known() -> &'static Known {
     })
 }
 
-/// Stops a march after some steps, as a user would.
+/// Stops a march after some steps, as a user does.
 #[derive(Default)]
 struct Patience(std::sync::atomic::AtomicU64);
 

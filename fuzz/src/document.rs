@@ -1,4 +1,4 @@
-//! JSON documents as trees that keep numbers as they are written.
+//! JSON documents as trees that keep numbers as written.
 
 use jsonc_parser::ast::Value;
 use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};

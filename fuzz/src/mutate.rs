@@ -115,7 +115,7 @@ pub fn mutate(data: &mut Vec<u8>, most: usize, rng: &mut Rng) {
     data.truncate(most);
 }
 
-/// Changes a JSON document; false if it is none.
+/// Changes a JSON document; false if the text is not one.
 fn document(data: &mut Vec<u8>, rng: &mut Rng) -> bool {
     let Some(mut root) = std::str::from_utf8(data).ok().and_then(Json::parse) else {
         return false;

@@ -19,7 +19,7 @@ use tankcheck::pipeline::{self, Outcome};
 use super::document::Json;
 use super::{record, results, tank};
 
-/// Most samples of a record here; longer ones teach nothing new.
+/// Largest number of samples of a record here; longer ones do not reach other code.
 const SAMPLES: usize = 200;
 /// Most steps of a response, free sloshing at its end included.
 const STEPS: f64 = 4000.0;
@@ -39,7 +39,7 @@ pub fn run(bytes: &[u8]) {
     let Some(found) = compute(file, &quake) else { return };
     whole(&found);
     // One further computation an input, which one the input decides.
-    let document = Json::parse(&text).expect("what the reader takes is JSON with comments");
+    let document = Json::parse(&text).expect("the reader accepts only JSON with comments");
     match bytes.len() % 5 {
         0 => {
             let grams = record::columns_of(&quake, "g", ::tank::STANDARD_GRAVITY, ",", false);
@@ -129,7 +129,7 @@ fn compute(file: TankFile, quake: &Record) -> Option<Outcome> {
 
 /// Results that can be written, read back and shown.
 fn whole(found: &Outcome) {
-    // What is not finite becomes `null`, which is not read.
+    // Numbers that are not finite become `null`, which the reader rejects.
     let text = serde_json::to_string(&found.results).expect("results are JSON");
     let again: Results = serde_json::from_str(&text).unwrap_or_else(|e| panic!("not read back: {e}\n{text}"));
     assert_eq!(again, found.results, "other results are read back");

@@ -69,7 +69,7 @@ fn promises(record: &Record, options: &ReadOptions) {
     assert!(record.pga() > 1e100 || measures.pga == record.pga(), "{measures:?}");
 }
 
-/// What an editor or a file transfer changes.
+/// Changes by an editor or a file transfer.
 fn layout(bytes: &[u8], options: &ReadOptions, found: &ReadRecord) {
     let with = |how: &str, bytes: &[u8]| {
         let again = read(bytes, options).unwrap_or_else(|| panic!("{how}: refused"));
@@ -90,7 +90,7 @@ fn layout(bytes: &[u8], options: &ReadOptions, found: &ReadRecord) {
 
 /// The record in every format and unit comes back.
 fn written(record: &Record) {
-    // Times beyond these have no digits left to print.
+    // Larger times have too few digits left to print.
     if !(1e-5..1e5).contains(&record.dt) || record.acceleration.len() > 5000 {
         return;
     }
@@ -147,7 +147,7 @@ fn same(record: &Record, text: &str, step: f64) {
     }
 }
 
-/// Scaling is what it says, and never gives what is not a number.
+/// Scaling does what its description states, and its results are finite numbers.
 fn processed(record: &Record) {
     let identity = Processing {
         scale_by: Some(1.0),
@@ -156,7 +156,10 @@ fn processed(record: &Record) {
     };
     match process(record, &identity) {
         Ok(same) => assert!(same.acceleration == record.acceleration && same.dt == record.dt),
-        Err(error) => assert!(record.pga() > MAX_PLAUSIBLE, "nothing is changed, and refused: {error}"),
+        Err(error) => assert!(
+            record.pga() > MAX_PLAUSIBLE,
+            "an unchanged record was rejected: {error}"
+        ),
     }
     let twice = Processing {
         scale_by: Some(2.0),

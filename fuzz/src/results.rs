@@ -1,7 +1,7 @@
 //! Results folders: any bytes as `results.json` (and, after a zero byte, `series.csv`) give results or a message.
 //!
 //! Results that are read come back from write, `diff` finds them equal to themselves, and the report renders: well-formed
-//! figures, no number that is none, no markup from the texts. `ida.json` and `push.json` are read by the same target.
+//! figures, no `NaN`, no markup from the texts. `ida.json` and `push.json` are read by the same target.
 
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -35,11 +35,11 @@ pub fn run(bytes: &[u8]) {
         return;
     };
     let copies = [Folder::new(), Folder::new()];
-    results::write(&copies[0].0, &found, &series).expect("what was read can be written");
-    let first = results::read(&copies[0].0).expect("what was written can be read");
-    let again = results::read_series(&copies[0].0).expect("what was written can be read");
-    results::write(&copies[1].0, &first, &again).expect("what was read can be written");
-    let second = results::read(&copies[1].0).expect("what was written can be read");
+    results::write(&copies[0].0, &found, &series).expect("results that were read can be written");
+    let first = results::read(&copies[0].0).expect("written results can be read");
+    let again = results::read_series(&copies[0].0).expect("written results can be read");
+    results::write(&copies[1].0, &first, &again).expect("results that were read can be written");
+    let second = results::read(&copies[1].0).expect("written results can be read");
     assert_eq!(first, second, "written twice, the results differ");
     let bytes = |k: usize| std::fs::read(copies[k].0.join(results::RESULTS_FILE)).expect("readable");
     assert_eq!(bytes(0), bytes(1));
@@ -62,8 +62,8 @@ fn ida(json: &[u8]) {
     };
     let copy = Folder::new();
     let path = copy.0.join(IDA_FILE);
-    results::write_ida(&path, &found).expect("what was read can be written");
-    results::read_ida(&path).expect("what was written can be read");
+    results::write_ida(&path, &found).expect("results that were read can be written");
+    results::read_ida(&path).expect("written results can be read");
     results::ida_csv(&found);
     if let Some(report) = shown(report::ida::report(&found)) {
         sound(&report);
@@ -78,8 +78,8 @@ fn push(json: &[u8]) {
     };
     let copy = Folder::new();
     let path = copy.0.join(PUSH_FILE);
-    results::write_push(&path, &found).expect("what was read can be written");
-    results::read_push(&path).expect("what was written can be read");
+    results::write_push(&path, &found).expect("results that were read can be written");
+    results::read_push(&path).expect("written results can be read");
     if let Some(report) = shown(report::push::report(&found)) {
         sound(&report);
     }
@@ -134,7 +134,7 @@ pub fn sound(report: &Report) {
     }
 }
 
-/// A folder of its own, removed at the end.
+/// A temporary folder, removed at the end.
 pub struct Folder(pub PathBuf);
 
 impl Folder {
@@ -167,7 +167,7 @@ impl Default for Folder {
 
 impl Drop for Folder {
     fn drop(&mut self) {
-        // Litter in a temporary folder is no failure.
+        // A file left in a temporary folder is not a failure.
         let _ = std::fs::remove_dir_all(&self.0);
     }
 }

@@ -1,4 +1,4 @@
-//! First inputs: the examples, the kept reports cut short, and what the targets make themselves.
+//! First inputs: the examples, the kept reports cut short, and inputs made by the targets.
 
 use std::path::{Path, PathBuf};
 
@@ -33,7 +33,7 @@ fn bytes(path: &Path) -> Vec<u8> {
     std::fs::read(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// Tank files: the examples and what `tankcheck init` writes.
+/// Tank files: the examples and the output of `tankcheck init`.
 pub fn tanks(root: &Path) -> Vec<Vec<u8>> {
     let examples = below(&root.join("examples"), &[".json"]);
     let init = below(&root.join("src/cli/init"), &[".json"]);

@@ -19,7 +19,7 @@ pub fn run(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
     let Some(file) = read(&text) else { return };
     promises(&file);
-    let document = Json::parse(&text).expect("what the reader takes is JSON with comments");
+    let document = Json::parse(&text).expect("the reader accepts only JSON with comments");
     let meant = meaning(&file);
     for (how, other) in variants(&document) {
         let text = other.print();
@@ -50,10 +50,10 @@ pub fn read(text: &str) -> Option<TankFile> {
     }
 }
 
-/// What an analysis refuses.
+/// The refusals of an analysis.
 type Refuses<'a> = Box<dyn Fn(&Task<'_>) -> Vec<Refusal> + 'a>;
 
-/// What a resolved file keeps.
+/// Properties of a resolved file.
 fn promises(file: &TankFile) {
     let (tank, liquid) = (&file.case.tank, &file.case.liquid);
     assert!(
@@ -106,7 +106,7 @@ pub fn in_millimetres(document: &Json) -> Json {
     document
 }
 
-/// All that a file says, as text; the order of named things does not count.
+/// The content of a file as text; the order of named things does not count.
 fn meaning(file: &TankFile) -> String {
     let mut case = file.case.clone();
     let mut named: Vec<String> = Vec::new();

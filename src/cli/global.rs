@@ -1,4 +1,4 @@
-//! What every subcommand has: global options, form of the output, spinner, JSON, stamp of a run.
+//! Shared by the subcommands: global options, form of the output, spinner, JSON, stamp of a run.
 
 use files::text;
 use results::{Volatile, finite};

@@ -32,9 +32,9 @@ pub(crate) struct Inputs {
 }
 
 impl Inputs {
-    /// Reads everything; the job has no engines yet, and the options of the tank file.
+    /// Reads all input files; the job gets the options of the tank file and no engines yet.
     ///
-    /// * `refuses`: what the analysis refuses of the tank file
+    /// * `refuses`: the refusals of the analysis for the tank file
     pub(crate) fn job(&self, refuses: impl Fn(&Task<'_>) -> Vec<Refusal>) -> Result<Job, Error> {
         let tank = input::read_tank(&self.tank)?;
         let faults = job::refused(&tank, refuses);

@@ -85,7 +85,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     if let Some(folder) = &args.write {
         write(folder, &found, choice)?;
     }
-    // The manual gets all that ran, the output what was asked for.
+    // The manual gets all rows that ran, the output only the requested ones.
     found.rows.retain(|row| pattern.as_ref().is_none_or(|p| p.selects(row)));
     let failed = found.rows.iter().filter(|r| r.fails()).count();
     match args.format {
@@ -97,7 +97,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     Ok(if failed == 0 { EXIT_OK } else { EXIT_CHECK_FAILED })
 }
 
-/// The pattern of the command line; one that matches nothing is an error.
+/// The pattern of the command line; one without a match is an error.
 fn pattern(text: &str) -> Result<Pattern, Error> {
     Pattern::new(text).ok_or_else(|| {
         let near = nearest(text);
@@ -160,12 +160,12 @@ fn records(args: &Args) -> Result<Option<Records>, Error> {
     Ok(Some(records))
 }
 
-/// Whether the page of the dissertation's examples is made anew: it takes minutes and all records.
+/// Whether the page of the dissertation's examples is recomputed: it takes minutes and all records.
 fn writes_dissertation(args: &Args) -> bool {
     args.slow && args.write.is_some() && args.records.is_some() && args.pattern.is_none()
 }
 
-/// Writes the manual: what ran, and the last results of what did not.
+/// Writes the manual: rows that ran, and the last results of the others.
 fn write(folder: &Path, found: &Manual, choice: Choice) -> Result<(), Error> {
     let kept = match folder.join(manual::ROWS).exists() {
         true => manual::read(folder)?,
@@ -179,7 +179,7 @@ fn write(folder: &Path, found: &Manual, choice: Choice) -> Result<(), Error> {
     Ok(manual::write(folder, &merged, dissertation)?)
 }
 
-/// The chosen benchmarks: page, who runs its rows, ids, title.
+/// The chosen benchmarks: page, pace of its rows, ids, title.
 fn list(choice: Choice, form: Form) -> Result<String, Error> {
     let words = |paces: &[Pace]| paces.iter().map(|p| p.id()).collect::<Vec<_>>().join(" ");
     let all: Vec<_> = choice.benchmarks().collect();

@@ -299,7 +299,7 @@ fn render_one(fault: &Fault, source: &Source, renderer: &Renderer) -> String {
     if !rendered.contains(NAMELESS) {
         return rendered;
     }
-    // Between the place and a piece of its line the renderer leaves room for the name of a second file.
+    // The renderer leaves a line for the name of a second file between the place and a piece of its line.
     let lines = rendered
         .lines()
         .filter(|l| anstream::adapter::strip_str(l).to_string().trim() != NAMELESS);
@@ -309,7 +309,7 @@ fn render_one(fault: &Fault, source: &Source, renderer: &Renderer) -> String {
 /// Text of the renderer before the name of a further file.
 const NAMELESS: &str = ":::";
 
-/// Control characters and line breaks of user text made harmless, and the whole made short.
+/// User text on one line, without control characters, cut to [`SHOWN_TEXT`].
 fn one_line(text: &str) -> String {
     let mut line: String = text
         .chars()
@@ -328,7 +328,7 @@ struct Window<'a> {
     line: usize,
     /// Bytes of `text`.
     span: Range<usize>,
-    /// Column of the place, in characters from 1, where that in `text` is another.
+    /// Column of the place in its line, in characters from 1, if `text` is only a piece of the line.
     column: Option<usize>,
 }
 

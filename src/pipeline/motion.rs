@@ -1,4 +1,4 @@
-//! What the report says of the ground motion: measures of the records, response and design spectra.
+//! The ground motion for the report: measures of the records, response and design spectra.
 
 use oscillator::record::Record;
 use oscillator::spectrum::{self, Method};
@@ -36,7 +36,7 @@ pub(crate) fn spectra(job: &Job, marks: &[f64]) -> Vec<SpectrumCurve> {
     curves
 }
 
-/// Response spectra of a record, one a damping ratio, all in one sweep.
+/// Response spectra of a record, one per damping ratio, all in one sweep.
 fn response(record: &Record, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCurve> {
     let found = spectrum::spectrum(record, period, dampings, Method::Exact);
     dampings
@@ -54,7 +54,7 @@ fn response(record: &Record, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCu
         .collect()
 }
 
-/// Design spectra of all procedures; a site the code does not cover gives none (its procedure says why).
+/// Design spectra of all procedures; none for a site outside the scope of the code (its procedure gives the reason).
 fn design(site: &Site, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCurve> {
     let curves = codes::ALL.iter().flat_map(|p| p.design_curves(site, dampings));
     curves

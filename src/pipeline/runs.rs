@@ -1,4 +1,4 @@
-//! The runs of the engines: one after the other, as columns of the comparison, and what is missing of them.
+//! The runs of the engines: in sequence, as columns of the comparison, with the reason for an incomplete one.
 
 use fem::progress::Progress;
 use tank::assessment::Excitation;
@@ -12,7 +12,7 @@ use results::compare::{Damping, Happened, Incomplete};
 use results::nonlinear::End;
 use results::{Method, Run};
 
-/// Asks the engines of a job what they refuse of it.
+/// Rejects a job with input that one of its engines does not support.
 ///
 /// Errors: the first refusal.
 pub(super) fn admit(job: &Job) -> Result<(), Error> {
@@ -23,7 +23,7 @@ pub(super) fn admit(job: &Job) -> Result<(), Error> {
         .find_map(|&id| engine(id).refuses(&task).into_iter().next());
     let Some(refusal) = refused else { return Ok(()) };
     let mut text = format!("error: {}", refusal.message);
-    for (word, what) in [("found", &refusal.found), ("allowed", &refusal.allowed)] {
+    for (word, what) in [("found", &refusal.found), ("expected", &refusal.allowed)] {
         if !what.is_empty() {
             text.push_str(&format!(", {word} {what}"));
         }
@@ -34,8 +34,8 @@ pub(super) fn admit(job: &Job) -> Result<(), Error> {
     Err(Error::input(text))
 }
 
-/// Runs the engines after the first. Where one stops or fails before it has anything, the runs before it still make a report;
-/// returns then what is missing.
+/// Runs the engines after the first. If one stops or fails without results, the report contains the runs before it, and the
+/// reason is returned.
 ///
 /// Errors: bad input.
 pub(super) fn beside(
@@ -72,12 +72,12 @@ pub(super) fn method(job: &Job, number: usize, simulation: &Simulation) -> Metho
     }
 }
 
-/// Why the results are not those of the whole ground motion; none if they are, or if the user stopped a linear run.
+/// Why the results do not cover the whole ground motion; `None` if they do, or if the user stopped a linear run.
 pub(super) fn incomplete(missing: Option<Incomplete>, runs: &[Run]) -> Option<Incomplete> {
     missing.or_else(|| runs.iter().find_map(ended))
 }
 
-/// Why a run has no results for the whole ground motion.
+/// Why a run does not cover the whole ground motion.
 fn ended(run: &Run) -> Option<Incomplete> {
     let departures = &run.nonlinear.as_ref()?.departures;
     match run.end {
@@ -91,7 +91,7 @@ fn ended(run: &Run) -> Option<Incomplete> {
     }
 }
 
-/// What the comparison needs to know of the nonlinear run.
+/// Facts of the nonlinear run for the comparison.
 pub(super) fn happened(job: &Job, runs: &[Run]) -> Option<Happened> {
     let (run, nonlinear) = runs.iter().find_map(|run| Some((run, run.nonlinear.as_ref()?)))?;
     let last = |values: &[f64]| values.last().copied().unwrap_or(0.0);

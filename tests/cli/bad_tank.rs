@@ -26,7 +26,7 @@ const GOOD: &str = r#"{
 
 const RECORD: &str = "time_s,acceleration_m_s2\n0,0\n0.02,1\n0.04,0.5\n0.06,-1\n0.08,0\n";
 
-/// Runs `compare` on a tank file in a fresh folder and checks what every refusal has in common; returns the message.
+/// Runs `compare` on a tank file in a fresh folder and checks the common properties of a rejection; returns the message.
 fn refused(folder: &Path, tank: &str, stdin: Option<&str>) -> String {
     std::fs::write(folder.join("record.csv"), RECORD).unwrap();
     let out = folder.join("out");
@@ -87,7 +87,7 @@ fn files_that_are_none() {
     has(&refused(folder.path(), ".", None), &["folder"]);
     has(&message(""), &["tank.json", "empty"]);
     has(&message(" \n"), &["tank.json", "empty"]);
-    has(&message("// nothing\n"), &["tank.json", "comments only"]);
+    has(&message("// nothing\n"), &["tank.json", "only comments"]);
     has(
         &message(b"{ \"name\": \"M\xFCnchen\" }"),
         &["tank.json", "line 1", "0xfc", "UTF-8"],
@@ -101,7 +101,7 @@ fn files_that_are_none() {
     );
     has(
         &message("[1, 2]"),
-        &["tank.json:1:1", "a list does not belong here", "an object"],
+        &["tank.json:1:1", "a list is not allowed here", "an object"],
     );
 }
 
@@ -124,7 +124,7 @@ fn truncated_anywhere() {
     let end = GOOD.trim_end().len();
     for cut in (1..end).filter(|i| GOOD.is_char_boundary(*i)) {
         let source = tankcheck::input::diagnostic::Source::new("tank.json", &GOOD[..cut]);
-        let faults = tankcheck::input::tank::parse(&source).expect_err("a prefix is no document");
+        let faults = tankcheck::input::tank::parse(&source).expect_err("a prefix is not a document");
         assert!(faults.render(&source, false).contains("tank.json"));
     }
     std::fs::write(&path, &GOOD[..end / 2]).unwrap();
@@ -135,7 +135,7 @@ fn truncated_anywhere() {
 fn syntax() {
     has(
         &spoiled("\"1.83 m\"", "1.83 m"),
-        &["tank.json:5:15", "stands in quotes", "write \"1.83 m\""],
+        &["tank.json:5:15", "must be in quotes", "write \"1.83 m\""],
     );
     has(
         &spoiled("\"1.83 m\"", "1.83m"),
@@ -205,7 +205,7 @@ fn keys() {
     );
     has(
         &spoiled("\"cylinder\"", "\"rectangle\""),
-        &["a rectangle has no radius", "`length`", "`breadth`", "strip"],
+        &["radius does not apply to a rectangle", "`length`", "`breadth`", "strip"],
     );
 }
 
@@ -242,11 +242,11 @@ fn units() {
     }
     has(
         &spoiled("\"1.83 m\"", "null"),
-        &["tank.radius", "null does not belong here"],
+        &["tank.radius", "null is not allowed here"],
     );
     has(
         &spoiled("\"1.83 m\"", "[\"1.83 m\"]"),
-        &["tank.radius", "a list does not belong here"],
+        &["tank.radius", "a list is not allowed here"],
     );
 }
 

@@ -1,4 +1,4 @@
-//! `compare`, `check`, `report` and `diff` as commands: what they write, print and return.
+//! `compare`, `check`, `report` and `diff` as commands: files, output and exit codes.
 
 use std::path::Path;
 use std::process::{Command, Output};
@@ -51,7 +51,7 @@ fn the_main_command_writes_report_results_series_and_figures() {
     }
     assert!(
         stderr(&run).contains("report.html"),
-        "the last line says where the report is"
+        "the last line gives the path of the report"
     );
 }
 
@@ -167,7 +167,7 @@ fn check_runs_the_codes_on_the_design_spectrum_alone() {
     );
 }
 
-/// Runs a command that must be refused: exit code 2, a message with all of `words`, nothing on standard output, no
+/// Runs a command that must be rejected: exit code 2, a message with all of `words`, empty standard output, no
 /// output folder.
 fn refused(arguments: &[&str], out: &Path, words: &[&str]) {
     let run = tankcheck(arguments);
@@ -180,7 +180,7 @@ fn refused(arguments: &[&str], out: &Path, words: &[&str]) {
     assert!(!out.join("results.json").exists(), "{arguments:?} left results behind");
 }
 
-/// Files that stand where results belong are refused; others stay beside them, run after run.
+/// Foreign files in the place of results stop a run; others stay next to the results, run after run.
 #[test]
 fn files_of_others_are_never_touched() {
     let home = tempfile::tempdir().expect("a temporary folder");

@@ -22,7 +22,7 @@ fn log(low: f64, high: f64) -> impl Strategy<Value = f64> {
     (low.ln()..high.ln()).prop_map(f64::exp)
 }
 
-/// What a tank is made of.
+/// Material of a tank.
 #[derive(Clone, Debug)]
 struct Plan {
     round: bool,

@@ -2,7 +2,7 @@
 //!
 //! Measured: largest resident set, and processor time of the release build on the idle reference machine, as in
 //! docs/performance.md, which has the commands. The estimates follow from counts of elements, entries and operations; where one
-//! leaves the factor, its model is to be mended, not the number here.
+//! leaves the factor, correct its model, not the number here.
 
 use std::path::Path;
 
@@ -120,7 +120,7 @@ const MEASURED_HARMONIC: [(f64, Option<f64>, Option<f64>); 3] = [
 
 /// Elements over radius, circumference and height.
 type Mesh = [usize; 3];
-/// What was measured, if it was.
+/// The measured value, if there is one.
 type Figure = Option<f64>;
 
 /// Mesh, liquid, direct integration, memory, time: `compare … --no-mesh-error --fe solid --mesh RxSxV`.

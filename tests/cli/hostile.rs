@@ -132,7 +132,7 @@ fn samples(separator: &str) -> String {
 
 /// Records whose title, header and file name are poisoned: a CSV file, and a PEER file with its title.
 fn records(home: &Home) -> [String; 2] {
-    // The reader takes no C0 control in a record at all.
+    // The reader rejects every C0 control character in a record.
     let poison: String = POISON.chars().filter(|c| !c.is_ascii_control()).collect();
     let csv = home.write(
         &format!("r{POISON}.csv"),
@@ -298,7 +298,7 @@ fn messages_show_hostile_text_as_escapes() {
     ] {
         home.runs(&[2], command);
     }
-    // There is nothing to resume: the run starts from the beginning, and says so.
+    // Without a checkpoint the run starts from the beginning and reports it.
     home.runs(
         &[0, 1, 2],
         &[

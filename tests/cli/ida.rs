@@ -1,4 +1,4 @@
-//! `tankcheck ida`: what it writes, how it goes on, what it refuses.
+//! `tankcheck ida`: files, resumed runs, rejected input.
 
 use std::path::{Path, PathBuf};
 
@@ -60,11 +60,11 @@ fn runs_are_written_and_resumed() {
     assert_eq!(once.status.code(), Some(0), "{}", stderr(&once));
     assert_eq!(runs(&parts), runs(&whole));
     assert_eq!(runs(&whole).len(), 2);
-    // Other scales leave what is there.
+    // Other scales keep the existing files.
     let other = run(&record, "0", &parts, &["--quiet", "--resume"]);
     assert_eq!(other.status.code(), Some(0), "{}", stderr(&other));
     assert_eq!(runs(&parts), runs(&whole));
-    // Neither does a damaged checkpoint, which is told with the way out.
+    // Neither does a damaged checkpoint; the message gives the remedy.
     let work = parts.join("unfinished");
     std::fs::create_dir(&work).expect("writable");
     std::fs::write(work.join("work.json"), "").expect("writable");
@@ -105,7 +105,7 @@ fn another_analysis_is_not_resumed_and_nothing_is_lost() {
     assert_eq!(std::fs::read_to_string(out.join("ida.json")).expect("ida.json"), before);
 }
 
-/// Ctrl-C leaves the complete results of an earlier run in place; what was computed is kept for `--resume`.
+/// Ctrl-C leaves the complete results of an earlier run in place; the finished part is kept for `--resume`.
 #[cfg(unix)]
 #[test]
 fn an_interrupted_analysis_does_not_replace_a_complete_one() {
@@ -152,7 +152,7 @@ fn an_interrupted_analysis_does_not_replace_a_complete_one() {
     assert_eq!(names.len(), 3, "{names:?}");
 }
 
-/// A rectangle that is no strip.
+/// A rectangle that is not a strip.
 #[test]
 fn a_rectangle_that_is_no_strip_is_refused() {
     let home = tempfile::tempdir().expect("a temporary folder");

@@ -1,4 +1,4 @@
-//! Ctrl-C in every command that can run long: 130 where nothing is kept, 3 where what is done is kept; nothing half-written.
+//! Ctrl-C in every command that can run long: 130 if no results are kept, 3 if the finished part is kept; no partial files.
 #![cfg(unix)]
 
 use std::io::Read;
@@ -118,7 +118,7 @@ fn an_interrupted_verify_leaves_the_old_manual() {
     }
 }
 
-/// The first Ctrl-C keeps what is done (3), if there is anything; the second, here never sent, would be 130.
+/// The first Ctrl-C keeps the finished part (3), if there is one; the second (130) is not sent here.
 #[test]
 fn commands_that_keep_what_is_done_end_with_3() {
     let home = tempfile::tempdir().expect("a temporary folder");

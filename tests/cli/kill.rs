@@ -10,14 +10,14 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// What is killed.
+/// The run to kill.
 struct Scenario {
     name: &'static str,
     /// The command line in a folder that has `tank.json`, `strip.json`, `shell.json`, `record.csv`.
     command: &'static [&'static str],
     /// Its output folder.
     out: &'static str,
-    /// What goes on from where a killed run ended.
+    /// The command that resumes a killed run.
     resume: Option<&'static str>,
     /// Share of the kills.
     share: u32,
@@ -155,7 +155,7 @@ fn works(run: Child, what: &str) {
     );
 }
 
-/// Everything below a folder: name and content, without what differs between identical runs.
+/// Everything below a folder: name and content, without the fields that differ between identical runs.
 fn contents(folder: &Path) -> Vec<(String, String)> {
     let mut found = Vec::new();
     let mut open = vec![folder.to_path_buf()];

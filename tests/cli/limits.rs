@@ -1,4 +1,4 @@
-//! Runs beyond the limits are refused at once, with what they take and what fits; nothing is built, nothing is left.
+//! Runs beyond the limits are rejected at once, with the estimate and the limit; no model is built, no file is left.
 
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -33,7 +33,7 @@ fn record(home: &Path, dt: f64) -> PathBuf {
     path
 }
 
-/// Runs a command that must be refused within seconds: exit code 2, all of `words`, nothing written.
+/// Runs a command that must be rejected within seconds: exit code 2, all of `words`, no files.
 fn refused(command: &[&str], home: &Path, words: &[&str]) {
     let out = home.join("out");
     let mut command = command.to_vec();

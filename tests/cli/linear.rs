@@ -16,7 +16,7 @@ const GOOD: &str = r#""name": "t",
   "liquid": { "density": "1000 kg/m3", "fill_height": "7 m" },
   "materials": { "steel": { "youngs_modulus": "210 GPa", "poisson_ratio": 0.3, "density": "7850 kg/m3" } }"#;
 
-/// Processor time of this thread where the system tells, so that other programs do not count; else the time of the clock.
+/// Processor time of this thread where the system provides it, so that other programs do not count; else the clock time.
 fn now(start: Instant) -> Duration {
     std::fs::read_to_string("/proc/thread-self/schedstat")
         .ok()
@@ -150,7 +150,7 @@ const CASES: &[(&str, Make)] = &[
 fn twice_the_file_takes_twice_the_time() {
     const SIZE: usize = 64 << 10;
     for (name, make) in CASES {
-        // The least of a few runs: what disturbs only adds.
+        // The minimum of a few runs: disturbances only add time.
         let least = |size: usize| (0..3).map(|_| answer(make(size)).0).min().unwrap_or_default();
         let (once, twice) = (least(SIZE), least(2 * SIZE));
         assert!(

@@ -1,4 +1,4 @@
-//! The command line: bad input, exit codes, output folders; and what must hold of the repository itself.
+//! The command line: bad input, exit codes, output folders; and checks of the repository itself.
 
 mod bad_tank;
 mod compare;

@@ -1,4 +1,4 @@
-//! Input of the nonlinear engine: layered walls, behaviour of materials, options; what is read, and how faults are told.
+//! Input of the nonlinear engine: layered walls, behaviour of materials, options; values as read, and messages for faults.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -129,7 +129,7 @@ fn what_the_good_file_means() {
             sloshing: 0.005
         }
     );
-    // What the grades supplied stands in the list of defaults.
+    // Values from grades are in the list of defaults.
     for (path, text) in [
         ("materials.liner.youngs_modulus", "210"),
         ("materials.liner.behaviour.steel.ultimate_strength", "490"),
@@ -191,10 +191,10 @@ fn strip_of_the_dissertation() {
             circumference: 1
         })
     );
-    assert!(file.remarks.iter().any(|r| r.contains("next to undamped")));
+    assert!(file.remarks.iter().any(|r| r.contains("almost undamped")));
 }
 
-/// The code procedures run on the equivalent wall, and say so.
+/// The code procedures run on the equivalent wall and note it.
 #[test]
 fn check_shows_the_layers() {
     let folder = tempfile::tempdir().unwrap();
@@ -238,14 +238,14 @@ fn layers() {
         &spoiled(liner, ""),
         &[
             "tank.courses[0].layers[0]",
-            "an interlayer stands between two shells",
-            "no shell inside",
+            "an interlayer must be between two shells",
+            "without a shell inside",
             "shell, interlayer, shell",
         ],
     );
     has(
         &spoiled(interlayer, &format!("{interlayer}{interlayer}")),
-        &["tank.courses[0].layers[1]", "an interlayer beside it"],
+        &["tank.courses[0].layers[1]", "an interlayer next to it"],
     );
     has(
         &spoiled(liner, &format!("{liner}{interlayer}{liner}")),
@@ -258,7 +258,7 @@ fn layers() {
         ),
         &[
             "tank.courses[0].thickness",
-            "no thickness of its own",
+            "thickness does not apply to a course with layers",
             "either thickness and material, or layers",
         ],
     );
@@ -326,7 +326,10 @@ fn bars() {
             "\"from_outer\": \"4 cm\", \"material\": \"bars\"",
             "\"from_outer\": \"4 cm\", \"material\": \"concrete\"",
         ),
-        &["reinforcement[0].material", "`concrete` is concrete, not one for bars"],
+        &[
+            "reinforcement[0].material",
+            "`concrete` is concrete, which cannot be used for bars",
+        ],
     );
 }
 
@@ -439,7 +442,7 @@ fn grades_and_behaviours() {
     );
     has(
         &spoiled("{ \"grade\": \"S355\" }", "{ \"grade\": \"S355\", \"behaviour\": {} }"),
-        &["one behaviour is wanted"],
+        &["not exactly one behaviour"],
     );
     has(
         &spoiled("\"youngs_modulus\": \"33 GPa\",", ""),
@@ -457,7 +460,10 @@ fn grades_and_behaviours() {
             "\"density\": \"40 kg/m3\"",
             "\"density\": \"40 kg/m3\", \"poisson_ratio\": 0.3",
         ),
-        &["materials.foam.poisson_ratio", "no poisson_ratio beside its e_normal"],
+        &[
+            "materials.foam.poisson_ratio",
+            "poisson_ratio does not apply to an interlayer",
+        ],
     );
 }
 

@@ -1,4 +1,4 @@
-//! Options of the nonlinear engine: what is read, and how faults are told; arguments of `ida`.
+//! Options of the nonlinear engine: values as read, and messages for faults; arguments of `ida`.
 
 use std::process::Command;
 
@@ -14,7 +14,7 @@ fn options() {
         &spoiled("\"circumference\": 192", "\"circumference\": 193"),
         &[
             "analysis.nonlinear.elements.circumference",
-            "an odd number of elements around half a tank",
+            "an even number of elements around",
             "found 193",
             "an even number",
             "write 194, or add \"symmetry\": false",
@@ -50,7 +50,7 @@ fn options() {
         &with(
             "\"damping\": { \"rayleigh\": { \"first\": { \"at\": \"3 rad/s\", \"ratio\": 0.01 }, \"second\": { \"at\": \"4 rad/s\", \"ratio\": 0.02 } } }",
         ),
-        &["need a negative coefficient"],
+        &["require a negative coefficient"],
     );
     has(
         &with("\"integration\": { \"steel\": \"gaus 5\" }"),
@@ -77,7 +77,10 @@ fn options() {
     let text = parse(&source).expect_err("faults").render(&source, false);
     has(
         &text,
-        &["a strip has no circumference", "a strip has no plane of symmetry"],
+        &[
+            "circumference does not apply to a strip",
+            "symmetry does not apply to a strip",
+        ],
     );
 }
 
@@ -107,7 +110,7 @@ fn all_faults_at_once() {
     has(&message(dry), &["the key `liquid` is missing"]);
 }
 
-/// Runs the program; returns its exit code and what it says on standard error.
+/// Runs the program; returns its exit code and standard error.
 fn run(arguments: &[&str]) -> (Option<i32>, String) {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("tank.json"), GOOD).unwrap();

@@ -1,4 +1,4 @@
-//! `compare --fe nonlinear`: what it refuses, checkpoints.
+//! `compare --fe nonlinear`: rejected input, checkpoints.
 
 use std::path::Path;
 

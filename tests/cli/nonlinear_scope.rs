@@ -1,4 +1,4 @@
-//! What the nonlinear engine does not model is refused from the input, with its place.
+//! Input outside the scope of the nonlinear engine is rejected with its place.
 
 use engines::nonlinear::push;
 use engines::{Task, engine};
@@ -9,7 +9,7 @@ use tankcheck::job;
 use super::bad_tank::has;
 use super::nonlinear_input::{GOOD, changed, read};
 
-/// What the engine refuses of a file that is sound otherwise; one cause, one message.
+/// The refusals for a file that is valid otherwise; one message for each cause.
 fn refused(text: &str, refuses: fn(&Task<'_>) -> Vec<Refusal>) -> String {
     let file = read(text);
     let faults = job::refused(&file, refuses);
@@ -65,11 +65,11 @@ fn elements_on_which_a_crack_snaps_back() {
         &unfit("\"circumference\": 192", "\"circumference\": 96"),
         &["analysis.nonlinear.elements.circumference", "654 mm", "118 or more"],
     );
-    // Bars that space the cracks mend it.
+    // Bars that set the crack spacing remove the fault.
     let coarse = changed("\"height\": 24", "\"height\": 8");
     let spaced = coarse.replace("\"2.9 MPa\"", "\"2.9 MPa\", \"crack_spacing\": \"15 cm\"");
     assert!(job::refused(&read(&spaced), history).is_empty());
-    // What the engine chooses for itself is told of the concrete: 72 sectors of 873 mm.
+    // The message for concrete gives the engine's own mesh: 72 sectors of 873 mm.
     has(
         &unfit("\"elements\": { \"height\": 24, \"circumference\": 192 }, ", ""),
         &[
@@ -81,7 +81,7 @@ fn elements_on_which_a_crack_snaps_back() {
     );
 }
 
-/// 1 N/m: 0.98 · 33e9 · 1/2.9e6² = 3.8 mm, finer than 4000 elements of 15.7 mm; 4.08 N/m would do with them.
+/// 1 N/m: 0.98 · 33e9 · 1/2.9e6² = 3.8 mm, finer than 4000 elements of 15.7 mm; 4.08 N/m is enough with them.
 #[test]
 fn softening_that_no_mesh_resolves() {
     let file = read(&changed("\"2.9 MPa\"", "\"2.9 MPa\", \"fracture_energy\": \"1 N/m\""));

@@ -1,4 +1,4 @@
-//! `tankcheck push`: what it writes, what it refuses.
+//! `tankcheck push`: files and rejected input.
 
 use std::path::{Path, PathBuf};
 
@@ -34,7 +34,7 @@ fn text(path: &Path) -> &str {
 }
 
 /// The state at rest carries the weight: axial force of wall and roof. Shear and moment are those of the masses. The perfect and
-/// the imperfect shell stand beside each other.
+/// the imperfect shell are side by side.
 #[test]
 fn a_pushover_is_written() {
     let home = tempfile::tempdir().expect("a temporary folder");
@@ -78,7 +78,7 @@ fn a_pushover_is_written() {
             .value
     };
     let mass = fact(FactKind::ImpulsiveMass) + fact(FactKind::WallAndRoofMass);
-    // Eight graded elements around the half take 2 % of the force of cos θ; at a tenth of g the liquid would pull only just below its
+    // Eight graded elements around the half take 2 % of the force of cos θ; at a tenth of g the liquid pulls only just below its
     // surface, where the wall fails it does on much of the other side.
     let first = &perfect.path[1];
     assert!((first.base_shear / first.acceleration / mass - 1.0).abs() < 0.03);

@@ -61,7 +61,7 @@ fn written(checkpoint: &Path) -> Option<SystemTime> {
     checkpoint.metadata().and_then(|m| m.modified()).ok()
 }
 
-/// What does not differ between identical runs.
+/// The fields that do not differ between identical runs.
 fn results(folder: &Path, out: &str) -> Push {
     let push = read_push(&folder.join(out).join("push.json")).expect("readable");
     Push {
@@ -70,7 +70,7 @@ fn results(folder: &Path, out: &str) -> Push {
     }
 }
 
-/// What stands in a folder.
+/// Contents of a folder.
 fn entries(folder: &Path) -> Vec<String> {
     let names = std::fs::read_dir(folder).expect("readable");
     let mut names: Vec<String> = names
@@ -80,8 +80,8 @@ fn entries(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Killed at several moments of both shells and resumed each time: the results are those of a run that was left alone, and nothing
-/// is left beside them.
+/// Killed at several moments of both shells and resumed each time: the results equal those of an uninterrupted run, and no other
+/// file is left.
 #[test]
 fn a_killed_pushover_goes_on() {
     let home = tempfile::tempdir().expect("a temporary folder");
@@ -128,7 +128,7 @@ fn interrupt(run: &Child) {
     assert!(sent.expect("kill exists").success());
 }
 
-/// Ctrl-C keeps what there is and says how to go on; a checkpoint that does not fit is refused and kept.
+/// Ctrl-C keeps the finished part and prints how to continue; a checkpoint of another run is rejected and kept.
 #[test]
 fn an_interrupted_pushover_says_how_it_goes_on() {
     let home = tempfile::tempdir().expect("a temporary folder");

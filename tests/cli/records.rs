@@ -1,4 +1,4 @@
-//! Accelerograms through the command line: what `quake info` and `spectrum` print, and what is refused how.
+//! Accelerograms through the command line: output of `quake info` and `spectrum`, and messages for rejected files.
 
 use std::path::{Path, PathBuf};
 

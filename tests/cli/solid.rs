@@ -98,7 +98,7 @@ fn a_foreign_folder_is_no_place_for_paraview_files() {
         vtu.to_str().expect("text"),
     ]);
     assert!(matches!(run.status.code(), Some(2)), "{}", stderr(&run));
-    assert!(!out.exists(), "nothing is half-written");
+    assert!(!out.exists(), "no partial files");
 }
 
 /// ParaView files inside the output folder are not in the way of the next run.
@@ -133,7 +133,7 @@ fn paraview_files_inside_the_output_folder_work_twice() {
     }
 }
 
-/// Starts a run of both engines and waits until it says what it is about to do.
+/// Starts a run of both engines and waits for its first message.
 #[cfg(unix)]
 fn begin(out: &std::path::Path) -> (std::process::Child, impl std::io::BufRead) {
     use std::io::{BufRead, BufReader};
@@ -190,12 +190,12 @@ fn a_second_ctrl_c_leaves_nothing() {
     let out = home.path().join("out");
     let (mut run, mut messages) = begin(&out);
     interrupt(&run);
-    // Signals of one kind are not counted: the second is sent when the first has been heard.
+    // Signals of one kind are not counted: the second is sent after the reply to the first.
     let mut heard = String::new();
     std::io::BufRead::read_line(&mut messages, &mut heard).expect("text");
     assert!(heard.contains("Ctrl-C again"), "{heard}");
     interrupt(&run);
-    // On a busy machine the second may come when the results are in place: then they stay, and the exit code says so.
+    // On a busy machine the second may come after the results are in place: then they stay, with the exit code of a finished run.
     let code = run.wait().expect("ends").code();
     let left = std::fs::read_dir(home.path()).expect("readable").flatten();
     let left: Vec<_> = left.map(|entry| entry.file_name()).collect();

@@ -117,7 +117,7 @@ fn a_full_device_is_one_message_and_never_a_panic() {
             assert_eq!(err.stdout, whole.stdout, "{command:?}");
         }
     }
-    // What could be written was written.
+    // The writable part was written.
     for folder in ["compare", "json", "csv", "ida", "push"] {
         assert!(home.path().join(folder).join("report.html").is_file(), "{folder}");
     }

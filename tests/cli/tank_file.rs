@@ -77,7 +77,7 @@ fn examples_are_read_without_remarks() {
         for path in entries(&folder) {
             if path.extension().is_some_and(|e| e == "json") {
                 let file = read(&path);
-                // Example 06 takes the damping of the dissertation, of which the program says that it leaves the wall undamped.
+                // Example 06 uses the damping of the dissertation; the program notes that it leaves the wall undamped.
                 let published = folder.ends_with("06_sandwich_strip");
                 assert_eq!(
                     file.remarks.len(),
@@ -110,7 +110,7 @@ fn remarks_go_to_standard_error_and_stop_nothing() {
     let message = String::from_utf8_lossy(&output.stderr);
     assert!(matches!(output.status.code(), Some(0 | 1)), "{message}");
     assert!(
-        message.contains("note: materials.gold: nothing is made of the material `gold`"),
+        message.contains("note: materials.gold: material `gold` is unused"),
         "{message}"
     );
     assert!(!output.stdout.is_empty());

@@ -63,7 +63,7 @@ fn the_list_names_page_ids_and_paces_in_every_form() {
     let all = json(&["--list"]);
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/verification");
     for page in texts(&all["benchmarks"], "page") {
-        assert!(folder.join(format!("{page}.md")).exists(), "{page} has no page");
+        assert!(folder.join(format!("{page}.md")).exists(), "{page} is without a page");
     }
     let human = verify(&["--list", "S22"]);
     let human = stdout(&human);

@@ -2,7 +2,7 @@
 
 use results::{Resultants, Snapshot, Snapshots};
 
-/// Two hexahedra on each other and the two faces of one side, at two moments; node 3 belongs to nothing drawn.
+/// Two hexahedra on each other and the two faces of one side, at two moments; node 3 does not belong to a drawn cell.
 pub fn snapshots() -> Snapshots {
     let mut nodes = Vec::new();
     for z in 0..3 {

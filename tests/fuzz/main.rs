@@ -1,6 +1,6 @@
 //! The fuzz targets with random changes of their first inputs: `fuzz/` without a fuzzer.
 //!
-//! Goal:     no input makes a reader, the pipeline or the report panic, or break what `fuzz/src` promises of it
+//! Goal:     no input makes a reader, the pipeline or the report panic or violate the properties stated in `fuzz/src`
 //! Model:    each target runs its seeds, the inputs of `fuzz/finds/<target>`, and seeds changed at random
 //! Expected: see the targets; a find is written to `target/fuzz-finds/<target>` and named in the message
 //!

@@ -91,7 +91,7 @@ fn examples_give_their_accepted_reports() {
         }
         if let Some(reason) = &bless {
             accept(&out, &example.golden, reason);
-            // Once more into its place, so that the report's command line is the one a reader would type.
+            // A second run into its final place, so that the report shows the command line a reader types.
             compare(example, &example.golden);
         }
         match numdiff::folders(&root().join(&example.golden), &out, &numdiff::Options::default()) {

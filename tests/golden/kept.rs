@@ -2,7 +2,7 @@
 //!
 //! A row of [`KEPT`] is a command and the folder that holds what it gave. The short ones are runs on coarse meshes of
 //! `tests/golden/short/`; their folders hold numbers alone (`results.json` and `series.csv`, `ida.json`, `push.json`), the report is
-//! rendered anew and looked through. The full ones are the reports of the examples:
+//! rendered again and inspected. The full ones are the reports of the examples:
 //!
 //! ```text
 //! cargo test --release --test golden kept::full -- --ignored --nocapture
@@ -224,12 +224,12 @@ fn accept(kept: &Kept, golden: &Path, out: &Path, reason: &str) {
             .iter()
             .map(|m| format!("{}: {} -> {}", m.path, m.old, m.new))
             .collect(),
-        // Nothing is kept yet.
+        // There is no kept report yet.
         Err(_) => Vec::new(),
     };
     std::fs::create_dir_all(golden).expect("writable");
     if kept.golden.starts_with("reports/") {
-        // Once more into its place, with report, figures and manifest, by the command that a reader would type.
+        // A second run into its final place, with report, figures and manifest, by the command that a reader types.
         let again = tankcheck(kept.command, Path::new(kept.golden));
         let message = String::from_utf8_lossy(&again.stderr);
         assert!(matches!(again.status.code(), Some(0 | 1 | 3)), "{message}");
@@ -299,7 +299,7 @@ fn every_kept_report_has_its_numbers() {
                 let numbers = ["results.json", "ida.json", "push.json"];
                 assert!(
                     numbers.iter().any(|name| folder.join(name).exists()),
-                    "{} has no numbers beside it",
+                    "{} is without its numbers",
                     path.display()
                 );
             }
@@ -308,7 +308,7 @@ fn every_kept_report_has_its_numbers() {
     assert!(reports >= 16, "{reports} reports found");
 }
 
-/// The numbers of `ida` and `push` are compared as those of `compare`: a number that moves is found, what may move is not.
+/// The numbers of `ida` and `push` are compared like those of `compare`: a changed number is found, volatile fields are ignored.
 #[test]
 fn a_moved_number_is_found() {
     for (golden, file) in [

@@ -94,7 +94,7 @@ pub fn it_prints_to_clean_pages(program: &Path) {
     }
 }
 
-/// Measures the report in frames of several widths, and as on paper; collects what is cut off.
+/// Measures the report in frames of several widths and on paper; collects clipped content.
 const MEASURE: &str = r##"
 <script>
 const faults = [];

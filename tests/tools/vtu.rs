@@ -1,4 +1,4 @@
-//! ParaView files: another program, meshio (PyPI), reads what we write.
+//! ParaView files: another program, meshio (PyPI), reads them.
 
 use std::path::Path;
 use std::process::Command;

@@ -1,4 +1,4 @@
-//! Source:    `docs/verification/rows.json`, whose fast and tested rows `crates/verification/tests/benchmarks.rs` computes anew
+//! Source:    `docs/verification/rows.json`, whose fast and tested rows `crates/verification/tests/benchmarks.rs` recomputes
 //! Goal:      the pages of the committed manual are those of its rows
 //! Model:     none
 //! Expected:  every file, byte for byte

@@ -1,5 +1,5 @@
 //! Source:    equilibrium and exact rigid-body states of the potential liquid
-//! Goal:      probes and lines: reactions, pressures, stresses and waves are what equilibrium demands
+//! Goal:      probes and lines: reactions, pressures, stresses and waves satisfy equilibrium
 //! Model:     default mesh; a ground acceleration held constant, x = −K⁻¹ M ι a, ẍ_total = ι a
 //! Expected:  under constant a everything translates: pressure −ρ R a at each height (φ = r cos θ), surface tilt −a r/g,
 //!            shear (m_l + m_w) a, moments from the resultants of that pressure; the moment also follows from the
@@ -94,7 +94,7 @@ fn constant_horizontal_acceleration_of_a_cylinder() {
 }
 
 /// Under a constant acceleration the wall carries p = −ρ R: away from its edges the hoop force is p R (membrane), for
-/// m = 1 plus what the beam-like bending of the tank adds, which equilibrium of a slice gives: n_θ = R p_total with the
+/// m = 1 plus the part of the beam-like bending of the tank, from equilibrium of a slice: n_θ = R p_total with the
 /// inertia ρ_s t of the wall itself.
 #[test]
 fn hoop_force_balances_the_pressure() {
@@ -136,7 +136,7 @@ fn roof_mass_and_lever() {
 }
 
 /// Vertical motion at constant acceleration is the static state times a/g: pressure ρ (H − z) a, stresses likewise. The
-/// surface sinks by what the wall bulges, which costs 10⁻⁴ of the pressure here.
+/// surface sinks by the volume of the wall's bulge, which costs 10⁻⁴ of the pressure here.
 #[test]
 fn constant_vertical_acceleration_is_the_static_state() {
     for case in [broad(1000.0), slender(1000.0, 5.0)] {

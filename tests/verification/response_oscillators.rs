@@ -2,7 +2,7 @@
 //! Goal:      modal superposition and direct integration of small systems, whatever their damping
 //! Model:     chains of two and three masses with known modes
 //! Expected:  the exact solution for ground motion that is linear between samples
-//! Tolerance: 1e-12 of the peak for what is exact; second order for Newmark's method, measured by halving the step
+//! Tolerance: 1e-12 of the peak for exact methods; second order for Newmark's method, measured by halving the step
 
 use engines::coupled::{Coupled, Part, ShapeRows};
 use engines::damping::{Damper, Rayleigh};
@@ -270,7 +270,7 @@ fn missing_mass_follows_the_ground() {
         // The dropped mode is 8 times faster than the fastest wave of the motion: amplification below 1/(1 − 1/64).
         assert!((s / a - 1.0).abs() < 0.01, "{a} {s}");
     }
-    // Without it: the shear of the two modes alone, from a system that has no third mass to miss.
+    // Without it: the shear of the two modes alone, from a system without the third mass.
     let modes = solve(&system, None).unwrap();
     let carried: f64 = modes[..2].iter().map(CoupledMode::effective_mass).sum();
     assert!((carried / 5.0 - 0.4).abs() < 0.01, "{carried}");

@@ -1,9 +1,9 @@
 //! Source:    statics; linearity; mirror symmetry
 //! Goal:      `simulate` as a whole: vertical motion, superposition of both records, both sides of the tank, limits of
 //!            validity, mesh error, refusals
-//! Model:     tank 8.1 of the dissertation on a mesh of half the default density, where nothing depends on it
-//! Expected:  beside each test
-//! Tolerance: rounding, or what a slow rise leaves of oscillation
+//! Model:     tank 8.1 of the dissertation on a mesh of half the default density, where the results do not depend on it
+//! Expected:  at each test
+//! Tolerance: rounding, or the oscillation that remains after a slow rise
 
 use engines::{DampingModel, Options, Simulation, simulate};
 use oscillator::record::Record;
@@ -136,7 +136,7 @@ fn limit<'a>(simulation: &'a Simulation, id: &str) -> &'a Limit {
         .unwrap_or_else(|| panic!("no limit {id}"))
 }
 
-/// A gentle motion keeps the limits, a violent one breaks them and says what that means.
+/// A gentle motion stays within the limits; a violent one exceeds them and the run gives the consequence.
 #[test]
 fn limits_of_validity() {
     let motion = broad_band(0.0115, 4.0);
@@ -214,7 +214,7 @@ fn mesh_error_is_an_upper_indication() {
 }
 
 /// The record ends with a pulse in step with the first sloshing mode: the surface peaks after the ground has come to
-/// rest, and the run says so.
+/// rest, and the run reports it.
 #[test]
 fn sloshing_may_peak_after_the_record() {
     let quarter = std::f64::consts::TAU / 2.999 / 4.0;

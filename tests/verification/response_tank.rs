@@ -1,8 +1,8 @@
 //! Source:    potential flow in a rigid cylinder and strip; statics of a tilted liquid; direct against modal integration
 //! Goal:      time histories of coupled tanks: wave, resultants, stresses, missing mass, two integrators
-//! Model:     tanks 8.1, 8.2, 8.3 and strip 8.4 of the dissertation on the default mesh unless said otherwise
+//! Model:     tanks 8.1, 8.2, 8.3 and strip 8.4 of the dissertation on the default mesh unless stated otherwise
 //! Expected:  exact series and limits; equality of two methods
-//! Tolerance: beside each test
+//! Tolerance: at each test
 
 use codes::mechanical::{Plan, sloshing_omega, wave_factor};
 use engines::damping::Damper;

@@ -1,6 +1,6 @@
 //! Source:    potential flow in a rigid upright cylinder (Lamb 1932, §191; Veletsos & Yang 1977); zeros of J_m' from
 //!            Abramowitz & Stegun 1964, table 9.5
-//! Goal:      what the rows F1 to F8 and F17 leave out: the printed digits of their references, higher modes and wave numbers,
+//! Goal:      complements the rows F1 to F8 and F17: the printed digits of their references, higher modes and wave numbers,
 //!            balances of mass and flux on any mesh
 //! Model:     nine-node potential elements 5 × 8 (r × z), rigid wall
 //! Expected:  ω² = g λ/R tanh(λ H/R);  m_c/m = 2 tanh(a)/(a (λ² − 1)), a = λ H/R;  m_i = m − Σ m_c;  levers by series

@@ -98,7 +98,7 @@ fn freely_supported_cylinder() {
         let mut exact: Vec<f64> = (1..=6)
             .flat_map(|n| {
                 let roots = freely_supported(0.3, m, f64::from(n));
-                // m = 0: the torsional family (V alone) is no unknown of the model.
+                // m = 0: the torsional family (V alone) is not an unknown of the model.
                 let torsion = n as f64 * std::f64::consts::PI / LENGTH * (210e9 / (2.6 * 7850.0_f64)).sqrt();
                 roots
                     .into_iter()

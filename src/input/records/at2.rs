@@ -40,7 +40,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let (start, line) = header.last().copied().unwrap_or((0, ""));
     let (samples, dt) = counts(line).map_err(|fault| fault.at(start..start + line.len()))?;
     let dt = settle_dt(dt, options)?.ok_or_else(|| {
-        Fault::new("the header has no time step")
+        Fault::new("the header does not give a time step")
             .at(start..start + line.len())
             .allowed("`NPTS= 4000, DT= .01000 SEC`, or --dt")
     })?;

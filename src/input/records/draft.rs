@@ -1,5 +1,5 @@
-//! What the reader of a format gives, and what all readers share: faults up to a limit, unit and time step settled between
-//! file and options.
+//! Result of the reader of a format, and the steps that all readers share: a limit on faults, and the choice of unit and time
+//! step from file and options.
 
 use super::options::ReadOptions;
 use super::unit::AccelerationUnit;

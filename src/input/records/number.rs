@@ -93,7 +93,7 @@ pub(crate) fn split_glued(token: &str) -> Vec<(usize, &str)> {
         if !sign || !(bytes[i - 1].is_ascii_digit() || bytes[i - 1] == b'.') {
             continue;
         }
-        // The next number of a Fortran field has a point; an exponent of three digits has none.
+        // The next number of a Fortran field contains a point; an exponent of three digits does not.
         let end = bytes[i + 1..]
             .iter()
             .position(|b| matches!(b, b'+' | b'-'))

@@ -1,4 +1,4 @@
-//! What is asked of the reader, what it gives, and the limits of a record.
+//! Options and result of the reader, and the limits of a record.
 
 use oscillator::record::Record;
 
@@ -10,7 +10,7 @@ pub const MAX_SAMPLES: usize = 2_000_000;
 pub const MAX_BYTES: u64 = 128 << 20;
 /// Largest plausible peak ground acceleration, 5 g [m/s²]; the largest recorded are near 3 g.
 pub const MAX_PLAUSIBLE: f64 = 5.0 * tank::STANDARD_GRAVITY;
-/// Largest peak ground acceleration of all, 1000 g [m/s²]: beyond shaking tables in centrifuges.
+/// Largest peak ground acceleration with `--allow-implausible`, 1000 g [m/s²]: beyond shaking tables in centrifuges.
 pub const MAX_PEAK: f64 = 1000.0 * tank::STANDARD_GRAVITY;
 /// Smallest peak ground acceleration of a record [m/s²]; instruments resolve 1e-6 m/s².
 pub const MIN_PEAK: f64 = 1e-9;

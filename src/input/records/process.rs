@@ -10,7 +10,7 @@ use files::error::Error;
 /// [`Record::processing`].
 ///
 /// * `scale_to` sets the peak, so `scale_by` before it has no effect on the result.
-/// * `time_factor` multiplies the time step and leaves the accelerations as they are.
+/// * `time_factor` multiplies the time step; the accelerations do not change.
 /// * `resample` interpolates linearly at k Δt up to the last sample; a coarser step can cut peaks off, which is stated.
 ///
 /// # Errors

@@ -27,7 +27,7 @@ pub(super) fn read(path: &Path) -> Result<(Source, String), Error> {
     } else {
         let metadata = std::fs::metadata(path).map_err(|e| fail(missing(path, &e)))?;
         if metadata.is_dir() {
-            return Err(fail("this is a folder; allowed: a tank file such as tank.json".into()));
+            return Err(fail("found a folder, expected a tank file such as tank.json".into()));
         }
         std::fs::File::open(path)
             .and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes))
@@ -35,7 +35,7 @@ pub(super) fn read(path: &Path) -> Result<(Source, String), Error> {
     }
     if bytes.len() as u64 > MAX_BYTES {
         return Err(fail(
-            "larger than 1 MiB; allowed: a tank file, JSON of a few kilobytes".into(),
+            "found a file larger than 1 MiB, expected a tank file, JSON of a few kilobytes".into(),
         ));
     }
     let hash = Sha256::digest(&bytes);
@@ -52,7 +52,7 @@ fn missing(path: &Path, error: &std::io::Error) -> String {
         .filter(|p| !p.as_os_str().is_empty())
         .unwrap_or(Path::new("."));
     if !folder.is_dir() {
-        return format!("no such file (there is no folder {})", folder.display());
+        return format!("no such file (folder {} does not exist)", folder.display());
     }
     "no such file; `tankcheck init` writes one to start from".into()
 }
@@ -60,7 +60,7 @@ fn missing(path: &Path, error: &std::io::Error) -> String {
 /// The text of a UTF-8 file.
 fn text(bytes: Vec<u8>) -> Result<String, String> {
     if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
-        return Err("the text is UTF-16; allowed: UTF-8 (save the file as UTF-8)".into());
+        return Err("found UTF-16 text, expected UTF-8; save the file as UTF-8".into());
     }
     match String::from_utf8(bytes) {
         Ok(text) => Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text)),
@@ -68,7 +68,7 @@ fn text(bytes: Vec<u8>) -> Result<String, String> {
             let at = error.utf8_error().valid_up_to();
             let line = error.as_bytes()[..at].iter().filter(|b| **b == b'\n').count() + 1;
             Err(format!(
-                "line {line}, byte {}: found 0x{:02x}, which is not UTF-8 text; allowed: JSON in UTF-8",
+                "line {line}, byte {}: found 0x{:02x}, expected UTF-8 text; save the file as UTF-8",
                 at + 1,
                 error.as_bytes()[at],
             ))
@@ -93,7 +93,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let message = |name: &str| read(&folder.path().join(name)).unwrap_err().to_string();
         assert!(message("none.json").contains("no such file"));
-        assert!(message("none/none.json").contains("there is no folder"));
+        assert!(message("none/none.json").contains("does not exist"));
         assert!(message("").contains("folder"));
         std::fs::write(folder.path().join("big.json"), vec![b' '; MAX_BYTES as usize + 1]).unwrap();
         assert!(message("big.json").contains("larger than 1 MiB"));

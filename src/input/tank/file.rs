@@ -39,7 +39,7 @@ pub struct TankFile {
 }
 
 impl TankFile {
-    /// What an engine rejects of this file, each with its place.
+    /// The refusals of an engine as faults of this file, each with its place.
     pub fn faults(&self, refusals: &[Refusal]) -> Faults {
         let mut faults = Faults::new();
         for refusal in refusals {

@@ -1,6 +1,6 @@
-//! Declaration of a key of `tank.json`: name, help, example, limits, and what holds where it is not given.
+//! Declaration of a key of `tank.json`: name, help, example, limits and default.
 //!
-//! Reader, ranges, defaults with their echo in the report, JSON Schema and reference page follow from it.
+//! The reader, range checks, defaults with their echo in the report, the JSON Schema and the reference page use it.
 
 use tank::units::{Dimension, in_unit, unit_for};
 
@@ -9,33 +9,33 @@ use tank::units::{Dimension, in_unit, unit_for};
 pub(super) struct Key<T: 'static> {
     /// Name as in the file.
     pub name: &'static str,
-    /// What it is, line by line.
+    /// Its meaning, line by line.
     pub help: &'static [&'static str],
     /// A value as a user writes it, without quotes; that of its type if empty.
     pub example: &'static str,
     /// Admissible values.
     pub limits: Limits,
-    /// What holds where it is not given.
+    /// Its default.
     pub absent: Absent<T>,
 }
 
-/// What holds where an optional key is not given.
+/// Default of an optional key.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Absent<T> {
-    /// Nothing that a report would mention.
+    /// No default that the report lists.
     Silent,
     /// A value.
     Value {
         /// The value.
         value: T,
-        /// As the report shows it; as a user would write it if empty.
+        /// The value as the report shows it; if empty, as a user writes it.
         shown: &'static str,
-        /// Why, or where it comes from; the report lists the default unless this is empty.
+        /// Reason or source; the report lists the default unless this is empty.
         why: &'static str,
     },
-    /// No value; what that means, for the report.
+    /// No value; the meaning of its absence, for the report.
     Without(&'static str),
-    /// A value that depends on others, in words.
+    /// A value that depends on other keys, in words.
     Follows(&'static str),
 }
 
@@ -48,13 +48,13 @@ pub(super) const fn default<T: Copy>(value: T) -> Absent<T> {
     }
 }
 
-/// No value; the report says what that means.
+/// No value; the report states the meaning of its absence.
 pub(super) const fn without<T: Copy>(meaning: &'static str) -> Absent<T> {
     Absent::Without(meaning)
 }
 
 impl<T: Copy> Absent<T> {
-    /// Why it is the default: the report lists it.
+    /// Adds the reason for the default, so that the report lists it.
     pub(crate) const fn because(self, why: &'static str) -> Absent<T> {
         match self {
             Absent::Value { value, shown, .. } => Absent::Value { value, shown, why },
@@ -62,7 +62,7 @@ impl<T: Copy> Absent<T> {
         }
     }
 
-    /// How the report shows it.
+    /// Sets the text that the report shows.
     pub(crate) const fn shown(self, shown: &'static str) -> Absent<T> {
         match self {
             Absent::Value { value, why, .. } => Absent::Value { value, shown, why },
@@ -159,7 +159,7 @@ impl Limits {
         self.low.is_finite() || self.high.is_finite()
     }
 
-    /// What is wrong with a value outside the range.
+    /// The message for a value outside the range.
     pub(crate) fn message(self, value: f64) -> &'static str {
         match (value <= self.low, self.low == 0.0) {
             (true, true) if self.low_allowed => "this must not be negative",
@@ -199,7 +199,7 @@ impl Limits {
     }
 }
 
-/// A value in SI as short as it goes, with an engineer's unit; zero without a unit.
+/// A value in SI as short as possible, with an engineer's unit; zero without a unit.
 fn shown(value: f64, dimension: Dimension) -> String {
     match value {
         0.0 => "0".into(),
@@ -207,7 +207,7 @@ fn shown(value: f64, dimension: Dimension) -> String {
     }
 }
 
-/// A value in SI as a user would write it: as short as it goes, with an engineer's unit.
+/// A value in SI as a user writes it: as short as possible, with an engineer's unit.
 pub(super) fn written(value: f64, dimension: Dimension) -> String {
     let unit = unit_for(value, dimension);
     let number = in_unit(value, unit);

@@ -1,6 +1,6 @@
 //! `tank.json`: text → tree (`syntax`) → mirror of the file (`read`) → case in SI (`resolver`), by the declarations of `keys`.
 //!
-//! Every station notes its faults and goes on as far as it can, so that all faults of a file are shown at once.
+//! Every station collects its faults and continues as far as possible, so that all faults of a file are shown at once.
 
 mod bytes;
 mod file;

@@ -50,7 +50,7 @@ pub fn markdown() -> String {
     page
 }
 
-/// An object of the book with the places where it may stand.
+/// An object of the book with the places where it may occur.
 struct Section<'b> {
     object: &'b Object,
     /// In the order of the file; never empty.
@@ -196,7 +196,7 @@ fn kind(shape: &Shape, sections: &[Section<'_>]) -> String {
     }
 }
 
-/// What the key is, and what its words mean.
+/// Meaning of the key and of its words.
 fn meaning(key: &KeyInfo, book: &Book) -> String {
     let mut text = key.help.replace("\n\n", "<br>");
     let choice = match &key.shape {

@@ -1,21 +1,20 @@
-//! Tree of values → typed mirror of the file, every fault noted and none fatal.
+//! Tree of values → typed mirror of the file. All faults are collected; none stops the reader.
 //!
 //! An object of the file is declared once with [`object!`], a choice of words with [`choice!`]; from these follow the
-//! reader (known keys, required keys, suggestions for misspelt ones), what the resolver needs of a key (limits, default)
-//! and the book from which JSON Schema and reference page are written.
+//! reader (known keys, required keys, suggestions for misspelt ones), the limits and defaults for the resolver, and the book
+//! from which JSON Schema and reference page are written.
 //!
 //! ```text
 //! object! {
-//!     /// What the object is.
+//!     /// Meaning of the object.
 //!     Name {
-//!         /// What the key is.
+//!         /// Meaning of the key.
 //!         key (example): type [limits] = default,
 //!     }
 //! }
 //! ```
 //!
-//! Example, limits and default may be left out. The type is `Field<T>` for a key that is required, `Opt<T>` for one that
-//! is not.
+//! Example, limits and default are optional. The type is `Field<T>` for a required key, `Opt<T>` for an optional one.
 
 use std::collections::BTreeSet;
 use std::ops::{Deref, Range};
@@ -25,10 +24,10 @@ use super::shape::{Book, KeyInfo, Shape};
 use super::syntax::{Kind, Member, Node, join};
 use crate::input::diagnostic::{Fault, Faults};
 
-/// Faults beyond this number come without a suggestion: they are not shown, and to look for one takes time.
+/// Faults beyond this number get no suggestion: they are not shown, and the search takes time.
 const SUGGESTED_FOR: usize = 1000;
 
-/// Something of the file with its place: `value` is `None` if it is missing or faulty, which has been noted already.
+/// A value of the file with its place; `value` is `None` if it is missing or faulty (already reported).
 #[derive(Clone, Debug)]
 pub(super) struct Field<T> {
     pub value: Option<T>,
@@ -36,7 +35,7 @@ pub(super) struct Field<T> {
     pub path: String,
     /// As written, without quotes; empty for lists and objects.
     pub text: String,
-    /// Those of its key; of the items, where it is a list.
+    /// Limits of its key; for a list, those of the items.
     pub limits: Limits,
 }
 
@@ -45,21 +44,21 @@ pub(super) struct Field<T> {
 pub(super) struct Opt<T: 'static> {
     pub key: &'static Key<T>,
     pub path: String,
-    /// What the file gives.
+    /// The value in the file.
     pub given: Option<Field<T>>,
 }
 
-/// What can be read from a value of the file.
+/// A type that can be read from a value of the file.
 pub(super) trait FromNode: Sized + 'static {
-    /// Reads it; notes what is wrong and returns `None` if there is nothing to go on with.
+    /// Reads it; reports its faults and returns `None` if no value can be used.
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self>;
-    /// What is allowed, for messages.
+    /// The expected value, for messages.
     fn allowed() -> String;
-    /// How it is written, for messages ("\"1.83 m\"").
+    /// An example as written in the file, for messages ("\"1.83 m\"").
     fn example() -> String;
-    /// What it looks like, for the schema.
+    /// Its form, for the schema.
     fn shape(book: &mut Book) -> Shape;
-    /// As a user would write it, without quotes; `None` for lists and objects.
+    /// As a user writes it, without quotes; `None` for lists and objects.
     fn written(&self) -> Option<String> {
         None
     }
@@ -67,7 +66,7 @@ pub(super) trait FromNode: Sized + 'static {
 
 /// An object of the file.
 pub(super) trait Object: FromNode {
-    /// The object as it is where the file does not give it; what it requires is missing without a fault.
+    /// The object with all defaults, for a file without it; missing required keys are not reported.
     fn absent(path: &str) -> Self;
 }
 
@@ -112,19 +111,19 @@ impl<T> Field<T> {
 }
 
 impl<T> Opt<T> {
-    /// What the file gives, if it is sound.
+    /// The value in the file, if it is valid.
     pub(crate) fn value(&self) -> Option<&T> {
         self.given.as_ref().and_then(|field| field.value.as_ref())
     }
 
-    /// The place of what the file gives.
+    /// The place of the value in the file.
     pub(crate) fn place(&self) -> Option<Field<()>> {
         self.given.as_ref().map(Field::place)
     }
 }
 
 impl<T: Object> Opt<T> {
-    /// What the file gives, or the object without any of its keys; `None` if it is faulty.
+    /// The object in the file, or one without keys; `None` if it is faulty.
     pub(crate) fn or_absent(&self) -> Option<Part<'_, T>> {
         match &self.given {
             Some(field) => field.value.as_ref().map(Part::Given),
@@ -133,7 +132,7 @@ impl<T: Object> Opt<T> {
     }
 }
 
-/// An object that the file gives, or one without any of its keys.
+/// An object in the file, or one without keys.
 pub(super) enum Part<'a, T> {
     Given(&'a T),
     Absent(Box<T>),
@@ -153,11 +152,11 @@ impl<T> Deref for Part<'_, T> {
 pub(super) trait Property: Sized {
     type Inner: FromNode;
     const REQUIRED: bool;
-    /// Reads it; a required one that is missing is a fault.
+    /// Reads it; reports a missing required one.
     fn read(object: &ObjectReader<'_>, key: &'static Key<Self::Inner>, faults: &mut Faults) -> Self;
-    /// As it is where the whole object at `path` is not given.
+    /// Its value if the whole object at `path` is missing.
     fn absent(path: &str, key: &'static Key<Self::Inner>) -> Self;
-    /// What the schema says of it.
+    /// Its entry in the schema.
     fn info(key: &'static Key<Self::Inner>, book: &mut Book) -> KeyInfo {
         let shape = Self::Inner::shape(book);
         // The example of a type is written as in the file.
@@ -187,7 +186,7 @@ impl<T: FromNode> Property for Field<T> {
         if let Some(member) = object.take(name) {
             return read_member(member, key, faults);
         }
-        // A misspelt key has been noted already, with this one as the suggestion.
+        // A misspelt key was already reported with this one as the suggestion.
         if !object.meant.contains(name) {
             faults.push(
                 Fault::new(format!("the key `{name}` is missing"))
@@ -226,9 +225,9 @@ impl<T: FromNode> Property for Opt<T> {
 pub(super) struct ObjectReader<'a> {
     node: &'a Node,
     members: &'a [Member],
-    /// Known keys that misspelt ones probably mean.
+    /// Known keys suggested for misspelt ones.
     meant: BTreeSet<&'static str>,
-    /// Place to underline for what is missing: the opening brace.
+    /// Place to underline for a missing key: the opening brace.
     head: Range<usize>,
 }
 
@@ -270,13 +269,13 @@ impl<'a> ObjectReader<'a> {
     }
 }
 
-/// The known word nearest to a misspelt one, if any is near enough to be meant.
+/// The known word nearest to a misspelt one, if it is near enough.
 pub(super) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
     let folded = word.to_lowercase().replace(['-', ' '], "_");
     let length = folded.chars().count();
     known
         .into_iter()
-        // The distance is at least the difference of the lengths: long texts are not compared at all.
+        // The distance is at least the difference of the lengths, so long texts are not compared.
         .filter(|k| {
             let other = k.chars().count();
             length.abs_diff(other) * 3 <= length.max(other)
@@ -293,14 +292,14 @@ pub(super) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) 
 }
 
 pub(super) fn wrong_kind(node: &Node, allowed: &str) -> Fault {
-    Fault::new(format!("{} does not belong here", node.noun()))
+    Fault::new(format!("{} is not allowed here", node.noun()))
         .at(node.span.clone())
         .path(node.path.clone())
         .found(node.shown())
         .allowed(allowed)
 }
 
-/// A fault about a value of the right place but the wrong content.
+/// A fault about a value of the right kind with the wrong content.
 pub(super) fn wrong_value(node: &Node, message: &str, allowed: &str) -> Fault {
     Fault::new(message)
         .at(node.span.clone())
@@ -309,7 +308,7 @@ pub(super) fn wrong_value(node: &Node, message: &str, allowed: &str) -> Fault {
         .allowed(allowed)
 }
 
-/// The item of a few that a word names; an unknown word is a fault, with the nearest known one as a suggestion.
+/// The item that a word names; reports an unknown word with the nearest known one as a suggestion.
 pub(super) fn one_of_words<T: Copy>(node: &Node, words: &[(&'static str, T)], faults: &mut Faults) -> Option<T> {
     let known: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
     let allowed = quoted(&known);

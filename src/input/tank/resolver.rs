@@ -1,6 +1,6 @@
 //! Typed mirror → values in SI: ranges, defaults with their source, the echo, remarks and warnings.
 //!
-//! A faulty value is NaN from there on: no check objects to it a second time, and a file with any fault gives no case.
+//! A faulty value becomes NaN, so that no later check reports it again; a file with any fault does not give a case.
 
 use tank::units::{Dimension, display_in, unit_for};
 
@@ -10,7 +10,7 @@ use super::values::{Si, Whole};
 use crate::input::diagnostic::{Fault, Faults};
 use results::InputValue;
 
-/// Collects the echo, the remarks, the warnings and the faults on the way.
+/// Collects echo, remarks, warnings and faults.
 pub(super) struct Resolver<'f> {
     pub faults: &'f mut Faults,
     pub echo: Vec<InputValue>,
@@ -29,7 +29,7 @@ impl<'f> Resolver<'f> {
         }
     }
 
-    /// Echo of a value that the file gives.
+    /// Echoes a value of the file.
     pub(crate) fn echo_given<T>(&mut self, field: &Field<T>) {
         if field.value.is_some() {
             self.echo.push(InputValue {
@@ -41,7 +41,7 @@ impl<'f> Resolver<'f> {
         }
     }
 
-    /// Echo of a value that the file does not give.
+    /// Echoes a default.
     pub(crate) fn echo_default(&mut self, path: &str, text: &str, source: &str) {
         self.echo.push(InputValue {
             path: path.into(),
@@ -51,12 +51,12 @@ impl<'f> Resolver<'f> {
         });
     }
 
-    /// A number that the file gives, within the limits of its key; NaN if faulty.
+    /// A number of the file, within the limits of its key; NaN if faulty.
     pub(crate) fn number<T: Si>(&mut self, field: &Field<T>) -> f64 {
         self.within(field, field.limits)
     }
 
-    /// A number that the file gives, within these limits; NaN if faulty.
+    /// A number of the file, within these limits; NaN if faulty.
     pub(crate) fn within<T: Si>(&mut self, field: &Field<T>, limits: Limits) -> f64 {
         self.echo_given(field);
         let Some(value) = field.value else {
@@ -71,15 +71,12 @@ impl<'f> Resolver<'f> {
                 .push(range_fault(field, limits.message(value.si()), &allowed));
             return f64::NAN;
         }
-        // Decimal literals of the same number are the same double; the slack is for percentages.
+        // Equal decimal literals give equal doubles; the tolerance is for percentages.
         if let Some(found) = limits.values.iter().find(|a| (*a - value.si()).abs() <= 1e-12) {
             return *found;
         }
-        self.faults.push(range_fault(
-            field,
-            "not one of the values the code knows",
-            &limits.words(),
-        ));
+        self.faults
+            .push(range_fault(field, "not one of the values in the code", &limits.words()));
         f64::NAN
     }
 
@@ -91,7 +88,7 @@ impl<'f> Resolver<'f> {
         }
     }
 
-    /// A number, or this one where the file does not give it.
+    /// A number of the file, or else this one.
     pub(crate) fn or_else<T: Si>(&mut self, option: &Opt<T>, value: f64, text: &str, source: &str) -> f64 {
         match &option.given {
             Some(field) => self.number(field),
@@ -102,7 +99,7 @@ impl<'f> Resolver<'f> {
         }
     }
 
-    /// A number, if the file gives it.
+    /// A number, if it is in the file.
     pub(crate) fn optional<T: Si>(&mut self, option: &Opt<T>) -> Option<f64> {
         match &option.given {
             Some(field) => Some(self.number(field)),
@@ -113,7 +110,7 @@ impl<'f> Resolver<'f> {
         }
     }
 
-    /// A word, a switch or whatever else needs no limits; or its default.
+    /// A value without limits, such as a word or a switch; or its default.
     pub(crate) fn choice<T: FromNode + Copy>(&mut self, option: &Opt<T>) -> T {
         match &option.given {
             Some(field) => {
@@ -140,8 +137,12 @@ impl<'f> Resolver<'f> {
                 let allowed = format!("a whole number from {} to {}", limits.low, limits.high);
                 range_fault(field, "out of range", &allowed)
             }
-            [] => range_fault(field, "out of range", &format!("a whole number from {} on", limits.low)),
-            _ => range_fault(field, "not one of the values the code knows", &limits.words()),
+            [] => range_fault(
+                field,
+                "out of range",
+                &format!("a whole number of at least {}", limits.low),
+            ),
+            _ => range_fault(field, "not one of the values in the code", &limits.words()),
         };
         self.faults.push(fault);
         None
@@ -166,14 +167,14 @@ impl<'f> Resolver<'f> {
         Some(text.clone())
     }
 
-    /// Echo of a key that the file does not give and that has no value then.
+    /// Echoes the absence of a key without a default.
     pub(crate) fn not_given<T>(&mut self, option: &Opt<T>) {
         if let Absent::Without(meaning) = &option.key.absent {
             self.echo_default(&option.path, "not given", meaning);
         }
     }
 
-    /// The default of a key, echoed if its declaration says why.
+    /// The default of a key, echoed if its declaration gives a reason.
     fn default<T: FromNode + Copy>(&mut self, option: &Opt<T>) -> T {
         if let Absent::Value { value, shown, why } = option.key.absent
             && !why.is_empty()
@@ -186,7 +187,7 @@ impl<'f> Resolver<'f> {
         default(option)
     }
 
-    /// Notes a list that has too few or too many items for its key; whether it has not.
+    /// Whether a list has an allowed number of items; reports one that has not.
     ///
     /// * `what`: items in words ("courses")
     pub(crate) fn sized<T>(&mut self, field: &Field<Vec<T>>, what: &str) -> bool {
@@ -231,12 +232,12 @@ pub(super) fn range_fault<T>(field: &Field<T>, message: &str, allowed: &str) -> 
         .allowed(allowed)
 }
 
-/// A length in the unit in which a field gives it, for messages that compare the two.
+/// A length in the unit of a field, for messages that compare the two.
 pub(super) fn like_field<T>(field: &Field<T>, length: f64) -> String {
     like_unit(field, length, Dimension::Length)
 }
 
-/// A value of this dimension in the unit in which a field gives it.
+/// A value of this dimension in the unit of a field.
 pub(super) fn like_unit<T>(field: &Field<T>, value: f64, dimension: Dimension) -> String {
     // The unit begins after the number and its exponent.
     let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-');

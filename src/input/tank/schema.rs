@@ -48,7 +48,7 @@ pub fn json_schema() -> Value {
     root.into()
 }
 
-/// What one key requires of another.
+/// Requirements between keys.
 fn conditions(definitions: &mut Map<String, Value>) {
     let mut add = |name: &str, keyword: &str, rule: Value| {
         if let Some(Value::Object(object)) = definitions.get_mut(name) {
@@ -61,7 +61,7 @@ fn conditions(definitions: &mut Map<String, Value>) {
         "oneOf",
         json!([{ "required": ["thickness", "material"] }, { "required": ["layers"] }]),
     );
-    // What a shape needs follows from the shape.
+    // The required dimensions depend on the shape.
     let shape_is = |word: &str| json!({ "properties": { "shape": { "const": word } }, "required": ["shape"] });
     add(
         "Tank",

@@ -1,10 +1,10 @@
-//! What may stand in a field, without its Rust type: what the JSON Schema and the reference page are written from.
+//! Form of a field, without its Rust type: the source of the JSON Schema and the reference page.
 
 use tank::units::Dimension;
 
 use super::key::{Absent, Key, Limits, prose};
 
-/// What a value looks like.
+/// Form of a value.
 #[derive(Clone, Debug)]
 pub(super) enum Shape {
     /// An object of the book.
@@ -45,7 +45,7 @@ pub(super) enum Shape {
 pub(super) struct Object {
     /// Name of its type.
     pub name: &'static str,
-    /// What it is.
+    /// Its meaning.
     pub help: String,
     /// Its keys in the order of their declaration.
     pub keys: Vec<KeyInfo>,
@@ -55,16 +55,16 @@ pub(super) struct Object {
 #[derive(Clone, Debug)]
 pub(super) struct KeyInfo {
     pub name: &'static str,
-    /// What it is.
+    /// Its meaning.
     pub help: String,
     pub required: bool,
     pub shape: Shape,
     pub limits: Limits,
     /// A value as a user writes it, without quotes; empty for lists and objects.
     pub example: String,
-    /// The default as a user would write it, without quotes.
+    /// The default as a user writes it, without quotes.
     pub default: Option<String>,
-    /// The default in words; empty if there is nothing to say.
+    /// The default in words, or empty.
     pub otherwise: String,
 }
 
@@ -73,7 +73,7 @@ pub(super) struct KeyInfo {
 pub(super) struct Choice {
     /// Name of its type.
     pub name: &'static str,
-    /// What is chosen.
+    /// Meaning of the choice.
     pub help: String,
     /// Words, each with its meaning.
     pub words: Vec<(&'static str, String)>,
@@ -126,7 +126,7 @@ impl KeyInfo {
     /// Of a declared key.
     ///
     /// * `example`: of its type
-    /// * `write`: a value as a user would write it, without quotes
+    /// * `write`: a value as a user writes it, without quotes
     pub(crate) fn new<T: 'static>(
         key: &Key<T>,
         required: bool,
@@ -166,7 +166,7 @@ impl KeyInfo {
         }
     }
 
-    /// What it is, its limits and its default as one text.
+    /// Its meaning, limits and default as one text.
     pub(crate) fn description(&self) -> String {
         let mut text = self.help.clone();
         let allowed = self.allowed();

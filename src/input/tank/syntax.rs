@@ -1,7 +1,7 @@
 //! Text → tree of values, each with its place and path.
 //!
-//! JSON with comments (`//`, `/* */`) and trailing commas; everything else is as JSON wants it, and a key may stand only
-//! once in an object. Nesting is limited, so that no file can exhaust the stack.
+//! JSON with comments (`//`, `/* */`) and trailing commas; everything else follows JSON, and a key may occur
+//! only once in an object. Nesting is limited, so that no file can exhaust the stack.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -15,10 +15,10 @@ use crate::input::diagnostic::{Fault, Faults, Source};
 
 /// Deepest nesting of objects and lists.
 const MAX_DEPTH: usize = 32;
-/// Longest path that is spelled out [bytes]: every value carries its path, so long keys above many values would take memory
-/// by the square of the file.
+/// Longest path that is stored in full [bytes]: every value stores its path, so the memory for long keys above many values
+/// grows with the square of the file.
 const MAX_PATH: usize = 240;
-/// What stays of a longer path: bytes at its beginning and at its end.
+/// Kept part of a longer path: bytes at its beginning and at its end.
 const PATH_ENDS: (usize, usize) = (80, 140);
 
 /// A value with its place.
@@ -103,8 +103,8 @@ fn shortened(text: &str) -> Cow<'_, str> {
     format!("{}…{}", &text[..ends.0], &text[ends.1..]).into()
 }
 
-/// Reads the text; on failure there is one fault, because nothing can be said of what follows it. Duplicate keys are
-/// added to `faults`, the first one counts.
+/// Reads the text. A syntax error ends the reading, so there is only one. Duplicate keys are added to `faults`; the first
+/// one counts.
 pub(super) fn parse(source: &Source, faults: &mut Faults) -> Option<Node> {
     let text = source.text.as_str();
     if text.trim().is_empty() {
@@ -132,7 +132,7 @@ pub(super) fn parse(source: &Source, faults: &mut Faults) -> Option<Node> {
         Ok(result) => match result.value {
             Some(value) => Some(build(value, String::new(), &line_ends(text), faults)),
             None => {
-                faults.push(Fault::new("the file holds comments only").allowed("an object { … }"));
+                faults.push(Fault::new("the file contains only comments").allowed("an object { … }"));
                 None
             }
         },
@@ -144,8 +144,8 @@ pub(super) fn parse(source: &Source, faults: &mut Faults) -> Option<Node> {
     }
 }
 
-/// What the parser does not refuse, or refuses unclearly: deep nesting, missing commas in lists, bare words, and numbers
-/// that run into what follows them.
+/// Errors that the parser accepts or reports unclearly: deep nesting, missing commas in lists, bare words, and numbers
+/// without a separator after them.
 fn check_tokens(text: &str) -> Result<(), Fault> {
     let mut scanner = Scanner::new(
         text,
@@ -218,7 +218,7 @@ fn check_tokens(text: &str) -> Result<(), Fault> {
     }
 }
 
-/// What the last token was.
+/// The last token.
 #[derive(Clone, Copy)]
 enum Last {
     /// An opening brace or bracket, a comma, or the beginning of the file.
@@ -248,7 +248,7 @@ fn malformed_number(at: usize, text: &str) -> Fault {
     Fault::new("this is not a number")
         .found(&text[span.clone()])
         .at(span)
-        .allowed("a number such as 0.02 or 1.5e-3; a value with a unit stands in quotes: \"1.83 m\"")
+        .allowed("a number such as 0.02 or 1.5e-3; put a value with a unit in quotes: \"1.83 m\"")
 }
 
 fn word(span: Range<usize>, text: &str) -> Fault {
@@ -267,7 +267,7 @@ fn word(span: Range<usize>, text: &str) -> Fault {
     }
     // `1.83m` or `1.83 m`: a value with its unit.
     let in_quotes = |number: &str, unit: &str, span: Range<usize>| {
-        Fault::new("a value with a unit stands in quotes")
+        Fault::new("a value with a unit must be in quotes")
             .found(&text[span.clone()])
             .at(span)
             .help(format!("write \"{number} {unit}\""))
@@ -284,7 +284,7 @@ fn word(span: Range<usize>, text: &str) -> Fault {
     fault.allowed("texts and keys in double quotes")
 }
 
-/// The parser's refusal in our words.
+/// The parser's error as a fault.
 fn explain(kind: &str, span: Range<usize>, text: &str) -> Fault {
     let at = span.start.min(text.len());
     let rest = &text[at..];
@@ -319,7 +319,7 @@ fn explain(kind: &str, span: Range<usize>, text: &str) -> Fault {
     }
     match kind {
         k if k.contains("Single-quoted") => fault("single quotes").allowed("texts and keys in double quotes"),
-        k if k.contains("more than one") => fault("something follows the document").allowed("one object { … }"),
+        k if k.contains("more than one") => fault("text after the end of the document").allowed("one object { … }"),
         other => {
             let mut words = other.to_lowercase();
             if let Some(found) = ahead {
@@ -364,7 +364,7 @@ fn build(value: ast::Value<'_>, path: String, line_ends: &[usize], faults: &mut 
                             .at(key_span)
                             .path(path)
                             .allowed("each key once in an object")
-                            .help(format!("it stands first in line {line}")),
+                            .help(format!("remove one; the first is in line {line}")),
                     );
                     continue;
                 }

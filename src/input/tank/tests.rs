@@ -1,4 +1,4 @@
-//! The reader as a whole: what a file means, defaults and their sources, and texts nobody foresaw.
+//! The reader as a whole: meaning of a file, defaults and their sources, arbitrary texts.
 
 mod schema;
 
@@ -178,7 +178,8 @@ fn rectangles() {
     assert!(refused(&tank("\"length\": \"5 m\", \"strip\": false")).contains("breadth"));
     assert!(refused(&tank("\"length\": \"5 m\", \"breadth\": \"1 m\", \"strip\": true")).contains("no breadth"));
     assert!(
-        refused(&small("").replace("\"10 m\"", "\"10 m\", \"length\": \"2 m\"")).contains("a cylinder has no length")
+        refused(&small("").replace("\"10 m\"", "\"10 m\", \"length\": \"2 m\""))
+            .contains("length does not apply to a cylinder")
     );
 }
 
@@ -277,7 +278,7 @@ fn every_procedure_can_be_named() {
     }
 }
 
-/// The dissertation's own pairs (8.1.4) need a negative mass coefficient, and say so.
+/// The dissertation's pairs (8.1.4) require a negative mass coefficient, which is reported.
 #[test]
 fn negative_rayleigh_coefficients_need_consent() {
     let with = |more: &str| {
@@ -315,10 +316,10 @@ fn unused_materials_are_a_remark() {
         "\"materials\": {",
         "\"materials\": { \"gold\": { \"youngs_modulus\": \"79 GPa\", \"poisson_ratio\": 0.4, \"density\": \"19300 kg/m3\" },",
     ));
-    assert_eq!(file.remarks, ["materials.gold: nothing is made of the material `gold`"]);
+    assert_eq!(file.remarks, ["materials.gold: material `gold` is unused"]);
 }
 
-/// What holds where a file gives no option of an engine is what the engine's own defaults are.
+/// A file without options of an engine has the engine's defaults.
 #[test]
 fn defaults_are_those_of_the_engines() {
     use tank::options::{NonlinearOptions, SolidOptions};
@@ -333,7 +334,7 @@ fn defaults_are_those_of_the_engines() {
     assert_eq!(given.nonlinear, file.nonlinear);
 }
 
-/// A tank within all limits, with lengths in a unit of its own.
+/// A tank within all limits, with lengths in an arbitrary unit.
 fn tanks() -> impl Strategy<Value = (Value, f64, Vec<(f64, f64)>, f64)> {
     let unit = prop::sample::select(vec!["m", "cm", "mm", "ft", "in"]);
     let courses = prop::collection::vec((0.2..3.0_f64, 100.0..3000.0_f64), 1..8);
@@ -401,7 +402,7 @@ proptest! {
         }
     }
 
-    /// What the schema's patterns allow, the reader takes.
+    /// The reader accepts every text that matches the schema's patterns.
     #[test]
     fn schema_patterns_are_read(
         (dimension, text) in prop::sample::select(vec![
@@ -409,7 +410,7 @@ proptest! {
             Dimension::Acceleration, Dimension::Time, Dimension::Moment, Dimension::Dimensionless,
             Dimension::LineForce, Dimension::LineArea,
         ]).prop_flat_map(|d| {
-            // Exponents of one digit: larger ones overflow, which the pattern cannot tell.
+            // Exponents of one digit: larger ones overflow, which the pattern cannot detect.
             let pattern = values::pattern(d).replace("[0-9]+)?", "[0-9])?");
             let pattern = pattern.trim_start_matches('^').trim_end_matches('$').to_owned();
             (Just(d), proptest::string::string_regex(&pattern).expect("a regular expression"))

@@ -1,4 +1,4 @@
-//! What stands in the fields of the file: quantities, numbers, words, lists.
+//! Types of values in the file: quantities, numbers, words, lists.
 
 use tank::options::solid::MeshSize;
 use tank::units::{self, Dimension, UnitError};

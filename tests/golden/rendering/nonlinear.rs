@@ -28,7 +28,7 @@ fn the_nonlinear_run_shows_what_became_of_the_wall() {
     ] {
         assert!(html.contains(&format!("id=\"fig-{figure}\"")), "{figure}");
     }
-    // What there is no picture of is said in words.
+    // A sentence replaces an empty picture.
     for absent in ["cracks_4", "cells_4_separation", "loop_3_still"] {
         assert!(!html.contains(&format!("id=\"fig-{absent}\"")), "{absent}");
     }
@@ -81,8 +81,8 @@ fn a_collapse_is_told_first_and_its_numbers_are_bounds() {
     }
 }
 
-/// A run that passed a limit of its model is marked above everything else, whether it went on or was stopped there, and shows what
-/// the moment at the base is made of.
+/// A run that exceeded a limit of its model is marked at the top, whether it continued or stopped there, and shows the components
+/// of the moment at the base.
 #[test]
 fn a_run_that_left_its_model_is_marked() {
     let departure = Departure {

@@ -20,7 +20,7 @@ const G: f64 = 9.806_65;
 const DT: f64 = 0.01;
 const STEPS: usize = 2500;
 
-/// What to leave out or to make awkward.
+/// Variant of the sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// `compare`: everything.

@@ -11,7 +11,7 @@ use tank::{Liquid, Tank};
 const SECTORS: usize = 40;
 const ROWS: usize = 20;
 
-/// Adds method and series of the second engine: forces a fifth smaller, damped by what yields.
+/// Adds method and series of the second engine: forces a fifth smaller because of yielding.
 pub(super) fn add(linear: &Run, methods: &mut Vec<Method>, series: &mut Series, tank: &Tank, liquid: &Liquid) -> Run {
     let at = methods
         .iter()

@@ -9,8 +9,8 @@
 //! ```
 //!
 //! The mutant's text is that of cargo-mutants: its replacement put into the whole expression around the operator, so that
-//! precedence is what it would be in the file. What the compiler rejects is unviable and is taken out, as cargo-mutants
-//! would find. Mutants of constants cannot be switched and are listed for `cargo mutants` itself.
+//! precedence is the same as in the file. Mutants that the compiler rejects are unviable and removed, as in cargo-mutants.
+//! Mutants of constants cannot be switched and are listed for `cargo mutants` itself.
 //!
 //! `tests/mutation/run` is the command; `docs/verification/mutation.md` holds method and scores.
 

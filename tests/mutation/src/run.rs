@@ -1,4 +1,4 @@
-//! Runs the tests once a mutant, and tells the outcomes by module.
+//! Runs the tests once per mutant and reports the outcomes by module.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{BufRead, BufReader, Write};
@@ -19,7 +19,7 @@ const OUT_OF_TIME: [i32; 2] = [24, 9];
 /// 2 s.
 const TIMES: f64 = 5.0;
 const LEAST_SECONDS: f64 = 2.0;
-/// A test that takes longer [s] runs in a process of its own, after the quick ones.
+/// A test that takes longer [s] runs in a separate process, after the quick ones.
 const SLOW: f64 = 0.25;
 /// Cases of a property test that does not set its own number.
 const CASES: &str = "16";
@@ -85,7 +85,7 @@ fn measure(path: &Path, directory: &Path, binaries: &[&str], arguments: &[String
         let mut text = String::new();
         for binary in binaries {
             let list: Vec<&str> = arguments.iter().map(String::as_str).collect();
-            // An hour: what the tests take is not known yet.
+            // An hour: the duration of the tests is not known yet.
             let mut child = command(directory, binary, &list, 3600.0 / TIMES, "9999999")
                 .spawn()
                 .map_err(|e| format!("{binary}: {e}"))?;

@@ -27,7 +27,7 @@ pub struct Mutant {
     pub genre: String,
 }
 
-/// Folder below `src` (or `src/element`), else the file's name: what the scores are listed by.
+/// Folder below `src` (or `src/element`), else the file's name: the key of the list of scores.
 pub fn module(file: &str) -> String {
     let inner = file.split_once("/src/").map_or(file, |(_, rest)| rest);
     let inner = inner.strip_prefix("element/").unwrap_or(inner);
@@ -44,7 +44,7 @@ pub fn read(path: &Path) -> Result<Vec<Mutant>, String> {
     let list: Vec<Value> = serde_json::from_str(&text).map_err(|e| format!("{}: {e}", path.display()))?;
     list.iter()
         .enumerate()
-        .map(|(index, m)| mutant(m, index + 1).ok_or_else(|| format!("{}: entry {index} is no mutant", path.display())))
+        .map(|(index, m)| mutant(m, index + 1).ok_or_else(|| format!("{}: entry {index} is not a mutant", path.display())))
         .collect()
 }
 

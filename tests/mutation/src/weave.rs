@@ -38,7 +38,7 @@ pub mod mutation_switch {
 }
 "#;
 
-/// Rounds of taking out what does not compile.
+/// Rounds of removing mutants that do not compile.
 const ROUNDS: usize = 40;
 
 /// A place in the source where switches stand: an expression with the texts that replace it, or a point where text enters.
@@ -116,7 +116,7 @@ fn holds_let(e: &syn::Expr) -> bool {
 impl<'a, 'ast> Visit<'ast> for Finder<'a> {
     fn visit_expr(&mut self, e: &'ast syn::Expr) {
         let outer = self.inside;
-        // `&(a + b)` as a whole would borrow from inside the switch; as an operand the reference is part of the chain.
+        // `&(a + b)` as a whole borrows from inside the switch; as an operand the reference is part of the chain.
         let operator = match e {
             syn::Expr::Binary(_) | syn::Expr::Unary(_) | syn::Expr::Cast(_) => true,
             syn::Expr::Reference(_) => outer,
@@ -126,7 +126,7 @@ impl<'a, 'ast> Visit<'ast> for Finder<'a> {
             self.chains.push(self.lines.range(e.span()));
         }
         self.inside = operator && (outer || !holds_let(e));
-        // Operands continue the chain; all that stands in brackets of its own begins a new one.
+        // Operands continue the chain; an expression in brackets begins a new one.
         match e {
             syn::Expr::Binary(b) => {
                 let chain = self.inside;
@@ -335,7 +335,7 @@ fn blamed(messages: &str, woven: &BTreeMap<String, Woven>) -> (BTreeMap<usize, S
         }
         if placed.is_none() && !spans.is_empty() {
             elsewhere.push(message["rendered"].as_str().unwrap_or(text).to_string());
-            // Such as a function whose type is that of its own body: the switch next to the error.
+            // For example a function whose type is that of its body: the switch next to the error.
             let next = spans.iter().find_map(|span| {
                 let file = span["file_name"].as_str()?;
                 let (_, w) = woven.iter().find(|(f, _)| file.ends_with(f.as_str()))?;
@@ -353,7 +353,7 @@ fn blamed(messages: &str, woven: &BTreeMap<String, Woven>) -> (BTreeMap<usize, S
     (found, elsewhere)
 }
 
-/// Weaves the sample into the tree at `root`, compiles, takes out what the compiler rejects, and repeats. Writes what was
+/// Weaves the sample into the tree at `root`, compiles, removes the rejected mutants, and repeats. Writes what was
 /// taken out, and the test binaries, to `state`.
 pub fn build(root: &Path, sample: &Path, state: &Path, cargo: &[String]) -> Result<(), String> {
     let mutants = sample::read(sample)?;

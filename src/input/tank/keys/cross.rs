@@ -1,4 +1,4 @@
-//! What must hold between values, and materials that are not used.
+//! Checks between values of different sections, and unused materials.
 
 use std::collections::BTreeSet;
 
@@ -14,11 +14,11 @@ use crate::input::tank::values::Length;
 /// Slack for heights that are sums of decimal fractions.
 const ROUNDING: f64 = 1e-9;
 
-/// What must hold between values, each of which is right on its own.
+/// Checks values that are valid one by one but not together.
 pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, liquid: Option<Liquid>) {
     let Some(t) = &file.tank.value else { return };
     if let (Some(liquid), Some(given), Some(courses)) = (liquid, &file.liquid.value, &t.courses.value) {
-        // Heights alone decide, so that a misspelt material does not hide this fault.
+        // Uses only the heights, so that a misspelt material does not hide this fault.
         let heights: Option<Vec<f64>> = courses
             .iter()
             .map(|c| c.value.as_ref().and_then(|c| c.height.value).map(|h| h.0))
@@ -29,7 +29,7 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
             r.faults.push(
                 range_fault(
                     field,
-                    "the liquid stands above the wall: the courses end below fill_height",
+                    "the liquid is higher than the wall",
                     &format!(
                         "at most {}, the sum of the heights of tank.courses",
                         like_field(field, wall)
@@ -50,7 +50,7 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
         );
         r.faults.push(range_fault(
             field,
-            "the roof lies in the lower half of the wall",
+            "the roof is in the lower half of the wall",
             &allowed,
         ));
     }
@@ -106,7 +106,7 @@ fn meant_thickness(text: &str, half: f64) -> Option<String> {
     })
 }
 
-/// Materials that nothing is made of: no fault, but worth saying.
+/// Adds a remark for each unused material.
 pub(super) fn unused(r: &mut Resolver<'_>, file: &TankFile) {
     let (Some(tank), Some(materials)) = (&file.tank.value, &file.materials.value) else {
         return;
@@ -123,12 +123,11 @@ pub(super) fn unused(r: &mut Resolver<'_>, file: &TankFile) {
         .filter_map(|m| m.value.as_ref())
         .collect();
     for (name, field) in materials.0.iter().filter(|(name, _)| !used.contains(name)) {
-        r.remarks
-            .push(format!("{}: nothing is made of the material `{name}`", field.path));
+        r.remarks.push(format!("{}: material `{name}` is unused", field.path));
     }
 }
 
-/// The layers of a course, as far as they can be read.
+/// The readable layers of a course.
 fn layers(course: &Course) -> impl Iterator<Item = &Layer> + Clone {
     let list = course.layers.value();
     list.into_iter().flatten().filter_map(|l| l.value.as_ref())

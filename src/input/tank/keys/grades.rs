@@ -1,13 +1,13 @@
-//! Grades of steel and concrete: what they supply where the file is silent.
+//! Grades of steel and concrete: values for keys that the file does not give.
 
 use materials::grades::{BARS, CONCRETES, STEELS};
 
-/// What a grade supplies, SI; `None`: the file must give it, if it is needed.
+/// Values of a grade, SI.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Preset {
     /// Name as listed.
     pub name: &'static str,
-    /// Where the values stand.
+    /// Source of the values.
     pub source: &'static str,
     /// E [Pa].
     pub youngs_modulus: f64,
@@ -15,7 +15,7 @@ pub(super) struct Preset {
     pub poisson_ratio: f64,
     /// ρ [kg/m³].
     pub density: f64,
-    /// What it is, with its strengths.
+    /// Kind of material, with its strengths.
     pub strengths: Strengths,
 }
 

@@ -12,7 +12,7 @@ use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, like_field, range_fault};
 use crate::input::tank::values::{Length, Number, Time, Whole};
 
-/// What holds where nothing is given.
+/// Defaults.
 const DEFAULT: &LinearOptions = &LinearOptions::DEFAULT;
 /// Gauges and stations; the tank bounds them further.
 const PLACES: Limits = Limits::from(0.0).to(1000.0).items(0, 100);
@@ -98,7 +98,7 @@ pub(super) fn analysis(r: &mut Resolver<'_>, given: Option<&Analysis>, tank: Opt
     }
 }
 
-/// Places from 0 to a length of the tank (NaN: the tank is faulty, nothing is compared).
+/// Places from 0 to a length of the tank (NaN if the tank is faulty: no upper limit).
 fn places(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Length>>>, end: f64, what: &str) -> Vec<f64> {
     let mut all = Vec::new();
     let Some((field, list)) = option.given.as_ref().and_then(|f| Some((f, f.value.as_ref()?))) else {
@@ -146,8 +146,12 @@ fn damping_model(r: &mut Resolver<'_>, field: &Field<AnalysisDamping>) -> Dampin
         },
         (Some(_), Some(_)) | (None, None) => {
             r.faults.push(
-                range_fault(field, "one damping model is wanted", "either rayleigh or coefficients")
-                    .help("leave analysis.damping out for the modal ratios of `damping`"),
+                range_fault(
+                    field,
+                    "not exactly one damping model",
+                    "either rayleigh or coefficients",
+                )
+                .help("remove analysis.damping to use the modal ratios of `damping`"),
             );
             DampingModel::Modal
         }

@@ -21,9 +21,9 @@ use reader::{Reader, STRESS};
 const MODULUS: Limits = Limits::above(0.5e9).to(1e16);
 /// Wall materials.
 const DENSITY: Limits = Limits::above(0.0).to(30_000.0);
-/// Most materials of a file.
+/// Largest number of materials in a file.
 pub(super) const MAX_MATERIALS: usize = 200;
-/// Longest name of a material, in characters: every place that uses it carries a copy.
+/// Longest name of a material [characters]; every place that uses it stores a copy.
 pub(super) const MAX_NAME: usize = 100;
 
 object! {
@@ -49,7 +49,7 @@ object! {
     }
 }
 
-/// Materials by name; `None` for a faulty one, so that its users are not blamed.
+/// Materials by name; `None` for a faulty one, so that places that use it are not reported as well.
 pub(super) type Materials = BTreeMap<String, Option<tank::Material>>;
 
 /// Reads all materials.
@@ -59,8 +59,11 @@ pub(super) fn materials(r: &mut Resolver<'_>, field: &Field<Named<Material>>) ->
         return all;
     };
     if named.0.is_empty() {
-        r.faults
-            .push(range_fault(field, "no material", "at least one material"));
+        r.faults.push(range_fault(
+            field,
+            "the list of materials is empty",
+            "at least one material",
+        ));
     }
     if named.0.len() > MAX_MATERIALS {
         let fault = range_fault(
@@ -106,8 +109,8 @@ fn material(r: &mut Resolver<'_>, name: &str, field: &Field<Material>, m: &Mater
         ];
         for (key, given) in foreign {
             if let Some(given) = given {
-                let message = format!("an interlayer has no {key} beside its e_normal");
-                let allowed = "e_normal, e_parallel and shear_modulus alone";
+                let message = format!("{key} does not apply to an interlayer with e_normal");
+                let allowed = "only e_normal, e_parallel and shear_modulus";
                 r.faults.push(range_fault(&given, &message, allowed));
             }
         }
@@ -153,7 +156,7 @@ fn material(r: &mut Resolver<'_>, name: &str, field: &Field<Material>, m: &Mater
     })
 }
 
-/// The grade; the outer `None` if it is unknown, which has been noted.
+/// The grade; the outer `None` if it is unknown (already reported).
 fn preset(r: &mut Resolver<'_>, field: Option<&Field<String>>) -> Option<Option<Preset>> {
     let Some(field) = field else { return Some(None) };
     r.echo_given(field);

@@ -29,7 +29,7 @@ use crate::input::diagnostic::{Faults, Source};
 use crate::input::tank::file::TankFile as Resolved;
 use crate::input::tank::resolver::Resolver;
 
-/// Resolves the file; `None` (or any fault) if it gives no case.
+/// Resolves the file; returns `None` or adds a fault if it does not define a case.
 pub(super) fn resolve(file: &TankFile, faults: &mut Faults) -> Option<Resolved> {
     let mut r = Resolver::new(faults);
     let name = r.text(&file.name);

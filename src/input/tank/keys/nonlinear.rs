@@ -17,7 +17,7 @@ use crate::input::tank::shape::{Book, Shape as Looks};
 use crate::input::tank::syntax::{Kind, Node};
 use crate::input::tank::values::{Number, Pitch, Time, Whole};
 
-/// What holds where nothing is given. Its damping ratios count for nothing: those of the case take their place.
+/// Defaults. The damping ratios are placeholders: those of the case replace them.
 const DEFAULT: NonlinearOptions = NonlinearOptions::new(case::Damping {
     sloshing: f64::NAN,
     impulsive: f64::NAN,
@@ -188,7 +188,7 @@ pub(super) fn nonlinear(
     {
         r.faults.push(range_fault(
             symmetry,
-            "a strip has no plane of symmetry",
+            "symmetry does not apply to a strip",
             "symmetry for a cylinder or a rectangle",
         ));
     }
@@ -222,8 +222,8 @@ fn elements(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) -
         (Some(field), Some(true)) => {
             r.faults.push(range_fault(
                 field,
-                "a strip has no circumference",
-                "height alone for a strip",
+                "circumference does not apply to a strip",
+                "only height for a strip",
             ));
             None
         }
@@ -235,7 +235,7 @@ fn elements(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) -
                     "the key `circumference` is missing",
                     &format!("a whole number from 8 to {MOST_SECTORS}"),
                 )
-                .found("height alone")
+                .found("only height")
                 .help("add \"circumference\": 64"),
             );
             None
@@ -248,7 +248,7 @@ fn elements(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) -
     })
 }
 
-/// The half of a cylinder has half of the elements around.
+/// Half a cylinder has half of the elements around the circumference, so their number must be even.
 fn halves(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) {
     let cylinder = matches!(tank.map(|t| t.shape), Some(Shape::Cylinder { .. }));
     let given = option.value().and_then(|e| e.circumference.given.as_ref());
@@ -256,8 +256,12 @@ fn halves(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) {
         && around % 2 == 1
     {
         r.faults.push(
-            range_fault(field, "an odd number of elements around half a tank", "an even number")
-                .help(format!("write {}, or add \"symmetry\": false", around + 1)),
+            range_fault(
+                field,
+                "half a tank needs an even number of elements around the whole circumference",
+                "an even number",
+            )
+            .help(format!("write {}, or add \"symmetry\": false", around + 1)),
         );
     }
 }
@@ -330,7 +334,7 @@ fn damping(r: &mut Resolver<'_>, option: &Opt<NonlinearDamping>, ratios: case::D
                 }
             };
             r.remarks.push(format!(
-                "{}: proportional to the mass alone, which leaves the wall next to undamped",
+                "{}: damping is proportional to the mass alone, which leaves the wall almost undamped",
                 field.path
             ));
             Damping::MassProportional { ratio, at }
@@ -338,7 +342,7 @@ fn damping(r: &mut Resolver<'_>, option: &Opt<NonlinearDamping>, ratios: case::D
         _ => {
             r.faults.push(range_fault(
                 field,
-                "one damping model is wanted",
+                "not exactly one damping model",
                 "one of by_group, rayleigh and mass_proportional",
             ));
             default

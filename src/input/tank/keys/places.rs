@@ -30,7 +30,7 @@ pub(super) fn of(file: &TankFile) -> Places {
             Some(Behaviour::Kinds(kinds)) => Some(kinds),
             _ => None,
         };
-        // A grade has the behaviour of concrete without saying so.
+        // A concrete grade implies the behaviour of concrete.
         let whole = given.map_or_else(|| material.place(), Field::place);
         let law = kinds
             .and_then(|k| k.concrete.value())

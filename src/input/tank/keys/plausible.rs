@@ -1,4 +1,4 @@
-//! Values that no tank has are refused; values that few tanks have are computed with a warning that names the usual range.
+//! Impossible values are rejected; unusual values are computed with a warning that gives the usual range.
 
 use std::collections::BTreeMap;
 
@@ -34,12 +34,12 @@ pub(super) fn tank(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, l
         && let Some(field) = &roof.height.given
     {
         let wall = tank.wall_height();
-        // Below half the wall it has been refused already.
+        // Heights below half the wall were already rejected.
         if height < fill * (1.0 - ROUNDING) && height >= 0.5 * wall {
             let allowed = format!("at least {}, the fill height", like_field(field, fill));
             r.faults.push(range_fault(
                 field,
-                "the roof lies below the surface of the liquid",
+                "the roof is below the surface of the liquid",
                 &allowed,
             ));
         } else if height > HIGHEST_ROOF * wall {
@@ -48,10 +48,10 @@ pub(super) fn tank(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, l
                 like_field(field, HIGHEST_ROOF * wall)
             );
             r.faults
-                .push(range_fault(field, "the roof lies far above the wall", &allowed));
+                .push(range_fault(field, "the roof is far above the wall", &allowed));
         } else if height > wall + tank.shape.half_length() {
             r.warnings.push(format!(
-                "{}: the mass of the roof lies high above the wall; found {}, usual is up to {}",
+                "{}: the mass of the roof is high above the wall; found {}, usual is up to {}",
                 field.path,
                 field.text,
                 like_field(field, wall + tank.shape.half_length())

@@ -1,4 +1,4 @@
-//! `procedures`: which run, and choices within them.
+//! `procedures`: which procedures run, and their options.
 
 use codes::ALL;
 use tank::case::{Combination, ConvectiveCoefficient, FlexibleImpulsive, ProcedureOptions};
@@ -10,7 +10,7 @@ use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::Node;
 
-/// What holds where nothing is given.
+/// Defaults.
 const DEFAULT: ProcedureOptions = ProcedureOptions::DEFAULT;
 
 object! {
@@ -106,15 +106,15 @@ pub(super) fn procedures(r: &mut Resolver<'_>, option: &Opt<Procedures>) -> (Pro
                 r.echo_given(id);
                 if run.contains(&id.text) {
                     r.faults
-                        .push(range_fault(id, "a procedure named twice", "each procedure once"));
+                        .push(range_fault(id, "duplicate procedure", "each procedure once"));
                 }
                 run.push(id.text.clone());
             }
             if list.value.as_ref().is_some_and(Vec::is_empty) {
                 r.faults.push(range_fault(
                     list,
-                    "no procedure",
-                    "at least one id; leave `run` out to run all",
+                    "the list of procedures is empty",
+                    "at least one id; remove `run` to run all",
                 ));
             }
         }
@@ -122,7 +122,7 @@ pub(super) fn procedures(r: &mut Resolver<'_>, option: &Opt<Procedures>) -> (Pro
     }
     let given = option.or_absent();
     let mut options = DEFAULT;
-    // Of what is faulty the defaults stand in.
+    // Defaults replace faulty values.
     if let Some(housner) = given.as_ref().and_then(|p| p.housner.or_absent()) {
         options.housner_convective = r.choice(&housner.convective);
         options.housner_combination = r.choice(&housner.combination);

@@ -55,7 +55,7 @@ pub(super) fn rayleigh(r: &mut Resolver<'_>, rayleigh: &Rayleigh) -> (Pair, Pair
         r.faults.push(
             range_fault(
                 &rayleigh.second,
-                "these pairs need a negative coefficient",
+                "these pairs require a negative coefficient",
                 "both coefficients ≥ 0",
             )
             .found(format!("a_M = {mass:.4e} 1/s, a_K = {stiffness:.4e} s"))

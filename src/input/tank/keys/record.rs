@@ -1,4 +1,4 @@
-//! `record`: what to do to the accelerogram.
+//! `record`: processing of the accelerogram.
 
 use crate::input::records::Processing;
 use crate::input::tank::key::{Limits, without};
@@ -21,7 +21,7 @@ object! {
     }
 }
 
-/// What to do to the record.
+/// Processing of the record.
 pub(super) fn record(r: &mut Resolver<'_>, option: &Opt<Record>) -> Processing {
     let Some(given) = option.or_absent() else {
         return Processing::default();
@@ -30,16 +30,19 @@ pub(super) fn record(r: &mut Resolver<'_>, option: &Opt<Record>) -> Processing {
     let scale_by = r.optional(&given.scale_by);
     if let (Some(factor), Some(field)) = (scale_by, &given.scale_by.given) {
         if factor == 0.0 {
-            r.faults
-                .push(range_fault(field, "a factor of 0 leaves no motion", "any other number"));
+            r.faults.push(range_fault(
+                field,
+                "a factor of 0 removes all motion",
+                "any other number",
+            ));
         } else if given.scale_to.given.is_some() && factor != 1.0 && factor.is_finite() {
             r.faults.push(
                 range_fault(
                     field,
-                    "two scales for one record",
-                    "either scale_to or scale_by (1.0 beside scale_to)",
+                    "scale_to and scale_by exclude each other",
+                    "either scale_to or scale_by (1.0 together with scale_to)",
                 )
-                .help("drop scale_by to scale to the peak, or scale_to to scale by a factor"),
+                .help("remove scale_by to scale to the peak, or scale_to to scale by a factor"),
             );
         }
     }

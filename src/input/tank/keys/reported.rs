@@ -1,4 +1,4 @@
-//! `measured`, `published`: values that somebody measured or published; their unit follows from the quantity they belong to.
+//! `measured`, `published`: measured and published values; their unit follows from the quantity.
 
 use tank::Quantity;
 use tank::case;
@@ -36,7 +36,7 @@ object! {
     }
 }
 
-/// A value as written, to be read when its quantity is known.
+/// A value as written; it is read when its quantity is known.
 #[derive(Debug)]
 pub(crate) struct Raw(pub Node);
 
@@ -149,7 +149,7 @@ impl FromNode for Measured {
 /// A value of this quantity, positive.
 fn value(r: &mut Resolver<'_>, field: &Field<Raw>, what: Quantity) -> f64 {
     let value = field.value.as_ref().and_then(|raw| match what.dimension() {
-        // Periods are as often published as frequencies.
+        // A period is often published as a frequency.
         Dimension::Time => Pitch::from_node(&raw.0, r.faults).map(|p| 2.0 * std::f64::consts::PI / p.0),
         dimension => quantity(&raw.0, dimension, r.faults),
     });

@@ -10,7 +10,7 @@ use crate::input::tank::resolver::Resolver;
 use crate::input::tank::values::Whole;
 use results::InputValue;
 
-/// What holds where nothing is given.
+/// Defaults.
 const DEFAULT: SolidOptions = SolidOptions::DEFAULT;
 
 object! {
@@ -35,7 +35,7 @@ choice! {
     }
 }
 
-/// Options of the three-dimensional engine. What is not given is echoed where the engine runs: [`solid_defaults`].
+/// Options of the three-dimensional engine. Defaults are echoed only where the engine runs, by [`solid_defaults`].
 pub(super) fn solid(r: &mut Resolver<'_>, given: Option<&Solid>) -> SolidOptions {
     let Some(given) = given else {
         return DEFAULT;
@@ -52,7 +52,7 @@ pub(super) fn solid(r: &mut Resolver<'_>, given: Option<&Solid>) -> SolidOptions
     options
 }
 
-/// The echo of `mesh` and `liquid` as it is where the file does not give them.
+/// The echo of the defaults of `mesh` and `liquid`.
 pub fn solid_defaults() -> Vec<InputValue> {
     let absent = Solid::absent("analysis.solid");
     let mut faults = Faults::new();

@@ -139,8 +139,8 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     {
         r.faults.push(range_fault(
             anchors,
-            "an unanchored tank with anchors",
-            "either \"support\": \"anchored\" or no anchors",
+            "anchors do not apply to an unanchored tank",
+            "\"support\": \"anchored\", or a tank without anchors",
         ));
     }
     Some(tank::Tank {
@@ -166,14 +166,15 @@ fn shape(r: &mut Resolver<'_>, field: &Field<Tank>, t: &Tank) -> Option<Shape> {
     };
     for option in foreign {
         if let Some(given) = &option.given {
-            let message = format!("a {word} has no {}", option.key.name);
+            let message = format!("{} does not apply to a {word}", option.key.name);
             r.faults.push(range_fault(given, &message, allowed));
         }
     }
     match kind {
         Plan::Cylinder => {
             if let Some(strip) = &t.strip.given {
-                r.faults.push(range_fault(strip, "a cylinder has no strip", allowed));
+                r.faults
+                    .push(range_fault(strip, "strip does not apply to a cylinder", allowed));
             }
             Some(Shape::Cylinder {
                 radius: required(r, field, &t.radius),
@@ -189,7 +190,7 @@ fn shape(r: &mut Resolver<'_>, field: &Field<Tank>, t: &Tank) -> Option<Shape> {
                 (Some(breadth), true) => {
                     r.faults.push(range_fault(
                         breadth,
-                        "a strip has no breadth",
+                        "breadth does not apply to a strip",
                         "either breadth or \"strip\": true",
                     ));
                     f64::NAN
@@ -210,7 +211,7 @@ fn required(r: &mut Resolver<'_>, tank: &Field<Tank>, option: &Opt<Length>) -> f
     let key = option.key.name;
     match &option.given {
         Some(field) => r.number(field),
-        // A misspelt key has been noted already, with this one as the suggestion.
+        // A misspelt key was already reported with this one as the suggestion.
         None if r.faults.suggest(&format!("did you mean `{key}`?")) => f64::NAN,
         None => {
             let alternative = if key == "breadth" { ", or \"strip\": true" } else { "" };

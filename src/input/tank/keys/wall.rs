@@ -10,12 +10,12 @@ use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
 use crate::input::tank::syntax::join;
 use crate::input::tank::values::{Length, LineArea};
 
-/// Heights of courses and of the liquid. What is too low for an engine depends on the radius: the engine refuses it.
+/// Heights of courses and of the liquid. The smallest height for an engine depends on the radius; the engine checks it.
 pub(super) const HEIGHT: Limits = Limits::above(0.0).to(1000.0);
-/// Wall and plate thicknesses; the least follows from the radius.
+/// Wall and plate thicknesses; the smallest follows from the radius.
 pub(super) const THICKNESS: Limits = Limits::above(0.0).to(10.0);
 
-/// Most names of materials in a message.
+/// Largest number of material names in a message.
 const SHOWN_NAMES: usize = 20;
 /// Bars: more than a tenth of a metre of steel is not reinforcement.
 const AREA: Limits = Limits::above(0.0).to(0.1);
@@ -82,7 +82,7 @@ choice! {
     }
 }
 
-/// What a material is to be used for.
+/// Use of a material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Use {
     /// A shell of the wall, the bottom plate.
@@ -93,7 +93,7 @@ pub(super) enum Use {
     Bars,
 }
 
-/// The material of this name; an unknown name or one of the wrong kind is a fault, a faulty material is not another one.
+/// The material of this name. Reports an unknown name and a material of the wrong kind, but not a material that is faulty itself.
 pub(super) fn material(
     r: &mut Resolver<'_>,
     field: &Field<String>,
@@ -128,7 +128,7 @@ pub(super) fn material(
             return Some(material);
         }
         let message = format!(
-            "the material `{name}` is {}, not one for {what}",
+            "the material `{name}` is {}, which cannot be used for {what}",
             material.behaviour.kind()
         );
         r.faults.push(range_fault(field, &message, allowed));
@@ -139,7 +139,7 @@ pub(super) fn material(
         .take(SHOWN_NAMES)
         .collect();
     let allowed = match known.as_slice() {
-        [] => "a name from `materials`, which has none".into(),
+        [] => "a name from `materials`, which is empty".into(),
         names if names.len() < materials.len() => {
             let more = materials.len() - names.len();
             format!("a name from `materials`: {} and {more} more", names.join(", "))
@@ -173,7 +173,7 @@ pub(super) fn courses(
             None => uniform(r, field, c, height, materials),
         });
     }
-    // A course that dropped out has left a fault; the others still serve the cross-checks if all are there.
+    // A faulty course was already reported; the cross-checks need all courses.
     (courses.len() == list.len()).then_some(courses)
 }
 
@@ -200,9 +200,9 @@ fn uniform(
     }
 }
 
-/// Notes that a key is missing.
+/// Reports a missing key.
 fn missing<T: FromNode, U>(r: &mut Resolver<'_>, object: &Field<U>, key: &str) {
-    // A misspelt key has been noted already, with this one as the suggestion.
+    // A misspelt key was already reported with this one as the suggestion.
     if r.faults.suggest(&format!("did you mean `{key}`?")) || r.faults.suggest("did you mean `layers`?") {
         return;
     }
@@ -225,7 +225,7 @@ fn layered(
         if let Some(given) = given {
             r.faults.push(range_fault(
                 &given,
-                &format!("a course of layers has no {key} of its own"),
+                &format!("{key} does not apply to a course with layers"),
                 "either thickness and material, or layers",
             ));
         }
@@ -243,7 +243,7 @@ fn layered(
     (shells && layers.len() == list.len()).then(|| tank::Course::layered(height, layers))
 }
 
-/// An interlayer stands between two shells, and there is at most one.
+/// An interlayer is between two shells, and there is at most one.
 fn order(r: &mut Resolver<'_>, field: &Field<Vec<Field<Layer>>>, list: &[Field<Layer>]) {
     // A layer whose kind is unknown may be a shell.
     let between = |f: &Field<Layer>| {
@@ -257,16 +257,16 @@ fn order(r: &mut Resolver<'_>, field: &Field<Vec<Field<Layer>>>, list: &[Field<L
             continue;
         }
         let side = if i == 0 {
-            "no shell inside"
+            "an interlayer without a shell inside"
         } else if i + 1 == list.len() {
-            "no shell outside"
+            "an interlayer without a shell outside"
         } else {
-            "an interlayer beside it"
+            "an interlayer next to it"
         };
         r.faults.push(
             range_fault(
                 &list[i],
-                "an interlayer stands between two shells",
+                "an interlayer must be between two shells",
                 "shell, interlayer, shell from inside to outside",
             )
             .found(side),
@@ -342,7 +342,7 @@ fn bars(
         None => {
             r.faults.push(range_fault(
                 field,
-                "one distance from a face is wanted",
+                "not exactly one distance from a face",
                 "either from_inner or from_outer",
             ));
             f64::NAN
@@ -354,7 +354,7 @@ fn bars(
                     "less than {}, the thickness of the shell",
                     like_unit(f, thickness, Dimension::Length)
                 );
-                let message = "the bars lie outside their shell";
+                let message = "the bars are outside their shell";
                 r.faults
                     .push(range_fault(f, message, &allowed).help(format!("the shell is given as {}", shell.text)));
             }

@@ -1,4 +1,4 @@
-//! The schema and the reference page say what the reader does.
+//! The schema and the reference page agree with the reader.
 
 use serde_json::{Value, json};
 
@@ -40,7 +40,7 @@ fn schema_keys() -> Vec<(Vec<String>, Value)> {
     all
 }
 
-/// Puts a value into a document; what is above it is made where it is missing.
+/// Puts a value into a document; missing parents are created.
 fn put(document: &mut Value, path: &[String], value: Value) {
     let [key, rest @ ..] = path else {
         *document = value;
@@ -91,13 +91,13 @@ fn schema_explains_every_key() {
         let reported = path[0] == "measured";
         assert!(
             !scalar || schema.get("examples").is_some() || reported,
-            "{} has no example: {schema}",
+            "{} is without an example: {schema}",
             shown(path)
         );
     }
 }
 
-/// What the schema offers, the reader takes: every example and every default within its limits.
+/// The reader accepts every example and every default of the schema within its limits.
 #[test]
 fn examples_and_defaults_of_the_schema_are_read() {
     let base: Value = serde_json::from_str(&small("")).expect("a document");
@@ -109,9 +109,9 @@ fn examples_and_defaults_of_the_schema_are_read() {
             put(&mut document, &path, value.clone());
             tried += 1;
             let found = faults_at(&document, &shown(&path));
-            // These depend on what stands beside them.
+            // These depend on other keys.
             let context = [
-                "a cylinder has no",
+                "does not apply to a",
                 "unknown grade",
                 "unknown material",
                 "bars lie outside",
@@ -122,7 +122,7 @@ fn examples_and_defaults_of_the_schema_are_read() {
                 "thinner than any",
                 "thicker than any",
                 "the liquid stands above",
-                "beside its e_normal",
+                "does not apply to an interlayer",
             ];
             let own: Vec<&String> = found
                 .iter()

@@ -59,7 +59,7 @@ choice! {
     }
 }
 
-/// Strengths, softening and cracks of a concrete; `field` is none where a grade alone supplies it.
+/// Strengths, softening and cracks of a concrete; `field` is `None` if only a grade supplies them.
 pub(super) fn concrete(
     r: &mut Resolver<'_>,
     reader: &Reader,
@@ -91,7 +91,7 @@ pub(super) fn concrete(
             "concrete is weaker in tension than in compression",
             &allowed,
         ));
-        // No second fault follows from it.
+        // Avoids a second fault with the same cause.
         f_t = f64::NAN;
     }
     let biaxial_ratio = r.or_default(&c.biaxial_ratio);
@@ -129,7 +129,7 @@ fn softening(
     ) {
         r.faults.push(range_fault(
             field,
-            "one softening in tension is wanted",
+            "more than one softening law in tension",
             "one of fracture_energy, softening_strain and \"brittle\": true",
         ));
     }
@@ -139,7 +139,7 @@ fn softening(
             let allowed = format!("at least f_t/E with a margin of 2 %, {least:.2e}");
             r.faults.push(range_fault(
                 field,
-                "the softening is steeper than the elastic line: a crack would snap back",
+                "the softening is steeper than the elastic line (snap-back)",
                 &allowed,
             ));
         }
@@ -147,7 +147,7 @@ fn softening(
     }
     if brittle {
         r.remarks.push(format!(
-            "{}: brittle in tension: results depend on the mesh and the time step",
+            "{}: brittle in tension; results depend on the mesh and the time step",
             reader.path
         ));
         return Softening::Brittle;
@@ -155,7 +155,7 @@ fn softening(
     if let Some((_, energy)) = energy {
         return Softening::FractureEnergy(energy);
     }
-    // The mean strength is the grade's, unless the file has a strength of its own.
+    // The mean strength of the grade applies unless the file gives a strength.
     let mean = match reader.preset.as_ref().map(|p| p.strengths) {
         Some(Strengths::Concrete { mean, .. }) if c.compressive_strength.given.is_none() => mean,
         _ => f_c,

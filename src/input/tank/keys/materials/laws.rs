@@ -1,4 +1,4 @@
-//! `behaviour` of a material: what it does beyond its elastic range.
+//! `behaviour` of a material beyond its elastic range.
 
 use tank::{Bar, Interlayer, Steel};
 
@@ -16,7 +16,7 @@ use crate::input::tank::values::{Number, Stress};
 
 /// Stiffer than any material [Pa]: `3.0e9 kN/m2` for 3.0e9 N/m2 is a slip of the unit.
 const STIFFEST_INTERLAYER: f64 = 1e11;
-/// Slopes and moduli that may be nothing.
+/// Slopes and moduli that may be zero.
 const SLOPE: Limits = Limits::from(0.0).to(1e18);
 
 object! {
@@ -107,7 +107,7 @@ impl FromNode for Behaviour {
     }
 }
 
-/// The behaviour that a grade brings along.
+/// The behaviour of a grade.
 pub(super) fn of_grade(r: &mut Resolver<'_>, reader: &Reader, elastic: ElasticPart) -> tank::Behaviour {
     let Some(preset) = &reader.preset else {
         return tank::Behaviour::Elastic;
@@ -127,7 +127,7 @@ pub(super) fn of_grade(r: &mut Resolver<'_>, reader: &Reader, elastic: ElasticPa
     }
 }
 
-/// The behaviour that the file gives.
+/// The behaviour in the file.
 pub(super) fn of_file(
     r: &mut Resolver<'_>,
     reader: &Reader,
@@ -149,7 +149,7 @@ pub(super) fn of_file(
     let (Some((word, sound)), None) = (given.next(), given.next()) else {
         r.faults.push(range_fault(
             field,
-            "one behaviour is wanted",
+            "not exactly one behaviour",
             "one of steel, concrete, reinforcement and interlayer, or \"elastic\"",
         ));
         return None;
@@ -208,7 +208,7 @@ fn tangent(r: &mut Resolver<'_>, reader: &Reader, option: &Opt<Stress>, e: f64) 
         let allowed = format!("at least 0, less than Young's modulus, {}", like(field, e));
         r.faults.push(range_fault(
             field,
-            "beyond yielding the stress would rise faster than before",
+            "the slope after yielding is not smaller than Young's modulus",
             &allowed,
         ));
         return f64::NAN;
@@ -268,7 +268,7 @@ fn bars(r: &mut Resolver<'_>, reader: &Reader, b: &BarBehaviour, (e, strength): 
     {
         let allowed = format!("more than the strain at yielding, {:.2e}", yield_strength / e);
         r.faults
-            .push(range_fault(field, "the bars would break before they yield", &allowed));
+            .push(range_fault(field, "the bars break before they yield", &allowed));
     }
     Bar {
         yield_strength,
@@ -281,7 +281,7 @@ fn interlayer(r: &mut Resolver<'_>, l: &InterlayerBehaviour) -> Interlayer {
     let e_normal = r.number(&l.e_normal);
     if e_normal > STIFFEST_INTERLAYER {
         r.remarks.push(format!(
-            "{}: found \"{}\", which is stiffer than concrete and steel and above 1e8 kN/m2: kN/m2 for N/m2?",
+            "{}: found \"{}\", which is above 1e8 kN/m2 and stiffer than steel; check the unit (kN/m2 instead of N/m2?)",
             l.e_normal.path, l.e_normal.text
         ));
     }

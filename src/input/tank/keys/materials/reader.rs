@@ -1,4 +1,4 @@
-//! Values of a material: from the file, or else from its grade.
+//! Values of a material from the file, or else from its grade.
 
 use tank::units::{display_in, unit_for};
 
@@ -17,11 +17,11 @@ pub(super) type ElasticPart = (f64, Option<f64>);
 
 /// Where the values of a material come from.
 pub(super) struct Reader {
-    /// What the grade supplies, if there is one.
+    /// Values of the grade, if the material has one.
     pub preset: Option<Preset>,
     /// Path of the object that is read.
     pub path: String,
-    /// Place to underline for what is missing.
+    /// Place to underline for a missing key.
     pub head: std::ops::Range<usize>,
 }
 
@@ -35,7 +35,7 @@ impl Reader {
         }
     }
 
-    /// A number that the file gives, or else the grade; NaN if it is faulty or missing, which is a fault.
+    /// A number from the file or else from the grade; reports a missing one. NaN if it is faulty or missing.
     pub(crate) fn needed<T: Si + FromNode>(
         &self,
         r: &mut Resolver<'_>,
@@ -49,7 +49,7 @@ impl Reader {
         }
     }
 
-    /// A number that the file gives, or else this one of the grade.
+    /// A number from the file, or else this value of the grade.
     pub(crate) fn supplied<T: Si>(&self, r: &mut Resolver<'_>, option: &Opt<T>, value: f64) -> f64 {
         let source = match &self.preset {
             Some(preset) => format!("grade {}: {}", preset.name, preset.source),
@@ -58,10 +58,10 @@ impl Reader {
         r.or_else(option, value, &shown::<T>(value, 4), &source)
     }
 
-    /// Notes that a key is missing.
+    /// Reports a missing key.
     pub(crate) fn missing<T: FromNode>(&self, r: &mut Resolver<'_>, option: &Opt<T>, otherwise: &str) -> f64 {
         let key = option.key.name;
-        // A misspelt key has been noted already, with this one as the suggestion.
+        // A misspelt key was already reported with this one as the suggestion.
         if !r.faults.suggest(&format!("did you mean `{key}`?")) {
             let field = Field::<T>::missing(self.head.clone(), option.path.clone());
             r.faults.push(

@@ -1,4 +1,4 @@
-//! Whether a yield strength is one that a material can have.
+//! Plausibility of a yield strength.
 
 use tank::units::{Dimension, display_in, unit_for};
 
@@ -25,8 +25,11 @@ pub(super) fn check(r: &mut Resolver<'_>, field: &Field<Stress>, strength: f64, 
             "at most {}, a tenth of Young's modulus",
             like_unit(field, THEORETICAL * e, Dimension::Stress)
         );
-        r.faults
-            .push(range_fault(field, "no material yields at this stress", &allowed));
+        r.faults.push(range_fault(
+            field,
+            "the yield strength is larger than any material's",
+            &allowed,
+        ));
         return;
     }
     let strain = if e >= METAL.1 { METAL.0 } else { PLASTIC };
