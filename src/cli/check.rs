@@ -17,7 +17,7 @@ use results::{self, COMPARE};
 #[command(after_help = "\
 Examples:
   tankcheck check tank.json                       design spectra of the tank's `site`
-  tankcheck check tank.json --quake elcentro.csv  and the spectrum of a record
+  tankcheck check tank.json --quake elcentro.csv  also the spectrum of a record
   tankcheck check tank.json --procedures api650-2020 --format json
 
 Exit codes: 0 every check holds; 1 a check fails; 2 bad input; 3 the computation failed.")]

@@ -21,7 +21,7 @@ Examples:
   tankcheck diff golden/ out/ --rtol 1e-4 --format json
   tankcheck diff golden/ out/ --bless --reason \"finer mesh at the base by default\"
 
-Exit codes: 0 the same within tolerance; 1 something moved; 2 bad input.")]
+Exit codes: 0 equal within tolerance; 1 a value moved; 2 bad input.")]
 pub(crate) struct Args {
     /// The accepted results folder.
     old: PathBuf,

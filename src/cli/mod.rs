@@ -51,17 +51,17 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Codes and finite elements side by side: the verification report.
+    /// Compare codes and finite elements; write the verification report.
     Compare(compare::Args),
-    /// The code procedures alone.
+    /// Run the code procedures without finite elements.
     Check(check::Args),
-    /// Incremental dynamic analysis: nonlinear runs at rising scales of a record.
+    /// Run an incremental dynamic analysis: nonlinear runs at increasing scales of a record.
     Ida(ida::Args),
-    /// Pushover of an anchored cylinder until its wall buckles.
+    /// Push an anchored cylinder until its wall buckles.
     Push(push::Args),
-    /// Coupled modes of tank and liquid.
+    /// Compute the coupled modes of tank and liquid.
     Modes(modes::Args),
-    /// Response spectra of a record.
+    /// Compute the response spectra of a record.
     Spectrum(spectrum::Args),
     /// Print the properties of an accelerogram.
     Quake(quake::Args),
@@ -95,7 +95,7 @@ Examples:
 
 Exit codes: 0 done and every check holds; 1 a check fails or diff found a change; 2 bad input or usage;
 3 the computation failed or was interrupted, its results could not be written, or the tank collapsed;
-130 ended by Ctrl-C with nothing kept.";
+130 ended by Ctrl-C without results.";
 
 /// The command line as data, for completions and the manual page.
 pub(crate) fn command() -> clap::Command {

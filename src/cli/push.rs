@@ -33,9 +33,9 @@ Examples:
   tankcheck push tank.json --imperfection 1t --imperfection-shape mode -o push/
   tankcheck push tank.json --imperfection 1t --imperfection-shape mode -o push/ --resume
 
-A weld depression runs around the tank, outward; inward with a negative amplitude (--imperfection=-0.5t). The mode is the
-lowest linear buckling mode under the load at the capacity of the perfect shell; its amplitude is its largest deviation,
-outward there, inward with a negative amplitude.
+A weld depression runs around the tank. The mode is the lowest linear buckling mode under the load at the capacity of the
+perfect shell; its amplitude is its largest deviation. Both are outward; a negative amplitude is inward
+(--imperfection=-0.5t).
 
 Ctrl-C stops the run and keeps the finished part, marked incomplete; a second Ctrl-C discards everything except the
 checkpoint.

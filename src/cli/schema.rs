@@ -11,7 +11,7 @@ Examples:
   tankcheck schema > tank.schema.json
   tankcheck schema --markdown > input.md
 
-Put \"$schema\": \"./tank.schema.json\" into tank.json, and your editor helps while you type.")]
+Add \"$schema\": \"./tank.schema.json\" to tank.json for completion and checks in an editor.")]
 pub(crate) struct Args {
     /// Write the reference page of all keys in Markdown instead.
     #[arg(long)]

@@ -18,16 +18,16 @@ use crate::input::records::{ReadOptions, read};
 #[command(after_help = "\
 Examples:
   tankcheck verify
-  tankcheck verify --list                       the benchmarks: page, ids of rows, who runs them
+  tankcheck verify --list                       the benchmarks: page, pace, ids of rows
   tankcheck verify shell-cook                   one page
   tankcheck verify 'F1?' --format json          rows F10 to F17
   tankcheck verify elephant --slow              pages and ids with `elephant` in them, fine meshes too
   tankcheck verify --format html > verification.html
-  tankcheck verify --records ~/records          also the rows that need records that may not be redistributed
+  tankcheck verify --records ~/records          also rows with records that may not be redistributed
   tankcheck verify --slow                       also the rows that take minutes
   tankcheck verify --write docs/verification    write the manual: index, and one page and figure per benchmark
 
-Exit codes: 0 every row that ran is within its tolerance; 1 one is not; 2 bad input; 3 the computation failed.")]
+Exit codes: 0 every row that ran is within its tolerance; 1 a row is not; 2 bad input; 3 the computation failed.")]
 pub(crate) struct Args {
     /// Id of rows, page, a part of either, or a glob with * and ?; all benchmarks without it.
     #[arg(value_name = "PATTERN")]

@@ -85,14 +85,18 @@ fn runs_are_written_and_resumed() {
     assert!(moved > rest["wall_displacement"].as_f64().expect("a number"));
 }
 
+/// Runs the analysis at scale 0; returns its `ida.json`.
+fn at_rest(pulse: &Path, out: &Path) -> String {
+    let first = run(pulse, "0", out, &["--quiet"]);
+    assert_eq!(first.status.code(), Some(0), "{}", stderr(&first));
+    std::fs::read_to_string(out.join("ida.json")).expect("ida.json")
+}
+
 #[test]
 fn another_analysis_is_not_resumed_and_nothing_is_lost() {
     let home = tempfile::tempdir().expect("a temporary folder");
-    let pulse = record(home.path());
-    let out = home.path().join("out");
-    let first = run(&pulse, "0", &out, &["--quiet"]);
-    assert_eq!(first.status.code(), Some(0), "{}", stderr(&first));
-    let before = std::fs::read_to_string(out.join("ida.json")).expect("ida.json");
+    let (pulse, out) = (record(home.path()), home.path().join("out"));
+    let before = at_rest(&pulse, &out);
     let text = std::fs::read_to_string(&pulse).expect("readable");
     std::fs::write(&pulse, text.replacen("0.01,", "0.01,-", 1)).expect("writable");
     let other = run(&pulse, "0", &out, &["--resume"]);
@@ -110,11 +114,8 @@ fn another_analysis_is_not_resumed_and_nothing_is_lost() {
 #[test]
 fn an_interrupted_analysis_does_not_replace_a_complete_one() {
     let home = tempfile::tempdir().expect("a temporary folder");
-    let pulse = record(home.path());
-    let out = home.path().join("out");
-    let first = run(&pulse, "0", &out, &["--quiet"]);
-    assert_eq!(first.status.code(), Some(0), "{}", stderr(&first));
-    let before = std::fs::read_to_string(out.join("ida.json")).expect("ida.json");
+    let (pulse, out) = (record(home.path()), home.path().join("out"));
+    let before = at_rest(&pulse, &out);
     let long = home.path().join("long.csv");
     let lines: String = (0..4000)
         .map(|i| format!("{:.2},{:.6}\n", 0.01 * f64::from(i), 3.0 * (0.5 * f64::from(i)).sin()))

@@ -34,7 +34,7 @@ fn record(home: &Path, dt: f64) -> PathBuf {
 }
 
 /// Runs a command that must be rejected within seconds: exit code 2, all of `words`, no files.
-fn refused(command: &[&str], home: &Path, words: &[&str]) {
+pub(crate) fn refused(command: &[&str], home: &Path, words: &[&str]) {
     let out = home.join("out");
     let mut command = command.to_vec();
     command.extend(["--out", text(&out)]);

@@ -22,6 +22,13 @@ const TANK: &str = r#"{
 }
 "#;
 
+/// The same tank with other options of the nonlinear engine.
+pub(crate) fn with_nonlinear(options: &str) -> String {
+    let own = "\"elements\": { \"height\": 16, \"circumference\": 16 }, \"integration\": { \"steel\": \"gauss 3\" }";
+    assert_eq!(TANK.matches(own).count(), 1, "`{own}` stands once");
+    TANK.replace(own, options)
+}
+
 fn tank(folder: &Path, from: &str, to: &str) -> PathBuf {
     assert_eq!(TANK.matches(from).count(), 1, "`{from}` stands once");
     let path = folder.join("tank.json");

@@ -14,7 +14,7 @@ use tank::Quantity;
 use tank::case::GroundMotion;
 
 use crate::motions::{broad_band, record, slow_pulse};
-use crate::tanks::{GRAVITY, assert_close, broad};
+use crate::tanks::{GRAVITY, assert_close, broad, column};
 
 fn shaken(horizontal: Record, vertical: Option<Record>) -> Case {
     let mut case = broad(1000.0);
@@ -28,16 +28,6 @@ fn quick() -> Options {
         mesh_error: false,
         ..Options::default()
     }
-}
-
-fn column<'a>(simulation: &'a Simulation, id: &str) -> &'a [f64] {
-    let series = &simulation.series;
-    let i = series
-        .ids
-        .iter()
-        .position(|c| c == id)
-        .unwrap_or_else(|| panic!("no column {id}"));
-    &series.columns[i]
 }
 
 fn scaled(record: &Record, factor: f64) -> Record {

@@ -11,7 +11,7 @@ use engines::modes::{CoupledMode, Kind, solve};
 use engines::response::motion::{Grid, Motion};
 use engines::response::observe::Observed;
 use engines::response::superpose::{self, ModalSystem, Observable};
-use engines::{Integrator, Options, Simulation, simulate};
+use engines::{Integrator, Options, simulate};
 use oscillator::record::Record;
 use oscillator::sdof;
 use tank::Case;
@@ -19,7 +19,7 @@ use tank::Shape;
 use tank::case::GroundMotion;
 
 use crate::motions::{broad_band, slow_pulse, swelling_harmonic};
-use crate::tanks::{GRAVITY, assert_close, broad, case, material, slender};
+use crate::tanks::{GRAVITY, assert_close, broad, case, column, material, slender};
 
 fn shaken(mut case: Case, horizontal: Record) -> Case {
     case.ground_motion = Some(GroundMotion {
@@ -44,16 +44,6 @@ fn quick() -> Options {
         mesh_error: false,
         ..Options::default()
     }
-}
-
-fn column<'a>(simulation: &'a Simulation, id: &str) -> &'a [f64] {
-    let series = &simulation.series;
-    let i = series
-        .ids
-        .iter()
-        .position(|c| c == id)
-        .unwrap_or_else(|| panic!("no column {id}"));
-    &series.columns[i]
 }
 
 /// A constant acceleration tilts the surface by a/g and adds the pressure ρ a x: wave R a/g, base shear m a, and by

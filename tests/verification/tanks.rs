@@ -1,5 +1,7 @@
 //! Cases of the verification tests; those of the dissertation are shared with the verification manual.
 
+use engines::Simulation;
+
 pub use tank::reference::{GRAVITY, broad, case, material, slender};
 
 /// |value/reference − 1| ≤ tolerance, with a message that shows both.
@@ -11,4 +13,15 @@ pub fn assert_close(what: &str, value: f64, reference: f64, tolerance: f64) {
         100.0 * error,
         100.0 * tolerance
     );
+}
+
+/// The history of this id.
+pub(crate) fn column<'a>(simulation: &'a Simulation, id: &str) -> &'a [f64] {
+    let series = &simulation.series;
+    let i = series
+        .ids
+        .iter()
+        .position(|c| c == id)
+        .unwrap_or_else(|| panic!("no column {id}"));
+    &series.columns[i]
 }
