@@ -12,6 +12,7 @@ use crate::number::{Scale, fixed, significant, with_unit};
 use crate::table::{Column, Table};
 use crate::words::ida as words;
 use crate::words::ida::heads;
+use crate::words::sections::{heading, sentences};
 use files::error::Error;
 use results::{Ida, IdaRun};
 
@@ -215,6 +216,8 @@ pub fn report(ida: &Ida) -> Result<Report, Error> {
     let templates = Templates::new(None)?;
     let mut page = Context::new();
     let views: Vec<FigureView> = figures.iter().map(FigureView::of).collect();
+    page.insert("words", &sentences("ida"));
+    page.insert("title", heading("ida"));
     page.insert("name", &ida.name);
     page.insert("incomplete", &ida.incomplete);
     page.insert("runs", &table(ida));

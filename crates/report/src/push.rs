@@ -11,6 +11,7 @@ use crate::figure::{Figure, HALF, Room, map};
 use crate::number::{Scale, fixed, significant, with_unit};
 use crate::table::{Column, Table, spread};
 use crate::words::push::{self as words, heads, shell_name};
+use crate::words::sections::{heading, sentences};
 use files::error::Error;
 use results::{Push, PushPoint, PushShell};
 
@@ -273,6 +274,8 @@ pub fn report(push: &Push) -> Result<Report, Error> {
     let views: Vec<FigureView> = figures.iter().map(FigureView::of).collect();
     let ends: Vec<String> = push.shells.iter().map(words::end).collect();
     let mut page = Context::new();
+    page.insert("words", &sentences("push"));
+    page.insert("title", heading("push"));
     page.insert("name", &push.name);
     page.insert("incomplete", &push.incomplete);
     page.insert("doubts", &push.doubts);

@@ -5,13 +5,15 @@ use std::path::Path;
 
 use tera::{Context, Tera};
 
+use crate::figure::svg::escape;
 use crate::math;
+use crate::sections::TEMPLATES;
 use files::error::Error;
 use files::text::line;
 use results::describe;
 
-/// The embedded templates by name.
-const EMBEDDED: &[(&str, &str)] = &[
+/// The embedded pages and style sheets by name; [`crate::sections::TEMPLATES`] has the sections.
+const PAGES: &[(&str, &str)] = &[
     ("report.html", include_str!("../../../templates/report.html")),
     ("components.html", include_str!("../../../templates/components.html")),
     ("style.css", include_str!("../../../templates/style.css")),
@@ -24,79 +26,12 @@ const EMBEDDED: &[(&str, &str)] = &[
     ("push.html", include_str!("../../../templates/push.html")),
     ("fields.css", include_str!("../../../templates/fields.css")),
     ("nonlinear.css", include_str!("../../../templates/nonlinear.css")),
-    (
-        "sections/summary.html",
-        include_str!("../../../templates/sections/summary.html"),
-    ),
-    (
-        "sections/comparison.html",
-        include_str!("../../../templates/sections/comparison.html"),
-    ),
-    (
-        "sections/partings.html",
-        include_str!("../../../templates/sections/partings.html"),
-    ),
-    (
-        "sections/reported.html",
-        include_str!("../../../templates/sections/reported.html"),
-    ),
-    (
-        "sections/input.html",
-        include_str!("../../../templates/sections/input.html"),
-    ),
-    (
-        "sections/tank.html",
-        include_str!("../../../templates/sections/tank.html"),
-    ),
-    (
-        "sections/motion.html",
-        include_str!("../../../templates/sections/motion.html"),
-    ),
-    (
-        "sections/spectra.html",
-        include_str!("../../../templates/sections/spectra.html"),
-    ),
-    (
-        "sections/modes.html",
-        include_str!("../../../templates/sections/modes.html"),
-    ),
-    (
-        "sections/profiles.html",
-        include_str!("../../../templates/sections/profiles.html"),
-    ),
-    (
-        "sections/histories.html",
-        include_str!("../../../templates/sections/histories.html"),
-    ),
-    (
-        "sections/spatial.html",
-        include_str!("../../../templates/sections/spatial.html"),
-    ),
-    (
-        "sections/nonlinear.html",
-        include_str!("../../../templates/sections/nonlinear.html"),
-    ),
-    (
-        "sections/checks.html",
-        include_str!("../../../templates/sections/checks.html"),
-    ),
-    (
-        "sections/sheets.html",
-        include_str!("../../../templates/sections/sheets.html"),
-    ),
-    (
-        "sections/engine.html",
-        include_str!("../../../templates/sections/engine.html"),
-    ),
-    (
-        "sections/limits.html",
-        include_str!("../../../templates/sections/limits.html"),
-    ),
-    (
-        "sections/provenance.html",
-        include_str!("../../../templates/sections/provenance.html"),
-    ),
 ];
+
+/// All embedded templates by name.
+fn embedded() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
+    PAGES.iter().chain(TEMPLATES)
+}
 
 /// The template engine with all templates read.
 pub struct Templates {
@@ -109,8 +44,7 @@ impl Templates {
     ///
     /// Errors: a folder without any template of a known name, an unreadable file, a template that does not parse.
     pub fn new(folder: Option<&Path>) -> Result<Templates, Error> {
-        let mut sources: BTreeMap<String, String> = EMBEDDED
-            .iter()
+        let mut sources: BTreeMap<String, String> = embedded()
             .map(|(name, text)| ((*name).to_owned(), (*text).to_owned()))
             .collect();
         if let Some(folder) = folder {
@@ -124,6 +58,7 @@ impl Templates {
         tera.register_filter("prose", |text: &str, _: tera::Kwargs, _: &tera::State| {
             math::prose(text)
         });
+        tera.register_filter("code", |text: &str, _: tera::Kwargs, _: &tera::State| code(text));
         let pages = sources.iter().filter(|(name, _)| name.ends_with(".html"));
         tera.add_raw_templates(pages.map(|(name, text)| (name.as_str(), text.as_str())))
             .map_err(|e| Error::Report(format!("templates: {e}")))?;
@@ -171,13 +106,22 @@ fn replace(sources: &mut BTreeMap<String, String>, folder: &Path) -> Result<(), 
         }
     }
     if replaced == 0 {
-        let known: Vec<&str> = EMBEDDED.iter().map(|(name, _)| *name).collect();
+        let known: Vec<&str> = embedded().map(|(name, _)| *name).collect();
         return Err(Error::File {
             path: folder.into(),
             what: format!("holds no template; known names are {}", known.join(", ")),
         });
     }
     Ok(())
+}
+
+/// A sentence as HTML, words in backquotes as code.
+fn code(text: &str) -> String {
+    let part = |(i, part): (usize, &str)| match i % 2 {
+        0 => escape(part),
+        _ => format!("<code>{}</code>", escape(part)),
+    };
+    text.split('`').enumerate().map(part).collect()
 }
 
 /// Text as the inside of a CSS string: everything but letters, digits and spaces as an escape.
@@ -201,6 +145,11 @@ mod tests {
     fn css_strings_hold_no_markup() {
         assert_eq!(css_text("Tank 7"), "Tank 7");
         assert_eq!(css_text("\"</style>"), "\\22 \\3c \\2f style\\3e ");
+    }
+
+    #[test]
+    fn backquotes_are_code() {
+        assert_eq!(code("a < `b`."), "a &lt; <code>b</code>.");
     }
 
     #[test]

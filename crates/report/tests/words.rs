@@ -1,5 +1,5 @@
-//! Sentences of the report stand in `report::words` alone: sections, figures and pages hold labels of two words at most,
-//! and the comparison holds none.
+//! Sentences of the report stand in `report::words` alone: sections, figures, pages and templates hold labels of two words
+//! at most, and the comparison holds none.
 
 use std::path::{Path, PathBuf};
 
@@ -101,6 +101,45 @@ fn sentences_stand_in_words_alone() {
         }
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+/// Text between tags of a template that is neither code nor style nor a heading: headings and heads of columns may stay.
+fn texts(template: &str) -> Vec<String> {
+    let mut plain = template.to_owned();
+    for (open, close) in [
+        ("<style>", "</style>"),
+        ("<title>", "</title>"),
+        ("<caption>", "</caption>"),
+        ("<h1", "</h1>"),
+        ("<h2", "</h2>"),
+        ("<h3", "</h3>"),
+        ("<th", "</th>"),
+        ("{%", "%}"),
+        ("{{", "}}"),
+        ("<", ">"),
+    ] {
+        while let Some((before, rest)) = plain.split_once(open) {
+            let after = rest.split_once(close).map_or("", |(_, after)| after);
+            plain = format!("{before}\n{after}");
+        }
+    }
+    plain.lines().map(str::to_owned).collect()
+}
+
+#[test]
+fn templates_have_no_sentences() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../templates");
+    let mut found = Vec::new();
+    for file in sources(&root)
+        .iter()
+        .filter(|f| f.extension().is_some_and(|e| e == "html"))
+    {
+        let template = std::fs::read_to_string(file).expect("text");
+        let sentences = texts(&template).into_iter().filter(|text| words(text) >= SENTENCE);
+        found.extend(sentences.map(|text| format!("{}: {text}", file.display())));
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
+    assert_eq!(texts("<p class=\"x\">{{ a }} One more word.</p>")[2], " One more word.");
 }
 
 /// The reader of sources finds what it is for.

@@ -12,19 +12,19 @@ pub const GROUND_COLUMNS: [&str; 3] = ["ground_acceleration", "ground_velocity",
 /// Prefix of [`GROUND_COLUMNS`] for the vertical record.
 pub const VERTICAL_PREFIX: &str = "vertical_";
 
-/// What ids of wave heights begin with.
-pub const WAVE_HEIGHT: &str = "wave_height";
+/// Beginning of the ids of wave heights.
+const WAVE_HEIGHT: &str = "wave_height";
 /// Id of the base shear.
-pub const BASE_SHEAR: &str = "base_shear";
+const BASE_SHEAR: &str = "base_shear";
 /// Id of the moment above the base plate.
-pub const BASE_MOMENT: &str = "base_moment";
+const BASE_MOMENT: &str = "base_moment";
 /// Id of the moment below the base plate.
-pub const OVERTURNING_MOMENT: &str = "overturning_moment";
+const OVERTURNING_MOMENT: &str = "overturning_moment";
 
-/// What ids of axial membrane stresses begin with.
-pub const AXIAL_MEMBRANE_STRESS: &str = "axial_membrane_stress";
-/// What ids of bending moments of the wall begin with.
-pub const WALL_MOMENT: &str = "wall_moment";
+/// Beginning of the ids of axial membrane stresses.
+const AXIAL_MEMBRANE_STRESS: &str = "axial_membrane_stress";
+/// Beginning of the ids of bending moments of the wall.
+const WALL_MOMENT: &str = "wall_moment";
 
 /// A side of the tank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,7 +86,23 @@ pub enum OnWall {
     Shear,
 }
 
+impl Ground {
+    /// All components, in the order of [`GROUND_COLUMNS`].
+    pub const ALL: [Ground; 3] = [Ground::Acceleration, Ground::Velocity, Ground::Displacement];
+}
+
 impl OnWall {
+    /// All of them.
+    pub const ALL: [OnWall; 7] = [
+        OnWall::Pressure,
+        OnWall::Hoop,
+        OnWall::Axial,
+        OnWall::Bending,
+        OnWall::Displacement,
+        OnWall::Moment,
+        OnWall::Shear,
+    ];
+
     /// Id of the envelope.
     pub fn id(self) -> &'static str {
         match self {
@@ -215,6 +231,50 @@ impl Channel {
         }
     }
 
+    /// The channel of an id; the height of a [`Channel::Largest`], which is not part of its id, is 0.
+    pub fn from_id(id: &str) -> Option<Channel> {
+        let plain = Channel::plain().find(|channel| channel.id() == id);
+        let number = |prefix: &str| id.strip_prefix(prefix)?.parse().ok();
+        let wave = || {
+            Some(Channel::WaveAt {
+                r: number(&format!("{WAVE_HEIGHT}_r_"))?,
+            })
+        };
+        let at = |&what: &OnWall| {
+            Some(Channel::At {
+                what,
+                z: number(&format!("{}_z_", what.id()))?,
+            })
+        };
+        plain.or_else(wave).or_else(|| OnWall::ALL.iter().find_map(at))
+    }
+
+    /// All channels whose id has no number.
+    fn plain() -> impl Iterator<Item = Channel> {
+        let ground = [false, true]
+            .into_iter()
+            .flat_map(|vertical| Ground::ALL.map(|motion| Channel::Ground { motion, vertical }));
+        let on_wall = OnWall::ALL.into_iter().flat_map(|what| {
+            let [front, back] = Side::BOTH.map(|side| Channel::BaseOn(what, side));
+            [Channel::Largest { what, z: 0.0 }, Channel::Base(what), front, back]
+        });
+        let sides = Side::BOTH.into_iter().flat_map(|side| {
+            [
+                Channel::Wave(side),
+                Channel::SectionMoment(side),
+                Channel::Deflection(side),
+            ]
+        });
+        let others = [
+            Channel::BaseShear,
+            Channel::BaseMoment,
+            Channel::OverturningMoment,
+            Channel::Top,
+            Channel::Belly,
+        ];
+        ground.chain(on_wall).chain(sides).chain(others)
+    }
+
     /// Title.
     pub fn title(self) -> String {
         match self {
@@ -275,6 +335,18 @@ impl Channel {
         matches!(self, Channel::Wave(_) | Channel::WaveAt { .. })
     }
 
+    /// Its value of the wall, if it is one.
+    pub fn on_wall(self) -> Option<OnWall> {
+        match self {
+            Channel::Largest { what, .. }
+            | Channel::At { what, .. }
+            | Channel::Base(what)
+            | Channel::BaseOn(what, _) => Some(what),
+            Channel::SectionMoment(_) => Some(OnWall::Moment),
+            _ => None,
+        }
+    }
+
     /// The quantity of the comparison whose extreme it has.
     pub fn quantity(self) -> Option<Quantity> {
         Some(match self {
@@ -325,7 +397,12 @@ mod tests {
             ),
         ] {
             assert_eq!(channel.id(), id);
+            assert_eq!(Channel::from_id(id), Some(channel));
         }
+        for channel in Channel::plain() {
+            assert_eq!(Channel::from_id(&channel.id()), Some(channel));
+        }
+        assert_eq!(Channel::from_id("hoop_stress_z_high"), None);
         assert_eq!(Channel::compared("hoop_stress"), Some(Quantity::HoopStress));
         assert_eq!(Channel::compared("hoop_stress_z_0.05"), None);
         assert!(Channel::COMPARED.iter().all(|c| c.quantity().is_some()));

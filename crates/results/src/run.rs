@@ -296,6 +296,11 @@ pub struct SeriesInfo {
 }
 
 impl SeriesInfo {
+    /// The channel; none for a column that this version does not write.
+    pub fn channel(&self) -> Option<Channel> {
+        Channel::from_id(&self.id)
+    }
+
     /// Of a channel.
     ///
     /// * `static_value`: value of the static state

@@ -9,6 +9,7 @@ use report::figure::{Figure, Room};
 use report::sections::FigureView;
 use report::table::{Column, Table};
 use report::template::Templates;
+use report::words::sections;
 use tank::units::Dimension;
 
 /// Curves that the palette tells apart.
@@ -145,16 +146,16 @@ pub fn html(found: &Manual) -> Result<String, Error> {
     let templates = Templates::new(None)?;
     let mut page = Context::new();
     page.insert("benchmarks", &views);
-    page.insert("rows", &found.rows.len());
-    page.insert("counted", &found.rows.iter().filter(|r| r.counts()).count());
-    page.insert("outside", &found.rows.iter().filter(|r| r.fails()).count());
+    let counted = found.rows.iter().filter(|r| r.counts()).count();
+    let outside = found.rows.iter().filter(|r| r.fails()).count();
+    page.insert("rows", &sections::rows(found.rows.len(), counted, outside));
+    page.insert("subtitle", &sections::manual(env!("CARGO_PKG_VERSION")));
     let not_run: Vec<String> = found
         .not_run
         .iter()
         .map(|n| format!("{}: {} (needs {})", n.id, n.what, n.needs))
         .collect();
     page.insert("not_run", &not_run);
-    page.insert("version", env!("CARGO_PKG_VERSION"));
     page.insert("style", templates.css("style.css"));
     page.insert("figure_style", templates.css("figure.css"));
     Ok(templates.render("verification.html", &page)?)

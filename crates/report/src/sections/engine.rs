@@ -7,7 +7,7 @@ use tank::units::Dimension;
 use super::{Section, Source};
 use crate::number::{Scale, percent, significant};
 use crate::table::{Column, Table};
-use crate::words::{capital, labels};
+use crate::words::{capital, labels, sections};
 use files::error::Error;
 use results::{MESH_ERROR_LIMIT, Run};
 
@@ -37,6 +37,7 @@ pub(super) fn fill(section: &mut Section, fe: &Run) {
             })
             .collect()
     };
+    section.set("engine_words", &sections::sentences("engine"));
     section.set("engine", fe.engine.id());
     section.set("mesh", &pairs(&fe.mesh));
     section.set("integration", &pairs(&fe.integration));
@@ -82,7 +83,7 @@ pub(super) fn fill(section: &mut Section, fe: &Run) {
         for (label, value) in labels::ENERGIES.into_iter().zip(values) {
             energy.row(vec![label.into(), scale.text(value)]);
         }
-        section.set("energy_error", &percent(e.error));
+        section.set("residual", &sections::residual(&percent(e.error)));
     }
     section.set("energy", &energy);
 }

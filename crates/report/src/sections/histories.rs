@@ -2,46 +2,56 @@
 
 use tank::units::Dimension;
 
-use super::motion::is_ground_motion;
 use super::{Section, Source};
 use crate::figure::chart::{Axis, Chart, Line, Mark};
 use crate::figure::decimate::decimate;
 use crate::figure::{Figure, Room, WIDE};
 use crate::number::{Scale, fixed};
 use crate::table::{Column, Table};
-use crate::words::{figures, labels};
+use crate::words::{figures, labels, sections};
 use files::error::Error;
-use results::SeriesInfo;
-use results::channel::{AXIAL_MEMBRANE_STRESS, BASE_MOMENT, BASE_SHEAR, OVERTURNING_MOMENT, WAVE_HEIGHT};
+use results::channel::{Ground, OnWall};
+use results::{Channel, SeriesInfo};
 
 /// Histories drawn at most; the rest stands in the table of peaks and in `series.csv`.
 const MOST: usize = 9;
-/// Histories that come first, by the beginning of their id.
-const FIRST: [&str; 5] = [
-    WAVE_HEIGHT,
-    BASE_SHEAR,
-    BASE_MOMENT,
-    AXIAL_MEMBRANE_STRESS,
-    OVERTURNING_MOMENT,
-];
+/// Place of a history among those that come first.
+fn rank(info: &SeriesInfo) -> usize {
+    match info.channel() {
+        Some(channel) if channel.is_wave() => 0,
+        Some(Channel::BaseShear) => 1,
+        Some(Channel::BaseMoment) => 2,
+        Some(channel) if channel.on_wall() == Some(OnWall::Axial) => 3,
+        Some(Channel::OverturningMoment) => 4,
+        _ => 5,
+    }
+}
+
+fn is_ground(info: &SeriesInfo) -> bool {
+    matches!(info.channel(), Some(Channel::Ground { .. }))
+}
 
 /// Makes the section.
 pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let Some(fe) = source.results.reference() else {
         return Ok(None);
     };
-    let mut infos: Vec<&SeriesInfo> = fe.histories.iter().filter(|s| !is_ground_motion(&s.id)).collect();
-    infos.sort_by_key(|s| FIRST.iter().position(|f| s.id.starts_with(f)).unwrap_or(FIRST.len()));
+    let mut infos: Vec<&SeriesInfo> = fe.histories.iter().filter(|s| !is_ground(s)).collect();
+    infos.sort_by_key(|s| rank(s));
     if infos.is_empty() {
         return Ok(None);
     }
     let mut drawn = Vec::new();
-    if let Some(values) = source.column("ground_acceleration") {
+    let ground = Channel::Ground {
+        motion: Ground::Acceleration,
+        vertical: false,
+    };
+    if let Some(values) = source.column(&ground.id()) {
         let figure = history(
             source,
-            "history_ground_acceleration",
-            "Ground acceleration",
-            Dimension::Acceleration,
+            &format!("history_{}", ground.id()),
+            &ground.title(),
+            ground.dimension(),
             values,
             None,
             "k-ground",
@@ -85,7 +95,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
         ]);
     }
     let mut section = Section::new("histories");
-    section.set("undrawn", &infos.len().saturating_sub(MOST));
+    section.set("undrawn", &sections::undrawn(infos.len().saturating_sub(MOST)));
     section.set("peaks", &table);
     section.set_figures("figures", drawn);
     Ok(Some(section))

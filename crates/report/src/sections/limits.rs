@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::{Section, Source};
 use crate::number::Scale;
 use crate::words::capital;
+use crate::words::sections::exceeded;
 use files::error::Error;
 use results::{Limit, Run};
 
@@ -47,7 +48,8 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
         return Ok(None);
     }
     let mut section = Section::new("limits");
-    section.set("broken", &rows.iter().filter(|r| !r.holds).count());
+    let broken = rows.iter().filter(|r| !r.holds).count();
+    section.set("exceeded", &exceeded(broken));
     section.set("rows", &rows);
     Ok(Some(section))
 }

@@ -1,5 +1,5 @@
 //! The sections of the report, in their order. A section is a function from the results to a template and its context;
-//! one that has nothing to show is left out.
+//! a section without content is left out.
 
 mod checks;
 mod comparison;
@@ -29,24 +29,21 @@ pub use section::{FigureView, Section, Source};
 /// Makes a section, or `None` where there is nothing to show.
 pub type Maker = fn(&Source) -> Result<Option<Section>, Error>;
 
-/// All sections in report order.
-pub const ALL: &[Maker] = &[
-    summary::make,
-    comparison::make,
-    partings::make,
-    reported::make,
-    checks::make,
-    tank::make,
-    input::make,
-    motion::make,
-    spectra::make,
-    modes::make,
-    profiles::make,
-    histories::make,
-    nonlinear::make,
-    spatial::make,
-    sheets::make,
-    engine::make,
-    limits::make,
-    provenance::make,
+/// Lists the sections in report order, each with its template.
+macro_rules! sections {
+    ($($id:ident),+ $(,)?) => {
+        /// All sections in report order.
+        pub const ALL: &[Maker] = &[$($id::make),+];
+
+        /// Their templates by name.
+        pub(crate) const TEMPLATES: &[(&str, &str)] = &[$((
+            concat!("sections/", stringify!($id), ".html"),
+            include_str!(concat!("../../../../templates/sections/", stringify!($id), ".html")),
+        )),+];
+    };
+}
+
+sections![
+    summary, comparison, partings, reported, checks, tank, input, motion, spectra, modes, profiles, histories,
+    nonlinear, spatial, sheets, engine, limits, provenance,
 ];

@@ -21,7 +21,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let rows: Vec<&Mode> = fe.modes.iter().filter(|m| m.number <= ROWS).collect();
     let mut section = Section::new("modes");
     section.set("modes", &table(source, &rows));
-    section.set("unlisted", &(fe.modes.len() - rows.len()));
+    section.set("unlisted", &words::sections::unlisted(fe.modes.len() - rows.len()));
     section.set_figures("figures", drawn(fe).into_iter().map(|m| shape(source, m)).collect());
     Ok(Some(section))
 }

@@ -1,7 +1,6 @@
 //! Ground motion: acceleration, velocity, displacement, and the measures.
 
 use serde::Serialize;
-use tank::units::Dimension;
 
 use super::histories::history;
 use super::{Section, Source};
@@ -10,25 +9,14 @@ use crate::number::{count, fixed, significant};
 use crate::table::{Column, Table};
 use crate::words::{capital, labels};
 use files::error::Error;
-use results::{GROUND_COLUMNS, RecordSummary, VERTICAL_PREFIX};
+use results::channel::Ground;
+use results::{Channel, RecordSummary};
 
 #[derive(Serialize)]
 struct Record {
     direction: String,
     name: String,
     processing: Vec<String>,
-}
-
-/// Titles and dimensions of [`GROUND_COLUMNS`].
-const TITLES: [(&str, Dimension); 3] = [
-    ("Ground acceleration", Dimension::Acceleration),
-    ("Ground velocity", Dimension::Velocity),
-    ("Ground displacement", Dimension::Length),
-];
-
-/// Whether this column of `series.csv` is ground motion.
-pub fn is_ground_motion(id: &str) -> bool {
-    GROUND_COLUMNS.contains(&id.strip_prefix(VERTICAL_PREFIX).unwrap_or(id))
 }
 
 /// Makes the section.
@@ -59,15 +47,13 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
 fn curves(source: &Source, record: &RecordSummary) -> Result<Vec<Figure>, Error> {
     let vertical = record.direction == "vertical";
     let mut figures = Vec::new();
-    for (id, (title, dimension)) in GROUND_COLUMNS.into_iter().zip(TITLES) {
-        let (id, title) = if vertical {
-            (format!("{VERTICAL_PREFIX}{id}"), format!("{title}, vertical"))
-        } else {
-            (id.to_owned(), title.to_owned())
-        };
+    for motion in Ground::ALL {
+        let channel = Channel::Ground { motion, vertical };
+        let id = channel.id();
         let Some(values) = source.column(&id) else {
             continue;
         };
+        let (title, dimension) = (channel.title(), channel.dimension());
         figures.extend(history(source, &id, &title, dimension, values, None, "k-ground")?);
     }
     Ok(figures)

@@ -10,7 +10,7 @@ use crate::number::Scale;
 use crate::table::{Column, Table};
 use crate::words::{figures as words, labels};
 use files::error::Error;
-use results::SeriesInfo;
+use results::{Channel, SeriesInfo};
 
 /// The run that is drawn over the first one's.
 pub(super) struct Second<'a> {
@@ -28,17 +28,28 @@ pub(super) struct Second<'a> {
     pub rules: &'a [(f64, String)],
 }
 
-/// One figure for the first history of `infos` that begins with each of `starts` and that the second run has too.
+/// Whether a history is of a kind.
+pub(super) type Kind = fn(Channel) -> bool;
+
+/// Waves.
+pub(super) const WAVE: Kind = Channel::is_wave;
+/// The base shear.
+pub(super) const BASE_SHEAR: Kind = |channel| channel == Channel::BaseShear;
+/// The moment above the base plate.
+pub(super) const BASE_MOMENT: Kind = |channel| channel == Channel::BaseMoment;
+
+/// One figure for the first history of `infos` of each kind that the second run has too.
 pub(super) fn overlays(
     source: &Source,
     infos: &[SeriesInfo],
-    starts: &[&str],
+    kinds: &[Kind],
     second: &Second,
 ) -> Result<Vec<Figure>, Error> {
     let mut figures = Vec::new();
-    for start in starts {
-        let shown =
-            |s: &&SeriesInfo| s.id.starts_with(start) && source.column(&format!("{}{}", second.prefix, s.id)).is_some();
+    for kind in kinds {
+        let shown = |s: &&SeriesInfo| {
+            s.channel().is_some_and(kind) && source.column(&format!("{}{}", second.prefix, s.id)).is_some()
+        };
         if let Some(info) = infos.iter().find(shown) {
             figures.extend(overlay(source, info, second)?);
         }

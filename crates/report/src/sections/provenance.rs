@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::{Section, Source};
 use crate::number::fixed;
+use crate::words::sections::format;
 use files::error::Error;
 
 #[derive(Serialize)]
@@ -36,7 +37,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     let v = &results.volatile;
     let mut section = Section::new("provenance");
     section.set("files", &files);
-    section.set("format", &results.format);
+    section.set("format", &format(&results.format));
     section.set(
         "volatile",
         &Volatile {

@@ -30,14 +30,16 @@ pub struct Section {
 }
 
 impl Section {
-    /// A section without content yet.
+    /// A section with its sentences, without content yet.
     pub(super) fn new(id: &'static str) -> Section {
-        Section {
+        let mut section = Section {
             id,
-            title: words::headings::section(id),
+            title: words::sections::heading(id),
             context: Context::new(),
             figures: Vec::new(),
-        }
+        };
+        section.set("words", &words::sections::sentences(id));
+        section
     }
 
     /// Hands a value to the template.

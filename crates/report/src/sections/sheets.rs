@@ -8,8 +8,8 @@ use super::{Section, Source};
 use crate::math;
 use crate::methods::excitation;
 use crate::number::parts;
-use crate::words::outcome;
 use crate::words::verdict::LIQUID_PARTED;
+use crate::words::{outcome, sections};
 use files::error::Error;
 use results::compare::MEASURED;
 use results::nonlinear::End;
@@ -24,8 +24,8 @@ struct Sheet {
     title: String,
     excitation: &'static str,
     not_applicable: Vec<String>,
-    /// Lines left out because they are those of the sheet for the record, and its id.
-    shared: usize,
+    /// How many lines are left out because the sheet for the record has them, and its id.
+    shared: String,
     base: String,
     parts: Vec<Part>,
     assumptions: Vec<String>,
@@ -104,14 +104,14 @@ fn is_base(base: &Method, method: &Method) -> bool {
 fn sheet(method: &Method, base: Option<&Method>) -> Sheet {
     let known = base.map_or(&[][..], |b| &b.steps);
     let mut shared = 0;
-    let mut sections: Vec<Part> = Vec::new();
+    let mut found: Vec<Part> = Vec::new();
     for step in &method.steps {
         if known.contains(step) {
             shared += 1;
             continue;
         }
-        if sections.last().is_none_or(|s| s.title != step.section) {
-            sections.push(Part {
+        if found.last().is_none_or(|s| s.title != step.section) {
+            found.push(Part {
                 title: step.section.clone(),
                 lines: Vec::new(),
             });
@@ -135,7 +135,7 @@ fn sheet(method: &Method, base: Option<&Method>) -> Sheet {
         } else {
             step.substitution.as_str()
         };
-        if let Some(part) = sections.last_mut() {
+        if let Some(part) = found.last_mut() {
             part.lines.push(LineView {
                 name: step.name.clone(),
                 symbol: math::symbol(&step.symbol),
@@ -161,9 +161,9 @@ fn sheet(method: &Method, base: Option<&Method>) -> Sheet {
             Status::Computed => Vec::new(),
             Status::NotApplicable { clause, reason } => vec![format!("{clause}: {reason}")],
         },
-        shared,
+        shared: sections::shared(shared),
         base: base.map_or(String::new(), sheet_id),
-        parts: sections,
+        parts: found,
         assumptions: method.assumptions.clone(),
         notes: method.notes.clone(),
     }

@@ -11,13 +11,12 @@ use crate::table::{Column, Table, spread};
 use crate::words::figures::spatial as words;
 use crate::words::{capital, labels};
 use files::error::Error;
-use results::channel::{BASE_MOMENT, BASE_SHEAR, WAVE_HEIGHT};
 use results::{DeformedShape, EngineId, FE, Fields, Picture};
 
 /// Part of the tank's largest dimension that the largest displacement drawn takes.
 const SWING: f64 = 0.12;
-/// Histories of both engines drawn over each other, by the beginning of their id.
-const OVERLAID: [&str; 3] = [WAVE_HEIGHT, BASE_SHEAR, BASE_MOMENT];
+/// Histories of both engines drawn over each other.
+const OVERLAID: [overlay::Kind; 3] = [overlay::WAVE, overlay::BASE_SHEAR, overlay::BASE_MOMENT];
 
 /// Makes the section.
 pub fn make(source: &Source) -> Result<Option<Section>, Error> {

@@ -9,13 +9,13 @@ use crate::figure::{Figure, Room, sketch};
 use crate::number::{Scale, plain, significant};
 use crate::table::{Column, Table};
 use crate::words::labels::tank as words;
+use crate::words::sections::deformability;
 use crate::words::{capital, figures};
 use files::error::Error;
 
 #[derive(Serialize)]
 struct Deformability {
-    as_printed: String,
-    corrected: String,
+    parameter: String,
     note: String,
 }
 
@@ -84,16 +84,15 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("facts", &facts);
     section.set("courses", &courses(source));
     section.set("layers", &layers(source));
-    let deformability: Vec<Deformability> = summary
+    let parameter: Vec<Deformability> = summary
         .deformability
         .iter()
         .map(|d| Deformability {
-            as_printed: significant(d.as_printed, 4),
-            corrected: significant(d.corrected, 4),
+            parameter: deformability(&significant(d.as_printed, 4), &significant(d.corrected, 4)),
             note: d.note.clone(),
         })
         .collect();
-    section.set("deformability", &deformability);
+    section.set("deformability", &parameter);
     Ok(Some(section))
 }
 

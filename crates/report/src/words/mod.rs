@@ -7,7 +7,8 @@
 //! |---|---|
 //! | [`differences`] | where methods differ and why |
 //! | [`verdict`], [`outcome`] | whether the tank holds, whether the results are complete, how a nonlinear run ended |
-//! | [`headings`], [`labels`] | titles of sections, heads of columns, labels of rows |
+//! | [`sections`] | titles of sections and the sentences of their templates |
+//! | [`labels`] | heads of columns, labels of rows |
 //! | [`summary`] | the first page |
 //! | [`figures`] | captions and descriptions of figures |
 //! | [`facts`] | names of the numbers of a model |
@@ -17,11 +18,11 @@
 pub mod differences;
 pub mod facts;
 pub mod figures;
-pub mod headings;
 pub mod ida;
 pub mod labels;
 pub mod outcome;
 pub mod push;
+pub mod sections;
 pub mod summary;
 pub mod terminal;
 pub mod verdict;

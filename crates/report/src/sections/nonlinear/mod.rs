@@ -15,12 +15,14 @@ use crate::words::capital;
 use crate::words::verdict::LIQUID_PARTED;
 use crate::words::{labels, outcome};
 use files::error::Error;
-use results::channel::{BASE_MOMENT, BASE_SHEAR, WALL_MOMENT, WAVE_HEIGHT};
+use results::channel::OnWall;
 use results::nonlinear::{BaseMoment, Count, End, Event, Nonlinear};
 use results::{EngineId, FE, Run, SeriesInfo};
 
-/// Histories of both engines drawn over each other, by the beginning of their id.
-const OVERLAID: [&str; 4] = [WAVE_HEIGHT, BASE_SHEAR, BASE_MOMENT, WALL_MOMENT];
+/// Histories of both engines drawn over each other.
+const OVERLAID: [overlay::Kind; 4] = [overlay::WAVE, overlay::BASE_SHEAR, overlay::BASE_MOMENT, |channel| {
+    channel.on_wall() == Some(OnWall::Moment)
+}];
 /// Histories that the linear engine does not have, drawn at most.
 const MOST: usize = 8;
 

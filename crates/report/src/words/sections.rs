@@ -1,0 +1,281 @@
+//! Sections and pages: their titles and the sentences of their templates.
+
+use std::collections::BTreeMap;
+
+/// Title and sentences of a section or page.
+struct Words {
+    id: &'static str,
+    title: &'static str,
+    /// Sentences by the key under which the template has them, `words.<key>`; names of files and keys in backquotes.
+    sentences: &'static [(&'static str, &'static str)],
+}
+
+/// A section without sentences.
+const fn title(id: &'static str, title: &'static str) -> Words {
+    Words {
+        id,
+        title,
+        sentences: &[],
+    }
+}
+
+const ALL: &[Words] = &[
+    Words {
+        id: "summary",
+        title: "Summary",
+        sentences: &[
+            ("seismic", "Seismic part, absolute maxima."),
+            ("engine", "Dashed line: finite elements; × ratio to them."),
+            (
+                "site",
+                "Full bars: spectrum of the record; light bars: design spectrum of the site.",
+            ),
+        ],
+    },
+    Words {
+        id: "comparison",
+        title: "Quantities by method",
+        sentences: &[
+            (
+                "seismic",
+                "Seismic part alone, absolute maxima over time and circumference.",
+            ),
+            (
+                "ratios",
+                "Below each value: its ratio to the finite elements under the record. The site columns have another ground motion, and \
+                 the codes may reduce its forces: there the ratio shows the size of the design action, not the accuracy of the method.",
+            ),
+        ],
+    },
+    title("partings", "Differences between methods"),
+    title("reported", "Measured and published values"),
+    Words {
+        id: "checks",
+        title: "Checks",
+        sentences: &[(
+            "utilisation",
+            "Utilisation is demand over capacity; the tick on the bar marks 100 %.",
+        )],
+    },
+    title("tank", "Tank and liquid"),
+    Words {
+        id: "input",
+        title: "Input",
+        sentences: &[
+            ("resolved", "Every value of the input file as resolved."),
+            ("defaults", "Values marked `default` were not in the file."),
+        ],
+    },
+    title("motion", "Ground motion"),
+    title("spectra", "Spectra"),
+    Words {
+        id: "modes",
+        title: "Modes",
+        sentences: &[(
+            "coupled",
+            "Coupled modes of wall and liquid. m: circumferential wave number; effective mass in the direction of shaking.",
+        )],
+    },
+    Words {
+        id: "profiles",
+        title: "Pressure and stress over the height",
+        sentences: &[
+            ("side", "At θ = 0, the side towards which the ground moves."),
+            (
+                "maxima",
+                "The codes give absolute maxima; the finite elements give the largest and smallest values over time.",
+            ),
+        ],
+    },
+    Words {
+        id: "histories",
+        title: "Time histories",
+        sentences: &[(
+            "marks",
+            "The dot marks the largest absolute value. All samples are in `series.csv`.",
+        )],
+    },
+    Words {
+        id: "nonlinear",
+        title: "Nonlinear run",
+        sentences: &[
+            (
+                "difference",
+                "Seismic part alone, absolute maxima. Both runs have the same ground motion, but each has its own duration: where the \
+                 linear run continues with free vibration after the record, a wave may still rise. Periods and masses are those of \
+                 the initial wall.",
+            ),
+            ("bounds", "≥: the run ended before the ground motion did."),
+            ("numbers", "Vertical lines: the events by their numbers."),
+            (
+                "moments",
+                "At the time of the largest reaction of each wall, signed, with the static state. The reaction of the ground combines \
+                 the stresses of the section, viscous damping, inertia and the pressure on the lowest element; only the part of the \
+                 section is limited by its strength. The last column is the largest bending moment of the lowest section in the \
+                 whole run.",
+            ),
+            (
+                "cracks",
+                "Strokes run along the cracks and are thicker where these are wider. Height and circumference have different scales; \
+                 directions are drawn accordingly.",
+            ),
+            (
+                "loops",
+                "From the static state on, in the order of time; the static state is included.",
+            ),
+        ],
+    },
+    Words {
+        id: "spatial",
+        title: "Three-dimensional run",
+        sentences: &[
+            (
+                "difference",
+                "Both engines solve the same linear problem on different meshes; they differ by discretisation.",
+            ),
+            (
+                "modes",
+                "n: waves around the circumference; m: half waves over the height. The scale of a mode is arbitrary; dashed: \
+                 undeformed.",
+            ),
+            (
+                "moments",
+                "Displacements relative to the ground; wall and free surface are each enlarged by their own factor.",
+            ),
+            (
+                "maps",
+                "Static state and earthquake together. Lines join equal values, at the ticks of the bar.",
+            ),
+        ],
+    },
+    Words {
+        id: "sheets",
+        title: "Calculation sheets",
+        sentences: &[("record", "the sheet for the record")],
+    },
+    Words {
+        id: "engine",
+        title: "Finite-element model",
+        sentences: &[(
+            "mesh_error",
+            "Difference between two meshes, relative to the finer one.",
+        )],
+    },
+    title("limits", "Limits of validity"),
+    Words {
+        id: "provenance",
+        title: "Provenance and reproduction",
+        sentences: &[(
+            "reproduce",
+            "To reproduce, put files with these hashes in one folder and run the command line below; `tankcheck diff` compares the two \
+             results folders number by number.",
+        )],
+    },
+    Words {
+        id: "ida",
+        title: "Incremental dynamic analysis",
+        sentences: &[
+            (
+                "interrupted",
+                "The analysis was interrupted and runs are missing; use `--resume` with the same command to continue.",
+            ),
+            (
+                "moment",
+                "Base moment: reaction of the ground, with damping and inertia. Moment of the section: largest bending moment of the \
+                 lowest section, the integral of its stresses, which its strength limits.",
+            ),
+            (
+                "departures",
+                "These runs passed a limit of the model: their later values are not results. Runs that gained energy were stopped there.",
+            ),
+            (
+                "collapses",
+                "The numbers of these runs are those until the collapse: lower bounds.",
+            ),
+        ],
+    },
+    Words {
+        id: "push",
+        title: "Pushover",
+        sentences: &[(
+            "beam",
+            "Axial stress M/(π R² t) and weight at the lower edge of every course; the table has the governing course and the limit at \
+             that acceleration.",
+        )],
+    },
+];
+
+/// Title of a section or page by its id; the id itself if it is not listed.
+pub fn heading(id: &'static str) -> &'static str {
+    ALL.iter().find(|words| words.id == id).map_or(id, |words| words.title)
+}
+
+/// Sentences of the template of a section or page by their keys.
+pub fn sentences(id: &str) -> BTreeMap<&'static str, &'static str> {
+    let found = ALL.iter().find(|words| words.id == id);
+    found.map_or(&[][..], |words| words.sentences).iter().copied().collect()
+}
+
+/// Histories that are listed and not drawn; empty without any.
+pub fn undrawn(count: usize) -> String {
+    match count {
+        0 => String::new(),
+        1 => "1 further history is listed below, not drawn.".into(),
+        count => format!("{count} further histories are listed below, not drawn."),
+    }
+}
+
+/// Modes that are not listed; empty without any.
+pub fn unlisted(count: usize) -> String {
+    match count {
+        0 => String::new(),
+        1 => "1 higher mode is in `results.json`.".into(),
+        count => format!("{count} higher modes are in `results.json`."),
+    }
+}
+
+/// How many limits of the theory are exceeded.
+pub fn exceeded(count: usize) -> String {
+    match count {
+        0 => "All limits of the linear theory are kept.".into(),
+        1 => "One limit of the linear theory is exceeded.".into(),
+        count => format!("{count} limits of the linear theory are exceeded."),
+    }
+}
+
+/// Lines that a sheet shares with that for the record, up to the link to it; empty without any.
+pub fn shared(count: usize) -> String {
+    match count {
+        0 => String::new(),
+        1 => "Only lines that depend on the ground motion; 1 further line is the same as in".into(),
+        count => format!("Only lines that depend on the ground motion; {count} further lines are the same as in"),
+    }
+}
+
+/// Residual of an energy balance as a part of the largest input.
+pub fn residual(part: &str) -> String {
+    format!("Largest residual {part} of the largest input.")
+}
+
+/// The deformability parameter as printed and corrected.
+pub fn deformability(printed: &str, corrected: &str) -> String {
+    format!("K = {printed} as printed; {corrected} if defined so that a thinner wall deforms more.")
+}
+
+/// Format of the results.
+pub fn format(format: &str) -> String {
+    format!("Results format `{format}`.")
+}
+
+/// Subtitle of the verification manual.
+pub fn manual(version: &str) -> String {
+    format!("tankcheck {version}: computed values next to references from outside the program")
+}
+
+/// Rows of the verification manual: all, those that count, those outside their tolerance.
+pub fn rows(all: usize, counted: usize, outside: usize) -> String {
+    format!(
+        "{all} rows, of which {counted} count as verification (neither regressions nor rows for comparison only); {outside} outside \
+         their tolerance."
+    )
+}
