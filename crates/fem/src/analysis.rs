@@ -1,4 +1,4 @@
-//! Analyses of a model. An analysis knows matrices, loads and histories, and no tank; only [`statics`] looks at elements,
+//! Analyses of a model. An analysis works on matrices, loads and histories, not on tanks; only [`statics`] looks at elements,
 //! to find reactions.
 //!
 //! ```text
@@ -12,12 +12,11 @@
 //! | [`contact`] | statics with joints that open: active sets, augmented Lagrangian; no engine yet, benchmarks only |
 //! | [`damping`] | Rayleigh, by group, modal, dashpots |
 //! | [`motion`] | time steps, and ground motion or the time function of a force on them |
-//! | [`observer`] | histories of scalars, extremes of everything else; [`observable`] says of what |
+//! | [`observer`] | histories of scalars, extremes of everything else; [`observable`] defines the scalars |
 //! | [`scheme`] | generalised-α and its special cases: Newmark, Hilber-Hughes-Taylor, trapezoidal rule |
 //! | [`transient`] | direct time integration, one factor for many records, with energy balance |
 //! | [`newton`] | one nonlinear load or time step; static load paths |
 //! | [`march`] | nonlinear time histories: static start, cut steps, energy balance, observers |
-//! | [`substructure`] | a linear part of a structure as one element |
 //! | [`checkpoint`] | files that a long march is resumed from |
 //! | [`continuation`] | static paths beyond limit points: displacement control, arc length |
 //! | [`buckling`] | linear buckling about a loaded state |
@@ -42,7 +41,6 @@ pub mod observer;
 pub mod scheme;
 pub mod spectrum;
 pub mod statics;
-pub mod substructure;
 pub mod sweep;
 pub mod system;
 pub mod transient;
@@ -56,7 +54,7 @@ pub enum AnalysisError {
     /// A factorisation or an eigenvalue analysis failed.
     #[error("{what}: {source}")]
     Linalg {
-        /// What was being factored or solved.
+        /// The matrix being factored, or the system being solved.
         what: &'static str,
         /// The failure.
         source: LinalgError,
@@ -95,7 +93,7 @@ pub enum AnalysisError {
     },
 }
 
-/// Names what failed in the linear algebra.
+/// Names the failed step of linear algebra.
 pub(crate) fn failed(what: &'static str) -> impl Fn(LinalgError) -> AnalysisError {
     move |source| AnalysisError::Linalg { what, source }
 }

@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn indefinite_is_refused() {
+    fn indefinite_is_rejected() {
         let mut a = example();
         a.add(2, 2, -4.0);
         assert!(matches!(

@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn indefinite_stiffness_is_refused() {
+    fn indefinite_stiffness_is_rejected() {
         let (k, m) = chain(4, -1.0);
         assert!(matches!(
             generalized_eigen(&k, &m, None),

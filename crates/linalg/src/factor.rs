@@ -246,25 +246,6 @@ impl Factor {
         Ok(x.data)
     }
 
-    /// B ← A⁻¹ B with one step of iterative refinement; returns the largest ‖b − A x‖/‖b‖ that remains.
-    ///
-    /// Errors: not enough memory.
-    pub fn solve_refined(&self, matrix: &Symmetric, b: &mut Matrix) -> Result<f64, LinalgError> {
-        let right = b.clone();
-        self.solve(b)?;
-        let mut rest = residual(matrix, b, &right);
-        self.solve(&mut rest)?;
-        for (x, d) in b.data.iter_mut().zip(&rest.data) {
-            *x += d;
-        }
-        let rest = residual(matrix, b, &right);
-        let ratio = |j: usize| {
-            let (r, f) = (norm(rest.column(j)), norm(right.column(j)));
-            if r == 0.0 { 0.0 } else { r / f }
-        };
-        Ok((0..b.cols).map(ratio).fold(0.0, f64::max))
-    }
-
     /// Signs of the pivots.
     pub fn inertia(&self) -> Inertia {
         let mut negative = 0;
@@ -319,19 +300,6 @@ impl std::fmt::Debug for Factor {
 
 fn memory(scratch: StackReq, size: usize) -> Result<MemBuffer, LinalgError> {
     MemBuffer::try_new(scratch).map_err(|_| LinalgError::Memory { size })
-}
-
-fn norm(x: &[f64]) -> f64 {
-    super::dot(x, x).sqrt()
-}
-
-/// B − A X.
-fn residual(matrix: &Symmetric, x: &Matrix, b: &Matrix) -> Matrix {
-    let mut out = b.clone();
-    for j in 0..b.cols {
-        matrix.add_product(-1.0, x.column(j), out.column_mut(j));
-    }
-    out
 }
 
 /// 1/√|a_ii|, rounded to a power of two so that scaling is exact; 1 where the diagonal is zero.

@@ -145,33 +145,6 @@ pub fn modes(pencil: &dyn Pencil, search: &Search) -> Result<Modes, LinalgError>
     }
 }
 
-/// All modes with `from` < ω < `to` [rad/s]; `from` = 0 takes K + s M with a small positive `s` if K is singular.
-///
-/// Errors: as [`modes`].
-pub fn modes_between(pencil: &dyn Pencil, from: f64, to: f64) -> Result<Modes, LinalgError> {
-    let (low, high) = (from * from, to * to);
-    let first = if from > 0.0 { pencil.count_below(low)? } else { 0 };
-    let number = pencil.count_below(high)? - first;
-    let shift = if from > 0.0 { -0.5 * (low + high) } else { 0.0 };
-    let search = Search {
-        shift,
-        prove: false,
-        ..Search::lowest(number)
-    };
-    let mut found = modes(pencil, &search)?;
-    let inside = found.lambda.iter().filter(|&&l| low < l && l < high).count();
-    if inside != number {
-        return Err(LinalgError::Count {
-            found: inside,
-            counted: number,
-            from: low,
-            to: high,
-        });
-    }
-    found.complete_in = Some((if from > 0.0 { low } else { f64::NEG_INFINITY }, high));
-    Ok(found)
-}
-
 /// A Ritz pair: θ and the coefficients of its vector.
 #[derive(Clone, Debug)]
 struct Pair {

@@ -7,7 +7,6 @@ mod basis;
 mod dense;
 mod eigen;
 mod factor;
-mod krylov;
 mod lanczos;
 mod ordering;
 mod pencil;
@@ -21,8 +20,7 @@ mod three_field;
 pub use dense::{Cholesky, product, transposed_product};
 pub use eigen::{Eigen, generalized_eigen};
 pub use factor::{Factor, Inertia, Kind};
-pub use krylov::{Reduced, Reduction, reduce};
-pub use lanczos::{Modes, Search, modes, modes_between};
+pub use lanczos::{Modes, Search, modes};
 pub use ordering::Ordering;
 pub use pencil::{Pencil, Shifted, Sparse};
 pub use sparse::{SparseCholesky, Triplets};
@@ -46,19 +44,6 @@ pub enum LinalgError {
     Singular {
         /// Number of rows.
         size: usize,
-    },
-    /// A factor larger than the limit of the caller.
-    #[error(
-        "the factor of {size} unknowns needs {:.2} GB, allowed {:.2} GB: take a coarser mesh or allow more",
-        *needed as f64 / 1e9, *allowed as f64 / 1e9
-    )]
-    TooLarge {
-        /// Number of rows.
-        size: usize,
-        /// Memory needed [bytes].
-        needed: usize,
-        /// Memory allowed [bytes].
-        allowed: usize,
     },
     /// An order of elimination that does not list every unknown once.
     #[error("the order of elimination does not list each of the {size} unknowns once")]
@@ -101,7 +86,7 @@ pub enum LinalgError {
         /// Its column.
         column: usize,
     },
-    /// A liquid that nothing bounds and nothing moves.
+    /// A liquid without boundary condition or coupling.
     #[error("the liquid of unknown {unknown} is not coupled to a surface, a wall or a fixed potential")]
     UncoupledLiquid {
         /// One of its unknowns.

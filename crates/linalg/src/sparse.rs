@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn singular_is_refused() {
+    fn singular_is_rejected() {
         let mut a = Triplets::new(2);
         for (i, j, v) in [(0, 0, 1.0), (1, 0, -1.0), (1, 1, 1.0)] {
             a.add(i, j, v);

@@ -2,13 +2,13 @@
 
 use std::sync::{Arc, OnceLock};
 
+use faer::Side;
 use faer::perm::PermRef;
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
-use faer::{Par, Side};
 
 use super::factor::{Factor, Kind};
 use super::{LinalgError, Ordering, Pattern, Symmetric};
@@ -86,18 +86,6 @@ impl Symbolic {
         self.symbolic.len_val()
     }
 
-    /// Memory of a factor with its working space during the factorisation [bytes].
-    pub fn bytes(&self) -> usize {
-        let scratch = self
-            .symbolic
-            .factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default());
-        let indices = match self.symbolic.raw() {
-            SymbolicCholeskyRaw::Simplicial(s) => s.row_idx().len() + s.col_ptr().len(),
-            SymbolicCholeskyRaw::Supernodal(s) => s.row_idx().len() + 5 * s.n_supernodes(),
-        };
-        8 * (self.entries() + indices) + scratch.unaligned_bytes_required()
-    }
-
     /// Additions and multiplications of one factorisation: Σ over columns of (entries of the column)².
     pub fn flops(&self) -> f64 {
         match self.symbolic.raw() {
@@ -109,21 +97,6 @@ impl Symbolic {
                 })
                 .sum(),
         }
-    }
-
-    /// Rejects a factor that needs more than `allowed` bytes.
-    ///
-    /// Errors: [`LinalgError::TooLarge`], with both numbers.
-    pub fn check_memory(&self, allowed: usize) -> Result<(), LinalgError> {
-        let needed = self.bytes();
-        if needed > allowed {
-            return Err(LinalgError::TooLarge {
-                size: self.pattern.size(),
-                needed,
-                allowed,
-            });
-        }
-        Ok(())
     }
 
     /// Factors a matrix on the pattern.

@@ -1,4 +1,4 @@
-//! Models with known answers, and the tests of the sparse solvers on them.
+//! Models with known solutions, and the tests of the sparse solvers on them.
 
 use std::sync::Arc;
 

@@ -72,11 +72,6 @@ impl Newmark {
         Newmark::new(h, 0.25, 0.5)
     }
 
-    /// Linear acceleration: β = 1/6, γ = 1/2; stable for h ≤ 0.551 T only.
-    pub fn linear_acceleration(h: f64) -> Newmark {
-        Newmark::new(h, 1.0 / 6.0, 0.5)
-    }
-
     /// Predicted displacement u₀ + h u̇₀ + h² (1/2 − β) ü₀, to which β h² ü₁ is added.
     pub fn predict_displacement(&self, u: f64, v: f64, a: f64) -> f64 {
         u + self.h * v + self.a3 / self.a0 * a

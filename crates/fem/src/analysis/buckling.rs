@@ -5,7 +5,7 @@
 //! ```
 //!
 //! K₀ is the tangent of the state from which the load grows, positive definite, K_G the geometric stiffness of the stresses that
-//! the load adds to it ([`Assembler::geometric_stiffness`](crate::assembly::Assembler::geometric_stiffness) of the linear answer).
+//! the load adds to it ([`Assembler::geometric_stiffness`](crate::assembly::Assembler::geometric_stiffness) of the linear solution).
 //! K_G is indefinite: a load that buckles a wall where it compresses stiffens it elsewhere. The negative pivots of K₀ + μ K_G
 //! count the buckling loads below μ (Sylvester), which encloses the smallest between μ₁ and a little more; then
 //!
@@ -22,7 +22,7 @@ use crate::linalg::{Kind, LinalgError, Search, Sparse, Symbolic, Symmetric, mode
 
 /// Width of the bracket around the smallest multiplier: the lowest κ is below it, and Lanczos needs a shift that close only.
 const BRACKET: f64 = 1.02;
-/// Multipliers beyond this are none.
+/// Larger multipliers count as infinite.
 const MOST: f64 = 1e9;
 
 /// A buckling mode.

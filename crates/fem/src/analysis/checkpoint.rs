@@ -5,10 +5,10 @@
 //! ```
 //!
 //! Little-endian throughout; numbers are stored bit by bit, so that a resumed run is the uninterrupted one to the last
-//! digit. The **identity** is a hash of the key that the caller gives, which stands for everything the analysis was made from: a
-//! file of another analysis is refused. Checksum and identity are FNV-1a (Fowler, Noll & Vo 1991): they find accidents, not
-//! forgeries. A file is written beside its place and renamed, so that a crash
-//! leaves the old one; what a crash leaves of the new one is replaced by the next.
+//! digit. The **identity** is a hash of the key that the caller gives, which represents all input of the analysis: a
+//! file of another analysis is rejected. Checksum and identity are FNV-1a (Fowler, Noll & Vo 1991): they detect accidents, not
+//! forgeries. A file is written next to its target and renamed, so that a crash
+//! leaves the old one; the remains of an interrupted write are replaced by the next.
 
 use std::fs::{self, File};
 use std::io::{Read as _, Write as _};
@@ -31,7 +31,7 @@ pub enum CheckpointError {
     File {
         /// File.
         path: String,
-        /// What the system says.
+        /// Message of the operating system.
         reason: String,
     },
     /// No checkpoint.
@@ -55,7 +55,7 @@ pub enum CheckpointError {
         allowed: u64,
     },
     /// Truncated or longer than it should be.
-    #[error("{}: it has {found} bytes instead of {allowed}", if found < allowed { "truncated" } else { "longer than what was written" })]
+    #[error("{}: it has {found} bytes instead of {allowed}", if found < allowed { "truncated" } else { "longer than written" })]
     Length {
         /// Bytes found.
         found: u64,
@@ -90,7 +90,7 @@ pub enum CheckpointError {
         /// Values allowed.
         allowed: &'static str,
     },
-    /// A file from which this analysis cannot go on.
+    /// A file from which this analysis cannot continue.
     #[error("checkpoint {path} cannot be used: {cause}")]
     Unusable {
         /// File.
@@ -121,16 +121,16 @@ impl CheckpointError {
     }
 }
 
-/// Where a checkpoint is written before it is whole.
+/// Where a checkpoint is written until it is complete.
 pub fn unfinished(path: &Path) -> PathBuf {
     let mut beside = path.as_os_str().to_owned();
     beside.push(".part");
     beside.into()
 }
 
-/// Looks whether a file is a sound checkpoint of this version, of whatever analysis.
+/// Checks that a file is an undamaged checkpoint of this version, of any analysis.
 ///
-/// Errors: the file system's; no checkpoint, of another version, truncated, damaged.
+/// Errors: the file system's; not a checkpoint, another version, truncated, damaged.
 pub fn inspect(path: &Path) -> Result<(), CheckpointError> {
     read(path).map(|_| ()).map_err(|e| e.of(path))
 }
@@ -264,13 +264,13 @@ impl Writer {
         self.numbers(&turns);
     }
 
-    /// A part with its length, so that a reader that does not know it can skip it.
+    /// A part with its length, so that a reader can skip a part it does not support.
     pub fn part(&mut self, part: Writer) {
         self.count(part.bytes.len());
         self.bytes.extend(part.bytes);
     }
 
-    /// Writes the file: beside its place ([`unfinished`]), then renamed.
+    /// Writes the file next to its target ([`unfinished`]), then renames it.
     ///
     /// Errors: those of the file system.
     pub fn save(self, path: &Path, identity: u64) -> Result<(), CheckpointError> {
@@ -311,7 +311,7 @@ pub struct Reader {
 impl Reader {
     /// Opens a file of this analysis.
     ///
-    /// Errors: the file system's; no checkpoint, of another version, truncated, damaged, of another analysis.
+    /// Errors: the file system's; not a checkpoint, another version, truncated, damaged, of another analysis.
     pub fn open(path: &Path, identity: u64) -> Result<Reader, CheckpointError> {
         let (found, bytes) = read(path)?;
         if found != identity {
@@ -392,7 +392,7 @@ impl Reader {
         let mut turns = vec![0.0; 4 * fields.rotation.len()];
         self.numbers_into("rotations", &mut turns)?;
         for (q, c) in fields.rotation.iter_mut().zip(turns.chunks_exact(4)) {
-            // Not normalised again: bit by bit what was written.
+            // Not normalised again: bit for bit as written.
             *q = nalgebra::Unit::new_unchecked(nalgebra::Quaternion::new(c[3], c[0], c[1], c[2]));
         }
         state.revert();
@@ -401,7 +401,7 @@ impl Reader {
 
     /// A count that an analysis can have.
     ///
-    /// Errors: the end of the payload, a count out of `range`, of which `allowed` tells in words.
+    /// Errors: the end of the payload, a count out of `range`, which `allowed` states in words.
     pub fn count_within(
         &mut self,
         what: &'static str,
@@ -421,7 +421,7 @@ impl Reader {
 
     /// A text.
     ///
-    /// Errors: the end of the payload, bytes that are no text.
+    /// Errors: the end of the payload, bytes that are not text.
     pub fn text(&mut self) -> Result<String, CheckpointError> {
         let bytes = self.rest("a text")?;
         let found = bytes.len();

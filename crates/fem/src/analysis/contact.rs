@@ -7,10 +7,10 @@
 //! augmented Lagrangian: solve, λ ← max(0, λ − k_n g), solve again; 2 to 4 passes, or until the penetration is small
 //! ```
 //!
-//! A residual alone may pass at the wrong set (an open joint carries next to nothing), so the set is asked for as well. Each
+//! A residual alone may pass at the wrong set (an open joint carries almost no force), so the set is checked as well. Each
 //! pass starts from the last solution. If Newton's method runs between two sets for ever, the step is halved along δu.
 //!
-//! What for: static solutions with [`crate::element::contact8`] where it may open; benchmarks use them. The engines take that
+//! Use: static solutions with [`crate::element::contact8`] where it may open; benchmarks use them. The engines take that
 //! element bonded in linear analyses, and [`crate::element::liquid_joint`] in time.
 //!
 //! Source: Alart & Curnier 1991; Hüeber & Wohlmuth 2005 (active set as semi-smooth Newton); Simo & Laursen 1992 (augmented).
@@ -60,7 +60,7 @@ pub struct ContactReport {
 
 /// Finds the equilibrium under the forces `load` (one an equation) from the committed state and commits it.
 ///
-/// Errors: a load of wrong length, no equilibrium or no repeating set (the state is reverted), an element without an answer,
+/// Errors: a load of wrong length, no equilibrium or no repeating set (the state is reverted), an element that fails,
 /// a singular tangent.
 pub fn settle(
     model: &Model,

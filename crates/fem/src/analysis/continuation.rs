@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Δu is the increment since the committed state; the arc length takes translations only. The first step of an arc is
-//! δλ = ± s/‖δu_p‖, with the sign that goes on in the direction of the step before. Constraint and equilibrium are
+//! δλ = ± s/‖δu_p‖, with the sign that continues in the direction of the previous step. Constraint and equilibrium are
 //! linearised together, so that the iteration is Newton's for both and no root has to be chosen.
 //!
 //! The signs of the pivots of K_T at a committed state count its negative eigenvalues: none is a stable state, a change
@@ -34,7 +34,7 @@ use crate::linalg::{Factor, Kind, Matrix, Symbolic, Symmetric, dot};
 use crate::model::Model;
 use crate::state::State;
 
-/// What a step holds on to.
+/// The quantity that a step prescribes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Constraint {
     /// c · u = value: row (equation, coefficient) as from [`Model::row`], and the value at the end of the step.
@@ -56,7 +56,7 @@ pub struct PathPoint {
     pub negative: Option<usize>,
 }
 
-/// What a path depends on besides its committed state.
+/// State of a path besides its committed fields.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Memory {
     /// λ of the committed state.
@@ -137,7 +137,7 @@ impl<'a> Continuation<'a> {
         self.lambda
     }
 
-    /// What the next step depends on besides the committed state.
+    /// The data that the next step needs besides the committed state.
     pub fn memory(&self) -> Memory {
         Memory {
             factor: self.lambda,
@@ -145,7 +145,7 @@ impl<'a> Continuation<'a> {
         }
     }
 
-    /// Restores what [`Continuation::memory`] gave: with the same committed state the path goes on bit by bit.
+    /// Restores the data of [`Continuation::memory`]: from the same committed state the path continues bit for bit.
     ///
     /// Errors: an increment of wrong length.
     pub fn recall(&mut self, memory: Memory) -> Result<(), AnalysisError> {
@@ -159,7 +159,7 @@ impl<'a> Continuation<'a> {
 
     /// One step from the committed state. On success the state is committed, else reverted.
     ///
-    /// Errors: no convergence, divergence, an element without an answer, a singular tangent.
+    /// Errors: no convergence, divergence, an element that fails, a singular tangent.
     pub fn step(&mut self, state: &mut State, constraint: &Constraint) -> Result<PathPoint, StepFailure> {
         let mut result = self.iterate(state, constraint);
         if result.is_err()
@@ -192,7 +192,7 @@ impl<'a> Continuation<'a> {
 
     /// Eigenpair of K_T of the committed state whose eigenvalue is next to zero: (φᵀ K_T φ/φᵀ φ, φ with its largest entry 1).
     ///
-    /// Errors: an element without an answer, a singular tangent.
+    /// Errors: an element that fails, a singular tangent.
     pub fn lowest_mode(&mut self, state: &mut State) -> Result<(f64, Vec<f64>), StepFailure> {
         state.revert();
         self.respond(state, false)?;
@@ -268,7 +268,7 @@ impl<'a> Continuation<'a> {
             let r: Vec<f64> = applied.iter().zip(&force).map(|(p, f)| p - f).collect();
             let rest = norm(&r);
             largest = largest.max(rest);
-            // Loads that are elements themselves (follower pressure) stand in the internal force and vanish with it.
+            // Loads that are elements themselves (follower pressure) are part of the internal force and vanish with it.
             let scale = (norm(&applied) + norm(&force)).max(largest);
             if !rest.is_finite() || rest > 1e8 * start {
                 return Err(self.divergence(iteration, rest, &r));

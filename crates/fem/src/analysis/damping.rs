@@ -4,8 +4,8 @@
 //! C = a_M M + a_K K + C_s + W D Wᵀ
 //! ```
 //!
-//! * a_M M + a_K K: **Rayleigh** damping, never formed: it costs a step nothing.
-//! * C_s: a sparse matrix on the model's pattern: Rayleigh coefficients **by group** of elements, and **dashpots**.
+//! * a_M M + a_K K: **Rayleigh** damping, never formed: it adds no cost to a step.
+//! * C_s: a sparse matrix on the model's pattern: Rayleigh coefficients **by group** of elements, and **dashpots** (given as a matrix).
 //! * W D Wᵀ with W = M Φ: **modal** damping (Caughey), never formed either. With M-normalised modes,
 //!
 //! ```text
@@ -37,7 +37,7 @@ pub const HIGH: f64 = 0.20;
 /// Ratios below this are flagged in the table.
 pub const LOW: f64 = 0.001;
 
-/// Damping that has no meaning.
+/// Damping that is not admissible.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{option}: found {found}, allowed {allowed}")]
 pub struct DampingError {
@@ -143,7 +143,7 @@ impl Rayleigh {
     }
 }
 
-/// What a ratio means; empty if there is nothing to say.
+/// Remark on a ratio; empty for ordinary ratios.
 pub fn remark(ratio: f64) -> &'static str {
     if ratio < 0.0 {
         "negative: energy is fed into the mode"
@@ -167,7 +167,7 @@ pub struct RatioRow {
     pub omega: f64,
     /// ξ.
     pub ratio: f64,
-    /// What it means ([`remark`]).
+    /// Its [`remark`].
     pub note: &'static str,
 }
 
@@ -408,7 +408,7 @@ mod tests {
     }
 
     proptest! {
-        /// The fit returns the ratios it was given, whatever the order, and refuses exactly outside the inequality.
+        /// The fit returns the given ratios in any order, and rejects exactly those outside the inequality.
         #[test]
         fn fit_meets_both_points(w1 in 0.1f64..50.0, factor in 1.01f64..100.0, x1 in 1e-4f64..0.3, q in 0.001f64..100.0) {
             let (w2, x2) = (w1 * factor, (x1 * q).min(0.99));

@@ -6,14 +6,14 @@
 //!
 //! with K̂ = Φᵀ K Φ … : the modes of a system (all matrices diagonal, unless the damping couples them), any other basis, or
 //! the unit vectors of a small model. L̂ is hysteretic damping, 2 ξ K̂ for the ratio ξ in every mode, which only the frequency
-//! domain knows. Linear systems only.
+//! domain can represent. Linear systems only.
 //!
-//! The discrete transform repeats what it is given. Either zeros are added until the response has died away, at least
+//! The discrete transform continues its input periodically. Either zeros are added until the response has died away, at least
 //! 4.6/(ξ_min ω_min) seconds (to 1 %; 380 s at 0.5 % and 2.4 rad/s), or the transform is taken along σ > 0 (**exponential
 //! window**): the motion times e^{−σt} decays whatever the damping, and the response is multiplied by e^{σt} again. With
-//! σ T = ln 10⁶ what the previous period leaves is 10⁻⁶ of it, and rounding grows to 10⁻¹⁰.
+//! σ T = ln 10⁶ the remainder of the previous period is 10⁻⁶ of it, and rounding grows to 10⁻¹⁰.
 //!
-//! What for: an independent answer to check modal superposition and direct integration with; no engine uses it.
+//! Use: an independent solution to check modal superposition and direct integration with; no engine uses it.
 //!
 //! Source: Clough & Penzien 1993, chapter 6; exponential window: Kausel & Roësset 1992.
 
@@ -194,7 +194,7 @@ impl Reduced {
         let mut outputs = vec![inverse.make_input_vec(); observables.len()];
         let frequencies = length / 2 + 1;
         for f in 0..frequencies {
-            // The highest frequency of an even length has no sign: its sine is not sampled.
+            // The highest frequency of an even length is real: its sine vanishes at the samples.
             let s = Complex::new(sigma, std::f64::consts::TAU * f as f64 / (length as f64 * h));
             let mut right = DVector::from_element(self.mass.nrows(), Complex::new(0.0, 0.0));
             let mut ground = [Complex::new(0.0, 0.0); 3];

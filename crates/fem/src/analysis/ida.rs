@@ -1,8 +1,8 @@
 //! Incremental dynamic analysis: one model under one record at rising scales.
 //!
-//! Nothing is known here of the model: a run is a function of the scale. Runs go to threads as these become free and are
-//! handed to the caller as they finish, who may keep them and ask later for those that are missing; what comes back stands
-//! in the order of the scales and does not depend on the number of threads.
+//! This module does not depend on the model: a run is a function of the scale. Runs go to threads as these become free. Each is
+//! passed to the caller as it finishes, so that the caller may store it and later request only the missing ones; the result
+//! is in the order of the scales and does not depend on the number of threads.
 //!
 //! ```text
 //! demand ▲          ×──▶ collapsed: the demand is at least this (censored)
@@ -12,9 +12,9 @@
 //!        └──────────────▶ scale
 //! ```
 //!
-//! A curve of one record is no smooth function: with more intensity the demand may fall (weaving), and a run above one
+//! A curve of one record is not smooth: with more intensity the demand may fall (weaving), and a run above one
 //! that collapsed may finish (resurrection). **Capacity is a statement over records**, [`RECORDS_FOR_CAPACITY`] of them at
-//! least; a single curve says none.
+//! least; a single curve gives no estimate.
 //!
 //! Source: Vamvatsikos & Cornell 2002.
 
@@ -37,7 +37,7 @@ pub struct Point {
     pub censored: bool,
 }
 
-/// Runs `run(scale)` for every scale on `threads` threads; `each(i, result)` hears, on the calling thread, of every run as it
+/// Runs `run(scale)` for every scale on `threads` threads; `each(i, result)` is called, on the calling thread, for every run as it
 /// finishes.
 ///
 /// Returns the results in the order of the scales, `None` where an interruption came before the run.

@@ -4,12 +4,12 @@
 //! M ü + C u̇ + f_int(u) = p_c − Σ_k M ι_k a_k(t) + Σ p_j f_j(t)
 //! ```
 //!
-//! 1. **Static start**: the constant loads p_c (weight, hydrostatic pressure) are brought up in load steps with the
+//! 1. **Static start**: the constant loads p_c (weight, hydrostatic pressure) are applied in load steps with the
 //!    committed history; then u̇ = 0. Unknowns without stiffness (potentials) rest meanwhile.
 //! 2. **Steps** on the nominal grid; a step that does not converge is halved, down to 2⁻⁶, with the ground motion linear
 //!    inside it; ten steps that converge double it back. An unconverged step is never accepted.
 //! 3. **End**: completed, interrupted, stopped by an observer, or collapsed: no equilibrium with the shortest step, with time,
-//!    place and reason. What was recorded until then is kept in every case.
+//!    place and reason. The record until then is kept in every case.
 //!
 //! Where the load jumps (a record that does not begin or end with zero), the acceleration jumps by M⁻¹ Δp.
 //!
@@ -23,8 +23,8 @@
 //! E_in − E_kin − E_int − E_damp − E_num = Σ r·Δu
 //! ```
 //!
-//! E_num is what the scheme itself dissipates, an identity of generalised-α for any f_int; it vanishes for the trapezoidal
-//! rule. What remains is the work of the residuals that Newton's method left: the balance closes if and only if the steps
+//! E_num is the dissipation of the scheme, an identity of generalised-α for any f_int; it vanishes for the trapezoidal
+//! rule. The remainder is the work of the residuals left by Newton's method: the balance closes if and only if the steps
 //! are converged. E_hyst is summed from the elements, independently, and is a part of E_int.
 //!
 //! Source: Chung & Hulbert 1993; the identity follows from the two update formulas and the equation of motion.
@@ -53,7 +53,7 @@ mod observer;
 pub use energy::{Balance, Energies};
 pub use observer::{Quantity, QuantityObserver, Range, Reaction};
 
-/// What is marched.
+/// The problem.
 #[derive(Clone, Copy)]
 pub struct Problem<'a> {
     /// The model.
@@ -115,16 +115,16 @@ pub struct Checkpoint {
     pub steps: usize,
     /// and after so many seconds (infinite: never), and when the march is interrupted or has come to its end.
     pub seconds: f64,
-    /// What the march belongs to: a hash of everything that model, loads and settings were made from.
+    /// Key of the input: a hash of the data of model, loads and settings.
     pub key: String,
-    /// Go on from the file if there is one.
+    /// Continue from the file if it exists.
     pub resume: bool,
 }
 
-/// What an observer is shown: the start, and every committed step.
+/// What an observer sees: the start, and every committed step.
 #[derive(Clone, Copy)]
 pub struct Instant<'a> {
-    /// What is marched.
+    /// The problem.
     pub problem: Problem<'a>,
     /// Time [s].
     pub time: f64,
@@ -154,7 +154,7 @@ pub trait Observe {
         None
     }
 
-    /// Writes what it has gathered to a checkpoint.
+    /// Writes its data to a checkpoint.
     fn save(&self, _to: &mut super::checkpoint::Writer) {}
 
     /// Reads it back.
@@ -180,7 +180,7 @@ pub struct Collapse {
     pub load_factor: Option<f64>,
     /// Node and dof of the largest residual.
     pub worst: Option<(usize, Dof)>,
-    /// Element without an answer.
+    /// Element that failed.
     pub element: Option<usize>,
     /// The failure of the shortest step.
     pub failure: StepFailure,
@@ -248,7 +248,7 @@ pub struct Run {
 /// Marches `problem` through `load`.
 ///
 /// Errors: vectors of wrong length, parameters out of range, modal damping, loads that are not finite, a checkpoint that
-/// cannot be written or is not of this analysis. Non-convergence is no error but an [`Outcome`].
+/// cannot be written or is not of this analysis. Non-convergence is an [`Outcome`], not an error.
 pub fn march(
     problem: Problem<'_>,
     load: &Load,

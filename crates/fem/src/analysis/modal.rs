@@ -7,8 +7,8 @@
 //!
 //! with M-normalised modes and the components k of the ground motion. Y_j follows from the exact recurrence of
 //! [`oscillator::sdof::Recurrence`]. Modes that are not kept follow the ground statically (the missing mass): their part of
-//! K⁻¹ M ι stays in r, and their relative acceleration vanishes, so that ẍ_total = Σ φ_j Ÿ_j + Σ ι_k a_k. They are no
-//! substitute for a mode that vibrates: the impulsive modes must be among those kept.
+//! K⁻¹ M ι stays in r, and their relative acceleration vanishes, so that ẍ_total = Σ φ_j Ÿ_j + Σ ι_k a_k. They do not
+//! replace a mode that vibrates: the impulsive modes must be among those kept.
 //!
 //! An observable y = d·x + e·ẋ + c·ẍ_total + b·a is a combination of Y_j, Ẏ_j and a_k, and so is its slope (r_k ȧ_k, which
 //! is piecewise constant, is left out of velocities):
@@ -39,7 +39,7 @@ pub struct ModalBasis {
     pub vectors: Matrix,
     /// Γ_jk.
     pub participation: Vec<[f64; 3]>,
-    /// ι_k: total acceleration of the unknowns per unit ground acceleration if nothing moves relative to the ground.
+    /// ι_k: total acceleration of the unknowns per unit ground acceleration without motion relative to the ground.
     pub influence: [Vec<f64>; 3],
     /// r_k; empty for a component without missing mass.
     pub residual: [Vec<f64>; 3],
@@ -169,8 +169,8 @@ impl ModalBasis {
         row
     }
 
-    /// Response to the ground motion of `load` (its forces are refused) with the damping ratio of every mode: histories of
-    /// `scalars`, extremes of `others`. Interrupted, it returns what it has and `false`.
+    /// Response to the ground motion of `load` (its forces are rejected) with the damping ratio of every mode: histories of
+    /// `scalars`, extremes of `others`. If interrupted, it returns the results so far and `false`.
     ///
     /// Errors: a ratio a mode is missing, nodal forces, a response that is not finite.
     pub fn respond(
@@ -267,7 +267,7 @@ impl ModalBasis {
         Ok(())
     }
 
-    /// Runs through time in chunks of the states Y, Ẏ, a until `take` says no more.
+    /// Runs through time in chunks of the states Y, Ẏ, a until `take` returns false.
     fn march(
         &self,
         ratios: &[f64],

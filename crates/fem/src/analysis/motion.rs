@@ -1,7 +1,7 @@
 //! Time steps of a response analysis, and ground motion on them.
 //!
 //! Histories are kept at the samples of the horizontal record; in between, `sub_steps` steps are taken. After the
-//! record the ground is at rest and the response goes on, because slow sloshing may peak later.
+//! record the ground is at rest and the response continues, because slow sloshing may peak later.
 
 use oscillator::record::Record;
 
@@ -22,7 +22,7 @@ impl Grid {
     pub fn new(dt: f64, duration: f64, tail: f64, longest_step: f64) -> Grid {
         Grid {
             dt,
-            // A sub-step longer than asked for by rounding alone is none.
+            // A sub-step that is too long by rounding alone is accepted.
             sub_steps: ((dt / longest_step - 1e-9).ceil() as usize).max(1),
             samples: ((((duration + tail) / dt) - 1e-9).ceil() as usize).max(1) + 1,
         }

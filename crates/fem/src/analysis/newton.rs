@@ -5,28 +5,28 @@
 //! [w_M M + w_C C + w_K K_T] δu = r
 //! ```
 //!
-//! [`super::scheme`] gives the weights: a static step has none of M and C. The step has converged when
+//! [`super::scheme`] gives the weights: a static step has neither M nor C. The step has converged when
 //!
 //! ```text
 //! |δu·r| ≤ 10⁻¹⁰ × first energy of the step        and        ‖r‖ ≤ 10⁻⁴ (‖f_int‖ + ‖M a‖ + ‖C v‖ + ‖p‖)
 //! ```
 //!
-//! of which the first is the sharp one: a criterion of forces alone never passes for thin plates. A step in which next to
-//! nothing happens has no energy to compare with: there |δu·r| ≤ 10⁻²⁴ of the largest first energy so far is enough, or
+//! of which the first is the sharp one: a criterion of forces alone never passes for thin plates. A step with almost
+//! no motion has no energy to compare with: there |δu·r| ≤ 10⁻²⁴ of the largest first energy so far is enough, or
 //! 10⁻¹⁸ if iterations make it no smaller. History and rotations are committed on success only; after a failure the state is
 //! the committed one, and [`load_path`] tries half the step.
 //!
 //! Aids, all in [`Options`]:
 //!
-//! * **Modified Newton**: the factor is kept as long as every iteration cuts ‖r‖ to a quarter, and made anew when one
+//! * **Modified Newton**: the factor is kept as long as every iteration cuts ‖r‖ to a quarter, and recomputed when one
 //!   does not. Linear elements are assembled once ([`crate::assembly::LinearPart`]).
 //! * **Line search**: with g(s) = δu·r(u + s δu), s is looked for between 0.1 and 1 where |g(1)| > 0.8 |g(0)| and g has
 //!   changed its sign or grown.
-//! * **Initial stiffness**: a step that has failed is tried once more with the stiffness of the virgin model in place
+//! * **Initial stiffness**: a step that has failed is tried once more with the initial stiffness in place
 //!   of K_T, which softening cannot make indefinite.
 //! * **Tangent damping**: C_T = Σ a_K K_e⁺ of the last committed tangents, K_e⁺ the positive part of an element's.
 //!
-//! Source: Bathe 1996, section 8.4; Matthies & Strang 1979 (line search); criteria after the theory sheet of this project.
+//! Source: Bathe 1996, section 8.4; Matthies & Strang 1979 (line search); criteria: theory manual.
 
 use std::sync::Arc;
 
@@ -98,11 +98,11 @@ impl Options {
 
 impl Options {
     /// Full Newton without line search, for joints that open: a kept factor is that of another set of closed points, and between two
-    /// sets the residual of the full step says nothing of the next one.
+    /// sets the residual of the full step does not predict that of the next one.
     pub fn for_contact() -> Options {
         Options {
             criteria: Criteria {
-                // What a wrong set leaves is small: a joint near the surface carries little.
+                // The residual of a wrong set is small: a joint near the surface carries little.
                 energy: 1e-18,
                 force: 1e-9,
                 ..Criteria::default()
@@ -167,7 +167,7 @@ pub enum StepFailure {
         /// Its dof.
         dof: crate::dofs::Dof,
     },
-    /// An element has no answer.
+    /// An element failed.
     #[error("element {number}: {source}")]
     Element {
         /// Number of the element.
@@ -180,7 +180,7 @@ pub enum StepFailure {
     Tangent(AnalysisError),
 }
 
-/// What the steps have cost so far.
+/// Cost of the steps so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost {
     /// Steps that converged.
@@ -197,7 +197,7 @@ pub struct Cost {
     pub searches: u64,
 }
 
-/// What is constant over the steps of an analysis, and what is kept from one to the next.
+/// Constants of an analysis, and data kept from one step to the next.
 pub struct Newton<'a> {
     model: &'a Model,
     assembler: &'a Assembler,
@@ -241,7 +241,7 @@ pub struct Inertia<'a> {
     pub mass: &'a Symmetric,
     /// K of the damping.
     pub stiffness: &'a Symmetric,
-    /// C; its modal part is refused.
+    /// C; its modal part is rejected.
     pub damping: &'a Damping,
 }
 
@@ -322,7 +322,7 @@ impl<'a> Newton<'a> {
         self
     }
 
-    /// What the steps have cost so far.
+    /// Cost of the steps so far.
     pub fn cost(&self) -> Cost {
         self.cost
     }
@@ -334,7 +334,7 @@ impl<'a> Newton<'a> {
 
     /// Internal forces at the committed state; evaluated if they are not those of the last step.
     ///
-    /// Errors: an element without an answer.
+    /// Errors: an element that fails.
     pub fn committed_forces(&mut self, state: &mut State) -> Result<&Forces, StepFailure> {
         let known = self.committed_at.as_ref().is_some_and(|u| *u == state.committed.u);
         if !known {
@@ -356,7 +356,7 @@ impl<'a> Newton<'a> {
     /// One step from the committed state under the loads `p0` at its beginning and `p1` at its end. On success the state is
     /// committed, else reverted.
     ///
-    /// Errors: no convergence, divergence, an element without an answer, a singular tangent.
+    /// Errors: no convergence, divergence, an element that fails, a singular tangent.
     pub fn step(
         &mut self,
         scheme: &dyn Scheme,
@@ -413,7 +413,7 @@ impl<'a> Newton<'a> {
         Ok(out)
     }
 
-    /// Adds M⁻¹ `force` to the committed acceleration: what a jump of the loads does. M may be singular (rotations without
+    /// Adds M⁻¹ `force` to the committed acceleration: the effect of a jump of the loads. M may be singular (rotations without
     /// inertia): (M + ε K) Δa = Δp with ε = 10⁻⁶ h²/4 is solved and refined once against M.
     ///
     /// Errors: no inertia was given, a matrix that cannot be factored.

@@ -1,4 +1,4 @@
-//! What is observed of a response: linear functionals of displacement, velocity and total acceleration.
+//! Observed quantities: linear functionals of displacement, velocity and total acceleration.
 //!
 //! ```text
 //! y = d·x + e·ẋ + c·(ẍ + Σ ι_k a_k) + Σ b_k a_k
@@ -48,7 +48,7 @@ impl Observable {
     pub fn acceleration(model: &Model, node: usize, dof: Dof) -> Observable {
         let mut ground = [0.0; 3];
         if dof.index() < 3 {
-            // What the supports hold of this component moves with the ground.
+            // The held part of this component moves with the ground.
             for (k, b) in ground.iter_mut().enumerate() {
                 let own = held_part(model, node, &unit(k));
                 *b = own[dof.index()];
@@ -286,7 +286,7 @@ mod tests {
             let carried = assembler.inertia(&model, rigid);
             let mut ground = [0.0; 3];
             for (k, g) in ground.iter_mut().enumerate() {
-                // Closed form: ∫ ρ w_k dV of the tower 1 × 1 × 4, less what the free nodes carry with ι.
+                // Closed form: ∫ ρ w_k dV of the tower 1 × 1 × 4, less the part of the free nodes.
                 let whole = density
                     * match (field.is_some(), k) {
                         (false, 0) => 4.0,

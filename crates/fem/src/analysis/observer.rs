@@ -1,7 +1,7 @@
 //! Observation of a response: histories of a few scalars, extremes of many, without keeping any history of the many.
 //!
 //! An analysis hands over its state in [`Chunk`]s of time. Every observed quantity is a [`Row`], a linear combination of
-//! the state. A row is worked out over a chunk only if the extremes of the states there could exceed what was found so
+//! the state. A row is worked out over a chunk only if the extremes of the states there could exceed those found so
 //! far:
 //!
 //! ```text
@@ -9,7 +9,7 @@
 //! ```
 //!
 //! which leaves the strong part of the motion. Between the samples of the state the response is followed by the cubic
-//! through values and slopes at both ends of a step, where the analysis knows slopes: with 20 steps a period its error
+//! through values and slopes at both ends of a step, where the analysis provides slopes: with 20 steps a period its error
 //! is (2π/20)⁴/384 = 2.5e-5 of the amplitude, while the samples alone may miss 1 − cos(π/20) = 1.2 %.
 
 use super::motion::Grid;
@@ -48,11 +48,6 @@ impl Chunk {
         &self.data[row * Chunk::STRIDE..][..self.len]
     }
 
-    /// The instants of one state, to be filled.
-    pub fn state_mut(&mut self, row: usize) -> &mut [f64] {
-        &mut self.data[row * Chunk::STRIDE..][..self.len]
-    }
-
     /// The instants of two neighbouring blocks of states at once: state `row` and state `other` > `row`.
     pub fn pair_mut(&mut self, row: usize, other: usize) -> (&mut [f64], &mut [f64]) {
         let (head, tail) = self.data.split_at_mut(other * Chunk::STRIDE);
@@ -84,7 +79,7 @@ impl Chunk {
     }
 }
 
-/// An observed quantity y = Σ c_k s_k, and its slope where the analysis knows it.
+/// An observed quantity y = Σ c_k s_k, and its slope where the analysis provides it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Row {
     /// (state k, coefficient c_k).
@@ -186,7 +181,7 @@ pub struct History {
     pub extreme: Extreme,
 }
 
-/// What an analysis observed.
+/// Observations of an analysis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observed {
     /// Histories of the scalar rows.
@@ -246,7 +241,7 @@ impl<'a> Observer<'a> {
         }
     }
 
-    /// What was observed.
+    /// The observations.
     pub fn finish(self) -> Observed {
         self.observed
     }
@@ -321,7 +316,7 @@ mod tests {
             chunk.len = (grid.steps() - chunk.start).min(Chunk::LENGTH) + 1;
             for k in 0..chunk.len {
                 let t = grid.time(chunk.start + k);
-                // Rows start at rest, then swell.
+                // Rows start at zero, then grow.
                 let swell = 1.0 - (-0.1 * t).exp();
                 chunk.set(0, k, swell * (omega * t).sin());
                 chunk.set(1, k, swell * (omega * t).cos());
@@ -358,7 +353,7 @@ mod tests {
             assert!(extreme.max_time > 70.0);
         }
         for (history, extreme) in observed.scalars.iter().zip(&observed.extremes) {
-            assert_eq!(history.extreme, *extreme, "pruning changes nothing");
+            assert_eq!(history.extreme, *extreme, "pruning must not change the result");
             assert_eq!(history.values.len(), grid.samples);
         }
     }

@@ -175,7 +175,7 @@ impl GeneralizedAlpha {
     }
 }
 
-/// What Newton's method needs to know of a load or time step.
+/// A load or time step as seen by Newton's method.
 pub trait Scheme {
     /// First guess of the trial fields.
     ///

@@ -52,7 +52,7 @@ pub fn correlation(first: (f64, f64), second: (f64, f64)) -> f64 {
 pub struct Component<'a> {
     /// Axis (0, 1, 2).
     pub axis: usize,
-    /// Pseudo-acceleration S_a(mode, ω, ξ) [m/s²]. The number of the mode lets sloshing have a spectrum of its own.
+    /// Pseudo-acceleration S_a(mode, ω, ξ) [m/s²]. The number of the mode allows a separate spectrum for sloshing.
     pub spectrum: &'a dyn Fn(usize, f64, f64) -> f64,
     /// Zero-period acceleration for the missing mass [m/s²].
     pub zero_period: f64,
@@ -74,7 +74,7 @@ pub struct Peak {
 /// Peaks of `observables`.
 ///
 /// Errors: a ratio a mode is missing, an axis that does not exist, an observable of velocities, for which spectra of
-/// pseudo-acceleration say nothing.
+/// pseudo-acceleration do not apply.
 // Long: modal parts, missing mass and components share their arrays.
 pub fn peaks(
     basis: &ModalBasis,

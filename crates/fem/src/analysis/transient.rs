@@ -7,7 +7,7 @@
 //!
 //! The acceleration is the unknown. K u, K v, K a, M v and M a are carried along, and a step extends them by the products
 //! of the new acceleration alone: **one sweep over the matrices and one solve**, with Rayleigh damping too. They are
-//! formed anew from u and v every 32 steps, so that rounding does not add up. All records share one factor and are solved
+//! recomputed from u and v every 32 steps, so that rounding does not add up. All records share one factor and are solved
 //! together, a column each.
 //!
 //! # Energy balance
@@ -20,7 +20,7 @@
 //!
 //! With trapezoidal increments ½ (f₀ + f₁)·Δx it closes for the trapezoidal rule up to rounding, whatever the step: it
 //! proves the matrices symmetric, the factor right and the equations solved, not the step short. For the dissipative
-//! schemes the residual is what they dissipate.
+//! schemes the residual is their dissipation.
 //!
 //! Where the load jumps (at the start, and at the end of a record that does not end with zero) the acceleration jumps by
 //! M⁻¹ Δp. M may be singular (rotations without inertia), so (M + ε K) Δa = Δp is solved instead, with ε = 10⁻⁶ h²/4, and
@@ -137,7 +137,7 @@ pub struct Energy {
 }
 
 impl Energy {
-    /// Largest |E_in − E_kin − E_el − E_damp|, relative to the largest |E_in|, or energy held if nothing does work.
+    /// Largest |E_in − E_kin − E_el − E_damp|, relative to the largest |E_in|, or stored energy if no load does work.
     pub fn error(&self) -> f64 {
         let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
         for i in 0..self.input.len() {
@@ -221,7 +221,7 @@ impl Watch<'_> {
         }
     }
 
-    /// Slopes of what depends on accelerations, by differences of the second order.
+    /// Slopes of observables that depend on accelerations, by differences of the second order.
     fn differentiate(&mut self, h: f64) {
         let count = self.observables.len();
         for (j, (row, on_ground)) in self.observables.iter().zip(&self.ground).enumerate() {
@@ -252,10 +252,10 @@ impl Observable {
 ///
 /// `symbolic` is the symbolic factor of the system's pattern. All motions must stand on the grid of `settings`.
 ///
-/// Interrupted, it returns what it has, marked incomplete.
+/// If interrupted, it returns the results so far, marked incomplete.
 ///
 /// Errors: vectors of wrong length, an effective matrix that cannot be factored, a response that is not finite.
-// Long: what is checked and laid out here is what the loop at its end needs.
+// Long: checks and layout serve the loop at its end.
 pub fn integrate(
     system: &System,
     symbolic: &Arc<Symbolic>,

@@ -8,7 +8,7 @@
 //! tangent           ∂f/∂u = A_ab n_a n_bᵀ with the signs of top and bottom
 //! ```
 //!
-//! **Nodal normals.** On a curved wall two facets meet at a node. If each took its own flat normal, the node would feel two
+//! **Nodal normals.** On a curved wall two facets meet at a node. With the flat normal of each facet the node has two
 //! different normals n₁, n₂; closing both gaps holds two components of the slip and locks the liquid to the wall along the
 //! circumference. With one normal a node, taken from the exact geometry or averaged, a slip along the wall is free:
 //! Σ N_a n_a · u_a vanishes identically for u_a ⟂ n_a.
@@ -20,9 +20,9 @@
 //!
 //! **Augmented Lagrangian.** With a multiplier λ_a (pressure, ≥ 0 where the joint may open) as history at each corner, the
 //! gap in all formulas is g_a − λ_a/k_n, and after a solution λ_a ← max(0, λ_a − k_n g_a) (Uzawa): the penetration goes to
-//! zero with the penalty as it is. [`crate::analysis::contact`] runs the passes.
+//! zero with the given penalty. [`crate::analysis::contact`] runs the passes.
 //!
-//! **Partly closed faces** are cut at g = 0 (`contact8_area`). The moving boundary adds nothing to the tangent, as
+//! **Partly closed faces** are cut at g = 0 (`contact8_area`). The moving boundary does not contribute to the tangent, as
 //! the integrand vanishes there. The normals are those of the reference state (small rotations of the face).
 //!
 //! Penalty: k_n = 10² … 10³ max(K_liquid/h, E t/R²); measured effect in docs/theory/solid-and-contact.md.
@@ -41,14 +41,14 @@ use crate::shape::quad4;
 
 const KIND: &str = "contact8";
 
-/// What the joint transmits.
+/// Forces that the joint transmits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactLaw {
     /// Normal penalty stiffness k_n [N/m³], > 0.
     pub normal_stiffness: f64,
     /// Tangential stiffness k_t [N/m³], ≥ 0 (0 for liquids). It acts on the whole face, open or closed.
     pub tangential_stiffness: f64,
-    /// What an open joint does.
+    /// Behaviour of an open joint.
     pub opening: Opening,
     /// How partly closed faces are integrated.
     pub integration: Integration,
@@ -56,7 +56,7 @@ pub struct ContactLaw {
     pub augmented: bool,
 }
 
-/// What an open joint does.
+/// Behaviour of an open joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Opening {
     /// It cannot open: tension is transmitted like pressure.
@@ -136,8 +136,6 @@ pub struct Contact8 {
     corners: [[f64; 3]; 4],
     normals: [Vector3<f64>; 4],
     law: ContactLaw,
-    /// Gaps in the reference state [m].
-    initial: [f64; 4],
 }
 
 impl Contact8 {
@@ -147,7 +145,7 @@ impl Contact8 {
     /// * `normals`: unit normal at each corner, global Cartesian, from bottom to top; one a node for all faces that meet
     ///   there
     ///
-    /// Errors: a parameter out of range, a normal that is no unit vector, a face without area.
+    /// Errors: a parameter out of range, a normal that is not a unit vector, a face without area.
     pub fn new(
         face: &Face,
         chart: Chart,
@@ -159,7 +157,7 @@ impl Contact8 {
         law.check()?;
         for normal in normals {
             let length = Vector3::from(normal).norm();
-            // Normals are given to working accuracy; a longer one would scale the penalty by its square.
+            // Normals are given to working accuracy; another length scales the penalty by its square.
             if length.is_nan() || (length - 1.0).abs() > 1e-9 {
                 return Err(ElementError::Parameter {
                     kind: KIND,
@@ -178,7 +176,6 @@ impl Contact8 {
             corners: face.chart,
             normals: normals.map(Vector3::from),
             law,
-            initial: [0.0; 4],
         };
         let mut least = f64::INFINITY;
         Gap::whole(|r, s, _| least = least.min(element.area_factor(r, s)));
@@ -192,22 +189,6 @@ impl Contact8 {
         Ok(element)
     }
 
-    /// The same with gaps at the corners in the reference state [m], positive where open.
-    ///
-    /// Errors: a gap that is not finite.
-    pub fn with_initial_gaps(mut self, gaps: [f64; 4]) -> Result<Contact8, ElementError> {
-        if gaps.iter().any(|g| !g.is_finite()) {
-            return Err(ElementError::Parameter {
-                kind: KIND,
-                parameter: "initial gap",
-                found: format!("{gaps:?}"),
-                allowed: "finite",
-            });
-        }
-        self.initial = gaps;
-        Ok(self)
-    }
-
     /// Area of the face [m²].
     pub fn area(&self) -> f64 {
         let mut sum = 0.0;
@@ -218,10 +199,9 @@ impl Contact8 {
     /// Gap at the four corners [m] for the values of the element's dofs; negative where pressed.
     pub fn gaps(&self, values: &[f64]) -> [f64; 4] {
         std::array::from_fn(|a| {
-            let moved: f64 = (0..3)
+            (0..3)
                 .map(|i| self.normals[a][i] * (values[3 * a + i] - values[12 + 3 * a + i]))
-                .sum();
-            moved + self.initial[a]
+                .sum()
         })
     }
 

@@ -1,19 +1,17 @@
-//! Discrete elements between two nodes, or between a node and the ground: spring, dashpot; and point mass.
+//! Spring between two nodes, or between a node and the ground; and point mass.
 //!
 //! ```text
 //! elongation    e = d · (u_b − u_a)        to the ground: e = d · u_a
-//! spring        f = k e                    K = k e' e'ᵀ
-//! dashpot       f = c ė                    C = c e' e'ᵀ          e' = ∂e/∂u
+//! spring        f = k e                    K = k e' e'ᵀ          e' = ∂e/∂u
 //! point mass    M = m 1₃
 //! ```
 //!
-//! The direction d is fixed (small displacements). A dashpot enters [`Element::damping`] only, a spring the stiffness only;
-//! both together stand in parallel.
+//! The direction d is fixed (small displacements).
 
 use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
 use crate::dofs::Dof;
 
-/// What a link measures at its nodes.
+/// Motion that a spring resists.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Direction {
     /// Displacement along a unit vector, global Cartesian.
@@ -39,7 +37,7 @@ impl Link {
             Direction::Rotation(d) => (&Dof::ALL[3..6], d),
         };
         let length = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
-        // Another length would scale the constant by its square.
+        // Another length scales the stiffness by its square.
         if length.is_nan() || (length - 1.0).abs() > 1e-9 {
             return Err(ElementError::Parameter {
                 kind,
@@ -182,73 +180,6 @@ impl Inspect for Spring {
     }
 }
 
-/// Linear viscous dashpot.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Dashpot {
-    link: Link,
-    constant: f64,
-}
-
-impl Dashpot {
-    /// Between two nodes; `constant` c [N s/m or N m s/rad], ≥ 0.
-    ///
-    /// Errors: a parameter out of range.
-    pub fn between(a: usize, b: usize, direction: Direction, constant: f64) -> Result<Dashpot, ElementError> {
-        Dashpot::new(&[a, b], direction, constant)
-    }
-
-    /// Between a node and the ground (which is at rest in relative coordinates).
-    ///
-    /// Errors: a parameter out of range.
-    pub fn to_ground(node: usize, direction: Direction, constant: f64) -> Result<Dashpot, ElementError> {
-        Dashpot::new(&[node], direction, constant)
-    }
-
-    fn new(nodes: &[usize], direction: Direction, constant: f64) -> Result<Dashpot, ElementError> {
-        check_constant("dashpot", "constant", constant)?;
-        let link = Link::new("dashpot", nodes, direction)?;
-        Ok(Dashpot { link, constant })
-    }
-}
-
-impl Element for Dashpot {
-    fn kind(&self) -> &'static str {
-        "dashpot"
-    }
-
-    fn nodes(&self) -> &[usize] {
-        self.link.nodes()
-    }
-
-    fn dofs(&self, _node: usize) -> &'static [Dof] {
-        self.link.dofs
-    }
-
-    fn is_linear(&self) -> bool {
-        true
-    }
-
-    fn has_mass(&self) -> bool {
-        false
-    }
-
-    fn respond(
-        &self,
-        _motion: Motion<'_>,
-        _old: &[f64],
-        _new: &mut [f64],
-        _want: Want,
-        _out: &mut Response,
-    ) -> Result<(), ElementError> {
-        Ok(())
-    }
-
-    fn damping(&self, out: &mut LocalMatrix) -> bool {
-        self.link.add(self.constant, out);
-        self.constant > 0.0
-    }
-}
-
 /// Mass at a node, without rotary inertia.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointMass {
@@ -328,20 +259,6 @@ mod tests {
     }
 
     #[test]
-    fn dashpot_damps_and_does_nothing_else() {
-        let dashpot = Dashpot::between(0, 1, DIAGONAL, 10.0).unwrap();
-        let mut c = LocalMatrix::zeros(6);
-        assert!(dashpot.damping(&mut c));
-        assert!((c.get(0, 0) - 3.6).abs() < 1e-14 && (c.get(2, 3) + 4.8).abs() < 1e-14);
-        assert!(reference_stiffness(&dashpot).unwrap().data.iter().all(|&x| x == 0.0));
-        assert!(
-            !Dashpot::to_ground(0, DIAGONAL, 0.0)
-                .unwrap()
-                .damping(&mut LocalMatrix::zeros(3))
-        );
-    }
-
-    #[test]
     fn point_mass() {
         let mass = PointMass::new(0, 2.0).unwrap();
         assert_eq!(reference_mass(&mass).get(2, 2), 2.0);
@@ -351,9 +268,9 @@ mod tests {
     }
 
     #[test]
-    fn bad_parameters_are_refused() {
+    fn bad_parameters_are_rejected() {
         assert!(Spring::to_ground(0, DIAGONAL, -1.0).is_err());
-        assert!(Dashpot::to_ground(0, Direction::Translation([1.0, 1.0, 0.0]), 1.0).is_err());
+        assert!(Spring::to_ground(0, Direction::Translation([1.0, 1.0, 0.0]), 1.0).is_err());
         assert!(PointMass::new(0, f64::NAN).is_err());
     }
 }

@@ -20,7 +20,7 @@
 //!
 //! Source: Guyan 1965; Craig & Bampton 1968; Morand & Ohayon 1995, chapter 5.
 
-use super::{Element, ElementError, Inspect, LocalMatrix, Motion, Response, Sample, Want};
+use super::{Element, ElementError, LocalMatrix, Motion, Response, Want};
 use crate::dofs::Dof;
 use crate::linalg::Matrix;
 
@@ -37,8 +37,6 @@ pub struct SuperElement {
     mass: Option<Matrix>,
     stiffness: Option<Matrix>,
     damping: Option<Matrix>,
-    load: Option<Vec<f64>>,
-    samples: Vec<Sample>,
 }
 
 impl SuperElement {
@@ -75,8 +73,6 @@ impl SuperElement {
             mass: None,
             stiffness: None,
             damping: None,
-            load: None,
-            samples: Vec::new(),
         })
     }
 
@@ -109,40 +105,12 @@ impl SuperElement {
         Ok(self)
     }
 
-    /// With a constant force p on the dofs (weight, pressure of rest).
-    ///
-    /// Errors: wrong length, an entry that is not finite.
-    pub fn with_load(mut self, load: Vec<f64>) -> Result<SuperElement, ElementError> {
-        if load.len() != self.size() || load.iter().any(|p| !p.is_finite()) {
-            let found = format!("{} entries for {} dofs", load.len(), self.size());
-            return Err(refuse("load", found, "one finite number a dof"));
-        }
-        self.load = Some(load);
-        Ok(self)
-    }
-
-    /// With quantities that are linear in the dofs or their accelerations (pressures).
-    pub fn with_samples(mut self, samples: Vec<Sample>) -> SuperElement {
-        self.samples = samples;
-        self
-    }
-
-    /// The mass matrix, if there is one.
-    pub fn mass_matrix(&self) -> Option<&Matrix> {
-        self.mass.as_ref()
-    }
-
-    /// The stiffness matrix, if there is one.
-    pub fn stiffness_matrix(&self) -> Option<&Matrix> {
-        self.stiffness.as_ref()
-    }
-
     /// Node and dof of every local dof.
     pub fn unknowns(&self) -> Vec<(usize, Dof)> {
         self.nodes.iter().copied().zip(self.dofs.iter().copied()).collect()
     }
 
-    /// Symmetric to the last digit, or refused.
+    /// The matrix made symmetric to the last digit; rejected if it is not symmetric up to rounding.
     fn checked(&self, parameter: &'static str, mut a: Matrix) -> Result<Matrix, ElementError> {
         let n = self.size();
         if a.rows != n || a.cols != n {
@@ -204,7 +172,7 @@ impl Element for SuperElement {
     }
 
     fn is_linear(&self) -> bool {
-        self.load.is_none()
+        true
     }
 
     fn mass(&self, out: &mut LocalMatrix) {
@@ -223,16 +191,13 @@ impl Element for SuperElement {
         want: Want,
         out: &mut Response,
     ) -> Result<(), ElementError> {
-        if want.force {
-            if let Some(k) = &self.stiffness {
-                for (j, &u) in motion.values.iter().enumerate().filter(|(_, u)| **u != 0.0) {
-                    for (f, k) in out.force.iter_mut().zip(k.column(j)) {
-                        *f += k * u;
-                    }
+        if want.force
+            && let Some(k) = &self.stiffness
+        {
+            for (j, &u) in motion.values.iter().enumerate().filter(|(_, u)| **u != 0.0) {
+                for (f, k) in out.force.iter_mut().zip(k.column(j)) {
+                    *f += k * u;
                 }
-            }
-            for (f, p) in out.force.iter_mut().zip(self.load.iter().flatten()) {
-                *f -= p;
             }
         }
         if want.tangent {
@@ -245,16 +210,6 @@ impl Element for SuperElement {
         copy(&self.damping, out);
         self.damping.is_some()
     }
-
-    fn inspect(&self) -> Option<&dyn Inspect> {
-        Some(self)
-    }
-}
-
-impl Inspect for SuperElement {
-    fn samples(&self) -> Vec<Sample> {
-        self.samples.clone()
-    }
 }
 
 #[cfg(test)]
@@ -264,7 +219,6 @@ mod tests {
     use super::*;
     use crate::assembly::Assembler;
     use crate::element::spring::{Direction, PointMass, Spring};
-    use crate::linalg::dot;
     use crate::model::Builder;
 
     fn matrix(n: usize, of: impl Fn(usize, usize) -> f64) -> Matrix {
@@ -333,8 +287,7 @@ mod tests {
                 let part = SuperElement::over(&[(0, Dof::Ux), (1, Dof::Ux)]).unwrap();
                 let part = part.with_stiffness(matrix(2, |i, j| if i == j { 3.0 } else { -3.0 }));
                 let part = part.unwrap().with_mass(matrix(2, |i, j| f64::from(i == 1 && j == 1)));
-                let part = part.unwrap().with_load(vec![0.0, 4.0]).unwrap();
-                builder.element("b", part);
+                builder.element("b", part.unwrap());
             } else {
                 builder.element("b", Spring::between(0, 1, x, 3.0).unwrap());
                 builder.element("b", PointMass::new(1, 1.0).unwrap());
@@ -351,18 +304,16 @@ mod tests {
         state.trial.u = vec![0.3, -0.1];
         let mut tangent = crate::linalg::Symmetric::zeros(a.pattern().clone());
         let force = a.respond(&part, &mut state, Want::ALL, &mut tangent).unwrap();
-        assert!((force[0] - (1.5 + 1.2)).abs() < 1e-14 && (force[1] - (-1.2 - 4.0)).abs() < 1e-14);
-        assert!(dot(&force, &[1.0, 1.0]) < 0.0);
+        assert!((force[0] - (1.5 + 1.2)).abs() < 1e-14 && (force[1] + 1.2).abs() < 1e-14);
     }
 
     #[test]
-    fn nonsense_is_refused() {
+    fn bad_parameters_are_rejected() {
         assert!(SuperElement::over(&[]).is_err());
         assert!(SuperElement::over(&[(0, Dof::Ux), (1, Dof::Ux), (0, Dof::Ux)]).is_err());
         let two = || SuperElement::over(&[(0, Dof::Eta), (0, Dof::Amplitude)]).unwrap();
         assert!(two().with_mass(Matrix::zeros(3, 3)).is_err());
         assert!(two().with_mass(matrix(2, |i, j| (i as f64) - (j as f64))).is_err());
         assert!(two().with_damping(matrix(2, |_, _| f64::NAN)).is_err());
-        assert!(two().with_load(vec![f64::INFINITY, 0.0]).is_err());
     }
 }

@@ -58,47 +58,6 @@ pub fn geometric(from: f64, to: f64, count: usize, ratio: f64) -> Result<Vec<f64
     Ok(places)
 }
 
-/// `count` elements that shrink towards `to`: x = to − (to − from)(1 − s)^exponent at equal steps of s.
-///
-/// Heights of a liquid are graded to its surface with exponent 1.3. Errors: no element, ends that do not ascend, exponent
-/// below 1.
-pub fn towards_end(from: f64, to: f64, count: usize, exponent: f64) -> Result<Vec<f64>, MeshError> {
-    check(from, to, count)?;
-    if !(exponent >= 1.0 && exponent.is_finite()) {
-        return Err(MeshError::Range {
-            what: "grading exponent",
-            found: exponent.to_string(),
-            allowed: "1 or more",
-        });
-    }
-    let place = |i: usize| to - (to - from) * (1.0 - i as f64 / count as f64).powf(exponent);
-    let mut places: Vec<f64> = (0..count).map(place).collect();
-    places[0] = from;
-    places.push(to);
-    Ok(places)
-}
-
-/// Elements no longer than `length` between breaks that must be met (course joints, the liquid's level).
-///
-/// Errors: fewer than two breaks, breaks that do not ascend, length not positive.
-pub fn between_breaks(breaks: &[f64], length: f64) -> Result<Vec<f64>, MeshError> {
-    super::check_ascending("breaks", breaks, 2)?;
-    if !(length > 0.0 && length.is_finite()) {
-        return Err(MeshError::Range {
-            what: "length of elements",
-            found: length.to_string(),
-            allowed: "a positive number",
-        });
-    }
-    let mut places = vec![breaks[0]];
-    for w in breaks.windows(2) {
-        // A hair of slack, so that 1.0/0.1 makes 10 elements.
-        let count = ((w[1] - w[0]) / length - 1e-9).ceil().max(1.0) as usize;
-        places.extend(&uniform(w[0], w[1], count)?[1..]);
-    }
-    Ok(places)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -115,26 +74,14 @@ mod tests {
             assert!((step - 6.0_f64.powf(-1.0 / 18.0)).abs() < 1e-12);
         }
         assert_eq!(geometric(2.0, 3.0, 1, 7.0).unwrap(), vec![2.0, 3.0]);
-        // 1 − (1 − s)²: 0, 7/16, 3/4, 15/16, 1.
-        assert_eq!(
-            towards_end(0.0, 1.0, 4, 2.0).unwrap(),
-            vec![0.0, 0.4375, 0.75, 0.9375, 1.0]
-        );
-        let broken = between_breaks(&[0.0, 1.0, 1.25], 0.1).unwrap();
-        assert_eq!(broken.len(), 1 + 10 + 3);
-        assert_eq!(broken[10], 1.0);
     }
 
     #[test]
-    fn bad_input_is_refused() {
+    fn bad_input_is_rejected() {
         assert!(uniform(0.0, 1.0, 0).is_err());
         assert!(uniform(1.0, 1.0, 3).is_err());
         assert!(uniform(0.0, f64::NAN, 3).is_err());
         assert!(geometric(0.0, 1.0, 3, -1.0).is_err());
         assert!(geometric(0.0, 1.0, 3, 0.0).is_err());
-        assert!(towards_end(0.0, 1.0, 3, 0.5).is_err());
-        assert!(between_breaks(&[0.0], 0.1).is_err());
-        assert!(between_breaks(&[0.0, -1.0], 0.1).is_err());
-        assert!(between_breaks(&[0.0, 1.0], 0.0).is_err());
     }
 }

@@ -55,7 +55,7 @@ fn dissection_survives_coinciding_and_separate_nodes() {
 }
 
 #[test]
-fn bad_orders_are_refused() {
+fn bad_orders_are_rejected() {
     let model = Box3::new([3, 3, 3], 1);
     for order in [vec![0; 27], (0..26).collect(), (1..28).collect()] {
         let found = Symbolic::new(model.stiffness.pattern.clone(), &Ordering::Given(order));
@@ -102,8 +102,10 @@ fn inertia_counts_eigenvalues() {
             assert_eq!(factor.inertia(), expected, "{n:?} {sigma}");
             let b = right(exact.len(), 2);
             let mut x = b.clone();
-            let rest = factor.solve_refined(&shifted, &mut x).unwrap();
-            assert!(rest < 1e-12, "{rest}");
+            factor.solve(&mut x).unwrap();
+            let rest = misfit(&shifted, &x, &b);
+            // The shift is at least 1e-3 from every eigenvalue: ‖A⁻¹‖ ‖A‖ ε is about 1e-12.
+            assert!(rest < 1e-9, "{rest}");
         }
     }
 }
@@ -136,7 +138,7 @@ fn indefinite_factor_passes_zero_diagonals() {
 }
 
 #[test]
-fn what_is_not_definite_or_too_large_is_refused() {
+fn matrices_that_are_not_definite_are_rejected() {
     let model = Box3::new([8, 8, 8], 1);
     let symbolic = model.symbolic();
     let mut shifted = model.stiffness.clone();
@@ -145,9 +147,6 @@ fn what_is_not_definite_or_too_large_is_refused() {
         symbolic.factor(&shifted, Kind::Definite),
         Err(LinalgError::NotPositiveDefinite { size: 512, .. })
     ));
-    assert!(symbolic.check_memory(symbolic.bytes()).is_ok());
-    let refused = symbolic.check_memory(symbolic.bytes() - 1).unwrap_err();
-    assert!(refused.to_string().contains("512 unknowns"), "{refused}");
     let zero = Symmetric::zeros(model.stiffness.pattern.clone());
     for kind in [Kind::Definite, Kind::QuasiDefinite, Kind::Indefinite] {
         assert!(symbolic.factor(&zero, kind).is_err(), "{kind:?}");

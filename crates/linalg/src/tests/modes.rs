@@ -1,5 +1,5 @@
 use super::Box3;
-use crate::{Kind, LinalgError, Matrix, Pencil, Reduction, Search, Sparse, dot, modes, modes_between, reduce};
+use crate::{LinalgError, Search, Sparse, dot, modes};
 
 /// A cube has eigenvalues of multiplicity 3 and 6.
 #[test]
@@ -40,7 +40,7 @@ fn inertia_reveals_missed_modes() {
 }
 
 #[test]
-fn modes_around_and_between() {
+fn modes_around_a_frequency() {
     let model = Box3::new([9, 8, 7], 1);
     let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
     let exact = model.exact();
@@ -52,18 +52,6 @@ fn modes_around_and_between() {
     nearest.sort_by(f64::total_cmp);
     for (f, e) in found.lambda.iter().zip(&nearest) {
         assert!((f / e - 1.0).abs() < 1e-10, "{f} {e}");
-    }
-    for (from, to) in [(0.0, 1.3), (1.3, 1.7)] {
-        let found = modes_between(&pencil, from, to).unwrap();
-        let expected: Vec<f64> = exact
-            .iter()
-            .copied()
-            .filter(|l| (from * from..to * to).contains(l))
-            .collect();
-        assert_eq!(found.lambda.len(), expected.len());
-        for (f, e) in found.lambda.iter().zip(&expected) {
-            assert!((f / e - 1.0).abs() < 1e-10, "{f} {e}");
-        }
     }
 }
 
@@ -123,7 +111,7 @@ fn singular_stiffness_needs_a_shift() {
 }
 
 #[test]
-fn indefinite_stiffness_is_refused() {
+fn indefinite_stiffness_is_rejected() {
     let mut model = Box3::new([6, 6, 6], 1);
     model.stiffness.values.iter_mut().for_each(|v| *v = -*v);
     let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
@@ -147,65 +135,5 @@ fn low_modes_survive_a_stiff_neighbour() {
     let found = modes(&pencil, &Search::lowest(8)).unwrap();
     for (f, e) in found.lambda.iter().zip(&model.exact()) {
         assert!((f / e - 1.0).abs() < 1e-10, "{f} {e}");
-    }
-}
-
-/// Steady state (K − ω² M) u = f of the reduced system against the factored full one, between the modes of the band; and the
-/// static response, which must be contained exactly.
-#[test]
-fn reduced_system_responds_as_the_full_one() {
-    let model = Box3::new([12, 11, 10], 1);
-    let symbolic = model.symbolic();
-    let pencil = Sparse::new(&model.stiffness, &model.mass, symbolic.clone());
-    let n = pencil.size();
-    let mut loads = Matrix::zeros(n, 2);
-    loads.column_mut(0).fill(1.0);
-    for (i, v) in loads.column_mut(1).iter_mut().enumerate() {
-        *v = model.coordinates[i][2] - 4.5;
-    }
-    let reduction = Reduction {
-        accuracy: 1e-6,
-        ..Reduction::up_to(1.2)
-    };
-    let reduced = reduce(&pencil, &loads, &reduction).unwrap();
-    assert!(
-        reduced.converged && reduced.lambda.len() < n / 4,
-        "{}",
-        reduced.lambda.len()
-    );
-    // A uniform load excites the symmetric modes alone: exact eigenvalues that are not among the Ritz values must exist.
-    let exact = model.exact();
-    for (j, r) in reduced.residual.iter().enumerate() {
-        if r.is_some() {
-            let error = exact
-                .iter()
-                .map(|e| (reduced.lambda[j] / e - 1.0).abs())
-                .fold(1.0, f64::min);
-            assert!(error < 1e-9, "{error:e}");
-        }
-    }
-    assert!(reduced.lambda.iter().filter(|&&l| l < 1.44).count() < exact.iter().filter(|&&l| l < 1.44).count());
-    for (omega, tolerance) in [(0.0, 1e-12), (0.45, 1e-9), (0.8, 1e-8), (1.05, 1e-7)] {
-        let mut shifted = model.stiffness.clone();
-        shifted.add(-omega * omega, &model.mass);
-        let mut full = loads.clone();
-        symbolic
-            .factor(&shifted, Kind::Indefinite)
-            .unwrap()
-            .solve(&mut full)
-            .unwrap();
-        for l in 0..2 {
-            let modal: Vec<f64> = (reduced.participation.column(l).iter().zip(&reduced.lambda))
-                .map(|(p, lambda)| p / (lambda - omega * omega))
-                .collect();
-            let response = reduced.vectors.times(&modal);
-            let scale = dot(full.column(l), full.column(l)).sqrt();
-            let rest: f64 = response.iter().zip(full.column(l)).map(|(r, f)| (r - f).powi(2)).sum();
-            assert!(
-                rest.sqrt() < tolerance * scale,
-                "{omega} {l}: {:e}",
-                rest.sqrt() / scale
-            );
-        }
     }
 }

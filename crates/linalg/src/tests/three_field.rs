@@ -127,7 +127,7 @@ impl Tank {
         let (kept, free) = (pencil.kept(), usize::from(pencil.constraints() > 0));
         let (k, m) = (self.k.to_dense(), self.m.to_dense());
         let f = m.select(&self.phi, kept);
-        // φ of the first node is zero if nothing else holds it.
+        // φ of the first node is zero if it is not fixed otherwise.
         let mut h = m.select(&self.phi[free..], &self.phi[free..]);
         h.data.iter_mut().for_each(|v| *v = -*v);
         let all: Vec<usize> = (0..kept.len()).collect();
@@ -251,9 +251,11 @@ fn solves_and_products_agree_with_the_condensed_pencil() {
         effective.add(1e4, &tank.m);
         let factor = tank.symbolic.factor(&effective, Kind::QuasiDefinite).unwrap();
         assert_eq!(factor.inertia().negative, tank.phi.len());
-        let mut right = Matrix::zeros(tank.k.size(), 1);
-        right.data[tank.eta[1]] = 1.0;
-        assert!(factor.solve_refined(&effective, &mut right).unwrap() < 1e-10);
+        let mut rest = vec![0.0; tank.k.size()];
+        rest[tank.eta[1]] = 1.0;
+        let found = factor.solve_vector(&rest).unwrap();
+        effective.add_product(-1.0, &found, &mut rest);
+        assert!(rest.iter().all(|r| r.abs() < 1e-10));
     }
 }
 
@@ -279,7 +281,7 @@ fn expansion_fulfils_the_rows_of_the_potential() {
 }
 
 #[test]
-fn what_cannot_be_condensed_is_refused() {
+fn liquids_that_cannot_be_condensed_are_rejected() {
     let mut tank = tank(5.0, 2.0, [4, 2], 1e6, false);
     let place = tank.k.pattern.starts[tank.phi[1]];
     tank.k.values[place] = 1.0;

@@ -1,8 +1,5 @@
 //! Concrete.
 
-use crate::LawError;
-use crate::drucker_prager::{BIAXIAL_RATIO, DruckerPrager};
-
 /// Concrete.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConcreteGrade {
@@ -34,18 +31,6 @@ impl ConcreteGrade {
     /// Strain at the peak, ε_c1 = 0.7 f_cm^0.31 ‰ ≤ 2.8 ‰, as a positive number (EN 1992-1-1:2004, table 3.1).
     pub fn peak_strain(&self) -> f64 {
         (0.7 * (self.mean_strength / 1e6).powf(0.31)).min(2.8) * 1e-3
-    }
-
-    /// Ideally plastic cone of f_c and 1.16 f_c.
-    ///
-    /// Errors: a parameter out of range.
-    pub fn compression_law(&self) -> Result<DruckerPrager, LawError> {
-        DruckerPrager::new(
-            self.young_modulus,
-            self.poisson_ratio,
-            self.strength,
-            BIAXIAL_RATIO * self.strength,
-        )
     }
 }
 

@@ -36,7 +36,7 @@ impl StepLength {
         }
     }
 
-    /// Length after a step of length `s` that took so many iterations: up to 7 double, up to 12 as it is, else 0.7 times.
+    /// Length after a step of length `s` that took so many iterations: up to 7 double, up to 12 the same, else 0.7 times.
     fn after(&self, s: f64, iterations: usize) -> f64 {
         let factor = match iterations {
             0..=7 => 2.0,
@@ -60,7 +60,7 @@ impl Continuation<'_> {
     /// Displacement c · u through all `targets`; steps are cut where they fail and lengthened where they are easy. `each`
     /// sees the state at every target.
     ///
-    /// Errors: a row without an unknown. A path that ends early says why in [`Path::failure`].
+    /// Errors: a row without an unknown. A path that ends early gives the reason in [`Path::failure`].
     pub fn to_displacements(
         &mut self,
         state: &mut State,
@@ -114,7 +114,7 @@ impl Continuation<'_> {
         Ok(path)
     }
 
-    /// Arc-length steps until `done` says so, which sees every state. A path that ends early says why in [`Path::failure`].
+    /// Arc-length steps until `done` returns true; it sees every state. A path that ends early gives the reason in [`Path::failure`].
     pub fn along(
         &mut self,
         state: &mut State,
@@ -167,7 +167,7 @@ impl Continuation<'_> {
 
     /// Raises λ in steps of `step` up to `largest` and halves them where the state is unstable, or where there is none, down to
     /// `tolerance`. `state` is then the last stable one, and [`Continuation::lowest_mode`] is the mode of buckling. A bifurcation
-    /// is seen although the path itself goes on undisturbed.
+    /// is seen although the path itself continues undisturbed.
     ///
     /// Errors: no unstable state up to `largest`; a first state that is not stable.
     pub fn first_instability(

@@ -36,8 +36,7 @@ pub(super) struct Driver<'a> {
     identity: u64,
 }
 
-/// What a checkpoint belongs to: the key of its input. Sizes and settings stand beside it, so that a key that does not hold them
-/// does no harm.
+/// Identity of a checkpoint: the key of its input with sizes and settings, in case the key does not contain them.
 fn identity(key: &str, state: &State, settings: &Settings) -> u64 {
     let mut hash = Hash::default();
     hash.text(key);
@@ -169,10 +168,10 @@ impl<'a> Driver<'a> {
         Ok(self.finish(end))
     }
 
-    /// Writes a checkpoint. The march can do without: a disk that is full now may have room at the next.
+    /// Writes a checkpoint. A failure is only a warning: a disk that is full now may have room at the next.
     fn keep(&self, path: &std::path::Path, observers: &mut [&mut dyn Observe], progress: &dyn Progress) {
         if let Err(error) = self.save(path, observers) {
-            progress.warn(&format!("{error}; the run goes on without it"));
+            progress.warn(&format!("{error}; the run continues without it"));
         }
     }
 
@@ -202,7 +201,7 @@ impl<'a> Driver<'a> {
         grid.time(self.position.step) + part * grid.h()
     }
 
-    /// Brings up the constant loads; returns the end of the march if they cannot be carried.
+    /// Applies the constant loads; returns the end of the march if there is no equilibrium.
     fn start_static(&mut self, progress: &dyn Progress) -> Result<Option<Outcome>, AnalysisError> {
         let settings = self.settings;
         if settings.start.is_some() || settings.constant.iter().all(|p| *p == 0.0) {
@@ -267,7 +266,7 @@ impl<'a> Driver<'a> {
         }
     }
 
-    /// Lets the acceleration jump where the loads do.
+    /// Jump of the acceleration where the loads jump.
     fn jump(&mut self) -> Result<(), AnalysisError> {
         let begin = self.at(0.0);
         let change: Vec<f64> = begin.iter().zip(&self.functions).map(|(b, e)| b - e).collect();
@@ -330,7 +329,7 @@ impl<'a> Driver<'a> {
         }
     }
 
-    /// Moves on by the part that has converged; true at the end of a nominal step.
+    /// Advances by the part that has converged; true at the end of a nominal step.
     fn grow(&mut self, unit: u32) -> bool {
         let p = &mut self.position;
         p.at += p.part;

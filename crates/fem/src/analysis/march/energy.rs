@@ -21,9 +21,9 @@ pub struct Energies {
     pub internal: f64,
     /// Work done on the viscous damping.
     pub damping: f64,
-    /// What the scheme dissipates.
+    /// Dissipation of the scheme.
     pub numerical: f64,
-    /// What the elements have dissipated, as of the last sample.
+    /// Dissipation of the elements, as of the last sample.
     pub hysteretic: f64,
 }
 
@@ -183,7 +183,7 @@ impl<'a> Meter<'a> {
             numerical += on_force * rate * d
                 + inertia * (on_mass * d - h * (gamma - 0.5) * mean_v + h * h * (beta - 0.5 * gamma) * mean_a);
         }
-        // What acts at the end of the step instead of where the scheme blends the rest.
+        // Forces that act at the end of the step; the scheme blends the others.
         for ((d, after), before) in du.iter().zip(&forces.at_end).zip(&self.force.at_end) {
             numerical += (0.5 - on_force) * (after - before) * d;
         }

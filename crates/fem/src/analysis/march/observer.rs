@@ -51,7 +51,7 @@ impl Reaction {
     }
 }
 
-/// What a [`QuantityObserver`] records.
+/// A quantity of a [`QuantityObserver`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Quantity {
     /// A linear functional of displacement, velocity and total acceleration.
@@ -97,7 +97,7 @@ pub struct Range {
 }
 
 impl Range {
-    /// Of nothing yet.
+    /// Empty.
     pub const EMPTY: Range = Range {
         min: f64::INFINITY,
         min_time: 0.0,

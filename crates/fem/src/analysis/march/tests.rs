@@ -16,7 +16,7 @@ use crate::model::Builder;
 use crate::progress::Silent;
 
 /// Elastic-plastic link along x between two nodes (or a node and itself held) with linear hardening; history: plastic
-/// elongation, energy dissipated. Beyond `brittle` it has no answer.
+/// elongation, energy dissipated. Beyond `brittle` it fails.
 struct Link {
     nodes: [usize; 2],
     stiffness: f64,
@@ -68,7 +68,7 @@ impl Element for Link {
             let flow = over / (k + h) * (trial - h * old[0]).signum();
             new[0] = old[0] + flow;
             f = k * (e - new[0]);
-            // Work on the plastic elongation without what hardening stores.
+            // Work on the plastic elongation less the energy stored by hardening.
             new[1] = old[1] + self.strength * flow.abs();
             tangent = k * h / (k + h);
         }
@@ -231,7 +231,7 @@ fn linear_march_is_direct_integration() {
                 assert!((a - b).abs() < 1e-10 * peak, "{scheme:?}: {a} {b}");
             }
         }
-        // D9: rounding alone, with what the scheme dissipates taken off.
+        // D9: rounding alone, less the dissipation of the scheme.
         assert!(run.balance.error() < 1e-10, "{scheme:?}: {}", run.balance.error());
         let last = run.balance.samples.last().unwrap();
         let kinetic = direct.energy.kinetic.last().unwrap();
@@ -247,7 +247,7 @@ fn linear_march_is_direct_integration() {
     }
 }
 
-/// Without ground motion a structure that has yielded under its weight stays where it is (D2).
+/// Without ground motion a structure that has yielded under its weight stays at rest (D2).
 #[test]
 fn rest_stays_rest() {
     let parts = Parts::new(chain(12.0, 10.0));
@@ -283,7 +283,7 @@ fn hysteresis_and_balance() {
         let run = march(parts.problem(), &shaking(3.0), &settings, &mut [&mut recorder], &Silent).unwrap();
         assert_eq!(run.outcome, Outcome::Completed);
         let balance = &run.balance;
-        // D9 asks 1e-3; what Newton's criterion leaves is far less.
+        // D9 asks 1e-3; Newton's criterion leaves far less.
         assert!(balance.error() < 1e-5, "{}", balance.error());
         assert!(balance.samples.windows(2).all(|w| w[1].hysteretic >= w[0].hysteretic));
         let last = balance.samples.last().unwrap();
@@ -334,7 +334,7 @@ fn collapse_is_an_outcome() {
     assert!(factor > 0.1 && factor < 1.0 && collapse.time == 0.0, "{factor}");
 }
 
-/// A link without an answer to elongations that change by more than `most` in a step; history: its elongation.
+/// A link that fails for elongations that change by more than `most` in a step; history: its elongation.
 struct Hurried {
     nodes: [usize; 2],
     most: f64,
@@ -404,7 +404,7 @@ fn cut_steps_grow_again() {
     builder.element("hurried", Hurried { nodes, most: 4e-3 });
     let parts = Parts::new(builder.build().unwrap());
     let h = 0.02;
-    // A second of shaking at resonance, up to 2 m/s: ten times what a whole step may change; then a decay of 1.25 %.
+    // A second of shaking at resonance, up to 2 m/s: ten times the change allowed in a whole step; then a decay of 1.25 %.
     let a: Vec<f64> = (0..=50).map(|k| 4.0 * (10.0 * h * f64::from(k)).sin()).collect();
     let grid = Grid::new(h, 1.0, 39.0, h);
     let load = Load::ground(0, Motion::sampled(h, &a, &grid));
@@ -444,7 +444,7 @@ fn cut_steps_grow_again() {
 }
 
 #[test]
-fn bad_input_is_refused() {
+fn bad_input_is_rejected() {
     let parts = Parts::new(chain(12.0, 10.0));
     let run = |settings: &Settings, load: Load| march(parts.problem(), &load, settings, &mut [], &Silent).unwrap_err();
     let mut settings = Settings::new(grid());

@@ -178,7 +178,7 @@ fn missing_mass_alone_is_static() {
         let expected: f64 = -(0..2).map(|k| a[k] * (still[k][4] - 0.5 * still[k][5])).sum::<f64>();
         assert!((value - expected).abs() < 1e-14);
     }
-    // With all modes nothing is missing.
+    // With all modes the result is complete.
     let all = ModalBasis::new(&system, &eigen.omega, &eigen.vectors, given).unwrap();
     assert!(all.residual[0].iter().all(|r| r.abs() < 1e-14));
     let mass: f64 = (0..6).map(|j| all.effective_mass(j)[0]).sum();

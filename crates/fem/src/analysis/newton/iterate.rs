@@ -9,7 +9,7 @@ const SLOW: f64 = 0.25;
 const LINEAR: f64 = 1e-10;
 /// ... and against the forces, rounding.
 const ROUNDING: f64 = 1e-14;
-/// Parts of the largest first energy that are nothing: outright, and if iterations make it no smaller.
+/// Negligible shares of the largest first energy: at once, and if iterations do not reduce it.
 const NOTHING: [f64; 2] = [1e-24, 1e-18];
 /// So many iterations without a new smallest residual are a failure.
 const PATIENCE: usize = 10;
@@ -35,8 +35,8 @@ impl Newton<'_> {
             .map_err(|(number, source)| StepFailure::Element { number, source })
     }
 
-    /// Iterates from the committed state; `initial`: with the stiffness of the virgin model.
-    // Long: one iteration from top to bottom, as it is drawn in the module above.
+    /// Iterates from the committed state; `initial`: with the initial stiffness.
+    // Long: one iteration from top to bottom, as in the documentation of the module.
     pub(super) fn iterate(
         &mut self,
         scheme: &dyn Scheme,
@@ -86,7 +86,7 @@ impl Newton<'_> {
             let quiet = energy <= self.options.criteria.energy * first || tiny;
             if norm <= ROUNDING * scale
                 || (iteration > 0 && norm <= LINEAR * residuals[0])
-                // Loads that are elements themselves (follower pressure) stand in the forces and vanish with them.
+                // Loads that are elements themselves (follower pressure) are part of the forces and vanish with them.
                 || (quiet && norm <= self.options.criteria.force * scale.max(residuals[0]))
             {
                 return Ok(StepReport {
@@ -136,7 +136,7 @@ impl Newton<'_> {
         unreachable!("the last iteration returns")
     }
 
-    /// r into its room; returns the sum of the norms of what it is made of.
+    /// r into its room; returns the sum of the norms of its terms.
     pub(super) fn residual(&mut self, scheme: &dyn Scheme, state: &State, [p0, p1]: [&[f64]; 2]) -> f64 {
         let (on_mass, on_force) = scheme.collocation();
         let norm = |x: &[f64]| dot(x, x).sqrt();
@@ -159,7 +159,7 @@ impl Newton<'_> {
         }
         let Some(inertia) = self.inertia else { return scale };
         if scheme.weights().damping == 0.0 {
-            // A static step: nothing moves.
+            // A static step: no velocities.
             return scale;
         }
         let mut take = |part: &[f64]| {
@@ -185,7 +185,7 @@ impl Newton<'_> {
         scale
     }
 
-    /// Puts the stiffness of the virgin model in place of the tangent.
+    /// Replaces the tangent by the initial stiffness.
     fn take_initial(&mut self) -> Result<(), StepFailure> {
         if self.initial.is_none() {
             let stiffness = self.assembler.stiffness(self.model);

@@ -1,4 +1,4 @@
-//! Newton's part of a checkpoint: what the next steps depend on, besides the state.
+//! Newton's part of a checkpoint: the data that the next steps need besides the state.
 
 use super::Newton;
 use crate::analysis::AnalysisError;
@@ -30,7 +30,7 @@ impl Newton<'_> {
         }
     }
 
-    /// Reads what [`Newton::save`] wrote, for a state with the same committed fields.
+    /// Reads the data of [`Newton::save`], for a state with the same committed fields.
     ///
     /// Errors: the end of the payload; numbers of another model; a matrix that cannot be factored.
     pub(in crate::analysis) fn restore(&mut self, from: &mut Reader, state: &State) -> Result<(), AnalysisError> {

@@ -14,7 +14,7 @@ impl Newton<'_> {
         dot(&self.room.du, &self.room.r)
     }
 
-    /// Whether a shorter step would be nearer to equilibrium along the last increment.
+    /// Whether a shorter step along the last increment is nearer to equilibrium.
     pub(super) fn overshoots(&self, g0: f64) -> bool {
         let g1 = self.slope();
         let enough = g1.abs() <= ENOUGH * g0.abs();

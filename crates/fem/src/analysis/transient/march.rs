@@ -150,7 +150,7 @@ impl<'a> March<'a> {
                     scale += f.abs() + p.abs() + viscous[i].abs();
                     *f = p - *f - viscous[i];
                 }
-                // What is left of an equilibrium by rounding is none.
+                // The rounding of an equilibrium is not a load.
                 if force.iter().map(|f| f.abs()).sum::<f64>() > 1e-9 * scale {
                     self.accelerate(c, &force)?;
                 }
@@ -242,7 +242,7 @@ impl<'a> March<'a> {
         }
     }
 
-    /// Forms K u, K v, M v … from u and v anew.
+    /// Forms K u, K v, M v … again from u and v.
     pub(super) fn refresh(&mut self) {
         let columns = self.loads.len();
         Self::multiply(&mut self.matrices, &mut self.products, &self.u, columns);

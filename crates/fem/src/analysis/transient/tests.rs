@@ -207,7 +207,7 @@ fn energy_balance_closes() {
     }
 }
 
-/// Eleven records with one factor give what each gives alone.
+/// Eleven records with one factor give the same results as each alone.
 #[test]
 fn records_do_not_see_each_other() {
     let system = chain(7);
@@ -335,7 +335,7 @@ fn stops_when_told_to() {
 }
 
 #[test]
-fn bad_input_is_refused() {
+fn bad_input_is_rejected() {
     let system = chain(5);
     let grid = Grid::new(0.01, 0.1, 0.0, 0.01);
     let run = |settings: &Settings, load: Load| {

@@ -60,15 +60,14 @@ impl NodalLoads {
 
     /// Adds a line load `force(position)` [N/m] along the edge from node `a` to `b`.
     pub fn edge_force(&mut self, nodes: [usize; 2], positions: [[f64; 3]; 2], force: impl Fn([f64; 3]) -> [f64; 3]) {
-        for (node, f) in along_edge(nodes, positions, force) {
-            self.force(node, f);
-        }
-    }
-
-    /// Adds a line moment `moment(position)` [N m/m] along the edge from node `a` to `b`.
-    pub fn edge_moment(&mut self, nodes: [usize; 2], positions: [[f64; 3]; 2], moment: impl Fn([f64; 3]) -> [f64; 3]) {
-        for (node, m) in along_edge(nodes, positions, moment) {
-            self.moment(node, m);
+        let [a, b] = positions.map(Vector3::from);
+        let length = (b - a).norm();
+        for &(xi, w) in gauss::TWO {
+            let n = [0.5 * (1.0 - xi), 0.5 * (1.0 + xi)];
+            let value = Vector3::from(force((a * n[0] + b * n[1]).into())) * (0.5 * length * w);
+            for (node, n) in nodes.into_iter().zip(n) {
+                self.force(node, (value * n).into());
+            }
         }
     }
 
@@ -86,26 +85,10 @@ impl NodalLoads {
         sum
     }
 
-    /// The load over the unknowns; what falls on supports is left out.
+    /// The load over the unknowns; loads on supports are left out.
     pub fn vector(&self, model: &Model) -> Vec<f64> {
         model.vector(|node| self.at(node))
     }
-}
-
-fn along_edge(
-    nodes: [usize; 2],
-    positions: [[f64; 3]; 2],
-    load: impl Fn([f64; 3]) -> [f64; 3],
-) -> Vec<(usize, [f64; 3])> {
-    let [a, b] = positions.map(Vector3::from);
-    let length = (b - a).norm();
-    let mut out = Vec::with_capacity(4);
-    for &(xi, w) in gauss::TWO {
-        let n = [0.5 * (1.0 - xi), 0.5 * (1.0 + xi)];
-        let value = Vector3::from(load((a * n[0] + b * n[1]).into())) * (0.5 * length * w);
-        out.extend(nodes.iter().zip(n).map(|(&node, n)| (node, (value * n).into())));
-    }
-    out
 }
 
 /// Pressure that follows the deformed face; each particle of the face keeps its pressure.
@@ -115,7 +98,7 @@ pub struct FollowerPressure {
     x: [Vector3<f64>; 4],
     /// At the corners [Pa].
     pressure: [f64; 4],
-    /// Forces on the undeformed face, which are taken off.
+    /// Forces on the undeformed face, which are subtracted.
     dead: Option<[f64; 12]>,
 }
 
@@ -135,15 +118,15 @@ impl FollowerPressure {
         }
     }
 
-    /// What the deformation changes of it alone: its forces less those on the undeformed face, which a load that is brought up
-    /// in steps carries.
+    /// Only the change by deformation: its forces less those on the undeformed face, which belong to a load that is applied
+    /// in steps.
     pub fn without_dead_part(mut self) -> FollowerPressure {
         self.dead = None;
         self.dead = Some(self.force_and_tangent(&[0.0; 12]).0);
         self
     }
 
-    /// Nodal forces, and K_p as it is (unsymmetric; row i, column j at `[i][j]`), at the displacements `u`.
+    /// Nodal forces, and K_p (unsymmetric; row i, column j at `[i][j]`), at the displacements `u`.
     pub fn force_and_tangent(&self, u: &[f64]) -> ([f64; 12], [[f64; 12]; 12]) {
         let x: [Vector3<f64>; 4] =
             std::array::from_fn(|a| self.x[a] + Vector3::from_column_slice(&u[3 * a..3 * a + 3]));

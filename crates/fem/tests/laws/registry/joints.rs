@@ -1,11 +1,11 @@
-//! Springs, dashpots, masses, contact, and matrices from elsewhere.
+//! Springs, masses, contact, and matrices from elsewhere.
 
 use fem::chart::Chart;
 use fem::dofs::Dof;
 use fem::element::Element;
 use fem::element::contact8::{Contact8, ContactLaw, Opening};
 use fem::element::liquid_joint::{JointPoint, LiquidJoint};
-use fem::element::spring::{Dashpot, Direction, PointMass, Spring};
+use fem::element::spring::{Direction, PointMass, Spring};
 use fem::element::super_element::SuperElement;
 use fem::linalg::Matrix;
 use fem::mesh::Face;
@@ -46,12 +46,6 @@ fn springs() -> Vec<Specimen> {
                 Box::new(Spring::to_ground(0, translation(t), 7.0).unwrap())
             })
         }),
-        massless(Specimen::new("Dashpot", "between two nodes", &LINE, move |t| {
-            Box::new(Dashpot::between(0, 1, translation(t), 7.0).unwrap())
-        })),
-        massless(Specimen::new("Dashpot", "to the ground", &LINE[..1], move |t| {
-            Box::new(Dashpot::to_ground(0, translation(t), 7.0).unwrap())
-        })),
         Specimen {
             mass: Mass::Of(3.5),
             rotations: NO_FRAME,
@@ -116,8 +110,8 @@ fn liquid_joint(what: &'static str, opens: bool) -> Specimen {
     }
 }
 
-/// A bar along x with an amplitude of its own.
-fn super_element(what: &'static str, load: bool) -> Specimen {
+/// A bar along x with an amplitude.
+fn super_element() -> Specimen {
     let build = move |_: &Turn| -> Box<dyn Element> {
         let matrix = |rows: [[f64; 3]; 3]| Matrix {
             rows: 3,
@@ -129,20 +123,15 @@ fn super_element(what: &'static str, load: bool) -> Specimen {
             .and_then(|e| e.with_mass(matrix([[2.0, 1.0, 0.4], [1.0, 2.0, 0.3], [0.4, 0.3, 1.0]])))
             .and_then(|e| e.with_damping(matrix([[0.1, -0.1, 0.0], [-0.1, 0.1, 0.0], [0.0, 0.0, 0.2]])))
             .unwrap();
-        Box::new(if load {
-            element.with_load(vec![1.0, -2.0, 0.5]).unwrap()
-        } else {
-            element
-        })
+        Box::new(element)
     };
     Specimen {
         turns: OWN_AXES,
         rotations: NO_FRAME,
-        load: load.then_some("it is given a load"),
         mass: Mass::Weightless(6.0, "its weight is among the loads that it is given"),
         ..Specimen::new(
             "SuperElement",
-            what,
+            "matrices alone",
             &[[0.0; 3], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]],
             build,
         )
@@ -160,8 +149,7 @@ pub(crate) fn all() -> Vec<Specimen> {
         ),
         liquid_joint("bonded", false),
         liquid_joint("opens", true),
-        super_element("matrices alone", false),
-        super_element("with a load", true),
+        super_element(),
     ]);
     all
 }

@@ -4,7 +4,7 @@ use std::fs;
 
 use super::*;
 
-/// Stops a march after some steps, as a user would.
+/// Stops a march after some steps, like a user.
 struct Patience(std::sync::atomic::AtomicU64, u64);
 
 impl Progress for Patience {
@@ -17,7 +17,7 @@ impl Progress for Patience {
     }
 }
 
-/// A march that was interrupted and resumed is the uninterrupted one bit by bit; files of other marches are refused.
+/// A march that was interrupted and resumed equals the uninterrupted one bit for bit; files of other marches are rejected.
 #[test]
 fn resumed_march_is_the_same() {
     let folder = std::env::temp_dir().join(format!("march-{}", std::process::id()));
@@ -39,7 +39,7 @@ fn resumed_march_is_the_same() {
         key: "test".into(),
         resume: true,
     });
-    // Twice interrupted; the recorders are new ones, as after a restart.
+    // Interrupted twice, with new recorders as after a restart.
     for patience in [150, 60] {
         let patience = Patience(std::sync::atomic::AtomicU64::new(0), patience);
         let run = march(problem, &load, &settings, &mut [&mut recorder()], &patience).unwrap();
@@ -65,7 +65,7 @@ fn resumed_march_is_the_same() {
         }
     };
     let identity = |e: CheckpointError| matches!(e, CheckpointError::Identity { .. });
-    // Another input, which its key says; a model of another size; other settings.
+    // Another input, and so another key; a model of another size; other settings.
     let mut changed = settings.clone();
     changed.checkpoint.as_mut().unwrap().key.push('2');
     assert!(identity(refused(problem, &load, &changed)));
@@ -124,9 +124,9 @@ impl Progress for Room {
     }
 }
 
-/// A checkpoint that cannot be written stops nothing, is tried again, and leaves no half of itself.
+/// A checkpoint that cannot be written does not stop the march, is tried again, and leaves no partial file.
 #[test]
-fn a_march_goes_on_without_room_for_its_checkpoint() {
+fn a_march_continues_without_room_for_its_checkpoint() {
     let folder = std::env::temp_dir().join(format!("march-room-{}", std::process::id()));
     let parts = Parts::new(chain(12.0, 10.0));
     let problem = parts.problem();
