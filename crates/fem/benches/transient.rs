@@ -1,5 +1,5 @@
 //! One step of direct integration (trapezoidal rule, Rayleigh damping), with 1 and 8 right-hand sides, on a cylinder of
-//! 12 × 16 × 20 bricks: 11 580 unknowns. What is timed is the difference of two runs of different length, so that assembly and
+//! 12 × 16 × 20 bricks: 11 580 unknowns. Timed is the difference of two runs of different length, so that assembly and
 //! factorisation drop out; the energy balance is checked.
 
 use std::sync::Arc;

@@ -126,7 +126,7 @@ fn observed(volume: &Volume) -> usize {
     volume.wall_nodes[volume.wall_nodes.len() - 1][0]
 }
 
-/// Time this process has had on the CPU [s], where the system tells; a shared machine spoils the wall clock.
+/// Time this process has had on the CPU [s], where the system provides it; a shared machine spoils the wall clock.
 fn cpu_seconds(start: Instant) -> f64 {
     let told = std::fs::read_to_string("/proc/self/schedstat");
     let nanoseconds = told.ok().and_then(|text| text.split(' ').next()?.parse::<f64>().ok());

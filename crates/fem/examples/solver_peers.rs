@@ -17,7 +17,7 @@ use fem::linalg::{Kind, Matrix, Ordering, Search, Sparse, Symbolic, Symmetric, m
 #[path = "../benches/models/mod.rs"]
 mod models;
 
-/// Time of all threads on the processor so far [s], in steps of 10 ms; wall time where the system does not tell.
+/// Time of all threads on the processor so far [s], in steps of 10 ms; wall time where the system does not provide it.
 fn processor_time(start: Instant) -> f64 {
     let told = std::fs::read_to_string("/proc/self/stat").ok();
     let ticks = told.and_then(|s| {
@@ -27,7 +27,7 @@ fn processor_time(start: Instant) -> f64 {
     ticks.map_or_else(|| start.elapsed().as_secs_f64(), |t| 0.01 * t)
 }
 
-/// Median processor time of `runs` runs [s]; a run is repeated until it takes long enough to be told.
+/// Median processor time of `runs` runs [s]; a run is repeated until it takes long enough to measure.
 fn median(runs: usize, mut work: impl FnMut()) -> f64 {
     let start = Instant::now();
     let mut times: Vec<f64> = (0..runs)

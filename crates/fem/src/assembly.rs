@@ -155,7 +155,7 @@ fn places_of(pattern: &Pattern, equations: &[u32], starts: &[usize]) -> (Vec<u32
     (places, place_starts)
 }
 
-/// Values of an element's dofs under the unknowns `u`, in the components that the element knows.
+/// Values of an element's dofs under the unknowns `u`, in the components of the element.
 pub fn local_values(model: &Model, element: &dyn Element, u: &[f64]) -> Vec<f64> {
     let mut out = Vec::with_capacity(local_size(element));
     for (a, &node) in element.nodes().iter().enumerate() {

@@ -7,7 +7,7 @@
 //!
 //! (The dissertation counts θ, r, z, which is left-handed; here a right-handed element has a positive Jacobian in both.)
 //!
-//! An element in the cylindrical chart carries the chart coordinates of its own corners, so the tank's axis (r = 0, any
+//! An element in the cylindrical chart stores the chart coordinates of its corners, so the tank's axis (r = 0, any
 //! θ) and the seam at 2π need no special node.
 
 use nalgebra::{Matrix3, Vector3};

@@ -22,7 +22,7 @@ pub enum Dof {
     Phi,
     /// Elevation of a liquid's free surface η [m].
     Eta,
-    /// Amplitude of a mode (sloshing mode, fixed-interface mode) at a node of its own; rests in rigid-body motions.
+    /// Amplitude of a mode (sloshing mode, fixed-interface mode) at a separate node; zero in rigid-body motions.
     Amplitude,
 }
 
@@ -68,7 +68,7 @@ impl fmt::Display for Dof {
     }
 }
 
-/// Marks (node, dof) pairs that are no unknowns.
+/// Marks (node, dof) pairs that are not unknowns.
 const NONE: u32 = u32::MAX;
 
 /// Numbers the unknowns: those dofs that some element uses and no support holds, node by node.

@@ -1,10 +1,10 @@
 //! Elements: one file a kind.
 //!
-//! An element is pure: it holds parameters, reads the committed history and writes the trial history it is handed, and
-//! knows neither equations nor supports. Its local vector runs node by node over [`Element::dofs`] of each node; all
+//! An element is pure: it holds parameters, reads the committed history and writes the given trial history, and
+//! does not depend on equations or supports. Its local vector runs node by node over [`Element::dofs`] of each node; all
 //! vector components are global Cartesian (the model turns them into the frames of its nodes).
 //!
-//! What assembly asks of every element is [`Element`]; what some can do besides is [`Contact`], [`Inspect`], [`Mixed`] and
+//! Every element implements [`Element`], which assembly uses; optional abilities are [`Contact`], [`Inspect`], [`Mixed`] and
 //! [`Buckling`]. A new kind is a file here, a line below, and an entry in `tests/laws/registry`, whose suite asks every
 //! element for the laws it must obey.
 
@@ -46,7 +46,7 @@ pub mod super_element;
 pub mod wall;
 mod wet_face;
 
-/// What the nodes of an element do.
+/// Motion of the nodes of an element.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion<'a> {
     /// Values of the element's dofs, total, node by node. Rotational dofs hold the rotation vector of linear theory and
@@ -56,7 +56,7 @@ pub struct Motion<'a> {
     pub rotations: &'a [UnitQuaternion<f64>],
 }
 
-/// What [`Element::respond`] is asked for.
+/// Requested results of [`Element::respond`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Want {
     /// Internal force.
@@ -119,7 +119,7 @@ pub enum ElementError {
         /// Allowed.
         allowed: &'static str,
     },
-    /// A stress law has no answer.
+    /// A stress law failed.
     #[error("{kind}: {source}")]
     Law {
         /// Kind of element.
@@ -127,7 +127,7 @@ pub enum ElementError {
         /// The law's failure.
         source: LawError,
     },
-    /// The kinematics has no answer.
+    /// The kinematics failed.
     #[error("{kind}: {reason}")]
     NoAnswer {
         /// Kind of element.
@@ -184,9 +184,9 @@ pub struct SectionState {
     pub resultants: [f64; 8],
 }
 
-/// A finite element: what assembly asks of every one.
+/// A finite element as used by assembly.
 ///
-/// What only some can do stands in traits of their own, which an element that has them hands out: [`Contact`], [`Inspect`],
+/// Optional abilities are separate traits, which an element returns if it has them: [`Contact`], [`Inspect`],
 /// [`Mixed`], [`Buckling`].
 pub trait Element: Send + Sync {
     /// Kind, as users name it (`fluid8`, `shell4`, …).
@@ -215,12 +215,12 @@ pub trait Element: Send + Sync {
         0
     }
 
-    /// Writes the virgin history.
+    /// Writes the initial history.
     fn init_history(&self, _slots: &mut [f64]) {}
 
     /// Consistent mass matrix at the reference state (zeros by default). `out` has the element's size and is zero.
     ///
-    /// The blocks that join a potential to its boundary stand here too: they multiply accelerations.
+    /// This includes the blocks that join a potential to its boundary, since they multiply accelerations.
     fn mass(&self, _out: &mut LocalMatrix) {}
 
     /// Whether [`Element::mass`] may be non-zero.
@@ -231,7 +231,7 @@ pub trait Element: Send + Sync {
     /// Internal force and consistent tangent at `motion`, with the committed history `old`; writes the trial history
     /// `new`. `out` has the element's size and is zero.
     ///
-    /// Errors: a state without an answer.
+    /// Errors: a state in which the element fails.
     fn respond(
         &self,
         motion: Motion<'_>,
@@ -241,7 +241,7 @@ pub trait Element: Send + Sync {
         out: &mut Response,
     ) -> Result<(), ElementError>;
 
-    /// Viscous damping matrix of the element itself (dashpots, element Rayleigh); returns false if it has none.
+    /// Viscous damping matrix of the element itself (element Rayleigh, super-elements); returns false if it has none.
     fn damping(&self, _out: &mut LocalMatrix) -> bool {
         false
     }
@@ -249,12 +249,12 @@ pub trait Element: Send + Sync {
     /// Adds the consistent nodal forces of a uniform acceleration field b (gravity: b = (0, 0, −g)), ∫ ρ Nᵀ b dV.
     fn body_force(&self, _acceleration: [f64; 3], _out: &mut [f64]) {}
 
-    /// The element as something that opens and closes.
+    /// The element as a joint that opens and closes.
     fn contact(&self) -> Option<&dyn Contact> {
         None
     }
 
-    /// The element as something that can be looked into.
+    /// The element as a source of internal state.
     fn inspect(&self) -> Option<&dyn Inspect> {
         None
     }
@@ -270,7 +270,7 @@ pub trait Element: Send + Sync {
     }
 }
 
-/// What joins two bodies and may part: contact, one-sided joints, layers.
+/// A joint of two bodies that may separate: contact, one-sided joints, layers.
 pub trait Contact {
     /// Shows every yes or no of the element at `motion`, in a fixed order: joint closed, layer pressed. A solution counts only
     /// when these repeat from one iteration to the next.
@@ -292,11 +292,11 @@ pub trait Contact {
         0.0
     }
 
-    /// Moves what is left of a penalty's violation at `motion` into `history` (augmented Lagrangian).
+    /// Moves the remaining violation of a penalty at `motion` into `history` (augmented Lagrangian).
     fn augment(&self, _motion: Motion<'_>, _history: &mut [f64]) {}
 }
 
-/// What an element shows of its inside; nothing by default. No analysis depends on it.
+/// Internal state of an element for output; empty by default. No analysis depends on it.
 pub trait Inspect {
     /// Stresses, resultants or pressure as linear functions of the dofs at the reference state.
     fn samples(&self) -> Vec<Sample> {
@@ -320,7 +320,7 @@ pub trait Inspect {
     }
 }
 
-/// An element that cannot be looked into shows nothing.
+/// An element without [`Inspect`] has no samples.
 impl Inspect for dyn Element + '_ {
     fn samples(&self) -> Vec<Sample> {
         self.inspect().map_or_else(Vec::new, |own| own.samples())
@@ -363,11 +363,11 @@ pub trait Mixed {
     ) -> Result<(), ElementError>;
 }
 
-/// What linear buckling asks: at λ times the load, (K + λ K_G) φ = 0.
+/// Linear buckling: at λ times the load, (K + λ K_G) φ = 0.
 pub trait Buckling {
     /// Adds the geometric stiffness at the reference state of the stresses that belong to the linear displacement `values`.
     ///
-    /// Errors: a material without an answer at rest.
+    /// Errors: a material that fails in the reference state.
     fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<(), ElementError>;
 }
 

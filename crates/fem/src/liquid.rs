@@ -3,7 +3,7 @@
 //! [`Potential`]: the meridional section of a cylinder, one Fourier harmonic at a time, or the plane of a strip, condensed
 //! to the wall's trace and the free surface. [`HarmonicLiquid`] gathers the harmonics into the added mass of a wall of
 //! spatial elements; [`WallPencil`] and [`WallSolver`] join it to an assembled wall. [`strip`]: a rectangular tank in plane,
-//! in closed form. [`separation`]: where such a liquid would leave its wall.
+//! in closed form. [`separation`]: where such a liquid leaves its wall.
 
 mod condensed;
 mod domain;

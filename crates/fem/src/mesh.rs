@@ -11,7 +11,7 @@ pub use cylinder::{Cylinder, Volume, Wall};
 pub use rectangle::{Block, Rectangle, Side};
 pub use strip::{Plane, Strip};
 
-/// A quadrilateral face with the chart coordinates of its own corners.
+/// A quadrilateral face with the chart coordinates of its corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Face {
     /// Nodes, counter-clockwise seen from outside.
@@ -20,7 +20,7 @@ pub struct Face {
     pub chart: [[f64; 3]; 4],
 }
 
-/// A hexahedron with the chart coordinates of its own corners; numbering as in [`crate::shape::hex8`].
+/// A hexahedron with the chart coordinates of its corners; numbering as in [`crate::shape::hex8`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hexahedron {
     /// Nodes; collapsed ones repeat.
@@ -35,7 +35,7 @@ pub enum MeshError {
     /// A count or a coordinate out of range.
     #[error("mesh: {what}: found {found}, allowed {allowed}")]
     Range {
-        /// What.
+        /// The wrong quantity.
         what: &'static str,
         /// Found.
         found: String,

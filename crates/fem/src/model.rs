@@ -30,8 +30,8 @@ pub enum ModelError {
         /// Number of nodes.
         nodes: usize,
     },
-    /// Nothing is free to move.
-    #[error("the model has no unknown: every dof is held, or there is no element")]
+    /// The model has no unknown.
+    #[error("the model has no unknowns: every dof is held, or there are no elements")]
     NoUnknown,
     /// A coordinate that is not a number.
     #[error("node {node}: coordinate {value} is not finite")]

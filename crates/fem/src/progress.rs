@@ -1,4 +1,4 @@
-//! How a long analysis tells where it is, and is told to stop.
+//! Progress of a long analysis, and its interruption.
 
 /// Listener of a long analysis.
 pub trait Progress: Sync {
@@ -6,13 +6,13 @@ pub trait Progress: Sync {
     fn stage(&self, name: &str, steps: u64);
     /// So many steps of the stage are done.
     fn advance(&self, steps: u64);
-    /// True if the user wants to stop: the analysis returns what it has, marked incomplete.
+    /// True if the user wants to stop: the analysis returns its results so far, marked incomplete.
     fn interrupted(&self) -> bool;
     /// Something went wrong that the analysis can do without: a sentence without its full stop.
     fn warn(&self, _what: &str) {}
 }
 
-/// Says nothing and never stops.
+/// No output, never interrupted.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Silent;
 
@@ -24,7 +24,7 @@ impl Progress for Silent {
     }
 }
 
-/// Passes on the wish to stop and nothing else: runs side by side, of which the caller counts whole ones.
+/// Passes on only the interruption: for parallel runs, which the caller counts as a whole.
 pub struct Quiet<'a>(pub &'a dyn Progress);
 
 impl Progress for Quiet<'_> {

@@ -129,7 +129,7 @@ impl Gather {
         }
     }
 
-    /// Gathers what the nodes of `element` do in `fields`.
+    /// Gathers the motion of the nodes of `element` in `fields`.
     pub fn motion(&mut self, model: &Model, fields: &Fields, element: &dyn Element) -> Motion<'_> {
         self.values.clear();
         self.rotations.clear();

@@ -9,16 +9,16 @@
 //! ```
 //!
 //! The liquid is that of the antisymmetric motion: both walls move by the same. Walls that crack do not quite, since the
-//! hydrostatic pressure bends them apart and the earthquake to one side; what is neglected is the liquid's answer to the
+//! hydrostatic pressure bends them apart and the earthquake to one side; the neglected part is the liquid's response to the
 //! difference of two wall deflections, far below that to the ground. The other wall is this one under the record with the
 //! opposite sign: [`Side`]. Corners of real tanks are outside the model; concrete between them bends in plane strain, which
 //! the caller puts into the law, E/(1 − ν²).
 //!
-//! Where the joint may open ([`Contact`]) the liquid's face has a displacement of its own and carries the pressure at rest; joints
+//! Where the joint may open ([`Contact`]) the liquid's face has its own displacement and carries the pressure at rest; joints
 //! ([`crate::element::liquid_joint`]) stand between the two.
 //!
 //! * [`StripTank`]: parameters. [`StripModel`]: the model, its loads, damping and modes.
-//! * [`StripModel::histories`]: both walls through an earthquake, with all that can be told ([`WallHistory`]).
+//! * [`StripModel::histories`]: both walls through an earthquake, with full histories ([`WallHistory`]).
 //!   [`StripModel::run`]: one wall, its [`Demand`] alone; [`StripModel::incremental`]: both at rising scales.
 //! * [`levels`]: nodes along a wall.
 
@@ -75,9 +75,9 @@ pub enum Contact {
     /// The wall's displacement is the liquid's.
     #[default]
     Bonded,
-    /// The liquid has a displacement of its own, joined to the wall by a penalty.
+    /// The liquid has its own displacement, joined to the wall by a penalty.
     Joined {
-        /// Whether the joint opens where the pressure of the displaced particle would fall below zero.
+        /// Whether the joint opens where the pressure of the displaced particle falls below zero.
         opens: bool,
         /// k_n [N/m³]; without, [`PENALTY`] times the stiffness of the wall under the pressure at rest.
         penalty: Option<f64>,
@@ -98,7 +98,7 @@ impl Contact {
 /// wall does.
 pub const PENALTY: f64 = 1e3;
 
-/// Share of the height by which the top of a wall may move: beyond it the theory of small deflections says no more, and the
+/// Share of the height by which the top of a wall may move: beyond it the theory of small deflections does not apply, and the
 /// wall counts as collapsed.
 pub const LARGEST_DEFLECTION: f64 = 0.1;
 

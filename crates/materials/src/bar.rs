@@ -199,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn parameters_out_of_range_are_refused() {
+    fn parameters_out_of_range_are_rejected() {
         assert!(Bar::new(0.0, 1.0, 0.0).is_err() && Bar::new(1.0, f64::NAN, 0.0).is_err());
         assert!(Bar::new(1.0, 1.0, 1.0).is_err());
         let law = Bar::new(200.0, 1.0, 0.0).unwrap();

@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn parameters_out_of_range_are_refused() {
+    fn parameters_out_of_range_are_rejected() {
         assert!(Elastic::new(0.0, 0.2).is_err());
         assert!(Elastic::new(f64::NAN, 0.2).is_err());
         assert!(Elastic::new(1.0, 0.5).is_err());

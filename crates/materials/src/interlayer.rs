@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn parameters_out_of_range_are_refused() {
+    fn parameters_out_of_range_are_rejected() {
         let free = |residual, rounding| NormalLaw::new(1.0, Opening::Free { residual, rounding });
         assert!(free(-1e-9, 0.0).is_err() && free(1.5, 0.0).is_err() && free(0.0, -1.0).is_err());
         assert!(NormalLaw::new(f64::INFINITY, Opening::Glued).is_err());

@@ -62,7 +62,7 @@ pub struct Crack {
     pub largest: f64,
 }
 
-/// What a picture of a point shows.
+/// State of a point for output.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PointState {
     /// Accumulated equivalent plastic strain, ≥ 0.
@@ -77,7 +77,7 @@ pub struct PointState {
     pub rupture: f64,
 }
 
-/// A law without an answer.
+/// Failure of a law.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LawError {
     /// A parameter out of range.
@@ -117,7 +117,7 @@ pub trait Law<const N: usize>: Debug + Send + Sync {
         slots.fill(0.0);
     }
 
-    /// Whether σ = C ε with one C for all time, without history: whoever integrates such a law may do it beforehand.
+    /// Whether σ = C ε with one C for all time, without history: such a law can be integrated beforehand.
     fn is_linear(&self) -> bool {
         false
     }
@@ -128,7 +128,7 @@ pub trait Law<const N: usize>: Debug + Send + Sync {
     /// Errors: no stress found.
     fn respond(&self, strain: &[f64; N], old: &[f64], new: &mut [f64]) -> Result<Response<N>, LawError>;
 
-    /// What a picture shows of a point with this strain and committed history.
+    /// State for output of a point with this strain and committed history.
     fn inspect(&self, _strain: &[f64; N], _history: &[f64]) -> PointState {
         PointState::default()
     }

@@ -9,8 +9,8 @@
 //!         three shears                                       p = 2          c = G
 //! ```
 //!
-//! C P has the eigenvalue 2G but for the first vector (E/(3(1 − ν)) in the plane, 0 in the solid): a return map needs no
-//! matrix.
+//! C P has the eigenvalue 2G except for the first vector (E/(3(1 − ν)) in the plane, 0 in the solid): a return map needs
+//! only scalars.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 

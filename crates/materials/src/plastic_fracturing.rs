@@ -21,7 +21,7 @@
 //! initial size and keeps all measured points. Where σ_env exceeds s (small x, or strong concrete with small E
 //! ε_0/f_c) the damage is zero and the stress is s.
 //!
-//! Dissipation (1 − d) η s λ + ½ σ_eff : C⁻¹ σ_eff d' ≥ 0: hardening stores nothing. The tangent is not symmetric where
+//! Dissipation (1 − d) η s λ + ½ σ_eff : C⁻¹ σ_eff d' ≥ 0: hardening does not store energy. The tangent is not symmetric where
 //! damage grows.
 //!
 //! Limits: compression only. In tension the law flows at about 0.2 f_c or more: combine it with a crack law. It
@@ -298,7 +298,7 @@ mod tests {
     }
 
     #[test]
-    fn parameters_out_of_range_are_refused() {
+    fn parameters_out_of_range_are_rejected() {
         let text = |p| PlasticFracturing::new(&p).unwrap_err().to_string();
         let with_length = |length| Parameters { length, ..parameters() };
         assert!(text(with_length(2.0)).starts_with("plastic_fracturing: length is 2 m, allowed from 0 to 1.38"));

@@ -203,7 +203,7 @@ mod tests {
         assert_eq!(turning_points(3.0, -4.0, 2.0), [3.0, 1.0]);
         assert_eq!(turning_points(8.0, 2.0, -2.0), [4.0, -2.0]);
         assert_eq!(turning_points(6.0, -2.0, 0.0), [f64::INFINITY, 3.0]);
-        // 1 + τ² has none.
+        // 1 + τ² has no root.
         assert!(turning_points(1.0, 0.0, 2.0).iter().all(|t| t.is_nan()));
     }
 

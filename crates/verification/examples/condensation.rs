@@ -1,4 +1,4 @@
-//! What a step of a nonlinear wall with a linear liquid costs: liquid with all its unknowns, condensed onto the wetted wall and
+//! Cost of a step of a nonlinear wall with a linear liquid: liquid with all its unknowns, condensed onto the wetted wall and
 //! the surface, and with sloshing modes.
 //!
 //! ```text

@@ -1,4 +1,4 @@
-//! What the moment at the base of strip 8.4 is made of, and how a run leaves its model: `strip_moments RECORD.csv [name=value …]`.
+//! Parts of the moment at the base of strip 8.4, and the validity limits of a run: `strip_moments RECORD.csv [name=value …]`.
 //!
 //! The record is a table of time and acceleration at 0.02 s, times `scale` [m/s² a unit of the table]. Names: `gf` (fracture energy
 //! [N/m], 0 brittle), `as` (bars of a face [m²/m]), `elements`, `step` [s], `until` [s], `radius` (ρ_∞), `damping` (0

@@ -1,4 +1,4 @@
-//! What a benchmark is made of.
+//! A benchmark and its parts.
 
 use oscillator::record::Record;
 
@@ -13,13 +13,13 @@ pub struct Benchmark {
     pub title: &'static str,
     /// The model in a few sentences: geometry, mesh, material, loads.
     pub model: &'static str,
-    /// Ids of its rows with what they compare.
+    /// Ids of its rows with their meaning.
     pub ids: &'static [(&'static str, &'static str)],
-    /// What computes its rows, in the order of the page.
+    /// Functions that compute its rows, in the order of the page.
     pub parts: &'static [Part],
 }
 
-/// A function that gives rows, by who runs it.
+/// A function that computes rows, by the command that runs it.
 #[derive(Clone, Copy, Debug)]
 pub enum Part {
     /// Takes seconds: `tankcheck verify` and `cargo test`.
@@ -33,7 +33,7 @@ pub enum Part {
 }
 
 impl Part {
-    /// Who runs it.
+    /// Pace of its rows.
     pub fn pace(&self) -> Pace {
         match self {
             Part::Fast(_) => Pace::Fast,

@@ -1,10 +1,10 @@
-//! A row of the manual as it is kept in `rows.json`.
+//! A row of the manual as stored in `rows.json`.
 
 use serde::{Deserialize, Serialize};
 
 use crate::{Reference, Row};
 
-/// Who runs a row.
+/// Pace of a row: the command that computes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Pace {
@@ -34,7 +34,7 @@ impl Pace {
         matches!(self, Pace::Fast | Pace::Tested)
     }
 
-    /// What to run to compute the row again.
+    /// The command that computes the row again.
     pub fn command(self) -> &'static str {
         match self {
             Pace::Fast | Pace::Tested => "`cargo test`",
@@ -51,7 +51,7 @@ pub struct Entry {
     pub id: String,
     /// Page of the manual: id of the benchmark.
     pub page: String,
-    /// What is compared.
+    /// The compared quantity.
     pub what: String,
     /// Kind of the reference, in words: closed form, published, second formulation, dissertation, experiment, regression.
     pub kind: String,
@@ -66,26 +66,26 @@ pub struct Entry {
     /// Allowed deviation, relative (absolute if the reference is 0); absent if the reference is shown for comparison
     /// only.
     pub tolerance: Option<f64>,
-    /// Who runs it.
+    /// Its pace.
     pub pace: Pace,
     /// Convergence study: (number of elements or mesh size, relative error).
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub convergence: Vec<(f64, f64)>,
 }
 
-/// Kinds of references in the order of the index, with what they are.
+/// Kinds of references in the order of the index, with their meaning.
 pub(crate) const KINDS: [(&str, &str); 6] = [
     ("closed form", "a formula or a convergent series"),
     ("published", "numbers of a published benchmark"),
     (
         "second formulation",
-        "another formulation or program of ours, made independently",
+        "another formulation or program of this project, written independently",
     ),
     ("dissertation", "numbers printed in the dissertation"),
     ("experiment", "a measurement"),
     (
         "regression",
-        "our own earlier output: guards against change, verifies nothing",
+        "earlier output of this program: guards against change, does not verify",
     ),
 ];
 
@@ -135,7 +135,7 @@ impl Entry {
         }
     }
 
-    /// Whether the row is for comparison only: it has no tolerance, and neither holds nor fails.
+    /// Whether the row is for comparison only: it has no tolerance and cannot fail.
     pub fn compares(&self) -> bool {
         self.tolerance.is_none()
     }
@@ -155,8 +155,8 @@ impl Entry {
         self.tolerance.is_some() && self.kind != KINDS[5].0
     }
 
-    /// Whether a fresh value says the same: within a thousandth of the tolerance, and never finer than 1e-6 relative,
-    /// which processors may differ by.
+    /// Whether a fresh value is the same: within a thousandth of the tolerance, and at least 1e-6 relative, by which
+    /// processors may differ.
     pub fn same_as(&self, fresh: &Entry) -> bool {
         let (Some(old), Some(new)) = (self.computed, fresh.computed) else {
             return self.computed == fresh.computed;
@@ -166,7 +166,7 @@ impl Entry {
         } else {
             self.reference.abs()
         };
-        // Residuals of patch tests are rounding: nothing but their tolerance holds them.
+        // Residuals of patch tests are rounding: only their tolerance applies.
         let slack = self.tolerance.map_or(1e-3, |t| if t < 1e-5 { t } else { 1e-3 * t });
         (old - new).abs() <= size * slack.max(1e-6)
     }

@@ -2,7 +2,7 @@
 
 use crate::row::Row;
 
-/// Failure of a model that should have an answer.
+/// Failure of a model that should have a solution.
 pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 
 /// The rows of a part, or why there are none.

@@ -21,7 +21,7 @@ const GRAVITY: f64 = 9.81;
 /// K of the dissertation's water [kPa].
 const BULK_MODULUS: f64 = 2.06e6;
 
-/// What rows against one source have in common.
+/// Source and kind of the reference of several rows.
 struct Source {
     source: &'static str,
     kind: Reference,

@@ -1,4 +1,4 @@
-//! The verification manual as a page of its own, and its convergence figures.
+//! The verification manual as a single page, and its convergence figures.
 
 use serde::Serialize;
 use tera::Context;
@@ -12,7 +12,7 @@ use report::template::Templates;
 use report::words::sections;
 use tank::units::Dimension;
 
-/// Curves that the palette tells apart.
+/// Number of colours in the palette.
 const CURVES: usize = 6;
 /// Letters of a legend entry at most.
 const LETTERS: usize = 60;
@@ -22,7 +22,7 @@ const LETTERS: usize = 60;
 ///
 /// Errors: a drawing that fails.
 pub(crate) fn convergence(id: &str, title: &str, studies: &[(String, &[(f64, f64)])]) -> Result<Figure, Error> {
-    // An error that vanishes has no logarithm: it stands at rounding.
+    // A vanishing error has no logarithm: it is drawn at rounding.
     let place = |n: f64, error: f64| (n.max(f64::MIN_POSITIVE).log10(), error.abs().max(1e-16).log10());
     let lines: Vec<Line> = studies
         .iter()

@@ -1,9 +1,9 @@
-//! Verification: models whose answers are known from elsewhere, and the manual made of their rows.
+//! Verification: models with known solutions, and the manual made of their rows.
 //!
 //! A benchmark is a file: its module documentation, a constant `BENCHMARK` (id and title of its page, model, meaning of its
-//! ids, parts) and the functions that compute its rows; [`ALL`] lists them. A row holds a computed value beside a reference
-//! that was not made by this program, and says of which kind the reference is; one that only repeats our own earlier output
-//! is a [`Reference::Regression`] and verifies nothing.
+//! ids, parts) and the functions that compute its rows; [`ALL`] lists them. A row compares a computed value with a reference
+//! that was not made by this program, and names the kind of the reference; a row that only repeats earlier output is a
+//! [`Reference::Regression`] and does not verify.
 //!
 //! ```text
 //! Benchmark ─ Part ─ Row ─ Entry ─ rows.json ─ pages (Markdown + SVG), HTML, table

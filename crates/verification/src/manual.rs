@@ -1,6 +1,6 @@
 //! The verification manual as a folder: `rows.json`, an index, and a page with its figure a benchmark.
 //!
-//! `rows.json` holds what was computed; everything else is a function of it. Rows that a run leaves out (slow ones, those
+//! `rows.json` stores the computed rows; everything else is a function of it. Rows that a run leaves out (slow ones, those
 //! that need a record) keep their last result.
 
 use std::fmt::Write;
@@ -80,7 +80,7 @@ impl Page<'_> {
     }
 }
 
-/// Rows and what could not run, as JSON.
+/// Rows and benchmarks that did not run, as JSON.
 pub fn to_json(manual: &Manual) -> serde_json::Value {
     let row = |row: &Entry| {
         json!({
@@ -137,7 +137,7 @@ fn significant(x: f64) -> String {
     }
 }
 
-/// As few digits as say the same to three.
+/// The fewest digits that agree to three.
 fn significant_short(x: f64) -> String {
     format!("{x:.2e}")
         .parse::<f64>()
@@ -149,7 +149,7 @@ fn cell(text: &str) -> String {
     text.replace('|', "\\|")
 }
 
-/// A page as Markdown; `figure` says whether it has a convergence figure.
+/// A page as Markdown; `figure`: whether it has a convergence figure.
 fn page(page: &Page, figure: bool) -> String {
     let mut text = format!("# {}\n\n", page.title);
     if !page.model.is_empty() {
@@ -191,7 +191,7 @@ fn page(page: &Page, figure: bool) -> String {
     text
 }
 
-/// What is to be said beside a row.
+/// Remark on a row.
 fn remark(row: &Entry) -> &'static str {
     match (row.fails(), row.compares()) {
         (true, _) => "**outside**",
@@ -205,14 +205,14 @@ fn index(rows: &[Entry]) -> String {
     let mut text = String::from(
         "# Verification manual\n\n\
          Generated from `rows.json` by `tankcheck verify --write docs/verification`; do not edit. Each row holds a \
-         computed value beside a reference that was not made by this program, and says of which kind the reference is. \
-         A row without a tolerance is for comparison only: it neither holds nor fails. The column *run by* says what \
-         asserts a row: `cargo test` (`crates/verification/tests/benchmarks.rs`); `tankcheck verify --slow`, which \
+         computed value, a reference that was not made by this program, and the kind of the reference. \
+         A row without a tolerance is for comparison only: it cannot fail. The column *run by* names the \
+         command that asserts a row: `cargo test` (`crates/verification/tests/benchmarks.rs`); `tankcheck verify --slow`, which \
          takes minutes; or `tankcheck verify --records FOLDER`, which needs an accelerogram that may not be redistributed \
          (`imperial-valley-1940-el-centro-ns.csv`: El Centro 1940 NS, Caltech Vol. II, 0.348 g, columns \
          `time_s,acceleration_m_s2`). A run without these options keeps the last result. `cargo test` asserts that this \
          manual is fresh. `tankcheck verify PATTERN` runs the rows of one page or id.\n\n\
-         | reference | what it is | rows | within tolerance | for comparison only |\n|---|---|---:|---:|---:|\n",
+         | reference | meaning | rows | within tolerance | for comparison only |\n|---|---|---:|---:|---:|\n",
     );
     for (kind, meaning) in KINDS {
         let of: Vec<&Entry> = rows.iter().filter(|r| r.kind == kind).collect();
@@ -327,8 +327,8 @@ pub fn read(folder: &Path) -> Result<Vec<Entry>, Error> {
     serde_json::from_str(&text).map_err(|e| fault(format!("not the rows of a verification manual: {e}")))
 }
 
-/// Fresh rows with the last results of those that did not run this time, in the order of [`ALL`]; `ran` says it of a page and
-/// a pace. Rows of benchmarks that are gone are left out.
+/// Fresh rows with the last results of those that did not run this time, in the order of [`ALL`]; `ran(page, pace)`.
+/// Rows of removed benchmarks are left out.
 pub fn merge(fresh: &[Entry], kept: &[Entry], ran: impl Fn(&str, Pace) -> bool) -> Vec<Entry> {
     let old = kept.iter().filter(|row| !ran(&row.page, row.pace));
     let place = |row: &Entry| ALL.iter().position(|benchmark| benchmark.id == row.page);

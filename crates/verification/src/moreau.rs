@@ -5,14 +5,14 @@
 //! M (v₁ − v₀) + h [K (x₀ + h/4 (v₀ + v₁)) + C (v₀ + v₁)/2 − p + Σ r_j F_j(x₁)] = 0 ,   x₁ = x₀ + h/2 (v₀ + v₁)
 //!
 //! joint    e = r·x closing of the joint,  F = k e            as long as the total force N + s·x + F ≥ 0
-//!                                         F = −(N + s·x)     where it would pull: the joint is open
+//!                                         F = −(N + s·x)     if tension: the joint is open
 //! ```
 //!
-//! N is what presses the joint at x = 0 (its share of a static pressure), s·x what the motion itself adds to that (a liquid
-//! particle that moves down comes under more pressure). With s the condition is that of the displaced particle; without, that
+//! N is the force that presses the joint at x = 0 (its share of a static pressure), s·x its change by the motion itself (a liquid
+//! particle that moves down gets under more pressure). With s the condition is that of the displaced particle; without, that
 //! of the place in the tank, which is wrong near a surface that moves. s·x is taken at the beginning of the step.
 //!
-//! The trapezoidal rule on a stiff one-sided penalty gains energy at every touch and chatters without end. The force at the end
+//! The trapezoidal rule on a stiff one-sided penalty gains energy at every touch and chatters endlessly. The force at the end
 //! of the step never gains any (a closed spring loses ½ k (e₁ − e₀)² in each step, a closing or opening one more) and leaves
 //! the smooth motion of a closed joint undamped: there it is a multiplier.
 //!
@@ -36,7 +36,7 @@ pub struct Joint {
     pub stiffness: f64,
     /// N [N], the force that presses the joint at rest.
     pub preload: f64,
-    /// s: what the motion adds to it [N/m].
+    /// s: its change by the motion [N/m].
     pub relief: SparseRow,
 }
 
@@ -45,7 +45,7 @@ pub struct Joint {
 pub enum Opening {
     /// Never: F = k e.
     Bonded,
-    /// Where they would pull.
+    /// Under tension.
     Unilateral,
 }
 
@@ -60,7 +60,7 @@ pub struct Jointed {
     pub stiffness: Matrix,
     /// Joints.
     pub joints: Vec<Joint>,
-    /// What they do.
+    /// Their behaviour.
     pub opening: Opening,
 }
 
@@ -188,7 +188,7 @@ impl Jointed {
     /// End of a step, x₁ and v₁ with the force of each joint, on the set of open joints that repeats; the number of sets tried.
     #[expect(
         clippy::too_many_arguments,
-        reason = "the step's own values, which its caller goes on with"
+        reason = "the step's own values, with which its caller continues"
     )]
     fn close(
         &self,

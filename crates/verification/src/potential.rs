@@ -48,7 +48,7 @@ const BROAD: (f64, f64) = (1.83, 1.525);
 
 /// Rows that take seconds.
 ///
-/// Errors: a model without an answer.
+/// Errors: a model that cannot be solved.
 pub fn potential() -> Answer {
     let mut rows = cylinder_rows()?;
     rows.extend(sector_rows()?);
@@ -62,7 +62,7 @@ pub fn potential() -> Answer {
 
 /// Rows that take minutes: the other tanks, and the finest mesh of the first.
 ///
-/// Errors: a model without an answer.
+/// Errors: a model that cannot be solved.
 pub fn potential_slow() -> Answer {
     let mut rows = Vec::new();
     for (depth, omega) in [(3.0, 158.09), (5.0, 86.91)] {
@@ -95,7 +95,7 @@ fn bulging_rows(tank: &str, data: &Tank, reference: f64, horizontal: bool) -> An
     let mut rows = Vec::new();
     let mut found: [Vec<(f64, f64)>; 2] = Default::default();
     let mut mass = 0.0;
-    // Beside the mode, so that K − σM is not nearly singular.
+    // Next to the mode, so that K − σM is not nearly singular.
     let around = 1.003 * reference;
     for k in [2, 3] {
         let division = Division::refined(data, k);

@@ -1,19 +1,19 @@
 //! One compared number.
 
-/// What a reference value is.
+/// Kind of a reference value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reference {
     /// A closed form or a convergent series.
     ClosedForm,
     /// A published benchmark.
     Published,
-    /// A second, independent formulation of ours.
+    /// A second, independent formulation of this project.
     SecondFormulation,
     /// A number printed in the dissertation.
     Dissertation,
     /// A measurement.
     Experiment,
-    /// Our own earlier output: guards against change, verifies nothing.
+    /// Earlier output of this program: guards against change, does not verify.
     Regression,
 }
 
@@ -28,9 +28,9 @@ pub struct Row {
     pub reference: f64,
     /// Where the reference comes from: author, year, equation or table.
     pub source: &'static str,
-    /// What the reference is.
+    /// Kind of the reference.
     pub kind: Reference,
-    /// Our value, in `unit`.
+    /// Computed value, in `unit`.
     pub computed: f64,
     /// Allowed deviation: relative to the reference, absolute (in `unit`) if the reference is 0. Infinite where the
     /// reference is shown for comparison only.
@@ -77,7 +77,7 @@ impl Row {
         self.computed.is_finite() && self.error().abs() <= self.tolerance
     }
 
-    /// One line for a failing test: what was found, what was expected.
+    /// One line for a failing test: the computed value and the reference.
     pub fn line(&self) -> String {
         format!(
             "{} {}: {:.6} {}, reference {:.6} ({}), error {:.2e}, allowed {:.1e}",

@@ -72,7 +72,7 @@ fn glob(glob: &str, text: &str) -> bool {
     }
 }
 
-/// What to run.
+/// The benchmarks and rows to run.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Choice<'a> {
     /// Which benchmarks and rows; all without one.
@@ -105,7 +105,7 @@ impl Choice<'_> {
         self.benchmarks().flat_map(each).count() as u64
     }
 
-    /// What a part of this pace lacks to run.
+    /// The option that a part of this pace needs and this choice lacks.
     fn needs(&self, pace: Pace) -> Option<String> {
         match pace {
             Pace::Tested | Pace::Slow if !self.slow => Some("--slow".into()),
@@ -122,7 +122,7 @@ pub struct NotRun {
     pub id: String,
     /// Its title.
     pub what: String,
-    /// What the rows need.
+    /// The options that the rows need.
     pub needs: String,
 }
 
@@ -137,7 +137,7 @@ pub struct Manual {
 
 /// Computes the rows of the chosen benchmarks; `begin` is called with the title of each part's benchmark before it runs.
 ///
-/// Errors: [`Error::Benchmark`], a benchmark without an answer.
+/// Errors: [`Error::Benchmark`], a benchmark that fails.
 pub fn run(choice: Choice, begin: &dyn Fn(&str)) -> Result<Manual, Error> {
     let mut manual = Manual::default();
     for benchmark in choice.benchmarks() {

@@ -1,6 +1,6 @@
 //! Shells: S1 to S22.
 //!
-//! Meshes, supports and loads are those of the sources. Where a row compares a coarse mesh, its reference is what an
+//! Meshes, supports and loads are those of the sources. Where a row compares a coarse mesh, its reference is the result that an
 //! independent prototype of the same formulation gave on that mesh ([`Reference::SecondFormulation`]); the finest mesh
 //! is compared with the published value.
 
@@ -153,7 +153,7 @@ fn solve(builder: Builder, placed: PlacedShell, loads: &NodalLoads, acceleration
     })
 }
 
-/// What rows against one source have in common.
+/// Id, source and unit of several rows.
 struct Case {
     id: &'static str,
     source: &'static str,

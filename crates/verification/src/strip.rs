@@ -1,6 +1,6 @@
 //! Strip 8.4 of the dissertation with fibre walls: statics, linear and nonlinear response to El Centro.
 //!
-//! | rows | what | reference |
+//! | rows | quantity | reference |
 //! |---|---|---|
 //! | C10 | section forces and deflections at rest | cantilever under hydrostatic pressure |
 //! | section | cracking and yield moment of the base | beam theory |

@@ -1,5 +1,5 @@
 //! Source:    see each row of the verification manual
-//! Goal:      every row that takes no minutes holds its tolerance, and the committed manual says the same
+//! Goal:      every row that takes less than minutes holds its tolerance, and the committed manual agrees
 //! Model:     a test a benchmark: its fast and tested parts, each run once
 //! Expected:  closed forms, published benchmarks, independent assemblies: named in each row
 //! Tolerance: per row, stated where the row is made
@@ -63,7 +63,7 @@ fn check(benchmark: &Benchmark, kept: &[Entry]) -> Result<(), Failed> {
     }
 }
 
-/// What a row is known by: words may repeat, with another source.
+/// Key of a row: words may repeat, with another source.
 fn name(row: &Entry) -> [&str; 5] {
     [&row.id, &row.what, &row.kind, &row.source, row.pace.id()]
 }

@@ -170,7 +170,7 @@ impl Assembler {
     }
 
     /// Calls `add(element, working space, N matrices)` for every element. Large models are cut in two halves that run side by
-    /// side: each writes to its own part of the values, the second to a copy of what both write to. The halves are the
+    /// side: each writes to its own part of the values, the second to a copy of the shared part. The halves are the
     /// same on every machine, so that the sums are, to the last digit.
     fn gather<const N: usize>(
         &self,

@@ -1,4 +1,4 @@
-//! What the elements answer to a motion.
+//! Response of the elements to a motion.
 
 use super::matrices::{Sink, Work};
 use super::turn::turn_back;
@@ -19,7 +19,7 @@ pub struct Forces {
     pub at_end: Vec<f64>,
 }
 
-/// What an evaluation of all elements is asked for.
+/// Requested results of an evaluation of all elements.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ask<'a> {
     /// Force, tangent.
@@ -41,7 +41,7 @@ impl<'a> Ask<'a> {
     }
 }
 
-/// What the elements keep from one iteration of a step to the next ([`respond_mixed`](crate::element::Mixed::respond_mixed)).
+/// Data that elements keep from one iteration of a step to the next ([`respond_mixed`](crate::element::Mixed::respond_mixed)).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kept {
     values: Vec<f64>,
@@ -50,7 +50,7 @@ pub struct Kept {
 }
 
 impl Kept {
-    /// Nothing yet.
+    /// Empty.
     pub fn new(model: &Model) -> Kept {
         let mut offsets = vec![0];
         for element in model.elements() {
@@ -83,7 +83,7 @@ pub struct LinearPart {
 impl Assembler {
     /// Assembles the linear elements once for all.
     ///
-    /// Errors: the first element without an answer, with its number.
+    /// Errors: the first element that fails, with its number.
     pub fn linear_part(&self, model: &Model) -> Result<LinearPart, (usize, ElementError)> {
         let mut out = LinearPart {
             tangent: Symmetric::zeros(self.pattern.clone()),
@@ -109,7 +109,7 @@ impl Assembler {
 
     /// Internal force and, if wanted, tangent at the trial state; writes the trial history.
     ///
-    /// Errors: the first element without an answer, with its number.
+    /// Errors: the first element that fails, with its number.
     pub fn respond(
         &self,
         model: &Model,
@@ -138,9 +138,9 @@ impl Assembler {
         Ok(forces.internal)
     }
 
-    /// The same with the forces at the supports, into storage that is kept; `linear` stands for the linear elements.
+    /// The same with the forces at the supports, into storage that is kept; `linear` replaces the linear elements.
     ///
-    /// Errors: the first element without an answer, with its number.
+    /// Errors: the first element that fails, with its number.
     pub fn respond_into(
         &self,
         model: &Model,
@@ -220,7 +220,7 @@ impl Assembler {
         Ok(())
     }
 
-    /// Adds the force of element `e`: to the unknowns, the supports, and what acts at the end of a step.
+    /// Adds the force of element `e`: to the unknowns, the supports, and the forces at the end of a step.
     fn add_forces(&self, model: &Model, e: usize, want: Want, response: &mut Response, forces: &mut Forces) {
         if !want.force {
             return;
@@ -247,7 +247,7 @@ impl Assembler {
     /// Adds Σ a_e K_e⁺ of the elements' tangents at the trial state, where K_e⁺ is the positive part of K_e and
     /// a_e = `factor(e)`.
     ///
-    /// Errors: the first element without an answer, with its number.
+    /// Errors: the first element that fails, with its number.
     pub fn add_positive_tangent(
         &self,
         model: &Model,

@@ -10,7 +10,7 @@
 //! Small displacements. Nodal values are exact for loads at the nodes. Axes: e₁ along the beam, e₂ given, e₃ = e₁ × e₂;
 //! `bending_3` = E I about e₃ bends the beam along e₂.
 //!
-//! What for: exact nodal values, which benchmarks compare walls of solids and shells with; no engine uses it.
+//! Use: exact nodal values as reference for walls of solids and shells in benchmarks; no engine uses it.
 //!
 //! Source: Przemieniecki 1968, (5.116) and (11.24).
 
@@ -52,7 +52,7 @@ pub struct Beam2 {
 }
 
 impl Beam2 {
-    /// Beam from `ends[0]` to `ends[1]` [m]; `second` gives e₂ after its part along the beam is taken off.
+    /// Beam from `ends[0]` to `ends[1]` [m]; `second` gives e₂ after its part along the beam is subtracted.
     ///
     /// Errors: a stiffness or mass out of range, no length, e₂ along the beam.
     pub fn new(
@@ -360,7 +360,7 @@ mod tests {
     }
 
     #[test]
-    fn bad_beams_are_refused() {
+    fn bad_beams_are_rejected() {
         let ends = [[0.0; 3], [0.0, 0.0, 1.0]];
         assert!(Beam2::new([0, 1], ends, [0.0, 0.0, 1.0], section(1.0)).is_err());
         assert!(Beam2::new([0, 1], [[0.0; 3]; 2], [1.0, 0.0, 0.0], section(1.0)).is_err());

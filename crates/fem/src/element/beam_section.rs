@@ -4,12 +4,12 @@
 //! ε(ζ) = ε₀ + ζ κ          N = Σ A_i σ_i          M = Σ A_i ζ_i σ_i          κ = −w″, ζ along the deflection w
 //! ```
 //!
-//! Areas may be those of a strip of unit width [m²/m]; then the resultants are per metre too. Fibres of one law stand in
-//! a block, so that a point costs one indirect call a fibre and nothing else.
+//! Areas may be those of a strip of unit width [m²/m]; then the resultants are per metre too. Fibres of one law form
+//! a block, so that a point costs one indirect call per fibre.
 //!
 //! **Layers.** A block of depth h in n layers of area A/n has its fibres at the middle of the layers, moved outwards by
 //! 1/√(1 − 1/n²): area and second moment h³/12 are then exact, and an elastic section does not depend on n. Bars stand at
-//! their true depth; the concrete they displace is not taken off.
+//! their true depth; the concrete they displace is not subtracted.
 //!
 //! History of a point: energy dissipated so far per length [J/m], then the fibres' own.
 
@@ -152,7 +152,7 @@ impl FibreSection {
         if !(width > 0.0 && height > 0.0 && (width * height).is_finite()) {
             return refuse("width × height", format!("{width} × {height} m"), "> 0");
         }
-        // One layer has no second moment, whatever its place.
+        // The rule for the places of the layers needs at least two.
         if layers < 2 {
             return refuse("layers", layers.to_string(), "2 or more");
         }
@@ -213,7 +213,7 @@ impl FibreSection {
         self.blocks.iter().map(|b| b.fibres.len()).sum()
     }
 
-    /// Number of fibres that are no bars; these come first.
+    /// Number of fibres that are not bars; these come first.
     pub fn layers(&self) -> usize {
         self.layers
     }
@@ -233,7 +233,7 @@ impl FibreSection {
         self.shear
     }
 
-    /// Writes the virgin history of one point.
+    /// Writes the initial history of one point.
     pub fn init_history(&self, slots: &mut [f64]) {
         let (first, mut rest) = slots.split_at_mut(1);
         first[0] = 0.0;
@@ -249,7 +249,7 @@ impl FibreSection {
     /// Resultants at the strain ε₀ of the axis and the curvature κ, with the committed history `old`; writes the trial
     /// history `new`.
     ///
-    /// Errors: a fibre without an answer.
+    /// Errors: a fibre that fails.
     pub fn respond(
         &self,
         [strain, curvature]: [f64; 2],
@@ -281,9 +281,9 @@ impl FibreSection {
         Ok(out)
     }
 
-    /// Response of the virgin section without strain; its tangent is E A, E S, E I.
+    /// Response of the initial section without strain; its tangent is E A, E S, E I.
     ///
-    /// Errors: a fibre without an answer.
+    /// Errors: a fibre that fails.
     pub fn at_rest(&self) -> Result<FibreResponse, ElementError> {
         let mut old = vec![0.0; self.slots];
         self.init_history(&mut old);
@@ -295,7 +295,7 @@ impl FibreSection {
         history[0]
     }
 
-    /// Shows every fibre at committed strains and history. A law that has no answer there shows no stress.
+    /// Shows every fibre at committed strains and history. A law that fails there has no stress.
     pub fn inspect(&self, [strain, curvature]: [f64; 2], history: &[f64], see: &mut dyn FnMut(FibreState)) {
         let mut scratch = history.to_vec();
         let (mut at, mut number) = (1, 0);
@@ -321,7 +321,7 @@ impl FibreSection {
     ///
     /// At each curvature ε₀ balances N(ε₀, κ) = N to 10⁻¹⁰ of E A; the history is committed from point to point.
     ///
-    /// Errors: a fibre without an answer; no ε₀ found between −1 and 1.
+    /// Errors: a fibre that fails; no ε₀ found between −1 and 1.
     pub fn moment_curvature(&self, axial: f64, curvatures: &[f64]) -> Result<Vec<CurvaturePoint>, ElementError> {
         let stiffness = self.at_rest()?.tangent[0][0];
         let mut old = vec![0.0; self.slots];
@@ -418,7 +418,7 @@ mod tests {
     }
 
     #[test]
-    fn bad_sections_are_refused() {
+    fn bad_sections_are_rejected() {
         let section = || FibreSection::new(1.0).unwrap();
         assert!(FibreSection::new(-1.0).is_err());
         assert!(section().with_attached_mass(f64::NAN).is_err());

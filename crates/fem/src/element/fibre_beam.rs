@@ -11,7 +11,7 @@
 //! ```
 //!
 //! **Why a node in the middle.** A cracked section couples N with κ. Where κ is linear along the beam and ε₀ constant, N
-//! cannot be constant although equilibrium says so, and the beam is too stiff (membrane locking of cracked beams). With a
+//! cannot be constant although equilibrium requires it, and the beam is too stiff (membrane locking of cracked beams). With a
 //! linear ε₀ the axial equilibrium of the middle node makes N equal at both Gauss points. Only its displacement along the
 //! beam is used; [`FibreBeam::add_to`] makes the node and holds the rest.
 //!
@@ -161,7 +161,7 @@ impl FibreBeam {
         })
     }
 
-    /// Adds a beam between two nodes of `builder` with a middle node of its own, of which only the displacement along the
+    /// Adds a beam between two nodes of `builder` with an added middle node, of which only the displacement along the
     /// beam is free; returns the number of the element.
     ///
     /// Errors: those of [`FibreBeam::new`].

@@ -1,4 +1,4 @@
-//! What the displacement liquids share: properties, choices of quadrature, the split penalty.
+//! Common to the displacement liquids: properties, choices of quadrature, the split penalty.
 //!
 //! ```text
 //! ½ ∫ K e² dV + ½ ∫ K_rot ω_ij ω^ij dV + ½ ∫ ρ g u_z² dA        e = g^ij u_i|_j        ω_ij = ½ (u_i,j − u_j,i)
@@ -15,7 +15,7 @@
 //! R = R_1pt(K₁) + [R_full − R_1pt](K₂)        K₁ = 10 ρ g R        K₂ = 0.1 ρ g R
 //! ```
 //!
-//! which keeps the mean rotation of an element stiff without locking its bending: nothing to calibrate. Derivation and
+//! which keeps the mean rotation of an element stiff without locking its bending or needing calibration. Derivation and
 //! measurements: `docs/theory/fluid-elements.md`.
 //!
 //! The element's pressure is that of its centre. It is **not** the pressure on the wall, which lies half an element away:
@@ -37,7 +37,7 @@ pub enum VolumePart {
 /// Quadrature and size of the rotation penalty K_rot [Pa].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RotationPart {
-    /// None: most modes have no energy.
+    /// No rotation part: most modes have zero energy.
     None,
     /// One point.
     OnePoint(f64),
@@ -102,7 +102,7 @@ impl LiquidProperties {
         }
     }
 
-    /// Refuses what is not positive.
+    /// Rejects values that are not positive.
     pub(super) fn check(&self, kind: &'static str) -> Result<(), ElementError> {
         let positive = [("density", self.density), ("bulk modulus", self.bulk_modulus)];
         for (parameter, value) in positive {
@@ -121,7 +121,7 @@ impl LiquidProperties {
             }
         }
         if first < second {
-            let found = format!("{second} beside {first} at the centre");
+            let found = format!("{second} next to {first} at the centre");
             return Err(ElementError::Parameter {
                 kind,
                 parameter: "rotation penalty of the rest",

@@ -224,7 +224,7 @@ impl Element for Fluid4 {
     }
 
     /// With the quadrature of the volume part. In the cylindrical chart a horizontal acceleration has no axisymmetric
-    /// part and loads nothing.
+    /// part and gives no load.
     fn body_force(&self, acceleration: [f64; 3], out: &mut [f64]) {
         let add = |p: &Point, out: &mut [f64]| {
             for a in 0..4 {

@@ -416,7 +416,7 @@ impl Element for Fluid8 {
         Ok(())
     }
 
-    /// With the quadrature of the volume part: a liquid without shear stiffness answers the least mismatch between nodal
+    /// With the quadrature of the volume part: a liquid without shear stiffness reacts to the least mismatch between nodal
     /// weight and nodal pressure force with free circulation.
     fn body_force(&self, acceleration: [f64; 3], out: &mut [f64]) {
         let points: &[Reference] = match self.liquid.volume {

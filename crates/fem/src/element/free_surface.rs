@@ -6,7 +6,7 @@
 //!
 //! on the horizontal projection of the face (dissertation, eqs. (5.36), (5.40), appendix C, G and H). The nodal areas
 //! Σ_b S_ab/ρg must be those of the liquid element below, ∫ N_a,₃ dV of its top corners, or the liquid circulates under
-//! its own weight. Full quadrature of N_a √g matches mean dilatation and full volume quadrature; beside a liquid whose
+//! its own weight. Full quadrature of N_a √g matches mean dilatation and full volume quadrature; next to a liquid whose
 //! volume part is taken at one point, √g and the Jacobian are taken at the face's centre as well
 //! ([`FreeSurface::at_one_point`]).
 

@@ -1,4 +1,4 @@
-//! Joint between a wall and a liquid whose wetted face has a displacement of its own: the wall presses the liquid, and nothing
+//! Joint between a wall and a liquid whose wetted face has its own displacement: the wall presses the liquid, and nothing
 //! pulls it.
 //!
 //! ```text
@@ -8,7 +8,7 @@
 //! ```
 //!
 //! F is the whole pressure (times the area of the point), that of rest included: the hydrostatic load stands on the liquid's
-//! face. s·x = −ρ g A u_z is what a particle's own motion adds to its pressure, so that the joint opens where the pressure of
+//! face. s·x = −ρ g A u_z is the change of a particle's pressure by its own motion, so that the joint opens where the pressure of
 //! the *displaced* particle would fall below zero and not wherever the surface has fallen below a place of the wall. It is
 //! taken at the beginning of the step, which keeps the tangent symmetric. Without s the judgement is the plain one of the
 //! undeformed height.
@@ -32,13 +32,13 @@ pub const RESIDUAL: f64 = 1e-12;
 pub struct JointPoint {
     /// Closing e as a row over the unknowns.
     pub closing: Vec<(usize, f64)>,
-    /// s: what the motion adds to the pressing force, as a row over the unknowns [N/m].
+    /// s: change of the pressing force by the motion, as a row over the unknowns [N/m].
     pub relief: Vec<(usize, f64)>,
     /// k: penalty [N/m³] times the area of the point [m²].
     pub stiffness: f64,
 }
 
-/// What a point does.
+/// State of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointForce {
     /// e [m].
@@ -103,7 +103,7 @@ impl LiquidJoint {
         &self.points
     }
 
-    /// What the points do at `values` of the unknowns, with the `history` that was committed with them.
+    /// States of the points at `values` of the unknowns, with the `history` that was committed with them.
     pub fn look(&self, values: &[f64], history: &[f64]) -> Vec<PointForce> {
         let points = self.points.iter().zip(history);
         points
@@ -243,7 +243,7 @@ mod tests {
         (out, new)
     }
 
-    /// Closed, open, and one of each: forces by hand, tangents against differences; what is kept for the next step is s·x.
+    /// Closed, open, and one of each: forces by hand, tangents against differences; the value kept for the next step is s·x.
     #[test]
     fn forces_and_tangents() {
         let joint = joint(true);
@@ -283,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn nonsense_is_refused() {
+    fn bad_parameters_are_rejected() {
         let point = |row, stiffness| JointPoint {
             closing: vec![row],
             relief: Vec::new(),

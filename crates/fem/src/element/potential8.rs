@@ -13,7 +13,7 @@
 //!      ⎣ ρB    ρS  −ρH  ⎦           ⎣ 0     0    0 ⎦
 //! ```
 //!
-//! The rows of φ say H φ = B u + S η: the liquid's boundary moves with wall and surface. Where no face is added the
+//! The rows of φ are H φ = B u + S η: the liquid's boundary moves with wall and surface. Where no face is added the
 //! boundary is rigid and at rest. Coordinates are those of the element's chart, integrated with 2 × 2 × 2 points: in the
 //! cylindrical chart volumes are exact, the wedge at the axis is a hexahedron whose inner corners share a node, and 1/r
 //! is taken at integration points only.
@@ -225,7 +225,7 @@ mod tests {
         let h = reference_mass(&element);
         for i in 0..8 {
             let row: f64 = (0..8).map(|j| h.get(i, j)).sum();
-            assert!(row.abs() < 1e-14, "a constant costs nothing");
+            assert!(row.abs() < 1e-14, "a constant has no energy");
             for j in 0..8 {
                 assert!((h.get(i, j) - h.get(j, i)).abs() < 1e-15);
             }
@@ -283,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn inverted_cells_are_refused() {
+    fn inverted_cells_are_rejected() {
         let mut cell = distorted();
         cell.chart.swap(0, 4);
         assert!(matches!(

@@ -27,7 +27,7 @@
 //! The last block is the second derivative of the energy along exp(skew θ) R: the tangent is symmetric everywhere. The
 //! derivative of f_θ itself differs from it by ½ skew(f_θ), which vanishes with the nodal moments at equilibrium.
 //!
-//! Strains are evaluated from displacements u = x − X and w = d − D, never as differences of the two metrics: these would
+//! Strains are evaluated from displacements u = x − X and w = d − D, never as differences of the two metrics: these
 //! leave a residual of 10⁻¹⁶ E t |X|.
 //!
 //! Source: Dvorkin & Bathe 1984 (tying), Simo & Fox 1989 (measures); the centre-point shear and its reason are derived in
@@ -79,7 +79,7 @@ pub enum MassKind {
     Lumped,
 }
 
-/// Frame in which resultants are given out: e_1 by this rule, projected on the tangent plane; e_2 = n × e_1.
+/// Frame of resultants in output: e_1 by this rule, projected on the tangent plane; e_2 = n × e_1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Axes {
     /// e_1 along X,r of the element's centre.
@@ -103,7 +103,7 @@ impl Axes {
         axis: [0.0, 0.0, 1.0],
     };
 
-    /// Unit e_1 at `position` on a surface with the unit normal `normal`; `None` where the rule has no answer.
+    /// Unit e_1 at `position` on a surface with the unit normal `normal`; `None` where the rule does not apply.
     pub fn first(&self, position: Vector3<f64>, normal: Vector3<f64>) -> Option<Vector3<f64>> {
         let wish = match *self {
             Axes::Element => return None,
@@ -187,7 +187,7 @@ impl Shell4 {
         self
     }
 
-    /// The same with another frame for the section and for all that is given out. Where its rule has no answer (on the
+    /// The same with another frame for the section and for all output. Where its rule does not apply (on the
     /// axis) the element's own frame is taken.
     pub fn with_axes(mut self, axes: Axes) -> Shell4 {
         self.axes = axes;
@@ -310,8 +310,8 @@ impl Shell4 {
         Ok(())
     }
 
-    /// Tangent of the virgin section, in its own frame.
-    fn virgin_tangent(&self) -> Result<[[f64; 8]; 8], ElementError> {
+    /// Tangent of the initial section, in its own frame.
+    fn initial_tangent(&self) -> Result<[[f64; 8]; 8], ElementError> {
         let mut old = vec![0.0; self.section.history_len()];
         self.section.init_history(&mut old);
         let mut new = old.clone();
@@ -435,7 +435,7 @@ impl Buckling for Shell4 {
     fn geometric_stiffness(&self, values: &[f64], out: &mut LocalMatrix) -> Result<(), ElementError> {
         let reference = self.reference();
         let common = self.common(&reference);
-        let tangent = self.virgin_tangent()?;
+        let tangent = self.initial_tangent()?;
         let mut stressed = Stressed::default();
         for (g, p) in self.points.iter().enumerate() {
             let k = self.kinematics(p, &reference, &common);

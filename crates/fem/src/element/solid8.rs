@@ -193,7 +193,7 @@ impl Solid8 {
         points
     }
 
-    /// Volumes of the points only: what the mass needs.
+    /// Volumes of the points, for the mass.
     #[inline]
     fn volumes(&self) -> [f64; POINTS] {
         let mut volumes = [0.0; POINTS];

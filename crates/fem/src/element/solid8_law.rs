@@ -14,7 +14,7 @@
 //!
 //! The first is St. Venant and Kirchhoff's law with the metric of the reference state (the dissertation prints that of the
 //! current one in (6.25), (6.26)). The second is its layer between two shells, section 6.3.1, where only D³³³³ ≠ 0. The
-//! third adds shear across the layer and nothing in its plane: the core of a sandwich.
+//! third adds shear across the layer only: the core of a sandwich.
 //!
 //! The switch lies wholly on the side of tension, so that the reference state is stressless and has the full modulus;
 //! a width w costs a tensile strength of E_n w/2.
@@ -55,7 +55,7 @@ pub enum Law {
     },
 }
 
-/// What a layer does under extension along its normal.
+/// Behaviour of a layer under extension along its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Tension {
     /// The same as under compression.
@@ -287,7 +287,7 @@ mod tests {
         assert_eq!(without_tension(e, 1e-6, 0.0, 1e-3), (e * 1e-9, e * 1e-6));
     }
 
-    /// Pure shear γ across the layer gives τ = G γ, whatever the normal; shear and stretch in its plane give nothing.
+    /// Pure shear γ across the layer gives τ = G γ, whatever the normal; shear and stretch in its plane give no stress.
     #[test]
     fn core_carries_shear_across() {
         let law = Law::Core {
@@ -318,7 +318,7 @@ mod tests {
     }
 
     #[test]
-    fn parameters_out_of_range_are_refused() {
+    fn parameters_out_of_range_are_rejected() {
         let isotropic = |young_modulus, poisson_ratio| Law::Isotropic {
             young_modulus,
             poisson_ratio,

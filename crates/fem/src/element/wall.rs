@@ -11,7 +11,7 @@
 //!                      K += Tᵀ K_face T + c [½ (f dᵀ + d fᵀ) − (f · d) 1] at every node        T = [1, c P]
 //! ```
 //!
-//! The layer is a [`Solid8`] between the faces, so that it has no unknown of its own: the wall's dofs are those of its two
+//! The layer is a [`Solid8`] between the faces, so that it adds no unknowns: the wall's dofs are those of its two
 //! [`Shell4`], inner nodes first. The last block of K is the second derivative of the energy along exp(skew θ) R, as in the
 //! shell: the tangent is symmetric everywhere, and rigid rotations of any size leave the layer unstrained. A layer that is
 //! stiff along its normal only transmits no shear: the shells bend side by side and E I adds. For composite action it must
@@ -22,7 +22,7 @@
 //! layer without shear stiffness cannot carry its weight by itself.)
 //!
 //! **Fewer layers.** One shell is a [`Shell4`]. Two shells bonded directly are two [`Shell4`] on one reference surface, one
-//! of them with an eccentric section: a perfect bond needs no unknown either. Two shells that may part without a layer are
+//! of them with an eccentric section: a perfect bond adds no unknowns either. Two shells that may separate without a layer are
 //! not offered: give the joint a thickness. [`place`] puts all three into a model.
 //!
 //! Source: dissertation, section 6.3.2 (its face displacements linearised; here with finite rotations).
@@ -85,7 +85,7 @@ pub struct Layer {
     pub material: Elastic,
     /// Strain measure; Green-Lagrange with finite rotations.
     pub kinematics: Kinematics,
-    /// Who carries its mass.
+    /// Which part carries its mass.
     pub mass: LayerMass,
 }
 

@@ -9,7 +9,7 @@
 //! tangential motion of a round wall moves no liquid, and a uniform radial one the exact volume of the chart.
 //!
 //! **Round walls.** Between two meridians, Δ apart, the chord of a smooth w lies within it. ∫ N_a N_b dθ has the
-//! weights Δ (1, 4, 1)/6, and a translation of the wall would move a mass 5Δ²/24 too small (3.2 % with 16 sectors).
+//! weights Δ (1, 4, 1)/6, and a translation of the wall moves a mass 5Δ²/24 too small (3.2 % with 16 sectors).
 //! On a face r = const whose wall has the same meridians the integral along θ is therefore that of the smooth function
 //! through the nodal values, of fourth order:
 //!
@@ -38,7 +38,7 @@ use crate::shape::{gauss, quad4};
 
 const KIND: &str = "wet_face";
 
-/// Overlaps narrower than this part of the faces' size are none.
+/// Overlaps narrower than this share of the faces' size are ignored.
 const SLIVER: f64 = 1e-9;
 
 /// Coupling of a liquid face with a wall face.
@@ -87,13 +87,13 @@ impl WetFace {
         })
     }
 
-    /// Joins a liquid face to a wall face over the part they share; `None` if they share nothing.
+    /// Joins a liquid face to a wall face over the part they share; `None` if they do not overlap.
     ///
     /// Both faces are rectangles on one coordinate surface of `chart` (r = R; or a plane x, y or z = const).
     ///
     /// * `normals`: normal of the wall at each corner of the wall face, out of the liquid, unit length
     ///
-    /// Errors: those of [`WetFace::new`]; faces that are no such rectangles.
+    /// Errors: those of [`WetFace::new`]; faces that are not such rectangles.
     pub fn overlapping(
         liquid: &Face,
         wall: &Face,
@@ -196,7 +196,7 @@ fn smooth(areas: &mut [[f64; 4]; 4], chart: Chart, liquid: &Face, wall: &Face) {
     for a in 0..4 {
         for b in 0..4 {
             if near(own[a], other[b]) {
-                // The neighbour of b along θ: the corner beside it on the other meridian.
+                // The neighbour of b along θ: the neighbouring corner on the other meridian.
                 let beside = [(b + 1) % 4, (b + 3) % 4]
                     .into_iter()
                     .find(|&c| !near(other[c], other[b]));
@@ -249,7 +249,7 @@ impl Rectangle {
         let no_rectangle = || ElementError::NoAnswer {
             kind: KIND,
             reason: format!(
-                "the face of nodes {:?} is no rectangle of chart coordinates, so that no overlap can be found",
+                "the face of nodes {:?} is not a rectangle in chart coordinates; overlaps need rectangles",
                 face.nodes
             ),
         };
@@ -396,7 +396,7 @@ mod tests {
     }
 
     /// Wall and liquid divided differently, wall above the liquid: the joined areas are the wetted mantle, a uniform
-    /// radial motion displaces its volume, a uniform turn nothing, and z N_a is integrated exactly on both sides.
+    /// radial motion displaces its volume, a uniform turn no volume, and z N_a is integrated exactly on both sides.
     #[test]
     fn overlaps_cover_the_wetted_mantle() {
         let liquid = cylinder(&[0.0, 0.5, 1.1, 1.5]).volume().unwrap();
@@ -462,7 +462,7 @@ mod tests {
     }
 
     #[test]
-    fn inward_normals_are_refused() {
+    fn inward_normals_are_rejected() {
         let liquid = cylinder(&[0.0, 0.5]).volume().unwrap();
         let face = &liquid.wall[0];
         let inwards = normals(face).map(|n| n.map(|v| -v));

@@ -69,7 +69,7 @@ impl<'a> Condensed<'a> {
         let mut out = Matrix::zeros(liquid.wall(), liquid.wall());
         for l in 0..levels {
             for p in 0..levels {
-                // Circulant: the first row says it all.
+                // Circulant: the first row defines it.
                 let mut row = vec![0.0; n];
                 for (block, a) in liquid.blocks.iter().zip(&self.wall) {
                     for &(column, _) in &block.columns {

@@ -1,8 +1,8 @@
 //! The liquid of an upright cylinder as added mass of a wall of spatial elements.
 //!
 //! The wall has its nodes on N equally spaced meridians. The normal displacement w of the wetted nodes is taken apart into
-//! the N orthonormal trigonometric functions of θ that the meridians can tell apart; each harmonic m is a meridional
-//! section of its own ([`Potential`]):
+//! the N orthonormal trigonometric functions of θ that the meridians can resolve; each harmonic m is a meridional
+//! section ([`Potential`]):
 //!
 //! ```text
 //! w_k = Σ_c F_kc ŵ_c ,   F_kc = √(2/N) cos mθ_k or √(2/N) sin mθ_k (√(1/N) for m = 0 and m = N/2)
@@ -14,12 +14,12 @@
 //! exact volume. Along z it is linear between the wall's levels.
 //!
 //! The elevations of the harmonics up to `sloshing` are unknowns; above, the surface is free of pressure (M^(m) with η
-//! condensed at φ = 0 on the surface): what is left out there is gravity's part, of order g m/(R ω²).
+//! condensed at φ = 0 on the surface): the neglected term is gravity's, of order g m/(R ω²).
 //!
 //! For m = 0 the volume is kept by eliminating one elevation, x = T x': K_f then couples wall and elevations.
 //!
-//! F is applied as a dense N × N matrix: 4 N² L operations for L levels, beside 2 N L² of the products with M^(m). A fast
-//! Fourier transform, not tried, would pay where N is much larger than L.
+//! F is applied as a dense N × N matrix: 4 N² L operations for L levels, next to 2 N L² of the products with M^(m). A fast
+//! Fourier transform, not tried, may pay where N is much larger than L.
 
 use std::f64::consts::TAU;
 
@@ -56,7 +56,7 @@ impl Block {
 }
 
 impl HarmonicLiquid {
-    /// Assembles and condenses all harmonics that `sectors` meridians can tell apart.
+    /// Assembles and condenses all harmonics that `sectors` meridians can resolve.
     ///
     /// * `radius` R [m], `density` ρ [kg/m³], `gravity` g [m/s²]
     /// * `heights`: levels of the wetted wall nodes, from 0 to the surface [m]
@@ -298,7 +298,7 @@ mod tests {
         assert!((stiffness / exact - 1.0).abs() < 1e-9, "{stiffness} {exact}");
     }
 
-    /// The operator, its matrix and the condensation say the same, and the matrix is symmetric.
+    /// The operator, its matrix and the condensation agree, and the matrix is symmetric.
     #[test]
     fn condensed_forms_agree() {
         let liquid = liquid(2);

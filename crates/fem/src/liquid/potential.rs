@@ -12,7 +12,7 @@
 //! revolution; the value alone, linear, for a wall of flat elements) and then the surface elevations η. The trace nodes need not match the liquid mesh: B is integrated on the union of both partitions, so
 //! that every integral is exact but for 1/r.
 //!
-//! With m = 0 (and the symmetric half of a strip) a constant φ costs nothing: one value is held, x must satisfy the
+//! With m = 0 (and the symmetric half of a strip) a constant φ has no energy: one value is held, x must satisfy the
 //! balance of volume 1ᵀ F x = 0, and φ is fixed by the surface condition φ̈ + g η = 0 in the mean.
 //!
 //! Source: Morand & Ohayon 1995, chapter 5 (potential forms). Limits: small waves, upright walls, flat bottom.

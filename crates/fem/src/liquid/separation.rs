@@ -1,4 +1,4 @@
-//! Where and when a liquid that is computed as joined to its wall would leave it ([`SeparationCheck`]), and where one that may
+//! Where and when a liquid that is computed as joined to its wall leaves it ([`SeparationCheck`]), and where one that may
 //! leave it has done so ([`Openings`]).
 //!
 //! ```text
@@ -8,9 +8,9 @@
 //! The pressure is that of the displaced particle: p₀ belongs to its place at rest, p' is the linear dynamic pressure, and one
 //! that has sunk by −u_z has come under −ρ g u_z more. Without the last term the test fails at the surface: p' = ρ g η there, so
 //! that p₀(z) + p' < 0 wherever the surface has fallen below z, where the wall is simply dry. (The classical way out is to
-//! look only below the trough; [`Place::below_trough`] tells.)
+//! look only below the trough; see [`Place::below_trough`].)
 //!
-//! This is a check of the linear result, not a correction of it. Liquid parts from a tight wall near −98 kPa, not at 0,
+//! This is a check of the linear result, not a correction of it. Liquid separates from a tight wall near −98 kPa, not at 0,
 //! unless air can enter; so a negative gauge pressure means something near the surface only.
 //!
 //! Source: theory sheet of this project; dissertation, section 8.4 (its contact elements).
@@ -59,14 +59,14 @@ pub struct Place {
     pub below_trough: bool,
 }
 
-/// What the check found.
+/// Result of the check.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Separation {
     /// Lowest level of the surface [m].
     pub trough: f64,
     /// Places with negative pressure, as given.
     pub places: Vec<Place>,
-    /// Lowest pressure anywhere [Pa]; infinite if nothing was seen.
+    /// Lowest pressure anywhere [Pa]; infinite before the first instant.
     pub lowest_pressure: f64,
 }
 
@@ -130,7 +130,7 @@ impl SeparationCheck {
         }
     }
 
-    /// Writes what was seen to a checkpoint.
+    /// Writes the results so far to a checkpoint.
     pub fn save(&self, to: &mut Writer) {
         to.number(self.lowest);
         to.count(self.instants);
@@ -156,7 +156,7 @@ impl SeparationCheck {
         Ok(())
     }
 
-    /// What was found so far.
+    /// Result so far.
     pub fn result(&self) -> Separation {
         let trough = self.surface + self.lowest;
         let place = |(number, seen): (usize, &Seen)| {
@@ -266,7 +266,7 @@ impl Openings {
         self.seen.iter().enumerate().filter_map(place).collect()
     }
 
-    /// Writes what was seen to a checkpoint.
+    /// Writes the results so far to a checkpoint.
     pub fn save(&self, to: &mut Writer) {
         to.count(self.instants);
         to.number(self.penetration);
@@ -293,7 +293,7 @@ impl Openings {
     }
 }
 
-/// Where and when the liquid first parts from its wall.
+/// Where and when the liquid first separates from its wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parting {
     /// Time [s].
@@ -306,7 +306,7 @@ pub struct Parting {
 }
 
 impl Parting {
-    /// The earliest of what was seen so far: where the liquid may leave the wall, of its openings; otherwise of the places below
+    /// The earliest separation so far: where the liquid may leave the wall, of its openings; otherwise of the places below
     /// the trough where the check fails.
     pub fn first(check: &SeparationCheck, openings: Option<&Openings>) -> Option<Parting> {
         let all: Vec<Parting> = match openings {
@@ -342,7 +342,7 @@ mod tests {
     use super::*;
 
     /// A standing wave in deep liquid, p' = ρ g η e^{−ks}, u_z = η e^{−ks} at the depth s: the particle's pressure stays
-    /// ρ g s > 0 at any amplitude, while the plain test parts at every point that falls dry.
+    /// ρ g s > 0 at any amplitude, while the plain test reports every point that falls dry.
     #[test]
     fn a_wave_alone_does_not_part() {
         let (weight, k, amplitude) = (9810.0, 1.3, 0.4);
@@ -364,7 +364,7 @@ mod tests {
         assert!(plain.places.iter().all(|p| !p.below_trough) && plain.lowest_below_trough().is_none());
     }
 
-    /// A rigid acceleration of the wall away from the liquid: p' = −ρ a s; parts at all depths beyond g.
+    /// A rigid acceleration of the wall away from the liquid: p' = −ρ a s; separates at all depths beyond g.
     #[test]
     fn pulled_away() {
         let depths = [0.5, 1.0];

@@ -36,7 +36,7 @@ const PANELS: usize = 8;
 pub enum Trace {
     /// Deflection and slope at each level, cubic between them: a wall of beams.
     Cubic,
-    /// Deflection at each level, linear between them: a face of its own.
+    /// Deflection at each level, linear between them: a separate face.
     Linear,
 }
 

@@ -6,8 +6,8 @@
 //! ```
 //!
 //! with the sloshing modes of the tank at rest, K_ηη ψ = ω² M_ηη ψ, ψᵀ M_ηη ψ = 1. The modes that are left out follow the wall
-//! as if gravity were nothing to them (p = 0 at the surface), so that the mass of the liquid is carried whatever N is; with
-//! all modes the basis is complete and the answer that of η. q_n is the true amplitude of mode n of the surface, and the
+//! without gravity (p = 0 at the surface), so that the mass of the liquid is complete for any N; with
+//! all modes the basis is complete and the result equals that of η. q_n is the true amplitude of mode n of the surface, and the
 //! matrices have the form of [`crate::element::super_element`] with c_n = 1.
 //!
 //! Source: Morand & Ohayon 1995, chapter 5; Craig & Bampton 1968.
@@ -38,10 +38,10 @@ pub enum CondenseError {
     /// Of an element of the liquid, or of the one that is made.
     #[error(transparent)]
     Element(#[from] ElementError),
-    /// A liquid with something that is no liquid, or the other way round.
+    /// A liquid with other elements in it, or the other way round.
     #[error("{what}: found {found}, allowed {allowed}")]
     Option {
-        /// What.
+        /// The wrong quantity.
         what: &'static str,
         /// Found.
         found: String,
@@ -87,7 +87,7 @@ pub struct CondensedMesh {
 
 impl CondensedLiquid {
     /// The liquid of [`HarmonicLiquid`]: wall displacements `level * sectors + sector`, outwards; then the amplitudes of its
-    /// elevations, which rest in horizontal translations. A vertical acceleration has no place in these coordinates: its load
+    /// elevations, which rest in horizontal translations. These coordinates do not contain a vertical acceleration: its load
     /// is the hydrostatic pressure times a_z/g.
     pub fn of_harmonic(liquid: &HarmonicLiquid) -> CondensedLiquid {
         let (n, levels) = (liquid.wall() + liquid.elevations(), liquid.heights().len());
@@ -119,7 +119,7 @@ impl CondensedLiquid {
     }
 
     /// The half of it at 0 ≤ θ ≤ π, for motions that are symmetric about the plane θ = 0, π: wall displacements
-    /// `level * (N/2 + 1) + meridian`. With w = T w_half (every meridian but the first and the last stands for two) and the
+    /// `level * (N/2 + 1) + meridian`. With w = T w_half (every meridian except the first and the last counts twice) and the
     /// cosines F_m of the harmonics
     ///
     /// ```text
@@ -200,10 +200,10 @@ impl CondensedLiquid {
         Ok(out)
     }
 
-    /// The liquid of a model that has nothing but potential elements, surfaces and wet faces, with the potential eliminated.
-    /// The nodes of the wall must be free: what a support holds in the model of the tank belongs into the matrices.
+    /// The liquid of a model that has only potential elements, surfaces and wet faces, with the potential eliminated.
+    /// The nodes of the wall must be free: dofs that are held in the model of the tank belong in the matrices.
     ///
-    /// Where nothing bounds the potential the volume is kept by eliminating the elevation that moves most of it.
+    /// Where the potential has no fixed value the volume is kept by eliminating the elevation that moves most of it.
     ///
     /// Errors: stiffness that is not that of a surface, a singular liquid, no surface.
     pub fn of_mesh(model: &Model) -> Result<CondensedMesh, CondenseError> {

@@ -19,7 +19,7 @@
 //! factors of the size of the wetted nodes.
 //!
 //! [`WallSolver`] solves the same for s > 0 by conjugate gradients, preconditioned with the sparse factor of
-//! S + Rᵀ diag(A) R, and never forms A. What each costs: `docs/theory/potential-elements.md`, 6.
+//! S + Rᵀ diag(A) R, and never forms A. Costs: `docs/theory/potential-elements.md`, 6.
 
 use std::sync::Arc;
 
@@ -183,7 +183,7 @@ impl<'a> DenseWet<'a> {
             .collect();
         let size = free.len();
         let mut c = Matrix::zeros(size, size);
-        // In blocks: solves with many right-hand sides are cheaper, but all at once would need memory.
+        // In blocks: solves with many right-hand sides are cheaper, but all at once needs too much memory.
         for block in free.chunks(32) {
             let first = free.binary_search(&block[0]).expect("a chunk of the list");
             let mut right = Matrix::zeros(pencil.wall_size(), block.len());

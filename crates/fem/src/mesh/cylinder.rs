@@ -276,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn bad_counts_are_refused() {
+    fn bad_counts_are_rejected() {
         let bad = Cylinder { sectors: 0, ..sample() };
         assert!(bad.volume().is_err() && bad.wall().is_err());
         let bad = Cylinder {

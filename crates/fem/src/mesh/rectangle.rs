@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn bad_places_are_refused() {
+    fn bad_places_are_rejected() {
         assert!(
             Rectangle {
                 x: vec![0.0],

@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn bad_places_are_refused() {
+    fn bad_places_are_rejected() {
         for (x, z) in [
             (vec![], vec![0.0, 1.0]),
             (vec![0.0], vec![0.0, 1.0]),

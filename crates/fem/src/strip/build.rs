@@ -9,11 +9,11 @@ use crate::linalg::{Eigen, Matrix};
 use crate::liquid::strip::{Trace, WallLiquid};
 use crate::model::Model;
 
-/// Viscous damping of a strip, on the stiffness of the virgin wall.
+/// Viscous damping of a strip, on the initial stiffness of the wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StripDamping {
     /// Rayleigh's coefficients over wall and liquid. Mass-proportional damping alone leaves the wall mode practically
-    /// undamped; [`StripModel::ratios`] tells.
+    /// undamped; see [`StripModel::ratios`].
     Rayleigh(Rayleigh),
     /// Wall: stiffness-proportional with this ratio at the frequency of the first wall mode; every sloshing mode its ratio.
     ByGroup {

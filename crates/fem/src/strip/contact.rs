@@ -1,4 +1,4 @@
-//! A liquid whose face has a displacement of its own, joined to the wall.
+//! A liquid whose face has its own displacement, joined to the wall.
 //!
 //! ```text
 //! e = a − w at every wet level         F = k e ≥ −s·x ,  k = k_n ∫ N dz of the level's hat function N
@@ -8,7 +8,7 @@
 //! The face is linear between the levels: one joint for every unknown of it. With a cubic face and joints at its Gauss points
 //! the set of closed points is not clear any more, and Newton's method runs round among several.
 //!
-//! u_z leaves out what the deflection of the wall itself adds: millimetres against decimetres of waves that can part.
+//! u_z leaves out the part of the deflection of the wall itself: millimetres against decimetres of waves that can separate.
 
 use std::sync::Arc;
 
@@ -64,9 +64,9 @@ pub(super) fn face(builder: &mut Builder, tank: &StripTank) -> Vec<usize> {
     nodes
 }
 
-/// k_n = [`PENALTY`] p/w: pressure at the bottom over the largest deflection of the virgin wall under the pressure at rest.
+/// k_n = [`PENALTY`] p/w: pressure at the bottom over the largest deflection of the initial wall under the pressure at rest.
 ///
-/// Errors: those of the elements; a wall that carries nothing.
+/// Errors: those of the elements; a wall without pressure.
 pub(super) fn penalty(tank: &StripTank) -> Result<f64, StripError> {
     let mut builder = Builder::new();
     let wall: Vec<usize> = tank.levels.iter().map(|&z| builder.node([0.0, 0.0, z])).collect();
@@ -160,7 +160,7 @@ impl Joints {
         Ok(out)
     }
 
-    /// What all points do in the committed `state`.
+    /// States of all points in the committed `state`.
     pub fn look(&self, model: &Model, state: &State) -> Vec<Touch> {
         let mut gather = Gather::default();
         let mut out = Vec::with_capacity(self.heights.len());

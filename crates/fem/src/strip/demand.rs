@@ -1,11 +1,11 @@
-//! What a nonlinear run of a strip is asked for: the largest values of its history.
+//! Demand of a nonlinear run of a strip: the largest values of its history.
 
 use super::BaseReaction;
 use super::history::{Cell, EventKind, Scalar, WallHistory};
 use super::validity::{Departure, first_of};
 use crate::liquid::separation::Parting;
 
-/// A moment at the base and what it is made of [N].
+/// A moment at the base and its parts [N].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BaseMoment {
     /// Time [s].
@@ -69,7 +69,7 @@ pub struct FirstCrack {
     pub base_moment: f64,
 }
 
-/// Largest values of a run, and what the wall has become.
+/// Largest values of a run, and the final state of the wall.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Demand {
     /// Largest elevation of the surface at the wall, up or down [m].
@@ -80,7 +80,7 @@ pub struct Demand {
     pub deflection_time: f64,
     /// Largest moment that the ground exerts on the base, damping, inertia and pressure of the lowest element included [N].
     pub base_moment: f64,
-    /// What that moment is made of.
+    /// Parts of that moment.
     pub parts: BaseMoment,
     /// Largest bending moment of the lowest section, the integral of its stresses [N].
     pub section_moment: f64,
@@ -96,7 +96,7 @@ pub struct Demand {
     pub bar_stress: f64,
     /// Largest plastic strain of any bar.
     pub bar_plastic_strain: f64,
-    /// When the liquid first parts from the wall, or would; known at the end of a run.
+    /// When the liquid first separates from the wall, or would if it could; set at the end of a run.
     pub parting: Option<Parting>,
     /// Limits of the model that were passed, the first of each kind by time.
     pub departures: Vec<Departure>,

@@ -1,4 +1,4 @@
-//! What a run of one wall leaves behind: histories, extremes, first events, and what the wall has become.
+//! Results of a run of one wall: histories, extremes, first events, and the final state of the wall.
 //!
 //! Signs are those of the wall at x = +L: deflections and pressures outwards, ζ from the wet face to the dry one, moments about
 //! y as the ground exerts them. Everything contains the state at rest. Faces: 0 is the wet half of the section, 1 the dry one.
@@ -56,7 +56,7 @@ impl Scalar {
     ];
 }
 
-/// What happened for the first time.
+/// Kind of a first event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EventKind {
     /// A crack.
@@ -82,7 +82,7 @@ impl EventKind {
 /// When and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WallEvent {
-    /// What.
+    /// Kind of the event.
     pub kind: EventKind,
     /// Time [s].
     pub time: f64,
@@ -173,11 +173,11 @@ pub struct WallHistory {
     pub events: Vec<WallEvent>,
     /// Cracks at the largest moment at the base, and in the last state.
     pub pictures: [Picture; 2],
-    /// Whether the liquid would leave the wall, in the middle of every wet element; sees nothing where it is joined.
+    /// Whether the liquid would leave the wall, in the middle of every wet element; empty where it is joined.
     pub separation: SeparationCheck,
     /// Whether it has left the wall, at the points of the joints.
     pub openings: Option<Openings>,
-    /// The largest moment at the base and what it is made of.
+    /// The largest moment at the base and its parts.
     pub peak: BaseMoment,
     /// Limits of the model that were passed, the first of each kind by time; known at the end of a run.
     pub departures: Vec<Departure>,

@@ -43,7 +43,7 @@ impl Side {
     }
 }
 
-/// What the ground exerts on the base of a wall along x and z and about y [N/m, N/m, N], by what it comes from. The parts add up
+/// Reaction of the ground on the base of a wall along x and z and about y [N/m, N/m, N], by origin. The parts add up
 /// to the reaction; only the first is limited by the strength of the section.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BaseReaction {
@@ -72,9 +72,9 @@ pub struct StripModel {
     pub assembler: Assembler,
     /// Order of elimination.
     pub symbolic: Arc<Symbolic>,
-    /// Mass and stiffness of the virgin strip, with the damping.
+    /// Mass and initial stiffness of the strip, with the damping.
     pub system: System,
-    /// Modes of the virgin strip.
+    /// Modes of the initial strip.
     pub modes: Eigen,
     /// Number of the first mode that is not sloshing.
     pub wall_mode: usize,
@@ -252,7 +252,7 @@ impl StripModel {
         area / self.tank.liquid.half_width
     }
 
-    /// What the ground exerts on the base of the wall, part by part, at the committed `state`; `ground`: acceleration of the
+    /// Reaction of the ground on the base of the wall, part by part, at the committed `state`; `ground`: acceleration of the
     /// ground [m/s²].
     ///
     /// Errors: those of the elements.

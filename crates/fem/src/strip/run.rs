@@ -72,7 +72,7 @@ pub struct StripRun {
 /// One wall after a run that was observed closely.
 #[derive(Clone, Debug)]
 pub struct WallRun {
-    /// What was seen.
+    /// Its results.
     pub history: WallHistory,
     /// How it ended, energies, cost.
     pub run: Run,
@@ -131,7 +131,7 @@ impl StripLevel {
 impl StripModel {
     /// The wall of `side` under `scale` times the records, from rest under weight and pressure.
     ///
-    /// Errors: those of the analysis; collapse is none.
+    /// Errors: those of the analysis; collapse is a result.
     pub fn run(
         &self,
         quake: &StripQuake,
@@ -167,12 +167,12 @@ impl StripModel {
         })
     }
 
-    /// Both walls under the records as they are, side by side, with all that can be told of them. The tank ends with the wall
+    /// Both walls under the unscaled records, in parallel, with full histories. The tank ends with the wall
     /// that collapses first: the other one is not observed further.
     ///
     /// * `checkpoints`: of the walls at +L and −L
     ///
-    /// Errors: those of the analysis; a checkpoint that cannot be written or is of another run. Collapse is none.
+    /// Errors: those of the analysis; a checkpoint that cannot be written or is of another run. Collapse is a result, not an error.
     pub fn histories(
         &self,
         quake: &StripQuake,
@@ -206,9 +206,9 @@ impl StripModel {
         Ok(walls)
     }
 
-    /// One wall under the record as it is, with all that can be told of it.
+    /// One wall under the unscaled record, with full histories.
     ///
-    /// Errors: those of the analysis. Collapse is none.
+    /// Errors: those of the analysis. Collapse is a result, not an error.
     pub fn single(&self, quake: &StripQuake, side: Side, progress: &dyn Progress) -> Result<WallRun, StripError> {
         self.observed(quake, 1.0, side, None, None, progress)
     }
@@ -274,7 +274,7 @@ impl StripModel {
         Ok(march(problem, &load, &settings, &mut [observer], progress)?)
     }
 
-    /// Both walls at every scale on `threads` threads; `each` hears of every level as it is finished, so that the caller may
+    /// Both walls at every scale on `threads` threads; `each` is called for every level as it is finished, so that the caller may
     /// keep it. A wall that was interrupted leaves its level out.
     ///
     /// Errors: the first failure of an analysis, in the order of the scales.

@@ -230,7 +230,7 @@ fn a_run_that_gains_energy_is_stopped_and_marked() {
     assert!(energy.value < energy.limit && energy.limit < 0.0, "{energy:?}");
     assert!((energy.time - run.time).abs() < 1e-9, "{energy:?} {}", run.time);
     assert!(run.demand.base_moment < 300e3, "{}", run.demand.base_moment);
-    // The same walls with numerical damping: nothing is gained, and the reaction is that of the section.
+    // The same walls with numerical damping: no energy is gained, and the reaction is that of the section.
     for damped in both(0.5) {
         let demand = &damped.demand;
         assert!(

@@ -2,17 +2,17 @@
 //!
 //! | limit | value | why |
 //! |---|---|---|
-//! | strain of a bar | ε_su of its law, else [`BAR_STRAIN`] | beyond it the bar has ruptured; the law goes on with its hardening |
-//! | (damping + inertia)/section, moments at the base | [`MOMENT_SHARE`] | the reaction is no longer what the section bears |
-//! | acceleration of a node | [`ACCELERATION`] | waves shorter than the wall is thick are no bending |
-//! | E_int − E_hyst + E₀ | −[`ENERGY_SHARE`] of the largest energy | what a wall stores cannot be less than nothing |
+//! | strain of a bar | ε_su of its law, else [`BAR_STRAIN`] | beyond it the bar has ruptured; the law continues its hardening |
+//! | (damping + inertia)/section, moments at the base | [`MOMENT_SHARE`] | the reaction exceeds the resistance of the section |
+//! | acceleration of a node | [`ACCELERATION`] | waves shorter than the thickness of the wall are not bending |
+//! | E_int − E_hyst + E₀ | −[`ENERGY_SHARE`] of the largest energy | stored energy cannot be negative |
 //!
 //! **Stored energy.** E_int = Σ f̄·Δu is the work that the scheme does on the internal forces. While steps resolve the path of
 //! every fibre it is stored or dissipated, E_int − E_hyst ≥ −E₀, E₀ ≤ p_c·u₀ the energy stored at rest. A crack that closes
 //! and opens in less than a step is not resolved: the stiffness jumps from that of the bars to that of the concrete, f̄ is the
 //! mean of the two ends, and a scheme that is stable for linear systems gains energy (Kuhl & Crisfield 1999; Erlicher,
 //! Bonaventura & Bursi 2002). Modes that are not damped keep it. The balance of energies closes all the same, since it holds
-//! for any f̄; stored energy does not. From there on nothing is an answer of the model, and the run stops.
+//! for any f̄; stored energy does not. Later results are meaningless, and the run stops.
 
 use super::{BaseReaction, StripModel};
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
@@ -30,11 +30,11 @@ pub const BAR_STRAIN: f64 = 0.025;
 pub const MOMENT_SHARE: f64 = 0.5;
 
 /// Total acceleration of a node [m/s²], 500 times that of free fall. Chosen: a slice of concrete as long as a wall of 0.3 m is
-/// thick then needs 3.7 MPa to be moved, its tensile strength; such waves are no bending with plane sections. Fractures of strip
+/// thick then needs 3.7 MPa to be moved, its tensile strength; such waves do not keep sections plane. Fractures of strip
 /// 8.4 without softening stay below 1,600 m/s², runs that have gained energy pass 10⁵ m/s².
 pub const ACCELERATION: f64 = 500.0 * oscillator::STANDARD_GRAVITY;
 
-/// Share of the largest energy by which the stored energy may fall below nothing. Chosen: strip 8.4 keeps within 1e-3, and passes
+/// Share of the largest energy by which the stored energy may fall below zero. Chosen: strip 8.4 keeps within 1e-3, and passes
 /// the limit within milliseconds where it does not.
 pub const ENERGY_SHARE: f64 = 0.05;
 
@@ -75,9 +75,9 @@ pub struct Departure {
     pub time: f64,
     /// Height above the base [m].
     pub height: f64,
-    /// What was found, in the unit of the kind.
+    /// Value found, in the unit of the kind.
     pub value: f64,
-    /// What the model bears.
+    /// Limit of the model.
     pub limit: f64,
 }
 
@@ -114,7 +114,7 @@ pub(super) struct Validity {
     start: Option<[f64; 2]>,
     /// Largest energy so far [J per m].
     largest: f64,
-    /// Work on the joints that act at the end of a step [J per m]: what a touch loses is no energy of the wall. With displacements
+    /// Work on the joints that act at the end of a step [J per m]: losses at contact are not energy of the wall. With displacements
     /// and forces of the last step.
     joints: f64,
     before: [Vec<f64>; 2],
@@ -205,7 +205,7 @@ impl Validity {
 
     /// Why the run ends.
     pub(crate) fn stop(&self) -> Option<String> {
-        let reason = "the time integration gains energy: no answer of the model any more".to_owned();
+        let reason = "the time integration gains energy: the results are no longer valid".to_owned();
         self.found.iter().any(|d| d.kind.stops()).then_some(reason)
     }
 

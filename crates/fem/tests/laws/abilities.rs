@@ -1,4 +1,4 @@
-//! What some elements can do besides agrees with the element itself.
+//! Optional abilities agree with the element itself.
 
 use fem::element::{Inspect, Response, Want, local_size, reference_stiffness};
 
@@ -33,7 +33,7 @@ fn rigid_motions_make_no_stress() {
     }
 }
 
-/// Nothing is dissipated at first, and nothing comes back: a step returns rounding at most.
+/// Dissipation starts at zero and never decreases, except for rounding.
 #[test]
 fn dissipated_energy_grows() {
     let mut some = 0;
@@ -79,7 +79,7 @@ fn what_is_shown_keeps_its_order() {
 }
 
 /// The force is that of the element whatever is kept. The tangent is, as long as there is no iterate before, and again when the
-/// one before is the present one (extrapolated by nothing: 10⁻¹² for the order of sums); in between it is another.
+/// one before is the present one (zero extrapolation: 10⁻¹² for the order of sums); in between it is another.
 #[test]
 fn mixed_tangent_meets_the_consistent_one() {
     let mut some = 0;

@@ -1,4 +1,4 @@
-//! Nothing depends on the axes in which an element is described.
+//! Results do not depend on the axes in which an element is described.
 
 use fem::element::{Element, LocalMatrix, reference_mass};
 use nalgebra::{UnitQuaternion, Vector3};

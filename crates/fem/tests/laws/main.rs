@@ -1,6 +1,6 @@
-//! Laws that every element must obey. An element joins by an entry in [`registry`]; [`sources`] fails if one has none.
+//! Laws that every element must obey. An element joins by an entry in [`registry`]; [`sources`] fails for an element without entry.
 //!
-//! | law | what it asks |
+//! | law | requirement |
 //! |---|---|
 //! | `tangent` | the tangent is the derivative of the force, before and after a committed step, and symmetric |
 //! | `rigid` | rigid motions leave no force, but those that the element is there to resist |
@@ -9,8 +9,8 @@
 //! | `mass` | mass and damping are symmetric, the mass sums up to the hand calculation and the weight to the mass |
 //! | `abilities` | contact, inspection, mixed tangent and buckling agree with the element itself |
 //!
-//! What an element is not there for stands in its entry with a reason ([`specimen`]), and the suite asks that the exception is
-//! one: a spring to the ground must resist, a massless element must have no mass.
+//! Exceptions are listed in the entry with a reason ([`specimen`]), and the suite checks that each is
+//! real: a spring to the ground must resist, a massless element must have no mass.
 
 mod abilities;
 mod frame;

@@ -92,7 +92,7 @@ fn the_weight_is_that_of_the_mass() {
     }
 }
 
-/// A dashpot takes energy and gives none.
+/// Damping dissipates energy.
 #[test]
 fn damping_is_symmetric_and_takes_energy() {
     for specimen in all() {

@@ -6,7 +6,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::specimen::Specimen;
 
-/// What the nodes of a specimen do. Rotational dofs hold the rotation vector of the same rotation.
+/// Motion of the nodes of a specimen. Rotational dofs hold the rotation vector of the same rotation.
 #[derive(Clone, Debug)]
 pub(crate) struct Moved {
     pub(crate) values: Vec<f64>,
@@ -21,7 +21,7 @@ impl Moved {
         }
     }
 
-    /// Nothing.
+    /// No motion.
     pub(crate) fn rest(specimen: &Specimen) -> Moved {
         Moved {
             values: vec![0.0; specimen.locals().len()],

@@ -1,4 +1,4 @@
-//! An element keeps nothing to itself: its answer depends on the motion and the committed history, bit by bit.
+//! An element has no hidden state: its response depends on the motion and the committed history only, bit for bit.
 
 use fem::element::Want;
 
@@ -16,7 +16,7 @@ fn same(a: &Answer, b: &Answer) -> bool {
     bits(a) == bits(b)
 }
 
-/// The run is split after every step: a new element goes on from a history that was written out and read back, while the old one
+/// The run is split after every step: a new element continues from a history that was written out and read back, while the old one
 /// is asked about other motions in between.
 #[test]
 fn a_split_run_repeats_the_whole() {

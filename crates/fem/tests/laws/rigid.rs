@@ -61,7 +61,7 @@ fn rest_has_no_force() {
     }
 }
 
-/// A finite rotation and a translation carry the forces of a deformed element along, and leave none in one that was at rest.
+/// A finite rotation and a translation carry the forces of a deformed element along, and cause none in an undeformed one.
 /// Strains of 10⁻² or more are differences of positions: 10⁻¹¹ of K u is left.
 #[test]
 fn finite_rotations_carry_the_forces_along() {

@@ -1,4 +1,4 @@
-//! An element under check, and what is expected of it.
+//! An element under test, and its expected properties.
 
 use fem::dofs::{Dof, KINDS};
 use fem::element::{Element, LocalMatrix, Response, local_size};
@@ -12,7 +12,7 @@ pub(crate) type Build = Box<dyn Fn(&UnitQuaternion<f64>) -> Box<dyn Element>>;
 /// Components of a field at a point, in the order of [`Dof::ALL`].
 pub(crate) type Field = fn([f64; 3]) -> [f64; KINDS];
 
-/// An element, where it lies, and what is expected of it.
+/// An element, its place, and its expected properties.
 pub(crate) struct Specimen {
     /// Its type, as in `impl Element for …`.
     pub(crate) of: &'static str,
@@ -66,7 +66,7 @@ pub(crate) enum Turns {
     None(&'static str),
 }
 
-/// What the mass matrix sums up to.
+/// Sum of the mass matrix.
 #[derive(Clone, Copy)]
 pub(crate) enum Mass {
     /// This mass [kg] in every direction that its dofs have, with its weight.
@@ -151,7 +151,7 @@ impl std::fmt::Display for Specimen {
     }
 }
 
-/// What an element answers.
+/// Response of an element.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Answer {
     pub(crate) force: Vec<f64>,
@@ -165,7 +165,7 @@ pub(crate) fn answer(element: &dyn Element, moved: &Moved, old: &[f64]) -> Answe
     asked(element, moved, old, fem::element::Want::ALL)
 }
 
-/// The same for what is wanted alone. The trial history begins as what no element may read.
+/// The same for the requested results. The trial history starts with values that no element may read.
 pub(crate) fn asked(element: &dyn Element, moved: &Moved, old: &[f64], want: fem::element::Want) -> Answer {
     let mut out = Response::sized(local_size(element));
     let mut history = vec![f64::NAN; old.len()];
@@ -180,7 +180,7 @@ pub(crate) fn asked(element: &dyn Element, moved: &Moved, old: &[f64], want: fem
     }
 }
 
-/// The history of an element that nothing has happened to.
+/// The initial history of an element.
 pub(crate) fn virgin(element: &dyn Element) -> Vec<f64> {
     let mut history = vec![0.0; element.history_len()];
     element.init_history(&mut history);

@@ -61,9 +61,9 @@ pub struct Stiffening {
 pub struct Tension {
     /// Tensile strength f_t [Pa] > 0.
     pub strength: f64,
-    /// What follows cracking.
+    /// Softening after cracking.
     pub softening: Softening,
-    /// What the bars keep alive; not together with [`Softening::Brittle`].
+    /// Tension stiffening by the bars; not together with [`Softening::Brittle`].
     pub stiffening: Option<Stiffening>,
 }
 
@@ -216,7 +216,7 @@ impl Traction {
         (-x).exp() * if self.by_energy { 1.0 - x } else { 1.0 }
     }
 
-    /// D(m) [J/m³]: what a crack of largest opening m has dissipated; `traction` is t(m).
+    /// D(m) [J/m³]: energy dissipated by a crack of largest opening m; `traction` is t(m).
     #[inline]
     pub(crate) fn dissipated(&self, m: f64, traction: f64) -> f64 {
         let work = if m <= self.tail_from {

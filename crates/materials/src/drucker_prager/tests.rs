@@ -74,7 +74,7 @@ fn huge_increments_return_to_the_surface() {
 }
 
 #[test]
-fn parameters_out_of_range_are_refused() {
+fn parameters_out_of_range_are_rejected() {
     let text = |law: Result<DruckerPrager, LawError>| law.unwrap_err().to_string();
     assert_eq!(
         text(DruckerPrager::new(1.0, 0.2, 1.0, 0.5)),

@@ -88,7 +88,7 @@ fn huge_increments_return_to_the_surface() {
 }
 
 #[test]
-fn parameters_out_of_range_are_refused() {
+fn parameters_out_of_range_are_rejected() {
     let text = |law: Result<VonMises, LawError>| law.unwrap_err().to_string();
     assert_eq!(
         text(VonMises::new(1.0, 0.3, -1.0, 0.0, 1.0)),
@@ -109,7 +109,7 @@ fn parameters_out_of_range_are_refused() {
 }
 
 #[test]
-fn strain_that_is_no_number_is_an_error() {
+fn a_strain_that_is_not_a_number_is_an_error() {
     let law = VonMises::new(1.0, 0.3, 1.0, 0.0, 1.0).unwrap();
     assert!(law.respond(&[f64::NAN, 0.0, 0.0], &[0.0; 4], &mut [0.0; 4]).is_err());
 }

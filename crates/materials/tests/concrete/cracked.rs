@@ -199,7 +199,7 @@ fn shear_of_an_open_crack() {
     }
 }
 
-/// M9. Opening 1e-3, compression to −30 MPa, tension again: nothing above the secant t(m)/m, and −30 MPa is reached with the
+/// M9. Opening 1e-3, compression to −30 MPa, tension again: never above the secant t(m)/m, and −30 MPa is reached with the
 /// stiffness of whole concrete.
 #[test]
 fn closed_crack_carries_and_remembers() {
@@ -249,7 +249,7 @@ fn compression_lowers_the_tensile_strength() {
 }
 
 #[test]
-fn parameters_out_of_range_are_refused() {
+fn parameters_out_of_range_are_rejected() {
     let tension = |size| Tension {
         softening: Softening::Energy {
             fracture_energy: G_F,
@@ -277,7 +277,7 @@ fn parameters_out_of_range_are_refused() {
 }
 
 #[test]
-fn strain_that_is_no_number_is_an_error() {
+fn a_strain_that_is_not_a_number_is_an_error() {
     let (law, length) = (law(), law().history_len());
     let (old, mut new) = (vec![0.0; length], vec![0.0; length]);
     for strain in [[f64::NAN, 0.0, 0.0], [0.0, 0.0, f64::NAN], [1e-3, f64::INFINITY, 0.0]] {

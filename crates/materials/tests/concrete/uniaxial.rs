@@ -309,7 +309,7 @@ fn brittle_concrete_breaks_once() {
 
 /// The message gives the largest admissible size: 0.98 · 34e9 · 100/(3.5e6)² = 0.2720 m.
 #[test]
-fn parameters_out_of_range_are_refused() {
+fn parameters_out_of_range_are_rejected() {
     let with = |compression, tension| UniaxialConcrete::new(E, compression, Some(tension));
     let message = with(Compression::Elastic, softening(0.3)).unwrap_err().to_string();
     assert!(message.contains("0.2720 m"), "{message}");
@@ -353,7 +353,7 @@ fn parameters_out_of_range_are_refused() {
 }
 
 #[test]
-fn strain_that_is_no_number_is_an_error() {
+fn a_strain_that_is_not_a_number_is_an_error() {
     let law = plastic();
     assert!(law.respond(&[f64::NAN], &[0.0; 5], &mut [0.0; 5]).is_err());
 }

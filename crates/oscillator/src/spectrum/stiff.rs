@@ -1,7 +1,7 @@
 //! Stiff oscillators of the fast spectrum: fewer than eight samples a period.
 //!
 //! They are kept as the oscillation (x₁, x₂) about the line that follows the load, rotated and damped from sample to
-//! sample and kicked at each kink of the load. Within a step nothing can exceed
+//! sample and kicked at each kink of the load. Within a step no value can exceed
 //!
 //! ```text
 //! |A| ≤ max|p| + R        |y| ≤ max|p| + 2ξ|σ| + R        |y'| ≤ |σ| + R

@@ -27,7 +27,7 @@ fn missing_mass() -> Answer {
         Ok((model.superposed(&keep, true, &load, grid)?[0] / exact - 1.0).abs())
     };
     let mut rows = Vec::new();
-    // The sheet's figures (72 %, 0.60 %, 0.02 % with missing mass) belong to its own record; what holds for any broad-band
+    // The sheet's figures (72 %, 0.60 %, 0.02 % with missing mass) belong to its own record; for any broad-band
     // record is the order of magnitude.
     for (structural, allowed) in [(1, 0.02), (2, 2e-3), (3, 1e-3)] {
         let source = "all modes; theory: 0.6 % with one wall mode, 0.02 % with two, for another record";

@@ -42,7 +42,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     parts: &[Part::Tested(nonlinear)],
 };
 
-/// A model with what an analysis of it needs.
+/// A model with its assembler, factors and matrices.
 struct Parts {
     model: Model,
     assembler: Assembler,
@@ -351,7 +351,7 @@ fn shaken_wall(tank: &Assembled, scale: f64) -> Result<(Vec<Vec<f64>>, f64), Fai
     Ok((out, dissipated / run.balance.largest))
 }
 
-/// Largest difference of two histories, and largest value of the first beside its start.
+/// Largest difference of two histories, and largest value of the first relative to its start.
 fn apart(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
     for (x, y) in a.iter().zip(b) {
@@ -430,7 +430,7 @@ fn condensation(rows: &mut Vec<Row>) -> Result<(), Failure> {
 
 /// Rows D2, D9 and D11.
 ///
-/// Errors: a model without an answer, a march that does not come to its end.
+/// Errors: a model that cannot be solved, a march that does not complete.
 pub(crate) fn nonlinear() -> Answer {
     let mut rows = Vec::new();
     steel(&mut rows)?;

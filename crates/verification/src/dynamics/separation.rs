@@ -12,9 +12,9 @@
 //! Here u_z leaves out the wall's own deflection (1 mm against waves of 0.4 m).
 //!
 //! Motion:    a record given by the caller (table 8.15: El Centro NS 1940, 0.348 g), both signs, one for each wall
-//! Damping:   Rayleigh, 1 % at 2.39 and 3.53 rad/s, as the published linear result needs
+//! Damping:   Rayleigh, 1 % at 2.39 and 3.53 rad/s, as in the published linear result
 //! Expected:  moment and wave of the joint that opens as of the bonded one; the test at the undeformed height opens falsely
-//! Tolerance: 2 % and 1 % (sheet); 0.5 % between steps and between stiff penalties. k_n = 10⁸ N/m³ is no penalty here: the
+//! Tolerance: 2 % and 1 % (sheet); 0.5 % between steps and between stiff penalties. k_n = 10⁸ N/m³ is too soft for a penalty here: the
 //!            wall's own stiffness is p/w = 25 kPa/0.5 mm
 
 use super::strip::{DEPTH, Strip, liquid};
@@ -30,7 +30,7 @@ use joints::{Criterion, DURATION, Jointing, MESH, Peaks, worse};
 pub(crate) const BENCHMARK: Benchmark = Benchmark {
     id: "liquid-separation",
     title: "Does the liquid leave the wall",
-    model: "Strip 8.4: the liquid has a normal displacement of its own and a joint without tension to the \
+    model: "Strip 8.4: the liquid has its own normal displacement and a joint without tension to the \
             elastic wall; Moreau's time stepping, and the same joints in the march of nonlinear walls; El \
             Centro, the Caltech record (0.348 g).",
     ids: &[("C8", "does the liquid leave the wall")],

@@ -78,7 +78,7 @@ fn amplification() -> Answer {
         let scheme = scheme.with_step(1.0)?;
         for (k, part) in [0.05, 0.1, 0.2].into_iter().enumerate() {
             let (damping, period) = scheme.spectral_properties(std::f64::consts::TAU * part);
-            // Half the last digit of the reference, or rounding where nothing is dissipated.
+            // Half the last digit of the reference, or rounding for schemes without dissipation.
             let what = format!("{name}: numerical damping ratio at Δt/T = {part}");
             rows.push(row(
                 "D1",

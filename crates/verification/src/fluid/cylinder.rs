@@ -136,7 +136,7 @@ pub(crate) fn cylinders() -> Answer {
         rows.push(PROTOTYPE.row("K4", what, pair, margin, "rad/s"));
     }
     // Against the exact value: the error is that of m_eff = tan(D/2)/(D/2) = 1.013 with D = 2π/16, which raises ω₁ by
-    // ½ (1 + x/(sinh x cosh x)) 1.3 % ≈ 0.85 % at most, less what r and z give.
+    // ½ (1 + x/(sinh x cosh x)) 1.3 % ≈ 0.85 % at most, less the effect of r and z.
     rows.push(POTENTIAL.row(
         "K4",
         "tank 8.1, 12 × 16 × 12, m = 1, ω₁",
@@ -237,7 +237,7 @@ pub(crate) fn chapter_8() -> Answer {
     Ok(rows)
 }
 
-/// One frequency beside the exact and the printed one.
+/// One frequency with the exact and the printed one.
 fn compare(
     rows: &mut Vec<Row>,
     example: &str,

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! The figure with the radii is not in the text at hand: "radial distance 5.0 m" is read as the inner radius. Each model
-//! is compared with the exact frequency of its own geometry; that of the sector of a ring differs from the strip's by
+//! is compared with the exact frequency of its geometry; that of the sector of a ring differs from the strip's by
 //! 0.9 %, which is why the dissertation sees up to 3 % "from the geometry".
 
 use nalgebra::Matrix3;

@@ -1,6 +1,6 @@
 //! K7: impulsive mass of tank 8.1, the limit of high frequency between rigid walls.
 //!
-//! With the wall's normal acceleration prescribed, surface and rotation part without say and the liquid nearly
+//! With the wall's normal acceleration prescribed, surface and rotation part without effect and the liquid nearly
 //! incompressible, the acceleration a minimises aᵀ (M + K_vol/ω₀²) a, and m_i is the minimum at unit base acceleration.
 //! ω₀² = 10⁻⁶ c²/R² makes the error of compressibility about 10⁻⁶.
 

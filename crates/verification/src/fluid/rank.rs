@@ -1,8 +1,8 @@
 //! Table 5.3: how many modes of one element have volume energy, rotation energy, or none.
 //!
-//! The eigenvectors of K + R of the unit element (K = 2.06·10⁶, K_rot = 100, kPa) are told apart by their energies. The
+//! The eigenvectors of K + R of the unit element (K = 2.06·10⁶, K_rot = 100, kPa) are classified by their energies. The
 //! counts are ranks: they do not depend on K_rot. The dissertation prints "20 and 3" for variant 4 after its calibration
-//! of K_rot; that counts small eigenvalues as none. The bracketed numbers beside it, 9 and 14, are the ranks.
+//! of K_rot; that counts small eigenvalues as zero. The numbers in brackets, 9 and 14, are the ranks.
 
 use nalgebra::DMatrix;
 
@@ -18,7 +18,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     id: "fluid-rank",
     title: "Rank of the displacement fluid elements",
     model: "Unit square and unit cube of `fluid4` and `fluid8`, K = 2.06·10⁶ kPa, K_rot = 100 kPa: eigenvectors \
-            of the stiffness told apart by volume energy, rotation energy or none, for the four variants of \
+            of the stiffness classified by volume energy, rotation energy or neither, for the four variants of \
             table 5.3.",
     ids: &[("table-5.3", "rank of the element matrices, dissertation table 5.3")],
     parts: &[Part::Fast(rank_table)],

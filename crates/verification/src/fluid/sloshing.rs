@@ -1,4 +1,4 @@
-//! Sloshing between rigid walls: what cylinders and rectangles share.
+//! Sloshing between rigid walls: common parts of cylinders and rectangles.
 
 use super::tank::{lowest, sloshing};
 use super::{BULK_MODULUS, GRAVITY, Source};

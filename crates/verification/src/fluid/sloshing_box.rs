@@ -6,8 +6,8 @@
 //!
 //! Plane elements, K = ρ c². The spectrum of the displacement element has three bands: sloshing (0.9 to a few Hz),
 //! rotational modes that the penalty makes (here below 140 Hz: they run at √(K₁/2ρ) = 4.4 m/s and elements of size h
-//! carry at most √24/h of it, 173 Hz), acoustic modes. They are told apart by their potential energy: lift of the surface, volume, or neither. No penalty is chosen
-//! for the purpose, the default is used; the acoustic modes are found by a shift between them.
+//! carry at most √24/h of it, 173 Hz), acoustic modes. They are classified by their potential energy: lift of the surface, volume, or neither. The penalty is the
+//! default; the acoustic modes are found by a shift between them.
 
 use std::sync::Arc;
 
@@ -28,7 +28,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     id: "fluid-box",
     title: "Sloshing and acoustic modes of a box",
     model: "Code_Aster V8.21.101: L = 0.8 m, H = 0.3 m, ρ = 1000 kg/m³, c = 1400 m/s, g = 9.81 m/s²; plane \
-            `fluid4`, default penalty, the modes told apart by their energies.",
+            `fluid4`, default penalty, modes classified by their energies.",
     ids: &[("V8.21.101", "sloshing and acoustic modes, Code_Aster V8.21.101")],
     parts: &[Part::Fast(sloshing_box)],
 };

@@ -1,4 +1,4 @@
-//! Cylinder full of displacement liquid between rigid walls, whole or a quarter, and modes told apart by their energies.
+//! Cylinder full of displacement liquid between rigid walls, whole or a quarter, and its modes classified by their energies.
 
 use std::sync::Arc;
 

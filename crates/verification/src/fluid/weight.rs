@@ -34,7 +34,7 @@ const TANK: Tank = Tank {
     part: Sector::Whole,
 };
 
-/// What a solution under self-weight shows.
+/// Results of a solution under self-weight.
 struct Settlement {
     /// Pressure farthest from the exact one, over the exact one.
     pressure: f64,
@@ -44,7 +44,7 @@ struct Settlement {
     vertical: f64,
 }
 
-/// Solves under a weight that is integrated as `load` says.
+/// Solves under a weight integrated by `load`.
 fn solve(chart: Chart, volume: VolumePart, load: VolumePart) -> Result<Settlement, Failure> {
     let liquid = |volume| LiquidProperties {
         density: 1.0,

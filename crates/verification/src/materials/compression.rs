@@ -29,7 +29,7 @@ fn row(id: &str, what: String, reference: f64, computed: f64, tolerance: f64) ->
 /// Against the closed form of the cone (0.1 %: its table has four digits), and, for the judgement of the cone itself,
 /// against the curve of Kupfer & Gerstle, which it leaves by up to 5.1 %: shown, not asserted.
 ///
-/// Errors: a law without an answer.
+/// Errors: a law that fails.
 pub(crate) fn drucker_prager() -> Answer {
     let law = DruckerPrager::new(E, NU, F_C, 1.16 * F_C)?;
     let table = [
@@ -94,7 +94,7 @@ fn plateau(law: &dyn Law<3>, r: f64) -> Result<f64, Failure> {
 
 /// M4: uniaxial compression to ½, 1, 1½ and 2 times the strain at the peak, unloading from each.
 ///
-/// Errors: a law without an answer.
+/// Errors: a law that fails.
 pub(crate) fn plastic_fracturing() -> Answer {
     let (peak, crushing, length) = (2.2e-3, 25e3, 0.1);
     let law = PlasticFracturing::new(&Parameters {

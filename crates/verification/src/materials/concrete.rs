@@ -31,7 +31,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     ],
 };
 
-/// E [Pa], ν, f_c, f_t [Pa], G_f [N/m] of the rows, if not said otherwise.
+/// E [Pa], ν, f_c, f_t [Pa], G_f [N/m] of the rows, unless noted.
 const E: f64 = 34e9;
 
 const NU: f64 = 0.2;
@@ -42,7 +42,7 @@ const F_T: f64 = 3.5e6;
 
 const G_F: f64 = 100.0;
 
-/// A prototype of the law, in another language, as printed in the theory sheet of this project.
+/// A prototype of the law, in another language, as printed in the theory manual.
 const PROTOTYPE: &str = "prototype of the crack-strain model, table of the theory sheet";
 
 fn tension(size: f64) -> Tension {
@@ -67,7 +67,7 @@ fn row(id: &str, what: String, reference: f64, source: &'static str, kind: Refer
 /// Rows M4 (residual strains of fibres), M5 (cyclic path), M6 (energy of a bar), M7 (closed cycles), M8 (shear of a crack)
 /// and M9 (closing and opening again).
 ///
-/// Errors: a law without an answer.
+/// Errors: a law that fails.
 pub(crate) fn concrete() -> Answer {
     let mut rows = residual()?;
     rows.extend(path()?);

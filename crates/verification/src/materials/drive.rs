@@ -16,7 +16,7 @@ pub(super) struct Point<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> Point<'a, N> {
-    /// Virgin point.
+    /// A point with the initial history.
     pub(crate) fn new(law: &'a dyn Law<N>) -> Self {
         let mut committed = vec![0.0; law.history_len()];
         law.init_history(&mut committed);
@@ -75,7 +75,7 @@ impl<'a, const N: usize> Point<'a, N> {
         })
     }
 
-    /// What a picture shows.
+    /// Internal state for output.
     pub(crate) fn inspect(&self) -> materials::PointState {
         self.law.inspect(&self.strain, &self.committed)
     }

@@ -28,7 +28,7 @@ const E_T: f64 = 2.1e9;
 
 /// Rows M1 (uniaxial cycles) and M2 (dissipation, yield surface).
 ///
-/// Errors: a law without an answer.
+/// Errors: a law that fails.
 pub(crate) fn steel() -> Answer {
     let mut rows = cycles()?;
     rows.extend(dissipation()?);

@@ -175,7 +175,7 @@ impl RigidTank {
             .collect())
     }
 
-    /// Sloshing modes that a motion along x excites: multiple frequencies are one, modes below 10⁻⁶ of the mass are none.
+    /// Sloshing modes that a motion along x excites: multiple frequencies count once, modes below 10⁻⁶ of the mass are ignored.
     ///
     /// Errors: those of the eigenvalue solver.
     pub fn excited(&self, count: usize) -> Result<Vec<Sloshing>, Failure> {

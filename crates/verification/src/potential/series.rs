@@ -1,4 +1,4 @@
-//! Closed forms of the liquid in a rigid cylinder: frequencies, masses, and what sectors make of them.
+//! Closed forms of the liquid in a rigid cylinder: frequencies, masses, and the effect of sectors.
 
 use std::f64::consts::PI;
 

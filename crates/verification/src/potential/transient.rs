@@ -14,13 +14,13 @@ use fem::element::shell4::MembraneShear;
 use fem::linalg::{Matrix, Pencil, ThreeField, dot, generalized_eigen};
 use fem::progress::Silent;
 
-/// What is observed, its history by direct integration and by modal superposition.
+/// Observable, its history by direct integration and by modal superposition.
 pub type Compared = (&'static str, Vec<f64>, Vec<f64>);
 
 /// Tank 8.1 on a coarse mesh (the comparison is one of algorithms) under half a second of 4 Hz and 25 Hz shaking, undamped:
 /// near both the sloshing and the first wall mode.
 ///
-/// Errors: a model without an answer.
+/// Errors: a model that cannot be solved.
 pub fn three_field_and_modal() -> Result<Vec<Compared>, Failure> {
     // More than 80 lines: one model, two solutions, compared at the end.
     let data = Tank::broad();

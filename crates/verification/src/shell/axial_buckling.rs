@@ -178,7 +178,7 @@ mod tests {
     use fem::linalg::{Kind, dot};
 
     /// The panel that Koiter's square waves fit, under the classical load: the multiplier is that of a dense eigenvalue problem, which
-    /// knows neither shift nor bracket, and near 1. 8 elements over a wave of the axisymmetric mode: π²/(12 · 4²) = 5 % of its
+    /// needs neither shift nor bracket, and near 1. 8 elements over a wave of the axisymmetric mode: π²/(12 · 4²) = 5 % of its
     /// bending energy, half of the whole.
     #[test]
     fn sparse_mode_is_the_dense_one() {
@@ -199,7 +199,7 @@ mod tests {
         let quotient =
             -dot(&stiffness.times(&found.mode), &found.mode) / dot(&geometric.times(&found.mode), &found.mode);
         assert!((quotient / found.factor - 1.0).abs() < 1e-8, "{quotient}");
-        // Pulled, nothing buckles at once.
+        // Under tension nothing buckles.
         let pulled = {
             let mut out = geometric.clone();
             out.values.iter_mut().for_each(|v| *v = -*v);

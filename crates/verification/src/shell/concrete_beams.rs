@@ -1,8 +1,8 @@
 //! M10 to M12: reinforced-concrete beams as strips of layered shells under a load at mid-span.
 //!
 //! Half the span between the plane of symmetry and the support, one element across the width, plane sections, bars without slip.
-//! The concrete cracks with fracture energy and is ideally plastic in compression. Nothing in such a model crushes: the
-//! load goes on growing slowly. Ultimate is where the upper fibre at mid-span reaches −3.5 ‰.
+//! The concrete cracks with fracture energy and is ideally plastic in compression. Such a model does not crush: the
+//! load keeps growing slowly. Ultimate is where the upper fibre at mid-span reaches −3.5 ‰.
 //!
 //! Source: Bresler & Scordelis 1963 (B-3), Vecchio & Shim 2004 (C3), and a fibre analysis of the same sections (theory sheet of
 //! this project: plane sections, curvature integrated along the span).

@@ -200,7 +200,7 @@ pub(super) fn elephant(densities: &[usize], cases: &[(f64, f64)], clamped_too: b
                 density,
                 ..foot
             };
-            // The fit is one of pinned bases: shown beside it, not asserted.
+            // The fit holds for pinned bases: for comparison only.
             rows.push(case.row(
                 format!("R/t = {slenderness}, p R/t = {pressure} f_y, clamped base"),
                 Reference::Published,

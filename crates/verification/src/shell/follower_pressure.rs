@@ -7,7 +7,7 @@
 //! sphere                           S = p λ R/2         λ² − 1 = λ p R (1 − ν)/(E t)
 //! ```
 //!
-//! S is the resultant per reference length (second Piola-Kirchhoff). A dead pressure would give λ S = p R on the ring.
+//! S is the resultant per reference length (second Piola-Kirchhoff). A dead pressure gives λ S = p R on the ring.
 
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
@@ -50,7 +50,7 @@ fn press(builder: &mut Builder, cells: &[[usize; 4]], pressure: f64) {
 }
 
 /// Stretch of the radius of a quarter ring of 8 elements, and its hoop resultant over p R, at a tenth, two tenths, … of the
-/// pressure: at once, the slack ring would evade the pressure by bending.
+/// pressure: in one step the slack ring evades the pressure by bending.
 fn ring(ratio: f64) -> Answer<(f64, f64)> {
     let section: Arc<dyn Section> = Arc::new(ElasticSection::new(YOUNG, 0.0, THICKNESS, 0.0)?);
     let n = 8;
@@ -149,7 +149,7 @@ pub(super) fn follower(meshes: &[usize]) -> Answer {
         unit: "",
     };
     let (stretch, hoop) = ring(0.2)?;
-    // Chords instead of arcs: their pressure pulls with p R cos(half the angle of an element). What is left is bending, t²/R² = 1e-6.
+    // Chords instead of arcs: their pressure pulls with p R cos(half the angle of an element). The rest is bending, t²/R² = 1e-6.
     let apothem = (FRAC_PI_2 / 16.0).cos();
     let exact = (1.0 + 0.4 * apothem).sqrt();
     let mut rows = vec![

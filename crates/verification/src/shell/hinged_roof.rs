@@ -44,7 +44,7 @@ fn hinged_roof(n: usize, t: f64) -> Answer<(Problem, usize)> {
     Ok((Problem::new(builder, &loads)?, crown))
 }
 
-/// S19: shallow roof: limit point, and what follows it.
+/// S19: shallow roof: limit point and the path beyond it.
 pub(super) fn roof(n: usize) -> Answer {
     let mut case = case("S19");
     case.unit = "N";
@@ -137,7 +137,7 @@ pub(super) fn snap_back(n: usize) -> Answer {
     );
     stable.unit = "";
     rows.push(stable);
-    // Shows that the path turns back; zero would mean that the snap was jumped over.
+    // Shows that the path turns back; zero means that the path jumped over the snap.
     rows.push(case.row(
         "largest step of W backwards",
         Reference::ClosedForm,

@@ -1,4 +1,4 @@
-//! What the nonlinear benchmarks of shells share: a model with its load, and how it is followed.
+//! Common to the nonlinear benchmarks of shells: a model with its load, and its equilibrium path.
 
 use std::sync::Arc;
 

@@ -58,6 +58,6 @@ pub(super) fn pinched_cylinder(meshes: &[usize]) -> Answer {
         (48, 1.002),
         (64, 1.007),
     ];
-    // The value under a point load on a shear-flexible shell has no limit; 1.8248 belongs to the Kirchhoff-like range.
+    // The value under a point load on a shear-flexible shell does not converge; 1.8248 belongs to the Kirchhoff-like range.
     Ok(case.study("displacement under the load", 1.8248, 0.02, &values, &prototype, 0.02))
 }

@@ -105,7 +105,7 @@ fn bifurcation(delta: f64, pressure: f64) -> (f64, f64) {
     best
 }
 
-/// Amplitude of cos m₀z in the radial displacements (inwards positive) along the first meridian, and what remains beside it
+/// Amplitude of cos m₀z in the radial displacements (inwards positive) along the first meridian, and the rest besides it
 /// and the mean, over the amplitude.
 fn wave_of(panel: &Panel, radial: impl Fn(usize) -> f64) -> (f64, f64) {
     let n = panel.elements;

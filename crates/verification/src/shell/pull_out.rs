@@ -26,7 +26,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 /// S17: pull-out of an open cylinder, an eighth with `n` × `n` elements under a quarter of P = 40 000.
 pub(super) fn pull_out(fine: bool) -> Answer {
     let case = case("S17");
-    // (W at the load, U beside it in the middle, U at the free end), at half and at full load.
+    // (W at the load, U at its side in the middle, U at the free end), at half and at full load.
     let solve = |n: usize, steps: usize, extrapolated: bool| -> Answer<_> {
         let section: Arc<dyn Section> = Arc::new(ElasticSection::new(10.5e6, 0.3125, 0.094, 0.0)?);
         let radius = 4.953;

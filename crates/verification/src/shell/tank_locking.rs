@@ -14,7 +14,7 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     parts: &[Part::Slow(|| locking(&[16, 32, 64, 128, 256]))],
 };
 
-/// Table of the membrane locking of plain MITC4 beside the centre-point shear.
+/// Table of the membrane locking of plain MITC4 and with centre-point shear.
 pub(super) fn locking(counts: &[usize]) -> Answer {
     let plain = [
         (16, 0.728, 0.23),

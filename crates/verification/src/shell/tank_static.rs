@@ -40,7 +40,7 @@ pub(super) fn static_tank() -> Answer {
     let base = closed.at(0.0).m_v;
     let kind = Reference::ClosedForm;
     let (m, force, moment) = (case("m"), case("kN/m"), case("kN m/m"));
-    // What is left at 64 sectors is the polygon, ½ (π/64)² = 0.12 %, and the mesh; 1 % and, for the small positive
+    // The error at 64 sectors is that of the polygon, ½ (π/64)² = 0.12 %, and the mesh; 1 % and, for the small positive
     // moment, 3 % are the sheet's. The shear flexibility that the closed form lacks is of the order t/R = 0.1 %.
     let mut rows = vec![
         m.row("largest w", kind, w_max, largest(w.iter().map(|p| p.1)), 0.01),

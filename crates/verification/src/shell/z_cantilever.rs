@@ -70,7 +70,7 @@ pub(super) fn z_cantilever() -> Answer {
     for n in [8_usize, 16] {
         values.push((n, z_cantilever_stress(n, DRILLING)?));
     }
-    // The sheet's tolerance, 3 % of what the prototype gives; the series tends to −111.4, not to the printed −108,
+    // The sheet's tolerance, 3 % of the result of the prototype; the series tends to −111.4, not to the printed −108,
     // which is why the published value gets 4 %.
     let prototype = [(8, 113.6 / 108.0), (16, 111.7 / 108.0)];
     Ok(case.study(

@@ -2,7 +2,7 @@
 //!
 //! Source:    dissertation 6.4.1, figure 6.5: P_v 3.0, P_h 30.0 kN, E 3.0e7 kN/m², ν 0, ρ 2.5 t/m³, w 6.25 cm, u 0.025 cm,
 //!            ω₁ 56.4 rad/s; the geometry is not printed and follows from these: L = 2.50 m, b = h = 0.10 m
-//! Model:     one row of n bricks along x, bending in (x, z); u_y is held, which changes nothing as ν = 0
+//! Model:     one row of n bricks along x, bending in (x, z); u_y is held, without effect since ν = 0
 //! Reference: w = P L³/(3 E I) · 1/(1 + (l/h)²/2): the brick's ε_xx is constant along its length, so that a brick under
 //!            bending stores the parasitic shear energy ½ G A (κ l)²/12 = ½ E I κ² · ½ (l/h)² for ν = 0; l brick, h depth
 //! Tolerance: 0.2 % of the ratio: it leaves out the beam's own shear (3 E I/(G A_s L²) = 0.1 % here)
@@ -144,7 +144,7 @@ pub(super) fn statics() -> Answer {
             (2e-3, ""),
         ));
     }
-    // 400 bricks: the beam with its shear; what remains is the locking, 0.2 %.
+    // 400 bricks: the beam with its shear; the rest is locking, 0.2 %.
     let shear = TRANSVERSE * LENGTH / (5.0 / 6.0 * 0.5 * MODULUS * DEPTH * DEPTH);
     let fine = beam_deflection() * (1.0 + convergence[convergence.len() - 1].1);
     let mut c1 = Row::new(

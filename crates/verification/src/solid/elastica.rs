@@ -52,7 +52,7 @@ pub(super) fn elastica(sign: f64, factors: &[f64]) -> Result<Vec<[f64; 2]>, Fail
     let mut last = 0.0_f64;
     let mut out = Vec::new();
     for &factor in factors {
-        // Continuation in small steps keeps to the branch that starts at rest.
+        // Continuation in small steps keeps to the branch that starts undeformed.
         let steps = ((factor - last) / 0.02).ceil().max(1.0) as usize;
         let from = last;
         for step in 1..=steps {

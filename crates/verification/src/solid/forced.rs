@@ -172,7 +172,7 @@ fn nonlinear_history(bricks: usize, grid: Grid, damping: Rayleigh, of: DampingSt
             let du = symbolic.factor(&effective, Kind::Definite)?.solve_vector(&rest)?;
             state.increment(model, &du);
             let (change, size) = (norm(&du), norm(&state.trial.u));
-            // Newton is quadratic: the next correction would be the square of this.
+            // Newton is quadratic: the next correction is the square of this one.
             if change <= 1e-8 * size.max(1e-12) {
                 converged = true;
                 break;
@@ -214,7 +214,7 @@ pub(super) fn harmonic() -> Answer {
         sub_steps: 1,
         samples: (end / dt).round() as usize + 1,
     };
-    // Steps of 1/56 of the first period lengthen it by 0.1 %; after 8 s what is left of the start is exp(−9).
+    // Steps of 1/56 of the first period lengthen it by 0.1 %; after 8 s the start has decayed to exp(−9).
     let fine = grid(2e-3, 8.0);
     let history = linear_history(400, fine, damping, false)?;
     let (amplitude, phase) = fit(&history, fine.dt);

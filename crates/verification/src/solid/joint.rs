@@ -217,9 +217,9 @@ pub(super) fn rows() -> Answer {
 mod tests {
     use super::*;
 
-    /// The table of docs/theory/solid-and-contact.md, 2.3: the joint in series lengthens the way by E/(2 k_n h), and what
-    /// rounding leaves of the pressure is less than the condition number times the machine's precision. Of the way 7e-9 are left at
-    /// the stiffest joints.
+    /// The table of docs/theory/solid-and-contact.md, 2.3: the joint in series increases the displacement by E/(2 k_n h), and
+    /// the error of the pressure by rounding is below the condition number times the machine's precision. The displacement
+    /// keeps an error of 7e-9 at the stiffest joints.
     #[test]
     fn penalty_on_two_blocks() {
         for power in -1..=9 {

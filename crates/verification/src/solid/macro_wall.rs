@@ -1,4 +1,4 @@
-//! The wall element: two shells and a layer without unknowns of its own.
+//! The wall element: two shells and a layer that adds no unknowns.
 //!
 //! Source:    dissertation, figure 8.9 (C9); sandwich beam after Plantema 1966 and Allen 1969
 //! Model:     one element wide, MITC4 shells with the layer between their faces
@@ -6,7 +6,7 @@
 //!            Sandwich of length L = π/k under q sin kz, faces A = E t, bending stiffness D_f of both together, distance d of
 //!            their middles, core of thickness c and shear modulus G that is stiff along its normal:
 //!            q/W = k⁴ [D_f + D_0/(1 + D_0 k²/S)],  D_0 = A d²/2,  S = G d²/c
-//! Tolerance: what the refinement shown in the rows leaves
+//! Tolerance: the error that the refinement in the rows shows
 
 use std::sync::Arc;
 

@@ -5,7 +5,7 @@
 //!            without eccentricity, pressed and lifted; the same between joint and springs
 //! Reference: closed length 3 (b/2 − e), largest pressure 2 N/(closed length · d), by equilibrium; k_n r of the residual;
 //!            with k_b = E A/h, springs k_g, penalty K = k_n A: F_m = (P + k_g λ/K)/(1 + k_g/k_b + k_g/K), λ ← F_m
-//! Tolerance: the block bends by 1.5 k_n b⁴/(E h³) = 5e-6 of the penetration; a stiffer one would drown in rounding
+//! Tolerance: the block bends by 1.5 k_n b⁴/(E h³) = 5e-6 of the penetration; a stiffer one is lost in rounding
 
 use std::sync::Arc;
 

@@ -6,7 +6,7 @@
 //!            normal only, whose faces are the axes of the beams
 //! Reference: two Bernoulli beams with k = e_normal/0.05 m between them. With s = E I_c w_c + E I_l w_l, d = w_l − w_c:
 //!            s'''' = p (the cantilever), d'''' + 4 β⁴ d = p/E I_l, 4 β⁴ = k (1/E I_c + 1/E I_l); clamped below, free above
-//! Tolerance: what the refinement shown in the rows leaves; β is 4 … 250 1/m, the mesh is graded to the base
+//! Tolerance: the error that the refinement in the rows shows; β is 4 … 250 1/m, the mesh is graded to the base
 
 use nalgebra::{SMatrix, SVector};
 

@@ -1,11 +1,11 @@
 //! C8: the strip whose joint of liquid and wall may open, in the march of nonlinear walls.
 //!
 //! Source:    dissertation 8.4, table 8.15; theory sheet of this project
-//! Model:     elastic fibre walls, clamped; liquid condensed onto a face of its own, linear between levels; a joint at each level
+//! Model:     elastic fibre walls, clamped; liquid condensed onto a separate face, linear between levels; a joint at each level
 //! Expected:  * closed, the strip without joint
 //!            * with the trapezoidal rule the march is Moreau's scheme, which [`crate::moreau`] solves on dense matrices
 //!              by trial of sets: the same histories to rounding
-//!            * other spectral radii and steps: shown, since impacts have no limit to converge to
+//!            * other spectral radii and steps: for comparison, since impacts do not converge
 //! Tolerance: (1/14)² at rest and 5·10⁻³ in motion for the face of 14 elements and the penalty; 10⁻⁴ between the two solvers in the first tenth
 //!            of a second after the first opening
 
@@ -44,7 +44,7 @@ fn model(contact: Contact) -> Result<StripModel, StripError> {
     StripModel::new(&tank, StripDamping::Rayleigh(damping))
 }
 
-/// What a run is made of.
+/// Parameters of a run.
 #[derive(Clone, Copy)]
 struct Case<'a> {
     record: &'a Record,

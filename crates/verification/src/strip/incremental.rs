@@ -67,7 +67,7 @@ fn at(levels: &[StripLevel], percent: f64) -> Option<&StripLevel> {
     levels.iter().find(|l| (100.0 * l.scale - percent).abs() < 1e-6)
 }
 
-/// Rows C12, and table 8.16 beside ours, for `record` (El Centro, 0.348 g).
+/// Rows C12, and the comparison with table 8.16, for `record` (El Centro, 0.348 g).
 ///
 /// Errors: those of the analysis.
 fn incremental(record: &Record) -> Answer {
@@ -77,7 +77,7 @@ fn incremental(record: &Record) -> Answer {
     let scales: Vec<f64> = TABLE.iter().map(|t| t.0 / 100.0).collect();
     let found = runs(record, mass, &scales, threads)?;
     let mut rows = Vec::new();
-    // At 85 % ours has passed the kink: see the theory manual for where it lies and what moves it.
+    // At 85 % the computed curve has passed the kink; the theory manual explains its place.
     for (percent, deflection, tolerance) in [
         (10.0, 0.729e-3, 0.03),
         (50.0, 1.478e-3, 0.03),

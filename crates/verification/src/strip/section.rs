@@ -59,7 +59,7 @@ fn concrete(softening_strain: f64) -> Result<UniaxialConcrete, StripError> {
     UniaxialConcrete::new(PLANE_MODULUS, compression, Some(tension)).map_err(law_error)
 }
 
-/// Moment at the first point of the line where `reached` holds, interpolated linearly in what it measures against 1.
+/// Moment at the first point of the line where `reached` holds, interpolated linearly in the value of `reached` around 1.
 fn crossing(line: &[CurvaturePoint], reached: impl Fn(&CurvaturePoint) -> f64) -> f64 {
     let at = line.iter().position(|p| reached(p) >= 1.0);
     match at {

@@ -1,7 +1,7 @@
-//! Examples 8.1 to 8.3 of the dissertation with its meshes A to D in three dimensions, its damping and as it should be.
+//! Examples 8.1 to 8.3 of the dissertation with its meshes A to D in three dimensions, its damping, and with damping by kind.
 //!
-//! The document is made from the accelerograms it names; nothing in it is chosen to meet a printed number. The element
-//! heights of the dissertation's refined mesh (figure 8.2) are not printed: equal heights stand in for them.
+//! The document is made from the accelerograms it names; no parameter is fitted to a printed number. The element
+//! heights of the dissertation's refined mesh (figure 8.2) are not printed; equal heights replace them.
 
 mod broad;
 mod model;

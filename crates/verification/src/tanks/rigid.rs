@@ -1,4 +1,4 @@
-//! The liquid in a rigid tank: what potential flow has closed forms for.
+//! The liquid in a rigid tank: quantities with closed forms in potential flow.
 //!
 //! ```text
 //! sloshing     K_ηη η = ω² M_ηη η                      wall held

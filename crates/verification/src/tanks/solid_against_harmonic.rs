@@ -1,6 +1,6 @@
 //! The three-dimensional engine against the harmonic one on the tanks of examples 01 and 03, on meshes of two finenesses.
 //!
-//! The two share the case and the response analysis and nothing of the discretisation: shell of revolution and quadratic
+//! The two share the case and the response analysis, but not the discretisation: shell of revolution and quadratic
 //! liquid of one harmonic there, flat four-node shells and trilinear liquid in three dimensions here. The harmonic engine
 //! runs on its default mesh, whose own errors are below 0.1 % in frequencies and resultants and about 1 % in the bending
 //! stress of the clamped edge. The ground motion is an artificial one that excites waves and wall.
@@ -70,7 +70,7 @@ fn shaken(mut case: Case, omega: f64) -> Case {
     case
 }
 
-/// What is compared: quantity, unit, its size in SI, tolerance on the finer mesh.
+/// A comparison: quantity, unit, its size in SI, tolerance on the finer mesh.
 const COMPARED: [(Quantity, &str, f64, f64); 9] = [
     (Quantity::SloshingPeriod, "s", 1.0, 0.01),
     (Quantity::ImpulsivePeriod, "s", 1.0, 0.01),

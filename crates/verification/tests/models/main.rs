@@ -1,4 +1,4 @@
-//! Models of the verification that are no rows: laws of the shell, walls of fibres.
+//! Models of the verification without rows: laws of the shell, walls of fibres.
 
 mod shell_element;
 mod shell_parts;

@@ -265,7 +265,7 @@ fn resultants_turn_as_tensors() {
     }
 }
 
-/// Reactions are what the linear solution pulls on the supports: K u over all nodes sums to zero with the load.
+/// Reactions are the forces of the linear solution on the supports: K u over all nodes sums to zero with the load.
 #[test]
 fn nodal_forces_are_in_equilibrium() {
     let (model, u, elements) = strip(0.04);

@@ -247,7 +247,7 @@ fn facet_normals_lock_the_slip() {
 }
 
 #[test]
-fn bad_joints_are_refused() {
+fn bad_joints_are_rejected() {
     let new = |face: &Face, normals, law| Contact8::new(face, Chart::Cartesian, TOP, BOTTOM, normals, law);
     let good = ContactLaw::bonded(1.0);
     assert!(new(&square(), [[0.0, 0.0, 1.1]; 4], good).is_err());

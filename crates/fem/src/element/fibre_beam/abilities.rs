@@ -1,4 +1,4 @@
-//! What `fibre_beam` shows of its inside, and what it can do besides.
+//! Internal state of `fibre_beam`, and its optional abilities.
 
 use nalgebra::Vector3;
 

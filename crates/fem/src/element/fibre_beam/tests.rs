@@ -11,7 +11,7 @@ use crate::state::State;
 use materials::elastic::Elastic;
 use materials::{Law, LawError, Response as Stress};
 
-/// Stiff in compression only, and so cracked wherever it would be in tension.
+/// Stiff in compression only, and so cracked under any tension.
 #[derive(Debug)]
 struct NoTension(f64);
 
@@ -275,7 +275,7 @@ fn history_and_dissipation() {
 }
 
 #[test]
-fn bad_beams_are_refused() {
+fn bad_beams_are_rejected() {
     let section = Arc::new(section(Elastic::new(50.0, 0.0).unwrap(), 3));
     let make = |ends| FibreBeam::new([0, 1, 2], ends, section.clone(), Options::default());
     assert!(make([[0.0; 3], [0.0; 3]]).is_err());

@@ -96,7 +96,7 @@ fn spatial_element_under_plane_motion() {
 }
 
 #[test]
-fn bad_input_is_refused() {
+fn bad_input_is_rejected() {
     let good = liquid(VolumePart::MeanDilatation, RotationPart::None);
     let mut inside_out = face();
     inside_out.chart.swap(1, 3);

@@ -225,7 +225,7 @@ fn mass_and_weight() {
 }
 
 #[test]
-fn bad_input_is_refused() {
+fn bad_input_is_rejected() {
     let good = liquid(VolumePart::MeanDilatation, RotationPart::Full(1.0));
     let mut flat = cell();
     flat.chart.swap(0, 4);

@@ -7,7 +7,7 @@
 //!
 //! e_i is the tangent frame of the element at that corner. ψ vanishes under every rigid motion, and tends to
 //! ω_3 − ½ (v,1 − u,2) (Hughes & Brezzi 1989). It is taken corner by corner, not at Gauss points: only nodes with six
-//! dofs enter, so that a neighbour whose rotation about its director is no unknown is not dragged along.
+//! dofs enter, so that a neighbour whose rotation about its director is not an unknown is not affected.
 
 use nalgebra::{UnitQuaternion, Vector3};
 

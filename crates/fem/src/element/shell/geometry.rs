@@ -52,7 +52,7 @@ impl Point {
         let [g_r, g_s] = base(x, r, s);
         let normal = g_r.cross(&g_s);
         let along = normal.dot(&centre[0].cross(&centre[1]).normalize());
-        // Relative to the diagonals: a sliver of 1e-9 is no area.
+        // Relative to the diagonals: a sliver of 1e-9 counts as degenerate.
         let size = (x[2] - x[0]).norm_squared() + (x[3] - x[1]).norm_squared();
         if along <= 1e-9 * size || along.is_nan() {
             return Err(ElementError::Jacobian {

@@ -11,14 +11,14 @@
 //! E(ζ) = ε + ζ κ                                                            order ε_11 ε_22 2ε_12
 //! N = Σ w_l σ_l + Σ A_s σ_s a           a = (cos²α, sin²α, cos α sin α) ,  ε_s = a · E(ζ_s)
 //! M = Σ w_l ζ_l σ_l + Σ A_s ζ_s σ_s a
-//! Q = k ∫ G dζ γ                        elastic; G of the virgin laws, k = 5/6 unless told otherwise
+//! Q = k ∫ G dζ γ                        elastic; initial G of the laws, k = 5/6 by default
 //! ```
 //!
-//! All components stand in the section's frame, which is that of the shell's [`Axes`](crate::element::shell4::Axes): with the
-//! hoop rule a bar of angle 0 is a hoop bar, one of π/2 a vertical one. The concrete that bars displace is not taken off.
+//! All components refer to the section's frame, which is that of the shell's [`Axes`](crate::element::shell4::Axes): with the
+//! hoop rule a bar of angle 0 is a hoop bar, one of π/2 a vertical one. The concrete that bars displace is not subtracted.
 //!
-//! Linear laws ([`Law::is_linear`]) are integrated once, when the section is made. A section of nothing else has no history
-//! and costs what an elastic one does.
+//! Linear laws ([`Law::is_linear`]) are integrated once, when the section is made. A section of linear laws only has no history
+//! and costs as much as an elastic one.
 //!
 //! History of a point: the energy dissipated so far [J/m²], then that of every layer, then of every bar whose law is not linear.
 
@@ -57,7 +57,7 @@ pub struct Bar {
     pub depth: f64,
     /// Direction: angle from axis 1 towards axis 2 [rad].
     pub angle: f64,
-    /// Density [kg/m³] ≥ 0; that of the material displaced is not taken off.
+    /// Density [kg/m³] ≥ 0; that of the material displaced is not subtracted.
     pub density: f64,
 }
 
@@ -103,7 +103,7 @@ pub struct LayeredSection {
 impl LayeredSection {
     /// `plies` from below (against the director) to above, centred on the reference surface, with `bars`.
     ///
-    /// Errors: no ply; a parameter out of range, a bar outside the plies; a law without an answer at rest or without shear
+    /// Errors: no ply; a parameter out of range, a bar outside the plies; a law that fails at zero strain or has no shear
     /// stiffness.
     pub fn new(plies: &[Ply], bars: &[Bar]) -> Result<LayeredSection, ElementError> {
         LayeredSection::eccentric(plies, bars, 0.0)
@@ -377,7 +377,7 @@ impl Section for LayeredSection {
         for (number, layer) in self.layers.iter().enumerate() {
             let at = at_depth(strain, layer.depth);
             let own = &history[layer.slots.clone()];
-            // A committed state has an answer: the law has given it.
+            // The law has already responded to a committed state.
             let stress = layer
                 .law
                 .respond(&at, own, &mut own.to_vec())

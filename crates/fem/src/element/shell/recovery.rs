@@ -5,7 +5,7 @@
 //! Gauss point of a clamped wall shows half its moment. There the reaction is taken, which is the consistent nodal force:
 //!
 //! ```text
-//! m = moment reaction / length ,   n = force reaction / length       (loads applied at the same node taken off)
+//! m = moment reaction / length ,   n = force reaction / length       (loads applied at the same node subtracted)
 //! ```
 
 use std::collections::BTreeMap;
@@ -19,7 +19,7 @@ use crate::element::shell4::RESULTANTS;
 use crate::model::Model;
 
 /// Resultants (order of [`RESULTANTS`]) at the centre of each of `elements`, with its position, under the linear
-/// solution `u`. Elements that are no shells are left out.
+/// solution `u`. Elements that are not shells are left out.
 pub fn centre_resultants(model: &Model, elements: &[usize], u: &[f64]) -> Vec<([f64; 3], [f64; 8])> {
     let mut out = Vec::with_capacity(elements.len());
     for &e in elements {
@@ -73,8 +73,8 @@ fn point_resultants(model: &Model, e: usize, u: &[f64]) -> Option<([f64; 3], [[f
 /// belongs to the node.
 ///
 /// * `edge`: nodes in order; `closed` if the last is joined to the first
-/// * `forces`: what acts on each node of the model (global components, as from
-///   [`Assembler::nodal_forces`](crate::assembly::Assembler::nodal_forces), loads taken off)
+/// * `forces`: forces on each node of the model (global components, as from
+///   [`Assembler::nodal_forces`](crate::assembly::Assembler::nodal_forces), loads subtracted)
 pub fn edge_values(model: &Model, edge: &[usize], closed: bool, forces: &[[f64; KINDS]]) -> Vec<[f64; 6]> {
     let x: Vec<Vector3<f64>> = edge.iter().map(|&n| Vector3::from(model.nodes()[n])).collect();
     let mut length = vec![0.0; edge.len()];

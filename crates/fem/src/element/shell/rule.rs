@@ -11,7 +11,7 @@
 //! | trapezoid | 12.5 | 5.6 | 3.1 | 2.0 | 1.0 | 0.5 |
 //!
 //! Mid-points of n equal layers integrate ζ² with the error −1/n². Their coordinates are stretched by (1 − 1/n²)^(−1/2), which
-//! makes elastic bending exact and leaves stress and tangent consistent; stretching the weights would not.
+//! makes elastic bending exact and leaves stress and tangent consistent; stretching the weights does not.
 //!
 //! Source: Abramowitz & Stegun 1964, chapter 25.4; the stretching after the theory sheet of this project.
 
@@ -22,7 +22,7 @@ use crate::element::ElementError;
 /// Quadrature of one layer, with its number of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// Gauss-Legendre, 1 to 64 points: the fewest points for smooth stresses. One point carries no bending of its own.
+    /// Gauss-Legendre, 1 to 64 points: the fewest points for smooth stresses. A single point has no bending stiffness.
     Gauss(usize),
     /// Gauss-Lobatto, 3 to 64 points: with points on both faces.
     Lobatto(usize),
@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_of_points_out_of_range_are_refused() {
+    fn numbers_of_points_out_of_range_are_rejected() {
         for rule in [
             Rule::Gauss(0),
             Rule::Gauss(65),

@@ -8,7 +8,7 @@
 //!            M = C e t ε + C (t³/12 + e² t) κ              C plane stress, k_s = 5/6
 //! ```
 //!
-//! Strains and resultants stand in this order, shears as engineering strains:
+//! Strains and resultants have this order, shears as engineering strains:
 //!
 //! ```text
 //! ε_11 ε_22 2ε_12   κ_11 κ_22 2κ_12   γ_1 γ_2
@@ -54,17 +54,17 @@ pub struct LayerState {
     pub state: PointState,
 }
 
-/// What a shell is made of through its thickness.
+/// Build-up of a shell through its thickness.
 pub trait Section: Send + Sync {
     /// Number of history variables of one point.
     fn history_len(&self) -> usize {
         0
     }
 
-    /// Writes the virgin history of one point.
+    /// Writes the initial history of one point.
     fn init_history(&self, _slots: &mut [f64]) {}
 
-    /// Whether the answer depends on the directions of axes 1 and 2 (bars, orthotropy, anything with a history). The shell then
+    /// Whether the response depends on the directions of axes 1 and 2 (bars, orthotropy, anything with a history). The shell then
     /// hands over strains in its [`Axes`](crate::element::shell4::Axes), else in any frame.
     fn has_frame(&self) -> bool {
         true
@@ -72,7 +72,7 @@ pub trait Section: Send + Sync {
 
     /// Resultants and tangent at the strains ε, κ, γ, with the committed history `old`; writes the trial history `new`.
     ///
-    /// Errors: a strain without an answer.
+    /// Errors: a strain for which the law fails.
     fn respond(
         &self,
         strain: &[f64; 8],
@@ -282,7 +282,7 @@ mod tests {
     }
 
     #[test]
-    fn parameters_out_of_range_are_refused() {
+    fn parameters_out_of_range_are_rejected() {
         assert!(ElasticSection::new(0.0, 0.3, 0.01, 0.0).is_err());
         assert!(ElasticSection::new(1.0, 0.6, 0.01, 0.0).is_err());
         assert!(ElasticSection::new(1.0, 0.3, -0.01, 0.0).is_err());

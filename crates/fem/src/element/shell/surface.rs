@@ -1,6 +1,6 @@
 //! Directors of a mesh of shells, and the way of such a mesh into a model.
 //!
-//! Every corner of every cell has a normal: the exact one of the geometry, if the caller knows it, else that of the
+//! Every corner of every cell has a normal: the exact one of the geometry, if the caller provides it, else that of the
 //! bilinear cell. Around a node, normals that differ by less than 15 degrees belong together (chains of them, too) and
 //! are averaged by the angle the cells span there. A node with one group is **smooth**: all its cells share one director, its
 //! rotation frame has the director as third axis, and the rotation about it is held; five unknowns remain. A node with
@@ -38,7 +38,7 @@ pub enum Normals<'a> {
     Exact(&'a dyn Fn(usize, usize) -> Vector3<f64>),
 }
 
-/// What the node of a shell is.
+/// Kind of a node of a shell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NodeKind {
     /// One director for all cells.
@@ -52,7 +52,7 @@ pub enum NodeKind {
 pub struct Directors {
     /// Unit directors at the four corners of each cell.
     pub corners: Vec<[Vector3<f64>; 4]>,
-    /// What each node is.
+    /// Kind of each node.
     pub nodes: BTreeMap<usize, NodeKind>,
 }
 

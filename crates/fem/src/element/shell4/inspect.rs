@@ -1,4 +1,4 @@
-//! What a shell gives out: resultants as linear functions of its dofs, sections and material points of a state.
+//! Output of a shell: resultants as linear functions of its dofs, sections and material points of a state.
 
 use nalgebra::Vector3;
 
@@ -32,7 +32,7 @@ impl Shell4 {
     pub fn resultant_rows(&self, p: &Point) -> Result<[Row; 8], ElementError> {
         let reference = self.reference();
         let kinematics = self.kinematics(p, &reference, &self.common(&reference));
-        let tangent = self.virgin_tangent()?;
+        let tangent = self.initial_tangent()?;
         let turn = self.turn(p);
         let mut rows = [[0.0; SIZE]; 8];
         for j in 0..SIZE {
@@ -48,7 +48,7 @@ impl Shell4 {
         let mut out = Vec::with_capacity(40);
         for p in std::iter::once(&self.centre).chain(&self.points) {
             let position = blend(&p.n, &self.x).into();
-            // A section without an answer at rest has no samples.
+            // A section that fails at zero strain has no samples.
             let Ok(rows) = self.resultant_rows(p) else {
                 return Vec::new();
             };
@@ -106,7 +106,7 @@ impl Shell4 {
             });
             Ok(())
         });
-        debug_assert!(shown.is_ok(), "nothing that is called can fail");
+        debug_assert!(shown.is_ok(), "no call in the closure can fail");
     }
 
     pub(super) fn section_states(

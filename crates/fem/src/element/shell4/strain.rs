@@ -150,7 +150,7 @@ impl Shell4 {
         Kinematics { rows, strain }
     }
 
-    /// Adds what the weighted resultants of one point multiply.
+    /// Adds the weighted resultants of one point.
     pub(super) fn stress(&self, p: &Point, resultants: &[f64; 8], out: &mut Stressed) {
         let [n11, n22, n12, m11, m22, m12, q1, q2] = resultants.map(|v| v * p.area);
         let twist = match self.membrane_shear {

@@ -1,4 +1,4 @@
-//! Unit tests of the shell: a hand calculation, refused geometry, sections in a frame of their own.
+//! Unit tests of the shell: a hand calculation, rejected geometry, sections in their own frame.
 
 use materials::elastic::Elastic;
 
@@ -36,7 +36,7 @@ fn uniaxial_stretch_by_hand() {
 }
 
 #[test]
-fn bad_geometry_is_refused() {
+fn bad_geometry_is_rejected() {
     let up = [Vector3::z(); 4];
     assert!(Shell4::new([0, 1, 2, 3], SQUARE, [-Vector3::z(); 4], section()).is_err());
     assert!(Shell4::new([0, 1, 2, 3], SQUARE, up.map(|d| d * 1.1), section()).is_err());

@@ -1,4 +1,4 @@
-//! What `solid8` shows of its inside, and what it can do besides.
+//! Internal state of `solid8`, and its optional abilities.
 
 use materials::PointState;
 use nalgebra::{Matrix3, Vector3};

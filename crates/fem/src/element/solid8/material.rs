@@ -1,4 +1,4 @@
-//! Material of a solid: law, density, and the damping of its own.
+//! Material of a solid: law, density, and damping.
 
 use crate::element::solid8_law::{Law, Tension};
 

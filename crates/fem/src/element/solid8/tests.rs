@@ -195,7 +195,7 @@ fn element_rayleigh_damping() {
 }
 
 #[test]
-fn bad_bricks_are_refused() {
+fn bad_bricks_are_rejected() {
     let nodes = [0, 1, 2, 3, 4, 5, 6, 7];
     let mut inside_out = corners();
     inside_out.swap(0, 4);

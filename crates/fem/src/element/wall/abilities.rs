@@ -1,4 +1,4 @@
-//! What `wall` shows of its inside, and what it can do besides.
+//! Internal state of `wall`, and its optional abilities.
 
 use nalgebra::Vector3;
 

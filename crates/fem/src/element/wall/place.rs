@@ -7,7 +7,7 @@
 //! Build::Layered    inner shell, layer, outer shell                  ● ░ ●
 //! ```
 //!
-//! Every row of cells (course) may have sections of its own. Reference surfaces lie at constant distances from the footprint
+//! Every row of cells (course) may have its own sections. Reference surfaces lie at constant distances from the footprint
 //! along its normals, so that a step of thickness moves the layer's faces and no node.
 
 use std::f64::consts::TAU;
@@ -138,7 +138,7 @@ pub struct Leaf {
     pub face: f64,
 }
 
-/// What a row of cells is made of.
+/// Sections of a row of cells.
 #[derive(Clone)]
 pub enum Build {
     /// One shell on the inner reference surface.
@@ -153,7 +153,7 @@ pub enum Build {
 pub struct WallMesh<'a> {
     /// Where.
     pub footprint: &'a Footprint,
-    /// What each row of cells is made of; either all rows have a layer or none has.
+    /// Sections of each row of cells; either all rows have a layer or none.
     pub courses: &'a dyn Fn(usize) -> Build,
     /// Distances of the inner and the outer reference surface from the footprint along its normals [m].
     pub offsets: [f64; 2],

@@ -123,7 +123,7 @@ fn samples_of_all_parts() {
 }
 
 #[test]
-fn bad_geometry_is_refused() {
+fn bad_geometry_is_rejected() {
     let (wall, _) = wall(Elastic::normal_only(300.0, 0.0), LayerMass::Halves);
     let layer = Layer {
         material: Elastic::normal_only(300.0, 0.0),

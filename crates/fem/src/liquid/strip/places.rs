@@ -1,4 +1,4 @@
-//! What the condensed liquid does at places of the wall and on the bottom.
+//! Pressures of the condensed liquid on the wall and on the bottom.
 //!
 //! ```text
 //! φ = Σ_j (2/H) D_j(u) sinh(l_j x) cos(l_j z)/(l_j cosh l_j L) + Σ_n (q_n + S_n(u)) sin(k_n x) cosh(k_n z)/(k_n sinh k_n H)

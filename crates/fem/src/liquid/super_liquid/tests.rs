@@ -65,8 +65,8 @@ fn mesh_of_potential_elements() {
     let few = liquid.with_sloshing_modes(4).unwrap();
     for reduced in [&all, &few] {
         let mass = moved(reduced, &translation(reduced));
-        // What gravity's neglect in the left-out modes changes is stiffness, not mass; but they follow the wall, which takes the
-        // part of the mass that they would have kept at rest.
+        // Neglecting gravity in the omitted modes changes stiffness, not mass; but they follow the wall, which takes the
+        // part of the mass that stays at rest in these modes.
         assert!((mass / own - 1.0).abs() < 0.05, "{}", mass / own);
     }
     // ω² = g (1.8412/R) tanh(1.8412 H/R), Lamb 1932.
@@ -77,7 +77,7 @@ fn mesh_of_potential_elements() {
         |m, w| if (w - omega).abs() < (m - omega).abs() { *w } else { m },
     );
     assert!((nearest / omega - 1.0).abs() < 0.03, "{:?} {omega}", few.omega);
-    // With all modes nothing is lost: the same frequencies of the free liquid with the wall on springs.
+    // With all modes the result is exact: the same frequencies of the free liquid with the wall on springs.
     let with_springs = |l: &CondensedLiquid| {
         let mut k = l.stiffness.clone();
         (0..l.wall).for_each(|i| k.add(i, i, 1e7));

@@ -91,7 +91,7 @@ impl<'a> WallObserver<'a> {
         lost(last.unwrap_or(0.0), self.strip.height()).or(self.validity.stop())
     }
 
-    /// What was seen.
+    /// The results so far.
     ///
     /// Errors: those of the elements while it was seen.
     pub(crate) fn finish(self) -> Result<WallHistory, StripError> {

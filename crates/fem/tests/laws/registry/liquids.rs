@@ -129,7 +129,7 @@ fn fluid4(what: &'static str, chart: Chart, liquid: LiquidProperties) -> Specime
         turns: Turns::None("it lies in the plane x–z with z upwards"),
         mass: match chart {
             Chart::Cartesian => Mass::Of(total),
-            Chart::Cylindrical => Mass::Along(2, total, "a motion along r is no translation"),
+            Chart::Cylindrical => Mass::Along(2, total, "a motion along r is not a translation"),
         },
         ..Specimen::new("Fluid4", what, &CORNERS, build)
     }

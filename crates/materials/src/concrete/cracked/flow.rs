@@ -20,7 +20,7 @@ type Vector = [f64; 6];
 type Matrix = [[f64; 6]; 6];
 
 impl CrackedConcrete {
-    /// Stress with plastic flow, starting at an answer without; `None` if no start converges.
+    /// Stress with plastic flow, starting from a solution without it; `None` if no start converges.
     pub(super) fn with_flow(&self, problem: &Problem, elastic: Option<&Solution>) -> Option<Solution> {
         let inverse = 1.0 / self.young_modulus;
         let (a, axes) = (&problem.strain, &problem.axes);
@@ -155,7 +155,7 @@ impl CrackedConcrete {
         Some((r, j))
     }
 
-    /// The answer at a zero of the residual.
+    /// The response at a zero of the residual.
     fn finish(&self, problem: &Problem, x: &Vector, jacobian: Matrix) -> Option<Solution> {
         let young = self.young_modulus;
         let stress = [young * x[0], young * x[1], young * x[2]];

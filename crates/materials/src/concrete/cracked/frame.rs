@@ -15,7 +15,7 @@ impl Frame {
         if r == 0.0 {
             return Frame { c: 1.0, s: 0.0 };
         }
-        // Half angles from the larger of the two, so that nothing cancels.
+        // Half angles from the larger of the two, to avoid cancellation.
         if x >= 0.0 {
             let c = (0.5 * (1.0 + x / r)).sqrt();
             Frame {

@@ -1,4 +1,4 @@
-//! The strip whose liquid has a normal displacement of its own, joined to the wall.
+//! The strip whose liquid has its own normal displacement, joined to the wall.
 
 use super::super::strip::{
     DEPTH, HEIGHT, THICKNESS, WALL_DENSITY, beam_mass, beam_stiffness, bending_stiffness, liquid,
@@ -21,15 +21,15 @@ pub(super) const DURATION: f64 = 14.0;
 pub(super) enum Criterion {
     /// Never.
     Bonded,
-    /// Where the pressure of the displaced particle would fall below zero.
+    /// Where the pressure of the displaced particle falls below zero.
     Particle,
-    /// Where ρ g (H − z) + p' would: the wrong test.
+    /// Where ρ g (H − z) + p' does: the wrong test.
     Place,
     /// The same, only below the height given.
     PlaceBelow(f64),
 }
 
-/// A strip whose liquid has a displacement of its own.
+/// A strip whose liquid has its own displacement.
 pub(super) struct Jointing {
     system: Jointed,
     /// Load of a unit ground acceleration, with its sign.
@@ -119,7 +119,7 @@ impl Jointing {
                         .collect(),
                     _ => Vec::new(),
                 };
-                // What never opens is pressed by more than any wave.
+                // A preload larger than any wave keeps the joint closed.
                 let exempt = matches!(criterion, Criterion::PlaceBelow(top) if at > top);
                 joints.push(Joint {
                     closing: renumbered(closing),

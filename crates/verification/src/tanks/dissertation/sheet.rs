@@ -1,4 +1,4 @@
-//! What the examples share: runs on all meshes, and tables with the dissertation's numbers beside them.
+//! Common to the examples: runs on all meshes, and tables next to the dissertation's numbers.
 
 use std::fmt::Write as _;
 
@@ -32,7 +32,7 @@ pub(super) struct Column {
     pub(super) values: Vec<f64>,
 }
 
-/// What a table shows: title, unit, numbers of the source's columns ("" where it has none).
+/// A line of a table: title, unit, numbers of the source's columns ("" where it has none).
 pub(super) struct Line {
     pub(super) what: &'static str,
     pub(super) unit: &'static str,
@@ -43,7 +43,7 @@ pub(super) const fn line(what: &'static str, unit: &'static str, sources: &'stat
     Line { what, unit, sources }
 }
 
-/// What a run is asked for besides the mesh.
+/// Options of a run besides the mesh.
 pub(super) fn options(damping: DampingModel, stations: &[f64]) -> Options {
     Options {
         mesh_error: false,

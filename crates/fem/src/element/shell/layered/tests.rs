@@ -140,7 +140,7 @@ fn two_materials_by_hand() {
     assert!((found.resultants[3] / m - 1.0).abs() < 1e-12);
 }
 
-/// A bar at 30° in a ply that is next to nothing: N = A E (a · ε) a, M = ζ N; linear law and history law alike.
+/// A bar at 30° in a ply of negligible stiffness: N = A E (a · ε) a, M = ζ N; linear law and history law alike.
 #[test]
 fn bar_in_an_oblique_direction() {
     let soft: Arc<dyn Law<3>> = Arc::new(Elastic::new(1.0, 0.0).unwrap());
@@ -184,8 +184,8 @@ fn bar_in_an_oblique_direction() {
     }
 }
 
-/// Bending beyond yield and back: M = M_p (1 − (κ_y/κ)²/3), the tangent is the derivative, and the work done is what is stored
-/// and what is dissipated.
+/// Bending beyond yield and back: M = M_p (1 − (κ_y/κ)²/3), the tangent is the derivative, and the work done is the sum of stored
+/// and dissipated energy.
 #[test]
 fn plastic_bending_and_its_energy() {
     let t = 0.02;
@@ -241,7 +241,7 @@ fn plastic_bending_and_its_energy() {
 }
 
 #[test]
-fn parameters_out_of_range_are_refused() {
+fn parameters_out_of_range_are_rejected() {
     let law: Arc<dyn Law<3>> = Arc::new(Springs);
     let good = ply(law.clone(), 0.1, Rule::Gauss(3));
     let bar = |area: f64, depth: f64| Bar {
