@@ -1,5 +1,5 @@
-//! Deformability parameter of the dissertation, eq. (3.1), and what holds in its place. Information only: nothing in the
-//! verification depends on it.
+//! Deformability parameter of the dissertation, eq. (3.1), and its correction. Information only: the verification
+//! does not depend on it.
 //!
 //! The dissertation prints, after Bettin, Urrutia-Galicia and Gebbeken (2000), with tank height H, wall thickness h and
 //! radius R, "with rising K the probability of failure rises":
@@ -9,7 +9,7 @@
 //! ```
 //!
 //! As printed a thicker wall raises K and with it the probability of failure, which cannot be. The dissertation does not
-//! derive K and gives no value, so what the report of 2000 has could not be found out; what follows is our derivation.
+//! derive K and does not evaluate it, so the definition in the report of 2000 is unknown; the derivation below is ours.
 //! With thickness s and liquid depth H, a liquid pressure `p = ρ a H` (a: g for the static state, the response
 //! acceleration for the dynamic one) widens the wall by
 //!
@@ -38,7 +38,7 @@ pub struct Deformability {
     pub as_printed: f64,
     /// `√(H/R) √(R/s)` with the liquid's depth.
     pub corrected: f64,
-    /// What holds, for the report.
+    /// Remark for the report.
     pub note: String,
 }
 
@@ -69,7 +69,7 @@ pub fn of(case: &Case) -> Option<Deformability> {
         as_printed: printed,
         corrected,
         note: format!(
-            "Eq. (3.1) of Brüggemann 2002 as printed, √(H_T/R)·√(s/R) = {}, says that failure grows more probable with a thicker wall, which \
+            "Eq. (3.1) of Brüggemann 2002 as printed, √(H_T/R)·√(s/R) = {}, means that failure grows more probable with a thicker wall, which \
              cannot be. Deflection and period of the filled wall grow with √(H/R)·√(R/s) = {} instead (our derivation: the \
              hoop strain is (ρ·a·R/E)·H/s); (3.1) is given without one. With s = {} of the lowest course; \
              information only, no check rests on it.",

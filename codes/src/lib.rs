@@ -1,6 +1,6 @@
 //! The code procedures: Housner, Eurocode 8, API 650.
 //!
-//! This crate knows no files, no finite elements and no report. It holds
+//! This crate does not depend on files, finite elements and the report.
 //!
 //! | module | idea |
 //! |---|---|
@@ -21,7 +21,7 @@ pub mod sheet;
 
 pub use procedure::Procedure;
 
-/// All procedures in report order. No other file names them all.
+/// All procedures in report order; the only list of them.
 pub const ALL: &[&dyn Procedure] = &[
     &housner::Housner,
     &ec8::Env1998,

@@ -26,7 +26,7 @@
 //!
 //! Sources: Jacobsen 1949; Housner 1957; EN 1998-4:2006 A.2.1 (circle), A.4 (rectangle, there as graphs). The identities
 //! `m_i + Σ m_n = m`, `m_i h_i + Σ m_n h_n = m H/2` and `C γ + Σ p_n/(ρ a) = ξ` (a liquid that is frozen in the first
-//! instant) hold the formulas in the tests, beside published four-digit values.
+//! instant) and published four-digit values check the formulas in the tests.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! What a code procedure is.
+//! The trait of code procedures.
 
 use tank::approach::Approach;
 use tank::assessment::{Assessment, Excitation, NotApplicable};
@@ -16,7 +16,7 @@ pub enum CodeError {
     NotConverged {
         /// Clause.
         clause: String,
-        /// What was iterated.
+        /// The iterated quantity.
         what: String,
         /// Number of iterations.
         iterations: usize,
@@ -28,7 +28,7 @@ pub enum CodeError {
     Data {
         /// Clause.
         clause: String,
-        /// What is missing, what is allowed.
+        /// Missing or inadmissible datum, and the allowed values.
         reason: String,
     },
     /// A formula of the calculation sheet cannot be evaluated: a fault of the procedure, not of the data.
@@ -47,7 +47,7 @@ pub struct Label {
     pub figure_key: &'static str,
 }
 
-/// A design spectrum to draw beside the record's.
+/// A design spectrum, drawn with the record's.
 pub struct DesignCurve {
     /// Id of the curve, unique among the curves of a report.
     pub id: String,
@@ -65,7 +65,7 @@ pub trait Procedure: Sync {
     fn id(&self) -> &'static str;
     /// How it is named and drawn.
     fn label(&self) -> Label;
-    /// What it simplifies, by which the comparison explains differences.
+    /// Its simplifications, by which the comparison explains differences.
     fn approach(&self) -> Approach;
     /// Design spectra of the site at the damping ratios asked for; none where the site is not given or not covered.
     fn design_curves(&self, _site: &Site, _dampings: &[f64]) -> Vec<DesignCurve> {

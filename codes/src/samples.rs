@@ -1,4 +1,4 @@
-//! What tests of several procedures share: materials, tanks and records.
+//! Shared by the tests of several procedures: materials, tanks, records.
 
 use std::f64::consts::PI;
 
@@ -97,7 +97,7 @@ pub(crate) fn close(value: f64, expected: f64, tolerance: f64) {
     near(value, expected, tolerance, "value");
 }
 
-/// As [`close`], with what the value is.
+/// As [`close`], with the name of the value.
 #[track_caller]
 pub(crate) fn near(value: f64, expected: f64, tolerance: f64, what: &str) {
     assert!(

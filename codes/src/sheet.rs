@@ -1,7 +1,7 @@
 //! Builder of calculation sheets: every line with symbol, formula, the numbers put in, value, dimension and clause.
 //!
 //! A line is an input, a formula or a look-up. The value of a formula is computed from its text ([`Formula`]), so that
-//! what is printed is what was computed:
+//! the printed line is the computation:
 //!
 //! ```
 //! use codes::sheet::Sheet;
@@ -48,7 +48,7 @@ impl Sheet {
         self.section = title.into();
     }
 
-    /// Adds an input: a value that is given, or that another sheet or a table of the report derives. Returns the value.
+    /// Adds an input: a value of the tank file, of another sheet or of a table of the report. Returns the value.
     pub fn input(&mut self, symbol: &str, name: &str, value: f64, dimension: Dimension, source: &str) -> f64 {
         self.push(Step {
             symbol: symbol.into(),
@@ -89,7 +89,7 @@ impl Sheet {
     }
 
     /// Adds a value that no formula of the sheet gives: one from a table, a figure, a spectrum, a series, an iteration or
-    /// an integral. `source` says in words which. Returns the value.
+    /// an integral. `source` names it in words. Returns the value.
     pub fn look_up(
         &mut self,
         symbol: &str,

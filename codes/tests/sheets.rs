@@ -40,7 +40,7 @@ fn every_line_is_what_it_says_and_every_branch_is_reached() {
             assert!(step.formula.is_empty() || step.look_up.is_empty(), "{of}");
             assert_eq!(step.formula.is_empty(), step.substitution.is_empty(), "{of}");
             if !step.formula.is_empty() {
-                // No symbol is left in the numbers put in: whoever reads the line can compute it.
+                // The substitution has numbers only, so that a reader can evaluate the line.
                 Formula::parse(&step.substitution).expect(&of).value(&[]).expect(&of);
                 seen.insert((id.to_string(), step.formula.clone()));
             }

@@ -2,7 +2,7 @@
 //!            (figure E.1, tables E.4, E.5, E.7; E.6.1.4)
 //! Goal:      figures and tables, both branches of each, the values on either side of a limit
 //! Expected:  the cells as printed; the closed forms of the figures evaluated outside this program, six digits
-//! Tolerance: half the last digit of what is expected, 1e-12 where that is exact
+//! Tolerance: half the last digit of the expected value, 1e-12 where it is exact
 
 use super::edition1993::convective_coefficient;
 use super::edition2020::accelerations::{design_accelerations, importance, response_modification};

@@ -95,7 +95,7 @@ fn asce_7_16_table_11_4_2_f_v() {
     }
 }
 
-/// Class F has no number in either edition; there is no edition but 2010 and 2016.
+/// Neither edition has a coefficient for class F; the editions are 2010 and 2016.
 #[test]
 fn class_f_and_other_editions_have_no_coefficients() {
     for coefficient in [short_period_coefficient as Coefficient, long_period_coefficient] {

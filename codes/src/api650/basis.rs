@@ -82,7 +82,7 @@ impl<'a> Basis<'a> {
         self.case.tank.courses[0].material.yield_strength
     }
 
-    /// Bottom plate under the shell (thickness [m], yield strength [Pa]), or what is missing.
+    /// Bottom plate under the shell (thickness [m], yield strength [Pa]), or the missing data in words.
     pub fn bottom(&self) -> Result<(f64, f64), String> {
         let Some(bottom) = &self.case.tank.bottom else {
             return Err("`tank.bottom` is missing".into());
@@ -170,7 +170,7 @@ impl<'a> Basis<'a> {
         }
     }
 
-    /// Allowable compression of the bottom course with its lines, or what is missing.
+    /// Allowable compression of the bottom course with its lines, or the missing data in words.
     pub fn allowable_compression(&self, sheet: &mut Sheet, symbol: &str, clause: &str) -> Result<f64, String> {
         use tank::units::Dimension::Stress;
         let f_ty = self.shell_yield();

@@ -111,7 +111,7 @@ fn hoop_stress_of_2020() {
     });
 }
 
-/// 40 steps over 12 m and the lower sides of the four joints below the surface; the fifth joint, at the surface, has none.
+/// 40 steps over 12 m and the lower sides of the four joints below the surface; the fifth joint is at the surface.
 #[test]
 fn heights_of_the_profiles() {
     let c = case();
@@ -148,7 +148,7 @@ fn anchorage_ratio_of_2020() {
     });
 }
 
-/// What the state of the anchorage ratio decides: uplift from 0.785, compression up to 1.54.
+/// Consequences of the anchorage ratio: uplift from 0.785, compression up to 1.54.
 #[test]
 fn anchorage_ratio_of_2020_decides_the_state() {
     let at = |j: f64| {

@@ -13,7 +13,7 @@
 //! The ratio `x = M/(D² (w_t + w_L))` gives the shell compression b per length: the linear `w_t + 1.273 M/D²` up to 0.785
 //! or if anchored, figure E-5 (exact, [`super::hold_down::figure_e5`]) up to 1.5, the printed formula up to 1.57.
 //!
-//! The appendix has no base shear, no moment with base pressure, no wave height and no vertical motion.
+//! The appendix does not cover base shear, moment with base pressure, wave height and vertical motion.
 
 use crate::procedure::{CodeError, Label, Procedure};
 use crate::sheet::{Sheet, Term};
@@ -383,7 +383,7 @@ fn self_anchored(
     let (name, formula) = ("ratio of moment and hold-down", "M/(D²·(w_t + w_L))");
     let x = sheet.calc("x", name, formula, &terms, Dimensionless, E5_1);
     let last = 1.0 / 0.637;
-    let note = "1.57 as printed; the formula above 1.5 has no value from 1/0.637 = 1.5699 on.";
+    let note = "1.57 as printed; the formula above 1.5 is undefined from 1/0.637 = 1.5699 on.";
     out.checks.push(Check::new(
         "stability",
         "Stability of the unanchored tank",

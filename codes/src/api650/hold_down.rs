@@ -1,4 +1,4 @@
-//! What holds an unanchored tank down, and what the shell may bear: pure functions of both editions.
+//! Hold-down of unanchored tanks and allowable compression of the shell: pure functions of both editions.
 //!
 //! A strip of the bottom plate lifts off under the liquid pressure `p = ρ g G H`. With plastic hinges
 //! `M_p = F_y t²/4` at the shell and inside, it carries `2 √(p M_p) = t √(p F_y)` per length of shell:
@@ -47,8 +47,8 @@ pub(super) const UPLIFT: &str = "12.1·10⁻¹²·F_y·L²/t_a";
 pub(super) const SLENDERNESS: &str = "G·H·(D/t_s)²/10⁶";
 /// `y = (b + w)/(w_t + w)` of the 9th edition for 1.5 < x ≤ 1.57.
 pub(super) const TAIL: &str = "1.490/√(1 - 0.637·x)";
-/// Name and formula of the anchorage ratio J of the current annex; infinite if nothing resists and the moment is not
-/// zero.
+/// Name and formula of the anchorage ratio J of the current annex; infinite for a moment without
+/// resistance.
 ///
 /// * `resisting`: force per length that resists, the factor of D² in it [N/m]
 pub(super) fn anchorage(moment: f64, resisting: f64) -> (&'static str, &'static str) {
@@ -57,7 +57,7 @@ pub(super) fn anchorage(moment: f64, resisting: f64) -> (&'static str, &'static 
     } else if resisting > 0.0 {
         ("anchorage ratio", "M_rw/(D²·(w_t·(1 - 0.4·A_v) + w_a - 0.4·w_int))")
     } else {
-        ("anchorage ratio: nothing resists the moment", "∞")
+        ("anchorage ratio: moment without resistance", "∞")
     }
 }
 
@@ -98,8 +98,8 @@ pub fn figure_e5_at(beta: f64) -> (f64, f64) {
     (y / 4.0 * (beta - s * c) / (1.0 - c), y)
 }
 
-/// Figure E-5: `y = (b + w)/(w_t + w)` for `x = M/(D² (w_t + w))`, exact; `None` at x ≥ π/2, where nothing is left to
-/// stand on. Up to x = π/4 the whole ring bears and `y` belongs to `b = w_t + 4 M/(π D²)` with the plate at its full
+/// Figure E-5: `y = (b + w)/(w_t + w)` for `x = M/(D² (w_t + w))`, exact; `None` at x ≥ π/2, where the tank
+/// overturns. Up to x = π/4 the whole ring bears and `y` belongs to `b = w_t + 4 M/(π D²)` with the plate at its full
 /// force: the caller takes the linear formula there.
 ///
 /// x falls from π/2 to π/4 as β grows from 0 to π; bisection to the last digit.
@@ -184,7 +184,7 @@ mod tests {
         evaluate(HOLD_DOWN, &terms)
     }
 
-    /// Width of an annulus in a tank so large that it has no limit above, in units of which the limit below is nothing.
+    /// Width of an annulus in a tank so large that the upper limit is infinite, in units in which the lower limit is zero.
     fn annulus_width(t: f64, f_y: f64, g_e: f64, h: f64) -> f64 {
         let scale = 1e6;
         let terms = [

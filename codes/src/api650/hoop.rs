@@ -84,8 +84,8 @@ mod tests {
     use crate::samples::close;
     use proptest::prelude::*;
 
-    /// Worked example: N in N/mm and stresses in MPa at Y = 12, 6, 2 m (t = 14, 10, 8 mm there); half of the last digit,
-    /// and for the forces what the six digits of A_i and A_c leave open (2e-6 relative).
+    /// Worked example: N in N/mm and stresses in MPa at Y = 12, 6, 2 m (t = 14, 10, 8 mm there); half of the last digit;
+    /// forces also carry the rounding of A_i and A_c to six digits (2e-6 relative).
     #[test]
     fn worked_example() {
         for (y, t, n_i, n_c, n_h, high, low) in [
@@ -151,7 +151,7 @@ mod tests {
         // At D/H = 1.333 both are the same parabola but for the rounding of 8.48, 5.22 and 0.75.
         let g = |h: f64| hoop_forces(h, 13.33, h, 1.0, 0.3, 0.0, 0.0).impulsive;
         close(g(10.0 - 1e-4) / g(10.0 + 1e-4), 1.0, 4e-3);
-        // At the surface the wave's weight alone, 1.85 A_c G D²; above it nothing.
+        // At the surface the wave's weight alone, 1.85 A_c G D²; above it zero.
         let surface = hoop_forces(0.0, 10.0, 20.0, 1.0, 0.3, 0.1, 0.1);
         close(surface.convective, 18.5e3, 1e-6);
         assert_eq!(

@@ -124,7 +124,7 @@ pub(super) const PERIOD: &str = "1.8·K_s·√(D)";
 ///     = C_i H √ρ / (√(2 t_u/D) √E)          in SI
 /// ```
 ///
-/// The factor √2000 turns mm/D into t/R. The American form has 27.8 with ρ in lb/ft³, although some printings say
+/// The factor √2000 turns mm/D into t/R. The American form has 27.8 with ρ in lb/ft³, although some printings have
 /// lb/in³.
 pub(super) const IMPULSIVE_PERIOD: &str = "C_i·H·√(ρ)/√(2·t_u/D·E)";
 
@@ -187,7 +187,7 @@ mod tests {
     fn worked_example() {
         let m = effective_masses(2.5);
         let w_p = 74_890.2;
-        // W_p is printed to 0.05, so the products carry 0.05·0.45 beside their own 0.05.
+        // W_p is printed to 0.05, so the products carry 0.05·0.45 in addition to their own 0.05.
         close(m.w_i * w_p, 33_692.2, 0.08);
         close(m.w_c * w_p, 38_721.0, 0.08);
         close(m.x_i * 12.0, 4.500, 5e-4);
@@ -209,7 +209,7 @@ mod tests {
         close(sloshing_period_1993(30.0, 2.5), 6.0472, 5e-5);
     }
 
-    /// The dissertation's tank (D = 3.66 m, H = 1.525 m): the closed charts, and its readings beside them. The worst
+    /// The dissertation's tank (D = 3.66 m, H = 1.525 m): the closed charts and its readings. The worst
     /// reading is W1/WT = 0.5, 7 % above the closed form 0.466.
     #[test]
     fn chart_readings_of_the_dissertation() {

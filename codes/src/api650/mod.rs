@@ -11,7 +11,7 @@
 //!
 //! Inside all is SI; the standard's SI forms (mm, MPa, kN) are converted in the formula that uses them. Both unit forms of
 //! the standard are printed rounded, so they differ by up to 0.6 %; the SI one is used. `docs/theory/api650.md` maps the
-//! clauses and lists errata and what is not implemented.
+//! clauses and lists errata and gaps.
 
 #[cfg(test)]
 mod annex_e_tables;

@@ -200,7 +200,7 @@ fn rectangle_combines_vertical_motion_with_0_3() {
     });
     let a = En2006.assess(&c, Excitation::Record).unwrap();
     assert!(expected(&a, record(6.0).pga()).1, "0.3 E_x + E_z governs somewhere");
-    // Without vertical motion nothing is added.
+    // Without vertical motion the vertical part is zero.
     let a = En2006
         .assess(&concrete_rectangle(4.0, false, site()), Excitation::Site)
         .unwrap();

@@ -1,7 +1,7 @@
 //! Upright cylinders: the calculation sheet of EN 1998-4:2006 A.2, A.3, A.9, A.10 (ENV 1998-4:1998 annex B alike).
 //!
-//! Impulsive part: Veletsos' rule, the rigid pressure field with `S_e(T_f)` in place of the ground acceleration, which is
-//! what the simplified procedure A.3.2.2 does too. Masses and levers come from table A.2 (default, EN only) or from the exact
+//! Impulsive part: Veletsos' rule, the rigid pressure field with `S_e(T_f)` in place of the ground acceleration, as in
+//! the simplified procedure A.3.2.2. Masses and levers come from table A.2 (default, EN only) or from the exact
 //! series; profiles over the height always come from the exact pressure fields.
 
 use super::demand::Edition;
@@ -97,23 +97,16 @@ fn table_row(work: &mut Work, gamma: f64) -> Option<Row> {
 
 /// Masses and levers of A.2.1.
 fn rigid_tank(work: &mut Work, gamma: f64) -> Masses {
-    let depth = work.case.liquid.fill_height;
-    let mass = work.mass;
-    work.sheet.section("Liquid in a rigid tank");
-    let clause = work.edition.clause("2.1.2");
     let rigid = impulsive(Plan::Circle, gamma);
-    let ratio = |symbol, source, value| Ratio { symbol, source, value };
-    let (whole, height) = (("m", mass, Mass), ("H", depth, Length));
-    let source = "series 2·γ·Σ I₁(ν_n/γ)/(ν_n³·I₁′(ν_n/γ)), ν_n = (2n+1)·π/2";
-    let share = ratio("μ_i", source, rigid.mass);
-    let m_i = work.share(("m_i", "impulsive mass"), whole, share, &clause);
-    let source = "series Σ I₁·(ν_n - (-1)ⁿ)/(ν_n⁴·I₁′)/Σ I₁/(ν_n³·I₁′)";
-    let share = ratio("χ_i", source, rigid.lever);
-    let h_i = work.share(("h_i", "impulsive lever, wall only"), height, share, &clause);
-    let source = "series [1/2 + 2·γ·Σ I₁·(ν_n - 2·(-1)ⁿ)/(ν_n⁴·I₁′)]/[2·γ·Σ I₁/(ν_n³·I₁′)]";
-    let share = ratio("χ_i′", source, rigid.lever_with_base);
-    let h_ib = work.share(("h_i′", "impulsive lever, wall and base"), height, share, &clause);
+    let series = [
+        "series 2·γ·Σ I₁(ν_n/γ)/(ν_n³·I₁′(ν_n/γ)), ν_n = (2n+1)·π/2",
+        "series Σ I₁·(ν_n - (-1)ⁿ)/(ν_n⁴·I₁′)/Σ I₁/(ν_n³·I₁′)",
+        "series [1/2 + 2·γ·Σ I₁·(ν_n - 2·(-1)ⁿ)/(ν_n⁴·I₁′)]/[2·γ·Σ I₁/(ν_n³·I₁′)]",
+    ];
+    let clause = work.edition.clause("2.1.2");
+    let impulsive = work.rigid_part(rigid, series, &clause);
 
+    let height = ("H", work.case.liquid.fill_height, Length);
     let clause = work.edition.clause("2.1.3");
     let [m_c1, _] = [1, 2].map(|n| sloshing_mass(work, n, gamma, &clause));
     let [h_c1, h_c1b] = [
@@ -133,18 +126,12 @@ fn rigid_tank(work: &mut Work, gamma: f64) -> Masses {
         ];
         work.sheet.calc(symbol, name, &formula, &terms, Length, &clause)
     });
-    Masses {
-        impulsive: Lumped {
-            mass: m_i,
-            lever: h_i,
-            lever_with_base: h_ib,
-        },
-        convective: Lumped {
-            mass: m_c1,
-            lever: h_c1,
-            lever_with_base: h_c1b,
-        },
-    }
+    let convective = Lumped {
+        mass: m_c1,
+        lever: h_c1,
+        lever_with_base: h_c1b,
+    };
+    Masses { impulsive, convective }
 }
 
 /// Mass of a sloshing mode [kg].

@@ -120,7 +120,7 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
     Some(factor)
 }
 
-/// Hold-down of the bottom plate per length [N/m]: nothing where its data are missing.
+/// Hold-down of the bottom plate per length [N/m]; zero without its data.
 fn hold_down(work: &mut Work, state: &State, diameter: f64, clause: &str) -> f64 {
     let bottom = state
         .tank

@@ -194,7 +194,7 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
     let limit = elastic_lines(work, &place, radius, quality, &clause);
     if place.p_min < 0.0 {
         work.out.notes.push(format!(
-            "{clause}: the smallest interior pressure would be a suction of {} ({}); it is taken as zero.",
+            "{clause}: the formulas give a suction of {} as the smallest interior pressure ({}); zero is used.",
             with_unit(-place.p_min, Stress),
             place.describe(vertical)
         ));

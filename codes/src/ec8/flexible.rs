@@ -13,7 +13,7 @@
 //! f = 1 gives the rigid tank with ψ = 1. The form of h_f printed in the annex is the one *with* base pressure (−2).
 //!
 //! **Iteration.** f is not known beforehand. Fischer and Rammerstorfer assume one, find p_f, load the dry shell with it and
-//! take the deformation as the next f. Here the pressure is applied as what it is, a radial load on a shell in harmonic
+//! take the deformation as the next f. Here the pressure is a radial load on a shell in harmonic
 //! motion (inverse iteration with the pressure operator), which converges to the coupled first mode in a few rounds
 //! ([`coupled_mode`]). The annex replaces the pressure by an equivalent density
 //! `ρ_eq(ζ) = p_f(ζ)/(2 g s(ζ)) + ρ_s`, A_f = g, the 2 because the liquid loads the radial part of the motion only
@@ -37,7 +37,7 @@ const TERMS: usize = 80;
 /// Rounds after which the iteration is given up; 2 to 4 are usual.
 const ROUNDS: usize = 20;
 
-/// What the series of a tank need at each point of the wetted wall.
+/// Factors of a tank's series at each point of the wetted wall.
 struct Wetted {
     /// `ν_n` and `(−1)ⁿ` by term.
     nu: Vec<(f64, f64)>,

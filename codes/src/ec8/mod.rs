@@ -12,7 +12,7 @@
 //! | [`buckling`] | stability of steel walls | A.10 |
 //!
 //! Masses, levers and pressures of the rigid tank (A.2.1, A.4) are those of [`crate::mechanical`]. The sheets themselves are
-//! filled by `cylinder` and `rectangle`. `docs/theory/eurocode8.md` maps the clauses and lists what is not implemented.
+//! filled by `cylinder` and `rectangle`. `docs/theory/eurocode8.md` maps the clauses and lists the gaps.
 
 #[cfg(test)]
 mod boundaries;

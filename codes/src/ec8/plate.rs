@@ -1,5 +1,5 @@
-//! Deflection of a rectangular wall of varying thickness under uniform load: what the flexible-wall period of
-//! EN 1998-4:2006 A.4 needs.
+//! Deflection of a rectangular wall of varying thickness under uniform load, for the flexible-wall period of
+//! EN 1998-4:2006 A.4.
 //!
 //! A wall of a box is a plate clamped at the base and at both sides, free at the top; a strip of a long tank is a cantilever
 //! in plane strain. Ritz' method minimises
@@ -110,7 +110,7 @@ fn elements(courses: &[Course], breaks: &[f64]) -> Vec<Element> {
         let inside = |z: &f64| *z > base + 1e-9 * height && *z < top - 1e-9 * height;
         ends.extend(breaks.iter().copied().filter(inside));
         ends.sort_by(f64::total_cmp);
-        // Two breaks at one height are one: an element without length has no stiffness.
+        // Two breaks at one height count once: an element of zero length is singular.
         ends.dedup_by(|above, below| *above - *below < 1e-9 * height);
         let (e, nu, s) = (
             course.material.youngs_modulus,

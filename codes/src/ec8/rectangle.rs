@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 
 use super::cylinder::LARGE;
 use super::plate::{Sides, deflection};
-use super::work::{Masses, Ratio, Work, combined};
+use super::work::{Masses, Work, combined};
 use crate::mechanical::{ConvectiveField, ImpulsiveField, Lumped, Plan, impulsive, sloshing_omega};
 use tank::case::{Case, Combination};
 use tank::quantity::Quantity;
@@ -53,22 +53,16 @@ fn lines(work: &mut Work, gamma: f64, half: f64) -> (Masses, f64) {
     let case = work.case;
     let clause = work.edition.clause("4.1");
     let rigid = impulsive(Plan::Rectangle, gamma);
-    work.sheet.section("Liquid in a rigid tank");
-    let (whole, height) = (("m", work.mass, Mass), ("H", case.liquid.fill_height, Length));
-    let share = |symbol, source, value| Ratio { symbol, source, value };
-    let source = "series 2·γ·Σ tanh(ν_n/γ)/ν_n³, ν_n = (2n+1)·π/2";
-    let ratio = share("μ_i", source, rigid.mass);
-    let m_i = work.share(("m_i", "impulsive mass"), whole, ratio, &clause);
-    let source = "series Σ tanh·(ν_n - (-1)ⁿ)/ν_n⁴/Σ tanh/ν_n³";
-    let ratio = share("χ_i", source, rigid.lever);
-    let h_i = work.share(("h_i", "impulsive lever, wall only"), height, ratio, &clause);
-    let source = "series [1/2 + 2·γ·Σ tanh·(ν_n - 2·(-1)ⁿ)/ν_n⁴]/[2·γ·Σ tanh/ν_n³]";
-    let ratio = share("χ_i′", source, rigid.lever_with_base);
-    let h_ib = work.share(("h_i′", "impulsive lever, wall and base"), height, ratio, &clause);
+    let series = [
+        "series 2·γ·Σ tanh(ν_n/γ)/ν_n³, ν_n = (2n+1)·π/2",
+        "series Σ tanh·(ν_n - (-1)ⁿ)/ν_n⁴/Σ tanh/ν_n³",
+        "series [1/2 + 2·γ·Σ tanh·(ν_n - 2·(-1)ⁿ)/ν_n⁴]/[2·γ·Σ tanh/ν_n³]",
+    ];
+    let impulsive = work.rigid_part(rigid, series, &clause);
 
     let mut terms = vec![
-        whole,
-        height,
+        ("m", work.mass, Mass),
+        ("H", case.liquid.fill_height, Length),
         ("γ", gamma, Dimensionless),
         ("L", half, Length),
         ("g", case.gravity, Acceleration),
@@ -93,19 +87,12 @@ fn lines(work: &mut Work, gamma: f64, half: f64) -> (Masses, f64) {
     });
     let formula = "2·π/√(g·λ·tanh(λ·γ)/L)";
     let period = sheet.calc("T_c1", "its period", formula, &terms, Time, &clause);
-    let masses = Masses {
-        impulsive: Lumped {
-            mass: m_i,
-            lever: h_i,
-            lever_with_base: h_ib,
-        },
-        convective: Lumped {
-            mass: m_c,
-            lever: h_c,
-            lever_with_base: h_cb,
-        },
+    let convective = Lumped {
+        mass: m_c,
+        lever: h_c,
+        lever_with_base: h_cb,
     };
-    (masses, period)
+    (Masses { impulsive, convective }, period)
 }
 
 /// Mass of one wall across the motion [kg].

@@ -1,8 +1,8 @@
 //! Whole procedures: the dissertation's tank, records, unanchored walls, limits of scope.
 //!
 //! Source:    dissertation tables 8.1 and D.3; closed forms; integration of the profiles; scaling laws
-//! Goal:      what the oil tank of `example` does not reach
-//! Tolerance: named beside each value
+//! Goal:      branches that the oil tank of `example` does not reach
+//! Tolerance: stated with each value
 
 use super::example::{check, close, integral, line, oil_tank, profile, site, steel};
 use super::*;
@@ -329,7 +329,7 @@ fn limits_of_scope() {
         En2006.assess(&case, Excitation::Site),
         Err(CodeError::NotApplicable(_))
     ));
-    // No yield strength: said, not skipped.
+    // A missing yield strength is noted.
     let a = En2006.assess(&broad_tank(), Excitation::Site).unwrap();
     assert!(
         a.notes

@@ -7,7 +7,7 @@
 //! M′ = (m_i h_i′ + m_w h_w + m_r h_r) S_e(T_imp) + m_c h_c′ S_e(T_con)      below it
 //! ```
 //!
-//! s is the wetted wall's thickness averaged with the distance from the liquid surface as weight. What the table is: m_i and
+//! s is the wetted wall's thickness averaged with the distance from the liquid surface as weight. In the table, m_i and
 //! h_i′ are those of a rigid tank, m_c = m − m_i lumps all sloshing modes, h_i is raised for the flexible wall above H/R = 0.7.
 
 use crate::sheet::{Sheet, Term};
@@ -130,7 +130,7 @@ mod tests {
         assert!(table(f64::NAN).is_none());
     }
 
-    /// What the table is: m_i and h_i′ of a rigid tank, m_i + m_c = m, T_con of the first mode (0.5 %; h_i′ 1 %).
+    /// Meaning of the table: m_i and h_i′ of a rigid tank, m_i + m_c = m, T_con of the first mode (0.5 %; h_i′ 1 %).
     #[test]
     fn table_is_the_rigid_tank() {
         for row in TABLE {

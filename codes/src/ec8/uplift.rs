@@ -22,7 +22,7 @@ pub(super) enum Compression {
     Arc(f64),
 }
 
-/// The compression; none if x ≥ π/2, where the tank overturns, or if nothing holds down.
+/// The compression; none if x ≥ π/2, where the tank overturns, or without hold-down.
 ///
 /// * `x`: M/(D²(w_t + w_L))
 pub(super) fn compression(x: f64) -> Option<Compression> {

@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 /// Damping ratio of the breathing mode: 3 % (stiff soil) to 6 % (soft soil) are in use (Scharf 1990); the lower is safe.
 pub const BREATHING_DAMPING: f64 = 0.03;
 
-/// Formula of `f(γ)`; none for γ ≥ 4, where the annex gives nothing.
+/// Formula of `f(γ)`; none for γ ≥ 4, which the annex does not cover.
 pub(super) fn breathing_factor(slenderness: f64) -> Option<&'static str> {
     if slenderness < 0.8 {
         Some("1")
@@ -33,7 +33,7 @@ pub(super) fn frequency(gamma_1: f64) -> &'static str {
     if gamma_1 < LARGE {
         "1/(4·R)·√(2·E·I₁(γ1)·s/(π·ρ·H·(1 - ν²)·I₀(γ1)))"
     } else {
-        // I₁/I₀ where both would overflow; the next term of the series is 1e-12 of it.
+        // I₁/I₀ where both overflow; the next term of the series is 1e-12 of it.
         "1/(4·R)·√(2·E·s·(1 - 1/(2·γ1) - 1/(8·γ1²) - 1/(8·γ1³))/(π·ρ·H·(1 - ν²)))"
     }
 }

@@ -1,4 +1,4 @@
-//! What the sheets of cylinders and rectangles share: the case, the growing sheet, masses, resultants, wave height.
+//! Shared by the sheets of cylinders and rectangles: the case, the growing sheet, masses, resultants, wave height.
 
 use super::demand::{Demand, Edition};
 use crate::mechanical::Lumped;
@@ -27,7 +27,7 @@ pub(super) struct Masses {
     pub convective: Lumped,
 }
 
-/// A ratio that the sheet looks up: its symbol, and what it is read from.
+/// A ratio that the sheet looks up: its symbol and its source.
 #[derive(Clone, Copy)]
 pub(super) struct Ratio<'a> {
     pub symbol: &'a str,
@@ -114,6 +114,28 @@ impl Work<'_> {
         let formula = format!("{of}·{share}");
         let terms = [whole, (share, value, Dimensionless)];
         self.sheet.calc(symbol, name, &formula, &terms, dimension, clause)
+    }
+
+    /// Lines of the impulsive part of a rigid tank: mass, and levers without and with the base. `series` are the sources of
+    /// their ratios to liquid mass and depth.
+    pub fn rigid_part(&mut self, rigid: Lumped, series: [&str; 3], clause: &str) -> Lumped {
+        self.sheet.section("Liquid in a rigid tank");
+        let (mass, depth) = (("m", self.mass, Mass), ("H", self.case.liquid.fill_height, Length));
+        let [m, lever, lever_with_base] = series;
+        let ratio = |symbol, source, value| Ratio { symbol, source, value };
+        let m = ratio("μ_i", m, rigid.mass);
+        let lever = ratio("χ_i", lever, rigid.lever);
+        let lever_with_base = ratio("χ_i′", lever_with_base, rigid.lever_with_base);
+        Lumped {
+            mass: self.share(("m_i", "impulsive mass"), mass, m, clause),
+            lever: self.share(("h_i", "impulsive lever, wall only"), depth, lever, clause),
+            lever_with_base: self.share(
+                ("h_i′", "impulsive lever, wall and base"),
+                depth,
+                lever_with_base,
+                clause,
+            ),
+        }
     }
 
     /// Wave height `d = c·a·S_e(T_c1)/g`; with the second mode for information. Adds quantity and freeboard check.

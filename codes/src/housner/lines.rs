@@ -18,7 +18,7 @@ const PRINTED: &str = "TID-7024 (1963) ch. 6";
 pub(super) struct Ordinate {
     /// S_a [m/s²].
     pub value: f64,
-    /// What it is read from, for the sheet.
+    /// Its source, for the sheet.
     pub look_up: String,
     /// Its clause.
     pub clause: String,
@@ -44,7 +44,7 @@ pub(super) struct Lines<'a> {
     known: Vec<Term<'static>>,
 }
 
-/// What an angle, a depth and the impulsive part give for the wave, forces and moments.
+/// Wave, forces and moments of an angle, a depth and the impulsive part.
 struct Convective {
     x: f64,
     omega: f64,
@@ -59,7 +59,7 @@ struct Convective {
 }
 
 impl<'a> Lines<'a> {
-    /// Lines with the printed constants; [`Lines::exact`] says otherwise.
+    /// Lines with the printed constants; [`Lines::exact`] switches to the exact ones.
     pub(super) fn new(input: &'a Input, plan: Plan, combination: Combination, sheet: &'a mut Sheet) -> Lines<'a> {
         Lines {
             input,

@@ -17,7 +17,7 @@ pub enum Spectral {
     Acceleration(f64),
 }
 
-/// What the model needs to know.
+/// Input of the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Input {
     /// a: radius R, or half length L in the direction of motion [m].
@@ -30,7 +30,7 @@ pub struct Input {
     pub ground_acceleration: f64,
     /// g [m/s²].
     pub gravity: f64,
-    /// Constants of the convective part; they also say whether the tank is circular or rectangular.
+    /// Constants of the convective part; they also determine whether the tank is circular or rectangular.
     pub coefficients: Coefficients,
 }
 

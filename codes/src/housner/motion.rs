@@ -1,4 +1,4 @@
-//! What shakes the tank: peak ground acceleration and the spectral ordinate of the sloshing mode.
+//! Excitation of the tank: peak ground acceleration and the spectral ordinate of the sloshing mode.
 
 use super::lines::Ordinate;
 use crate::api650::ground_motion::DesignSpectrum;
@@ -26,11 +26,11 @@ pub struct Motion<'a> {
     pub ground: f64,
     /// Where a_B comes from, for the sheet.
     pub ground_source: String,
-    /// What was assumed, one sentence.
+    /// The assumption, one sentence.
     pub assumption: String,
 }
 
-/// What gives the ordinate of the sloshing mode.
+/// Source of the ordinate of the sloshing mode.
 #[derive(Clone, Debug)]
 enum Spectrum<'a> {
     Record(&'a Record),
@@ -38,7 +38,7 @@ enum Spectrum<'a> {
     Asce7(DesignSpectrum),
 }
 
-/// Whether the case has what the excitation needs.
+/// Whether the case has the data of the excitation.
 pub fn available(case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
     let missing = match excitation {
         Excitation::Record if case.ground_motion.is_none() => "no record given",
@@ -54,7 +54,7 @@ pub fn available(case: &Case, excitation: Excitation) -> Result<(), NotApplicabl
 }
 
 impl<'a> Motion<'a> {
-    /// The motion of a case. Housner's procedure has no design spectrum of its own: under the site's excitation it takes
+    /// The motion of a case. Housner's procedure does not define a design spectrum: under the site's excitation it takes
     /// the elastic spectrum of EN 1998-1 where `site.ec8` is given, else that of ASCE 7.
     pub fn new(case: &'a Case, excitation: Excitation) -> Result<Motion<'a>, CodeError> {
         available(case, excitation)?;

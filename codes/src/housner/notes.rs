@@ -1,4 +1,4 @@
-//! What the procedure assumed, and what a reader should know of its results.
+//! Assumptions of the procedure and remarks on its results.
 
 use super::assess::Run;
 use crate::mechanical::{self, Plan};

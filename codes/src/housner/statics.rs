@@ -244,7 +244,7 @@ fn segments(rings: &[Ring], depth: f64) -> Vec<Segment> {
             ring: *ring,
             constants: [0.0; 4],
         };
-        // A sliver of rounding at the surface is no segment of its own.
+        // A sliver of rounding at the surface is not a segment.
         let sliver = 1e-9 * depth;
         if depth > bottom + sliver && depth < top - sliver {
             list.push(segment(bottom, depth, true));

@@ -3,7 +3,7 @@
 //! Model:     constants of 1957, g = 9.81 m/s², a_B = 0.5 g unless stated
 //! Expected:  per test
 //! Tolerance: script values: half their last digit. Printed values: one unit of their last digit where the printed
-//!            intermediate values were rounded; otherwise a bound that was set knowing the difference, and says so
+//!            intermediate values were rounded; otherwise a bound that was set knowing the difference, marked as such
 //!
 //! Errors of the source that the corrected values rest on:
 //! * D.1 prints h_k = 1.47 m; its own formula gives 0.884 m (1.47 m would lie at the surface). All moments of D.1 inherit it.
@@ -256,7 +256,7 @@ fn table_8_10_slender_tank() {
 }
 
 /// Table 8.11: strip 1 m of a rectangular tank, 2L = 5 m, H = 2.57 m, a_B = 0.348 g, S_v = 0.787 m/s (printed in m/s²).
-/// No single change of a constant gives the printed 39.94 kNm; 2.5 % is what it takes, a bound set knowing the difference.
+/// No single change of a constant gives the printed 39.94 kNm; the bound of 2.5 % was set knowing the difference.
 #[test]
 fn table_8_11_rectangular_strip() {
     let strip = |mass: f64| {
@@ -290,7 +290,7 @@ fn table_8_11_rectangular_strip() {
     );
 }
 
-/// Housner's masses beside the exact ones at four ratios H/R (table of the theory page).
+/// Housner's masses and the exact ones at four ratios H/R (table of the theory page).
 #[test]
 fn masses_beside_potential_flow() {
     // H/R, Housner m_i/m, exact m_k/m, m_k/m with 0.318
@@ -378,7 +378,7 @@ fn inadmissible_input_is_refused_with_its_value() {
 }
 
 /// The pressures integrate to the forces and moments of the model (Simpson, smooth parts: 1e-6 of the result). The
-/// constrained lower part carries 6.4 % more pressure than its force says: Housner continues the pressure at its upper
+/// constrained lower part carries 6.4 % more pressure than its force implies: Housner continues the pressure at its upper
 /// end, 1.064 ρ a_B R, while the solid needs ρ a_B R; moments over the height use the force.
 #[test]
 fn pressures_integrate_to_forces() {

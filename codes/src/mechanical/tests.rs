@@ -236,7 +236,7 @@ fn frequencies_agree_with_known_values() {
     near(period(2), 3.3655, HALF_DIGIT, "T_c2");
 }
 
-/// Nothing overflows, and limits are met: a very tall tank moves with its liquid, a very shallow one leaves it behind.
+/// Limits are met without overflow: a very tall tank moves with its liquid, a very shallow one leaves it behind.
 #[test]
 fn extreme_slenderness_stays_finite() {
     for plan in [Plan::Circle, Plan::Rectangle] {

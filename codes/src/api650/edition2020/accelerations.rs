@@ -138,7 +138,7 @@ fn acceleration_lines(
     Ok(Accelerations { a_i, a_c, a_v, a_f })
 }
 
-/// Lines of what the site gives; returns them as terms.
+/// Lines of the site's data; returns them as terms.
 fn site_lines(
     sheet: &mut Sheet,
     site: &Api650Site,

@@ -122,7 +122,7 @@ impl Run<'_> {
         add("hoop_stress", "Hoop stress (membrane)", &Station::dynamic);
     }
 
-    /// Allowable hoop stress of each course [Pa], or what is missing.
+    /// Allowable hoop stress of each course [Pa], or the missing data in words.
     fn allowable_hoop(&self) -> Result<Vec<f64>, String> {
         let Some(site) = self.site else {
             return Err("`site.api650` (joint efficiency) is missing".into());
@@ -155,7 +155,7 @@ impl Run<'_> {
         let n_c = if 3.68 * h / d < 300.0 {
             "1850·A_c·G·D²·cosh(3.68·(H - Y)/D)/cosh(3.68·H/D)"
         } else {
-            // The same to the last digit, where cosh(3.68 H/D) would overflow.
+            // The same to the last digit; cosh(3.68 H/D) overflows.
             "1850·A_c·G·D²·exp(-3.68·Y/D)·(1 + exp(-7.36·(H - Y)/D))"
         };
         let formula = match (total, a.a_v > 0.0) {

@@ -12,10 +12,10 @@
 //! δ_s  = 0.42 D A_f
 //! ```
 //!
-//! * [`Excitation::Site`]: the annex as it stands, with all its checks.
+//! * [`Excitation::Site`]: the annex with all its checks.
 //! * [`Excitation::Record`]: A_i and A_c are the record's spectral accelerations at T_i and T_c with the damping of the
-//!   case, unreduced (R_w = 1, I = 1, no K, no limit of A_c by A_i), so that like stands with like beside a linear time
-//!   history. The annex sizes tanks for reduced forces, so its checks are not made there; their terms are shown.
+//!   case, unreduced (R_w = 1, I = 1, no K, no limit of A_c by A_i), so that they are comparable with a linear time
+//!   history. The annex sizes tanks for reduced forces, so its checks are left out there; their terms are shown.
 //!
 //! Modules: [`accelerations`] (E.4), [`forces`] (E.6.1, E.7.2), `hoop_check` (E.6.1.4, E.6.2.4), `resistance` (E.6.2, E.7).
 
@@ -46,7 +46,7 @@ const EDITION: &str = "API 650:2020";
 #[derive(Clone, Copy, Debug)]
 pub struct Api6502020;
 
-/// One run: the tank, the actions found so far, and what is being written.
+/// One run: the tank, the actions so far, the growing sheet and assessment.
 struct Run<'a> {
     basis: Basis<'a>,
     /// Site data; present under [`Excitation::Site`], and under a record where the case has them.

@@ -20,7 +20,7 @@ const E7_7: &str = "API 650:2020 E.7.7";
 /// Share of the design pressure that counts with the earthquake.
 const F_P: f64 = 0.4;
 
-/// What loads and holds the ring of the shell.
+/// Load and hold-down of the ring of the shell.
 #[derive(Clone, Copy)]
 struct Load {
     /// Vertical acceleration [g].
@@ -125,7 +125,7 @@ impl Run<'_> {
         } else if j <= hd::NOT_SELF_ANCHORED {
             self.compression_lifting(load, w_a, j);
         } else {
-            self.not_checked(E6_2_2, "shell compression", "it has no value for J above 1.54");
+            self.not_checked(E6_2_2, "shell compression", "the annex does not cover J above 1.54");
         }
         if j <= hd::NOT_SELF_ANCHORED {
             // Where the limit of w_a counts, the thickness that gives it.

@@ -1,5 +1,5 @@
 //! Source:    API 650, 12th and 13th edition, annex E; values computed by an independent script from the standard's text
-//! Goal:      every number of the worked example; limits and what is said when data are missing
+//! Goal:      every number of the worked example; limits, and notes on missing data
 //! Model:     see `super::super::example`: D = 30 m, H = 12 m, G = 0.9, SUG II, S_s = 0.90, S_1 = 0.40, class D, T_L = 8 s
 //! Expected:  per test
 //! Tolerance: half the last printed digit
@@ -351,7 +351,7 @@ fn record() {
             .iter()
             .any(|n| n.contains("unreduced (R_w = 1, I = 1, K = 1)"))
     );
-    // Outside figure E.1 the plateau stands in, and that is said.
+    // Outside figure E.1 the plateau is used, with a note.
     c.liquid.fill_height = 4.0;
     let out = assess(&c, Excitation::Record);
     assert!(!out.values.contains_key(&Quantity::ImpulsivePeriod));
@@ -371,7 +371,7 @@ fn vertical_record() {
     let flat = assess(&c, Excitation::Record);
     let motion = c.ground_motion.as_mut().unwrap();
     let mut vertical = motion.horizontal.clone();
-    // Resonant as it is, it would lift the tank off the ground (A_v above 2.5 g).
+    // In resonance, it lifts the tank off the ground (A_v above 2.5 g).
     vertical.acceleration.iter_mut().for_each(|a| *a *= 0.2);
     motion.vertical = Some(vertical.clone());
     let out = assess(&c, Excitation::Record);

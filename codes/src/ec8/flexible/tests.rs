@@ -119,7 +119,7 @@ fn period_formula_is_near_the_shell() {
     }
 }
 
-/// What the printed equivalent density gives, against the coupled mode: short for squat, long for slender tanks.
+/// Period with the printed equivalent density against the coupled mode: short for squat, long for slender tanks.
 #[test]
 fn printed_equivalent_density_misses_the_mode() {
     let ratio = |slenderness: f64| {

@@ -1,6 +1,6 @@
 //! Source:    published table of the rigid box; closed forms; integration of the profiles
 //! Goal:      the sheet of a strip, 2L = 5 m, H = 2.5 m of water, walls 0.3 m thick and 3 m high
-//! Tolerance: named beside each value
+//! Tolerance: stated with each value
 
 use super::super::En2006;
 use super::super::example::{close, integral, line, profile, site};

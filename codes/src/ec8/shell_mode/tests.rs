@@ -47,7 +47,7 @@ fn rigid_motions_are_free_of_strain() {
     }
 }
 
-/// A course split in two, and an element end at the liquid surface, change nothing beyond discretisation (1e-5 observed).
+/// A course split in two, and an element end at the liquid surface, change the mode by no more than discretisation (1e-5 observed).
 #[test]
 fn splitting_a_course_changes_nothing() {
     let whole = DryShell::new(10.0, &[course(10.0, 0.01)], 0.0, Base::Clamped);

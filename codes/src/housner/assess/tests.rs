@@ -1,5 +1,5 @@
 //! Source:    EN 1998-1 and ASCE 7 spectra by hand; the model's own tests hold its numbers
-//! Goal:      the procedure on whole cases: every line reads back, profiles meet the quantities, limits are said
+//! Goal:      the procedure on whole cases: every line reads back, profiles meet the quantities, limits are reported
 //! Tolerance: substitutions carry five digits
 
 use super::*;
@@ -124,7 +124,7 @@ fn profiles_meet_the_quantities() {
         for profile in &out.profiles {
             assert_eq!(profile.z.len(), profile.values.len());
             assert!(profile.z.windows(2).all(|w| w[0] < w[1]));
-            // From the bottom to the surface; the wall goes on above it.
+            // From the bottom to the surface; the wall continues above it.
             let top = profile.z[profile.z.len() - 1];
             assert!(profile.z[0] == 0.0 && (top / case.liquid.fill_height - 1.0).abs() < 1e-12);
             assert!(profile.values.iter().all(|v| *v >= 0.0 && v.is_finite()));
@@ -161,7 +161,7 @@ fn profiles_meet_the_quantities() {
     }
 }
 
-/// Each line says where it stands: the table of the plan, and whose constants.
+/// Each line names its source: the table of the plan, and whose constants.
 #[test]
 fn clauses_name_plan_and_constants() {
     for (mut case, plan) in [(cylinder(1.525), "table D.1"), (strip(), "8.4.2")] {

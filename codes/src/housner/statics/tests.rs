@@ -4,7 +4,7 @@
 //! Expected:  the printed values, met with H = 1.52 m and γ = 9.81 kN/m³ (the dissertation states neither in D.4; with
 //!            1.525 m and 10 kN/m³ of Bild 8.1 they are not met)
 //! Tolerance: values of an independent finite-element solution (7320 cubic elements, converged to all digits given):
-//!            2e-6, what its condition leaves. Printed values: 1 % for w (0.0159 cm at 0.85 m is 0.8 % above the 0.01578 that any input
+//!            2e-6, from its condition number. Printed values: 1 % for w (0.0159 cm at 0.85 m is 0.8 % above the 0.01578 that any input
 //!            near the stated one gives), 0.1 % for n_φ (0.97 m and 0.14 m are rounded places of extrema); these are
 //!            regression bounds, set knowing the differences
 

@@ -28,7 +28,7 @@ fn input() -> impl Strategy<Value = Input> {
 }
 
 proptest! {
-    /// The two branches meet at H/a = 1.5: a jump would show as a change far above the step's size.
+    /// The two branches meet at H/a = 1.5: a jump shows as a change far above the step's size.
     #[test]
     fn continuous_at_the_limit_of_slenderness(c in coefficients(), a in 0.1..50.0f64) {
         let at = |ratio: f64| respond(&Input {
