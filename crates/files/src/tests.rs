@@ -1,4 +1,4 @@
-//! What must hold of output folders at every moment of a run, a killed one included.
+//! Invariants of output folders at every moment of a run, a killed one included.
 
 use std::fs;
 use std::path::Path;
@@ -94,7 +94,7 @@ fn commit_replaces_an_earlier_run_and_leaves_other_files_alone() {
     assert_eq!(fs::read_dir(home.path()).unwrap().count(), 1);
 }
 
-/// Names that results have, in a folder without a manifest, or beside one that does not list them.
+/// Names that results have, in a folder without a manifest, or with one that does not list them.
 #[test]
 fn files_that_this_program_did_not_write_are_never_touched() {
     for name in ["report.html", "results.json", "figures/mine.svg", MANIFEST_FILE] {
@@ -106,7 +106,7 @@ fn files_that_this_program_did_not_write_are_never_touched() {
         assert_eq!(error.exit_code(), EXIT_INPUT);
         assert_eq!(tree(home.path()), [name]);
     }
-    // One that comes into the way while the run goes on.
+    // One that appears during the run.
     let home = tempfile::tempdir().unwrap();
     let out = home.path().join("out");
     write_as(KIND, &out, &[("report.html", "old")]);

@@ -1,4 +1,4 @@
-//! What an engine records: every history and envelope is a [`Channel`], whose id, title, dimension and sign stand here alone.
+//! Histories and envelopes of engines: each is a [`Channel`], whose id, title, dimension and sign are defined here alone.
 //!
 //! Signs: tension positive; liquid pressure positive in compression; reactions positive as inertia forces of a positive
 //! acceleration; displacements outwards, waves upwards. Values over the height are those at θ = 0.
@@ -67,7 +67,7 @@ pub enum Ground {
     Displacement,
 }
 
-/// What is known over the height of the wall.
+/// A quantity over the height of the wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OnWall {
     /// Hydrodynamic pressure [Pa].
@@ -165,14 +165,14 @@ pub enum Channel {
     OverturningMoment,
     /// The largest over the height.
     Largest {
-        /// Of what.
+        /// The quantity.
         what: OnWall,
         /// Where it is largest [m].
         z: f64,
     },
     /// At a station.
     At {
-        /// What.
+        /// The quantity.
         what: OnWall,
         /// Height above the base [m].
         z: f64,

@@ -59,7 +59,7 @@ pub fn compare(methods: &[Method], context: &Context, published: Vec<tank::case:
     }
 }
 
-/// What the attribution needs to know beside the methods' values.
+/// Facts for the attribution of differences, in addition to the methods' values.
 #[derive(Clone, Debug, Default)]
 pub struct Context {
     /// Peak ground acceleration of the horizontal record [m/s²].
@@ -76,13 +76,13 @@ pub struct Context {
     pub sloshing_damping: f64,
     /// Estimated discretisation error of the three-dimensional engine by quantity id, relative.
     pub solid_mesh_error: BTreeMap<String, f64>,
-    /// What each procedure simplifies, by method id.
+    /// Simplifications of each procedure, by method id.
     pub approaches: BTreeMap<String, Approach>,
-    /// What happened in the nonlinear run.
+    /// The course of the nonlinear run.
     pub nonlinear: Option<Happened>,
 }
 
-/// What happened in a nonlinear run, as far as it explains where that differs from the linear one.
+/// The course of a nonlinear run, as far as it explains differences from the linear one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Happened {
     /// How it ended.

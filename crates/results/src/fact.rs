@@ -6,7 +6,7 @@ use tank::units::Dimension;
 /// A number of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Fact {
-    /// What it is.
+    /// Its kind.
     #[serde(rename = "id")]
     pub kind: FactKind,
     /// Value in SI.
@@ -15,7 +15,7 @@ pub struct Fact {
     pub dimension: Dimension,
 }
 
-/// What a number of a model is.
+/// Kind of a number of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum FactKind {

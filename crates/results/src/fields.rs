@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use tank::units::Dimension;
 
-/// What the three-dimensional engine shows in pictures: its mesh, modes, deformed shapes and maps of the wall.
+/// Pictures of the three-dimensional engine: its mesh, modes, deformed shapes and maps of the wall.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Fields {
     /// Positions of the drawn nodes [m], global Cartesian: wall and free surface.
@@ -36,7 +36,7 @@ pub struct Picture {
 /// A deformed shape at one moment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DeformedShape {
-    /// What is extreme at that moment (`largest base moment`).
+    /// The extreme at that moment (`largest base moment`).
     pub title: String,
     /// Time [s].
     pub time: f64,

@@ -1,9 +1,9 @@
 //! The last guard before results leave the program: every number in them is finite.
 //!
-//! JSON has no NaN and no infinity; `serde_json` writes them as `null`, and a table would print them. [`check`] walks over
+//! JSON cannot express NaN and infinity; `serde_json` writes them as `null`, and a table prints them. [`check`] walks over
 //! any serialisable value and names the first number that is not finite by its path. An absent value is an `Option`, which
-//! the walk tells from NaN; so is the utilisation of a check without any capacity. Histories of interrupted runs end in NaN
-//! in `series.csv`, which is no part of the walk.
+//! differs from NaN; so is the utilisation of a check without any capacity. Histories of interrupted runs end in NaN
+//! in `series.csv`, which is not part of the walk.
 
 use std::fmt::{self, Display};
 
@@ -14,7 +14,7 @@ use files::error::Error;
 
 /// Accepts a value in which every number is finite.
 ///
-/// * `what`: what the value is, for the message (`modes`)
+/// * `what`: name of the value in the message (`modes`)
 ///
 /// Errors: [`Error::NotFinite`] with the path of the first other number.
 pub fn check(what: &str, value: &(impl Serialize + ?Sized)) -> Result<(), Error> {
@@ -76,7 +76,7 @@ fn named(value: &(impl Serialize + ?Sized), name: impl Fn(&str) -> String) -> Re
     }
 }
 
-/// A serialiser that writes nothing and stops at a number that is not finite; `path` is then where it stands.
+/// A serialiser without output that stops at a number that is not finite; `path` is then its place.
 struct Walk {
     path: String,
 }

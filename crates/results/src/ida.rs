@@ -22,9 +22,9 @@ pub const IDA_PARTIAL_FILE: &str = "ida.partial.json";
 pub struct Ida {
     /// Format version, [`IDA_FORMAT`].
     pub format: String,
-    /// What may differ between identical runs; skipped by `diff`.
+    /// Fields that may differ between identical runs; skipped by `diff`.
     pub volatile: Volatile,
-    /// What the runs were made from: another key is another analysis.
+    /// Identity of the input: another key is another analysis.
     pub key: String,
     /// Title of the case.
     pub name: String,
@@ -32,7 +32,7 @@ pub struct Ida {
     pub files: Vec<SourceFile>,
     /// The model in numbers.
     pub model: Vec<Fact>,
-    /// What the engine assumed, one sentence each.
+    /// Assumptions of the engine, one sentence each.
     pub assumptions: Vec<String>,
     /// Dimension of the moments at the base: of a metre of a strip, or of a whole cylinder.
     #[serde(default = "of_a_metre")]
@@ -57,28 +57,28 @@ pub struct IdaRun {
     /// Why and when no equilibrium was found; the demands are then lower bounds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub collapse: Option<Collapse>,
-    /// Largest elevation of the surface at the wall from the state at rest, up or down [m].
+    /// Largest elevation of the surface at the wall from the static level, up or down [m].
     pub wave: f64,
-    /// Largest deflection of the top of a strip's wall, largest radial displacement of a cylinder, the state at rest included [m].
+    /// Largest deflection of the top of a strip's wall, largest radial displacement of a cylinder, static state included [m].
     pub wall_displacement: f64,
     /// Its time [s].
     pub wall_displacement_time: f64,
     /// Limits of the model that the run has passed, the first of each kind by time. With `stored_energy` it ends there.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub departures: Vec<Departure>,
-    /// Largest moment at the base, the state at rest included: of a strip's wall [N m/m], of a cylinder [N m]. It is the reaction
+    /// Largest moment at the base, static state included: of a strip's wall [N m/m], of a cylinder [N m]. It is the reaction
     /// of the ground, with damping and inertia.
     pub base_moment: f64,
     /// Largest bending moment of the lowest section of a strip's wall, the integral of its stresses [N m/m].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub section_moment: Option<f64>,
-    /// What the largest moment at the base of a strip's wall is made of.
+    /// Parts of the largest moment at the base of a strip's wall.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub moment_parts: Option<BaseMoment>,
     /// The first crack.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub first_crack: Option<FirstCrack>,
-    /// When the liquid first parts from a wall, or would if the model let it.
+    /// First separation of the liquid from a wall; a linear estimate where the model does not separate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub parting: Option<LiquidParting>,
     /// Height of the highest crack [m]; 0 without any.
@@ -94,7 +94,7 @@ pub struct IdaRun {
     pub bar_plastic_strain: f64,
     /// Energy dissipated by the materials: of one wall of a strip, the larger one [J/m]; of a cylinder [J].
     pub hysteretic_energy: f64,
-    /// Damping ratio of the first mode of wall and liquid, virgin wall.
+    /// Damping ratio of the first mode of wall and liquid, initial wall.
     pub wall_damping: f64,
     /// Number of times that a step was halved.
     pub halvings: u64,
@@ -124,7 +124,7 @@ pub struct FirstCrack {
     pub base_moment: f64,
 }
 
-/// Where and when the liquid first parts from a wall.
+/// Place and time of the first separation of the liquid from a wall.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LiquidParting {
     /// Time [s].

@@ -1,7 +1,7 @@
 //! The results folder: `results.json` (all numbers of a verification) and `series.csv` (time histories).
 //!
 //! `results.json` is ordered and deterministic; everything that may differ between two identical runs stands in
-//! [`Volatile`]. All values are SI, each with its unit beside it. The report, `diff` and users' scripts read nothing else.
+//! [`Volatile`]. All values are SI, each with its unit. The report, `diff` and users' scripts read only these files.
 
 pub mod channel;
 pub mod compare;
@@ -54,7 +54,7 @@ pub const FORMAT: &str = "tankcheck-results/2";
 pub struct Results {
     /// Format version, [`FORMAT`].
     pub format: String,
-    /// What may differ between identical runs; skipped by `diff`.
+    /// Fields that may differ between identical runs; skipped by `diff`.
     pub volatile: Volatile,
     /// Title of the case.
     pub name: String,
@@ -76,7 +76,7 @@ pub struct Results {
     pub comparison: Comparison,
     /// The verdict.
     pub verdict: Verdict,
-    /// What is unusual in the input, one sentence each.
+    /// Unusual input, one sentence each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
 }
@@ -87,7 +87,7 @@ impl Results {
         self.runs.first()
     }
 
-    /// The run of an engine beside the first one.
+    /// The run of an engine that is not the first one.
     pub fn beside(&self, engine: EngineId) -> Option<&Run> {
         self.runs.iter().skip(1).find(|run| run.engine == engine)
     }
@@ -147,7 +147,7 @@ mod unit_symbol {
 pub struct InputValue {
     /// JSON path (`tank.courses[0].thickness`).
     pub path: String,
-    /// As written in the file, or as it would be written.
+    /// As written in the file; for a default, in the form the file takes.
     pub text: String,
     /// True if the file did not give it.
     pub default: bool,
@@ -211,7 +211,7 @@ pub struct Deformability {
     pub as_printed: f64,
     /// The parameter in the sense that a thinner wall deforms more.
     pub corrected: f64,
-    /// What holds.
+    /// Remark.
     pub note: String,
 }
 
@@ -222,7 +222,7 @@ pub struct RecordSummary {
     pub direction: String,
     /// Name.
     pub name: String,
-    /// What was done to the file's numbers.
+    /// Processing of the file's numbers.
     pub processing: Vec<String>,
     /// Time step [s].
     pub dt: f64,
@@ -316,7 +316,7 @@ pub struct Method {
     /// Class of its colour and dash in `templates/figure.css`; [`NEUTRAL`] in results of earlier versions.
     #[serde(default = "neutral")]
     pub figure_key: String,
-    /// What shakes the tank.
+    /// Excitation.
     pub excitation: Excitation,
     /// Whether it gave values.
     pub status: Status,
@@ -328,7 +328,7 @@ pub struct Method {
     pub checks: Vec<Check>,
     /// Values over the height.
     pub profiles: Vec<Profile>,
-    /// What the method assumed.
+    /// Assumptions.
     pub assumptions: Vec<String>,
     /// Warnings and remarks.
     pub notes: Vec<String>,

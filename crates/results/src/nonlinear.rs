@@ -1,11 +1,11 @@
-//! How a run ended, what happened when, and what the wall of a nonlinear run has become.
+//! How a run ended, its events, and the state of the wall after a nonlinear run.
 //!
 //! Places on the wall are cells of a grid over the developed wall, rows from the base up. Values are SI.
 
 use serde::{Deserialize, Serialize};
 use tank::units::Dimension;
 
-/// What a nonlinear run leaves behind.
+/// Results that only a nonlinear run has.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Nonlinear {
     /// Cells of the wall.
@@ -18,9 +18,9 @@ pub struct Nonlinear {
     pub loops: Vec<Loop>,
     /// Energies over time.
     pub energies: Energies,
-    /// What it cost, as label and number: steps, halvings, iterations, factorisations.
+    /// Cost, as label and number: steps, halvings, iterations, factorisations.
     pub cost: Vec<Count>,
-    /// Largest moment at the base of each wall of a strip and what it is made of.
+    /// Largest moment at the base of each wall of a strip, with its parts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub moments: Vec<BaseMoment>,
     /// Limits of the model that the run has passed, the first of each kind by time.
@@ -28,7 +28,7 @@ pub struct Nonlinear {
     pub departures: Vec<Departure>,
 }
 
-/// A limit of the model that a run has passed: what comes later is marked.
+/// A limit of the model that a run has passed; later values are marked.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Departure {
     /// Which limit.
@@ -41,7 +41,7 @@ pub struct Departure {
     pub theta: Option<f64>,
     /// Height above the base [m].
     pub height: f64,
-    /// What was found and what the model bears, where both are known.
+    /// Value and limit, where both are known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub passed: Option<Passed>,
 }
@@ -86,7 +86,7 @@ impl DepartureKind {
     }
 }
 
-/// A moment at the base of a wall and what it is made of [N m/m], with signs.
+/// A moment at the base of a wall and its parts [N m/m], signed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BaseMoment {
     /// The wall.
@@ -101,7 +101,7 @@ pub struct BaseMoment {
     pub damping: f64,
     /// Inertia of the lowest element and dynamic pressure on it.
     pub inertia: f64,
-    /// Pressure at rest that acts on the base itself.
+    /// Static pressure on the base itself.
     pub load: f64,
     /// Largest bending moment of the lowest section in the whole run, absolute.
     pub largest_section: f64,
@@ -118,7 +118,7 @@ pub enum End {
         /// Time reached [s].
         time: f64,
     },
-    /// The run has left its model ([`Nonlinear::departures`] says how) and was stopped: the results end here.
+    /// The run has left its model (see [`Nonlinear::departures`]) and was stopped: the results end here.
     Left {
         /// Time [s].
         time: f64,
@@ -129,7 +129,7 @@ pub enum End {
     Collapsed {
         /// Time of the last equilibrium [s]; before 0 there is none.
         time: f64,
-        /// Part of weight and pressure at rest that was carried, where these could not be carried whole.
+        /// Part of weight and static pressure that the wall carries, where it does not carry all.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         load_factor: Option<f64>,
         /// Reason.
@@ -145,13 +145,13 @@ pub struct Event {
     /// Kind of event.
     #[serde(rename = "id")]
     pub kind: EventKind,
-    /// What (`first crack`).
+    /// Title (`first crack`).
     pub title: String,
-    /// When [s]; 0 is the state at rest.
+    /// Time [s]; 0 is the static state.
     pub time: f64,
     /// Where, in words.
     pub place: String,
-    /// What else is known, one sentence; may be empty.
+    /// Further remark, one sentence; may be empty.
     pub note: String,
 }
 
@@ -199,7 +199,7 @@ pub enum Columns {
         radius: f64,
         /// Edges [rad] from the direction of shaking, ascending: one more than there are columns.
         edges: Vec<f64>,
-        /// Whether the half from π to 2π is the mirror image of what is given.
+        /// Whether the half from π to 2π is the mirror image of the given one.
         mirrored: bool,
     },
     /// Plane walls side by side.
@@ -226,7 +226,7 @@ pub struct WallGrid {
     pub columns: Columns,
     /// Heights of the edges of the rows [m], ascending: one more than there are rows.
     pub z: Vec<f64>,
-    /// Height of the surface at rest [m].
+    /// Static height of the surface [m].
     pub surface: f64,
 }
 
@@ -256,7 +256,7 @@ pub struct CellMap {
     /// Value at which something happens (yield: utilisation 1), where there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mark: Option<f64>,
-    /// What is shown, one sentence.
+    /// Description, one sentence.
     pub note: String,
 }
 
@@ -276,7 +276,7 @@ pub struct Crack {
 /// All cracks of a face at one time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CrackPicture {
-    /// What is special about the time (`largest base moment`).
+    /// Reason for the time (`largest base moment`).
     pub title: String,
     /// Face or layer (`inner face`).
     pub face: String,
@@ -334,7 +334,7 @@ pub struct Energies {
 /// A number of the computation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Count {
-    /// What.
+    /// Name.
     pub label: String,
     /// How many.
     pub value: f64,

@@ -251,7 +251,7 @@ fn allowed_difference(path: &str, a: f64, b: f64, scale: &Scale) -> f64 {
 
 fn number(report: &mut Report, path: &str, (a, b): (f64, f64), allowed: f64, peak: f64) {
     report.compared += 1;
-    // After the end of a run that stopped early its histories are no numbers.
+    // Histories of a run that stopped early end in NaN.
     if a == b || (a.is_nan() && b.is_nan()) {
         return;
     }
@@ -296,7 +296,7 @@ fn same_text(a: &str, b: &str, rtol: f64) -> bool {
         })
 }
 
-/// Splits a text into numbers and what stands between them.
+/// Splits a text into numbers and the text between them.
 fn tokens(text: &str) -> Vec<&str> {
     let mut tokens = Vec::new();
     let bytes = text.as_bytes();

@@ -13,7 +13,7 @@ use serde_json::{Map, Value, json};
 /// The format that [`convert`] takes.
 pub(crate) const FORMAT: &str = "tankcheck-results/1";
 
-/// Results of the previous format in the present one. What is not an object stays as it is: reading it gives the fault.
+/// Results of the previous format in the present one. A value that is not an object is left unchanged, and reading reports it.
 pub(crate) fn convert(mut results: Value) -> Value {
     let Value::Object(map) = &mut results else {
         return results;

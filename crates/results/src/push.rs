@@ -18,7 +18,7 @@ pub const PUSH_FILE: &str = "push.json";
 pub struct Push {
     /// Format version, [`PUSH_FORMAT`].
     pub format: String,
-    /// What may differ between identical runs.
+    /// Fields that may differ between identical runs.
     pub volatile: Volatile,
     /// Title of the case.
     pub name: String,
@@ -28,18 +28,18 @@ pub struct Push {
     pub files: Vec<SourceFile>,
     /// The model in numbers.
     pub model: Vec<Fact>,
-    /// What the engine assumed, one sentence each.
+    /// Assumptions of the engine, one sentence each.
     pub assumptions: Vec<String>,
-    /// What to doubt of it, one sentence each.
+    /// Reasons to doubt the results, one sentence each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub doubts: Vec<String>,
     /// The perfect shell, then the imperfect ones.
     pub shells: Vec<PushShell>,
-    /// What formulas give at the lower edges of the courses.
+    /// Limits of formulas at the lower edges of the courses.
     pub limits: Vec<PushLimit>,
     /// Whether the user stopped it before all was done.
     pub incomplete: bool,
-    /// What that leaves out, in words; empty if it is complete.
+    /// The missing part in words; empty if it is complete.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub interruption: String,
 }
@@ -50,7 +50,7 @@ pub struct PushShell {
     /// Its imperfection; `None` for the perfect one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub imperfection: Option<Imperfection>,
-    /// States of equilibrium, the first at rest.
+    /// States of equilibrium, the first static.
     pub path: Vec<PushPoint>,
     /// The strongest state.
     pub capacity: Capacity,
@@ -101,7 +101,7 @@ pub struct PushPoint {
     pub base_moment: f64,
     /// Mean horizontal displacement of the top [m].
     pub top: f64,
-    /// Radial displacement of the compressed meridian beyond the state at rest where it is largest below the middle of the
+    /// Radial displacement of the compressed meridian beyond the static state, where it is largest below the middle of the
     /// liquid [m].
     pub bulge: f64,
     /// Largest axial membrane compression of the compressed meridian [Pa].
@@ -129,9 +129,9 @@ pub struct Capacity {
     pub compression: f64,
     /// Hoop membrane stress of that meridian at that height [Pa], tension positive.
     pub hoop: f64,
-    /// Pressure of the liquid on that meridian at that height, at rest and impulsive [Pa].
+    /// Pressure of the liquid on that meridian at that height, static and impulsive [Pa].
     pub pressure: f64,
-    /// M/(π R² t) and weight at the base [Pa]: what beam theory has for the axial compression.
+    /// M/(π R² t) and weight at the base [Pa]: the axial compression of beam theory.
     pub beam: f64,
 }
 

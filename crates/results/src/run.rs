@@ -37,7 +37,7 @@ impl EngineId {
         }
     }
 
-    /// What sentences call it ("the nonlinear run").
+    /// Name within sentences ("the nonlinear run").
     pub fn name(self) -> &'static str {
         match self {
             EngineId::Harmonic => "harmonic",
@@ -75,7 +75,7 @@ impl EngineId {
         }
     }
 
-    /// Id of its column in the comparison where it runs beside another engine; the first one's is [`FE`].
+    /// Id of its column in the comparison as a further engine; that of the first one is [`FE`].
     pub fn beside(self) -> &'static str {
         match self {
             EngineId::Harmonic => "fe-harmonic",
@@ -92,7 +92,7 @@ impl EngineId {
         }
     }
 
-    /// Prefix of its columns in `series.csv` where it runs beside another engine; the first one's have none.
+    /// Prefix of its columns in `series.csv` as a further engine; empty for the first one.
     pub fn prefix(self) -> &'static str {
         match self {
             EngineId::Harmonic => "harmonic_",
@@ -130,7 +130,7 @@ pub struct Run {
     pub envelopes: Vec<Envelope>,
     /// Histories in `series.csv`.
     pub histories: Vec<SeriesInfo>,
-    /// Limits of validity: what was tested and what was found.
+    /// Limits of validity and the values found.
     pub limits: Vec<Limit>,
     /// First yield, first crack, first separation and the like, by time.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -138,13 +138,13 @@ pub struct Run {
     /// Fields of the three-dimensional engine for pictures.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fields: Option<Fields>,
-    /// What the wall has become, of the nonlinear engine.
+    /// State of the wall, of the nonlinear engine.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nonlinear: Option<Nonlinear>,
 }
 
 impl Run {
-    /// A completed run of an engine with nothing in it.
+    /// An empty completed run of an engine.
     pub fn new(engine: EngineId) -> Run {
         Run {
             engine,
@@ -238,7 +238,7 @@ pub struct DampingRow {
 /// A balance that must close.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Balance {
-    /// What.
+    /// Name.
     pub label: String,
     /// Relative error.
     pub error: f64,
@@ -322,7 +322,7 @@ impl SeriesInfo {
 pub struct Limit {
     /// Stable id (`wave_against_radius`, `wave_against_freeboard`, `suction`, `uplift_tension`, …).
     pub id: String,
-    /// What is tested.
+    /// The tested quantity.
     pub name: String,
     /// Found.
     pub value: f64,

@@ -20,7 +20,7 @@ pub const REPORT_FILE: &str = "report.html";
 /// Folder of the figures in a results folder.
 pub const FIGURES_FOLDER: &str = "figures";
 
-/// What a verification writes into its output folder.
+/// Files and folders that a verification writes.
 pub const OUTPUT: [&str; 4] = [RESULTS_FILE, SERIES_FILE, REPORT_FILE, FIGURES_FOLDER];
 
 /// Results of a verification.
@@ -31,7 +31,7 @@ pub const COMPARE: Kind = Kind {
     keeps: |_| false,
 };
 
-/// The report of a verification, rendered again beside its results.
+/// The report of a verification, rendered again next to its results.
 pub const COMPARE_REPORT: Kind = Kind {
     names: |name| [REPORT_FILE, FIGURES_FOLDER].contains(&name),
     keeps: |name| [RESULTS_FILE, SERIES_FILE].contains(&name),
@@ -55,7 +55,7 @@ pub fn read(folder: &Path) -> Result<Results, Error> {
             what: "no such results folder; `tankcheck compare` writes one".into(),
         });
     }
-    // Folders of commands whose results are no comparison.
+    // Folders of commands whose results are not a comparison.
     for (file, command) in [(IDA_FILE, "ida"), (PUSH_FILE, "push")] {
         if !path.exists() && folder.join(file).exists() {
             return Err(Error::File {

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! The format is VTK's XML, version 1.0: every array inline as base64 of its length in bytes (UInt64) and its values in
-//! little-endian order. Coordinates are those at rest; ParaView's filter *Warp By Vector* shows the motion.
+//! little-endian order. Coordinates are undeformed; ParaView's filter *Warp By Vector* shows the motion.
 
 use std::fmt::Write;
 use std::path::Path;

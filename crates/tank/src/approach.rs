@@ -1,4 +1,4 @@
-//! How a procedure simplifies what a time history computes, as far as that explains where their values differ.
+//! Simplifications of a procedure against a time history, as far as they explain differences.
 
 /// The simplifications of a procedure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,11 +18,11 @@ pub enum Wave {
     FiniteAngle,
     /// The first mode at its spectral peak, 0.84 R S_e/g.
     SpectralPeak,
-    /// The first mode at a period of its own formula, 0.42 D A_f.
+    /// The first mode at a period from a fitted formula, 0.42 D A_f.
     FittedPeriod,
 }
 
-/// What a procedure counts as convective mass.
+/// The convective mass of a procedure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConvectiveMass {
     /// All that is not impulsive.

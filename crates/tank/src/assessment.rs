@@ -27,7 +27,7 @@ pub struct Step {
     pub section: String,
     /// Symbol as in the source ("m_c").
     pub symbol: String,
-    /// What it is, in words.
+    /// Its name.
     pub name: String,
     /// Formula in symbols, of which the value was computed; empty otherwise.
     pub formula: String,
@@ -65,7 +65,7 @@ impl Default for Step {
 pub struct Check {
     /// Stable id ("buckling_elastic").
     pub id: String,
-    /// What is checked, in words.
+    /// Name of the check.
     pub name: String,
     /// Demand in SI.
     pub demand: f64,

@@ -142,7 +142,7 @@ pub struct Api650Site {
 /// A value that somebody measured or published, in SI.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Reported {
-    /// What.
+    /// The quantity.
     pub quantity: Quantity,
     /// Value in SI.
     pub value: f64,
@@ -213,7 +213,7 @@ impl Default for ProcedureOptions {
 }
 
 impl Case {
-    /// Height of the wall above the liquid at rest [m].
+    /// Height of the wall above the still liquid [m].
     pub fn freeboard(&self) -> f64 {
         self.tank.wall_height() - self.liquid.fill_height
     }

@@ -8,9 +8,9 @@
 //! | [`case`] | input of a procedure or an engine for one verification |
 //! | [`formula`] | text of a formula, its value, and its text with numbers |
 //! | [`options`] | options of the engines with their defaults |
-//! | [`refusal`] | what an engine rejects, and where in the input |
+//! | [`refusal`] | rejected input and its place |
 //! | [`quantity`] | comparable quantities of procedures and engines |
-//! | [`assessment`], [`approach`] | result of a procedure, and what it simplifies |
+//! | [`assessment`], [`approach`] | result of a procedure, and its simplifications |
 //!
 //! SI units throughout (m, kg, s, N, Pa, rad); the unit is in the doc of every field. `z` points upwards from the
 //! tank bottom.

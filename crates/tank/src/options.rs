@@ -1,4 +1,4 @@
-//! What the user may choose of the engines, with its defaults: plain data in SI, without the engines themselves.
+//! Options of the engines with their defaults: plain data in SI, without the engines themselves.
 
 pub mod linear;
 pub mod nonlinear;
@@ -8,5 +8,5 @@ pub use linear::LinearOptions;
 pub use nonlinear::NonlinearOptions;
 pub use solid::SolidOptions;
 
-/// Largest memory of a run [MiB] unless the user says otherwise.
+/// Default of the largest memory of a run [MiB].
 pub const MEMORY_LIMIT_MIB: u64 = 4096;

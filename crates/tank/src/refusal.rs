@@ -1,6 +1,6 @@
-//! What an engine or a procedure refuses of its input: the place, what is there, what may be there.
+//! Input that an engine or a procedure rejects: the place, the value found, the values allowed.
 //!
-//! Who refuses names a place in the case; who has read the file knows where in the file that is.
+//! An engine names a place in the case; the reader of the file maps it to keys.
 
 /// Place in the input.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -25,16 +25,16 @@ pub enum Place {
     Sectors,
 }
 
-/// Something of the input that is refused.
+/// A rejected input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refusal {
     /// Where.
     pub place: Place,
     /// What is wrong.
     pub message: String,
-    /// What is there; empty if the input says it itself.
+    /// The value found; empty if the place implies it.
     pub found: String,
-    /// What may be there.
+    /// The values allowed.
     pub allowed: String,
     /// How to correct it; may be empty.
     pub help: String,
@@ -52,7 +52,7 @@ impl Refusal {
         }
     }
 
-    /// With what is there.
+    /// With the value found.
     pub fn found(mut self, found: impl Into<String>) -> Refusal {
         self.found = found.into();
         self

@@ -11,7 +11,7 @@ use tank::assessment::Excitation;
 use super::{Context, Difference, Estimated, MEASURED, Ratio, Reason, nonlinear};
 use crate::{ComparisonRow, EngineId, Method};
 
-/// Differences below this are within what record processing and damping assumptions move (theory manual).
+/// Smaller differences are within the effect of record processing and damping assumptions (theory manual).
 pub const THRESHOLD: f64 = 0.10;
 
 /// The two engines solve one problem: more than this between them is reported.
@@ -108,7 +108,7 @@ pub(super) fn ratios(rows: &[ComparisonRow], column: usize, threshold: f64, quan
     quantities.iter().filter_map(ratio).collect()
 }
 
-/// The cause of a difference, as far as the theory knows it.
+/// The cause of a difference, where the theory has one.
 fn reason(cause: Cause, method: &Method, ratio: f64, context: &Context) -> Option<Reason> {
     if method.id == MEASURED {
         return Some(match cause {
@@ -146,7 +146,7 @@ fn wave(approach: &Approach, damping: f64) -> Reason {
     }
 }
 
-/// The largest shear of the first structural and the first sloshing mode beside that of the history.
+/// The largest shear of the first structural and the first sloshing mode, and that of the history.
 fn modal_maxima(context: &Context) -> Option<Reason> {
     let sum = context.impulsive_shear + context.convective_shear;
     (sum > 0.0 && context.history_shear > 0.0).then_some(Reason::ModalMaxima {

@@ -10,9 +10,9 @@ use crate::EngineId;
 pub struct Difference {
     /// Id of the method.
     pub method: String,
-    /// What differs, at least one quantity; the report lists the difference under the first.
+    /// The quantities that differ, at least one; the report lists the difference under the first.
     pub ratios: Vec<Ratio>,
-    /// Why, as far as the theory and the runs know it.
+    /// Why, where the theory or the runs have a reason.
     pub reasons: Vec<Reason>,
 }
 
@@ -40,12 +40,12 @@ pub struct Estimated {
 pub enum Reason {
     /// Both engines solve one problem on different meshes.
     Discretisation {
-        /// What the three-dimensional engine estimates.
+        /// Estimates of the three-dimensional engine.
         estimated: Vec<Estimated>,
     },
     /// Test values read within the edge disturbance, of a wall that could uplift.
     TestGauges,
-    /// Scatter of a test beside the assumptions of linear theory.
+    /// Scatter of a test and the assumptions of linear theory.
     TestScatter,
     /// Formulas of one potential flow at different depths, or rounded constants.
     SloshingDepth,
@@ -107,18 +107,18 @@ pub enum Reason {
         /// Time [s].
         time: f64,
     },
-    /// The wall does not carry weight and pressure at rest.
+    /// The wall does not carry weight and static pressure.
     NotCarriedAtRest,
     /// The nonlinear run finds no equilibrium.
     NoEquilibrium {
         /// Time of the last equilibrium [s].
         time: f64,
     },
-    /// Nothing cracks, yields or separates.
+    /// The wall does not crack, yield or separate from the liquid.
     StaysLinear,
     /// Cracks, yielding, separation: the first events of the nonlinear run.
     LeavesLinearTheory {
-        /// Number of events that are told.
+        /// Number of events in the sentence.
         events: usize,
     },
     /// The runs are damped differently.
@@ -184,7 +184,7 @@ pub enum Damping {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Incomplete {
-    /// The second engine gave nothing.
+    /// A further engine has no results.
     Missing {
         /// Which.
         engine: EngineId,
@@ -192,7 +192,7 @@ pub enum Incomplete {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         error: Option<String>,
     },
-    /// The wall does not carry weight and pressure at rest.
+    /// The wall does not carry weight and static pressure.
     NotCarriedAtRest,
     /// The nonlinear run finds no equilibrium.
     NoEquilibrium {

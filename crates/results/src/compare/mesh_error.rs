@@ -1,4 +1,4 @@
-//! Values that are not to be used because their estimated mesh error is too large.
+//! Values that are unusable because their estimated mesh error is too large.
 
 use std::collections::BTreeMap;
 
@@ -35,7 +35,7 @@ pub struct Unusable {
     pub error: f64,
 }
 
-/// All values that are not to be used, by method and quantity.
+/// All unusable values, by method and quantity.
 pub fn unusable(results: &Results) -> Vec<Unusable> {
     let mut found = Vec::new();
     for (number, run) in results.runs.iter().enumerate() {
@@ -68,7 +68,7 @@ mod tests {
     #[test]
     fn a_mesh_error_above_a_fifth_makes_a_number_unusable() {
         let methods = ["housner", "fe"].map(|id| Method::new(id, id, Excitation::Record));
-        // Results of an earlier version have no flag and read as usable.
+        // Results of an earlier version lack the flag and read as usable.
         let old = json!({ "value": 30.0, "ratio": 0.75 });
         let cell: Cell = serde_json::from_value(old.clone()).unwrap();
         let row = json!({ "quantity": "base_shear", "title": "", "dimension": "force", "cells": [old, old] });

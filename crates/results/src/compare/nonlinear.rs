@@ -1,4 +1,4 @@
-//! Where the nonlinear engine differs from the linear one, and what happened to the wall that explains it.
+//! Where the nonlinear engine differs from the linear one, and the events of the wall that explain it.
 
 use tank::Quantity;
 
@@ -7,9 +7,9 @@ use super::{Context, Difference, Happened, Reason};
 use crate::nonlinear::End;
 use crate::{ComparisonRow, EngineId, Method};
 
-/// While nothing yields or cracks, a mesh of shells or beams stays within this of the linear engine.
+/// Without yielding and cracks, a mesh of shells or beams stays within this of the linear engine.
 const THRESHOLD: f64 = 0.05;
-/// Events told at most; the report lists all.
+/// Most events in the sentence; the report lists all.
 const TOLD: usize = 6;
 
 /// At most one difference.

@@ -1,6 +1,6 @@
 //! Faults of formulas.
 
-/// A text that is not a formula, or a formula that has no value.
+/// A text that is not a formula, or a formula without value.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FormulaError {
     /// The text departs from the grammar.
@@ -10,9 +10,9 @@ pub enum FormulaError {
         formula: String,
         /// Number of the character, from 1.
         at: usize,
-        /// What stands there.
+        /// The text found.
         found: String,
-        /// What the grammar has there.
+        /// The text expected by the grammar.
         expected: &'static str,
     },
     /// Parentheses, roots and exponents within each other, more than any formula has.

@@ -90,8 +90,8 @@ fn number(text: &str) -> (Token, usize) {
     (Token::Number(number), length)
 }
 
-/// The longest unit behind a blank that ends where a word ends, and its length with the blank. `g` is none: it is the
-/// symbol of the acceleration of free fall, or the gram.
+/// The longest unit behind a blank that ends where a word ends, and its length with the blank. `g` is not a unit
+/// here: it is the symbol of the acceleration of free fall, or the gram.
 fn unit(text: &str) -> Option<(&'static Unit, usize)> {
     let blank = text
         .chars()
@@ -117,7 +117,7 @@ fn fraction(c: char) -> Option<f64> {
     }
 }
 
-/// A run of raised digits with its sign; one that is no integer is a sign on its own, which no grammar has.
+/// A run of raised digits with its sign; one that is not an integer is a sign of its own, which the grammar rejects.
 fn raised(text: &str) -> (Token, usize) {
     let length = text.find(|c| !is_raised(c)).unwrap_or(text.len());
     let plain: String = text[..length].chars().map(lowered).collect();

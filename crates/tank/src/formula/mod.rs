@@ -31,7 +31,7 @@
 //! # Units
 //!
 //! Values are in SI: a term is given in SI with its dimension, and a number with a unit (`83 GPa`, `0.3048 m`) is
-//! converted where it stands. A number without a unit is taken as it is, so the constant of a formula that a code prints
+//! converted where it stands. A number without a unit is used unchanged, so the constant of a formula that a code prints
 //! for other units has to be written for SI, or with its unit.
 
 mod error;
@@ -126,7 +126,7 @@ impl Formula {
 /// Formulas that a thread keeps.
 const CACHED: usize = 2000;
 
-/// The value of a formula for plain numbers in SI; NaN if the text is no formula or a symbol has no number.
+/// The value of a formula for plain numbers in SI; NaN if the text is not a formula or a symbol lacks a number.
 pub fn evaluate(text: &str, numbers: &[(&str, f64)]) -> f64 {
     let terms: Vec<Term> = numbers
         .iter()

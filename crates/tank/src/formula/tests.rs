@@ -1,4 +1,4 @@
-//! Goal: the grammar as its table has it, and what holds for every formula: what is printed is read back as the same tree,
+//! Goal: the grammar as its table has it, and properties of every formula: its text is read back as the same tree,
 //! and the text with its numbers put in has the value of the formula.
 
 use super::*;
@@ -246,7 +246,7 @@ mod trees {
     fn number() -> impl Strategy<Value = Number> {
         let units: Vec<_> = UNITS.iter().filter(|u| !matches!(u.symbol, "" | "g" | "%")).collect();
         let unit = proptest::option::weighted(0.3, proptest::sample::select(units));
-        // Four digits: what is put in for a symbol keeps five.
+        // Four digits: the number put in for a symbol keeps five.
         (1..9999_u32, 0..4_u32, unit).prop_map(|(digits, shift, unit)| {
             let digits = (f64::from(digits) / f64::from(10_u32.pow(shift))).to_string();
             let text = match unit {
@@ -287,7 +287,7 @@ mod trees {
     fn power(primary: impl Strategy<Value = Primary> + Clone + 'static) -> impl Strategy<Value = Power> {
         let plain = primary.clone().prop_map(Power::Plain);
         let base = primary.clone().prop_map(|base| match base {
-            // `2 mm²` is no number with a unit.
+            // `2 mm²` is not a number with a unit.
             Primary::Number(Number { unit: Some(_), .. }) => {
                 let product = Product {
                     first: Power::Plain(base),
@@ -356,7 +356,7 @@ proptest! {
         let read = Formula::parse(&text);
         prop_assert!(read.is_ok(), "{formula:?}: {read:?}");
         let (value, read) = (formula.value(&terms).unwrap(), read.unwrap().value(&[]).unwrap());
-        // What cancels keeps no digit.
+        // Cancellation loses the digits.
         prop_assert!(same(value, read) || ill_conditioned(&formula, &terms), "{} = {} = {}: {}", tree, text, value, read);
     }
 

@@ -51,7 +51,7 @@ pub enum Power {
     Raised(Primary, i32),
     /// `a^b`
     To {
-        /// What is raised.
+        /// The base of a power.
         base: Primary,
         /// Whether a minus stands before the exponent.
         minus: bool,
@@ -60,7 +60,7 @@ pub enum Power {
     },
 }
 
-/// What has no operator outside of its own brackets.
+/// A factor without operator outside of its brackets.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Primary {
     /// A number with its unit.

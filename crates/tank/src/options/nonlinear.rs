@@ -73,7 +73,7 @@ pub enum Contact {
     /// The liquid stays at the wall.
     #[default]
     Bonded,
-    /// It parts from the wall where the pressure would be tension.
+    /// It separates from the wall instead of pulling on it.
     Opening,
 }
 

@@ -61,7 +61,7 @@ pub struct MeshSize {
 const MOST: usize = 1000;
 
 impl MeshSize {
-    /// What is allowed, for messages.
+    /// Allowed values, for messages.
     pub const ALLOWED: &str =
         "RADIALxSECTORSxVERTICAL, three whole numbers of elements from 1 to 1000 such as 12x16x20";
 }
@@ -86,7 +86,7 @@ impl FromStr for MeshSize {
     /// Reads `12x16x20`; `×` and `X` serve as well, blanks around the numbers are skipped.
     fn from_str(text: &str) -> Result<MeshSize, MeshSizeError> {
         let fault = || MeshSizeError { found: text.into() };
-        // Digits only: `parse` alone would take a sign.
+        // Digits only: `parse` alone accepts a sign.
         let count = |part: &str| {
             let part = part.trim();
             let digits = !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());

@@ -8,7 +8,7 @@ use super::{Dimension, Unit};
 /// Reason why a text is not a quantity of the expected dimension.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum UnitError {
-    /// Nothing but blanks.
+    /// Only blanks.
     #[error("no value")]
     Empty,
     /// The text does not begin with a decimal number, or the number continues where the unit should begin.
