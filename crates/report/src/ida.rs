@@ -24,7 +24,7 @@ struct Curve {
     value: fn(&IdaRun) -> f64,
 }
 
-/// Demands that are drawn: those of every tank, and those that are not nothing.
+/// Demands that are drawn: those of every tank, and others that are not zero.
 fn curves(ida: &Ida) -> Vec<Curve> {
     let strip = ida.moment == Dimension::LineMoment;
     let of = |id, titles: [&'static str; 2], dimension, value| Curve {

@@ -6,13 +6,13 @@
 //! series.csv  ──┘                                               └ figures/*.svg
 //! ```
 //!
-//! `report.html` is one file that needs nothing else: no script, figures as inline SVG with title, description and data
-//! table, styles inline, dark mode and A4 print by CSS. It is deterministic; what may differ between two runs stands in
-//! the one element `#volatile`.
+//! `report.html` is one self-contained file: no script, figures as inline SVG with title, description and data
+//! table, styles inline, dark mode and A4 print by CSS. It is deterministic; only the element `#volatile` may differ
+//! between two runs.
 //!
 //! | module | does |
 //! |---|---|
-//! | [`sections`] | decides what is shown, one file a section |
+//! | [`sections`] | selects the content, one file a section |
 //! | [`figure`] | draws |
 //! | [`ida`] | the page of an incremental dynamic analysis |
 //! | [`push`] | that of a pushover |
@@ -75,7 +75,7 @@ pub fn render(folder: &Path, templates: Option<&Path>) -> Result<PathBuf, Error>
 }
 
 impl Report {
-    /// A page and its figures. Whatever text of the user's they hold: none of it acts on the page or on a terminal that
+    /// A page and its figures. Text of the user cannot act on the page or on a terminal that
     /// shows it, see [`files::text`].
     pub fn new(html: &str, figures: Vec<(String, String)>) -> Report {
         let shown = |(name, svg): (String, String)| (name, visible(&svg).into_owned());
@@ -111,7 +111,7 @@ impl Report {
 
 /// Numbers of a model, one a row.
 fn facts(model: &[Fact]) -> Table {
-    let mut table = Table::new(vec![Column::words("What"), Column::words("Value")]);
+    let mut table = Table::new(vec![Column::words("Property"), Column::words("Value")]);
     for fact in model {
         let value = match fact.kind.is_damping() {
             true => percent(fact.value),
@@ -191,7 +191,7 @@ pub fn build(results: &Results, series: &Series, templates: &Templates) -> Resul
     Ok(Report::new(&html, figures))
 }
 
-/// Whether markup holds nothing to see: no text, no figure.
+/// Whether markup has neither text nor figure.
 fn is_empty(html: &str) -> bool {
     if html.contains("<svg") {
         return false;

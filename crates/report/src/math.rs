@@ -2,7 +2,7 @@
 //!
 //! A formula is read by [`tank::formula`], whose tree is set here: quotients as fractions, roots, raised exponents,
 //! symbols with their subscripts. It is broken before `+` and `−` (and before `·` where it is long) into pieces that wrap
-//! like words. Text that is no formula is set as words with raised and lowered letters: nothing is ever lost.
+//! like words. Text that is not a formula is set as words with raised and lowered letters, without loss.
 
 use tank::formula::{Bracket, Formula, Number, Operator, Power, Primary, Product, Sign, Sum};
 
@@ -35,7 +35,7 @@ pub fn symbol(text: &str) -> String {
 }
 
 /// A sentence as HTML: escaped, short symbols (`S_e`, `T_c1`, `d_max`) with their subscripts; keys of the input file
-/// (`zone_factor`) stay as they are.
+/// (`zone_factor`) stay unchanged.
 pub fn prose(text: &str) -> String {
     let mut out = String::with_capacity(text.len() + 16);
     let mut rest = text;
@@ -59,7 +59,7 @@ pub fn prose(text: &str) -> String {
     out
 }
 
-/// Words with subscripts, for what is no formula.
+/// Words with subscripts, for text that is not a formula.
 pub fn words(text: &str) -> String {
     let mut out = String::from("<span class=\"words\">");
     let chars: Vec<char> = text.chars().collect();

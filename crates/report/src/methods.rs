@@ -51,7 +51,7 @@ impl Look {
     }
 }
 
-/// What shakes the tank, in a word.
+/// The excitation in a word.
 pub fn excitation(method: &Method) -> &'static str {
     match (method.id.as_str(), method.excitation) {
         (MEASURED, _) => "test",

@@ -49,7 +49,7 @@ impl Scale {
         fixed(self.convert(value), self.decimals)
     }
 
-    /// `value` (SI) as text without unit and without idle zeros, for what was given and not computed.
+    /// `value` (SI) as text without unit and without idle zeros, for given values, not computed ones.
     pub fn given(&self, value: f64) -> String {
         plain(self.convert(value), self.decimals)
     }

@@ -5,7 +5,7 @@ use serde::Serialize;
 /// A table with units in its head.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Table {
-    /// Caption, may be empty where the surrounding text says it.
+    /// Caption; empty where the surrounding text replaces it.
     pub caption: String,
     /// Columns.
     pub columns: Vec<Column>,

@@ -72,7 +72,7 @@ impl Templates {
             .map_err(|e| Error::Report(format!("template {name}: {e}")))
     }
 
-    /// A style sheet, as it is.
+    /// A style sheet.
     pub fn css(&self, name: &str) -> &str {
         self.sources.get(name).map_or("", String::as_str)
     }

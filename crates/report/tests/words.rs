@@ -17,7 +17,7 @@ fn sources(path: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// String literals with what stands before them on the line or the line above, up to the tests of the file.
+/// String literals with the text before them on the line or the line above, up to the tests of the file.
 ///
 /// Comments and raw strings (markup) are left out.
 fn literals(source: &str) -> Vec<(String, String)> {
@@ -77,7 +77,7 @@ fn words(text: &str) -> usize {
 fn sentences(path: &Path) -> Vec<String> {
     let source = std::fs::read_to_string(path).expect("text");
     let sentence = |(before, text): (String, String)| {
-        // A fault of the results file is a message of the program, markup is none.
+        // A fault of the results file is a message of the program, markup is not text.
         let other = before.contains("Error::Report(") || text.contains('<');
         (!other && words(&text) >= SENTENCE).then(|| format!("{}: {text}", path.display()))
     };
@@ -142,7 +142,7 @@ fn templates_have_no_sentences() {
     assert_eq!(texts("<p class=\"x\">{{ a }} One more word.</p>")[2], " One more word.");
 }
 
-/// The reader of sources finds what it is for.
+/// The reader of sources finds sentences.
 #[test]
 fn a_sentence_is_found() {
     let source = "// \"not a sentence here\"\nlet a = \"k-fe hist\"; let b = '\"';\nlet c = \"The wall is stiff.\";\n";

@@ -15,7 +15,7 @@ fn the_nonlinear_run_shows_what_became_of_the_wall() {
     assert!(sections(&html).contains(&"nonlinear"));
     for figure in [
         "nonlinear_base_shear",
-        "nonlinear_wave_height",
+        "nonlinear_wave_height_theta_0",
         "cracks_1",
         "cracks_3",
         "cells_1_plastic_strain",

@@ -31,7 +31,7 @@ pub(super) fn fe_result(
         _ => Dimension::Length,
     };
     let title = |id: &str| match id {
-        "wave_height" => "Wave height at the wall, θ = 0".to_owned(),
+        "wave_height_theta_0" => "Wave height at the wall, θ = 0".to_owned(),
         "axial_membrane_stress" => "Axial membrane stress at the base".to_owned(),
         other => other.replace('_', " "),
     };

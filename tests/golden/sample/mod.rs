@@ -90,7 +90,7 @@ pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
             ("ground_acceleration", acceleration.clone()),
             ("ground_velocity", integrate(&acceleration)),
             ("ground_displacement", integrate(&integrate(&acceleration))),
-            ("wave_height", wave),
+            ("wave_height_theta_0", wave),
             ("base_shear", shear),
             ("base_moment", moment),
             ("axial_membrane_stress", axial),

@@ -66,14 +66,14 @@ fn range(values: &[f64]) -> (f64, f64) {
     }
 }
 
-/// A map in one sentence, where there is nothing to draw: the same value everywhere.
+/// A uniform map in one sentence.
 pub fn sentence(map: &CellMap) -> String {
     let value = map.values.first().copied().unwrap_or(0.0);
     let text = (value != 0.0).then(|| Shown::of(map).with_unit(value));
     words::uniform(&capital(&map.title), text.as_deref())
 }
 
-/// Draws a map; `None` where there is nothing to draw: no cells, a value missing, the same value everywhere.
+/// Draws a map; `None` without cells, with a missing value, or with the same value everywhere.
 pub fn figure(id: &str, grid: &WallGrid, map: &CellMap) -> Option<Figure> {
     let layout = Layout::of(grid, TOP, BAR)?;
     if map.values.len() != grid.cells() || map.values.iter().any(|v| !v.is_finite()) {

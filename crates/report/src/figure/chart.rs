@@ -11,7 +11,7 @@ use super::ticks;
 use crate::number::{Scale, plain};
 use files::error::Error;
 
-/// Font size of ticks, legend and labels in user units; `templates/figure.css` says the same.
+/// Font size of ticks, legend and labels in user units; `templates/figure.css` has the same.
 pub const FONT: f64 = 11.0;
 const LEGEND_LINE: f64 = 16.0;
 const SAMPLE: f64 = 24.0;
@@ -68,7 +68,7 @@ impl Axis {
     /// A logarithmic axis from `range.0` to `range.1` (printed unit = SI, both positive), ticks at 1, 2, 5.
     pub fn log(title: &str, dimension: Dimension, range: (f64, f64)) -> Axis {
         let scale = Scale::of(dimension, [1.0]);
-        // Whatever is not positive has no decade.
+        // Only positive values have a decade.
         let decades = |v: f64| v.clamp(1e-300, 1e300).max(1e-300).log10();
         let (low, high) = (decades(range.0), decades(range.1));
         let (mut major, mut minor) = (Vec::new(), Vec::new());

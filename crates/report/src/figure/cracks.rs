@@ -65,7 +65,7 @@ fn face(picture: &CrackPicture) -> String {
     }
 }
 
-/// Draws a picture; `None` where there is nothing to draw: no cells, no cracks, a crack outside the grid.
+/// Draws a picture; `None` without cells or cracks, or with a crack outside the grid.
 pub fn figure(id: &str, grid: &WallGrid, picture: &CrackPicture) -> Option<Figure> {
     let sound = |c: &Crack| c.cell < grid.cells() && c.angle.is_finite() && c.width.is_finite();
     if picture.cracks.is_empty() || !picture.cracks.iter().all(sound) {

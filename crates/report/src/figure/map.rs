@@ -1,7 +1,7 @@
 //! A quantity over the developed wall: colours, contour lines and a colour bar.
 //!
 //! Colours are sixteen steps of viridis (van der Walt and Smith 2015), whose lightness rises evenly: readable for
-//! colour-blind readers and in grey print. Contour lines at the ticks of the bar say the same without colour.
+//! colour-blind readers and in grey print. Contour lines at the ticks of the bar show the same without colour.
 
 use tank::units::Dimension;
 
@@ -25,7 +25,7 @@ struct Field {
 }
 
 impl Field {
-    /// `None` if the map has no area or a value is missing.
+    /// `None` for a map without area or with a missing value.
     fn of(map: &WallMap) -> Option<Field> {
         let (rows, columns) = (map.z.len(), map.theta.len());
         if rows < 2 || columns < 2 || map.values.len() != rows * columns || map.values.iter().any(|v| !v.is_finite()) {
@@ -63,7 +63,7 @@ fn cell(stations: &[f64], at: f64) -> (usize, f64) {
     (i, part.clamp(0.0, 1.0))
 }
 
-/// Draws a map; `None` where there is nothing to draw.
+/// Draws a map; `None` for a map without values.
 pub fn figure(id: &str, map: &WallMap) -> Option<Figure> {
     let field = Field::of(map)?;
     let scale = Scale::of(map.dimension, map.values.iter().copied());
@@ -216,7 +216,7 @@ fn contour(
         }
     }
     let mut lines = Vec::new();
-    // Open lines start where one link ends; what is left then is closed.
+    // Open lines start where one link ends; the rest are closed.
     for open in [true, false] {
         let starts: Vec<Edge> = links.keys().copied().collect();
         for start in starts {

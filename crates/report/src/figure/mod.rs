@@ -1,8 +1,8 @@
 //! Figures: SVG whose looks come from CSS classes alone, so that dark mode, print and colour-blind-safe palettes are one
 //! style sheet.
 //!
-//! Line charts are drawn by plotters on a backend that writes classes instead of colours ([`backend`]); what plotters
-//! has no form for (bars, the sketch of the tank, mode shapes, the four-way grid, scenes in space, maps) by the small writer [`svg`].
+//! Line charts are drawn by plotters on a backend that writes classes instead of colours ([`backend`]); forms that
+//! plotters lacks (bars, the sketch of the tank, mode shapes, the four-way grid, scenes in space, maps) are drawn by the small writer [`svg`].
 
 pub mod backend;
 pub mod bars;
@@ -52,9 +52,9 @@ pub struct Figure {
     pub title: String,
     /// The rest of the caption, may be empty.
     pub caption: String,
-    /// Whether the drawing itself says its title, so that the caption need not.
+    /// Whether the drawing has its title, so that the caption omits it.
     pub titled: bool,
-    /// What is to be seen, for those who do not see it.
+    /// Text alternative of the drawing.
     pub description: String,
     /// Size in user units.
     pub size: (f64, f64),
@@ -72,7 +72,7 @@ impl Figure {
         self.element("", "")
     }
 
-    /// The figure as a file of its own; `css` is the style sheet of figures.
+    /// The figure as a separate file; `css` is the style sheet of figures.
     pub fn standalone(&self, css: &str) -> String {
         let style = format!("<style>{}</style>", escape(css));
         let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
@@ -84,7 +84,7 @@ impl Figure {
     fn element(&self, namespace: &str, style: &str) -> String {
         let id = escape(&self.id);
         let (width, height) = (n(self.size.0), n(self.size.1));
-        // A figure of its own has a size; inside the page it is as wide as its place, but type stays type.
+        // A separate figure has a size; inside the page it is as wide as its place, with the same type size.
         let size = if namespace.is_empty() {
             format!(r#" style="max-width:{}px""#, n(SCREEN * self.size.0))
         } else {
@@ -112,7 +112,7 @@ pub fn ticks(low: f64, high: f64, target: usize) -> (Vec<f64>, usize) {
         .map(|m| m * power)
         .find(|s| *s >= rough * 0.999)
         .unwrap_or(10.0 * power);
-    // Steps below anything that is drawn, or below the last digit of the ends: there is nothing to divide.
+    // Steps below anything that is drawn, or below the last digit of the ends: the range is not divided.
     let most = low.abs().max(high.abs()) / step;
     if step < 1e-15 || most.is_nan() || most >= 1e15 {
         return (vec![low], 3);

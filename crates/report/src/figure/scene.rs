@@ -20,7 +20,7 @@ const SHADES: f64 = 6.0;
 /// Cells of the depth buffer a user unit.
 const FINENESS: f64 = 1.5;
 
-/// What a face is part of.
+/// The part that a face belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// The wall.
@@ -34,7 +34,7 @@ pub enum Part {
 pub struct Face {
     /// Its corners [m].
     pub corners: [[f64; 3]; 4],
-    /// What it is part of.
+    /// Its part.
     pub part: Part,
 }
 
@@ -56,8 +56,8 @@ fn view(p: [f64; 3]) -> (f64, f64, f64) {
     (right, cos_e * p[2] - sin_e * out, sin_e * p[2] + cos_e * out)
 }
 
-/// Draws faces, and lines above them (the shape at rest); returns size and markup. `extent` are points that the picture
-/// must hold whatever is drawn, so that several pictures of one tank have one scale.
+/// Draws faces, and lines above them (the undeformed shape); returns size and markup. `extent` are points that the picture
+/// always holds, so that several pictures of one tank have one scale.
 pub fn draw(faces: &[Face], ghost: &[Vec<[f64; 3]>], extent: &[[f64; 3]]) -> ((f64, f64), String) {
     let corners = faces.iter().flat_map(|f| f.corners);
     let all: Vec<(f64, f64, f64)> = corners.chain(extent.iter().copied()).map(view).collect();
@@ -293,7 +293,7 @@ mod tests {
         let rims = rims(&faces);
         assert_eq!(rims.len(), 8);
         assert!(rims.iter().all(|e| (e[0] < 4) == (e[1] < 4)));
-        // Two of its four vertical edges are contours, seen from a direction that is no diagonal.
+        // Two of its four vertical edges are contours, seen from a direction that is not a diagonal.
         let nodes: Vec<[f64; 3]> = (0..8)
             .map(|i| {
                 let angle = (i % 4) as f64 * std::f64::consts::FRAC_PI_2;

@@ -25,7 +25,7 @@ pub fn draw(mode: &Mode, half_length: f64, wall_height: f64, depth: f64) -> ((f6
     let x = |r: f64| centre + r * scale;
     let y = |z: f64| ground - z * scale;
 
-    // At rest.
+    // Undeformed.
     svg.path(
         &[
             (x(-half_length), y(depth)),

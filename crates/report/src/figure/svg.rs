@@ -22,7 +22,7 @@ pub struct Svg {
 }
 
 impl Svg {
-    /// Nothing drawn yet.
+    /// An empty drawing.
     pub fn new() -> Svg {
         Svg::default()
     }
@@ -244,7 +244,7 @@ mod tests {
         assert!((sum - 1.0).abs() < 1e-12);
     }
 
-    /// Values as no drawing has them stay what a viewer can read.
+    /// Extreme values still give path data that a viewer can read.
     #[test]
     fn path_data_far_off_the_page_is_finite() {
         let far = path_data(&[(1e300, -1e300), (-1e300, 0.0), (f64::NAN, f64::INFINITY)]);

@@ -59,7 +59,7 @@ pub struct Layout<'a> {
 }
 
 impl<'a> Layout<'a> {
-    /// Lays a grid out below `top`, with `right` free at its right; `None` if it has no cells or no area.
+    /// Lays a grid out below `top`, with `right` free at its right; `None` without cells or area.
     pub fn of(grid: &'a WallGrid, top: f64, right: f64) -> Option<Layout<'a>> {
         let ascending = |v: &[f64]| v.iter().all(|x| x.is_finite()) && v.windows(2).all(|w| w[1] > w[0]);
         if grid.cells() == 0 || !ascending(&grid.z) {

@@ -27,7 +27,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     Ok(Some(section))
 }
 
-/// Hands what the template `sections/engine.html` shows of a run to a section.
+/// Sets the values of a run that the template `sections/engine.html` shows.
 pub(super) fn fill(section: &mut Section, fe: &Run) {
     let pairs = |list: &[results::Labelled]| -> Vec<Pair> {
         list.iter()

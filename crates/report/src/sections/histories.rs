@@ -125,7 +125,7 @@ pub fn history(
     } else {
         highest
     };
-    // The engine knows the peak between samples; its sign is that of the nearest sample.
+    // The engine reports the peak between samples; its sign is that of the nearest sample.
     let (time_of_peak, peak) = match info {
         Some(info) if info.peak.is_finite() => {
             let nearest = time.partition_point(|t| *t < info.time).min(n - 1);

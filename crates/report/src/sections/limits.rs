@@ -1,4 +1,4 @@
-//! Limits of validity of the linear theory: what was tested and what was found.
+//! Limits of validity of the linear theory and the values found.
 
 use serde::Serialize;
 

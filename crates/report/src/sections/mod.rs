@@ -26,7 +26,7 @@ use files::error::Error;
 
 pub use section::{FigureView, Section, Source};
 
-/// Makes a section, or `None` where there is nothing to show.
+/// Makes a section; `None` without content.
 pub type Maker = fn(&Source) -> Result<Option<Section>, Error>;
 
 /// Lists the sections in report order, each with its template.

@@ -18,7 +18,7 @@ pub(super) struct Second<'a> {
     pub prefix: &'a str,
     /// Beginning of the figures' ids.
     pub id: &'a str,
-    /// What the titles say behind the quantity.
+    /// Rest of the titles, after the quantity.
     pub title: &'a str,
     /// Palette class.
     pub class: &'a str,
@@ -83,7 +83,7 @@ fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option
         (first, end, "k-fe hist", second.names[0]),
         (other, run, second.class, second.names[1]),
     ];
-    // The larger one behind: a dense history would hide what lies under it.
+    // The larger one behind: a dense history hides the one under it.
     both.sort_by(|a, b| peak(&b.0[..b.1]).total_cmp(&peak(&a.0[..a.1])));
     for (values, n, class, label) in both {
         chart.lines.push(Line {

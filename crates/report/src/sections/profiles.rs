@@ -29,7 +29,7 @@ const ORDER: [&str; 7] = [
 /// Height of the plots in user units.
 const PLOT: f64 = 185.0;
 
-/// What is drawn into one panel: the engine's envelope and the codes' profiles.
+/// Content of one panel: the engine's envelope and the codes' profiles.
 #[derive(Default)]
 struct Group<'a> {
     envelope: Option<&'a Envelope>,

@@ -1,4 +1,4 @@
-//! Measured and published values beside the computed ones.
+//! Measured and published values next to the computed ones.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! What every section has: its source, its context for the template, its figures.
+//! Common to all sections: source, context of the template, figures.
 
 use results::compare::MEASURED;
 use results::{FE, Method, Results, Series};
@@ -9,7 +9,7 @@ use crate::figure::{Figure, Room};
 use crate::table::Table;
 use crate::words;
 
-/// What a section is made from.
+/// Source of the sections.
 pub struct Source<'a> {
     /// `results.json`.
     pub results: &'a Results,

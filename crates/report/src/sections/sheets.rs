@@ -45,7 +45,7 @@ struct LineView {
     symbol: String,
     formula: String,
     substitution: String,
-    /// What a value without formula is read from, as HTML.
+    /// Source of a value without formula, as HTML.
     look_up: String,
     value: String,
     unit: &'static str,
@@ -79,7 +79,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
     Ok(Some(section))
 }
 
-/// What a nonlinear run asks a reader to mind.
+/// Remarks on a nonlinear run.
 fn remarks(run: &Run) -> Vec<String> {
     let mut remarks = Vec::new();
     if let End::Left { departure, .. } = &run.end {
@@ -124,7 +124,7 @@ fn sheet(method: &Method, base: Option<&Method>) -> Sheet {
                 math::formula(text)
             }
         };
-        // "H/R = H/R" says nothing.
+        // Not "H/R = H/R".
         let formula = if step.formula == step.symbol {
             ""
         } else {

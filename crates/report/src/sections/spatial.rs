@@ -1,4 +1,4 @@
-//! The three-dimensional run: mesh, mode shapes, deformed shapes, maps of the wall, and how far it is from the harmonic
+//! The three-dimensional run: mesh, mode shapes, deformed shapes, maps of the wall, and the difference from the harmonic
 //! engine.
 
 use tank::units::Dimension;
@@ -142,7 +142,7 @@ fn faces(fields: &Fields, displacement: Option<&[[f64; 3]]>, wall: f64, surface:
     all
 }
 
-/// The tank at rest as lines: rims of wall and surface, contours of the wall.
+/// The undeformed tank as lines: rims of wall and surface, contours of the wall.
 fn ghost(fields: &Fields) -> Vec<Vec<[f64; 3]>> {
     let mut edges = scene::rims(&fields.wall);
     edges.extend(scene::rims(&fields.surface));

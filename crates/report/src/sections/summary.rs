@@ -169,7 +169,7 @@ fn facts(source: &Source) -> Vec<Fact> {
 }
 
 fn warnings(results: &Results) -> Vec<Warning> {
-    // A limit that several engines exceed is told once.
+    // A limit that several engines exceed is listed once.
     let broken = |run: &'_ results::Run| run.limits.clone().into_iter().filter(|l| !l.holds);
     let first: Vec<Limit> = results.reference().into_iter().flat_map(broken).collect();
     let others = results.runs.iter().skip(1).flat_map(broken);

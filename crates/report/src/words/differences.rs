@@ -79,14 +79,14 @@ fn model(reason: &Reason) -> String {
         Reason::TestGauges => {
             "A test value. It was read at the height of the strain gauges, inside the edge disturbance, while the engine's \
              value is the largest over the height or that of the base; the test wall could uplift and is not a perfect \
-             shell. See the remark beside the value."
+             shell. See the remark on the value."
         }
         Reason::TestScatter => {
-            "A test value: scatter of the test and of its instruments stands beside the assumptions of linear theory \
+            "A test value: the difference contains the scatter of the test and its instruments and the assumptions of linear theory \
              (small waves, perfect shell, rigid base)."
         }
         Reason::SloshingDepth => {
-            "Both are first-mode formulas of the same potential flow; a difference points to another liquid depth (slender \
+            "Both are first-mode formulas of the same potential flow; a difference indicates another liquid depth (slender \
              tanks) or to a rounded constant."
         }
         Reason::UniformWall => {
@@ -170,7 +170,7 @@ fn forces(reason: &Reason) -> String {
     }
 }
 
-/// Causes that the nonlinear run itself names.
+/// Causes found in the nonlinear run.
 fn nonlinear(reason: &Reason, events: &[Event]) -> String {
     match *reason {
         Reason::LeftModel { time } => {
@@ -179,9 +179,9 @@ fn nonlinear(reason: &Reason, events: &[Event]) -> String {
         Reason::Interrupted { time } => {
             format!("The run was interrupted at {time:.2} s: its values are those until then.")
         }
-        Reason::NotCarriedAtRest => "The wall does not carry weight and pressure at rest: there is no history.".into(),
+        Reason::NotCarriedAtRest => "The wall does not carry weight and static pressure: the run has no history.".into(),
         Reason::NoEquilibrium { time } => format!(
-            "The run finds no equilibrium after {time:.2} s: its values are those until then, lower bounds."
+            "The run did not find equilibrium after {time:.2} s; its values are lower bounds."
         ),
         Reason::LeavesLinearTheory { events: count } => {
             let list: Vec<String> = events.iter().take(count).map(told).collect();
@@ -202,7 +202,7 @@ fn nonlinear(reason: &Reason, events: &[Event]) -> String {
             units::display(energy, Dimension::Energy),
             units::significant(100.0 * energy / work, 2)
         ),
-        _ => "Nothing cracks, yields or separates. The remaining causes are mesh, damping, large rotations and the pressure on \
+        _ => "The wall does not crack, yield or separate. The remaining causes are mesh, damping, large rotations and the pressure on \
               the deformed wall."
             .into(),
     }
@@ -213,7 +213,7 @@ fn told(event: &Event) -> String {
     let when = if event.time > 0.0 {
         format!("at {:.2} s", event.time)
     } else {
-        "at rest".into()
+        "in the static state".into()
     };
     format!("{} {when} ({})", event.title, event.place)
 }
@@ -272,7 +272,7 @@ mod tests {
         }];
         for (cause, part) in [
             (Reason::LeavesLinearTheory { events: 1 }, "first crack at 2.31 s (base)"),
-            (Reason::NoEquilibrium { time: 7.5 }, "no equilibrium after 7.50 s"),
+            (Reason::NoEquilibrium { time: 7.5 }, "not find equilibrium after 7.50 s"),
             (Reason::Dissipation { energy: 2e3, work: 1e4 }, "20 %"),
             (Reason::Discretisation { estimated }, "error: base moment 2.1 %."),
             (Reason::RigidWall { amplification: 2.344 }, "at 2.34 times"),

@@ -189,7 +189,7 @@ pub mod spatial {
 
     /// Caption of a deformed shape.
     pub fn moment(factors: &str) -> String {
-        format!("{factors}; dashed: at rest.")
+        format!("{factors}; dashed: undeformed.")
     }
 
     /// Description of a deformed shape; `largest` are the displacements of wall and surface [m].
@@ -204,7 +204,7 @@ pub mod spatial {
     /// From where a picture is seen [°].
     pub fn eye(beside: f64, above: f64) -> String {
         format!(
-            "seen from {}° beside the x axis and {}° above the horizon",
+            "seen from {}° from the x axis and {}° above the horizon",
             plain(beside, 0),
             plain(above, 0)
         )

@@ -98,7 +98,7 @@ pub fn end(run: &IdaRun) -> String {
     }
 }
 
-/// How runs left the model, and what their moments at the base are made of, one sentence each.
+/// How runs left the model, and the parts of their moments at the base, one sentence each.
 pub fn departures(ida: &Ida) -> Vec<String> {
     let marked = ida.runs.iter().filter(|run| !run.departures.is_empty());
     marked.map(|run| departure(ida, run)).collect()
@@ -124,7 +124,7 @@ fn departure(ida: &Ida, run: &IdaRun) -> String {
     format!("Scale {}: {}.{parts}", significant(run.scale, 4), how.join("; "))
 }
 
-/// What holds of runs in which the liquid separates from a wall, or does by the linear estimate, one sentence each.
+/// Remarks on runs in which the liquid separates from a wall, or does by the linear estimate, one sentence each.
 pub fn partings(ida: &Ida) -> Vec<String> {
     let first = |open: bool| {
         let runs = ida.runs.iter().filter(|r| r.parting.is_some_and(|p| p.open == open));

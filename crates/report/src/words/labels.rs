@@ -32,8 +32,8 @@ pub const NONLINEAR_ENERGIES: [&str; 6] = [
 ];
 /// Energies of a nonlinear run at its end, and as parts of the work.
 pub const AT_END: [&str; 2] = ["At the end", "At the end, part of the work"];
-/// Pressure at rest on the base itself.
-pub const PRESSURE_AT_REST: &str = "Pressure at rest";
+/// Static pressure on the base itself.
+pub const STATIC_PRESSURE: &str = "Static pressure";
 /// Largest bending moment of the lowest section.
 pub const LARGEST_OF_SECTION: &str = "Largest of the section";
 /// Range of the finite elements in a legend.
@@ -42,7 +42,7 @@ pub const ENGINE_RANGE: &str = "Finite elements, range";
 pub const COMBINED_RANGE: &str = "static + seismic range";
 /// Smallest and largest value of the finite elements.
 pub const ENGINE_EXTREMES: [&str; 2] = ["Finite elements min", "Finite elements max"];
-/// What is drawn of a three-dimensional mesh: nodes, elements of the wall, elements of the surface.
+/// Drawn parts of a three-dimensional mesh: nodes, elements of the wall, elements of the surface.
 pub const MESH: [&str; 3] = [
     "nodes of wall and free surface",
     "elements of the wall",

@@ -1,9 +1,9 @@
 //! Every sentence of the report and of the terminal's summaries, from typed facts.
 //!
-//! This is what another language translates, together with the templates and the commands' help. A function takes facts
-//! and numbers and returns text; it decides nothing, and nothing reads its text back.
+//! A translation replaces this module, the headings of the templates and the commands' help. A function takes facts and
+//! numbers and returns text; it makes no decisions, and its text is never parsed.
 //!
-//! | module | says |
+//! | module | content |
 //! |---|---|
 //! | [`differences`] | where methods differ and why |
 //! | [`verdict`], [`outcome`] | whether the tank holds, whether the results are complete, how a nonlinear run ended |

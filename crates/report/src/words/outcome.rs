@@ -5,22 +5,21 @@ use tank::units::{Dimension, display, significant};
 use crate::number::{fixed, percent};
 use results::nonlinear::{Departure, DepartureKind, Passed};
 
-/// What the numbers of a run are worth that ended early.
-pub const BOUNDS: &str =
-    "Values, pictures and histories are those until then: lower bounds of what the ground motion asks of the tank.";
-/// What the numbers of a stopped run are.
+/// Meaning of the numbers of a run that ended early.
+pub const BOUNDS: &str = "Values, pictures and histories are those until then: lower bounds of the demand.";
+/// Meaning of the numbers of a stopped run.
 pub const UNTIL_THEN: &str = "Values, pictures and histories are those until then.";
 /// Headline of a whole run.
 pub const COMPLETED: &str = "Equilibrium was found to the end of the ground motion";
-/// What a whole run guarantees.
+/// Guarantee of a whole run.
 pub const CONVERGED: &str = "Every accepted step has converged.";
 /// Headline of a run that the user stopped.
 pub const INCOMPLETE: &str = "Incomplete";
-/// What holds of a run that left its model and went on.
+/// Remark on a run that left its model and continued.
 pub const BEYOND_MODEL: &str = "Equilibrium was found to the end of the ground motion, but not within the limits of the model: later \
                                 values are not results.";
 
-/// Headline of a run that left its model at a time [s]; `stopped` there, or went on.
+/// Headline of a run that left its model at a time [s]; `stopped` there, or continued.
 pub fn left_model(time: f64, stopped: bool) -> String {
     match stopped {
         true => format!("Stopped: the run left its model at t = {} s", fixed(time, 3)),
@@ -41,15 +40,15 @@ pub fn interrupted(time: f64) -> String {
 /// Headline of a collapse: the time of the last equilibrium [s], negative where there is none.
 pub fn collapse(time: f64) -> String {
     match time < 0.0 {
-        true => "Collapse: the wall does not carry weight and pressure at rest".into(),
+        true => "Collapse: the wall does not carry weight and static pressure".into(),
         false => format!("Collapse: no equilibrium after t = {} s", fixed(time, 3)),
     }
 }
 
-/// Part of weight and pressure at rest that was carried.
+/// Carried part of weight and static pressure.
 pub fn carried(factor: f64) -> String {
     format!(
-        "Of weight and pressure at rest it carries {}; the ground motion was not applied.",
+        "The wall carries {} of weight and static pressure; the ground motion was not applied.",
         percent(factor)
     )
 }
@@ -103,7 +102,7 @@ pub fn place(departure: &Departure) -> String {
     }
 }
 
-/// What was found and what the model bears, a sentence without capital and full stop.
+/// Value and limit, a sentence without capital and full stop.
 pub fn passed(departure: &Departure) -> String {
     let Some(Passed { value, limit }) = departure.passed else {
         return match departure.kind {

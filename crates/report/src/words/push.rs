@@ -25,7 +25,7 @@ pub const PATH: &str = "Marked: the strongest state.";
 pub const MERIDIAN: &str = "Outwards to the right.";
 /// Description of a meridian.
 pub const MERIDIAN_DESCRIPTION: &str =
-    "Radial displacement of the compressed meridian over the height, at rest, at the strongest and at the last state.";
+    "Radial displacement of the compressed meridian over the height: static, strongest and last state.";
 /// Caption of a map.
 pub const MAP: &str = "Half of the developed wall, compressed at θ = 0.";
 

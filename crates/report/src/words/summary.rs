@@ -1,12 +1,12 @@
-//! First page: what was done, key figures, limits of the theory that are exceeded.
+//! First page: subtitle, key figures, limits of the theory that are exceeded.
 
 use crate::number::Scale;
 use results::Limit;
 
-/// What the report is, in one line; `engine` is whether a finite-element run is part of it.
+/// Subtitle of the report; `engine` is whether a finite-element run is part of it.
 pub fn subtitle(engine: bool) -> &'static str {
     match engine {
-        true => "Seismic verification: code procedures beside a coupled finite-element time history",
+        true => "Seismic verification: code procedures and a coupled finite-element time history",
         false => "Seismic verification by code procedures",
     }
 }
@@ -26,7 +26,7 @@ pub const FIRST_SLOSHING: &str = "First sloshing period";
 /// Period of the first structural mode.
 pub const FIRST_STRUCTURAL: &str = "First structural period";
 
-/// What was found and what is allowed.
+/// Value and limit.
 pub fn exceeded(limit: &Limit) -> String {
     let scale = Scale::of(limit.dimension, [limit.value, limit.limit]);
     format!(

@@ -19,7 +19,7 @@ pub fn corner(excitation: Excitation) -> &'static str {
     }
 }
 
-/// What shakes the tank, in a word.
+/// The excitation in a word.
 pub fn excitation(excitation: Excitation) -> &'static str {
     match excitation {
         Excitation::Record => "record",
@@ -107,7 +107,7 @@ pub fn path(shell: &PushShell) -> Vec<String> {
     lines
 }
 
-/// How an interrupted analysis goes on.
+/// How to continue an interrupted analysis.
 pub const RESUME: &str = "incomplete: repeat the command with --resume to continue";
 
 /// How far the three-dimensional engine searches modes: `most` waves around the circumference.

@@ -3,7 +3,7 @@
 use results::compare::{Incomplete, Unusable};
 use results::{MESH_ERROR_LIMIT, Verdict};
 
-/// Why a run with separation gives no design values.
+/// Why the values of a run with separation are not design values.
 pub const LIQUID_PARTED: &str = "The liquid has separated from the wall and closed again. An incompressible liquid on a stiff joint \
                                  exaggerates the impact, and a liquid separates from a tight wall near -98 kPa, not at atmospheric \
                                  pressure: forces and stresses after the first separation are not design values.";
@@ -36,9 +36,11 @@ pub fn incomplete(cause: &Incomplete) -> String {
                 Some(error) => format!("Incomplete: the {engine} run failed before it had a result ({error})"),
             }
         }
-        Incomplete::NotCarriedAtRest => "Collapse: the wall does not carry weight and pressure at rest".into(),
+        Incomplete::NotCarriedAtRest => "Collapse: the wall does not carry weight and static pressure".into(),
         Incomplete::NoEquilibrium { time } => {
-            format!("Collapse: the nonlinear run finds no equilibrium after {time:.2} s, its extremes are lower bounds")
+            format!(
+                "Collapse: the nonlinear run did not find equilibrium after {time:.2} s; its extremes are lower bounds"
+            )
         }
         Incomplete::LeftModel { time } => format!(
             "The nonlinear run left its model and was stopped at {time:.2} s, its extremes are those until then"

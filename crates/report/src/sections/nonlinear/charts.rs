@@ -15,7 +15,7 @@ use results::{Envelope, Run};
 
 /// Height of the plots of loops in user units.
 const LOOP: f64 = 190.0;
-/// Part of a loop's extent below which points are not told apart: half a user unit.
+/// Part of a loop's extent below which points coincide: half a user unit.
 const THIN: f64 = 0.5 / 300.0;
 /// Points listed of a loop.
 const LISTED: usize = 24;
@@ -122,7 +122,7 @@ pub(super) fn energies(run: Option<&Nonlinear>, marks: &[(f64, String)]) -> Resu
     let extent = curves.iter().flat_map(|(_, _, v)| v.iter().copied());
     let y = Axis::linear("Energy", Dimension::Energy, extent.chain([0.0]), 6);
     let mut chart = Chart::new((WIDE, 0.0), x, y);
-    // Lines along zero say nothing that the table does not.
+    // Lines along zero add nothing to the table.
     for (label, class, values) in curves.iter().filter(|(_, _, v)| most(v) > 1e-4 * largest) {
         chart.lines.push(Line {
             points: decimate(time, values, (WIDE - 60.0) as usize),

@@ -1,4 +1,4 @@
-//! The nonlinear run: how it ended, what happened when, how far it is from the linear one, what the wall has become.
+//! The nonlinear run: its end, its events, its difference from the linear run, the state of the wall.
 
 mod charts;
 
@@ -150,7 +150,7 @@ fn outcome(run: &Nonlinear, fe: &Run) -> Outcome {
     }
 }
 
-/// What the largest moments at the base are made of.
+/// Parts of the largest moments at the base.
 fn moments(found: &[BaseMoment]) -> Table {
     let all = found
         .iter()
@@ -164,7 +164,7 @@ fn moments(found: &[BaseMoment]) -> Table {
         Column::numbers("Section", unit),
         Column::numbers("Damping", unit),
         Column::numbers("Inertia", unit),
-        Column::numbers(labels::PRESSURE_AT_REST, unit),
+        Column::numbers(labels::STATIC_PRESSURE, unit),
         Column::numbers(labels::LARGEST_OF_SECTION, unit),
     ]);
     for m in found {
@@ -182,7 +182,7 @@ fn moments(found: &[BaseMoment]) -> Table {
     table
 }
 
-/// Times of the events with their numbers, those at rest left out.
+/// Times of the events with their numbers, those of the static state left out.
 fn marks(events: &[Event]) -> Vec<(f64, String)> {
     let numbered = events.iter().enumerate();
     numbered
@@ -205,7 +205,7 @@ fn events(events: &[Event]) -> Table {
             capital(&event.title),
             match event.time > 0.0 {
                 true => fixed(event.time, 3),
-                false => "at rest".into(),
+                false => "static".into(),
             },
             event.place.clone(),
             event.note.clone(),
@@ -238,7 +238,7 @@ fn difference(source: &Source) -> (Table, bool) {
         }
         let scale = Scale::of(row.dimension, [a, b].into_iter().flatten().map(|c| c.value));
         let text = |c: Option<results::Cell>| c.map_or("–".to_owned(), |c| scale.text(c.value));
-        // Periods and masses belong to the virgin wall: they are no extremes of the history.
+        // Periods and masses belong to the initial wall: they are not extremes of the history.
         let least = match bounds && !Quantity::from_id(&row.quantity).is_some_and(of_the_structure) {
             true => "≥ ",
             false => "",
@@ -284,7 +284,7 @@ fn own(source: &Source, fe: &Run) -> Result<Vec<Figure>, Error> {
         let id = format!("{}{}", fe.engine.prefix(), info.id);
         let Some(column) = source.column(&id) else { continue };
         let run = column.iter().take_while(|v| v.is_finite()).count();
-        // A quantity that never moves is in the table of peaks, no figure.
+        // A quantity that never moves is in the table of peaks only.
         if column[..run].iter().all(|v| *v == 0.0) {
             continue;
         }
@@ -302,7 +302,7 @@ fn own(source: &Source, fe: &Run) -> Result<Vec<Figure>, Error> {
     Ok(figures)
 }
 
-/// What was drawn, and in words what there was no picture of.
+/// Figures, and sentences in place of those that were not drawn.
 #[derive(Default)]
 struct Drawn {
     figures: Vec<Figure>,
@@ -333,7 +333,7 @@ fn maps(run: &Nonlinear) -> Drawn {
 
 fn cost(counts: &[Count]) -> Table {
     let mut table = Table::new(vec![
-        Column::words("What"),
+        Column::words("Count"),
         Column::numbers("Number", ""),
         Column::words("Unit"),
     ]);
