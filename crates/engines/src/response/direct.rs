@@ -1,37 +1,27 @@
-//! Direct integration of all unknowns by Newmark's average acceleration, the independent check of modal superposition.
+//! Direct integration of all unknowns by Newmark's average acceleration ([`fem::analysis::transient`]), the independent check of
+//! modal superposition.
 //!
-//! ```text
-//! [M + h/2 C + h²/4 K] ẍ₁ = −M ι a_g − C (ẋ₀ + h/2 ẍ₀) − K (x₀ + h ẋ₀ + h²/4 ẍ₀)
-//! ```
-//!
-//! The matrix is factored once. C holds the ratio of every mode, C = Σ 2 ξ_j ω_j (M φ_j)(M φ_j)ᵀ, or Rayleigh's
-//! a_M M + a_K K. Where the ground acceleration jumps (at the start, and at the end of a record that does not end with
-//! zero), equilibrium gives the jump of ẍ as −ι Δa_g.
-//!
-//! The energy balance is kept in the motion relative to the ground:
-//!
-//! ```text
-//! −∫ ẋᵀ M ι a_g dt = ½ ẋᵀ M ẋ + ½ xᵀ K x + ∫ ẋᵀ C ẋ dt
-//! ```
-//!
-//! With trapezoidal increments ½ (f₀ + f₁)·Δx it closes for the average acceleration method up to rounding, whatever the
-//! step: it proves the matrices symmetric, the factor right and the equations solved, not the step short. The step is
-//! judged by the lengthening of periods (ω h)²/12. Source: Newmark 1959; Hughes 1987, section 9.1.
+//! C holds the ratio of every mode, C = Σ 2 ξ_j ω_j (M φ_j)(M φ_j)ᵀ, or Rayleigh's a_M M + a_K K. Extremes are those at the
+//! sub-steps. The energy balance proves the matrices symmetric, the factor right and the equations solved, not the step short:
+//! the step is judged by the lengthening of periods (ω h)²/12. Source: Newmark 1959; Hughes 1987, section 9.1.
 
+use std::sync::Arc;
+
+use fem::analysis::damping::Damping;
+use fem::analysis::system::System;
+use fem::analysis::transient::{Energy, Settings, integrate};
+use fem::linalg::{Kind, Matrix, Ordering, Pattern, Symbolic, Symmetric, product};
 use fem::progress::Progress;
-use oscillator::newmark::Newmark;
+use results::EnergyBalance;
 
+use super::blocks::{Block, Observable, Steps, failed, functionals, load, offsets};
 use super::motion::{Grid, Motion};
-use super::observe::{Chunk, Observed, Observer, Row};
-use super::superpose::Observable;
+use super::observe::Observed;
 use crate::FeError;
 use crate::coupled::Coupled;
 use crate::damping::{Damper, Rayleigh};
 use crate::error::failure;
-use crate::modes::{CoupledMode, Kind};
-use crate::probe::{ModeSelection, Probe};
-use fem::linalg::{Cholesky, Matrix, dot, product};
-use results::EnergyBalance;
+use crate::modes::CoupledMode;
 
 /// Steps in the period of the highest significant mode: the period is lengthened by (2π/80)²/12 = 0.05 %.
 pub const STEPS_PER_PERIOD: f64 = 80.0;
@@ -39,8 +29,7 @@ pub const STEPS_PER_PERIOD: f64 = 80.0;
 /// A coupled system with its damping matrix.
 #[derive(Clone, Debug)]
 pub struct DirectSystem<'a> {
-    system: &'a Coupled,
-    modes: &'a [CoupledMode],
+    block: Block<'a>,
     damping: Matrix,
 }
 
@@ -73,187 +62,37 @@ impl<'a> DirectSystem<'a> {
                 product(&momenta, &weighted)
             }
         };
-        DirectSystem { system, modes, damping }
-    }
-
-    /// Number of unknowns.
-    fn size(&self) -> usize {
-        self.system.influence.len()
-    }
-
-    /// Number of states: x, ẍ, a_g.
-    fn states(&self) -> usize {
-        2 * self.size() + 1
-    }
-
-    /// Adds `factor` × `probe` to `row`, with the states of this system starting at `offset`.
-    fn observe(&self, probe: &Probe, factor: f64, offset: usize, row: &mut Row) {
-        let n = self.size();
-        let (d, a) = (&probe.displacement, &probe.absolute_acceleration);
-        let (d, a, ground) = match probe.modes {
-            ModeSelection::All => (
-                d.clone(),
-                a.clone(),
-                dot(a, &self.system.influence) + probe.ground_acceleration,
-            ),
-            ModeSelection::FirstSloshing(most) => {
-                // Projection on the selected modes: x ← Σ φ φᵀ M x.
-                let (mut on_x, mut on_a, mut ground) = (vec![0.0; n], vec![0.0; n], 0.0);
-                let selected = |m: &&CoupledMode| m.kind == Kind::Sloshing && m.number <= most;
-                for mode in self.modes.iter().filter(selected) {
-                    let (p, q) = (dot(d, &mode.vector), dot(a, &mode.vector));
-                    let momentum = self.system.mass.times(&mode.vector);
-                    for ((x, y), m) in on_x.iter_mut().zip(&mut on_a).zip(momentum) {
-                        *x += p * m;
-                        *y += q * m;
-                    }
-                    ground += q * mode.participation;
-                }
-                (on_x, on_a, ground)
-            }
-        };
-        let mut push = |first: usize, coefficients: &[f64]| {
-            let terms = coefficients.iter().enumerate().filter(|(_, c)| **c != 0.0);
-            row.value.extend(terms.map(|(i, c)| (offset + first + i, factor * c)));
-        };
-        push(0, &d);
-        push(n, &a);
-        push(2 * n, &[ground]);
-    }
-}
-
-/// Non-zero entries of a symmetric matrix, row by row.
-#[derive(Clone, Debug)]
-struct Rows {
-    start: Vec<usize>,
-    entries: Vec<(usize, f64)>,
-}
-
-impl Rows {
-    fn new(matrix: &Matrix) -> Rows {
-        let (mut start, mut entries) = (vec![0], Vec::new());
-        for j in 0..matrix.cols {
-            // Symmetric: the column is the row.
-            let column = matrix.column(j).iter().enumerate();
-            entries.extend(column.filter(|(_, v)| **v != 0.0).map(|(i, v)| (i, *v)));
-            start.push(entries.len());
-        }
-        Rows { start, entries }
-    }
-
-    fn times(&self, x: &[f64], out: &mut [f64]) {
-        for (y, range) in out.iter_mut().zip(self.start.windows(2)) {
-            *y = self.entries[range[0]..range[1]].iter().map(|&(i, v)| v * x[i]).sum();
-        }
-    }
-}
-
-/// State of one system under way.
-struct Run<'a> {
-    system: &'a DirectSystem<'a>,
-    motion: &'a Motion,
-    newmark: Newmark,
-    factor: Cholesky,
-    stiffness: Rows,
-    load: Vec<f64>,
-    x: Vec<f64>,
-    v: Vec<f64>,
-    a: Vec<f64>,
-    /// C ẋ and C ẍ, carried along so that a step costs one product with C.
-    c_v: Vec<f64>,
-    c_a: Vec<f64>,
-    right: Vec<f64>,
-    elastic: Vec<f64>,
-    input: f64,
-    damped: f64,
-}
-
-impl<'a> Run<'a> {
-    fn new(system: &'a DirectSystem<'a>, motion: &'a Motion, h: f64) -> Result<Run<'a>, FeError> {
-        let newmark = Newmark::average_acceleration(h);
-        let (m, k) = (&system.system.mass, &system.system.stiffness);
-        let effective = Matrix {
-            rows: m.rows,
-            cols: m.cols,
-            data: (m.data.iter().zip(&system.damping.data).zip(&k.data))
-                .map(|((m, c), k)| m + newmark.a7 * c + k / newmark.a0)
-                .collect(),
-        };
-        let zero = vec![0.0; m.rows];
-        let mut run = Run {
+        let block = Block {
             system,
-            motion,
-            newmark,
-            factor: Cholesky::factor(&effective).map_err(failure("the effective matrix of a step"))?,
-            stiffness: Rows::new(k),
-            load: m.times(&system.system.influence),
-            x: zero.clone(),
-            v: zero.clone(),
-            a: zero.clone(),
-            c_v: zero.clone(),
-            c_a: zero.clone(),
-            right: zero.clone(),
-            elastic: zero,
-            input: 0.0,
-            damped: 0.0,
+            modes: modes.iter().collect(),
         };
-        run.jump(motion.at(0));
-        Ok(run)
-    }
-
-    /// The ground acceleration jumps by `change`.
-    fn jump(&mut self, change: f64) {
-        for (a, iota) in self.a.iter_mut().zip(&self.system.system.influence) {
-            *a -= iota * change;
-        }
-        self.c_a = self.system.damping.times(&self.a);
-    }
-
-    /// The sub-step from `i` to `i` + 1.
-    fn step(&mut self, i: usize) {
-        let (a0, a1) = self.motion.interval(i);
-        if i == self.motion.last() {
-            self.jump(-self.motion.at(i));
-        }
-        let n = &self.newmark;
-        let x0 = self.x.clone();
-        for ((x, v), a) in self.x.iter_mut().zip(&mut self.v).zip(&self.a) {
-            *x = n.predict_displacement(*x, *v, *a);
-            *v = n.predict_velocity(*v, *a);
-        }
-        self.stiffness.times(&self.x, &mut self.elastic);
-        let c_v0 = self.c_v.clone();
-        for (c_v, c_a) in self.c_v.iter_mut().zip(&self.c_a) {
-            *c_v += n.a6 * c_a;
-        }
-        for (r, ((load, k_x), c_v)) in (self.right.iter_mut()).zip(self.load.iter().zip(&self.elastic).zip(&self.c_v)) {
-            *r = -load * a1 - k_x - c_v;
-        }
-        self.a = self.factor.solve_vector(&self.right);
-        self.c_a = self.system.damping.times(&self.a);
-        let (mut work, mut loss) = (0.0, 0.0);
-        for k in 0..self.a.len() {
-            self.x[k] += self.a[k] / n.a0;
-            self.v[k] += n.a7 * self.a[k];
-            self.c_v[k] += n.a7 * self.c_a[k];
-            let dx = self.x[k] - x0[k];
-            work += self.load[k] * dx;
-            loss += (c_v0[k] + self.c_v[k]) * dx;
-        }
-        self.input -= 0.5 * (a0 + a1) * work;
-        self.damped += 0.5 * loss;
-    }
-
-    /// Kinetic and elastic energy now, from the matrices themselves.
-    fn energies(&mut self) -> (f64, f64) {
-        self.stiffness.times(&self.x, &mut self.elastic);
-        let kinetic = 0.5 * dot(&self.v, &self.system.system.mass.times(&self.v));
-        (kinetic, 0.5 * dot(&self.x, &self.elastic))
+        DirectSystem { block, damping }
     }
 }
 
-/// Response of `systems` to `motions` (one each): histories of `scalars`, extremes of `others` at the sub-steps, and the
-/// energy balance, taken at the samples of the grid.
+/// Matrices of the systems as diagonal blocks on the pattern of full blocks.
+fn diagonal<'a>(pattern: &Arc<Pattern>, matrices: impl Iterator<Item = &'a Matrix>) -> Symmetric {
+    let lower = |matrix: &'a Matrix| (0..matrix.cols).flat_map(move |j| &matrix.column(j)[j..]).copied();
+    Symmetric {
+        pattern: pattern.clone(),
+        values: matrices.flat_map(lower).collect(),
+    }
+}
+
+/// The energies at the end of a response.
+pub(crate) fn balance(energy: &Energy) -> EnergyBalance {
+    let last = |values: &[f64]| values.last().copied().unwrap_or(0.0);
+    EnergyBalance {
+        input: last(&energy.input),
+        kinetic: last(&energy.kinetic),
+        elastic: last(&energy.elastic),
+        damping: last(&energy.damping),
+        error: energy.error(),
+    }
+}
+
+/// Response of `systems` (three at most) to `motions` (one each): histories of `scalars`, extremes of `others` at the sub-steps,
+/// and the energy balance, taken at the samples of the grid.
 ///
 /// Errors: an effective matrix that is not positive definite, a response that is not finite, with its time.
 pub fn respond(
@@ -264,74 +103,45 @@ pub fn respond(
     others: &[Observable],
     progress: &dyn Progress,
 ) -> Result<(Observed, EnergyBalance), FeError> {
-    let mut offsets = vec![0];
-    for system in systems {
-        offsets.push(offsets[offsets.len() - 1] + system.states());
-    }
-    let rows = |observables: &[Observable]| -> Vec<Row> {
-        let row = |terms: &Observable| {
-            let mut row = Row::default();
-            for &(system, factor, probe) in terms {
-                systems[system].observe(probe, factor, offsets[system], &mut row);
-            }
-            row
-        };
-        observables.iter().map(row).collect()
-    };
-    let (scalars, others) = (rows(scalars), rows(others));
-    let mut observer = Observer::new(&scalars, &others, grid);
-    let mut runs = systems
+    let blocks: Vec<&Block> = systems.iter().map(|s| &s.block).collect();
+    let size = blocks.iter().map(|b| b.size()).sum();
+    let unknowns: Vec<Vec<usize>> = blocks
         .iter()
-        .zip(motions)
-        .map(|(system, motion)| Run::new(system, motion, grid.h()))
-        .collect::<Result<Vec<Run>, FeError>>()?;
-    let mut chunk = Chunk::new(offsets[systems.len()]);
-    let mut balance = EnergyBalance {
-        input: 0.0,
-        kinetic: 0.0,
-        elastic: 0.0,
-        damping: 0.0,
-        error: 0.0,
-    };
-    let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
-    while chunk.start < grid.steps() {
-        chunk.len = (grid.steps() - chunk.start).min(Chunk::LENGTH) + 1;
-        for k in 0..chunk.len {
-            let i = chunk.start + k;
-            for (run, offset) in runs.iter_mut().zip(&offsets) {
-                if k > 0 {
-                    run.step(i - 1);
-                }
-                let n = run.x.len();
-                for (j, (x, a)) in run.x.iter().zip(&run.a).enumerate() {
-                    chunk.set(offset + j, k, *x);
-                    chunk.set(offset + n + j, k, *a);
-                }
-                chunk.set(offset + 2 * n, k, run.motion.at(i));
-            }
-            if i.is_multiple_of(grid.sub_steps) {
-                (balance.kinetic, balance.elastic) = (0.0, 0.0);
-                for run in &mut runs {
-                    let (kinetic, elastic) = run.energies();
-                    balance.kinetic += kinetic;
-                    balance.elastic += elastic;
-                }
-                balance.input = runs.iter().map(|r| r.input).sum();
-                balance.damping = runs.iter().map(|r| r.damped).sum();
-                let rest = balance.input - balance.kinetic - balance.elastic - balance.damping;
-                (worst, largest) = (worst.max(rest.abs()), largest.max(balance.input.abs()));
-            }
-        }
-        if !chunk.close() {
-            return Err(FeError::NotFinite {
-                time: grid.time(chunk.start),
-                cause: "negative damping, or ground motion that is not finite".into(),
-            });
-        }
-        observer.take(&chunk);
-        progress.advance((chunk.len - 1) as u64);
-        chunk.start += chunk.len - 1;
+        .zip(offsets(&blocks))
+        .map(|(block, start)| (start..start + block.size()).collect())
+        .collect();
+    let pattern = Arc::new(Pattern::from_cliques(size, unknowns.iter().map(Vec::as_slice)));
+    let mut influence = [0, 1, 2].map(|_| vec![0.0; size]);
+    for ((block, own), influence) in blocks.iter().zip(&unknowns).zip(&mut influence) {
+        influence[own[0]..own[0] + own.len()].copy_from_slice(&block.system.influence);
     }
-    balance.error = if largest > 0.0 { worst / largest } else { 0.0 };
-    Ok((observer.finish(), balance))
+    let mass = diagonal(&pattern, blocks.iter().map(|b| &b.system.mass));
+    let stiffness = diagonal(&pattern, blocks.iter().map(|b| &b.system.stiffness));
+    let damping = Damping {
+        sparse: Some(diagonal(&pattern, systems.iter().map(|s| &s.damping))),
+        ..Damping::none()
+    };
+    let system = System::from_matrices(mass, stiffness, influence).with_damping(damping);
+    let symbolic = Symbolic::new(pattern, &Ordering::Given((0..size).collect()))
+        .map_err(failure("the effective matrix of a step"))?;
+    let settings = Settings {
+        kind: Kind::Definite,
+        between: false,
+        ..Settings::new(grid)
+    };
+    let (scalars, others) = (functionals(&blocks, scalars), functionals(&blocks, others));
+    let loads = [load(motions)];
+    let found = integrate(
+        &system,
+        &Arc::new(symbolic),
+        &loads,
+        &settings,
+        &scalars,
+        &others,
+        &Steps(progress),
+    )
+    .map_err(failed)?
+    .pop()
+    .ok_or_else(|| FeError::Analysis("no motion was integrated".into()))?;
+    Ok((found.observed, balance(&found.energy)))
 }

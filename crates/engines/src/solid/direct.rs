@@ -30,8 +30,8 @@ use crate::linear::analysis::{Analysis, LineExtremes, largest_difference, mirror
 use crate::linear::model::Model;
 use crate::modes::{CoupledMode, Kind};
 use crate::probe::{ModeSelection, Probe};
+use crate::response::direct::balance;
 use crate::response::observe::{Extreme, History};
-use results::EnergyBalance;
 use tank::options::linear::Integrator;
 
 /// Input of the integration.
@@ -200,14 +200,7 @@ impl Direct for OwnUnknowns<'_> {
                 }
             })
             .collect();
-        let last = |values: &[f64]| values.last().copied().unwrap_or(0.0);
-        analysis.energy = Some(EnergyBalance {
-            input: last(&transient.energy.input),
-            kinetic: last(&transient.energy.kinetic),
-            elastic: last(&transient.energy.elastic),
-            damping: last(&transient.energy.damping),
-            error: transient.energy.error(),
-        });
+        analysis.energy = Some(balance(&transient.energy));
         analysis.grid = grid;
         let reached = transient.observed.scalars.first().map_or(0, |s| s.values.len());
         Ok((!transient.complete).then(|| grid.dt * reached.saturating_sub(1) as f64))

@@ -107,6 +107,8 @@ pub struct Settings {
     pub constant: Option<Vec<f64>>,
     /// Fields to be kept.
     pub snapshots: Vec<SnapshotAt>,
+    /// Whether extremes are sought between the sub-steps, by their slopes, or at them alone.
+    pub between: bool,
 }
 
 impl Settings {
@@ -119,6 +121,7 @@ impl Settings {
             initial: None,
             constant: None,
             snapshots: Vec::new(),
+            between: true,
         }
     }
 }
@@ -271,7 +274,7 @@ pub fn integrate(
     let count = scalars.len() + others.len();
     let row = |k: usize| Row {
         value: vec![(k, 1.0)],
-        slope: Some(Slope {
+        slope: settings.between.then(|| Slope {
             states: vec![(count + k, 1.0)],
             linear: Vec::new(),
         }),

@@ -53,6 +53,8 @@ pub(super) struct March<'a> {
     damped: Vec<f64>,
     /// Kinetic and elastic energy of the initial state.
     initial: Vec<(f64, f64)>,
+    /// Whether all dofs and no held ones carry mass, so that a jump Δa_g of the ground is a jump −ι_k Δa_g of ẍ.
+    rigid: [bool; 3],
     refine: bool,
     residual: f64,
 }
@@ -88,6 +90,7 @@ impl<'a> March<'a> {
             Some(part) => Some(LowRank::new(part, w.damping, &factor, columns)?),
             None => None,
         };
+        let massive = (0..n).all(|i| system.mass.get(i, i) > 0.0);
         let mut march = March {
             system,
             loads,
@@ -118,6 +121,7 @@ impl<'a> March<'a> {
             input: vec![0.0; columns],
             damped: vec![0.0; columns],
             initial: vec![(0.0, 0.0); columns],
+            rigid: [0, 1, 2].map(|k| massive && system.inertia[k] == system.mass.times(&system.influence[k])),
             refine: false,
             residual: 0.0,
         };
@@ -205,6 +209,15 @@ impl<'a> March<'a> {
                 if jump == 0.0 {
                     continue;
                 }
+                self.now[c][k] = begin;
+                if self.rigid.get(k) == Some(&true) {
+                    let own = &mut self.a[c * self.n..(c + 1) * self.n];
+                    for (a, iota) in own.iter_mut().zip(&self.system.influence[k]) {
+                        *a -= jump * iota;
+                    }
+                    self.products_of_acceleration();
+                    continue;
+                }
                 let (shape, sign) = match k {
                     0..3 => (&self.system.inertia[k], -1.0),
                     _ => (&load.forces[k - 3].0, 1.0),
@@ -213,7 +226,6 @@ impl<'a> March<'a> {
                 for (f, s) in force.iter_mut().zip(shape) {
                     *f += sign * jump * s;
                 }
-                self.now[c][k] = begin;
             }
             if let Some(force) = force {
                 self.accelerate(c, &force)?;
