@@ -1,5 +1,5 @@
-//! Bad tank files through the command line: exit code 2, a message with file, place, found and allowed, nothing on
-//! standard output, no output folder.
+//! Bad tank files through the command line: exit code 2, a message with file, place, found and expected value, empty standard
+//! output, no output folder.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -159,7 +159,7 @@ fn syntax() {
     has(&spoiled("\"anchored\"", "'anchored'"), &["tank.json:6:", "quotes"]);
     has(
         &message(format!("{GOOD}{{}}")),
-        &["tank.json:18:1", "follows the document"],
+        &["tank.json:18:1", "after the end of the document"],
     );
 }
 
@@ -285,7 +285,7 @@ fn ranges() {
     has(&spoiled("\"0.5 g\"", "\"0 g\""), &["record.scale_to", "positive"]);
     has(
         &spoiled("\"0.5 g\"", "\"0.5 g\", \"scale_by\": 2"),
-        &["record.scale_by", "two scales"],
+        &["record.scale_by", "exclude each other"],
     );
     has(
         &spoiled("\"record\": {", "\"damping\": { \"impulsive\": 1 }, \"record\": {"),
@@ -300,7 +300,7 @@ fn cross_checks() {
         &[
             "tank.json:12:",
             "liquid.fill_height",
-            "above the wall",
+            "higher than the wall",
             "found \"1.9 m\"",
             "at most 1.830 m",
         ],
@@ -310,7 +310,7 @@ fn cross_checks() {
         "\"height\": \"0.915 m\", \"thickness\": \"1.27 mm\"",
         "\"height\": \"0.6 m\", \"thickness\": \"1.27 mm\"",
     );
-    has(&courses, &["courses end below fill_height", "at most 1.515 m"]);
+    has(&courses, &["the sum of the heights of tank.courses", "at most 1.515 m"]);
     has(
         &spoiled(
             "\"2.03 mm\", \"material\": \"aluminium\"",

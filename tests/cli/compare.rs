@@ -249,8 +249,8 @@ fn a_read_only_output_folder_is_refused() {
     );
 }
 
-/// No file may grow beyond 8 KiB, as on a disk that is full: nothing is left, the old results stay, and the exit code says that the
-/// results are missing, not that the input is bad.
+/// No file may grow beyond 8 KiB, as on a full disk: no new files are left, the old results stay, and the exit code is that of
+/// missing results, not that of bad input.
 #[cfg(unix)]
 #[test]
 fn results_that_cannot_be_written_leave_the_old_ones() {

@@ -1,5 +1,5 @@
-//! A battery of hostile names: whatever stands in a tank file, a record, a file name or an argument, no character that
-//! steers a terminal or the order of text reaches standard output, standard error, a page or a figure as it is.
+//! A battery of hostile names in tank files, records, file names and arguments: no character that controls a terminal or the
+//! order of text reaches standard output, standard error, a page or a figure unescaped.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

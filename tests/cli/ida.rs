@@ -173,8 +173,8 @@ fn a_rectangle_that_is_no_strip_is_refused() {
     assert!(!out.exists());
 }
 
-/// A steel cylinder on a coarse mesh: at rest nothing moves about the base; shaken, the linear tank of twice the scale moves twice as
-/// much, and plates of a low yield strength yield. Resumed, the numbers are those of a single go.
+/// A steel cylinder on a coarse mesh: without shaking the base moment is zero; shaken at twice the scale, the linear tank moves
+/// twice as much, and plates of a low yield strength yield. A resumed analysis gives the numbers of an uninterrupted one.
 #[test]
 fn a_cylinder() {
     const TANK: &str = r#"{
@@ -229,9 +229,9 @@ fn a_cylinder() {
     assert!(csv.starts_with("scale,") && csv.contains(",base_moment_nm,"));
 }
 
-/// A brittle wall with next to no damping, shaken until the time integration gains energy: the run ends there, and its row is marked in
-/// table, csv, json and report. Its moments are those that the section bears (the yield moment is 91 kNm/m); run to its end it gave
-/// bars at 650 MPa and more than 700 kNm/m. Strong and softening beside it: marked by its bars, and it goes on.
+/// A brittle wall almost without damping, shaken until the time integration gains energy: the run ends there, and its row is marked
+/// in table, csv, json and report. Its moments stay within the section's capacity (the yield moment is 91 kNm/m); without the stop
+/// it gave bars at 650 MPa and more than 700 kNm/m. A wall with strong softening is marked by its bars, and its run continues.
 #[test]
 fn a_run_that_leaves_its_model_is_marked() {
     let home = tempfile::tempdir().expect("a temporary folder");

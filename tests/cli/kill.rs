@@ -1,5 +1,5 @@
-//! `kill -9` at random moments: the next run works, resumed results are those of an uninterrupted run bit by bit, and nothing
-//! is left beside them.
+//! `kill -9` at random moments: the next run works, resumed results equal those of an uninterrupted run bit by bit, and no other
+//! files are left.
 //!
 //! A dozen kills in every `cargo test`; the battery, with the manual, is `TANKCHECK_KILLS=200 cargo test --release --test cli kill_battery`.
 //! Half of the kills strike at any moment of the run, half while its results are written.
@@ -287,7 +287,7 @@ fn kill_battery() {
             }
             let what = format!("{} after {struck} kills", scenario.name);
             works(start(&home, scenario.command, scenario.resume), &what);
-            assert_eq!(names(&home), around, "{what}: left beside the results");
+            assert_eq!(names(&home), around, "{what}: other files are left");
             let found = contents(&out);
             let list = |all: &[(String, String)]| all.iter().map(|f| f.0.clone()).collect::<Vec<_>>();
             assert_eq!(list(&found), list(&expected), "{what}");

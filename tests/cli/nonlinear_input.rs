@@ -350,7 +350,7 @@ fn impossible_materials() {
     );
     has(
         &spoiled("\"2.9 MPa\"", "\"2.9 MPa\", \"softening_strain\": 1e-5"),
-        &["softening_strain", "snap back", "found 1e-5", "8.97e-5"],
+        &["softening_strain", "snap-back", "found 1e-5", "8.97e-5"],
     );
     has(
         &spoiled(
@@ -374,7 +374,7 @@ fn impossible_materials() {
     );
     has(
         &spoiled(liner, &steel("\"tangent_modulus\": \"210 GPa\"")),
-        &["rise faster", "less than Young's modulus, 210.0 GPa"],
+        &["slope after yielding", "less than Young's modulus, 210.0 GPa"],
     );
     has(
         &spoiled(

@@ -137,7 +137,7 @@ fn an_interrupted_pushover_says_how_it_goes_on() {
     let named = ["--checkpoint", "mine"];
     let mut run = start(home, "part", &named);
     assert!(has_kept(&mut run, &checkpoint, None));
-    // Beyond the state at rest, of which alone there are no results.
+    // After the state at rest, which alone does not give results.
     let before = written(&checkpoint);
     assert!(has_kept(&mut run, &checkpoint, before));
     interrupt(&run);
@@ -175,7 +175,7 @@ fn an_interrupted_pushover_says_how_it_goes_on() {
     refused(&[], &["`mine` is not a checkpoint"]);
     std::fs::write(&checkpoint, &sound).expect("writable");
 
-    // Without --resume it starts over, with a word.
+    // Without --resume it starts over and reports it.
     let mut run = start(home, "part", &named);
     let before = written(&checkpoint);
     assert!(has_kept(&mut run, &checkpoint, before));

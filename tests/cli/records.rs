@@ -7,8 +7,8 @@ use crate::compare::{stderr, tankcheck};
 const TANK: &str = "examples/01_broad_tank/tank.json";
 const QUAKE: &str = "examples/records/elcentro.csv";
 
-/// Runs `compare` with this record: it must end with exit code 2, name the file and all of `words`, print nothing on
-/// standard output and leave no output folder.
+/// Runs `compare` with this record: it must end with exit code 2 and a message with the file and all of `words`, without
+/// standard output or an output folder.
 fn refused(record: &Path, words: &[&str]) {
     let home = tempfile::tempdir().expect("a temporary folder");
     let out = home.path().join("out");

@@ -173,9 +173,9 @@ fn a_second_ctrl_c_leaves_nothing() {
     let (mut run, mut messages) = begin(&out);
     interrupt(&run);
     // Signals of one kind are not counted: the second is sent after the reply to the first.
-    let mut heard = String::new();
-    std::io::BufRead::read_line(&mut messages, &mut heard).expect("text");
-    assert!(heard.contains("Ctrl-C again"), "{heard}");
+    let mut reply = String::new();
+    std::io::BufRead::read_line(&mut messages, &mut reply).expect("text");
+    assert!(reply.contains("Ctrl-C again"), "{reply}");
     interrupt(&run);
     // On a busy machine the second may come after the results are in place: then they stay, with the exit code of a finished run.
     let code = run.wait().expect("ends").code();

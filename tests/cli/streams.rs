@@ -1,5 +1,5 @@
-//! Standard output and standard error on a full device: a result that cannot be written is exit code 3 with one message, a
-//! message that cannot be written changes nothing.
+//! Standard output and standard error on a full device: a result that cannot be written gives exit code 3 with one message; a
+//! message that cannot be written is ignored.
 
 #![cfg(target_os = "linux")]
 

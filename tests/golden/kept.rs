@@ -1,6 +1,6 @@
 //! Kept results of `ida`, `push`, nonlinear and opening runs, short ones in every test and full ones on request.
 //!
-//! A row of [`KEPT`] is a command and the folder that holds what it gave. The short ones are runs on coarse meshes of
+//! A row of [`KEPT`] is a command and the folder of its results. The short ones are runs on coarse meshes of
 //! `tests/golden/short/`; their folders hold numbers alone (`results.json` and `series.csv`, `ida.json`, `push.json`), the report is
 //! rendered again and inspected. The full ones are the reports of the examples:
 //!

@@ -220,8 +220,8 @@ fn kept_modes_and_missing_mass_suffice() {
     }
 }
 
-/// Strip 8.4, moment at the base of a wall (theory sheet on dynamics, D7): sloshing modes with missing mass are no
-/// substitute for the first wall mode; with it the missing mass leaves below 1 %, with the second below 0.1 %.
+/// Strip 8.4, moment at the base of a wall (theory sheet on dynamics, D7): sloshing modes with missing mass do not
+/// replace the first wall mode; with it the error of the missing mass is below 1 %, with the second below 0.1 %.
 #[test]
 fn missing_mass_does_not_replace_the_wall_mode() {
     let tank = strip();

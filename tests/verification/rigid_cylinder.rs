@@ -4,8 +4,8 @@
 //!            balances of mass and flux on any mesh
 //! Model:     nine-node potential elements 5 × 8 (r × z), rigid wall
 //! Expected:  ω² = g λ/R tanh(λ H/R);  m_c/m = 2 tanh(a)/(a (λ² − 1)), a = λ H/R;  m_i = m − Σ m_c;  levers by series
-//! Tolerance: sloshing 0.05, 0.1, 0.3 % for the first three modes and masses as stated below: what the default mesh
-//!            reaches (the rate is asserted in `convergence`); translation of the whole liquid 1e-9, as φ = x is in the space
+//! Tolerance: sloshing 0.05, 0.1, 0.3 % for the first three modes and masses as stated below: accuracy of the default mesh
+//!            (the rate is asserted in `convergence`); translation of the whole liquid 1e-9, as φ = x is in the space
 
 use engines::liquid::Domain;
 use fem::linalg::dot;

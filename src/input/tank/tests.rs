@@ -176,7 +176,10 @@ fn rectangles() {
     assert_eq!(shape("\"length\": \"5 m\", \"strip\": true"), strip);
     assert!(refused(&tank("\"length\": \"5 m\"")).contains("\"strip\": true"));
     assert!(refused(&tank("\"length\": \"5 m\", \"strip\": false")).contains("breadth"));
-    assert!(refused(&tank("\"length\": \"5 m\", \"breadth\": \"1 m\", \"strip\": true")).contains("no breadth"));
+    assert!(
+        refused(&tank("\"length\": \"5 m\", \"breadth\": \"1 m\", \"strip\": true"))
+            .contains("breadth does not apply to a strip")
+    );
     assert!(
         refused(&small("").replace("\"10 m\"", "\"10 m\", \"length\": \"2 m\""))
             .contains("length does not apply to a cylinder")
@@ -216,7 +219,10 @@ fn options() {
             r#", "procedures": { "run": ["ec8-2005"] }"#,
             "did you mean \"ec8-2006\"?",
         ),
-        (r#", "procedures": { "run": ["housner", "housner"] }"#, "named twice"),
+        (
+            r#", "procedures": { "run": ["housner", "housner"] }"#,
+            "duplicate procedure",
+        ),
         (r#", "procedures": { "run": [] }"#, "at least one id"),
         (
             r#", "site": { "ec8": { "ground": "F", "spectrum": 1, "ag": "0.2 g" } }"#,

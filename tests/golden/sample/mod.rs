@@ -126,6 +126,8 @@ pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
                 .expect("the sample has an engine");
             let mut method = methods[at].clone();
             method.id = EngineId::Solid.beside().into();
+            method.label = EngineId::Solid.label(1).into();
+            method.figure_key = EngineId::Solid.figure_key(1).into();
             method.quantities.values_mut().for_each(|v| v.value *= 1.02);
             methods.insert(at + 1, method);
             for i in 0..series.ids.len() {

@@ -20,6 +20,8 @@ pub(super) fn add(linear: &Run, methods: &mut Vec<Method>, series: &mut Series, 
     let mut method = methods[at].clone();
     method.id = EngineId::Nonlinear.beside().into();
     method.title = "Finite elements, nonlinear, time history".into();
+    method.label = EngineId::Nonlinear.label(1).into();
+    method.figure_key = EngineId::Nonlinear.figure_key(1).into();
     for (id, value) in &mut method.quantities {
         let factor = match id.as_str() {
             "base_shear" | "base_moment" | "overturning_moment" | "axial_membrane_stress" => 0.81,

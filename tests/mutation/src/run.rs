@@ -78,8 +78,8 @@ fn spawn(mut c: Command) -> Result<End, String> {
     })
 }
 
-/// Runs all tests with a switch that no mutant has: they must pass as they are. Their times go to `path`; a file that is
-/// there already is read instead.
+/// Runs all tests with a switch that no mutant has; they must pass. Writes their times to `path`, or reads them from an existing
+/// file.
 fn measure(path: &Path, directory: &Path, binaries: &[&str], arguments: &[String]) -> Result<Vec<Test>, String> {
     if !path.exists() {
         let mut text = String::new();

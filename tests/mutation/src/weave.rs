@@ -353,8 +353,8 @@ fn blamed(messages: &str, woven: &BTreeMap<String, Woven>) -> (BTreeMap<usize, S
     (found, elsewhere)
 }
 
-/// Weaves the sample into the tree at `root`, compiles, removes the rejected mutants, and repeats. Writes what was
-/// taken out, and the test binaries, to `state`.
+/// Weaves the sample into the tree at `root`, compiles, removes the rejected mutants, and repeats. Writes the
+/// removed mutants and the test binaries to `state`.
 pub fn build(root: &Path, sample: &Path, state: &Path, cargo: &[String]) -> Result<(), String> {
     let mutants = sample::read(sample)?;
     let mut skipped: BTreeMap<usize, String> = BTreeMap::new();
