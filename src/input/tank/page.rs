@@ -12,9 +12,9 @@ const HEAD: &str = "\
 # tank.json
 
 All keys of the tank file, with their limits and defaults. `tankcheck init` writes a commented file to start from;
-`tankcheck check tank.json` names every fault of a file at once, with its place and what is allowed there.
+`tankcheck check tank.json` reports all faults of a file at once, each with its place and the expected value.
 
-The file is JSON with comments (`//`, `/* */`) and trailing commas. The order of keys does not matter, a key may stand
+The file is JSON with comments (`//`, `/* */`) and trailing commas. The order of keys does not matter, a key may occur only
 once in an object, and unknown keys are faults. For completion and help while you type, run
 `tankcheck schema > tank.schema.json` and put `\"$schema\": \"./tank.schema.json\"` into the file.
 
@@ -127,7 +127,7 @@ fn write_section(page: &mut String, section: &Section<'_>, book: &Book, sections
         && !also.is_empty()
     {
         let also: Vec<String> = also.iter().map(|p| format!("`{p}`")).collect();
-        let _ = write!(page, "\nThe same keys stand in {}.\n", also.join(", "));
+        let _ = write!(page, "\nThe same keys apply to {}.\n", also.join(", "));
     }
     page.push_str("\n| key | example | value | if not given | meaning |\n|---|---|---|---|---|\n");
     for key in &section.object.keys {

@@ -1,4 +1,4 @@
-//! Where the file says what an engine may reject.
+//! Places in the file of values that an engine may reject.
 
 use std::collections::BTreeMap;
 

@@ -33,7 +33,7 @@ object! {
         liquid: Field<Liquid>,
         /// Materials by name.
         materials: Field<Named<Material>>,
-        /// What to do to the accelerogram given with --quake.
+        /// Processing of the accelerogram given with --quake.
         record: Opt<Record>,
         /// Damping ratios, as fractions of critical damping.
         damping: Opt<Damping>,
@@ -43,9 +43,9 @@ object! {
         procedures: Opt<Procedures>,
         /// Options of the finite-element analysis.
         analysis: Opt<Analysis> = Absent::Follows("modal integration on the default mesh"),
-        /// Measured values to stand beside the computed ones, by quantity.
+        /// Measured values for comparison with the computed ones, by quantity.
         measured: Opt<Measured>,
-        /// Values others have published for this tank.
+        /// Published values for this tank.
         published: Opt<Vec<Field<Published>>>,
     }
 }

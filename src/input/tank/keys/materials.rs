@@ -30,7 +30,7 @@ object! {
     /// A material. Its elastic values serve the code procedures and the linear engines; its behaviour beyond them the
     /// nonlinear engine.
     Material {
-        /// Grade that supplies what is not given here, such as "C30/37", "B35", "S355" or "BSt500".
+        /// Grade that supplies the values missing here, such as "C30/37", "B35", "S355" or "BSt500".
         grade ("S355"): Opt<String>,
         /// Young's modulus. Not for an interlayer, which has e_normal.
         youngs_modulus ("210 GPa"): Opt<Stress> [MODULUS] = Absent::Follows("that of the grade; needed without one"),
@@ -40,11 +40,11 @@ object! {
         /// Density. Usual for walls are 500 to 20000 kg/m3.
         density ("7850 kg/m3"): Opt<Density> [DENSITY] = Absent::Follows("that of the grade; needed without one"),
         /// Yield strength (characteristic), needed by the stability and anchorage checks. Usual is up to 2 GPa and up to 1 % of
-        /// Young's modulus (plastics: 5 %); more than a tenth of it is refused. A grade supplies its own.
+        /// Young's modulus (plastics: 5 %); more than a tenth of it is rejected. A grade supplies its own.
         yield_strength ("235 MPa"): Opt<Stress> [STRESS] = without("checks that need it are left out"),
         /// Allowable design stress S_d (API 650 table 5-2), needed by the API hoop-stress check.
         allowable_stress ("160 MPa"): Opt<Stress> [STRESS] = without("the API hoop-stress check is left out"),
-        /// What the material does beyond its elastic range.
+        /// Behaviour beyond the elastic range.
         behaviour: Opt<Behaviour> = Absent::Follows("that of the grade; elastic without one"),
     }
 }

@@ -58,8 +58,8 @@ object! {
     Elements {
         /// Over the height of the wall.
         height (40): Field<Whole> [Limits::count(1, MOST_ROWS)],
-        /// Around a cylinder, even unless symmetry is false, or along the whole perimeter of a rectangle. Both need it; a strip
-        /// has none.
+        /// Around a cylinder, even unless symmetry is false, or along the whole perimeter of a rectangle. Both need it; it does not
+        /// apply to a strip.
         circumference (64): Opt<Whole> [Limits::count(8, MOST_SECTORS)],
     }
 
@@ -79,8 +79,8 @@ object! {
         by_group: Opt<ByGroup>,
         /// Rayleigh damping fitted to two ratios.
         rayleigh: Opt<Rayleigh>,
-        /// Proportional to the mass. The wall is left next to undamped: a ratio at the first sloshing mode is a hundredth of
-        /// it and less at the modes of the wall.
+        /// Proportional to the mass. The wall is almost undamped: the ratio at its modes is a hundredth or less of that at the
+        /// first sloshing mode.
         mass_proportional: Opt<MassProportional>,
     }
 
@@ -106,7 +106,7 @@ choice! {
     Contact {
         /// The liquid stays at the wall.
         Bonded = "bonded",
-        /// It separates from the wall where the pressure would be tension.
+        /// The liquid separates from the wall where its pressure drops below zero.
         Opening = "opening",
     }
 }

@@ -9,7 +9,7 @@ use super::materials::laws::Behaviour;
 use crate::input::tank::places::Places;
 use crate::input::tank::read::Field;
 
-/// Where the file says what an engine may reject.
+/// Collects the places.
 pub(super) fn of(file: &TankFile) -> Places {
     let mut all = BTreeMap::new();
     if let Some(tank) = &file.tank.value {

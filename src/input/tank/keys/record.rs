@@ -7,12 +7,12 @@ use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::values::{Acceleration, Number, Time};
 
 object! {
-    /// What to do to the accelerogram, in this order: scale, stretch the time axis, resample.
+    /// Processing of the accelerogram, in this order: scale, stretch the time axis, resample.
     Record {
         /// Scale to this peak ground acceleration; above 5 g with --allow-implausible only. Give either this or scale_by.
         scale_to ("0.3 g"): Opt<Acceleration> [Limits::above(0.0).to(10.0 * tank::STANDARD_GRAVITY)]
             = without("not scaled to a peak"),
-        /// Multiply the accelerations by this. A negative factor reverses the shaking; 0 is refused.
+        /// Multiply the accelerations by this. A negative factor reverses the shaking; 0 is rejected.
         scale_by (1.5): Opt<Number> [Limits::from(-1000.0).to(1000.0)] = without("1"),
         /// Multiply the time axis by this (a model at length scale 1:3 needs 1/sqrt(3) = 0.57735).
         time_factor (0.57735): Opt<Number> [Limits::from(1e-3).to(1e3)] = without("1"),

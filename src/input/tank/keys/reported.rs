@@ -17,21 +17,21 @@ object! {
     Reported {
         /// The value with its unit; a period may also be given as a frequency ("3.02 rad/s", "1.916 Hz").
         value: Field<Raw>,
-        /// Who measured it, where it is published.
+        /// Author and publication.
         source ("Manos and Clough 1982"): Field<String>,
-        /// What is known of it.
+        /// Remark.
         note ("peak at the wall"): Opt<String>,
     }
 
     /// A published value.
     Published {
-        /// What it is.
+        /// Quantity.
         quantity: Field<QuantityId>,
         /// The value with its unit.
         value ("0.42 m"): Field<Raw>,
-        /// Who published it, where.
+        /// Author and publication.
         source ("Manos and Clough 1982"): Field<String>,
-        /// What is known of it.
+        /// Remark.
         note ("belongs to the record as recorded"): Opt<String>,
     }
 }

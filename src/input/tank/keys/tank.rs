@@ -43,7 +43,7 @@ object! {
 
     /// Mass on top of the wall.
     Roof {
-        /// Mass of the roof with what it carries.
+        /// Mass of the roof with its loads.
         mass ("12 t"): Field<Mass> [Limits::from(0.0).to(1e9)],
         /// Height of its centre of mass above the tank bottom, not below the liquid.
         height ("11 m"): Opt<Length> [SIZE] = without("the top of the wall"),

@@ -39,7 +39,7 @@ object! {
 
     /// A layer of the wall.
     Layer {
-        /// What it is.
+        /// Kind of layer.
         kind: Field<LayerKind>,
         /// Thickness of the layer.
         thickness ("25 cm"): Field<Length> [THICKNESS],

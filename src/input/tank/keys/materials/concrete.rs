@@ -31,7 +31,7 @@ object! {
         ),
         /// Strain over which the tensile stress falls to f_t/e, whatever the element: results depend on the mesh.
         softening_strain (2e-4): Opt<Number> [Limits::above(0.0).to(1.0)],
-        /// True if the tensile stress falls to nothing at the first crack: results depend on the mesh and the time step.
+        /// True if the tensile stress drops to zero at the first crack: results depend on the mesh and the time step.
         brittle (true): Opt<bool> = default(false),
         /// Least share of the shear stiffness in a cracked point.
         shear_retention (0.1): Opt<Number> [Limits::from(0.0).to(1.0)]

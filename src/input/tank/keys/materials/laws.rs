@@ -20,7 +20,7 @@ const STIFFEST_INTERLAYER: f64 = 1e11;
 const SLOPE: Limits = Limits::from(0.0).to(1e18);
 
 object! {
-    /// What a material does beyond its elastic range. Give one of them.
+    /// Behaviour of a material beyond its elastic range. Give one of them.
     BehaviourKinds {
         /// Steel that yields.
         steel: Opt<SteelBehaviour>,

@@ -17,7 +17,7 @@ const THEORETICAL: f64 = 0.1;
 /// Slack for quotients of decimal fractions.
 const ROUNDING: f64 = 1e-9;
 
-/// A yield strength [Pa] beside Young's modulus [Pa] (NaN: unknown or faulty).
+/// Checks a yield strength [Pa] against Young's modulus [Pa] (NaN: unknown or faulty).
 pub(super) fn check(r: &mut Resolver<'_>, field: &Field<Stress>, strength: f64, e: f64) {
     let show = |stress: f64| display_in(stress, unit_for(stress, Dimension::Stress), 3);
     if strength > THEORETICAL * e * (1.0 + ROUNDING) {
