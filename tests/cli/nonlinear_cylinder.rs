@@ -179,7 +179,7 @@ fn resumed_is_uninterrupted() {
         &message,
         &[
             "part.checkpoint cannot be used: of another run",
-            "help: leave --resume out",
+            "help: omit --resume",
         ],
     );
     assert_eq!(std::fs::read(&checkpoint).expect("kept"), sound);

@@ -76,7 +76,7 @@ fn elements_on_which_a_crack_snaps_back() {
             "materials.concrete.behaviour.concrete",
             "elements of 873 mm",
             "at most 540 mm",
-            "give analysis.nonlinear.elements, or a crack_spacing",
+            "set analysis.nonlinear.elements, or a crack_spacing",
         ],
     );
 }

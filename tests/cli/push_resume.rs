@@ -167,7 +167,7 @@ fn an_interrupted_pushover_says_how_it_goes_on() {
     };
     refused(
         &["--imperfection-at", "1 m"],
-        &["mine cannot be used: of another run", "help: leave --resume out"],
+        &["mine cannot be used: of another run", "help: omit --resume"],
     );
     std::fs::write(&checkpoint, &sound[..sound.len() / 2]).expect("writable");
     refused(&[], &["`mine` is truncated", "remove --resume"]);
