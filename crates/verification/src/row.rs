@@ -93,6 +93,14 @@ impl Row {
     }
 }
 
+/// Asserts that all rows hold, and prints them.
+#[cfg(test)]
+pub(crate) fn assert_held(rows: &[Row]) {
+    rows.iter()
+        .for_each(|row| println!("{} {:?}", row.line(), row.convergence));
+    assert!(rows.iter().all(Row::holds), "run with --nocapture");
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,7 +3,7 @@
 use materials::concrete::{CrackedConcrete, CrackedParameters, ShearRetention, Softening, Tension};
 use materials::{Law, Response};
 
-use super::Point;
+use super::{Point, follow_the_sheet};
 
 pub(crate) const E: f64 = 34e9;
 const NU: f64 = 0.2;
@@ -68,32 +68,11 @@ fn strain_path_of_the_sheet() {
     let law = law();
     let mut point = Point::new(&law);
     let mut lateral = 0.0;
-    for (strain, stress, opening) in [
-        (1e-4, 3.4, 0.0),
-        (3e-4, 1.4171, 0.2583),
-        (0.0, 0.0, 0.2583),
-        (-5e-4, -17.0, 0.2583),
-        (3e-4, 1.4171, 0.2583),
-        (6e-4, 0.4489, 0.5868),
-        (-2e-3, -35.0, 0.5868),
-        (-1e-3, -1.0, 0.5868),
-        (0.0, 0.1186, 0.9671),
-        (6e-4, 0.0144, 1.570),
-        (1.2e-3, 0.0018, 2.171),
-    ] {
+    follow_the_sheet(|strain| {
         let response = uniaxial(&mut point, strain, &mut lateral);
-        let found = response.stress[0] / 1e6;
-        assert!(
-            (found - stress).abs() <= (2e-3_f64 * stress.abs()).max(0.5e-4),
-            "{strain}: {found}"
-        );
         let crack = law.inspect(&[strain, lateral, 0.0], &point.history).cracks[0];
-        let largest = crack.map_or(0.0, |c| 1e3 * c.largest);
-        assert!(
-            (largest - opening).abs() <= (2e-3 * opening).max(0.5e-4),
-            "{strain}: {largest}"
-        );
-    }
+        (response.stress[0], crack)
+    });
 }
 
 /// M3. Proportional plane compression ends on the cone: √J2 + α I1 = k, solved for the ray (1, r).

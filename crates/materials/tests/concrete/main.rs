@@ -4,7 +4,7 @@ mod cracked;
 mod cycles;
 mod uniaxial;
 
-use materials::{Law, Response};
+use materials::{Crack, Law, Response};
 
 /// Pseudo-random numbers, equal on every machine (xorshift of 64 bits).
 struct Noise(u64);
@@ -48,5 +48,37 @@ impl<'a, const N: usize> Point<'a, N> {
         let response = self.law.respond(strain, &self.history, &mut new).unwrap();
         self.history = new;
         response
+    }
+}
+
+/// M5. Strain, stress [MPa] and largest opening [1e-3] of the theory manual under uniaxial stress.
+const SHEET: [(f64, f64, f64); 11] = [
+    (1e-4, 3.4, 0.0),
+    (3e-4, 1.4171, 0.2583),
+    (0.0, 0.0, 0.2583),
+    (-5e-4, -17.0, 0.2583),
+    (3e-4, 1.4171, 0.2583),
+    (6e-4, 0.4489, 0.5868),
+    (-2e-3, -35.0, 0.5868),
+    (-1e-3, -1.0, 0.5868),
+    (0.0, 0.1186, 0.9671),
+    (6e-4, 0.0144, 1.570),
+    (1.2e-3, 0.0018, 2.171),
+];
+
+/// Asserts the path of [`SHEET`]: 0.2 % as asked, or half the last printed digit. `step` returns stress [Pa] and first crack.
+fn follow_the_sheet(mut step: impl FnMut(f64) -> (f64, Option<Crack>)) {
+    for (strain, stress, opening) in SHEET {
+        let (found, crack) = step(strain);
+        let found = found / 1e6;
+        assert!(
+            (found - stress).abs() <= (2e-3_f64 * stress.abs()).max(0.5e-4),
+            "{strain}: {found}"
+        );
+        let largest = crack.map_or(0.0, |c| 1e3 * c.largest);
+        assert!(
+            (largest - opening).abs() <= (2e-3 * opening).max(0.5e-4),
+            "{strain}: {largest}"
+        );
     }
 }

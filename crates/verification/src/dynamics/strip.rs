@@ -201,26 +201,24 @@ impl Strip {
         load: &Load,
         grid: Grid,
     ) -> Result<Vec<f64>, AnalysisError> {
-        let system = self.system.clone().with_damping(Damping::rayleigh(damping));
-        let mut settings = Settings::new(grid);
-        settings.scheme = scheme;
-        let load = std::slice::from_ref(load);
-        let mut found = integrate(
-            &system,
-            &self.symbolic,
-            load,
-            &settings,
-            &self.observables,
-            &[],
-            &Silent,
-        )?;
-        let scalars = found.remove(0).observed.scalars;
+        let found = self.integrated(Damping::rayleigh(damping), scheme, load, grid)?;
+        let scalars = found.observed.scalars;
         Ok(scalars.iter().map(|s| s.extreme.peak().0.abs()).collect())
     }
 
     /// Direct integration with modal damping of all modes.
     pub(super) fn direct(&self, scheme: TimeScheme, load: &Load, grid: Grid) -> Result<Transient, AnalysisError> {
         let damping = Damping::modal(&self.system.mass, &self.modes, &self.ratios(), Rayleigh::NONE)?;
+        self.integrated(damping, scheme, load, grid)
+    }
+
+    fn integrated(
+        &self,
+        damping: Damping,
+        scheme: TimeScheme,
+        load: &Load,
+        grid: Grid,
+    ) -> Result<Transient, AnalysisError> {
         let system = self.system.clone().with_damping(damping);
         let mut settings = Settings::new(grid);
         settings.scheme = scheme;

@@ -309,19 +309,9 @@ pub(super) fn rows(meshes: &[usize]) -> Answer {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Row;
-
-    fn check(rows: Vec<Row>) {
-        let mut failed = 0;
-        for row in &rows {
-            println!("{} {:?}", row.line(), row.convergence);
-            failed += usize::from(!row.holds());
-        }
-        assert_eq!(failed, 0, "run with --nocapture");
-    }
 
     #[test]
     fn rows_hold() {
-        check(rows(&[100, 200, 400]).unwrap());
+        crate::row::assert_held(&rows(&[100, 200, 400]).unwrap());
     }
 }

@@ -286,12 +286,6 @@ mod tests {
 
     #[test]
     fn rows_hold() {
-        let record = crate::test_record();
-        let mut failed = 0;
-        for row in contact(&record, 4.0).unwrap() {
-            println!("{}", row.line());
-            failed += usize::from(!row.holds());
-        }
-        assert_eq!(failed, 0, "run with --nocapture");
+        crate::row::assert_held(&contact(&crate::test_record(), 4.0).unwrap());
     }
 }
