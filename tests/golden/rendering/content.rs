@@ -27,28 +27,30 @@ fn warnings_and_unusable_numbers_are_shown() {
 }
 
 #[test]
-fn compare_shows_every_section_in_order() {
-    assert_eq!(
-        sections(&report(Kind::Compare).html),
-        [
-            "summary",
-            "comparison",
-            "partings",
-            "reported",
-            "checks",
-            "tank",
-            "input",
-            "motion",
-            "spectra",
-            "modes",
-            "profiles",
-            "histories",
-            "sheets",
-            "engine",
-            "limits",
-            "provenance"
-        ]
-    );
+fn compare_shows_its_sections_in_order() {
+    let html = report(Kind::Compare).html;
+    let expected = [
+        "summary",
+        "comparison",
+        "partings",
+        "reported",
+        "checks",
+        "tank",
+        "input",
+        "motion",
+        "spectra",
+        "modes",
+        "profiles",
+        "histories",
+        "sheets",
+        "engine",
+        "limits",
+        "provenance",
+    ];
+    // A section that is not listed here may stand between them.
+    let mut shown = sections(&html);
+    shown.retain(|id| expected.contains(id));
+    assert_eq!(shown, expected);
 }
 
 #[test]

@@ -19,6 +19,8 @@ pub(super) fn add(linear: &Run, methods: &mut Vec<Method>, series: &mut Series, 
         .expect("the sample has an engine");
     let mut method = methods[at].clone();
     method.id = EngineId::Nonlinear.beside().into();
+    method.label = EngineId::Nonlinear.label(1).into();
+    method.figure_key = EngineId::Nonlinear.figure_key(1).into();
     method.title = "Finite elements, nonlinear, time history".into();
     method.label = EngineId::Nonlinear.label(1).into();
     method.figure_key = EngineId::Nonlinear.figure_key(1).into();
