@@ -76,18 +76,18 @@ impl State<'_> {
         scale * rigid.hypot(breathing)
     }
 
-    pub fn pressure_hydrostatic(&self, z: f64) -> f64 {
+    pub(super) fn pressure_hydrostatic(&self, z: f64) -> f64 {
         self.liquid.density * self.gravity * (self.liquid.fill_height - z).max(0.0)
     }
 
     /// Smallest and largest interior pressure of a combination.
-    pub fn pressure_range(&self, z: f64, (x, v): Factors) -> (f64, f64) {
+    pub(super) fn pressure_range(&self, z: f64, (x, v): Factors) -> (f64, f64) {
         let still = self.pressure_hydrostatic(z);
         let seismic = x * self.pressure_horizontal(z) + v * self.pressure_vertical(z);
         (still - seismic, still + seismic)
     }
 
-    pub fn combinations(&self, vertical: bool) -> &'static [Factors] {
+    pub(super) fn combinations(&self, vertical: bool) -> &'static [Factors] {
         if vertical {
             &[(1.0, 0.3), (0.3, 1.0)]
         } else {
@@ -130,18 +130,18 @@ impl State<'_> {
     }
 
     /// Largest seismic axial force per length at z [N/m].
-    pub fn axial(&self, z: f64) -> f64 {
+    pub(super) fn axial(&self, z: f64) -> f64 {
         let moment = if z == 0.0 { self.base_moment } else { self.moment(z) };
         moment / (PI * self.radius * self.radius)
     }
 
     /// Axial force per length of the weight above z [N/m].
-    pub fn weight(&self, z: f64) -> f64 {
+    pub(super) fn weight(&self, z: f64) -> f64 {
         self.mass_above(z).0 * self.gravity / (2.0 * PI * self.radius)
     }
 
     /// `1 ± v A_v/g` on the weight.
-    pub fn weight_factor(&self, v: f64) -> f64 {
+    pub(super) fn weight_factor(&self, v: f64) -> f64 {
         1.0 + v * self.motion.ground / self.gravity
     }
 }

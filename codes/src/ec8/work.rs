@@ -45,7 +45,7 @@ pub(super) fn combined(method: Combination, impulsive: f64, convective: f64) -> 
 
 impl Work<'_> {
     /// Section on tank and liquid; `symbol` is R or L. Returns the slenderness γ.
-    pub fn tank(&mut self, symbol: &str, name: &str, half_length: f64) -> f64 {
+    pub(super) fn tank(&mut self, symbol: &str, name: &str, half_length: f64) -> f64 {
         let case = self.case;
         let depth = case.liquid.fill_height;
         let sheet = &mut self.sheet;
@@ -88,21 +88,21 @@ impl Work<'_> {
     }
 
     /// Acceleration of the impulsive part [m/s²] at a period [s]; adds its line.
-    pub fn impulsive(&mut self, symbol: &str, period: f64) -> f64 {
+    pub(super) fn impulsive(&mut self, symbol: &str, period: f64) -> f64 {
         let (sheet, notes) = (&mut self.sheet, &mut self.out.notes);
         self.demand
             .impulsive(sheet, notes, symbol, period, self.case.damping.impulsive)
     }
 
     /// Acceleration of a sloshing mode [m/s²] at a period [s]; adds its line.
-    pub fn convective(&mut self, symbol: &str, period: f64) -> f64 {
+    pub(super) fn convective(&mut self, symbol: &str, period: f64) -> f64 {
         let (sheet, notes) = (&mut self.sheet, &mut self.out.notes);
         self.demand
             .convective(sheet, notes, symbol, period, self.case.damping.sloshing)
     }
 
     /// A line for a ratio that is looked up and one for its product with `whole`. Returns the product.
-    pub fn share(&mut self, (symbol, name): (&str, &str), whole: Term, ratio: Ratio, clause: &str) -> f64 {
+    pub(super) fn share(&mut self, (symbol, name): (&str, &str), whole: Term, ratio: Ratio, clause: &str) -> f64 {
         let (of, _, dimension) = whole;
         let what = format!("{name}, share of {of}");
         let Ratio {
@@ -118,7 +118,7 @@ impl Work<'_> {
 
     /// Lines of the impulsive part of a rigid tank: mass, and levers without and with the base. `series` are the sources of
     /// their ratios to liquid mass and depth.
-    pub fn rigid_part(&mut self, rigid: Lumped, series: [&str; 3], clause: &str) -> Lumped {
+    pub(super) fn rigid_part(&mut self, rigid: Lumped, series: [&str; 3], clause: &str) -> Lumped {
         self.sheet.section("Liquid in a rigid tank");
         let (mass, depth) = (("m", self.mass, Mass), ("H", self.case.liquid.fill_height, Length));
         let [m, lever, lever_with_base] = series;
@@ -141,7 +141,7 @@ impl Work<'_> {
     /// Wave height `d = c·a·S_e(T_c1)/g`; with the second mode for information. Adds quantity and freeboard check.
     ///
     /// * `factors`: c of the first and the second mode, as written
-    pub fn wave(&mut self, symbol: &str, factors: [&str; 2], clause: &str, s_1: f64, s_2: f64) {
+    pub(super) fn wave(&mut self, symbol: &str, factors: [&str; 2], clause: &str, s_1: f64, s_2: f64) {
         let half_length = self.case.tank.shape.half_length();
         let clause = self.edition.clause(clause);
         self.sheet.section("Wave height");
@@ -165,7 +165,7 @@ impl Work<'_> {
     }
 
     /// Base shear and moments; adds lines and quantities. Returns the moment just above the base plate [N·m].
-    pub fn resultants(&mut self, masses: &Masses, a_i: f64, a_c: f64, clause: &str) -> f64 {
+    pub(super) fn resultants(&mut self, masses: &Masses, a_i: f64, a_c: f64, clause: &str) -> f64 {
         let case = self.case;
         let (m_w, h_w) = (case.tank.wall_mass(), case.tank.wall_centroid());
         let (m_r, h_r) = (case.tank.roof.mass, case.tank.roof_height());
@@ -237,7 +237,7 @@ impl Work<'_> {
     }
 
     /// Adds a check.
-    pub fn check(
+    pub(super) fn check(
         &mut self,
         id: &str,
         name: &str,
@@ -253,7 +253,14 @@ impl Work<'_> {
     }
 
     /// Adds a profile over the heights `z`.
-    pub fn profile(&mut self, id: &str, title: &str, dimension: Dimension, z: &[f64], value: impl Fn(f64) -> f64) {
+    pub(super) fn profile(
+        &mut self,
+        id: &str,
+        title: &str,
+        dimension: Dimension,
+        z: &[f64],
+        value: impl Fn(f64) -> f64,
+    ) {
         self.out.profiles.push(Profile {
             id: id.into(),
             title: title.into(),
@@ -264,7 +271,7 @@ impl Work<'_> {
     }
 
     /// Heights of the profiles: 40 steps over the depth, and both sides of every joint of courses below the surface.
-    pub fn heights(&self) -> Vec<f64> {
+    pub(super) fn heights(&self) -> Vec<f64> {
         let depth = self.case.liquid.fill_height;
         let mut z: Vec<f64> = (0..=40).map(|i| depth * f64::from(i) / 40.0).collect();
         let mut joint = 0.0;

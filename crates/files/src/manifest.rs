@@ -16,7 +16,7 @@ const FORMAT: &str = "tankcheck-manifest/1";
 
 /// Files of a folder that this program wrote.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Manifest {
+pub(crate) struct Manifest {
     format: String,
     /// Kind of the results ([`super::Kind::id`]).
     pub kind: String,
@@ -26,7 +26,7 @@ pub struct Manifest {
 
 /// State of the manifest in a folder.
 #[derive(Debug)]
-pub enum Found {
+pub(crate) enum Found {
     /// Absent.
     None,
     /// A manifest of this program.
@@ -39,7 +39,7 @@ impl Manifest {
     /// The manifest of the files below `folder`.
     ///
     /// Errors: a file that cannot be read.
-    pub fn of(folder: &Path, kind: &str) -> Result<Manifest, Error> {
+    pub(crate) fn of(folder: &Path, kind: &str) -> Result<Manifest, Error> {
         let mut files = BTreeMap::new();
         for path in files_below(folder).map_err(|e| unwritten(folder, &e))? {
             let hash = hash(&folder.join(&path)).map_err(|e| unwritten(&path, &e))?;
@@ -53,7 +53,7 @@ impl Manifest {
     }
 
     /// Reads the manifest of a folder.
-    pub fn find(folder: &Path) -> Found {
+    pub(crate) fn find(folder: &Path) -> Found {
         match std::fs::read_to_string(folder.join(MANIFEST_FILE)) {
             Err(e) if e.kind() == std::io::ErrorKind::NotFound => Found::None,
             Err(_) => Found::Foreign,
@@ -73,19 +73,19 @@ impl Manifest {
     }
 
     /// As text.
-    pub fn text(&self) -> Result<String, Error> {
+    pub(crate) fn text(&self) -> Result<String, Error> {
         let text = serde_json::to_string_pretty(self).map_err(|e| Error::Report(e.to_string()))?;
         Ok(text + "\n")
     }
 
     /// Whether a file or a folder of files of this name is in it.
-    pub fn has(&self, name: &str) -> bool {
+    pub(crate) fn has(&self, name: &str) -> bool {
         let folder = format!("{name}/");
         self.files.contains_key(name) || self.files.keys().any(|k| k.starts_with(&folder))
     }
 
     /// The first file of `folder` that exists but differs from the manifest, among those that `counts` accepts.
-    pub fn changed(&self, folder: &Path, counts: impl Fn(&str) -> bool) -> Option<&str> {
+    pub(crate) fn changed(&self, folder: &Path, counts: impl Fn(&str) -> bool) -> Option<&str> {
         let differs = |(name, written): &(&String, &String)| {
             let path = folder.join(name);
             counts(name) && path.symlink_metadata().is_ok() && !hash(&path).is_ok_and(|h| h == **written)
@@ -95,13 +95,13 @@ impl Manifest {
 }
 
 /// A relative path as a key of the manifest.
-pub fn key(path: &Path) -> String {
+pub(crate) fn key(path: &Path) -> String {
     let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy()).collect();
     parts.join("/")
 }
 
 /// The path of a key.
-pub fn path(key: &str) -> PathBuf {
+pub(crate) fn path(key: &str) -> PathBuf {
     key.split('/').collect()
 }
 

@@ -108,7 +108,7 @@ impl Staging {
     /// Creates one in `home` for the results of `target`.
     ///
     /// Errors: those of the file system.
-    pub fn new(home: &Path, name: &str, target: &Path) -> std::io::Result<Staging> {
+    pub(crate) fn new(home: &Path, name: &str, target: &Path) -> std::io::Result<Staging> {
         let target = std::path::absolute(target)?;
         let process = std::process::id();
         let mut ledger = ledger();
@@ -155,14 +155,14 @@ impl Staging {
     }
 
     /// Folder of the new files.
-    pub fn files(&self) -> PathBuf {
+    pub(crate) fn files(&self) -> PathBuf {
         self.folder.join(FILES)
     }
 
     /// Moves the files to the target. Once started, the commit is finished by this process or by the next run.
     ///
     /// Errors: those of the file system.
-    pub fn move_on(&self, commit: &Commit) -> std::io::Result<()> {
+    pub(crate) fn move_on(&self, commit: &Commit) -> std::io::Result<()> {
         let text = serde_json::to_vec(commit)?;
         let path = self.folder.join(COMMIT);
         let beside = self.folder.join("commit.part");

@@ -132,11 +132,11 @@ mod unit_symbol {
     use serde::{Deserialize, Deserializer, Serializer, de::Error};
     use tank::units::Dimension;
 
-    pub fn serialize<S: Serializer>(d: &Dimension, s: S) -> Result<S::Ok, S::Error> {
+    pub(crate) fn serialize<S: Serializer>(d: &Dimension, s: S) -> Result<S::Ok, S::Error> {
         s.serialize_str(d.si_symbol())
     }
 
-    pub fn deserialize<'de, D: Deserializer<'de>>(d: D) -> Result<Dimension, D::Error> {
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(d: D) -> Result<Dimension, D::Error> {
         let text = String::deserialize(d)?;
         Dimension::from_si_symbol(&text).ok_or_else(|| D::Error::custom(format!("unknown unit `{text}`")))
     }

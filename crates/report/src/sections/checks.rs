@@ -30,7 +30,7 @@ struct Row {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let groups: Vec<Group> = source
         .results
         .methods

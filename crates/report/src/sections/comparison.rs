@@ -43,7 +43,7 @@ struct Absent {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let results = source.results;
     let given = |m: &Method| !m.quantities.is_empty();
     let columns: Vec<usize> = figure_order(results)

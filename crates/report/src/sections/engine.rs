@@ -18,7 +18,7 @@ struct Pair {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let Some(fe) = source.results.reference() else {
         return Ok(None);
     };

@@ -32,7 +32,7 @@ fn is_ground(info: &SeriesInfo) -> bool {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let Some(fe) = source.results.reference() else {
         return Ok(None);
     };
@@ -102,7 +102,7 @@ pub fn make(source: &Source) -> Result<Option<Section>, Error> {
 }
 
 /// A history as a figure, its largest absolute value marked; `None` if the column is empty.
-pub fn history(
+pub(super) fn history(
     source: &Source,
     id: &str,
     title: &str,

@@ -14,7 +14,7 @@ struct Row {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let rows: Vec<Row> = source
         .results
         .input

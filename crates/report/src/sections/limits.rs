@@ -20,7 +20,7 @@ struct Row {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let results = source.results;
     let of = |(number, run): (usize, &Run)| -> Vec<(Limit, String)> {
         let name = match number {

@@ -14,7 +14,7 @@ use results::{Mode, Run};
 const ROWS: usize = 6;
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let Some(fe) = source.results.reference().filter(|fe| !fe.modes.is_empty()) else {
         return Ok(None);
     };

@@ -20,7 +20,7 @@ struct Record {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let records = &source.results.records;
     if records.is_empty() {
         return Ok(None);

@@ -19,7 +19,7 @@ struct Item {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let mut groups: Vec<Group> = Vec::new();
     for difference in &source.results.comparison.differences {
         let Some(first) = difference.ratios.first() else {

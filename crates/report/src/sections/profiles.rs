@@ -39,7 +39,7 @@ struct Group<'a> {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let mut groups: BTreeMap<(usize, &str), Group> = BTreeMap::new();
     let rank = |id: &str| ORDER.iter().position(|o| *o == id).unwrap_or(ORDER.len());
     if let Some(fe) = source.results.reference() {

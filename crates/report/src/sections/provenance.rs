@@ -23,7 +23,7 @@ struct Volatile {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let results = source.results;
     let files: Vec<File> = results
         .files

@@ -19,7 +19,7 @@ struct Row {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let computed = |id: &str| source.fe().and_then(|m| m.quantities.get(id)).map(|v| v.value);
     let mut rows = Vec::new();
     let mut remarks: Vec<String> = Vec::new();

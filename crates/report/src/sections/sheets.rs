@@ -53,7 +53,7 @@ struct LineView {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let mut sheets: Vec<Sheet> = source
         .results
         .methods

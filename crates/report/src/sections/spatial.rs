@@ -19,7 +19,7 @@ const SWING: f64 = 0.12;
 const OVERLAID: [overlay::Kind; 3] = [overlay::WAVE, overlay::BASE_SHEAR, overlay::BASE_MOMENT];
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let results = source.results;
     let solid = results.beside(EngineId::Solid);
     let fields = solid.or(results.reference()).and_then(|fe| fe.fields.as_ref());

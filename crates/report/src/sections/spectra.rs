@@ -12,7 +12,7 @@ use files::error::Error;
 use results::SpectrumCurve;
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let curves: Vec<&SpectrumCurve> = source
         .results
         .spectra

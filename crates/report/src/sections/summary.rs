@@ -58,7 +58,7 @@ struct Warning {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let results = source.results;
     let mut section = Section::new("summary");
     section.set("name", &results.name);
@@ -115,7 +115,7 @@ fn governing(results: &Results) -> Option<Governing> {
 }
 
 /// Length of a utilisation bar in percent of its track, on which 100 % utilisation lies at two thirds.
-pub fn bar_width(utilisation: f64) -> f64 {
+pub(super) fn bar_width(utilisation: f64) -> f64 {
     if utilisation.is_finite() {
         (utilisation.max(0.0) * 200.0 / 3.0).min(100.0).round()
     } else {

@@ -20,7 +20,7 @@ struct Deformability {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let summary = &source.results.tank;
     let tank = &summary.tank;
     let mut section = Section::new("tank");

@@ -49,7 +49,7 @@ enum Cause {
 }
 
 /// One difference a cause and method, the engines first.
-pub fn attribute(methods: &[Method], rows: &[ComparisonRow], context: &Context) -> Vec<Difference> {
+pub(super) fn attribute(methods: &[Method], rows: &[ComparisonRow], context: &Context) -> Vec<Difference> {
     let mut found = Vec::new();
     let mut modal_maxima = modal_maxima(context);
     found.extend(engines(methods, rows, context));

@@ -36,7 +36,7 @@ struct Outcome {
 }
 
 /// Makes the section.
-pub fn make(source: &Source) -> Result<Option<Section>, Error> {
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let Some(fe) = source.results.beside(EngineId::Nonlinear) else {
         return Ok(None);
     };
