@@ -294,7 +294,7 @@ fn a_checkpoint_of_another_run_is_refused() {
         };
         let text = error.to_string();
         assert!(
-            text.contains("push.checkpoint") && text.contains("help: leave --resume out"),
+            text.contains("push.checkpoint") && text.contains("help: omit --resume"),
             "{text}"
         );
         let FeError::Checkpoint(fault) = error else {
