@@ -55,7 +55,7 @@ fn refused(folder: &Path, tank: &str, stdin: Option<&str>) -> String {
 }
 
 /// The message for a file with this content.
-pub fn message(content: impl AsRef<[u8]>) -> String {
+pub(crate) fn message(content: impl AsRef<[u8]>) -> String {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("tank.json"), content).unwrap();
     refused(folder.path(), "tank.json", None)
@@ -71,7 +71,7 @@ fn spoiled(from: &str, to: &str) -> String {
     message(GOOD.replace(from, to))
 }
 
-pub fn has(message: &str, parts: &[&str]) {
+pub(crate) fn has(message: &str, parts: &[&str]) {
     for part in parts {
         assert!(message.contains(part), "`{part}` is missing in\n{message}");
     }

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 /// Runs tankcheck with the repository as working folder.
-pub fn tankcheck(arguments: &[&str]) -> Output {
+pub(crate) fn tankcheck(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_tankcheck"))
         .args(arguments)
         .current_dir(env!("CARGO_MANIFEST_DIR"))
@@ -13,7 +13,7 @@ pub fn tankcheck(arguments: &[&str]) -> Output {
 }
 
 /// Standard error as text.
-pub fn stderr(output: &Output) -> String {
+pub(crate) fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 

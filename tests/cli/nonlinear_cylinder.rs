@@ -177,10 +177,7 @@ fn resumed_is_uninterrupted() {
     assert_eq!(refused.status.code(), Some(2), "{message}");
     has(
         &message,
-        &[
-            "part.checkpoint cannot be used: of another run",
-            "help: omit --resume",
-        ],
+        &["part.checkpoint cannot be used: of another run", "help: omit --resume"],
     );
     assert_eq!(std::fs::read(&checkpoint).expect("kept"), sound);
 

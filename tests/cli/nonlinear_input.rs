@@ -12,7 +12,7 @@ use tankcheck::input::tank::parse;
 use super::bad_tank::has;
 
 /// A valid file; the cases below spoil it in one place.
-pub const GOOD: &str = r#"{
+pub(crate) const GOOD: &str = r#"{
   "name": "sandwich",
   "tank": {
     "shape": "cylinder",
@@ -44,13 +44,13 @@ pub const GOOD: &str = r#"{
 }
 "#;
 
-pub fn read(text: &str) -> TankFile {
+pub(crate) fn read(text: &str) -> TankFile {
     let source = Source::new("tank.json", text);
     parse(&source).unwrap_or_else(|faults| panic!("{}", faults.render(&source, false)))
 }
 
 /// The good file with one passage replaced.
-pub fn changed(from: &str, to: &str) -> String {
+pub(crate) fn changed(from: &str, to: &str) -> String {
     assert_eq!(
         GOOD.matches(from).count(),
         1,
@@ -60,7 +60,7 @@ pub fn changed(from: &str, to: &str) -> String {
 }
 
 /// The message for the good file with one passage replaced, without running the program.
-pub fn spoiled(from: &str, to: &str) -> String {
+pub(crate) fn spoiled(from: &str, to: &str) -> String {
     let source = Source::new("tank.json", changed(from, to));
     let faults = parse(&source).expect_err("a fault");
     let text = faults.render(&source, false);

@@ -3,7 +3,7 @@
 use results::{Resultants, Snapshot, Snapshots};
 
 /// Two hexahedra on each other and the two faces of one side, at two moments; node 3 does not belong to a drawn cell.
-pub fn snapshots() -> Snapshots {
+pub(crate) fn snapshots() -> Snapshots {
     let mut nodes = Vec::new();
     for z in 0..3 {
         for (x, y) in [(0.0, 0.0), (1.0, 0.0), (1.0, 2.0), (0.0, 2.0)] {

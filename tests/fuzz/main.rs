@@ -7,6 +7,7 @@
 //! `TANKCHECK_FUZZ_SECONDS=60 cargo test --test fuzz` runs each target so long, with another seed each time (printed), or with
 //! that of `TANKCHECK_FUZZ_SEED`; without it a fixed number of inputs from a fixed seed.
 
+#[allow(unreachable_pub, reason = "the items of a library")]
 #[path = "../../fuzz/src/lib.rs"]
 #[allow(dead_code)]
 mod targets;

@@ -87,7 +87,12 @@ fn sources(root: &Path, src: &Path) -> BTreeMap<Module, Source> {
             if module.iter().any(|part| part.contains("test")) {
                 continue;
             }
-            if matches!(module.last().map(String::as_str), Some("mod" | "lib" | "main")) {
+            assert!(
+                !relative.ends_with("mod"),
+                "{}: a module stands in `x.rs` beside `x/`",
+                path.display()
+            );
+            if matches!(module.last().map(String::as_str), Some("lib" | "main")) {
                 module.pop();
             }
             let text = code(&std::fs::read_to_string(&path).expect("readable"));

@@ -40,7 +40,7 @@ fn rendered(folder: &Path, kind: Kind) -> PathBuf {
     report::render(folder, None).expect("the sample renders")
 }
 
-pub fn it_prints_to_clean_pages(program: &Path) {
+pub(crate) fn it_prints_to_clean_pages(program: &Path) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for (kind, pages) in [
         (Kind::Compare, 15..=40),
@@ -134,7 +134,7 @@ addEventListener("load", () => {
 </script>
 "##;
 
-pub fn nothing_is_cut_off_on_screen_phone_and_paper(program: &Path) {
+pub(crate) fn nothing_is_cut_off_on_screen_phone_and_paper(program: &Path) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for kind in [Kind::Compare, Kind::Check, Kind::Rectangle, Kind::Nonlinear] {
         let report = rendered(folder.path(), kind);
@@ -179,7 +179,7 @@ pub fn nothing_is_cut_off_on_screen_phone_and_paper(program: &Path) {
 }
 
 /// Writes the samples and their reports for looking at them: `TANKCHECK_LOOK=folder cargo test --test tools look`
-pub fn look(folder: &Path) {
+pub(crate) fn look(folder: &Path) {
     let names = [
         (Kind::Compare, "Broad tank of Manos and Clough, 1982", "compare"),
         (Kind::Check, "Broad tank, codes alone", "check"),

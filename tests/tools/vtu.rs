@@ -34,7 +34,7 @@ assert values == [[1, 2], [2, 2], [3, 3], [4, 4], [5, 5], [6, 6], [0.875, 0.875]
 print("read back")
 "#;
 
-pub fn meshio_reads_what_is_written(python: &Path) {
+pub(crate) fn meshio_reads_what_is_written(python: &Path) {
     let home = tempfile::tempdir().expect("a temporary folder");
     vtu::write(home.path(), &sample::snapshots()).expect("writable");
     let read = Command::new(python)

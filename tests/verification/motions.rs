@@ -3,7 +3,7 @@
 use oscillator::record::Record;
 
 /// A record from its accelerations [m/s²].
-pub fn record(dt: f64, acceleration: Vec<f64>) -> Record {
+pub(crate) fn record(dt: f64, acceleration: Vec<f64>) -> Record {
     Record {
         name: "made by formula".into(),
         dt,
@@ -14,7 +14,7 @@ pub fn record(dt: f64, acceleration: Vec<f64>) -> Record {
 
 /// Broad-band motion of peak about 0.3 g: 120 sines from 0.15 to 20 Hz with scattered phases under a strong-motion
 /// envelope, `duration` [s] long. Deterministic.
-pub fn broad_band(dt: f64, duration: f64) -> Record {
+pub(crate) fn broad_band(dt: f64, duration: f64) -> Record {
     let mut seed = 12345_u64;
     let mut random = || {
         // Knuth's MMIX generator, upper bits.
@@ -44,7 +44,7 @@ pub fn broad_band(dt: f64, duration: f64) -> Record {
 }
 
 /// Harmonic ground displacement u₀ sin Ωt that swells over `swell` [s]; its acceleration is the exact second derivative.
-pub fn swelling_harmonic(dt: f64, duration: f64, amplitude: f64, omega: f64, swell: f64) -> Record {
+pub(crate) fn swelling_harmonic(dt: f64, duration: f64, amplitude: f64, omega: f64, swell: f64) -> Record {
     let samples = (duration / dt) as usize;
     let acceleration = (0..=samples).map(|k| {
         let t = k as f64 * dt;
@@ -67,7 +67,7 @@ pub fn swelling_harmonic(dt: f64, duration: f64, amplitude: f64, omega: f64, swe
 
 /// Acceleration that rises to `level` [m/s²] so slowly, with a smooth start and end over `rise` [s], that everything
 /// follows statically; it stays there for `rest` [s] and falls as slowly.
-pub fn slow_pulse(dt: f64, level: f64, rise: f64, rest: f64) -> Record {
+pub(crate) fn slow_pulse(dt: f64, level: f64, rise: f64, rest: f64) -> Record {
     let samples = ((2.0 * rise + rest) / dt) as usize;
     let acceleration = (0..=samples).map(|k| {
         let t = k as f64 * dt;

@@ -14,19 +14,19 @@ use verification::tanks::rigid::RigidTank;
 use crate::tanks::{GRAVITY, assert_close};
 
 /// Zeros λ of J₁'.
-pub const ZEROS_1: [f64; 5] = [1.841183781, 5.331442774, 8.536316366, 11.706004903, 14.863588634];
+pub(crate) const ZEROS_1: [f64; 5] = [1.841183781, 5.331442774, 8.536316366, 11.706004903, 14.863588634];
 /// Zeros λ of J₀' (but 0).
 const ZEROS_0: [f64; 2] = [3.831705970, 7.015586670];
 /// First zero λ of J₃'.
 const ZERO_3: f64 = 4.201188941;
 
 /// A rigid cylinder on the default mesh, refined by `refine`.
-pub fn tank(radius: f64, depth: f64, harmonic: u32, refine: f64) -> RigidTank {
+pub(crate) fn tank(radius: f64, depth: f64, harmonic: u32, refine: f64) -> RigidTank {
     RigidTank::new(Domain::Cylinder { radius, harmonic }, depth, GRAVITY, refine).unwrap()
 }
 
 /// Sloshing frequencies with a rigid wall [rad/s].
-pub fn sloshing(tank: &RigidTank) -> Vec<f64> {
+pub(crate) fn sloshing(tank: &RigidTank) -> Vec<f64> {
     tank.sloshing().unwrap()
 }
 

@@ -2,10 +2,10 @@
 
 use engines::Simulation;
 
-pub use tank::reference::{GRAVITY, broad, case, material, slender};
+pub(crate) use tank::reference::{GRAVITY, broad, case, material, slender};
 
 /// |value/reference − 1| ≤ tolerance, with a message that shows both.
-pub fn assert_close(what: &str, value: f64, reference: f64, tolerance: f64) {
+pub(crate) fn assert_close(what: &str, value: f64, reference: f64, tolerance: f64) {
     let error = value / reference - 1.0;
     assert!(
         error.abs() <= tolerance,

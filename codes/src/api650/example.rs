@@ -10,7 +10,7 @@ pub(super) use crate::samples::near as close;
 use crate::samples::{self, course};
 
 /// Steel with E = 210 GPa, F_y = F_ty = 235 MPa; S_d = 157 MPa serves the hoop check only.
-pub fn steel() -> Material {
+pub(super) fn steel() -> Material {
     Material {
         yield_strength: Some(235e6),
         allowable_stress: Some(157e6),
@@ -19,7 +19,7 @@ pub fn steel() -> Material {
 }
 
 /// The tank with g = 9.81 m/s², self-anchored, site of [`site`], no record.
-pub fn case() -> Case {
+pub(super) fn case() -> Case {
     let courses = [0.014, 0.012, 0.010, 0.008, 0.008, 0.008].map(|thickness| course(2.4, thickness, steel()));
     let mut case = samples::case(Shape::Cylinder { radius: 15.0 }, courses.to_vec(), 12.0, None);
     case.liquid.density = 900.0;
@@ -37,7 +37,7 @@ pub fn case() -> Case {
 }
 
 /// The case with a decaying oscillation of 0.3 g around 2.5 Hz as its record.
-pub fn with_record(mut case: Case) -> Case {
+pub(super) fn with_record(mut case: Case) -> Case {
     let acceleration = (0..1000)
         .map(|i| f64::from(i) * 0.02)
         .map(|t| 0.3 * 9.81 * (15.7 * t).sin() * (-0.2 * t).exp() + 0.1 * 9.81 * (1.1 * t).sin() * (-0.1 * t).exp())
@@ -56,7 +56,7 @@ pub fn with_record(mut case: Case) -> Case {
 }
 
 /// Value of the first line with this symbol.
-pub fn line(out: &Assessment, symbol: &str) -> f64 {
+pub(super) fn line(out: &Assessment, symbol: &str) -> f64 {
     out.steps
         .iter()
         .find(|s| s.symbol == symbol)

@@ -10,15 +10,15 @@ use tank::case::{
 use tank::{Anchors, Behaviour, Bottom, Course, Liquid, Material, Roof, Shape, Support, Tank};
 
 /// Number of cases.
-pub const COUNT: u64 = 240;
+pub(crate) const COUNT: u64 = 240;
 
 /// The family.
-pub fn cases() -> impl Iterator<Item = Case> {
+pub(crate) fn cases() -> impl Iterator<Item = Case> {
     (0..COUNT).map(|number| Draw(number.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1).case())
 }
 
 /// A tank of 20 m diameter with everything given, for a ratio H/R.
-pub fn of_slenderness(slenderness: f64) -> Case {
+pub(crate) fn of_slenderness(slenderness: f64) -> Case {
     let mut case = Draw(1).case();
     let depth = 10.0 * slenderness;
     case.tank.shape = Shape::Cylinder { radius: 10.0 };

@@ -22,7 +22,7 @@ const STEPS: usize = 2500;
 
 /// Variant of the sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// `compare`: everything.
     Compare,
     /// `check`: no engine, no record.
@@ -38,7 +38,7 @@ pub enum Kind {
 }
 
 /// Results and series of this kind, with this title.
-pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
+pub(crate) fn sample(kind: Kind, name: &str) -> (Results, Series) {
     let tank = tank(kind);
     let liquid = Liquid {
         density: 1000.0,
@@ -216,7 +216,7 @@ pub fn sample(kind: Kind, name: &str) -> (Results, Series) {
 }
 
 /// Writes a sample into a folder.
-pub fn write(folder: &std::path::Path, kind: Kind, name: &str) {
+pub(crate) fn write(folder: &std::path::Path, kind: Kind, name: &str) {
     let (results, series) = sample(kind, name);
     results::write(folder, &results, &series).expect("a temporary folder can be written");
 }

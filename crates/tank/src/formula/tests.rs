@@ -316,7 +316,7 @@ mod trees {
     }
 
     /// Any tree.
-    pub fn any_tree() -> impl Strategy<Value = Sum> {
+    pub(super) fn any_tree() -> impl Strategy<Value = Sum> {
         sums(primary().boxed())
     }
 }

@@ -38,7 +38,7 @@ macro_rules! sections {
         /// Their templates by name.
         pub(crate) const TEMPLATES: &[(&str, &str)] = &[$((
             concat!("sections/", stringify!($id), ".html"),
-            include_str!(concat!("../../../../templates/sections/", stringify!($id), ".html")),
+            include_str!(concat!("../../../templates/sections/", stringify!($id), ".html")),
         )),+];
     };
 }
