@@ -1,7 +1,9 @@
 //! The error of the whole program.
 
 use engines::FeError;
-pub use files::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_INPUT, EXIT_INTERRUPTED, EXIT_OK, describe};
+pub use files::error::{
+    EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_INPUT, EXIT_INTERRUPTED, EXIT_NOT_CHECKED, EXIT_OK, describe,
+};
 
 /// Any failure the command line reports.
 #[derive(Debug, thiserror::Error)]

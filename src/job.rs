@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use tank::Case;
+use tank::check::Decision;
 use tank::refusal::Refusal;
 
 use crate::input::TankFile;
@@ -36,6 +37,8 @@ pub struct Job {
     pub case: Case,
     /// Ids of the procedures to run, in report order.
     pub procedures: Vec<String>,
+    /// Who decides, and which gaps are accepted.
+    pub decision: Decision,
     /// Engines that run, in this order; ratios refer to the first. Empty in `check`.
     pub engines: Vec<EngineId>,
     /// Options of the linear engines.

@@ -1,6 +1,7 @@
 //! The whole flow of a verification in one function. Procedures and engine use the same [`Job`] and are
 //! independent of each other; [`compare`] joins their results.
 
+mod decision;
 mod motion;
 mod runs;
 mod series;
@@ -21,7 +22,7 @@ use engines::{Simulation, engine};
 use results::compare::{self, Context, Incomplete};
 use results::{
     Deformability, EngineId, FORMAT, Method, RecordSummary, Results, Run, Series, Snapshots, Status, TankSummary,
-    Value, Verdict, Volatile, finite,
+    Value, Volatile, finite,
 };
 
 /// Ids of the procedures to run, in report order; an empty list means all.
@@ -85,10 +86,10 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     for (number, run) in runs.iter().enumerate() {
         comparison.mark_unusable(&methods, run.engine.column(number), &run.mesh_error);
     }
-    let mut verdict: Verdict = compare::verdict(&methods);
-    verdict.cause = runs::incomplete(missing, &runs);
-    verdict.incomplete = verdict.cause.is_some() || runs.iter().any(|run| run.incomplete);
-    verdict.holds &= !verdict.incomplete;
+    let cause = runs::incomplete(missing, &runs);
+    let unfinished = cause.is_some() || runs.iter().any(|run| run.incomplete);
+    let verdict = results::verdict(&methods, decision::deciding(job, &methods), unfinished, cause);
+    let warnings = [job.warnings.clone(), decision::unused(job, &methods)].concat();
     let results = Results {
         format: FORMAT.into(),
         volatile: Volatile {
@@ -116,7 +117,7 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         runs,
         comparison,
         verdict,
-        warnings: job.warnings.clone(),
+        warnings,
     };
     finite::check_results(&results)?;
     Ok(Outcome {
@@ -190,6 +191,10 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
     if let (Status::Computed, Some(layered)) = (&status, layers(job)) {
         assumptions.push(layered.into());
     }
+    let checks = match status {
+        Status::Computed => decision::checks(procedure, job, excitation, assessment.checks),
+        Status::NotApplicable { .. } => Vec::new(),
+    };
     let label = procedure.label();
     Ok(Method {
         label: label.short.into(),
@@ -197,7 +202,7 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
         status,
         quantities: quantities(&assessment.values),
         steps: assessment.steps,
-        checks: assessment.checks,
+        checks,
         profiles: assessment.profiles,
         assumptions,
         notes: assessment.notes,

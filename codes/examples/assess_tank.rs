@@ -34,13 +34,9 @@ fn main() {
                         println!("  {:<44} {}", quantity.title(), display(*value, quantity.dimension()));
                     }
                 }
-                for check in &assessment.checks {
-                    println!(
-                        "  {:<44} {} of {}",
-                        check.name,
-                        display(check.demand, check.dimension),
-                        display(check.capacity, check.dimension)
-                    );
+                for check in tank::check::complete(&procedure.limit_states(&case), assessment.checks) {
+                    let ratio = check.ratio().map(|ratio| format!("{ratio:.2} ")).unwrap_or_default();
+                    println!("  {:<44} {:?} {ratio}{}", check.name, check.status, check.reason);
                 }
             }
             Err(reason) => println!("{title}\n  {reason}"),

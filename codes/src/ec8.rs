@@ -26,6 +26,7 @@ pub mod demand;
 #[cfg(test)]
 mod example;
 pub mod flexible;
+mod limit_states;
 pub mod plate;
 #[cfg(test)]
 mod properties;
@@ -49,7 +50,7 @@ use crate::sheet::Sheet;
 use spectrum::ElasticSpectrum;
 use tank::Shape;
 use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
-use tank::assessment::{Assessment, Excitation, NotApplicable};
+use tank::assessment::{Assessment, Excitation, LimitState, NotApplicable};
 use tank::case::{Case, Combination, FlexibleImpulsive, Site};
 
 /// EN 1998-4:2006 annex A with EN 1998-1:2004 (`ec8-2006`).
@@ -79,6 +80,14 @@ impl Procedure for En2006 {
             convective_mass: ConvectiveMass::AllModes,
             forces: Forces::FirstMode,
         }
+    }
+
+    fn decides(&self, site: &Site) -> bool {
+        site.ec8.is_some()
+    }
+
+    fn limit_states(&self, case: &Case) -> Vec<LimitState> {
+        limit_states::all(case, Edition::En2006)
     }
 
     fn design_curves(&self, site: &Site, dampings: &[f64]) -> Vec<DesignCurve> {
@@ -122,6 +131,10 @@ impl Procedure for Env1998 {
             convective_mass: ConvectiveMass::Fit,
             forces: Forces::FirstMode,
         }
+    }
+
+    fn limit_states(&self, case: &Case) -> Vec<LimitState> {
+        limit_states::all(case, Edition::Env1998)
     }
 
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {

@@ -1,7 +1,7 @@
 //! The trait of code procedures.
 
 use tank::approach::Approach;
-use tank::assessment::{Assessment, Excitation, NotApplicable};
+use tank::assessment::{Assessment, Excitation, LimitState, NotApplicable};
 use tank::case::{Case, Site};
 use tank::formula::FormulaError;
 
@@ -67,6 +67,15 @@ pub trait Procedure: Sync {
     fn label(&self) -> Label;
     /// Its simplifications, by which the comparison explains differences.
     fn approach(&self) -> Approach;
+    /// Whether it is the edition in force of a code that the site names, so that it decides unless the user says otherwise.
+    fn decides(&self, _site: &Site) -> bool {
+        false
+    }
+    /// The limit states that the code requires of a tank, and those that it does not require of this one. Each check of
+    /// [`Procedure::assess`] belongs to one of them.
+    fn limit_states(&self, _case: &Case) -> Vec<LimitState> {
+        Vec::new()
+    }
     /// Design spectra of the site at the damping ratios asked for; none where the site is not given or not covered.
     fn design_curves(&self, _site: &Site, _dampings: &[f64]) -> Vec<DesignCurve> {
         Vec::new()

@@ -114,6 +114,7 @@ fn compute(file: TankFile, quake: &Record) -> Option<Outcome> {
     let job = Job {
         case,
         procedures,
+        decision: file.decision,
         engines: vec![EngineId::Harmonic],
         linear: fe,
         solid: file.solid,
@@ -141,7 +142,7 @@ fn whole(found: &Outcome) {
 
 /// Two results agree but for a factor by quantity (NaN: not compared).
 fn close(how: &str, a: &Results, b: &Results, rtol: f64, factor: impl Fn(&str) -> f64) {
-    assert_eq!(a.verdict.checks, b.verdict.checks, "{how}");
+    assert_eq!(a.verdict.counts, b.verdict.counts, "{how}");
     methods(how, &a.methods, &b.methods, rtol, factor);
 }
 

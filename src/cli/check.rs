@@ -6,7 +6,7 @@ use fem::progress::Silent;
 
 use crate::cli::inputs::Inputs;
 use crate::cli::{Format, Global, compare, print, wall};
-use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
+use crate::error::Error;
 use crate::pipeline::{self, Outcome};
 use files::OutputFolder;
 use report;
@@ -20,7 +20,8 @@ Examples:
   tankcheck check tank.json --quake elcentro.csv  also the spectrum of a record
   tankcheck check tank.json --procedures api650-2020 --format json
 
-Exit codes: 0 every check holds; 1 a check fails; 2 bad input; 3 the computation failed.")]
+Exit codes: 0 everything required was checked and holds; 1 a check fails; 2 bad input; 3 the computation failed;
+4 something required was not checked, or nothing was assessed.")]
 pub(crate) struct Args {
     #[command(flatten)]
     inputs: Inputs,
@@ -64,9 +65,5 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         }
     }
     compare::print(&results, args.out.as_deref(), args.format, global)?;
-    Ok(if results.verdict.holds {
-        EXIT_OK
-    } else {
-        EXIT_CHECK_FAILED
-    })
+    Ok(compare::exit_code(&results.verdict))
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use fem::progress::Progress;
-use tank::assessment::Excitation;
+use tank::assessment::{CheckStatus, Excitation};
 use tank::units;
 
 use crate::cli::budget::{self, MemoryArg};
@@ -15,7 +15,7 @@ use crate::cli::progress::{self, Watch};
 use crate::cli::table::Table;
 use crate::cli::terminal::{self as stream, say};
 use crate::cli::{Format, Global, nonlinear, now, solid};
-use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_OK, Error};
+use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_NOT_CHECKED, EXIT_OK, Error};
 use crate::job::Job;
 use crate::pipeline::{self, Outcome};
 use engines::estimate::Estimate;
@@ -25,7 +25,10 @@ use report;
 use report::words::{self, terminal};
 use results::compare::unusable;
 use results::nonlinear::End;
-use results::{self, Channel, ComparisonRow, EngineId, Limit, Method, Results, Run, Series, SeriesInfo, vtu};
+use results::{
+    self, Channel, ComparisonRow, EngineId, Limit, Method, Results, Run, Series, SeriesInfo, Verdict, VerdictStatus,
+    vtu,
+};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -42,7 +45,7 @@ Examples:
 Ctrl-C stops a three-dimensional or nonlinear run and keeps the finished part, marked incomplete; a second Ctrl-C
 discards everything except the checkpoint of a nonlinear run.
 
-Exit codes: 0 every check holds; 1 a check fails; 2 bad input; 3 the computation failed or was interrupted, or the tank
+Exit codes: 0 everything required was checked and holds; 1 a check fails; 2 bad input; 3 the computation failed or was interrupted, or the tank
 collapsed; 130 stopped by a second Ctrl-C.")]
 pub(crate) struct Args {
     #[command(flatten)]
@@ -168,8 +171,8 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         snapshots,
     } = pipeline::run(&job, &watch)?;
     stamp(&mut results, started);
-    let interrupted = watch.interrupted() && results.verdict.incomplete;
-    if interrupted && results::read(&args.out).is_ok_and(|earlier| !earlier.verdict.incomplete) {
+    let interrupted = watch.interrupted() && results.verdict.unfinished;
+    if interrupted && results::read(&args.out).is_ok_and(|earlier| !earlier.verdict.unfinished) {
         watch.warn(&kept_complete(&args.out));
     } else {
         write(&folder, &results, &series, args.templates.as_deref())?;
@@ -196,11 +199,17 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         (Some(_), None) => say!("ParaView: no files written; the run was interrupted before the first state"),
         _ => {}
     }
-    Ok(match &results.verdict {
-        verdict if verdict.incomplete => EXIT_COMPUTATION,
-        verdict if verdict.holds => EXIT_OK,
-        _ => EXIT_CHECK_FAILED,
-    })
+    Ok(exit_code(&results.verdict))
+}
+
+/// Exit code of a verdict; an unfinished run counts before all else.
+pub(crate) fn exit_code(verdict: &Verdict) -> u8 {
+    match verdict.status {
+        _ if verdict.unfinished => EXIT_COMPUTATION,
+        VerdictStatus::Holds => EXIT_OK,
+        VerdictStatus::Fails => EXIT_CHECK_FAILED,
+        VerdictStatus::Incomplete | VerdictStatus::NotAssessed => EXIT_NOT_CHECKED,
+    }
 }
 
 /// Applies the options of the command line over those of the tank file.
@@ -403,17 +412,83 @@ fn csv(results: &Results) -> String {
             );
         }
     }
+    text.push_str("\nmethod,excitation,limit_state,check,status,demand,capacity,unit,utilisation,clause,reason\n");
+    let number = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:e}"));
+    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
+    for method in &results.methods {
+        for check in &method.checks {
+            let _ = writeln!(
+                text,
+                "{},{},{},{},{},{},{},{},{},{},{}",
+                method.id,
+                terminal::excitation(method.excitation),
+                check.limit_state,
+                check.id,
+                words::verdict::status(check.status),
+                number(check.demand),
+                number(check.capacity),
+                check.unit,
+                number(check.utilisation),
+                quoted(&check.clause),
+                quoted(&check.reason)
+            );
+        }
+    }
+    text
+}
+
+/// The limit states of the deciding methods, worst first.
+fn checks(results: &Results) -> String {
+    let decides = |m: &&Method| {
+        let mut deciding = results.verdict.deciding.iter();
+        deciding.any(|d| d.method == m.id && d.excitation == m.excitation)
+    };
+    let mut text = String::new();
+    for method in results.methods.iter().filter(decides) {
+        let corner = format!("{} ({})", method.id, terminal::excitation(method.excitation));
+        let mut table = Table::new([corner.as_str(), "demand", "capacity", "ratio", "result"]);
+        for check in &method.checks {
+            let unit = units::column_unit(check.demand.into_iter().chain(check.capacity), check.dimension);
+            let value = |value: Option<f64>| match value {
+                Some(value) => units::significant(units::in_unit(value, unit), 3),
+                None => "–".into(),
+            };
+            let name = match check.compared() && !unit.symbol.is_empty() {
+                true => format!("{} [{}]", check.limit_state, unit.symbol),
+                false => check.limit_state.clone(),
+            };
+            table.row([
+                name,
+                value(check.demand),
+                value(check.capacity),
+                terminal::utilisation(check),
+                words::verdict::status(check.status).to_owned(),
+            ]);
+        }
+        let _ = writeln!(text, "{table}");
+        let reasons = method.checks.iter().filter(|c| !c.reason.is_empty());
+        for check in reasons.filter(|c| c.status != CheckStatus::NotApplicable) {
+            let state = words::verdict::status(check.status);
+            let _ = writeln!(text, "  {} {state}: {}", check.limit_state, check.reason);
+        }
+        text.push('\n');
+    }
     text
 }
 
 fn verdict(results: &Results) -> String {
     let mut text = String::new();
     let verdict = &results.verdict;
-    if verdict.incomplete {
-        let _ = writeln!(text, "{}", words::verdict::headline(verdict));
+    text.push_str(&checks(results));
+    let _ = writeln!(text, "{}", words::verdict::headline(verdict));
+    let _ = writeln!(text, "  deciding: {}", words::verdict::deciding(verdict));
+    if let Some(governing) = &verdict.governing {
+        let _ = writeln!(text, "  governing: {}", terminal::governing(governing));
     }
-    if let Some(line) = terminal::checks(verdict) {
-        let _ = writeln!(text, "{line}");
+    if let Some(aside) = &verdict.record {
+        let governing = aside.governing.as_ref().map(terminal::governing);
+        let governing = governing.map(|g| format!("; governing: {g}")).unwrap_or_default();
+        let _ = writeln!(text, "{}{governing}", words::verdict::record(aside));
     }
     // A limit that several engines exceed is printed once.
     let mut told: Vec<&str> = Vec::new();

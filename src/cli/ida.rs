@@ -118,6 +118,7 @@ impl Args {
     fn job(&self) -> Result<IdaJob, Error> {
         let scales = scales(&self.scale, self.steps.as_deref())?;
         let inputs = Inputs {
+            accept: None,
             tank: self.tank.clone(),
             quake: Some(self.quake.clone()),
             vertical: self.vertical.clone(),

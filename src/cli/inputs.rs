@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use tank::case::GroundMotion;
+use tank::check::Decision;
 use tank::refusal::Refusal;
 
 use crate::cli::terminal::say;
@@ -29,6 +30,9 @@ pub(crate) struct Inputs {
     /// Procedures to run, separated by commas [default: all].
     #[arg(long, value_delimiter = ',', value_name = "ID")]
     pub procedures: Option<Vec<String>>,
+    /// Accept only these gaps of `accepted` in the tank file [default: all]: `not-checked=ID,ID`.
+    #[arg(long, value_name = "not-checked=ID,…")]
+    pub accept: Option<String>,
 }
 
 impl Inputs {
@@ -89,9 +93,11 @@ impl Inputs {
             Some(ids) => ids.clone(),
             None => tank.procedures.clone(),
         };
+        let selected = crate::pipeline::select_procedures(&procedures)?;
         Ok(Job {
             case,
-            procedures: crate::pipeline::select_procedures(&procedures)?,
+            decision: self.decision(tank.decision, &selected)?,
+            procedures: selected,
             engines: Vec::new(),
             linear: tank.fe,
             solid: tank.solid,
@@ -102,6 +108,42 @@ impl Inputs {
             warnings,
             raw_records,
         })
+    }
+
+    /// Who decides and which gaps are accepted: those of the tank file, as far as `--accept` names them.
+    ///
+    /// Errors: a deciding procedure that does not run; `--accept` in another form, or without a reason in the tank file.
+    fn decision(&self, file: Decision, procedures: &[String]) -> Result<Decision, Error> {
+        let code = |id: &str| codes::ALL.iter().any(|p| p.id() == id);
+        if let Some(absent) = file.decide.iter().find(|id| code(id) && !procedures.contains(id)) {
+            return Err(Error::input(format!(
+                "error: procedures.decide: `{absent}` does not run\n  help: add it to the procedures to run, or remove it \
+                 from `decide`"
+            )));
+        }
+        let Some(accept) = &self.accept else {
+            return Ok(file);
+        };
+        let Some(ids) = accept.strip_prefix("not-checked=") else {
+            return Err(Error::input(format!(
+                "error: --accept: found `{accept}`, expected `not-checked=ID,ID`\n  help: the ids are those of `accepted` in \
+                 the tank file"
+            )));
+        };
+        let mut decision = Decision {
+            accepted: Vec::new(),
+            ..file
+        };
+        for id in ids.split(',') {
+            let Some(gap) = file.accepted.iter().find(|gap| gap.check == id) else {
+                return Err(Error::input(format!(
+                    "error: --accept: `{id}` has no reason in the tank file\n  help: add {{ \"check\": \"{id}\", \"reason\": \
+                     \"…\" }} to `accepted`"
+                )));
+            };
+            decision.accepted.push(gap.clone());
+        }
+        Ok(decision)
     }
 }
 

@@ -148,6 +148,7 @@ impl Args {
             Shape::Mode => Form::Mode,
         };
         let inputs = Inputs {
+            accept: None,
             tank: self.tank.clone(),
             quake: None,
             vertical: None,

@@ -129,6 +129,7 @@ fn job(text: &str) -> Option<Job> {
     Some(Job {
         case,
         procedures: tankcheck::pipeline::select_procedures(&[]).expect("all"),
+        decision: tank.decision,
         engines: vec![EngineId::Harmonic],
         linear: tank.fe,
         solid: tank.solid,

@@ -143,7 +143,7 @@ fn resumed_is_uninterrupted() {
         ],
     );
     let (unfinished, _) = results(home, "part");
-    assert!(unfinished.verdict.incomplete);
+    assert!(unfinished.verdict.unfinished);
 
     // A spoiled one is refused before the run, and kept.
     let sound = std::fs::read(&checkpoint).expect("readable");

@@ -1,7 +1,7 @@
 //! The tank in the terms of API 650, and the lines that both editions share.
 
 use crate::sheet::{Sheet, with_unit};
-use tank::assessment::{Assessment, Check, NotApplicable};
+use tank::assessment::{Assessment, Check, CheckStatus, NotApplicable};
 use tank::case::Case;
 use tank::units::Dimension::{Dimensionless, Force, Length, LineForce};
 use tank::{Shape, Support};
@@ -85,14 +85,11 @@ impl<'a> Basis<'a> {
     /// Bottom plate under the shell (thickness [m], yield strength [Pa]), or the missing data in words.
     pub fn bottom(&self) -> Result<(f64, f64), String> {
         let Some(bottom) = &self.case.tank.bottom else {
-            return Err("`tank.bottom` is missing".into());
+            return Err("tank.bottom".into());
         };
         match bottom.material.yield_strength {
             Some(f_y) => Ok((bottom.thickness, f_y)),
-            None => Err(format!(
-                "yield_strength is missing in material `{}`",
-                bottom.material.name
-            )),
+            None => Err(format!("materials.{}.yield_strength", bottom.material.name)),
         }
     }
 
@@ -170,7 +167,7 @@ impl<'a> Basis<'a> {
         }
     }
 
-    /// Allowable compression of the bottom course with its lines, or the missing data in words.
+    /// Allowable compression of the bottom course with its lines, or the path of the missing input.
     pub fn allowable_compression(&self, sheet: &mut Sheet, symbol: &str, clause: &str) -> Result<f64, String> {
         use tank::units::Dimension::Stress;
         let f_ty = self.shell_yield();
@@ -185,24 +182,27 @@ impl<'a> Basis<'a> {
         let ratio = sheet.calc(ratio, name, hold_down::SLENDERNESS, &terms, Dimensionless, clause);
         let Some(formula) = hold_down::allowable(ratio, f_ty.is_some()) else {
             let material = &self.case.tank.courses[0].material.name;
-            return Err(format!("yield_strength is missing in material `{material}`"));
+            return Err(format!("materials.{material}.yield_strength"));
         };
         Ok(sheet.calc(symbol, "allowable shell compression", formula, &terms, Stress, clause))
     }
 
-    /// Anchor tension from the uplift `w_ab` per length [N/m] with its lines and check, or a remark why not.
-    pub fn anchors(&self, sheet: &mut Sheet, out: &mut Assessment, w_ab: f64, symbol: &str, clause: &str, note: &str) {
+    /// Anchor tension from the uplift `w_ab` per length [N/m] with its lines, and how the limit state ends: a check, or the reason
+    /// and the path of the missing input.
+    pub fn anchors(
+        &self,
+        sheet: &mut Sheet,
+        w_ab: f64,
+        symbol: &str,
+        clause: &str,
+        note: &str,
+    ) -> Result<Check, (CheckStatus, String)> {
         if w_ab <= 0.0 {
-            out.notes.push(format!(
-                "{clause}: the weight outweighs the uplift; the anchors carry no tension."
-            ));
-            return;
+            let reason = "the weight outweighs the uplift; the anchors carry no tension";
+            return Err((CheckStatus::NotApplicable, reason.into()));
         }
         let Some(anchors) = self.case.tank.anchors.filter(|a| a.count > 0) else {
-            out.notes.push(format!(
-                "{clause}, anchor tension: not checked, `tank.anchors` is missing."
-            ));
-            return;
+            return Err((CheckStatus::NotChecked, "tank.anchors".into()));
         };
         let n = f64::from(anchors.count);
         let tension = sheet.calc(
@@ -217,19 +217,18 @@ impl<'a> Basis<'a> {
             Force,
             clause,
         );
-        match anchors.capacity {
-            Some(capacity) => out.checks.push(Check::new(
-                "anchor_tension",
-                "Tension of an anchor",
-                tension,
-                capacity,
-                Force,
-                clause,
-                note,
-            )),
-            None => out.notes.push(format!(
-                "{clause}, anchor tension: not checked, `tank.anchors.capacity` is missing."
-            )),
-        }
+        let capacity = anchors
+            .capacity
+            .ok_or((CheckStatus::NotChecked, "tank.anchors.capacity".to_string()))?;
+        let name = "Tension of an anchor";
+        Ok(Check::new(
+            "anchor_tension",
+            name,
+            tension,
+            capacity,
+            Force,
+            clause,
+            note,
+        ))
     }
 }

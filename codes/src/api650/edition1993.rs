@@ -19,7 +19,7 @@ use crate::procedure::{CodeError, Label, Procedure};
 use crate::sheet::{Sheet, Term};
 use oscillator::spectrum::ordinates;
 use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
-use tank::assessment::{Assessment, Check, Excitation, NotApplicable};
+use tank::assessment::{Assessment, Check, CheckStatus, Excitation, NotApplicable};
 use tank::case::Case;
 use tank::formula::evaluate;
 use tank::quantity::Quantity;
@@ -312,7 +312,7 @@ fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessmen
             Ok((thickness, f_by)) => self_anchored(basis, (moment, w_t), thickness, f_by, sheet, out),
             Err(missing) => {
                 out.notes.push(format!(
-                    "{E4}, stability and shell compression: not checked, {missing}."
+                    "{E4}, stability and shell compression: not checked, `{missing}` is missing."
                 ));
                 None
             }
@@ -332,15 +332,21 @@ fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessmen
                 E5_3,
                 "",
             )),
-            Err(missing) => out
-                .notes
-                .push(format!("{E5_3}, shell compression: not checked, {missing}.")),
+            Err(missing) => out.notes.push(format!(
+                "{E5_3}, shell compression: not checked, `{missing}` is missing."
+            )),
         }
     }
     if basis.anchored() {
         let name = "uplift per length that the anchors resist";
         let uplift = sheet.calc("w_AB", name, "1.273·M/D² - w_t", &linear, LineForce, E6);
-        basis.anchors(sheet, out, uplift, "w_AB", E6, "Internal pressure is not added.");
+        match basis.anchors(sheet, uplift, "w_AB", E6, "Internal pressure is not added.") {
+            Ok(check) => out.checks.push(check),
+            Err((CheckStatus::NotChecked, input)) => out
+                .notes
+                .push(format!("{E6}, anchor tension: not checked, `{input}` is missing.")),
+            Err((_, reason)) => out.notes.push(format!("{E6}: {reason}.")),
+        }
     }
 }
 

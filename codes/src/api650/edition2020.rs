@@ -22,6 +22,7 @@
 pub mod accelerations;
 pub mod forces;
 mod hoop_check;
+mod limit_states;
 mod resistance;
 #[cfg(test)]
 mod tests;
@@ -31,7 +32,7 @@ use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::sheet::Sheet;
 use tank::STANDARD_GRAVITY;
 use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
-use tank::assessment::{Assessment, Check, Excitation, NotApplicable};
+use tank::assessment::{Assessment, Check, CheckStatus, Excitation, LimitState, NotApplicable};
 use tank::case::Site;
 use tank::case::{Api650Site, Case};
 use tank::quantity::Quantity;
@@ -75,11 +76,20 @@ impl Run<'_> {
         }
     }
 
-    /// A remark that something was not checked for want of data.
-    fn not_checked(&mut self, clause: &str, what: &str, missing: &str) {
-        self.out
-            .notes
-            .push(format!("{clause}, {what}: not checked, {missing}."));
+    /// Ends a limit state of the annex without a comparison; nothing under a record.
+    fn without_comparison(&mut self, id: &str, status: CheckStatus, reason: &str, input: Option<&str>) {
+        let states = limit_states::all(self.basis.case);
+        if let (Excitation::Site, Some(state)) = (self.excitation, states.iter().find(|state| state.id == id)) {
+            self.out
+                .checks
+                .push(Check::without_comparison(state, status, reason, input));
+        }
+    }
+
+    /// A limit state that was not checked because a value is missing.
+    fn missing(&mut self, id: &str, input: &str) {
+        let reason = format!("`{input}` is missing");
+        self.without_comparison(id, CheckStatus::NotChecked, &reason, Some(input));
     }
 
     /// Design pressure above the liquid [Pa].
@@ -107,6 +117,14 @@ impl Procedure for Api6502020 {
             convective_mass: ConvectiveMass::Fit,
             forces: Forces::FittedPeriod,
         }
+    }
+
+    fn decides(&self, site: &Site) -> bool {
+        site.api650.is_some()
+    }
+
+    fn limit_states(&self, case: &Case) -> Vec<LimitState> {
+        limit_states::all(case)
     }
 
     /// ASCE 7 has one shape for all damping ratios; API 650 E.4.6 raises its sloshing branch by K = 1.5.

@@ -3,9 +3,11 @@
 use std::f64::consts::PI;
 
 use super::cylinder_stress::State;
+use super::limit_states::{ANCHORS, OVERTURNING};
 use super::uplift::{self, Compression};
 use super::work::Work;
 use crate::sheet::with_unit;
+use tank::assessment::CheckStatus;
 use tank::units::Dimension::*;
 
 /// Tension of the anchors, or a note that they are not given.
@@ -35,13 +37,23 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
             let spacing = 2.0 * PI * state.radius / f64::from(count.max(1));
             let force = (largest * spacing).max(0.0);
             let note = format!("{count} anchors, one every {}", with_unit(spacing, Length));
-            work.check("anchorage", "Tension of an anchor", force, capacity, Force, &clause, &note);
+            work.check(ANCHORS, "Tension of an anchor", force, capacity, Force, &clause, &note);
         }
-        None if largest > 0.0 => work.out.notes.push(format!(
-            "The wall pulls at its base with {}; the anchors were not checked, their number and capacity are not given.",
-            with_unit(largest, LineForce)
-        )),
-        None => {}
+        None if largest > 0.0 => {
+            let input = match state.tank.anchors {
+                Some(_) => "tank.anchors.capacity",
+                None => "tank.anchors",
+            };
+            let reason = format!(
+                "the wall pulls at its base with {}; `{input}` is missing",
+                with_unit(largest, LineForce)
+            );
+            work.without_comparison(ANCHORS, CheckStatus::NotChecked, &reason, Some(input));
+        }
+        None => {
+            let reason = "the wall does not pull at its base";
+            work.without_comparison(ANCHORS, CheckStatus::NotApplicable, reason, None);
+        }
     }
 }
 
@@ -82,7 +94,7 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
     let limit = 0.5 * PI * diameter * diameter * (weight + hold_down);
     let note = "equilibrium without the code's diagrams; beyond it the tank overturns";
     work.check(
-        "overturning",
+        OVERTURNING,
         "Overturning of the unanchored tank",
         state.base_moment,
         limit,

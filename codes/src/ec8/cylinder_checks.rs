@@ -6,8 +6,10 @@
 use super::buckling::{elastic, elastic_plastic};
 use super::cylinder_base;
 use super::cylinder_stress::{Factors, State};
+use super::limit_states::{ELASTIC_BUCKLING, ELEPHANT_FOOT, HOOP};
 use super::work::Work;
 use crate::sheet::{Term, number, with_unit};
+use tank::assessment::CheckStatus;
 use tank::units::Dimension::*;
 use tank::{Course, Support};
 
@@ -79,12 +81,16 @@ pub(super) fn assess(work: &mut Work, state: &State, vertical: bool) {
         Support::Unanchored => cylinder_base::unanchored(work, state),
     };
     let clause = work.edition.clause("10");
+    if !state.tank.is_metal() {
+        return;
+    }
     let missing = state.tank.courses.iter().find(|c| c.material.yield_strength.is_none());
     if let Some(course) = missing {
-        work.out.notes.push(format!(
-            "{clause}, stability of the wall: not checked, yield_strength missing in material `{}`.",
-            course.material.name
-        ));
+        let input = format!("materials.{}.yield_strength", course.material.name);
+        let reason = format!("`{input}` is missing");
+        for id in [HOOP, ELASTIC_BUCKLING, ELEPHANT_FOOT] {
+            work.without_comparison(id, CheckStatus::NotChecked, &reason, Some(&input));
+        }
         return;
     }
     let amplification = amplification.unwrap_or_else(|| {
@@ -147,7 +153,7 @@ fn hoop_yield(work: &mut Work, state: &State, places: &[Place], vertical: bool) 
     let stress = work.sheet.calc("σ_θ,max", &name, "p_max·R/s", &terms, Stress, &clause);
     let note = format!("p R/(s f_y) < 1, {}", place.describe(vertical));
     let name = "Hoop stress below yield";
-    work.check("hoop_yield", name, stress, capacity, Stress, &clause, &note);
+    work.check(HOOP, name, stress, capacity, Stress, &clause, &note);
 }
 
 /// Lines of the compression; returns it [Pa].
@@ -206,7 +212,7 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
     }
     let note = place.describe(vertical);
     work.check(
-        "buckling_elastic",
+        ELASTIC_BUCKLING,
         "Elastic buckling of the wall",
         compression,
         limit,
@@ -293,13 +299,5 @@ fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bo
     let limit = sheet.calc("σ_lim", name, formula, &terms, Stress, &clause);
     let note = place.describe(vertical);
     let name = "Elastic-plastic collapse of the wall";
-    work.check(
-        "buckling_elastic_plastic",
-        name,
-        compression,
-        limit,
-        Stress,
-        &clause,
-        &note,
-    );
+    work.check(ELEPHANT_FOOT, name, compression, limit, Stress, &clause, &note);
 }

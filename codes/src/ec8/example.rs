@@ -178,7 +178,7 @@ fn oil_tank_vertical_motion() {
     // Vertical motion never relieves.
     let without = En2006.assess(&oil_tank(), Excitation::Site).unwrap();
     for id in ["buckling_elastic", "buckling_elastic_plastic", "hoop_yield"] {
-        assert!(check(&a, id).utilisation >= check(&without, id).utilisation);
+        assert!(check(&a, id).ratio() >= check(&without, id).ratio());
     }
 }
 
@@ -197,12 +197,12 @@ fn oil_tank_stresses_and_stability() {
     close(line(&a, "N_0"), 14.73e3, 5.0);
     close((268.79 + 14.73) / 14.0, 20.25, 5e-3);
     let lower = (189_684.14 - 189_997.7) / (std::f64::consts::PI * 225.0) / 14.0;
-    close(check(&a, "buckling_elastic").demand / 1e6, 20.25 + lower, 6e-3);
+    close(check(&a, "buckling_elastic").demand.unwrap() / 1e6, 20.25 + lower, 6e-3);
     close(a.values[&Quantity::AxialMembraneStress], line(&a, "n_z") / 0.014, 1.0);
     // The governing place of both stability checks is the base; limits with the example's pressures and with the sheet's.
     let limit = elastic(210e9, 235e6, 0.014, 15.0, 105.948e3 - 83.736e3 - 1.8144e3, 1.0).limit;
-    close(check(&a, "buckling_elastic").capacity, limit, 1e3);
+    close(check(&a, "buckling_elastic").capacity.unwrap(), limit, 1e3);
     close(limit / 1e6, 76.91, 0.02); // 0.036 kPa more pressure than in the example: + 0.01 MPa
-    let elastic_utilisation = check(&a, "buckling_elastic").utilisation;
+    let elastic_utilisation = check(&a, "buckling_elastic").utilisation.unwrap();
     close(elastic_utilisation, 20.22 / 76.92, 5e-4);
 }

@@ -1,10 +1,11 @@
 //! Shared by the sheets of cylinders and rectangles: the case, the growing sheet, masses, resultants, wave height.
 
 use super::demand::{Demand, Edition};
+use super::limit_states;
 use crate::mechanical::Lumped;
 use crate::sheet::{Sheet, Term};
 use tank::Shape;
-use tank::assessment::{Assessment, Check, Profile};
+use tank::assessment::{Assessment, Check, CheckStatus, Profile};
 use tank::case::{Case, Combination};
 use tank::quantity::Quantity;
 use tank::units::Dimension::{self, *};
@@ -161,7 +162,15 @@ impl Work<'_> {
         self.out.values.insert(Quantity::SloshingHeight, height);
         let note = "the wave needs this freeboard if the liquid must neither spill nor strike the roof";
         let freeboard = self.case.freeboard();
-        self.check("freeboard", "Freeboard", height, freeboard, Length, &clause, note);
+        self.check(
+            limit_states::FREEBOARD,
+            "Freeboard",
+            height,
+            freeboard,
+            Length,
+            &clause,
+            note,
+        );
     }
 
     /// Base shear and moments; adds lines and quantities. Returns the moment just above the base plate [N·m].
@@ -250,6 +259,16 @@ impl Work<'_> {
         self.out
             .checks
             .push(Check::new(id, name, demand, capacity, dimension, clause, note));
+    }
+
+    /// Ends a limit state without a comparison.
+    pub(super) fn without_comparison(&mut self, id: &str, status: CheckStatus, reason: &str, input: Option<&str>) {
+        let states = limit_states::all(self.case, self.edition);
+        if let Some(state) = states.iter().find(|state| state.id == id) {
+            self.out
+                .checks
+                .push(Check::without_comparison(state, status, reason, input));
+        }
     }
 
     /// Adds a profile over the heights `z`.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::text;
 
-/// Exit code 0: computed, every applicable check holds (or `diff` found no change).
+/// Exit code 0: computed, everything that the deciding codes require was checked and holds (or `diff` found no change).
 pub const EXIT_OK: u8 = 0;
 /// Exit code 1: computed, but a check fails (or `diff` found a change).
 pub const EXIT_CHECK_FAILED: u8 = 1;
@@ -13,6 +13,8 @@ pub const EXIT_INPUT: u8 = 2;
 /// Exit code 3: the computation failed, its results could not be written, or they are incomplete: it was interrupted, or the
 /// tank collapsed.
 pub const EXIT_COMPUTATION: u8 = 3;
+/// Exit code 4: computed, no check fails, but something that the deciding codes require was not checked, or nothing was.
+pub const EXIT_NOT_CHECKED: u8 = 4;
 /// Exit code 130: ended by Ctrl-C without results (128 + SIGINT, as in shells).
 pub const EXIT_INTERRUPTED: u8 = 130;
 

@@ -17,7 +17,7 @@ pub use difference::{Damping, Difference, Estimated, Incomplete, Ratio, Reason};
 pub use mesh_error::{Unusable, unusable};
 
 use crate::nonlinear::{End, Event};
-use crate::{Cell, Comparison, ComparisonRow, FE, Governing, Method, Verdict};
+use crate::{Cell, Comparison, ComparisonRow, FE, Method};
 
 /// Id of the column of measured values.
 pub const MEASURED: &str = "measured";
@@ -104,40 +104,11 @@ impl Context {
     }
 }
 
-/// Counts the checks of all methods and finds the governing one.
-pub fn verdict(methods: &[Method]) -> Verdict {
-    let mut verdict = Verdict {
-        holds: true,
-        ..Verdict::default()
-    };
-    for method in methods {
-        for check in &method.checks {
-            verdict.checks += 1;
-            if !check.holds {
-                verdict.failed += 1;
-                verdict.holds = false;
-            }
-            if verdict
-                .governing
-                .as_ref()
-                .is_none_or(|g| check.utilisation > g.check.utilisation)
-            {
-                verdict.governing = Some(Governing {
-                    method: method.id.clone(),
-                    excitation: method.excitation,
-                    check: check.clone(),
-                });
-            }
-        }
-    }
-    verdict
-}
-
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeMap;
 
-    use tank::assessment::{Check, Excitation};
+    use tank::assessment::Excitation;
     use tank::units::Dimension;
 
     use super::*;
@@ -179,17 +150,5 @@ mod tests {
                 unusable: false
             })
         );
-    }
-
-    #[test]
-    fn the_governing_check_has_the_largest_utilisation() {
-        let mut a = method("housner", 1.0);
-        a.checks = vec![Check::new("x", "x", 1.0, 2.0, Dimension::Force, "", "")];
-        let mut b = method("ec8-2006", 1.0);
-        b.checks = vec![Check::new("y", "y", 3.0, 2.0, Dimension::Force, "", "")];
-        let verdict = verdict(&[a, b]);
-        assert!(!verdict.holds);
-        assert_eq!((verdict.checks, verdict.failed), (2, 1));
-        assert_eq!(verdict.governing.map(|g| g.check.id), Some("y".to_string()));
     }
 }

@@ -16,6 +16,7 @@ mod push;
 mod run;
 mod snapshots;
 mod store;
+mod verdict;
 pub mod vtu;
 
 use std::collections::BTreeMap;
@@ -44,10 +45,12 @@ pub use store::{
     write,
 };
 
+pub use verdict::{Aside, Counts, Deciding, Governing, Verdict, VerdictStatus, verdict};
+
 pub use files::error::describe;
 
 /// Version of the format. The version before it is converted when it is read; any other is refused.
-pub const FORMAT: &str = "tankcheck-results/2";
+pub const FORMAT: &str = "tankcheck-results/3";
 
 /// Everything in `results.json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -373,37 +376,6 @@ pub struct Cell {
 
 /// Estimated discretisation error, relative, above which a number is marked as unusable.
 pub const MESH_ERROR_LIMIT: f64 = 0.2;
-
-/// The verdict of the verification.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Verdict {
-    /// True if every applicable check holds (and every run is complete).
-    pub holds: bool,
-    /// True if a finite-element run did not reach the end of the ground motion (interrupted, collapsed): its extremes are
-    /// those of a part of it.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub incomplete: bool,
-    /// Why it is incomplete; none where the user stopped a linear run.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub cause: Option<compare::Incomplete>,
-    /// Number of checks.
-    pub checks: usize,
-    /// Number that fail.
-    pub failed: usize,
-    /// Check with the largest utilisation, as (method id, excitation, check id), if there is any.
-    pub governing: Option<Governing>,
-}
-
-/// The check with the largest utilisation.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Governing {
-    /// Method id.
-    pub method: String,
-    /// Excitation.
-    pub excitation: Excitation,
-    /// The check.
-    pub check: Check,
-}
 
 /// Time histories of `series.csv`: a time column and the columns of the [`Run::histories`] of the first run in order, then
 /// those of the others with their [`EngineId::prefix`].

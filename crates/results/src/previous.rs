@@ -1,24 +1,56 @@
-//! Results of the format before this one, `tankcheck-results/1`, brought into the form of this one.
+//! Results of earlier formats in the form of this one.
 //!
-//! | was | is |
-//! |---|---|
-//! | `fe`, `fe_solid`, `fe_nonlinear` | `runs`, in this order |
-//! | `series` of a run | `histories` |
-//! | `nonlinear.end`, `nonlinear.events` of a run | `end`, `events` |
+//! | format | was | is |
+//! |---|---|---|
+//! | 1 | `fe`, `fe_solid`, `fe_nonlinear` | `runs`, in this order |
+//! | 1 | `series` of a run | `histories` |
+//! | 1 | `nonlinear.end`, `nonlinear.events` of a run | `end`, `events` |
+//! | 1, 2 | `verdict.holds`, `checks`, `failed` | `verdict.status`, `counts`; all methods decided |
+//! | 1, 2 | `verdict.incomplete` | `verdict.unfinished` |
 //!
-//! No number changes.
+//! No number changes. A check of an earlier format says `holds` in place of `status`; [`tank::check::Check`] reads both.
 
 use serde_json::{Map, Value, json};
 
-/// The format that [`convert`] takes.
-pub(crate) const FORMAT: &str = "tankcheck-results/1";
+/// The formats that [`convert`] takes.
+pub(crate) const FORMATS: [&str; 2] = ["tankcheck-results/1", "tankcheck-results/2"];
 
-/// Results of the previous format in the present one. A value that is not an object is left unchanged, and reading reports it.
+/// Results of an earlier format in the present one. A value that is not an object is left unchanged, and reading reports it.
 pub(crate) fn convert(mut results: Value) -> Value {
     let Value::Object(map) = &mut results else {
         return results;
     };
+    let first = map.get("format").and_then(Value::as_str) == Some(FORMATS[0]);
     map.insert("format".into(), super::FORMAT.into());
+    if let Some(Value::Object(verdict)) = map.get_mut("verdict") {
+        convert_verdict(verdict);
+    }
+    if first {
+        collect_runs(map);
+    }
+    results
+}
+
+fn convert_verdict(verdict: &mut Map<String, Value>) {
+    let mut flag = |key: &str| verdict.remove(key).and_then(|v| v.as_bool()).unwrap_or_default();
+    let (holds, unfinished) = (flag("holds"), flag("incomplete"));
+    let mut number = |key: &str| verdict.remove(key).and_then(|v| v.as_u64()).unwrap_or_default();
+    let (checks, fails) = (number("checks"), number("failed"));
+    let status = match () {
+        () if fails > 0 => "fails",
+        () if checks == 0 => "not_assessed",
+        () if holds => "holds",
+        () => "incomplete",
+    };
+    let counts = json!({
+        "holds": checks.saturating_sub(fails), "fails": fails, "not_checked": 0, "not_applicable": 0, "accepted": 0,
+    });
+    verdict.insert("status".into(), status.into());
+    verdict.insert("counts".into(), counts);
+    verdict.insert("unfinished".into(), unfinished.into());
+}
+
+fn collect_runs(map: &mut Map<String, Value>) {
     let mut runs = Vec::new();
     for key in ["fe", "fe_solid", "fe_nonlinear"] {
         match map.remove(key) {
@@ -27,7 +59,6 @@ pub(crate) fn convert(mut results: Value) -> Value {
         }
     }
     map.insert("runs".into(), Value::Array(runs));
-    results
 }
 
 fn convert_run(mut run: Value) -> Value {
@@ -56,7 +87,7 @@ mod tests {
     #[test]
     fn runs_stand_in_one_list() {
         let old = json!({
-            "format": FORMAT,
+            "format": FORMATS[0],
             "fe": { "engine": "harmonic", "series": [1.5] },
             "fe_nonlinear": {
                 "engine": "nonlinear",
@@ -80,7 +111,24 @@ mod tests {
             "verdict": 4,
         });
         assert_eq!(convert(old), new);
-        assert_eq!(convert(json!({ "format": FORMAT, "fe": null }))["runs"], json!([]));
+        assert_eq!(convert(json!({ "format": FORMATS[0], "fe": null }))["runs"], json!([]));
         assert_eq!(convert(json!(7)), json!(7));
+    }
+
+    #[test]
+    fn the_verdict_has_a_status() {
+        for (holds, incomplete, checks, failed, status) in [
+            (true, false, 4, 0, "holds"),
+            (false, false, 4, 1, "fails"),
+            (false, true, 4, 0, "incomplete"),
+            (true, false, 0, 0, "not_assessed"),
+        ] {
+            let verdict = json!({ "holds": holds, "incomplete": incomplete, "checks": checks, "failed": failed });
+            let new = convert(json!({ "format": FORMATS[1], "runs": [1], "verdict": verdict }));
+            assert_eq!(new["verdict"]["status"], status);
+            assert_eq!(new["verdict"]["counts"]["fails"], failed);
+            assert_eq!(new["verdict"]["unfinished"], incomplete);
+            assert_eq!(new["runs"], json!([1]));
+        }
     }
 }

@@ -76,13 +76,13 @@ pub fn read(folder: &Path) -> Result<Results, Error> {
     let head: Head = serde_json::from_str(&text).map_err(no_results)?;
     match head.format.as_str() {
         FORMAT => serde_json::from_str(&text).map_err(no_results),
-        previous::FORMAT => {
+        older if previous::FORMATS.contains(&older) => {
             let value = serde_json::from_str(&text).map_err(no_results)?;
             serde_json::from_value(previous::convert(value)).map_err(no_results)
         }
         other => Err(fault(format!(
-            "format `{other}`, this version reads `{FORMAT}` and `{}`",
-            previous::FORMAT
+            "format `{other}`, this version reads `{FORMAT}`, `{}`",
+            previous::FORMATS.join("`, `")
         ))),
     }
 }

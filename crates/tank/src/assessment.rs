@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+pub use crate::check::{Check, CheckStatus, LimitState, Requirement};
 use crate::quantity::Quantity;
 use crate::units::Dimension;
 
@@ -60,73 +61,6 @@ impl Default for Step {
     }
 }
 
-/// A demand compared with a capacity.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Check {
-    /// Stable id ("buckling_elastic").
-    pub id: String,
-    /// Name of the check.
-    pub name: String,
-    /// Demand in SI.
-    pub demand: f64,
-    /// Capacity in SI.
-    pub capacity: f64,
-    /// Dimension of both.
-    pub dimension: Dimension,
-    /// demand / capacity; infinite (`null` in JSON) if the capacity is ≤ 0.
-    #[serde(with = "infinite_as_null")]
-    pub utilisation: f64,
-    /// Whether it holds (utilisation ≤ 1).
-    pub holds: bool,
-    /// Clause and edition.
-    pub clause: String,
-    /// Remark, may be empty.
-    pub note: String,
-}
-
-/// Writes infinity as `null`, since JSON cannot represent it.
-mod infinite_as_null {
-    use serde::{Deserialize, Deserializer, Serialize, Serializer};
-
-    pub(super) fn serialize<S: Serializer>(x: &f64, s: S) -> Result<S::Ok, S::Error> {
-        x.is_finite().then_some(*x).serialize(s)
-    }
-
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(d: D) -> Result<f64, D::Error> {
-        Ok(Option::<f64>::deserialize(d)?.unwrap_or(f64::INFINITY))
-    }
-}
-
-impl Check {
-    /// A check that holds while demand ≤ capacity (utilisation infinite for a capacity ≤ 0).
-    pub fn new(
-        id: &str,
-        name: &str,
-        demand: f64,
-        capacity: f64,
-        dimension: Dimension,
-        clause: &str,
-        note: &str,
-    ) -> Check {
-        let utilisation = if capacity > 0.0 {
-            demand / capacity
-        } else {
-            f64::INFINITY
-        };
-        Check {
-            id: id.into(),
-            name: name.into(),
-            demand,
-            capacity,
-            dimension,
-            utilisation,
-            holds: utilisation <= 1.0,
-            clause: clause.into(),
-            note: note.into(),
-        }
-    }
-}
-
 /// A quantity over the height of the wall at θ = 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
@@ -168,6 +102,3 @@ pub struct NotApplicable {
     /// Reason, with found and expected values.
     pub reason: String,
 }
-
-#[cfg(test)]
-mod tests;

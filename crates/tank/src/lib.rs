@@ -10,6 +10,7 @@
 //! | [`options`] | options of the engines with their defaults |
 //! | [`refusal`] | rejected input and its place |
 //! | [`quantity`] | comparable quantities of procedures and engines |
+//! | [`check`] | limit states, and how each ends |
 //! | [`assessment`], [`approach`] | result of a procedure, and its simplifications |
 //!
 //! SI units throughout (m, kg, s, N, Pa, rad); the unit is in the doc of every field. `z` points upwards from the
@@ -18,6 +19,7 @@
 pub mod approach;
 pub mod assessment;
 pub mod case;
+pub mod check;
 pub mod formula;
 pub mod options;
 pub mod quantity;

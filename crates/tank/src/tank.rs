@@ -117,6 +117,9 @@ pub struct Anchors {
     pub capacity: Option<f64>,
 }
 
+/// Young's modulus from which a wall counts as metal [Pa].
+pub const METAL: f64 = 60e9;
+
 /// An upright tank.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Tank {
@@ -176,6 +179,13 @@ impl Tank {
         // A joint that equals a step up to rounding must not appear twice.
         z.dedup_by(|b, a| (*b - *a).abs() < 1e-9 * depth);
         z
+    }
+
+    /// Whether the wall is a metal shell throughout: E ≥ [`METAL`] and no layers. Concrete has at most 50 GPa, aluminium 69 GPa.
+    pub fn is_metal(&self) -> bool {
+        self.courses
+            .iter()
+            .all(|c| c.layers.is_empty() && c.material.youngs_modulus >= METAL)
     }
 
     /// Mass of the wall [kg]: circumference × Σ height × thickness × density. A rectangle counts the two walls across

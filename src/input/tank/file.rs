@@ -2,6 +2,7 @@
 
 use results::InputValue;
 use tank::Case;
+use tank::check::Decision;
 use tank::options::{LinearOptions, NonlinearOptions, SolidOptions};
 use tank::refusal::Refusal;
 
@@ -20,6 +21,8 @@ pub struct TankFile {
     pub echo: Vec<InputValue>,
     /// Ids of the procedures to run; empty for all.
     pub procedures: Vec<String>,
+    /// Who decides, and which gaps are accepted.
+    pub decision: Decision,
     /// Options of the finite-element engine.
     pub fe: LinearOptions,
     /// Options of the three-dimensional engine.

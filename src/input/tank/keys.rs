@@ -2,6 +2,7 @@
 //!
 //! Keys and meaning are a contract: extend freely, do not rename.
 
+mod accepted;
 mod cross;
 mod damping;
 mod file;
@@ -21,6 +22,7 @@ mod tank;
 mod wall;
 
 use ::tank::case::Case;
+use ::tank::check::Decision;
 
 pub(super) use file::TankFile;
 pub use solid::solid_defaults;
@@ -47,6 +49,10 @@ pub(super) fn resolve(file: &TankFile, faults: &mut Faults) -> Option<Resolved> 
     let damping = damping::damping(&mut r, &file.damping, tank.as_ref());
     let site = site::site(&mut r, &file.site);
     let (procedures, run) = procedures::procedures(&mut r, &file.procedures);
+    let decision = Decision {
+        decide: procedures::deciding(&mut r, &file.procedures),
+        accepted: accepted::accepted(&mut r, &file.accepted),
+    };
     let analysis = file.analysis.value();
     let fe = linear::analysis(&mut r, analysis, tank.as_ref());
     let solid = solid::solid(&mut r, analysis.and_then(|a| a.solid.value()));
@@ -75,6 +81,7 @@ pub(super) fn resolve(file: &TankFile, faults: &mut Faults) -> Option<Resolved> 
         record,
         echo,
         procedures: run,
+        decision,
         fe,
         solid,
         nonlinear,

@@ -113,11 +113,11 @@ fn the_three_dimensional_run_shows_its_pictures() {
 fn an_interrupted_run_is_no_verdict() {
     let (mut results, series) = sample(Kind::Both, TITLE);
     results.runs[1].incomplete = true;
-    results.verdict.incomplete = true;
+    results.verdict.unfinished = true;
     let html = rendered(&results, &series).html;
     let summary = &html[..html.find("id=\"comparison\"").expect("a second section")];
     assert!(summary.contains("Incomplete") && summary.contains("verdict fail"));
-    assert!(!summary.contains("checks hold"));
+    assert!(!summary.contains("verdict ok"));
 }
 
 #[test]

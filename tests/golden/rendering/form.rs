@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use report::build;
 use report::template::Templates;
 use results::SeriesInfo;
+use tank::assessment::CheckStatus;
 use tank::units::Dimension;
 
 use super::{EVERY, TITLE, figures, rendered, report, sections};
@@ -199,8 +200,8 @@ fn awkward_numbers_do_no_harm() {
     for column in &mut series.columns {
         column.fill(0.0);
     }
-    results.methods[0].checks[0].utilisation = f64::INFINITY;
-    results.methods[0].checks[0].capacity = 0.0;
+    let check = &mut results.methods[0].checks[0];
+    (check.status, check.capacity, check.utilisation) = (CheckStatus::Fails, Some(0.0), None);
     results.methods[1].profiles[0].values.fill(0.0);
     results.methods[1].profiles[1].values[3] = f64::NAN;
     results.methods[2].steps[3].value = f64::NAN;

@@ -55,7 +55,7 @@ fn a_collapse_is_told_first_and_its_numbers_are_bounds() {
         reason: "the step was halved 12 times".into(),
         place: "θ = 0°, base <b>".into(),
     };
-    results.verdict.incomplete = true;
+    results.verdict.unfinished = true;
     results.verdict.cause = Some(Incomplete::NoEquilibrium { time: 7.312 });
     let end = series.time.iter().position(|t| *t > 7.315).expect("a longer record");
     for (id, column) in series.ids.iter().zip(&mut series.columns) {

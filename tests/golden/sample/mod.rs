@@ -5,7 +5,6 @@
 
 use results::*;
 use tank::Quantity;
-use tank::assessment::Check;
 use tank::{Course, Liquid, Material, Roof, Shape, Support, Tank};
 
 mod engine;
@@ -141,27 +140,12 @@ pub(crate) fn sample(kind: Kind, name: &str) -> (Results, Series) {
             runs.push(spatial);
         }
     }
-    let checks: Vec<(&Method, &Check)> = methods
-        .iter()
-        .flat_map(|m| m.checks.iter().map(move |c| (m, c)))
-        .collect();
-    let governing = checks
-        .iter()
-        .max_by(|a, b| a.1.utilisation.total_cmp(&b.1.utilisation))
-        .map(|(m, c)| Governing {
-            method: m.id.clone(),
-            excitation: m.excitation,
-            check: (*c).clone(),
-        });
-    let failed = checks.iter().filter(|c| !c.1.holds).count();
-    let verdict = Verdict {
-        holds: failed == 0,
-        incomplete: false,
-        cause: None,
-        checks: checks.len(),
-        failed,
-        governing,
+    let deciding = |m: &Method| Deciding {
+        method: m.id.clone(),
+        excitation: m.excitation,
     };
+    let deciding = methods.iter().filter(|m| !m.checks.is_empty()).map(deciding).collect();
+    let verdict = results::verdict(&methods, deciding, false, None);
     let results = Results {
         format: FORMAT.into(),
         volatile: Volatile {

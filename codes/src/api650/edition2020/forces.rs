@@ -1,13 +1,13 @@
 //! Base shear, moments and sloshing wave (E.6.1, E.7.2).
 
 use crate::sheet::{Sheet, Term};
-use tank::assessment::Excitation;
+use tank::assessment::{CheckStatus, Excitation};
 use tank::units::Dimension::{Dimensionless, Force, Length, Moment};
 
 use super::super::ground_motion::DesignSpectrum;
 use super::super::masses::{ARGUMENT, charts};
-use super::Run;
 use super::accelerations::Accelerations;
+use super::{Run, limit_states};
 
 const E6_1: &str = "API 650:2020 E.6.1";
 const E6_1_1: &str = "API 650:2020 E.6.1.1";
@@ -118,20 +118,21 @@ impl Run<'_> {
             3 => 1.0,
             2 if s_ds >= 0.33 => 0.7,
             _ => {
-                self.out.notes.push(format!(
-                    "{E7_2}: no freeboard is required for seismic use group {} at S_DS = {s_ds:.3} g; 0.7 δ_s = {} is \
-                     recommended, {} is there.",
+                let reason = format!(
+                    "no freeboard is required for seismic use group {} at S_DS = {s_ds:.3} g; 0.7 δ_s = {} is recommended, {} is \
+                     available",
                     site.sug,
                     metres(0.7 * delta),
                     metres(freeboard)
-                ));
+                );
+                self.without_comparison(limit_states::FREEBOARD, CheckStatus::NotApplicable, &reason, None);
                 return delta;
             }
         };
         let note = "Less is allowed with a roof or shell designed for the liquid, or with secondary containment.";
         let name = format!("Freeboard, {share} δ_s for seismic use group {}", site.sug);
         self.check(
-            "freeboard",
+            limit_states::FREEBOARD,
             &name,
             share * delta,
             freeboard,

@@ -5,8 +5,8 @@ use tank::assessment::Profile;
 use tank::units::Dimension::{Dimensionless, Length, LineForce, Stress};
 
 use super::super::hoop::{HoopForces, hoop_forces};
-use super::Run;
 use super::accelerations::Accelerations;
+use super::{Run, limit_states};
 
 const E6_1_4: &str = "API 650:2020 E.6.1.4";
 const E6_2_4: &str = "API 650:2020 E.6.2.4";
@@ -72,7 +72,7 @@ impl Run<'_> {
                 let name = "Hoop stress, hydrostatic and seismic";
                 self.check("hoop_stress", name, total, capacity, Stress, E6_2_4, &note);
             }
-            Err(missing) => self.not_checked(E6_2_4, "hoop stress", &missing),
+            Err(input) => self.missing(limit_states::HOOP, &input),
         }
         dynamic
     }
@@ -125,7 +125,7 @@ impl Run<'_> {
     /// Allowable hoop stress of each course [Pa], or the missing data in words.
     fn allowable_hoop(&self) -> Result<Vec<f64>, String> {
         let Some(site) = self.site else {
-            return Err("`site.api650` (joint efficiency) is missing".into());
+            return Err("site.api650.joint_efficiency".into());
         };
         let e = site.joint_efficiency;
         self.basis
@@ -135,8 +135,8 @@ impl Run<'_> {
             .iter()
             .map(|c| match (c.material.allowable_stress, c.material.yield_strength) {
                 (Some(s_d), Some(f_y)) => Ok((1.33 * s_d * e).min(0.9 * f_y * e)),
-                (None, Some(_)) => Err(format!("allowable_stress is missing in material `{}`", c.material.name)),
-                (_, None) => Err(format!("yield_strength is missing in material `{}`", c.material.name)),
+                (None, Some(_)) => Err(format!("materials.{}.allowable_stress", c.material.name)),
+                (_, None) => Err(format!("materials.{}.yield_strength", c.material.name)),
             })
             .collect()
     }

@@ -1,12 +1,12 @@
 //! Resistance to overturning, shell compression, anchors, sliding and uplift (E.6.2, E.7).
 
-use tank::assessment::Excitation;
+use tank::assessment::{CheckStatus, Excitation};
 use tank::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, Stress};
 
 use super::super::hold_down as hd;
-use super::Run;
 use super::accelerations::Accelerations;
 use super::forces::Forces;
+use super::{Run, limit_states};
 
 const E6_2_1_1: &str = "API 650:2020 E.6.2.1.1";
 const E6_2_1_1_2: &str = "API 650:2020 E.6.2.1.1.2";
@@ -49,7 +49,10 @@ impl Run<'_> {
         } else {
             match b.bottom() {
                 Ok((thickness, f_y)) => self.self_anchored(&load, thickness, f_y),
-                Err(missing) => self.not_checked(E6_2_1_1, "anchorage ratio and shell compression", &missing),
+                Err(input) => {
+                    self.missing(limit_states::ANCHORAGE, &input);
+                    self.missing(limit_states::COMPRESSION, &input);
+                }
             }
         }
         self.sliding(a, forces);
@@ -62,9 +65,10 @@ impl Run<'_> {
         let (d, h) = (b.d, b.h);
         let &Load { a_v, m_rw, w_t } = load;
         if 1.0 - 0.4 * a_v <= 0.0 {
-            self.out.notes.push(format!(
-                "{E6_2_1_1}: A_v = {a_v:.3} g leaves no effective weight (1 - 0.4 A_v ≤ 0); no anchorage ratio."
-            ));
+            let reason = format!("A_v = {a_v:.3} g leaves no effective weight (1 - 0.4 A_v ≤ 0)");
+            for id in [limit_states::ANCHORAGE, limit_states::COMPRESSION] {
+                self.without_comparison(id, CheckStatus::NotChecked, &reason, None);
+            }
             return;
         }
         let pressure = self.pressure();
@@ -125,7 +129,8 @@ impl Run<'_> {
         } else if j <= hd::NOT_SELF_ANCHORED {
             self.compression_lifting(load, w_a, j);
         } else {
-            self.not_checked(E6_2_2, "shell compression", "the annex does not cover J above 1.54");
+            let reason = "the annex has no compression for J above 1.54: the tank is not stable";
+            self.without_comparison(limit_states::COMPRESSION, CheckStatus::NotChecked, reason, None);
         }
         if j <= hd::NOT_SELF_ANCHORED {
             // Where the limit of w_a counts, the thickness that gives it.
@@ -193,7 +198,7 @@ impl Run<'_> {
                 let name = "Compression of the bottom course";
                 self.check("shell_compression", name, sigma, f_c, Stress, E6_2_2_3, "");
             }
-            Err(missing) => self.not_checked(E6_2_2_3, "shell compression", &missing),
+            Err(input) => self.missing(limit_states::COMPRESSION, &input),
         }
     }
 
@@ -214,7 +219,11 @@ impl Run<'_> {
         if self.excitation == Excitation::Site {
             let note = "Attachment and embedment: the lesser of 3 P_AB and the anchor's yield force (E.7.1 has 4 times for \
                         connections; the texts differ).";
-            b.anchors(&mut self.sheet, &mut self.out, w_ab, "w_AB", E6_2_1_2, note);
+            match b.anchors(&mut self.sheet, w_ab, "w_AB", E6_2_1_2, note) {
+                Ok(check) => self.out.checks.push(check),
+                Err((CheckStatus::NotChecked, input)) => self.missing(limit_states::ANCHORS, &input),
+                Err((status, reason)) => self.without_comparison(limit_states::ANCHORS, status, &reason, None),
+            }
         }
     }
 
@@ -227,7 +236,6 @@ impl Run<'_> {
         let name = "largest tangential shear at the base per length";
         self.sheet.calc("V_max", name, "2·V/(π·D)", &terms, LineForce, E7_7);
         let Some(site) = self.site else {
-            self.not_checked(E7_6, "sliding", "`site.api650` (friction) is missing");
             return;
         };
         let mu = site.friction.min(0.4);

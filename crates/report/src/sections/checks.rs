@@ -6,8 +6,9 @@ use super::summary::bar_width;
 use super::{Section, Source};
 use crate::methods::excitation;
 use crate::number::{Scale, percent};
-use crate::words::capital;
+use crate::words::{self, capital};
 use files::error::Error;
+use tank::assessment::{Check, CheckStatus};
 
 #[derive(Serialize)]
 struct Group {
@@ -27,6 +28,45 @@ struct Row {
     utilisation: String,
     width: f64,
     holds: bool,
+    compared: bool,
+    class: &'static str,
+    sign: &'static str,
+    status: &'static str,
+}
+
+fn row(check: &Check) -> Row {
+    let values = [check.demand, check.capacity];
+    let scale = Scale::of(check.dimension, values.into_iter().flatten());
+    let text = |value: Option<f64>| value.map(|v| scale.text(v)).unwrap_or_default();
+    let (class, sign) = sign(check.status);
+    let remarks = [capital(&check.reason), capital(&check.note)];
+    let remarks: Vec<String> = remarks.into_iter().filter(|r| !r.is_empty()).collect();
+    Row {
+        name: capital(&check.name),
+        clause: check.clause.clone(),
+        note: remarks.join(". "),
+        demand: text(check.demand),
+        capacity: text(check.capacity),
+        unit: if check.compared() { scale.symbol() } else { "" },
+        utilisation: check.ratio().map(percent).unwrap_or_default(),
+        width: check.ratio().map_or(0.0, bar_width),
+        holds: check.holds(),
+        compared: check.compared(),
+        class,
+        sign,
+        status: words::verdict::status(check.status),
+    }
+}
+
+/// Class of the colour and sign of a status.
+fn sign(status: CheckStatus) -> (&'static str, &'static str) {
+    match status {
+        CheckStatus::Holds => ("yes", "✓"),
+        CheckStatus::Fails => ("no-way", "✗"),
+        CheckStatus::NotChecked => ("open", "?"),
+        CheckStatus::Accepted => ("open", "!"),
+        CheckStatus::NotApplicable => ("soft", "–"),
+    }
 }
 
 /// Makes the section.
@@ -39,24 +79,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         .map(|m| Group {
             title: m.title.clone(),
             excitation: excitation(m),
-            rows: m
-                .checks
-                .iter()
-                .map(|c| {
-                    let scale = Scale::of(c.dimension, [c.demand, c.capacity]);
-                    Row {
-                        name: capital(&c.name),
-                        clause: c.clause.clone(),
-                        note: c.note.clone(),
-                        demand: scale.text(c.demand),
-                        capacity: scale.text(c.capacity),
-                        unit: scale.symbol(),
-                        utilisation: percent(c.utilisation),
-                        width: bar_width(c.utilisation),
-                        holds: c.holds,
-                    }
-                })
-                .collect(),
+            rows: m.checks.iter().map(row).collect(),
         })
         .collect();
     if groups.is_empty() {

@@ -13,7 +13,7 @@ use crate::number::{Scale, fixed, given, percent, ratio, with_unit};
 use crate::words::{self, capital};
 use files::error::Error;
 use results::compare::unusable;
-use results::{Limit, Results};
+use results::{Aside, Limit, Results, VerdictStatus};
 
 /// Headline quantities: sloshing height, base moment, membrane stresses.
 const HEADLINES: [Quantity; 4] = [
@@ -28,6 +28,19 @@ struct Verdict {
     class: &'static str,
     sign: &'static str,
     headline: String,
+    /// Methods that decide.
+    deciding: String,
+    missing: Vec<Missing>,
+    supply: &'static str,
+    /// Checks under the record that do not decide, at most one line.
+    record: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Missing {
+    name: String,
+    method: String,
+    reason: String,
 }
 
 #[derive(Serialize)]
@@ -79,23 +92,46 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
 
 fn verdict(results: &Results) -> Verdict {
     let v = &results.verdict;
-    let (class, sign) = match v {
-        v if v.incomplete => ("fail", "✗"),
-        v if v.checks == 0 => ("none", "–"),
-        v if v.holds => ("ok", "✓"),
-        _ => ("fail", "✗"),
+    let (class, sign) = match v.status {
+        _ if v.unfinished => ("fail", "✗"),
+        VerdictStatus::Holds => ("ok", "✓"),
+        VerdictStatus::Fails => ("fail", "✗"),
+        VerdictStatus::Incomplete => ("open", "?"),
+        VerdictStatus::NotAssessed => ("none", "–"),
     };
+    let missing: Vec<Missing> = v.missing.iter().map(missing).collect();
     Verdict {
         class,
         sign,
         headline: words::verdict::headline(v),
+        deciding: words::verdict::deciding(v),
+        supply: if missing.is_empty() { "" } else { words::verdict::SUPPLY },
+        missing,
+        record: v.record.iter().map(record).collect(),
     }
+}
+
+fn missing(gap: &results::Governing) -> Missing {
+    Missing {
+        name: capital(&gap.check.name),
+        method: gap.method.clone(),
+        reason: gap.check.reason.clone(),
+    }
+}
+
+/// Checks under the record and the governing one.
+fn record(aside: &Aside) -> String {
+    let governing = aside.governing.iter().map(words::terminal::governing);
+    let lines: Vec<String> = [words::verdict::record(aside)].into_iter().chain(governing).collect();
+    lines.join("; governing: ")
 }
 
 fn governing(results: &Results) -> Option<Governing> {
     let governing = results.verdict.governing.as_ref()?;
     let check = &governing.check;
-    let scale = Scale::of(check.dimension, [check.demand, check.capacity]);
+    let (demand, capacity) = check.demand.zip(check.capacity)?;
+    let ratio = check.ratio()?;
+    let scale = Scale::of(check.dimension, [demand, capacity]);
     let method = results
         .methods
         .iter()
@@ -104,12 +140,12 @@ fn governing(results: &Results) -> Option<Governing> {
         name: capital(&check.name),
         method: method.map_or(governing.method.clone(), |m| format!("{}, {}", m.title, excitation(m))),
         clause: check.clause.clone(),
-        demand: scale.text(check.demand),
-        capacity: scale.text(check.capacity),
+        demand: scale.text(demand),
+        capacity: scale.text(capacity),
         unit: scale.symbol(),
-        utilisation: percent(check.utilisation),
-        width: bar_width(check.utilisation),
-        holds: check.holds,
+        utilisation: percent(ratio),
+        width: bar_width(ratio),
+        holds: check.holds(),
         note: check.note.clone(),
     })
 }

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use tank::assessment::Excitation;
+use tank::assessment::{Check, Excitation};
 use tank::units::{self, Dimension};
 
 use crate::number::significant;
-use results::{EngineId, IdaRun, Limit, MESH_ERROR_LIMIT, Method, PushShell, Status, Verdict};
+use results::{EngineId, Governing, IdaRun, Limit, MESH_ERROR_LIMIT, Method, PushShell, Status};
 
 /// Mark of a number that is not to be used.
 pub const UNUSABLE: &str = "‡";
@@ -64,19 +64,24 @@ pub fn later(peaks: &BTreeMap<String, f64>, end: f64, completed: bool) -> String
     )
 }
 
-/// Number of checks and the governing one; none without checks.
-pub fn checks(verdict: &Verdict) -> Option<String> {
-    let governing = verdict.governing.as_ref()?;
-    let state = if verdict.holds { "all hold" } else { "NOT all hold" };
-    Some(format!(
-        "{} checks, {} fail: {state}; governing: {} ({}, {}), utilisation {:.2}",
-        verdict.checks,
-        verdict.failed,
+/// The check with the largest utilisation.
+pub fn governing(governing: &Governing) -> String {
+    format!(
+        "{} ({}, {}), utilisation {}",
         governing.check.name,
         governing.method,
         excitation(governing.excitation),
-        governing.check.utilisation
-    ))
+        utilisation(&governing.check)
+    )
+}
+
+/// Utilisation with two decimals; a dash without a comparison.
+pub fn utilisation(check: &Check) -> String {
+    match check.ratio() {
+        None => "–".into(),
+        Some(ratio) if ratio.is_finite() => format!("{ratio:.2}"),
+        Some(_) => "no capacity".into(),
+    }
 }
 
 /// A limit of the theory that is exceeded.

@@ -1,7 +1,8 @@
 //! Whether the tank holds, and whether the results are complete.
 
 use results::compare::{Incomplete, Unusable};
-use results::{MESH_ERROR_LIMIT, Verdict};
+use results::{Aside, Deciding, MESH_ERROR_LIMIT, Verdict, VerdictStatus};
+use tank::assessment::CheckStatus;
 
 /// Why the values of a run with separation are not design values.
 pub const LIQUID_PARTED: &str = "The liquid has separated from the wall and closed again. An incompressible liquid on a stiff joint \
@@ -10,19 +11,81 @@ pub const LIQUID_PARTED: &str = "The liquid has separated from the wall and clos
 
 /// The verdict in one line.
 pub fn headline(verdict: &Verdict) -> String {
-    if verdict.incomplete {
+    if verdict.unfinished {
         return verdict.cause.as_ref().map_or_else(
             || "Incomplete: the finite-element run was interrupted, its extremes are not final".into(),
             incomplete,
         );
     }
-    match (verdict.checks, verdict.failed) {
-        (0, _) => "No check applies to this input".into(),
-        (1, 0) => "The one applicable check holds".into(),
-        (all, 0) => format!("All {all} applicable checks hold"),
-        (1, 1) => "1 of 1 check fails".into(),
-        (all, 1) => format!("1 of {all} checks fails"),
-        (all, failed) => format!("{failed} of {all} checks fail"),
+    let counts = &verdict.counts;
+    let compared = counts.compared();
+    let open = match counts.not_checked {
+        0 => String::new(),
+        open => format!(", {open} not checked"),
+    };
+    match verdict.status {
+        VerdictStatus::Holds => match (compared, counts.accepted) {
+            (1, 0) => "Holds: the one required limit state was checked".into(),
+            (all, 0) => format!("Holds: all {all} required limit states were checked"),
+            (all, accepted) => format!(
+                "Holds: {all} limit {} checked, {accepted} accepted without a check",
+                plural(all, "state was", "states were")
+            ),
+        },
+        VerdictStatus::Fails => format!(
+            "Fails: {} of {compared} checks {}{open}",
+            counts.fails,
+            plural(counts.fails, "fails", "fail")
+        ),
+        VerdictStatus::Incomplete => format!(
+            "Incomplete: {} of {} required limit states {} not checked; no check fails",
+            counts.not_checked,
+            compared + counts.not_checked + counts.accepted,
+            plural(counts.not_checked, "was", "were")
+        ),
+        VerdictStatus::NotAssessed => "Not assessed: no deciding procedure checked a limit state".into(),
+    }
+}
+
+/// The word for one or for several.
+fn plural<'a>(count: usize, one: &'a str, several: &'a str) -> &'a str {
+    match count {
+        1 => one,
+        _ => several,
+    }
+}
+
+/// The methods that decide.
+pub fn deciding(verdict: &Verdict) -> String {
+    let named = |d: &Deciding| format!("{} ({})", d.method, super::terminal::excitation(d.excitation));
+    match verdict.deciding.as_slice() {
+        [] => "no method decides: give `site` with the data of a code, or name one in `procedures.decide`".into(),
+        deciding => deciding.iter().map(named).collect::<Vec<_>>().join(", "),
+    }
+}
+
+/// How the missing part of the verdict is supplied.
+pub const SUPPLY: &str = "Supply the missing input, or accept a gap with its reason in `accepted` of the tank file.";
+
+/// What the assessments under the record amount to.
+pub fn record(aside: &Aside) -> String {
+    let counts = &aside.counts;
+    let of = counts.compared();
+    let state = match counts.fails {
+        0 => format!("{of} {} hold", plural(of, "check", "checks")),
+        fails => format!("{fails} of {of} checks {}", plural(fails, "fails", "fail")),
+    };
+    format!("Under this record, unreduced and not deciding: {state}")
+}
+
+/// How a limit state ends, in a word or two.
+pub fn status(status: CheckStatus) -> &'static str {
+    match status {
+        CheckStatus::Holds => "holds",
+        CheckStatus::Fails => "fails",
+        CheckStatus::NotChecked => "not checked",
+        CheckStatus::NotApplicable => "not applicable",
+        CheckStatus::Accepted => "accepted",
     }
 }
 

@@ -1,5 +1,6 @@
 //! The top level of the file.
 
+use super::accepted::Accepted;
 use super::damping::Damping;
 use super::linear::Analysis;
 use super::materials::Material;
@@ -41,6 +42,8 @@ object! {
         site: Opt<Site>,
         /// Choices within the code procedures.
         procedures: Opt<Procedures>,
+        /// Gaps of the deciding codes that are accepted, each with its reason: limit states that are not checked.
+        accepted: Opt<Vec<Field<Accepted>>>,
         /// Options of the finite-element analysis.
         analysis: Opt<Analysis> = Absent::Follows("modal integration on the default mesh"),
         /// Measured values for comparison with the computed ones, by quantity.

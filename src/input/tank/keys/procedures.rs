@@ -1,6 +1,7 @@
 //! `procedures`: which procedures run, and their options.
 
 use codes::ALL;
+use results::EngineId;
 use tank::case::{Combination, ConvectiveCoefficient, FlexibleImpulsive, ProcedureOptions};
 
 use crate::input::diagnostic::Faults;
@@ -18,6 +19,8 @@ object! {
     Procedures {
         /// Procedures to run.
         run: Opt<Vec<Field<ProcedureId>>> = Absent::Follows("all that apply"),
+        /// Methods that decide whether the tank holds: procedures, or engines under the record.
+        decide: Opt<Vec<Field<DecidingId>>> = Absent::Follows("the editions in force that `site` names"),
         /// Housner's procedure.
         housner: Opt<HousnerOptions>,
         /// Eurocode 8.
@@ -95,6 +98,65 @@ impl FromNode for ProcedureId {
     fn written(&self) -> Option<String> {
         Some(self.0.into())
     }
+}
+
+/// Id of a method that can decide: a code procedure or a column of an engine.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DecidingId(&'static str);
+
+/// Ids of all methods that can decide, with their meaning.
+fn deciding_ids() -> Vec<(&'static str, String)> {
+    let procedures = ALL.iter().map(|p| (p.id(), format!("{}.", p.label().title)));
+    let engines = EngineId::ALL.map(|e| (e.beside(), format!("The {} engine, as a second run.", e.name())));
+    let first = (results::FE, "The first engine that runs.".to_owned());
+    procedures.chain([first]).chain(engines).collect()
+}
+
+impl FromNode for DecidingId {
+    fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
+        let words: Vec<_> = deciding_ids().iter().map(|(id, _)| (*id, DecidingId(id))).collect();
+        one_of_words(node, &words, faults)
+    }
+    fn allowed() -> String {
+        quoted(&deciding_ids().iter().map(|(id, _)| *id).collect::<Vec<_>>())
+    }
+    fn example() -> String {
+        "\"ec8-2006\"".into()
+    }
+    fn shape(book: &mut Book) -> Shape {
+        book.choice("DecidingId", &["A method that can decide."], deciding_ids())
+    }
+    fn written(&self) -> Option<String> {
+        Some(self.0.into())
+    }
+}
+
+/// Ids of the methods that decide (empty: the editions in force that the site names).
+pub(super) fn deciding(r: &mut Resolver<'_>, option: &Opt<Procedures>) -> Vec<String> {
+    let mut all: Vec<String> = Vec::new();
+    let Some(list) = option.value().and_then(|p| p.decide.given.as_ref()) else {
+        r.echo_default(
+            "procedures.decide",
+            "current",
+            "the editions in force that `site` names",
+        );
+        return all;
+    };
+    for id in list.value.iter().flatten().filter(|id| id.value.is_some()) {
+        r.echo_given(id);
+        if all.contains(&id.text) {
+            r.faults.push(range_fault(id, "duplicate method", "each method once"));
+        }
+        all.push(id.text.clone());
+    }
+    if list.value.as_ref().is_some_and(Vec::is_empty) {
+        r.faults.push(range_fault(
+            list,
+            "the list of deciding methods is empty",
+            "at least one id; remove `decide` for the editions in force",
+        ));
+    }
+    all
 }
 
 /// Choices within the procedures, and the ids of those to run (empty: all).

@@ -32,8 +32,8 @@ object! {
         /// Importance factor.
         importance (1.2): Opt<Number> [Limits::above(0.0).to(3.0)]
             = default(Number(1.0)).shown("1.0").because("EN 1998-4:2006 2.1.4, class II"),
-        /// Behaviour factor q of the impulsive part.
-        behaviour_factor (1.5): Opt<Number> [Limits::from(1.0).to(5.0)] = default(Number(1.0))
+        /// Behaviour factor q of the impulsive part; at most 1.5 for a tank on the ground, EN 1998-4:2006 4.4.
+        behaviour_factor (1.5): Opt<Number> [Limits::from(1.0).to(1.5)] = default(Number(1.0))
             .shown("1.0")
             .because("elastic response of the wall, on the safe side of EN 1998-4:2006 4.4"),
         /// Fabrication quality of EN 1998-4 A.10: 1 normal, 1.5 quality, 2.5 very high quality construction.

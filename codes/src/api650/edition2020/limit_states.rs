@@ -1,0 +1,73 @@
+//! Limit states of API 650 annex E, and whether each applies.
+
+use super::super::basis::Basis;
+use super::EDITION;
+use tank::Support;
+use tank::assessment::{LimitState, Requirement};
+use tank::case::Case;
+
+/// Hoop stress of the shell.
+pub(super) const HOOP: &str = "hoop_stress";
+/// Compression of the bottom course.
+pub(super) const COMPRESSION: &str = "shell_compression";
+/// Anchorage ratio of a self-anchored tank.
+pub(super) const ANCHORAGE: &str = "anchorage_ratio";
+/// Tension of the anchors.
+pub(super) const ANCHORS: &str = "anchor_tension";
+/// Sliding.
+pub(super) const SLIDING: &str = "sliding";
+/// Freeboard.
+pub(super) const FREEBOARD: &str = "freeboard";
+
+/// All limit states of a case; none outside the scope of the standard.
+pub(super) fn all(case: &Case) -> Vec<LimitState> {
+    if Basis::new(case, EDITION).is_err() {
+        return Vec::new();
+    }
+    let anchored = case.tank.support == Support::Anchored;
+    let mechanical = |required: Requirement| match anchored {
+        true => required,
+        false => Requirement::NotApplicable("the tank is self-anchored".into()),
+    };
+    let self_anchored = |required: Requirement| match anchored {
+        true => Requirement::NotApplicable("the tank is mechanically anchored".into()),
+        false => required,
+    };
+    use Requirement::{NotImplemented, Required};
+    [
+        (HOOP, "Hoop stress of the shell", "E.6.2.4", Required),
+        (COMPRESSION, "Compression of the bottom course", "E.6.2.2", Required),
+        (
+            "upper_compression",
+            "Compression of the courses above",
+            "E.6.2.2",
+            NotImplemented,
+        ),
+        (ANCHORAGE, "Anchorage ratio J", "E.6.2.1.1", self_anchored(Required)),
+        (
+            "annulus_width",
+            "Width of the annular plate",
+            "E.6.2.1.1.2",
+            self_anchored(NotImplemented),
+        ),
+        (ANCHORS, "Tension of the anchors", "E.6.2.1.2", mechanical(Required)),
+        (
+            "anchor_attachment",
+            "Attachment of the anchors, 3 P_AB",
+            "E.6.2.1.2",
+            mechanical(NotImplemented),
+        ),
+        (SLIDING, "Sliding on the foundation", "E.7.6", self_anchored(Required)),
+        ("foundation", "Overturning of the foundation", "E.6.2.3", NotImplemented),
+        (FREEBOARD, "Freeboard", "E.7.2", Required),
+        ("piping", "Flexibility of the piping", "E.7.3", NotImplemented),
+    ]
+    .into_iter()
+    .map(|(id, name, clause, requirement)| LimitState {
+        id,
+        name,
+        clause: format!("{EDITION} {clause}"),
+        requirement,
+    })
+    .collect()
+}

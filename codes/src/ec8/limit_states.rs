@@ -1,0 +1,125 @@
+//! Limit states of EN 1998-4 for tanks on the ground, and whether each applies.
+//!
+//! The ultimate limit state of EN 1998-4:2006 2.1.2 and 4.5 asks for the wall (hoop tension, stability), the base (anchors, uplift,
+//! sliding, overturning, bearing of the ground), the liquid surface, and the pipes; 2.1.3 for damage limitation. Walls that are not
+//! metal shells are designed by EN 1992. Clauses are recalled, not copied; `docs/theory/eurocode8.md` says which were compared.
+
+use super::demand::Edition;
+use tank::assessment::{LimitState, Requirement};
+use tank::case::Case;
+use tank::{Shape, Support};
+
+/// Freeboard.
+pub(super) const FREEBOARD: &str = "freeboard";
+/// Hoop tension of a metal wall.
+pub(super) const HOOP: &str = "hoop_yield";
+/// Elastic buckling of a metal wall under axial compression.
+pub(super) const ELASTIC_BUCKLING: &str = "buckling_elastic";
+/// Elastic-plastic collapse at the base (elephant's foot).
+pub(super) const ELEPHANT_FOOT: &str = "buckling_elastic_plastic";
+/// Tension of the anchors.
+pub(super) const ANCHORS: &str = "anchorage";
+/// Overturning of an unanchored tank.
+pub(super) const OVERTURNING: &str = "overturning";
+
+/// All limit states of a case.
+pub(super) fn all(case: &Case, edition: Edition) -> Vec<LimitState> {
+    let cylinder = matches!(case.tank.shape, Shape::Cylinder { .. });
+    let metal = case.tank.is_metal();
+    let shell = cylinder && metal;
+    let anchored = case.tank.support == Support::Anchored;
+    let mut states = Vec::new();
+    let mut add = |id, name, clause: String, requirement| {
+        states.push(LimitState {
+            id,
+            name,
+            clause,
+            requirement,
+        });
+    };
+    let metal_shells = |required: Requirement| match (cylinder, metal) {
+        (true, true) => required,
+        (false, _) => {
+            Requirement::NotApplicable("the walls of a box bend as plates; the clause is for cylinders".into())
+        }
+        (true, false) => Requirement::NotApplicable("the clause is for metal shells; the wall is not metal".into()),
+    };
+    let plates = |required: Requirement| match shell {
+        true => Requirement::NotApplicable("the wall is a metal shell and carries membrane forces".into()),
+        false => required,
+    };
+    add(FREEBOARD, "Freeboard", edition.clause("2.1.4"), Requirement::Required);
+    let hoop = metal_shells(Requirement::Required);
+    add(HOOP, "Hoop tension of the wall", edition.clause("10.3"), hoop);
+    let buckling = metal_shells(Requirement::Required);
+    add(
+        ELASTIC_BUCKLING,
+        "Elastic buckling of the wall",
+        edition.clause("10.2"),
+        buckling.clone(),
+    );
+    add(
+        ELEPHANT_FOOT,
+        "Elastic-plastic collapse of the wall",
+        edition.clause("10.3"),
+        buckling,
+    );
+    let resistance = plates(Requirement::NotImplemented);
+    let concrete = "EN 1992-1-1 6.1, 6.2, EN 1992-3 7.3";
+    for (id, name) in [
+        ("wall_tension_and_bending", "Tension and bending of the wall"),
+        ("wall_shear", "Shear of the wall"),
+        ("crack_width", "Crack width (leak tightness)"),
+    ] {
+        add(id, name, concrete.into(), resistance.clone());
+    }
+    let pulls = match (cylinder, anchored) {
+        (true, true) => Requirement::Required,
+        (false, true) => Requirement::NotImplemented,
+        (_, false) => Requirement::NotApplicable("the tank is unanchored".into()),
+    };
+    add(ANCHORS, "Tension of the anchors", edition.main("4.5.1.3"), pulls);
+    let lifts = |required: Requirement| match (cylinder, anchored) {
+        (_, true) => Requirement::NotApplicable("the tank is anchored".into()),
+        (true, false) => required,
+        (false, false) => Requirement::NotImplemented,
+    };
+    add(
+        OVERTURNING,
+        "Overturning of the tank",
+        edition.main("4.5.1.2"),
+        lifts(Requirement::Required),
+    );
+    add(
+        "uplift",
+        "Uplift, membrane stress and rotation of the bottom plate",
+        edition.clause("9"),
+        lifts(Requirement::NotImplemented),
+    );
+    let ground = "EN 1998-5:2004 5.4.1";
+    add(
+        "sliding",
+        "Sliding on the foundation",
+        format!("{ground}.1"),
+        Requirement::NotImplemented,
+    );
+    add(
+        "bearing",
+        "Bearing of the ground",
+        format!("{ground}.1"),
+        Requirement::NotImplemented,
+    );
+    add(
+        "pipes",
+        "Differential displacement of pipes",
+        edition.main("4.5.2.3"),
+        Requirement::NotImplemented,
+    );
+    add(
+        "damage_limitation",
+        "Damage limitation state",
+        edition.main("2.1.3"),
+        Requirement::NotImplemented,
+    );
+    states
+}

@@ -1,0 +1,292 @@
+//! The verdict: what the checks of the deciding methods amount to.
+//!
+//! | status | meaning |
+//! |---|---|
+//! | `holds` | every limit state that the deciding codes require was checked and holds, or is an accepted gap |
+//! | `fails` | at least one fails |
+//! | `incomplete` | none fails, at least one was not checked, or a deciding run did not reach its end |
+//! | `not_assessed` | no deciding method gave a check |
+
+use serde::{Deserialize, Serialize};
+use tank::assessment::{Check, CheckStatus, Excitation};
+
+use crate::Method;
+use crate::compare::Incomplete;
+
+/// What the checks of the deciding methods amount to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum VerdictStatus {
+    /// Everything required was checked and holds.
+    Holds,
+    /// A limit state fails.
+    Fails,
+    /// Nothing fails, and something required was not checked.
+    Incomplete,
+    /// Nothing was checked.
+    #[default]
+    NotAssessed,
+}
+
+/// A method under an excitation.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Deciding {
+    /// Id of the method.
+    pub method: String,
+    /// What shakes the tank.
+    pub excitation: Excitation,
+}
+
+impl Deciding {
+    fn is(&self, method: &Method) -> bool {
+        self.method == method.id && self.excitation == method.excitation
+    }
+}
+
+/// Number of checks by status.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Counts {
+    /// Checked, hold.
+    pub holds: usize,
+    /// Checked, fail.
+    pub fails: usize,
+    /// Required, not checked.
+    pub not_checked: usize,
+    /// Not required of this tank.
+    pub not_applicable: usize,
+    /// Not checked, accepted with a reason.
+    pub accepted: usize,
+}
+
+impl Counts {
+    fn add(&mut self, status: CheckStatus) {
+        *match status {
+            CheckStatus::Holds => &mut self.holds,
+            CheckStatus::Fails => &mut self.fails,
+            CheckStatus::NotChecked => &mut self.not_checked,
+            CheckStatus::NotApplicable => &mut self.not_applicable,
+            CheckStatus::Accepted => &mut self.accepted,
+        } += 1;
+    }
+
+    /// Comparisons of a demand with a capacity.
+    pub fn compared(&self) -> usize {
+        self.holds + self.fails
+    }
+
+    fn status(&self) -> VerdictStatus {
+        match self {
+            counts if counts.fails > 0 => VerdictStatus::Fails,
+            counts if counts.compared() == 0 => VerdictStatus::NotAssessed,
+            counts if counts.not_checked > 0 => VerdictStatus::Incomplete,
+            _ => VerdictStatus::Holds,
+        }
+    }
+}
+
+/// A check and the method that made it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Governing {
+    /// Method id.
+    pub method: String,
+    /// Excitation.
+    pub excitation: Excitation,
+    /// The check.
+    pub check: Check,
+}
+
+/// Checks of methods that do not decide.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Aside {
+    /// Their number by status.
+    pub counts: Counts,
+    /// The comparison with the largest utilisation.
+    pub governing: Option<Governing>,
+}
+
+/// The verdict of the verification.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Verdict {
+    /// What the checks of the deciding methods amount to.
+    #[serde(default)]
+    pub status: VerdictStatus,
+    /// Methods that decide.
+    #[serde(default)]
+    pub deciding: Vec<Deciding>,
+    /// Number of their checks by status.
+    #[serde(default)]
+    pub counts: Counts,
+    /// Their comparison with the largest utilisation.
+    pub governing: Option<Governing>,
+    /// Their required limit states that were not checked.
+    #[serde(default)]
+    pub missing: Vec<Governing>,
+    /// What assessments under the record amount to, where they do not decide.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub record: Option<Aside>,
+    /// True if a finite-element run did not reach the end of the ground motion (interrupted, collapsed): its extremes are
+    /// those of a part of it.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub unfinished: bool,
+    /// Why it is unfinished; none where the user stopped a linear run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cause: Option<Incomplete>,
+}
+
+/// The verdict on the checks of the methods that decide.
+///
+/// * `unfinished`: whether a run did not reach its end; no verdict then says `holds`
+pub fn verdict(methods: &[Method], deciding: Vec<Deciding>, unfinished: bool, cause: Option<Incomplete>) -> Verdict {
+    let decides = |method: &Method| deciding.iter().any(|d| d.is(method));
+    let (counts, governing) = count(methods.iter().filter(|m| decides(m)));
+    let aside = |method: &&Method| !decides(method) && method.excitation == Excitation::Record;
+    let (of_record, worst) = count(methods.iter().filter(aside));
+    let not_checked = |method: &Method| {
+        let checks = method.checks.iter().filter(|c| c.status == CheckStatus::NotChecked);
+        checks.map(|check| named(method, check)).collect::<Vec<_>>()
+    };
+    Verdict {
+        status: match counts.status() {
+            VerdictStatus::Holds if unfinished => VerdictStatus::Incomplete,
+            status => status,
+        },
+        counts,
+        governing,
+        missing: methods.iter().filter(|m| decides(m)).flat_map(not_checked).collect(),
+        record: (of_record.compared() > 0).then_some(Aside {
+            counts: of_record,
+            governing: worst,
+        }),
+        deciding,
+        unfinished,
+        cause,
+    }
+}
+
+fn named(method: &Method, check: &Check) -> Governing {
+    Governing {
+        method: method.id.clone(),
+        excitation: method.excitation,
+        check: check.clone(),
+    }
+}
+
+/// Number of checks by status, and the one with the largest utilisation.
+fn count<'a>(methods: impl Iterator<Item = &'a Method>) -> (Counts, Option<Governing>) {
+    let mut counts = Counts::default();
+    let mut governing: Option<(f64, Governing)> = None;
+    for method in methods {
+        for check in &method.checks {
+            counts.add(check.status);
+            if let Some(ratio) = check.ratio()
+                && governing.as_ref().is_none_or(|(largest, _)| ratio > *largest)
+            {
+                governing = Some((ratio, named(method, check)));
+            }
+        }
+    }
+    (counts, governing.map(|(_, g)| g))
+}
+
+#[cfg(test)]
+mod tests {
+    use tank::assessment::{LimitState, Requirement};
+    use tank::units::Dimension;
+
+    use super::*;
+
+    fn check(id: &str, utilisation: f64) -> Check {
+        Check::new(id, id, utilisation, 1.0, Dimension::Force, "", "")
+    }
+
+    fn missing(status: CheckStatus) -> Check {
+        let state = LimitState {
+            id: "sliding",
+            name: "Sliding",
+            clause: String::new(),
+            requirement: Requirement::Required,
+        };
+        Check::without_comparison(&state, status, "no friction", None)
+    }
+
+    fn method(id: &str, excitation: Excitation, checks: Vec<Check>) -> Method {
+        Method {
+            checks,
+            ..Method::new(id, id, excitation)
+        }
+    }
+
+    fn decides(id: &str) -> Vec<Deciding> {
+        vec![Deciding {
+            method: id.into(),
+            excitation: Excitation::Site,
+        }]
+    }
+
+    fn status(checks: Vec<Check>, unfinished: bool) -> VerdictStatus {
+        let methods = [method("code", Excitation::Site, checks)];
+        verdict(&methods, decides("code"), unfinished, None).status
+    }
+
+    #[test]
+    fn a_tick_means_that_everything_required_was_checked() {
+        let fine = || check("hoop", 0.5);
+        assert_eq!(status(vec![fine()], false), VerdictStatus::Holds);
+        assert_eq!(status(vec![fine(), check("axial", 1.1)], false), VerdictStatus::Fails);
+        let gap = missing(CheckStatus::NotChecked);
+        assert_eq!(status(vec![fine(), gap.clone()], false), VerdictStatus::Incomplete);
+        assert_eq!(
+            status(vec![check("axial", 1.1), gap.clone()], false),
+            VerdictStatus::Fails
+        );
+        assert_eq!(status(vec![gap], false), VerdictStatus::NotAssessed);
+        assert_eq!(status(vec![], false), VerdictStatus::NotAssessed);
+        for harmless in [CheckStatus::Accepted, CheckStatus::NotApplicable] {
+            assert_eq!(status(vec![fine(), missing(harmless)], false), VerdictStatus::Holds);
+            assert_eq!(status(vec![missing(harmless)], false), VerdictStatus::NotAssessed);
+        }
+        assert_eq!(status(vec![fine()], true), VerdictStatus::Incomplete);
+        assert_eq!(status(vec![check("axial", 1.1)], true), VerdictStatus::Fails);
+    }
+
+    /// What does not decide changes no status; under the record it is counted aside.
+    #[test]
+    fn others_stand_aside() {
+        let methods = [
+            method("code", Excitation::Site, vec![check("hoop", 0.5), check("axial", 0.8)]),
+            method(
+                "code",
+                Excitation::Record,
+                vec![check("hoop", 1.5), check("axial", 0.7)],
+            ),
+            method("old", Excitation::Site, vec![check("hoop", 9.0)]),
+        ];
+        let found = verdict(&methods, decides("code"), false, None);
+        assert_eq!((found.status, found.counts.holds), (VerdictStatus::Holds, 2));
+        assert_eq!(found.governing.map(|g| g.check.id), Some("axial".into()));
+        let aside = found.record.expect("checks under the record");
+        assert_eq!((aside.counts.holds, aside.counts.fails), (1, 1));
+        assert_eq!(aside.governing.map(|g| g.check.id), Some("hoop".into()));
+    }
+
+    #[test]
+    fn what_was_not_checked_is_listed() {
+        let methods = [method(
+            "code",
+            Excitation::Site,
+            vec![check("hoop", 0.5), missing(CheckStatus::NotChecked)],
+        )];
+        let found = verdict(&methods, decides("code"), false, None);
+        assert_eq!(found.missing.len(), 1);
+        assert_eq!(found.missing[0].check.reason, "no friction");
+    }
+
+    /// A capacity of zero has no utilisation and governs.
+    #[test]
+    fn without_a_capacity_a_check_governs() {
+        let nothing = Check::new("anchors", "anchors", 1.0, 0.0, Dimension::Force, "", "");
+        let methods = [method("code", Excitation::Site, vec![check("hoop", 50.0), nothing])];
+        let found = verdict(&methods, decides("code"), false, None);
+        assert_eq!(found.governing.map(|g| g.check.id), Some("anchors".into()));
+    }
+}

@@ -1,0 +1,273 @@
+//! Limit states: what a code requires of a tank, and how each of them ends.
+//!
+//! A procedure declares its limit states before it computes. Each ends as a [`Check`]: a demand compared with a capacity, or a
+//! reason why there is no comparison. A limit state never disappears.
+
+use serde::{Deserialize, Serialize};
+
+use crate::units::Dimension;
+
+/// How a limit state ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum CheckStatus {
+    /// Checked; the demand exceeds the capacity.
+    Fails,
+    /// Required and not checked: input is missing, or the clause is not implemented.
+    NotChecked,
+    /// Not checked, and accepted by the user with a reason.
+    Accepted,
+    /// Checked; the demand is at most the capacity.
+    Holds,
+    /// Not required of this tank by the clause.
+    NotApplicable,
+}
+
+impl CheckStatus {
+    /// All, worst first.
+    pub const ALL: [CheckStatus; 5] = [
+        CheckStatus::Fails,
+        CheckStatus::NotChecked,
+        CheckStatus::Accepted,
+        CheckStatus::Holds,
+        CheckStatus::NotApplicable,
+    ];
+}
+
+/// Whether a code requires a limit state of a tank.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Requirement {
+    /// It does, and the procedure checks it.
+    Required,
+    /// It does, and the procedure does not implement the clause.
+    NotImplemented,
+    /// It does not, for this reason.
+    NotApplicable(String),
+}
+
+/// A limit state that a code names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LimitState {
+    /// Stable id ("axial_buckling"); a check refers to it by [`Check::limit_state`].
+    pub id: &'static str,
+    /// What it is, in words.
+    pub name: &'static str,
+    /// Clause and edition.
+    pub clause: String,
+    /// Whether the code requires it of the tank at hand.
+    pub requirement: Requirement,
+}
+
+/// How one limit state ends at its governing place.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(from = "Stored")]
+pub struct Check {
+    /// Stable id ("buckling_elastic").
+    pub id: String,
+    /// How it ends.
+    pub status: CheckStatus,
+    /// Id of the limit state that it belongs to.
+    pub limit_state: String,
+    /// What is checked, in words.
+    pub name: String,
+    /// Demand in SI, where it was computed.
+    pub demand: Option<f64>,
+    /// Capacity in SI, where it was computed.
+    pub capacity: Option<f64>,
+    /// demand / capacity; absent without a comparison, and where the capacity is ≤ 0 (such a check fails).
+    pub utilisation: Option<f64>,
+    /// Dimension of both.
+    pub dimension: Dimension,
+    /// Symbol of their SI unit.
+    pub unit: String,
+    /// Clause and edition.
+    pub clause: String,
+    /// Why there is no comparison, or why the gap is accepted; empty otherwise.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub reason: String,
+    /// Path in `tank.json` of the input that is missing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub input: Option<String>,
+    /// Remark, may be empty.
+    pub note: String,
+}
+
+/// A check as earlier versions wrote it, or as this one does.
+#[derive(Deserialize)]
+struct Stored {
+    id: String,
+    name: String,
+    demand: Option<f64>,
+    capacity: Option<f64>,
+    utilisation: Option<f64>,
+    dimension: Dimension,
+    clause: String,
+    note: String,
+    status: Option<CheckStatus>,
+    limit_state: Option<String>,
+    #[serde(default)]
+    reason: String,
+    input: Option<String>,
+    /// In place of `status` until format 2.
+    #[serde(default)]
+    holds: bool,
+}
+
+impl From<Stored> for Check {
+    fn from(stored: Stored) -> Check {
+        let status = stored.status.unwrap_or(match stored.holds {
+            true => CheckStatus::Holds,
+            false => CheckStatus::Fails,
+        });
+        Check {
+            limit_state: stored.limit_state.unwrap_or_else(|| stored.id.clone()),
+            id: stored.id,
+            status,
+            name: stored.name,
+            demand: stored.demand,
+            capacity: stored.capacity,
+            utilisation: stored.utilisation,
+            dimension: stored.dimension,
+            unit: stored.dimension.si_symbol().into(),
+            clause: stored.clause,
+            reason: stored.reason,
+            input: stored.input,
+            note: stored.note,
+        }
+    }
+}
+
+impl Check {
+    /// A comparison, which holds while demand ≤ capacity; without a positive capacity it fails. Its limit state has its id.
+    pub fn new(
+        id: &str,
+        name: &str,
+        demand: f64,
+        capacity: f64,
+        dimension: Dimension,
+        clause: &str,
+        note: &str,
+    ) -> Check {
+        let utilisation = (capacity > 0.0).then(|| demand / capacity);
+        let status = match utilisation {
+            Some(utilisation) if utilisation <= 1.0 => CheckStatus::Holds,
+            _ => CheckStatus::Fails,
+        };
+        Check {
+            id: id.into(),
+            status,
+            limit_state: id.into(),
+            name: name.into(),
+            demand: Some(demand),
+            capacity: Some(capacity),
+            utilisation: utilisation.filter(|u| u.is_finite()),
+            dimension,
+            unit: dimension.si_symbol().into(),
+            clause: clause.into(),
+            reason: String::new(),
+            input: None,
+            note: note.into(),
+        }
+    }
+
+    /// A limit state without a comparison.
+    pub fn without_comparison(state: &LimitState, status: CheckStatus, reason: &str, input: Option<&str>) -> Check {
+        Check {
+            id: state.id.into(),
+            status,
+            limit_state: state.id.into(),
+            name: state.name.into(),
+            demand: None,
+            capacity: None,
+            utilisation: None,
+            dimension: Dimension::Dimensionless,
+            unit: String::new(),
+            clause: state.clause.clone(),
+            reason: reason.into(),
+            input: input.map(str::to_owned),
+            note: String::new(),
+        }
+    }
+
+    /// The same check as part of another limit state.
+    pub fn of(mut self, limit_state: &str) -> Check {
+        self.limit_state = limit_state.into();
+        self
+    }
+
+    /// Whether it was checked and holds.
+    pub fn holds(&self) -> bool {
+        self.status == CheckStatus::Holds
+    }
+
+    /// Whether a demand was compared with a capacity.
+    pub fn compared(&self) -> bool {
+        matches!(self.status, CheckStatus::Holds | CheckStatus::Fails)
+    }
+
+    /// demand / capacity; infinite for a comparison without a positive capacity, absent without a comparison.
+    pub fn ratio(&self) -> Option<f64> {
+        self.compared().then(|| self.utilisation.unwrap_or(f64::INFINITY))
+    }
+}
+
+/// A gap that the user accepts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Accepted {
+    /// Limit state ("sliding"), of one method where it names that ("ec8-2006/sliding").
+    pub check: String,
+    /// Why.
+    pub reason: String,
+}
+
+impl Accepted {
+    /// Whether it means this limit state of this method.
+    pub fn means(&self, method: &str, limit_state: &str) -> bool {
+        match self.check.split_once('/') {
+            Some((of, state)) => of == method && state == limit_state,
+            None => self.check == limit_state,
+        }
+    }
+}
+
+/// Who decides about a tank, and which gaps are accepted.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Decision {
+    /// Ids of the methods that decide; empty for the editions in force that the site names.
+    pub decide: Vec<String>,
+    /// Accepted gaps.
+    pub accepted: Vec<Accepted>,
+}
+
+/// Every declared limit state ends as a check: those that the procedure left out are added, with the reason. Checks are sorted
+/// worst first: by status, then by utilisation, then in the order given.
+pub fn complete(states: &[LimitState], mut checks: Vec<Check>) -> Vec<Check> {
+    for state in states {
+        if checks.iter().any(|check| check.limit_state == state.id) {
+            continue;
+        }
+        checks.push(match &state.requirement {
+            Requirement::NotApplicable(reason) => {
+                Check::without_comparison(state, CheckStatus::NotApplicable, reason, None)
+            }
+            Requirement::NotImplemented => {
+                let reason = format!("not implemented: {}", state.clause);
+                Check::without_comparison(state, CheckStatus::NotChecked, &reason, None)
+            }
+            Requirement::Required => Check::without_comparison(
+                state,
+                CheckStatus::NotChecked,
+                "the procedure gives no value for it",
+                None,
+            ),
+        });
+    }
+    checks.sort_by(|a, b| {
+        let utilisation = |check: &Check| check.ratio().unwrap_or(0.0);
+        a.status.cmp(&b.status).then(utilisation(b).total_cmp(&utilisation(a)))
+    });
+    checks
+}
+
+#[cfg(test)]
+mod tests;
