@@ -19,6 +19,7 @@ fn main() {
         behaviour_factor: 1.0,
         construction_quality: 1.0,
         vertical: false,
+        friction: None,
     });
     for procedure in codes::ALL {
         let title = procedure.label().title;

@@ -10,6 +10,7 @@
 //! | [`plate`] | deflection of rectangular walls | A.4 |
 //! | [`uplift`] | estimate for unanchored walls | in place of the diagrams of A.9 |
 //! | [`buckling`] | stability of steel walls | A.10 |
+//! | `sliding` | base shear against friction | EN 1998-5:2004 5.4.1.1 |
 //!
 //! Masses, levers and pressures of the rigid tank (A.2.1, A.4) are those of [`crate::mechanical`]. The sheets themselves are
 //! filled by `cylinder` and `rectangle`. `docs/theory/eurocode8.md` maps the clauses and lists the gaps.
@@ -35,6 +36,7 @@ mod rectangle;
 mod scope;
 pub mod shell_mode;
 pub mod simplified;
+mod sliding;
 pub mod spectrum;
 #[cfg(test)]
 mod tables;

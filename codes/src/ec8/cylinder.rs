@@ -9,7 +9,7 @@ use super::flexible::{COEFFICIENT, PERIOD, coupled_mode, equivalent_density_peri
 use super::shell_mode::Base;
 use super::simplified::{self, LIMITS, Row};
 use super::work::{Masses, Ratio, Work};
-use super::{cylinder_stress, cylinder_vertical};
+use super::{cylinder_stress, cylinder_vertical, sliding};
 use crate::mechanical::{Lumped, Plan, eigenvalue, impulsive};
 use crate::procedure::CodeError;
 use crate::sheet::number;
@@ -67,6 +67,7 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     };
     let clause = edition.clause(if row.is_some() { "3.2.2" } else { "2.1" });
     let moment = work.resultants(&masses, a_i, a_c, &clause);
+    sliding::assess(work);
     if let Some(mode) = &mode {
         alternatives(work, mode, &rigid, a_i, a_c);
     }

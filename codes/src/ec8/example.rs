@@ -33,6 +33,7 @@ pub(super) fn site() -> Ec8Site {
         behaviour_factor: 1.0,
         construction_quality: 1.0,
         vertical: false,
+        friction: None,
     }
 }
 

@@ -22,6 +22,9 @@ pub(super) const ANCHORS: &str = "anchorage";
 /// Overturning of an unanchored tank.
 pub(super) const OVERTURNING: &str = "overturning";
 
+/// Sliding on the foundation.
+pub(super) const SLIDING: &str = "sliding";
+
 /// All limit states of a case.
 pub(super) fn all(case: &Case, edition: Edition) -> Vec<LimitState> {
     let cylinder = matches!(case.tank.shape, Shape::Cylinder { .. });
@@ -98,10 +101,10 @@ pub(super) fn all(case: &Case, edition: Edition) -> Vec<LimitState> {
     );
     let ground = "EN 1998-5:2004 5.4.1";
     add(
-        "sliding",
+        SLIDING,
         "Sliding on the foundation",
         format!("{ground}.1"),
-        Requirement::NotImplemented,
+        Requirement::Required,
     );
     add(
         "bearing",

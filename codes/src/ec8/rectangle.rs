@@ -12,6 +12,7 @@ use std::f64::consts::PI;
 
 use super::cylinder::LARGE;
 use super::plate::{Sides, deflection};
+use super::sliding;
 use super::work::{Masses, Work, combined};
 use crate::mechanical::{ConvectiveField, ImpulsiveField, Lumped, Plan, impulsive, sloshing_omega};
 use tank::case::{Case, Combination};
@@ -39,6 +40,7 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     work.wave("L", ["8/π²", "8/(9·π²)"], "4.1", a_c, s_2);
     let clause = work.edition.clause("4");
     work.resultants(&masses, a_i, a_c, &clause);
+    sliding::assess(work);
     work.out.values.insert(Quantity::SloshingPeriod, t_c1);
     work.out.values.insert(Quantity::ImpulsivePeriod, t_i);
     pressures(work, gamma, half, strip, a_i, a_c);

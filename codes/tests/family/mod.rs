@@ -131,6 +131,7 @@ impl Draw {
             behaviour_factor: self.of(&[1.0, 1.5]),
             construction_quality: self.of(&[1.0, 1.5, 2.5]),
             vertical: self.yes(),
+            friction: self.yes().then_some(0.4),
         }
     }
 

@@ -86,6 +86,9 @@ pub struct Ec8Site {
     pub construction_quality: f64,
     /// Whether the vertical design spectrum is applied.
     pub vertical: bool,
+    /// Design friction coefficient between foundation and ground (or tank and foundation), divided by its partial factor.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<f64>,
 }
 
 /// Site class of ASCE 7.

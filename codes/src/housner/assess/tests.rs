@@ -18,6 +18,7 @@ fn ec8_site() -> Ec8Site {
         behaviour_factor: 1.0,
         construction_quality: 1.0,
         vertical: false,
+        friction: None,
     }
 }
 

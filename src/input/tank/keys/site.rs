@@ -41,6 +41,8 @@ object! {
             = default(Number(1.0)).because("normal construction, EN 1998-4:2006 A.10"),
         /// Whether the vertical design spectrum is applied.
         vertical (false): Opt<bool> = default(true).because("EN 1998-4:2006 A.2.2 and A.3.3, on the safe side"),
+        /// Design friction coefficient of the foundation, tan δ divided by its partial factor γ_M, against sliding.
+        friction (0.4): Opt<Number> [Limits::above(0.0).to(1.0)] = without("sliding is not checked, EN 1998-5:2004 5.4.1.1"),
     }
 
     /// Site data of API 650: annex E of the 13th edition, and the zone method of appendix E, 9th edition. Without it the API
@@ -153,6 +155,7 @@ fn ec8(r: &mut Resolver<'_>, s: &Ec8) -> Option<Ec8Site> {
     let behaviour_factor = r.or_default(&s.behaviour_factor);
     let construction_quality = r.or_default(&s.construction_quality);
     let vertical = r.choice(&s.vertical);
+    let friction = r.optional(&s.friction);
     Some(Ec8Site {
         ground: ground?,
         spectrum: spectrum? as u8,
@@ -161,6 +164,7 @@ fn ec8(r: &mut Resolver<'_>, s: &Ec8) -> Option<Ec8Site> {
         behaviour_factor,
         construction_quality,
         vertical,
+        friction,
     })
 }
 

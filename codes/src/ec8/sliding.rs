@@ -1,0 +1,66 @@
+//! Sliding on the foundation: base shear against friction.
+//!
+//! ```text
+//! V_Ed = Q ≤ V_Rd = μ N_Ed       N_Ed = M (g − 0.3 A_v) with E_x + 0.3 E_z,   0.3 Q ≤ μ M (g − A_v) with 0.3 E_x + E_z
+//! ```
+//!
+//! M is the mass of liquid, wall and roof. μ = tan δ/γ_M is given as a design value. The weight of bottom plate and foundation and
+//! the earth pressure in front of the foundation (5.4.1.1, equation 5.2) are left out, on the safe side; so is their inertia,
+//! which is that of the sheet's base shear. Anchors do not change the check: they tie the tank to a foundation that slides with it.
+//!
+//! Source: EN 1998-5:2004 5.4.1.1, recalled; combinations of EN 1998-1:2004 4.3.3.5.2.
+
+use super::limit_states::SLIDING;
+use super::work::Work;
+use tank::assessment::CheckStatus;
+use tank::quantity::Quantity;
+use tank::units::Dimension::*;
+
+/// Clause of the check.
+const CLAUSE: &str = "EN 1998-5:2004 5.4.1.1";
+/// Path of the friction coefficient.
+const FRICTION: &str = "site.ec8.friction";
+
+/// Writes the check, or that the friction is missing. Needs the base shear.
+pub(super) fn assess(work: &mut Work) {
+    let Some(shear) = work.out.values.get(&Quantity::BaseShear).copied() else {
+        return;
+    };
+    let Some(friction) = work.demand.site.and_then(|site| site.friction) else {
+        let reason = format!("`{FRICTION}` is missing");
+        work.without_comparison(SLIDING, CheckStatus::NotChecked, &reason, Some(FRICTION));
+        return;
+    };
+    let case = work.case;
+    work.sheet.section("Sliding");
+    let name = "design friction of the foundation, tan δ/γ_M";
+    work.sheet.input("μ", name, friction, Dimensionless, FRICTION);
+    let mut terms = vec![
+        ("m", work.mass, Mass),
+        ("m_w", case.tank.wall_mass(), Mass),
+        ("m_r", case.tank.roof.mass, Mass),
+        ("g", case.gravity, Acceleration),
+        ("A_v", work.demand.vertical_ground(), Acceleration),
+        ("μ", friction, Dimensionless),
+    ];
+    // The smaller of E_x + 0.3 E_z and, as a force beside the whole of Q, 0.3 E_x + E_z.
+    let (name, formula) = if work.demand.vertical {
+        (
+            "weight with E_x + 0.3 E_z; with 0.3 E_x + E_z, as weight beside the whole base shear",
+            "(m + m_w + m_r)·min(g - 0.3·A_v, (g - A_v)/0.3)",
+        )
+    } else {
+        ("weight of liquid, wall and roof", "(m + m_w + m_r)·g")
+    };
+    let normal = work.sheet.calc("N_Ed", name, formula, &terms, Force, CLAUSE);
+    terms.push(("N_Ed", normal, Force));
+    let capacity = work
+        .sheet
+        .calc("V_Rd", "sliding resistance", "μ·N_Ed", &terms, Force, CLAUSE);
+    let note = "without the weight of bottom plate and foundation and without earth pressure";
+    let name = "Sliding on the foundation";
+    work.check(SLIDING, name, shear, capacity, Force, CLAUSE, note);
+}
+
+#[cfg(test)]
+mod tests;
