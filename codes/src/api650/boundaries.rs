@@ -11,7 +11,7 @@ use super::edition1993::Api6501993;
 use super::edition2020::Api6502020;
 use super::example::{case, line};
 use crate::procedure::Procedure;
-use tank::assessment::{Assessment, Excitation};
+use tank::assessment::{Assessment, CheckStatus, Excitation};
 use tank::case::Case;
 use tank::{Anchors, Support};
 
@@ -143,6 +143,45 @@ fn anchorage_ratio_of_2020() {
         (s.fa, s.fv, s.av) = (Some(1.14 * k), Some(1.60 * k), Some(0.32148));
         c
     });
+}
+
+/// L = 0.01723·10 mm·√(235 MPa/(12 m·0.784267)) = 0.1723·√24.9702 = 0.86099 m, between 0.45 m and 0.035 D = 1.05 m.
+#[test]
+fn annulus_width_of_2020() {
+    let with = |width: Option<f64>| {
+        let mut c = case();
+        c.tank.bottom.as_mut().unwrap().width = width;
+        c
+    };
+    limit(&Api6502020, "annulus_width", |u| with(Some(0.86099 / u)));
+    // Equality holds.
+    let gap = Api6502020.assess(&with(None), Excitation::Site).unwrap();
+    let needed = line(&gap, "L");
+    for (width, holds) in [(needed, true), (needed.next_down(), false)] {
+        let out = Api6502020.assess(&with(Some(width)), Excitation::Site).unwrap();
+        assert_eq!(find(&out, "annulus_width").holds(), holds, "{width}");
+    }
+    let gap = find(&gap, "annulus_width");
+    assert_eq!(
+        (gap.status, gap.input.as_deref()),
+        (CheckStatus::NotChecked, Some("tank.bottom.width"))
+    );
+    assert!(gap.reason.contains("860.99 mm"), "{}", gap.reason);
+}
+
+/// Without a bottom plate, and for J above 1.54, there is no width to check.
+#[test]
+fn annulus_width_of_2020_without_a_value() {
+    let end = |c: &Case| find(&Api6502020.assess(c, Excitation::Site).unwrap(), "annulus_width").clone();
+    let mut c = case();
+    c.tank.bottom = None;
+    assert_eq!(end(&c).input.as_deref(), Some("tank.bottom"));
+    let mut c = case();
+    c.tank.bottom.as_mut().unwrap().width = Some(2.0);
+    let s = site(&mut c);
+    (s.fa, s.fv, s.av) = (Some(2.28), Some(3.20), Some(0.32148));
+    let gap = end(&c);
+    assert!(!gap.compared() && gap.reason.contains("not stable"), "{gap:?}");
 }
 
 /// Consequences of the anchorage ratio: uplift from 0.785, compression up to 1.54.

@@ -31,6 +31,7 @@ pub(super) fn case() -> Case {
     };
     case.tank.bottom = Some(Bottom {
         thickness: 0.010,
+        width: None,
         material: steel(),
     });
     case

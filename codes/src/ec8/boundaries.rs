@@ -85,6 +85,7 @@ fn overturning() {
         c.tank.support = Support::Unanchored;
         c.tank.bottom = Some(Bottom {
             thickness: 0.010,
+            width: None,
             material: steel(),
         });
         c.site.ec8 = Some(Ec8Site {

@@ -213,6 +213,7 @@ fn unanchored_walls() {
     case.tank.support = Support::Unanchored;
     case.tank.bottom = Some(Bottom {
         thickness: 0.010,
+        width: None,
         material: steel(),
     });
     // The full motion overturns this tank.

@@ -102,6 +102,7 @@ impl Draw {
         let support = self.of(&[Support::Anchored, Support::Unanchored]);
         let plate = Bottom {
             thickness: thickest * self.of(&[0.3, 0.8, 1.5]),
+            width: self.of(&[None, Some(0.6)]),
             material: self.material(),
         };
         let tank = Tank {

@@ -104,6 +104,9 @@ pub struct Roof {
 pub struct Bottom {
     /// Thickness of the bottom plate under the shell (annular plate where there is one) [m].
     pub thickness: f64,
+    /// Width of the plate of this thickness, from the inside of the shell towards the centre [m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub width: Option<f64>,
     /// Material.
     pub material: Material,
 }

@@ -12,6 +12,8 @@ pub(super) const HOOP: &str = "hoop_stress";
 pub(super) const COMPRESSION: &str = "shell_compression";
 /// Anchorage ratio of a self-anchored tank.
 pub(super) const ANCHORAGE: &str = "anchorage_ratio";
+/// Width of the annular plate.
+pub(super) const ANNULUS: &str = "annulus_width";
 /// Tension of the anchors.
 pub(super) const ANCHORS: &str = "anchor_tension";
 /// Sliding.
@@ -45,10 +47,10 @@ pub(super) fn all(case: &Case) -> Vec<LimitState> {
         ),
         (ANCHORAGE, "Anchorage ratio J", "E.6.2.1.1", self_anchored(Required)),
         (
-            "annulus_width",
+            ANNULUS,
             "Width of the annular plate",
             "E.6.2.1.1.2",
-            self_anchored(NotImplemented),
+            self_anchored(Required),
         ),
         (ANCHORS, "Tension of the anchors", "E.6.2.1.2", mechanical(Required)),
         (

@@ -51,6 +51,7 @@ impl Run<'_> {
                 Ok((thickness, f_y)) => self.self_anchored(&load, thickness, f_y),
                 Err(input) => {
                     self.missing(limit_states::ANCHORAGE, &input);
+                    self.missing(limit_states::ANNULUS, &input);
                     self.missing(limit_states::COMPRESSION, &input);
                 }
             }
@@ -66,7 +67,11 @@ impl Run<'_> {
         let &Load { a_v, m_rw, w_t } = load;
         if 1.0 - 0.4 * a_v <= 0.0 {
             let reason = format!("A_v = {a_v:.3} g leaves no effective weight (1 - 0.4 A_v ≤ 0)");
-            for id in [limit_states::ANCHORAGE, limit_states::COMPRESSION] {
+            for id in [
+                limit_states::ANCHORAGE,
+                limit_states::ANNULUS,
+                limit_states::COMPRESSION,
+            ] {
                 self.without_comparison(id, CheckStatus::NotChecked, &reason, None);
             }
             return;
@@ -131,6 +136,8 @@ impl Run<'_> {
         } else {
             let reason = "the annex has no compression for J above 1.54: the tank is not stable";
             self.without_comparison(limit_states::COMPRESSION, CheckStatus::NotChecked, reason, None);
+            let reason = "no width holds down a shell with J above 1.54: the tank is not stable";
+            self.without_comparison(limit_states::ANNULUS, CheckStatus::NotChecked, reason, None);
         }
         if j <= hd::NOT_SELF_ANCHORED {
             // Where the limit of w_a counts, the thickness that gives it.
@@ -151,14 +158,28 @@ impl Run<'_> {
         ];
         let name = "width of the annulus inside the shell that w_a needs (t gives w_a)";
         let width = self.sheet.calc("L", name, hd::ANNULUS, &terms, Length, E6_2_1_1_2);
-        self.out.notes.push(format!(
-            "{E6_2_1_1_2}: the bottom plate of this thickness must reach {} inside the shell; its width is not part of the input.",
-            crate::sheet::with_unit(width, Length)
-        ));
+        self.annulus_width(width);
         if lifts {
             let terms = [("F_y", f_y, Stress), ("L", width, Length), ("t_a", t_a, Length)];
             let name = "uplift of the shell for the flexibility of piping";
             self.sheet.calc("y_u", name, hd::UPLIFT, &terms, Length, E7_3);
+        }
+    }
+
+    /// The needed width L [m] against the width of the plate.
+    fn annulus_width(&mut self, needed: f64) {
+        const PATH: &str = "tank.bottom.width";
+        let id = limit_states::ANNULUS;
+        match self.basis.case.tank.bottom.as_ref().and_then(|plate| plate.width) {
+            Some(width) => {
+                let (name, note) = ("Width of the annular plate", "L inside the shell");
+                self.check(id, name, needed, width, Length, E6_2_1_1_2, note);
+            }
+            None => {
+                let needed = crate::sheet::with_unit(needed, Length);
+                let reason = format!("`{PATH}` is missing; {needed} inside the shell are needed");
+                self.without_comparison(id, CheckStatus::NotChecked, &reason, Some(PATH));
+            }
         }
     }
 

@@ -53,6 +53,8 @@ object! {
     Bottom {
         /// Thickness of the bottom plate (of the annular plate, where there is one).
         thickness ("8 mm"): Field<Length> [THICKNESS],
+        /// Width of the plate of this thickness, from the inside of the shell towards the centre.
+        width ("0.9 m"): Opt<Length> [SIZE] = without("the width is not checked, API 650 E.6.2.1.1.2"),
         /// Name of its material.
         material ("steel"): Field<String>,
     }
@@ -127,8 +129,13 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     }
     let bottom = t.bottom.value().and_then(|bottom| {
         let thickness = r.number(&bottom.thickness);
+        let width = r.optional(&bottom.width);
         let material = wall::material(r, &bottom.material, materials, Use::Shell)?;
-        Some(tank::Bottom { thickness, material })
+        Some(tank::Bottom {
+            thickness,
+            width,
+            material,
+        })
     });
     let anchors = t.anchors.value().map(|anchors| tank::Anchors {
         count: r.count(&anchors.count).unwrap_or(0),
