@@ -242,6 +242,53 @@ fn shell_compression_of_2020_anchored() {
     });
 }
 
+/// M_s = 103 962.1 kNm grows with F_a and F_v alike; 2 M_s against 15 m·(74 890.2 + 544.3 + 1 045.1 + 343.35 + 5 000) kN
+/// = 1 227 344 kNm, with W_f = 7850·9.81·0.010·π·225 = 544.3 kN.
+#[test]
+fn foundation_of_2020() {
+    let w_f = 7850.0 * 9.81 * 0.010 * PI * 225.0;
+    let weights = 74_890.2e3 + w_f + 1_045.1e3 + 343.35e3;
+    let with = |weight: Option<f64>, k: f64| {
+        let mut c = case();
+        let s = site(&mut c);
+        s.foundation_weight = weight;
+        (s.fa, s.fv, s.av) = (Some(1.14 * k), Some(1.60 * k), Some(0.32148));
+        c
+    };
+    let k = 15.0 * (weights + 5e6) / (2.0 * 103_962.1e3);
+    limit(&Api6502020, "foundation", |u| with(Some(5e6), k * u));
+    // Twice the moment needs so much more foundation.
+    limit(&Api6502020, "foundation", |u| {
+        with(Some((2.0 * k * 2.0 * 103_962.1e3 / 15.0) / u - weights), 2.0 * k)
+    });
+    // As soon as the resisting moment is 2 M_s, it holds.
+    let at = |weight: f64| {
+        let out = Api6502020.assess(&with(Some(weight), k), Excitation::Site).unwrap();
+        find(&out, "foundation").clone()
+    };
+    let any = at(0.0);
+    let needed = (any.demand.unwrap() - any.capacity.unwrap()) / 15.0;
+    let mut weight = needed * (1.0 - 1e-13);
+    assert!(!at(needed * (1.0 - 1e-12)).holds());
+    while !at(weight).holds() {
+        weight = weight.next_up();
+    }
+    let limit = at(weight);
+    assert!(
+        limit.capacity >= limit.demand && (weight / needed - 1.0).abs() < 1e-12,
+        "{limit:?}"
+    );
+    // Anchored tanks alike; without the weight it is asked for.
+    let mut c = with(None, 1.0);
+    for support in [Support::Unanchored, Support::Anchored] {
+        c.tank.support = support;
+        let out = Api6502020.assess(&c, Excitation::Site).unwrap();
+        let gap = find(&out, "foundation");
+        assert_eq!(gap.status, CheckStatus::NotChecked);
+        assert_eq!(gap.input.as_deref(), Some("site.api650.foundation_weight"));
+    }
+}
+
 /// V = √((8 569.71 + 0.244286 W_f)² + 2 578.44²) kN against μ (W_s + W_r + W_f + W_p)(1 − 0.4 A_v).
 #[test]
 fn sliding_of_2020() {

@@ -17,10 +17,12 @@
 //!   case, unreduced (R_w = 1, I = 1, no K, no limit of A_c by A_i), so that they are comparable with a linear time
 //!   history. The annex sizes tanks for reduced forces, so its checks are left out there; their terms are shown.
 //!
-//! Modules: [`accelerations`] (E.4), [`forces`] (E.6.1, E.7.2), `hoop_check` (E.6.1.4, E.6.2.4), `resistance` (E.6.2, E.7).
+//! Modules: [`accelerations`] (E.4), [`forces`] (E.6.1, E.7.2), `hoop_check` (E.6.1.4, E.6.2.4), `resistance` (E.6.2, E.7),
+//! `foundation` (E.6.2.3).
 
 pub mod accelerations;
 pub mod forces;
+mod foundation;
 mod hoop_check;
 mod limit_states;
 mod resistance;
@@ -171,6 +173,7 @@ impl Procedure for Api6502020 {
         let delta = run.sloshing(&a);
         let hoop = run.hoop(&a);
         let axial = run.resistance(&a, &forces);
+        run.foundation(&forces);
 
         let g = case.gravity;
         let values = &mut run.out.values;

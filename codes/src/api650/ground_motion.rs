@@ -281,6 +281,7 @@ pub(super) mod tests {
             design_pressure: 0.0,
             joint_efficiency: 1.0,
             friction: 0.4,
+            foundation_weight: None,
             zone_factor: Some(0.30),
             soil_factor: 1.5,
             importance_1993: 1.0,

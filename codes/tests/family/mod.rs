@@ -155,6 +155,7 @@ impl Draw {
             design_pressure: self.of(&[0.0, 2e3]),
             joint_efficiency: self.of(&[0.85, 1.0]),
             friction: self.of(&[0.3, 0.5]),
+            foundation_weight: self.of(&[None, Some(2e6)]),
             zone_factor: self.of(&[Some(0.075), Some(0.2), Some(0.4), None]),
             soil_factor: self.of(&[1.0, 1.5]),
             importance_1993: self.of(&[1.0, 1.25]),

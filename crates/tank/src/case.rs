@@ -134,6 +134,9 @@ pub struct Api650Site {
     pub joint_efficiency: f64,
     /// Friction coefficient μ of sliding, at most 0.4.
     pub friction: f64,
+    /// Weight of the foundation and of the soil on it, W_fd + W_g [N].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub foundation_weight: Option<f64>,
     /// 9th edition: zone factor Z (0, 0.075, 0.15, 0.20, 0.30, 0.40); if absent, the zone method is not run.
     pub zone_factor: Option<f64>,
     /// 9th edition: site amplification S (1.0, 1.2, 1.5, 2.0).

@@ -142,6 +142,7 @@ fn defaults_and_where_they_come_from() {
         (api.s0, api.av, api.zone_factor, api.fa, api.soil_factor),
         (None, None, None, None, 1.5)
     );
+    assert_eq!(api.foundation_weight, None);
     assert!(default(&file, "site.api650.q").1.contains("E.4.6.1"));
     assert_eq!(default(&file, "procedures.run").0, "all");
     assert_eq!(default(&file, "tank.roof.mass").0, "0 kg");

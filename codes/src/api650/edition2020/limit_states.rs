@@ -18,6 +18,8 @@ pub(super) const ANNULUS: &str = "annulus_width";
 pub(super) const ANCHORS: &str = "anchor_tension";
 /// Sliding.
 pub(super) const SLIDING: &str = "sliding";
+/// Overturning of the foundation.
+pub(super) const FOUNDATION: &str = "foundation";
 /// Freeboard.
 pub(super) const FREEBOARD: &str = "freeboard";
 
@@ -60,7 +62,7 @@ pub(super) fn all(case: &Case) -> Vec<LimitState> {
             mechanical(NotImplemented),
         ),
         (SLIDING, "Sliding on the foundation", "E.7.6", self_anchored(Required)),
-        ("foundation", "Overturning of the foundation", "E.6.2.3", NotImplemented),
+        (FOUNDATION, "Overturning of the foundation", "E.6.2.3", Required),
         (FREEBOARD, "Freeboard", "E.7.2", Required),
         ("piping", "Flexibility of the piping", "E.7.3", NotImplemented),
     ]

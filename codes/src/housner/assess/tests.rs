@@ -80,6 +80,7 @@ fn asce_spectrum_stands_in_without_ec8() {
             design_pressure: 0.0,
             joint_efficiency: 1.0,
             friction: 0.4,
+            foundation_weight: None,
             zone_factor: None,
             soil_factor: 1.0,
             importance_1993: 1.0,

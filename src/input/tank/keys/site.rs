@@ -5,7 +5,7 @@ use tank::case::{self, Api650Site, Ec8Site, GroundType, SiteClass};
 use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
-use crate::input::tank::values::{Acceleration, InG, Number, Seconds, Stress, Whole};
+use crate::input::tank::values::{Acceleration, Force, InG, Number, Seconds, Stress, Whole};
 
 /// Mapped accelerations in g.
 const MAPPED: Limits = Limits::from(0.0).to(5.0);
@@ -81,6 +81,9 @@ object! {
         /// Friction coefficient against sliding.
         friction (0.3): Opt<Number> [Limits::above(0.0).to(0.4)]
             = default(Number(0.4)).because("API 650 E.7.6, the largest value allowed"),
+        /// Weight of the foundation and of the soil on it, W_fd + W_g, against overturning.
+        foundation_weight ("3 MN"): Opt<Force> [Limits::from(0.0).to(1e10)]
+            = without("overturning of the foundation is not checked, API 650 E.6.2.3"),
         /// 9th edition: zone factor Z.
         zone_factor (0.3): Opt<Number> [Limits::one_of(&[0.0, 0.075, 0.15, 0.2, 0.3, 0.4])]
             = without("the zone method of the 9th edition is not run"),
@@ -198,6 +201,7 @@ fn api650(r: &mut Resolver<'_>, s: &Api650) -> Option<Api650Site> {
     let design_pressure = r.or_default(&s.design_pressure);
     let joint_efficiency = r.or_default(&s.joint_efficiency);
     let friction = r.or_default(&s.friction);
+    let foundation_weight = r.optional(&s.foundation_weight);
     let zone_factor = r.optional(&s.zone_factor);
     let soil_factor = r.or_default(&s.soil_factor);
     let importance_1993 = r.or_default(&s.importance_1993);
@@ -216,6 +220,7 @@ fn api650(r: &mut Resolver<'_>, s: &Api650) -> Option<Api650Site> {
         design_pressure,
         joint_efficiency,
         friction,
+        foundation_weight,
         zone_factor,
         soil_factor,
         importance_1993,
