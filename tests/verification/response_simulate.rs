@@ -166,7 +166,11 @@ fn limits_of_validity() {
     let mut anchored = shaken(scaled(&motion, 2.0), None);
     for (factor, holds) in [(1.01, true), (0.99, false)] {
         let capacity = Some(factor * b * std::f64::consts::TAU * 1.83 / 40.0);
-        anchored.tank.anchors = Some(Anchors { count: 40, capacity });
+        anchored.tank.anchors = Some(Anchors {
+            count: 40,
+            capacity,
+            attachment_capacity: None,
+        });
         let found = simulate(&anchored, &quick()).unwrap();
         assert_eq!(limit(&found, "uplift_tension").holds, holds);
     }

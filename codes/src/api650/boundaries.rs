@@ -51,6 +51,7 @@ fn anchored(capacity: f64) -> Case {
     c.tank.anchors = Some(Anchors {
         count: 60,
         capacity: Some(capacity),
+        attachment_capacity: None,
     });
     c
 }
@@ -336,6 +337,67 @@ fn anchor_tension_of_2020() {
         s.ss *= 4.0 / 3.5;
         c
     });
+}
+
+/// 3 P_AB = 3·48 968.7 N/m·π·30 m/60 = 230.76 kN.
+#[test]
+fn anchor_attachment_of_2020() {
+    let with = |capacity: Option<f64>| {
+        let mut c = anchored(1e9);
+        let s = site(&mut c);
+        (s.fa, s.fv, s.av) = (Some(1.14), Some(1.60), Some(0.47 * 0.684));
+        s.ss *= 4.0 / 3.5;
+        c.tank.anchors.as_mut().unwrap().attachment_capacity = capacity;
+        c
+    };
+    limit(&Api6502020, "anchor_attachment", |u| {
+        with(Some(3.0 * 48_968.7 * PI * 30.0 / 60.0 / u))
+    });
+    let at = |capacity: Option<f64>| {
+        let out = Api6502020.assess(&with(capacity), Excitation::Site).unwrap();
+        find(&out, "anchor_attachment").clone()
+    };
+    // Equality holds.
+    let force = at(Some(1e6)).demand.unwrap();
+    assert!(at(Some(force)).holds() && !at(Some(force.next_down())).holds());
+    let gap = at(None);
+    assert_eq!(
+        (gap.status, gap.input.as_deref()),
+        (CheckStatus::NotChecked, Some("tank.anchors.attachment_capacity"))
+    );
+    // A weak earthquake does not pull.
+    let mut c = with(Some(1e6));
+    let s = site(&mut c);
+    (s.ss, s.s1) = (0.01, 0.01);
+    let out = Api6502020.assess(&c, Excitation::Site).unwrap();
+    assert_eq!(find(&out, "anchor_attachment").status, CheckStatus::NotApplicable);
+}
+
+/// π·30 m/n ≤ 3 m: 31.4 anchors; 32 stand 2.945 m apart, 31 stand 3.040 m apart. D = 3 m·n/π is at the limit.
+#[test]
+fn anchor_spacing_of_2020() {
+    let at = |count: u32, radius: f64| {
+        let mut c = anchored(1e9);
+        c.tank.anchors.as_mut().unwrap().count = count;
+        c.tank.shape = tank::Shape::Cylinder { radius };
+        let out = Api6502020.assess(&c, Excitation::Site).unwrap();
+        find(&out, "anchor_spacing").clone()
+    };
+    for (count, spacing, holds) in [(32, 2.945, true), (31, 3.040, false), (1, 94.248, false)] {
+        let check = at(count, 15.0);
+        assert_eq!(check.holds(), holds, "{check:?}");
+        assert!((check.demand.unwrap() - spacing).abs() < 5e-4, "{check:?}");
+    }
+    for (u, holds) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
+        assert_eq!(at(60, u * 1.5 * 60.0 / PI).holds(), holds, "{u}");
+    }
+    // Without anchors both limit states ask for them.
+    let mut c = anchored(1e9);
+    c.tank.anchors = None;
+    let out = Api6502020.assess(&c, Excitation::Site).unwrap();
+    for id in ["anchor_attachment", "anchor_spacing"] {
+        assert_eq!(find(&out, id).input.as_deref(), Some("tank.anchors"), "{id}");
+    }
 }
 
 /// x = M/(D² (w_t + w_L)) = 40.445 MNm/(900 m²·(14 732.3 + 49 874.8) N/m) in zone 3; the limit is 1/0.637.

@@ -18,9 +18,10 @@
 //!   history. The annex sizes tanks for reduced forces, so its checks are left out there; their terms are shown.
 //!
 //! Modules: [`accelerations`] (E.4), [`forces`] (E.6.1, E.7.2), `hoop_check` (E.6.1.4, E.6.2.4), `resistance` (E.6.2, E.7),
-//! `foundation` (E.6.2.3).
+//! `anchors` (E.6.2.1.2, 5.12.3), `foundation` (E.6.2.3).
 
 pub mod accelerations;
+mod anchors;
 pub mod forces;
 mod foundation;
 mod hoop_check;

@@ -180,6 +180,7 @@ fn missing_data_is_named() {
     c.tank.anchors = Some(Anchors {
         count: 48,
         capacity: Some(100e3),
+        attachment_capacity: None,
     });
     let out = assess(&c, Excitation::Site);
     let anchor = out.checks.iter().find(|c| c.id == "anchor_tension").unwrap();

@@ -57,6 +57,7 @@ fn anchorage() {
         c.tank.anchors = Some(Anchors {
             count: 60,
             capacity: Some(n_a * PI * 30.0 / 60.0 / u),
+            attachment_capacity: None,
         });
         c
     });

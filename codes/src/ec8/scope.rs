@@ -287,6 +287,7 @@ fn anchors() {
     case.tank.anchors = Some(Anchors {
         count: 60,
         capacity: Some(400e3),
+        attachment_capacity: None,
     });
     let a = En2006.assess(&case, Excitation::Site).unwrap();
     let spacing = std::f64::consts::PI * 30.0 / 60.0;

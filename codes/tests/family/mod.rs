@@ -117,6 +117,7 @@ impl Draw {
             anchors: self.yes().then(|| Anchors {
                 count: 40,
                 capacity: self.yes().then_some(200e3),
+                attachment_capacity: self.yes().then_some(500e3),
             }),
         };
         (tank, depth)

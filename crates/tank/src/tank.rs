@@ -118,6 +118,9 @@ pub struct Anchors {
     pub count: u32,
     /// Design tension capacity of one anchor [N].
     pub capacity: Option<f64>,
+    /// Design tension capacity of the attachment of one anchor to the shell and of its embedment [N].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub attachment_capacity: Option<f64>,
 }
 
 /// Young's modulus from which a wall counts as metal [Pa].

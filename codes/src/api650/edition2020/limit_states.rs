@@ -16,6 +16,10 @@ pub(super) const ANCHORAGE: &str = "anchorage_ratio";
 pub(super) const ANNULUS: &str = "annulus_width";
 /// Tension of the anchors.
 pub(super) const ANCHORS: &str = "anchor_tension";
+/// Attachment of the anchors.
+pub(super) const ATTACHMENT: &str = "anchor_attachment";
+/// Spacing of the anchors.
+pub(super) const SPACING: &str = "anchor_spacing";
 /// Sliding.
 pub(super) const SLIDING: &str = "sliding";
 /// Overturning of the foundation.
@@ -56,11 +60,12 @@ pub(super) fn all(case: &Case) -> Vec<LimitState> {
         ),
         (ANCHORS, "Tension of the anchors", "E.6.2.1.2", mechanical(Required)),
         (
-            "anchor_attachment",
+            ATTACHMENT,
             "Attachment of the anchors, 3 P_AB",
             "E.6.2.1.2",
-            mechanical(NotImplemented),
+            mechanical(Required),
         ),
+        (SPACING, "Spacing of the anchors", "5.12.3", mechanical(Required)),
         (SLIDING, "Sliding on the foundation", "E.7.6", self_anchored(Required)),
         (FOUNDATION, "Overturning of the foundation", "E.6.2.3", Required),
         (FREEBOARD, "Freeboard", "E.7.2", Required),

@@ -245,6 +245,8 @@ impl Run<'_> {
                 Err((CheckStatus::NotChecked, input)) => self.missing(limit_states::ANCHORS, &input),
                 Err((status, reason)) => self.without_comparison(limit_states::ANCHORS, status, &reason, None),
             }
+            self.anchor_attachment(w_ab);
+            self.anchor_spacing();
         }
     }
 

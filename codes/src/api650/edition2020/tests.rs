@@ -127,6 +127,7 @@ fn worked_example_anchored() {
     c.tank.anchors = Some(Anchors {
         count: 60,
         capacity: Some(100e3),
+        attachment_capacity: None,
     });
     let out = assess(&c, Excitation::Site);
     close(line(&out, "A_i"), 0.244286, 5e-7, "A_i");

@@ -66,6 +66,9 @@ object! {
         /// Design tension capacity of one anchor.
         capacity ("120 kN"): Opt<Force> [Limits::above(0.0).to(1e9)]
             = without("the force of an anchor is given without a check"),
+        /// Design tension capacity of the attachment of one anchor to the shell and of its embedment, the lesser.
+        attachment_capacity ("300 kN"): Opt<Force> [Limits::above(0.0).to(1e9)]
+            = without("the attachment of the anchors is not checked, API 650 E.6.2.1.2"),
     }
 
     /// The stored liquid.
@@ -140,6 +143,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     let anchors = t.anchors.value().map(|anchors| tank::Anchors {
         count: r.count(&anchors.count).unwrap_or(0),
         capacity: r.optional(&anchors.capacity),
+        attachment_capacity: r.optional(&anchors.attachment_capacity),
     });
     if support == Some(Support::Unanchored)
         && let Some(anchors) = &t.anchors.given

@@ -1,0 +1,65 @@
+//! Attachment (E.6.2.1.2) and spacing (5.12.3) of the anchors.
+//!
+//! The attachment to the shell and the embedment are designed for the lesser of 3 P_AB and the anchor's yield force as built.
+//! The yield force as built is not known here; 3 P_AB is on the safe side. The spacing is measured along the inside of the shell.
+//! Clause numbers and the 3 m are recalled.
+
+use tank::Anchors;
+use tank::assessment::CheckStatus;
+use tank::units::Dimension::{Dimensionless, Force, Length, LineForce};
+
+use super::{Run, limit_states};
+
+const E6_2_1_2: &str = "API 650:2020 E.6.2.1.2";
+const SPACING: &str = "API 650:2020 5.12.3";
+/// Largest spacing of anchors [m] (10 ft).
+const LARGEST_SPACING: f64 = 3.0;
+
+impl Run<'_> {
+    /// Three times the tension of an anchor against the capacity of its attachment.
+    ///
+    /// * `w_ab`: uplift per length of shell [N/m]
+    pub(super) fn anchor_attachment(&mut self, w_ab: f64) {
+        let id = limit_states::ATTACHMENT;
+        if w_ab <= 0.0 {
+            let reason = "the weight outweighs the uplift; the anchors carry no tension";
+            return self.without_comparison(id, CheckStatus::NotApplicable, reason, None);
+        }
+        let Some(anchors) = self.counted_anchors() else {
+            return self.missing(id, "tank.anchors");
+        };
+        let Some(capacity) = anchors.attachment_capacity else {
+            return self.missing(id, "tank.anchors.attachment_capacity");
+        };
+        let terms = [
+            ("w_AB", w_ab, LineForce),
+            ("D", self.basis.d, Length),
+            ("n_A", f64::from(anchors.count), Dimensionless),
+        ];
+        let (name, formula) = ("design force of an attachment, 3 P_AB", "3·w_AB·π·D/n_A");
+        let force = self.sheet.calc("P_3", name, formula, &terms, Force, E6_2_1_2);
+        let name = "Attachment of an anchor, 3 P_AB";
+        let note = "or the anchor's yield force as built, where that is less";
+        self.check(id, name, force, capacity, Force, E6_2_1_2, note);
+    }
+
+    /// Spacing of the anchors against the largest allowed.
+    pub(super) fn anchor_spacing(&mut self) {
+        let id = limit_states::SPACING;
+        let Some(anchors) = self.counted_anchors() else {
+            return self.missing(id, "tank.anchors");
+        };
+        let terms = [
+            ("D", self.basis.d, Length),
+            ("n_A", f64::from(anchors.count), Dimensionless),
+        ];
+        let name = "spacing of the anchors";
+        let spacing = self.sheet.calc("a_A", name, "π·D/n_A", &terms, Length, SPACING);
+        let name = "Spacing of the anchors";
+        self.check(id, name, spacing, LARGEST_SPACING, Length, SPACING, "");
+    }
+
+    fn counted_anchors(&self) -> Option<Anchors> {
+        self.basis.case.tank.anchors.filter(|anchors| anchors.count > 0)
+    }
+}
