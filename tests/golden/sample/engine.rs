@@ -155,7 +155,7 @@ pub(super) fn fe_result(
                 limit: 0.0,
                 dimension: Dimension::Stress,
                 holds: false,
-                note: "suction of 0.2 kPa at z = 1.48 m, t = 4.31 s; the liquid would part from the wall".into(),
+                note: "suction of 0.2 kPa at z = 1.48 m, t = 4.31 s; the liquid separates from the wall".into(),
             },
         ],
         ..Run::new(EngineId::Harmonic)

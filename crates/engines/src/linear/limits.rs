@@ -100,7 +100,7 @@ fn suction(case: &Case, model: &Model, analysis: &Analysis) -> Option<Limit> {
             String::new()
         } else {
             format!(
-                "Suction at z = {}, θ = {side}, t = {time:.2} s: the liquid would part from the wall, which the linear \
+                "Suction at z = {}, θ = {side}, t = {time:.2} s: the liquid separates from the wall, which the linear \
                  engine does not model.",
                 display(z, Dimension::Length)
             )

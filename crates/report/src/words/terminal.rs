@@ -67,11 +67,14 @@ pub fn later(peaks: &BTreeMap<String, f64>, end: f64, completed: bool) -> String
 /// The check with the largest utilisation.
 pub fn governing(governing: &Governing) -> String {
     format!(
-        "{} ({}, {}), utilisation {}",
+        "{} ({}, {}), {}",
         governing.check.name,
         governing.method,
         excitation(governing.excitation),
-        utilisation(&governing.check)
+        match governing.check.utilisation {
+            Some(utilisation) => format!("utilisation {utilisation:.2}"),
+            None => "no capacity is left".into(),
+        }
     )
 }
 
