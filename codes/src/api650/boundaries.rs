@@ -290,6 +290,75 @@ fn foundation_of_2020() {
     }
 }
 
+/// Lower edge of course 2, z = 2.4 m, 12 mm thick. χ_i = 0.56957 and χ_c = 0.676762 by integration of the pressure series with a
+/// separate script; W_a = 1 144.62 kN with a moment of 8 784.4 kNm about z.
+///
+/// M_zi = 0.244286·(33 692.2·4.5·0.56957 + 8 784.4) = 23 241 kNm, M_zc = 0.066590·38 721.0·6.88687·0.676762 = 12 017 kNm,
+/// M_z = 26 164 kNm; σ = (12 144.8 N/m·1.128592 + 1.273·26 164 kNm/900 m²)/12 mm = 4.2262 MPa.
+/// G H_z D²/t² = 0.9·9.6·900/144 = 54: F_C = 83 GPa·12 mm/30 m = 33.2 MPa.
+#[test]
+fn upper_compression_of_2020() {
+    let out = Api6502020.assess(&case(), Excitation::Site).unwrap();
+    for (symbol, value, tolerance) in [
+        ("χ_i", 0.56957, 1e-5),
+        ("χ_c", 0.676762, 1e-6),
+        ("W_a", 1_144.62e3, 5.0),
+        ("M_z", 26_164e3, 1e3),
+        ("σ_cz", 4.22622e6, 50.0),
+        ("G·H_z·D²/t²", 54.0, 1e-9),
+        ("F_Cz", 33.2e6, 1.0),
+    ] {
+        assert!(
+            (line(&out, symbol) - value).abs() <= tolerance,
+            "{symbol} {}",
+            line(&out, symbol)
+        );
+    }
+    assert!(
+        find(&out, "upper_compression")
+            .note
+            .starts_with("course 2 at z = 2.4 m")
+    );
+    limit(&Api6502020, "upper_compression", |u| {
+        let mut c = case();
+        for course in &mut c.tank.courses {
+            course.material.yield_strength = Some(2.0 * 4.22622e6 / u);
+        }
+        c
+    });
+}
+
+/// A course of half the thickness governs where it stands; equality holds; anchored tanks alike; one course has none above it.
+#[test]
+fn upper_compression_of_2020_governs_where_the_shell_is_weak() {
+    let end = |c: &Case| find(&Api6502020.assess(c, Excitation::Site).unwrap(), "upper_compression").clone();
+    let mut c = case();
+    c.tank.courses[3].thickness = 0.004;
+    assert!(end(&c).note.starts_with("course 4 at z = 7.2 m"), "{:?}", end(&c));
+    let mut c = anchored(1e9);
+    let demand = end(&c).demand.unwrap();
+    for (limit, holds) in [(demand, true), (demand.next_down(), false)] {
+        for course in &mut c.tank.courses {
+            course.material.yield_strength = Some(2.0 * limit);
+        }
+        assert_eq!(end(&c).holds(), holds);
+    }
+    c.tank.courses[2].material.yield_strength = None;
+    // On the branch of thick shells the yield strength is needed: 0.9·7.2·900/t² < 44 from t = 11.5 mm.
+    c.tank.courses[2].thickness = 0.014;
+    assert_eq!(end(&c).status, CheckStatus::NotChecked);
+    c.tank.courses.truncate(1);
+    c.tank.courses[0].height = 14.4;
+    let out = Api6502020.assess(&c, Excitation::Site).unwrap();
+    assert!(out.checks.iter().all(|check| check.id != "upper_compression"));
+    let states = Api6502020.limit_states(&c);
+    let state = states.iter().find(|s| s.id == "upper_compression").unwrap();
+    assert!(matches!(
+        state.requirement,
+        tank::assessment::Requirement::NotApplicable(_)
+    ));
+}
+
 /// V = √((8 569.71 + 0.244286 W_f)² + 2 578.44²) kN against μ (W_s + W_r + W_f + W_p)(1 − 0.4 A_v).
 #[test]
 fn sliding_of_2020() {

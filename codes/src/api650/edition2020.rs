@@ -18,7 +18,8 @@
 //!   history. The annex sizes tanks for reduced forces, so its checks are left out there; their terms are shown.
 //!
 //! Modules: [`accelerations`] (E.4), [`forces`] (E.6.1, E.7.2), `hoop_check` (E.6.1.4, E.6.2.4), `resistance` (E.6.2, E.7),
-//! `anchors` (E.6.2.1.2, 5.12.3), `foundation` (E.6.2.3).
+//! `anchors` (E.6.2.1.2, 5.12.3), `foundation` (E.6.2.3),
+//! `upper_courses` (E.6.2.2 above the bottom course).
 
 pub mod accelerations;
 mod anchors;
@@ -29,6 +30,7 @@ mod limit_states;
 mod resistance;
 #[cfg(test)]
 mod tests;
+mod upper_courses;
 
 use crate::api650::ground_motion::DesignSpectrum;
 use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
@@ -174,6 +176,7 @@ impl Procedure for Api6502020 {
         let delta = run.sloshing(&a);
         let hoop = run.hoop(&a);
         let axial = run.resistance(&a, &forces);
+        run.upper_courses(&a, &forces);
         run.foundation(&forces);
 
         let g = case.gravity;

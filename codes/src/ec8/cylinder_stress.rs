@@ -101,29 +101,11 @@ impl State<'_> {
         self.combinations(vertical).iter().map(of).fold(0.0, f64::max)
     }
 
-    /// Mass of wall and roof above z [kg], and its moment about z [kg·m].
-    fn mass_above(&self, z: f64) -> (f64, f64) {
-        let roof = self.tank.roof.mass;
-        let (mut mass, mut moment) = (roof, roof * (self.tank.roof_height() - z));
-        let mut base = 0.0;
-        for c in &self.tank.courses {
-            let top = base + c.height;
-            let from = base.max(z);
-            if top > from {
-                let part = self.tank.perimeter() * (top - from) * c.thickness * c.material.density;
-                mass += part;
-                moment += part * (0.5 * (top + from) - z);
-            }
-            base = top;
-        }
-        (mass, moment)
-    }
-
     /// Moment of the wall's cross-section at z [N·m].
     fn moment(&self, z: f64) -> f64 {
         let zeta = self.zeta(z).min(1.0);
         let scale = self.liquid.mass(self.tank.shape) * self.liquid.fill_height;
-        let (_, wall) = self.mass_above(z);
+        let (_, wall) = self.tank.mass_above(z);
         let impulsive = (scale * self.impulsive.moment_above(zeta) + wall) * self.a_i;
         let convective = scale * self.convective.moment_above(zeta) * self.a_c;
         combined(self.combination, impulsive, convective)
@@ -137,7 +119,7 @@ impl State<'_> {
 
     /// Axial force per length of the weight above z [N/m].
     pub(super) fn weight(&self, z: f64) -> f64 {
-        self.mass_above(z).0 * self.gravity / (2.0 * PI * self.radius)
+        self.tank.mass_above(z).0 * self.gravity / (2.0 * PI * self.radius)
     }
 
     /// `1 ± v A_v/g` on the weight.

@@ -215,6 +215,23 @@ impl Tank {
         moment / sum
     }
 
+    /// Mass of wall and roof above the height `z` [kg], and its moment about `z` [kg·m].
+    pub fn mass_above(&self, z: f64) -> (f64, f64) {
+        let (mut mass, mut moment) = (self.roof.mass, self.roof.mass * (self.roof_height() - z));
+        let mut base = 0.0;
+        for c in &self.courses {
+            let top = base + c.height;
+            let from = base.max(z);
+            if top > from {
+                let part = self.perimeter() * (top - from) * c.thickness * c.material.density;
+                mass += part;
+                moment += part * (0.5 * (top + from) - z);
+            }
+            base = top;
+        }
+        (mass, moment)
+    }
+
     /// Height of the roof's centre of mass [m].
     pub fn roof_height(&self) -> f64 {
         self.roof.height.unwrap_or_else(|| self.wall_height())

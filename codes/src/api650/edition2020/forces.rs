@@ -29,6 +29,10 @@ pub(super) struct Forces {
     pub w_i: f64,
     /// Convective weight W_c.
     pub w_c: f64,
+    /// Height X_i [m] of the impulsive force above the bottom, ringwall.
+    pub x_i: f64,
+    /// Height X_c [m] of the convective force above the bottom, ringwall.
+    pub x_c: f64,
 }
 
 impl Run<'_> {
@@ -62,11 +66,11 @@ impl Run<'_> {
         let w_i = line(sheet, "W_i", "impulsive weight", charts.w_i, Force, E6_1_1);
         let w_c = line(sheet, "W_c", "convective weight", charts.w_c, Force, E6_1_1);
         let name = "height of the impulsive force, ringwall";
-        line(sheet, "X_i", name, charts.x_i, Length, E6_1_2_1);
+        let x_i = line(sheet, "X_i", name, charts.x_i, Length, E6_1_2_1);
         let name = "argument of the sloshing mode";
         line(sheet, "u", name, ARGUMENT, Dimensionless, E6_1_2_1);
         let name = "height of the convective force, ringwall";
-        line(sheet, "X_c", name, charts.x_c, Length, E6_1_2_1);
+        let x_c = line(sheet, "X_c", name, charts.x_c, Length, E6_1_2_1);
         let name = "height of the impulsive force, slab";
         line(sheet, "X_is", name, charts.x_is, Length, E6_1_2_2);
         let name = "height of the convective force, slab";
@@ -90,7 +94,15 @@ impl Run<'_> {
         line(sheet, "M_sc", "convective slab moment", formula, Moment, E6_1_5);
         let (name, formula) = ("slab moment, with base pressure", "√(M_si² + M_sc²)");
         let m_s = line(sheet, "M_s", name, formula, Moment, E6_1_5);
-        Forces { v, m_rw, m_s, w_i, w_c }
+        Forces {
+            v,
+            m_rw,
+            m_s,
+            w_i,
+            w_c,
+            x_i,
+            x_c,
+        }
     }
 
     /// Height of the sloshing wave [m] with its line, and the freeboard.

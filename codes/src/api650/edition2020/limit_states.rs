@@ -10,6 +10,8 @@ use tank::case::Case;
 pub(super) const HOOP: &str = "hoop_stress";
 /// Compression of the bottom course.
 pub(super) const COMPRESSION: &str = "shell_compression";
+/// Compression of the courses above the bottom course.
+pub(super) const UPPER_COMPRESSION: &str = "upper_compression";
 /// Anchorage ratio of a self-anchored tank.
 pub(super) const ANCHORAGE: &str = "anchorage_ratio";
 /// Width of the annular plate.
@@ -42,15 +44,14 @@ pub(super) fn all(case: &Case) -> Vec<LimitState> {
         false => required,
     };
     use Requirement::{NotImplemented, Required};
+    let upper = match case.tank.courses.len() {
+        1 => Requirement::NotApplicable("the shell has one course".into()),
+        _ => Required,
+    };
     [
         (HOOP, "Hoop stress of the shell", "E.6.2.4", Required),
         (COMPRESSION, "Compression of the bottom course", "E.6.2.2", Required),
-        (
-            "upper_compression",
-            "Compression of the courses above",
-            "E.6.2.2",
-            NotImplemented,
-        ),
+        (UPPER_COMPRESSION, "Compression of the courses above", "E.6.2.2", upper),
         (ANCHORAGE, "Anchorage ratio J", "E.6.2.1.1", self_anchored(Required)),
         (
             ANNULUS,

@@ -102,7 +102,7 @@ fn worked_example() {
     assert_eq!(out.values.len(), 10);
     // The wave of 0.7·1.117 m stays below the freeboard of 2.4 m; all holds.
     let compared: Vec<_> = out.checks.iter().filter(|c| c.compared()).collect();
-    assert_eq!(compared.len(), 5);
+    assert_eq!(compared.len(), 6);
     assert!(compared.iter().all(|c| c.holds()), "{compared:?}");
     close(
         check(&out, "freeboard").demand.unwrap(),
