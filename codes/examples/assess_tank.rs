@@ -20,6 +20,7 @@ fn main() {
         construction_quality: 1.0,
         vertical: false,
         friction: None,
+        reduction_factor: None,
     });
     for procedure in codes::ALL {
         let title = procedure.label().title;

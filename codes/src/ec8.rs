@@ -10,6 +10,7 @@
 //! | [`plate`] | deflection of rectangular walls | A.4 |
 //! | [`uplift`] | estimate for unanchored walls | in place of the diagrams of A.9 |
 //! | [`buckling`] | stability of steel walls | A.10 |
+//! | `damage` | damage limitation: freeboard and hoop | 2.1.3, EN 1998-1:2004 2.2.3 |
 //! | `sliding` | base shear against friction | EN 1998-5:2004 5.4.1.1 |
 //!
 //! Masses, levers and pressures of the rigid tank (A.2.1, A.4) are those of [`crate::mechanical`]. The sheets themselves are
@@ -23,6 +24,7 @@ mod cylinder_base;
 mod cylinder_checks;
 mod cylinder_stress;
 mod cylinder_vertical;
+mod damage;
 pub mod demand;
 #[cfg(test)]
 mod example;

@@ -30,7 +30,7 @@ pub(super) struct State<'a> {
     convective: ConvectiveField,
     a_i: f64,
     a_c: f64,
-    combination: Combination,
+    pub combination: Combination,
     motion: VerticalMotion,
     /// M just above the base plate [N·m], as the procedure gives it.
     pub base_moment: f64,
@@ -44,7 +44,7 @@ impl State<'_> {
         z / self.liquid.fill_height
     }
 
-    fn pressure_impulsive(&self, z: f64) -> f64 {
+    pub(super) fn pressure_impulsive(&self, z: f64) -> f64 {
         let zeta = self.zeta(z);
         if zeta >= 1.0 {
             return 0.0;
@@ -52,7 +52,7 @@ impl State<'_> {
         self.liquid.density * self.liquid.fill_height * self.impulsive.wall(zeta) * self.a_i
     }
 
-    fn pressure_convective(&self, z: f64) -> f64 {
+    pub(super) fn pressure_convective(&self, z: f64) -> f64 {
         let zeta = self.zeta(z);
         if zeta > 1.0 {
             return 0.0;
@@ -68,7 +68,7 @@ impl State<'_> {
         )
     }
 
-    fn pressure_vertical(&self, z: f64) -> f64 {
+    pub(super) fn pressure_vertical(&self, z: f64) -> f64 {
         let zeta = self.zeta(z);
         let scale = self.liquid.density * self.liquid.fill_height;
         let rigid = vertical::rigid_pressure(zeta) * self.motion.ground;
@@ -128,10 +128,17 @@ impl State<'_> {
     }
 }
 
-/// Writes pressures, stresses, profiles and checks.
+/// Writes pressures, stresses, profiles and checks; returns the state.
 ///
 /// * `moment`: M just above the base plate [N·m]; `a_i`, `a_c`: accelerations of the impulsive part and of the first sloshing mode
-pub(super) fn assess(work: &mut Work, radius: f64, moment: f64, a_i: f64, a_c: f64, motion: Option<VerticalMotion>) {
+pub(super) fn assess<'a>(
+    work: &mut Work<'a>,
+    radius: f64,
+    moment: f64,
+    a_i: f64,
+    a_c: f64,
+    motion: Option<VerticalMotion>,
+) -> State<'a> {
     let case = work.case;
     let gamma = case.liquid.fill_height / radius;
     let state = State {
@@ -150,6 +157,7 @@ pub(super) fn assess(work: &mut Work, radius: f64, moment: f64, a_i: f64, a_c: f
     base_pressures(work, &state);
     stresses(work, &state, motion.is_some());
     cylinder_checks::assess(work, &state, motion.is_some());
+    state
 }
 
 fn base_pressures(work: &mut Work, state: &State) {

@@ -34,6 +34,7 @@ pub(super) fn site() -> Ec8Site {
         construction_quality: 1.0,
         vertical: false,
         friction: None,
+        reduction_factor: None,
     }
 }
 

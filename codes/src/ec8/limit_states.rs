@@ -25,6 +25,9 @@ pub(super) const OVERTURNING: &str = "overturning";
 /// Sliding on the foundation.
 pub(super) const SLIDING: &str = "sliding";
 
+/// Damage limitation.
+pub(super) const DAMAGE: &str = "damage_limitation";
+
 /// All limit states of a case.
 pub(super) fn all(case: &Case, edition: Edition) -> Vec<LimitState> {
     let cylinder = matches!(case.tank.shape, Shape::Cylinder { .. });
@@ -119,10 +122,10 @@ pub(super) fn all(case: &Case, edition: Edition) -> Vec<LimitState> {
         Requirement::NotImplemented,
     );
     add(
-        "damage_limitation",
+        DAMAGE,
         "Damage limitation state",
         edition.main("2.1.3"),
-        Requirement::NotImplemented,
+        Requirement::Required,
     );
     states
 }

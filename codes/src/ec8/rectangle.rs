@@ -12,8 +12,8 @@ use std::f64::consts::PI;
 
 use super::cylinder::LARGE;
 use super::plate::{Sides, deflection};
-use super::sliding;
 use super::work::{Masses, Work, combined};
+use super::{damage, sliding};
 use crate::mechanical::{ConvectiveField, ImpulsiveField, Lumped, Plan, impulsive, sloshing_omega};
 use tank::case::{Case, Combination};
 use tank::quantity::Quantity;
@@ -44,6 +44,7 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     work.out.values.insert(Quantity::SloshingPeriod, t_c1);
     work.out.values.insert(Quantity::ImpulsivePeriod, t_i);
     pressures(work, gamma, half, strip, a_i, a_c);
+    damage::assess(work, None, false);
     work.out.notes.push(
         "Hoop and axial membrane stresses and the stability checks of A.10 belong to cylinders; the walls of a box bend as plates."
             .into(),

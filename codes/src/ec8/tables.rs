@@ -19,6 +19,7 @@ fn site(ground: GroundType, spectrum: u8) -> Ec8Site {
         construction_quality: 1.0,
         vertical: false,
         friction: None,
+        reduction_factor: None,
     }
 }
 

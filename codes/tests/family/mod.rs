@@ -134,6 +134,7 @@ impl Draw {
             construction_quality: self.of(&[1.0, 1.5, 2.5]),
             vertical: self.yes(),
             friction: self.yes().then_some(0.4),
+            reduction_factor: self.of(&[None, Some(0.4), Some(0.5)]),
         }
     }
 

@@ -89,6 +89,9 @@ pub struct Ec8Site {
     /// Design friction coefficient between foundation and ground (or tank and foundation), divided by its partial factor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<f64>,
+    /// Reduction factor ν of the seismic action for damage limitation.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reduction_factor: Option<f64>,
 }
 
 /// Site class of ASCE 7.

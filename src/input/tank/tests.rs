@@ -135,7 +135,7 @@ fn defaults_and_where_they_come_from() {
         ),
         (1.0, 1.0, 1.0, true)
     );
-    assert_eq!(ec8.friction, None);
+    assert_eq!((ec8.friction, ec8.reduction_factor), (None, None));
     let api = file.case.site.api650.unwrap();
     assert_eq!((api.asce7, api.q, api.tl, api.friction), (2010, 2.0 / 3.0, 8.0, 0.4));
     assert_eq!(

@@ -12,6 +12,7 @@ fn site(ground: GroundType, spectrum: u8, ag: f64) -> Ec8Site {
         construction_quality: 1.0,
         vertical: false,
         friction: None,
+        reduction_factor: None,
     }
 }
 

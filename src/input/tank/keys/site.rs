@@ -43,6 +43,10 @@ object! {
         vertical (false): Opt<bool> = default(true).because("EN 1998-4:2006 A.2.2 and A.3.3, on the safe side"),
         /// Design friction coefficient of the foundation, tan δ divided by its partial factor γ_M, against sliding.
         friction (0.4): Opt<Number> [Limits::above(0.0).to(1.0)] = without("sliding is not checked, EN 1998-5:2004 5.4.1.1"),
+        /// Reduction factor ν of the seismic action for damage limitation; EN 1998-1:2004 2.2.3 recommends 0.5 for importance classes I
+        /// and II, 0.4 for III and IV.
+        reduction_factor (0.5): Opt<Number> [Limits::above(0.0).to(1.0)]
+            = without("damage limitation is not checked, EN 1998-4:2006 2.1.3"),
     }
 
     /// Site data of API 650: annex E of the 13th edition, and the zone method of appendix E, 9th edition. Without it the API
@@ -159,6 +163,7 @@ fn ec8(r: &mut Resolver<'_>, s: &Ec8) -> Option<Ec8Site> {
     let construction_quality = r.or_default(&s.construction_quality);
     let vertical = r.choice(&s.vertical);
     let friction = r.optional(&s.friction);
+    let reduction_factor = r.optional(&s.reduction_factor);
     Some(Ec8Site {
         ground: ground?,
         spectrum: spectrum? as u8,
@@ -168,6 +173,7 @@ fn ec8(r: &mut Resolver<'_>, s: &Ec8) -> Option<Ec8Site> {
         construction_quality,
         vertical,
         friction,
+        reduction_factor,
     })
 }
 
