@@ -29,6 +29,7 @@ mod quake;
 mod report;
 mod schema;
 mod solid;
+mod solve;
 mod spectrum;
 mod table;
 mod terminal;
@@ -88,6 +89,7 @@ Examples:
   tankcheck ida tank.json --quake elcentro.csv --scale 0..1.1 --steps 12 --out ida/
   tankcheck push tank.json --imperfection 0.5t --out push/
   tankcheck check tank.json
+  tankcheck check tank.json --solve fill_height
   tankcheck modes tank.json --format json
   tankcheck spectrum elcentro.csv --damping 0.5%,2%,5% --periods 0.02..20
   tankcheck quake info elcentro.csv

@@ -15,6 +15,7 @@
 //! | [`pipeline`] | the whole flow of a verification in one function |
 //! | [`ida`] | that of an incremental dynamic analysis |
 //! | [`push`] | that of a pushover |
+//! | [`solve`] | that of the largest value at which no check fails |
 //! | [`cli`] | the command line |
 
 pub mod cli;
@@ -24,3 +25,4 @@ pub mod input;
 pub mod job;
 pub mod pipeline;
 pub mod push;
+pub mod solve;

@@ -22,7 +22,7 @@ use engines::{Simulation, engine};
 use results::compare::{self, Context, Incomplete};
 use results::{
     Deformability, EngineId, FORMAT, Method, RecordSummary, Results, Run, Series, Snapshots, Status, TankSummary,
-    Value, Volatile, finite,
+    Value, Verdict, Volatile, finite,
 };
 
 /// Ids of the procedures to run, in report order; an empty list means all.
@@ -125,6 +125,16 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         series,
         snapshots,
     })
+}
+
+/// The code procedures and their verdict, without engines, spectra and comparison.
+///
+/// Errors: a procedure that does not converge, a result that is not finite.
+pub fn decide(job: &Job) -> Result<(Vec<Method>, Verdict), Error> {
+    let methods = assess(job)?;
+    finite::check("the procedures", &methods)?;
+    let verdict = results::verdict(&methods, decision::deciding(job, &methods), false, None);
+    Ok((methods, verdict))
 }
 
 /// Results of the procedures, the records and the engines, and the reason if those of the engines are incomplete.

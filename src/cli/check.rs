@@ -5,7 +5,7 @@ use std::time::Instant;
 use fem::progress::Silent;
 
 use crate::cli::inputs::Inputs;
-use crate::cli::{Format, Global, compare, print, wall};
+use crate::cli::{Format, Global, compare, print, solve, wall};
 use crate::error::Error;
 use crate::pipeline::{self, Outcome};
 use files::OutputFolder;
@@ -19,6 +19,13 @@ Examples:
   tankcheck check tank.json                       design spectra of the tank's `site`
   tankcheck check tank.json --quake elcentro.csv  also the spectrum of a record
   tankcheck check tank.json --procedures api650-2020 --format json
+  tankcheck check tank.json --solve fill_height   the largest fill height at which no check fails
+  tankcheck check tank.json --solve thickness:1   the smallest thickness of the lowest course
+  tankcheck check tank.json --solve ag            the largest ground acceleration of site.ec8 (ss: of site.api650)
+
+--solve tries 25 values of the admissible range and the given one, then bisects to a relative 1e-4. The value is rounded to the
+side that holds. Limit states that were not checked are listed with the verdict at the value. The exit code is that of this
+verdict; 1 if a check fails at every value, 4 if there is no single answer.
 
 Exit codes: 0 everything required was checked and holds; 1 a check fails; 2 bad input; 3 the computation failed;
 4 something required was not checked, or nothing was assessed.")]
@@ -28,6 +35,9 @@ pub(crate) struct Args {
     /// Also write a report (without finite elements) into this folder.
     #[arg(long, short, value_name = "FOLDER")]
     out: Option<std::path::PathBuf>,
+    /// Solve for the largest fill_height, ag or ss, or the smallest thickness:N (course N from the base), at which no check fails.
+    #[arg(long, value_name = "VARIABLE", conflicts_with = "out")]
+    solve: Option<String>,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -44,6 +54,9 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
              with --quake"
                 .into(),
         ));
+    }
+    if let Some(variable) = &args.solve {
+        return solve::run(&job, variable, args.format, global);
     }
     let folder = args
         .out

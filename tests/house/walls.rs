@@ -65,6 +65,7 @@ const MUST_NOT_NAME: &[(&str, &str, &[&str])] = &[
         ],
     ),
     ("tankcheck", "pipeline", &["crate::cli", "crate::input", "report::"]),
+    ("tankcheck", "solve", &["crate::cli", "crate::input", "report::"]),
     ("engines", "solid", &["crate::harmonic"]),
     ("engines", "harmonic", &["crate::solid"]),
 ];
