@@ -6,7 +6,7 @@
 //!
 //! The annex's pressures are linear in the spectrum, so that the action of the damage limitation state is ν times that of the ultimate
 //! limit state, with q = 1 for the impulsive part. Freeboard: the liquid does not spill or strike the roof. Hoop: the wall stays elastic
-//! and tight. The stability of the wall needs no second check: its action is the smaller one unless ν q > 1, when the note says so.
+//! and tight. Stability is checked in the ultimate limit state only, whose action is the larger one unless ν q > 1; a note says so then.
 //! Crack widths of concrete walls and the pipes are not covered.
 //!
 //! Source: EN 1998-4:2006 2.1.3, EN 1998-1:2004 2.2.3(2), recalled.

@@ -4,9 +4,9 @@
 //! V_Ed = Q ≤ V_Rd = μ N_Ed       N_Ed = M (g − 0.3 A_v) with E_x + 0.3 E_z,   0.3 Q ≤ μ M (g − A_v) with 0.3 E_x + E_z
 //! ```
 //!
-//! M is the mass of liquid, wall and roof. μ = tan δ/γ_M is given as a design value. The weight of bottom plate and foundation and
-//! the earth pressure in front of the foundation (5.4.1.1, equation 5.2) are left out, on the safe side; so is their inertia,
-//! which is that of the sheet's base shear. Anchors do not change the check: they tie the tank to a foundation that slides with it.
+//! M is the mass of liquid, wall and roof. μ = tan δ/γ_M is given as a design value. The earth pressure in front of the
+//! foundation (5.4.1.1, equation 5.2) is left out. So are weight and inertia of bottom plate and foundation, which is on the safe side
+//! while the ground acceleration is below μ g. Anchors do not change the check: they tie the tank to a foundation that slides with it.
 //!
 //! Source: EN 1998-5:2004 5.4.1.1, recalled; combinations of EN 1998-1:2004 4.3.3.5.2.
 
@@ -43,10 +43,10 @@ pub(super) fn assess(work: &mut Work) {
         ("A_v", work.demand.vertical_ground(), Acceleration),
         ("μ", friction, Dimensionless),
     ];
-    // The smaller of E_x + 0.3 E_z and, as a force beside the whole of Q, 0.3 E_x + E_z.
+    // 0.3 E_x + E_z meets 0.3 Q only; divided by 0.3, its weight is compared with the whole of Q.
     let (name, formula) = if work.demand.vertical {
         (
-            "weight with E_x + 0.3 E_z; with 0.3 E_x + E_z, as weight beside the whole base shear",
+            "effective weight: the smaller of E_x + 0.3 E_z and of 0.3 E_x + E_z divided by 0.3",
             "(m + m_w + m_r)·min(g - 0.3·A_v, (g - A_v)/0.3)",
         )
     } else {
