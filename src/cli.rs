@@ -32,6 +32,7 @@ mod solid;
 mod solve;
 mod spectrum;
 mod table;
+mod tanks;
 mod terminal;
 mod verify;
 mod wall;
@@ -90,6 +91,7 @@ Examples:
   tankcheck push tank.json --imperfection 0.5t --out push/
   tankcheck check tank.json
   tankcheck check tank.json --solve fill_height
+  tankcheck check tank.json --table tanks.csv
   tankcheck modes tank.json --format json
   tankcheck spectrum elcentro.csv --damping 0.5%,2%,5% --periods 0.02..20
   tankcheck quake info elcentro.csv

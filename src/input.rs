@@ -1,5 +1,6 @@
-//! Reading `tank.json` and accelerograms: text, units and file formats end here.
+//! Reading `tank.json`, tables of tanks and accelerograms: text, units and file formats end here.
 
+pub mod csv;
 pub mod diagnostic;
 pub mod records;
 pub mod tank;

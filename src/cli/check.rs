@@ -5,7 +5,7 @@ use std::time::Instant;
 use fem::progress::Silent;
 
 use crate::cli::inputs::Inputs;
-use crate::cli::{Format, Global, compare, print, solve, wall};
+use crate::cli::{Format, Global, compare, print, solve, tanks, wall};
 use crate::error::Error;
 use crate::pipeline::{self, Outcome};
 use files::OutputFolder;
@@ -22,10 +22,15 @@ Examples:
   tankcheck check tank.json --solve fill_height   the largest fill height at which no check fails
   tankcheck check tank.json --solve thickness:1   the smallest thickness of the lowest course
   tankcheck check tank.json --solve ag            the largest ground acceleration of site.ec8 (ss: of site.api650)
+  tankcheck check tank.json --table tanks.csv     many tanks, each a row with the values that differ
 
 --solve tries 25 values of the admissible range and the given one, then bisects to a relative 1e-4. The value is rounded to the
 side that holds. Limit states that were not checked are listed with the verdict at the value. The exit code is that of this
 verdict; 1 if a check fails at every value, 4 if there is no single answer.
+
+--table: each column head is a path of tank.json (tank.radius, liquid.fill_height, tank.courses[0].thickness,
+materials[\"A 36\"].yield_strength), each row a tank; an empty cell keeps the value of tank.json. The answer is the table with
+status, governing method and check, utilisation and, with --solve, the solved value. The exit code is that of the worst tank.
 
 Exit codes: 0 everything required was checked and holds; 1 a check fails; 2 bad input; 3 the computation failed;
 4 something required was not checked, or nothing was assessed.")]
@@ -38,6 +43,9 @@ pub(crate) struct Args {
     /// Solve for the largest fill_height, ag or ss, or the smallest thickness:N (course N from the base), at which no check fails.
     #[arg(long, value_name = "VARIABLE", conflicts_with = "out")]
     solve: Option<String>,
+    /// Check the tanks of this CSV table, whose columns are paths of the tank file; prints a CSV table.
+    #[arg(long, value_name = "CSV", conflicts_with = "out")]
+    table: Option<std::path::PathBuf>,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -46,6 +54,14 @@ pub(crate) struct Args {
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
+    if let Some(table) = &args.table {
+        if args.format == Format::Json {
+            return Err(Error::input(
+                "error: --table: found --format json, expected csv\n  help: leave --format out".into(),
+            ));
+        }
+        return tanks::run(&args.inputs, table, args.solve.as_deref());
+    }
     let job = args.inputs.job(|_| Vec::new())?;
     let site = &job.case.site;
     if job.case.ground_motion.is_none() && site.ec8.is_none() && site.api650.is_none() {

@@ -8,7 +8,7 @@ use tank::refusal::Refusal;
 
 use crate::cli::terminal::say;
 use crate::error::Error;
-use crate::input::{self, records};
+use crate::input::{self, TankFile, records};
 use crate::job::{self, Job};
 use engines::Task;
 use files::text;
@@ -48,6 +48,13 @@ impl Inputs {
         for remark in &tank.remarks {
             say!("note: {}", text::line(remark));
         }
+        self.resolved(tank, "")
+    }
+
+    /// The job of a tank file, with the records and options of the command line.
+    ///
+    /// * `origin`: beginning of its warnings on standard error ("tanks.csv:3: "), may be empty
+    pub(crate) fn resolved(&self, tank: TankFile, origin: &str) -> Result<Job, Error> {
         let mut warnings = tank.warnings.clone();
         let mut case = tank.case;
         let mut files = vec![source("tank", &self.tank, &tank.sha256)];
@@ -58,8 +65,8 @@ impl Inputs {
             files.push(source("record", path, &horizontal.sha256));
             let processed = records::process(&horizontal.record, &tank.record)?;
             let allow = self.reading.allow_implausible;
-            let origin = format!("record.{}", tank.record.scaled_by());
-            records::plausible::check(&processed, &origin, allow)?;
+            let factor = format!("record.{}", tank.record.scaled_by());
+            records::plausible::check(&processed, &factor, allow)?;
             warnings.extend(records::plausible::doubts(&processed, &tank.record));
             let vertical = match &self.vertical {
                 None => None,
@@ -87,7 +94,7 @@ impl Inputs {
             });
         }
         for warning in &warnings {
-            say!("warning: {}", text::line(warning));
+            say!("warning: {}{}", text::line(origin), text::line(warning));
         }
         let procedures = match &self.procedures {
             Some(ids) => ids.clone(),

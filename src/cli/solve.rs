@@ -72,17 +72,21 @@ fn exit_code(solution: &Solution) -> u8 {
 }
 
 /// The verdict at the solution in a word, or why there is none.
-fn status(solution: &Solution) -> &'static str {
-    let word = |status: VerdictStatus| match status {
-        VerdictStatus::Holds => "holds",
-        VerdictStatus::Fails => "fails",
-        VerdictStatus::Incomplete => "incomplete",
-        VerdictStatus::NotAssessed => "not_assessed",
-    };
+pub(crate) fn status(solution: &Solution) -> &'static str {
     match &solution.found {
         Found::Edge { at, .. } | Found::Everywhere { at, .. } | Found::Nowhere { at, .. } => word(at.status),
         Found::Several(_) => "not_monotone",
         Found::Unanswered(_) => word(VerdictStatus::NotAssessed),
+    }
+}
+
+/// A status as in `results.json`.
+pub(crate) fn word(status: VerdictStatus) -> &'static str {
+    match status {
+        VerdictStatus::Holds => "holds",
+        VerdictStatus::Fails => "fails",
+        VerdictStatus::Incomplete => "incomplete",
+        VerdictStatus::NotAssessed => "not_assessed",
     }
 }
 

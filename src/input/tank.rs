@@ -16,6 +16,7 @@ mod syntax;
 #[cfg(test)]
 mod tests;
 mod values;
+mod variant;
 
 use std::path::Path;
 
@@ -27,6 +28,7 @@ pub use keys::solid_defaults;
 pub use page::markdown;
 pub use places::Places;
 pub use schema::json_schema;
+pub use variant::variant;
 
 /// Reads and resolves a tank file (`-` reads standard input). All faults are reported at once in [`Error::Input`].
 pub fn read(path: &Path) -> Result<TankFile, Error> {
@@ -40,14 +42,7 @@ pub fn read(path: &Path) -> Result<TankFile, Error> {
 /// Reads and resolves the text of a tank file; the hash is left empty. All faults are returned at once.
 pub fn parse(source: &Source) -> Result<TankFile, Faults> {
     let mut faults = Faults::new();
-    let file = syntax::parse(source, &mut faults).and_then(|mut root| {
-        // Editors find the schema by this key.
-        if let syntax::Kind::Object(members) = &mut root.kind {
-            members.retain(|m| m.key != "$schema");
-        }
-        let file = <keys::TankFile as read::FromNode>::from_node(&root, &mut faults)?;
-        keys::resolve(&file, &mut faults)
-    });
+    let file = syntax::parse(source, &mut faults).and_then(|root| resolved(root, &mut faults));
     match file {
         Some(file) if faults.is_empty() => Ok(TankFile {
             source: source.clone(),
@@ -55,4 +50,14 @@ pub fn parse(source: &Source) -> Result<TankFile, Faults> {
         }),
         _ => Err(faults),
     }
+}
+
+/// Resolves the tree of a tank file.
+fn resolved(mut root: syntax::Node, faults: &mut Faults) -> Option<TankFile> {
+    // Editors find the schema by this key.
+    if let syntax::Kind::Object(members) = &mut root.kind {
+        members.retain(|m| m.key != "$schema");
+    }
+    let file = <keys::TankFile as read::FromNode>::from_node(&root, faults)?;
+    keys::resolve(&file, faults)
 }

@@ -1,0 +1,207 @@
+//! A table of tanks: the first line names places of the tank file, every other line is a tank.
+//!
+//! Columns are separated by commas, or by semicolons if the first line has one and no comma. A cell in double quotes may contain
+//! separators, line breaks and doubled quotes (RFC 4180).
+
+use std::io::Read;
+use std::ops::Range;
+use std::path::Path;
+
+use crate::input::diagnostic::{Fault, Faults, Source};
+use files::error::Error;
+
+/// Largest file that is read [bytes].
+const MAX_BYTES: u64 = 1 << 20;
+/// Largest number of tanks.
+const MAX_ROWS: usize = 10_000;
+
+/// A cell and its place in the file, without quotes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cell {
+    /// Text without blanks around it.
+    pub text: String,
+    /// Bytes of the file.
+    pub span: Range<usize>,
+}
+
+/// A table whose rows have as many cells as its head.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Table {
+    /// The file.
+    pub source: Source,
+    /// Names of the columns.
+    pub head: Vec<Cell>,
+    /// Rows, in the order of the file.
+    pub rows: Vec<Vec<Cell>>,
+}
+
+/// Reads a table.
+///
+/// Errors: a file that cannot be read, is larger than 1 MiB or is not UTF-8; the faults of [`parse`].
+pub fn read(path: &Path) -> Result<Table, Error> {
+    let fail = |what: String| Error::File {
+        path: path.into(),
+        what,
+    };
+    let unreadable = |e: std::io::Error| fail(format!("cannot read the table: {}", files::error::describe(&e)));
+    if std::fs::metadata(path).map_err(unreadable)?.is_dir() {
+        return Err(fail("found a folder, expected a CSV file".into()));
+    }
+    let mut bytes = Vec::new();
+    let file = std::fs::File::open(path).map_err(unreadable)?;
+    file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > MAX_BYTES {
+        return Err(fail("found a file larger than 1 MiB, expected a table of tanks".into()));
+    }
+    let text =
+        String::from_utf8(bytes).map_err(|_| fail("found bytes that are not UTF-8; save the table as UTF-8".into()))?;
+    let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text);
+    let source = Source::at(path, text);
+    parse(&source).map_err(|faults| faults.into_error(&source))
+}
+
+/// Reads the text of a table. All faults are returned at once: a table without columns or rows, a name that is empty or occurs twice,
+/// a row with another number of cells, a quote that is not closed.
+pub fn parse(source: &Source) -> Result<Table, Faults> {
+    let mut faults = Faults::new();
+    let mut lines = records(&source.text, &mut faults).into_iter();
+    let head = lines.next().unwrap_or_default();
+    for (i, cell) in head.iter().enumerate() {
+        if cell.text.is_empty() {
+            faults.push(
+                Fault::new("a column without a name")
+                    .at(cell.span.clone())
+                    .allowed("a path of the tank file, such as liquid.fill_height"),
+            );
+        } else if head[..i].iter().any(|other| other.text == cell.text) {
+            faults.push(
+                Fault::new(format!("the column `{}` occurs twice", cell.text))
+                    .at(cell.span.clone())
+                    .allowed("each path once"),
+            );
+        }
+    }
+    let rows: Vec<Vec<Cell>> = lines.collect();
+    for row in rows.iter().filter(|row| row.len() != head.len()) {
+        faults.push(
+            Fault::new("a row with another number of cells than the head")
+                .at(span(row))
+                .found(format!("{} cells", row.len()))
+                .allowed(format!("{} cells", head.len())),
+        );
+    }
+    if rows.is_empty() || rows.len() > MAX_ROWS {
+        faults.push(
+            Fault::new("too few or too many tanks")
+                .found(format!("{} rows", rows.len()))
+                .allowed(format!("a line of column names, then 1 to {MAX_ROWS} rows")),
+        );
+    }
+    match faults.is_empty() {
+        true => Ok(Table {
+            source: source.clone(),
+            head,
+            rows,
+        }),
+        false => Err(faults),
+    }
+}
+
+/// Bytes of a row from its first to its last cell.
+pub fn span(row: &[Cell]) -> Range<usize> {
+    let start = row.first().map_or(0, |c| c.span.start);
+    start..row.last().map_or(start, |c| c.span.end)
+}
+
+/// The lines that are not blank, split into cells.
+fn records(text: &str, faults: &mut Faults) -> Vec<Vec<Cell>> {
+    let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+    let separator = match first.contains(';') && !first.contains(',') {
+        true => ';',
+        false => ',',
+    };
+    let mut records = Vec::new();
+    let mut row: Vec<Cell> = Vec::new();
+    let mut start = 0;
+    let mut quoted = false;
+    for (at, c) in text.char_indices().chain([(text.len(), '\n')]) {
+        let end = at == text.len();
+        match c {
+            '"' => quoted = !quoted,
+            _ if quoted && !end => {}
+            _ if c == separator || c == '\n' => {
+                row.push(cell(text, start..at));
+                start = at + 1;
+                if c == '\n' {
+                    let blank = row.len() == 1 && row.iter().all(|cell| cell.text.is_empty());
+                    let done = std::mem::take(&mut row);
+                    if !blank {
+                        records.push(done);
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    if quoted {
+        let open = text.rfind('"').unwrap_or_default();
+        faults.push(
+            Fault::new("this quote is not closed")
+                .at(open..open + 1)
+                .help("the file may have been cut off"),
+        );
+    }
+    records
+}
+
+/// The cell at this place, without blanks and quotes around it.
+fn cell(text: &str, place: Range<usize>) -> Cell {
+    let raw = &text[place.clone()];
+    let start = place.start + (raw.len() - raw.trim_start().len());
+    let bare = raw.trim();
+    let span = start..start + bare.len();
+    let text = match bare.strip_prefix('"').and_then(|t| t.strip_suffix('"')) {
+        Some(inner) => inner.replace("\"\"", "\""),
+        None => bare.to_owned(),
+    };
+    Cell { text, span }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(row: &[Cell]) -> Vec<&str> {
+        row.iter().map(|c| c.text.as_str()).collect()
+    }
+
+    #[test]
+    fn quotes_blanks_and_separators() {
+        let text = "name, tank.radius\r\n\"a, \"\"b\"\"\" , 5 m\n\n  c,\"6 m\"\n";
+        let table = parse(&Source::new("t.csv", text)).unwrap();
+        assert_eq!(texts(&table.head), ["name", "tank.radius"]);
+        assert_eq!(texts(&table.rows[0]), ["a, \"b\"", "5 m"]);
+        assert_eq!(texts(&table.rows[1]), ["c", "6 m"]);
+        assert_eq!(&text[table.rows[1][1].span.clone()], "\"6 m\"");
+        let table = parse(&Source::new("t.csv", "name;tank.radius\na,b;5 m")).unwrap();
+        assert_eq!(texts(&table.rows[0]), ["a,b", "5 m"]);
+    }
+
+    #[test]
+    fn faults() {
+        let message = |text: &str| {
+            let source = Source::new("t.csv", text);
+            parse(&source).unwrap_err().render(&source, false)
+        };
+        assert!(message("").contains("too few"));
+        assert!(message("name\n").contains("0 rows"));
+        assert!(message("name,name\na,b\n").contains("occurs twice"));
+        assert!(message("name,\na,b\n").contains("without a name"));
+        let short = message("name,tank.radius\na\n");
+        assert!(
+            short.contains("t.csv:2:1") && short.contains("found 1 cells"),
+            "{short}"
+        );
+        assert!(message("name\n\"a\n").contains("not closed"));
+    }
+}
