@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use fem::progress::Silent;
 
-use crate::cli::inputs::Inputs;
+use crate::cli::inputs::{self, Inputs};
 use crate::cli::{Format, Global, compare, print, solve, tanks, wall};
 use crate::error::Error;
 use crate::pipeline::{self, Outcome};
@@ -63,14 +63,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         return tanks::run(&args.inputs, table, args.solve.as_deref());
     }
     let job = args.inputs.job(|_| Vec::new())?;
-    let site = &job.case.site;
-    if job.case.ground_motion.is_none() && site.ec8.is_none() && site.api650.is_none() {
-        return Err(Error::input(
-            "error: the ground motion is missing\n  help: add `site` to the tank file (design spectra), or give a record \
-             with --quake"
-                .into(),
-        ));
-    }
+    inputs::shaken(&job)?;
     if let Some(variable) = &args.solve {
         return solve::run(&job, variable, args.format, global);
     }

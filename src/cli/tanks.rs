@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::cli::inputs::Inputs;
+use crate::cli::inputs::{Inputs, shaken};
 use crate::cli::terminal::say;
 use crate::cli::{compare, print, solve};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
@@ -37,6 +37,7 @@ pub(crate) fn run(inputs: &Inputs, path: &Path, variable: Option<&str>) -> Resul
         let answered = inputs
             .resolved(tank, &format!("{place}: "))
             .and_then(|job| {
+                shaken(&job)?;
                 let (_, verdict) = pipeline::decide(&job)?;
                 let solved = variable.map(|v| crate::solve::run(&job, v)).transpose()?;
                 Ok((verdict, solved))

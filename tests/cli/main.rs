@@ -21,6 +21,7 @@ mod push;
 mod push_resume;
 mod records;
 mod solid;
+mod solve;
 mod streams;
 mod tank_file;
 mod verify;
