@@ -17,7 +17,7 @@ pub enum Answer<T> {
     Holds(T),
     /// A check fails.
     Fails(T),
-    /// The question has no answer there, for this reason.
+    /// There is no verdict at this value, for this reason.
     Outside(String),
 }
 
@@ -96,7 +96,7 @@ pub fn search<T>(samples: &[f64], mut answer: impl FnMut(f64) -> Answer<T>) -> S
                 bisect((value, at), beyond, &mut answer, &mut evaluations)
             }
             (_, Some((value, Answer::Fails(at)))) => Found::Nowhere { value, at },
-            // The first answer is no gap, and a last one that holds was dealt with.
+            // Not reached: the first answer is not `Outside`, and both cases of a last one that holds are above.
             _ => Found::Unanswered(String::new()),
         }
     };

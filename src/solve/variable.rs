@@ -25,7 +25,7 @@ const THICKEST_RECTANGLE: f64 = 2.0;
 /// The given thickness by which the range is extended.
 const TIMES_GIVEN: f64 = 2.0;
 
-/// What is solved for.
+/// The unknown of the search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variable {
     /// Largest `liquid.fill_height` [m].
