@@ -201,9 +201,11 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
     if let (Status::Computed, Some(layered)) = (&status, layers(job)) {
         assumptions.push(layered.into());
     }
-    let checks = match status {
+    let checks = match &status {
         Status::Computed => decision::checks(procedure, job, excitation, assessment.checks),
-        Status::NotApplicable { .. } => Vec::new(),
+        Status::NotApplicable { clause, reason } => {
+            decision::not_covered(procedure, job, excitation, &format!("{clause}: {reason}"))
+        }
     };
     let label = procedure.label();
     Ok(Method {

@@ -2,18 +2,18 @@
 
 use codes::Procedure;
 use results::{Deciding, Method, Status};
-use tank::assessment::{Check, CheckStatus, Excitation};
+use tank::assessment::{Check, CheckStatus, Excitation, LimitState, Requirement};
 use tank::check;
 
 use crate::job::Job;
 
 /// Methods that decide: those that the user names, or the editions in force that the site names, under its design spectrum. A method
-/// that gave no values does not decide.
+/// that gave neither values nor checks does not decide.
 pub(super) fn deciding(job: &Job, methods: &[Method]) -> Vec<Deciding> {
     let computed = |id: &str, excitation: Excitation| {
-        methods
-            .iter()
-            .any(|m| m.id == id && m.excitation == excitation && m.status == Status::Computed)
+        let of = |m: &&Method| m.id == id && m.excitation == excitation;
+        let mut methods = methods.iter().filter(of);
+        methods.any(|m| m.status == Status::Computed || !m.checks.is_empty())
     };
     let decides = |id: &str, excitation: Excitation| {
         computed(id, excitation).then(|| Deciding {
@@ -35,13 +35,58 @@ pub(super) fn deciding(job: &Job, methods: &[Method]) -> Vec<Deciding> {
     }
 }
 
-/// How the limit states of a procedure end, worst first. Under the record there are comparisons only: the codes ask for limit states
-/// under their own spectrum.
+/// The limit states asked of a procedure under an excitation. Under the record there are none, because the codes ask for them under
+/// their own spectrum, unless the user lets the procedure decide there. A procedure that is to decide and declares none has one that
+/// is open: its comparisons alone are no verdict.
+fn asked(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Vec<LimitState> {
+    let named = job.decision.decide.iter().any(|id| id == procedure.id());
+    let only_record = || procedure.applies(&job.case, Excitation::Site).is_err();
+    if excitation == Excitation::Record && !(named && only_record()) {
+        return Vec::new();
+    }
+    let mut states = procedure.limit_states(&job.case);
+    if named && states.is_empty() {
+        states.push(LimitState {
+            id: "undeclared",
+            name: "Other limit states of the code",
+            clause: format!("the list of limit states of {}", procedure.label().title),
+            requirement: Requirement::NotImplemented,
+        });
+    }
+    states
+}
+
+/// How the limit states of a procedure end, worst first. Under the record there are comparisons, and what is missing only where the
+/// procedure decides.
 pub(super) fn checks(procedure: &dyn Procedure, job: &Job, excitation: Excitation, checks: Vec<Check>) -> Vec<Check> {
-    let mut checks = match excitation {
-        Excitation::Site => check::complete(&procedure.limit_states(&job.case), checks),
-        Excitation::Record => check::complete(&[], checks.into_iter().filter(Check::compared).collect()),
-    };
+    let states = asked(procedure, job, excitation);
+    let compared = |check: &Check| excitation == Excitation::Site || !states.is_empty() || check.compared();
+    let checks = check::complete(&states, checks.into_iter().filter(compared).collect());
+    accept(procedure, job, checks)
+}
+
+/// The limit states of a procedure that does not cover the tank although the site gives its data: what its code requires was not
+/// checked, so no other code may hold in its place. None for a procedure that does not decide.
+///
+/// * `refusal`: why it does not cover the tank
+pub(super) fn not_covered(procedure: &dyn Procedure, job: &Job, excitation: Excitation, refusal: &str) -> Vec<Check> {
+    let decide = &job.decision.decide;
+    let decides =
+        procedure.decides(&job.case.site) && (decide.is_empty() || decide.iter().any(|id| id == procedure.id()));
+    if excitation == Excitation::Record || !decides {
+        return Vec::new();
+    }
+    let states = procedure.limit_states(&job.case);
+    let required = states
+        .iter()
+        .filter(|s| !matches!(s.requirement, Requirement::NotApplicable(_)));
+    let open = |state: &LimitState| Check::without_comparison(state, CheckStatus::NotChecked, refusal, None);
+    let checks = check::complete(&states, required.map(open).collect());
+    accept(procedure, job, checks)
+}
+
+/// The same checks, those marked that the user accepts; worst first, so that an accepted gap does not stand before an open one.
+fn accept(procedure: &dyn Procedure, job: &Job, mut checks: Vec<Check>) -> Vec<Check> {
     for check in checks.iter_mut().filter(|c| c.status == CheckStatus::NotChecked) {
         let accepted = &job.decision.accepted;
         if let Some(gap) = accepted.iter().find(|a| a.means(procedure.id(), &check.limit_state)) {
@@ -49,7 +94,7 @@ pub(super) fn checks(procedure: &dyn Procedure, job: &Job, excitation: Excitatio
             check.note = std::mem::replace(&mut check.reason, gap.reason.clone());
         }
     }
-    checks
+    check::complete(&[], checks)
 }
 
 /// Accepted gaps that are none: the limit state is checked, not required, or unknown.
