@@ -24,6 +24,7 @@ mod solid;
 mod solve;
 mod streams;
 mod tank_file;
+mod verdict;
 mod verify;
 mod vtu;
 mod vtu_sample;

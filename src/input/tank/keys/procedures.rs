@@ -121,7 +121,7 @@ impl FromNode for DecidingId {
         quoted(&deciding_ids().iter().map(|(id, _)| *id).collect::<Vec<_>>())
     }
     fn example() -> String {
-        "\"ec8-2006\"".into()
+        ProcedureId::example()
     }
     fn shape(book: &mut Book) -> Shape {
         book.choice("DecidingId", &["A method that can decide."], deciding_ids())

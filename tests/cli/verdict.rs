@@ -1,0 +1,395 @@
+//! Tanks built to fail in one named way each, and sound ones: what the verdict says of them.
+//!
+//! Source:    statics by hand, in the reason of each tank
+//! Goal:      no tank that its code does not let stand, and none of which something required is not known, gets `holds`; the limit
+//!            state for which it was built comes first
+//! Tolerance: none; the tanks are far from the limit
+//!
+//! All are changes of one tank ([`base`]), run through input and pipeline as `check` does, without a process of their own.
+
+mod failing;
+mod matrix;
+mod sound;
+
+use std::path::Path;
+
+use fem::progress::Silent;
+use oscillator::record::Record;
+use results::{Method, Results, VerdictStatus};
+use serde_json::{Value, json};
+use tank::case::GroundMotion;
+use tankcheck::input::read_tank;
+use tankcheck::job::Job;
+
+use crate::compare::tankcheck;
+
+/// What must become of a tank.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Expected {
+    /// A verdict, and the limit state that comes first in a deciding method: method, limit state.
+    Verdict(VerdictStatus, &'static str, &'static str),
+    /// Nothing was assessed.
+    NotAssessed,
+    /// The input is refused; the path of the fault in `tank.json`.
+    Input(&'static str),
+}
+
+/// A tank of the battery.
+struct Tank {
+    /// Name, unique; the matrix refers to it.
+    name: &'static str,
+    /// Why it must end so.
+    why: &'static str,
+    expected: Expected,
+    /// Changes of the base tank, in this order.
+    changes: Vec<Value>,
+    /// Limit states that are not accepted.
+    open: &'static [&'static str],
+    /// Whether a ground motion is given.
+    record: bool,
+}
+
+impl Tank {
+    fn new(name: &'static str, why: &'static str, expected: Expected, changes: Vec<Value>) -> Tank {
+        Tank {
+            name,
+            why,
+            expected,
+            changes,
+            open: &[],
+            record: false,
+        }
+    }
+
+    /// The same tank with these limit states not accepted.
+    fn open(self, open: &'static [&'static str]) -> Tank {
+        Tank { open, ..self }
+    }
+
+    /// The same tank under a ground motion.
+    fn shaken(self) -> Tank {
+        Tank { record: true, ..self }
+    }
+
+    fn json(&self) -> String {
+        let mut file = base();
+        for change in &self.changes {
+            merge(&mut file, change);
+        }
+        if let Some(accepted) = file["accepted"].as_array_mut() {
+            accepted.retain(|gap| !self.open.iter().any(|id| gap["check"] == *id));
+        }
+        file.to_string()
+    }
+
+    /// Results of the procedures, or the refusal of the input.
+    fn results(&self, home: &Path) -> Result<Results, String> {
+        let path = home.join("tank.json");
+        std::fs::write(&path, self.json()).expect("writable");
+        let tank = read_tank(&path).map_err(|error| error.to_string())?;
+        let mut job = Job {
+            case: tank.case,
+            procedures: tankcheck::pipeline::select_procedures(&tank.procedures).map_err(|error| error.to_string())?,
+            decision: tank.decision,
+            engines: Vec::new(),
+            linear: tank.fe,
+            solid: tank.solid,
+            nonlinear: tank.nonlinear,
+            checkpoint: None,
+            echo: tank.echo,
+            files: Vec::new(),
+            warnings: tank.warnings,
+            raw_records: Vec::new(),
+        };
+        if self.record {
+            let horizontal = Record {
+                name: "pulse".into(),
+                dt: 0.05,
+                acceleration: (0..40).map(|k| 0.5 * (0.7 * f64::from(k)).sin()).collect(),
+                processing: Vec::new(),
+            };
+            job.raw_records = vec![horizontal.clone()];
+            job.case.ground_motion = Some(GroundMotion {
+                horizontal,
+                vertical: None,
+            });
+        }
+        let outcome = tankcheck::pipeline::run(&job, &Silent).map_err(|error| error.to_string())?;
+        Ok(outcome.results)
+    }
+
+    /// What is wrong with the verdict on it; none if all is as expected.
+    fn fault(&self, home: &Path) -> Option<String> {
+        let found = self.results(home);
+        let wrong = |what: String| {
+            Some(format!(
+                "{}: {what}; expected {:?}: {}",
+                self.name, self.expected, self.why
+            ))
+        };
+        match (self.expected, found) {
+            (Expected::Input(path), Err(error)) => match error.contains(path) {
+                true => None,
+                false => wrong(error),
+            },
+            (Expected::Input(_), Ok(results)) => wrong(format!("the verdict {:?}", results.verdict.status)),
+            (_, Err(error)) => wrong(error),
+            (Expected::NotAssessed, Ok(results)) => match results.verdict.status {
+                VerdictStatus::NotAssessed => None,
+                status => wrong(format!("the verdict {status:?}")),
+            },
+            (Expected::Verdict(status, method, first), Ok(results)) => {
+                let deciding = deciding(&results).find(|m| m.id == method);
+                let checks = deciding.map(|m| m.checks.as_slice()).unwrap_or_default();
+                let found = checks.first().map_or("no check", |check| check.limit_state.as_str());
+                // Of a sound tank the one with the largest utilisation.
+                let found = match status {
+                    VerdictStatus::Holds => {
+                        let holds = checks.iter().find(|check| check.compared());
+                        holds.map_or("no comparison", |check| check.limit_state.as_str())
+                    }
+                    _ => found,
+                };
+                let same = first == ANY || found == first;
+                match results.verdict.status == status && same {
+                    true => None,
+                    false => wrong(format!("{:?}, {found} first", results.verdict.status)),
+                }
+            }
+        }
+    }
+}
+
+/// Any limit state with a comparison.
+const ANY: &str = "";
+
+fn deciding(results: &Results) -> impl Iterator<Item = &Method> {
+    let decides = |m: &&Method| {
+        let mut deciding = results.verdict.deciding.iter();
+        deciding.any(|d| d.method == m.id && d.excitation == m.excitation)
+    };
+    results.methods.iter().filter(decides)
+}
+
+/// Limit states that no procedure implements for a cylinder, or that are for pipes and ground: accepted in the base tank.
+const ACCEPTED: [&str; 13] = [
+    "wall_tension_and_bending",
+    "wall_shear",
+    "crack_width",
+    "uplift",
+    "sliding",
+    "bearing",
+    "pipes",
+    "damage_limitation",
+    "upper_compression",
+    "annulus_width",
+    "anchor_attachment",
+    "foundation",
+    "piping",
+];
+
+/// A sound tank: steel cylinder of 10 m radius and height with four courses, anchored, 8.5 m of water (83.4 kPa at the bottom), weak
+/// earthquakes of both codes; what is not implemented is accepted.
+fn base() -> Value {
+    let gap = |check: &str| json!({ "check": check, "reason": "checked apart in the statics of the tank" });
+    let mut file = json!({
+        "name": "battery",
+        "tank": {
+            "shape": "cylinder",
+            "radius": "10 m",
+            "support": "anchored",
+            "bottom": { "thickness": "8 mm", "material": "steel" },
+            "anchors": { "count": 40, "capacity": "200 kN" }
+        },
+        "liquid": { "density": "1000 kg/m3", "fill_height": "8.5 m" },
+        "materials": {
+            "steel": {
+                "youngs_modulus": "210 GPa",
+                "poisson_ratio": 0.3,
+                "density": "7850 kg/m3",
+                "yield_strength": "235 MPa",
+                "allowable_stress": "137 MPa"
+            },
+            "concrete": { "youngs_modulus": "33 GPa", "poisson_ratio": 0.2, "density": "2500 kg/m3" }
+        },
+        "site": {
+            "ec8": { "ground": "B", "spectrum": 1, "ag": "0.1 g" },
+            "api650": { "ss": 0.3, "s1": 0.1, "site_class": "C", "sug": 3, "tl": 4.0 }
+        },
+        "accepted": ACCEPTED.map(gap)
+    });
+    merge(&mut file, &wall(&[14.0, 12.0, 10.0, 10.0]));
+    file
+}
+
+/// Merges a change into a file: objects key by key, `null` removes a key, all else replaces.
+fn merge(file: &mut Value, change: &Value) {
+    match (file, change) {
+        (Value::Object(file), Value::Object(change)) => {
+            for (key, value) in change {
+                match value {
+                    Value::Null => {
+                        file.remove(key);
+                    }
+                    _ => merge(file.entry(key.clone()).or_insert(Value::Null), value),
+                }
+            }
+        }
+        (file, change) => *file = change.clone(),
+    }
+}
+
+/// A wall of courses 2.5 m high.
+///
+/// * `thicknesses`: from the base up [mm]
+fn courses(thicknesses: &[f64], material: &str) -> Value {
+    let course = |t: &f64| json!({ "height": "2.5 m", "thickness": format!("{t} mm"), "material": material });
+    json!({ "tank": { "courses": thicknesses.iter().map(course).collect::<Vec<_>>() } })
+}
+
+/// Courses of steel [mm].
+fn wall(thicknesses: &[f64]) -> Value {
+    courses(thicknesses, "steel")
+}
+
+/// Eurocode 8 alone.
+fn only_ec8() -> Value {
+    json!({ "site": { "api650": null } })
+}
+
+/// API 650 alone.
+fn only_api() -> Value {
+    json!({ "site": { "ec8": null } })
+}
+
+/// Eurocode 8 alone with another ground acceleration [g].
+fn ec8(ag: f64) -> Value {
+    json!({ "site": { "api650": null, "ec8": { "ag": format!("{ag} g") } } })
+}
+
+/// API 650 alone with other mapped accelerations [g].
+fn api(ss: f64, s1: f64) -> Value {
+    json!({ "site": { "ec8": null, "api650": { "ss": ss, "s1": s1 } } })
+}
+
+fn unanchored() -> Value {
+    json!({ "tank": { "support": "unanchored", "anchors": null } })
+}
+
+/// Anchors of another capacity [kN].
+fn anchors(capacity: f64) -> Value {
+    json!({ "tank": { "anchors": { "capacity": format!("{capacity} kN") } } })
+}
+
+fn filled(metres: f64) -> Value {
+    json!({ "liquid": { "fill_height": format!("{metres} m") } })
+}
+
+/// A roof [t].
+fn roof(tonnes: f64) -> Value {
+    json!({ "tank": { "roof": { "mass": format!("{tonnes} t") } } })
+}
+
+/// A cylinder of 3 m radius with strong anchors.
+fn slim() -> Value {
+    let mut tank = wall(&[6.0, 5.0, 4.0, 4.0]);
+    merge(&mut tank, &json!({ "tank": { "radius": "3 m" } }));
+    merge(&mut tank, &anchors(2000.0));
+    tank
+}
+
+/// Walls of concrete, 25 cm.
+fn concrete() -> Value {
+    courses(&[250.0; 4], "concrete")
+}
+
+/// A box 20 m x 10 m of concrete, 40 cm, 5 m high, 4 m of water.
+fn concrete_box() -> Value {
+    let mut tank = courses(&[400.0; 2], "concrete");
+    let shape = json!({ "shape": "rectangle", "radius": null, "length": "20 m", "breadth": "10 m", "anchors": null });
+    for (key, value) in shape.as_object().into_iter().flatten() {
+        // As they are: null removes a key of the base tank.
+        tank["tank"][key] = value.clone();
+    }
+    merge(&mut tank, &filled(4.0));
+    tank
+}
+
+/// More accepted gaps than those of the base tank.
+fn accept(more: &[&str]) -> Value {
+    let all = ACCEPTED.iter().chain(more);
+    let gap = |check: &&str| json!({ "check": check, "reason": "checked apart in the statics of the tank" });
+    json!({ "accepted": all.map(gap).collect::<Vec<_>>() })
+}
+
+/// The tanks whose verdict is not as expected.
+fn faults(tanks: &[Tank]) -> Vec<String> {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    tanks.iter().filter_map(|tank| tank.fault(home.path())).collect()
+}
+
+#[test]
+fn each_failing_tank_fails_in_its_way() {
+    let tanks = failing::tanks();
+    assert!(tanks.len() >= 40, "{}", tanks.len());
+    let holds = |tank: &&Tank| matches!(tank.expected, Expected::Verdict(VerdictStatus::Holds, ..));
+    assert_eq!(tanks.iter().filter(holds).count(), 0);
+    let faults = faults(&tanks);
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn sound_tanks_hold() {
+    let tanks = sound::tanks();
+    assert!(tanks.len() >= 20, "{}", tanks.len());
+    let holds = |tank: &&Tank| matches!(tank.expected, Expected::Verdict(VerdictStatus::Holds, ..));
+    assert_eq!(tanks.iter().filter(holds).count(), tanks.len());
+    let faults = faults(&tanks);
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn names_are_unique() {
+    let all = [failing::tanks(), sound::tanks()];
+    let names: Vec<&str> = all.iter().flatten().map(|tank| tank.name).collect();
+    let unique: std::collections::BTreeSet<_> = names.iter().collect();
+    assert_eq!(unique.len(), names.len());
+}
+
+/// A misspelt gap is no gap: the limit state stays open, and a warning names the entry.
+#[test]
+fn an_unused_acceptance_is_named() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let tank = Tank::new(
+        "misspelt",
+        "",
+        Expected::NotAssessed,
+        vec![only_ec8(), accept(&["slidding"])],
+    )
+    .open(&["sliding"]);
+    let results = tank.results(home.path()).expect("the input is good");
+    assert_eq!(results.verdict.status, VerdictStatus::Incomplete);
+    let named = results.warnings.iter().any(|warning| warning.contains("`slidding`"));
+    assert!(named, "{:?}", results.warnings);
+}
+
+/// Exit codes of the four verdicts and of bad input.
+#[test]
+fn exit_codes() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let path = home.path().join("tank.json");
+    let tanks = [failing::tanks(), sound::tanks()];
+    for (name, code) in [
+        ("sound-both-codes", 0),
+        ("hoop-bottom-course", 1),
+        ("behaviour-factor-out-of-range", 2),
+        ("anchors-missing", 4),
+        ("superseded-codes-only", 4),
+    ] {
+        let tank = tanks.iter().flatten().find(|tank| tank.name == name);
+        let json = tank.map(Tank::json).unwrap_or_else(|| panic!("no tank {name}"));
+        std::fs::write(&path, json).expect("writable");
+        let output = tankcheck(&["check", path.to_str().expect("a temporary path is text")]);
+        assert_eq!(output.status.code(), Some(code), "{name}");
+    }
+}

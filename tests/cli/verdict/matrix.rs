@@ -1,0 +1,138 @@
+//! `docs/verification/limit-states.md`: what each procedure asks of which kind of tank, generated from `codes::ALL`.
+//!
+//! `TANKCHECK_BLESS="reason"` writes the page.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use tank::assessment::{LimitState, Requirement};
+use tank::case::Case;
+
+use super::*;
+
+const PAGE: &str = "docs/verification/limit-states.md";
+
+const HEADER: &str = "\
+# Limit states
+
+What each code procedure asks of a tank, and what of it is checked. This page is generated from the lists that the procedures
+declare (`limit_states` in `codes/src`).
+
+| column | meaning |
+|---|---|
+| limit state | Id as in `results.json` and in `accepted` of the tank file. |
+| clause | Clause and edition. Clauses are recalled, not copied; the pages in `docs/theory` say which were compared with the text. |
+| steel anchored … | Kind of tank: cylinder of steel, anchored or unanchored; anchored cylinder of concrete; anchored rectangle. |
+| battery | Tanks of the tests (`tests/cli/verdict/`) in which this limit state must come first. |
+
+| entry | meaning |
+|---|---|
+| checked | Required and checked. It ends as *not checked* where its input is missing. |
+| **open** | Required and not implemented. The verdict is `incomplete`, unless the tank file accepts the gap with a reason. |
+| – | Not required of this kind of tank. |
+
+How the verdict follows from this: [`docs/verdict.md`](../verdict.md).
+";
+
+/// The kinds of tank.
+fn kinds(home: &Path) -> Vec<(&'static str, Case)> {
+    let kind = |title: &'static str, changes: Vec<Value>| {
+        let tank = Tank::new(title, "", Expected::NotAssessed, changes);
+        let path = home.join("tank.json");
+        std::fs::write(&path, tank.json()).expect("writable");
+        (title, read_tank(&path).expect("a good tank").case)
+    };
+    vec![
+        kind("steel anchored", vec![]),
+        kind("steel unanchored", vec![unanchored()]),
+        kind("concrete anchored", vec![concrete()]),
+        kind("rectangle", vec![concrete_box()]),
+    ]
+}
+
+/// Names of the tanks in which a limit state of a method comes first.
+fn covered(method: &str, state: &str) -> String {
+    let tanks = failing::tanks();
+    let first = |tank: &&Tank| matches!(tank.expected, Expected::Verdict(_, m, first) if m == method && first == state);
+    let names: Vec<String> = tanks
+        .iter()
+        .filter(first)
+        .map(|tank| format!("`{}`", tank.name))
+        .collect();
+    names.join(", ")
+}
+
+fn page() -> String {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let kinds = kinds(home.path());
+    let mut page = String::from(HEADER);
+    for procedure in codes::ALL {
+        let lists: Vec<Vec<LimitState>> = kinds.iter().map(|(_, case)| procedure.limit_states(case)).collect();
+        let _ = writeln!(page, "\n## {} (`{}`)\n", procedure.label().title, procedure.id());
+        let Some(longest) = lists
+            .iter()
+            .max_by_key(|list| list.len())
+            .filter(|list| !list.is_empty())
+        else {
+            page.push_str(
+                "Declares no limit states: its comparisons stand beside those of the deciding codes. Where `procedures.decide` names \
+                 it, the verdict is at best `incomplete`.\n",
+            );
+            continue;
+        };
+        page.push_str("| limit state | name | clause |");
+        for (title, _) in &kinds {
+            let _ = write!(page, " {title} |");
+        }
+        page.push_str(" battery |\n|---|---|---|");
+        page.push_str(&"---|".repeat(kinds.len() + 1));
+        page.push('\n');
+        for state in longest {
+            let _ = write!(page, "| `{}` | {} | {} |", state.id, state.name, state.clause);
+            for list in &lists {
+                let entry = match list.iter().find(|s| s.id == state.id).map(|s| &s.requirement) {
+                    Some(Requirement::Required) => "checked",
+                    Some(Requirement::NotImplemented) => "**open**",
+                    Some(Requirement::NotApplicable(_)) => "–",
+                    None => "outside the scope",
+                };
+                let _ = write!(page, " {entry} |");
+            }
+            let _ = writeln!(page, " {} |", covered(procedure.id(), state.id));
+        }
+    }
+    page
+}
+
+#[test]
+fn the_page_is_fresh() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(PAGE);
+    let page = page();
+    if std::env::var_os("TANKCHECK_BLESS").is_some() {
+        std::fs::write(&path, &page).expect("writable");
+    }
+    let committed = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(
+        committed == page,
+        "{PAGE} is out of date; refresh it with\n\n    TANKCHECK_BLESS=\"reason\" cargo test --test cli verdict::matrix\n"
+    );
+}
+
+/// A limit state of a procedure that decides by itself has a tank in which it comes first, but for hoop yielding: where it is reached,
+/// the elastic-plastic collapse comes before it, and a missing yield strength opens it.
+#[test]
+fn each_limit_state_has_a_tank() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let kinds = kinds(home.path());
+    let mut bare = Vec::new();
+    for (_, case) in &kinds {
+        for procedure in codes::ALL.iter().filter(|p| p.decides(&case.site)) {
+            for state in procedure.limit_states(case) {
+                if covered(procedure.id(), state.id).is_empty() {
+                    bare.push(format!("{}/{}", procedure.id(), state.id));
+                }
+            }
+        }
+    }
+    assert!(bare.is_empty(), "{bare:?}");
+}
