@@ -97,9 +97,9 @@ Examples:
   tankcheck quake info elcentro.csv
   tankcheck diff golden/ out/
 
-Exit codes: 0 done and every check holds; 1 a check fails or diff found a change; 2 bad input or usage;
-3 the computation failed or was interrupted, its results could not be written, or the tank collapsed;
-130 ended by Ctrl-C without results.";
+Exit codes: 0 done, and everything required was checked and holds; 1 a check fails or diff found a change; 2 bad input or
+usage; 3 the computation failed or was interrupted, its results could not be written, or the tank collapsed; 4 something
+required was not checked, or nothing was assessed; 130 ended by Ctrl-C without results.";
 
 /// The command line as data, for completions and the manual page.
 pub(crate) fn command() -> clap::Command {

@@ -45,8 +45,8 @@ Examples:
 Ctrl-C stops a three-dimensional or nonlinear run and keeps the finished part, marked incomplete; a second Ctrl-C
 discards everything except the checkpoint of a nonlinear run.
 
-Exit codes: 0 everything required was checked and holds; 1 a check fails; 2 bad input; 3 the computation failed or was interrupted, or the tank
-collapsed; 130 stopped by a second Ctrl-C.")]
+Exit codes: 0 everything required was checked and holds; 1 a check fails; 2 bad input; 3 the computation failed or was
+interrupted, or the tank collapsed; 4 something required was not checked; 130 stopped by a second Ctrl-C.")]
 pub(crate) struct Args {
     #[command(flatten)]
     inputs: Inputs,

@@ -39,7 +39,7 @@ fn the_main_command_writes_report_results_series_and_figures() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let out = home.path().join("out");
     let run = compare(&out);
-    assert!(matches!(run.status.code(), Some(0 | 1)), "{}", stderr(&run));
+    assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", stderr(&run));
     for file in ["report.html", "results.json", "series.csv"] {
         assert!(out.join(file).is_file(), "{file} is missing");
     }
@@ -130,7 +130,7 @@ fn a_results_folder_equals_itself_and_a_changed_one_is_found() {
         "--integrator",
         "newmark",
     ]);
-    assert!(matches!(refined.status.code(), Some(0 | 1)), "{}", stderr(&refined));
+    assert!(matches!(refined.status.code(), Some(0 | 1 | 4)), "{}", stderr(&refined));
     let diff = tankcheck(&["diff", path(&a), path(&b)]);
     assert_eq!(diff.status.code(), Some(1), "{}", stderr(&diff));
     assert!(stdout(&diff).contains("moved"));
@@ -159,7 +159,7 @@ fn the_report_is_rendered_again_from_the_folder_alone() {
 #[test]
 fn check_runs_the_codes_on_the_design_spectrum_alone() {
     let run = tankcheck(&["check", "examples/05_oil_tank/tank.json"]);
-    assert!(matches!(run.status.code(), Some(0 | 1)), "{}", stderr(&run));
+    assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", stderr(&run));
     let table = stdout(&run);
     assert!(
         table.contains("design spectrum of the site") && table.contains("ec8-2006"),
@@ -204,7 +204,7 @@ fn files_of_others_are_never_touched() {
     std::fs::write(&mine, "mine").expect("writable");
     for _ in 0..2 {
         let run = tankcheck(&command);
-        assert!(matches!(run.status.code(), Some(0 | 1)), "{}", stderr(&run));
+        assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", stderr(&run));
         assert_eq!(std::fs::read_to_string(&mine).expect("left"), "mine");
     }
     // `report` replaces its own files alone; an edited result is nobody's to replace.
@@ -271,7 +271,7 @@ fn results_that_cannot_be_written_leave_the_old_ones() {
     assert!(stderr(&run).contains("cannot be written"), "{}", stderr(&run));
     assert_eq!(std::fs::read_dir(home.path()).expect("readable").count(), 0);
     let run = limited("unlimited");
-    assert!(matches!(run.status.code(), Some(0 | 1)), "{}", stderr(&run));
+    assert!(matches!(run.status.code(), Some(0 | 1 | 4)), "{}", stderr(&run));
     let before = std::fs::read(out.join("results.json")).expect("results");
     let run = limited("8");
     assert_eq!(run.status.code(), Some(3), "{}", stderr(&run));

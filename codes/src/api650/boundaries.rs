@@ -170,6 +170,16 @@ fn annulus_width_of_2020() {
     assert!(gap.reason.contains("860.99 mm"), "{}", gap.reason);
 }
 
+/// A tank that its weight alone keeps down needs no width: nearly empty, J_0 is small while L grows with 1/√H.
+#[test]
+fn annulus_width_of_2020_where_the_weight_suffices() {
+    let mut c = case();
+    c.liquid.fill_height = 2.0;
+    c.tank.bottom.as_mut().unwrap().width = Some(0.1);
+    let end = find(&Api6502020.assess(&c, Excitation::Site).unwrap(), "annulus_width").clone();
+    assert_eq!(end.status, CheckStatus::NotApplicable, "{end:?}");
+}
+
 /// Without a bottom plate, and for J above 1.54, there is no width to check.
 #[test]
 fn annulus_width_of_2020_without_a_value() {

@@ -107,6 +107,13 @@ impl Run<'_> {
         ];
         let (name, formula) = hd::anchorage(m_rw, w_t * (1.0 - 0.4 * a_v) + w_a - F_P * w_int);
         let j = sheet.calc("J", name, formula, &terms, Dimensionless, E6_2_1_1);
+        let weight_alone = w_t * (1.0 - 0.4 * a_v) - F_P * w_int;
+        let held = if weight_alone > 0.0 {
+            let (name, formula) = ("the same without w_a", "M_rw/(D²·(w_t·(1 - 0.4·A_v) - 0.4·w_int))");
+            sheet.calc("J_0", name, formula, &terms, Dimensionless, E6_2_1_1) <= hd::NO_UPLIFT
+        } else {
+            false
+        };
         let state = if j <= hd::NO_UPLIFT {
             "J ≤ 0.785: the shell does not lift."
         } else if j <= hd::NOT_SELF_ANCHORED {
@@ -142,12 +149,18 @@ impl Run<'_> {
         if j <= hd::NOT_SELF_ANCHORED {
             // Where the limit of w_a counts, the thickness that gives it.
             let t_w = t_a * (w_a / hd::plate_force(t_a, f_y, g_e, h)).min(1.0);
-            self.annulus(f_y, g_e, t_a, t_w, j > hd::NO_UPLIFT);
+            let width = self.annulus(f_y, g_e, t_a, t_w, j > hd::NO_UPLIFT);
+            if held {
+                let reason = "the weight alone keeps the shell down (J_0 ≤ 0.785): w_a is not needed";
+                self.without_comparison(limit_states::ANNULUS, CheckStatus::NotApplicable, reason, None);
+            } else {
+                self.annulus_width(width);
+            }
         }
     }
 
-    /// Width of the annulus and uplift.
-    fn annulus(&mut self, f_y: f64, g_e: f64, t_a: f64, t_w: f64, lifts: bool) {
+    /// Width of the annulus that w_a needs [m], and uplift.
+    fn annulus(&mut self, f_y: f64, g_e: f64, t_a: f64, t_w: f64, lifts: bool) -> f64 {
         let (d, h) = (self.basis.d, self.basis.h);
         let terms = [
             ("t", t_w, Length),
@@ -158,12 +171,12 @@ impl Run<'_> {
         ];
         let name = "width of the annulus inside the shell that w_a needs (t gives w_a)";
         let width = self.sheet.calc("L", name, hd::ANNULUS, &terms, Length, E6_2_1_1_2);
-        self.annulus_width(width);
         if lifts {
             let terms = [("F_y", f_y, Stress), ("L", width, Length), ("t_a", t_a, Length)];
             let name = "uplift of the shell for the flexibility of piping";
             self.sheet.calc("y_u", name, hd::UPLIFT, &terms, Length, E7_3);
         }
+        width
     }
 
     /// The needed width L [m] against the width of the plate.
