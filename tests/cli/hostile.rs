@@ -155,7 +155,7 @@ fn results_and_reports_show_hostile_text_as_escapes() {
     let tank = home.write(&format!("t{POISON}.json"), &tank());
     let [csv, at2] = records(&home);
     let out = format!("o{POISON}");
-    let text = home.runs(&[0, 1], &["compare", &tank, "--quake", &csv, "--out", &out]);
+    let text = home.runs(&[0, 1, 4], &["compare", &tank, "--quake", &csv, "--out", &out]);
     assert!(text.contains(r"\u{1b}"), "the folder is named: {text}");
     assert!(clean_pages(&home.path().join(&out)) > 5);
     // The file for programs has the exact text.
@@ -187,9 +187,9 @@ fn results_and_reports_show_hostile_text_as_escapes() {
                 "the value is the exact text"
             );
         }
-        home.runs(&[0, 1], &["check", &tank, "--quake", &csv, "--format", format]);
+        home.runs(&[0, 1, 4], &["check", &tank, "--quake", &csv, "--format", format]);
         home.runs(&[0], &["modes", &tank, "--format", format]);
-        home.runs(&[0, 1], &["diff", &out, "again", "--format", format]);
+        home.runs(&[0, 1, 4], &["diff", &out, "again", "--format", format]);
         home.runs(&[0], &["spectrum", &at2, "--format", format]);
         home.runs(&[0, 2], &["quake", "info", &csv, "--format", format]);
         home.runs(&[0, 2], &["quake", "info", &at2, "--format", format]);

@@ -128,7 +128,10 @@ impl From<Stored> for Check {
             capacity: stored.capacity,
             utilisation: stored.utilisation,
             dimension: stored.dimension,
-            unit: stored.dimension.si_symbol().into(),
+            unit: match stored.demand {
+                Some(_) => stored.dimension.si_symbol().into(),
+                None => String::new(),
+            },
             clause: stored.clause,
             reason: stored.reason,
             input: stored.input,

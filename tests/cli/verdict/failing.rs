@@ -81,9 +81,25 @@ fn api_walls() -> Vec<Tank> {
         ),
         fails(
             "compression-heavy-roof",
-            "5000 t: 49.0 MN/62.8 m/14 mm = 55.7 MPa; 83 x 14/(2.5 x 20) + 7.5 √8.5 = 45.1 MPa",
-            (API, "shell_compression"),
+            "5000 t: 49.0 MN/62.8 m/14 mm = 55.7 MPa; 83 x 14/(2.5 x 20) + 7.5 √8.5 = 45.1 MPa; more on the thinner courses above",
+            (API, "upper_compression"),
             vec![only_api(), roof(5000.0)],
+        ),
+        fails(
+            "compression-thin-bottom-course",
+            "2500 t: 24.5 MN/62.8 m/8 mm = 48.8 MPa; 83 x 8/(2.5 x 20) + 7.5 √8.5 = 35.1 MPa; 28 of 41 MPa on the courses above",
+            (API, "shell_compression"),
+            vec![only_api(), wall(&[8.0, 14.0, 14.0, 14.0]), roof(2500.0)],
+        ),
+        fails(
+            "anchor-spacing",
+            "π 20 m/16 = 3.93 m, allowed 3 m",
+            (API, "anchor_spacing"),
+            vec![
+                only_api(),
+                anchors(9000.0),
+                json!({ "tank": { "anchors": { "count": 16 } } }),
+            ],
         ),
         incomplete(
             "aluminium-under-api",

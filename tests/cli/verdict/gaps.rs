@@ -98,7 +98,6 @@ fn not_implemented() -> Vec<Tank> {
             vec![only_ec8(), unanchored()],
         )
         .open(&["uplift"]),
-        api("upper-courses-not-accepted", "upper_compression").open(&["upper_compression"]),
         api("anchor-attachment-not-accepted", "anchor_attachment").open(&["anchor_attachment"]),
         api("foundation-not-accepted", "foundation").open(&["foundation"]),
         api("piping-not-accepted", "piping").open(&["piping"]),
