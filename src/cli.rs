@@ -13,6 +13,7 @@ use terminal::say;
 
 mod budget;
 mod check;
+mod checks;
 mod compare;
 mod completions;
 mod diff;

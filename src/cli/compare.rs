@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use fem::progress::Progress;
-use tank::assessment::{CheckStatus, Excitation};
+use tank::assessment::Excitation;
 use tank::units;
 
 use crate::cli::budget::{self, MemoryArg};
@@ -14,7 +14,7 @@ use crate::cli::inputs::Inputs;
 use crate::cli::progress::{self, Watch};
 use crate::cli::table::Table;
 use crate::cli::terminal::{self as stream, say};
-use crate::cli::{Format, Global, nonlinear, now, solid};
+use crate::cli::{Format, Global, checks, nonlinear, now, solid};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_NOT_CHECKED, EXIT_OK, Error};
 use crate::job::Job;
 use crate::pipeline::{self, Outcome};
@@ -412,74 +412,14 @@ fn csv(results: &Results) -> String {
             );
         }
     }
-    text.push_str("\nmethod,excitation,limit_state,check,status,demand,capacity,unit,utilisation,clause,reason\n");
-    let number = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:e}"));
-    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
-    for method in &results.methods {
-        for check in &method.checks {
-            let _ = writeln!(
-                text,
-                "{},{},{},{},{},{},{},{},{},{},{}",
-                method.id,
-                terminal::excitation(method.excitation),
-                check.limit_state,
-                check.id,
-                words::verdict::status(check.status),
-                number(check.demand),
-                number(check.capacity),
-                check.unit,
-                number(check.utilisation),
-                quoted(&check.clause),
-                quoted(&check.reason)
-            );
-        }
-    }
-    text
-}
-
-/// The limit states of the deciding methods, worst first.
-fn checks(results: &Results) -> String {
-    let decides = |m: &&Method| {
-        let mut deciding = results.verdict.deciding.iter();
-        deciding.any(|d| d.method == m.id && d.excitation == m.excitation)
-    };
-    let mut text = String::new();
-    for method in results.methods.iter().filter(decides) {
-        let corner = format!("{} ({})", method.id, terminal::excitation(method.excitation));
-        let mut table = Table::new([corner.as_str(), "demand", "capacity", "ratio", "result"]);
-        for check in &method.checks {
-            let unit = units::column_unit(check.demand.into_iter().chain(check.capacity), check.dimension);
-            let value = |value: Option<f64>| match value {
-                Some(value) => units::significant(units::in_unit(value, unit), 3),
-                None => "–".into(),
-            };
-            let name = match check.compared() && !unit.symbol.is_empty() {
-                true => format!("{} [{}]", check.limit_state, unit.symbol),
-                false => check.limit_state.clone(),
-            };
-            table.row([
-                name,
-                value(check.demand),
-                value(check.capacity),
-                terminal::utilisation(check),
-                words::verdict::status(check.status).to_owned(),
-            ]);
-        }
-        let _ = writeln!(text, "{table}");
-        let reasons = method.checks.iter().filter(|c| !c.reason.is_empty());
-        for check in reasons.filter(|c| c.status != CheckStatus::NotApplicable) {
-            let state = words::verdict::status(check.status);
-            let _ = writeln!(text, "  {} {state}: {}", check.limit_state, check.reason);
-        }
-        text.push('\n');
-    }
+    text.push_str(&checks::csv(results));
     text
 }
 
 fn verdict(results: &Results) -> String {
     let mut text = String::new();
     let verdict = &results.verdict;
-    text.push_str(&checks(results));
+    text.push_str(&checks::tables(results));
     let _ = writeln!(text, "{}", words::verdict::headline(verdict));
     let _ = writeln!(text, "  deciding: {}", words::verdict::deciding(verdict));
     if let Some(governing) = &verdict.governing {

@@ -27,10 +27,15 @@ pub(super) fn deciding(job: &Job, methods: &[Method]) -> Vec<Deciding> {
             .filter(|procedure| procedure.decides(&job.case.site))
             .filter_map(|procedure| decides(procedure.id(), Excitation::Site))
             .collect(),
-        // Without a design spectrum a named method decides under the record.
+        // Without a design spectrum a named method decides under the record; one that did not run decides all the same.
         named => named
             .iter()
-            .filter_map(|id| decides(id, Excitation::Site).or_else(|| decides(id, Excitation::Record)))
+            .map(|id| {
+                decides(id, Excitation::Site).unwrap_or_else(|| Deciding {
+                    method: id.clone(),
+                    excitation: Excitation::Record,
+                })
+            })
             .collect(),
     }
 }

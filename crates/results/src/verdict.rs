@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `holds` | every limit state that the deciding codes require was checked and holds, or is an accepted gap |
 //! | `fails` | at least one fails |
-//! | `incomplete` | none fails, at least one was not checked, or a deciding run did not reach its end |
+//! | `incomplete` | none fails, at least one was not checked, a deciding method checked nothing, or a run did not reach its end |
 //! | `not_assessed` | no deciding method gave a check |
 
 use serde::{Deserialize, Serialize};
@@ -113,6 +113,9 @@ pub struct Verdict {
     /// Methods that decide.
     #[serde(default)]
     pub deciding: Vec<Deciding>,
+    /// Those among them that have no check: they did not run, or check nothing.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub silent: Vec<Deciding>,
     /// Number of their checks by status.
     #[serde(default)]
     pub counts: Counts,
@@ -139,6 +142,8 @@ pub struct Verdict {
 pub fn verdict(methods: &[Method], deciding: Vec<Deciding>, unfinished: bool, cause: Option<Incomplete>) -> Verdict {
     let decides = |method: &Method| deciding.iter().any(|d| d.is(method));
     let (counts, governing) = count(methods.iter().filter(|m| decides(m)));
+    let speaks = |d: &Deciding| methods.iter().any(|m| d.is(m) && !m.checks.is_empty());
+    let silent: Vec<Deciding> = deciding.iter().filter(|d| !speaks(d)).cloned().collect();
     let aside = |method: &&Method| !decides(method) && method.excitation == Excitation::Record;
     let (of_record, worst) = count(methods.iter().filter(aside));
     let not_checked = |method: &Method| {
@@ -147,9 +152,10 @@ pub fn verdict(methods: &[Method], deciding: Vec<Deciding>, unfinished: bool, ca
     };
     Verdict {
         status: match counts.status() {
-            VerdictStatus::Holds if unfinished => VerdictStatus::Incomplete,
+            VerdictStatus::Holds if unfinished || !silent.is_empty() => VerdictStatus::Incomplete,
             status => status,
         },
+        silent,
         counts,
         governing,
         missing: methods.iter().filter(|m| decides(m)).flat_map(not_checked).collect(),
@@ -247,6 +253,25 @@ mod tests {
         }
         assert_eq!(status(vec![fine()], true), VerdictStatus::Incomplete);
         assert_eq!(status(vec![check("axial", 1.1)], true), VerdictStatus::Fails);
+    }
+
+    /// A tick needs a check of every method that decides, also of an engine that did not run.
+    #[test]
+    fn a_deciding_method_without_checks_leaves_the_verdict_open() {
+        let checked = method("code", Excitation::Site, vec![check("hoop", 0.5)]);
+        let engine = Deciding {
+            method: "fe".into(),
+            excitation: Excitation::Record,
+        };
+        let deciding = [decides("code"), vec![engine.clone()]].concat();
+        for methods in [
+            vec![checked.clone()],
+            vec![checked, method("fe", Excitation::Record, vec![])],
+        ] {
+            let found = verdict(&methods, deciding.clone(), false, None);
+            assert_eq!(found.status, VerdictStatus::Incomplete);
+            assert_eq!(found.silent, std::slice::from_ref(&engine));
+        }
     }
 
     /// What does not decide changes no status; under the record it is counted aside.

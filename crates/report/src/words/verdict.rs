@@ -37,6 +37,10 @@ pub fn headline(verdict: &Verdict) -> String {
             counts.fails,
             plural(counts.fails, "fails", "fail")
         ),
+        VerdictStatus::Incomplete if counts.not_checked == 0 => {
+            let silent: Vec<&str> = verdict.silent.iter().map(|d| d.method.as_str()).collect();
+            format!("Incomplete: {} decides and checks no limit state", silent.join(", "))
+        }
         VerdictStatus::Incomplete => format!(
             "Incomplete: {} of {} required limit states {} not checked; no check fails",
             counts.not_checked,
