@@ -63,8 +63,8 @@ fn sign(status: CheckStatus) -> (&'static str, &'static str) {
     match status {
         CheckStatus::Holds => ("yes", "✓"),
         CheckStatus::Fails => ("no-way", "✗"),
-        CheckStatus::NotChecked => ("open", "?"),
-        CheckStatus::Accepted => ("open", "!"),
+        CheckStatus::NotChecked => ("pending", "?"),
+        CheckStatus::Accepted => ("pending", "!"),
         CheckStatus::NotApplicable => ("soft", "–"),
     }
 }
