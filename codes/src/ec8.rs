@@ -44,6 +44,7 @@ pub mod spectrum;
 mod tables;
 pub mod uplift;
 pub mod vertical;
+mod wall_bending;
 mod work;
 
 use demand::{Demand, Edition};

@@ -6,12 +6,14 @@
 //! |---|---|
 //! | [`procedure`], [`sheet`] | the trait all code procedures implement, and their calculation sheets |
 //! | [`bessel`], [`mechanical`] | special functions; masses, levers and periods of potential flow |
+//! | [`en1992`] | sections of reinforced concrete |
 //! | [`housner`], [`ec8`], [`api650`], [`deformability`] | the procedures |
 
 pub mod api650;
 pub mod bessel;
 pub mod deformability;
 pub mod ec8;
+pub mod en1992;
 pub mod housner;
 pub mod mechanical;
 pub mod procedure;

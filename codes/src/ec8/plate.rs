@@ -39,7 +39,7 @@ pub fn deflection(courses: &[Course], sides: Sides, load: f64, loaded: f64, at: 
         Sides::Clamped { half_width } => (HORIZONTAL, half_width),
         Sides::Strip => (1, 1.0),
     };
-    let elements = elements(courses, &[loaded, at]);
+    let elements = elements(courses, &[loaded, at], ELEMENTS);
     // Deflection and slope of each node above the clamped base, for each X.
     let n = 2 * columns * elements.len();
     let mut stiffness = vec![vec![0.0; n]; n];
@@ -92,15 +92,21 @@ pub fn deflection(courses: &[Course], sides: Sides, load: f64, loaded: f64, at: 
 
 /// A piece of the wall of constant rigidity.
 #[derive(Clone, Copy, Debug)]
-struct Element {
-    base: f64,
-    length: f64,
-    rigidity: f64,
-    nu: f64,
+pub(super) struct Element {
+    /// Height of its lower end [m].
+    pub base: f64,
+    /// Length [m].
+    pub length: f64,
+    /// D [N·m].
+    pub rigidity: f64,
+    /// ν.
+    pub nu: f64,
+    /// E s [N/m].
+    pub membrane: f64,
 }
 
-/// Elements from the base up; every joint and every one of `breaks` that lies on the wall is an end.
-fn elements(courses: &[Course], breaks: &[f64]) -> Vec<Element> {
+/// Elements from the base up, `least` over the height or more; every joint and every one of `breaks` that lies on the wall is an end.
+pub(super) fn elements(courses: &[Course], breaks: &[f64], least: f64) -> Vec<Element> {
     let height: f64 = courses.iter().map(|c| c.height).sum();
     let mut out = Vec::new();
     let mut base = 0.0;
@@ -118,7 +124,7 @@ fn elements(courses: &[Course], breaks: &[f64]) -> Vec<Element> {
             course.thickness,
         );
         for part in ends.windows(2) {
-            let count = ((part[1] - part[0]) / height * ELEMENTS).ceil().max(1.0);
+            let count = ((part[1] - part[0]) / height * least).ceil().max(1.0);
             let length = (part[1] - part[0]) / count;
             for i in 0..count as usize {
                 out.push(Element {
@@ -126,6 +132,7 @@ fn elements(courses: &[Course], breaks: &[f64]) -> Vec<Element> {
                     length,
                     rigidity: e * s.powi(3) / (12.0 * (1.0 - nu * nu)),
                     nu,
+                    membrane: e * s,
                 });
             }
         }
@@ -135,7 +142,7 @@ fn elements(courses: &[Course], breaks: &[f64]) -> Vec<Element> {
 }
 
 /// Gauss points and weights of order 15 on [0, 1], exact to degree 29: the squares of X_5 have degree 28.
-fn gauss() -> Vec<(f64, f64)> {
+pub(super) fn gauss() -> Vec<(f64, f64)> {
     const N: usize = 15;
     (0..N)
         .map(|i| {
@@ -157,7 +164,7 @@ fn gauss() -> Vec<(f64, f64)> {
 }
 
 /// Value, first and second derivative of Hermite's cubics (deflection and slope at the lower and the upper end).
-fn hermite(t: f64, length: f64) -> [[f64; 3]; 4] {
+pub(super) fn hermite(t: f64, length: f64) -> [[f64; 3]; 4] {
     let l = length;
     [
         [
@@ -279,12 +286,15 @@ mod tests {
             assert!((w / expected - 1.0).abs() < 1e-9, "{z} {a}: {w} {expected}");
         }
         // Ends of elements: joints and breaks once each, none outside the course it belongs to.
-        let ends: Vec<f64> = elements(&courses, &[0.7, 1.6, 2.0, 5.0])
+        let ends: Vec<f64> = elements(&courses, &[0.7, 1.6, 2.0, 5.0], ELEMENTS)
             .iter()
             .map(|e| e.base)
             .collect();
         assert!(ends.windows(2).all(|z| z[0] < z[1]), "{ends:?}");
-        let total: f64 = elements(&courses, &[0.7, 1.6, 2.0, 5.0]).iter().map(|e| e.length).sum();
+        let total: f64 = elements(&courses, &[0.7, 1.6, 2.0, 5.0], ELEMENTS)
+            .iter()
+            .map(|e| e.length)
+            .sum();
         assert!((total - 4.0).abs() < 1e-12, "{total}");
         for z in [0.7, 1.6, 2.0] {
             assert!(ends.iter().any(|e| (e - z).abs() < 1e-12), "{z}: {ends:?}");

@@ -207,6 +207,7 @@ impl Draw {
                 housner_combination: self.of(&[Combination::Abs, Combination::Srss]),
                 ec8_combination: self.of(&[Combination::Abs, Combination::Srss]),
                 ec8_impulsive: self.of(&[FlexibleImpulsive::Simplified, FlexibleImpulsive::Iterative]),
+                ..ProcedureOptions::DEFAULT
             },
             measured: Vec::new(),
             published: Vec::new(),

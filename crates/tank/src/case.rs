@@ -203,6 +203,35 @@ pub struct ProcedureOptions {
     pub ec8_combination: Combination,
     /// EC8: flexible impulsive part.
     pub ec8_impulsive: FlexibleImpulsive,
+    /// EN 1992: walls of concrete.
+    #[serde(default)]
+    pub concrete: ConcreteOptions,
+}
+
+/// Choices for walls of concrete, EN 1992.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ConcreteOptions {
+    /// Partial factor of concrete γ_c.
+    pub gamma_c: f64,
+    /// Partial factor of reinforcement γ_s.
+    pub gamma_s: f64,
+    /// Tightness class of EN 1992-3 table 7.105, 0 to 3.
+    pub tightness_class: u8,
+}
+
+impl ConcreteOptions {
+    /// The defaults.
+    pub const DEFAULT: ConcreteOptions = ConcreteOptions {
+        gamma_c: 1.5,
+        gamma_s: 1.15,
+        tightness_class: 1,
+    };
+}
+
+impl Default for ConcreteOptions {
+    fn default() -> Self {
+        ConcreteOptions::DEFAULT
+    }
 }
 
 impl ProcedureOptions {
@@ -212,6 +241,7 @@ impl ProcedureOptions {
         housner_combination: Combination::Abs,
         ec8_combination: Combination::Abs,
         ec8_impulsive: FlexibleImpulsive::Simplified,
+        concrete: ConcreteOptions::DEFAULT,
     };
 }
 

@@ -69,6 +69,9 @@ pub struct Concrete {
     pub law: ConcreteLaw,
     /// Uniaxial compressive strength f_c [Pa], > 0.
     pub compressive_strength: f64,
+    /// Characteristic cylinder strength f_ck [Pa], needed by the checks of EN 1992.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub characteristic_strength: Option<f64>,
     /// Ratio f_bc/f_c of biaxial to uniaxial compressive strength, ≥ 1.
     pub biaxial_ratio: f64,
     /// Tensile strength f_t [Pa], 0 < f_t < f_c.
@@ -163,6 +166,7 @@ mod tests {
         let concrete = Concrete {
             law: ConcreteLaw::Cracked,
             compressive_strength: 35e6,
+            characteristic_strength: None,
             biaxial_ratio: 1.16,
             tensile_strength: 3.5e6,
             softening: Softening::FractureEnergy(140.0),

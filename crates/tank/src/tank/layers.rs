@@ -37,6 +37,9 @@ pub struct Reinforcement {
     pub area: f64,
     /// Distance of the axis of the bars from the inner face of their layer [m].
     pub depth: f64,
+    /// Diameter of a bar [m], needed by the crack width.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub diameter: Option<f64>,
     /// Material.
     pub material: Material,
 }

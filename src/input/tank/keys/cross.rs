@@ -114,6 +114,7 @@ pub(super) fn unused(r: &mut Resolver<'_>, file: &TankFile) {
     let courses = (tank.courses.value.iter().flatten()).filter_map(|c| c.value.as_ref());
     let layered = courses.clone().flat_map(layers);
     let bars = layered.clone().filter_map(|l| l.reinforcement.value());
+    let bars = bars.chain(courses.clone().filter_map(|c| c.reinforcement.value()));
     let bars = bars.flatten().filter_map(|b| b.value.as_ref());
     let bottom = tank.bottom.value().map(|b| &b.material);
     let used: BTreeSet<&String> = (courses.filter_map(|c| c.material.given.as_ref()))

@@ -5,11 +5,12 @@ use results::EngineId;
 use tank::case::{Combination, ConvectiveCoefficient, FlexibleImpulsive, ProcedureOptions};
 
 use crate::input::diagnostic::Faults;
-use crate::input::tank::key::{Absent, default};
+use crate::input::tank::key::{Absent, Limits, default};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, object, one_of_words, quoted};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::Node;
+use crate::input::tank::values::{Number, Whole};
 
 /// Defaults.
 const DEFAULT: ProcedureOptions = ProcedureOptions::DEFAULT;
@@ -25,6 +26,21 @@ object! {
         housner: Opt<HousnerOptions>,
         /// Eurocode 8.
         ec8: Opt<Ec8Options>,
+        /// Walls of concrete, EN 1992.
+        concrete: Opt<ConcreteOptions>,
+    }
+
+    /// Choices for walls of concrete in the Eurocode procedures.
+    ConcreteOptions {
+        /// Partial factor of concrete.
+        gamma_c (1.2): Opt<Number> [Limits::from(1.0).to(2.0)]
+            = default(Number(DEFAULT.concrete.gamma_c)).because("EN 1992-1-1 table 2.1N, EN 1998-1 5.2.4"),
+        /// Partial factor of reinforcement.
+        gamma_s (1.0): Opt<Number> [Limits::from(1.0).to(2.0)]
+            = default(Number(DEFAULT.concrete.gamma_s)).because("EN 1992-1-1 table 2.1N, EN 1998-1 5.2.4"),
+        /// Tightness class, EN 1992-3 table 7.105. Classes 2 and 3 are not checked.
+        tightness_class (1): Opt<Whole> [Limits::one_of(&[0.0, 1.0, 2.0, 3.0])]
+            = default(Whole(DEFAULT.concrete.tightness_class as u32)).because("EN 1992-3 7.3.1: leakage limited to a small amount"),
     }
 
     /// Choices within Housner's procedure.
@@ -192,6 +208,11 @@ pub(super) fn procedures(r: &mut Resolver<'_>, option: &Opt<Procedures>) -> (Pro
     if let Some(ec8) = given.as_ref().and_then(|p| p.ec8.or_absent()) {
         options.ec8_combination = r.choice(&ec8.combination);
         options.ec8_impulsive = r.choice(&ec8.impulsive);
+    }
+    if let Some(concrete) = given.as_ref().and_then(|p| p.concrete.value()) {
+        options.concrete.gamma_c = r.or_default(&concrete.gamma_c);
+        options.concrete.gamma_s = r.or_default(&concrete.gamma_s);
+        options.concrete.tightness_class = r.count_or_default(&concrete.tightness_class) as u8;
     }
     (options, run)
 }

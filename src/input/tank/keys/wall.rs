@@ -4,7 +4,7 @@ use tank::units::Dimension;
 use tank::{BarDirection, Behaviour, LayerKind, Material};
 
 use super::materials::{MAX_MATERIALS, MAX_NAME, Materials};
-use crate::input::tank::key::{Limits, list};
+use crate::input::tank::key::{Absent, Limits, list};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, nearest, object};
 use crate::input::tank::resolver::{Resolver, like_unit, range_fault};
 use crate::input::tank::syntax::join;
@@ -19,6 +19,10 @@ pub(super) const THICKNESS: Limits = Limits::above(0.0).to(10.0);
 const SHOWN_NAMES: usize = 20;
 /// Bars: more than a tenth of a metre of steel is not reinforcement.
 const AREA: Limits = Limits::above(0.0).to(0.1);
+/// Diameters of bars.
+const DIAMETER: Limits = Limits::from(3e-3).to(60e-3);
+/// Distances between bars.
+const SPACING: Limits = Limits::from(0.02).to(1.0);
 /// Distances of bars from a face.
 const COVER: Limits = Limits::above(0.0).to(10.0);
 
@@ -35,6 +39,8 @@ object! {
         ///
         /// A shell; shells that touch (a liner on concrete); or two shells with an interlayer between them.
         layers: Opt<Vec<Field<Layer>>> [Limits::ANY.items(1, 20)],
+        /// Layers of bars in a wall of concrete; together with thickness and material. Layers have their own.
+        reinforcement: Opt<Vec<Field<Reinforcement>>> [Limits::ANY.items(1, 20)],
     }
 
     /// A layer of the wall.
@@ -45,16 +51,21 @@ object! {
         thickness ("25 cm"): Field<Length> [THICKNESS],
         /// Name of its material.
         material ("concrete"): Field<String>,
-        /// Layers of bars in a concrete shell; nonlinear analysis only.
+        /// Layers of bars in a concrete shell, for the nonlinear analysis and the checks of EN 1992.
         reinforcement: Opt<Vec<Field<Reinforcement>>> [Limits::ANY.items(1, 20)],
     }
 
-    /// A layer of bars. Give its distance either from the inner or from the outer face of the shell.
+    /// A layer of bars. Give its area (and the diameter), or diameter and spacing; and its distance either from the inner or from the
+    /// outer face of the shell.
     Reinforcement {
         /// Direction of the bars.
         direction: Field<BarDirection>,
         /// Area of steel per metre of wall.
-        area ("15 cm2/m"): Field<LineArea> [AREA],
+        area ("15 cm2/m"): Opt<LineArea> [AREA] = Absent::Follows("that of diameter and spacing; needed without them"),
+        /// Diameter of a bar, needed by the crack width of EN 1992.
+        diameter ("16 mm"): Opt<Length> [DIAMETER] = Absent::Follows("without it the crack width is not checked"),
+        /// Distance from bar to bar; together with diameter.
+        spacing ("150 mm"): Opt<Length> [SPACING] = Absent::Follows("that of area and diameter"),
         /// Distance of the axis of the bars from the inner face of their shell.
         from_inner ("4 cm"): Opt<Length> [COVER],
         /// Distance of the axis of the bars from the outer face of their shell.
@@ -191,13 +202,31 @@ fn uniform(
             f64::NAN
         }
     };
-    match &c.material.given {
-        Some(name) => material(r, name, materials, Use::Shell).map(|m| tank::Course::uniform(height, thickness, m)),
-        None => {
-            missing::<String, _>(r, field, "material");
-            None
-        }
-    }
+    let Some(name) = &c.material.given else {
+        missing::<String, _>(r, field, "material");
+        return None;
+    };
+    let Some(list) = &c.reinforcement.given else {
+        return material(r, name, materials, Use::Shell).map(|m| tank::Course::uniform(height, thickness, m));
+    };
+    let material = material(r, name, materials, Use::Shell);
+    let shell = (
+        LayerKind::Shell,
+        material.as_ref().map(|m| m.behaviour),
+        name.text.as_str(),
+    );
+    // `uniform` has reported a thickness that is missing.
+    let reinforcement = match &c.thickness.given {
+        Some(given) => all_bars(r, list, shell, (given, thickness), materials),
+        None => Vec::new(),
+    };
+    let layer = tank::Layer {
+        kind: LayerKind::Shell,
+        thickness,
+        material: material?,
+        reinforcement,
+    };
+    Some(tank::Course::layered(height, vec![layer]))
 }
 
 /// Reports a missing key.
@@ -220,7 +249,11 @@ fn layered(
     field: &Field<Vec<Field<Layer>>>,
     materials: &Materials,
 ) -> Option<tank::Course> {
-    let own = [("thickness", c.thickness.place()), ("material", c.material.place())];
+    let own = [
+        ("thickness", c.thickness.place()),
+        ("material", c.material.place()),
+        ("reinforcement", c.reinforcement.place()),
+    ];
     for (key, given) in own {
         if let Some(given) = given {
             r.faults.push(range_fault(
@@ -294,26 +327,11 @@ fn layer(r: &mut Resolver<'_>, l: &Layer, materials: &Materials) -> Option<tank:
         LayerKind::Interlayer => Use::Interlayer,
     };
     let material = material(r, &l.material, materials, purpose);
-    let mut reinforcement = Vec::new();
-    if let Some(field) = &l.reinforcement.given
-        && let Some(list) = &field.value
-    {
-        let fault = match (kind, material.as_ref().map(|m| m.behaviour)) {
-            (LayerKind::Interlayer, _) => Some("bars in an interlayer"),
-            (_, Some(Behaviour::Steel(_))) => Some("bars in a layer of steel"),
-            (_, Some(Behaviour::Elastic)) => Some("bars in an elastic layer"),
-            _ => None,
-        };
-        if let Some(message) = fault {
-            let found = format!("layer of `{}`", l.material.text);
-            r.faults
-                .push(range_fault(field, message, "bars in shells of concrete only").found(found));
-        } else if r.sized(field, "layers of bars") {
-            for field in list {
-                reinforcement.extend(bars(r, field, &l.thickness, thickness, materials));
-            }
-        }
-    }
+    let shell = (kind, material.as_ref().map(|m| m.behaviour), l.material.text.as_str());
+    let reinforcement = match &l.reinforcement.given {
+        Some(list) => all_bars(r, list, shell, (&l.thickness, thickness), materials),
+        None => Vec::new(),
+    };
     Some(tank::Layer {
         kind,
         thickness,
@@ -322,17 +340,68 @@ fn layer(r: &mut Resolver<'_>, l: &Layer, materials: &Materials) -> Option<tank:
     })
 }
 
-/// One layer of bars in a shell of this thickness [m].
+/// Layers of bars in a shell.
+///
+/// * `(kind, behaviour, name)`: of the shell and its material
+/// * `thickness`: of the shell, as given and in m
+fn all_bars(
+    r: &mut Resolver<'_>,
+    field: &Field<Vec<Field<Reinforcement>>>,
+    (kind, behaviour, name): (LayerKind, Option<Behaviour>, &str),
+    thickness: (&Field<Length>, f64),
+    materials: &Materials,
+) -> Vec<tank::Reinforcement> {
+    let mut reinforcement = Vec::new();
+    let Some(list) = &field.value else {
+        return reinforcement;
+    };
+    let fault = match (kind, behaviour) {
+        (LayerKind::Interlayer, _) => Some("bars in an interlayer"),
+        (_, Some(Behaviour::Steel(_))) => Some("bars in a layer of steel"),
+        (_, Some(Behaviour::Elastic)) => Some("bars in an elastic layer"),
+        _ => None,
+    };
+    if let Some(message) = fault {
+        let found = format!("layer of `{name}`");
+        r.faults
+            .push(range_fault(field, message, "bars in shells of concrete only").found(found));
+    } else if r.sized(field, "layers of bars") {
+        for field in list {
+            reinforcement.extend(bars(r, field, thickness, materials));
+        }
+    }
+    reinforcement
+}
+
+/// Area of a layer of bars per length of wall [m²/m]; NaN if it is not given.
+fn area(r: &mut Resolver<'_>, field: &Field<Reinforcement>, b: &Reinforcement) -> (f64, Option<f64>) {
+    let diameter = b.diameter.given.as_ref().map(|f| r.number(f));
+    let spacing = b.spacing.given.as_ref().map(|f| r.number(f));
+    let of_bars = diameter
+        .zip(spacing)
+        .map(|(d, s)| std::f64::consts::PI * d * d / (4.0 * s));
+    match (&b.area.given, of_bars) {
+        (None, Some(area)) => (area, diameter),
+        (Some(given), _) if spacing.is_none() => (r.number(given), diameter),
+        _ => {
+            let allowed = "either area (and diameter), or diameter and spacing";
+            r.faults
+                .push(range_fault(field, "not exactly one area of the bars", allowed));
+            (f64::NAN, diameter)
+        }
+    }
+}
+
+/// One layer of bars in a shell; its thickness as given and in m.
 fn bars(
     r: &mut Resolver<'_>,
     field: &Field<Reinforcement>,
-    shell: &Field<Length>,
-    thickness: f64,
+    (shell, thickness): (&Field<Length>, f64),
     materials: &Materials,
 ) -> Option<tank::Reinforcement> {
     let b = field.value.as_ref()?;
     r.echo_given(&b.direction);
-    let area = r.number(&b.area);
+    let (area, diameter) = area(r, field, b);
     let given = match (&b.from_inner.given, &b.from_outer.given) {
         (Some(f), None) => Some((f, false)),
         (None, Some(f)) => Some((f, true)),
@@ -366,6 +435,7 @@ fn bars(
         direction: b.direction.value?,
         area,
         depth,
+        diameter,
         material: material?,
     })
 }

@@ -155,6 +155,7 @@ fn concrete(name: &str) -> Material {
         behaviour: Behaviour::Concrete(Concrete {
             law: ConcreteLaw::Cracked,
             compressive_strength: 30e6,
+            characteristic_strength: None,
             biaxial_ratio: 1.16,
             tensile_strength: 2e6,
             softening: Softening::FractureEnergy(100.0),
@@ -173,6 +174,7 @@ fn cracking() -> Case {
         direction,
         area: 8e-4,
         depth,
+        diameter: None,
         material: Material {
             behaviour: Behaviour::Reinforcement(tank::Bar {
                 yield_strength: 500e6,

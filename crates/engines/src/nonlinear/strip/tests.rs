@@ -59,6 +59,7 @@ fn concrete() -> Behaviour {
     Behaviour::Concrete(Concrete {
         law: tank::ConcreteLaw::Cracked,
         compressive_strength: 35e6,
+        characteristic_strength: None,
         biaxial_ratio: 1.16,
         tensile_strength: 3.5e6,
         softening: Softening::FractureEnergy(140.0),
@@ -77,6 +78,7 @@ fn reinforced(peak: f64) -> Case {
         direction: BarDirection::Vertical,
         area: 7e-4,
         depth,
+        diameter: None,
         material: Material {
             name: "bars".into(),
             youngs_modulus: 210e9,

@@ -12,6 +12,9 @@ use crate::input::tank::values::{Length, LineForce, Number, Stress};
 /// Strengths of concrete: `35 kPa` is a slip of the unit.
 const STRENGTH: Limits = Limits::above(1e6).to(500e6);
 
+/// f_cm − f_ck [Pa], EN 1992-1-1 table 3.1.
+const MEAN_LESS_CHARACTERISTIC: f64 = 8e6;
+
 object! {
     /// Concrete that cracks and crushes. Give at most one of fracture_energy, softening_strain and brittle.
     ConcreteBehaviour {
@@ -20,6 +23,9 @@ object! {
             = default(ConcreteLaw::Cracked).because("fixed cracks at right angles, Drucker-Prager compression"),
         /// Uniaxial compressive strength.
         compressive_strength ("38 MPa"): Opt<Stress> [STRENGTH] = Absent::Follows("that of the grade; needed without one"),
+        /// Characteristic cylinder strength f_ck, needed by the checks of EN 1992; the law of the nonlinear engine does not use it.
+        characteristic_strength ("30 MPa"): Opt<Stress> [STRENGTH]
+            = Absent::Follows("f_cm - 8 MPa of the grade; without one the checks of EN 1992 are left out"),
         /// Biaxial over uniaxial compressive strength.
         biaxial_ratio (1.16): Opt<Number> [Limits::from(1.0).to(1.5)]
             = default(Number(1.16)).because("Kupfer, Hilsdorf and Rüsch 1969"),
@@ -94,11 +100,20 @@ pub(super) fn concrete(
         // Avoids a second fault with the same cause.
         f_t = f64::NAN;
     }
+    let characteristic = |p: &Preset| match p.strengths {
+        Strengths::Concrete { mean, .. } => mean - MEAN_LESS_CHARACTERISTIC,
+        _ => f64::NAN,
+    };
+    let characteristic_strength = match reader.preset.as_ref().map(characteristic) {
+        Some(f_ck) => Some(reader.supplied(r, &c.characteristic_strength, f_ck)),
+        None => r.optional(&c.characteristic_strength),
+    };
     let biaxial_ratio = r.or_default(&c.biaxial_ratio);
     let softening = softening(r, reader, field, c, (e, f_c, f_t));
     Concrete {
         law,
         compressive_strength: f_c,
+        characteristic_strength,
         biaxial_ratio,
         tensile_strength: f_t,
         softening,
