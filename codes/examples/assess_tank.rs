@@ -21,6 +21,7 @@ fn main() {
         vertical: false,
         friction: None,
         reduction_factor: None,
+        bearing_capacity: None,
     });
     for procedure in codes::ALL {
         let title = procedure.label().title;

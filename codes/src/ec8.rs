@@ -57,6 +57,7 @@ use tank::Shape;
 use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
 use tank::assessment::{Assessment, Excitation, LimitState, NotApplicable};
 use tank::case::{Case, Combination, FlexibleImpulsive, Site};
+use tank::units::Dimension::{Dimensionless, Stress};
 
 /// EN 1998-4:2006 annex A with EN 1998-1:2004 (`ec8-2006`).
 #[derive(Clone, Copy, Debug)]
@@ -171,6 +172,7 @@ fn assess(case: &Case, excitation: Excitation, edition: Edition) -> Result<Asses
         out: Assessment::default(),
     };
     assumptions(&mut work, excitation);
+    situation(&mut work);
     match case.tank.shape {
         Shape::Cylinder { radius } => cylinder::assess(&mut work, radius)?,
         Shape::Rectangle { length, breadth, strip } => rectangle::assess(&mut work, length, breadth, strip),
@@ -178,6 +180,30 @@ fn assess(case: &Case, excitation: Excitation, edition: Edition) -> Result<Asses
     let Work { sheet, mut out, .. } = work;
     out.steps = sheet.into_steps()?;
     Ok(out)
+}
+
+/// Lines of the combination of actions.
+fn situation(work: &mut Work) {
+    let sheet = &mut work.sheet;
+    sheet.section("Seismic design situation, G + ψ_2 Q + A_Ed");
+    let clause = "EN 1990:2002 6.4.3.4, EN 1991-4:2006 annex A";
+    let name = "factor of weight, liquid, pressure above it (ψ_2 = 1) and seismic action (γ_I is part of a_g)";
+    sheet.input("γ_F", name, 1.0, Dimensionless, clause);
+    let name = "partial factor of the resistance of a metal wall";
+    sheet.input(
+        "γ_M",
+        name,
+        1.0,
+        Dimensionless,
+        "EN 1998-1:2004 6.1.3, EN 1993-4-2:2007 2.9",
+    );
+    let pressure = work.case.tank.pressure;
+    if !pressure.is_none() {
+        let (name, path) = ("overpressure above the liquid", "tank.pressure.internal");
+        sheet.input("p_g", name, pressure.internal, Stress, path);
+        let (name, path) = ("vacuum above the liquid, p_g = -p_vac", "tank.pressure.vacuum");
+        sheet.input("p_vac", name, pressure.vacuum, Stress, path);
+    }
 }
 
 fn assumptions(work: &mut Work, excitation: Excitation) {
@@ -192,6 +218,11 @@ fn assumptions(work: &mut Work, excitation: Excitation) {
                 .to_string()
         }
     });
+    out.push(
+        "Seismic design situation of EN 1990 6.4.3.4: weight, liquid at its fill height, pressure above it and seismic action each with \
+         the factor 1; resistance of metal walls with γ_M = 1 (recommended values; a national annex may differ)."
+            .into(),
+    );
     out.push(match case.procedures.ec8_combination {
         Combination::Abs => "Impulsive and convective maxima are added as absolute values.".into(),
         Combination::Srss => {

@@ -63,6 +63,8 @@ pub(crate) fn case(shape: Shape, courses: Vec<Course>, depth: f64, ec8: Option<E
             roof: Roof::default(),
             bottom: None,
             anchors: None,
+            pressure: Default::default(),
+            pipes: None,
         },
         liquid: Liquid {
             density: 1000.0,

@@ -20,14 +20,19 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
         ("N_0", state.weight(0.0), LineForce),
         ("A_v", work.demand.vertical_ground(), Acceleration),
         ("g", state.gravity, Acceleration),
+        ("p_g", state.tank.pressure.internal, Stress),
+        ("R", state.radius, Length),
     ];
     // The larger of E_x + 0.3 E_z and 0.3 E_x + E_z.
-    let formula = if vertical {
+    let mut formula = String::from(if vertical {
         "max(n_z - N_0·(1 - 0.3·A_v/g), 0.3·n_z - N_0·(1 - A_v/g))"
     } else {
         "n_z - N_0"
-    };
-    let largest = work.sheet.calc("n_a", name, formula, &terms, LineForce, &clause);
+    });
+    if state.tank.pressure.internal > 0.0 {
+        formula += " + p_g·R/2";
+    }
+    let largest = work.sheet.calc("n_a", name, &formula, &terms, LineForce, &clause);
     let anchors = state
         .tank
         .anchors
@@ -68,17 +73,25 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
     let diameter = 2.0 * state.radius;
     work.sheet.section("Uplift (estimate)");
     let name = "weight of wall and roof";
-    let weight = if work.demand.vertical {
-        let terms = [
-            ("N_0", state.weight(0.0), LineForce),
-            ("A_v", work.demand.vertical_ground(), Acceleration),
-            ("g", state.gravity, Acceleration),
-        ];
-        let name = format!("{name}, less 0.3 of the vertical motion");
-        work.sheet
-            .calc("w_t", &name, "N_0·(1 - 0.3·A_v/g)", &terms, LineForce, &clause)
-    } else {
-        work.sheet.input("w_t", name, state.weight(0.0), LineForce, &clause)
+    let terms = [
+        ("N_0", state.weight(0.0), LineForce),
+        ("A_v", work.demand.vertical_ground(), Acceleration),
+        ("g", state.gravity, Acceleration),
+        ("p_g", state.tank.pressure.internal, Stress),
+        ("R", state.radius, Length),
+    ];
+    let (mut name, mut formula) = (String::from(name), String::from("N_0"));
+    if work.demand.vertical {
+        name += ", less 0.3 of the vertical motion";
+        formula += "·(1 - 0.3·A_v/g)";
+    }
+    if state.tank.pressure.internal > 0.0 {
+        name += ", less the overpressure on the roof";
+        formula += " - p_g·R/2";
+    }
+    let weight = match formula.as_str() {
+        "N_0" => work.sheet.input("w_t", &name, state.weight(0.0), LineForce, &clause),
+        formula => work.sheet.calc("w_t", &name, formula, &terms, LineForce, &clause),
     };
     let hold_down = hold_down(work, state, diameter, &clause);
     let mut terms = vec![

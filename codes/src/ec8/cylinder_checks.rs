@@ -1,7 +1,8 @@
 //! Checks of a cylinder's wall: hoop yielding and stability A.10.
 //!
 //! Stability is checked at the lower edge of every course under every combination of horizontal and vertical motion; the
-//! governing place is printed. The elastic check takes the smallest, the elastic-plastic one the largest interior pressure.
+//! governing place is printed. The elastic check takes the smallest, the elastic-plastic one the largest interior pressure. Over- or
+//! underpressure above the liquid enters the interior pressure and, over the roof, the axial force with p R/2.
 
 use super::buckling::{elastic, elastic_plastic};
 use super::cylinder_base;
@@ -13,6 +14,9 @@ use tank::assessment::CheckStatus;
 use tank::units::Dimension::*;
 use tank::{Course, Support};
 
+/// Clause of the factors of a combination with an earthquake.
+const SITUATION: &str = "EN 1990:2002 6.4.3.4";
+
 /// Compression and pressures at the lower edge of a course under one combination.
 #[derive(Clone, Copy)]
 struct Place<'a> {
@@ -20,6 +24,10 @@ struct Place<'a> {
     number: usize,
     z: f64,
     factors: Factors,
+    /// Pressure of the gas above the liquid [Pa].
+    gas: f64,
+    /// Its tension in the wall, p_g R/2 [N/m].
+    lift: f64,
     /// Seismic axial force [N/m].
     axial: f64,
     /// Axial force of the weight [N/m].
@@ -33,7 +41,7 @@ struct Place<'a> {
 impl Place<'_> {
     /// σ_m [Pa].
     fn compression(&self) -> f64 {
-        (self.axial + self.weight) / self.course.thickness
+        (self.axial + self.weight - self.lift) / self.course.thickness
     }
 
     fn young(&self) -> f64 {
@@ -41,7 +49,12 @@ impl Place<'_> {
     }
 
     fn describe(&self, vertical: bool) -> String {
-        let place = format!("course {} at z = {}", self.number, with_unit(self.z, Length));
+        let mut place = format!("course {} at z = {}", self.number, with_unit(self.z, Length));
+        if self.gas > 0.0 {
+            place += ", overpressure";
+        } else if self.gas < 0.0 {
+            place += ", vacuum";
+        }
         if vertical {
             format!(
                 "{place}, {} E_x + {} E_z",
@@ -110,8 +123,9 @@ fn places<'a>(state: &State<'a>, vertical: bool, amplification: f64) -> Vec<Plac
     let mut out = Vec::new();
     let mut z = 0.0;
     for (index, course) in state.tank.courses.iter().enumerate() {
-        for factors in state.combinations(vertical) {
-            let (p_min, p_max) = state.pressure_range(z, *factors);
+        let combinations = state.combinations(vertical).iter();
+        for (factors, gas) in combinations.flat_map(|f| state.gas().into_iter().map(move |gas| (f, gas))) {
+            let (p_min, p_max) = state.pressure_range(z, *factors, gas);
             let weight = state.weight(z) * state.weight_factor(factors.1);
             let axial = factors.0 * state.axial(z);
             // At its base an unanchored wall carries a multiple of the anchored wall's whole force.
@@ -125,6 +139,8 @@ fn places<'a>(state: &State<'a>, vertical: bool, amplification: f64) -> Vec<Plac
                 number: index + 1,
                 z,
                 factors: *factors,
+                gas,
+                lift: 0.5 * gas * state.radius,
                 axial,
                 weight,
                 p_min,
@@ -144,6 +160,7 @@ fn hoop_yield(work: &mut Work, state: &State, places: &[Place], vertical: bool) 
     };
     let clause = work.edition.clause("10.3");
     work.sheet.section("Hoop stress with the static state");
+    pressure_line(work, state, &place, "p_max");
     let terms = [
         ("p_max", place.p_max, Stress),
         ("R", state.radius, Length),
@@ -151,16 +168,40 @@ fn hoop_yield(work: &mut Work, state: &State, places: &[Place], vertical: bool) 
     ];
     let name = format!("largest hoop stress, {}", place.describe(vertical));
     let stress = work.sheet.calc("σ_θ,max", &name, "p_max·R/s", &terms, Stress, &clause);
-    let note = format!("p R/(s f_y) < 1, {}", place.describe(vertical));
+    let note = format!("p R/(s f_y) < 1 with γ_M = 1, {}", place.describe(vertical));
     let name = "Hoop stress below yield";
     work.check(HOOP, name, stress, capacity, Stress, &clause, &note);
 }
 
+/// Line of the largest (`p_max`) or smallest (`p_min`) interior pressure at a place, with the factors of the seismic design
+/// situation.
+fn pressure_line(work: &mut Work, state: &State, place: &Place, symbol: &str) {
+    let z = place.z;
+    let (sign, name) = match symbol {
+        "p_max" => ("+", "largest interior pressure"),
+        _ => ("-", "smallest interior pressure"),
+    };
+    let terms = [
+        ("γ_F", 1.0, Dimensionless),
+        ("p_0", state.pressure_hydrostatic(z), Stress),
+        ("p_g", place.gas, Stress),
+        ("E_x", place.factors.0, Dimensionless),
+        ("p_h", state.pressure_horizontal(z), Stress),
+        ("E_z", place.factors.1, Dimensionless),
+        ("p_v", state.pressure_vertical(z), Stress),
+    ];
+    let gas = if place.gas == 0.0 { "" } else { " + γ_F·p_g" };
+    let formula = format!("γ_F·p_0{gas} {sign} E_x·p_h {sign} E_z·p_v");
+    work.sheet.calc(symbol, name, &formula, &terms, Stress, SITUATION);
+}
+
 /// Lines of the compression; returns it [Pa].
-fn compression_lines(work: &mut Work, place: &Place, clause: &str) -> f64 {
+fn compression_lines(work: &mut Work, place: &Place, radius: f64, clause: &str) -> f64 {
     let terms = [
         ("n_z", place.axial, LineForce),
         ("N_0", place.weight, LineForce),
+        ("p_g", place.gas, Stress),
+        ("R", radius, Length),
         ("s", place.course.thickness, Length),
     ];
     work.sheet
@@ -172,8 +213,15 @@ fn compression_lines(work: &mut Work, place: &Place, clause: &str) -> f64 {
         LineForce,
         clause,
     );
-    let name = "vertical membrane compression";
-    work.sheet.calc("σ_m", name, "(n_z + N_0)/s", &terms, Stress, clause)
+    let (name, formula) = if place.gas == 0.0 {
+        ("vertical membrane compression", "(n_z + N_0)/s")
+    } else {
+        (
+            "vertical membrane compression with the pressure above the liquid",
+            "(n_z + N_0 - p_g·R/2)/s",
+        )
+    };
+    work.sheet.calc("σ_m", name, formula, &terms, Stress, clause)
 }
 
 fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: bool) {
@@ -196,7 +244,8 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
     let clause = work.edition.clause("10.2");
     work.sheet
         .section(&format!("Elastic buckling, {}", place.describe(vertical)));
-    let compression = compression_lines(work, &place, &clause);
+    let compression = compression_lines(work, &place, radius, &clause);
+    pressure_line(work, state, &place, "p_min");
     let limit = elastic_lines(work, &place, radius, quality, &clause);
     if place.p_min < 0.0 {
         work.out.notes.push(format!(
@@ -269,7 +318,8 @@ fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bo
     let clause = work.edition.clause("10.3");
     work.sheet
         .section(&format!("Elastic-plastic collapse, {}", place.describe(vertical)));
-    let compression = compression_lines(work, &place, &clause);
+    let compression = compression_lines(work, &place, radius, &clause);
+    pressure_line(work, state, &place, "p_max");
     let thickness = place.course.thickness;
     let mut terms = vec![
         ("E", place.young(), Stress),
@@ -301,3 +351,6 @@ fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bo
     let name = "Elastic-plastic collapse of the wall";
     work.check(ELEPHANT_FOOT, name, compression, limit, Stress, &clause, &note);
 }
+
+#[cfg(test)]
+mod tests;

@@ -60,7 +60,7 @@ impl State<'_> {
         self.liquid.density * self.radius * self.convective.wall(zeta) * self.a_c
     }
 
-    fn pressure_horizontal(&self, z: f64) -> f64 {
+    pub(super) fn pressure_horizontal(&self, z: f64) -> f64 {
         combined(
             self.combination,
             self.pressure_impulsive(z),
@@ -80,9 +80,22 @@ impl State<'_> {
         self.liquid.density * self.gravity * (self.liquid.fill_height - z).max(0.0)
     }
 
+    /// Pressures of the gas above the liquid between which it may lie [Pa]: overpressure, and vacuum as a negative number.
+    ///
+    /// Demand over capacity of A.10 is a falling line over a concave function of this pressure, so that it is largest at one end.
+    pub(super) fn gas(&self) -> Vec<f64> {
+        let pressure = self.tank.pressure;
+        match pressure.is_none() {
+            true => vec![0.0],
+            false => vec![pressure.internal, -pressure.vacuum],
+        }
+    }
+
     /// Smallest and largest interior pressure of a combination.
-    pub(super) fn pressure_range(&self, z: f64, (x, v): Factors) -> (f64, f64) {
-        let still = self.pressure_hydrostatic(z);
+    ///
+    /// * `gas`: pressure above the liquid [Pa]
+    pub(super) fn pressure_range(&self, z: f64, (x, v): Factors, gas: f64) -> (f64, f64) {
+        let still = self.pressure_hydrostatic(z) + gas;
         let seismic = x * self.pressure_horizontal(z) + v * self.pressure_vertical(z);
         (still - seismic, still + seismic)
     }

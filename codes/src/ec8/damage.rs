@@ -126,6 +126,7 @@ fn lines(sheet: &mut Sheet, state: &State, place: &Place, (reduction, q): (f64, 
     let z = place.z;
     let mut terms = vec![
         ("p_0", state.pressure_hydrostatic(z), Stress),
+        ("p_g", state.tank.pressure.internal, Stress),
         ("p_i", state.pressure_impulsive(z), Stress),
         ("p_c", state.pressure_convective(z), Stress),
         ("p_v", state.pressure_vertical(z), Stress),
@@ -140,8 +141,12 @@ fn lines(sheet: &mut Sheet, state: &State, place: &Place, (reduction, q): (f64, 
         Combination::Abs => "p_0 + ν·(E_x·(q·p_i + p_c) + E_z·p_v)",
         Combination::Srss => "p_0 + ν·(E_x·√((q·p_i)² + p_c²) + E_z·p_v)",
     };
+    let formula = match state.tank.pressure.internal > 0.0 {
+        true => formula.replacen("p_0", "p_0 + p_g", 1),
+        false => formula.to_string(),
+    };
     let name = format!("largest pressure, q = 1, at z = {}", with_unit(z, Length));
-    let pressure = sheet.calc("p_DL", &name, formula, &terms, Stress, clause);
+    let pressure = sheet.calc("p_DL", &name, &formula, &terms, Stress, clause);
     terms.push(("p_DL", pressure, Stress));
     sheet.calc("σ_DL", "hoop stress", "p_DL·R/s", &terms, Stress, clause)
 }

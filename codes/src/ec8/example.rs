@@ -35,6 +35,7 @@ pub(super) fn site() -> Ec8Site {
         vertical: false,
         friction: None,
         reduction_factor: None,
+        bearing_capacity: None,
     }
 }
 

@@ -45,6 +45,11 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     work.out.values.insert(Quantity::ImpulsivePeriod, t_i);
     pressures(work, gamma, half, strip, a_i, a_c);
     damage::assess(work, None, false);
+    if !case.tank.pressure.is_none() {
+        work.out.notes.push(
+            "The pressure above the liquid (`tank.pressure`) is not included in the walls of a rectangle.".into(),
+        );
+    }
     work.out.notes.push(
         "Hoop and axial membrane stresses and the stability checks of A.10 belong to cylinders; the walls of a box bend as plates."
             .into(),

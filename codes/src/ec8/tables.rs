@@ -20,6 +20,7 @@ fn site(ground: GroundType, spectrum: u8) -> Ec8Site {
         vertical: false,
         friction: None,
         reduction_factor: None,
+        bearing_capacity: None,
     }
 }
 

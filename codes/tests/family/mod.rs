@@ -7,7 +7,7 @@ use tank::case::{
     Api650Site, Combination, ConvectiveCoefficient, Damping, Ec8Site, FlexibleImpulsive, GroundMotion, GroundType,
     ProcedureOptions, Site, SiteClass,
 };
-use tank::{Anchors, Behaviour, Bottom, Course, Liquid, Material, Roof, Shape, Support, Tank};
+use tank::{Anchors, Behaviour, Bottom, Course, Liquid, Material, Pipes, Pressure, Roof, Shape, Support, Tank};
 
 /// Number of cases.
 pub(crate) const COUNT: u64 = 240;
@@ -119,6 +119,14 @@ impl Draw {
                 capacity: self.yes().then_some(200e3),
                 attachment_capacity: self.yes().then_some(500e3),
             }),
+            pressure: Pressure {
+                internal: self.of(&[0.0, 0.0, 5e3]),
+                vacuum: self.of(&[0.0, 0.0, 1e3]),
+            },
+            pipes: self.yes().then(|| Pipes {
+                support_distance: self.of(&[None, Some(10.0)]),
+                allowable_displacement: self.of(&[None, Some(0.05)]),
+            }),
         };
         (tank, depth)
     }
@@ -135,6 +143,7 @@ impl Draw {
             vertical: self.yes(),
             friction: self.yes().then_some(0.4),
             reduction_factor: self.of(&[None, Some(0.4), Some(0.5)]),
+            bearing_capacity: self.of(&[None, Some(250e3)]),
         }
     }
 

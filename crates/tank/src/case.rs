@@ -92,6 +92,9 @@ pub struct Ec8Site {
     /// Reduction factor ν of the seismic action for damage limitation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reduction_factor: Option<f64>,
+    /// Design bearing resistance of the ground in the seismic situation [Pa].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bearing_capacity: Option<f64>,
 }
 
 /// Site class of ASCE 7.

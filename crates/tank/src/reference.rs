@@ -59,6 +59,8 @@ pub fn case(shape: Shape, courses: &[(f64, f64)], material: &Material, liquid: (
             roof: Roof::default(),
             bottom: None,
             anchors: None,
+            pressure: Default::default(),
+            pipes: None,
         },
         liquid: Liquid {
             density: liquid.0,

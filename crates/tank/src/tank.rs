@@ -123,6 +123,31 @@ pub struct Anchors {
     pub attachment_capacity: Option<f64>,
 }
 
+/// Gas or vapour above the liquid, against the atmosphere.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Pressure {
+    /// Largest overpressure [Pa].
+    pub internal: f64,
+    /// Largest vacuum [Pa], positive.
+    pub vacuum: f64,
+}
+
+impl Pressure {
+    /// Whether the tank is atmospheric.
+    pub fn is_none(&self) -> bool {
+        self.internal == 0.0 && self.vacuum == 0.0
+    }
+}
+
+/// Pipes that are connected to the tank, needed by the checks of differential displacement only.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Pipes {
+    /// Distance from the connection to the first support of the pipe that is fixed to the ground [m].
+    pub support_distance: Option<f64>,
+    /// Displacement of the connection against that support that the pipe can bear [m].
+    pub allowable_displacement: Option<f64>,
+}
+
 /// Young's modulus from which a wall counts as metal [Pa].
 pub const METAL: f64 = 60e9;
 
@@ -141,6 +166,12 @@ pub struct Tank {
     pub bottom: Option<Bottom>,
     /// Anchors, where given.
     pub anchors: Option<Anchors>,
+    /// Pressure above the liquid.
+    #[serde(default, skip_serializing_if = "Pressure::is_none")]
+    pub pressure: Pressure,
+    /// Pipes, where given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pipes: Option<Pipes>,
 }
 
 /// The stored liquid.

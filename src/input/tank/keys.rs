@@ -47,7 +47,7 @@ pub(super) fn resolve(file: &TankFile, faults: &mut Faults) -> Option<Resolved> 
     cross::unused(&mut r, file);
     let record = record::record(&mut r, &file.record);
     let damping = damping::damping(&mut r, &file.damping, tank.as_ref());
-    let site = site::site(&mut r, &file.site);
+    let site = site::site(&mut r, &file.site, tank.as_ref());
     let (procedures, run) = procedures::procedures(&mut r, &file.procedures);
     let decision = Decision {
         decide: procedures::deciding(&mut r, &file.procedures),

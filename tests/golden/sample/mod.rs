@@ -244,6 +244,8 @@ fn tank(kind: Kind) -> Tank {
         },
         bottom: None,
         anchors: None,
+        pressure: Default::default(),
+        pipes: None,
     }
 }
 

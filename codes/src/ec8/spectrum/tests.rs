@@ -13,6 +13,7 @@ fn site(ground: GroundType, spectrum: u8, ag: f64) -> Ec8Site {
         vertical: false,
         friction: None,
         reduction_factor: None,
+        bearing_capacity: None,
     }
 }
 

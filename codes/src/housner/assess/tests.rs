@@ -20,6 +20,7 @@ fn ec8_site() -> Ec8Site {
         vertical: false,
         friction: None,
         reduction_factor: None,
+        bearing_capacity: None,
     }
 }
 

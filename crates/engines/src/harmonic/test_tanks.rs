@@ -32,6 +32,8 @@ pub(crate) fn case(shape: Shape, courses: &[(f64, f64)], material: (f64, f64, f6
             roof: Roof::default(),
             bottom: None,
             anchors: None,
+            pressure: Default::default(),
+            pipes: None,
         },
         liquid: Liquid {
             density: liquid.0,

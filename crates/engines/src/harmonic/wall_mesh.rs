@@ -92,6 +92,8 @@ mod tests {
             roof: Roof::default(),
             bottom: None,
             anchors: None,
+            pressure: Default::default(),
+            pipes: None,
         }
     }
 

@@ -1,6 +1,8 @@
 //! `site`: site data of the codes.
 
+use tank::Tank;
 use tank::case::{self, Api650Site, Ec8Site, GroundType, SiteClass};
+use tank::units::{Dimension, display_in, unit_for};
 
 use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, Opt, choice, object};
@@ -47,6 +49,9 @@ object! {
         /// and II, 0.4 for III and IV.
         reduction_factor (0.5): Opt<Number> [Limits::above(0.0).to(1.0)]
             = without("damage limitation is not checked, EN 1998-4:2006 2.1.3"),
+        /// Design bearing resistance of the ground under the tank in the seismic situation, as a pressure.
+        bearing_capacity ("300 kPa"): Opt<Stress> [Limits::above(0.0).to(1e9)]
+            = without("bearing of the ground is not checked, EN 1998-5:2004 5.4.1.1"),
     }
 
     /// Site data of API 650: annex E of the 13th edition, and the zone method of appendix E, 9th edition. Without it the API
@@ -78,7 +83,7 @@ object! {
         av (0.3): Opt<InG> [MAPPED] = without("0.47 S_DS, API 650 E.6.1.3"),
         /// Design pressure above the liquid.
         design_pressure ("2 kPa"): Opt<Stress> [Limits::from(0.0).to(1e6)]
-            = default(Stress(0.0)).because("atmospheric tank"),
+            = Absent::Follows("tank.pressure.internal"),
         /// Joint efficiency of the shell.
         joint_efficiency (0.85): Opt<Number> [Limits::above(0.0).to(1.0)]
             = default(Number(1.0)).shown("1.0").because("fully radiographed butt joints"),
@@ -133,7 +138,10 @@ choice! {
 }
 
 /// Site data, each code's where it is given.
-pub(super) fn site(r: &mut Resolver<'_>, option: &Opt<Site>) -> case::Site {
+///
+/// * `tank`: gives the design pressure where `api650` does not
+pub(super) fn site(r: &mut Resolver<'_>, option: &Opt<Site>, tank: Option<&Tank>) -> case::Site {
+    let internal = tank.map_or(0.0, |tank| tank.pressure.internal);
     let given = option.or_absent();
     case::Site {
         ec8: given.as_ref().and_then(|s| match &s.ec8.given {
@@ -144,7 +152,7 @@ pub(super) fn site(r: &mut Resolver<'_>, option: &Opt<Site>) -> case::Site {
             }
         }),
         api650: given.as_ref().and_then(|s| match &s.api650.given {
-            Some(field) => field.value.as_ref().and_then(|s| api650(r, s)),
+            Some(field) => field.value.as_ref().and_then(|s| api650(r, s, internal)),
             None => {
                 r.not_given(&s.api650);
                 None
@@ -164,6 +172,7 @@ fn ec8(r: &mut Resolver<'_>, s: &Ec8) -> Option<Ec8Site> {
     let vertical = r.choice(&s.vertical);
     let friction = r.optional(&s.friction);
     let reduction_factor = r.optional(&s.reduction_factor);
+    let bearing_capacity = r.optional(&s.bearing_capacity);
     Some(Ec8Site {
         ground: ground?,
         spectrum: spectrum? as u8,
@@ -174,10 +183,11 @@ fn ec8(r: &mut Resolver<'_>, s: &Ec8) -> Option<Ec8Site> {
         vertical,
         friction,
         reduction_factor,
+        bearing_capacity,
     })
 }
 
-fn api650(r: &mut Resolver<'_>, s: &Api650) -> Option<Api650Site> {
+fn api650(r: &mut Resolver<'_>, s: &Api650, internal: f64) -> Option<Api650Site> {
     let ss = r.number(&s.ss);
     let s1 = r.number(&s.s1);
     let s0 = r.optional(&s.s0);
@@ -204,7 +214,8 @@ fn api650(r: &mut Resolver<'_>, s: &Api650) -> Option<Api650Site> {
     let sug = r.count(&s.sug);
     let tl = r.number(&s.tl);
     let av = r.optional(&s.av);
-    let design_pressure = r.or_default(&s.design_pressure);
+    let text = display_in(internal, unit_for(internal, Dimension::Stress), 4);
+    let design_pressure = r.or_else(&s.design_pressure, internal, &text, "tank.pressure.internal");
     let joint_efficiency = r.or_default(&s.joint_efficiency);
     let friction = r.or_default(&s.friction);
     let foundation_weight = r.optional(&s.foundation_weight);

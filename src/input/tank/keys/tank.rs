@@ -9,7 +9,7 @@ use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::syntax::join;
-use crate::input::tank::values::{Density, Force, Length, Mass, Whole};
+use crate::input::tank::values::{Density, Force, Length, Mass, Stress, Whole};
 
 /// Plan dimensions and the height of the roof, from the smallest laboratory tank up; the upper bound catches mm written as m.
 const SIZE: Limits = Limits::from(1e-3).to(1000.0);
@@ -39,6 +39,28 @@ object! {
         bottom: Opt<Bottom> = Absent::Without("checks of uplift and anchorage are left out"),
         /// Anchor bolts, needed by the anchorage checks.
         anchors: Opt<Anchors>,
+        /// Gas or vapour above the liquid while the earthquake acts.
+        pressure: Opt<Pressure> = Absent::Follows("neither overpressure nor vacuum: an atmospheric tank"),
+        /// Pipes that are connected to the tank, needed by the checks of their displacement.
+        pipes: Opt<Pipes> = Absent::Without("displacements of pipes are not checked, EN 1998-4:2006 4.5.2.3"),
+    }
+
+    /// Gas or vapour above the liquid while the earthquake acts, against the atmosphere.
+    Pressure {
+        /// Largest overpressure.
+        internal ("2 kPa"): Opt<Stress> [Limits::from(0.0).to(1e6)] = default(Stress(0.0)).because("no overpressure"),
+        /// Largest vacuum, as a positive number.
+        vacuum ("0.5 kPa"): Opt<Stress> [Limits::from(0.0).to(101_325.0)] = default(Stress(0.0)).because("no vacuum"),
+    }
+
+    /// Pipes that are connected to the tank; of several the one with the least reserve.
+    Pipes {
+        /// Distance from the connection to the first support of the pipe that is fixed to the ground.
+        support_distance ("12 m"): Opt<Length> [SIZE] = without("displacements of pipes are not checked, EN 1998-4:2006 4.5.1.3"),
+        /// Displacement of the connection against that support that the pipe and its connection can bear without yielding, a
+        /// design value.
+        allowable_displacement ("60 mm"): Opt<Length> [Limits::from(0.0).to(10.0)]
+            = without("displacements of pipes are not checked, EN 1998-4:2006 4.5.2.3"),
     }
 
     /// Mass on top of the wall.
@@ -145,6 +167,14 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         capacity: r.optional(&anchors.capacity),
         attachment_capacity: r.optional(&anchors.attachment_capacity),
     });
+    let pressure = pressure(r, &t.pressure);
+    if t.pipes.given.is_none() {
+        r.not_given(&t.pipes);
+    }
+    let pipes = t.pipes.value().map(|pipes| tank::Pipes {
+        support_distance: r.optional(&pipes.support_distance),
+        allowable_displacement: r.optional(&pipes.allowable_displacement),
+    });
     if support == Some(Support::Unanchored)
         && let Some(anchors) = &t.anchors.given
     {
@@ -161,7 +191,23 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         roof,
         bottom,
         anchors,
+        pressure,
+        pipes,
     })
+}
+
+/// Pressure above the liquid; none unless given.
+fn pressure(r: &mut Resolver<'_>, option: &Opt<Pressure>) -> tank::Pressure {
+    match option.value() {
+        Some(given) => tank::Pressure {
+            internal: r.or_default(&given.internal),
+            vacuum: r.or_default(&given.vacuum),
+        },
+        None => {
+            r.echo_default("tank.pressure", "0 kPa", "atmospheric tank");
+            tank::Pressure::default()
+        }
+    }
 }
 
 fn shape(r: &mut Resolver<'_>, field: &Field<Tank>, t: &Tank) -> Option<Shape> {
