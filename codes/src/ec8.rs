@@ -16,6 +16,7 @@
 //! Masses, levers and pressures of the rigid tank (A.2.1, A.4) are those of [`crate::mechanical`]. The sheets themselves are
 //! filled by `cylinder` and `rectangle`. `docs/theory/eurocode8.md` maps the clauses and lists the gaps.
 
+pub mod bottom_strip;
 #[cfg(test)]
 mod boundaries;
 pub mod buckling;
@@ -31,9 +32,11 @@ mod example;
 pub mod flexible;
 mod limit_states;
 pub mod plate;
+mod plate_uplift;
 #[cfg(test)]
 mod properties;
 mod rectangle;
+pub mod rim;
 #[cfg(test)]
 mod scope;
 pub mod shell_mode;
@@ -53,11 +56,11 @@ use work::Work;
 use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::sheet::Sheet;
 use spectrum::ElasticSpectrum;
-use tank::Shape;
 use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
 use tank::assessment::{Assessment, Excitation, LimitState, NotApplicable};
 use tank::case::{Case, Combination, FlexibleImpulsive, Site};
 use tank::units::Dimension::{Dimensionless, Stress};
+use tank::{Shape, Support};
 
 /// EN 1998-4:2006 annex A with EN 1998-1:2004 (`ec8-2006`).
 #[derive(Clone, Copy, Debug)]
@@ -169,6 +172,10 @@ fn assess(case: &Case, excitation: Excitation, edition: Edition) -> Result<Asses
         demand,
         sheet: Sheet::new(),
         mass: 0.0,
+        uplift: match case.tank.support {
+            Support::Anchored => Some(0.0),
+            Support::Unanchored => None,
+        },
         out: Assessment::default(),
     };
     assumptions(&mut work, excitation);

@@ -32,6 +32,7 @@ pub(super) fn case() -> Case {
     case.tank.bottom = Some(Bottom {
         thickness: 0.010,
         width: None,
+        subgrade_modulus: None,
         material: steel(),
     });
     case

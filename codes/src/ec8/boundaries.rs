@@ -87,6 +87,7 @@ fn overturning() {
         c.tank.bottom = Some(Bottom {
             thickness: 0.010,
             width: None,
+            subgrade_modulus: None,
             material: steel(),
         });
         c.site.ec8 = Some(Ec8Site {

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use super::cylinder_stress::State;
 use super::limit_states::{ANCHORS, OVERTURNING};
+use super::plate_uplift;
 use super::uplift::{self, Compression};
 use super::work::Work;
 use crate::sheet::with_unit;
@@ -67,8 +68,8 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
     let clause = work.edition.clause("9");
     work.out.notes.push(format!(
         "{clause}: the axial amplification of an unanchored wall needs the code's diagrams, which are not reproduced. The value \
-         used is an estimate from equilibrium: linear compression on one part of the circumference, the hold-down of wall weight \
-         and bottom plate on the rest."
+         used is the larger of two estimates from equilibrium, with the hold-down of wall weight and bottom plate on the lifted part: a \
+         linear compression on the rest of the circumference, and the rim of a wall that turns as a plane on the ground."
     ));
     let diameter = 2.0 * state.radius;
     work.sheet.section("Uplift (estimate)");
@@ -116,7 +117,12 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
         note,
     );
     let name = "largest compression with uplift";
-    let compression = match uplift::compression(x)? {
+    let Some(how) = uplift::compression(x) else {
+        // Beyond the overturning limit the plate has no equilibrium either.
+        plate_uplift::assess(work, state, weight);
+        return None;
+    };
+    let compression = match how {
         Compression::Linear => {
             let formula = "w_t + 4·M/(π·D²)";
             work.sheet
@@ -133,15 +139,24 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
             work.sheet.calc("N_u", name, formula, &terms, LineForce, "equilibrium")
         }
     };
+    let toe = plate_uplift::assess(work, state, weight);
     let terms = [("w_t", weight, LineForce), ("n_z", state.axial(0.0), LineForce)];
     let name = "the same if anchored";
     let anchored = work
         .sheet
         .calc("N_a", name, "w_t + n_z", &terms, LineForce, "membrane theory");
-    let terms = [("N_u", compression, LineForce), ("N_a", anchored, LineForce)];
+    let terms = [
+        ("N_u", compression, LineForce),
+        ("n_t", toe.unwrap_or_default(), LineForce),
+        ("N_a", anchored, LineForce),
+    ];
+    let (name, formula) = match toe {
+        Some(_) => ("amplification, the larger of both estimates", "max(N_u, n_t)/N_a"),
+        None => ("amplification", "N_u/N_a"),
+    };
     let factor = work
         .sheet
-        .calc("N_u/N_a", "amplification", "N_u/N_a", &terms, Dimensionless, &clause);
+        .calc("N_u/N_a", name, formula, &terms, Dimensionless, &clause);
     Some(factor)
 }
 

@@ -22,6 +22,9 @@ pub(super) const ANCHORS: &str = "anchorage";
 /// Overturning of an unanchored tank.
 pub(super) const OVERTURNING: &str = "overturning";
 
+/// Uplift of the bottom plate.
+pub(super) const UPLIFT: &str = "uplift";
+
 /// Sliding on the foundation.
 pub(super) const SLIDING: &str = "sliding";
 
@@ -97,10 +100,16 @@ pub(super) fn all(case: &Case, edition: Edition) -> Vec<LimitState> {
         lifts(Requirement::Required),
     );
     add(
-        "uplift",
+        UPLIFT,
         "Uplift, membrane stress and rotation of the bottom plate",
         edition.clause("9"),
-        lifts(Requirement::NotImplemented),
+        match (cylinder, metal) {
+            (_, false) => lifts(Requirement::NotApplicable(
+                "the bottom is a slab, not a metal plate that lifts: it turns as a whole".into(),
+            )),
+            (true, true) => lifts(Requirement::Required),
+            (false, true) => lifts(Requirement::NotImplemented),
+        },
     );
     let ground = "EN 1998-5:2004 5.4.1";
     add(

@@ -19,6 +19,8 @@ pub(super) struct Work<'a> {
     pub out: Assessment,
     /// Mass of the liquid m [kg], once it stands on the sheet.
     pub mass: f64,
+    /// Largest uplift of the wall [m], once it is known; zero where it is anchored.
+    pub uplift: Option<f64>,
 }
 
 /// Masses [kg] and levers [m] of a resultant.

@@ -103,6 +103,7 @@ impl Draw {
         let plate = Bottom {
             thickness: thickest * self.of(&[0.3, 0.8, 1.5]),
             width: self.of(&[None, Some(0.6)]),
+            subgrade_modulus: self.of(&[None, Some(5e8)]),
             material: self.material(),
         };
         let tank = Tank {

@@ -107,6 +107,9 @@ pub struct Bottom {
     /// Width of the plate of this thickness, from the inside of the shell towards the centre [m].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub width: Option<f64>,
+    /// Subgrade modulus of the ground under the wall [N/m³].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub subgrade_modulus: Option<f64>,
     /// Material.
     pub material: Material,
 }

@@ -9,7 +9,7 @@ use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::syntax::join;
-use crate::input::tank::values::{Density, Force, Length, Mass, Stress, Whole};
+use crate::input::tank::values::{Density, Force, Length, Mass, Number, Stress, Whole};
 
 /// Plan dimensions and the height of the roof, from the smallest laboratory tank up; the upper bound catches mm written as m.
 const SIZE: Limits = Limits::from(1e-3).to(1000.0);
@@ -77,6 +77,9 @@ object! {
         thickness ("8 mm"): Field<Length> [THICKNESS],
         /// Width of the plate of this thickness, from the inside of the shell towards the centre.
         width ("0.9 m"): Opt<Length> [SIZE] = without("the width is not checked, API 650 E.6.2.1.1.2"),
+        /// Subgrade modulus of the ground under the wall in MN/m³: compacted gravel 100, ring wall, slab or rock 10 000.
+        subgrade_modulus (100): Opt<Number> [Limits::from(1.0).to(1e6)]
+            = without("uplift on ground of 100, compression at the toe on ground of 10 000 MN/m³, EN 1998-4:2006 A.9"),
         /// Name of its material.
         material ("steel"): Field<String>,
     }
@@ -155,10 +158,12 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     let bottom = t.bottom.value().and_then(|bottom| {
         let thickness = r.number(&bottom.thickness);
         let width = r.optional(&bottom.width);
+        let subgrade_modulus = r.optional(&bottom.subgrade_modulus).map(|k| 1e6 * k);
         let material = wall::material(r, &bottom.material, materials, Use::Shell)?;
         Some(tank::Bottom {
             thickness,
             width,
+            subgrade_modulus,
             material,
         })
     });
