@@ -11,11 +11,16 @@
 //! | [`uplift`] | estimate for unanchored walls | in place of the diagrams of A.9 |
 //! | [`buckling`] | stability of steel walls | A.10 |
 //! | `damage` | damage limitation: freeboard and hoop | 2.1.3, EN 1998-1:2004 2.2.3 |
+//! | `bottom_strip`, `rim`, `plate_uplift` | uplift of the bottom plate of unanchored walls | A.9 |
+//! | `bearing` | largest pressure of the ground | EN 1998-5:2004 5.4.1.1 |
+//! | `pipes` | displacement of pipes against their support | 4.5.2.3 |
+//! | `rigid_base` | overturning of boxes | 4.5.1.2 |
 //! | `sliding` | base shear against friction | EN 1998-5:2004 5.4.1.1 |
 //!
 //! Masses, levers and pressures of the rigid tank (A.2.1, A.4) are those of [`crate::mechanical`]. The sheets themselves are
 //! filled by `cylinder` and `rectangle`. `docs/theory/eurocode8.md` maps the clauses and lists the gaps.
 
+pub mod bearing;
 pub mod bottom_strip;
 #[cfg(test)]
 mod boundaries;
@@ -31,11 +36,13 @@ pub mod demand;
 mod example;
 pub mod flexible;
 mod limit_states;
+mod pipes;
 pub mod plate;
 mod plate_uplift;
 #[cfg(test)]
 mod properties;
 mod rectangle;
+mod rigid_base;
 pub mod rim;
 #[cfg(test)]
 mod scope;

@@ -25,6 +25,12 @@ pub(super) const OVERTURNING: &str = "overturning";
 /// Uplift of the bottom plate.
 pub(super) const UPLIFT: &str = "uplift";
 
+/// Bearing of the ground.
+pub(super) const BEARING: &str = "bearing";
+
+/// Differential displacement of pipes.
+pub(super) const PIPES: &str = "pipes";
+
 /// Sliding on the foundation.
 pub(super) const SLIDING: &str = "sliding";
 
@@ -88,10 +94,9 @@ pub(super) fn all(case: &Case, edition: Edition) -> Vec<LimitState> {
         (_, false) => Requirement::NotApplicable("the tank is unanchored".into()),
     };
     add(ANCHORS, "Tension of the anchors", edition.main("4.5.1.3"), pulls);
-    let lifts = |required: Requirement| match (cylinder, anchored) {
-        (_, true) => Requirement::NotApplicable("the tank is anchored".into()),
-        (true, false) => required,
-        (false, false) => Requirement::NotImplemented,
+    let lifts = |required: Requirement| match anchored {
+        true => Requirement::NotApplicable("the tank is anchored".into()),
+        false => required,
     };
     add(
         OVERTURNING,
@@ -119,16 +124,16 @@ pub(super) fn all(case: &Case, edition: Edition) -> Vec<LimitState> {
         Requirement::Required,
     );
     add(
-        "bearing",
+        BEARING,
         "Bearing of the ground",
         format!("{ground}.1"),
-        Requirement::NotImplemented,
+        Requirement::Required,
     );
     add(
-        "pipes",
+        PIPES,
         "Differential displacement of pipes",
         edition.main("4.5.2.3"),
-        Requirement::NotImplemented,
+        Requirement::Required,
     );
     add(
         DAMAGE,

@@ -13,8 +13,9 @@ use std::f64::consts::PI;
 use super::cylinder::LARGE;
 use super::plate::{Sides, deflection};
 use super::work::{Masses, Work, combined};
-use super::{damage, sliding};
+use super::{bearing, damage, pipes, rigid_base, sliding};
 use crate::mechanical::{ConvectiveField, ImpulsiveField, Lumped, Plan, impulsive, sloshing_omega};
+use tank::Support;
 use tank::case::{Case, Combination};
 use tank::quantity::Quantity;
 use tank::units::Dimension::*;
@@ -45,6 +46,11 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     work.out.values.insert(Quantity::ImpulsivePeriod, t_i);
     pressures(work, gamma, half, strip, a_i, a_c);
     damage::assess(work, None, false);
+    if case.tank.support == Support::Unanchored {
+        rigid_base::assess(work, half);
+    }
+    bearing::assess(work);
+    pipes::assess(work);
     if !case.tank.pressure.is_none() {
         work.out.notes.push(
             "The pressure above the liquid (`tank.pressure`) is not included in the walls of a rectangle.".into(),

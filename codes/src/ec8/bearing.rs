@@ -1,0 +1,182 @@
+//! Bearing of the ground: largest pressure under a rigid base without tension against a given resistance.
+//!
+//! ```text
+//! circle, e ≤ R/4        σ = N/(π R²) (1 + 4 e/R)
+//! circle, e > R/4        segment y ≥ R cos α, σ(y) = σ (y/R − cos α)/(1 − cos α):
+//!                        N/(σ R²)    = [⅔ sin³α − cos α (α − sin α cos α)]/(1 − cos α)
+//!                        M/(σ R³)    = [α/4 − sin 4α/16 − ⅔ cos α sin³α]/(1 − cos α)        e/R = ratio of both
+//! rectangle, e ≤ B/6     σ = N/(B b) (1 + 6 e/B)             e > B/6        σ = 2 N/(3 b (B/2 − e))
+//! ```
+//!
+//! N is the weight of liquid, wall and roof, with the vertical motion up or down; e = M′/N with the moment below the base plate. Base is
+//! the plan of the tank: a foundation that spreads the load, and its weight, are left out. The resistance is a given design value
+//! (EN 1998-5 annex F, EN 1997-1).
+//!
+//! Source: EN 1998-5:2004 5.4.1.1, recalled; formulas derived here (no tension, plane distribution).
+
+use std::f64::consts::PI;
+
+use super::limit_states::BEARING;
+use super::work::Work;
+use crate::sheet::{Term, number};
+use tank::Shape;
+use tank::assessment::CheckStatus;
+use tank::quantity::Quantity;
+use tank::units::Dimension::*;
+
+const CLAUSE: &str = "EN 1998-5:2004 5.4.1.1";
+/// Path of the resistance.
+const RESISTANCE: &str = "site.ec8.bearing_capacity";
+
+/// Eccentricity e/R and force N/(σ R²) of a segment in contact with the half angle 0 < α ≤ π.
+fn segment(alpha: f64) -> (f64, f64) {
+    let (s, c) = alpha.sin_cos();
+    let cube = 2.0 / 3.0 * s.powi(3);
+    let force = cube - c * (alpha - s * c);
+    let moment = 0.25 * alpha - (4.0 * alpha).sin() / 16.0 - c * cube;
+    (moment / force, force / (1.0 - c))
+}
+
+/// σ R²/N of a circle with the eccentricity e/R from 1/4 to below 1; infinite beyond.
+///
+/// Error: 1e-6 from e/R = 0.999 down.
+pub fn circle(eccentricity: f64) -> f64 {
+    if eccentricity.is_nan() || eccentricity >= 0.999 {
+        return f64::INFINITY;
+    }
+    let (mut low, mut high) = (0.0, PI);
+    for _ in 0..80 {
+        let alpha = 0.5 * (low + high);
+        // A smaller segment has its resultant farther out.
+        if segment(alpha).0 > eccentricity {
+            low = alpha;
+        } else {
+            high = alpha;
+        }
+    }
+    1.0 / segment(0.5 * (low + high)).1
+}
+
+/// Pressure of a base of half length `half` and area `area` under N and e, times area/N; infinite where N leaves the base.
+fn factor(shape: Shape, eccentricity: f64) -> f64 {
+    match shape {
+        Shape::Cylinder { .. } if eccentricity <= 0.25 => 1.0 + 4.0 * eccentricity,
+        Shape::Cylinder { .. } => PI * circle(eccentricity),
+        // e/L with B = 2 L: 6 e/B = 3 e/L; 2 N/(3 b L (1 − e/L)) times 2 L b/N.
+        Shape::Rectangle { .. } if eccentricity <= 1.0 / 3.0 => 1.0 + 3.0 * eccentricity,
+        Shape::Rectangle { .. } if eccentricity < 1.0 => 4.0 / (3.0 * (1.0 - eccentricity)),
+        Shape::Rectangle { .. } => f64::INFINITY,
+    }
+}
+
+/// One combination of horizontal and vertical motion, vertical positive downwards.
+type Factors = (f64, f64);
+
+/// Writes the check, or that the resistance is missing. Needs the moment below the base plate.
+pub(super) fn assess(work: &mut Work) {
+    let Some(moment) = work.out.values.get(&Quantity::OverturningMoment).copied() else {
+        return;
+    };
+    let Some(resistance) = work.demand.site.and_then(|site| site.bearing_capacity) else {
+        let reason = format!("`{RESISTANCE}` is missing");
+        work.without_comparison(BEARING, CheckStatus::NotChecked, &reason, Some(RESISTANCE));
+        return;
+    };
+    let case = work.case;
+    let shape = case.tank.shape;
+    let mass = work.mass + case.tank.wall_mass() + case.tank.roof.mass;
+    let (half, area) = (shape.half_length(), shape.plan_area());
+    let force = |(_, v): Factors| mass * (case.gravity + v * work.demand.vertical_ground());
+    let pressure = |f: Factors| {
+        let normal = force(f);
+        match normal > 0.0 {
+            true => normal / area * factor(shape, f.0 * moment / normal / half),
+            false => f64::INFINITY,
+        }
+    };
+    let combinations: &[Factors] = match work.demand.vertical {
+        true => &[(1.0, 0.3), (1.0, -0.3), (0.3, 1.0), (0.3, -1.0)],
+        false => &[(1.0, 0.0)],
+    };
+    let worst = combinations
+        .iter()
+        .copied()
+        .max_by(|a, b| pressure(*a).total_cmp(&pressure(*b)));
+    if let Some(factors) = worst {
+        lines(work, factors, mass, (moment, resistance));
+    }
+}
+
+/// Lines of the governing combination, and the check.
+fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance): (f64, f64)) {
+    let case = work.case;
+    let shape = case.tank.shape;
+    let mut terms: Vec<Term> = vec![
+        ("M′", moment, Moment),
+        ("m_t", mass, Mass),
+        ("g", case.gravity, Acceleration),
+        ("A_v", work.demand.vertical_ground(), Acceleration),
+        ("E_x", x, Dimensionless),
+        ("E_z", v, Dimensionless),
+    ];
+    let half = match shape {
+        Shape::Cylinder { radius } => ("R", radius, Length),
+        Shape::Rectangle { length, .. } => ("L", 0.5 * length, Length),
+    };
+    terms.push(half);
+    if let Shape::Rectangle { breadth, .. } = shape {
+        terms.push(("b", breadth, Length));
+    }
+    let sheet = &mut work.sheet;
+    sheet.section("Bearing of the ground");
+    sheet.input("m_t", "mass of liquid, wall and roof", mass, Mass, "definition");
+    sheet.input("R_d", "design bearing resistance", resistance, Stress, RESISTANCE);
+    let (name, formula) = match work.demand.vertical {
+        true => ("weight with the vertical motion", "m_t·(g + E_z·A_v)"),
+        false => ("weight", "m_t·g"),
+    };
+    let normal = sheet.calc("N_b", name, formula, &terms, Force, CLAUSE);
+    terms.push(("N_b", normal, Force));
+    let name = "Largest pressure of the ground";
+    let note = match work.demand.vertical {
+        true => format!(
+            "rigid base without tension, {} E_x, {} E_z (downwards positive)",
+            number(x),
+            number(v)
+        ),
+        false => "rigid base without tension".to_string(),
+    };
+    let eccentricity = match normal > 0.0 {
+        true => sheet.calc("e", "eccentricity", "E_x·M′/N_b", &terms, Length, CLAUSE),
+        false => f64::INFINITY,
+    };
+    let ratio = eccentricity / half.1;
+    if !factor(shape, ratio).is_finite() {
+        // No pressure carries a resultant outside the base.
+        let note = format!("the resultant leaves the base; {note}");
+        let name = "Moment that a base without tension carries";
+        let limit = normal.max(0.0) * half.1;
+        return work.check(BEARING, name, x * moment, limit, Moment, CLAUSE, &note);
+    }
+    terms.push(("e", eccentricity, Length));
+    let formula = match shape {
+        Shape::Cylinder { .. } if ratio <= 0.25 => "N_b/(π·R²)·(1 + 4·e/R)",
+        Shape::Cylinder { .. } => {
+            let (name, source) = (
+                "pressure σ R²/N of the segment in contact",
+                "plane pressure without tension, solved for e/R",
+            );
+            let value = circle(ratio);
+            sheet.look_up("κ_b", name, source, value, Dimensionless, "statics");
+            terms.push(("κ_b", value, Dimensionless));
+            "κ_b·N_b/R²"
+        }
+        Shape::Rectangle { .. } if ratio <= 1.0 / 3.0 => "N_b/(2·L·b)·(1 + 3·e/L)",
+        Shape::Rectangle { .. } => "2·N_b/(3·b·(L - e))",
+    };
+    let pressure = sheet.calc("σ_b,max", "largest pressure", formula, &terms, Stress, CLAUSE);
+    work.check(BEARING, name, pressure, resistance, Stress, CLAUSE, &note);
+}
+
+#[cfg(test)]
+mod tests;
