@@ -23,7 +23,7 @@ mod boundaries;
 pub mod edition1993;
 pub mod edition2020;
 #[cfg(test)]
-mod example;
+pub(crate) mod example;
 pub mod ground_motion;
 pub mod hold_down;
 pub mod hoop;

@@ -33,7 +33,7 @@ mod cylinder_vertical;
 mod damage;
 pub mod demand;
 #[cfg(test)]
-mod example;
+pub(crate) mod example;
 pub mod flexible;
 mod limit_states;
 mod pipes;

@@ -11,6 +11,7 @@
 
 pub mod api650;
 pub mod bessel;
+mod corrosion;
 pub mod deformability;
 pub mod ec8;
 pub mod en1992;

@@ -29,6 +29,7 @@ pub(crate) fn course(height: f64, thickness: f64, material: Material) -> Course 
     Course {
         height,
         thickness,
+        corrosion: 0.0,
         material,
         layers: Vec::new(),
     }

@@ -142,8 +142,23 @@ impl Variable {
                     Shape::Rectangle { .. } => half / THICKEST_RECTANGLE,
                 };
                 let given = self.given(case).unwrap_or(0.0);
-                (thickest.max(TIMES_GIVEN * given), half / THINNEST)
+                // The corrosion allowance stays as it is.
+                (
+                    thickest.max(TIMES_GIVEN * given),
+                    half / THINNEST + self.corrosion(case),
+                )
             }
+        }
+    }
+
+    /// What corrosion takes from the thickness that is sought [m].
+    fn corrosion(self, case: &Case) -> f64 {
+        match self {
+            Variable::Thickness(number) => {
+                let course = number.checked_sub(1).and_then(|i| case.tank.courses.get(i));
+                course.map_or(0.0, |course| course.corrosion)
+            }
+            _ => 0.0,
         }
     }
 

@@ -7,6 +7,7 @@
 //!
 //! All are changes of one tank ([`base`]), run through input and pipeline as `check` does, without a process of their own.
 
+mod api_rest;
 mod failing;
 mod gaps;
 mod matrix;

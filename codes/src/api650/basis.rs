@@ -8,6 +8,7 @@ use tank::{Shape, Support};
 
 use super::hold_down;
 use super::masses::SQUAT;
+use crate::corrosion;
 
 /// Elastic modulus of steel [Pa] that the constants 83 MPa and 7.5 MPa of the allowable compression stand for.
 const STEEL: f64 = 206e9;
@@ -33,7 +34,7 @@ pub struct Basis<'a> {
     pub w_f: f64,
     /// Weight of the product W_p.
     pub w_p: f64,
-    /// Thickness of the bottom course t_s [m].
+    /// Thickness of the bottom course less corrosion t_s [m].
     pub t_s: f64,
 }
 
@@ -63,7 +64,7 @@ impl<'a> Basis<'a> {
                 case.gravity * plate.material.density * plate.thickness * tank.shape.plan_area()
             }),
             w_p: case.gravity * case.liquid_mass(),
-            t_s: tank.courses[0].thickness,
+            t_s: tank.courses[0].net_thickness(),
         })
     }
 
@@ -82,19 +83,20 @@ impl<'a> Basis<'a> {
         self.case.tank.courses[0].material.yield_strength
     }
 
-    /// Bottom plate under the shell (thickness [m], yield strength [Pa]), or the missing data in words.
+    /// Bottom plate under the shell (thickness less corrosion [m], yield strength [Pa]), or the missing data in words.
     pub fn bottom(&self) -> Result<(f64, f64), String> {
         let Some(bottom) = &self.case.tank.bottom else {
             return Err("tank.bottom".into());
         };
         match bottom.material.yield_strength {
-            Some(f_y) => Ok((bottom.thickness, f_y)),
+            Some(f_y) => Ok((bottom.net_thickness(), f_y)),
             None => Err(format!("materials.{}.yield_strength", bottom.material.name)),
         }
     }
 
     /// Inputs of the sheet; `roof` is the height of the roof's weight that the edition uses.
     pub fn inputs(&self, sheet: &mut Sheet, roof: (&str, f64)) {
+        corrosion::lines(sheet, &self.case.tank, "t", "nomenclature: less corrosion allowance");
         sheet.section("Tank and product");
         for (symbol, name, value, dimension, source) in [
             (
@@ -150,7 +152,12 @@ impl<'a> Basis<'a> {
         out.assumptions.extend([
             "Rigid wall and ground for the masses; the effective masses are those of the standard's charts in closed form."
                 .to_string(),
-            "The nominal diameter is twice the inner radius; thicknesses as given, without corrosion allowance.".into(),
+            match self.case.tank.corrodes() {
+                true => format!("The nominal diameter is twice the inner radius. {}", corrosion::ASSUMPTION),
+                false => {
+                    "The nominal diameter is twice the inner radius; thicknesses as given, without corrosion allowance.".into()
+                }
+            },
             "The constants of the standard contain g = 9.81 m/s² and water of 1000 kg/m³.".into(),
         ]);
         if self.case.tank.roof.mass > 0.0 {

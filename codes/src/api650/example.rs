@@ -19,7 +19,7 @@ pub(super) fn steel() -> Material {
 }
 
 /// The tank with g = 9.81 m/s², self-anchored, site of [`site`], no record.
-pub(super) fn case() -> Case {
+pub(crate) fn case() -> Case {
     let courses = [0.014, 0.012, 0.010, 0.008, 0.008, 0.008].map(|thickness| course(2.4, thickness, steel()));
     let mut case = samples::case(Shape::Cylinder { radius: 15.0 }, courses.to_vec(), 12.0, None);
     case.liquid.density = 900.0;
@@ -28,9 +28,11 @@ pub(super) fn case() -> Case {
     case.tank.roof = Roof {
         mass: 35_000.0,
         height: Some(15.2),
+        ..Roof::default()
     };
     case.tank.bottom = Some(Bottom {
         thickness: 0.010,
+        corrosion: 0.0,
         width: None,
         subgrade_modulus: None,
         material: steel(),

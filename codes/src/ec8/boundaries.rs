@@ -86,6 +86,7 @@ fn overturning() {
         c.tank.support = Support::Unanchored;
         c.tank.bottom = Some(Bottom {
             thickness: 0.010,
+            corrosion: 0.0,
             width: None,
             subgrade_modulus: None,
             material: steel(),
@@ -114,6 +115,7 @@ fn stability() {
         case.tank.roof = Roof {
             mass: 2.0e6,
             height: Some(10.0),
+            ..Roof::default()
         };
         case
     };

@@ -166,7 +166,7 @@ fn hold_down(work: &mut Work, state: &State, diameter: f64, clause: &str) -> f64
         .tank
         .bottom
         .as_ref()
-        .and_then(|b| b.material.yield_strength.map(|f_y| (b.thickness, f_y)));
+        .and_then(|b| b.material.yield_strength.map(|f_y| (b.net_thickness(), f_y)));
     let name = "hold-down of the bottom plate";
     let Some((thickness, f_y)) = bottom else {
         work.out.notes.push(format!(

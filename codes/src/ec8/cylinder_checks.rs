@@ -41,7 +41,7 @@ struct Place<'a> {
 impl Place<'_> {
     /// σ_m [Pa].
     fn compression(&self) -> f64 {
-        (self.axial + self.weight - self.lift) / self.course.thickness
+        (self.axial + self.weight - self.lift) / self.course.net_thickness()
     }
 
     fn young(&self) -> f64 {
@@ -154,7 +154,7 @@ fn places<'a>(state: &State<'a>, vertical: bool, amplification: f64) -> Vec<Plac
 }
 
 fn hoop_yield(work: &mut Work, state: &State, places: &[Place], vertical: bool) {
-    let hoop = |p: &Place| p.p_max * state.radius / p.course.thickness;
+    let hoop = |p: &Place| p.p_max * state.radius / p.course.net_thickness();
     let Some((place, capacity)) = governing(places, hoop, |p| p.yield_strength) else {
         return;
     };
@@ -164,7 +164,7 @@ fn hoop_yield(work: &mut Work, state: &State, places: &[Place], vertical: bool) 
     let terms = [
         ("p_max", place.p_max, Stress),
         ("R", state.radius, Length),
-        ("s", place.course.thickness, Length),
+        ("s", place.course.net_thickness(), Length),
     ];
     let name = format!("largest hoop stress, {}", place.describe(vertical));
     let stress = work.sheet.calc("σ_θ,max", &name, "p_max·R/s", &terms, Stress, &clause);
@@ -202,7 +202,7 @@ fn compression_lines(work: &mut Work, place: &Place, radius: f64, clause: &str) 
         ("N_0", place.weight, LineForce),
         ("p_g", place.gas, Stress),
         ("R", radius, Length),
-        ("s", place.course.thickness, Length),
+        ("s", place.course.net_thickness(), Length),
     ];
     work.sheet
         .input("n_z", "seismic axial compression", place.axial, LineForce, clause);
@@ -232,7 +232,7 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
         elastic(
             p.young(),
             p.yield_strength,
-            p.course.thickness,
+            p.course.net_thickness(),
             radius,
             p.p_min,
             quality,
@@ -275,7 +275,7 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
 fn elastic_lines(work: &mut Work, place: &Place, radius: f64, quality: f64, clause: &str) -> f64 {
     let mut terms: Vec<Term> = vec![
         ("E", place.young(), Stress),
-        ("s", place.course.thickness, Length),
+        ("s", place.course.net_thickness(), Length),
         ("R", radius, Length),
         ("a", quality, Dimensionless),
         ("f_y", place.yield_strength, Stress),
@@ -311,7 +311,7 @@ fn elastic_lines(work: &mut Work, place: &Place, radius: f64, quality: f64, clau
 
 fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bool) {
     let radius = state.radius;
-    let of = |p: &Place| elastic_plastic(p.young(), p.yield_strength, p.course.thickness, radius, p.p_max);
+    let of = |p: &Place| elastic_plastic(p.young(), p.yield_strength, p.course.net_thickness(), radius, p.p_max);
     let Some((place, _)) = governing(places, |p| p.compression(), of) else {
         return;
     };
@@ -320,7 +320,7 @@ fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bo
         .section(&format!("Elastic-plastic collapse, {}", place.describe(vertical)));
     let compression = compression_lines(work, &place, radius, &clause);
     pressure_line(work, state, &place, "p_max");
-    let thickness = place.course.thickness;
+    let thickness = place.course.net_thickness();
     let mut terms = vec![
         ("E", place.young(), Stress),
         ("s", thickness, Length),

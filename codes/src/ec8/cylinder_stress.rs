@@ -205,8 +205,8 @@ fn base_pressures(work: &mut Work, state: &State) {
 fn stresses(work: &mut Work, state: &State, vertical: bool) {
     let z = work.heights();
     let base = &state.tank.courses[0];
-    let hoop = |z: f64| state.pressure_seismic(z, vertical) * state.radius / state.tank.course_at(z).thickness;
-    let axial = |z: f64| state.axial(z) / state.tank.course_at(z).thickness;
+    let hoop = |z: f64| state.pressure_seismic(z, vertical) * state.radius / state.tank.course_at(z).net_thickness();
+    let axial = |z: f64| state.axial(z) / state.tank.course_at(z).net_thickness();
     work.profile("pressure_impulsive", "Impulsive pressure", Stress, &z, |z| {
         state.pressure_impulsive(z)
     });
@@ -229,7 +229,7 @@ fn stresses(work: &mut Work, state: &State, vertical: bool) {
     let terms = [
         ("p", state.pressure_seismic(at, vertical), Stress),
         ("R", state.radius, Length),
-        ("s", state.tank.course_at(at).thickness, Length),
+        ("s", state.tank.course_at(at).net_thickness(), Length),
     ];
     let name = format!("largest hoop stress, at z = {}", with_unit(at, Length));
     let largest = work
@@ -238,7 +238,7 @@ fn stresses(work: &mut Work, state: &State, vertical: bool) {
     let terms = [
         ("M", state.base_moment, Moment),
         ("R", state.radius, Length),
-        ("s", base.thickness, Length),
+        ("s", base.net_thickness(), Length),
     ];
     let (name, formula) = ("axial membrane stress at the base", "M/(π·R²·s)");
     let sigma = work.sheet.calc("σ_z", name, formula, &terms, Stress, "membrane theory");

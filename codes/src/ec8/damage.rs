@@ -135,7 +135,7 @@ fn lines(sheet: &mut Sheet, state: &State, place: &Place, (reduction, q): (f64, 
         ("ν", reduction, Dimensionless),
         ("q", q, Dimensionless),
         ("R", state.radius, Length),
-        ("s", place.course.thickness, Length),
+        ("s", place.course.net_thickness(), Length),
     ];
     let formula = match state.combination {
         Combination::Abs => "p_0 + ν·(E_x·(q·p_i + p_c) + E_z·p_v)",

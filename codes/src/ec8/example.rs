@@ -39,13 +39,14 @@ pub(super) fn site() -> Ec8Site {
     }
 }
 
-pub(super) fn oil_tank() -> Case {
+pub(crate) fn oil_tank() -> Case {
     let courses = [14.0, 12.0, 10.0, 8.0, 8.0, 8.0].map(|mm| course(2.4, mm * 1e-3, steel()));
     let mut case = case(Shape::Cylinder { radius: 15.0 }, courses.to_vec(), 12.0, Some(site()));
     case.liquid.density = 900.0;
     case.tank.roof = Roof {
         mass: 35e3,
         height: Some(15.2),
+        ..Roof::default()
     };
     case
 }

@@ -85,7 +85,7 @@ fn strip_lines(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64) -> Str
         ("E", material.youngs_modulus, Stress),
         ("ν", material.poisson_ratio, Dimensionless),
         ("f_y", f_y, Stress),
-        ("s_b", bottom.thickness, Length),
+        ("s_b", bottom.net_thickness(), Length),
     ];
     let (name, formula) = ("rigidity of the bottom plate", "E·s_b³/(12·(1 - ν²))");
     work.sheet.calc("D_b", name, formula, &terms, Moment, "plate theory");
@@ -97,7 +97,7 @@ fn strip_lines(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64) -> Str
         material.youngs_modulus,
         material.poisson_ratio,
         f_y,
-        bottom.thickness,
+        bottom.net_thickness(),
         pressure,
     )
 }
@@ -152,7 +152,7 @@ fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, uplift: f64
         material.youngs_modulus,
         material.poisson_ratio,
         f_y,
-        bottom.thickness,
+        bottom.net_thickness(),
         state.pressure_hydrostatic(0.0),
     );
     let mut terms: Vec<Term> = vec![
@@ -163,7 +163,7 @@ fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, uplift: f64
         ("M_p", strip.plastic_moment, LineMoment),
         ("E", material.youngs_modulus, Stress),
         ("ν", material.poisson_ratio, Dimensionless),
-        ("s_b", bottom.thickness, Length),
+        ("s_b", bottom.net_thickness(), Length),
         ("R", state.radius, Length),
     ];
     let mut line = |symbol: &'static str, name: &str, formula: &str, dimension, clause: &str| {

@@ -218,7 +218,7 @@ fn bending(work: &mut Work, field_i: &ImpulsiveField, field_c: &ConvectiveField,
     let impulsive = (scale * field_i.moment_above(0.0) + wall + roof) * a_i;
     let convective = scale * field_c.moment_above(0.0) * a_c;
     let moment = combined(case.procedures.ec8_combination, impulsive, convective);
-    let thickness = case.tank.courses[0].thickness;
+    let thickness = case.tank.courses[0].net_thickness();
     let terms = [("m_z", moment, LineMoment), ("s", thickness, Length)];
     work.sheet.section("Bending of the wall (seismic part)");
     let (name, source) = (

@@ -213,6 +213,7 @@ fn unanchored_walls() {
     case.tank.support = Support::Unanchored;
     case.tank.bottom = Some(Bottom {
         thickness: 0.010,
+        corrosion: 0.0,
         width: None,
         subgrade_modulus: None,
         material: steel(),

@@ -2,6 +2,7 @@
 
 use super::demand::{Demand, Edition};
 use super::limit_states;
+use crate::corrosion;
 use crate::mechanical::Lumped;
 use crate::sheet::{Sheet, Term};
 use tank::Shape;
@@ -51,6 +52,10 @@ impl Work<'_> {
     pub(super) fn tank(&mut self, symbol: &str, name: &str, half_length: f64) -> f64 {
         let case = self.case;
         let depth = case.liquid.fill_height;
+        if case.tank.corrodes() {
+            corrosion::lines(&mut self.sheet, &case.tank, "s", "definition");
+            self.out.assumptions.push(corrosion::ASSUMPTION.into());
+        }
         let sheet = &mut self.sheet;
         sheet.section("Tank and liquid");
         sheet.input(symbol, name, half_length, Length, "input");

@@ -82,6 +82,7 @@ impl Draw {
             .map(|i| Course {
                 height: depth * freeboard / f64::from(count),
                 thickness: thickest * (1.0 - 0.12 * f64::from(i)),
+                corrosion: 0.0,
                 material: material.clone(),
                 layers: Vec::new(),
             })
@@ -102,6 +103,7 @@ impl Draw {
         let support = self.of(&[Support::Anchored, Support::Unanchored]);
         let plate = Bottom {
             thickness: thickest * self.of(&[0.3, 0.8, 1.5]),
+            corrosion: 0.0,
             width: self.of(&[None, Some(0.6)]),
             subgrade_modulus: self.of(&[None, Some(5e8)]),
             material: self.material(),
@@ -113,6 +115,7 @@ impl Draw {
             roof: Roof {
                 mass: self.of(&[0.0, 5.0, 60.0]) * half * half,
                 height: None,
+                ..Roof::default()
             },
             bottom: self.of(&[true, true, true, false]).then_some(plate),
             anchors: self.yes().then(|| Anchors {
@@ -127,6 +130,7 @@ impl Draw {
             pipes: self.yes().then(|| Pipes {
                 support_distance: self.of(&[None, Some(10.0)]),
                 allowable_displacement: self.of(&[None, Some(0.05)]),
+                ..Pipes::default()
             }),
         };
         (tank, depth)

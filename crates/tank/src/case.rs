@@ -257,7 +257,7 @@ impl Default for ProcedureOptions {
 impl Case {
     /// Height of the wall above the still liquid [m].
     pub fn freeboard(&self) -> f64 {
-        self.tank.wall_height() - self.liquid.fill_height
+        self.tank.wall_height() - self.liquid.fill_height - self.tank.roof.rim
     }
 
     /// Mass of the liquid [kg].

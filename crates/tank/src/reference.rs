@@ -47,6 +47,7 @@ pub fn case(shape: Shape, courses: &[(f64, f64)], material: &Material, liquid: (
     let course = |&(height, thickness): &(f64, f64)| Course {
         height,
         thickness,
+        corrosion: 0.0,
         material: material.clone(),
         layers: Vec::new(),
     };

@@ -2,9 +2,11 @@
 
 mod behaviour;
 mod layers;
+mod parts;
 
 pub use behaviour::{Bar, Behaviour, Concrete, ConcreteLaw, Interlayer, Softening, Steel};
 pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
+pub use parts::{Pipes, RoofKind};
 
 use serde::{Deserialize, Serialize};
 
@@ -83,6 +85,9 @@ pub struct Course {
     pub height: f64,
     /// Thickness s [m]; of a layered course that of the equivalent homogeneous wall.
     pub thickness: f64,
+    /// Thickness that corrosion takes, an allowance or a measured loss [m]; always less than the thickness.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub corrosion: f64,
     /// Material; of a layered course that of the equivalent homogeneous wall.
     pub material: Material,
     /// Layers from inside to outside; empty where the course is of one material.
@@ -93,10 +98,20 @@ pub struct Course {
 /// Mass on top of the wall.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Roof {
-    /// Mass m_r [kg].
+    /// Mass m_r that the wall carries [kg]; 0 of a floating roof.
     pub mass: f64,
     /// Height of its centre of mass above the tank bottom [m]; the top of the wall unless given.
     pub height: Option<f64>,
+    /// How it is carried.
+    #[serde(default, skip_serializing_if = "RoofKind::is_fixed")]
+    pub kind: RoofKind,
+    /// Mass that the liquid carries [kg]: it displaces its own mass of liquid below the level of the fill height, so the mass of the
+    /// liquid contains it.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub afloat: f64,
+    /// Height of a floating roof's rim and seal above the level of the liquid [m].
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub rim: f64,
 }
 
 /// Bottom plate, needed by the anchorage checks only.
@@ -104,6 +119,9 @@ pub struct Roof {
 pub struct Bottom {
     /// Thickness of the bottom plate under the shell (annular plate where there is one) [m].
     pub thickness: f64,
+    /// Thickness that corrosion takes [m]; always less than the thickness.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub corrosion: f64,
     /// Width of the plate of this thickness, from the inside of the shell towards the centre [m].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub width: Option<f64>,
@@ -142,15 +160,6 @@ impl Pressure {
     }
 }
 
-/// Pipes that are connected to the tank, needed by the checks of differential displacement only.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Pipes {
-    /// Distance from the connection to the first support of the pipe that is fixed to the ground [m].
-    pub support_distance: Option<f64>,
-    /// Displacement of the connection against that support that the pipe can bear [m].
-    pub allowable_displacement: Option<f64>,
-}
-
 /// Young's modulus from which a wall counts as metal [Pa].
 pub const METAL: f64 = 60e9;
 
@@ -186,7 +195,32 @@ pub struct Liquid {
     pub fill_height: f64,
 }
 
+/// Whether a length or mass is left out of a file.
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde calls")]
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
+}
+
+impl Course {
+    /// Thickness less corrosion [m]: it carries stresses and resists; mass and stiffness are those of the whole thickness.
+    pub fn net_thickness(&self) -> f64 {
+        self.thickness - self.corrosion
+    }
+}
+
+impl Bottom {
+    /// Thickness less corrosion [m].
+    pub fn net_thickness(&self) -> f64 {
+        self.thickness - self.corrosion
+    }
+}
+
 impl Tank {
+    /// Whether corrosion takes part of the wall or of the bottom plate.
+    pub fn corrodes(&self) -> bool {
+        self.courses.iter().any(|c| c.corrosion > 0.0) || self.bottom.as_ref().is_some_and(|b| b.corrosion > 0.0)
+    }
+
     /// Height of the wall, the sum of its courses [m].
     pub fn wall_height(&self) -> f64 {
         self.courses.iter().map(|c| c.height).sum()

@@ -3,6 +3,7 @@
 //! Keys and meaning are a contract: extend freely, do not rename.
 
 mod accepted;
+mod corrosion;
 mod cross;
 mod damping;
 mod file;

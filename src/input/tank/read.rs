@@ -375,7 +375,7 @@ macro_rules! object {
         impl $name {
             $(const $field: &'static $crate::input::tank::key::Key<<$ty as $crate::input::tank::read::Property>::Inner> =
                 &$crate::input::tank::key::Key {
-                    name: stringify!($field),
+                    name: $crate::input::tank::read::word(stringify!($field)),
                     help: &[$($fdoc),+],
                     example: $crate::input::tank::read::either!(""; $(concat!($example))?),
                     limits: $crate::input::tank::read::either!($crate::input::tank::key::Limits::ANY; $($limits)?),
@@ -386,11 +386,11 @@ macro_rules! object {
         impl $crate::input::tank::read::FromNode for $name {
             fn from_node(node: &$crate::input::tank::syntax::Node, faults: &mut $crate::input::diagnostic::Faults) -> Option<Self> {
                 use $crate::input::tank::read::{ObjectReader, Property};
-                let reader = ObjectReader::new(node, &[$(stringify!($field)),+], faults)?;
+                let reader = ObjectReader::new(node, &[$($crate::input::tank::read::word(stringify!($field))),+], faults)?;
                 Some($name { $($field: Property::read(&reader, Self::$field, faults),)+ })
             }
             fn allowed() -> String {
-                format!("an object with {}", $crate::input::tank::key::list(&[$(stringify!($field)),+], "and"))
+                format!("an object with {}", $crate::input::tank::key::list(&[$($crate::input::tank::read::word(stringify!($field))),+], "and"))
             }
             fn example() -> String {
                 "{ … }".into()
@@ -410,6 +410,14 @@ macro_rules! object {
             }
         }
     )*};
+}
+
+/// A key as a file has it: a keyword of the language is written `r#type` here.
+pub(super) const fn word(name: &'static str) -> &'static str {
+    match name.as_bytes() {
+        [b'r', b'#', ..] => name.split_at(2).1,
+        _ => name,
+    }
 }
 
 /// The second expression, or the first if there is none.

@@ -36,6 +36,7 @@ pub(super) fn tanks() -> Vec<Tank> {
         ec8_base(),
         ec8_missing(),
         gaps::tanks(),
+        api_rest::failing(),
     ]
     .into_iter()
     .flatten()

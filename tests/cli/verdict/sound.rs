@@ -17,6 +17,7 @@ fn sound(name: &'static str, why: &'static str, method: &'static str, changes: V
 pub(super) fn tanks() -> Vec<Tank> {
     let mut tanks = steel();
     tanks.extend(others());
+    tanks.extend(api_rest::sound_tanks());
     tanks
 }
 

@@ -220,6 +220,7 @@ fn tank(kind: Kind) -> Tank {
     let course = |height, thickness, material: &Material| Course {
         height,
         thickness,
+        corrosion: 0.0,
         material: material.clone(),
         layers: Vec::new(),
     };
@@ -241,6 +242,7 @@ fn tank(kind: Kind) -> Tank {
         roof: Roof {
             mass: if kind == Kind::Rectangle { 0.0 } else { 35.0 },
             height: None,
+            ..Roof::default()
         },
         bottom: None,
         anchors: None,

@@ -93,7 +93,7 @@ impl Run<'_> {
                 let course = course.unwrap_or(courses.len() - 1);
                 Station {
                     z,
-                    t: courses[course].thickness,
+                    t: courses[course].net_thickness(),
                     course,
                     n: hoop_forces(b.h - z, b.d, b.h, b.g, a.a_i, a.a_c, a.a_v),
                 }

@@ -135,7 +135,7 @@ impl Run<'_> {
             ("W_a", weight, Force),
             ("X_a", arm, Length),
             ("D", b.d, Length),
-            ("t", edge.course.thickness, Length),
+            ("t", edge.course.net_thickness(), Length),
         ];
         let mut line = |symbol: &'static str, name: &str, formula: &str, dimension| {
             let value = sheet.calc(symbol, name, formula, &terms, dimension, E6_2_2);
@@ -157,7 +157,7 @@ impl Run<'_> {
         let f_ty = edge.course.material.yield_strength;
         let depth = (b.h - edge.z).max(0.0);
         let terms = [
-            ("t", edge.course.thickness, Length),
+            ("t", edge.course.net_thickness(), Length),
             ("D", b.d, Length),
             ("G", b.g, Dimensionless),
             ("H_z", depth, Length),

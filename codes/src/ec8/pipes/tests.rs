@@ -16,6 +16,7 @@ fn with(mut case: Case, distance: Option<f64>, allowed: Option<f64>) -> Case {
     case.tank.pipes = Some(Pipes {
         support_distance: distance,
         allowable_displacement: allowed,
+        ..Pipes::default()
     });
     case
 }
@@ -49,6 +50,7 @@ fn uplift_adds() {
     case.tank.support = Support::Unanchored;
     case.tank.bottom = Some(Bottom {
         thickness: 0.010,
+        corrosion: 0.0,
         width: None,
         subgrade_modulus: Some(1e8),
         material: steel(),

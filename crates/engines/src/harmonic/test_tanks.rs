@@ -25,6 +25,7 @@ pub(crate) fn case(shape: Shape, courses: &[(f64, f64)], material: (f64, f64, f6
                 .map(|&(height, thickness)| Course {
                     height,
                     thickness,
+                    corrosion: 0.0,
                     material: material.clone(),
                     layers: Vec::new(),
                 })

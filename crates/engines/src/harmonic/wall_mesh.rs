@@ -82,6 +82,7 @@ mod tests {
         let course = |thickness| Course {
             height: 0.915,
             thickness,
+            corrosion: 0.0,
             material: material.clone(),
             layers: Vec::new(),
         };

@@ -63,6 +63,7 @@ impl Course {
         Course {
             height,
             thickness,
+            corrosion: 0.0,
             material,
             layers: Vec::new(),
         }
@@ -104,6 +105,7 @@ impl Course {
                 allowable_stress: None,
                 behaviour: Behaviour::Elastic,
             },
+            corrosion: 0.0,
             layers,
         }
     }

@@ -1,10 +1,11 @@
 //! `tank` and `liquid`.
 
 use tank::units::Dimension;
-use tank::{Shape, Support};
+use tank::{RoofKind, Shape, Support};
 
+use super::corrosion::loss;
 use super::materials::Materials;
-use super::wall::{self, Course, HEIGHT, THICKNESS, Use};
+use super::wall::{self, CORROSION, Course, HEIGHT, THICKNESS, Use};
 use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
@@ -13,6 +14,8 @@ use crate::input::tank::values::{Density, Force, Length, Mass, Number, Stress, W
 
 /// Plan dimensions and the height of the roof, from the smallest laboratory tank up; the upper bound catches mm written as m.
 const SIZE: Limits = Limits::from(1e-3).to(1000.0);
+/// Displacements of pipes.
+const DISPLACEMENT: Limits = Limits::from(0.0).to(10.0);
 /// Liquids, from hydrogen (71 kg/m³) to mercury (13 600 kg/m³): `1 kg/m3` for water is a slip of the unit.
 const LIQUID_DENSITY: Limits = Limits::above(50.0).to(15_000.0);
 
@@ -61,20 +64,39 @@ object! {
         /// design value.
         allowable_displacement ("60 mm"): Opt<Length> [Limits::from(0.0).to(10.0)]
             = without("displacements of pipes are not checked, EN 1998-4:2006 4.5.2.3"),
+        /// Displacement upwards, relative to the foundation, that the pipes allow.
+        uplift ("100 mm"): Opt<Length> [DISPLACEMENT] = without("the flexibility of the pipes is not checked, API 650 E.7.3"),
+        /// Displacement downwards, relative to the foundation.
+        settlement ("25 mm"): Opt<Length> [DISPLACEMENT]
+            = without("the flexibility of the pipes is not checked, API 650 E.7.3"),
+        /// Displacement horizontally, radial and tangential.
+        horizontal ("50 mm"): Opt<Length> [DISPLACEMENT]
+            = without("the flexibility of the pipes is not checked, API 650 E.7.3"),
     }
 
-    /// Mass on top of the wall.
+    /// Roof, or the mass on top of the wall of an open tank.
     Roof {
+        /// How the roof is carried. The mass of a floating roof does not load the wall; it displaces its own mass of liquid below the
+        /// level of fill_height.
+        ///
+        /// Of an open tank the mass is that of the girders on top of the wall.
+        r#type: Opt<RoofKind> = default(RoofKind::Fixed),
         /// Mass of the roof with its loads.
         mass ("12 t"): Field<Mass> [Limits::from(0.0).to(1e9)],
-        /// Height of its centre of mass above the tank bottom, not below the liquid.
+        /// Height of its centre of mass above the tank bottom, not below the liquid; not of a floating roof.
         height ("11 m"): Opt<Length> [SIZE] = without("the top of the wall"),
+        /// Height of a floating roof's rim and seal above the level of the liquid; the freeboard is less by it.
+        rim ("0.8 m"): Opt<Length> [Limits::from(0.0).to(100.0)],
     }
 
     /// Bottom plate under the wall.
     Bottom {
         /// Thickness of the bottom plate (of the annular plate, where there is one).
         thickness ("8 mm"): Field<Length> [THICKNESS],
+        /// Corrosion allowance; it does not resist uplift.
+        corrosion_allowance ("1 mm"): Opt<Length> [CORROSION],
+        /// Measured thickness of a corroded plate, instead of the allowance; thickness is that as built.
+        measured_thickness ("6.5 mm"): Opt<Length> [THICKNESS],
         /// Width of the plate of this thickness, from the inside of the shell towards the centre.
         width ("0.9 m"): Opt<Length> [SIZE] = without("the width is not checked, API 650 E.6.2.1.1.2"),
         /// Subgrade modulus of the ground under the wall in MN/m³: compacted gravel 100, ring wall, slab or rock 10 000.
@@ -123,6 +145,16 @@ choice! {
         Rectangle = "rectangle",
     }
 
+    /// How a roof is carried.
+    RoofKind {
+        /// By the wall.
+        Fixed = "fixed",
+        /// By the liquid.
+        Floating = "floating",
+        /// There is none.
+        Open = "open",
+    }
+
     /// Support of the wall.
     Support {
         /// Held down; the wall is clamped at its base.
@@ -143,10 +175,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         Some(field) => field
             .value
             .as_ref()
-            .map_or_else(tank::Roof::default, |roof| tank::Roof {
-                mass: r.number(&roof.mass),
-                height: r.optional(&roof.height),
-            }),
+            .map_or_else(tank::Roof::default, |given| roof(r, given)),
         None => {
             r.echo_default("tank.roof.mass", "0 kg", "no roof given");
             tank::Roof::default()
@@ -157,11 +186,13 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     }
     let bottom = t.bottom.value().and_then(|bottom| {
         let thickness = r.number(&bottom.thickness);
+        let corrosion = loss(r, thickness, &bottom.corrosion_allowance, &bottom.measured_thickness);
         let width = r.optional(&bottom.width);
         let subgrade_modulus = r.optional(&bottom.subgrade_modulus).map(|k| 1e6 * k);
         let material = wall::material(r, &bottom.material, materials, Use::Shell)?;
         Some(tank::Bottom {
             thickness,
+            corrosion,
             width,
             subgrade_modulus,
             material,
@@ -179,6 +210,9 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     let pipes = t.pipes.value().map(|pipes| tank::Pipes {
         support_distance: r.optional(&pipes.support_distance),
         allowable_displacement: r.optional(&pipes.allowable_displacement),
+        uplift: r.optional(&pipes.uplift),
+        settlement: r.optional(&pipes.settlement),
+        horizontal: r.optional(&pipes.horizontal),
     });
     if support == Some(Support::Unanchored)
         && let Some(anchors) = &t.anchors.given
@@ -189,7 +223,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
             "\"support\": \"anchored\", or a tank without anchors",
         ));
     }
-    Some(tank::Tank {
+    let tank = tank::Tank {
         shape: shape?,
         support: support?,
         courses: courses?,
@@ -198,7 +232,47 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         anchors,
         pressure,
         pipes,
-    })
+    };
+    if tank.corrodes() {
+        let remark = "tank: finite elements and Housner's procedure use the thicknesses as built; the codes' stresses and resistances those \
+                      less corrosion";
+        r.remarks.push(remark.into());
+    }
+    Some(tank)
+}
+
+/// The roof; a floating one does not load the wall.
+fn roof(r: &mut Resolver<'_>, given: &Roof) -> tank::Roof {
+    let kind = r.choice(&given.r#type);
+    let mass = r.number(&given.mass);
+    if kind == RoofKind::Floating {
+        if let Some(height) = &given.height.given {
+            r.faults.push(range_fault(
+                height,
+                "height does not apply to a floating roof",
+                "no height: the roof is on the liquid",
+            ));
+        }
+        return tank::Roof {
+            afloat: mass,
+            kind,
+            rim: given.rim.given.as_ref().map_or(0.0, |rim| r.number(rim)),
+            ..tank::Roof::default()
+        };
+    }
+    if let Some(rim) = &given.rim.given {
+        r.faults.push(range_fault(
+            rim,
+            "rim applies to a floating roof only",
+            "\"type\": \"floating\", or a roof without rim",
+        ));
+    }
+    tank::Roof {
+        mass,
+        height: r.optional(&given.height),
+        kind,
+        ..tank::Roof::default()
+    }
 }
 
 /// Pressure above the liquid; none unless given.

@@ -3,6 +3,7 @@
 use tank::units::Dimension;
 use tank::{BarDirection, Behaviour, LayerKind, Material};
 
+use super::corrosion::loss;
 use super::materials::{MAX_MATERIALS, MAX_NAME, Materials};
 use crate::input::tank::key::{Absent, Limits, list};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, nearest, object};
@@ -14,6 +15,9 @@ use crate::input::tank::values::{Length, LineArea};
 pub(super) const HEIGHT: Limits = Limits::above(0.0).to(1000.0);
 /// Wall and plate thicknesses; the smallest follows from the radius.
 pub(super) const THICKNESS: Limits = Limits::above(0.0).to(10.0);
+
+/// Corrosion allowances; less than the thickness.
+pub(super) const CORROSION: Limits = Limits::from(0.0).to(10.0);
 
 /// Largest number of material names in a message.
 const SHOWN_NAMES: usize = 20;
@@ -35,6 +39,11 @@ object! {
         thickness ("8 mm"): Opt<Length> [THICKNESS],
         /// Name of its material; together with thickness.
         material ("steel"): Opt<String>,
+        /// Corrosion allowance; together with thickness. Stresses and resistances of the codes use the thickness without it, masses and
+        /// stiffnesses the whole thickness.
+        corrosion_allowance ("2 mm"): Opt<Length> [CORROSION],
+        /// Measured thickness of a corroded wall, instead of the allowance; thickness is that as built.
+        measured_thickness ("6.5 mm"): Opt<Length> [THICKNESS],
         /// Layers of the wall from inside to outside, instead of one thickness and material.
         ///
         /// A shell; shells that touch (a liner on concrete); or two shells with an interlayer between them.
@@ -207,7 +216,11 @@ fn uniform(
         return None;
     };
     let Some(list) = &c.reinforcement.given else {
-        return material(r, name, materials, Use::Shell).map(|m| tank::Course::uniform(height, thickness, m));
+        let corrosion = loss(r, thickness, &c.corrosion_allowance, &c.measured_thickness);
+        return material(r, name, materials, Use::Shell).map(|material| tank::Course {
+            corrosion,
+            ..tank::Course::uniform(height, thickness, material)
+        });
     };
     let material = material(r, name, materials, Use::Shell);
     let shell = (
@@ -253,6 +266,8 @@ fn layered(
         ("thickness", c.thickness.place()),
         ("material", c.material.place()),
         ("reinforcement", c.reinforcement.place()),
+        ("corrosion_allowance", c.corrosion_allowance.place()),
+        ("measured_thickness", c.measured_thickness.place()),
     ];
     for (key, given) in own {
         if let Some(given) = given {
