@@ -18,6 +18,7 @@ pub mod en1992;
 pub mod housner;
 pub mod mechanical;
 pub mod procedure;
+mod roof;
 #[cfg(test)]
 mod samples;
 pub mod sheet;

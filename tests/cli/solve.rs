@@ -165,8 +165,15 @@ fn the_smallest_thickness_carries_the_hoop_tension() {
     assert!(value >= expected * (1.0 - FACTORS), "{value} below {expected}");
     assert!(value <= expected * (1.0 + SEARCH + FACTORS), "{value} above {expected}");
     assert_eq!(json["governing"]["check"], "hoop_stress");
-    // The stress is N/t: at twice the thickness the utilisation is half.
     let utilisation = json["governing"]["utilisation"].as_f64().expect("a utilisation");
+    // An allowance comes on top, to the tolerance of the search and of the six digits.
+    let corroded = tank("10 m", "12 m", "20 mm", "9 m", "80 MPa", API)
+        .replace("\"20 mm\"", "\"20 mm\", \"corrosion_allowance\": \"3 mm\"");
+    let (json, _) = solved(&written(home.path(), "corroded.json", &corroded), "thickness:1");
+    let (more, expected) = (json["value"].as_f64().expect("a value"), expected + 0.003);
+    assert!(more >= expected * (1.0 - FACTORS), "{more} below {expected}");
+    assert!(more <= expected * (1.0 + SEARCH + FACTORS), "{more} above {expected}");
+    // The stress is N/t: at twice the thickness the utilisation is half.
     let double = format!("\"{} m\"", 2.0 * value);
     let at = tank("10 m", "12 m", "20 mm", "9 m", "80 MPa", API).replace("\"20 mm\"", &double);
     let out = home.path().join("out");

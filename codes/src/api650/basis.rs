@@ -4,14 +4,24 @@ use crate::sheet::{Sheet, with_unit};
 use tank::assessment::{Assessment, Check, CheckStatus, NotApplicable};
 use tank::case::Case;
 use tank::units::Dimension::{Dimensionless, Force, Length, LineForce};
-use tank::{Shape, Support};
+use tank::{METAL, Material, Shape, Support};
 
 use super::hold_down;
 use super::masses::SQUAT;
-use crate::corrosion;
+use crate::{corrosion, roof};
 
 /// Elastic modulus of steel [Pa] that the constants 83 MPa and 7.5 MPa of the allowable compression stand for.
 const STEEL: f64 = 206e9;
+
+/// Modulus [Pa] by which the allowable compression of aluminium is scaled: 29 000 ksi.
+pub const REFERENCE_MODULUS: f64 = 200e9;
+/// Moduli of aluminium alloys end here [Pa]; metals between them and steel are not covered by the standard.
+const ALUMINIUM: f64 = 80e9;
+
+/// Whether a material is aluminium by its modulus.
+pub fn is_aluminium(material: &Material) -> bool {
+    (METAL..ALUMINIUM).contains(&material.youngs_modulus)
+}
 
 /// Tank and product as the standard sees them; weights in N.
 #[derive(Clone, Copy, Debug)]
@@ -129,6 +139,7 @@ impl<'a> Basis<'a> {
         ] {
             sheet.input(symbol, name, value, dimension, source);
         }
+        roof::line(sheet, &self.case.tank);
     }
 
     /// Line for the weight of shell and roof per length of shell; returns it [N/m].
@@ -148,7 +159,9 @@ impl<'a> Basis<'a> {
     }
 
     /// Assumptions common to both editions.
-    pub fn assumptions(&self, out: &mut Assessment) {
+    ///
+    /// * `scales`: whether the edition scales the allowable compression of aluminium
+    pub fn assumptions(&self, out: &mut Assessment, scales: bool) {
         out.assumptions.extend([
             "Rigid wall and ground for the masses; the effective masses are those of the standard's charts in closed form."
                 .to_string(),
@@ -163,8 +176,16 @@ impl<'a> Basis<'a> {
         if self.case.tank.roof.mass > 0.0 {
             out.assumptions.push("The shell carries the whole roof.".into());
         }
-        let modulus = self.case.tank.courses[0].material.youngs_modulus;
-        if (modulus / STEEL - 1.0).abs() > 0.1 {
+        out.assumptions.extend(roof::assumption(&self.case.tank));
+        let material = &self.case.tank.courses[0].material;
+        let modulus = material.youngs_modulus;
+        if scales && is_aluminium(material) {
+            out.assumptions.push(format!(
+                "The bottom course is aluminium: the allowable compression of steel is scaled by E/{}, which is on the safe side of \
+                 similarity. Yield strength and allowable stress must be those of annex AL, with the loss by welding.",
+                with_unit(REFERENCE_MODULUS, tank::units::Dimension::Stress)
+            ));
+        } else if (modulus / STEEL - 1.0).abs() > 0.1 {
             out.notes.push(format!(
                 "The allowable shell compression stands for steel; the bottom course has E = {}, {:.2} times that of \
                  steel, and buckling stresses are proportional to E.",
@@ -175,23 +196,34 @@ impl<'a> Basis<'a> {
     }
 
     /// Allowable compression of the bottom course with its lines, or the path of the missing input.
-    pub fn allowable_compression(&self, sheet: &mut Sheet, symbol: &str, clause: &str) -> Result<f64, String> {
+    ///
+    /// * `scales`: whether that of aluminium is scaled with its modulus
+    pub fn allowable_compression(
+        &self,
+        sheet: &mut Sheet,
+        symbol: &str,
+        clause: &str,
+        scales: bool,
+    ) -> Result<f64, String> {
         use tank::units::Dimension::Stress;
         let f_ty = self.shell_yield();
+        let material = &self.case.tank.courses[0].material;
         let terms = [
             ("t_s", self.t_s, Length),
             ("D", self.d, Length),
             ("G", self.g, Dimensionless),
             ("H", self.h, Length),
             ("F_ty", f_ty.unwrap_or(0.0), Stress),
+            ("E", material.youngs_modulus, Stress),
         ];
         let (ratio, name) = ("G·H·D²/t_s²", "pressure parameter of the shell [m³/mm²]");
         let ratio = sheet.calc(ratio, name, hold_down::SLENDERNESS, &terms, Dimensionless, clause);
-        let Some(formula) = hold_down::allowable(ratio, f_ty.is_some()) else {
-            let material = &self.case.tank.courses[0].material.name;
-            return Err(format!("materials.{material}.yield_strength"));
+        let scaled = scales && is_aluminium(material);
+        let Some(formula) = hold_down::allowable(ratio, f_ty.is_some(), scaled) else {
+            return Err(format!("materials.{}.yield_strength", material.name));
         };
-        Ok(sheet.calc(symbol, "allowable shell compression", formula, &terms, Stress, clause))
+        let name = "allowable shell compression";
+        Ok(sheet.calc(symbol, name, formula, &terms, Stress, clause))
     }
 
     /// Anchor tension from the uplift `w_ab` per length [N/m] with its lines, and how the limit state ends: a check, or the reason

@@ -115,7 +115,7 @@ impl Procedure for Api6501993 {
         let basis = Basis::new(case, EDITION)?;
         let mut sheet = Sheet::new();
         let mut out = Assessment::default();
-        basis.assumptions(&mut out);
+        basis.assumptions(&mut out, false);
         let shell_height = case.tank.wall_height();
         basis.inputs(&mut sheet, ("H_t", shell_height));
 
@@ -322,7 +322,7 @@ fn resistance(basis: &Basis, moment: f64, sheet: &mut Sheet, out: &mut Assessmen
         let terms = [("b", b, LineForce), ("t_s", t_s, Length)];
         let name = "compressive stress of the bottom course";
         let f = sheet.calc("f", name, "b/t_s", &terms, Stress, E5_3);
-        match basis.allowable_compression(sheet, "F_a", E5_3) {
+        match basis.allowable_compression(sheet, "F_a", E5_3, false) {
             Ok(allowable) => out.checks.push(Check::new(
                 "shell_compression",
                 "Compression of the bottom course",

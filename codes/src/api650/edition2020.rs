@@ -19,15 +19,19 @@
 //!
 //! Modules: [`accelerations`] (E.4), [`forces`] (E.6.1, E.7.2), `hoop_check` (E.6.1.4, E.6.2.4), `resistance` (E.6.2, E.7),
 //! `anchors` (E.6.2.1.2, 5.12.3), `foundation` (E.6.2.3),
-//! `upper_courses` (E.6.2.2 above the bottom course).
+//! `upper_courses` (E.6.2.2 above the bottom course), `piping` (E.7.3), `combinations` (the factors of the loads).
 
 pub mod accelerations;
 mod anchors;
+mod combinations;
 pub mod forces;
 mod foundation;
 mod hoop_check;
 mod limit_states;
+mod piping;
 mod resistance;
+#[cfg(test)]
+mod rest_tests;
 #[cfg(test)]
 mod tests;
 mod upper_courses;
@@ -43,10 +47,14 @@ use tank::case::{Api650Site, Case};
 use tank::quantity::Quantity;
 use tank::units::Dimension;
 
+use self::piping::Lift;
 use super::basis::Basis;
 
 /// Edition as cited.
 const EDITION: &str = "API 650:2020";
+
+/// Share F_p of the design pressure that relieves and lifts with the earthquake, the least that E.2.2 allows.
+const F_P: f64 = 0.4;
 
 /// Annex E, 12th and 13th edition (`api650-2020`).
 #[derive(Clone, Copy, Debug)]
@@ -60,6 +68,10 @@ struct Run<'a> {
     excitation: Excitation,
     sheet: Sheet,
     out: Assessment,
+    /// Whether the shell lifts.
+    lift: Lift,
+    /// Compression of the bottom course σ_c [Pa], where it was computed.
+    compression: Option<f64>,
 }
 
 impl Run<'_> {
@@ -167,8 +179,11 @@ impl Procedure for Api6502020 {
             excitation,
             sheet: Sheet::new(),
             out: Assessment::default(),
+            lift: Lift::Held,
+            compression: None,
         };
-        basis.assumptions(&mut run.out);
+        basis.assumptions(&mut run.out, true);
+        run.combinations();
         basis.inputs(&mut run.sheet, ("X_r", case.tank.roof_height()));
         let periods = run.periods();
         let a = run.accelerations(&periods)?;
@@ -177,7 +192,8 @@ impl Procedure for Api6502020 {
         let hoop = run.hoop(&a);
         let axial = run.resistance(&a, &forces);
         run.upper_courses(&a, &forces);
-        run.foundation(&forces);
+        run.piping();
+        run.foundation(&a, &forces);
 
         let g = case.gravity;
         let values = &mut run.out.values;

@@ -45,6 +45,8 @@ pub(super) const ANNULUS: &str = "max(min(0.01723·t·√(F_y/(H·G_e)), 0.035·
 pub(super) const UPLIFT: &str = "12.1·10⁻¹²·F_y·L²/t_a";
 /// Pressure parameter `G H D²/t²` [m³/mm²] that parts the branches of the allowable compression.
 pub(super) const SLENDERNESS: &str = "G·H·(D/t_s)²/10⁶";
+/// The same for a plate of aluminium: the strip's curvature is F_y/(E t), and [`UPLIFT`] contains the 200 GPa of steel.
+pub(super) const UPLIFT_ALUMINIUM: &str = "12.1·10⁻¹²·F_y·L²/t_a·200 GPa/E";
 /// `y = (b + w)/(w_t + w)` of the 9th edition for 1.5 < x ≤ 1.57.
 pub(super) const TAIL: &str = "1.490/√(1 - 0.637·x)";
 /// Name and formula of the anchorage ratio J of the current annex; infinite for a moment without
@@ -60,6 +62,9 @@ pub(super) fn anchorage(moment: f64, resisting: f64) -> (&'static str, &'static 
         ("anchorage ratio: moment without resistance", "∞")
     }
 }
+
+/// Anchorage ratio J of the current annex with w_a = 0.
+pub(super) const WEIGHT_ALONE: &str = "M_rw/(D²·(w_t·(1 - 0.4·A_v) - 0.4·w_int))";
 
 /// Compression [Pa] of the current annex where the shell lifts; the quotient is its fit of figure E-5, up to 11 % above
 /// the exact curve, below it from J = 1.53.
@@ -150,18 +155,24 @@ pub fn allowable_compression(
         ("H", depth),
         ("F_ty", yield_strength.unwrap_or(0.0)),
     ];
-    let formula = allowable(evaluate(SLENDERNESS, &terms), yield_strength.is_some())?;
+    let formula = allowable(evaluate(SLENDERNESS, &terms), yield_strength.is_some(), false)?;
     Some(evaluate(formula, &terms))
 }
 
 /// Formula of the allowable compression for a value of [`SLENDERNESS`]; none if it needs the yield strength that is not
 /// given.
-pub(super) fn allowable(slenderness: f64, yield_strength_given: bool) -> Option<&'static str> {
-    match (slenderness >= 44.0, yield_strength_given) {
-        (true, false) => Some("83 GPa·t_s/D"),
-        (true, true) => Some("min(83 GPa·t_s/D, 0.5·F_ty)"),
-        (false, true) => Some("min(83 GPa·t_s/(2.5·D) + 7.5 MPa·√(G·H), 0.5·F_ty)"),
-        (false, false) => None,
+///
+/// Of aluminium (`scaled`) both branches are multiplied by E/200 GPa. With dimensional analysis, `σ/E = f(t/R, (p/E) (R/t)²)`, the
+/// pressure's term falls with √E only and the branches part at 44 E/200 GPa: the product is less, on the safe side.
+pub(super) fn allowable(slenderness: f64, yield_strength_given: bool, scaled: bool) -> Option<&'static str> {
+    match (slenderness >= 44.0, yield_strength_given, scaled) {
+        (true, false, false) => Some("83 GPa·t_s/D"),
+        (true, true, false) => Some("min(83 GPa·t_s/D, 0.5·F_ty)"),
+        (false, true, false) => Some("min(83 GPa·t_s/(2.5·D) + 7.5 MPa·√(G·H), 0.5·F_ty)"),
+        (true, false, true) => Some("E/200 GPa·83 GPa·t_s/D"),
+        (true, true, true) => Some("min(E/200 GPa·83 GPa·t_s/D, 0.5·F_ty)"),
+        (false, true, true) => Some("min(E/200 GPa·(83 GPa·t_s/(2.5·D) + 7.5 MPa·√(G·H)), 0.5·F_ty)"),
+        (false, false, _) => None,
     }
 }
 

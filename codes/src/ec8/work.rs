@@ -2,9 +2,9 @@
 
 use super::demand::{Demand, Edition};
 use super::limit_states;
-use crate::corrosion;
 use crate::mechanical::Lumped;
 use crate::sheet::{Sheet, Term};
+use crate::{corrosion, roof};
 use tank::Shape;
 use tank::assessment::{Assessment, Check, CheckStatus, Profile};
 use tank::case::{Case, Combination};
@@ -85,6 +85,9 @@ impl Work<'_> {
         );
         sheet.input("m_r", "mass of the roof", case.tank.roof.mass, Mass, "input");
         sheet.input("h_r", "height of its centre", case.tank.roof_height(), Length, "input");
+        roof::line(sheet, &case.tank);
+        self.out.assumptions.extend(roof::assumption(&case.tank));
+        let sheet = &mut self.sheet;
         sheet.input("g", "acceleration of free fall", case.gravity, Acceleration, "input");
         let [i, c] = [case.damping.impulsive, case.damping.sloshing];
         let clause = self.edition.main("2.3.3");

@@ -3,6 +3,7 @@
 use results::VerdictStatus::{Fails, Holds};
 use serde_json::json;
 
+use super::failing::incomplete;
 use super::*;
 
 const EC8: &str = "ec8-2006";
@@ -26,6 +27,26 @@ fn corroded(thicknesses: &[f64], key: &str, value: &str) -> Value {
     let mut tank = wall(thicknesses);
     tank["tank"]["courses"][0][key] = json!(value);
     tank
+}
+
+fn aluminium() -> Value {
+    json!({ "materials": { "steel": { "youngs_modulus": "69 GPa", "density": "2700 kg/m3" } } })
+}
+
+/// Displacements that the pipes allow [mm]: up, down, horizontally.
+fn pipes([up, down, horizontal]: [f64; 3]) -> Value {
+    let mm = |value: f64| format!("{value} mm");
+    json!({ "tank": { "pipes": { "uplift": mm(up), "settlement": mm(down), "horizontal": mm(horizontal) } } })
+}
+
+/// A floating roof [t] with a rim [m].
+fn floating(tonnes: f64, rim: f64) -> Value {
+    let roof = json!({ "type": "floating", "mass": format!("{tonnes} t"), "rim": format!("{rim} m") });
+    json!({ "tank": { "roof": roof } })
+}
+
+fn pressure(kpa: f64) -> Value {
+    json!({ "site": { "api650": { "design_pressure": format!("{kpa} kPa") } } })
 }
 
 /// Those that must not hold.
@@ -70,6 +91,103 @@ pub(super) fn failing() -> Vec<Tank> {
             Expected::Input("tank.courses[0].measured_thickness"),
             vec![corroded(&[14.0, 12.0, 10.0, 10.0], "measured_thickness", "15 mm")],
         ),
+        fails(
+            "corroded-compression",
+            "2000 t on 8 mm of 14 mm: 19.6 MN/62.8 m/8 mm = 39 MPa; 83 x 8/(2.5 x 20) + 7.5 √8.5 = 35 MPa; 45 MPa for 14 mm",
+            (API, "shell_compression"),
+            vec![
+                only_api(),
+                corroded(&[14.0; 4], "corrosion_allowance", "6 mm"),
+                roof(2000.0),
+            ],
+        ),
+        fails(
+            "pressure-above-the-liquid",
+            "(83.4 + 150) kPa x 10 m/12 mm = 194 MPa > 182.6 MPa",
+            (API, "pressure_hoop"),
+            vec![only_api(), wall(&[12.0; 4]), anchors(9000.0), pressure(150.0)],
+        ),
+        fails(
+            "pressure-on-the-dry-wall",
+            "150 kPa x 10 m/8 mm = 188 MPa on a course that the liquid does not reach",
+            (API, "pressure_hoop"),
+            vec![
+                only_api(),
+                filled(4.0),
+                wall(&[14.0, 12.0, 12.0, 8.0]),
+                anchors(9000.0),
+                pressure(150.0),
+            ],
+        ),
+        fails(
+            "pipes-too-stiff",
+            "an anchored tank moves its pipes by 25 mm upwards",
+            (API, "piping"),
+            vec![only_api(), pipes([20.0, 20.0, 20.0])],
+        )
+        .open(&["piping"]),
+        fails(
+            "pipes-too-stiff-sideways",
+            "a tank on the ground moves its pipes by 50 mm",
+            (API, "piping"),
+            vec![only_api(), unanchored(), pipes([500.0, 30.0, 20.0])],
+        )
+        .open(&["piping"]),
+        incomplete(
+            "pipes-of-unknown-settlement",
+            "one of three displacements is missing",
+            (API, "piping"),
+            vec![
+                only_api(),
+                json!({ "tank": { "pipes": { "uplift": "30 mm", "horizontal": "30 mm" } } }),
+            ],
+        )
+        .open(&["piping"]),
+        fails(
+            "aluminium-under-api",
+            "1700 t: 16.7 MN/62.8 m/14 mm = 19 MPa; 69/200 (83 x 14/(2.5 x 20) + 7.5 √8.5) = 15.6 MPa, of steel 45 MPa; more above",
+            (API, "upper_compression"),
+            vec![only_api(), aluminium(), roof(1700.0)],
+        ),
+        incomplete(
+            "titanium-under-api",
+            "neither steel nor aluminium",
+            (API, "wall_material"),
+            vec![
+                only_api(),
+                json!({ "materials": { "steel": { "youngs_modulus": "110 GPa", "density": "4500 kg/m3" } } }),
+            ],
+        ),
+        fails(
+            "floating-roof-at-the-top",
+            "freeboard of 1.5 m less 1.4 m of rim = 0.1 m; 0.42 x 20 m x 1.5 x 0.113 x 4/4.8² = 0.25 m",
+            (API, "freeboard"),
+            vec![only_api(), floating(30.0, 1.4)],
+        ),
+        fails(
+            "floating-roof-under-eurocode",
+            "the rim is above the wall",
+            (EC8, "freeboard"),
+            vec![only_ec8(), floating(30.0, 1.6)],
+        ),
+        Tank::new(
+            "floating-roof-sinks",
+            "3000 t on 2670 t of water",
+            Expected::Input("tank.roof.mass"),
+            vec![floating(3000.0, 0.0)],
+        ),
+        Tank::new(
+            "rim-of-a-fixed-roof",
+            "a fixed roof has no rim on the liquid",
+            Expected::Input("tank.roof.rim"),
+            vec![json!({ "tank": { "roof": { "mass": "30 t", "rim": "1 m" } } })],
+        ),
+        incomplete(
+            "weight-alone-is-not-enough",
+            "J without the plate is above 0.785 on 9 kN/m of wall, so the plate is needed",
+            (API, "anchorage_ratio"),
+            vec![api(1.0, 0.2), unanchored(), json!({ "tank": { "bottom": null } })],
+        ),
     ]
 }
 
@@ -87,6 +205,49 @@ pub(super) fn sound_tanks() -> Vec<Tank> {
             "12 mm left",
             EC8,
             vec![corroded(&[14.0, 12.0, 10.0, 10.0], "measured_thickness", "12 mm")],
+        ),
+        sound(
+            "sound-under-pressure",
+            "(83.4 + 20) kPa x 10 m/14 mm = 74 MPa; anchors for 20 kPa x 5 m = 100 kN/m",
+            API,
+            vec![only_api(), pressure(20.0)],
+        ),
+        sound(
+            "sound-pipes",
+            "25, 13 and 13 mm",
+            API,
+            vec![only_api(), pipes([25.0, 13.0, 13.0])],
+        )
+        .open(&["piping"]),
+        sound(
+            "sound-aluminium-under-api",
+            "below 1 MPa of 15.6 MPa; static hoop stress 59.6 MPa",
+            API,
+            vec![only_api(), aluminium()],
+        ),
+        sound(
+            "sound-floating-roof",
+            "2500 t, which the wall of `compression-thin-bottom-course` does not carry, on the liquid",
+            API,
+            vec![only_api(), wall(&[8.0, 14.0, 14.0, 14.0]), floating(2500.0, 0.5)],
+        ),
+        sound(
+            "sound-floating-roof-under-eurocode",
+            "the same",
+            EC8,
+            vec![only_ec8(), floating(100.0, 0.3)],
+        ),
+        sound(
+            "sound-without-plate",
+            "2000 t of roof: 312 kN/m keep the shell down without the plate; 28 of 45 MPa",
+            API,
+            vec![
+                only_api(),
+                unanchored(),
+                roof(2000.0),
+                wall(&[14.0; 4]),
+                json!({ "tank": { "bottom": null } }),
+            ],
         ),
     ]
 }

@@ -1,4 +1,7 @@
-//! Hoop stresses over the height and their check (E.6.1.4, E.6.2.4).
+//! Hoop stresses over the height and their checks (E.6.1.4, E.6.2.4).
+//!
+//! Where a design pressure P is given, its hoop force N_P = P D/2 is added for a check of its own, also above the liquid. The
+//! combination asks for F_p P, the operating pressure, which is at least 0.4 P; the whole P is on the safe side.
 
 use crate::sheet::{Term, with_unit};
 use tank::assessment::Profile;
@@ -10,6 +13,8 @@ use super::{Run, limit_states};
 
 const E6_1_4: &str = "API 650:2020 E.6.1.4";
 const E6_2_4: &str = "API 650:2020 E.6.2.4";
+/// Hoop force of the design pressure [N/m].
+const N_P: &str = "P·D/2";
 
 /// Hoop state of one height.
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +37,22 @@ impl Station {
     fn total(&self) -> f64 {
         (self.n.hydrostatic + self.n.dynamic()) / self.t
     }
+
+    /// The largest hoop stress with a hoop force of the design pressure [N/m].
+    fn with_pressure(&self, n_p: f64) -> f64 {
+        (self.n.hydrostatic + n_p + self.n.dynamic()) / self.t
+    }
+}
+
+/// The stress that lines show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    /// The earthquake's.
+    Seismic,
+    /// With the hydrostatic part.
+    Total,
+    /// With the design pressure.
+    Pressure,
 }
 
 impl Run<'_> {
@@ -52,15 +73,18 @@ impl Run<'_> {
             Err(_) => largest(&Station::total),
         };
         self.sheet.section("Hoop stress: largest seismic part");
-        let dynamic = self.hoop_lines(&seismic, a, "σ_s", "largest seismic hoop stress", false);
+        let dynamic = self.hoop_lines(&seismic, a, "σ_s", "largest seismic hoop stress", Part::Seismic);
         self.sheet.section("Hoop stress: hydrostatic and seismic");
         let total = self.hoop_lines(
             &governing,
             a,
             "σ_T",
             "largest hoop stress, hydrostatic and seismic",
-            true,
+            Part::Total,
         );
+        if self.pressure() > 0.0 {
+            self.pressure_hoop(&stations, allowable.as_deref(), a);
+        }
         match allowable {
             Ok(allowed) => {
                 let note = format!(
@@ -75,6 +99,40 @@ impl Run<'_> {
             Err(input) => self.missing(limit_states::HOOP, &input),
         }
         dynamic
+    }
+
+    /// Hoop stress with the whole design pressure, over the whole wall.
+    fn pressure_hoop(&mut self, stations: &[Station], allowable: Result<&[f64], &String>, a: &Accelerations) {
+        let b = self.basis;
+        let n_p = self.pressure() * b.d / 2.0;
+        let mut stations = stations.to_vec();
+        let mut z = 0.0;
+        for (course, plate) in b.case.tank.courses.iter().enumerate() {
+            if z > b.h {
+                let (t, n) = (plate.net_thickness(), HoopForces::default());
+                stations.push(Station { z, t, course, n });
+            }
+            z += plate.height;
+        }
+        let allowed = match allowable {
+            Ok(allowed) => allowed,
+            Err(input) => return self.missing(limit_states::PRESSURE, input),
+        };
+        let used = |s: &Station| s.with_pressure(n_p) / allowed[s.course];
+        let governing = stations
+            .iter()
+            .fold(stations[0], |best, s| if used(s) > used(&best) { *s } else { best });
+        self.sheet.section("Hoop stress: with the design pressure");
+        let name = "largest hoop stress with the design pressure";
+        let stress = self.hoop_lines(&governing, a, "σ_TP", name, Part::Pressure);
+        let note = format!(
+            "Course {} from the bottom, {} above the bottom; the whole design pressure (F_p = 1).",
+            governing.course + 1,
+            with_unit(governing.z, Length)
+        );
+        let name = "Hoop stress with the design pressure";
+        let capacity = allowed[governing.course];
+        self.check(limit_states::PRESSURE, name, stress, capacity, Stress, E6_2_4, &note);
     }
 
     fn stations(&self, a: &Accelerations) -> Vec<Station> {
@@ -142,7 +200,11 @@ impl Run<'_> {
     }
 
     /// Lines at one station; returns the seismic or the total stress [Pa].
-    fn hoop_lines(&mut self, s: &Station, a: &Accelerations, symbol: &str, name: &str, total: bool) -> f64 {
+    fn hoop_lines(&mut self, s: &Station, a: &Accelerations, symbol: &str, name: &str, part: Part) -> f64 {
+        if s.z > self.basis.h {
+            return self.dry_lines(s, symbol, name);
+        }
+        let pressure = self.pressure();
         let b = self.basis;
         let (d, h, y) = (b.d, b.h, b.h - s.z);
         let n_i = if b.squat() {
@@ -158,11 +220,13 @@ impl Run<'_> {
             // The same to the last digit; cosh(3.68 H/D) overflows.
             "1850·A_c·G·D²·exp(-3.68·Y/D)·(1 + exp(-7.36·(H - Y)/D))"
         };
-        let formula = match (total, a.a_v > 0.0) {
-            (true, true) => "(N_h + √(N_i² + N_c² + (A_v·N_h/2.5)²))/t",
-            (true, false) => "(N_h + √(N_i² + N_c²))/t",
-            (false, true) => "√(N_i² + N_c² + (A_v·N_h/2.5)²)/t",
-            (false, false) => "√(N_i² + N_c²)/t",
+        let formula = match (part, a.a_v > 0.0) {
+            (Part::Total, true) => "(N_h + √(N_i² + N_c² + (A_v·N_h/2.5)²))/t",
+            (Part::Total, false) => "(N_h + √(N_i² + N_c²))/t",
+            (Part::Seismic, true) => "√(N_i² + N_c² + (A_v·N_h/2.5)²)/t",
+            (Part::Seismic, false) => "√(N_i² + N_c²)/t",
+            (Part::Pressure, true) => "(N_h + N_P + √(N_i² + N_c² + (A_v·N_h/2.5)²))/t",
+            (Part::Pressure, false) => "(N_h + N_P + √(N_i² + N_c²))/t",
         };
         let sheet = &mut self.sheet;
         let depth = format!("depth below the surface of the {name}");
@@ -177,16 +241,32 @@ impl Run<'_> {
             ("H", h, Length),
             ("Y", y, Length),
             ("t", s.t, Length),
+            ("P", pressure, Stress),
         ];
         let mut force = |symbol: &'static str, name: &str, formula: &str| {
             let value = sheet.calc(symbol, name, formula, &terms, LineForce, E6_1_4);
             terms.push((symbol, value, LineForce));
         };
-        if total || a.a_v > 0.0 {
+        if part == Part::Pressure {
+            force("N_P", "hoop force of the design pressure", N_P);
+        }
+        if part != Part::Seismic || a.a_v > 0.0 {
             force("N_h", "hydrostatic hoop force", "4900·G·Y·D");
         }
         force("N_i", "impulsive hoop force", n_i);
         force("N_c", "convective hoop force", n_c);
         sheet.calc(symbol, name, formula, &terms, Stress, E6_1_4)
+    }
+
+    /// Lines above the liquid, where only the design pressure acts.
+    fn dry_lines(&mut self, s: &Station, symbol: &str, name: &str) -> f64 {
+        let sheet = &mut self.sheet;
+        sheet.input("t", "thickness there, above the liquid", s.t, Length, "tank.courses");
+        let pressure = self.site.map_or(0.0, |site| site.design_pressure);
+        let terms = [("P", pressure, Stress), ("D", self.basis.d, Length)];
+        let force = "hoop force of the design pressure";
+        let n_p = sheet.calc("N_P", force, N_P, &terms, LineForce, E6_1_4);
+        let terms = [("N_P", n_p, LineForce), ("t", s.t, Length)];
+        sheet.calc(symbol, name, "N_P/t", &terms, Stress, E6_1_4)
     }
 }

@@ -1,6 +1,6 @@
 //! Limit states of API 650 annex E, and whether each applies.
 
-use super::super::basis::Basis;
+use super::super::basis::{Basis, is_aluminium};
 use super::EDITION;
 use tank::Support;
 use tank::assessment::{LimitState, Requirement};
@@ -28,10 +28,20 @@ pub(super) const SLIDING: &str = "sliding";
 pub(super) const FOUNDATION: &str = "foundation";
 /// Freeboard.
 pub(super) const FREEBOARD: &str = "freeboard";
+/// Displacements of the pipes.
+pub(super) const PIPING: &str = "piping";
+/// Hoop stress with the design pressure.
+pub(super) const PRESSURE: &str = "pressure_hoop";
 
 /// Least Young's modulus of carbon steel [Pa]: the allowable compression of E.6.2.2 is written for steel and does not contain the
 /// modulus, so a softer wall would be checked on the unsafe side.
 const STEEL: f64 = 180e9;
+
+/// Whether every course is steel or aluminium, and some are aluminium.
+fn aluminium(case: &Case) -> bool {
+    let mut courses = case.tank.courses.iter();
+    courses.all(|c| c.layers.is_empty() && (c.material.youngs_modulus >= STEEL || is_aluminium(&c.material)))
+}
 
 /// All limit states of a case; none outside the scope of the standard.
 pub(super) fn all(case: &Case) -> Vec<LimitState> {
@@ -52,15 +62,19 @@ pub(super) fn all(case: &Case) -> Vec<LimitState> {
         .courses
         .iter()
         .all(|c| c.layers.is_empty() && c.material.youngs_modulus >= STEEL);
-    let material = match steel {
-        true => Requirement::NotApplicable("the wall is steel".into()),
-        false => Requirement::NotImplemented,
+    let material = match (steel, aluminium(case)) {
+        (true, _) => Requirement::NotApplicable("the wall is steel".into()),
+        (false, true) => Requirement::NotApplicable(
+            "the wall is aluminium: the allowable compression is scaled with the modulus; the strengths given must be those of annex AL"
+                .into(),
+        ),
+        (false, false) => Requirement::NotImplemented,
     };
     let pressure = match case.site.api650.is_some_and(|site| site.design_pressure > 0.0) {
-        true => Requirement::NotImplemented,
+        true => Requirement::Required,
         false => Requirement::NotApplicable("there is no design pressure".into()),
     };
-    use Requirement::{NotImplemented, Required};
+    use Requirement::Required;
     let upper = match case.tank.courses.len() {
         1 => Requirement::NotApplicable("the shell has one course".into()),
         _ => Required,
@@ -87,14 +101,14 @@ pub(super) fn all(case: &Case) -> Vec<LimitState> {
         (SLIDING, "Sliding on the foundation", "E.7.6", self_anchored(Required)),
         (FOUNDATION, "Overturning of the foundation", "E.6.2.3", Required),
         (FREEBOARD, "Freeboard", "E.7.2", Required),
-        ("piping", "Flexibility of the piping", "E.7.3", NotImplemented),
+        (PIPING, "Flexibility of the piping", "E.7.3", Required),
         (
             "wall_material",
             "Wall of another material than carbon steel",
             "annex AL",
             material,
         ),
-        ("pressure_hoop", "Hoop stress of the design pressure", "F.7", pressure),
+        (PRESSURE, "Hoop stress with the design pressure", "E.6.2.4", pressure),
     ]
     .into_iter()
     .map(|(id, name, clause, requirement)| LimitState {

@@ -3,10 +3,12 @@
 use tank::assessment::{CheckStatus, Excitation};
 use tank::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, Stress};
 
+use super::super::basis::is_aluminium;
 use super::super::hold_down as hd;
 use super::accelerations::Accelerations;
 use super::forces::Forces;
-use super::{Run, limit_states};
+use super::piping::Lift;
+use super::{F_P, Run, limit_states};
 
 const E6_2_1_1: &str = "API 650:2020 E.6.2.1.1";
 const E6_2_1_1_2: &str = "API 650:2020 E.6.2.1.1.2";
@@ -16,9 +18,6 @@ const E6_2_2_3: &str = "API 650:2020 E.6.2.2.3";
 const E7_3: &str = "API 650:2020 E.7.3.1";
 const E7_6: &str = "API 650:2020 E.7.6";
 const E7_7: &str = "API 650:2020 E.7.7";
-
-/// Share of the design pressure that counts with the earthquake.
-const F_P: f64 = 0.4;
 
 /// Load and hold-down of the ring of the shell.
 #[derive(Clone, Copy)]
@@ -49,15 +48,54 @@ impl Run<'_> {
         } else {
             match b.bottom() {
                 Ok((thickness, f_y)) => self.self_anchored(&load, thickness, f_y),
-                Err(input) => {
+                Err(input) if !self.weight_alone(&load) => {
+                    self.lift = Lift::Unknown(format!("`{input}` is missing"));
                     self.missing(limit_states::ANCHORAGE, &input);
                     self.missing(limit_states::ANNULUS, &input);
                     self.missing(limit_states::COMPRESSION, &input);
                 }
+                Err(_) => {}
             }
         }
         self.sliding(a, forces);
         axial
+    }
+
+    /// Anchorage ratio and compression without the data of the bottom plate (w_a = 0), where the weight alone keeps the shell down;
+    /// false where it does not.
+    fn weight_alone(&mut self, load: &Load) -> bool {
+        let d = self.basis.d;
+        let resisting = load.w_t * (1.0 - 0.4 * load.a_v) - F_P * self.pressure() * d / 4.0;
+        if load.m_rw > 0.0 && (resisting <= 0.0 || load.m_rw / (d * d * resisting) > hd::NO_UPLIFT) {
+            return false;
+        }
+        let w_int = self.pressure_uplift();
+        let terms = [
+            ("M_rw", load.m_rw, Moment),
+            ("D", d, Length),
+            ("w_t", load.w_t, LineForce),
+            ("A_v", load.a_v, Dimensionless),
+            ("w_int", w_int, LineForce),
+        ];
+        let (name, formula) = match load.m_rw > 0.0 {
+            true => ("anchorage ratio of the weight alone, w_a = 0", hd::WEIGHT_ALONE),
+            false => ("anchorage ratio: no moment", "0"),
+        };
+        let j = self.sheet.calc("J", name, formula, &terms, Dimensionless, E6_2_1_1);
+        let note = "J ≤ 0.785 with w_a = 0: the weight alone keeps the shell down; the bottom plate is not needed";
+        let (id, limit) = (limit_states::ANCHORAGE, hd::NOT_SELF_ANCHORED);
+        self.check(id, "Anchorage ratio J", j, limit, Dimensionless, E6_2_1_1, note);
+        self.compression_linear(load);
+        let reason = "the weight alone keeps the shell down (J ≤ 0.785): w_a is not needed";
+        self.without_comparison(limit_states::ANNULUS, CheckStatus::NotApplicable, reason, None);
+        true
+    }
+
+    /// Line of the uplift of the design pressure; returns it [N/m].
+    fn pressure_uplift(&mut self) -> f64 {
+        let terms = [("P", self.pressure(), Stress), ("D", self.basis.d, Length)];
+        let name = "uplift of the design pressure per length";
+        self.sheet.calc("w_int", name, "P·D/4", &terms, LineForce, E6_2_1_1)
     }
 
     /// Anchorage ratio, compression and annulus of a self-anchored tank.
@@ -67,6 +105,7 @@ impl Run<'_> {
         let &Load { a_v, m_rw, w_t } = load;
         if 1.0 - 0.4 * a_v <= 0.0 {
             let reason = format!("A_v = {a_v:.3} g leaves no effective weight (1 - 0.4 A_v ≤ 0)");
+            self.lift = Lift::Unknown(reason.clone());
             for id in [
                 limit_states::ANCHORAGE,
                 limit_states::ANNULUS,
@@ -76,7 +115,6 @@ impl Run<'_> {
             }
             return;
         }
-        let pressure = self.pressure();
         let sheet = &mut self.sheet;
         let terms = [("G", b.g, Dimensionless), ("A_v", a_v, Dimensionless)];
         let (name, formula) = ("effective specific gravity", "G·(1 - 0.4·A_v)");
@@ -94,9 +132,8 @@ impl Run<'_> {
         ];
         let name = "hold-down force of the annulus per length [N/m]";
         let w_a = sheet.calc("w_a", name, hd::HOLD_DOWN, &terms, LineForce, E6_2_1_1);
-        let terms = [("P", pressure, Stress), ("D", d, Length)];
-        let name = "uplift of the design pressure per length";
-        let w_int = sheet.calc("w_int", name, "P·D/4", &terms, LineForce, E6_2_1_1);
+        let w_int = self.pressure_uplift();
+        let sheet = &mut self.sheet;
         let terms = [
             ("M_rw", m_rw, Moment),
             ("D", d, Length),
@@ -109,8 +146,8 @@ impl Run<'_> {
         let j = sheet.calc("J", name, formula, &terms, Dimensionless, E6_2_1_1);
         let weight_alone = w_t * (1.0 - 0.4 * a_v) - F_P * w_int;
         let held = if weight_alone > 0.0 {
-            let (name, formula) = ("the same without w_a", "M_rw/(D²·(w_t·(1 - 0.4·A_v) - 0.4·w_int))");
-            sheet.calc("J_0", name, formula, &terms, Dimensionless, E6_2_1_1) <= hd::NO_UPLIFT
+            let name = "the same without w_a";
+            sheet.calc("J_0", name, hd::WEIGHT_ALONE, &terms, Dimensionless, E6_2_1_1) <= hd::NO_UPLIFT
         } else {
             false
         };
@@ -141,6 +178,7 @@ impl Run<'_> {
         } else if j <= hd::NOT_SELF_ANCHORED {
             self.compression_lifting(load, w_a, j);
         } else {
+            self.lift = Lift::Unknown("the tank is not stable, J is above 1.54".into());
             let reason = "the annex has no compression for J above 1.54: the tank is not stable";
             self.without_comparison(limit_states::COMPRESSION, CheckStatus::NotChecked, reason, None);
             let reason = "no width holds down a shell with J above 1.54: the tank is not stable";
@@ -172,9 +210,20 @@ impl Run<'_> {
         let name = "width of the annulus inside the shell that w_a needs (t gives w_a)";
         let width = self.sheet.calc("L", name, hd::ANNULUS, &terms, Length, E6_2_1_1_2);
         if lifts {
-            let terms = [("F_y", f_y, Stress), ("L", width, Length), ("t_a", t_a, Length)];
+            let plate = self.basis.case.tank.bottom.as_ref().map(|plate| &plate.material);
+            let terms = [
+                ("F_y", f_y, Stress),
+                ("L", width, Length),
+                ("t_a", t_a, Length),
+                ("E", plate.map_or(0.0, |material| material.youngs_modulus), Stress),
+            ];
+            let formula = match plate.is_some_and(is_aluminium) {
+                true => hd::UPLIFT_ALUMINIUM,
+                false => hd::UPLIFT,
+            };
             let name = "uplift of the shell for the flexibility of piping";
-            self.sheet.calc("y_u", name, hd::UPLIFT, &terms, Length, E7_3);
+            let uplift = self.sheet.calc("y_u", name, formula, &terms, Length, E7_3);
+            self.lift = Lift::Lifts(uplift);
         }
         width
     }
@@ -226,7 +275,8 @@ impl Run<'_> {
     }
 
     fn compression_check(&mut self, sigma: f64) {
-        let allowable = self.basis.allowable_compression(&mut self.sheet, "F_C", E6_2_2_3);
+        let allowable = self.basis.allowable_compression(&mut self.sheet, "F_C", E6_2_2_3, true);
+        self.compression = Some(sigma);
         match allowable {
             Ok(f_c) => {
                 let name = "Compression of the bottom course";

@@ -10,11 +10,13 @@
 //! W_a is the weight of shell and roof above z, X_a the height of its centre above z. χ is the moment about z of the wall pressure
 //! above z over that about the bottom, of the rigid tank in potential flow ([`crate::mechanical`]): the annex's forces keep their size
 //! and arm, and the field gives the distribution. The allowable stress is that of E.6.2.2.3 with the thickness, yield strength and depth
-//! of liquid at z. The whole ring bears; the concentration above the bearing arc of a lifted shell is left out.
+//! of liquid at z; a design pressure would raise it and relieve the shell, and is left out. The whole ring bears; the concentration
+//! above the bearing arc of a lifted shell is left out.
 
 use tank::Course;
 use tank::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, Stress};
 
+use super::super::basis::is_aluminium;
 use super::super::hold_down as hd;
 use super::accelerations::Accelerations;
 use super::forces::Forces;
@@ -162,12 +164,17 @@ impl Run<'_> {
             ("G", b.g, Dimensionless),
             ("H_z", depth, Length),
             ("F_ty", f_ty.unwrap_or(0.0), Stress),
+            ("E", edge.course.material.youngs_modulus, Stress),
         ];
         let local = |formula: &str| formula.replace("t_s", "t").replace('H', "H_z");
         let name = "pressure parameter with the depth H_z above z [m³/mm²]";
         let slenderness = local(hd::SLENDERNESS);
         let ratio = sheet.calc("G·H_z·D²/t²", name, &slenderness, &terms, Dimensionless, E6_2_2_3);
-        let formula = local(hd::allowable(ratio, f_ty.is_some())?);
+        let formula = local(hd::allowable(
+            ratio,
+            f_ty.is_some(),
+            is_aluminium(&edge.course.material),
+        )?);
         let name = "allowable compression of the course";
         Some(sheet.calc("F_Cz", name, &formula, &terms, Stress, E6_2_2_3))
     }

@@ -54,6 +54,16 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
             &allowed,
         ));
     }
+    if let (Some(roof), Some(liquid)) = (t.roof.value(), liquid)
+        && tank.roof.afloat > 0.0
+        && tank.roof.afloat >= liquid.mass(tank.shape)
+    {
+        r.faults.push(range_fault(
+            &roof.mass,
+            "the floating roof is heavier than the liquid",
+            "less than the mass of the liquid, which contains the roof's",
+        ));
+    }
     let half = tank.shape.half_length();
     let (thickest, what) = match tank.shape {
         Shape::Cylinder { .. } => (half / 5.0, "a fifth of the radius"),

@@ -1,0 +1,132 @@
+//! Displacements of the pipes' attachments (E.7.3, table E.8).
+//!
+//! | displacement | mechanically anchored | self-anchored |
+//! |---|---|---|
+//! | upwards | 25 mm | 25 mm for J ≤ 0.785, 100 mm above |
+//! | downwards | 13 mm | 13 mm on a ring wall or mat, 25 mm on a berm |
+//! | horizontal, radial and tangential | 13 mm | 50 mm |
+//!
+//! The same values stand in ASCE 7, table 15.7-1. They are minima: where the uplift y_u of E.7.3.1 is larger, it counts. The kind of
+//! foundation is not an input, so a self-anchored tank takes the larger value. Recalled, not compared with the printed standard.
+
+use tank::assessment::{Check, CheckStatus, Excitation};
+use tank::units::Dimension::Length;
+
+use super::{Run, limit_states};
+
+const TABLE_E8: &str = "API 650:2020 E.7.3, table E.8";
+
+/// Whether the shell lifts.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Lift {
+    /// It does not.
+    Held,
+    /// It lifts by y_u [m].
+    Lifts(f64),
+    /// Not known, for this reason.
+    Unknown(String),
+}
+
+/// Least displacements of table E.8 [m].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Displacements {
+    /// Upwards; none where the uplift is not known.
+    pub up: Option<f64>,
+    /// Downwards.
+    pub down: f64,
+    /// Horizontally.
+    pub horizontal: f64,
+}
+
+/// The displacements that the pipes must allow.
+pub(super) fn required(anchored: bool, lift: &Lift) -> Displacements {
+    let up = match lift {
+        Lift::Held => Some(0.025),
+        Lift::Lifts(uplift) => Some(uplift.max(0.1)),
+        Lift::Unknown(_) => None,
+    };
+    match anchored {
+        true => Displacements {
+            up: Some(0.025),
+            down: 0.013,
+            horizontal: 0.013,
+        },
+        false => Displacements {
+            up,
+            down: 0.025,
+            horizontal: 0.05,
+        },
+    }
+}
+
+impl Run<'_> {
+    /// The displacements that the pipes allow against table E.8.
+    pub(super) fn piping(&mut self) {
+        if self.excitation != Excitation::Site {
+            return;
+        }
+        let anchored = self.basis.anchored();
+        let required = required(anchored, &self.lift);
+        self.sheet.section("Displacements of the pipes");
+        let up = match &self.lift {
+            Lift::Lifts(uplift) if *uplift > 0.1 => "y_u, which is more than the 100 mm of table E.8",
+            Lift::Lifts(_) => "J above 0.785",
+            _ => "no uplift",
+        };
+        let down = match anchored {
+            true => "mechanically anchored",
+            false => "on a berm; 13 mm on a ring wall or mat",
+        };
+        let pipes = self.basis.case.tank.pipes.unwrap_or_default();
+        let parts = [
+            ("u_z", "uplift", "upward displacement", required.up, pipes.uplift, up),
+            (
+                "u_s",
+                "settlement",
+                "downward displacement",
+                Some(required.down),
+                pipes.settlement,
+                down,
+            ),
+            (
+                "u_h",
+                "horizontal",
+                "horizontal displacement",
+                Some(required.horizontal),
+                pipes.horizontal,
+                "",
+            ),
+        ];
+        let mut open: Option<(String, Option<String>)> = None;
+        for (symbol, key, name, demand, capacity, note) in parts {
+            let path = format!("tank.pipes.{key}");
+            if let Some(demand) = demand {
+                let source = "table E.8";
+                let line = format!("{name} that the pipes must allow");
+                self.sheet.look_up(symbol, &line, source, demand, Length, TABLE_E8);
+            }
+            match (demand, capacity) {
+                (Some(demand), Some(capacity)) => {
+                    let id = format!("piping_{key}");
+                    let name = format!("Pipes, {name}");
+                    let check = Check::new(&id, &name, demand, capacity, Length, TABLE_E8, note);
+                    self.out.checks.push(check.of(limit_states::PIPING));
+                }
+                (Some(demand), None) => {
+                    let needed = crate::sheet::with_unit(demand, Length);
+                    let reason = format!("`{path}` is missing; the pipes must allow a {name} of {needed}");
+                    open.get_or_insert((reason, Some(path)));
+                }
+                (None, _) => {
+                    if let Lift::Unknown(reason) = &self.lift {
+                        open.get_or_insert((format!("the uplift is not known: {reason}"), None));
+                    }
+                }
+            }
+        }
+        if let Some((reason, path)) = open {
+            let (id, status) = (limit_states::PIPING, CheckStatus::NotChecked);
+            self.without_comparison(id, status, &reason, path.as_deref());
+        }
+    }
+}
