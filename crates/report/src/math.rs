@@ -34,9 +34,25 @@ pub fn symbol(text: &str) -> String {
     formula(text)
 }
 
-/// A sentence as HTML: escaped, short symbols (`S_e`, `T_c1`, `d_max`) with their subscripts; keys of the input file
-/// (`zone_factor`) stay unchanged.
+/// A sentence as HTML: escaped, words in backquotes as code, short symbols (`S_e`, `T_c1`, `d_max`) with their subscripts; keys of the
+/// input file (`zone_factor`) stay unchanged. A backquote without its partner stays as it is.
 pub fn prose(text: &str) -> String {
+    let mut out = String::with_capacity(text.len() + 16);
+    let mut rest = text;
+    while let Some((before, (code, after))) = rest
+        .split_once('`')
+        .and_then(|(before, after)| after.split_once('`').map(|pair| (before, pair)))
+    {
+        out.push_str(&lowered(before));
+        out.push_str(&format!("<code>{}</code>", escape(code)));
+        rest = after;
+    }
+    out.push_str(&lowered(rest));
+    out
+}
+
+/// Escaped text with short symbols lowered.
+fn lowered(text: &str) -> String {
     let mut out = String::with_capacity(text.len() + 16);
     let mut rest = text;
     while let Some(at) = rest.find('_') {
@@ -404,8 +420,10 @@ mod tests {
         assert_eq!(prose("S_e(T_c1) < 2"), "S<sub>e</sub>(T<sub>c1</sub>) &lt; 2");
         assert_eq!(
             prose("`site.api650.zone_factor` and a_b_c"),
-            "`site.api650.zone_factor` and a_b_c"
+            "<code>site.api650.zone_factor</code> and a_b_c"
         );
+        assert_eq!(prose("`a < S_e` and S_e"), "<code>a &lt; S_e</code> and S<sub>e</sub>");
+        assert_eq!(prose("one ` alone"), "one ` alone");
         assert_eq!(prose("plain & simple"), "plain &amp; simple");
         assert_eq!(prose("_"), "_");
     }

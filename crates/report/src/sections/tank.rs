@@ -64,9 +64,12 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         fact("Roof mass", tank.roof.mass, Dimension::Mass);
         fact(words::ROOF_HEIGHT, tank.roof_height(), Dimension::Length);
     }
+    if tank.roof.afloat > 0.0 {
+        fact(words::FLOATING_ROOF, tank.roof.afloat, Dimension::Mass);
+    }
     fact(
         "Freeboard",
-        tank.wall_height() - summary.liquid.fill_height,
+        tank.wall_height() - summary.liquid.fill_height - tank.roof.rim,
         Dimension::Length,
     );
     fact(words::GRAVITY, summary.gravity, Dimension::Acceleration);

@@ -66,6 +66,8 @@ pub mod tank {
     pub const STRIP: &str = "strip of a long rectangular tank";
     /// Support without anchors.
     pub const ON_GROUND: &str = "resting on the ground";
+    /// Mass of a roof that the liquid carries.
+    pub const FLOATING_ROOF: &str = "Mass of the floating roof";
     /// Height of the roof's centre of mass.
     pub const ROOF_HEIGHT: &str = "Height of the roof's centre of mass";
     /// g.
