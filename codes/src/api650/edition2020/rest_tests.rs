@@ -91,6 +91,7 @@ fn pipes_follow_the_uplift() {
         uplift: Some(0.2),
         settlement: Some(0.025),
         horizontal: Some(0.05),
+        ..Pipes::default()
     };
     case.tank.pipes = Some(pipes);
     let out = assess(&case);
