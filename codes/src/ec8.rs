@@ -179,6 +179,7 @@ fn assess(case: &Case, excitation: Excitation, edition: Edition) -> Result<Asses
         demand,
         sheet: Sheet::new(),
         mass: 0.0,
+        wave: None,
         uplift: match case.tank.support {
             Support::Anchored => Some(0.0),
             Support::Unanchored => None,
@@ -243,8 +244,29 @@ fn assumptions(work: &mut Work, excitation: Excitation) {
             "Impulsive and convective maxima are combined by SRSS; the annex recommends absolute values.".to_string()
         }
     });
+    if case.damping.impulsive < 0.05 && excitation == Excitation::Site {
+        out.push(format!(
+            "Damping of the impulsive part {} % in every limit state; 2.3.3.1 (recalled) has 5 % for the ultimate limit state, with smaller \
+             actions, and less for damage limitation only.",
+            crate::sheet::number(100.0 * case.damping.impulsive)
+        ));
+    }
     if let Shape::Cylinder { .. } = case.tank.shape {
         out.push("Impulsive part: rigid pressure field with the spectral acceleration at T_f (Veletsos).".into());
+        if (work.edition, case.procedures.ec8_impulsive) == (Edition::En2006, FlexibleImpulsive::Simplified) {
+            out.push(
+                "Freeboard: the larger of R S_e(T_con)/g (A.3.2.2) and 0.84 R S_e(T_c1)/g (A.2.1.4); the sloshing height compared with \
+                 other methods is the latter."
+                    .into(),
+            );
+        }
+        if case.tank.is_metal() {
+            out.push(
+                "Elastic-plastic collapse (A.10.3): of the exponents 1.15 (recalled clause) and 1.5 (Rotter 1990, EN 1993-1-6) of R/(400 s) \
+                 the one with the smaller capacity: 1.15 from R/s = 400 on."
+                    .into(),
+            );
+        }
         out.push(match (work.edition, case.procedures.ec8_impulsive) {
             (Edition::En2006, FlexibleImpulsive::Simplified) => {
                 "Masses, levers and periods of table A.2 (A.3.2.2).".into()

@@ -34,12 +34,12 @@ fn limit(id: &str, case_at: impl Fn(f64) -> Case) {
     }
 }
 
-/// d_max = 0.84 R S_e(T_c1)/g with S_De = d_g [b + (T − 6)/4 (1 − b)], d_g = 0.1015335 m, b = 3.370999, T_c1 = 6.03515 s.
+/// d = R S_e(T_con)/g with S_De = d_g [b + (T − 6)/4 (1 − b)], d_g = 0.1015335 m, b = 3.370999, T_con = 1.57333·√15 = 6.09350 s.
 #[test]
 fn freeboard() {
-    let t_c1 = 6.03515;
-    let s_de = 0.101_533_5 * (3.370_999 + (t_c1 - 6.0) / 4.0 * (1.0 - 3.370_999));
-    let d_max = 0.84 * 15.0 * s_de * (2.0 * PI / t_c1).powi(2) / 9.81;
+    let t_con = (1.60 - 0.08 / 3.0) * 15.0_f64.sqrt();
+    let s_de = 0.101_533_5 * (3.370_999 + (t_con - 6.0) / 4.0 * (1.0 - 3.370_999));
+    let d_max = 15.0 * s_de * (2.0 * PI / t_con).powi(2) / 9.81;
     limit("freeboard", |u| {
         let mut c = oil_tank();
         // Five courses reach the surface at 12 m; the sixth is the freeboard.

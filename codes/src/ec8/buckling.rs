@@ -7,9 +7,12 @@
 //! p̄    = p R/(s σ_c1)                                    p the SMALLEST interior pressure of the combination
 //! σ_p  = σ_c1 √(1 − (1 − p̄/5)² (1 − σ_o/σ_c1)²)  (p̄ < 5)     σ_c1  (p̄ ≥ 5)
 //! elastic (A.10.2):          σ_m ≤ 0.19 σ_c1 + 0.81 σ_p
-//! elastic-plastic (A.10.3):  σ_m ≤ σ_c1 [1 − (pR/(s f_y))²] (1 − 1/(1.12 + r^1.15)) (r + f_y/250)/(r + 1)
+//! elastic-plastic (A.10.3):  σ_m ≤ σ_c1 [1 − (pR/(s f_y))²] (1 − 1/(1.12 + r^x)) (r + f_y/250)/(r + 1)
 //!                            r = (R/s)/400, f_y/250 in MPa, p the LARGEST interior pressure
 //! ```
+//!
+//! The exponent is recalled as 1.15; Rotter 1990 and EN 1993-1-6 have 1.5, which elastic-plastic shells with a hinged base meet within
+//! 6 %. Until the printed text decides, [`exponent`] gives the one with the smaller capacity.
 //!
 //! σ_m is the largest vertical membrane compression. The formulas are recalled and checked against a worked example.
 
@@ -81,6 +84,13 @@ pub fn elastic(
     }
 }
 
+/// Exponent x in 1.12 + r^x of A.10.3 with the smaller capacity: 1.15 from r = 1 (R/s = 400) on, below it 1.5.
+///
+/// * `r`: (R/s)/400
+pub fn exponent(r: f64) -> f64 {
+    if r < 1.0 { 1.5 } else { 1.15 }
+}
+
 /// Limit of elastic-plastic collapse ("elephant's foot"), A.10.3 [Pa]; not positive where the hoop stress reaches f_y.
 ///
 /// * `pressure`: largest interior pressure of the combination [Pa]; the rest as in [`elastic`]
@@ -90,7 +100,7 @@ pub fn elastic_plastic(youngs_modulus: f64, yield_strength: f64, thickness: f64,
     let reserve = if hoop >= 1.0 { 0.0 } else { 1.0 - hoop * hoop };
     classical(youngs_modulus, thickness, radius)
         * reserve
-        * (1.0 - 1.0 / (1.12 + r.powf(1.15)))
+        * (1.0 - 1.0 / (1.12 + r.powf(exponent(r))))
         * (r + yield_strength / 250e6)
         / (r + 1.0)
 }
@@ -126,6 +136,35 @@ mod tests {
         );
         // The bracket 1 − (pR/(s f_y))² is 0.24: rounding of p to 0.05 kPa moves the limit by 0.034 MPa.
         close(elastic_plastic(210e9, 235e6, 0.014, 15.0, 191.5e3) / 1e6, 20.97, 0.035);
+    }
+
+    /// Peak axial stress [MPa] of an axisymmetric elastic-plastic shell, f_y = 235 MPa, base held radially and free to turn, at a hoop stress
+    /// of 0.25, 0.5 and 0.75 f_y. The limit is at most 6 % above and 12 % below.
+    #[test]
+    fn collapse_beside_an_elastic_plastic_shell() {
+        for (slenderness, peaks) in [
+            (400.0, [154.1, 115.8, 66.5]),
+            (800.0, [110.0, 83.3, 49.5]),
+            (1200.0, [82.6, 63.2, 38.6]),
+        ] {
+            for (hoop, peak) in [0.25, 0.5, 0.75].into_iter().zip(peaks) {
+                let s = 10.0 / slenderness;
+                let limit = elastic_plastic(210e9, 235e6, s, 10.0, hoop * 235e6 * s / 10.0) / 1e6;
+                assert!(
+                    limit < 1.07 * peak && limit > 0.88 * peak,
+                    "{slenderness} {hoop}: {limit} {peak}"
+                );
+            }
+        }
+    }
+
+    /// Neither exponent gives less, and they meet at R/s = 400.
+    #[test]
+    fn exponent_is_on_the_safe_side() {
+        for r in [0.2, 0.5, 0.999, 1.0, 1.001, 2.0, 4.0_f64] {
+            let least = r.powf(1.15).min(r.powf(1.5));
+            close(r.powf(exponent(r)), least, 1e-15);
+        }
     }
 
     /// s̄ solves Koiter's quadratic (1 − s̄)² = 2.48 (δ/s) s̄.

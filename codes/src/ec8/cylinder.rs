@@ -49,16 +49,22 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     let s_1 = work.convective("S_e(T_c1)", t_c1);
     let s_2 = work.convective("S_e(T_c2)", t_c2);
     let a_c = t_con.map_or(s_1, |t| work.convective("S_e(T_con)", t));
-    work.wave("R", ["0.84", "0.07"], "2.1.4", s_1, s_2);
+    let wave = work.wave("R", ["0.84", "0.07"], "2.1.4", s_1, s_2);
     if t_con.is_some() {
         let terms = [
             ("R", radius, Length),
             ("S_e", a_c, Acceleration),
             ("g", case.gravity, Acceleration),
         ];
-        let name = "wave height of the simplified procedure (all sloshing mass in one mode), for information";
+        let name = "wave height of the simplified procedure (all sloshing mass in one mode)";
         let clause = edition.clause("3.2.2");
-        work.sheet.calc("d", name, "R·S_e/g", &terms, Length, &clause);
+        let simplified = work.sheet.calc("d", name, "R·S_e/g", &terms, Length, &clause);
+        let terms = [("d_max", wave, Length), ("d", simplified, Length)];
+        let name = "wave height that the freeboard has to hold, the larger of both clauses";
+        let larger = work.sheet.calc("d_f", name, "max(d_max, d)", &terms, Length, &clause);
+        work.freeboard(larger, "3.2.2");
+    } else {
+        work.freeboard(wave, "2.1.4");
     }
 
     let masses = match row {

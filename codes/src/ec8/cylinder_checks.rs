@@ -4,7 +4,7 @@
 //! governing place is printed. The elastic check takes the smallest, the elastic-plastic one the largest interior pressure. Over- or
 //! underpressure above the liquid enters the interior pressure and, over the roof, the axial force with p R/2.
 
-use super::buckling::{elastic, elastic_plastic};
+use super::buckling::{elastic, elastic_plastic, exponent};
 use super::cylinder_base;
 use super::cylinder_stress::{Factors, State};
 use super::limit_states::{ELASTIC_BUCKLING, ELEPHANT_FOOT, HOOP};
@@ -335,10 +335,15 @@ fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bo
     let classical = sheet.calc("σ_c1", name, "0.6·E·s/R", &terms, Stress, &clause);
     terms.extend([("r", r, Dimensionless), ("σ_c1", classical, Stress)]);
     let hoop = place.p_max * radius / (thickness * place.yield_strength);
+    let x = exponent(r);
     let (name, formula) = if hoop < 1.0 {
         (
             "limit of elastic-plastic collapse, largest interior pressure",
-            "σ_c1·(1 - (p_max·R/(s·f_y))²)·(1 - 1/(1.12 + r^1.15))·(r + f_y/250 MPa)/(r + 1)",
+            if x == 1.15 {
+                "σ_c1·(1 - (p_max·R/(s·f_y))²)·(1 - 1/(1.12 + r^1.15))·(r + f_y/250 MPa)/(r + 1)"
+            } else {
+                "σ_c1·(1 - (p_max·R/(s·f_y))²)·(1 - 1/(1.12 + r^1.5))·(r + f_y/250 MPa)/(r + 1)"
+            },
         )
     } else {
         (

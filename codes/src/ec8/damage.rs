@@ -1,7 +1,7 @@
 //! Damage limitation: freeboard and hoop stress under the reduced seismic action ν S_e.
 //!
 //! ```text
-//! ν d_max ≤ freeboard        [p_0 + ν (E_x (q p_i + p_c) + E_z p_v)] R/s ≤ f_y        at the lower edge of each course
+//! ν d_f ≤ freeboard          [p_0 + ν (E_x (q p_i + p_c) + E_z p_v)] R/s ≤ f_y        at the lower edge of each course
 //! ```
 //!
 //! The annex's pressures are linear in the spectrum, so that the action of the damage limitation state is ν times that of the ultimate
@@ -18,7 +18,6 @@ use crate::sheet::{Sheet, number, with_unit};
 use tank::Course;
 use tank::assessment::{Check, CheckStatus};
 use tank::case::Combination;
-use tank::quantity::Quantity;
 use tank::units::Dimension::{self, *};
 
 /// Path of the reduction factor.
@@ -36,7 +35,7 @@ struct Place<'a> {
 ///
 /// * `state`: of a cylinder
 pub(super) fn assess(work: &mut Work, state: Option<&State>, vertical: bool) {
-    let Some(wave) = work.out.values.get(&Quantity::SloshingHeight).copied() else {
+    let Some(wave) = work.wave else {
         return;
     };
     let Some(reduction) = work.demand.site.and_then(|site| site.reduction_factor) else {
@@ -47,9 +46,9 @@ pub(super) fn assess(work: &mut Work, state: Option<&State>, vertical: bool) {
     work.sheet.section("Damage limitation");
     let name = "reduction factor of the seismic action";
     work.sheet.input("ν", name, reduction, Dimensionless, REDUCTION);
-    let terms = [("ν", reduction, Dimensionless), ("d_max", wave, Length)];
+    let terms = [("ν", reduction, Dimensionless), ("d_f", wave, Length)];
     let name = "wave height, damage limitation";
-    let height = work.sheet.calc("d_DL", name, "ν·d_max", &terms, Length, &clause);
+    let height = work.sheet.calc("d_DL", name, "ν·d_f", &terms, Length, &clause);
     let freeboard = work.case.freeboard();
     let name = "Freeboard, damage limitation";
     part(work, ("damage_freeboard", name), height, freeboard, Length, "");

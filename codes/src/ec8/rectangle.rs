@@ -38,7 +38,8 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     let a_c = work.convective("S_e(T_c1)", t_c1);
     let s_2 = work.convective("S_e(T_c2)", t_c2);
     // 2/λ_n² of the first two modes.
-    work.wave("L", ["8/π²", "8/(9·π²)"], "4.1", a_c, s_2);
+    let wave = work.wave("L", ["8/π²", "8/(9·π²)"], "4.1", a_c, s_2);
+    work.freeboard(wave, "4.1");
     let clause = work.edition.clause("4");
     work.resultants(&masses, a_i, a_c, &clause);
     sliding::assess(work);

@@ -20,6 +20,8 @@ pub(super) struct Work<'a> {
     pub out: Assessment,
     /// Mass of the liquid m [kg], once it stands on the sheet.
     pub mass: f64,
+    /// Wave height that the freeboard has to hold [m], once it is known.
+    pub wave: Option<f64>,
     /// Largest uplift of the wall [m], once it is known; zero where it is anchored.
     pub uplift: Option<f64>,
 }
@@ -149,10 +151,10 @@ impl Work<'_> {
         }
     }
 
-    /// Wave height `d = c·a·S_e(T_c1)/g`; with the second mode for information. Adds quantity and freeboard check.
+    /// Wave height `d = c·a·S_e(T_c1)/g` [m]; with the second mode for information. Adds the quantity.
     ///
     /// * `factors`: c of the first and the second mode, as written
-    pub(super) fn wave(&mut self, symbol: &str, factors: [&str; 2], clause: &str, s_1: f64, s_2: f64) {
+    pub(super) fn wave(&mut self, symbol: &str, factors: [&str; 2], clause: &str, s_1: f64, s_2: f64) -> f64 {
         let half_length = self.case.tank.shape.half_length();
         let clause = self.edition.clause(clause);
         self.sheet.section("Wave height");
@@ -170,6 +172,15 @@ impl Work<'_> {
         let formula = format!("{symbol}·√(({first}·S_1/g)² + ({second}·S_2/g)²)");
         self.sheet.calc("d_2", name, &formula, &terms, Length, &clause);
         self.out.values.insert(Quantity::SloshingHeight, height);
+        height
+    }
+
+    /// Freeboard check.
+    ///
+    /// * `height`: of the wave that it has to hold [m]
+    pub(super) fn freeboard(&mut self, height: f64, clause: &str) {
+        self.wave = Some(height);
+        let clause = self.edition.clause(clause);
         let note = "the wave needs this freeboard if the liquid must neither spill nor strike the roof";
         let freeboard = self.case.freeboard();
         self.check(

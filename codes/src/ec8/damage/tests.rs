@@ -42,12 +42,12 @@ fn limit(id: &str, demand: f64, case_at: impl Fn(f64) -> Case) {
     }
 }
 
-/// 0.5·d_max, d_max = 0.84 R S_e(T_c1)/g as in the check of the ultimate limit state.
+/// 0.5·d, d = R S_e(T_con)/g as in the check of the ultimate limit state.
 #[test]
 fn freeboard() {
-    let t_c1 = 6.03515;
-    let s_de = 0.101_533_5 * (3.370_999 + (t_c1 - 6.0) / 4.0 * (1.0 - 3.370_999));
-    let d_max = 0.84 * 15.0 * s_de * (2.0 * PI / t_c1).powi(2) / 9.81;
+    let t_con = (1.60 - 0.08 / 3.0) * 15.0_f64.sqrt();
+    let s_de = 0.101_533_5 * (3.370_999 + (t_con - 6.0) / 4.0 * (1.0 - 3.370_999));
+    let d_max = 15.0 * s_de * (2.0 * PI / t_con).powi(2) / 9.81;
     limit("damage_freeboard", 0.5 * d_max, |freeboard| {
         let mut c = with(oil_tank(), 0.5, 1.0);
         // Five courses reach the surface at 12 m; the sixth is the freeboard.
