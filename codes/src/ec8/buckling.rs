@@ -93,9 +93,9 @@ pub fn exponent(r: f64) -> f64 {
 
 /// Limit of elastic-plastic collapse ("elephant's foot"), A.10.3 [Pa]; not positive where the hoop stress reaches f_y.
 ///
-/// * `pressure`: largest interior pressure of the combination [Pa]; the rest as in [`elastic`]
+/// * `pressure`: largest interior pressure of the combination [Pa], suction counts as zero; the rest as in [`elastic`]
 pub fn elastic_plastic(youngs_modulus: f64, yield_strength: f64, thickness: f64, radius: f64, pressure: f64) -> f64 {
-    let hoop = pressure * radius / (thickness * yield_strength);
+    let hoop = pressure.max(0.0) * radius / (thickness * yield_strength);
     let r = radius / thickness / 400.0;
     let reserve = if hoop >= 1.0 { 0.0 } else { 1.0 - hoop * hoop };
     classical(youngs_modulus, thickness, radius)

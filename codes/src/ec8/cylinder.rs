@@ -9,7 +9,7 @@ use super::flexible::{COEFFICIENT, PERIOD, coupled_mode, equivalent_density_peri
 use super::shell_mode::Base;
 use super::simplified::{self, LIMITS, Row};
 use super::work::{Masses, Ratio, Work};
-use super::{bearing, cylinder_stress, cylinder_vertical, damage, pipes, sliding};
+use super::{bearing, cylinder_checks, cylinder_stress, cylinder_vertical, damage, pipes, sliding};
 use crate::mechanical::{Lumped, Plan, eigenvalue, impulsive};
 use crate::procedure::CodeError;
 use crate::sheet::number;
@@ -83,6 +83,7 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
 
     let motion = cylinder_vertical::assess(work, radius, gamma)?;
     let state = cylinder_stress::assess(work, radius, moment, a_i, s_1, motion);
+    cylinder_checks::assess(work, &state, motion.is_some());
     damage::assess(work, Some(&state), motion.is_some());
     bearing::assess(work);
     pipes::assess(work);

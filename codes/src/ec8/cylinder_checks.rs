@@ -113,6 +113,12 @@ pub(super) fn assess(work: &mut Work, state: &State, vertical: bool) {
         ));
         1.0
     });
+    if state.tank.pressure.vacuum > 0.0 {
+        work.out.notes.push(format!(
+            "{clause}: the vacuum enters the axial compression and the supporting pressure; buckling of the wall under outer pressure \
+             (EN 1993-1-6) is not covered."
+        ));
+    }
     let places = places(state, vertical, amplification);
     hoop_yield(work, state, &places, vertical);
     elastic_check(work, state, &places, vertical);
@@ -326,7 +332,7 @@ fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bo
         ("s", thickness, Length),
         ("R", radius, Length),
         ("f_y", place.yield_strength, Stress),
-        ("p_max", place.p_max, Stress),
+        ("p_max", place.p_max.max(0.0), Stress),
     ];
     let sheet = &mut work.sheet;
     let name = "radius to thickness over 400";

@@ -1,4 +1,4 @@
-//! Pressures, membrane stresses over the height and stability checks of a cylinder.
+//! Pressures and membrane stresses over the height of a cylinder.
 //!
 //! ```text
 //! p_i(z) = ρ H C(ζ) A_i      p_c(z) = ρ R w_1 cosh(λ_1 γ ζ)/cosh(λ_1 γ) A_c       largest at θ = 0
@@ -11,8 +11,8 @@
 use std::f64::consts::PI;
 
 use super::cylinder_vertical::VerticalMotion;
+use super::vertical;
 use super::work::{Work, combined};
-use super::{cylinder_checks, vertical};
 use crate::mechanical::{ConvectiveField, ImpulsiveField, Plan};
 use crate::sheet::with_unit;
 use tank::case::Combination;
@@ -141,7 +141,7 @@ impl State<'_> {
     }
 }
 
-/// Writes pressures, stresses, profiles and checks; returns the state.
+/// Writes pressures, stresses and profiles; returns the state.
 ///
 /// * `moment`: M just above the base plate [N·m]; `a_i`, `a_c`: accelerations of the impulsive part and of the first sloshing mode
 pub(super) fn assess<'a>(
@@ -169,7 +169,6 @@ pub(super) fn assess<'a>(
     };
     base_pressures(work, &state);
     stresses(work, &state, motion.is_some());
-    cylinder_checks::assess(work, &state, motion.is_some());
     state
 }
 

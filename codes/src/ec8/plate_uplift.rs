@@ -18,7 +18,7 @@ use super::cylinder_stress::State;
 use super::limit_states::UPLIFT;
 use super::rim::{Rim, Turned};
 use super::work::Work;
-use crate::sheet::{Term, number};
+use crate::sheet::{Term, number, with_unit};
 use tank::Bottom;
 use tank::assessment::{Check, CheckStatus};
 use tank::units::Dimension::{self, *};
@@ -147,6 +147,11 @@ fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, uplift: f64
         part(work, rotation_check, 0.0, ROTATION, Angle, "all of the rim bears");
         return;
     }
+    work.out.notes.push(format!(
+        "{clause}: the strip carries the hydrostatic pressure, as the clause takes it; the suction of the horizontal motion on the lifted side, \
+         up to {} at the wall, is left out.",
+        with_unit(state.pressure_horizontal(0.0), Stress)
+    ));
     let material = &bottom.material;
     let strip = Strip::new(
         material.youngs_modulus,

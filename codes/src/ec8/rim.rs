@@ -15,8 +15,10 @@ use std::f64::consts::PI;
 
 use super::bottom_strip::Strip;
 
-/// Points of the midpoint rule on the half circle.
-const POINTS: u32 = 360;
+/// Points of the midpoint rule on the half circle; more change uplift and compression by less than 1 %.
+const POINTS: u32 = 120;
+/// Halvings of the brackets of axis and rotation: 1e-13 and 1e-10 of them.
+const HALVINGS: [u32; 2] = [44, 34];
 
 /// Base of an unanchored wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,7 +64,7 @@ impl Rim {
         while resultant(high) < 0.0 && high < 1e9 {
             high *= 2.0;
         }
-        for _ in 0..80 {
+        for _ in 0..HALVINGS[0] {
             let c = 0.5 * (low + high);
             if resultant(c) > 0.0 {
                 high = c;
@@ -83,16 +85,15 @@ impl Rim {
     /// Equilibrium under a moment M > 0 [N·m]; none where the tank overturns.
     pub fn under(&self, moment: f64) -> Option<Turned> {
         let holds = |t: &Turned| t.moment >= moment;
-        let mut high = 1e-6;
+        let (mut low, mut high) = (0.0, 1e-6);
         // A rotation of 0.1 rad lifts one tenth of the diameter: no tank stands so.
-        while !self.turned(high).filter(holds).is_some() {
-            high *= 2.0;
+        while self.turned(high).filter(holds).is_none() {
+            (low, high) = (high, 2.0 * high);
             if high > 0.1 {
                 return None;
             }
         }
-        let mut low = 0.0;
-        for _ in 0..50 {
+        for _ in 0..HALVINGS[1] {
             let middle = 0.5 * (low + high);
             match self.turned(middle).filter(holds) {
                 Some(_) => high = middle,
@@ -168,6 +169,28 @@ mod tests {
         assert!(t.moment < limit && t.moment > 0.99 * limit, "{} {limit}", t.moment);
         assert_eq!(rim.under(1.001 * limit), None);
         assert_eq!(Rim { weight: -60e3, ..rim }.under(1.0), None);
+    }
+
+    /// As many points do not matter: uplift and compression of a rotation against a rule of 100 times as many points (the smooth sum in the
+    /// doc of the module, written out for the axis found), 1 % of the moment.
+    #[test]
+    fn points_of_the_rule() {
+        for ground in [1e8, 1e10] {
+            let rim = oil(ground);
+            let t = rim.turned(1e-3).unwrap();
+            let axis = t.uplift / (1e-3 * 20.0) - 1.0;
+            let stiffness = rim.strip.rim_stiffness(ground);
+            let n = 12_000;
+            let step = PI / f64::from(n);
+            let (force, moment) = (0..n).fold((0.0, 0.0), |(force, moment), i| {
+                let x = ((f64::from(i) + 0.5) * step).cos();
+                let w = 1e-3 * 20.0 * (axis + x);
+                let q = if w > 0.0 { rim.strip.pull(w) } else { stiffness * w };
+                (force + q * step, moment + q * x * step)
+            });
+            close((force + PI * rim.weight) / (PI * rim.weight), 0.0, 0.01);
+            close(2.0 * 400.0 * moment / t.moment, 1.0, 0.01);
+        }
     }
 
     /// Found rotation and moment belong together; soft ground lifts more, stiff ground presses more.
