@@ -12,6 +12,7 @@ mod failing;
 mod gaps;
 mod matrix;
 mod sound;
+mod unanchored;
 
 use std::path::Path;
 

@@ -37,6 +37,7 @@ pub(super) fn tanks() -> Vec<Tank> {
         ec8_missing(),
         gaps::tanks(),
         api_rest::failing(),
+        unanchored::failing(),
     ]
     .into_iter()
     .flatten()

@@ -62,16 +62,12 @@ fn concrete_and_boxes() -> Vec<Tank> {
             vec![only_ec8(), concrete_box()],
         ),
         incomplete(
-            "strip-overturning",
-            "not implemented for a box",
-            (EC8, "overturning"),
-            vec![
-                only_ec8(),
-                concrete_box(),
-                unanchored(),
-                json!({ "tank": { "breadth": null, "strip": true } }),
-            ],
-        ),
+            "steel-box-uplift",
+            "the bottom plate of a steel box may lift: not implemented",
+            (EC8, "uplift"),
+            vec![only_ec8(), concrete_box(), wall(&[40.0; 2]), unanchored()],
+        )
+        .open(&["uplift"]),
         Tank::new(
             "box-under-api",
             "API 650 is for cylinders",
@@ -93,9 +89,14 @@ fn not_implemented() -> Vec<Tank> {
         ec8("damage-limitation-not-accepted", "damage_limitation").open(&["damage_limitation"]),
         incomplete(
             "uplift-not-accepted",
-            why,
+            "the bottom plate is not given",
             (EC8, "uplift"),
-            vec![only_ec8(), unanchored()],
+            vec![
+                only_ec8(),
+                unanchored(),
+                filled(3.0),
+                json!({ "tank": { "bottom": null } }),
+            ],
         )
         .open(&["uplift"]),
         api("anchor-attachment-not-accepted", "anchor_attachment").open(&["anchor_attachment"]),

@@ -18,6 +18,7 @@ pub(super) fn tanks() -> Vec<Tank> {
     let mut tanks = steel();
     tanks.extend(others());
     tanks.extend(api_rest::sound_tanks());
+    tanks.extend(unanchored::sound());
     tanks
 }
 
@@ -136,14 +137,13 @@ fn others() -> Vec<Tank> {
         ),
         sound(
             "sound-strip",
-            "wall and overturning are checked apart",
+            "the wall is checked apart",
             EC8,
             vec![
                 only_ec8(),
                 concrete_box(),
                 unanchored(),
                 json!({ "tank": { "breadth": null, "strip": true } }),
-                accept(&["overturning"]),
             ],
         ),
         sound(
