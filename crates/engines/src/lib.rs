@@ -17,6 +17,7 @@ pub mod modes;
 pub mod nonlinear;
 
 mod histories;
+mod impulsive;
 mod linear;
 pub mod probe;
 mod registry;

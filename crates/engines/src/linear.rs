@@ -235,6 +235,7 @@ fn report(
                 .into(),
         );
     }
+    notes.extend(model.horizontal.impulsive().and_then(|found| found.note()));
     let coupled = &model.horizontal.coupled;
     let histories = histories(motion, &analysis);
     let result = Run {

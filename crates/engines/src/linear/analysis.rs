@@ -8,6 +8,7 @@ use tank::case::GroundMotion;
 
 use super::model::{Harmonic, Model, Scalar};
 use crate::FeError;
+use crate::impulsive::Impulsive;
 use crate::modes::{CoupledMode, Kind};
 use crate::response::direct::{self, DirectSystem};
 use crate::response::motion::{Grid, Motion};
@@ -103,11 +104,9 @@ impl Analysis<'_> {
             Quantity::ConvectiveMass,
             mode(Kind::Sloshing).map(CoupledMode::effective_mass),
         );
-        put(Quantity::ImpulsivePeriod, mode(Kind::Structural).map(period));
-        put(
-            Quantity::ImpulsiveMass,
-            mode(Kind::Structural).map(CoupledMode::effective_mass),
-        );
+        let impulsive = model.horizontal.impulsive();
+        put(Quantity::ImpulsivePeriod, impulsive.as_ref().map(Impulsive::period));
+        put(Quantity::ImpulsiveMass, impulsive.as_ref().map(Impulsive::mass));
         put(Quantity::SloshingHeight, self.wave());
         let mut scalars = vec![
             Channel::BaseShear,

@@ -99,7 +99,7 @@ fn kept_modes(h: &Harmonic, kept: &[&CoupledMode], options: &Options) -> Labelle
     let carried: f64 = kept.iter().map(|m| m.effective_mass()).sum();
     let rule = if options.damping == DampingModel::Modal {
         format!(
-            "up to {FREQUENCY_FACTOR} × the first structural frequency, at least {SLOSHING_MODES} sloshing and \
+            "up to {FREQUENCY_FACTOR} × the frequency of the impulsive mode, at least {SLOSHING_MODES} sloshing and \
              {STRUCTURAL_MODES} structural"
         )
     } else {

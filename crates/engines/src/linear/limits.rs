@@ -32,7 +32,8 @@ pub(crate) fn limits(case: &Case, model: &Model, analysis: &Analysis, record_ste
     let structural = |h: &Harmonic| h.first(Kind::Structural).map(|m| m.omega);
     let fastest = model.systems().filter_map(structural).fold(0.0, f64::max);
     found.push(compressibility(case, fastest / std::f64::consts::TAU));
-    found.extend(structural(&model.horizontal).map(|omega| record(omega, record_step)));
+    let impulsive = model.horizontal.impulsive();
+    found.extend(impulsive.map(|found| record(found.dominant.omega, record_step)));
     found
 }
 

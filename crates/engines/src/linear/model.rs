@@ -6,6 +6,7 @@ use tank::case::GroundMotion;
 use crate::coupled::Coupled;
 use crate::damping::Damper;
 use crate::harmonic::{self};
+use crate::impulsive::Impulsive;
 use crate::modes::{CoupledMode, Kind};
 use crate::probe::{Probe, ProbeLine};
 use crate::response::superpose::Observable;
@@ -41,6 +42,11 @@ impl Harmonic {
     /// First mode of a kind.
     pub(crate) fn first(&self, kind: Kind) -> Option<&CoupledMode> {
         self.modes.iter().find(|m| m.kind == kind)
+    }
+
+    /// The impulsive mode.
+    pub(crate) fn impulsive(&self) -> Option<Impulsive> {
+        Impulsive::among(&self.modes)
     }
 
     /// Highest circular frequency of the structural modes that carry at least 1 % of the mass, and of the first one.

@@ -15,6 +15,7 @@ use super::failure::failed;
 use super::modes::{damping_table, modes};
 use super::walls::Walls;
 use crate::histories::Histories;
+use crate::impulsive::{Impulsive, Member};
 use crate::linear::checked_motion;
 use crate::modes::Kind;
 use crate::{FeError, Simulation};
@@ -242,14 +243,19 @@ impl Report<'_> {
     fn values(&self, modes: &[Mode], lines: &[Line]) -> BTreeMap<Quantity, f64> {
         let mut values = BTreeMap::new();
         let first = |kind: Kind| modes.iter().find(|m| m.kind == kind.id() && m.number == 1);
-        for (kind, period, mass) in [
-            (Kind::Sloshing, Quantity::SloshingPeriod, Quantity::ConvectiveMass),
-            (Kind::Structural, Quantity::ImpulsivePeriod, Quantity::ImpulsiveMass),
-        ] {
-            if let Some(mode) = first(kind) {
-                values.insert(period, mode.period);
-                values.insert(mass, mode.effective_mass);
-            }
+        if let Some(mode) = first(Kind::Sloshing) {
+            values.insert(Quantity::SloshingPeriod, mode.period);
+            values.insert(Quantity::ConvectiveMass, mode.effective_mass);
+        }
+        let structural = modes.iter().filter(|m| m.kind == Kind::Structural.id());
+        let impulsive = Impulsive::of(structural.map(|m| Member {
+            number: m.number,
+            omega: m.omega,
+            mass: m.effective_mass,
+        }));
+        if let Some(impulsive) = impulsive {
+            values.insert(Quantity::ImpulsivePeriod, impulsive.period());
+            values.insert(Quantity::ImpulsiveMass, impulsive.mass());
         }
         let rises = lines.iter().filter(|l| l.channel.is_wave());
         values.insert(
