@@ -3,19 +3,20 @@
 pub(crate) mod analysis;
 pub(crate) mod describe;
 pub(crate) mod limits;
+pub(crate) mod mesh_error;
 pub(crate) mod model;
-
-use std::collections::BTreeMap;
 
 use fem::progress::{Progress, Silent};
 use oscillator::record::Record;
+use tank::Case;
 use tank::case::GroundMotion;
-use tank::{Case, Quantity};
 use tank::{Shape, Support};
 
 use analysis::{Analysis, analyse};
+use mesh_error::{Second, SecondMesh};
 use model::{Harmonic, Model};
 
+use super::harmonic::Places;
 use super::histories::Histories;
 use super::{FeError, Simulation};
 use results::nonlinear::End;
@@ -25,8 +26,6 @@ use tank::options::linear::Integrator;
 
 /// Modes of each kind and harmonic that are listed in the results.
 const LISTED_MODES: usize = 6;
-/// Smallest mesh refinement of the engine.
-const COARSEST: f64 = 0.25;
 
 /// Time history of the coupled tank and liquid.
 ///
@@ -45,15 +44,19 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     progress.stage("wall, liquid and modes", 1);
     // The two meshes share nothing and are computed in parallel.
-    let (fine, coarse) = std::thread::scope(|scope| {
-        let coarse = coarse_options(options).map(|coarse| {
-            scope.spawn(move || -> Result<BTreeMap<Quantity, f64>, FeError> {
-                let model = Model::new(case, &coarse, vertical)?;
-                let analysis = analyse(&model, motion, &coarse, &Silent)?;
-                Ok(analysis.values(&model, round))
+    let (first, other) = std::thread::scope(|scope| {
+        let other = SecondMesh::of(options).map(|mesh| {
+            scope.spawn(move || -> Result<Second, FeError> {
+                let model = Model::new(case, &mesh.options, vertical, Places::Dense)?;
+                let analysis = analyse(&model, motion, &mesh.options, &Silent)?;
+                Ok(Second {
+                    ratio: mesh.ratio,
+                    values: analysis.values(&model, round),
+                    wave: None,
+                })
             })
         });
-        let fine = Model::new(case, options, vertical).and_then(|model| {
+        let first = Model::new(case, options, vertical, Places::Usual).and_then(|model| {
             let linear = Linear {
                 engine: EngineId::Harmonic,
                 model: &model,
@@ -61,14 +64,14 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
             };
             complete(case, options, &linear, progress)
         });
-        let coarse = coarse.map(|handle| match handle.join() {
+        let other = other.map(|handle| match handle.join() {
             Ok(values) => values,
             Err(panic) => std::panic::resume_unwind(panic),
         });
-        (fine, coarse)
+        (first, other)
     });
-    let mut simulation = fine?;
-    note_mesh_error(&mut simulation, coarse.transpose()?.as_ref(), options);
+    let mut simulation = first?;
+    mesh_error::note(&mut simulation, other.transpose()?.as_ref(), options);
     Ok(simulation)
 }
 
@@ -82,38 +85,6 @@ pub(crate) fn checked_motion(case: &Case) -> Result<&GroundMotion, FeError> {
         check_record("vertical record", vertical)?;
     }
     Ok(motion)
-}
-
-/// Writes the difference to the values of a coarser mesh into a simulation.
-pub(crate) fn note_mesh_error(
-    simulation: &mut Simulation,
-    coarse: Option<&BTreeMap<Quantity, f64>>,
-    options: &Options,
-) {
-    if let Some(coarse) = coarse {
-        simulation.result.mesh_error = simulation
-            .values
-            .iter()
-            .filter(|(_, fine)| **fine != 0.0)
-            .filter_map(|(q, fine)| Some((q.id().to_owned(), ((fine - coarse.get(q)?) / fine).abs())))
-            .collect();
-    } else if options.mesh_error {
-        simulation
-            .notes
-            .push("No coarser mesh exists: the discretisation error is not estimated.".into());
-    }
-}
-
-/// Options of the second mesh: every element twice as long. Modal superposition serves for it whatever the integrator.
-pub(crate) fn coarse_options(options: &Options) -> Option<Options> {
-    let refine = (0.5 * options.refine).max(COARSEST);
-    (options.mesh_error && refine < options.refine).then(|| Options {
-        refine,
-        integrator: Integrator::Modal,
-        gauges: Vec::new(),
-        stations: Vec::new(),
-        ..options.clone()
-    })
 }
 
 fn check_record(which: &str, record: &Record) -> Result<(), FeError> {

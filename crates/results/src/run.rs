@@ -120,7 +120,7 @@ pub struct Run {
     pub integration: Vec<Labelled>,
     /// Damping ratios that result at the modes with more than 1 % of the mass (Rayleigh only).
     pub damping_table: Vec<DampingRow>,
-    /// Estimated discretisation error by quantity id, relative (|fine − coarse| / |fine|).
+    /// Estimated discretisation error by quantity id, relative, by Richardson's extrapolation from a second mesh.
     pub mesh_error: BTreeMap<String, f64>,
     /// Balance of masses, as label → relative error.
     pub mass_balance: Vec<Balance>,

@@ -14,6 +14,7 @@ use tank::options::LinearOptions as Options;
 
 use super::assembly::{Assembly, RoofShare};
 use super::observe::Observer;
+use super::places::Places;
 use super::state::Static;
 use super::wall::Wall;
 
@@ -24,6 +25,18 @@ use super::wall::Wall;
 ///
 /// Errors: an option out of range; a liquid too shallow for a mesh; a harmonic a rectangle does not have.
 pub fn build(case: &Case, options: &Options, harmonic: u32) -> Result<Coupled, FeError> {
+    build_observed(case, options, harmonic, Places::Usual)
+}
+
+/// [`build`] with outputs over the height at other places.
+///
+/// Errors: as [`build`].
+pub(crate) fn build_observed(
+    case: &Case,
+    options: &Options,
+    harmonic: u32,
+    places: Places,
+) -> Result<Coupled, FeError> {
     check_options(case, options)?;
     let domain = domain(case, harmonic)?;
     let depth = case.liquid.fill_height;
@@ -52,6 +65,7 @@ pub fn build(case: &Case, options: &Options, harmonic: u32) -> Result<Coupled, F
         state: &state,
         case,
         influence: &influence,
+        places,
         rigid: rigid_part(case, share),
     };
     let (probes, lines) = (observer.probes(options), observer.lines());

@@ -16,7 +16,7 @@ use crate::estimate::{
     DENSE_RATE, Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PROGRAM, Response, SWEEP_RATE, coarser,
     first_wall_frequency,
 };
-use crate::linear::coarse_options;
+use crate::linear::mesh_error::SecondMesh;
 use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
 
@@ -124,11 +124,11 @@ fn of(case: &Case, options: &Options, response: Option<Response>) -> Estimate {
         _ => 1.0,
     };
     // Two meshes side by side.
-    let coarse = response
-        .and_then(|_| coarse_options(options))
-        .map(|o| Mesh::new(case, o.refine));
+    let second = response
+        .and_then(|_| SecondMesh::of(options))
+        .map(|second| Mesh::new(case, second.options.refine));
     let (mut liquid, mut coupled, mut seconds) = (0.0, 0.0, REST);
-    for mesh in std::iter::once(&mesh).chain(&coarse) {
+    for mesh in std::iter::once(&mesh).chain(&second) {
         let (block, system, time) = mesh.cost();
         liquid += block;
         // One system is kept while that of the other direction is made: M, K, modes.
@@ -158,7 +158,7 @@ fn of(case: &Case, options: &Options, response: Option<Response>) -> Estimate {
         });
         steps = if newmark { direct } else { modal };
         // The first run finds the extremes along the wall, the second the histories.
-        let meshes = if coarse.is_some() { 3.0 } else { 2.0 };
+        let meshes = if second.is_some() { 3.0 } else { 2.0 };
         seconds += meshes * directions * modal * MODAL_STEP;
         if newmark {
             let products = 3.0 * mesh.unknowns * mesh.unknowns * directions;

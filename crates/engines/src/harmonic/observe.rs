@@ -12,6 +12,7 @@ use results::channel::{OnWall, Side};
 use tank::options::LinearOptions as Options;
 
 use super::assembly::Assembly;
+use super::places::{Place, Places, places};
 use super::state::Static;
 use super::wall::Output;
 
@@ -22,6 +23,8 @@ pub(super) struct Observer<'a> {
     pub(super) case: &'a Case,
     /// ι on the free unknowns.
     pub(super) influence: &'a [f64],
+    /// Where the outputs over the height are.
+    pub(super) places: Places,
     /// Mass and first moment of the parts that move with the ground and are not meshed (side walls of a rectangle).
     pub(super) rigid: (f64, f64),
 }
@@ -33,12 +36,6 @@ const LINES: [(Output, OnWall); 4] = [
     (Output::BendingStress, OnWall::Bending),
     (Output::RadialDisplacement, OnWall::Displacement),
 ];
-
-/// A place on the wall: height, and the elements whose rows are averaged there.
-struct Place {
-    z: f64,
-    at: Vec<(usize, f64)>,
-}
 
 impl Observer<'_> {
     /// Scalar outputs.
@@ -77,7 +74,7 @@ impl Observer<'_> {
 
     /// Outputs over the height.
     pub(super) fn lines(&self) -> Vec<ProbeLine> {
-        let places = self.places();
+        let places = places(&self.assembly.wall, self.places);
         let mut lines = vec![self.pressure_line(&places)];
         for (output, what) in LINES.into_iter().filter(|l| self.exists(l.0)) {
             let probes = places.iter().enumerate();
@@ -95,46 +92,6 @@ impl Observer<'_> {
     /// Plane walls have no hoop stress.
     fn exists(&self, output: Output) -> bool {
         output != Output::HoopStress || self.assembly.wall.curvature > 0.0
-    }
-
-    /// Wall nodes, mid-points of long elements, and both sides of a course joint.
-    fn places(&self) -> Vec<Place> {
-        let wall = &self.assembly.wall;
-        let long = 0.5 * wall.nodes[wall.nodes.len() - 1] / 30.0;
-        let mut places = Vec::new();
-        for (e, element) in wall.elements.iter().enumerate() {
-            let joint = e > 0 && {
-                let below = &wall.elements[e - 1];
-                below.thickness != element.thickness || below.material != element.material
-            };
-            let z = element.bottom;
-            match e {
-                0 => places.push(Place { z, at: vec![(0, -1.0)] }),
-                _ if joint => {
-                    places.push(Place {
-                        z,
-                        at: vec![(e - 1, 1.0)],
-                    });
-                    places.push(Place { z, at: vec![(e, -1.0)] });
-                }
-                _ => places.push(Place {
-                    z,
-                    at: vec![(e - 1, 1.0), (e, -1.0)],
-                }),
-            }
-            if element.length > long {
-                places.push(Place {
-                    z: z + 0.5 * element.length,
-                    at: vec![(e, 0.0)],
-                });
-            }
-        }
-        let top = wall.elements.len() - 1;
-        places.push(Place {
-            z: wall.nodes[top + 1],
-            at: vec![(top, 1.0)],
-        });
-        places
     }
 
     fn wall_probe(&self, probe: Probe, output: Output, place: &Place) -> Probe {

@@ -5,7 +5,7 @@ use tank::case::GroundMotion;
 
 use crate::coupled::Coupled;
 use crate::damping::Damper;
-use crate::harmonic::{self};
+use crate::harmonic::{self, Places};
 use crate::impulsive::Impulsive;
 use crate::modes::{CoupledMode, Kind};
 use crate::probe::{Probe, ProbeLine};
@@ -73,13 +73,13 @@ pub(crate) struct Model {
 }
 
 impl Model {
-    /// Builds the systems and finds their modes.
+    /// Builds the systems and finds their modes; `places` are those of the outputs over the height.
     ///
     /// Errors: as [`harmonic::build`], [`harmonic::solve`] and [`Damper::new`].
-    pub(crate) fn new(case: &Case, options: &Options, vertical: bool) -> Result<Model, FeError> {
+    pub(crate) fn new(case: &Case, options: &Options, vertical: bool, places: Places) -> Result<Model, FeError> {
         let damper = Damper::new(case, &options.damping)?;
         let prepare = |m: u32| -> Result<Harmonic, FeError> {
-            let coupled = harmonic::build(case, options, m)?;
+            let coupled = harmonic::build_observed(case, options, m, places)?;
             // All that double precision resolves: a fixed number might not be, for a very stiff wall.
             let modes = crate::modes::solve(&coupled, None)?;
             Ok(Harmonic { coupled, modes })

@@ -21,8 +21,9 @@ use super::waves::classify;
 use crate::checks::check_options;
 use crate::damping::Damper;
 use crate::linear::analysis::analyse;
+use crate::linear::mesh_error::{self, Second, SecondMesh};
 use crate::linear::model::{Harmonic, Model};
-use crate::linear::{Linear, checked_motion, coarse_options, complete, note_mesh_error};
+use crate::linear::{Linear, checked_motion, complete};
 use crate::modes::{Kind, solve};
 use crate::{FeError, Simulation};
 use results::channel::Side;
@@ -199,17 +200,22 @@ pub fn simulate(
     let vertical = motion.vertical.is_some();
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     let (prepared, mut simulation) = integrated(case, options, solid, progress)?;
-    let coarse = match coarse_options(options).filter(|_| solid.mesh.is_none() && !progress.interrupted()) {
-        Some(coarse) => {
-            let prepared = Prepared::new(case, &coarse, solid, vertical, progress)?;
-            let analysis = analyse(&prepared.model, motion, &coarse, progress)?;
-            Some(analysis.values(&prepared.model, round))
+    let coarser = SecondMesh::coarser(options).filter(|_| solid.mesh.is_none() && !progress.interrupted());
+    let second = match coarser {
+        Some(SecondMesh { options, ratio }) => {
+            let coarse = Prepared::new(case, &options, solid, vertical, progress)?.model;
+            let limit = mesh_error::extrapolated(&prepared.model, &coarse, ratio);
+            Some(Second {
+                ratio,
+                values: analyse(&coarse, motion, &options, progress)?.values(&coarse, round),
+                wave: analyse(&limit, motion, &options, progress)?.wave(),
+            })
         }
         None => None,
     };
     prepared.pictures(motion, options, solid, &mut simulation, progress)?;
     simulation.result.incomplete |= progress.interrupted();
-    note_mesh_error(&mut simulation, coarse.as_ref(), options);
+    mesh_error::note(&mut simulation, second.as_ref(), options);
     Ok(simulation)
 }
 
