@@ -27,7 +27,7 @@ mod boundaries;
 pub mod buckling;
 mod cylinder;
 mod cylinder_base;
-mod cylinder_checks;
+pub(crate) mod cylinder_checks;
 mod cylinder_stress;
 mod cylinder_vertical;
 mod damage;

@@ -7,6 +7,7 @@
 //! | [`procedure`], [`sheet`] | the trait all code procedures implement, and their calculation sheets |
 //! | [`bessel`], [`mechanical`] | special functions; masses, levers and periods of potential flow |
 //! | [`en1992`] | sections of reinforced concrete |
+//! | [`time_history`] | demands of an engine under the record against the capacities of the codes |
 //! | [`housner`], [`ec8`], [`api650`], [`deformability`] | the procedures |
 
 pub mod api650;
@@ -22,6 +23,7 @@ mod roof;
 #[cfg(test)]
 mod samples;
 pub mod sheet;
+pub mod time_history;
 
 pub use procedure::Procedure;
 

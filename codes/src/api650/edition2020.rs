@@ -26,8 +26,8 @@ mod anchors;
 mod combinations;
 pub mod forces;
 mod foundation;
-mod hoop_check;
-mod limit_states;
+pub(crate) mod hoop_check;
+pub(crate) mod limit_states;
 mod piping;
 mod resistance;
 #[cfg(test)]

@@ -44,7 +44,7 @@ pub(super) const ANNULUS: &str = "max(min(0.01723·t·√(F_y/(H·G_e)), 0.035·
 /// Uplift y_u of the shell for piping [m]: `12.10 F_y L²/t_a` in mm with MPa, m, mm. Source: 12th edition, E.7.3.1.
 pub(super) const UPLIFT: &str = "12.1·10⁻¹²·F_y·L²/t_a";
 /// Pressure parameter `G H D²/t²` [m³/mm²] that parts the branches of the allowable compression.
-pub(super) const SLENDERNESS: &str = "G·H·(D/t_s)²/10⁶";
+pub(crate) const SLENDERNESS: &str = "G·H·(D/t_s)²/10⁶";
 /// The same for a plate of aluminium: the strip's curvature is F_y/(E t), and [`UPLIFT`] contains the 200 GPa of steel.
 pub(super) const UPLIFT_ALUMINIUM: &str = "12.1·10⁻¹²·F_y·L²/t_a·200 GPa/E";
 /// `y = (b + w)/(w_t + w)` of the 9th edition for 1.5 < x ≤ 1.57.
@@ -164,7 +164,7 @@ pub fn allowable_compression(
 ///
 /// Of aluminium (`scaled`) both branches are multiplied by E/200 GPa. With dimensional analysis, `σ/E = f(t/R, (p/E) (R/t)²)`, the
 /// pressure's term falls with √E only and the branches part at 44 E/200 GPa: the product is less, on the safe side.
-pub(super) fn allowable(slenderness: f64, yield_strength_given: bool, scaled: bool) -> Option<&'static str> {
+pub(crate) fn allowable(slenderness: f64, yield_strength_given: bool, scaled: bool) -> Option<&'static str> {
     match (slenderness >= 44.0, yield_strength_given, scaled) {
         (true, false, false) => Some("83 GPa·t_s/D"),
         (true, true, false) => Some("min(83 GPa·t_s/D, 0.5·F_ty)"),

@@ -9,7 +9,7 @@ use super::cylinder_base;
 use super::cylinder_stress::{Factors, State};
 use super::limit_states::{ELASTIC_BUCKLING, ELEPHANT_FOOT, HOOP};
 use super::work::Work;
-use crate::sheet::{Term, number, with_unit};
+use crate::sheet::{Sheet, Term, number, with_unit};
 use tank::assessment::CheckStatus;
 use tank::units::Dimension::*;
 use tank::{Course, Support};
@@ -46,6 +46,16 @@ impl Place<'_> {
 
     fn young(&self) -> f64 {
         self.course.material.youngs_modulus
+    }
+
+    fn wall(&self, radius: f64, quality: f64) -> Wall {
+        Wall {
+            youngs_modulus: self.young(),
+            yield_strength: self.yield_strength,
+            thickness: self.course.net_thickness(),
+            radius,
+            quality,
+        }
     }
 
     fn describe(&self, vertical: bool) -> String {
@@ -252,7 +262,8 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
         .section(&format!("Elastic buckling, {}", place.describe(vertical)));
     let compression = compression_lines(work, &place, radius, &clause);
     pressure_line(work, state, &place, "p_min");
-    let limit = elastic_lines(work, &place, radius, quality, &clause);
+    let wall = place.wall(radius, quality);
+    let limit = elastic_lines(&mut work.sheet, &wall, place.p_min, &clause);
     if place.p_min < 0.0 {
         work.out.notes.push(format!(
             "{clause}: the formulas give a suction of {} as the smallest interior pressure ({}); zero is used.",
@@ -277,18 +288,33 @@ fn elastic_check(work: &mut Work, state: &State, places: &[Place], vertical: boo
     );
 }
 
-/// Lines of A.10.2 at one place; returns the limit [Pa].
-fn elastic_lines(work: &mut Work, place: &Place, radius: f64, quality: f64, clause: &str) -> f64 {
+/// A wall for the lines of A.10.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wall {
+    /// E [Pa].
+    pub(crate) youngs_modulus: f64,
+    /// f_y [Pa].
+    pub(crate) yield_strength: f64,
+    /// s [m].
+    pub(crate) thickness: f64,
+    /// R [m].
+    pub(crate) radius: f64,
+    /// a, the quality of construction.
+    pub(crate) quality: f64,
+}
+
+/// Lines of A.10.2 at one place under the smallest interior pressure [Pa]; returns the limit [Pa].
+pub(crate) fn elastic_lines(sheet: &mut Sheet, wall: &Wall, p_min: f64, clause: &str) -> f64 {
     let mut terms: Vec<Term> = vec![
-        ("E", place.young(), Stress),
-        ("s", place.course.net_thickness(), Length),
-        ("R", radius, Length),
-        ("a", quality, Dimensionless),
-        ("f_y", place.yield_strength, Stress),
-        ("p_min", place.p_min.max(0.0), Stress),
+        ("E", wall.youngs_modulus, Stress),
+        ("s", wall.thickness, Length),
+        ("R", wall.radius, Length),
+        ("a", wall.quality, Dimensionless),
+        ("f_y", wall.yield_strength, Stress),
+        ("p_min", p_min.max(0.0), Stress),
     ];
     let mut line = |symbol: &'static str, name: &str, formula: &str, dimension| {
-        let value = work.sheet.calc(symbol, name, formula, &terms, dimension, clause);
+        let value = sheet.calc(symbol, name, formula, &terms, dimension, clause);
         terms.push((symbol, value, dimension));
         value
     };
@@ -326,21 +352,27 @@ fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bo
         .section(&format!("Elastic-plastic collapse, {}", place.describe(vertical)));
     let compression = compression_lines(work, &place, radius, &clause);
     pressure_line(work, state, &place, "p_max");
-    let thickness = place.course.net_thickness();
+    let limit = collapse_lines(&mut work.sheet, &place.wall(radius, 1.0), place.p_max, &clause);
+    let note = place.describe(vertical);
+    let name = "Elastic-plastic collapse of the wall";
+    work.check(ELEPHANT_FOOT, name, compression, limit, Stress, &clause, &note);
+}
+
+/// Lines of A.10.3 at one place under the largest interior pressure [Pa]; returns the limit [Pa].
+pub(crate) fn collapse_lines(sheet: &mut Sheet, wall: &Wall, p_max: f64, clause: &str) -> f64 {
     let mut terms = vec![
-        ("E", place.young(), Stress),
-        ("s", thickness, Length),
-        ("R", radius, Length),
-        ("f_y", place.yield_strength, Stress),
-        ("p_max", place.p_max.max(0.0), Stress),
+        ("E", wall.youngs_modulus, Stress),
+        ("s", wall.thickness, Length),
+        ("R", wall.radius, Length),
+        ("f_y", wall.yield_strength, Stress),
+        ("p_max", p_max.max(0.0), Stress),
     ];
-    let sheet = &mut work.sheet;
     let name = "radius to thickness over 400";
-    let r = sheet.calc("r", name, "R/s/400", &terms, Dimensionless, &clause);
+    let r = sheet.calc("r", name, "R/s/400", &terms, Dimensionless, clause);
     let name = "ideal buckling stress";
-    let classical = sheet.calc("σ_c1", name, "0.6·E·s/R", &terms, Stress, &clause);
+    let classical = sheet.calc("σ_c1", name, "0.6·E·s/R", &terms, Stress, clause);
     terms.extend([("r", r, Dimensionless), ("σ_c1", classical, Stress)]);
-    let hoop = place.p_max * radius / (thickness * place.yield_strength);
+    let hoop = p_max * wall.radius / (wall.thickness * wall.yield_strength);
     let x = exponent(r);
     let (name, formula) = if hoop < 1.0 {
         (
@@ -357,10 +389,7 @@ fn collapse_check(work: &mut Work, state: &State, places: &[Place], vertical: bo
             "0 MPa",
         )
     };
-    let limit = sheet.calc("σ_lim", name, formula, &terms, Stress, &clause);
-    let note = place.describe(vertical);
-    let name = "Elastic-plastic collapse of the wall";
-    work.check(ELEPHANT_FOOT, name, compression, limit, Stress, &clause, &note);
+    sheet.calc("σ_lim", name, formula, &terms, Stress, clause)
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use fem::progress::Progress;
 use results::{EngineId, Run, Series, Snapshots};
+use tank::demand::Demands;
 use tank::refusal::Refusal;
 use tank::{Case, Quantity};
 
@@ -44,6 +45,8 @@ pub struct Simulation {
     pub notes: Vec<String>,
     /// States of the three-dimensional model at given times, if requested.
     pub snapshots: Option<Snapshots>,
+    /// What limit states compare with capacities; none of an engine or a tank that does not give it.
+    pub demands: Option<Demands>,
 }
 
 /// A finite-element engine.

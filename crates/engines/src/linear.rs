@@ -1,6 +1,7 @@
 //! Time history of a case: model, analysis, second mesh, and everything the results folder holds of them.
 
 pub(crate) mod analysis;
+pub(crate) mod demands;
 pub(crate) mod describe;
 pub(crate) mod limits;
 pub(crate) mod mesh_error;
@@ -146,7 +147,7 @@ pub(crate) fn complete(
     let newmark = options.integrator == Integrator::Newmark && motion.vertical.is_none();
     let Some(direct) = linear.direct.filter(|_| newmark) else {
         let analysis = analyse(linear.model, motion, options, progress)?;
-        return Ok(report(case, options, linear, analysis, motion, notes));
+        return report(case, options, linear, analysis, motion, notes);
     };
     let modal = Options {
         integrator: Integrator::Modal,
@@ -154,7 +155,7 @@ pub(crate) fn complete(
     };
     let mut analysis = analyse(linear.model, motion, &modal, progress)?;
     let interrupted = direct.replace(&mut analysis, motion, progress)?;
-    let mut simulation = report(case, options, linear, analysis, motion, notes);
+    let mut simulation = report(case, options, linear, analysis, motion, notes)?;
     if let Some(time) = interrupted {
         simulation.result.end = End::Interrupted { time };
         simulation.result.incomplete = true;
@@ -178,6 +179,8 @@ fn review(model: &Model) -> Result<Vec<String>, FeError> {
 }
 
 /// Everything that is reported of a finished analysis.
+///
+/// Errors: a response that is not finite.
 fn report(
     case: &Case,
     options: &Options,
@@ -185,7 +188,7 @@ fn report(
     analysis: Analysis,
     motion: &GroundMotion,
     mut notes: Vec<String>,
-) -> Simulation {
+) -> Result<Simulation, FeError> {
     let model = linear.model;
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     if case.tank.support == Support::Unanchored {
@@ -228,14 +231,15 @@ fn report(
         limits: limits::limits(case, model, &analysis, motion.horizontal.dt),
         ..Run::new(linear.engine)
     };
-    Simulation {
+    Ok(Simulation {
         values: analysis.values(model, round),
         result,
         series: histories.series,
         assumptions: describe::assumptions(case, options),
         notes,
         snapshots: None,
-    }
+        demands: Some(demands::demands(case, model, &analysis, motion)?),
+    })
 }
 
 /// The first modes of each kind, harmonic by harmonic, with the damping they were given.

@@ -90,6 +90,21 @@ pub struct Check {
     pub input: Option<String>,
     /// Remark, may be empty.
     pub note: String,
+    /// Time of the governing demand, of a demand that has a history [s].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time_s: Option<f64>,
+    /// Its height above the base [m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub z: Option<f64>,
+    /// Its angle from the direction of shaking [rad].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub theta: Option<f64>,
+    /// Estimated discretisation error of the demand, relative.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error: Option<f64>,
+    /// Whether the check holds and would not with the demand raised by its error.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub within_error: bool,
 }
 
 /// A check as earlier versions wrote it, or as this one does.
@@ -108,6 +123,12 @@ struct Stored {
     #[serde(default)]
     reason: String,
     input: Option<String>,
+    time_s: Option<f64>,
+    z: Option<f64>,
+    theta: Option<f64>,
+    error: Option<f64>,
+    #[serde(default)]
+    within_error: bool,
     /// In place of `status` until format 2.
     #[serde(default)]
     holds: bool,
@@ -136,6 +157,11 @@ impl From<Stored> for Check {
             reason: stored.reason,
             input: stored.input,
             note: stored.note,
+            time_s: stored.time_s,
+            z: stored.z,
+            theta: stored.theta,
+            error: stored.error,
+            within_error: stored.within_error,
         }
     }
 }
@@ -170,6 +196,11 @@ impl Check {
             reason: String::new(),
             input: None,
             note: note.into(),
+            time_s: None,
+            z: None,
+            theta: None,
+            error: None,
+            within_error: false,
         }
     }
 
@@ -189,7 +220,26 @@ impl Check {
             reason: reason.into(),
             input: input.map(str::to_owned),
             note: String::new(),
+            time_s: None,
+            z: None,
+            theta: None,
+            error: None,
+            within_error: false,
         }
+    }
+
+    /// The same check with time [s], height [m] and angle [rad] of its demand, where they are known.
+    pub fn at(mut self, time_s: Option<f64>, z: Option<f64>, theta: Option<f64>) -> Check {
+        (self.time_s, self.z, self.theta) = (time_s, z, theta);
+        self
+    }
+
+    /// The same check with the estimated relative error of its demand.
+    pub fn with_error(mut self, error: Option<f64>) -> Check {
+        let larger = |utilisation: f64| error.is_some_and(|e| utilisation * (1.0 + e) > 1.0);
+        self.within_error = self.holds() && self.utilisation.is_some_and(larger);
+        self.error = error;
+        self
     }
 
     /// The same check as part of another limit state.

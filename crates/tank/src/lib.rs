@@ -11,6 +11,7 @@
 //! | [`refusal`] | rejected input and its place |
 //! | [`quantity`] | comparable quantities of procedures and engines |
 //! | [`check`] | limit states, and how each ends |
+//! | [`demand`] | histories of stresses and forces that limit states compare with capacities |
 //! | [`assessment`], [`approach`] | result of a procedure, and its simplifications |
 //!
 //! SI units throughout (m, kg, s, N, Pa, rad); the unit is in the doc of every field. `z` points upwards from the
@@ -20,6 +21,7 @@ pub mod approach;
 pub mod assessment;
 pub mod case;
 pub mod check;
+pub mod demand;
 pub mod formula;
 pub mod options;
 pub mod quantity;

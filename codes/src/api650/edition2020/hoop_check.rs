@@ -4,6 +4,7 @@
 //! combination asks for F_p P, the operating pressure, which is at least 0.4 P; the whole P is on the safe side.
 
 use crate::sheet::{Term, with_unit};
+use tank::Material;
 use tank::assessment::Profile;
 use tank::units::Dimension::{Dimensionless, Length, LineForce, Stress};
 
@@ -53,6 +54,19 @@ enum Part {
     Total,
     /// With the design pressure.
     Pressure,
+}
+
+/// Allowable hoop stress with the earthquake [Pa], the lesser of 1.33 S_d e and 0.9 F_y e.
+///
+/// * `efficiency`: e of the joints
+///
+/// Errors: the path of the missing strength.
+pub(crate) fn allowable(material: &Material, efficiency: f64) -> Result<f64, String> {
+    match (material.allowable_stress, material.yield_strength) {
+        (Some(s_d), Some(f_y)) => Ok((1.33 * s_d * efficiency).min(0.9 * f_y * efficiency)),
+        (None, Some(_)) => Err(format!("materials.{}.allowable_stress", material.name)),
+        (_, None) => Err(format!("materials.{}.yield_strength", material.name)),
+    }
 }
 
 impl Run<'_> {
@@ -191,11 +205,7 @@ impl Run<'_> {
             .tank
             .courses
             .iter()
-            .map(|c| match (c.material.allowable_stress, c.material.yield_strength) {
-                (Some(s_d), Some(f_y)) => Ok((1.33 * s_d * e).min(0.9 * f_y * e)),
-                (None, Some(_)) => Err(format!("materials.{}.allowable_stress", c.material.name)),
-                (_, None) => Err(format!("materials.{}.yield_strength", c.material.name)),
-            })
+            .map(|c| allowable(&c.material, e))
             .collect()
     }
 

@@ -37,10 +37,17 @@ pub(super) const PRESSURE: &str = "pressure_hoop";
 /// modulus, so a softer wall would be checked on the unsafe side.
 const STEEL: f64 = 180e9;
 
-/// Whether every course is steel or aluminium, and some are aluminium.
-fn aluminium(case: &Case) -> bool {
+/// Whether every course is a plate of steel.
+pub(crate) fn carbon_steel(case: &Case) -> bool {
     let mut courses = case.tank.courses.iter();
-    courses.all(|c| c.layers.is_empty() && (c.material.youngs_modulus >= STEEL || is_aluminium(&c.material)))
+    courses.all(|c| c.layers.is_empty() && c.material.youngs_modulus >= STEEL)
+}
+
+/// Whether every course is steel or aluminium, and some are aluminium.
+pub(crate) fn aluminium(case: &Case) -> bool {
+    let mut courses = case.tank.courses.iter();
+    !carbon_steel(case)
+        && courses.all(|c| c.layers.is_empty() && (c.material.youngs_modulus >= STEEL || is_aluminium(&c.material)))
 }
 
 /// All limit states of a case; none outside the scope of the standard.
@@ -57,12 +64,7 @@ pub(super) fn all(case: &Case) -> Vec<LimitState> {
         true => Requirement::NotApplicable("the tank is mechanically anchored".into()),
         false => required,
     };
-    let steel = case
-        .tank
-        .courses
-        .iter()
-        .all(|c| c.layers.is_empty() && c.material.youngs_modulus >= STEEL);
-    let material = match (steel, aluminium(case)) {
+    let material = match (carbon_steel(case), aluminium(case)) {
         (true, _) => Requirement::NotApplicable("the wall is steel".into()),
         (false, true) => Requirement::NotApplicable(
             "the wall is aluminium: the allowable compression is scaled with the modulus; the strengths given must be those of annex AL"

@@ -68,7 +68,7 @@ pub(crate) fn build_observed(
         places,
         rigid: rigid_part(case, share),
     };
-    let (probes, lines) = (observer.probes(options), observer.lines());
+    let (probes, lines, shear) = (observer.probes(options), observer.lines(), observer.shear());
     let first = (0..assembly.surface_start())
         .filter(|&i| assembly.reduction.index(i).is_some())
         .count();
@@ -78,6 +78,7 @@ pub(crate) fn build_observed(
         rotation: None,
         probes,
         lines,
+        shear,
         liquid_mass: case.liquid_mass(),
         wall_mass: case.tank.wall_mass() + case.tank.roof.mass,
         mesh: describe(&assembly),

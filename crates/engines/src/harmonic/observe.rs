@@ -89,6 +89,21 @@ impl Observer<'_> {
         lines
     }
 
+    /// Membrane shear force at the same places, of a cylinder.
+    pub(super) fn shear(&self) -> Option<ProbeLine> {
+        if self.assembly.wall.curvature == 0.0 {
+            return None;
+        }
+        let (what, places) = (OnWall::Shear, self.places());
+        let probes = places.iter().enumerate();
+        let probe = |(i, p): (usize, &Place)| self.wall_probe(ProbeLine::probe(what, i, p.z), Output::ShearForce, p);
+        Some(ProbeLine {
+            what,
+            z: places.iter().map(|p| p.z).collect(),
+            probes: probes.map(probe).collect(),
+        })
+    }
+
     /// Plane walls have no hoop stress.
     fn exists(&self, output: Output) -> bool {
         output != Output::HoopStress || self.assembly.wall.curvature > 0.0

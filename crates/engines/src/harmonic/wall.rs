@@ -57,6 +57,8 @@ pub enum Output {
     BendingStress,
     /// m_x [N·m/m]: positive if the outer face is in tension.
     BendingMoment,
+    /// n_xθ [N/m], the amplitude of sin mθ.
+    ShearForce,
 }
 
 /// A ring of the wall.
@@ -193,7 +195,7 @@ impl Wall {
         }
         let t = element.thickness;
         let (c, d, nu) = rigidities(t, &element.material);
-        let [ex, et, _, kx, kt, _] = self.strains(xi, element.length);
+        let [ex, et, g, kx, kt, _] = self.strains(xi, element.length);
         let row = |f: &dyn Fn(usize) -> f64| std::array::from_fn(f);
         match output {
             Output::RadialDisplacement => displacements(xi, element.length)[2],
@@ -201,6 +203,7 @@ impl Wall {
             Output::AxialStress => row(&|i| c / t * (ex[i] + nu * et[i])),
             Output::BendingStress => row(&|i| 6.0 * d / (t * t) * (kx[i] + nu * kt[i])),
             Output::BendingMoment => row(&|i| d * (kx[i] + nu * kt[i])),
+            Output::ShearForce => row(&|i| 0.5 * (1.0 - nu) * c * g[i]),
         }
     }
 

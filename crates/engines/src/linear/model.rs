@@ -50,7 +50,7 @@ impl Harmonic {
     }
 
     /// Highest circular frequency of the structural modes that carry at least 1 % of the mass, and of the first one.
-    fn significant(&self) -> f64 {
+    pub(crate) fn significant(&self) -> f64 {
         let load = self.coupled.mass.times(&self.coupled.influence);
         let total = fem::linalg::dot(&load, &self.coupled.influence);
         self.modes

@@ -3,6 +3,8 @@
 //! The systems (m = 1 under the horizontal record, m = 0 under the vertical one) share only the observed quantities: they form
 //! one basis of diagonal blocks, each with its own component of the ground motion.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use fem::analysis::modal::ModalBasis;
 use fem::progress::Progress;
 
@@ -100,6 +102,43 @@ fn basis(systems: &[ModalSystem], offsets: &[usize]) -> Result<ModalBasis, Analy
     }
     let statics = [0, 1, 2].map(|axis: usize| statics[axis].as_deref());
     ModalBasis::from_parts(&omega, &vectors, participation, influence, statics)
+}
+
+/// Histories of the modal states that `observables` combine, at the end of every `stride`-th sub-step.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Combined {
+    /// Histories.
+    pub states: Vec<Vec<f64>>,
+    /// The combination of each observable: (number of the state, coefficient).
+    pub terms: Vec<Vec<(usize, f64)>>,
+}
+
+/// The observables as combinations of a few histories.
+///
+/// Errors: a response that is not finite, with its time.
+pub fn combine(
+    systems: &[ModalSystem],
+    motions: &[&Motion],
+    grid: Grid,
+    stride: usize,
+    observables: &[Observable],
+) -> Result<Combined, FeError> {
+    let blocks: Vec<&Block> = systems.iter().map(|s| &s.block).collect();
+    let ratios: Vec<f64> = systems.iter().flat_map(|s| s.damping.iter().copied()).collect();
+    let basis = basis(systems, &offsets(&blocks)).map_err(failed)?;
+    let rows = functionals(&blocks, observables);
+    let mut terms: Vec<Vec<(usize, f64)>> = rows.iter().map(|row| basis.combination(row, &ratios)).collect();
+    terms.iter_mut().for_each(|row| row.retain(|(_, c)| *c != 0.0));
+    let mut states = basis.states(&ratios, &load(motions), grid, stride).map_err(failed)?;
+    let used: BTreeSet<usize> = terms.iter().flatten().map(|(state, _)| *state).collect();
+    let place: BTreeMap<usize, usize> = used.iter().enumerate().map(|(new, old)| (*old, new)).collect();
+    for (state, _) in terms.iter_mut().flatten() {
+        *state = place[state];
+    }
+    Ok(Combined {
+        states: used.iter().map(|&k| std::mem::take(&mut states[k])).collect(),
+        terms,
+    })
 }
 
 /// Response of `systems` (three at most) to `motions` (one each): histories of `scalars`, extremes of `others`.

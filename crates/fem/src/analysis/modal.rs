@@ -195,6 +195,39 @@ impl ModalBasis {
         Ok((observer.finish(), complete))
     }
 
+    /// An observable as a combination of the states of [`ModalBasis::states`]: (number of the state, coefficient).
+    pub fn combination(&self, observable: &Observable, ratios: &[f64]) -> Vec<(usize, f64)> {
+        self.row(observable, ratios).value
+    }
+
+    /// Histories of the states Y_j, Ẏ_j (j = 1 … m) and a_k (k = 1 … 3), 2 m + 3 of them, at the end of every `stride`-th sub-step.
+    ///
+    /// Errors: as [`ModalBasis::respond`].
+    pub fn states(
+        &self,
+        ratios: &[f64],
+        load: &Load,
+        grid: Grid,
+        stride: usize,
+    ) -> Result<Vec<Vec<f64>>, AnalysisError> {
+        self.check(ratios, load)?;
+        let stride = stride.max(1);
+        let mut out = vec![Vec::with_capacity(grid.steps() / stride + 1); 2 * self.len() + 3];
+        self.march(ratios, load, grid, |chunk| {
+            for (number, history) in out.iter_mut().enumerate() {
+                // The first instant of a chunk is the last one of the chunk before.
+                let own = chunk.state(number).iter().enumerate();
+                let new = own.skip(usize::from(chunk.start > 0));
+                history.extend(
+                    new.filter(|(k, _)| (chunk.start + k).is_multiple_of(stride))
+                        .map(|(_, s)| *s),
+                );
+            }
+            true
+        })?;
+        Ok(out)
+    }
+
     /// Displacement, velocity and acceleration, relative to the ground, at the ends of the given sub-steps (ascending).
     ///
     /// Errors: as [`ModalBasis::respond`].

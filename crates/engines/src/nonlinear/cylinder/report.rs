@@ -94,6 +94,7 @@ pub(super) fn report(
         assumptions: assumptions(case, options, tank),
         notes,
         snapshots: None,
+        demands: None,
     }
 }
 

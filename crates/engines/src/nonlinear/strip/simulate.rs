@@ -146,6 +146,7 @@ impl Report<'_> {
             assumptions: self.strip.assumptions.clone(),
             notes: self.notes(),
             snapshots: None,
+            demands: None,
         }
     }
 

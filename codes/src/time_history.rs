@@ -1,0 +1,151 @@
+//! Demands of a finite-element engine under the record against the capacities of the codes.
+//!
+//! Static and seismic parts act together, at every instant and around the circumference: the hoop stress or interior pressure that a
+//! capacity depends on is that of the same instant and place. Nothing is reduced by a behaviour factor.
+//!
+//! | limit state | demand | capacity |
+//! |---|---|---|
+//! | freeboard | largest rise of the surface | height of the wall above the liquid |
+//! | hoop stress | σ_θ | f_y; min(1.33 S_d e, 0.9 F_y e) |
+//! | equivalent stress | √(σ_θ² + σ_z² − σ_θ σ_z + 3 τ²), membrane | f_y |
+//! | with bending at the base | range of the same on a face | 2 f_y |
+//! | compression | −σ_z | EN 1998-4 A.10.2 and A.10.3, API 650 E.6.2.2.3 |
+//! | anchors | pull × spacing | given capacity |
+//! | sliding | base shear | μ M (g + a_v) |
+//!
+//! The wall does not lift in an engine that clamps it. Where it pulls and the tank is unanchored, every demand but the wave is outside
+//! the model: nothing may hold there ([`Findings::outside`]).
+//!
+//! Formulas of the capacities are those of [`crate::ec8`] and [`crate::api650`]. `docs/theory/limit-states-of-runs.md` has the details.
+
+mod base;
+mod limit_states;
+mod search;
+mod surface;
+#[cfg(test)]
+mod tests;
+mod wall;
+mod work;
+
+use std::collections::BTreeMap;
+
+use tank::Support;
+use tank::assessment::{Check, CheckStatus, Requirement, Step};
+use tank::case::Case;
+use tank::demand::{Angles, Demands};
+
+use crate::sheet::Sheet;
+use limit_states::{API, FREEBOARD, OTHER_WALL, ROOF};
+use work::Work;
+
+pub use limit_states::{OUTSIDE, limit_states};
+
+/// What the demands of a run amount to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Findings {
+    /// Checks of all limit states.
+    pub checks: Vec<Check>,
+    /// Calculation lines.
+    pub steps: Vec<Step>,
+    /// Remarks, one sentence each.
+    pub notes: Vec<String>,
+    /// Why the run is outside its model: a wall that pulls without anchors.
+    pub outside: Option<String>,
+}
+
+/// The demands of a run against the capacities of the codes that the site names.
+///
+/// * `errors`: relative mesh errors of the run by quantity id
+pub fn assess(case: &Case, demands: &Demands, errors: &BTreeMap<String, f64>) -> Findings {
+    let states = limit_states(case);
+    let mut work = Work::new(case, demands, errors, &states);
+    surface::assess(&mut work);
+    let mut outside = None;
+    if let Some(radius) = base::radius(case).filter(|_| !demands.places.is_empty()) {
+        if case.tank.is_metal() {
+            wall::assess(&mut work, radius);
+        }
+        outside = base::tension(&mut work, radius);
+    }
+    base::sliding(&mut work);
+    if let Some(pulls) = &outside {
+        leave(&mut work, pulls);
+    }
+    notes(&mut work);
+    for state in &states {
+        let checked = work.checks.iter().any(|check| check.limit_state == state.id);
+        if !checked && state.requirement == Requirement::Required {
+            let reason = "the engine does not give the demand";
+            work.checks
+                .push(Check::without_comparison(state, CheckStatus::NotChecked, reason, None));
+        }
+    }
+    let Work {
+        sheet, checks, notes, ..
+    } = work;
+    Findings {
+        steps: steps(sheet),
+        checks,
+        notes,
+        outside,
+    }
+}
+
+/// The lines; none if a formula is faulty, which the tests exclude.
+fn steps(sheet: Sheet) -> Vec<Step> {
+    sheet.into_steps().unwrap_or_default()
+}
+
+/// Nothing that depends on the clamped base may hold.
+fn leave(work: &mut Work<'_>, pulls: &str) {
+    let reason = format!(
+        "{pulls} and the tank is unanchored: the wall lifts off, which the engine does not model; its forces and stresses are \
+         outside the model"
+    );
+    let depends = |check: &&mut Check| ![FREEBOARD, ROOF, OTHER_WALL].contains(&check.limit_state.as_str());
+    for check in work.checks.iter_mut().filter(depends) {
+        match check.status {
+            CheckStatus::Holds => {
+                check.status = CheckStatus::NotChecked;
+                check.within_error = false;
+                check.reason.clone_from(&reason);
+            }
+            CheckStatus::Fails => check.note = format!("outside the model: {}", check.note),
+            _ => {}
+        }
+    }
+    work.without(OUTSIDE, CheckStatus::NotChecked, &reason, None);
+}
+
+/// What the checks are, and what the codes ask of such an analysis.
+fn notes(work: &mut Work<'_>) {
+    let case = work.case;
+    work.notes.push(
+        "Limit states under the record: static and seismic demands of the same instant and place, unreduced: no behaviour \
+         factor, and no importance factor beside the scaling of the record."
+            .into(),
+    );
+    if case.site.api650.is_some() {
+        work.notes.push(format!(
+            "{API} E.1 (recalled): a dynamic analysis with interaction of liquid and wall may take the place of the annex if \
+             the purchaser agrees and the tank is as safe as by the annex; E.4.3 and ASCE 7 (recalled) keep a site-specific spectrum at \
+             or above 80 % of the mapped one, and a design needs several records, not one."
+        ));
+    }
+    if case.site.ec8.is_none() && case.site.api650.is_none() {
+        work.notes.push(
+            "`site` is not given: the wall is judged by EN 1998-4 A.10 with its lowest quality of construction (a = 1).".into(),
+        );
+    }
+    if work.demands.angles == Angles::Sides {
+        work.notes
+            .push("The histories of this engine are known at θ = 0 and 180°; between them nothing is checked.".into());
+    }
+    if case.tank.support == Support::Anchored
+        && work.demands.vertical.is_none()
+        && case.site.ec8.is_some_and(|s| s.vertical)
+    {
+        work.notes
+            .push("No vertical record is given: the limit states under the record are without vertical motion.".into());
+    }
+}

@@ -1,0 +1,191 @@
+//! The base of the tank: tension of the anchors, uplift without them, sliding.
+
+use std::f64::consts::{PI, TAU};
+
+use tank::assessment::{Check, CheckStatus};
+use tank::case::Case;
+use tank::quantity::Quantity;
+use tank::units::Dimension::{Acceleration, Dimensionless, Force, LineForce, Mass};
+use tank::{Shape, Support};
+
+use super::limit_states::{ANCHORS, API, Codes, OUTSIDE, SLIDING};
+use super::search::{Found, Histories};
+use super::work::Work;
+use crate::sheet::with_unit;
+
+/// Path of the friction of Eurocode 8.
+const FRICTION: &str = "site.ec8.friction";
+/// Largest friction that API 650 allows (E.7.6).
+const API_FRICTION: f64 = 0.4;
+
+/// Tension at the base of a cylinder's wall. Returns where an unanchored wall pulls, in words.
+pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
+    let demands = work.demands;
+    let base = demands.places.iter().find(|place| place.z == 0.0)?;
+    let thickness = work.case.tank.courses[base.course].thickness;
+    let found = Histories::new(demands, base).axial_tension(0.0)?;
+    let moment = work.moment(&found, 0.0);
+    let pull = found.demand * thickness;
+    let pulls = format!(
+        "the wall pulls at its base with {} at {}",
+        with_unit(pull, LineForce),
+        moment.words()
+    );
+    if work.case.tank.support == Support::Unanchored {
+        return match pull > 0.0 {
+            true => Some(pulls),
+            false => {
+                let reason = "the wall does not pull at its base: it stays in contact";
+                work.without(OUTSIDE, CheckStatus::NotApplicable, reason, None);
+                None
+            }
+        };
+    }
+    if pull <= 0.0 {
+        let reason = "the wall does not pull at its base";
+        work.without(ANCHORS, CheckStatus::NotApplicable, reason, None);
+        return None;
+    }
+    let anchors = work.case.tank.anchors.filter(|anchors| anchors.count > 0);
+    let Some((count, capacity)) = anchors.and_then(|a| a.capacity.map(|capacity| (a.count, capacity))) else {
+        let input = match anchors {
+            Some(_) => "tank.anchors.capacity",
+            None => "tank.anchors",
+        };
+        let reason = format!("{pulls}; `{input}` is missing");
+        work.without(ANCHORS, CheckStatus::NotChecked, &reason, Some(input));
+        return None;
+    };
+    let spacing = TAU * radius / f64::from(count);
+    let clause = work.clause(ANCHORS);
+    work.sheet.section(&format!("Anchors: {}", moment.words()));
+    work.sheet.input(
+        "n_a",
+        "largest pull at the base, static and seismic",
+        pull,
+        LineForce,
+        "the run of the engine",
+    );
+    let terms = [
+        ("n_a", pull, LineForce),
+        ("R", radius, tank::units::Dimension::Length),
+        ("n_A", f64::from(count), Dimensionless),
+    ];
+    let name = "tension of an anchor";
+    let force = work.sheet.calc("F_a", name, "n_a·2·π·R/n_A", &terms, Force, &clause);
+    let found = Found {
+        demand: force,
+        // Without the earthquake the wall presses: the weight takes its part of the pull.
+        rest: base.axial.rest * thickness * spacing,
+        ..found
+    };
+    let error = work.error(&[Quantity::AxialMembraneStress], &found);
+    let note = format!(
+        "{count} anchors, one every {}",
+        with_unit(spacing, tank::units::Dimension::Length)
+    );
+    let check = Check::new(ANCHORS, "Tension of an anchor", force, capacity, Force, &clause, &note);
+    let check = check
+        .at(Some(moment.time), Some(0.0), Some(moment.theta))
+        .with_error(error);
+    work.checks.push(check);
+    None
+}
+
+/// Friction coefficients with their clauses, and the reason where one is missing.
+fn frictions(case: &Case) -> (Vec<(&'static str, f64, String)>, Option<String>) {
+    let codes = Codes::of(case);
+    let (mut found, mut missing) = (Vec::new(), None);
+    if codes.ec8 {
+        match case.site.ec8.and_then(|site| site.friction) {
+            Some(friction) => found.push(("sliding", friction, "EN 1998-5:2004 5.4.1.1".to_owned())),
+            None => missing = Some(format!("`{FRICTION}` is missing")),
+        }
+    }
+    if let (Some(site), Support::Unanchored) = (case.site.api650, case.tank.support) {
+        let friction = site.friction.min(API_FRICTION);
+        found.push(("sliding_api", friction, format!("{API} E.7.6")));
+    }
+    (found, missing)
+}
+
+/// Base shear against the friction under the weight of the same instant.
+///
+/// ```text
+/// |V(t)| ≤ μ M (g + a_v(t))        a_v upwards
+/// ```
+///
+/// M is the mass of liquid, wall and roof. The weight of the bottom plate is left out, on the safe side.
+pub(super) fn sliding(work: &mut Work<'_>) {
+    let case = work.case;
+    let (frictions, missing) = frictions(case);
+    if let Some(reason) = missing {
+        work.without(SLIDING, CheckStatus::NotChecked, &reason, Some(FRICTION));
+    } else if frictions.is_empty() {
+        let reason = format!("{API} E.7.6: the check is for self-anchored tanks");
+        work.without(SLIDING, CheckStatus::NotApplicable, &reason, None);
+    }
+    let Some(shear) = work.demands.base_shear.as_ref() else {
+        if !frictions.is_empty() {
+            let reason = "the engine does not give the base shear";
+            work.without(SLIDING, CheckStatus::NotChecked, reason, None);
+        }
+        return;
+    };
+    let shear = work.demands.history(shear);
+    let vertical = work.demands.vertical.as_ref().map(|terms| work.demands.history(terms));
+    let upwards = |k: usize| vertical.as_ref().map_or(0.0, |a| a[k]);
+    let mass = case.liquid_mass() + case.tank.wall_mass() + case.tank.roof.mass;
+    for (id, friction, clause) in frictions {
+        let capacity = |k: usize| friction * mass * (case.gravity + upwards(k));
+        let ratio = |k: usize| match capacity(k) {
+            c if c > 0.0 => shear[k].abs() / c,
+            _ => f64::INFINITY,
+        };
+        let Some(k) = (0..shear.len()).max_by(|&i, &j| ratio(i).total_cmp(&ratio(j)).then(j.cmp(&i))) else {
+            continue;
+        };
+        let time = work.demands.times[k];
+        let when = with_unit(time, tank::units::Dimension::Time);
+        work.sheet.section(&format!("Sliding ({clause}): t = {when}"));
+        let demand = shear[k].abs();
+        work.sheet
+            .input("V", "base shear", demand, Force, "the run of the engine");
+        let name = "vertical acceleration of the ground then, upwards";
+        work.sheet.input("a_v", name, upwards(k), Acceleration, "record");
+        let terms = [
+            ("μ", friction, Dimensionless),
+            ("M", mass, Mass),
+            ("g", case.gravity, Acceleration),
+            ("a_v", upwards(k), Acceleration),
+        ];
+        let name = "friction under the weight of liquid, wall and roof then";
+        let capacity = work.sheet.calc("V_R", name, "μ·M·(g + a_v)", &terms, Force, &clause);
+        let found = Found {
+            utilisation: ratio(k),
+            demand,
+            rest: 0.0,
+            capacity,
+            instant: k,
+            cosine: 1.0,
+        };
+        let error = work.error(&[Quantity::BaseShear], &found);
+        let note = "weight of the same instant, without bottom plate and foundation";
+        let check = Check::new(id, "Sliding on the foundation", demand, capacity, Force, &clause, note);
+        let theta = if shear[k] < 0.0 { PI } else { 0.0 };
+        work.checks.push(
+            check
+                .of(SLIDING)
+                .at(Some(time), Some(0.0), Some(theta))
+                .with_error(error),
+        );
+    }
+}
+
+/// Inner radius of a cylinder [m].
+pub(super) fn radius(case: &Case) -> Option<f64> {
+    match case.tank.shape {
+        Shape::Cylinder { radius } => Some(radius),
+        Shape::Rectangle { .. } => None,
+    }
+}

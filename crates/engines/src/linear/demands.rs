@@ -1,0 +1,236 @@
+//! Demands of a linear run: its histories as combinations of modal coordinates and ground motion.
+//!
+//! Kept are the modal states at the sub-steps, not the histories: some forty numbers an instant instead of several hundred. They are
+//! those of modal superposition also where the histories of the run are integrated directly.
+
+use std::f64::consts::PI;
+
+use tank::case::GroundMotion;
+use tank::demand::{Angles, Demands, OnWall as Stress, Peak, Place, Terms};
+use tank::{Case, Shape};
+
+use super::analysis::Analysis;
+use super::model::{Harmonic, Model};
+use crate::FeError;
+use crate::probe::{Probe, ProbeLine};
+use crate::response::motion::{Grid, Motion};
+use crate::response::superpose::{self, Combined, ModalSystem, Observable};
+use results::Channel;
+use results::channel::{OnWall, Side};
+use tank::options::linear::Integrator;
+
+/// Most instants of the kept histories; of a longer run every second, third … sub-step is kept.
+const MOST_INSTANTS: usize = 100_000;
+/// Part of the ringing that the samples miss where a mode is too fast to be resolved: it follows the record statically.
+const UNRESOLVED: f64 = 0.005;
+
+/// Observables with their static values, of m = 1 and m = 0 apart.
+#[derive(Default)]
+struct Wanted<'a> {
+    observables: Vec<Observable<'a>>,
+}
+
+/// Where the terms of a quantity stand among the observables.
+struct Slot {
+    rest: f64,
+    odd: usize,
+    even: Option<usize>,
+}
+
+impl<'a> Wanted<'a> {
+    fn push(&mut self, observable: Observable<'a>) -> usize {
+        self.observables.push(observable);
+        self.observables.len() - 1
+    }
+
+    /// Σ share × probe `i` of a line, of m = 1 and of m = 0.
+    fn on_line(&mut self, model: &'a Model, line: &'a ProbeLine, shares: &[(usize, f64)]) -> Slot {
+        let rest = shares.iter().map(|(i, w)| w * line.probes[*i].static_value).sum();
+        let of = |system: usize, line: &'a ProbeLine| -> Observable<'a> {
+            shares.iter().map(|(i, w)| (system, *w, &line.probes[*i])).collect()
+        };
+        let odd = self.push(of(0, line));
+        let same = |h: &'a Harmonic| h.coupled.lines.iter().find(|l| l.what == line.what && l.z == line.z);
+        let even = model.vertical.as_ref().and_then(same);
+        let even = even.map(|line| self.push(of(1, line)));
+        Slot { rest, odd, even }
+    }
+}
+
+/// The demands of a finished analysis.
+///
+/// Errors: a response that is not finite.
+pub(crate) fn demands(
+    case: &Case,
+    model: &Model,
+    analysis: &Analysis<'_>,
+    motion: &GroundMotion,
+) -> Result<Demands, FeError> {
+    // Direct integration may have a finer grid; the modal one serves here.
+    let grid = model.grid(motion, Integrator::Modal)?;
+    let stride = grid.steps().div_ceil(MOST_INSTANTS).max(1);
+    let upwards = Probe {
+        ground_acceleration: 1.0,
+        ..Probe::new(Channel::BaseShear)
+    };
+    let mut wanted = Wanted::default();
+    let shear = model.horizontal.coupled.probe(Channel::BaseShear);
+    let shear = shear.map(|probe| wanted.push(vec![(0, 1.0, probe)]));
+    let vertical = model.vertical.is_some().then(|| wanted.push(vec![(1, 1.0, &upwards)]));
+    let slots = places(case, model, &mut wanted);
+    let Combined { states, terms } = combine(model, analysis, motion, (grid, stride), &wanted.observables)?;
+    let take = |i: usize| -> Terms { terms[i].clone() };
+    let on_wall = |slot: &Slot| Stress {
+        rest: slot.rest,
+        odd: take(slot.odd),
+        even: slot.even.map_or(Terms::new(), take),
+    };
+    let place = |found: &PlaceSlots| Place {
+        z: found.z,
+        course: found.course,
+        hoop: on_wall(&found.hoop),
+        axial: on_wall(&found.axial),
+        bending: found.bending.as_ref().map(on_wall),
+        shear: found.shear.as_ref().map(|(slot, thickness)| {
+            let per_area = |(state, c): (usize, f64)| (state, c / thickness);
+            take(slot.odd).into_iter().map(per_area).collect()
+        }),
+        pressure: found.pressure.as_ref().map(on_wall),
+    };
+    Ok(Demands {
+        times: (0..=grid.steps()).step_by(stride).map(|i| grid.time(i)).collect(),
+        angles: Angles::All,
+        places: slots.iter().map(place).collect(),
+        wave: wave(analysis),
+        base_shear: shear.map(take),
+        vertical: vertical.map(take),
+        sampling: sampling(model, grid.h() * stride as f64, stride),
+        states,
+    })
+}
+
+/// The observables as combinations of modal states.
+fn combine(
+    model: &Model,
+    analysis: &Analysis<'_>,
+    motion: &GroundMotion,
+    (grid, stride): (Grid, usize),
+    observables: &[Observable<'_>],
+) -> Result<Combined, FeError> {
+    let systems = model
+        .systems()
+        .zip(&analysis.kept)
+        .map(|(h, kept)| ModalSystem::new(&h.coupled, kept.clone(), &model.damper))
+        .collect::<Result<Vec<ModalSystem>, FeError>>()?;
+    let records = std::iter::once(&motion.horizontal).chain(&motion.vertical);
+    let motions: Vec<Motion> = records.map(|record| Motion::new(record, &grid)).collect();
+    let motions: Vec<&Motion> = motions.iter().collect();
+    superpose::combine(&systems, &motions, grid, stride, observables)
+}
+
+/// A place whose histories are not combined yet.
+struct PlaceSlots {
+    z: f64,
+    course: usize,
+    hoop: Slot,
+    axial: Slot,
+    bending: Option<Slot>,
+    /// Shear force per length, and the thickness [m].
+    shear: Option<(Slot, f64)>,
+    pressure: Option<Slot>,
+}
+
+/// Places of a cylinder's wall; none for plane walls.
+fn places<'a>(case: &Case, model: &'a Model, wanted: &mut Wanted<'a>) -> Vec<PlaceSlots> {
+    let coupled = &model.horizontal.coupled;
+    let (Shape::Cylinder { .. }, Some(hoop), Some(axial)) =
+        (case.tank.shape, coupled.line(OnWall::Hoop), coupled.line(OnWall::Axial))
+    else {
+        return Vec::new();
+    };
+    let (bending, pressure) = (coupled.line(OnWall::Bending), coupled.line(OnWall::Pressure));
+    let mut found = Vec::new();
+    for (i, &z) in hoop.z.iter().enumerate() {
+        let course = course(case, &hoop.z, i);
+        let here = [(i, 1.0)];
+        let thickness = case.tank.courses[course].thickness;
+        found.push(PlaceSlots {
+            z,
+            course,
+            hoop: wanted.on_line(model, hoop, &here),
+            axial: wanted.on_line(model, axial, &here),
+            bending: bending.map(|line| wanted.on_line(model, line, &here)),
+            shear: coupled
+                .shear
+                .as_ref()
+                .map(|line| (wanted.on_line(model, line, &here), thickness)),
+            pressure: pressure.and_then(|line| Some(wanted.on_line(model, line, &between(&line.z, z)?))),
+        });
+    }
+    found
+}
+
+/// The course of place `i`: at a joint the lower place of two belongs to the course below, a place alone to that above.
+fn course(case: &Case, z: &[f64], i: usize) -> usize {
+    let tolerance = 1e-9 * case.tank.wall_height();
+    let same = |j: Option<usize>| {
+        j.and_then(|j| z.get(j))
+            .is_some_and(|other| (other - z[i]).abs() < tolerance)
+    };
+    let courses = case.tank.courses.len();
+    let mut top = 0.0;
+    for (number, course) in case.tank.courses.iter().enumerate() {
+        top += course.height;
+        let below = z[i] < top - tolerance;
+        let lower_of_two = (z[i] - top).abs() <= tolerance && same(Some(i + 1)) && !same(i.checked_sub(1));
+        if below || lower_of_two {
+            return number;
+        }
+    }
+    courses - 1
+}
+
+/// Shares of the neighbours of height `z` in a line by linear interpolation; none above it.
+fn between(line: &[f64], z: f64) -> Option<Vec<(usize, f64)>> {
+    let last = line.len().checked_sub(1)?;
+    let tolerance = 1e-9 * line[last].abs().max(1e-9);
+    if let Some(same) = line.iter().position(|other| (other - z).abs() <= tolerance) {
+        return Some(vec![(same, 1.0)]);
+    }
+    let upper = line.iter().position(|other| *other > z).filter(|upper| *upper > 0)?;
+    let share = (z - line[upper - 1]) / (line[upper] - line[upper - 1]);
+    Some(vec![(upper - 1, 1.0 - share), (upper, share)])
+}
+
+/// Largest rise of the surface at the wall, between the samples as well.
+fn wave(analysis: &Analysis<'_>) -> Option<Peak> {
+    let rise = |side: Side| {
+        let found = analysis
+            .scalars
+            .iter()
+            .find(|(s, _)| s.channel == Channel::Wave(side))?;
+        let extreme = found.1.extreme;
+        Some(Peak {
+            value: extreme.max,
+            time: extreme.max_time,
+            theta: if side == Side::Front { 0.0 } else { PI },
+        })
+    };
+    let [front, back] = Side::BOTH.map(rise);
+    let (front, back) = (front?, back?);
+    Some(if front.value >= back.value { front } else { back })
+}
+
+/// What a peak loses that lies half a step from the next instant, 1 − cos(π/n) with n instants in a period.
+fn sampling(model: &Model, step: f64, stride: usize) -> f64 {
+    let omega = model.systems().map(Harmonic::significant).fold(0.0, f64::max);
+    let half = 0.5 * omega * step;
+    // n < 20 at every sub-step: the sub-steps do not resolve the mode.
+    if stride == 1 && half > PI / 19.9 {
+        return UNRESOLVED;
+    }
+    1.0 - half.min(0.5 * PI).cos()
+}
+
+#[cfg(test)]
+mod tests;

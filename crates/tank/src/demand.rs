@@ -1,0 +1,114 @@
+//! Demands of an engine under the record: what a wall, its base and its freeboard must bear at every instant.
+//!
+//! Every history is a combination of a few common ones (of the modes and the ground, or of itself):
+//!
+//! ```text
+//! h(t) = Σ c_k s_k(t)        value(θ, t) = rest + even(t) + odd(t) cos θ
+//! ```
+//!
+//! rest is the static state, even(t) the axisymmetric part of the motion, odd(t) that of the horizontal one. Plain data: engines fill
+//! it, limit states read it, and it is not part of the results.
+
+/// A history as a combination of common ones: (number of the state, coefficient).
+pub type Terms = Vec<(usize, f64)>;
+
+/// A quantity on the wall.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct OnWall {
+    /// Value in the static state.
+    pub rest: f64,
+    /// Part that is the same around the circumference.
+    pub even: Terms,
+    /// Part that goes with cos θ.
+    pub odd: Terms,
+}
+
+/// Stresses at a height of the wall; membrane stresses are positive in tension.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Place {
+    /// Height above the base [m].
+    pub z: f64,
+    /// Number of its course, from 0.
+    pub course: usize,
+    /// Hoop membrane stress [Pa].
+    pub hoop: OnWall,
+    /// Axial membrane stress [Pa].
+    pub axial: OnWall,
+    /// Meridional bending stress at the outer face [Pa], where the engine gives it.
+    pub bending: Option<OnWall>,
+    /// Amplitude of the membrane shear stress, which goes with sin θ [Pa], where the engine gives it.
+    pub shear: Option<Terms>,
+    /// Pressure of the liquid on the wall [Pa], where the engine gives it; none above the liquid.
+    pub pressure: Option<OnWall>,
+}
+
+/// Where the histories are known around the circumference.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Angles {
+    /// Everywhere: they go with cos θ.
+    #[default]
+    All,
+    /// At θ = 0 and θ = 180° alone.
+    Sides,
+}
+
+/// A largest value.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Peak {
+    /// Value.
+    pub value: f64,
+    /// Its time [s].
+    pub time: f64,
+    /// Its angle [rad].
+    pub theta: f64,
+}
+
+/// All demands of a run.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Demands {
+    /// Times [s].
+    pub times: Vec<f64>,
+    /// The common histories at these times.
+    pub states: Vec<Vec<f64>>,
+    /// Where they are known.
+    pub angles: Angles,
+    /// Places on the wall by course and height; none for a wall without membrane stresses.
+    pub places: Vec<Place>,
+    /// Largest rise of the surface at the wall [m].
+    pub wave: Option<Peak>,
+    /// Horizontal force on the foundation [N].
+    pub base_shear: Option<Terms>,
+    /// Vertical acceleration of the ground, upwards [m/s²]; none without a vertical record.
+    pub vertical: Option<Terms>,
+    /// Largest relative error of a peak that lies between two of the times.
+    pub sampling: f64,
+}
+
+impl Demands {
+    /// A combination at all times.
+    pub fn history(&self, terms: &Terms) -> Vec<f64> {
+        let mut out = vec![0.0; self.times.len()];
+        for &(state, factor) in terms {
+            for (y, s) in out.iter_mut().zip(&self.states[state]) {
+                *y += factor * s;
+            }
+        }
+        out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_history_is_the_combination_of_its_states() {
+        let demands = Demands {
+            times: vec![0.0, 1.0],
+            states: vec![vec![1.0, 2.0], vec![-3.0, 5.0]],
+            ..Demands::default()
+        };
+        assert_eq!(demands.history(&vec![(0, 2.0), (1, 10.0)]), [-28.0, 54.0]);
+        assert_eq!(demands.history(&Terms::new()), [0.0, 0.0]);
+    }
+}
