@@ -69,8 +69,13 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     let spectra = motion::spectra(job, &tank_periods(&methods, simulations.first()));
     let mut context = context(job, simulations.first());
     let (mut runs, mut series): (Vec<Run>, Series) = Default::default();
+    let mut outside = Vec::new();
     for (number, simulation) in simulations.into_iter().enumerate() {
-        methods.push(runs::method(job, number, &simulation));
+        let findings = runs::findings(job, &simulation);
+        if findings.outside.is_some() {
+            outside.push(simulation.result.engine.column(number));
+        }
+        methods.push(runs::method(job, number, &simulation, findings));
         match number {
             0 => series = simulation.series,
             _ => series::append(&mut series, &simulation.series, simulation.result.engine.prefix()),
@@ -85,6 +90,9 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     let mut comparison = compare::compare(&methods, &context, job.case.published.clone());
     for (number, run) in runs.iter().enumerate() {
         comparison.mark_unusable(&methods, run.engine.column(number), &run.mesh_error);
+    }
+    for method in outside {
+        comparison.mark_outside(&methods, method);
     }
     let cause = runs::incomplete(missing, &runs);
     let unfinished = cause.is_some() || runs.iter().any(|run| run.incomplete);

@@ -115,6 +115,8 @@ fn leave(work: &mut Work<'_>, pulls: &str) {
         }
     }
     work.without(OUTSIDE, CheckStatus::NotChecked, &reason, None);
+    // Before all that follows from it.
+    work.checks.rotate_right(1);
 }
 
 /// What the checks are, and what the codes ask of such an analysis.

@@ -18,7 +18,9 @@ pub(crate) fn tables(results: &Results) -> String {
     let mut text = String::new();
     for method in results.methods.iter().filter(decides) {
         let corner = format!("{} ({})", method.id, terminal::excitation(method.excitation));
-        let mut table = Table::new([corner.as_str(), "demand", "capacity", "ratio", "result"]);
+        let placed = method.checks.iter().any(|check| check.time_s.is_some());
+        let head = [corner.as_str(), "demand", "capacity", "ratio", "result"];
+        let mut table = Table::new(head.into_iter().chain(placed.then_some("where and when")));
         for check in &method.checks {
             let unit = units::column_unit(check.demand.into_iter().chain(check.capacity), check.dimension);
             let value = |value: Option<f64>| match value {
@@ -29,13 +31,15 @@ pub(crate) fn tables(results: &Results) -> String {
                 true => format!("{} [{}]", check.limit_state, unit.symbol),
                 false => check.limit_state.clone(),
             };
-            table.row([
+            let cells = [
                 name,
                 value(check.demand),
                 value(check.capacity),
                 terminal::utilisation(check),
-                words::verdict::status(check.status).to_owned(),
-            ]);
+                words::verdict::result(check).to_owned(),
+            ];
+            let place = placed.then(|| words::verdict::place(check));
+            table.row(cells.into_iter().chain(place));
         }
         let _ = writeln!(text, "{table}");
         let reasons = method.checks.iter().filter(|c| !c.reason.is_empty());
@@ -51,14 +55,14 @@ pub(crate) fn tables(results: &Results) -> String {
 /// All limit states of all methods, a second table after the quantities.
 pub(crate) fn csv(results: &Results) -> String {
     let mut text = String::new();
-    text.push_str("\nmethod,excitation,limit_state,check,status,demand,capacity,unit,utilisation,clause,reason\n");
+    text.push_str("\nmethod,excitation,limit_state,check,status,demand,capacity,unit,utilisation,clause,reason,time_s,z_m,theta_rad,error\n");
     let number = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:e}"));
     let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
     for method in &results.methods {
         for check in &method.checks {
             let _ = writeln!(
                 text,
-                "{},{},{},{},{},{},{},{},{},{},{}",
+                "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
                 method.id,
                 terminal::excitation(method.excitation),
                 check.limit_state,
@@ -69,7 +73,11 @@ pub(crate) fn csv(results: &Results) -> String {
                 check.unit,
                 number(check.utilisation),
                 quoted(&check.clause),
-                quoted(&check.reason)
+                quoted(&check.reason),
+                number(check.time_s),
+                number(check.z),
+                number(check.theta),
+                number(check.error)
             );
         }
     }

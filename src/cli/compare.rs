@@ -337,7 +337,9 @@ fn table(results: &Results, excitation: Excitation) -> String {
                     true => "*",
                     false => "",
                 };
-                let mark = format!("{mark}{}", if cell.unusable { terminal::UNUSABLE } else { "" });
+                let unusable = if cell.unusable { terminal::UNUSABLE } else { "" };
+                let outside = if cell.outside { terminal::OUTSIDE } else { "" };
+                let mark = format!("{mark}{unusable}{outside}");
                 match cell.ratio {
                     Some(ratio) => format!("{value} ({ratio:.2}){mark}"),
                     None => format!("{value}{mark}"),
@@ -348,9 +350,17 @@ fn table(results: &Results, excitation: Excitation) -> String {
         table.row(std::iter::once(title).chain(cells));
     }
     let mut text = format!("{table}\n");
-    let unusable = |row: &ComparisonRow| columns.iter().any(|&i| row.cells[i].is_some_and(|c| c.unusable));
-    if results.comparison.rows.iter().any(unusable) {
-        let _ = writeln!(text, "{}", terminal::unusable());
+    let marked = |mark: fn(&results::Cell) -> bool| {
+        let of = |row: &ComparisonRow| columns.iter().any(|&i| row.cells[i].as_ref().is_some_and(mark));
+        results.comparison.rows.iter().any(of)
+    };
+    for (mark, legend) in [
+        ((|c| c.unusable) as fn(&results::Cell) -> bool, terminal::unusable()),
+        (|c| c.outside, terminal::outside()),
+    ] {
+        if marked(mark) {
+            let _ = writeln!(text, "{legend}");
+        }
     }
     if let Some(later) = later {
         let _ = writeln!(text, "{}", terminal::later(&later.peaks, later.end, later.completed));
@@ -401,7 +411,7 @@ fn csv(results: &Results) -> String {
             let Some(cell) = cell else { continue };
             let excitation = terminal::excitation(method.excitation);
             let ratio = cell.ratio.map_or(String::new(), |r| format!("{r:.6}"));
-            let usable = if cell.unusable { "no" } else { "yes" };
+            let usable = if cell.unusable || cell.outside { "no" } else { "yes" };
             let _ = writeln!(
                 text,
                 "{},{excitation},{},{:e},{},{ratio},{usable}",

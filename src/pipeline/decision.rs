@@ -1,6 +1,6 @@
 //! Who decides, which limit states are asked for, and which gaps the user accepts.
 
-use codes::Procedure;
+use codes::{Procedure, time_history};
 use results::{Deciding, Method, Status};
 use tank::assessment::{Check, CheckStatus, Excitation, LimitState, Requirement};
 use tank::check;
@@ -67,7 +67,15 @@ pub(super) fn checks(procedure: &dyn Procedure, job: &Job, excitation: Excitatio
     let states = asked(procedure, job, excitation);
     let compared = |check: &Check| excitation == Excitation::Site || !states.is_empty() || check.compared();
     let checks = check::complete(&states, checks.into_iter().filter(compared).collect());
-    accept(procedure, job, checks)
+    accept(procedure.id(), job, checks)
+}
+
+/// How the limit states of an engine under the record end, worst first.
+///
+/// * `id`: its column
+pub(super) fn checks_of_run(job: &Job, id: &str, checks: Vec<Check>) -> Vec<Check> {
+    let states = time_history::limit_states(&job.case);
+    accept(id, job, check::complete(&states, checks))
 }
 
 /// The limit states of a procedure that does not cover the tank although the site gives its data: what its code requires was not
@@ -87,14 +95,16 @@ pub(super) fn not_covered(procedure: &dyn Procedure, job: &Job, excitation: Exci
         .filter(|s| !matches!(s.requirement, Requirement::NotApplicable(_)));
     let open = |state: &LimitState| Check::without_comparison(state, CheckStatus::NotChecked, refusal, None);
     let checks = check::complete(&states, required.map(open).collect());
-    accept(procedure, job, checks)
+    accept(procedure.id(), job, checks)
 }
 
-/// The same checks, those marked that the user accepts; worst first, so that an accepted gap does not stand before an open one.
-fn accept(procedure: &dyn Procedure, job: &Job, mut checks: Vec<Check>) -> Vec<Check> {
-    for check in checks.iter_mut().filter(|c| c.status == CheckStatus::NotChecked) {
+/// The same checks, those marked that the user accepts; worst first, so that an accepted gap does not stand before an open one. A run
+/// outside its model cannot be accepted.
+fn accept(id: &str, job: &Job, mut checks: Vec<Check>) -> Vec<Check> {
+    let open = |c: &&mut Check| c.status == CheckStatus::NotChecked && c.limit_state != time_history::OUTSIDE;
+    for check in checks.iter_mut().filter(open) {
         let accepted = &job.decision.accepted;
-        if let Some(gap) = accepted.iter().find(|a| a.means(procedure.id(), &check.limit_state)) {
+        if let Some(gap) = accepted.iter().find(|a| a.means(id, &check.limit_state)) {
             check.status = CheckStatus::Accepted;
             check.note = std::mem::replace(&mut check.reason, gap.reason.clone());
         }

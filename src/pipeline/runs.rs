@@ -1,9 +1,11 @@
 //! The runs of the engines: in sequence, as columns of the comparison, with the reason for an incomplete one.
 
+use codes::time_history::{self, Findings};
 use fem::progress::Progress;
 use tank::assessment::Excitation;
+use tank::demand::Demands;
 
-use super::{layers, quantities};
+use super::{decision, layers, quantities};
 use crate::error::{EXIT_COMPUTATION, Error};
 use crate::job::Job;
 use engines::damping::Damper;
@@ -55,8 +57,15 @@ pub(super) fn beside(
     Ok(None)
 }
 
+/// Demands of a run against the capacities of the codes.
+pub(super) fn findings(job: &Job, simulation: &Simulation) -> Findings {
+    let none = Demands::default();
+    let demands = simulation.demands.as_ref().unwrap_or(&none);
+    time_history::assess(&job.case, demands, &simulation.result.mesh_error)
+}
+
 /// A run as a column of the comparison.
-pub(super) fn method(job: &Job, number: usize, simulation: &Simulation) -> Method {
+pub(super) fn method(job: &Job, number: usize, simulation: &Simulation, findings: Findings) -> Method {
     let id = simulation.result.engine;
     let mut assumptions = simulation.assumptions.clone();
     if !engine(id).has_layers() {
@@ -67,7 +76,9 @@ pub(super) fn method(job: &Job, number: usize, simulation: &Simulation) -> Metho
         figure_key: id.figure_key(number).into(),
         quantities: quantities(&simulation.values),
         assumptions,
-        notes: simulation.notes.clone(),
+        notes: [simulation.notes.clone(), findings.notes].concat(),
+        checks: decision::checks_of_run(job, id.column(number), findings.checks),
+        steps: findings.steps,
         ..Method::new(id.column(number), id.title(), Excitation::Record)
     }
 }

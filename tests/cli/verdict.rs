@@ -8,6 +8,7 @@
 //! All are changes of one tank ([`base`]), run through input and pipeline as `check` does, without a process of their own.
 
 mod api_rest;
+mod engine;
 mod failing;
 mod gaps;
 mod matrix;
@@ -18,7 +19,7 @@ use std::path::Path;
 
 use fem::progress::Silent;
 use oscillator::record::Record;
-use results::{Method, Results, VerdictStatus};
+use results::{EngineId, Method, Results, VerdictStatus};
 use serde_json::{Value, json};
 use tank::case::GroundMotion;
 use tankcheck::input::read_tank;
@@ -38,6 +39,7 @@ enum Expected {
 }
 
 /// A tank of the battery.
+#[derive(Clone)]
 struct Tank {
     /// Name, unique; the matrix refers to it.
     name: &'static str,
@@ -50,6 +52,8 @@ struct Tank {
     open: &'static [&'static str],
     /// Whether a ground motion is given.
     record: bool,
+    /// Amplitude of the ground motion under which the harmonic engine runs [m/s²], where it does.
+    engine: Option<f64>,
 }
 
 impl Tank {
@@ -61,6 +65,7 @@ impl Tank {
             changes,
             open: &[],
             record: false,
+            engine: None,
         }
     }
 
@@ -72,6 +77,14 @@ impl Tank {
     /// The same tank under a ground motion.
     fn shaken(self) -> Tank {
         Tank { record: true, ..self }
+    }
+
+    /// The same tank in the harmonic engine under a ground motion of this amplitude [m/s²].
+    fn run(self, amplitude: f64) -> Tank {
+        Tank {
+            engine: Some(amplitude),
+            ..self.shaken()
+        }
     }
 
     fn json(&self) -> String {
@@ -94,7 +107,7 @@ impl Tank {
             case: tank.case,
             procedures: tankcheck::pipeline::select_procedures(&tank.procedures).map_err(|error| error.to_string())?,
             decision: tank.decision,
-            engines: Vec::new(),
+            engines: self.engine.map(|_| EngineId::Harmonic).into_iter().collect(),
             linear: tank.fe,
             solid: tank.solid,
             nonlinear: tank.nonlinear,
@@ -105,10 +118,11 @@ impl Tank {
             raw_records: Vec::new(),
         };
         if self.record {
+            let amplitude = self.engine.unwrap_or(0.5);
             let horizontal = Record {
                 name: "pulse".into(),
                 dt: 0.05,
-                acceleration: (0..40).map(|k| 0.5 * (0.7 * f64::from(k)).sin()).collect(),
+                acceleration: (0..40).map(|k| amplitude * (0.7 * f64::from(k)).sin()).collect(),
                 processing: Vec::new(),
             };
             job.raw_records = vec![horizontal.clone()];
@@ -333,7 +347,7 @@ fn faults(tanks: &[Tank]) -> Vec<String> {
 
 #[test]
 fn each_failing_tank_fails_in_its_way() {
-    let tanks = failing::tanks();
+    let tanks = [failing::tanks(), engine::failing()].concat();
     assert!(tanks.len() >= 40, "{}", tanks.len());
     let holds = |tank: &&Tank| matches!(tank.expected, Expected::Verdict(VerdictStatus::Holds, ..));
     assert_eq!(tanks.iter().filter(holds).count(), 0);
@@ -343,7 +357,7 @@ fn each_failing_tank_fails_in_its_way() {
 
 #[test]
 fn sound_tanks_hold() {
-    let tanks = sound::tanks();
+    let tanks = [sound::tanks(), engine::sound()].concat();
     assert!(tanks.len() >= 20, "{}", tanks.len());
     let holds = |tank: &&Tank| matches!(tank.expected, Expected::Verdict(VerdictStatus::Holds, ..));
     assert_eq!(tanks.iter().filter(holds).count(), tanks.len());
@@ -353,7 +367,7 @@ fn sound_tanks_hold() {
 
 #[test]
 fn names_are_unique() {
-    let all = [failing::tanks(), sound::tanks()];
+    let all = [failing::tanks(), engine::failing(), sound::tanks(), engine::sound()];
     let names: Vec<&str> = all.iter().flatten().map(|tank| tank.name).collect();
     let unique: std::collections::BTreeSet<_> = names.iter().collect();
     assert_eq!(unique.len(), names.len());

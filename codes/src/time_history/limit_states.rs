@@ -3,7 +3,8 @@
 //! Those that the codes named by `site` ask for, as far as a demand of the engine exists; what else they ask for stays open. Without
 //! `site` the wall is judged by EN 1998-4 with its lowest quality of construction.
 
-use tank::assessment::{LimitState, Requirement};
+use tank::assessment::LimitState;
+use tank::assessment::Requirement::{self, NotApplicable, NotImplemented, Required};
 use tank::case::Case;
 use tank::{Shape, Support};
 
@@ -62,146 +63,148 @@ impl Codes {
     }
 }
 
-/// All limit states of a case.
-pub fn limit_states(case: &Case) -> Vec<LimitState> {
-    use Requirement::{NotApplicable, NotImplemented, Required};
-    let codes = Codes::of(case);
-    let cylinder = matches!(case.tank.shape, Shape::Cylinder { .. });
-    let shell = cylinder && case.tank.is_metal();
-    let anchored = case.tank.support == Support::Anchored;
-    let en = |number: &str| Edition::En2006.clause(number);
-    let main = |number: &str| Edition::En2006.main(number);
-    let both = |ec8: String, api: &str| match (codes.ec8, codes.api) {
-        (true, true) => format!("{ec8}, {API} {api}"),
-        (true, false) => ec8,
-        (false, _) => format!("{API} {api}"),
-    };
-    let mut states = Vec::new();
-    let mut add = |id, name, clause: String, requirement| {
-        states.push(LimitState {
+/// A list of limit states under construction.
+struct List<'a> {
+    case: &'a Case,
+    codes: Codes,
+    states: Vec<LimitState>,
+}
+
+/// Clause of EN 1998-4 annex A.
+fn annex(number: &str) -> String {
+    Edition::En2006.clause(number)
+}
+
+/// Clause of EN 1998-4 itself.
+fn main(number: &str) -> String {
+    Edition::En2006.main(number)
+}
+
+impl List<'_> {
+    fn add(&mut self, id: &'static str, name: &'static str, clause: String, requirement: Requirement) {
+        self.states.push(LimitState {
             id,
             name,
             clause,
             requirement,
         });
-    };
-    let of_shells = |required: Requirement| match shell {
-        true => required,
-        false => NotApplicable("the clause is for metal shells".into()),
-    };
-    add(FREEBOARD, "Freeboard", both(en("2.1.4"), "E.7.2"), Required);
-    add(
-        ROOF,
-        "Impact of the wave on the roof",
-        both(en("2.1.4"), "E.7.2"),
-        Required,
-    );
-    let membrane = format!("{EN_1993} 6.2.1");
-    add(
-        EQUIVALENT,
-        "Equivalent membrane stress of the wall",
-        membrane,
-        of_shells(Required),
-    );
-    let cyclic = format!("{EN_1993} 7.4");
-    add(
-        BENDING,
-        "Equivalent stress with bending at the base",
-        cyclic,
-        of_shells(Required),
-    );
-    if codes.ec8 {
-        add(HOOP, "Hoop tension of the wall", en("10.3"), of_shells(Required));
-        add(ELASTIC, "Elastic buckling of the wall", en("10.2"), of_shells(Required));
-        let name = "Elastic-plastic collapse of the wall";
-        add(COLLAPSE, name, en("10.3"), of_shells(Required));
     }
-    if codes.api {
-        add(
-            API_HOOP,
-            "Hoop stress of the shell",
-            format!("{API} E.6.2.4"),
-            of_shells(Required),
-        );
-        let (clause, required) = match carbon_steel(case) {
-            true => (format!("{API} E.6.2.2.3"), Required),
-            false => (format!("{API} annex AL"), NotImplemented),
-        };
-        add(API_COMPRESSION, "Compression of the shell", clause, of_shells(required));
-        if case.site.api650.is_some_and(|site| site.design_pressure > 0.0) {
-            let name = "Hoop stress and anchors with the design pressure";
-            add("design_pressure", name, format!("{API} F.7"), NotImplemented);
+
+    /// The clauses of the codes that count.
+    fn both(&self, ec8: String, api: &str) -> String {
+        match (self.codes.ec8, self.codes.api) {
+            (true, true) => format!("{ec8}, {API} {api}"),
+            (true, false) => ec8,
+            (false, _) => format!("{API} {api}"),
         }
     }
-    let other = match shell {
-        true => NotApplicable("the wall is a metal shell".into()),
-        false => NotImplemented,
-    };
-    let clause = "EN 1992-1-1 6.1, 6.2, EN 1992-3 7.3, EN 1993-4-2".to_owned();
-    add(
-        OTHER_WALL,
-        "Strength of a wall that is not a metal shell",
-        clause,
-        other,
-    );
-    let (pulls, lifts) = match (cylinder, anchored) {
-        (true, true) => (Required, NotApplicable("the tank is anchored".into())),
-        (true, false) => (NotApplicable("the tank is unanchored".into()), Required),
-        (false, true) => (NotImplemented, NotApplicable("the tank is anchored".into())),
-        (false, false) => (NotApplicable("the tank is unanchored".into()), NotImplemented),
-    };
-    add(
-        ANCHORS,
-        "Tension of the anchors",
-        both(main("4.5.1.3"), "E.6.2.1.2"),
-        pulls,
-    );
-    add(
-        OUTSIDE,
-        "Uplift of the unanchored wall",
-        both(en("9"), "E.6.2.1.1"),
-        lifts,
-    );
-    add(
-        SLIDING,
-        "Sliding on the foundation",
-        both("EN 1998-5:2004 5.4.1.1".into(), "E.7.6"),
-        Required,
-    );
-    if codes.ec8 {
+
+    fn cylinder(&self) -> bool {
+        matches!(self.case.tank.shape, Shape::Cylinder { .. })
+    }
+
+    fn surface(&mut self) {
+        for (id, name) in [(FREEBOARD, "Freeboard"), (ROOF, "Impact of the wave on the roof")] {
+            self.add(id, name, self.both(annex("2.1.4"), "E.7.2"), Required);
+        }
+    }
+
+    fn wall(&mut self) {
+        let case = self.case;
+        let shell = self.cylinder() && case.tank.is_metal();
+        let of_shells = |required: Requirement| match shell {
+            true => required,
+            false => NotApplicable("the clause is for metal shells".into()),
+        };
+        let required = of_shells(Required);
+        let mut add = |id, name, clause: String| self.add(id, name, clause, required.clone());
         add(
-            "bearing",
-            "Bearing of the ground",
-            "EN 1998-5:2004 5.4.1.1".into(),
-            NotImplemented,
+            EQUIVALENT,
+            "Equivalent membrane stress of the wall",
+            format!("{EN_1993} 6.2.1"),
         );
         add(
-            "pipes",
-            "Differential displacement of pipes",
-            main("4.5.2.3"),
-            NotImplemented,
+            BENDING,
+            "Equivalent stress with bending at the base",
+            format!("{EN_1993} 7.4"),
         );
-        let reason = "the record is one ground motion; the damage limitation state has a seismic action of its own";
-        add(
-            "damage_limitation",
-            "Damage limitation state",
-            main("2.1.3"),
-            NotApplicable(reason.into()),
+        if Codes::of(case).ec8 {
+            add(HOOP, "Hoop tension of the wall", annex("10.3"));
+            add(ELASTIC, "Elastic buckling of the wall", annex("10.2"));
+            add(COLLAPSE, "Elastic-plastic collapse of the wall", annex("10.3"));
+        }
+        if Codes::of(case).api {
+            add(API_HOOP, "Hoop stress of the shell", format!("{API} E.6.2.4"));
+            let (clause, required) = match carbon_steel(case) {
+                true => (format!("{API} E.6.2.2.3"), Required),
+                false => (format!("{API} annex AL"), NotImplemented),
+            };
+            self.add(API_COMPRESSION, "Compression of the shell", clause, of_shells(required));
+        }
+        if case.site.api650.is_some_and(|site| site.design_pressure > 0.0) {
+            let name = "Hoop stress and anchors with the design pressure";
+            self.add("design_pressure", name, format!("{API} F.7"), NotImplemented);
+        }
+        let other = match shell {
+            true => NotApplicable("the wall is a metal shell".into()),
+            false => NotImplemented,
+        };
+        let clause = "EN 1992-1-1 6.1, 6.2, EN 1992-3 7.3, EN 1993-4-2".to_owned();
+        self.add(
+            OTHER_WALL,
+            "Strength of a wall that is not a metal shell",
+            clause,
+            other,
         );
     }
-    if codes.api {
-        add(
-            "foundation",
-            "Overturning of the foundation",
-            format!("{API} E.6.2.3"),
-            NotImplemented,
-        );
-        add(
-            "piping",
-            "Flexibility of the piping",
-            format!("{API} E.7.3"),
-            NotImplemented,
-        );
+
+    fn base(&mut self) {
+        let cylinder = match self.cylinder() {
+            true => Required,
+            false => NotImplemented,
+        };
+        let (pulls, lifts) = match self.case.tank.support {
+            Support::Anchored => (cylinder, NotApplicable("the tank is anchored".into())),
+            Support::Unanchored => (NotApplicable("the tank is unanchored".into()), cylinder),
+        };
+        let clause = self.both(main("4.5.1.3"), "E.6.2.1.2");
+        self.add(ANCHORS, "Tension of the anchors", clause, pulls);
+        let clause = self.both(annex("9"), "E.6.2.1.1");
+        self.add(OUTSIDE, "Uplift of the unanchored wall", clause, lifts);
+        let clause = self.both("EN 1998-5:2004 5.4.1.1".into(), "E.7.6");
+        self.add(SLIDING, "Sliding on the foundation", clause, Required);
     }
-    states
+
+    /// What the codes ask for and the engine has no demand for.
+    fn others(&mut self) {
+        if self.codes.ec8 {
+            let ground = "EN 1998-5:2004 5.4.1.1".to_owned();
+            self.add("bearing", "Bearing of the ground", ground, NotImplemented);
+            let name = "Differential displacement of pipes";
+            self.add("pipes", name, main("4.5.2.3"), NotImplemented);
+            let reason = "the record is one ground motion; the damage limitation state has a seismic action of its own";
+            let name = "Damage limitation state";
+            self.add("damage_limitation", name, main("2.1.3"), NotApplicable(reason.into()));
+        }
+        if self.codes.api {
+            let name = "Overturning of the foundation";
+            self.add("foundation", name, format!("{API} E.6.2.3"), NotImplemented);
+            let name = "Flexibility of the piping";
+            self.add("piping", name, format!("{API} E.7.3"), NotImplemented);
+        }
+    }
+}
+
+/// All limit states of a case.
+pub fn limit_states(case: &Case) -> Vec<LimitState> {
+    let mut list = List {
+        case,
+        codes: Codes::of(case),
+        states: Vec::new(),
+    };
+    list.surface();
+    list.wall();
+    list.base();
+    list.others();
+    list.states
 }

@@ -2,6 +2,7 @@
 
 use tank::Course;
 use tank::assessment::{Check, CheckStatus};
+use tank::case::Case;
 use tank::quantity::Quantity;
 use tank::units::Dimension::{Dimensionless, Length, Stress};
 
@@ -16,7 +17,7 @@ use crate::api650::hold_down;
 use crate::ec8::buckling::{elastic, elastic_plastic};
 use crate::ec8::cylinder_checks::{Wall, collapse_lines, elastic_lines};
 use crate::ec8::demand::Edition;
-use crate::sheet::{number, with_unit};
+use crate::sheet::with_unit;
 
 /// Quality of construction without `site.ec8`: normal, the lowest.
 const NORMAL: f64 = 1.0;
@@ -32,165 +33,198 @@ struct Asked<'a> {
     find: Box<dyn Fn(&Histories, &Course) -> Option<Found> + 'a>,
 }
 
+/// The worst place of a course.
+#[derive(Clone, Copy)]
+struct Worst {
+    /// Number of the course, from 0.
+    course: usize,
+    found: Found,
+    /// Height [m].
+    z: f64,
+    /// Interior pressure there and then [Pa].
+    pressure: f64,
+}
+
 /// Adds the checks of all limit states of a metal shell.
 pub(super) fn assess(work: &mut Work<'_>, radius: f64) {
-    let case = work.case;
     let all = asked(work, radius);
-    // Of each limit state the worst place of each course.
-    let mut worst: Vec<Vec<Option<(Found, usize)>>> = vec![vec![None; case.tank.courses.len()]; all.len()];
-    let mut pressures = vec![0.0; all.len() * case.tank.courses.len()];
-    for (number, place) in work.demands.places.iter().enumerate() {
+    let worst = worst(work, &all);
+    for (asked, courses) in all.iter().zip(worst) {
+        let found: Vec<Worst> = courses.into_iter().flatten().collect();
+        check(work, asked, &found, radius);
+    }
+}
+
+/// The worst place of each course for each limit state.
+fn worst(work: &Work<'_>, all: &[Asked<'_>]) -> Vec<Vec<Option<Worst>>> {
+    let courses = &work.case.tank.courses;
+    let mut worst: Vec<Vec<Option<Worst>>> = vec![vec![None; courses.len()]; all.len()];
+    for place in &work.demands.places {
         let histories = Histories::new(work.demands, place);
-        let course = &case.tank.courses[place.course];
-        for (k, asked) in all.iter().enumerate() {
-            let Some(found) = (asked.find)(&histories, course) else {
+        for (asked, worst) in all.iter().zip(&mut worst) {
+            let (Some(course), Some(best)) = (courses.get(place.course), worst.get_mut(place.course)) else {
                 continue;
             };
-            let best = &mut worst[k][place.course];
-            if best.is_none_or(|(best, _)| found.utilisation > best.utilisation) {
-                *best = Some((found, number));
-                pressures[k * case.tank.courses.len() + place.course] =
-                    histories.pressure_at(found.instant, found.cosine);
+            let found = (asked.find)(&histories, course);
+            let larger = |f: &Found| best.is_none_or(|best| f.utilisation > best.found.utilisation);
+            if let Some(found) = found.filter(larger) {
+                *best = Some(Worst {
+                    course: place.course,
+                    found,
+                    z: place.z,
+                    pressure: histories.pressure_at(found.instant, found.cosine),
+                });
             }
         }
     }
-    let lines: Vec<(&'static str, &'static str, String, &'static [Quantity])> =
-        all.into_iter().map(|a| (a.id, a.name, a.clause, a.of)).collect();
-    for (k, (id, name, clause, of)) in lines.into_iter().enumerate() {
-        let courses = worst[k].iter().enumerate();
-        let found: Vec<(usize, Found, usize)> = courses.filter_map(|(c, w)| w.map(|(f, p)| (c, f, p))).collect();
-        let governing = found
-            .iter()
-            .copied()
-            .reduce(|best, next| match next.1.utilisation > best.1.utilisation {
-                true => next,
-                false => best,
-            });
-        let Some((course, governing, place)) = governing else {
-            continue;
-        };
-        let pressure = pressures[k * case.tank.courses.len() + course];
-        let z = work.demands.places[place].z;
-        let place = work.moment(&governing, z);
-        work.sheet
-            .section(&format!("{name}: course {}, {}", course + 1, place.words()));
-        lines_of(work, id, &clause, radius, (course, &governing, pressure));
-        let rest: Vec<String> = (found.iter())
-            .filter(|other| other.0 != course)
-            .map(|other| {
-                format!(
-                    "course {}: {}",
-                    other.0 + 1,
-                    number((other.1.utilisation * 1e3).round() / 1e3)
-                )
-            })
-            .collect();
-        let mut note = format!("course {}", course + 1);
-        if !rest.is_empty() {
-            note.push_str(&format!("; utilisation of the others: {}", rest.join(", ")));
-        }
-        let error = work.error(of, &governing);
-        let check = Check::new(id, name, governing.demand, governing.capacity, Stress, &clause, &note);
-        let check = check.at(Some(place.time), Some(z), Some(place.theta)).with_error(error);
-        work.checks.push(check);
+    worst
+}
+
+/// The check of the governing course with its lines; the others stand in its note.
+fn check(work: &mut Work<'_>, asked: &Asked<'_>, found: &[Worst], radius: f64) {
+    let larger = |best: Worst, next: &Worst| match next.found.utilisation > best.found.utilisation {
+        true => *next,
+        false => best,
+    };
+    let Some(first) = found.first() else { return };
+    let governing = found.iter().fold(*first, larger);
+    let moment = work.moment(&governing.found, governing.z);
+    let number_of = |worst: &Worst| worst.course + 1;
+    let title = format!("{}: course {}, {}", asked.name, number_of(&governing), moment.words());
+    work.sheet.section(&title);
+    lines_of(work, asked, radius, &governing);
+    let others: Vec<String> = (found.iter())
+        .filter(|other| other.course != governing.course)
+        .map(|other| format!("course {}: {:.2}", number_of(other), other.found.utilisation))
+        .collect();
+    let mut note = format!("course {}", number_of(&governing));
+    if !others.is_empty() {
+        note.push_str(&format!("; utilisation of the others: {}", others.join(", ")));
     }
+    let error = work.error(asked.of, &governing.found);
+    let Found { demand, capacity, .. } = governing.found;
+    let check = Check::new(asked.id, asked.name, demand, capacity, Stress, &asked.clause, &note);
+    let check = check.at(Some(moment.time), Some(governing.z), Some(moment.theta));
+    work.checks.push(check.with_error(error));
 }
 
 /// The limit states of the wall, those without their strengths marked as not checked.
 fn asked<'a>(work: &mut Work<'a>, radius: f64) -> Vec<Asked<'a>> {
     let case = work.case;
-    let codes = Codes::of(case);
-    let missing = case.tank.courses.iter().find(|c| c.material.yield_strength.is_none());
-    let missing = missing.map(|course| format!("materials.{}.yield_strength", course.material.name));
-    let en = |number: &str| Edition::En2006.clause(number);
-    let quality = case.site.ec8.map_or(NORMAL, |site| site.construction_quality);
-    let strength = |course: &Course| course.material.yield_strength.unwrap_or_default();
-    let (hoop, axial) = (&[Quantity::HoopStress], &[Quantity::AxialMembraneStress]);
+    let mut all = eurocode(case, radius);
+    let without = case.tank.courses.iter().find(|c| c.material.yield_strength.is_none());
+    let without = without.map(|course| format!("materials.{}.yield_strength", course.material.name));
+    let mut missing: Vec<(&str, String)> = Vec::new();
+    if let Some(input) = &without {
+        missing.extend(all.drain(..).map(|asked| (asked.id, input.clone())));
+    }
+    if let Some(site) = case.site.api650 {
+        let e = site.joint_efficiency;
+        let allowed = (case.tank.courses.iter()).map(|course| hoop_check::allowable(&course.material, e));
+        match allowed.collect::<Result<Vec<f64>, String>>() {
+            Ok(_) => all.push(api_hoop(e)),
+            Err(input) => missing.push((API_HOOP, input)),
+        }
+        match (carbon_steel(case), without) {
+            (false, _) => {}
+            (true, Some(input)) => missing.push((API_COMPRESSION, input)),
+            (true, None) => all.push(api_compression(case, radius)),
+        }
+    }
+    for (id, input) in missing {
+        let reason = format!("`{input}` is missing");
+        work.without(id, CheckStatus::NotChecked, &reason, Some(&input));
+    }
+    all
+}
+
+/// f_y, which [`asked`] has seen to be given [Pa].
+fn strength(course: &Course) -> f64 {
+    course.material.yield_strength.unwrap_or_default()
+}
+
+/// Quality of construction of A.10.
+fn quality(case: &Case) -> f64 {
+    case.site.ec8.map_or(NORMAL, |site| site.construction_quality)
+}
+
+/// Limit states of the Eurocodes; those of EN 1993-1-6 alone where another code is named.
+fn eurocode<'a>(case: &'a Case, radius: f64) -> Vec<Asked<'a>> {
+    let quality = quality(case);
     let mut all: Vec<Asked<'a>> = vec![
         Asked {
             id: EQUIVALENT,
             name: "Equivalent membrane stress of the wall",
             clause: format!("{EN_1993} 6.2.1"),
             of: &[Quantity::HoopStress, Quantity::AxialMembraneStress],
-            find: Box::new(move |at, course| at.equivalent(strength(course))),
+            find: Box::new(|at, course| at.equivalent(strength(course))),
         },
         Asked {
             id: BENDING,
             name: "Range of the equivalent stress with bending at the base",
             clause: format!("{EN_1993} 7.4"),
             of: &[Quantity::BendingStress],
-            find: Box::new(move |at, course| at.range_at_base(course.material.poisson_ratio, 2.0 * strength(course))),
+            find: Box::new(|at, course| at.range_at_base(course.material.poisson_ratio, 2.0 * strength(course))),
         },
     ];
-    if codes.ec8 {
-        all.push(Asked {
-            id: HOOP,
-            name: "Hoop stress below yield",
-            clause: en("10.3"),
-            of: hoop,
-            find: Box::new(move |at, course| at.hoop_tension(strength(course))),
-        });
-        all.push(Asked {
-            id: ELASTIC,
-            name: "Elastic buckling of the wall",
-            clause: en("10.2"),
-            of: axial,
-            find: Box::new(move |at, c| {
-                let (modulus, s) = (c.material.youngs_modulus, c.thickness);
-                at.compression(|p| elastic(modulus, strength(c), s, radius, p, quality).limit)
-            }),
-        });
-        all.push(Asked {
-            id: COLLAPSE,
-            name: "Elastic-plastic collapse of the wall",
-            clause: en("10.3"),
-            of: axial,
-            find: Box::new(move |at, c| {
-                let (modulus, s) = (c.material.youngs_modulus, c.thickness);
-                at.compression(|p| elastic_plastic(modulus, strength(c), s, radius, p.max(0.0)))
-            }),
-        });
+    if !Codes::of(case).ec8 {
+        return all;
     }
-    let mut missing_states = Vec::new();
-    if let Some(input) = &missing {
-        missing_states.extend(all.drain(..).map(|asked| (asked.id, input.clone())));
-    }
-    if let Some(site) = case.site.api650 {
-        let efficiency = site.joint_efficiency;
-        let allowed: Result<Vec<f64>, String> = (case.tank.courses.iter())
-            .map(|course| hoop_check::allowable(&course.material, efficiency))
-            .collect();
-        match allowed {
-            Ok(_) => all.push(Asked {
-                id: API_HOOP,
-                name: "Hoop stress of the shell",
-                clause: format!("{API} E.6.2.4"),
-                of: hoop,
-                find: Box::new(move |at, course| {
-                    at.hoop_tension(hoop_check::allowable(&course.material, efficiency).unwrap_or_default())
-                }),
-            }),
-            Err(input) => missing_states.push((API_HOOP, input)),
-        }
-        match (carbon_steel(case), &missing) {
-            (false, _) => {}
-            (true, Some(input)) => missing_states.push((API_COMPRESSION, input.clone())),
-            (true, None) => all.push(Asked {
-                id: API_COMPRESSION,
-                name: "Compression of the shell",
-                clause: format!("{API} E.6.2.2.3"),
-                of: axial,
-                find: Box::new(move |at, course| {
-                    at.compression(|p| allowable_compression(case.liquid.density, case.gravity, radius, course, p))
-                }),
-            }),
-        }
-    }
-    for (id, input) in missing_states {
-        let reason = format!("`{input}` is missing");
-        work.without(id, CheckStatus::NotChecked, &reason, Some(&input));
-    }
+    let clause = |number: &str| Edition::En2006.clause(number);
+    all.push(Asked {
+        id: HOOP,
+        name: "Hoop stress below yield",
+        clause: clause("10.3"),
+        of: &[Quantity::HoopStress],
+        find: Box::new(|at, course| at.hoop_tension(strength(course))),
+    });
+    all.push(Asked {
+        id: ELASTIC,
+        name: "Elastic buckling of the wall",
+        clause: clause("10.2"),
+        of: &[Quantity::AxialMembraneStress],
+        find: Box::new(move |at, c| {
+            let (modulus, s) = (c.material.youngs_modulus, c.thickness);
+            at.compression(|p| elastic(modulus, strength(c), s, radius, p, quality).limit)
+        }),
+    });
+    all.push(Asked {
+        id: COLLAPSE,
+        name: "Elastic-plastic collapse of the wall",
+        clause: clause("10.3"),
+        of: &[Quantity::AxialMembraneStress],
+        find: Box::new(move |at, c| {
+            let (modulus, s) = (c.material.youngs_modulus, c.thickness);
+            at.compression(|p| elastic_plastic(modulus, strength(c), s, radius, p.max(0.0)))
+        }),
+    });
     all
+}
+
+/// Hoop stress of API 650, whose strengths [`asked`] has seen to be given.
+fn api_hoop<'a>(efficiency: f64) -> Asked<'a> {
+    Asked {
+        id: API_HOOP,
+        name: "Hoop stress of the shell",
+        clause: format!("{API} E.6.2.4"),
+        of: &[Quantity::HoopStress],
+        find: Box::new(move |at, course| {
+            at.hoop_tension(hoop_check::allowable(&course.material, efficiency).unwrap_or_default())
+        }),
+    }
+}
+
+/// Compression of API 650.
+fn api_compression(case: &Case, radius: f64) -> Asked<'_> {
+    Asked {
+        id: API_COMPRESSION,
+        name: "Compression of the shell",
+        clause: format!("{API} E.6.2.2.3"),
+        of: &[Quantity::AxialMembraneStress],
+        find: Box::new(move |at, course| {
+            at.compression(|p| allowable_compression(case.liquid.density, case.gravity, radius, course, p))
+        }),
+    }
 }
 
 /// Depth of liquid [m] that has the interior pressure, the H of the pressure parameter.
@@ -206,10 +240,10 @@ fn allowable_compression(density: f64, gravity: f64, radius: f64, course: &Cours
 }
 
 /// Lines of the governing place of a limit state.
-fn lines_of(work: &mut Work<'_>, id: &str, clause: &str, radius: f64, at: (usize, &Found, f64)) {
-    let (course, found, pressure) = at;
-    let case = work.case;
-    let course = &case.tank.courses[course];
+fn lines_of(work: &mut Work<'_>, asked: &Asked<'_>, radius: f64, at: &Worst) {
+    let (id, clause) = (asked.id, asked.clause.as_str());
+    let (found, pressure, case) = (&at.found, at.pressure, work.case);
+    let course = &case.tank.courses[at.course];
     let (symbol, name) = match id {
         HOOP | API_HOOP => ("σ_θ", "largest hoop membrane stress, static and seismic"),
         EQUIVALENT => (
@@ -221,13 +255,13 @@ fn lines_of(work: &mut Work<'_>, id: &str, clause: &str, radius: f64, at: (usize
     };
     work.sheet
         .input(symbol, name, found.demand, Stress, "the run of the engine");
-    let f_y = course.material.yield_strength.unwrap_or_default();
+    let f_y = strength(course);
     let wall = Wall {
         youngs_modulus: course.material.youngs_modulus,
         yield_strength: f_y,
         thickness: course.thickness,
         radius,
-        quality: case.site.ec8.map_or(NORMAL, |site| site.construction_quality),
+        quality: quality(case),
     };
     let interior = "interior pressure there and then, static and seismic";
     match id {
@@ -242,28 +276,7 @@ fn lines_of(work: &mut Work<'_>, id: &str, clause: &str, radius: f64, at: (usize
                 .input("p_max", interior, pressure, Stress, "the run of the engine");
             collapse_lines(&mut work.sheet, &wall, pressure, clause);
         }
-        API_COMPRESSION => {
-            let depth = head(case.liquid.density, case.gravity, pressure);
-            let source = format!("{} of interior pressure there and then", with_unit(pressure, Stress));
-            work.sheet
-                .look_up("H", "depth with that pressure", &source, depth, Length, clause);
-            let terms = [
-                ("t_s", course.thickness, Length),
-                ("D", 2.0 * radius, Length),
-                ("G", case.liquid.density / 1000.0, Dimensionless),
-                ("H", depth, Length),
-                ("F_ty", f_y, Stress),
-            ];
-            let (symbol, name) = ("G·H·D²/t_s²", "pressure parameter of the shell [m³/mm²]");
-            let slenderness = hold_down::SLENDERNESS;
-            let ratio = work
-                .sheet
-                .calc(symbol, name, slenderness, &terms, Dimensionless, clause);
-            if let Some(formula) = hold_down::allowable(ratio, true, false) {
-                let name = "allowable shell compression";
-                work.sheet.calc("F_C", name, formula, &terms, Stress, clause);
-            }
-        }
+        API_COMPRESSION => api_lines(work, clause, radius, (course, pressure)),
         BENDING => {
             let terms = [("f_y", f_y, Stress)];
             let name = "limit of the range, beyond which the wall yields in every cycle";
@@ -277,5 +290,27 @@ fn lines_of(work: &mut Work<'_>, id: &str, clause: &str, radius: f64, at: (usize
         _ => {
             work.sheet.input("f_y", "yield strength", f_y, Stress, "materials");
         }
+    }
+}
+
+/// Lines of the allowable compression of API 650 at an interior pressure [Pa].
+fn api_lines(work: &mut Work<'_>, clause: &str, radius: f64, (course, pressure): (&Course, f64)) {
+    let liquid = work.case.liquid;
+    let depth = head(liquid.density, work.case.gravity, pressure);
+    let source = format!("{} of interior pressure there and then", with_unit(pressure, Stress));
+    let sheet = &mut work.sheet;
+    sheet.look_up("H", "depth with that pressure", &source, depth, Length, clause);
+    let terms = [
+        ("t_s", course.thickness, Length),
+        ("D", 2.0 * radius, Length),
+        ("G", liquid.density / 1000.0, Dimensionless),
+        ("H", depth, Length),
+        ("F_ty", strength(course), Stress),
+    ];
+    let (symbol, name) = ("G·H·D²/t_s²", "pressure parameter of the shell [m³/mm²]");
+    let ratio = sheet.calc(symbol, name, hold_down::SLENDERNESS, &terms, Dimensionless, clause);
+    if let Some(formula) = hold_down::allowable(ratio, true, false) {
+        let name = "allowable shell compression";
+        sheet.calc("F_C", name, formula, &terms, Stress, clause);
     }
 }

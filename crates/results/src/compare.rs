@@ -6,6 +6,7 @@ mod attribution;
 mod difference;
 mod mesh_error;
 mod nonlinear;
+mod outside;
 
 use std::collections::BTreeMap;
 
@@ -40,6 +41,7 @@ pub fn compare(methods: &[Method], context: &Context, published: Vec<tank::case:
                         value,
                         ratio: base.map(|base| value / base).filter(|ratio| ratio.is_finite()),
                         unusable: false,
+                        outside: false,
                     })
                 })
                 .collect();
@@ -147,7 +149,8 @@ mod tests {
             Some(Cell {
                 value: 30.0,
                 ratio: None,
-                unusable: false
+                unusable: false,
+                outside: false,
             })
         );
     }

@@ -56,6 +56,14 @@ pub struct Counts {
     pub not_applicable: usize,
     /// Not checked, accepted with a reason.
     pub accepted: usize,
+    /// Those that hold, but would not with their demand raised by its estimated discretisation error.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub within_error: usize,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref)] // As serde asks for it.
+fn is_zero(count: &usize) -> bool {
+    *count == 0
 }
 
 impl Counts {
@@ -184,6 +192,7 @@ fn count<'a>(methods: impl Iterator<Item = &'a Method>) -> (Counts, Option<Gover
     for method in methods {
         for check in &method.checks {
             counts.add(check.status);
+            counts.within_error += usize::from(check.within_error);
             if let Some(ratio) = check.ratio()
                 && governing.as_ref().is_none_or(|(largest, _)| ratio > *largest)
             {

@@ -346,6 +346,7 @@ pub(super) fn comparison(methods: &[Method], with_fe: bool) -> Comparison {
                         value: v.value,
                         ratio: fe.and_then(|f| f.quantities.get(q.id())).map(|f| v.value / f.value),
                         unusable: false,
+                        outside: false,
                     })
                 })
                 .collect(),

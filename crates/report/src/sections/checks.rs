@@ -38,8 +38,13 @@ fn row(check: &Check) -> Row {
     let values = [check.demand, check.capacity];
     let scale = Scale::of(check.dimension, values.into_iter().flatten());
     let text = |value: Option<f64>| value.map(|v| scale.text(v)).unwrap_or_default();
-    let (class, sign) = sign(check.status);
-    let remarks = [capital(&check.reason), capital(&check.note)];
+    let (class, sign) = match check.within_error {
+        true => ("pending", "✓"),
+        false => sign(check.status),
+    };
+    let place = words::verdict::place(check);
+    let error = words::verdict::error(check);
+    let remarks = [capital(&check.reason), capital(&check.note), place, capital(&error)];
     let remarks: Vec<String> = remarks.into_iter().filter(|r| !r.is_empty()).collect();
     Row {
         name: capital(&check.name),
@@ -54,7 +59,7 @@ fn row(check: &Check) -> Row {
         compared: check.compared(),
         class,
         sign,
-        status: words::verdict::status(check.status),
+        status: words::verdict::result(check),
     }
 }
 

@@ -29,6 +29,7 @@ struct Row {
 struct CellView {
     value: String,
     unusable: bool,
+    outside: bool,
     ratio: String,
     fe: bool,
     break_before: bool,
@@ -91,6 +92,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
                 .map(|(cell, head)| CellView {
                     value: cell.map_or("–".into(), |c| scale.text(c.value)),
                     unusable: cell.is_some_and(|c| c.unusable),
+                    outside: cell.is_some_and(|c| c.outside),
                     ratio: cell
                         .and_then(|c| c.ratio)
                         .filter(|_| !head.fe)

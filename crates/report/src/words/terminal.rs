@@ -11,6 +11,9 @@ use results::{EngineId, Governing, IdaRun, Limit, MESH_ERROR_LIMIT, Method, Push
 /// Mark of a number that is not to be used.
 pub const UNUSABLE: &str = "‡";
 
+/// Mark of a number outside the model of its engine.
+pub const OUTSIDE: &str = "§";
+
 /// Corner of the table of `compare`.
 pub fn corner(excitation: Excitation) -> &'static str {
     match excitation {
@@ -33,6 +36,11 @@ pub fn unusable() -> String {
         "{UNUSABLE} unusable: the estimated mesh error is above {:.0} %",
         100.0 * MESH_ERROR_LIMIT
     )
+}
+
+/// Legend of [`OUTSIDE`].
+pub fn outside() -> String {
+    format!("{OUTSIDE} outside the model: the wall pulls and the tank is unanchored, the engine clamps it")
 }
 
 /// A procedure outside its scope; none for one that gave values.
@@ -66,14 +74,20 @@ pub fn later(peaks: &BTreeMap<String, f64>, end: f64, completed: bool) -> String
 
 /// The check with the largest utilisation.
 pub fn governing(governing: &Governing) -> String {
+    let place = super::verdict::place(&governing.check);
     format!(
-        "{} ({}, {}), {}",
+        "{} ({}, {}){}, {}{}",
         governing.check.name,
         governing.method,
         excitation(governing.excitation),
+        if place.is_empty() { place } else { format!(", {place}") },
         match governing.check.utilisation {
             Some(utilisation) => format!("utilisation {utilisation:.2}"),
             None => "no capacity is left".into(),
+        },
+        match governing.check.within_error {
+            true => " (within error)",
+            false => "",
         }
     )
 }

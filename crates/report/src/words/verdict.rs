@@ -2,7 +2,8 @@
 
 use results::compare::{Incomplete, Unusable};
 use results::{Aside, Deciding, MESH_ERROR_LIMIT, Verdict, VerdictStatus};
-use tank::assessment::CheckStatus;
+use tank::assessment::{Check, CheckStatus};
+use tank::units::{Dimension, display};
 
 /// Why the values of a run with separation are not design values.
 pub const LIQUID_PARTED: &str = "The liquid has separated from the wall and closed again. An incompressible liquid on a stiff joint \
@@ -23,12 +24,16 @@ pub fn headline(verdict: &Verdict) -> String {
         0 => String::new(),
         open => format!(", {open} not checked"),
     };
+    let within = match counts.within_error {
+        0 => String::new(),
+        within => format!(", {within} within the discretisation error"),
+    };
     match verdict.status {
         VerdictStatus::Holds => match (compared, counts.accepted) {
-            (1, 0) => "Holds: the one required limit state was checked".into(),
-            (all, 0) => format!("Holds: all {all} required limit states were checked"),
+            (1, 0) => format!("Holds: the one required limit state was checked{within}"),
+            (all, 0) => format!("Holds: all {all} required limit states were checked{within}"),
             (all, accepted) => format!(
-                "Holds: {all} limit {} checked, {accepted} accepted without a check",
+                "Holds: {all} limit {} checked{within}, {accepted} accepted without a check",
                 plural(all, "state was", "states were")
             ),
         },
@@ -90,6 +95,32 @@ pub fn status(status: CheckStatus) -> &'static str {
         CheckStatus::NotChecked => "not checked",
         CheckStatus::NotApplicable => "not applicable",
         CheckStatus::Accepted => "accepted",
+    }
+}
+
+/// How a check ends; one that holds by less than its discretisation error says so.
+pub fn result(check: &Check) -> &'static str {
+    match check.within_error {
+        true => "holds (within error)",
+        false => status(check.status),
+    }
+}
+
+/// Height, angle and time of a demand; empty where it has none.
+pub fn place(check: &Check) -> String {
+    let parts = [
+        check.z.map(|z| format!("z = {}", display(z, Dimension::Length))),
+        check.theta.map(|theta| format!("θ = {:.0}°", theta.to_degrees())),
+        check.time_s.map(|time| format!("t = {time:.2} s")),
+    ];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
+/// Estimated error of a demand, in words; empty where there is none.
+pub fn error(check: &Check) -> String {
+    match check.error {
+        Some(error) if check.compared() => format!("estimated error of the demand {:.1} %", 100.0 * error),
+        _ => String::new(),
     }
 }
 
