@@ -38,7 +38,7 @@ use crate::sheet::Sheet;
 use limit_states::{API, FREEBOARD, OTHER_WALL, ROOF};
 use work::Work;
 
-pub use limit_states::{OUTSIDE, limit_states};
+pub use limit_states::{Codes, OUTSIDE, limit_states};
 
 /// What the demands of a run amount to.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -53,12 +53,12 @@ pub struct Findings {
     pub outside: Option<String>,
 }
 
-/// The demands of a run against the capacities of the codes that the site names.
+/// The demands of a run against the capacities of codes.
 ///
 /// * `errors`: relative mesh errors of the run by quantity id
-pub fn assess(case: &Case, demands: &Demands, errors: &BTreeMap<String, f64>) -> Findings {
-    let states = limit_states(case);
-    let mut work = Work::new(case, demands, errors, &states);
+pub fn assess(case: &Case, codes: Codes, demands: &Demands, errors: &BTreeMap<String, f64>) -> Findings {
+    let states = limit_states(case, codes);
+    let mut work = Work::new((case, codes), demands, errors, &states);
     surface::assess(&mut work);
     let mut outside = None;
     if let Some(radius) = base::radius(case).filter(|_| !demands.places.is_empty()) {
@@ -127,7 +127,7 @@ fn notes(work: &mut Work<'_>) {
          factor, and no importance factor beside the scaling of the record."
             .into(),
     );
-    if case.site.api650.is_some() {
+    if work.codes.api {
         work.notes.push(format!(
             "{API} E.1 (recalled): a dynamic analysis with interaction of liquid and wall may take the place of the annex if \
              the purchaser agrees and the tank is as safe as by the annex; E.4.3 and ASCE 7 (recalled) keep a site-specific spectrum at \

@@ -74,7 +74,8 @@ pub(super) fn checks(procedure: &dyn Procedure, job: &Job, excitation: Excitatio
 ///
 /// * `id`: its column
 pub(super) fn checks_of_run(job: &Job, id: &str, checks: Vec<Check>) -> Vec<Check> {
-    let states = time_history::limit_states(&job.case);
+    let codes = time_history::Codes::of(&job.case, &job.decision.decide);
+    let states = time_history::limit_states(&job.case, codes);
     accept(id, job, check::complete(&states, checks))
 }
 
@@ -123,6 +124,12 @@ pub(super) fn unused(job: &Job, methods: &[Method]) -> Vec<String> {
     let unused = job.decision.accepted.iter().filter(|gap| !used(gap));
     unused
         .map(|gap| {
+            if gap.check.ends_with(time_history::OUTSIDE) {
+                return format!(
+                    "accepted: `{}` cannot be accepted: a run whose clamped wall pulls is outside its model",
+                    gap.check
+                );
+            }
             format!(
                 "accepted: `{}` is not an open limit state of this tank; remove the entry",
                 gap.check

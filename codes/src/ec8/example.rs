@@ -24,7 +24,7 @@ pub(super) fn steel() -> Material {
     }
 }
 
-pub(super) fn site() -> Ec8Site {
+pub(crate) fn site() -> Ec8Site {
     Ec8Site {
         ground: GroundType::C,
         spectrum: 1,

@@ -93,8 +93,7 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
 }
 
 /// Friction coefficients with their clauses, and the reason where one is missing.
-fn frictions(case: &Case) -> (Vec<(&'static str, f64, String)>, Option<String>) {
-    let codes = Codes::of(case);
+fn frictions(case: &Case, codes: Codes) -> (Vec<(&'static str, f64, String)>, Option<String>) {
     let (mut found, mut missing) = (Vec::new(), None);
     if codes.ec8 {
         match case.site.ec8.and_then(|site| site.friction) {
@@ -102,7 +101,7 @@ fn frictions(case: &Case) -> (Vec<(&'static str, f64, String)>, Option<String>) 
             None => missing = Some(format!("`{FRICTION}` is missing")),
         }
     }
-    if let (Some(site), Support::Unanchored) = (case.site.api650, case.tank.support) {
+    if let (true, Some(site), Support::Unanchored) = (codes.api, case.site.api650, case.tank.support) {
         let friction = site.friction.min(API_FRICTION);
         found.push(("sliding_api", friction, format!("{API} E.7.6")));
     }
@@ -118,7 +117,7 @@ fn frictions(case: &Case) -> (Vec<(&'static str, f64, String)>, Option<String>) 
 /// M is the mass of liquid, wall and roof. The weight of the bottom plate is left out, on the safe side.
 pub(super) fn sliding(work: &mut Work<'_>) {
     let case = work.case;
-    let (frictions, missing) = frictions(case);
+    let (frictions, missing) = frictions(case, work.codes);
     if let Some(reason) = missing {
         work.without(SLIDING, CheckStatus::NotChecked, &reason, Some(FRICTION));
     } else if frictions.is_empty() {

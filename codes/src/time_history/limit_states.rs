@@ -43,9 +43,9 @@ pub(super) const EN_1993: &str = "EN 1993-1-6:2007";
 /// Edition of API 650.
 pub(super) const API: &str = "API 650:2020";
 
-/// Codes whose capacities count.
+/// Codes whose capacities count; at least one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Codes {
+pub struct Codes {
     /// Eurocode 8.
     pub(super) ec8: bool,
     /// API 650.
@@ -53,12 +53,17 @@ pub(super) struct Codes {
 }
 
 impl Codes {
-    /// Those that the site names; Eurocode 8 without a site.
-    pub(super) fn of(case: &Case) -> Codes {
-        let api = case.site.api650.is_some();
-        Codes {
-            ec8: case.site.ec8.is_some() || !api,
-            api,
+    /// Those that the site names; Eurocode 8 without a site. If procedures of one of them alone decide, that one.
+    ///
+    /// * `decide`: ids of the methods that decide
+    pub fn of(case: &Case, decide: &[String]) -> Codes {
+        let named = |code: &str| decide.iter().any(|id| id.starts_with(code));
+        let (ec8, api) = (case.site.ec8.is_some(), case.site.api650.is_some());
+        let all = Codes { ec8: ec8 || !api, api };
+        match (ec8 && named("ec8"), api && named("api650")) {
+            (true, false) => Codes { api: false, ..all },
+            (false, true) => Codes { ec8: false, ..all },
+            _ => all,
         }
     }
 }
@@ -110,7 +115,7 @@ impl List<'_> {
     }
 
     fn wall(&mut self) {
-        let case = self.case;
+        let (case, codes) = (self.case, self.codes);
         let shell = self.cylinder() && case.tank.is_metal();
         let of_shells = |required: Requirement| match shell {
             true => required,
@@ -128,12 +133,12 @@ impl List<'_> {
             "Equivalent stress with bending at the base",
             format!("{EN_1993} 7.4"),
         );
-        if Codes::of(case).ec8 {
+        if codes.ec8 {
             add(HOOP, "Hoop tension of the wall", annex("10.3"));
             add(ELASTIC, "Elastic buckling of the wall", annex("10.2"));
             add(COLLAPSE, "Elastic-plastic collapse of the wall", annex("10.3"));
         }
-        if Codes::of(case).api {
+        if codes.api {
             add(API_HOOP, "Hoop stress of the shell", format!("{API} E.6.2.4"));
             let (clause, required) = match carbon_steel(case) {
                 true => (format!("{API} E.6.2.2.3"), Required),
@@ -141,7 +146,7 @@ impl List<'_> {
             };
             self.add(API_COMPRESSION, "Compression of the shell", clause, of_shells(required));
         }
-        if case.site.api650.is_some_and(|site| site.design_pressure > 0.0) {
+        if codes.api && case.site.api650.is_some_and(|site| site.design_pressure > 0.0) {
             let name = "Hoop stress and anchors with the design pressure";
             self.add("design_pressure", name, format!("{API} F.7"), NotImplemented);
         }
@@ -196,10 +201,10 @@ impl List<'_> {
 }
 
 /// All limit states of a case.
-pub fn limit_states(case: &Case) -> Vec<LimitState> {
+pub fn limit_states(case: &Case, codes: Codes) -> Vec<LimitState> {
     let mut list = List {
         case,
-        codes: Codes::of(case),
+        codes,
         states: Vec::new(),
     };
     list.surface();

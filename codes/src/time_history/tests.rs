@@ -108,7 +108,7 @@ fn found<'a>(findings: &'a Findings, id: &str) -> &'a Check {
 }
 
 fn assessed(case: &Case, demands: &Demands) -> Findings {
-    assess(case, demands, &BTreeMap::new())
+    assess(case, Codes::of(case, &[]), demands, &BTreeMap::new())
 }
 
 /// Value of a quantity at an instant and an angle, from the given numbers.
@@ -377,7 +377,7 @@ fn errors_act_on_the_seismic_part() {
     let mut case = steel_tank();
     let errors = BTreeMap::from([("hoop_stress".to_owned(), 0.1)]);
     let check = |case: &Case| {
-        let findings = assess(case, &given.demands(0.0, 0), &errors);
+        let findings = assess(case, Codes::of(case, &[]), &given.demands(0.0, 0), &errors);
         found(&findings, "hoop_yield").clone()
     };
     let sure = check(&case);
@@ -398,7 +398,7 @@ fn checks_belong_to_declared_limit_states() {
     case.site.api650 = Some(api_site());
     for support in [Support::Anchored, Support::Unanchored] {
         case.tank.support = support;
-        let states = limit_states(&case);
+        let states = limit_states(&case, Codes::of(&case, &[]));
         for check in assessed(&case, &given.demands(0.0, 0)).checks {
             assert!(
                 states.iter().any(|s| s.id == check.limit_state),
@@ -407,4 +407,25 @@ fn checks_belong_to_declared_limit_states() {
             );
         }
     }
+}
+
+/// The codes of the site count, or the one whose procedures decide.
+#[test]
+fn the_deciding_code_gives_the_capacities() {
+    let mut case = steel_tank();
+    let ids = |case: &Case, decide: &[&str]| -> Vec<&'static str> {
+        let decide: Vec<String> = decide.iter().map(|id| (*id).to_owned()).collect();
+        let states = limit_states(case, Codes::of(case, &decide));
+        let hoop = ["hoop_yield", "hoop_stress"];
+        states.iter().map(|s| s.id).filter(|id| hoop.contains(id)).collect()
+    };
+    assert_eq!(ids(&case, &["fe"]), ["hoop_yield"]);
+    case.site.api650 = Some(api_site());
+    assert_eq!(ids(&case, &["fe"]), ["hoop_stress"]);
+    // A code without site data gives nothing.
+    assert_eq!(ids(&case, &["ec8-2006", "fe"]), ["hoop_stress"]);
+    case.site.ec8 = Some(crate::ec8::example::site());
+    assert_eq!(ids(&case, &["fe"]), ["hoop_yield", "hoop_stress"]);
+    assert_eq!(ids(&case, &["ec8-2006", "fe"]), ["hoop_yield"]);
+    assert_eq!(ids(&case, &["api650-2020", "fe"]), ["hoop_stress"]);
 }

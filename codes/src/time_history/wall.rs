@@ -111,14 +111,14 @@ fn check(work: &mut Work<'_>, asked: &Asked<'_>, found: &[Worst], radius: f64) {
 /// The limit states of the wall, those without their strengths marked as not checked.
 fn asked<'a>(work: &mut Work<'a>, radius: f64) -> Vec<Asked<'a>> {
     let case = work.case;
-    let mut all = eurocode(case, radius);
+    let mut all = eurocode(case, work.codes, radius);
     let without = case.tank.courses.iter().find(|c| c.material.yield_strength.is_none());
     let without = without.map(|course| format!("materials.{}.yield_strength", course.material.name));
     let mut missing: Vec<(&str, String)> = Vec::new();
     if let Some(input) = &without {
         missing.extend(all.drain(..).map(|asked| (asked.id, input.clone())));
     }
-    if let Some(site) = case.site.api650 {
+    if let Some(site) = case.site.api650.filter(|_| work.codes.api) {
         let e = site.joint_efficiency;
         let allowed = (case.tank.courses.iter()).map(|course| hoop_check::allowable(&course.material, e));
         match allowed.collect::<Result<Vec<f64>, String>>() {
@@ -149,7 +149,7 @@ fn quality(case: &Case) -> f64 {
 }
 
 /// Limit states of the Eurocodes; those of EN 1993-1-6 alone where another code is named.
-fn eurocode<'a>(case: &'a Case, radius: f64) -> Vec<Asked<'a>> {
+fn eurocode<'a>(case: &'a Case, codes: Codes, radius: f64) -> Vec<Asked<'a>> {
     let quality = quality(case);
     let mut all: Vec<Asked<'a>> = vec![
         Asked {
@@ -167,7 +167,7 @@ fn eurocode<'a>(case: &'a Case, radius: f64) -> Vec<Asked<'a>> {
             find: Box::new(|at, course| at.range_at_base(course.material.poisson_ratio, 2.0 * strength(course))),
         },
     ];
-    if !Codes::of(case).ec8 {
+    if !codes.ec8 {
         return all;
     }
     let clause = |number: &str| Edition::En2006.clause(number);

@@ -8,6 +8,7 @@ use tank::demand::Demands;
 use tank::quantity::Quantity;
 use tank::units::Dimension;
 
+use super::limit_states::Codes;
 use super::search::Found;
 use crate::sheet::{Sheet, with_unit};
 
@@ -36,6 +37,7 @@ impl Moment {
 /// The growing assessment.
 pub(super) struct Work<'a> {
     pub(super) case: &'a Case,
+    pub(super) codes: Codes,
     pub(super) demands: &'a Demands,
     /// Relative mesh errors by quantity.
     errors: &'a BTreeMap<String, f64>,
@@ -47,13 +49,14 @@ pub(super) struct Work<'a> {
 
 impl<'a> Work<'a> {
     pub(super) fn new(
-        case: &'a Case,
+        (case, codes): (&'a Case, Codes),
         demands: &'a Demands,
         errors: &'a BTreeMap<String, f64>,
         states: &'a [LimitState],
     ) -> Work<'a> {
         Work {
             case,
+            codes,
             demands,
             errors,
             states,
