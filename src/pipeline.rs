@@ -1,6 +1,7 @@
 //! The whole flow of a verification in one function. Procedures and engine use the same [`Job`] and are
 //! independent of each other; [`compare`] joins their results.
 
+mod attribution;
 mod decision;
 mod motion;
 mod runs;
@@ -11,10 +12,10 @@ use std::collections::BTreeMap;
 use codes::Procedure;
 use codes::procedure::CodeError;
 use fem::progress::Progress;
-use oscillator::spectrum;
 use tank::Course;
 use tank::Quantity;
 use tank::assessment::{Assessment, Excitation};
+use tank::ingredients::Ingredients;
 
 use crate::error::Error;
 use crate::job::Job;
@@ -60,14 +61,21 @@ pub struct Outcome {
 /// not finite.
 pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     runs::admit(job)?;
-    let (mut methods, records, mut simulations, missing) = assess_and_simulate(job, progress)?;
+    let (assessed, records, mut simulations, missing) = assess_and_simulate(job, progress)?;
+    let (mut methods, ingredients): (Vec<Method>, Vec<Vec<Ingredients>>) = assessed.into_iter().unzip();
     // Histories as computed; next to those of a longer run they are NaN after their end.
     for (number, simulation) in simulations.iter().enumerate() {
         finite::check_series(simulation.result.engine.column(number), &simulation.series)?;
     }
     let snapshots = simulations.iter_mut().rev().find_map(|s| s.snapshots.take());
     let spectra = motion::spectra(job, &tank_periods(&methods, simulations.first()));
-    let mut context = context(job, simulations.first());
+    for simulation in &mut simulations {
+        attribution::separate(job, simulation);
+    }
+    let mut context = Context {
+        attribution: attribution::attribute(job, &methods, &ingredients, simulations.first()),
+        ..Context::default()
+    };
     let (mut runs, mut series): (Vec<Run>, Series) = Default::default();
     let mut outside = Vec::new();
     for (number, simulation) in simulations.into_iter().enumerate() {
@@ -139,14 +147,17 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
 ///
 /// Errors: a procedure that does not converge, a result that is not finite.
 pub fn decide(job: &Job) -> Result<(Vec<Method>, Verdict), Error> {
-    let methods = assess(job)?;
+    let methods: Vec<Method> = assess(job)?.into_iter().map(|(method, _)| method).collect();
     finite::check("the procedures", &methods)?;
     let verdict = results::verdict(&methods, decision::deciding(job, &methods), false, None);
     Ok((methods, verdict))
 }
 
+/// A procedure's column, and what its quantities are made of.
+type Assessed = (Method, Vec<Ingredients>);
+
 /// Results of the procedures, the records and the engines, and the reason if those of the engines are incomplete.
-type Computed = (Vec<Method>, Vec<RecordSummary>, Vec<Simulation>, Option<Incomplete>);
+type Computed = (Vec<Assessed>, Vec<RecordSummary>, Vec<Simulation>, Option<Incomplete>);
 
 /// Runs procedures and engines, the first engine in parallel with the procedures.
 fn assess_and_simulate(job: &Job, progress: &dyn Progress) -> Result<Computed, Error> {
@@ -172,7 +183,7 @@ fn assess_and_simulate(job: &Job, progress: &dyn Progress) -> Result<Computed, E
 }
 
 /// All chosen procedures under all excitations the case offers.
-fn assess(job: &Job) -> Result<Vec<Method>, Error> {
+fn assess(job: &Job) -> Result<Vec<Assessed>, Error> {
     let mut excitations = Vec::new();
     if job.case.ground_motion.is_some() {
         excitations.push(Excitation::Record);
@@ -191,7 +202,7 @@ fn assess(job: &Job) -> Result<Vec<Method>, Error> {
 }
 
 /// One procedure under one excitation as a column of the comparison.
-fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Result<Method, Error> {
+fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Result<Assessed, Error> {
     let not_applicable =
         |clause: String, reason: String| (Assessment::default(), Status::NotApplicable { clause, reason });
     let (assessment, status) = match procedure.assess(&job.case, excitation) {
@@ -205,7 +216,7 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
             });
         }
     };
-    let mut assumptions = assessment.assumptions;
+    let (mut assumptions, ingredients) = (assessment.assumptions, assessment.ingredients);
     if let (Status::Computed, Some(layered)) = (&status, layers(job)) {
         assumptions.push(layered.into());
     }
@@ -216,7 +227,7 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
         }
     };
     let label = procedure.label();
-    Ok(Method {
+    let method = Method {
         label: label.short.into(),
         figure_key: label.figure_key.into(),
         status,
@@ -227,7 +238,8 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
         assumptions,
         notes: assessment.notes,
         ..Method::new(procedure.id(), label.title, excitation)
-    })
+    };
+    Ok((method, ingredients))
 }
 
 /// Note on the equivalent wall of a method for one material, if the wall has layers.
@@ -292,29 +304,4 @@ fn measured(job: &Job) -> Option<Method> {
         notes,
         ..Method::new(compare::MEASURED, &title, Excitation::Record)
     })
-}
-
-/// Facts by which the comparison attributes differences.
-fn context(job: &Job, simulation: Option<&Simulation>) -> Context {
-    let damping = job.case.damping;
-    let mut context = Context {
-        sloshing_damping: damping.sloshing,
-        approaches: codes::ALL.iter().map(|p| (p.id().to_owned(), p.approach())).collect(),
-        ..Context::default()
-    };
-    let (Some(motion), Some(simulation)) = (&job.case.ground_motion, simulation) else {
-        return context;
-    };
-    let value = |quantity: Quantity| simulation.values.get(&quantity).copied();
-    let peak = |period: f64, damping: f64| spectrum::ordinates(&motion.horizontal, period, damping).psa;
-    context.pga = motion.horizontal.pga();
-    context.history_shear = value(Quantity::BaseShear).unwrap_or(0.0);
-    if let (Some(period), Some(mass)) = (value(Quantity::ImpulsivePeriod), value(Quantity::ImpulsiveMass)) {
-        context.impulsive_acceleration = peak(period, damping.impulsive);
-        context.impulsive_shear = mass * context.impulsive_acceleration;
-    }
-    if let (Some(period), Some(mass)) = (value(Quantity::SloshingPeriod), value(Quantity::ConvectiveMass)) {
-        context.convective_shear = mass * peak(period, damping.sloshing);
-    }
-    context
 }

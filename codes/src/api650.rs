@@ -27,6 +27,7 @@ pub(crate) mod example;
 pub mod ground_motion;
 pub mod hold_down;
 pub mod hoop;
+mod ingredients;
 pub mod masses;
 #[cfg(test)]
 mod tests1993;

@@ -35,6 +35,7 @@ pub mod demand;
 #[cfg(test)]
 pub(crate) mod example;
 pub mod flexible;
+mod ingredients;
 mod limit_states;
 mod pipes;
 pub mod plate;
@@ -63,7 +64,6 @@ use work::Work;
 use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::sheet::Sheet;
 use spectrum::ElasticSpectrum;
-use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
 use tank::assessment::{Assessment, Excitation, LimitState, NotApplicable};
 use tank::case::{Case, Combination, FlexibleImpulsive, Site};
 use tank::units::Dimension::{Dimensionless, Stress};
@@ -87,14 +87,6 @@ impl Procedure for En2006 {
             title: "EN 1998-4:2006, annex A",
             short: "EN 1998-4:2006",
             figure_key: "k-ec8-2006",
-        }
-    }
-
-    fn approach(&self) -> Approach {
-        Approach {
-            wave: Wave::SpectralPeak,
-            convective_mass: ConvectiveMass::AllModes,
-            forces: Forces::FirstMode,
         }
     }
 
@@ -138,14 +130,6 @@ impl Procedure for Env1998 {
             title: "ENV 1998-4:1998, annex B (superseded)",
             short: "ENV 1998-4",
             figure_key: "k-ec8-env",
-        }
-    }
-
-    fn approach(&self) -> Approach {
-        Approach {
-            wave: Wave::SpectralPeak,
-            convective_mass: ConvectiveMass::Fit,
-            forces: Forces::FirstMode,
         }
     }
 

@@ -21,6 +21,7 @@ pub mod statics;
 pub mod stress;
 
 mod assess;
+mod ingredients;
 mod lines;
 mod notes;
 

@@ -17,6 +17,8 @@ pub mod deformability;
 pub mod ec8;
 pub mod en1992;
 pub mod housner;
+#[cfg(test)]
+mod ingredients;
 pub mod mechanical;
 pub mod procedure;
 mod roof;
@@ -24,6 +26,7 @@ mod roof;
 mod samples;
 pub mod sheet;
 pub mod time_history;
+pub mod wall_period;
 
 pub use procedure::Procedure;
 

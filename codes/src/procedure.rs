@@ -1,6 +1,5 @@
 //! The trait of code procedures.
 
-use tank::approach::Approach;
 use tank::assessment::{Assessment, Excitation, LimitState, NotApplicable};
 use tank::case::{Case, Site};
 use tank::formula::FormulaError;
@@ -65,8 +64,6 @@ pub trait Procedure: Sync {
     fn id(&self) -> &'static str;
     /// How it is named and drawn.
     fn label(&self) -> Label;
-    /// Its simplifications, by which the comparison explains differences.
-    fn approach(&self) -> Approach;
     /// Whether it is the edition in force of a code that the site names, so that it decides unless the user says otherwise.
     fn decides(&self, _site: &Site) -> bool {
         false

@@ -18,16 +18,18 @@
 use crate::procedure::{CodeError, Label, Procedure};
 use crate::sheet::{Sheet, Term};
 use oscillator::spectrum::ordinates;
-use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
 use tank::assessment::{Assessment, Check, CheckStatus, Excitation, NotApplicable};
-use tank::case::Case;
+use tank::case::{Case, Combination};
+use tank::factor::Factor;
 use tank::formula::evaluate;
+use tank::ingredients::{Ingredients, Ordinate, Rule, Share};
 use tank::quantity::Quantity;
 use tank::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, Stress, Time};
 
 use super::basis::Basis;
 use super::ground_motion::{IMPULSIVE_RANGE, impulsive_plateau};
 use super::hold_down as hd;
+use super::ingredients::{Action, Liquid, ladders, resultant};
 use super::masses::{ARGUMENT, COEFFICIENT_1993, PERIOD_1993, charts};
 
 const EDITION: &str = "API 650:1993";
@@ -86,14 +88,6 @@ impl Procedure for Api6501993 {
         }
     }
 
-    fn approach(&self) -> Approach {
-        Approach {
-            wave: Wave::FittedPeriod,
-            convective_mass: ConvectiveMass::Fit,
-            forces: Forces::AnyPeriod,
-        }
-    }
-
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
         Basis::new(case, EDITION)?;
         let reason = match excitation {
@@ -136,10 +130,15 @@ impl Procedure for Api6501993 {
         out.values.extend([
             (Quantity::SloshingPeriod, period),
             (Quantity::ImpulsiveMass, masses.impulsive.0 / g),
+            (Quantity::WallMass, basis.w_s / g),
             (Quantity::ConvectiveMass, masses.convective.0 / g),
             (Quantity::BaseMoment, moment),
             (Quantity::AxialMembraneStress, axial),
         ]);
+        if basis.w_r > 0.0 {
+            out.values.insert(Quantity::RoofMass, basis.w_r / g);
+        }
+        out.ingredients = ingredients(&basis, excitation, &masses, &c, shell_height);
         out.steps = sheet.into_steps()?;
         Ok(out)
     }
@@ -265,6 +264,52 @@ fn coefficients(
             reason: "neither record nor site data".into(),
         }),
     }
+}
+
+/// The ingredients of moment, masses and sloshing period.
+fn ingredients(
+    basis: &Basis,
+    excitation: Excitation,
+    masses: &Masses,
+    c: &Coefficients,
+    shell_height: f64,
+) -> Vec<Ingredients> {
+    let g = basis.case.gravity;
+    let (m_1, m_2) = (masses.impulsive.0 / g, masses.convective.0 / g);
+    let (a_1, a_2) = (c.impulsive * g, c.convective * g);
+    let impulsive = Ordinate {
+        rule: Rule::Plateau,
+        ..Ordinate::at(0.0, DAMPING.0, a_1)
+    };
+    let convective = Ordinate::at(masses.period, DAMPING.1, a_2);
+    let (impulsive, convective) = match (excitation, &basis.case.ground_motion, basis.case.site.api650) {
+        (Excitation::Site, _, Some(site)) => {
+            let importance = (Factor::Importance, site.importance_1993);
+            let long = (Factor::LongPeriod, (4.5 / masses.period).min(1.0));
+            let impulsive = Ordinate {
+                period: None,
+                ..impulsive.split(&[importance])
+            };
+            (impulsive, convective.split(&[long, importance]))
+        }
+        (_, Some(motion), _) => {
+            let period = Some(impulsive_plateau(&motion.horizontal, DAMPING.0).0);
+            (Ordinate { period, ..impulsive }, convective)
+        }
+        _ => return Vec::new(),
+    };
+    let action = Action {
+        impulsive,
+        convective,
+        combination: Combination::Abs,
+    };
+    let liquid = Liquid {
+        impulsive: Share::new(m_1, masses.impulsive.1),
+        convective: Share::new(m_2, masses.convective.1),
+    };
+    let mut all: Vec<Ingredients> = ladders(basis, masses.period, m_1, m_2).into();
+    all.push(resultant(basis, &action, Quantity::BaseMoment, liquid, shell_height));
+    all
 }
 
 /// Overturning moment [N·m].

@@ -27,6 +27,7 @@ mod combinations;
 pub mod forces;
 mod foundation;
 pub(crate) mod hoop_check;
+mod ingredients;
 pub(crate) mod limit_states;
 mod piping;
 mod resistance;
@@ -40,7 +41,6 @@ use crate::api650::ground_motion::DesignSpectrum;
 use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::sheet::Sheet;
 use tank::STANDARD_GRAVITY;
-use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
 use tank::assessment::{Assessment, Check, CheckStatus, Excitation, LimitState, NotApplicable};
 use tank::case::Site;
 use tank::case::{Api650Site, Case};
@@ -128,14 +128,6 @@ impl Procedure for Api6502020 {
         }
     }
 
-    fn approach(&self) -> Approach {
-        Approach {
-            wave: Wave::FittedPeriod,
-            convective_mass: ConvectiveMass::Fit,
-            forces: Forces::FittedPeriod,
-        }
-    }
-
     fn decides(&self, site: &Site) -> bool {
         site.api650.is_some()
     }
@@ -196,11 +188,13 @@ impl Procedure for Api6502020 {
         run.foundation(&a, &forces);
 
         let g = case.gravity;
+        run.out.ingredients = run.ingredients(&periods, &a, &forces);
         let values = &mut run.out.values;
         values.extend([
             (Quantity::SloshingPeriod, periods.convective),
             (Quantity::SloshingHeight, delta),
             (Quantity::ImpulsiveMass, forces.w_i / g),
+            (Quantity::WallMass, run.basis.w_s / g),
             (Quantity::ConvectiveMass, forces.w_c / g),
             (Quantity::BaseShear, forces.v),
             (Quantity::BaseMoment, forces.m_rw),
@@ -208,6 +202,9 @@ impl Procedure for Api6502020 {
             (Quantity::HoopStress, hoop),
             (Quantity::AxialMembraneStress, axial),
         ]);
+        if run.basis.w_r > 0.0 {
+            values.insert(Quantity::RoofMass, run.basis.w_r / g);
+        }
         if let Some(t_i) = periods.impulsive {
             values.insert(Quantity::ImpulsivePeriod, t_i);
         }

@@ -260,7 +260,7 @@ pub fn impulsive_plateau(record: &Record, damping: f64) -> (f64, f64) {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use super::*;
     use proptest::prelude::*;
 

@@ -6,6 +6,7 @@
 
 use super::demand::Edition;
 use super::flexible::{COEFFICIENT, PERIOD, coupled_mode, equivalent_density_period};
+use super::ingredients::{self, Motion, Uniform};
 use super::shell_mode::Base;
 use super::simplified::{self, LIMITS, Row};
 use super::work::{Masses, Ratio, Work};
@@ -31,7 +32,7 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     let [t_c1, t_c2] = [1, 2].map(|n| sloshing_period(work, n, radius, gamma));
 
     let row = table_row(work, gamma);
-    let (t_i, mode) = impulsive_period(work, radius, gamma, row)?;
+    let (t_i, mode, uniform) = impulsive_period(work, radius, gamma, row)?;
     let t_con = row.map(|row| {
         let terms = [("C_c", row.convective_period, Dimensionless), ("R", radius, Length)];
         work.sheet.calc(
@@ -80,6 +81,13 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     let values = &mut work.out.values;
     values.insert(Quantity::SloshingPeriod, t_c1);
     values.insert(Quantity::ImpulsivePeriod, t_i);
+    ingredients::structure(work);
+    let motion = Motion {
+        impulsive: (t_i, a_i),
+        convective: (t_con.unwrap_or(t_c1), a_c),
+        sloshing: (t_c1, s_1),
+    };
+    ingredients::record(work, &masses, &rigid, &motion, uniform);
 
     let motion = cylinder_vertical::assess(work, radius, gamma)?;
     let state = cylinder_stress::assess(work, radius, moment, a_i, s_1, motion);
@@ -178,13 +186,13 @@ fn sloshing_period(work: &mut Work, n: usize, radius: f64, gamma: f64) -> f64 {
 }
 
 /// Impulsive period [s] by table A.2, by the formula of A.3.1, or of the coupled shell mode, and mass [kg] and levers [m] of
-/// that mode where it was computed.
+/// that mode where it was computed; else the uniform wall of the formula.
 fn impulsive_period(
     work: &mut Work,
     radius: f64,
     gamma: f64,
     row: Option<Row>,
-) -> Result<(f64, Option<Lumped>), CodeError> {
+) -> Result<(f64, Option<Lumped>, Option<Uniform>), CodeError> {
     let case = work.case;
     let (tank, liquid) = (&case.tank, case.liquid);
     let depth = liquid.fill_height;
@@ -207,12 +215,17 @@ fn impulsive_period(
         work.sheet.calc("T_f", name, PERIOD, &terms, Time, &clause)
     });
     if let Some(row) = row {
-        return Ok((table_period(work, radius, row), None));
+        let (period, uniform) = table_period(work, radius, row);
+        return Ok((period, None, Some(uniform)));
     }
     if let (Edition::Env1998, FlexibleImpulsive::Simplified, Some(period)) =
         (work.edition, case.procedures.ec8_impulsive, formula)
     {
-        return Ok((period, None));
+        let uniform = Uniform {
+            thickness: third.thickness,
+            modulus: third.material.youngs_modulus,
+        };
+        return Ok((period, None, Some(uniform)));
     }
     let mode = coupled_mode(radius, &tank.courses, liquid, Base::Clamped)?;
     match equivalent_density_period(radius, &tank.courses, liquid) {
@@ -247,11 +260,11 @@ fn impulsive_period(
         lever: work.share(("h_f", "its lever, wall only"), height, lever, &clause),
         lever_with_base: work.share(("h_f′", "its lever, wall and base"), height, lever_with_base, &clause),
     };
-    Ok((period, Some(flexible)))
+    Ok((period, Some(flexible), None))
 }
 
-/// `T_imp` of the simplified procedure.
-fn table_period(work: &mut Work, radius: f64, row: Row) -> f64 {
+/// `T_imp` of the simplified procedure, and its uniform wall.
+fn table_period(work: &mut Work, radius: f64, row: Row) -> (f64, Uniform) {
     let case = work.case;
     let depth = case.liquid.fill_height;
     let clause = work.edition.clause("3.2.2");
@@ -269,8 +282,14 @@ fn table_period(work: &mut Work, radius: f64, row: Row) -> f64 {
     let (name, source) = ("coefficient of the impulsive period", "table A.2 at H/R");
     work.sheet
         .look_up("C_i", name, source, row.impulsive_period, Dimensionless, &clause);
-    work.sheet
-        .calc("T_imp", "impulsive period", simplified::PERIOD, &terms, Time, &clause)
+    let period = work
+        .sheet
+        .calc("T_imp", "impulsive period", simplified::PERIOD, &terms, Time, &clause);
+    let uniform = Uniform {
+        thickness,
+        modulus: young,
+    };
+    (period, uniform)
 }
 
 /// Lines of the masses and levers of table A.2.

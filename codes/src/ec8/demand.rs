@@ -1,5 +1,9 @@
 //! Seismic action of one assessment: accelerations at the tank's periods from a design spectrum or a record's spectrum.
 
+mod ordinate;
+
+pub(crate) use ordinate::long_period;
+
 use super::spectrum::{
     Branch, EN_HORIZONTAL, EN_VERTICAL, ENV_HORIZONTAL, ENV_VERTICAL, ElasticSpectrum, EnvSpectrum, LONGEST_PERIOD,
     damping_correction, damping_correction_env,

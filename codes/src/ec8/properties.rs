@@ -76,7 +76,7 @@ proptest! {
                 let (strong, heavy) = match q {
                     SloshingPeriod | ImpulsivePeriod => (1.0, 1.0),
                     SloshingHeight => (k, 1.0),
-                    ImpulsiveMass | ConvectiveMass => (1.0, k),
+                    ImpulsiveMass | WallMass | RoofMass | ConvectiveMass => (1.0, k),
                     _ => (k, k),
                 };
                 prop_assert!((b[q] / (strong * value) - 1.0).abs() < 1e-9, "{q:?}");

@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 use super::cylinder::LARGE;
 use super::plate::{Sides, deflection};
 use super::work::{Masses, Work, combined};
-use super::{bearing, damage, pipes, rigid_base, sliding};
+use super::{bearing, damage, ingredients, pipes, rigid_base, sliding};
 use crate::mechanical::{ConvectiveField, ImpulsiveField, Lumped, Plan, impulsive, sloshing_omega};
 use tank::Support;
 use tank::case::{Case, Combination};
@@ -45,6 +45,13 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     sliding::assess(work);
     work.out.values.insert(Quantity::SloshingPeriod, t_c1);
     work.out.values.insert(Quantity::ImpulsivePeriod, t_i);
+    ingredients::structure(work);
+    let motion = ingredients::Motion {
+        impulsive: (t_i, a_i),
+        convective: (t_c1, a_c),
+        sloshing: (t_c1, a_c),
+    };
+    ingredients::record(work, &masses, &masses, &motion, None);
     pressures(work, gamma, half, strip, a_i, a_c);
     damage::assess(work, None, false);
     if case.tank.support == Support::Unanchored {

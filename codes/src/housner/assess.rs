@@ -1,6 +1,7 @@
 //! The procedure `housner`: runs the model on a case and writes its calculation sheet.
 
 use super::coefficients::Coefficients;
+use super::ingredients;
 use super::lines::{Lines, Totals};
 use super::model::{Input, Response};
 use super::motion::{self, Motion, SOURCE};
@@ -10,7 +11,6 @@ use crate::mechanical::Plan;
 use crate::procedure::{CodeError, Label, Procedure};
 use crate::sheet::Sheet;
 use tank::Shape;
-use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
 use tank::assessment::{Assessment, Excitation, NotApplicable, Profile};
 use tank::case::{Case, Combination, ConvectiveCoefficient};
 use tank::quantity::Quantity;
@@ -33,14 +33,6 @@ impl Procedure for Housner {
             title: "Housner (1957, 1963)",
             short: "Housner",
             figure_key: "k-housner",
-        }
-    }
-
-    fn approach(&self) -> Approach {
-        Approach {
-            wave: Wave::FiniteAngle,
-            convective_mass: ConvectiveMass::Coefficient1957,
-            forces: Forces::RigidWall,
         }
     }
 
@@ -116,6 +108,7 @@ impl Run<'_> {
             out.values.insert(quantity, value);
         }
         out.profiles = self.profiles();
+        out.ingredients = ingredients::of(self);
         out.assumptions = notes::assumptions(self);
         out.notes = notes::notes(self);
         out.steps = sheet.into_steps()?;

@@ -2,6 +2,7 @@
 
 use super::lines::Ordinate;
 use crate::api650::ground_motion::DesignSpectrum;
+use crate::ec8::demand::long_period;
 use crate::ec8::spectrum::ElasticSpectrum;
 use crate::procedure::CodeError;
 use oscillator::record::Record;
@@ -9,6 +10,8 @@ use oscillator::spectrum;
 use tank::STANDARD_GRAVITY;
 use tank::assessment::{Excitation, NotApplicable};
 use tank::case::Case;
+use tank::factor::Factor;
+use tank::ingredients;
 
 /// Clause that all limits of this procedure are cited under.
 pub const SOURCE: &str = "Housner 1957; TID-7024 (1963) ch. 6";
@@ -20,6 +23,8 @@ const API_SLOSHING_FACTOR: f64 = 1.5;
 #[derive(Clone, Debug)]
 pub struct Motion<'a> {
     spectrum: Spectrum<'a>,
+    /// Importance factor in the site's spectrum.
+    importance: f64,
     /// Damping ratio of the sloshing mode.
     damping: f64,
     /// Peak ground acceleration a_B [m/s²].
@@ -70,6 +75,7 @@ impl<'a> Motion<'a> {
                     record.name
                 ),
                 spectrum: Spectrum::Record(record),
+                importance: 1.0,
                 damping,
             });
         }
@@ -83,6 +89,7 @@ impl<'a> Motion<'a> {
                      (behaviour factor 1), with its value at T = 0 as ground acceleration."
                 ),
                 spectrum: Spectrum::Ec8(elastic),
+                importance: site.importance,
                 damping,
             });
         }
@@ -101,8 +108,33 @@ impl<'a> Motion<'a> {
                          T = 0 as ground acceleration."
                 .into(),
             spectrum: Spectrum::Asce7(design),
+            importance: 1.0,
             damping,
         })
+    }
+
+    /// The ground acceleration with its factors.
+    pub(super) fn ground_ordinate(&self) -> ingredients::Ordinate {
+        ingredients::Ordinate::ground(self.ground).split(&[(Factor::Importance, self.importance)])
+    }
+
+    /// The acceleration [m/s²] of the sloshing mode at its period [s] with its factors.
+    pub(super) fn sloshing_ordinate(&self, period: f64, value: f64) -> ingredients::Ordinate {
+        let ordinate = ingredients::Ordinate::at(period, self.damping, value);
+        match &self.spectrum {
+            Spectrum::Record(_) => ordinate,
+            Spectrum::Ec8(elastic) => ordinate.split(&[
+                (Factor::LongPeriod, long_period(elastic, period, self.damping)),
+                (Factor::Importance, self.importance),
+            ]),
+            Spectrum::Asce7(design) => ingredients::Ordinate {
+                damping: 0.05,
+                ..ordinate.split(&[
+                    (Factor::LongPeriod, (design.t_l / period).min(1.0)),
+                    (Factor::DampingCorrection, API_SLOSHING_FACTOR),
+                ])
+            },
+        }
     }
 
     /// Pseudo-acceleration of the sloshing mode at its period [s].

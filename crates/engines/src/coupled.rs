@@ -39,6 +39,9 @@ pub struct Coupled {
     /// Vector κ of the base moment just above the base: M_b = κᵀ M ẍ_total, but for the share of the clamped edge and
     /// of rigid side walls (`ground_acceleration` of the probe `base_moment`).
     pub moment_arm: Vec<f64>,
+    /// Rows of base shear and base moment of the wall alone and of the roof alone, by the absolute accelerations; `None` if
+    /// the engine does not separate them from the liquid.
+    pub structure: Option<[[Vec<f64>; 2]; 2]>,
     /// Mesh in words, label → text.
     pub mesh: Vec<results::Labelled>,
     /// Rows that turn an eigenvector into its shape for drawing.

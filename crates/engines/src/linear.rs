@@ -5,6 +5,7 @@ pub(crate) mod demands;
 pub(crate) mod describe;
 pub(crate) mod limits;
 pub(crate) mod mesh_error;
+mod modal;
 pub(crate) mod model;
 
 use fem::progress::{Progress, Silent};
@@ -215,6 +216,7 @@ fn report(
     let result = Run {
         mesh: coupled.mesh.clone(),
         modes: modes(case, model),
+        modal: modal::parts(model),
         integration: describe::integration(model, options, &analysis, motion, linear.direct.is_some()),
         damping_table: model
             .systems()

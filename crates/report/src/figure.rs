@@ -17,6 +17,7 @@ pub mod shapes;
 pub mod sketch;
 pub mod svg;
 pub mod wall;
+pub mod waterfall;
 
 use serde::Serialize;
 

@@ -1,6 +1,7 @@
 //! The sections of the report, in their order. A section is a function from the results to a template and its context;
 //! a section without content is left out.
 
+mod attribution;
 mod checks;
 mod comparison;
 mod engine;
@@ -44,6 +45,23 @@ macro_rules! sections {
 }
 
 sections![
-    summary, comparison, partings, reported, checks, tank, input, motion, spectra, modes, profiles, histories,
-    nonlinear, spatial, sheets, engine, limits, provenance,
+    summary,
+    comparison,
+    partings,
+    attribution,
+    reported,
+    checks,
+    tank,
+    input,
+    motion,
+    spectra,
+    modes,
+    profiles,
+    histories,
+    nonlinear,
+    spatial,
+    sheets,
+    engine,
+    limits,
+    provenance,
 ];

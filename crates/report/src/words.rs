@@ -16,6 +16,7 @@
 //! | [`terminal`] | the summaries on the terminal |
 
 pub mod differences;
+pub mod factors;
 pub mod facts;
 pub mod figures;
 pub mod ida;
@@ -35,7 +36,9 @@ pub fn quantity(quantity: Quantity) -> &'static str {
         Quantity::SloshingPeriod => "sloshing period",
         Quantity::SloshingHeight => "sloshing height",
         Quantity::ImpulsivePeriod => "impulsive period",
-        Quantity::ImpulsiveMass => "impulsive mass",
+        Quantity::ImpulsiveMass => "impulsive mass of the liquid",
+        Quantity::WallMass => "wall mass in the impulsive part",
+        Quantity::RoofMass => "roof mass in the impulsive part",
         Quantity::ConvectiveMass => "convective mass",
         Quantity::BaseShear => "base shear",
         Quantity::BaseMoment => "base moment",

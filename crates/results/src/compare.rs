@@ -3,7 +3,9 @@
 //! All that is found is a typed fact with its numbers; the report puts it into words.
 
 mod attribution;
+mod chain;
 mod difference;
+mod factors;
 mod mesh_error;
 mod nonlinear;
 mod outside;
@@ -11,10 +13,11 @@ mod outside;
 use std::collections::BTreeMap;
 
 use tank::Quantity;
-use tank::approach::Approach;
 
 pub use attribution::THRESHOLD;
+pub use chain::{CLOSED, Engine, Made, Spectrum, largest_structural};
 pub use difference::{Damping, Difference, Estimated, Incomplete, Ratio, Reason};
+pub use factors::{Attribution, FactorStep};
 pub use mesh_error::{Unusable, unusable};
 
 use crate::nonlinear::{End, Event};
@@ -57,6 +60,7 @@ pub fn compare(methods: &[Method], context: &Context, published: Vec<tank::case:
     Comparison {
         rows,
         differences,
+        attribution: context.attribution.clone(),
         published,
     }
 }
@@ -64,22 +68,10 @@ pub fn compare(methods: &[Method], context: &Context, published: Vec<tank::case:
 /// Facts for the attribution of differences, in addition to the methods' values.
 #[derive(Clone, Debug, Default)]
 pub struct Context {
-    /// Peak ground acceleration of the horizontal record [m/s²].
-    pub pga: f64,
-    /// S_a of the record at the engine's first structural period and impulsive damping [m/s²].
-    pub impulsive_acceleration: f64,
-    /// Base shear of the engine's first structural mode at its spectral peak [N].
-    pub impulsive_shear: f64,
-    /// Base shear of the engine's first sloshing mode at its spectral peak [N].
-    pub convective_shear: f64,
-    /// Largest base shear of the history [N].
-    pub history_shear: f64,
-    /// Sloshing damping ratio.
-    pub sloshing_damping: f64,
     /// Estimated discretisation error of the three-dimensional engine by quantity id, relative.
     pub solid_mesh_error: BTreeMap<String, f64>,
-    /// Simplifications of each procedure, by method id.
-    pub approaches: BTreeMap<String, Approach>,
+    /// Attributions of the procedures' values.
+    pub attribution: Vec<Attribution>,
     /// The course of the nonlinear run.
     pub nonlinear: Option<Happened>,
 }
@@ -97,13 +89,6 @@ pub struct Happened {
     pub input: f64,
     /// Damping of the linear and of the nonlinear run, where they are known.
     pub damping: Option<[Damping; 2]>,
-}
-
-impl Context {
-    /// S_a(T_impulsive) over the peak ground acceleration.
-    pub fn amplification(&self) -> f64 {
-        self.impulsive_acceleration / self.pga
-    }
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ mod fact;
 mod fields;
 pub mod finite;
 mod ida;
+pub mod modal;
 pub mod nonlinear;
 pub mod numdiff;
 mod previous;
@@ -345,6 +346,9 @@ pub struct Comparison {
     /// Where and why the methods differ.
     #[serde(default)]
     pub differences: Vec<compare::Difference>,
+    /// The ways from the value of the reference engine to those of the procedures.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub attribution: Vec<compare::Attribution>,
     /// Values others have published for this tank.
     pub published: Vec<tank::case::Reported>,
 }

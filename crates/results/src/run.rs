@@ -7,6 +7,7 @@ use tank::units::Dimension;
 
 use crate::channel::Channel;
 use crate::fields::Fields;
+use crate::modal::ModalPart;
 use crate::nonlinear::{End, Event, EventKind, Nonlinear};
 
 /// Id of the first engine's column in the comparison, the reference of all ratios.
@@ -116,6 +117,9 @@ pub struct Run {
     pub mesh: Vec<Labelled>,
     /// Coupled modes of all computed harmonics.
     pub modes: Vec<Mode>,
+    /// Response to horizontal motion mode by mode, of the linear engines.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub modal: Vec<ModalPart>,
     /// Time integration, damping and number of modes, as label → text.
     pub integration: Vec<Labelled>,
     /// Damping ratios that result at the modes with more than 1 % of the mass (Rayleigh only).
@@ -152,6 +156,7 @@ impl Run {
             incomplete: false,
             mesh: Vec::new(),
             modes: Vec::new(),
+            modal: Vec::new(),
             integration: Vec::new(),
             damping_table: Vec::new(),
             mesh_error: BTreeMap::new(),

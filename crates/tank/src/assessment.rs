@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 pub use crate::check::{Check, CheckStatus, LimitState, Requirement};
+use crate::ingredients::Ingredients;
 use crate::quantity::Quantity;
 use crate::units::Dimension;
 
@@ -91,6 +92,9 @@ pub struct Assessment {
     pub assumptions: Vec<String>,
     /// Warnings and remarks, one sentence each.
     pub notes: Vec<String>,
+    /// What the quantities are made of.
+    #[serde(skip)]
+    pub ingredients: Vec<Ingredients>,
 }
 
 /// Reason why a procedure does not apply.

@@ -12,17 +12,19 @@
 //! | [`quantity`] | comparable quantities of procedures and engines |
 //! | [`check`] | limit states, and how each ends |
 //! | [`demand`] | histories of stresses and forces that limit states compare with capacities |
-//! | [`assessment`], [`approach`] | result of a procedure, and its simplifications |
+//! | [`assessment`] | result of a procedure |
+//! | [`ingredients`], [`factor`] | what a quantity is made of, and the order in which that is exchanged |
 //!
 //! SI units throughout (m, kg, s, N, Pa, rad); the unit is in the doc of every field. `z` points upwards from the
 //! tank bottom.
 
-pub mod approach;
 pub mod assessment;
 pub mod case;
 pub mod check;
 pub mod demand;
+pub mod factor;
 pub mod formula;
+pub mod ingredients;
 pub mod options;
 pub mod quantity;
 pub mod reference;

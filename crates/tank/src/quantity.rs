@@ -17,8 +17,12 @@ pub enum Quantity {
     SloshingHeight,
     /// Period of the first impulsive (structural) mode [s].
     ImpulsivePeriod,
-    /// Mass that moves with the first impulsive mode, or with the rigid wall [kg].
+    /// Liquid that moves with the impulsive mode, or with the rigid wall [kg].
     ImpulsiveMass,
+    /// Part of the wall that moves with it [kg].
+    WallMass,
+    /// Part of the roof that moves with it [kg].
+    RoofMass,
     /// Mass of the first sloshing mode [kg].
     ConvectiveMass,
     /// Horizontal force on the foundation [N].
@@ -37,11 +41,13 @@ pub enum Quantity {
 
 impl Quantity {
     /// All quantities in report order.
-    pub const ALL: [Quantity; 11] = [
+    pub const ALL: [Quantity; 13] = [
         Quantity::SloshingPeriod,
         Quantity::SloshingHeight,
         Quantity::ImpulsivePeriod,
         Quantity::ImpulsiveMass,
+        Quantity::WallMass,
+        Quantity::RoofMass,
         Quantity::ConvectiveMass,
         Quantity::BaseShear,
         Quantity::BaseMoment,
@@ -58,6 +64,8 @@ impl Quantity {
             Quantity::SloshingHeight => "sloshing_height",
             Quantity::ImpulsivePeriod => "impulsive_period",
             Quantity::ImpulsiveMass => "impulsive_mass",
+            Quantity::WallMass => "wall_mass",
+            Quantity::RoofMass => "roof_mass",
             Quantity::ConvectiveMass => "convective_mass",
             Quantity::BaseShear => "base_shear",
             Quantity::BaseMoment => "base_moment",
@@ -79,7 +87,9 @@ impl Quantity {
             Quantity::SloshingPeriod => "Sloshing period",
             Quantity::SloshingHeight => "Sloshing height",
             Quantity::ImpulsivePeriod => "Impulsive period",
-            Quantity::ImpulsiveMass => "Impulsive mass",
+            Quantity::ImpulsiveMass => "Impulsive mass of the liquid",
+            Quantity::WallMass => "Wall mass in the impulsive part",
+            Quantity::RoofMass => "Roof mass in the impulsive part",
             Quantity::ConvectiveMass => "Convective mass",
             Quantity::BaseShear => "Base shear",
             Quantity::BaseMoment => "Base moment (above the base plate)",
@@ -95,7 +105,9 @@ impl Quantity {
         match self {
             Quantity::SloshingPeriod | Quantity::ImpulsivePeriod => Dimension::Time,
             Quantity::SloshingHeight => Dimension::Length,
-            Quantity::ImpulsiveMass | Quantity::ConvectiveMass => Dimension::Mass,
+            Quantity::ImpulsiveMass | Quantity::WallMass | Quantity::RoofMass | Quantity::ConvectiveMass => {
+                Dimension::Mass
+            }
             Quantity::BaseShear => Dimension::Force,
             Quantity::BaseMoment | Quantity::OverturningMoment => Dimension::Moment,
             Quantity::HoopStress | Quantity::AxialMembraneStress | Quantity::BendingStress => Dimension::Stress,
@@ -118,6 +130,8 @@ mod tests {
                 "sloshing_height",
                 "impulsive_period",
                 "impulsive_mass",
+                "wall_mass",
+                "roof_mass",
                 "convective_mass",
                 "base_shear",
                 "base_moment",

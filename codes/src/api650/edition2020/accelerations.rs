@@ -21,9 +21,9 @@ const E6_1_3: &str = "API 650:2020 E.6.1.3";
 const E7_2: &str = "API 650:2020 E.7.2";
 
 /// Factor from 5 % to 0.5 % damping.
-const K: f64 = 1.5;
+pub(super) const K: f64 = 1.5;
 /// Response modification of the convective part.
-const R_WC: f64 = 2.0;
+pub(super) const R_WC: f64 = 2.0;
 
 /// Periods [s].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,6 +32,8 @@ pub struct Periods {
     pub impulsive: Option<f64>,
     /// Convective T_c.
     pub convective: f64,
+    /// Equivalent uniform thickness t_u [m].
+    pub thickness: f64,
 }
 
 /// Accelerations in g.
@@ -241,6 +243,7 @@ impl Run<'_> {
         Periods {
             impulsive,
             convective: t_c,
+            thickness: t_u,
         }
     }
 

@@ -33,6 +33,10 @@ pub(super) struct Forces {
     pub x_i: f64,
     /// Height X_c [m] of the convective force above the bottom, ringwall.
     pub x_c: f64,
+    /// Height X_is [m] of the impulsive force, slab.
+    pub x_is: f64,
+    /// Height X_cs [m] of the convective force, slab.
+    pub x_cs: f64,
 }
 
 impl Run<'_> {
@@ -72,9 +76,9 @@ impl Run<'_> {
         let name = "height of the convective force, ringwall";
         let x_c = line(sheet, "X_c", name, charts.x_c, Length, E6_1_2_1);
         let name = "height of the impulsive force, slab";
-        line(sheet, "X_is", name, charts.x_is, Length, E6_1_2_2);
+        let x_is = line(sheet, "X_is", name, charts.x_is, Length, E6_1_2_2);
         let name = "height of the convective force, slab";
-        line(sheet, "X_cs", name, charts.x_cs, Length, E6_1_2_2);
+        let x_cs = line(sheet, "X_cs", name, charts.x_cs, Length, E6_1_2_2);
         sheet.input("W_f", "weight of the floor", b.w_f, Force, "tank.bottom");
 
         sheet.section("Base shear and moments");
@@ -102,6 +106,8 @@ impl Run<'_> {
             w_c,
             x_i,
             x_c,
+            x_is,
+            x_cs,
         }
     }
 

@@ -99,7 +99,7 @@ fn worked_example() {
         1.0,
         "allowable hoop stress",
     );
-    assert_eq!(out.values.len(), 10);
+    assert_eq!(out.values.len(), 12);
     // The wave of 0.7·1.117 m stays below the freeboard of 2.4 m; all holds.
     let compared: Vec<_> = out.checks.iter().filter(|c| c.compared()).collect();
     assert_eq!(compared.len(), 6);

@@ -30,6 +30,10 @@ pub(super) struct Assembly {
     pub(super) rotation: Vec<f64>,
     /// Inertia load of a unit ground acceleration, on all unknowns (right-hand side −load a_g).
     pub(super) load: Vec<f64>,
+    /// Rows of base shear and base moment of the wall alone, on all unknowns.
+    pub(super) wall_inertia: [Vec<f64>; 2],
+    /// The same of the roof.
+    pub(super) roof_inertia: [Vec<f64>; 2],
     pub(super) reduction: Reduction,
 }
 
@@ -60,13 +64,16 @@ impl Assembly {
         column.extend(liquid.surface_columns().map(|_| take()));
 
         let (mut mass, mut stiffness) = (Matrix::zeros(size, size), Matrix::zeros(size, size));
+        add_wall(&wall, &node, &mut mass, &mut stiffness);
+        let bare = mass.clone();
+        add_roof(&wall, &node, harmonic, roof, &mut mass);
         let mut assembly = {
-            add_wall(&wall, &node, &mut mass, &mut stiffness);
-            add_roof(&wall, &node, harmonic, roof, &mut mass);
             Assembly {
                 translation: vec![0.0; size],
                 rotation: vec![0.0; size],
                 load: vec![0.0; size],
+                wall_inertia: Default::default(),
+                roof_inertia: Default::default(),
                 reduction: Reduction::new(&[], None),
                 wall,
                 liquid,
@@ -80,7 +87,15 @@ impl Assembly {
         };
         assembly.set_rigid_motion(case);
         // Vertical motion: the weight of the wall follows from its mass, that of the liquid from its pressure.
-        let wall_load = assembly.mass.times(&assembly.translation);
+        let rigid = [&assembly.translation, &assembly.rotation];
+        let of_wall = rigid.map(|motion| bare.times(motion));
+        let with_roof = rigid.map(|motion| assembly.mass.times(motion));
+        let wall_load = with_roof[0].clone();
+        assembly.roof_inertia = std::array::from_fn(|k| {
+            let both = with_roof[k].iter().zip(&of_wall[k]);
+            both.map(|(all, wall)| all - wall).collect()
+        });
+        assembly.wall_inertia = of_wall;
         assembly.add_liquid(case.gravity);
         assembly.load = if harmonic == 0 {
             let mut load = wall_load;

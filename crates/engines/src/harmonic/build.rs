@@ -81,6 +81,10 @@ pub(crate) fn build_observed(
         shear,
         liquid_mass: case.liquid_mass(),
         wall_mass: case.tank.wall_mass() + case.tank.roof.mass,
+        structure: (harmonic == 1).then(|| {
+            let rows = [&assembly.wall_inertia, &assembly.roof_inertia];
+            rows.map(|rows| rows.each_ref().map(|row| assembly.reduction.row(row)))
+        }),
         mesh: describe(&assembly),
         shape_rows: shape_rows(&assembly),
         mass,

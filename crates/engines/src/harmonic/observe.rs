@@ -94,7 +94,7 @@ impl Observer<'_> {
         if self.assembly.wall.curvature == 0.0 {
             return None;
         }
-        let (what, places) = (OnWall::Shear, self.places());
+        let (what, places) = (OnWall::Shear, places(&self.assembly.wall, self.places));
         let probes = places.iter().enumerate();
         let probe = |(i, p): (usize, &Place)| self.wall_probe(ProbeLine::probe(what, i, p.z), Output::ShearForce, p);
         Some(ProbeLine {

@@ -184,6 +184,7 @@ pub(super) fn new(
         liquid_mass: case.liquid_mass(),
         wall_mass: case.tank.wall_mass() + case.tank.roof.mass,
         moment_arm,
+        structure: None,
         mesh: describe(tank, system, basis.cols),
         shape_rows,
         mass,

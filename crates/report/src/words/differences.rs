@@ -1,10 +1,9 @@
 //! Where the methods differ from the finite elements, and why.
 
 use crate::number::plain;
-use results::compare::{Damping, Difference, Ratio, Reason, THRESHOLD};
+use results::compare::{Damping, Difference, FactorStep, Ratio, Reason, THRESHOLD};
 use results::nonlinear::Event;
 use results::{EngineId, Results};
-use tank::Quantity;
 use tank::assessment::Excitation;
 use tank::units::{self, Dimension};
 
@@ -30,35 +29,22 @@ fn ratio(found: &Ratio) -> String {
 pub fn why(results: &Results, difference: &Difference) -> String {
     let run = results.beside(EngineId::Nonlinear);
     let events = run.map_or(&[][..], |run| &run.events);
-    let sentences: Vec<String> = difference.reasons.iter().map(|r| reason(r, events)).collect();
+    let sentences = difference.reasons.iter().map(|r| reason(r, events));
+    let sentences: Vec<String> = sentences.filter(|s| !s.is_empty()).collect();
     sentences.join(" ")
 }
 
 /// One cause. `events` are those of the nonlinear run.
 fn reason(reason: &Reason, events: &[Event]) -> String {
     match reason {
-        Reason::Discretisation { .. }
-        | Reason::TestGauges
-        | Reason::TestScatter
-        | Reason::SloshingDepth
-        | Reason::UniformWall
-        | Reason::RigidImpulsiveMass
-        | Reason::AllSloshingModes
-        | Reason::Coefficient1957
-        | Reason::FittedMass => model(reason),
-        Reason::FiniteAngleWave { damping }
-        | Reason::SpectralPeakWave { damping }
-        | Reason::FittedPeriodWave { damping } => wave(reason, *damping),
-        Reason::RigidWall { .. }
-        | Reason::FirstModeForces { .. }
-        | Reason::AnyPeriodForces
-        | Reason::FittedPeriodForces
-        | Reason::ModalMaxima { .. } => forces(reason),
+        Reason::Discretisation { .. } | Reason::TestGauges | Reason::TestScatter => model(reason),
+        Reason::Factors { steps } => largest(steps),
+        Reason::Withdrawn => String::new(),
         _ => nonlinear(reason, events),
     }
 }
 
-/// Causes for periods and masses, for tests and for meshes.
+/// Causes for tests and for meshes.
 fn model(reason: &Reason) -> String {
     let text = match reason {
         Reason::Discretisation { estimated } => {
@@ -81,93 +67,26 @@ fn model(reason: &Reason) -> String {
              value is the largest over the height or that of the base; the test wall could uplift and is not a perfect \
              shell. See the remark on the value."
         }
-        Reason::TestScatter => {
+        _ => {
             "A test value: the difference contains the scatter of the test and its instruments and the assumptions of linear theory \
              (small waves, perfect shell, rigid base)."
         }
-        Reason::SloshingDepth => {
-            "Both are first-mode formulas of the same potential flow; a difference indicates another liquid depth (slender \
-             tanks) or to a rounded constant."
-        }
-        Reason::UniformWall => {
-            "The procedure takes the period from a one-term formula for a uniform wall that ends at the liquid; the engine has \
-             the real courses, the wall above the liquid, and the mass of wall and roof."
-        }
-        Reason::RigidImpulsiveMass => {
-            "The procedure counts all liquid that does not slosh as impulsive (rigid wall); the engine's value is the mass of \
-             the first structural mode alone, the rest moves with the higher modes and with the ground."
-        }
-        Reason::AllSloshingModes => {
-            "Table A.2 lumps all sloshing modes into one convective mass (m − m_i); the engine's value is the first mode alone."
-        }
-        Reason::Coefficient1957 => {
-            "The 1957 coefficient (0.318 for circular tanks) is 30 % below potential flow (0.4545); the exact coefficient \
-             removes this difference."
-        }
-        _ => "The coefficient 0.230 D/H is a fit to the first mode; the difference is that of the fit.",
     };
     text.into()
 }
 
-/// Causes for the wave height.
-fn wave(reason: &Reason, damping: f64) -> String {
-    let damping = format!("{:.1} %", damping * 100.0);
-    match reason {
-        Reason::FiniteAngleWave { .. } => format!(
-            "Housner's wave has one mode, a constant 25 % below potential flow for small waves, and a finite-angle \
-             denominator that raises large ones; the engine sums five modes of linear theory at {damping} damping."
-        ),
-        Reason::SpectralPeakWave { .. } => format!(
-            "The code's wave, 0.84 R S_e/g, is the first mode alone at its spectral peak; in the history the second to \
-             fifth mode, at {damping} damping like the first, have other phases and may lower or raise the largest wave."
-        ),
-        _ => format!(
-            "0.42 D A_f is the first mode alone, with the ordinate at the code's sloshing period (1.8 K_s √D); the engine \
-             has the exact period and five modes at {damping} damping. Where the spectrum is steep, half a percent of \
-             period already moves the ordinate."
-        ),
-    }
-}
-
-/// Causes for shear, moments and stresses.
-fn forces(reason: &Reason) -> String {
-    match *reason {
-        Reason::RigidWall { amplification } => format!(
-            "Housner's wall is rigid: the impulsive mass moves with the ground. In the engine it moves with the wall, at \
-             {amplification:.2} times the peak ground acceleration."
-        ),
-        Reason::FirstModeForces { above } => format!(
-            "The code gives the whole impulsive mass {} and adds the convective maximum to the impulsive one.",
-            if above {
-                "the acceleration of the first mode"
-            } else {
-                "one period and one acceleration"
-            }
-        ),
-        Reason::AnyPeriodForces => {
-            "The 9th edition takes one acceleration of the impulsive range, whatever the tank's period, and adds maxima."
-                .into()
-        }
-        Reason::ModalMaxima {
-            impulsive,
-            convective,
-            history,
-        } => {
-            let unit = units::column_unit([impulsive, history], Quantity::BaseShear.dimension());
-            let print = |value: f64| units::display_in(value, unit, 3);
-            format!(
-                "Alone, the first structural mode has a base shear of {}, the first sloshing mode {}; the history, where the \
-                 maxima do not coincide and higher modes act against them, peaks at {} ({:.2} of their sum).",
-                print(impulsive),
-                print(convective),
-                print(history),
-                history / (impulsive + convective)
-            )
-        }
-        _ => "The code gives the whole impulsive mass one acceleration at a period from a fitted coefficient, and combines the \
-              maxima by square roots."
-            .into(),
-    }
+/// "Largest factors: lever arms 1.31, impulsive period 0.80."
+fn largest(steps: &[FactorStep]) -> String {
+    let list: Vec<String> = steps
+        .iter()
+        .map(|step| format!("{} {:.2}", super::factors::name(step.factor_id), step.factor))
+        .collect();
+    let what = if steps.len() == 1 {
+        "Largest factor"
+    } else {
+        "Largest factors"
+    };
+    format!("{what}: {}.", list.join(", "))
 }
 
 /// Causes found in the nonlinear run.
@@ -250,6 +169,7 @@ pub fn damping(damping: &Damping) -> String {
 mod tests {
     use results::compare::Estimated;
     use results::nonlinear::EventKind;
+    use tank::Quantity;
 
     use super::*;
 
@@ -275,15 +195,15 @@ mod tests {
             (Reason::NoEquilibrium { time: 7.5 }, "not find equilibrium after 7.50 s"),
             (Reason::Dissipation { energy: 2e3, work: 1e4 }, "20 %"),
             (Reason::Discretisation { estimated }, "error: base moment 2.1 %."),
-            (Reason::RigidWall { amplification: 2.344 }, "at 2.34 times"),
-            (Reason::SpectralPeakWave { damping: 0.005 }, "at 0.5 % damping"),
             (
-                Reason::ModalMaxima {
-                    impulsive: 6e4,
-                    convective: 2e4,
-                    history: 6.4e4,
+                Reason::Factors {
+                    steps: vec![FactorStep {
+                        factor_id: tank::factor::Factor::LeverArm,
+                        factor: 1.314,
+                        value: 2.0,
+                    }],
                 },
-                "peaks at 64.0 kN (0.80 of their sum)",
+                "Largest factor: lever arms 1.31.",
             ),
             (
                 Reason::Damping {

@@ -63,6 +63,28 @@ const ALL: &[Words] = &[
         ],
     },
     Words {
+        id: "attribution",
+        title: "Factors of the differences",
+        sentences: &[
+            (
+                "exchange",
+                "From the value of the finite elements, one ingredient after the other is exchanged for the procedure's and the \
+                 value computed again; the product of the factors is the ratio to the finite elements.",
+            ),
+            (
+                "order",
+                "The order is fixed: modal maxima combined by SRSS for the history; the structural mode of the largest mass and the first \
+                 sloshing mode for all modes; masses of liquid, wall, roof, floor and sloshing; lever arms; periods; damping; spectrum, \
+                 code's damping factor, long-period branch, importance and behaviour factor, bounds; wave formula; combination rule. \
+                 Another order has other factors with the same product.",
+            ),
+            (
+                "bars",
+                "Bars on a logarithmic axis; dashed line: the finite elements. Factors within 2 % of 1 share a row.",
+            ),
+        ],
+    },
+    Words {
         id: "checks",
         title: "Checks",
         sentences: &[(

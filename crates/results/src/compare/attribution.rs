@@ -1,13 +1,13 @@
-//! Finds where the methods differ, and attributes the differences to causes.
+//! Finds where the methods differ, and attributes the differences to what was exchanged.
 //!
 //! A difference is reported where a procedure under the *record's* spectrum is more than 10 % off the finite-element history:
-//! there both saw the same ground motion, so the difference is the procedure's. Quantities that differ for the same cause
-//! stand together. The two engines are held to 1 %.
+//! there both saw the same ground motion, so the difference is the procedure's. Its reasons are the largest factors of its
+//! [`Attribution`]; where a quantity has none, no reason is given. The two engines are held to 1 %.
 
 use tank::Quantity;
-use tank::approach::{Approach, ConvectiveMass, Forces, Wave};
 use tank::assessment::Excitation;
 
+use super::factors::Attribution;
 use super::{Context, Difference, Estimated, MEASURED, Ratio, Reason, nonlinear};
 use crate::{ComparisonRow, EngineId, Method};
 
@@ -17,65 +17,62 @@ pub const THRESHOLD: f64 = 0.10;
 /// The two engines solve one problem: more than this between them is reported.
 const ENGINES: f64 = 0.01;
 
-/// Quantities whose differences have one cause.
-const GROUPS: [(Cause, &[Quantity]); 6] = [
-    (Cause::SloshingPeriod, &[Quantity::SloshingPeriod]),
-    (Cause::Wave, &[Quantity::SloshingHeight]),
-    (Cause::ImpulsivePeriod, &[Quantity::ImpulsivePeriod]),
-    (Cause::ImpulsiveMass, &[Quantity::ImpulsiveMass]),
-    (Cause::ConvectiveMass, &[Quantity::ConvectiveMass]),
-    (
-        Cause::Forces,
-        &[
-            Quantity::BaseShear,
-            Quantity::BaseMoment,
-            Quantity::OverturningMoment,
-            Quantity::HoopStress,
-            Quantity::AxialMembraneStress,
-            Quantity::BendingStress,
-        ],
-    ),
+/// Factors that a difference names.
+const NAMED: usize = 2;
+/// Factors within this of 1 are not named.
+const NAMED_FROM: f64 = 0.01;
+
+/// Forces and stresses, which a test measures alike.
+const FORCES: [Quantity; 6] = [
+    Quantity::BaseShear,
+    Quantity::BaseMoment,
+    Quantity::OverturningMoment,
+    Quantity::HoopStress,
+    Quantity::AxialMembraneStress,
+    Quantity::BendingStress,
 ];
 
-/// Why a group of quantities differs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Cause {
-    SloshingPeriod,
-    Wave,
-    ImpulsivePeriod,
-    ImpulsiveMass,
-    ConvectiveMass,
-    Forces,
-}
-
-/// One difference a cause and method, the engines first.
+/// Engines first, then quantity by quantity.
 pub(super) fn attribute(methods: &[Method], rows: &[ComparisonRow], context: &Context) -> Vec<Difference> {
     let mut found = Vec::new();
-    let mut modal_maxima = modal_maxima(context);
     found.extend(engines(methods, rows, context));
     found.extend(nonlinear::attribute(methods, rows, context));
-    for (cause, quantities) in GROUPS {
+    for quantity in Quantity::ALL {
         for (column, method) in methods.iter().enumerate() {
             if method.excitation != Excitation::Record || method.is_run() {
                 continue;
             }
-            let ratios = ratios(rows, column, THRESHOLD, quantities);
-            let Some(first) = ratios.first() else {
-                continue;
+            let of_test = method.id == MEASURED;
+            let group: &[Quantity] = match FORCES.contains(&quantity) && of_test {
+                true if quantity == FORCES[0] => &FORCES,
+                true => continue,
+                false => std::slice::from_ref(&quantity),
             };
-            let mut reasons: Vec<Reason> = reason(cause, method, first.ratio, context).into_iter().collect();
-            if cause == Cause::Forces && method.id != MEASURED {
-                // Once is enough: it holds for all methods.
-                reasons.extend(modal_maxima.take());
+            let ratios = ratios(rows, column, THRESHOLD, group);
+            if !ratios.is_empty() {
+                let reasons = match of_test {
+                    true if group.len() > 1 => vec![Reason::TestGauges],
+                    true => vec![Reason::TestScatter],
+                    false => factors(&context.attribution, method, quantity).into_iter().collect(),
+                };
+                found.push(Difference {
+                    method: method.id.clone(),
+                    ratios,
+                    reasons,
+                });
             }
-            found.push(Difference {
-                method: method.id.clone(),
-                ratios,
-                reasons,
-            });
         }
     }
     found
+}
+
+/// The largest factors of a quantity of a method.
+fn factors(attribution: &[Attribution], method: &Method, quantity: Quantity) -> Option<Reason> {
+    let own = attribution
+        .iter()
+        .find(|a| a.method == method.id && a.excitation == method.excitation && a.quantity == quantity)?;
+    let steps = own.largest(NAMED, NAMED_FROM);
+    (!steps.is_empty()).then_some(Reason::Factors { steps })
 }
 
 /// Where the three-dimensional engine differs from the harmonic one: their meshes.
@@ -106,52 +103,4 @@ pub(super) fn ratios(rows: &[ComparisonRow], column: usize, threshold: f64, quan
         ((ratio - 1.0).abs() > threshold).then_some(Ratio { quantity, ratio })
     };
     quantities.iter().filter_map(ratio).collect()
-}
-
-/// The cause of a difference, where the theory has one.
-fn reason(cause: Cause, method: &Method, ratio: f64, context: &Context) -> Option<Reason> {
-    if method.id == MEASURED {
-        return Some(match cause {
-            Cause::Forces => Reason::TestGauges,
-            _ => Reason::TestScatter,
-        });
-    }
-    let approach = context.approaches.get(&method.id);
-    Some(match cause {
-        Cause::SloshingPeriod => Reason::SloshingDepth,
-        Cause::ImpulsivePeriod => Reason::UniformWall,
-        Cause::ImpulsiveMass => Reason::RigidImpulsiveMass,
-        Cause::Wave => wave(approach?, context.sloshing_damping),
-        Cause::ConvectiveMass => match approach?.convective_mass {
-            ConvectiveMass::AllModes => Reason::AllSloshingModes,
-            ConvectiveMass::Coefficient1957 => Reason::Coefficient1957,
-            ConvectiveMass::Fit => Reason::FittedMass,
-        },
-        Cause::Forces => match approach?.forces {
-            Forces::RigidWall => Reason::RigidWall {
-                amplification: Some(context.amplification()).filter(|a| a.is_finite())?,
-            },
-            Forces::FirstMode => Reason::FirstModeForces { above: ratio > 1.0 },
-            Forces::AnyPeriod => Reason::AnyPeriodForces,
-            Forces::FittedPeriod => Reason::FittedPeriodForces,
-        },
-    })
-}
-
-fn wave(approach: &Approach, damping: f64) -> Reason {
-    match approach.wave {
-        Wave::FiniteAngle => Reason::FiniteAngleWave { damping },
-        Wave::SpectralPeak => Reason::SpectralPeakWave { damping },
-        Wave::FittedPeriod => Reason::FittedPeriodWave { damping },
-    }
-}
-
-/// The largest shear of the first structural and the first sloshing mode, and that of the history.
-fn modal_maxima(context: &Context) -> Option<Reason> {
-    let sum = context.impulsive_shear + context.convective_shear;
-    (sum > 0.0 && context.history_shear > 0.0).then_some(Reason::ModalMaxima {
-        impulsive: context.impulsive_shear,
-        convective: context.convective_shear,
-        history: context.history_shear,
-    })
 }

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use tank::Quantity;
 
+use super::factors::FactorStep;
 use crate::EngineId;
 
 /// Where a method differs from the finite elements on the same ground motion, and why.
@@ -47,55 +48,10 @@ pub enum Reason {
     TestGauges,
     /// Scatter of a test and the assumptions of linear theory.
     TestScatter,
-    /// Formulas of one potential flow at different depths, or rounded constants.
-    SloshingDepth,
-    /// One-term formula for a uniform wall that ends at the liquid.
-    UniformWall,
-    /// All liquid that does not slosh counts as impulsive.
-    RigidImpulsiveMass,
-    /// All sloshing modes as one convective mass.
-    AllSloshingModes,
-    /// Housner's coefficient of 1957.
-    Coefficient1957,
-    /// A fit to the first sloshing mode.
-    FittedMass,
-    /// Housner's wave.
-    FiniteAngleWave {
-        /// Damping ratio of the engine's sloshing modes.
-        damping: f64,
-    },
-    /// The first mode at its spectral peak.
-    SpectralPeakWave {
-        /// Damping ratio of the engine's sloshing modes.
-        damping: f64,
-    },
-    /// The first mode at a fitted period.
-    FittedPeriodWave {
-        /// Damping ratio of the engine's sloshing modes.
-        damping: f64,
-    },
-    /// The impulsive mass moves with the ground.
-    RigidWall {
-        /// S_a at the engine's first structural period over the peak ground acceleration.
-        amplification: f64,
-    },
-    /// The whole impulsive mass at one period; maxima are added.
-    FirstModeForces {
-        /// Whether the forces lie above the finite-element values.
-        above: bool,
-    },
-    /// One acceleration of the impulsive range; maxima are added.
-    AnyPeriodForces,
-    /// One acceleration at a fitted period; maxima by square roots.
-    FittedPeriodForces,
-    /// Maxima of single modes do not coincide in the history.
-    ModalMaxima {
-        /// Base shear of the first structural mode at its spectral peak [N].
-        impulsive: f64,
-        /// Base shear of the first sloshing mode at its spectral peak [N].
-        convective: f64,
-        /// Largest base shear of the history [N].
-        history: f64,
+    /// The largest factors of the attribution, largest first.
+    Factors {
+        /// Up to two steps of it.
+        steps: Vec<FactorStep>,
     },
     /// The nonlinear run left its model and was stopped.
     LeftModel {
@@ -139,6 +95,9 @@ pub enum Reason {
         /// Work of the loads [J].
         work: f64,
     },
+    /// A cause that results of an earlier version state and this version does not.
+    #[serde(other)]
+    Withdrawn,
 }
 
 /// Damping of a run.

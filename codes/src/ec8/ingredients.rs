@@ -1,0 +1,116 @@
+//! What the comparable quantities of EN 1998-4 are made of, for the attribution of differences.
+
+use super::work::{Masses, Work};
+use crate::mechanical::Lumped;
+use tank::factor::Factor;
+use tank::ingredients::{Ingredients, Part, Recipe, Response, Share};
+use tank::quantity::Quantity;
+
+/// Periods [s] and accelerations [m/s²] of an assessment.
+pub(super) struct Motion {
+    /// Impulsive period and acceleration.
+    pub impulsive: (f64, f64),
+    /// Period and acceleration of the convective part of the resultants.
+    pub convective: (f64, f64),
+    /// Period of the first sloshing mode and its acceleration, for the wave.
+    pub sloshing: (f64, f64),
+}
+
+/// A wall of one thickness [m] and modulus [Pa] by whose formula the impulsive period was computed.
+pub(super) struct Uniform {
+    pub thickness: f64,
+    pub modulus: f64,
+}
+
+/// Adds the ingredients of wave, shear and moments, masses and periods.
+///
+/// * `masses`: as the resultants have them; `exact`: those of the rigid tank in potential flow
+/// * `wall`: the uniform wall of the period's formula, `None` if the period is that of the wall itself
+pub(super) fn record(work: &mut Work, masses: &Masses, exact: &Masses, motion: &Motion, wall: Option<Uniform>) {
+    responses(work, masses, motion);
+    let period = work.out.values.get(&Quantity::SloshingPeriod).copied().unwrap_or(0.0);
+    let liquid = work.mass;
+    let mut ladder = |quantity, rungs: &[(Factor, f64)]| {
+        work.out.ingredients.push(Ingredients::ladder(quantity, rungs));
+    };
+    // The period is the exact one.
+    ladder(Quantity::SloshingPeriod, &[(Factor::RigidTank, period)]);
+    ladder(
+        Quantity::ImpulsiveMass,
+        &[
+            (Factor::RigidTank, exact.impulsive.mass),
+            (Factor::Formula, masses.impulsive.mass),
+        ],
+    );
+    let one_mode = (Factor::RigidTank, exact.convective.mass);
+    let all_modes = (Factor::AllSloshingModes, liquid - exact.impulsive.mass);
+    let table = (Factor::Formula, masses.convective.mass);
+    if masses == exact {
+        ladder(Quantity::ConvectiveMass, &[one_mode]);
+    } else {
+        ladder(Quantity::ConvectiveMass, &[one_mode, all_modes, table]);
+    }
+    let period = motion.impulsive.0;
+    match wall {
+        Some(Uniform { thickness, modulus }) => work.out.ingredients.push(Ingredients {
+            quantity: Quantity::ImpulsivePeriod,
+            recipe: Recipe::UniformWall {
+                thickness,
+                modulus,
+                period,
+            },
+        }),
+        None => ladder(Quantity::ImpulsivePeriod, &[(Factor::ShellModel, period)]),
+    }
+}
+
+fn responses(work: &mut Work, masses: &Masses, motion: &Motion) {
+    let case = work.case;
+    let (damping, combination) = (case.damping, case.procedures.ec8_combination);
+    let q = work.demand.behaviour_factor;
+    let ((t_i, a_i), (t_c, a_c), (t_w, a_w)) = (motion.impulsive, motion.convective, motion.sloshing);
+    let impulsive = work.demand.ordinate(a_i, t_i, damping.impulsive, q);
+    let convective = work.demand.ordinate(a_c, t_c, damping.sloshing, 1.0);
+    let wave = work.demand.ordinate(a_w, t_w, damping.sloshing, 1.0);
+    let (tank, roof) = (&case.tank, case.tank.roof.mass);
+    type Arm = fn(&Lumped) -> f64;
+    let shear: Arm = |_| 1.0;
+    let arms: [(Quantity, Arm, bool); 3] = [
+        (Quantity::BaseShear, shear, false),
+        (Quantity::BaseMoment, |part| part.lever, true),
+        (Quantity::OverturningMoment, |part| part.lever_with_base, true),
+    ];
+    for (quantity, arm, moment) in arms {
+        let height = |height: f64| if moment { height } else { 1.0 };
+        let share = |part: &Lumped| Share::new(part.mass, arm(part));
+        let response = Response {
+            impulsive: Some(Part {
+                wall: Share::new(tank.wall_mass(), height(tank.wall_centroid())),
+                roof: Share::new(roof, height(tank.roof_height())),
+                ..Part::liquid(impulsive.clone(), share(&masses.impulsive))
+            }),
+            convective: Some(Part::liquid(convective.clone(), share(&masses.convective))),
+            combination,
+        };
+        work.out.ingredients.push(Ingredients::response(quantity, response));
+    }
+    if let Some(height) = work.out.values.get(&Quantity::SloshingHeight).filter(|_| a_w > 0.0) {
+        let response = Response {
+            impulsive: None,
+            convective: Some(Part::liquid(wave, Share::new(height / a_w, 1.0))),
+            combination,
+        };
+        let ingredients = Ingredients::response(Quantity::SloshingHeight, response);
+        work.out.ingredients.push(ingredients);
+    }
+}
+
+/// Adds the wall and the roof that move with the impulsive part.
+pub(super) fn structure(work: &mut Work) {
+    let tank = &work.case.tank;
+    let values = &mut work.out.values;
+    values.insert(Quantity::WallMass, tank.wall_mass());
+    if tank.roof.mass > 0.0 {
+        values.insert(Quantity::RoofMass, tank.roof.mass);
+    }
+}

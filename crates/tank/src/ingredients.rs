@@ -1,0 +1,254 @@
+//! What a comparable quantity of a procedure is made of, so that its difference from an engine can be computed: every
+//! ingredient can be exchanged alone, and the value follows from them.
+//!
+//! ```text
+//! part        X_p = A Σ_k m_k a_k / (1 − ε A)       k: liquid, wall, roof, floor
+//! ordinate    A   = S(T, ξ) Π f                     importance, behaviour factor, …
+//! quantity    X   = |X_i| + |X_c|   or   √(X_i² + X_c²)
+//! ```
+//!
+//! For a base shear the arms `a_k` are 1, for moments they are heights. A wave has the convective part alone: its `m` is the
+//! rise of the surface per acceleration [s²] and ε the term of finite angles of Housner's formula; ε is zero elsewhere.
+
+use crate::case::Combination;
+use crate::factor::Factor;
+use crate::quantity::Quantity;
+
+/// The ingredients of a quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ingredients {
+    /// The quantity.
+    pub quantity: Quantity,
+    /// How its value follows.
+    pub recipe: Recipe,
+}
+
+/// How the value of a quantity follows from its ingredients.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Recipe {
+    /// Masses times spectral accelerations.
+    Response(Response),
+    /// Values on the way from the exact model of the tank to the procedure, each with what it exchanges.
+    Ladder(Vec<Rung>),
+    /// The period of a uniform wall by a formula.
+    UniformWall {
+        /// Its thickness [m].
+        thickness: f64,
+        /// Its modulus [Pa].
+        modulus: f64,
+        /// The period [s].
+        period: f64,
+    },
+}
+
+/// A value on the way from one model to another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rung {
+    /// What is exchanged.
+    pub factor: Factor,
+    /// Value thereafter, in the SI unit of the quantity.
+    pub value: f64,
+}
+
+impl Ingredients {
+    /// The quantity as a response.
+    pub fn response(quantity: Quantity, response: Response) -> Ingredients {
+        Ingredients {
+            quantity,
+            recipe: Recipe::Response(response),
+        }
+    }
+
+    /// The quantity as a ladder.
+    pub fn ladder(quantity: Quantity, rungs: &[(Factor, f64)]) -> Ingredients {
+        let rung = |&(factor, value): &(Factor, f64)| Rung { factor, value };
+        Ingredients {
+            quantity,
+            recipe: Recipe::Ladder(rungs.iter().map(rung).collect()),
+        }
+    }
+
+    /// The value in SI that follows from the ingredients; `None` for a ladder without rungs.
+    pub fn value(&self) -> Option<f64> {
+        match &self.recipe {
+            Recipe::Response(response) => Some(response.value()),
+            Recipe::Ladder(rungs) => rungs.last().map(|rung| rung.value),
+            Recipe::UniformWall { period, .. } => Some(*period),
+        }
+    }
+}
+
+/// A quantity as maxima of an impulsive and a convective part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Response {
+    /// Impulsive part; none for a wave.
+    pub impulsive: Option<Part>,
+    /// Convective part.
+    pub convective: Option<Part>,
+    /// How they are combined.
+    pub combination: Combination,
+}
+
+impl Response {
+    /// The value in SI.
+    pub fn value(&self) -> f64 {
+        let part = |part: &Option<Part>| part.as_ref().map_or(0.0, Part::value);
+        let (i, c) = (part(&self.impulsive), part(&self.convective));
+        match self.combination {
+            Combination::Abs => i.abs() + c.abs(),
+            Combination::Srss => i.hypot(c),
+        }
+    }
+}
+
+/// Masses that have one acceleration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// Their acceleration.
+    pub ordinate: Ordinate,
+    /// Liquid.
+    pub liquid: Share,
+    /// Wall.
+    pub wall: Share,
+    /// Roof.
+    pub roof: Share,
+    /// Floor.
+    pub floor: Share,
+    /// ε of Housner's finite angles [s²/m]; 0 elsewhere.
+    pub finite_angle: f64,
+}
+
+impl Part {
+    /// Liquid alone.
+    pub fn liquid(ordinate: Ordinate, liquid: Share) -> Part {
+        Part {
+            ordinate,
+            liquid,
+            wall: Share::default(),
+            roof: Share::default(),
+            floor: Share::default(),
+            finite_angle: 0.0,
+        }
+    }
+
+    /// The value in SI.
+    pub fn value(&self) -> f64 {
+        let a = self.ordinate.value();
+        let shares = [self.liquid, self.wall, self.roof, self.floor];
+        let sum: f64 = shares.iter().map(|s| s.mass * s.arm).sum();
+        a * sum / (1.0 - self.finite_angle * a)
+    }
+}
+
+/// A mass and its arm.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Share {
+    /// Mass [kg]; for a wave, rise of the surface per acceleration [s²].
+    pub mass: f64,
+    /// Height above the base [m]; 1 for shear and wave.
+    pub arm: f64,
+}
+
+impl Share {
+    /// A mass and its arm.
+    pub fn new(mass: f64, arm: f64) -> Share {
+        Share { mass, arm }
+    }
+}
+
+/// How a procedure comes from a period to an ordinate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// The ordinate at a period.
+    At,
+    /// The acceleration of the ground.
+    Ground,
+    /// The largest ordinate of a range.
+    Plateau,
+}
+
+/// A spectral acceleration with all that makes it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ordinate {
+    /// How the period leads to it.
+    pub rule: Rule,
+    /// Period [s], 0 for the ground; `None` if the procedure asks for none.
+    pub period: Option<f64>,
+    /// Damping ratio of the spectrum.
+    pub damping: f64,
+    /// Ordinate of the spectrum before the factors [m/s²].
+    pub base: f64,
+    /// Factors on it.
+    pub factors: Vec<(Factor, f64)>,
+}
+
+impl Ordinate {
+    /// An ordinate of a record's spectrum: period [s], damping ratio, acceleration [m/s²].
+    pub fn at(period: f64, damping: f64, base: f64) -> Ordinate {
+        Ordinate {
+            rule: Rule::At,
+            period: Some(period),
+            damping,
+            base,
+            factors: Vec::new(),
+        }
+    }
+
+    /// The acceleration of the ground [m/s²], which no damping changes.
+    pub fn ground(base: f64) -> Ordinate {
+        Ordinate {
+            rule: Rule::Ground,
+            ..Ordinate::at(0.0, 0.0, base)
+        }
+    }
+
+    /// The same acceleration with factors taken out of its base: what they do not explain stays in the base.
+    pub fn split(self, factors: &[(Factor, f64)]) -> Ordinate {
+        let product: f64 = factors.iter().map(|f| f.1).product();
+        Ordinate {
+            base: self.base / product,
+            factors: factors.to_vec(),
+            ..self
+        }
+    }
+
+    /// A factor; 1 if it has none of this kind.
+    pub fn factor(&self, factor: Factor) -> f64 {
+        self.factors.iter().filter(|f| f.0 == factor).map(|f| f.1).product()
+    }
+
+    /// The acceleration [m/s²].
+    pub fn value(&self) -> f64 {
+        self.base * self.factors.iter().map(|f| f.1).product::<f64>()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: A = 2·1.5/1.2 = 2.5 m/s²; (3·2 + 1·4)·2.5 = 25, 4·1.5·1 = 6; 25 + 6 = 31, √(25² + 6²) = 25.7099.
+    #[test]
+    fn value_by_hand() {
+        let ordinate =
+            Ordinate::at(0.2, 0.05, 2.5).split(&[(Factor::Importance, 1.5), (Factor::BehaviourFactor, 1.0 / 1.2)]);
+        assert!((ordinate.base - 2.0).abs() < 1e-12);
+        let mut response = Response {
+            impulsive: Some(Part {
+                wall: Share::new(1.0, 4.0),
+                ..Part::liquid(ordinate, Share::new(3.0, 2.0))
+            }),
+            convective: Some(Part::liquid(Ordinate::at(4.0, 0.005, 1.0), Share::new(4.0, 1.5))),
+            combination: Combination::Abs,
+        };
+        assert!((response.value() - 31.0).abs() < 1e-12);
+        response.combination = Combination::Srss;
+        assert!((response.value() - 661.0_f64.sqrt()).abs() < 1e-12);
+    }
+
+    /// The order of exchange is that of the list.
+    #[test]
+    fn factors_are_in_order() {
+        assert!(Factor::ALL.windows(2).all(|pair| pair[0] < pair[1]));
+    }
+}
