@@ -1,5 +1,6 @@
 //! The command line: bad input, exit codes, output folders; and checks of the repository itself.
 
+mod attribution;
 mod bad_tank;
 mod compare;
 mod corners;

@@ -307,7 +307,7 @@ fn ingredients(
         impulsive: Share::new(m_1, masses.impulsive.1),
         convective: Share::new(m_2, masses.convective.1),
     };
-    let mut all: Vec<Ingredients> = ladders(basis, masses.period, m_1, m_2).into();
+    let mut all = ladders(basis, masses.period, m_1, m_2);
     all.push(resultant(basis, &action, Quantity::BaseMoment, liquid, shell_height));
     all
 }

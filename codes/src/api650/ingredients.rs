@@ -52,14 +52,14 @@ pub(super) fn wave(ordinate: Ordinate, rise: f64) -> Ingredients {
     Ingredients::response(Quantity::SloshingHeight, response)
 }
 
-/// Sloshing period [s] and masses [kg] of the liquid against potential flow in a rigid tank.
-pub(super) fn ladders(basis: &Basis, period: f64, impulsive_mass: f64, convective_mass: f64) -> [Ingredients; 3] {
+/// Sloshing period [s] and masses [kg] of the liquid against potential flow in a rigid tank; all of shell and roof.
+pub(super) fn ladders(basis: &Basis, period: f64, impulsive_mass: f64, convective_mass: f64) -> Vec<Ingredients> {
     let (radius, depth) = (0.5 * basis.d, basis.h);
     let (gamma, mass, g) = (depth / radius, basis.case.liquid_mass(), basis.case.gravity);
     let exact = std::f64::consts::TAU / sloshing_omega(Plan::Circle, 1, radius, depth, g);
     let of =
         |quantity, exact, value| Ingredients::ladder(quantity, &[(Factor::RigidTank, exact), (Factor::Formula, value)]);
-    [
+    let mut all = vec![
         of(Quantity::SloshingPeriod, exact, period),
         of(
             Quantity::ImpulsiveMass,
@@ -71,5 +71,13 @@ pub(super) fn ladders(basis: &Basis, period: f64, impulsive_mass: f64, convectiv
             mass * convective(Plan::Circle, gamma, 1).mass,
             convective_mass,
         ),
-    ]
+        Ingredients::ladder(Quantity::WallMass, &[(Factor::Modes, basis.w_s / g)]),
+    ];
+    if basis.w_r > 0.0 {
+        all.push(Ingredients::ladder(
+            Quantity::RoofMass,
+            &[(Factor::Modes, basis.w_r / g)],
+        ));
+    }
+    all
 }

@@ -6,7 +6,7 @@
 
 use super::demand::Edition;
 use super::flexible::{COEFFICIENT, PERIOD, coupled_mode, equivalent_density_period};
-use super::ingredients::{self, Motion, Uniform};
+use super::ingredients::{self, Motion, Wall};
 use super::shell_mode::Base;
 use super::simplified::{self, LIMITS, Row};
 use super::work::{Masses, Ratio, Work};
@@ -32,7 +32,7 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     let [t_c1, t_c2] = [1, 2].map(|n| sloshing_period(work, n, radius, gamma));
 
     let row = table_row(work, gamma);
-    let (t_i, mode, uniform) = impulsive_period(work, radius, gamma, row)?;
+    let (t_i, mode, wall) = impulsive_period(work, radius, gamma, row)?;
     let t_con = row.map(|row| {
         let terms = [("C_c", row.convective_period, Dimensionless), ("R", radius, Length)];
         work.sheet.calc(
@@ -87,7 +87,7 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
         convective: (t_con.unwrap_or(t_c1), a_c),
         sloshing: (t_c1, s_1),
     };
-    ingredients::record(work, &masses, &rigid, &motion, uniform);
+    ingredients::record(work, &masses, &rigid, &motion, &wall);
 
     let motion = cylinder_vertical::assess(work, radius, gamma)?;
     let state = cylinder_stress::assess(work, radius, moment, a_i, s_1, motion);
@@ -186,13 +186,13 @@ fn sloshing_period(work: &mut Work, n: usize, radius: f64, gamma: f64) -> f64 {
 }
 
 /// Impulsive period [s] by table A.2, by the formula of A.3.1, or of the coupled shell mode, and mass [kg] and levers [m] of
-/// that mode where it was computed; else the uniform wall of the formula.
+/// that mode where it was computed; and the wall it belongs to.
 fn impulsive_period(
     work: &mut Work,
     radius: f64,
     gamma: f64,
     row: Option<Row>,
-) -> Result<(f64, Option<Lumped>, Option<Uniform>), CodeError> {
+) -> Result<(f64, Option<Lumped>, Wall), CodeError> {
     let case = work.case;
     let (tank, liquid) = (&case.tank, case.liquid);
     let depth = liquid.fill_height;
@@ -216,16 +216,16 @@ fn impulsive_period(
     });
     if let Some(row) = row {
         let (period, uniform) = table_period(work, radius, row);
-        return Ok((period, None, Some(uniform)));
+        return Ok((period, None, uniform));
     }
     if let (Edition::Env1998, FlexibleImpulsive::Simplified, Some(period)) =
         (work.edition, case.procedures.ec8_impulsive, formula)
     {
-        let uniform = Uniform {
+        let uniform = Wall::Uniform {
             thickness: third.thickness,
             modulus: third.material.youngs_modulus,
         };
-        return Ok((period, None, Some(uniform)));
+        return Ok((period, None, uniform));
     }
     let mode = coupled_mode(radius, &tank.courses, liquid, Base::Clamped)?;
     match equivalent_density_period(radius, &tank.courses, liquid) {
@@ -260,11 +260,11 @@ fn impulsive_period(
         lever: work.share(("h_f", "its lever, wall only"), height, lever, &clause),
         lever_with_base: work.share(("h_f′", "its lever, wall and base"), height, lever_with_base, &clause),
     };
-    Ok((period, Some(flexible), None))
+    Ok((period, Some(flexible), Wall::Shell))
 }
 
 /// `T_imp` of the simplified procedure, and its uniform wall.
-fn table_period(work: &mut Work, radius: f64, row: Row) -> (f64, Uniform) {
+fn table_period(work: &mut Work, radius: f64, row: Row) -> (f64, Wall) {
     let case = work.case;
     let depth = case.liquid.fill_height;
     let clause = work.edition.clause("3.2.2");
@@ -285,7 +285,7 @@ fn table_period(work: &mut Work, radius: f64, row: Row) -> (f64, Uniform) {
     let period = work
         .sheet
         .calc("T_imp", "impulsive period", simplified::PERIOD, &terms, Time, &clause);
-    let uniform = Uniform {
+    let uniform = Wall::Uniform {
         thickness,
         modulus: young,
     };

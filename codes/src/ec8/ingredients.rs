@@ -16,17 +16,20 @@ pub(super) struct Motion {
     pub sloshing: (f64, f64),
 }
 
-/// A wall of one thickness [m] and modulus [Pa] by whose formula the impulsive period was computed.
-pub(super) struct Uniform {
-    pub thickness: f64,
-    pub modulus: f64,
+/// The wall that the impulsive period belongs to.
+pub(super) enum Wall {
+    /// A cylinder of one thickness [m] and modulus [Pa], by a formula.
+    Uniform { thickness: f64, modulus: f64 },
+    /// The courses as they are, as a shell.
+    Shell,
+    /// A wall of a box, by its deflection.
+    Plate,
 }
 
 /// Adds the ingredients of wave, shear and moments, masses and periods.
 ///
 /// * `masses`: as the resultants have them; `exact`: those of the rigid tank in potential flow
-/// * `wall`: the uniform wall of the period's formula, `None` if the period is that of the wall itself
-pub(super) fn record(work: &mut Work, masses: &Masses, exact: &Masses, motion: &Motion, wall: Option<Uniform>) {
+pub(super) fn record(work: &mut Work, masses: &Masses, exact: &Masses, motion: &Motion, wall: &Wall) {
     responses(work, masses, motion);
     let period = work.out.values.get(&Quantity::SloshingPeriod).copied().unwrap_or(0.0);
     let liquid = work.mass;
@@ -52,15 +55,16 @@ pub(super) fn record(work: &mut Work, masses: &Masses, exact: &Masses, motion: &
     }
     let period = motion.impulsive.0;
     match wall {
-        Some(Uniform { thickness, modulus }) => work.out.ingredients.push(Ingredients {
+        Wall::Uniform { thickness, modulus } => work.out.ingredients.push(Ingredients {
             quantity: Quantity::ImpulsivePeriod,
             recipe: Recipe::UniformWall {
-                thickness,
-                modulus,
+                thickness: *thickness,
+                modulus: *modulus,
                 period,
             },
         }),
-        None => ladder(Quantity::ImpulsivePeriod, &[(Factor::ShellModel, period)]),
+        Wall::Shell => ladder(Quantity::ImpulsivePeriod, &[(Factor::ShellModel, period)]),
+        Wall::Plate => ladder(Quantity::ImpulsivePeriod, &[(Factor::Formula, period)]),
     }
 }
 
@@ -105,12 +109,17 @@ fn responses(work: &mut Work, masses: &Masses, motion: &Motion) {
     }
 }
 
-/// Adds the wall and the roof that move with the impulsive part.
+/// Adds the wall and the roof that move with the impulsive part: all of them, whatever moves in one mode of an engine.
 pub(super) fn structure(work: &mut Work) {
     let tank = &work.case.tank;
-    let values = &mut work.out.values;
-    values.insert(Quantity::WallMass, tank.wall_mass());
-    if tank.roof.mass > 0.0 {
-        values.insert(Quantity::RoofMass, tank.roof.mass);
+    for (quantity, mass) in [
+        (Quantity::WallMass, tank.wall_mass()),
+        (Quantity::RoofMass, tank.roof.mass),
+    ] {
+        if mass > 0.0 {
+            work.out.values.insert(quantity, mass);
+            let all = Ingredients::ladder(quantity, &[(Factor::Modes, mass)]);
+            work.out.ingredients.push(all);
+        }
     }
 }

@@ -51,7 +51,7 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
         convective: (t_c1, a_c),
         sloshing: (t_c1, a_c),
     };
-    ingredients::record(work, &masses, &masses, &motion, None);
+    ingredients::record(work, &masses, &masses, &motion, &ingredients::Wall::Plate);
     pressures(work, gamma, half, strip, a_i, a_c);
     damage::assess(work, None, false);
     if case.tank.support == Support::Unanchored {

@@ -132,11 +132,11 @@ pub fn read_series(folder: &Path) -> Result<Series, Error> {
 /// Writes `results.json` and `series.csv` (unless empty) into an existing folder.
 ///
 /// Numbers of `results.json` are written with 10 significant digits: far below the accuracy of any method, and enough
-/// for differences between processors to vanish.
+/// for differences between processors to vanish. Factors of an attribution have 12, so that their product closes to 1e-9.
 pub fn write(folder: &Path, results: &Results, series: &Series) -> Result<(), Error> {
     let path = folder.join(RESULTS_FILE);
     let mut value = serde_json::to_value(results).map_err(|e| Error::Report(e.to_string()))?;
-    round_numbers(&mut value);
+    round_numbers(&mut value, DIGITS);
     let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::Report(e.to_string()))?;
     text.push('\n');
     put(&path, text.as_bytes())?;
@@ -200,26 +200,40 @@ pub fn put(path: &Path, text: &[u8]) -> Result<(), Error> {
 /// Errors: a file that cannot be written.
 pub(super) fn write_document(path: &Path, document: &impl Serialize) -> Result<(), Error> {
     let mut value = serde_json::to_value(document).map_err(|e| Error::Report(e.to_string()))?;
-    round_numbers(&mut value);
+    round_numbers(&mut value, DIGITS);
     let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::Report(e.to_string()))?;
     text.push('\n');
     write_whole(path, text.as_bytes())
 }
 
-/// Rounds every number of a JSON value to 10 significant digits.
-fn round_numbers(value: &mut serde_json::Value) {
+/// Significant digits of numbers in JSON.
+const DIGITS: usize = 10;
+/// Those of attributions: thirty factors, each rounded to 5e-12, close to 1.5e-10.
+const DIGITS_OF_FACTORS: usize = 12;
+
+/// Rounds every number of a JSON value to this many significant digits.
+fn round_numbers(value: &mut serde_json::Value, digits: usize) {
     use serde_json::Value;
     match value {
         Value::Number(number) if number.is_f64() => {
             if let Some(rounded) = number
                 .as_f64()
-                .and_then(|x| serde_json::Number::from_f64(round_significant(x, 10)))
+                .and_then(|x| serde_json::Number::from_f64(round_significant(x, digits)))
             {
                 *number = rounded;
             }
         }
-        Value::Array(items) => items.iter_mut().for_each(round_numbers),
-        Value::Object(map) => map.values_mut().for_each(round_numbers),
+        Value::Array(items) => items.iter_mut().for_each(|item| round_numbers(item, digits)),
+        Value::Object(map) => {
+            for (key, member) in map {
+                let own = if key == "attribution" {
+                    DIGITS_OF_FACTORS
+                } else {
+                    digits
+                };
+                round_numbers(member, own);
+            }
+        }
         _ => {}
     }
 }

@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 
 use codes::sheet::Sheet;
-use results::compare::{Difference, MEASURED, Ratio, Reason};
+use results::compare::{Attribution, Difference, FactorStep, MEASURED, Ratio, Reason};
 use results::*;
 use tank::Quantity;
 use tank::assessment::{Check, Excitation, Profile};
 use tank::case::Reported;
+use tank::factor::Factor;
 use tank::units::Dimension;
 use tank::{Liquid, Tank};
 
@@ -314,21 +315,40 @@ fn differences() -> Vec<Difference> {
         Difference {
             method: "api650-1993".into(),
             ratios: vec![ratio(Quantity::AxialMembraneStress, 0.88)],
-            reasons: vec![
-                Reason::AnyPeriodForces,
-                Reason::ModalMaxima {
-                    impulsive: 6.1e4,
-                    convective: 1.7e4,
-                    history: 6.5e4,
-                },
-            ],
+            reasons: Vec::new(),
         },
         Difference {
             method: "ec8-2006".into(),
             ratios: vec![ratio(Quantity::SloshingHeight, 1.08)],
-            reasons: vec![Reason::SpectralPeakWave { damping: 0.01 }],
+            reasons: vec![Reason::Factors { steps: steps(1.0) }],
         },
     ]
+}
+
+/// Two factors, 0.9 and 1.2, of a value.
+fn steps(start: f64) -> Vec<FactorStep> {
+    [
+        (Factor::SloshingPeriod, 0.9, 0.9 * start),
+        (Factor::WaveFormula, 1.2, 1.08 * start),
+    ]
+    .map(|(factor_id, factor, value)| FactorStep {
+        factor_id,
+        factor,
+        value,
+    })
+    .to_vec()
+}
+
+/// Factors of the sample's wave by one procedure.
+fn attribution(engine: f64) -> Attribution {
+    Attribution {
+        quantity: Quantity::SloshingHeight,
+        method: "ec8-2006".into(),
+        excitation: Excitation::Record,
+        engine,
+        steps: steps(engine),
+        ratio: 1.08,
+    }
 }
 
 pub(super) fn comparison(methods: &[Method], with_fe: bool) -> Comparison {
@@ -355,6 +375,11 @@ pub(super) fn comparison(methods: &[Method], with_fe: bool) -> Comparison {
     Comparison {
         rows,
         differences: if with_fe { differences() } else { Vec::new() },
+        attribution: fe
+            .and_then(|fe| fe.quantities.get(Quantity::SloshingHeight.id()))
+            .map(|height| attribution(height.value))
+            .into_iter()
+            .collect(),
         published: vec![Reported {
             quantity: Quantity::SloshingHeight,
             value: 0.386,

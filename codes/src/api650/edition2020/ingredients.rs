@@ -22,7 +22,7 @@ impl Run<'_> {
             Excitation::Record => Some(self.of_record(periods, a)),
             Excitation::Site => self.of_site(periods, a),
         };
-        let mut all: Vec<Ingredients> = ladders(basis, periods.convective, m_i, m_c).into();
+        let mut all = ladders(basis, periods.convective, m_i, m_c);
         if let Some(period) = periods.impulsive {
             all.push(Ingredients {
                 quantity: Quantity::ImpulsivePeriod,
