@@ -126,6 +126,20 @@ mod tests {
         assert_eq!(comparison.rows[0].cells[1].and_then(|c| c.ratio), Some(1.0));
     }
 
+    /// Results of earlier versions state causes that were guessed; they are read and not shown.
+    #[test]
+    fn withdrawn_causes_are_read() {
+        for text in [
+            r#"{ "kind": "sloshing-depth" }"#,
+            r#"{ "kind": "rigid-wall", "amplification": 2.3 }"#,
+        ] {
+            let reason: Reason = serde_json::from_str(text).expect("a cause");
+            assert_eq!(reason, Reason::Withdrawn);
+        }
+        let kept: Reason = serde_json::from_str(r#"{ "kind": "test-scatter" }"#).expect("a cause");
+        assert_eq!(kept, Reason::TestScatter);
+    }
+
     #[test]
     fn without_an_engine_there_are_values_and_no_ratios() {
         let comparison = compare(&[method("housner", 30.0)], &Context::default(), vec![]);

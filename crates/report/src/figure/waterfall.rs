@@ -60,13 +60,14 @@ pub fn waterfall(id: &str, title: &str, falls: &[Fall]) -> Option<Figure> {
         svg.text((0.0, y + 10.0), Anchor::Start, "vl", &fall.look.full_label());
         svg.text((HALF, y + 10.0), Anchor::End, "vl", &format!("× {}", ratio(fall.ratio)));
         y += ROW;
-        for row in rows {
+        for (number, row) in rows.iter().enumerate() {
             let (a, b) = (at(row.from), at(row.to));
             svg.text((left - 6.0, y + 9.5), Anchor::End, "lb", &row.name);
             let class = format!("bar {}{}", fall.look.class, if fall.look.site { " site" } else { "" });
             svg.rect(a.min(b), y + 2.5, (a - b).abs().max(1.0), ROW - 5.0, &class);
-            // Where the next bar begins.
-            svg.line((b, y + 2.5), (b, y + ROW + 2.5), "gd");
+            // From where the next bar begins, or where the last one ends.
+            let next = if number + 1 < rows.len() { ROW } else { ROW - 5.0 };
+            svg.line((b, y + 2.5), (b, y + next + 2.5), "gd");
             let factor = format!("× {}", ratio(row.to / row.from));
             svg.text((HALF, y + 9.5), Anchor::End, "mu", &factor);
             y += ROW;
