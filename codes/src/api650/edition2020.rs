@@ -53,8 +53,8 @@ use super::basis::Basis;
 /// Edition as cited.
 const EDITION: &str = "API 650:2020";
 
-/// Share F_p of the design pressure that relieves and lifts with the earthquake, the least that E.2.2 allows.
-const F_P: f64 = 0.4;
+/// Least ratio F_p of operating to design pressure (E.2.2, recalled).
+const LEAST_F_P: f64 = 0.4;
 
 /// Annex E, 12th and 13th edition (`api650-2020`).
 #[derive(Clone, Copy, Debug)]
@@ -107,6 +107,11 @@ impl Run<'_> {
     fn missing(&mut self, id: &str, input: &str) {
         let reason = format!("`{input}` is missing");
         self.without_comparison(id, CheckStatus::NotChecked, &reason, Some(input));
+    }
+
+    /// Ratio F_p of operating to design pressure, with which the pressure lifts beside the earthquake.
+    fn f_p(&self) -> f64 {
+        LEAST_F_P
     }
 
     /// Design pressure above the liquid [Pa].

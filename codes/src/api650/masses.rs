@@ -259,6 +259,16 @@ mod tests {
         close(impulsive_coefficient(3.3 / 5.0).unwrap(), 6.14, 0.05);
     }
 
+    /// A published calculation sheet (scribd.com/document/374148451): D = 62 ft, H = 47.1667 ft, K_s = 0.580143178, T_c = 4.568051951 s
+    /// in the form with feet, of which the metric form has 1.8/1.8113 (√0.3048).
+    #[test]
+    fn published_sloshing_period() {
+        let d_over_h = 62.0 / 47.166_666_67;
+        close(sloshing_coefficient(d_over_h), 0.580_143_178, 5e-9);
+        let feet = sloshing_period(62.0 * 0.3048, d_over_h) / (1.8 * f64::sqrt(0.3048));
+        close(feet, 4.568_051_951, 5e-8);
+    }
+
     /// Against potential flow of a rigid tank. The tolerances are how far the standard's closed forms (Housner's
     /// approximations) stray from it, rounded up; they catch a swapped branch or arm (a factor of 1.2 to 6), no more.
     #[test]

@@ -3,7 +3,7 @@
 //! The annex writes its combinations into its formulas: D (weights), F (hydrostatic), P (design pressure), E_h and E_v (horizontal and
 //! vertical earthquake). Vertical motion counts with 0.4 beside the whole horizontal one (E.6.1.3, 5.2.2; recalled).
 
-use super::{F_P, Run};
+use super::Run;
 
 impl Run<'_> {
     /// The factors, one assumption.
@@ -16,7 +16,10 @@ impl Run<'_> {
         };
         let hold = match self.basis.anchored() {
             true => "anchors 1.0 E_h + 1.0 P − (1 − 0.4 A_v) D".to_string(),
-            false => format!("anchorage ratio 1.0 E_h against (1 − 0.4 A_v) D + w_a − {F_P} P"),
+            false => format!(
+                "anchorage ratio 1.0 E_h against (1 − 0.4 A_v) D + w_a − {} P",
+                self.f_p()
+            ),
         };
         self.out.assumptions.push(format!(
             "Combinations: E_h = √(impulsive² + convective²), all of it with 0.4 of the vertical motion; hoop stress \

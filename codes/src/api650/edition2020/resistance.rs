@@ -8,7 +8,7 @@ use super::super::hold_down as hd;
 use super::accelerations::Accelerations;
 use super::forces::Forces;
 use super::piping::Lift;
-use super::{F_P, Run, limit_states};
+use super::{Run, limit_states};
 
 const E6_2_1_1: &str = "API 650:2020 E.6.2.1.1";
 const E6_2_1_1_2: &str = "API 650:2020 E.6.2.1.1.2";
@@ -65,7 +65,7 @@ impl Run<'_> {
     /// false where it does not.
     fn weight_alone(&mut self, load: &Load) -> bool {
         let d = self.basis.d;
-        let resisting = load.w_t * (1.0 - 0.4 * load.a_v) - F_P * self.pressure() * d / 4.0;
+        let resisting = load.w_t * (1.0 - 0.4 * load.a_v) - self.f_p() * self.pressure() * d / 4.0;
         if load.m_rw > 0.0 && (resisting <= 0.0 || load.m_rw / (d * d * resisting) > hd::NO_UPLIFT) {
             return false;
         }
@@ -76,6 +76,7 @@ impl Run<'_> {
             ("w_t", load.w_t, LineForce),
             ("A_v", load.a_v, Dimensionless),
             ("w_int", w_int, LineForce),
+            ("F_p", self.f_p(), Dimensionless),
         ];
         let (name, formula) = match load.m_rw > 0.0 {
             true => ("anchorage ratio of the weight alone, w_a = 0", hd::WEIGHT_ALONE),
@@ -133,6 +134,7 @@ impl Run<'_> {
         let name = "hold-down force of the annulus per length [N/m]";
         let w_a = sheet.calc("w_a", name, hd::HOLD_DOWN, &terms, LineForce, E6_2_1_1);
         let w_int = self.pressure_uplift();
+        let f_p = self.f_p();
         let sheet = &mut self.sheet;
         let terms = [
             ("M_rw", m_rw, Moment),
@@ -141,10 +143,11 @@ impl Run<'_> {
             ("A_v", a_v, Dimensionless),
             ("w_a", w_a, LineForce),
             ("w_int", w_int, LineForce),
+            ("F_p", f_p, Dimensionless),
         ];
-        let (name, formula) = hd::anchorage(m_rw, w_t * (1.0 - 0.4 * a_v) + w_a - F_P * w_int);
+        let (name, formula) = hd::anchorage(m_rw, w_t * (1.0 - 0.4 * a_v) + w_a - f_p * w_int);
         let j = sheet.calc("J", name, formula, &terms, Dimensionless, E6_2_1_1);
-        let weight_alone = w_t * (1.0 - 0.4 * a_v) - F_P * w_int;
+        let weight_alone = w_t * (1.0 - 0.4 * a_v) - f_p * w_int;
         let held = if weight_alone > 0.0 {
             let name = "the same without w_a";
             sheet.calc("J_0", name, hd::WEIGHT_ALONE, &terms, Dimensionless, E6_2_1_1) <= hd::NO_UPLIFT
