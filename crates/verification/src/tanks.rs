@@ -10,6 +10,7 @@ use tank::reference::GRAVITY;
 
 pub(crate) mod coupled_modes;
 pub mod dissertation;
+pub(crate) mod mesh_error;
 pub(crate) mod responses;
 pub mod rigid;
 pub(crate) mod rigid_masses;
