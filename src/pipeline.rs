@@ -3,6 +3,7 @@
 
 mod attribution;
 mod decision;
+mod measured;
 mod motion;
 mod runs;
 mod series;
@@ -94,8 +95,10 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         context.solid_mesh_error.clone_from(&solid.mesh_error);
     }
     context.nonlinear = runs::happened(job, &runs);
-    methods.extend(measured(job));
+    methods.extend(measured::column(job));
     let mut comparison = compare::compare(&methods, &context, job.case.published.clone());
+    comparison.measured_apart = measured::others(job);
+    comparison.published_apart = measured::published(job);
     for (number, run) in runs.iter().enumerate() {
         comparison.mark_unusable(&methods, run.engine.column(number), &run.mesh_error);
     }
@@ -281,27 +284,4 @@ fn tank_periods(methods: &[Method], simulation: Option<&Simulation>) -> Vec<f64>
             values.map(|v| v.value).collect()
         }
     }
-}
-
-/// Measured values as a column of the comparison.
-fn measured(job: &Job) -> Option<Method> {
-    let first = job.case.measured.first()?;
-    let values = job.case.measured.iter().map(|m| (m.quantity, m.value)).collect();
-    let notes = job
-        .case
-        .measured
-        .iter()
-        .map(|m| match &m.note {
-            Some(note) => format!("{}: {}. {note}", m.quantity.title(), m.source),
-            None => format!("{}: {}.", m.quantity.title(), m.source),
-        })
-        .collect();
-    let title = format!("Measured ({})", first.source);
-    Some(Method {
-        label: "Measured".into(),
-        figure_key: "k-measured".into(),
-        quantities: quantities(&values),
-        notes,
-        ..Method::new(compare::MEASURED, &title, Excitation::Record)
-    })
 }

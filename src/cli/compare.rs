@@ -74,7 +74,7 @@ pub(crate) struct Args {
     /// Multiply every element count of the default mesh, 0.25 to 16.
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     refine: Option<f64>,
-    /// Skip the second, coarser mesh that estimates the discretisation error.
+    /// Skip the second mesh that estimates the discretisation error.
     #[arg(long)]
     no_mesh_error: bool,
     /// Folder whose files replace the built-in report templates.
@@ -190,6 +190,9 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     // Warnings about the input were printed before the run.
     for found in unusable(&results) {
         say!("warning: {}", words::verdict::unusable(&found));
+    }
+    for line in terminal::apart(&results.comparison.measured_apart) {
+        say!("note: {line}");
     }
     nonlinear::advise(&job, &results, global);
     match (&args.vtu, &snapshots) {

@@ -12,6 +12,7 @@ mod kill;
 mod licences;
 mod limits;
 mod linear;
+mod measured;
 mod nonlinear_cylinder;
 mod nonlinear_input;
 mod nonlinear_options;

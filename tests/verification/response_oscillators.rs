@@ -39,6 +39,8 @@ fn chain(masses: &[f64], springs: &[f64]) -> Coupled {
         rotation: None,
         probes: Vec::new(),
         lines: Vec::new(),
+        shear: None,
+        structure: None,
         liquid_mass: 0.0,
         wall_mass: masses.iter().sum(),
         moment_arm: (1..=n).map(|i| i as f64).collect(),

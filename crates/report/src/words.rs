@@ -15,6 +15,7 @@
 //! | [`ida`], [`push`] | the pages of these analyses |
 //! | [`terminal`] | the summaries on the terminal |
 
+pub mod apart;
 pub mod differences;
 pub mod factors;
 pub mod facts;

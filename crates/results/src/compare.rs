@@ -2,6 +2,7 @@
 //!
 //! All that is found is a typed fact with its numbers; the report puts it into words.
 
+mod apart;
 mod attribution;
 mod chain;
 mod difference;
@@ -14,6 +15,7 @@ use std::collections::BTreeMap;
 
 use tank::Quantity;
 
+pub use apart::{Apart, Differs, Shaken, Why, apart};
 pub use attribution::THRESHOLD;
 pub use chain::{CLOSED, Engine, Made, Spectrum, largest_structural};
 pub use difference::{Damping, Difference, Estimated, Incomplete, Ratio, Reason};
@@ -62,6 +64,7 @@ pub fn compare(methods: &[Method], context: &Context, published: Vec<tank::case:
         differences,
         attribution: context.attribution.clone(),
         published,
+        ..Comparison::default()
     }
 }
 

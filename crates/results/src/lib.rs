@@ -351,6 +351,12 @@ pub struct Comparison {
     pub attribution: Vec<compare::Attribution>,
     /// Values others have published for this tank.
     pub published: Vec<tank::case::Reported>,
+    /// Measured values that belong to another ground motion, or to none that is named.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub measured_apart: Vec<compare::Apart>,
+    /// Why there is no ratio to a published value, in the order of `published`; `None` where it belongs to the ground motion.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub published_apart: Vec<Option<compare::Why>>,
 }
 
 /// One quantity over all methods.

@@ -162,6 +162,32 @@ pub struct Reported {
     pub source: String,
     /// Remark ("belongs to the record as recorded, not to the stated scaling").
     pub note: Option<String>,
+    /// Ground motion of the value, if the file names it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<NamedMotion>,
+}
+
+/// What a file says about the ground motion of a measured or published value, in SI.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct NamedMotion {
+    /// SHA-256 of the record file, in lower case.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sha256: Option<String>,
+    /// Peak of the record as recorded [m/s²].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak: Option<f64>,
+    /// Time step of the record as recorded [s].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub step: Option<f64>,
+    /// Duration of the record as recorded [s].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub duration: Option<f64>,
+    /// Peak of the motion that shook the tank, after scaling [m/s²].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub applied_peak: Option<f64>,
+    /// Time step of the motion that shook the tank, after stretching [s].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub applied_step: Option<f64>,
 }
 
 /// How the maxima of impulsive and convective parts are added.

@@ -266,6 +266,14 @@ fn options() {
             r#", "measured": { "sloshing_height": { "value": "1 cm", "source": " " } }"#,
             "empty",
         ),
+        (
+            r#", "measured": { "sloshing_height": { "value": "1 cm", "source": "me", "motion": { "peak": "1 g" } } }"#,
+            "`sha256` of the record file, or `peak` and `step`",
+        ),
+        (
+            r#", "measured": { "sloshing_height": { "value": "1 cm", "source": "me", "motion": { "sha256": "1234" } } }"#,
+            "64 hexadecimal digits",
+        ),
     ] {
         let text = refused(&small(more));
         assert!(

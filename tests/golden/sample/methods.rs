@@ -385,6 +385,8 @@ pub(super) fn comparison(methods: &[Method], with_fe: bool) -> Comparison {
             value: 0.386,
             source: "dissertation, table 8.3".into(),
             note: Some("belongs to the record as recorded, not to the stated scaling".into()),
+            motion: None,
         }],
+        ..Comparison::default()
     }
 }

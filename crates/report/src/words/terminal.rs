@@ -6,6 +6,7 @@ use tank::assessment::{Check, Excitation};
 use tank::units::{self, Dimension};
 
 use crate::number::significant;
+use results::compare::{Apart, Why};
 use results::{EngineId, Governing, IdaRun, Limit, MESH_ERROR_LIMIT, Method, PushShell, Status};
 
 /// Mark of a number that is not to be used.
@@ -41,6 +42,26 @@ pub fn unusable() -> String {
 /// Legend of [`OUTSIDE`].
 pub fn outside() -> String {
     format!("{OUTSIDE} outside the model: the wall pulls and the tank is unanchored, the engine clamps it")
+}
+
+/// Measured values that are not compared, a line for each reason.
+pub fn apart(values: &[Apart]) -> Vec<String> {
+    let mut reasons: Vec<(&Why, Vec<&str>)> = Vec::new();
+    for found in values {
+        let title = found.value.quantity.title();
+        match reasons.iter_mut().find(|(reason, _)| **reason == found.reason) {
+            Some((_, titles)) => titles.push(title),
+            None => reasons.push((&found.reason, vec![title])),
+        }
+    }
+    let line = |(reason, titles): (&Why, Vec<&str>)| {
+        format!(
+            "measured, not compared: {}: {}",
+            titles.join(", ").to_lowercase(),
+            super::apart::why(reason)
+        )
+    };
+    reasons.into_iter().map(line).collect()
 }
 
 /// A procedure outside its scope; none for one that gave values.

@@ -46,7 +46,7 @@ object! {
         accepted: Opt<Vec<Field<Accepted>>>,
         /// Options of the finite-element analysis.
         analysis: Opt<Analysis> = Absent::Follows("modal integration on the default mesh"),
-        /// Measured values for comparison with the computed ones, by quantity.
+        /// Measured values for comparison with the computed ones, by quantity; each under the ground motion that it names.
         measured: Opt<Measured>,
         /// Published values for this tank.
         published: Opt<Vec<Field<Published>>>,

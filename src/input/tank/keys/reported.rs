@@ -5,12 +5,12 @@ use tank::case;
 use tank::units::Dimension;
 
 use crate::input::diagnostic::{Fault, Faults};
-use crate::input::tank::key::list;
+use crate::input::tank::key::{Limits, list, without};
 use crate::input::tank::read::{Field, FromNode, Opt, nearest, object, wrong_kind};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::shape::{Book, Shape};
 use crate::input::tank::syntax::{Kind, Node};
-use crate::input::tank::values::{Pitch, quantity};
+use crate::input::tank::values::{Acceleration, Pitch, Time, quantity};
 
 object! {
     /// A measured value.
@@ -21,6 +21,26 @@ object! {
         source ("Manos and Clough 1982"): Field<String>,
         /// Remark.
         note ("peak at the wall"): Opt<String>,
+        /// Ground motion under which it was measured. Without it, or under another record, the value is listed apart and not
+        /// compared; periods and masses belong to no ground motion and need none.
+        motion: Opt<Motion>,
+    }
+
+    /// A ground motion: the record as recorded, before `record` of this file processes it, by `sha256` or by `peak` and `step`; and
+    /// what shook the tank. Numbers count as equal within 1 %, the accuracy of three printed digits.
+    Motion {
+        /// SHA-256 of the record file.
+        sha256 ("787e5172cebfd464c7a91e776fabe476afbedab5018f501e2028b285549f95ee"): Opt<String>,
+        /// Peak ground acceleration of the record as recorded.
+        peak ("0.348 g"): Opt<Acceleration> [Limits::above(0.0).to(1000.0 * tank::STANDARD_GRAVITY)] = without("not named"),
+        /// Time step of the record as recorded.
+        step ("0.02 s"): Opt<Time> [Limits::above(0.0).to(10.0)] = without("not named"),
+        /// Duration of the record as recorded.
+        duration ("53.74 s"): Opt<Time> [Limits::above(0.0).to(1e6)] = without("not named"),
+        /// Peak of the motion that shook the tank, after scaling.
+        applied_peak ("0.5 g"): Opt<Acceleration> [Limits::above(0.0).to(1000.0 * tank::STANDARD_GRAVITY)] = without("not named"),
+        /// Time step of the motion that shook the tank, after stretching the time axis.
+        applied_step ("0.01155 s"): Opt<Time> [Limits::above(0.0).to(10.0)] = without("not named"),
     }
 
     /// A published value.
@@ -33,6 +53,8 @@ object! {
         source ("Manos and Clough 1982"): Field<String>,
         /// Remark.
         note ("belongs to the record as recorded"): Opt<String>,
+        /// Ground motion to which it belongs. There is a ratio to it under this motion only, and of periods and masses.
+        motion: Opt<Motion>,
     }
 }
 
@@ -168,6 +190,40 @@ fn value(r: &mut Resolver<'_>, field: &Field<Raw>, what: Quantity) -> f64 {
     }
 }
 
+/// The ground motion that a value names.
+fn motion(r: &mut Resolver<'_>, option: &Opt<Motion>) -> Option<case::NamedMotion> {
+    let field = option.given.as_ref()?;
+    let given = field.value.as_ref()?;
+    let sha256 = given.sha256.given.as_ref().and_then(|field| {
+        let text = r.text(field)?;
+        let hash = text.len() == 64 && text.bytes().all(|b| b.is_ascii_hexdigit());
+        if !hash {
+            r.faults.push(range_fault(
+                field,
+                "not a SHA-256",
+                "64 hexadecimal digits, as sha256sum prints them",
+            ));
+        }
+        hash.then(|| text.to_lowercase())
+    });
+    let named = case::NamedMotion {
+        peak: r.optional(&given.peak),
+        step: r.optional(&given.step),
+        duration: r.optional(&given.duration),
+        applied_peak: r.optional(&given.applied_peak),
+        applied_step: r.optional(&given.applied_step),
+        sha256,
+    };
+    if given.sha256.given.is_none() && (given.peak.given.is_none() || given.step.given.is_none()) {
+        r.faults.push(range_fault(
+            field,
+            "the ground motion is not named",
+            "`sha256` of the record file, or `peak` and `step` of the record",
+        ));
+    }
+    Some(named)
+}
+
 /// Measured values.
 pub(super) fn measured(r: &mut Resolver<'_>, option: &Opt<Measured>) -> Vec<case::Reported> {
     let mut all = Vec::new();
@@ -178,6 +234,7 @@ pub(super) fn measured(r: &mut Resolver<'_>, option: &Opt<Measured>) -> Vec<case
             value: value(r, &given.value, *quantity),
             source: r.text(&given.source).unwrap_or_default(),
             note: given.note.given.as_ref().and_then(|n| r.text(n)),
+            motion: motion(r, &given.motion),
         });
     }
     all
@@ -194,6 +251,7 @@ pub(super) fn published(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Published>>
             value: value(r, &given.value, quantity.0),
             source: r.text(&given.source).unwrap_or_default(),
             note: given.note.given.as_ref().and_then(|n| r.text(n)),
+            motion: motion(r, &given.motion),
         });
     }
     all

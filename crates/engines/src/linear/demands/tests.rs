@@ -4,6 +4,7 @@ use oscillator::record::Record;
 
 use super::super::analysis::analyse;
 use super::*;
+use crate::harmonic::places::Places;
 use crate::harmonic::test_tanks::broad;
 use fem::progress::Silent;
 use tank::options::LinearOptions;
@@ -35,7 +36,7 @@ struct Run {
 
 fn run(vertical: bool) -> Run {
     let (case, options, motion) = (broad(), LinearOptions::default(), motion(vertical));
-    let model = Model::new(&case, &options, vertical).unwrap();
+    let model = Model::new(&case, &options, vertical, Places::Usual).unwrap();
     let analysis = analyse(&model, &motion, &options, &Silent).unwrap();
     let line = |what| {
         let line = analysis.line(what).unwrap();
