@@ -151,6 +151,42 @@ fn defaults_and_where_they_come_from() {
     assert_eq!(paths.len(), file.echo.len(), "a path is echoed twice");
 }
 
+/// The overpressure of the tank is the design pressure of API 650 unless that is given; without either it is zero.
+#[test]
+fn pressure_of_the_tank_is_the_design_pressure() {
+    let site = |more: &str| {
+        let text = format!(
+            r#", "site": {{ "api650": {{ "ss": 1.0, "s1": 0.4, "site_class": "B", "sug": 1, "tl": 6.0{more} }} }}"#
+        );
+        small(&text)
+    };
+    let closed = |text: String| {
+        let pressure = r#""anchored", "pressure": { "internal": "2 kPa", "vacuum": "500 Pa" },"#;
+        text.replace(r#""anchored","#, pressure)
+    };
+    let design = |file: &TankFile| file.case.site.api650.map(|site| site.design_pressure);
+    let file = read(&closed(site("")));
+    assert_eq!(
+        (file.case.tank.pressure.internal, file.case.tank.pressure.vacuum),
+        (2000.0, 500.0)
+    );
+    assert_eq!(design(&file), Some(2000.0));
+    assert_eq!(
+        default(&file, "site.api650.design_pressure").1,
+        "tank.pressure.internal"
+    );
+    assert!(
+        file.warnings.iter().any(|w| w.contains("tank.pressure")),
+        "{:?}",
+        file.warnings
+    );
+    let own = read(&closed(site(r#", "design_pressure": "3 kPa""#)));
+    assert_eq!(design(&own), Some(3000.0));
+    let atmospheric = read(&site(""));
+    assert_eq!(design(&atmospheric), Some(0.0));
+    assert_eq!(default(&atmospheric, "tank.pressure").1, "atmospheric tank");
+}
+
 #[test]
 fn soft_walls_are_damped_like_concrete() {
     let file = read(&small("").replace("210 GPa", "33 GPa").replace("10 mm", "200 mm"));
