@@ -52,8 +52,12 @@ struct Tank {
     open: &'static [&'static str],
     /// Whether a ground motion is given.
     record: bool,
-    /// Amplitude of the ground motion under which the harmonic engine runs [m/s²], where it does.
-    engine: Option<f64>,
+    /// Amplitude of the ground motion [m/s²].
+    amplitude: f64,
+    /// Number of its samples, every 0.05 s, and its shape by the number of the sample.
+    motion: (u32, fn(f64) -> f64),
+    /// Engines that run under it.
+    engines: &'static [EngineId],
 }
 
 impl Tank {
@@ -65,7 +69,9 @@ impl Tank {
             changes,
             open: &[],
             record: false,
-            engine: None,
+            amplitude: 0.5,
+            motion: (40, |k| (0.7 * k).sin()),
+            engines: &[],
         }
     }
 
@@ -82,7 +88,8 @@ impl Tank {
     /// The same tank in the harmonic engine under a ground motion of this amplitude [m/s²].
     fn run(self, amplitude: f64) -> Tank {
         Tank {
-            engine: Some(amplitude),
+            amplitude,
+            engines: &[EngineId::Harmonic],
             ..self.shaken()
         }
     }
@@ -107,7 +114,7 @@ impl Tank {
             case: tank.case,
             procedures: tankcheck::pipeline::select_procedures(&tank.procedures).map_err(|error| error.to_string())?,
             decision: tank.decision,
-            engines: self.engine.map(|_| EngineId::Harmonic).into_iter().collect(),
+            engines: self.engines.to_vec(),
             linear: tank.fe,
             solid: tank.solid,
             nonlinear: tank.nonlinear,
@@ -118,11 +125,11 @@ impl Tank {
             raw_records: Vec::new(),
         };
         if self.record {
-            let amplitude = self.engine.unwrap_or(0.5);
+            let (samples, shape) = self.motion;
             let horizontal = Record {
                 name: "pulse".into(),
                 dt: 0.05,
-                acceleration: (0..40).map(|k| amplitude * (0.7 * f64::from(k)).sin()).collect(),
+                acceleration: (0..samples).map(|k| self.amplitude * shape(f64::from(k))).collect(),
                 processing: Vec::new(),
             };
             job.raw_records = vec![horizontal.clone()];

@@ -246,8 +246,6 @@ impl Histories {
                 };
                 let by_size = |i: &usize, j: &usize| state(*i).0.total_cmp(&state(*j).0);
                 let (low, high) = ((0..self.len()).min_by(by_size)?, (0..self.len()).max_by(by_size)?);
-                let rest = face * bending.rest;
-                let rest = mises(self.axial.rest + rest, self.hoop.rest + poisson * rest);
                 let (bottom, top) = (state(low), state(high));
                 let range = mises(top.0 - bottom.0, top.1 - bottom.1);
                 let pairs = [
@@ -260,7 +258,8 @@ impl Histories {
                         worst = Some(Found {
                             utilisation: ratio(demand, capacity),
                             demand,
-                            rest,
+                            // The bending at rest is of the same mesh: its error counts as well.
+                            rest: 0.0,
                             capacity,
                             instant,
                             cosine,

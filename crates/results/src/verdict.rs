@@ -315,6 +315,17 @@ mod tests {
         assert_eq!(found.missing[0].check.reason, "no friction");
     }
 
+    /// A close call holds and is counted.
+    #[test]
+    fn checks_within_their_error_are_counted() {
+        let close = check("hoop", 0.99).with_error(Some(0.02));
+        let methods = [method("code", Excitation::Site, vec![close, check("axial", 0.5)])];
+        let found = verdict(&methods, decides("code"), false, None);
+        assert_eq!((found.status, found.counts.within_error), (VerdictStatus::Holds, 1));
+        let text = serde_json::to_value(found.counts).unwrap();
+        assert_eq!(text["within_error"], 1);
+    }
+
     /// A capacity of zero has no utilisation and governs.
     #[test]
     fn without_a_capacity_a_check_governs() {

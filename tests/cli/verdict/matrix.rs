@@ -5,6 +5,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use codes::time_history::{self, Codes};
 use tank::assessment::{LimitState, Requirement};
 use tank::case::Case;
 
@@ -52,7 +53,7 @@ fn kinds(home: &Path) -> Vec<(&'static str, Case)> {
 
 /// Names of the tanks in which a limit state of a method comes first.
 fn covered(method: &str, state: &str) -> String {
-    let tanks = failing::tanks();
+    let tanks = [failing::tanks(), engine::failing()].concat();
     let first = |tank: &&Tank| matches!(tank.expected, Expected::Verdict(_, m, first) if m == method && first == state);
     let names: Vec<String> = tanks
         .iter()
@@ -80,28 +81,43 @@ fn page() -> String {
             );
             continue;
         };
-        page.push_str("| limit state | name | clause |");
-        for (title, _) in &kinds {
-            let _ = write!(page, " {title} |");
-        }
-        page.push_str(" battery |\n|---|---|---|");
-        page.push_str(&"---|".repeat(kinds.len() + 1));
-        page.push('\n');
-        for state in longest {
-            let _ = write!(page, "| `{}` | {} | {} |", state.id, state.name, state.clause);
-            for list in &lists {
-                let entry = match list.iter().find(|s| s.id == state.id).map(|s| &s.requirement) {
-                    Some(Requirement::Required) => "checked",
-                    Some(Requirement::NotImplemented) => "**open**",
-                    Some(Requirement::NotApplicable(_)) => "–",
-                    None => "outside the scope",
-                };
-                let _ = write!(page, " {entry} |");
-            }
-            let _ = writeln!(page, " {} |", covered(procedure.id(), state.id));
-        }
+        table(&mut page, procedure.id(), &kinds, (longest, &lists));
     }
+    let of_runs = |case: &Case| time_history::limit_states(case, Codes::of(case, &[]));
+    let lists: Vec<Vec<LimitState>> = kinds.iter().map(|(_, case)| of_runs(case)).collect();
+    page.push_str("\n## Finite-element runs under the record (`fe`, `fe-solid`, `fe-nonlinear`), both codes\n\n");
+    page.push_str("`fe-nonlinear` of a rectangle gives wave and base shear alone.\n\n");
+    table(&mut page, "fe", &kinds, (&lists[0], &lists));
     page
+}
+
+/// The table of one method: its longest list, and that of each kind of tank.
+fn table(
+    page: &mut String,
+    method: &str,
+    kinds: &[(&str, Case)],
+    (longest, lists): (&[LimitState], &[Vec<LimitState>]),
+) {
+    page.push_str("| limit state | name | clause |");
+    for (title, _) in kinds {
+        let _ = write!(page, " {title} |");
+    }
+    page.push_str(" battery |\n|---|---|---|");
+    page.push_str(&"---|".repeat(kinds.len() + 1));
+    page.push('\n');
+    for state in longest {
+        let _ = write!(page, "| `{}` | {} | {} |", state.id, state.name, state.clause);
+        for list in lists {
+            let entry = match list.iter().find(|s| s.id == state.id).map(|s| &s.requirement) {
+                Some(Requirement::Required) => "checked",
+                Some(Requirement::NotImplemented) => "**open**",
+                Some(Requirement::NotApplicable(_)) => "–",
+                None => "outside the scope",
+            };
+            let _ = write!(page, " {entry} |");
+        }
+        let _ = writeln!(page, " {} |", covered(method, state.id));
+    }
 }
 
 #[test]

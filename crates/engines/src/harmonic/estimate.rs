@@ -16,6 +16,7 @@ use crate::estimate::{
     DENSE_RATE, Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PROGRAM, Response, SWEEP_RATE, coarser,
     first_wall_frequency,
 };
+use crate::linear::demands::MOST_INSTANTS;
 use crate::linear::mesh_error::SecondMesh;
 use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
@@ -27,6 +28,8 @@ const LINES: f64 = 5.0;
 /// Histories of a run without gauges and stations, and histories of a station.
 const HISTORIES: f64 = 14.0;
 const PER_STATION: f64 = 3.0;
+/// Modal states of one direction that the limit states keep.
+const STATES: f64 = 40.0;
 /// Times that a history is there: in the response, as a column of the results, as text.
 const COPIES: f64 = 3.0;
 /// Operations of all modes of a dense pair of matrices of order n, over n³.
@@ -165,6 +168,8 @@ fn of(case: &Case, options: &Options, response: Option<Response>) -> Estimate {
             seconds += direct * products * NUMBER / (2.0 * SWEEP_RATE);
         }
         parts.push(("histories", NUMBER * samples * COPIES * histories));
+        let kept = modal.min(MOST_INSTANTS as f64) * STATES * directions;
+        parts.push(("limit states", NUMBER * kept));
         parts.push(("ground motion", NUMBER * directions * steps * meshes.min(2.0)));
         size.push_str(&format!(", {samples:.0} samples"));
     }

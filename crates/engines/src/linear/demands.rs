@@ -20,7 +20,7 @@ use results::channel::{OnWall, Side};
 use tank::options::linear::Integrator;
 
 /// Most instants of the kept histories; of a longer run every second, third … sub-step is kept.
-const MOST_INSTANTS: usize = 100_000;
+pub(crate) const MOST_INSTANTS: usize = 100_000;
 /// Part of the ringing that the samples miss where a mode is too fast to be resolved: it follows the record statically.
 const UNRESOLVED: f64 = 0.005;
 

@@ -2,6 +2,7 @@
 
 mod contact;
 mod curve;
+mod demands;
 mod describe;
 mod elements;
 pub(super) mod estimate;

@@ -114,3 +114,35 @@ fn no_limit_state_is_lost_and_the_worst_is_first() {
     );
     assert!(checks.iter().all(|c| c.compared() || !c.reason.is_empty()));
 }
+
+/// A check at 0.97 holds within an error of 4 %, not with one of 3 %; one that fails is not within it.
+#[test]
+fn an_error_makes_a_close_call() {
+    let check = |demand: f64| Check::new("hoop", "hoop", demand, 1.0, Dimension::Stress, "", "");
+    assert!(check(0.97).with_error(Some(0.04)).within_error);
+    for (demand, error) in [(0.97, Some(0.03)), (0.97, None), (1.01, Some(0.04))] {
+        assert!(!check(demand).with_error(error).within_error, "{demand} {error:?}");
+    }
+}
+
+/// Time, height, angle and error survive a round trip; a check without them is written as before.
+#[test]
+fn the_place_of_a_demand_is_kept() {
+    let plain = Check::new("hoop", "hoop", 0.97, 1.0, Dimension::Stress, "", "");
+    let placed = plain.clone().at(Some(1.5), Some(0.2), Some(3.0)).with_error(Some(0.04));
+    for check in [&plain, &placed] {
+        let text = serde_json::to_string(check).unwrap();
+        assert_eq!(&serde_json::from_str::<Check>(&text).unwrap(), check);
+    }
+    let text = serde_json::to_string(&placed).unwrap();
+    for part in [
+        "\"time_s\":1.5",
+        "\"z\":0.2",
+        "\"theta\":3.0",
+        "\"error\":0.04",
+        "\"within_error\":true",
+    ] {
+        assert!(text.contains(part), "{part} is missing in {text}");
+    }
+    assert!(!serde_json::to_string(&plain).unwrap().contains("theta"));
+}

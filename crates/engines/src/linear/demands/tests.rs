@@ -4,7 +4,7 @@ use oscillator::record::Record;
 
 use super::super::analysis::analyse;
 use super::*;
-use crate::harmonic::places::Places;
+use crate::harmonic::Places;
 use crate::harmonic::test_tanks::broad;
 use fem::progress::Silent;
 use tank::options::LinearOptions;

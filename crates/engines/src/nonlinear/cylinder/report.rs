@@ -8,6 +8,7 @@ use tank::Support;
 use tank::{Case, Quantity};
 
 use super::curve::departures;
+use super::demands::demands;
 use super::describe::{HELD_DOWN, assumptions, cost, integration, mesh};
 use super::model::CylinderModel;
 use super::points::look;
@@ -94,7 +95,7 @@ pub(super) fn report(
         assumptions: assumptions(case, options, tank),
         notes,
         snapshots: None,
-        demands: None,
+        demands: Some(demands(case, tank, watch)),
     }
 }
 

@@ -88,6 +88,10 @@ pub(crate) struct Meridian {
     pub hoop: Vec<Extremes>,
     /// Axial force over it [Pa].
     pub axial: Vec<Extremes>,
+    /// Hoop stress at the samples, by row [Pa].
+    pub hoop_history: Vec<Vec<f64>>,
+    /// Axial stress at the samples, by row [Pa].
+    pub axial_history: Vec<Vec<f64>>,
     /// Meridional curvature of the lowest cell at the samples [1/m].
     pub curvature: Vec<f64>,
     /// Meridional moment there [N].
@@ -221,6 +225,13 @@ impl<'a> Watch<'a> {
                     sum(&|s| s.resultants[1]) / thickness,
                 );
                 let meridian = &mut self.seen.sides[side];
+                if now.sample.is_some() {
+                    let histories = [&mut meridian.hoop_history, &mut meridian.axial_history];
+                    for (history, value) in histories.into_iter().zip([hoop, axial]) {
+                        history.resize(history.len().max(row + 1), Vec::new());
+                        history[row].push(value);
+                    }
+                }
                 for (list, value) in [(&mut meridian.hoop, hoop), (&mut meridian.axial, axial)] {
                     match list.get_mut(row) {
                         Some(extremes) => extremes.include(value, now.time),

@@ -7,6 +7,7 @@ use fem::progress::Progress;
 use fem::strip::{Scalar, Side as Wall, WallHistory};
 use tank::Shape;
 use tank::case::GroundMotion;
+use tank::demand::{Demands, Peak};
 use tank::{Case, Quantity};
 
 use super::super::CheckpointFile;
@@ -146,7 +147,7 @@ impl Report<'_> {
             assumptions: self.strip.assumptions.clone(),
             notes: self.notes(),
             snapshots: None,
-            demands: None,
+            demands: Some(demands(&lines)),
         }
     }
 
@@ -292,6 +293,24 @@ impl Report<'_> {
             histories.push(info, column);
         }
         histories
+    }
+}
+
+/// Wave and base shear; the resistance of plane walls is not implemented.
+fn demands(lines: &[Line]) -> Demands {
+    let rise = |(side, theta): (Side, f64)| {
+        let line = lines.iter().find(|l| l.channel == Channel::Wave(side))?;
+        let [(value, time), _] = line.extremes();
+        Some(Peak { value, time, theta })
+    };
+    let rises = Side::BOTH.into_iter().zip([0.0, std::f64::consts::PI]).filter_map(rise);
+    let shear = lines.iter().find(|l| l.channel == Channel::BaseShear);
+    Demands {
+        times: shear.map(|l| l.times.clone()).unwrap_or_default(),
+        states: shear.map(|l| l.values.clone()).into_iter().collect(),
+        base_shear: shear.map(|_| vec![(0, 1.0)]),
+        wave: rises.reduce(|a, b| if b.value > a.value { b } else { a }),
+        ..Demands::default()
     }
 }
 

@@ -1,0 +1,147 @@
+//! Demands of a run: stresses of the cells next to θ = 0 and θ = 180° at the samples of the record.
+//!
+//! The pressure is the hydrostatic one and, with the motion, that which membrane theory takes from the hoop stress,
+//!
+//! ```text
+//! p(t) = ρ g (H − z) + [σ_θ(t) − σ_θ(0)] t/R
+//! ```
+//!
+//! within 2.5 √(R t) of the base, where the clamped edge takes part of the load, from the first row above.
+
+use std::f64::consts::PI;
+
+use oscillator::record::Record;
+use tank::Case;
+use tank::demand::{Angles, Demands, OnWall, Peak, Place, Terms};
+
+use super::model::CylinderModel;
+use super::watch::{BASE_SHEAR, WAVE_BACK, WAVE_FRONT, Watch};
+
+/// Length of the disturbance of a clamped edge over √(R t).
+const EDGE: f64 = 2.5;
+
+/// Common histories under construction.
+struct States {
+    states: Vec<Vec<f64>>,
+    /// Number of samples.
+    samples: usize,
+}
+
+impl States {
+    /// Keeps a history less its first value.
+    fn keep(&mut self, history: impl Iterator<Item = f64>) -> Terms {
+        self.states.push(history.take(self.samples).collect());
+        vec![(self.states.len() - 1, 1.0)]
+    }
+
+    /// The histories of both sides as rest, half their sum and half their difference.
+    fn sides(&mut self, [front, back]: [&[f64]; 2], factor: f64) -> OnWall {
+        let first = |side: &[f64]| side.first().copied().unwrap_or(0.0);
+        let rest = 0.5 * factor * (first(front) + first(back));
+        let both = || front.iter().zip(back);
+        let even = self.keep(both().map(|(a, b)| 0.5 * factor * (a + b) - rest));
+        let odd = self.keep(both().map(|(a, b)| 0.5 * factor * (a - b)));
+        OnWall { rest, even, odd }
+    }
+}
+
+/// Demands of what was watched; without places for a wall that is not a metal shell.
+pub(super) fn demands(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> Demands {
+    let recorder = &watch.recorder;
+    let sides = &watch.seen.sides;
+    let rows = sides.iter().flat_map(|s| &s.hoop_history);
+    let samples = rows.map(Vec::len).min().unwrap_or(0).min(recorder.times.len());
+    let mut states = States {
+        states: Vec::new(),
+        samples,
+    };
+    let rest = |k: usize| recorder.histories[k].first().copied().unwrap_or(0.0);
+    let own = |k: usize| recorder.histories[k].iter().map(move |v| v - rest(k));
+    let base_shear = states.keep(own(BASE_SHEAR));
+    let places = match case.tank.is_metal() {
+        true => places(case, tank, watch, &mut states),
+        false => Vec::new(),
+    };
+    let vertical = case.ground_motion.as_ref().and_then(|motion| motion.vertical.as_ref());
+    let vertical = vertical.map(|record| states.keep(recorder.times.iter().map(|t| at(record, *t))));
+    let rise = |(k, theta): (usize, f64)| {
+        let range = &recorder.ranges[k];
+        Peak {
+            value: range.max - rest(k),
+            time: range.max_time,
+            theta,
+        }
+    };
+    let [front, back] = [(WAVE_FRONT, 0.0), (WAVE_BACK, PI)].map(rise);
+    let step = recorder.times.get(1).copied().unwrap_or(0.0);
+    Demands {
+        times: recorder.times[..samples].to_vec(),
+        states: states.states,
+        angles: Angles::Sides,
+        places,
+        wave: (samples > 0).then_some(if front.value >= back.value { front } else { back }),
+        base_shear: Some(base_shear),
+        vertical,
+        sampling: 1.0 - (0.5 * tank.wall_omega * step).min(0.5 * PI).cos(),
+    }
+}
+
+fn places(case: &Case, tank: &CylinderModel, watch: &Watch<'_>, states: &mut States) -> Vec<Place> {
+    let [front, back] = &watch.seen.sides;
+    let thickness = |row: usize| tank.rows[row].thickness;
+    let middle = |row: usize| 0.5 * (tank.cells.z[row] + tank.cells.z[row + 1]);
+    let rows = front
+        .hoop_history
+        .len()
+        .min(back.hoop_history.len())
+        .min(tank.cells.rows());
+    let mut places = Vec::new();
+    for row in 0..rows {
+        let hoop = [front, back].map(|s| s.hoop_history[row].as_slice());
+        let axial = [front, back].map(|s| s.axial_history[row].as_slice());
+        let z = middle(row);
+        let edge = EDGE * (tank.radius * thickness(row)).sqrt();
+        let clear = (row..rows).find(|&r| middle(r) >= edge).unwrap_or(row);
+        let pressure = (z < tank.depth).then(|| {
+            let of = [front, back].map(|s| s.hoop_history[clear].as_slice());
+            OnWall {
+                rest: tank.unit_weight * (tank.depth - z),
+                ..states.sides(of, thickness(clear) / tank.radius)
+            }
+        });
+        let bending = (row == 0).then(|| {
+            let of = [front, back].map(|s| s.moment.as_slice());
+            states.sides(of, 6.0 / (thickness(0) * thickness(0)))
+        });
+        places.push(Place {
+            // The lowest row stands for the base, as in the quantities of the run.
+            z: if row == 0 { 0.0 } else { z },
+            course: course(case, z),
+            hoop: states.sides(hoop, 1.0),
+            axial: states.sides(axial, 1.0),
+            bending,
+            shear: None,
+            pressure,
+        });
+    }
+    places
+}
+
+/// Acceleration of a record at a time, linear between its samples and zero after them.
+fn at(record: &Record, time: f64) -> f64 {
+    let steps = (time / record.dt).max(0.0);
+    let sample = |i: usize| record.acceleration.get(i).copied().unwrap_or(0.0);
+    let before = steps.floor() as usize;
+    let share = steps.fract();
+    (1.0 - share) * sample(before) + share * sample(before + 1)
+}
+
+/// Number of the course at a height.
+fn course(case: &Case, z: f64) -> usize {
+    let mut top = 0.0;
+    let below = case.tank.courses.iter().take_while(|course| {
+        top += course.height;
+        z >= top
+    });
+    below.count().min(case.tank.courses.len() - 1)
+}
