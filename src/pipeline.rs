@@ -191,7 +191,7 @@ fn assess(job: &Job) -> Result<Vec<Assessed>, Error> {
     if job.case.ground_motion.is_some() {
         excitations.push(Excitation::Record);
     }
-    if job.case.site.ec8.is_some() || job.case.site.api650.is_some() {
+    if job.case.site.is_given() {
         excitations.push(Excitation::Site);
     }
     let chosen = |p: &&&dyn Procedure| job.procedures.iter().any(|id| id == p.id());

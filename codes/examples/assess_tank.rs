@@ -19,6 +19,7 @@ fn main() {
         behaviour_factor: 1.0,
         construction_quality: 1.0,
         vertical: false,
+        components: Default::default(),
         friction: None,
         reduction_factor: None,
         bearing_capacity: None,

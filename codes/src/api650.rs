@@ -3,6 +3,7 @@
 //! | module | idea |
 //! |---|---|
 //! | [`ground_motion`] | ASCE 7 site coefficients and design spectrum; plateau of a record |
+//! | [`site_specific`] | the user's spectrum with the lower limit of ASCE 7 chapter 21 |
 //! | [`masses`] | effective masses, heights and periods, closed forms of the charts |
 //! | [`hold_down`] | hold-down by the bottom plate, figure E-5, allowable shell compression |
 //! | [`hoop`] | hoop forces over the height |
@@ -29,5 +30,8 @@ pub mod hold_down;
 pub mod hoop;
 mod ingredients;
 pub mod masses;
+#[cfg(test)]
+mod own_spectrum;
+pub mod site_specific;
 #[cfg(test)]
 mod tests1993;

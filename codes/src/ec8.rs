@@ -4,6 +4,9 @@
 //! |---|---|---|
 //! | [`spectrum`] | elastic and design spectra | EN 1998-1:2004 3.2.2, ENV 1998-1-1:1994 4.2 |
 //! | [`demand`] | accelerations of one assessment, from a site or a record | 2.1, 2.3.3, 4.4 |
+//! | `design_spectrum` | S_d beside S_e/q | EN 1998-1:2004 3.2.2.5 |
+//! | `directions` | two horizontal components | EN 1998-1:2004 4.3.3.5 |
+//! | `tabulated` | the user's table as seismic action | EN 1998-1:2004 3.2.2.2 (η) |
 //! | [`simplified`] | simplified procedure, table A.2 | A.3.2.2 |
 //! | [`flexible`], [`shell_mode`] | flexible impulsive part, first mode of the wall with liquid | A.3.1 |
 //! | [`vertical`] | vertical motion | A.2.2, A.3.3 |
@@ -32,11 +35,15 @@ mod cylinder_stress;
 mod cylinder_vertical;
 mod damage;
 pub mod demand;
+mod design_spectrum;
+mod directions;
 #[cfg(test)]
 pub(crate) mod example;
 pub mod flexible;
 mod ingredients;
 mod limit_states;
+#[cfg(test)]
+mod own_spectrum;
 mod pipes;
 pub mod plate;
 mod plate_uplift;
@@ -53,6 +60,7 @@ mod sliding;
 pub mod spectrum;
 #[cfg(test)]
 mod tables;
+mod tabulated;
 pub mod uplift;
 pub mod vertical;
 mod wall_bending;
@@ -61,11 +69,13 @@ mod work;
 use demand::{Demand, Edition};
 use work::Work;
 
+use crate::hazard;
 use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::sheet::Sheet;
 use spectrum::ElasticSpectrum;
 use tank::assessment::{Assessment, Excitation, LimitState, NotApplicable};
 use tank::case::{Case, Combination, FlexibleImpulsive, Site};
+use tank::hazard::SpectrumForm;
 use tank::units::Dimension::{Dimensionless, Stress};
 use tank::{Shape, Support};
 
@@ -99,16 +109,31 @@ impl Procedure for En2006 {
     }
 
     fn design_curves(&self, site: &Site, dampings: &[f64]) -> Vec<DesignCurve> {
-        let Some(spectrum) = site.ec8.as_ref().and_then(|site| ElasticSpectrum::new(site).ok()) else {
+        let Some(ec8) = &site.ec8 else {
             return Vec::new();
         };
-        let curve = |&damping: &f64| DesignCurve {
-            id: format!("ec8-{damping}"),
-            title: format!("EN 1998-1 elastic, ξ = {:.1} %", damping * 100.0),
-            damping,
-            acceleration: Box::new(move |t| spectrum.horizontal(t, damping)),
+        let own = site.spectrum.as_ref();
+        let title = if own.is_some() {
+            "Own spectrum"
+        } else {
+            "EN 1998-1 elastic"
         };
-        dampings.iter().map(curve).collect()
+        let curve = |&damping: &f64| {
+            Some(DesignCurve {
+                id: format!("ec8-{damping}"),
+                title: format!("{title}, ξ = {:.1} %", damping * 100.0),
+                damping,
+                longest: own.map_or(f64::INFINITY, hazard::longest),
+                acceleration: match own {
+                    Some(own) => hazard::elastic(own, ec8.importance, damping),
+                    None => {
+                        let spectrum = ElasticSpectrum::new(ec8).ok()?;
+                        Box::new(move |t| spectrum.horizontal(t, damping))
+                    }
+                },
+            })
+        };
+        dampings.iter().filter_map(curve).collect()
     }
 
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
@@ -164,6 +189,7 @@ fn assess(case: &Case, excitation: Excitation, edition: Edition) -> Result<Asses
         sheet: Sheet::new(),
         mass: 0.0,
         wave: None,
+        uncovered: None,
         uplift: match case.tank.support {
             Support::Anchored => Some(0.0),
             Support::Unanchored => None,
@@ -175,6 +201,9 @@ fn assess(case: &Case, excitation: Excitation, edition: Edition) -> Result<Asses
     match case.tank.shape {
         Shape::Cylinder { radius } => cylinder::assess(&mut work, radius)?,
         Shape::Rectangle { length, breadth, strip } => rectangle::assess(&mut work, length, breadth, strip),
+    }
+    if let Some(refusal) = work.uncovered {
+        return Err(refusal);
     }
     let Work { sheet, mut out, .. } = work;
     out.steps = sheet.into_steps()?;
@@ -205,6 +234,24 @@ fn situation(work: &mut Work) {
     }
 }
 
+/// What is assumed about a table of the user.
+fn own_spectrum(case: &Case, excitation: Excitation) -> Option<String> {
+    let own = case.site.spectrum.as_ref().filter(|_| excitation == Excitation::Site)?;
+    let SpectrumForm::Table { vertical, .. } = &own.form else {
+        return None;
+    };
+    let vertical = match vertical {
+        Some(_) => "",
+        None => {
+            " Vertical motion: shape of EN 1998-1 3.2.2.3 with a_vg as given share of the table's ground acceleration."
+        }
+    };
+    Some(format!(
+        "The user's table is linear between its rows and not continued beyond the last one; other dampings by η of the standard, \
+         growing from none at T = 0 to the whole at the largest row.{vertical}"
+    ))
+}
+
 fn assumptions(work: &mut Work, excitation: Excitation) {
     let case = work.case;
     let out = &mut work.out.assumptions;
@@ -212,9 +259,17 @@ fn assumptions(work: &mut Work, excitation: Excitation) {
     out.push(match excitation {
         Excitation::Record => "The spectrum of the record stands for the design spectrum; q = 1, γ_I = 1.".into(),
         Excitation::Site => {
-            "Impulsive part: elastic spectrum at its damping divided by q; sloshing: elastic spectrum, q = 1. Recommended values of \
-             the standard; a national annex may differ."
-                .to_string()
+            let parameters = match &case.site.spectrum {
+                Some(_) => "The user's spectrum, times γ_I.",
+                None => "Recommended values of the standard; a national annex may differ.",
+            };
+            let design = match work.edition {
+                Edition::En2006 => ", not less than the design spectrum S_d with its lower bound",
+                Edition::Env1998 => "",
+            };
+            format!(
+                "Impulsive part: elastic spectrum at its damping divided by q{design}; sloshing: elastic spectrum, q = 1. {parameters}"
+            )
         }
     });
     out.push(
@@ -222,6 +277,17 @@ fn assumptions(work: &mut Work, excitation: Excitation) {
          the factor 1; resistance of metal walls with γ_M = 1 (recommended values; a national annex may differ)."
             .into(),
     );
+    out.extend(own_spectrum(case, excitation));
+    if excitation == Excitation::Site {
+        out.push(match case.tank.shape {
+            Shape::Cylinder { .. } => directions::assumption(work.demand.components).into(),
+            Shape::Rectangle { .. } => {
+                "One horizontal component, along the length of the tank; for the other one exchange length and \
+                                        breadth."
+                    .into()
+            }
+        });
+    }
     out.push(match case.procedures.ec8_combination {
         Combination::Abs => "Impulsive and convective maxima are added as absolute values.".into(),
         Combination::Srss => {

@@ -16,6 +16,7 @@ const TOLERANCE: f64 = 1e-9;
 fn ec8_site(spectrum: u8, vertical: bool) -> Ec8Site {
     Ec8Site {
         bearing_capacity: None,
+        components: Default::default(),
         ground: GroundType::B,
         spectrum,
         ag: 2.0,

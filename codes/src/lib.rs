@@ -8,6 +8,7 @@
 //! | [`bessel`], [`mechanical`] | special functions; masses, levers and periods of potential flow |
 //! | [`en1992`] | sections of reinforced concrete |
 //! | [`time_history`] | demands of an engine under the record against the capacities of the codes |
+//! | [`hazard`] | ordinates of the user's spectrum |
 //! | [`housner`], [`ec8`], [`api650`], [`deformability`] | the procedures |
 
 pub mod api650;
@@ -16,6 +17,7 @@ mod corrosion;
 pub mod deformability;
 pub mod ec8;
 pub mod en1992;
+pub mod hazard;
 pub mod housner;
 #[cfg(test)]
 mod ingredients;

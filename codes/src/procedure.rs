@@ -54,6 +54,8 @@ pub struct DesignCurve {
     pub title: String,
     /// Damping ratio.
     pub damping: f64,
+    /// Longest period that it covers [s]; infinite for the spectra of the codes.
+    pub longest: f64,
     /// Spectral acceleration [m/s²] at a period [s].
     pub acceleration: Box<dyn Fn(f64) -> f64>,
 }

@@ -77,7 +77,7 @@ pub(crate) fn case(shape: Shape, courses: Vec<Course>, depth: f64, ec8: Option<E
             sloshing: 0.005,
             impulsive: 0.02,
         },
-        site: Site { ec8, api650: None },
+        site: Site { ec8, ..Site::default() },
         procedures: ProcedureOptions::default(),
         measured: Vec::new(),
         published: Vec::new(),

@@ -156,8 +156,7 @@ impl Inputs {
 
 /// Errors: a job without a ground motion and without a design spectrum.
 pub(crate) fn shaken(job: &Job) -> Result<(), Error> {
-    let site = &job.case.site;
-    if job.case.ground_motion.is_none() && site.ec8.is_none() && site.api650.is_none() {
+    if job.case.ground_motion.is_none() && !job.case.site.is_given() {
         return Err(Error::input(
             "error: the ground motion is missing\n  help: add `site` to the tank file (design spectra), or give a record \
              with --quake"

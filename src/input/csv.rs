@@ -39,25 +39,49 @@ pub struct Table {
 ///
 /// Errors: a file that cannot be read, is larger than 1 MiB or is not UTF-8; the faults of [`parse`].
 pub fn read(path: &Path) -> Result<Table, Error> {
-    let fail = |what: String| Error::File {
+    let source = bytes(path).map_err(|what| Error::File {
         path: path.into(),
         what,
-    };
-    let unreadable = |e: std::io::Error| fail(format!("cannot read the table: {}", files::error::describe(&e)));
+    })?;
+    parse(&source).map_err(|faults| faults.into_error(&source))
+}
+
+/// Reads a file that another one names.
+///
+/// Errors: a file that cannot be read, is not a file (a pipe has no end), is larger than 1 MiB or is not UTF-8; with its name.
+pub(crate) fn text(path: &Path) -> Result<Source, String> {
+    let named = |what: String| format!("{}: {what}", path.display());
+    match std::fs::metadata(path) {
+        Ok(data) if !data.is_file() && !data.is_dir() => Err(named("found a pipe or device, expected a file".into())),
+        _ => bytes(path).map_err(named),
+    }
+}
+
+/// The text of a file, or why it cannot be read.
+fn bytes(path: &Path) -> Result<Source, String> {
+    let unreadable = |e: std::io::Error| format!("cannot read the table: {}", files::error::describe(&e));
     if std::fs::metadata(path).map_err(unreadable)?.is_dir() {
-        return Err(fail("found a folder, expected a CSV file".into()));
+        return Err("found a folder, expected a CSV file".into());
     }
     let mut bytes = Vec::new();
     let file = std::fs::File::open(path).map_err(unreadable)?;
     file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
     if bytes.len() as u64 > MAX_BYTES {
-        return Err(fail("found a file larger than 1 MiB, expected a table of tanks".into()));
+        return Err("found a file larger than 1 MiB, expected a table".into());
     }
-    let text =
-        String::from_utf8(bytes).map_err(|_| fail("found bytes that are not UTF-8; save the table as UTF-8".into()))?;
+    let text = String::from_utf8(bytes).map_err(|_| "found bytes that are not UTF-8; save the table as UTF-8")?;
     let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text);
-    let source = Source::at(path, text);
-    parse(&source).map_err(|faults| faults.into_error(&source))
+    Ok(Source::at(path, text))
+}
+
+/// The lines of a text that are not blank, split into cells. Errors: a quote that is not closed.
+pub(crate) fn rows(source: &Source) -> Result<Vec<Vec<Cell>>, String> {
+    let mut faults = Faults::new();
+    let rows = records(&source.text, &mut faults);
+    match faults.list().first() {
+        None => Ok(rows),
+        Some(fault) => Err(fault.message.clone()),
+    }
 }
 
 /// Reads the text of a table. All faults are returned at once: a table without columns or rows, a name that is empty or occurs twice,

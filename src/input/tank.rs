@@ -42,7 +42,7 @@ pub fn read(path: &Path) -> Result<TankFile, Error> {
 /// Reads and resolves the text of a tank file; the hash is left empty. All faults are returned at once.
 pub fn parse(source: &Source) -> Result<TankFile, Faults> {
     let mut faults = Faults::new();
-    let file = syntax::parse(source, &mut faults).and_then(|root| resolved(root, &mut faults));
+    let file = syntax::parse(source, &mut faults).and_then(|root| resolved(root, source, &mut faults));
     match file {
         Some(file) if faults.is_empty() => Ok(TankFile {
             source: source.clone(),
@@ -52,12 +52,13 @@ pub fn parse(source: &Source) -> Result<TankFile, Faults> {
     }
 }
 
-/// Resolves the tree of a tank file.
-fn resolved(mut root: syntax::Node, faults: &mut Faults) -> Option<TankFile> {
+/// Resolves the tree of a tank file; other files that it names are next to it.
+fn resolved(mut root: syntax::Node, source: &Source, faults: &mut Faults) -> Option<TankFile> {
     // Editors find the schema by this key.
     if let syntax::Kind::Object(members) = &mut root.kind {
         members.retain(|m| m.key != "$schema");
     }
     let file = <keys::TankFile as read::FromNode>::from_node(&root, faults)?;
-    keys::resolve(&file, faults)
+    let folder = Path::new(&source.name).parent().unwrap_or(Path::new(""));
+    keys::resolve(&file, folder, faults)
 }

@@ -57,8 +57,9 @@ fn response(record: &Record, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCu
 /// Design spectra of all procedures; none for a site outside the scope of the code (its procedure gives the reason).
 fn design(site: &Site, period: &[f64], dampings: &[f64]) -> Vec<SpectrumCurve> {
     let curves = codes::ALL.iter().flat_map(|p| p.design_curves(site, dampings));
+    let covered = |longest: f64| period.iter().copied().filter(|t| *t <= longest).collect::<Vec<_>>();
     curves
-        .map(|c| curve(&c.id, &c.title, c.damping, period, c.acceleration))
+        .map(|c| curve(&c.id, &c.title, c.damping, &covered(c.longest), c.acceleration))
         .collect()
 }
 

@@ -92,8 +92,8 @@ impl Procedure for Api6501993 {
         Basis::new(case, EDITION)?;
         let reason = match excitation {
             Excitation::Record if case.ground_motion.is_none() => "no record given",
-            Excitation::Site if case.site.api650.is_none() => "`site.api650` is not given",
-            Excitation::Site if case.site.api650.is_some_and(|s| s.zone_factor.is_none()) => {
+            Excitation::Site if case.site.api650.is_none() && case.site.zone.is_none() => "`site.api650` is not given",
+            Excitation::Site if case.site.zone().is_none() => {
                 "`site.api650.zone_factor` is not given, which the zone method needs"
             }
             _ => return Ok(()),
@@ -188,7 +188,7 @@ fn coefficients(
 ) -> Result<Coefficients, CodeError> {
     sheet.section("Ground motion");
     let case = basis.case;
-    match (excitation, &case.ground_motion, &case.site.api650) {
+    match (excitation, &case.ground_motion, case.site.zone()) {
         (Excitation::Record, Some(motion), _) => {
             let record = &motion.horizontal;
             let (at, plateau) = impulsive_plateau(record, DAMPING.0);
@@ -223,8 +223,7 @@ fn coefficients(
             Ok(Coefficients { impulsive, convective })
         }
         (Excitation::Site, _, Some(site)) => {
-            let z = site.zone_factor.unwrap_or(0.0);
-            let (s, i) = (site.soil_factor, site.importance_1993);
+            let (z, s, i) = (site.zone_factor, site.soil_factor, site.importance);
             for (key, value, least, most) in [
                 ("zone_factor", z, 0.0, 1.0),
                 ("soil_factor", s, 1.0, 2.0),

@@ -33,11 +33,14 @@ mod piping;
 mod resistance;
 #[cfg(test)]
 mod rest_tests;
+mod site_spectrum;
 #[cfg(test)]
 mod tests;
 mod upper_courses;
 
 use crate::api650::ground_motion::DesignSpectrum;
+use crate::api650::site_specific::SiteSpecific;
+use crate::hazard;
 use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::sheet::Sheet;
 use tank::STANDARD_GRAVITY;
@@ -143,14 +146,29 @@ impl Procedure for Api6502020 {
 
     /// ASCE 7 has one shape for all damping ratios; API 650 E.4.6 raises its sloshing branch by K = 1.5.
     fn design_curves(&self, site: &Site, _dampings: &[f64]) -> Vec<DesignCurve> {
-        let Some(spectrum) = site.api650.as_ref().and_then(|site| DesignSpectrum::new(site).ok()) else {
+        let Some(annex) = &site.api650 else {
             return Vec::new();
+        };
+        let (title, acceleration): (_, Box<dyn Fn(f64) -> f64>) = match SiteSpecific::new(site, annex) {
+            Ok(Some(own)) => (
+                "Own spectrum under API 650, ξ = 5 %",
+                Box::new(move |t| own.acceleration(t) * STANDARD_GRAVITY),
+            ),
+            Ok(None) => match DesignSpectrum::new(annex) {
+                Ok(spectrum) => (
+                    "ASCE 7 design, ξ = 5 %",
+                    Box::new(move |t| spectrum.acceleration(t) * STANDARD_GRAVITY),
+                ),
+                Err(_) => return Vec::new(),
+            },
+            Err(_) => return Vec::new(),
         };
         vec![DesignCurve {
             id: "asce7-0.05".into(),
-            title: "ASCE 7 design, ξ = 5 %".into(),
+            title: title.into(),
             damping: 0.05,
-            acceleration: Box::new(move |t| spectrum.acceleration(t) * STANDARD_GRAVITY),
+            longest: site.spectrum.as_ref().map_or(f64::INFINITY, hazard::longest),
+            acceleration,
         }]
     }
 

@@ -9,6 +9,7 @@ use super::uplift::{self, Compression};
 use super::work::Work;
 use crate::sheet::with_unit;
 use tank::assessment::CheckStatus;
+use tank::case::Components;
 use tank::units::Dimension::*;
 
 /// Tension of the anchors, or a note that they are not given.
@@ -23,9 +24,12 @@ pub(super) fn anchorage(work: &mut Work, state: &State, vertical: bool) {
         ("g", state.gravity, Acceleration),
         ("p_g", state.tank.pressure.internal, Stress),
         ("R", state.radius, Length),
+        ("c_v", work.demand.beside_vertical(), Dimensionless),
     ];
-    // The larger of E_x + 0.3 E_z and 0.3 E_x + E_z.
-    let mut formula = String::from(if vertical {
+    // The larger of E_x + 0.3 E_z and 0.3 E_x + E_z; c_v of two horizontal components.
+    let mut formula = String::from(if vertical && work.demand.components == Components::HundredThirty {
+        "max(n_z - N_0·(1 - 0.3·A_v/g), c_v·n_z - N_0·(1 - A_v/g))"
+    } else if vertical {
         "max(n_z - N_0·(1 - 0.3·A_v/g), 0.3·n_z - N_0·(1 - A_v/g))"
     } else {
         "n_z - N_0"

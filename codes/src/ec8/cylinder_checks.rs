@@ -139,9 +139,9 @@ fn places<'a>(state: &State<'a>, vertical: bool, amplification: f64) -> Vec<Plac
     let mut out = Vec::new();
     let mut z = 0.0;
     for (index, course) in state.tank.courses.iter().enumerate() {
-        let combinations = state.combinations(vertical).iter();
+        let combinations = state.combinations(vertical).into_iter();
         for (factors, gas) in combinations.flat_map(|f| state.gas().into_iter().map(move |gas| (f, gas))) {
-            let (p_min, p_max) = state.pressure_range(z, *factors, gas);
+            let (p_min, p_max) = state.pressure_range(z, factors, gas);
             let weight = state.weight(z) * state.weight_factor(factors.1);
             let axial = factors.0 * state.axial(z);
             // At its base an unanchored wall carries a multiple of the anchored wall's whole force.
@@ -154,7 +154,7 @@ fn places<'a>(state: &State<'a>, vertical: bool, amplification: f64) -> Vec<Plac
                 course,
                 number: index + 1,
                 z,
-                factors: *factors,
+                factors,
                 gas,
                 lift: 0.5 * gas * state.radius,
                 axial,

@@ -32,6 +32,8 @@ pub(super) struct State<'a> {
     a_c: f64,
     pub combination: Combination,
     motion: VerticalMotion,
+    /// Factor of the horizontal components beside the full vertical one.
+    beside_vertical: f64,
     /// M just above the base plate [N·m], as the procedure gives it.
     pub base_moment: f64,
 }
@@ -100,11 +102,11 @@ impl State<'_> {
         (still - seismic, still + seismic)
     }
 
-    pub(super) fn combinations(&self, vertical: bool) -> &'static [Factors] {
+    pub(super) fn combinations(&self, vertical: bool) -> Vec<Factors> {
         if vertical {
-            &[(1.0, 0.3), (0.3, 1.0)]
+            vec![(1.0, 0.3), (self.beside_vertical, 1.0)]
         } else {
-            &[(1.0, 0.0)]
+            vec![(1.0, 0.0)]
         }
     }
 
@@ -165,6 +167,7 @@ pub(super) fn assess<'a>(
         a_c,
         combination: case.procedures.ec8_combination,
         motion: motion.unwrap_or_default(),
+        beside_vertical: work.demand.beside_vertical(),
         base_moment: moment,
     };
     base_pressures(work, &state);

@@ -94,7 +94,7 @@ fn hoop(work: &mut Work, state: &State, reduction: f64, vertical: bool) {
                 course,
                 number: index + 1,
                 z,
-                factors: *factors,
+                factors,
             };
             let mut scratch = Sheet::new();
             let stress = lines(&mut scratch, state, &place, (reduction, q), "");

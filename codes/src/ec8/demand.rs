@@ -4,17 +4,23 @@ mod ordinate;
 
 pub(crate) use ordinate::long_period;
 
+use super::design_spectrum;
+use super::directions;
 use super::spectrum::{
     Branch, EN_HORIZONTAL, EN_VERTICAL, ENV_HORIZONTAL, ENV_VERTICAL, ElasticSpectrum, EnvSpectrum, LONGEST_PERIOD,
-    damping_correction, damping_correction_env,
+    damping_correction, damping_correction_env, vertical_elastic,
 };
+use super::tabulated::{EN_CORRECTION, ENV_CORRECTION, Tabulated};
 use super::vertical::BREATHING_DAMPING;
+use crate::hazard::{self, CLAUSE};
 use crate::procedure::CodeError;
 use crate::sheet::{Sheet, Term, number, with_unit};
 use oscillator::record::Record;
 use oscillator::spectrum::ordinates;
+use tank::Shape;
 use tank::assessment::{Excitation, NotApplicable};
-use tank::case::{Case, Ec8Site};
+use tank::case::{Case, Components, Ec8Site};
+use tank::hazard::{SiteSpectrum, SpectrumForm};
 use tank::units::Dimension;
 
 /// Edition of part 4.
@@ -49,10 +55,42 @@ impl Edition {
 enum Source<'a> {
     En(ElasticSpectrum),
     Env(EnvSpectrum),
+    Table(Tabulated<'a>),
     Record {
         horizontal: &'a Record,
         vertical: Option<&'a Record>,
     },
+}
+
+impl<'a> Source<'a> {
+    /// The user's spectrum with the damping rule and the importance factor of an edition.
+    fn of_user(user: &'a SiteSpectrum, site: &Ec8Site, edition: Edition) -> Source<'a> {
+        let importance = site.importance;
+        let (correction, correction_formula, clause): (fn(f64) -> f64, _, _) = match edition {
+            Edition::En2006 => (damping_correction, EN_CORRECTION, EN_HORIZONTAL),
+            Edition::Env1998 => (damping_correction_env, ENV_CORRECTION, ENV_HORIZONTAL),
+        };
+        match &user.form {
+            SpectrumForm::Table {
+                damping,
+                horizontal,
+                vertical,
+            } => Source::Table(Tabulated {
+                horizontal,
+                vertical: vertical.as_ref(),
+                damping: *damping,
+                vertical_ratio: user.vertical_ratio,
+                importance,
+                correction,
+                correction_formula,
+                clause,
+            }),
+            SpectrumForm::Parameters(given) => match edition {
+                Edition::En2006 => Source::En(ElasticSpectrum::of_parameters(given, user.vertical_ratio, importance)),
+                Edition::Env1998 => Source::Env(EnvSpectrum::of_parameters(given, importance)),
+            },
+        }
+    }
 }
 
 /// The seismic action of one assessment.
@@ -65,6 +103,10 @@ pub struct Demand<'a> {
     pub behaviour_factor: f64,
     /// Whether vertical motion is considered.
     pub vertical: bool,
+    /// Spectrum of the user, if it is the source.
+    pub user: Option<&'a SiteSpectrum>,
+    /// Horizontal components that act together; one with a record and on rectangles.
+    pub components: Components,
 }
 
 /// Largest behaviour factor of the impulsive part of tanks on the ground.
@@ -88,6 +130,8 @@ impl<'a> Demand<'a> {
                     site,
                     behaviour_factor: 1.0,
                     vertical: motion.vertical.is_some(),
+                    user: None,
+                    components: Components::One,
                 })
             }
             Excitation::Site => {
@@ -104,15 +148,22 @@ impl<'a> Demand<'a> {
                         ),
                     });
                 }
-                let source = match edition {
-                    Edition::En2006 => Source::En(ElasticSpectrum::new(&site)?),
-                    Edition::Env1998 => Source::Env(EnvSpectrum::new(&site)?),
+                let user = case.site.spectrum.as_ref();
+                let source = match (user, edition) {
+                    (Some(user), _) => Source::of_user(user, &site, edition),
+                    (None, Edition::En2006) => Source::En(ElasticSpectrum::new(&site)?),
+                    (None, Edition::Env1998) => Source::Env(EnvSpectrum::new(&site)?),
                 };
                 Ok(Demand {
                     source,
                     site: Some(site),
                     behaviour_factor: q,
                     vertical: site.vertical,
+                    user,
+                    components: match case.tank.shape {
+                        Shape::Cylinder { .. } => site.components,
+                        Shape::Rectangle { .. } => Components::One,
+                    },
                 })
             }
         }
@@ -123,6 +174,7 @@ impl<'a> Demand<'a> {
         match &self.source {
             Source::En(s) => s.peak(),
             Source::Env(s) => s.peak(),
+            Source::Table(s) => s.peak(),
             Source::Record { horizontal, .. } => horizontal.pga(),
         }
     }
@@ -133,6 +185,7 @@ impl<'a> Demand<'a> {
             _ if !self.vertical => 0.0,
             Source::En(s) => s.vertical_peak(),
             Source::Env(s) => s.vertical_peak(),
+            Source::Table(s) => s.vertical_peak(),
             Source::Record { vertical, .. } => vertical.map_or(0.0, Record::pga),
         }
     }
@@ -173,7 +226,13 @@ impl<'a> Demand<'a> {
                 let vertical = ("0.7·a_g·S", ("S", s.soil, Dimension::Dimensionless), ENV_VERTICAL);
                 self.describe_site(sheet, (s.ag, s.soil, s.corners), ENV_HORIZONTAL, vertical);
             }
+            Source::Table(s) => {
+                s.describe(sheet, self.vertical);
+                let (name, source) = ("behaviour factor of the impulsive part", "site.ec8.behaviour_factor");
+                sheet.input("q", name, self.behaviour_factor, Dimension::Dimensionless, source);
+            }
         }
+        directions::describe(sheet, self.components, self.vertical);
     }
 
     /// Lines of a design spectrum.
@@ -188,11 +247,14 @@ impl<'a> Demand<'a> {
         (formula, factor, vertical_clause): (&str, Term, &str),
     ) {
         let Some(site) = self.site else { return };
-        let given = format!("site.ec8, ground {:?}", site.ground);
+        let (ground, given, clause) = match self.user.map(|user| &user.form) {
+            Some(SpectrumForm::Parameters(own)) => (own.ag, CLAUSE.to_string(), CLAUSE),
+            _ => (site.ag, format!("site.ec8, ground {:?}", site.ground), clause),
+        };
         sheet.input(
             "a_gR",
             "reference ground acceleration",
-            site.ag,
+            ground,
             Dimension::Acceleration,
             &given,
         );
@@ -205,7 +267,7 @@ impl<'a> Demand<'a> {
         );
         let terms = [
             ("γ_I", site.importance, Dimension::Dimensionless),
-            ("a_gR", site.ag, Dimension::Acceleration),
+            ("a_gR", ground, Dimension::Acceleration),
         ];
         sheet.calc(
             "a_g",
@@ -234,7 +296,8 @@ impl<'a> Demand<'a> {
         }
     }
 
-    /// Horizontal acceleration of the impulsive part [m/s²]: `S_e(T, ξ)/q`. Adds its line as `symbol`.
+    /// Horizontal acceleration of the impulsive part [m/s²]: `S_e(T, ξ)/q`, as `symbol`; of the current edition and under its spectrum
+    /// the larger one of that and `S_d(T)`, as `A_i`. Adds their lines.
     pub fn impulsive(
         &self,
         sheet: &mut Sheet,
@@ -243,15 +306,30 @@ impl<'a> Demand<'a> {
         period: f64,
         damping: f64,
     ) -> f64 {
-        self.horizontal(
-            sheet,
-            notes,
-            symbol,
-            "impulsive",
-            period,
-            damping,
-            self.behaviour_factor,
-        )
+        let q = self.behaviour_factor;
+        let elastic = self.horizontal(sheet, notes, symbol, "impulsive", period, damping, q);
+        let of_design = symbol.replace("S_e", "S_d");
+        let design = match &self.source {
+            Source::En(s) => design_spectrum::line(sheet, s, &of_design, period, q),
+            Source::Table(s) if s.clause == EN_HORIZONTAL => {
+                design_spectrum::table_line(sheet, s, &of_design, period, q)
+            }
+            Source::Table(_) | Source::Env(_) | Source::Record { .. } => {
+                return directions::line(sheet, self.components, "impulsive", elastic);
+            }
+        };
+        let larger = design_spectrum::governing(sheet, elastic, design, damping);
+        directions::line(sheet, self.components, "impulsive", larger)
+    }
+
+    /// Share of the horizontal accelerations beside the full vertical one.
+    pub fn beside_vertical(&self) -> f64 {
+        directions::beside_vertical(self.components)
+    }
+
+    /// Errors: a period [s] beyond the user's table.
+    pub fn covers(&self, what: &str, period: f64) -> Result<(), CodeError> {
+        hazard::covers(self.user, what, period)
     }
 
     /// Horizontal acceleration of a sloshing mode [m/s²]; q = 1 always. Adds its line as `symbol`.
@@ -263,7 +341,8 @@ impl<'a> Demand<'a> {
         period: f64,
         damping: f64,
     ) -> f64 {
-        self.horizontal(sheet, notes, symbol, "convective", period, damping, 1.0)
+        let one = self.horizontal(sheet, notes, symbol, "convective", period, damping, 1.0);
+        directions::line(sheet, self.components, "convective", one)
     }
 
     fn horizontal(
@@ -289,6 +368,7 @@ impl<'a> Demand<'a> {
                     "spectrum of the record",
                 );
             }
+            Source::Table(s) => return s.line(sheet, (symbol, part), (period, damping, q)),
             Source::En(s) => (
                 s.horizontal_with_branch(period, damping).1,
                 damping_correction(damping),
@@ -352,6 +432,10 @@ impl<'a> Demand<'a> {
         let (value, clause) = match &self.source {
             Source::En(s) => (s.vertical(period, damping), EN_VERTICAL),
             Source::Env(s) => (s.vertical(period, damping), ENV_VERTICAL),
+            Source::Table(s) => match s.vertical(period, damping) {
+                Some(value) => (value, CLAUSE),
+                None => (vertical_elastic(s.vertical_peak(), period, damping), EN_VERTICAL),
+            },
             Source::Record { vertical, .. } => (
                 vertical.map_or(0.0, |v| ordinates(v, period, damping).psa),
                 "spectrum of the vertical record",

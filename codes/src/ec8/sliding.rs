@@ -13,6 +13,7 @@
 use super::limit_states::SLIDING;
 use super::work::Work;
 use tank::assessment::CheckStatus;
+use tank::case::Components;
 use tank::quantity::Quantity;
 use tank::units::Dimension::*;
 
@@ -42,9 +43,15 @@ pub(super) fn assess(work: &mut Work) {
         ("g", case.gravity, Acceleration),
         ("A_v", work.demand.vertical_ground(), Acceleration),
         ("μ", friction, Dimensionless),
+        ("c_v", work.demand.beside_vertical(), Dimensionless),
     ];
     // 0.3 E_x + E_z meets 0.3 Q only; divided by 0.3, its weight is compared with the whole of Q.
-    let (name, formula) = if work.demand.vertical {
+    let (name, formula) = if work.demand.vertical && work.demand.components == Components::HundredThirty {
+        (
+            "effective weight: the smaller of 0.3 E_z beside both horizontal components and of E_z beside c_v of them, divided by c_v",
+            "(m + m_w + m_r)·min(g - 0.3·A_v, (g - A_v)/c_v)",
+        )
+    } else if work.demand.vertical {
         (
             "effective weight: the smaller of E_x + 0.3 E_z and of 0.3 E_x + E_z divided by 0.3",
             "(m + m_w + m_r)·min(g - 0.3·A_v, (g - A_v)/0.3)",

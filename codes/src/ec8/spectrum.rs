@@ -32,6 +32,7 @@ use std::f64::consts::PI;
 use crate::procedure::CodeError;
 use tank::assessment::NotApplicable;
 use tank::case::{Ec8Site, GroundType};
+use tank::hazard::SpectrumParameters;
 
 /// Clause of the horizontal elastic spectrum.
 pub const EN_HORIZONTAL: &str = "EN 1998-1:2004 3.2.2.2";
@@ -71,9 +72,15 @@ impl Branch {
             Branch::ConstantVelocity => "constant velocity, T_C ≤ T ≤ T_D",
             Branch::ConstantDisplacement => "constant displacement, T ≥ T_D",
             Branch::AnnexA => "displacement spectrum of annex A, T > 4 s",
-            Branch::Continued => "1/T² branch continued beyond 4 s (annex A gives no control periods for type 2)",
+            Branch::Continued => "1/T² branch continued beyond 4 s (no control periods of annex A)",
         }
     }
+}
+
+/// Vertical elastic spectrum of EN 1998-1:2004 3.2.2.3 [m/s²] for a peak vertical ground acceleration a_vg [m/s²].
+pub fn vertical_elastic(peak: f64, period: f64, damping: f64) -> f64 {
+    let b = 3.0 * damping_correction(damping);
+    four_branches(period, peak, b, ElasticSpectrum::VERTICAL_CORNERS).0
 }
 
 /// Damping correction of EN 1998-1:2004, eq. (3.6), `η = max(√(10/(5+ξ)), 0.55)`; `damping` is a fraction (0.05 gives 1).
@@ -160,6 +167,20 @@ impl ElasticSpectrum {
         })
     }
 
+    /// The spectrum of the user's parameters. Without T_E and T_F the 1/T² branch is continued beyond 4 s.
+    ///
+    /// * `vertical_ratio`: a_vg/a_g
+    /// * `importance`: γ_I
+    pub fn of_parameters(given: &SpectrumParameters, vertical_ratio: f64, importance: f64) -> ElasticSpectrum {
+        ElasticSpectrum {
+            ag: importance * given.ag,
+            soil: given.soil,
+            corners: given.corners,
+            long_corners: given.long_corners,
+            vertical_ratio,
+        }
+    }
+
     /// Peak horizontal ground acceleration at the surface `a_g S` [m/s²], the ordinate at T = 0.
     pub fn peak(&self) -> f64 {
         self.ag * self.soil
@@ -179,7 +200,7 @@ impl ElasticSpectrum {
 
     /// `S_e(T)` and the branch it came from.
     pub fn horizontal_with_branch(&self, period: f64, damping: f64) -> (f64, Branch) {
-        if period > LONGEST_PERIOD {
+        if period > LONGEST_PERIOD.max(self.corners[2]) {
             match self.displacement_long(period, damping) {
                 Some(displacement) => (displacement * (2.0 * PI / period).powi(2), Branch::AnnexA),
                 None => (self.horizontal_continued(period, damping), Branch::Continued),
@@ -191,7 +212,12 @@ impl ElasticSpectrum {
 
     /// `S_e(T)` with the 1/T² branch continued beyond 4 s [m/s²]; not below [`ElasticSpectrum::horizontal`].
     pub fn horizontal_continued(&self, period: f64, damping: f64) -> f64 {
-        four_branches(period, self.peak(), 2.5 * damping_correction(damping), self.corners).0
+        self.continued(period, damping).0
+    }
+
+    /// [`ElasticSpectrum::horizontal_continued`] and its branch.
+    pub(super) fn continued(&self, period: f64, damping: f64) -> (f64, Branch) {
+        four_branches(period, self.peak(), 2.5 * damping_correction(damping), self.corners)
     }
 
     /// Displacement spectrum `S_De(T)` of annex A [m] for T ≥ T_D; none for type 2.
@@ -211,13 +237,7 @@ impl ElasticSpectrum {
 
     /// Vertical elastic spectrum `S_ve(T)` [m/s²]: factor 3.0 instead of 2.5, S = 1, own control periods.
     pub fn vertical(&self, period: f64, damping: f64) -> f64 {
-        four_branches(
-            period,
-            self.vertical_peak(),
-            3.0 * damping_correction(damping),
-            Self::VERTICAL_CORNERS,
-        )
-        .0
+        vertical_elastic(self.vertical_peak(), period, damping)
     }
 
     /// Design spectrum `S_d(T)` of 3.2.2.5 [m/s²] for a behaviour factor q, lower bound β = 0.2.
@@ -269,6 +289,17 @@ impl EnvSpectrum {
             }
         };
         Ok(EnvSpectrum { ag, soil, corners })
+    }
+
+    /// The spectrum with the user's parameters; T_E and T_F do not exist here.
+    ///
+    /// * `importance`: γ_I
+    pub fn of_parameters(given: &SpectrumParameters, importance: f64) -> EnvSpectrum {
+        EnvSpectrum {
+            ag: importance * given.ag,
+            soil: given.soil,
+            corners: given.corners,
+        }
     }
 
     /// Peak horizontal ground acceleration at the surface `a_g S` [m/s²].

@@ -18,6 +18,7 @@ fn site(ground: GroundType, spectrum: u8) -> Ec8Site {
         behaviour_factor: 1.0,
         construction_quality: 1.0,
         vertical: false,
+        components: Default::default(),
         friction: None,
         reduction_factor: None,
         bearing_capacity: None,

@@ -3,6 +3,7 @@
 use super::demand::{Demand, Edition};
 use super::limit_states;
 use crate::mechanical::Lumped;
+use crate::procedure::CodeError;
 use crate::sheet::{Sheet, Term};
 use crate::{corrosion, roof};
 use tank::Shape;
@@ -24,6 +25,8 @@ pub(super) struct Work<'a> {
     pub wave: Option<f64>,
     /// Largest uplift of the wall [m], once it is known; zero where it is anchored.
     pub uplift: Option<f64>,
+    /// Why the user's spectrum does not cover the tank.
+    pub uncovered: Option<CodeError>,
 }
 
 /// Masses [kg] and levers [m] of a resultant.
@@ -102,6 +105,7 @@ impl Work<'_> {
 
     /// Acceleration of the impulsive part [m/s²] at a period [s]; adds its line.
     pub(super) fn impulsive(&mut self, symbol: &str, period: f64) -> f64 {
+        self.cover("impulsive", period);
         let (sheet, notes) = (&mut self.sheet, &mut self.out.notes);
         self.demand
             .impulsive(sheet, notes, symbol, period, self.case.damping.impulsive)
@@ -109,9 +113,17 @@ impl Work<'_> {
 
     /// Acceleration of a sloshing mode [m/s²] at a period [s]; adds its line.
     pub(super) fn convective(&mut self, symbol: &str, period: f64) -> f64 {
+        self.cover("sloshing", period);
         let (sheet, notes) = (&mut self.sheet, &mut self.out.notes);
         self.demand
             .convective(sheet, notes, symbol, period, self.case.damping.sloshing)
+    }
+
+    /// Keeps the first period [s] that the user's spectrum does not cover; the assessment is refused in the end.
+    fn cover(&mut self, what: &str, period: f64) {
+        if let (None, Err(refusal)) = (&self.uncovered, self.demand.covers(what, period)) {
+            self.uncovered = Some(refusal);
+        }
     }
 
     /// A line for a ratio that is looked up and one for its product with `whole`. Returns the product.

@@ -62,6 +62,7 @@ impl Procedure for Housner {
                 clause: SOURCE.into(),
                 reason: fault.to_string(),
             })?;
+        motion.covers(response.period)?;
         let run = Run {
             case,
             plan,

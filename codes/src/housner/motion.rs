@@ -4,6 +4,7 @@ use super::lines::Ordinate;
 use crate::api650::ground_motion::DesignSpectrum;
 use crate::ec8::demand::long_period;
 use crate::ec8::spectrum::ElasticSpectrum;
+use crate::hazard;
 use crate::procedure::CodeError;
 use oscillator::record::Record;
 use oscillator::spectrum;
@@ -11,6 +12,7 @@ use tank::STANDARD_GRAVITY;
 use tank::assessment::{Excitation, NotApplicable};
 use tank::case::Case;
 use tank::factor::Factor;
+use tank::hazard::SiteSpectrum;
 use tank::ingredients;
 
 /// Clause that all limits of this procedure are cited under.
@@ -41,14 +43,15 @@ enum Spectrum<'a> {
     Record(&'a Record),
     Ec8(ElasticSpectrum),
     Asce7(DesignSpectrum),
+    User(&'a SiteSpectrum, f64),
 }
 
 /// Whether the case has the data of the excitation.
 pub fn available(case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
     let missing = match excitation {
         Excitation::Record if case.ground_motion.is_none() => "no record given",
-        Excitation::Site if case.site.ec8.is_none() && case.site.api650.is_none() => {
-            "neither `site.ec8` nor `site.api650` is given, so there is no design spectrum"
+        Excitation::Site if case.site.ec8.is_none() && case.site.api650.is_none() && case.site.spectrum.is_none() => {
+            "none of `site.ec8`, `site.api650` and `site.spectrum` is given, so there is no design spectrum"
         }
         _ => return Ok(()),
     };
@@ -60,7 +63,7 @@ pub fn available(case: &Case, excitation: Excitation) -> Result<(), NotApplicabl
 
 impl<'a> Motion<'a> {
     /// The motion of a case. Housner's procedure does not define a design spectrum: under the site's excitation it takes
-    /// the elastic spectrum of EN 1998-1 where `site.ec8` is given, else that of ASCE 7.
+    /// the user's spectrum, else the elastic spectrum of EN 1998-1 where `site.ec8` is given, else that of ASCE 7.
     pub fn new(case: &'a Case, excitation: Excitation) -> Result<Motion<'a>, CodeError> {
         available(case, excitation)?;
         let damping = case.damping.sloshing;
@@ -76,6 +79,20 @@ impl<'a> Motion<'a> {
                 ),
                 spectrum: Spectrum::Record(record),
                 importance: 1.0,
+                damping,
+            });
+        }
+        if let Some(own) = &case.site.spectrum {
+            let importance = case.site.ec8.map_or(1.0, |site| site.importance);
+            return Ok(Motion {
+                ground: hazard::elastic(own, importance, damping)(0.0),
+                ground_source: format!("{}, T = 0", hazard::CLAUSE),
+                assumption: format!(
+                    "Housner gives no design spectrum: the user's spectrum at {percent} % damping (η of EN 1998-1 3.2.2.2) is used, \
+                     times the importance factor of `site.ec8`, if any, with its value at T = 0 as ground acceleration."
+                ),
+                spectrum: Spectrum::User(own, importance),
+                importance,
                 damping,
             });
         }
@@ -127,6 +144,7 @@ impl<'a> Motion<'a> {
                 (Factor::LongPeriod, long_period(elastic, period, self.damping)),
                 (Factor::Importance, self.importance),
             ]),
+            Spectrum::User(_, importance) => ordinate.split(&[(Factor::Importance, *importance)]),
             Spectrum::Asce7(design) => ingredients::Ordinate {
                 damping: 0.05,
                 ..ordinate.split(&[
@@ -134,6 +152,14 @@ impl<'a> Motion<'a> {
                     (Factor::DampingCorrection, API_SLOSHING_FACTOR),
                 ])
             },
+        }
+    }
+
+    /// Errors: a sloshing period [s] beyond the user's table.
+    pub(super) fn covers(&self, period: f64) -> Result<(), CodeError> {
+        match &self.spectrum {
+            Spectrum::User(own, _) => hazard::covers(Some(own), "sloshing", period),
+            _ => Ok(()),
         }
     }
 
@@ -154,6 +180,11 @@ impl<'a> Motion<'a> {
                     clause: format!("EN 1998-1:2004 3.2.2.2, {percent} % damping, {}", branch.describe()),
                 }
             }
+            Spectrum::User(own, importance) => Ordinate {
+                value: hazard::elastic(own, *importance, self.damping)(period),
+                look_up: "the user's spectrum at T".into(),
+                clause: format!("{}, {percent} % damping by η of EN 1998-1:2004 3.2.2.2", hazard::CLAUSE),
+            },
             Spectrum::Asce7(design) => Ordinate {
                 value: API_SLOSHING_FACTOR * design.acceleration(period) * STANDARD_GRAVITY,
                 look_up: "1.5 times the design spectrum of the site at T".into(),

@@ -4,8 +4,8 @@
 use oscillator::record::Record;
 use tank::Case;
 use tank::case::{
-    Api650Site, Combination, ConvectiveCoefficient, Damping, Ec8Site, FlexibleImpulsive, GroundMotion, GroundType,
-    ProcedureOptions, Site, SiteClass,
+    Api650Site, Combination, Components, ConvectiveCoefficient, Damping, Ec8Site, FlexibleImpulsive, GroundMotion,
+    GroundType, ProcedureOptions, Site, SiteClass,
 };
 use tank::{Anchors, Behaviour, Bottom, Course, Liquid, Material, Pipes, Pressure, Roof, Shape, Support, Tank};
 
@@ -30,6 +30,7 @@ pub(crate) fn of_slenderness(slenderness: f64) -> Case {
     case.site = Site {
         ec8: Some(Draw(3).ec8()),
         api650: Some(Draw(5).api650()),
+        ..Site::default()
     };
     case
 }
@@ -146,6 +147,7 @@ impl Draw {
             behaviour_factor: self.of(&[1.0, 1.5]),
             construction_quality: self.of(&[1.0, 1.5, 2.5]),
             vertical: self.yes(),
+            components: self.of(&[Components::One, Components::HundredThirty]),
             friction: self.yes().then_some(0.4),
             reduction_factor: self.of(&[None, Some(0.4), Some(0.5)]),
             bearing_capacity: self.of(&[None, Some(250e3)]),
@@ -215,6 +217,7 @@ impl Draw {
             site: Site {
                 ec8: self.of(&[true, true, true, false]).then(|| self.ec8()),
                 api650: self.of(&[true, true, true, false]).then(|| self.api650()),
+                ..Site::default()
             },
             procedures: ProcedureOptions {
                 housner_convective: self.of(&[ConvectiveCoefficient::Exact, ConvectiveCoefficient::Housner1957]),

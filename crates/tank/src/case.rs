@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::hazard::SiteSpectrum;
 use crate::quantity::Quantity;
 use crate::{Liquid, Tank};
 use oscillator::record::Record;
@@ -50,12 +51,48 @@ pub struct Damping {
 }
 
 /// Site data; each is needed only for the design-spectrum column of its code.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Site {
     /// Eurocode 8.
     pub ec8: Option<Ec8Site>,
     /// API 650 / ASCE 7.
     pub api650: Option<Api650Site>,
+    /// Spectrum of the user, in place of those of the codes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spectrum: Option<SiteSpectrum>,
+    /// Zone method of API 650, 9th edition, where the data of annex E are not given; else they stand in `api650`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub zone: Option<ZoneSite>,
+}
+
+/// Data of the zone method of API 650, 9th edition.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ZoneSite {
+    /// Zone factor Z (0, 0.075, 0.15, 0.20, 0.30, 0.40).
+    pub zone_factor: f64,
+    /// Site amplification S (1.0, 1.2, 1.5, 2.0).
+    pub soil_factor: f64,
+    /// Importance I (1.0 or 1.25).
+    pub importance: f64,
+}
+
+impl Site {
+    /// Whether it gives a design spectrum or a zone.
+    pub fn is_given(&self) -> bool {
+        self.ec8.is_some() || self.api650.is_some() || self.spectrum.is_some() || self.zone.is_some()
+    }
+
+    /// Data of the zone method, alone or beside those of annex E.
+    pub fn zone(&self) -> Option<ZoneSite> {
+        let beside = |site: &Api650Site| {
+            Some(ZoneSite {
+                zone_factor: site.zone_factor?,
+                soil_factor: site.soil_factor,
+                importance: site.importance_1993,
+            })
+        };
+        self.zone.or_else(|| self.api650.as_ref().and_then(beside))
+    }
 }
 
 /// Ground type of EN 1998-1 table 3.1.
@@ -69,7 +106,18 @@ pub enum GroundType {
     E,
 }
 
-/// Site data of Eurocode 8.
+/// Horizontal components of the seismic action that act together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Components {
+    /// One; for an axisymmetric tank also the SRSS of two equal ones.
+    #[default]
+    One,
+    /// E_x with 0.3 E_y of the same spectrum, and 0.3 of both with the vertical one.
+    HundredThirty,
+}
+
+/// Site data of Eurocode 8. Where [`Site::spectrum`] is given, ground type, spectrum type and a_gR are not used.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ec8Site {
     /// Ground type.
@@ -86,6 +134,9 @@ pub struct Ec8Site {
     pub construction_quality: f64,
     /// Whether the vertical design spectrum is applied.
     pub vertical: bool,
+    /// Horizontal components of a cylinder.
+    #[serde(default)]
+    pub components: Components,
     /// Design friction coefficient between foundation and ground (or tank and foundation), divided by its partial factor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<f64>,
@@ -109,7 +160,8 @@ pub enum SiteClass {
     F,
 }
 
-/// Site data of API 650 (annex E of the current, appendix E of the 9th edition).
+/// Site data of API 650 (annex E of the current, appendix E of the 9th edition). Beside [`Site::spectrum`] the mapped accelerations
+/// are zero if they are not given; site class and T_L are not used then.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Api650Site {
     /// Mapped short-period acceleration S_s [g].

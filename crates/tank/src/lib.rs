@@ -24,6 +24,7 @@ pub mod check;
 pub mod demand;
 pub mod factor;
 pub mod formula;
+pub mod hazard;
 pub mod ingredients;
 pub mod options;
 pub mod quantity;

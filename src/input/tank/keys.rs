@@ -19,8 +19,11 @@ mod record;
 mod reported;
 mod site;
 mod solid;
+mod spectrum;
 mod tank;
 mod wall;
+
+use std::path::Path;
 
 use ::tank::case::Case;
 use ::tank::check::Decision;
@@ -33,7 +36,9 @@ use crate::input::tank::file::TankFile as Resolved;
 use crate::input::tank::resolver::Resolver;
 
 /// Resolves the file; returns `None` or adds a fault if it does not define a case.
-pub(super) fn resolve(file: &TankFile, faults: &mut Faults) -> Option<Resolved> {
+///
+/// * `folder`: of the file, from which it names others
+pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Option<Resolved> {
     let mut r = Resolver::new(faults);
     let name = r.text(&file.name);
     if let Some(notes) = &file.notes.given {
@@ -48,7 +53,7 @@ pub(super) fn resolve(file: &TankFile, faults: &mut Faults) -> Option<Resolved> 
     cross::unused(&mut r, file);
     let record = record::record(&mut r, &file.record);
     let damping = damping::damping(&mut r, &file.damping, tank.as_ref());
-    let site = site::site(&mut r, &file.site, tank.as_ref());
+    let site = site::site(&mut r, &file.site, tank.as_ref(), folder);
     let (procedures, run) = procedures::procedures(&mut r, &file.procedures);
     let decision = Decision {
         decide: procedures::deciding(&mut r, &file.procedures),

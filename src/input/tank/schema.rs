@@ -61,6 +61,34 @@ fn conditions(definitions: &mut Map<String, Value>) {
         "oneOf",
         json!([{ "required": ["thickness", "material"] }, { "required": ["layers"] }]),
     );
+    // Without the user's spectrum each code needs the values of its own; the zone method alone needs nothing else.
+    add(
+        "Site",
+        "allOf",
+        json!([{
+            "if": { "not": { "required": ["spectrum"] } },
+            "then": { "properties": {
+                "ec8": { "required": ["ground", "spectrum", "ag"] },
+                "api650": {
+                    "anyOf": [{ "required": ["ss", "s1", "site_class", "sug", "tl"] }, { "required": ["zone_factor"] }]
+                },
+            } },
+        }]),
+    );
+    add(
+        "Api650",
+        "anyOf",
+        json!([{ "required": ["sug"] }, { "required": ["zone_factor"] }]),
+    );
+    add(
+        "Spectrum",
+        "oneOf",
+        json!([
+            { "required": ["table", "unit"] },
+            { "required": ["file"] },
+            { "required": ["ag", "soil_factor", "tb", "tc", "td"] },
+        ]),
+    );
     // The required dimensions depend on the shape.
     let shape_is = |word: &str| json!({ "properties": { "shape": { "const": word } }, "required": ["shape"] });
     add(

@@ -1,6 +1,7 @@
 //! The reader as a whole: meaning of a file, defaults and their sources, arbitrary texts.
 
 mod schema;
+mod spectrum;
 
 use proptest::prelude::*;
 use serde_json::{Value, json};

@@ -38,7 +38,7 @@ pub fn variant(base: &TankFile, table: &Table, row: &[Cell]) -> Result<TankFile,
             }
         }
         match faults.is_empty() {
-            true => resolved(root, &mut faults),
+            true => resolved(root, &base.source, &mut faults),
             false => None,
         }
     });

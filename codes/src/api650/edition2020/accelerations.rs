@@ -10,15 +10,16 @@ use tank::units::Dimension::{Density, Dimensionless, Length, Stress, Time};
 
 use super::super::ground_motion::{DesignSpectrum, impulsive_plateau};
 use super::super::masses::{COEFFICIENT, IMPULSIVE_PERIOD, PERIOD, impulsive_coefficient};
+use super::super::site_specific::SiteSpecific;
 use super::Run;
 
 const E4: &str = "API 650:2020 E.4.4";
 const E4_5_1: &str = "API 650:2020 E.4.5.1, figure E.1";
 const E4_5_2: &str = "API 650:2020 E.4.5.2";
 const E4_6: &str = "API 650:2020 E.4.6.1";
-const E5: &str = "API 650:2020 E.5.1, table E.4";
-const E6_1_3: &str = "API 650:2020 E.6.1.3";
-const E7_2: &str = "API 650:2020 E.7.2";
+pub(super) const E5: &str = "API 650:2020 E.5.1, table E.4";
+pub(super) const E6_1_3: &str = "API 650:2020 E.6.1.3";
+pub(super) const E7_2: &str = "API 650:2020 E.7.2";
 
 /// Factor from 5 % to 0.5 % damping.
 pub(super) const K: f64 = 1.5;
@@ -257,6 +258,9 @@ impl Run<'_> {
     }
 
     fn site_accelerations(&mut self, site: &Api650Site, t_c: f64) -> Result<Accelerations, CodeError> {
+        if let Some(own) = SiteSpecific::new(&self.basis.case.site, site)? {
+            return self.own_accelerations(site, &own, t_c);
+        }
         let spectrum = DesignSpectrum::new(site)?;
         let anchored = self.basis.anchored();
         let a = acceleration_lines(&mut self.sheet, site, &spectrum, t_c, anchored)?;

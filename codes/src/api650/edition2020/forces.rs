@@ -4,7 +4,6 @@ use crate::sheet::{Sheet, Term};
 use tank::assessment::{CheckStatus, Excitation};
 use tank::units::Dimension::{Dimensionless, Force, Length, Moment};
 
-use super::super::ground_motion::DesignSpectrum;
 use super::super::masses::{ARGUMENT, charts};
 use super::accelerations::Accelerations;
 use super::{Run, limit_states};
@@ -131,7 +130,7 @@ impl Run<'_> {
             }
             return delta;
         };
-        let s_ds = DesignSpectrum::new(site).map_or(0.0, |s| s.s_ds);
+        let s_ds = self.short_period(site);
         let share = match site.sug {
             3 => 1.0,
             2 if s_ds >= 0.33 => 0.7,

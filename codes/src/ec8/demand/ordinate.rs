@@ -18,6 +18,8 @@ impl Demand<'_> {
                 (Factor::Importance, importance),
                 (Factor::BehaviourFactor, 1.0 / q),
             ]),
+            // The user's table has no branches.
+            Source::Table(_) => ordinate.split(&[(Factor::Importance, importance), (Factor::BehaviourFactor, 1.0 / q)]),
             Source::Env(s) => ordinate.split(&[
                 (Factor::LongPeriod, long_period_env(s, period, damping)),
                 (Factor::Importance, importance),

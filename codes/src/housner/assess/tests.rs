@@ -18,6 +18,7 @@ fn ec8_site() -> Ec8Site {
         behaviour_factor: 1.0,
         construction_quality: 1.0,
         vertical: false,
+        components: Default::default(),
         friction: None,
         reduction_factor: None,
         bearing_capacity: None,
@@ -87,6 +88,7 @@ fn asce_spectrum_stands_in_without_ec8() {
             soil_factor: 1.0,
             importance_1993: 1.0,
         }),
+        ..Site::default()
     };
     let out = assess(&case);
     let value = |symbol: &str| out.steps.iter().find(|s| s.symbol == symbol).expect("a line").value;
@@ -219,4 +221,32 @@ fn what_is_missing_or_outside_is_said() {
     let out = assess(&case);
     assert!(out.notes.iter().any(|n| n.contains("0.318")));
     assert!(out.notes.iter().any(|n| n.contains("uplift")));
+}
+
+/// The user's parameters of ground A give what `site.ec8` gives, with its importance factor; alone the factor is 1.
+#[test]
+fn own_spectrum_stands_in_for_that_of_the_code() {
+    use tank::hazard::{SiteSpectrum, SpectrumForm, SpectrumParameters};
+    let mut case = cylinder(1.525);
+    case.site.ec8 = Some(Ec8Site {
+        importance: 1.2,
+        ..ec8_site()
+    });
+    let expected = assess(&case);
+    let own = SpectrumParameters {
+        ag: ec8_site().ag,
+        soil: 1.0,
+        corners: [0.15, 0.4, 2.0],
+        long_corners: Some([4.5, 10.0]),
+    };
+    case.site.spectrum = Some(SiteSpectrum {
+        form: SpectrumForm::Parameters(own),
+        vertical_ratio: 0.9,
+    });
+    assert_eq!(assess(&case).values, expected.values);
+    case.site.ec8 = None;
+    let alone = assess(&case).values[&Quantity::BaseShear];
+    let ground = |out: &Assessment| out.steps.iter().find(|s| s.symbol == "a_B").expect("a line").value;
+    assert!((1.2 * ground(&assess(&case)) / ground(&expected) - 1.0).abs() < 1e-12);
+    assert!(alone < expected.values[&Quantity::BaseShear]);
 }

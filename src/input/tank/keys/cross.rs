@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use tank::case::Components;
 use tank::units::{Dimension, Unit};
 use tank::{Liquid, Shape, Tank};
 
@@ -40,6 +41,16 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
         }
     }
     let Some(tank) = tank else { return };
+    let components = (file.site.value())
+        .and_then(|site| site.ec8.value())
+        .and_then(|ec8| ec8.components.given.as_ref());
+    if let (Shape::Rectangle { .. }, Some(field)) = (tank.shape, components)
+        && field.value == Some(Components::HundredThirty)
+    {
+        let fault = range_fault(field, "two components are for cylinders", "\"one\"");
+        r.faults
+            .push(fault.help("assess the other direction with length and breadth exchanged"));
+    }
     if let (Some(roof), Some(height)) = (t.roof.value(), tank.roof.height)
         && let Some(field) = &roof.height.given
         && height < 0.5 * tank.wall_height()

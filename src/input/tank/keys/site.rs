@@ -1,13 +1,18 @@
 //! `site`: site data of the codes.
 
+use std::path::Path;
+
 use tank::Tank;
-use tank::case::{self, Api650Site, Ec8Site, GroundType, SiteClass};
 use tank::units::{Dimension, display_in, unit_for};
 
+use tank::case::{self, Api650Site, Components, Ec8Site, GroundType, SiteClass, ZoneSite};
+
+use super::spectrum::{self, Spectrum};
+use crate::input::diagnostic::Fault;
 use crate::input::tank::key::{Absent, Limits, default, without};
-use crate::input::tank::read::{Field, Opt, choice, object};
+use crate::input::tank::read::{Field, FromNode, Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
-use crate::input::tank::values::{Acceleration, Force, InG, Number, Seconds, Stress, Whole};
+use crate::input::tank::values::{Acceleration, Force, InG, Number, Seconds, Si, Stress, Whole};
 
 /// Mapped accelerations in g.
 const MAPPED: Limits = Limits::from(0.0).to(5.0);
@@ -21,16 +26,18 @@ object! {
         ec8: Opt<Ec8> = Absent::Without("no design spectrum of this code"),
         /// API 650.
         api650: Opt<Api650> = Absent::Without("no design spectrum of this code"),
+        /// The user's spectrum, in place of those of the codes.
+        spectrum: Opt<Spectrum> = Absent::Without("the spectra of the codes"),
     }
 
     /// Site data of Eurocode 8. Without it the Eurocode procedures run on the record's spectrum only.
     Ec8 {
-        /// Ground type of EN 1998-1 table 3.1.
-        ground ("B"): Field<GroundType>,
-        /// Type of the elastic spectrum.
-        spectrum (1): Field<Whole> [Limits::one_of(&[1.0, 2.0])],
-        /// Reference peak ground acceleration a_gR on rock.
-        ag ("0.25 g"): Field<Acceleration> [Limits::above(0.0).to(3.0 * tank::STANDARD_GRAVITY)],
+        /// Ground type of EN 1998-1 table 3.1. Needed unless `site.spectrum` is given.
+        ground ("B"): Opt<GroundType>,
+        /// Type of the elastic spectrum. Needed unless `site.spectrum` is given.
+        spectrum (1): Opt<Whole> [Limits::one_of(&[1.0, 2.0])],
+        /// Reference peak ground acceleration a_gR on rock. Needed unless `site.spectrum` is given.
+        ag ("0.25 g"): Opt<Acceleration> [Limits::above(0.0).to(3.0 * tank::STANDARD_GRAVITY)],
         /// Importance factor.
         importance (1.2): Opt<Number> [Limits::above(0.0).to(3.0)]
             = default(Number(1.0)).shown("1.0").because("EN 1998-4:2006 2.1.4, class II"),
@@ -43,6 +50,8 @@ object! {
             = default(Number(1.0)).because("normal construction, EN 1998-4:2006 A.10"),
         /// Whether the vertical design spectrum is applied.
         vertical (false): Opt<bool> = default(true).because("EN 1998-4:2006 A.2.2 and A.3.3, on the safe side"),
+        /// Horizontal components that act together on a cylinder.
+        components: Opt<Components> = default(Components::One).because("EN 1998-4:2006 3.2: enough for an axisymmetric tank"),
         /// Design friction coefficient of the foundation, tan δ divided by its partial factor γ_M, against sliding.
         friction (0.4): Opt<Number> [Limits::above(0.0).to(1.0)] = without("sliding is not checked, EN 1998-5:2004 5.4.1.1"),
         /// Reduction factor ν of the seismic action for damage limitation; EN 1998-1:2004 2.2.3 recommends 0.5 for importance classes I
@@ -55,16 +64,17 @@ object! {
     }
 
     /// Site data of API 650: annex E of the 13th edition, and the zone method of appendix E, 9th edition. Without it the API
-    /// procedures run on the record's spectrum only.
+    /// procedures run on the record's spectrum only. Annex E needs ss, s1, site_class, tl and sug; under `site.spectrum` sug alone, the
+    /// others for its lower limit. The zone method needs zone_factor alone.
     Api650 {
         /// Mapped short-period acceleration S_s in g.
-        ss (1.0): Field<InG> [MAPPED],
+        ss (1.0): Opt<InG> [MAPPED],
         /// Mapped one-second acceleration S_1 in g.
-        s1 (0.4): Field<InG> [MAPPED],
+        s1 (0.4): Opt<InG> [MAPPED],
         /// Peak ground acceleration S_0 in g.
         s0 (0.4): Opt<InG> [MAPPED] = without("0.4 S_s, API 650 E.4.2"),
         /// Site class of ASCE 7.
-        site_class ("D"): Field<SiteClass>,
+        site_class ("D"): Opt<SiteClass>,
         /// Edition of the site-coefficient tables; those of 2010 are printed in annex E.
         asce7 (2016): Opt<Whole> [Limits::one_of(&[2010.0, 2016.0])]
             = default(Whole(2010)).because("site-coefficient tables printed in API 650 annex E"),
@@ -76,9 +86,9 @@ object! {
         q (1): Opt<Number> [Limits::above(0.0).to(1.0)]
             = default(Number(2.0 / 3.0)).shown("0.6667 (2/3)").because("API 650 E.4.6.1 with ASCE 7 maps"),
         /// Seismic use group.
-        sug (1): Field<Whole> [Limits::one_of(&[1.0, 2.0, 3.0])],
+        sug (1): Opt<Whole> [Limits::one_of(&[1.0, 2.0, 3.0])],
         /// Long-period transition T_L in seconds.
-        tl (4.0): Field<Seconds> [Limits::above(0.0).to(100.0)],
+        tl (4.0): Opt<Seconds> [Limits::above(0.0).to(100.0)],
         /// Vertical acceleration A_v in g.
         av (0.3): Opt<InG> [MAPPED] = without("0.47 S_DS, API 650 E.6.1.3"),
         /// Design pressure above the liquid.
@@ -120,6 +130,14 @@ choice! {
         E = "E",
     }
 
+    /// Horizontal components of the seismic action.
+    Components {
+        /// One; two equal ones by SRSS give the same on an axisymmetric tank.
+        One = "one",
+        /// E_x with 0.3 E_y, and 0.3 of both beside the vertical one; EN 1998-1:2004 4.3.3.5.
+        HundredThirty = "100-30",
+    }
+
     /// Site class of ASCE 7.
     SiteClass {
         /// Hard rock.
@@ -140,59 +158,187 @@ choice! {
 /// Site data, each code's where it is given.
 ///
 /// * `tank`: gives the design pressure where `api650` does not
-pub(super) fn site(r: &mut Resolver<'_>, option: &Opt<Site>, tank: Option<&Tank>) -> case::Site {
+/// * `folder`: of the tank file
+pub(super) fn site(r: &mut Resolver<'_>, option: &Opt<Site>, tank: Option<&Tank>, folder: &Path) -> case::Site {
     let internal = tank.map_or(0.0, |tank| tank.pressure.internal);
-    let given = option.or_absent();
+    let Some(given) = option.or_absent() else {
+        return case::Site::default();
+    };
+    r.not_given(&given.spectrum);
+    let spectrum = spectrum::spectrum(r, &given.spectrum, folder);
+    let own = given.spectrum.given.is_some();
+    let ec8 = match &given.ec8.given {
+        Some(field) => field.value.as_ref().and_then(|s| ec8(r, field, s, own)),
+        None => {
+            r.not_given(&given.ec8);
+            None
+        }
+    };
+    let (api650, zone) = match &given.api650.given {
+        Some(field) => match &field.value {
+            Some(s) => api650(r, field, s, (own, internal)),
+            None => (None, None),
+        },
+        None => {
+            r.not_given(&given.api650);
+            (None, None)
+        }
+    };
     case::Site {
-        ec8: given.as_ref().and_then(|s| match &s.ec8.given {
-            Some(field) => field.value.as_ref().and_then(|s| ec8(r, s)),
-            None => {
-                r.not_given(&s.ec8);
-                None
-            }
-        }),
-        api650: given.as_ref().and_then(|s| match &s.api650.given {
-            Some(field) => field.value.as_ref().and_then(|s| api650(r, s, internal)),
-            None => {
-                r.not_given(&s.api650);
-                None
-            }
-        }),
+        ec8,
+        api650,
+        spectrum,
+        zone,
     }
 }
 
-fn ec8(r: &mut Resolver<'_>, s: &Ec8) -> Option<Ec8Site> {
-    r.echo_given(&s.ground);
-    let ground = s.ground.value;
-    let spectrum = r.count(&s.spectrum);
-    let ag = r.number(&s.ag);
+/// Reports a key that is missing although this file needs it.
+fn needed<T, U: FromNode>(r: &mut Resolver<'_>, object: &Field<T>, option: &Opt<U>, why: &str) {
+    if option.given.is_some() {
+        return;
+    }
+    let name = option.key.name;
+    let head = object.span.start..object.span.end.min(object.span.start + 1);
+    let fault = Fault::new(format!("the key `{name}` is missing{why}"))
+        .at(head)
+        .path(option.path.clone())
+        .allowed(U::allowed())
+        .help(format!("add \"{name}\": {}", U::example()));
+    r.faults.push(fault);
+}
+
+fn ec8(r: &mut Resolver<'_>, object: &Field<Ec8>, s: &Ec8, own: bool) -> Option<Ec8Site> {
+    if own {
+        for place in [s.ground.place(), s.spectrum.place(), s.ag.place()]
+            .into_iter()
+            .flatten()
+        {
+            r.faults.push(range_fault(
+                &place,
+                "this and site.spectrum exclude each other",
+                "neither ground, spectrum nor ag beside site.spectrum",
+            ));
+        }
+    } else {
+        needed(r, object, &s.ground, "");
+        needed(r, object, &s.spectrum, "");
+        needed(r, object, &s.ag, "");
+    }
+    if let Some(ground) = &s.ground.given {
+        r.echo_given(ground);
+    }
+    let ground = s.ground.value().copied();
+    let spectrum = s.spectrum.given.as_ref().and_then(|field| r.count(field));
+    let ag = s.ag.given.as_ref().map(|field| r.number(field));
     let importance = r.or_default(&s.importance);
     let behaviour_factor = r.or_default(&s.behaviour_factor);
     let construction_quality = r.or_default(&s.construction_quality);
     let vertical = r.choice(&s.vertical);
+    let components = r.choice(&s.components);
     let friction = r.optional(&s.friction);
     let reduction_factor = r.optional(&s.reduction_factor);
     let bearing_capacity = r.optional(&s.bearing_capacity);
+    // Not used beside the user's spectrum.
+    let (ground, spectrum, ag) = match own {
+        true => (GroundType::A, 1, 0.0),
+        false => (ground?, spectrum?, ag?),
+    };
     Some(Ec8Site {
-        ground: ground?,
-        spectrum: spectrum? as u8,
+        ground,
+        spectrum: spectrum as u8,
         ag,
         importance,
         behaviour_factor,
         construction_quality,
         vertical,
+        components,
         friction,
         reduction_factor,
         bearing_capacity,
     })
 }
 
-fn api650(r: &mut Resolver<'_>, s: &Api650, internal: f64) -> Option<Api650Site> {
-    let ss = r.number(&s.ss);
-    let s1 = r.number(&s.s1);
+/// Whether the file asks for annex E: a key of it is given, or nothing of the zone method.
+fn annex_e(s: &Api650) -> bool {
+    let numbers = [
+        s.fa.given.is_some(),
+        s.fv.given.is_some(),
+        s.q.given.is_some(),
+        s.joint_efficiency.given.is_some(),
+        s.friction.given.is_some(),
+    ];
+    let mapped = [
+        s.ss.given.is_some(),
+        s.s1.given.is_some(),
+        s.s0.given.is_some(),
+        s.av.given.is_some(),
+    ];
+    let others = [
+        s.site_class.given.is_some(),
+        s.asce7.given.is_some(),
+        s.sug.given.is_some(),
+        s.tl.given.is_some(),
+        s.design_pressure.given.is_some(),
+        s.foundation_weight.given.is_some(),
+    ];
+    let given = numbers.into_iter().chain(mapped).chain(others).any(|given| given);
+    given || s.zone_factor.given.is_none()
+}
+
+/// Data of the zone method alone.
+fn zone(r: &mut Resolver<'_>, s: &Api650) -> Option<ZoneSite> {
+    let zone_factor = r.optional(&s.zone_factor)?;
+    Some(ZoneSite {
+        zone_factor,
+        soil_factor: r.or_default(&s.soil_factor),
+        importance: r.or_default(&s.importance_1993),
+    })
+}
+
+fn api650(
+    r: &mut Resolver<'_>,
+    object: &Field<Api650>,
+    s: &Api650,
+    (own, internal): (bool, f64),
+) -> (Option<Api650Site>, Option<ZoneSite>) {
+    if !annex_e(s) {
+        return (None, zone(r, s));
+    }
+    needed(r, object, &s.sug, "");
+    // Of the lower limit of the user's spectrum either all or nothing is given.
+    let mapped = [
+        s.ss.given.is_some(),
+        s.s1.given.is_some(),
+        s.site_class.given.is_some(),
+        s.tl.given.is_some(),
+    ];
+    if !own || mapped.contains(&true) {
+        let why = match own {
+            true => " for the lower limit of site.spectrum",
+            false => "",
+        };
+        needed(r, object, &s.ss, why);
+        needed(r, object, &s.s1, why);
+        needed(r, object, &s.site_class, why);
+        needed(r, object, &s.tl, why);
+    }
+    let site = annex(r, s, (own, internal));
+    (site, None)
+}
+
+/// A mapped value; zero where only the user's spectrum is given.
+fn mapped<T: Si>(r: &mut Resolver<'_>, option: &Opt<T>) -> f64 {
+    option.given.as_ref().map_or(0.0, |field| r.number(field))
+}
+
+fn annex(r: &mut Resolver<'_>, s: &Api650, (own, internal): (bool, f64)) -> Option<Api650Site> {
+    let ss = mapped(r, &s.ss);
+    let s1 = mapped(r, &s.s1);
     let s0 = r.optional(&s.s0);
-    r.echo_given(&s.site_class);
-    let site_class = s.site_class.value;
+    if let Some(class) = &s.site_class.given {
+        r.echo_given(class);
+    }
+    let site_class = s.site_class.value().copied();
     let asce7 = r.count_or_default(&s.asce7);
     let fa = r.optional(&s.fa);
     let fv = r.optional(&s.fv);
@@ -203,16 +349,16 @@ fn api650(r: &mut Resolver<'_>, s: &Api650, internal: f64) -> Option<Api650Site>
             "fa and fv together, or neither",
         ));
     }
-    if site_class == Some(SiteClass::F) && s.fa.given.is_none() && s.fv.given.is_none() {
+    if let (Some(SiteClass::F), Some(field), None, None) = (site_class, &s.site_class.given, &s.fa.given, &s.fv.given) {
         r.faults.push(range_fault(
-            &s.site_class,
+            field,
             "site class F needs a site study",
             "fa and fv from the study, or another class",
         ));
     }
     let q = r.or_default(&s.q);
-    let sug = r.count(&s.sug);
-    let tl = r.number(&s.tl);
+    let sug = s.sug.given.as_ref().and_then(|field| r.count(field));
+    let tl = mapped(r, &s.tl);
     let av = r.optional(&s.av);
     let text = display_in(internal, unit_for(internal, Dimension::Stress), 4);
     let design_pressure = r.or_else(&s.design_pressure, internal, &text, "tank.pressure.internal");
@@ -226,7 +372,11 @@ fn api650(r: &mut Resolver<'_>, s: &Api650, internal: f64) -> Option<Api650Site>
         ss,
         s1,
         s0,
-        site_class: site_class?,
+        // Not used beside the user's spectrum alone.
+        site_class: match own {
+            true => site_class.unwrap_or(SiteClass::D),
+            false => site_class?,
+        },
         asce7: asce7 as u16,
         fa,
         fv,

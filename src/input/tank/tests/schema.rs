@@ -118,6 +118,7 @@ fn examples_and_defaults_of_the_schema_are_read() {
                 "exclude each other",
                 "the roof is",
                 "one site coefficient",
+                "cannot read the table",
                 "thinner than any",
                 "thicker than any",
                 "the liquid is higher",
