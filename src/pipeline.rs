@@ -201,6 +201,7 @@ fn assess(job: &Job) -> Result<Vec<Assessed>, Error> {
             methods.push(method(*procedure, job, excitation)?);
         }
     }
+    methods.extend(codes::ALL.iter().filter_map(|p| decision::left_out(*p, job)));
     Ok(methods)
 }
 

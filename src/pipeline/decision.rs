@@ -99,6 +99,39 @@ pub(super) fn not_covered(procedure: &dyn Procedure, job: &Job, excitation: Exci
     accept(procedure.id(), job, checks)
 }
 
+/// Why a procedure in force of a code that the site names is not there: `procedures.run` leaves it out. None for a procedure that runs,
+/// or that the user leaves out of those that decide.
+pub(super) fn left_out(procedure: &dyn Procedure, job: &Job) -> Option<Method> {
+    let runs = job.procedures.iter().any(|id| id == procedure.id());
+    let decide = &job.decision.decide;
+    let excluded = !decide.is_empty() && !decide.iter().any(|id| id == procedure.id());
+    if runs || excluded || !procedure.decides(&job.case.site) {
+        return None;
+    }
+    let reason = format!(
+        "`procedures.run` leaves out `{}`, the edition in force of a code that `site` names",
+        procedure.id()
+    );
+    let state = LimitState {
+        id: "not_run",
+        name: "All limit states of the code",
+        clause: procedure.label().title.into(),
+        requirement: Requirement::Required,
+    };
+    let open = Check::without_comparison(&state, CheckStatus::NotChecked, &reason, Some("procedures.run"));
+    let label = procedure.label();
+    Some(Method {
+        label: label.short.into(),
+        figure_key: label.figure_key.into(),
+        status: Status::NotApplicable {
+            clause: "procedures.run".into(),
+            reason,
+        },
+        checks: accept(procedure.id(), job, vec![open]),
+        ..Method::new(procedure.id(), label.title, Excitation::Site)
+    })
+}
+
 /// The same checks, those marked that the user accepts; worst first, so that an accepted gap does not stand before an open one. A run
 /// outside its model cannot be accepted.
 fn accept(id: &str, job: &Job, mut checks: Vec<Check>) -> Vec<Check> {

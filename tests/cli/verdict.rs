@@ -13,6 +13,7 @@ mod failing;
 mod gaps;
 mod matrix;
 mod sound;
+mod spectra;
 mod unanchored;
 
 use std::path::Path;

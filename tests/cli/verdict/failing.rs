@@ -38,6 +38,7 @@ pub(super) fn tanks() -> Vec<Tank> {
         gaps::tanks(),
         api_rest::failing(),
         unanchored::failing(),
+        spectra::failing(),
     ]
     .into_iter()
     .flatten()

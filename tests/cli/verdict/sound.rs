@@ -19,6 +19,7 @@ pub(super) fn tanks() -> Vec<Tank> {
     tanks.extend(others());
     tanks.extend(api_rest::sound_tanks());
     tanks.extend(unanchored::sound());
+    tanks.extend(spectra::sound());
     tanks
 }
 
