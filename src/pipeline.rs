@@ -201,7 +201,11 @@ fn assess(job: &Job) -> Result<Vec<Assessed>, Error> {
             methods.push(method(*procedure, job, excitation)?);
         }
     }
-    methods.extend(codes::ALL.iter().filter_map(|p| decision::left_out(*p, job)));
+    methods.extend(
+        codes::ALL
+            .iter()
+            .filter_map(|p| Some((decision::left_out(*p, job)?, Vec::new()))),
+    );
     Ok(methods)
 }
 

@@ -1,5 +1,6 @@
 //! The variables of `check --solve`: where each stands in the case, and the values that are tried.
 
+use tank::hazard::SpectrumForm;
 use tank::units::Dimension;
 use tank::{Case, STANDARD_GRAVITY, Shape};
 
@@ -89,6 +90,18 @@ impl Variable {
                 "error: --solve {name}: the tank file does not have {key}\n  help: add {key}, or solve for another variable"
             ))
         };
+        let own = case.site.spectrum.as_ref().map(|own| &own.form);
+        match (self, own) {
+            (Variable::Ag, Some(SpectrumForm::Parameters(own))) => return Ok(own.ag),
+            (Variable::Ag | Variable::Ss, Some(_)) => {
+                let name = self.name();
+                return Err(Error::input(format!(
+                    "error: --solve {name}: `site.spectrum` gives the hazard, so {name} does not scale it\n  help: remove \
+                     `site.spectrum`, or solve for another variable"
+                )));
+            }
+            _ => {}
+        }
         match self {
             Variable::FillHeight => Ok(case.liquid.fill_height),
             Variable::Ag => case.site.ec8.map(|s| s.ag).ok_or_else(|| without("site.ec8")),
@@ -117,7 +130,13 @@ impl Variable {
     pub fn set(self, case: &mut Case, value: f64) {
         match self {
             Variable::FillHeight => case.liquid.fill_height = value,
-            Variable::Ag => case.site.ec8.iter_mut().for_each(|s| s.ag = value),
+            Variable::Ag => {
+                case.site.ec8.iter_mut().for_each(|s| s.ag = value);
+                let own = case.site.spectrum.as_mut().map(|own| &mut own.form);
+                if let Some(SpectrumForm::Parameters(own)) = own {
+                    own.ag = value;
+                }
+            }
             Variable::Ss => case.site.api650.iter_mut().for_each(|s| s.ss = value),
             Variable::Thickness(number) => {
                 let course = number.checked_sub(1).and_then(|i| case.tank.courses.get_mut(i));
