@@ -16,6 +16,7 @@ use super::accelerations::{Accelerations, E5, E6_1_3, E7_2, K, R_WC, importance,
 use crate::hazard;
 use crate::procedure::CodeError;
 use tank::case::{Api650Site, SiteClass};
+use tank::hazard::SpectrumForm;
 use tank::units::Dimension::{Dimensionless, Time};
 
 const E4_6_2: &str = "API 650:2020 E.4.6.2, recalled";
@@ -109,6 +110,13 @@ impl Run<'_> {
             "The user's spectrum is that of the design earthquake (Q is not applied), brought to 5 % damping by η of EN 1998-1 3.2.2.2, \
              {limit}; forces reduced by R_wi = {r_wi} ({support} tank) and R_wc = {R_WC}; K = {K} takes 5 % to 0.5 % damping."
         ));
+        let form = self.basis.case.site.spectrum.as_ref().map(|own| &own.form);
+        if let (Some(SpectrumForm::Table { vertical: Some(_), .. }), None) = (form, site.av) {
+            self.out.notes.push(
+                "The vertical rows of the user's spectrum are not used: E.6.1.3 has 0.47 S_DS; `site.api650.av` gives another value."
+                    .into(),
+            );
+        }
         if site.s0.is_some() {
             self.out
                 .notes
