@@ -27,7 +27,7 @@ pub struct Ingredients {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Recipe {
     /// Masses times spectral accelerations.
-    Response(Response),
+    Response(Box<Response>),
     /// Values on the way from the exact model of the tank to the procedure, each with what it exchanges.
     Ladder(Vec<Rung>),
     /// The period of a uniform wall by a formula.
@@ -55,7 +55,7 @@ impl Ingredients {
     pub fn response(quantity: Quantity, response: Response) -> Ingredients {
         Ingredients {
             quantity,
-            recipe: Recipe::Response(response),
+            recipe: Recipe::Response(Box::new(response)),
         }
     }
 
