@@ -17,7 +17,8 @@
 //! | `bottom_strip`, `rim`, `plate_uplift` | uplift of the bottom plate of unanchored walls | A.9 |
 //! | `bearing` | largest pressure of the ground | EN 1998-5:2004 5.4.1.1 |
 //! | `pipes` | displacement of pipes against their support | 4.5.2.3 |
-//! | `rigid_base` | overturning of boxes | 4.5.1.2 |
+//! | `walls`, `wall_bending` | walls of concrete and of boxes: forces, bending, shear, crack width | EN 1992-1-1, EN 1992-3 |
+//! | `stability` | overturning and anchors of boxes | 4.5.1 |
 //! | `sliding` | base shear against friction | EN 1998-5:2004 5.4.1.1 |
 //!
 //! Masses, levers and pressures of the rigid tank (A.2.1, A.4) are those of [`crate::mechanical`]. The sheets themselves are
@@ -50,7 +51,6 @@ mod plate_uplift;
 #[cfg(test)]
 mod properties;
 mod rectangle;
-mod rigid_base;
 pub mod rim;
 #[cfg(test)]
 mod scope;
@@ -58,12 +58,14 @@ pub mod shell_mode;
 pub mod simplified;
 mod sliding;
 pub mod spectrum;
+mod stability;
 #[cfg(test)]
 mod tables;
 mod tabulated;
 pub mod uplift;
 pub mod vertical;
 mod wall_bending;
+mod walls;
 mod work;
 
 use demand::{Demand, Edition};

@@ -8,6 +8,7 @@
 //! All are changes of one tank ([`base`]), run through input and pipeline as `check` does, without a process of their own.
 
 mod api_rest;
+mod concrete;
 mod engine;
 mod failing;
 mod gaps;
@@ -365,7 +366,7 @@ fn each_failing_tank_fails_in_its_way() {
 
 #[test]
 fn sound_tanks_hold() {
-    let tanks = [sound::tanks(), engine::sound()].concat();
+    let tanks = [sound::tanks(), engine::sound(), concrete::sound()].concat();
     assert!(tanks.len() >= 20, "{}", tanks.len());
     let holds = |tank: &&Tank| matches!(tank.expected, Expected::Verdict(VerdictStatus::Holds, ..));
     assert_eq!(tanks.iter().filter(holds).count(), tanks.len());
@@ -375,7 +376,13 @@ fn sound_tanks_hold() {
 
 #[test]
 fn names_are_unique() {
-    let all = [failing::tanks(), engine::failing(), sound::tanks(), engine::sound()];
+    let all = [
+        failing::tanks(),
+        engine::failing(),
+        sound::tanks(),
+        engine::sound(),
+        concrete::sound(),
+    ];
     let names: Vec<&str> = all.iter().flatten().map(|tank| tank.name).collect();
     let unique: std::collections::BTreeSet<_> = names.iter().collect();
     assert_eq!(unique.len(), names.len());

@@ -44,7 +44,6 @@ fn chain(masses: &[f64], springs: &[f64]) -> Coupled {
         liquid_mass: 0.0,
         wall_mass: masses.iter().sum(),
         moment_arm: (1..=n).map(|i| i as f64).collect(),
-        structure: None,
         mesh: Vec::new(),
         shape_rows: ShapeRows::default(),
     }

@@ -10,7 +10,7 @@ use super::ingredients::{self, Motion, Wall};
 use super::shell_mode::Base;
 use super::simplified::{self, LIMITS, Row};
 use super::work::{Masses, Ratio, Work};
-use super::{bearing, cylinder_checks, cylinder_stress, cylinder_vertical, damage, pipes, sliding};
+use super::{bearing, cylinder_checks, cylinder_stress, cylinder_vertical, damage, pipes, sliding, walls};
 use crate::mechanical::{Lumped, Plan, eigenvalue, impulsive};
 use crate::procedure::CodeError;
 use crate::sheet::number;
@@ -93,6 +93,7 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     let state = cylinder_stress::assess(work, radius, moment, a_i, s_1, motion);
     cylinder_checks::assess(work, &state, motion.is_some());
     damage::assess(work, Some(&state), motion.is_some());
+    walls::cylinder(work, &state, motion.is_some());
     bearing::assess(work);
     pipes::assess(work);
     Ok(())

@@ -126,6 +126,24 @@ impl State<'_> {
         combined(self.combination, impulsive, convective)
     }
 
+    /// Shear of the wall's cross-section at z [N].
+    pub(super) fn shear(&self, z: f64) -> f64 {
+        let zeta = self.zeta(z).min(1.0);
+        let liquid = self.liquid.mass(self.tank.shape);
+        let wall = self.tank.mass_above(z).0;
+        let impulsive = (liquid * self.impulsive.shear_above(zeta) + wall) * self.a_i;
+        combined(
+            self.combination,
+            impulsive,
+            liquid * self.convective.shear_above(zeta) * self.a_c,
+        )
+    }
+
+    /// Acceleration of the impulsive part [m/s²].
+    pub(super) fn impulsive_acceleration(&self) -> f64 {
+        self.a_i
+    }
+
     /// Largest seismic axial force per length at z [N/m].
     pub(super) fn axial(&self, z: f64) -> f64 {
         let moment = if z == 0.0 { self.base_moment } else { self.moment(z) };

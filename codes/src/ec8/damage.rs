@@ -7,7 +7,7 @@
 //! The annex's pressures are linear in the spectrum, so that the action of the damage limitation state is ν times that of the ultimate
 //! limit state, with q = 1 for the impulsive part. Freeboard: the liquid does not spill or strike the roof. Hoop: the wall stays elastic
 //! and tight. Stability is checked in the ultimate limit state only, whose action is the larger one unless ν q > 1; a note says so then.
-//! Crack widths of concrete walls and the pipes are not covered.
+//! Crack widths of concrete walls and stresses of boxes are checked in `walls`; the pipes are not covered.
 //!
 //! Source: EN 1998-4:2006 2.1.3, EN 1998-1:2004 2.2.3(2), recalled.
 
@@ -52,13 +52,9 @@ pub(super) fn assess(work: &mut Work, state: Option<&State>, vertical: bool) {
     let freeboard = work.case.freeboard();
     let name = "Freeboard, damage limitation";
     part(work, ("damage_freeboard", name), height, freeboard, Length, "");
-    match state.filter(|state| state.tank.is_metal()) {
-        Some(state) => hoop(work, state, reduction, vertical),
-        None => {
-            let reason = "the freeboard is checked; the leak tightness of a wall that is not a metal shell is not implemented: \
-                          EN 1992-3 7.3";
-            work.without_comparison(DAMAGE, CheckStatus::NotChecked, reason, None);
-        }
+    // The part of other walls is in `walls`.
+    if let Some(state) = state.filter(|state| state.tank.is_metal()) {
+        hoop(work, state, reduction, vertical);
     }
     let q = work.demand.behaviour_factor;
     if reduction * q > 1.0 {

@@ -37,6 +37,13 @@ pub(super) const SLIDING: &str = "sliding";
 /// Damage limitation.
 pub(super) const DAMAGE: &str = "damage_limitation";
 
+/// Tension and bending of a wall that is not a metal shell.
+pub(super) const WALL_BENDING: &str = "wall_tension_and_bending";
+/// Shear of such a wall.
+pub(super) const WALL_SHEAR: &str = "wall_shear";
+/// Crack width of a wall of concrete.
+pub(super) const CRACKS: &str = "crack_width";
+
 /// All limit states of a case.
 pub(super) fn all(case: &Case, edition: Edition) -> Vec<LimitState> {
     let cylinder = matches!(case.tank.shape, Shape::Cylinder { .. });
@@ -79,19 +86,26 @@ pub(super) fn all(case: &Case, edition: Edition) -> Vec<LimitState> {
         edition.clause("10.3"),
         buckling,
     );
-    let resistance = plates(Requirement::NotImplemented);
-    let concrete = "EN 1992-1-1 6.1, 6.2, EN 1992-3 7.3";
-    for (id, name) in [
-        ("wall_tension_and_bending", "Tension and bending of the wall"),
-        ("wall_shear", "Shear of the wall"),
-        ("crack_width", "Crack width (leak tightness)"),
+    let resistance = plates(Requirement::Required);
+    let concrete = |required: Requirement| match (cylinder, metal) {
+        (false, true) => Requirement::NotApplicable("the wall is of metal; the clause is for concrete".into()),
+        _ => plates(required),
+    };
+    let name = "Tension and bending of the wall";
+    add(WALL_BENDING, name, "EN 1992-1-1:2004 6.1".into(), resistance);
+    for (id, name, clause) in [
+        (WALL_SHEAR, "Shear of the wall", "EN 1992-1-1:2004 6.2.2"),
+        (
+            CRACKS,
+            "Crack width (leak tightness)",
+            "EN 1992-1-1:2004 7.3.4, EN 1992-3:2006 7.3.1",
+        ),
     ] {
-        add(id, name, concrete.into(), resistance.clone());
+        add(id, name, clause.into(), concrete(Requirement::Required));
     }
-    let pulls = match (cylinder, anchored) {
-        (true, true) => Requirement::Required,
-        (false, true) => Requirement::NotImplemented,
-        (_, false) => Requirement::NotApplicable("the tank is unanchored".into()),
+    let pulls = match anchored {
+        true => Requirement::Required,
+        false => Requirement::NotApplicable("the tank is unanchored".into()),
     };
     add(ANCHORS, "Tension of the anchors", edition.main("4.5.1.3"), pulls);
     let lifts = |required: Requirement| match anchored {

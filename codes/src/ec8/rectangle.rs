@@ -13,9 +13,8 @@ use std::f64::consts::PI;
 use super::cylinder::LARGE;
 use super::plate::{Sides, deflection};
 use super::work::{Masses, Work, combined};
-use super::{bearing, damage, ingredients, pipes, rigid_base, sliding};
+use super::{bearing, damage, ingredients, pipes, sliding, stability, walls};
 use crate::mechanical::{ConvectiveField, ImpulsiveField, Lumped, Plan, impulsive, sloshing_omega};
-use tank::Support;
 use tank::case::{Case, Combination};
 use tank::quantity::Quantity;
 use tank::units::Dimension::*;
@@ -54,9 +53,8 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
     ingredients::record(work, &masses, &masses, &motion, &ingredients::Wall::Plate);
     pressures(work, gamma, half, strip, a_i, a_c);
     damage::assess(work, None, false);
-    if case.tank.support == Support::Unanchored {
-        rigid_base::assess(work, half);
-    }
+    stability::assess(work, half, breadth);
+    wall_checks(work, gamma, (length, breadth), strip, (a_i, a_c));
     bearing::assess(work);
     pipes::assess(work);
     if !case.tank.pressure.is_none() {
@@ -68,6 +66,38 @@ pub(super) fn assess(work: &mut Work, length: f64, breadth: f64, strip: bool) {
         "Hoop and axial membrane stresses and the stability checks of A.10 belong to cylinders; the walls of a box bend as plates."
             .into(),
     );
+}
+
+/// Checks of the walls: pressures and resultants over the height from the series.
+fn wall_checks(work: &mut Work, gamma: f64, plan: (f64, f64), strip: bool, (a_i, a_c): (f64, f64)) {
+    let case = work.case;
+    let (depth, half) = (case.liquid.fill_height, 0.5 * plan.0);
+    let (rho, mass) = (case.liquid.density, case.liquid_mass());
+    let field_i = ImpulsiveField::new(Plan::Rectangle, gamma);
+    let field_c = ConvectiveField::new(Plan::Rectangle, gamma, 1);
+    let method = case.procedures.ec8_combination;
+    let pressures = |z: f64| {
+        let zeta = z / depth;
+        let impulsive = rho * depth * field_i.wall(zeta) * a_i;
+        (impulsive, rho * half * field_c.wall(zeta) * a_c)
+    };
+    let section = |z: f64| {
+        let zeta = (z / depth).min(1.0);
+        let (above, moment) = case.tank.mass_above(z);
+        let i = (mass * depth * field_i.moment_above(zeta) + moment) * a_i;
+        let c = mass * depth * field_c.moment_above(zeta) * a_c;
+        let q_i = (mass * field_i.shear_above(zeta) + above) * a_i;
+        let q_c = mass * field_c.shear_above(zeta) * a_c;
+        (combined(method, i, c), combined(method, q_i, q_c))
+    };
+    let tank = walls::BoxTank {
+        plan,
+        strip,
+        impulsive: a_i,
+        pressures: &pressures,
+        section: &section,
+    };
+    walls::rectangle(work, &tank);
 }
 
 /// Masses and levers of the rigid box, and its first sloshing period [s].

@@ -277,10 +277,11 @@ impl State<'_> {
         let element = &wall.elements[e];
         let t = ((z - element.base) / element.length).clamp(0.0, 1.0);
         let mut jet = [[0.0; 3]; 4];
+        let across: Vec<[f64; 4]> = (0..wall.functions).map(|i| wall.across(i, xi)).collect();
         for (a, spline) in hermite(t, element.length).iter().enumerate() {
-            for i in 0..wall.functions {
+            for (i, functions) in across.iter().enumerate() {
                 let u = self.unknowns[(2 * e + a) * wall.functions + i];
-                for (row, x) in jet.iter_mut().zip(wall.across(i, xi)) {
+                for (row, x) in jet.iter_mut().zip(functions) {
                     for (value, s) in row.iter_mut().zip(spline) {
                         *value += u * x * s;
                     }

@@ -81,6 +81,8 @@ pub fn cracked(section: &Section, n: f64, m: f64) -> Option<(Cracked, Face)> {
     })
 }
 
+/// Steps of the bisection: from [`FAR`] to 1e-13 of the thickness.
+const STEPS: usize = 64;
 /// Depth of the neutral axis, over the thickness, of a strain that is uniform to 1e-6.
 const FAR: f64 = -1e6;
 
@@ -117,7 +119,7 @@ fn bent(section: &Section, n: f64, m: f64, tension: Face) -> Option<(Cracked, Fa
     if (difference(high) > 0.0) == positive {
         return None;
     }
-    for _ in 0..200 {
+    for _ in 0..STEPS {
         let x = 0.5 * (low + high);
         if (difference(x) > 0.0) == positive {
             low = x;

@@ -1,0 +1,111 @@
+//! Overturning of a box as a rigid body, and the anchors that it needs.
+//!
+//! ```text
+//! M_Ed ≤ M_Rd = W_Ed L       W_Ed = M (g − 0.3 A_v) with E_x + 0.3 E_z,   M (g − A_v)/0.3 for 0.3 E_x + E_z
+//! F = (M_Ed − W_Ed L)/(2 L)/(n b/P)       force of an anchor of the wall that lifts
+//! ```
+//!
+//! L is the half length and b the breadth, P the length of all walls, n the number of anchors around them. Where the walls are clamped to
+//! a bottom of concrete (`tank.bottom` that is not metal), the liquid holds the tank down and M_Ed is the moment below the bottom;
+//! otherwise walls and roof alone resist the moment above it. The weight of the bottom and the anchors of the walls along the shaking
+//! are left out, which is safe.
+//!
+//! Source: equilibrium; EN 1998-4:2006 4.5.1, recalled.
+
+use super::limit_states::{ANCHORS, OVERTURNING};
+use super::work::Work;
+use crate::sheet::with_unit;
+use tank::assessment::CheckStatus;
+use tank::quantity::Quantity;
+use tank::units::Dimension::*;
+use tank::{METAL, Support};
+
+/// Writes the check of a box with the half length L and the breadth b [m]. Needs the resultants.
+pub(super) fn assess(work: &mut Work, half: f64, breadth: f64) {
+    let tank = &work.case.tank;
+    let solid = (tank.bottom.as_ref()).is_some_and(|bottom| bottom.material.youngs_modulus < METAL);
+    let monolithic = solid && !tank.is_metal();
+    let quantity = match monolithic {
+        true => Quantity::OverturningMoment,
+        false => Quantity::BaseMoment,
+    };
+    let Some(moment) = work.out.values.get(&quantity).copied() else {
+        return;
+    };
+    let clause = work.edition.main("4.5.1.2");
+    work.sheet.section("Overturning");
+    let terms = [
+        ("m", if monolithic { work.mass } else { 0.0 }, Mass),
+        ("m_w", tank.wall_mass(), Mass),
+        ("m_r", tank.roof.mass, Mass),
+        ("g", work.case.gravity, Acceleration),
+        ("A_v", work.demand.vertical_ground(), Acceleration),
+    ];
+    let name = match monolithic {
+        true => "effective weight of liquid, walls and roof",
+        false => "effective weight of walls and roof (the bottom is not one with the walls)",
+    };
+    // As in sliding: 0.3 E_x + E_z meets 0.3 of the moment.
+    let formula = match work.demand.vertical {
+        true => "(m + m_w + m_r)·min(g - 0.3·A_v, (g - A_v)/0.3)",
+        false => "(m + m_w + m_r)·g",
+    };
+    let weight = work.sheet.calc("W_Ed", name, formula, &terms, Force, &clause);
+    let terms = [("W_Ed", weight, Force), ("L", half, Length)];
+    let name = "moment about the toe that the weight resists";
+    let resisted = work.sheet.calc("M_Rd", name, "W_Ed·L", &terms, Moment, &clause);
+    match tank.support {
+        Support::Unanchored => {
+            let note = "rigid body about the toe of the wall, without the weight of the bottom";
+            let name = "Overturning of the unanchored tank";
+            work.check(OVERTURNING, name, moment, resisted, Moment, &clause, note);
+            if !work.case.tank.is_metal() {
+                // A slab; the bottom plate of a metal box may lift, which is not implemented.
+                work.uplift = Some(0.0);
+            }
+        }
+        Support::Anchored if moment <= resisted => {
+            let reason = format!(
+                "the tank stands without anchors: {} of {}",
+                with_unit(moment, Moment),
+                with_unit(resisted, Moment)
+            );
+            work.without_comparison(ANCHORS, CheckStatus::NotApplicable, &reason, None);
+        }
+        Support::Anchored => anchors(work, (half, breadth), moment, resisted),
+    }
+}
+
+/// Anchors of a box that would overturn without them.
+fn anchors(work: &mut Work, (half, breadth): (f64, f64), moment: f64, resisted: f64) {
+    let clause = work.edition.main("4.5.1.3");
+    let given = work.case.tank.anchors;
+    let Some((count, capacity)) = given.and_then(|a| a.capacity.map(|capacity| (a.count, capacity))) else {
+        let input = match given {
+            Some(_) => "tank.anchors.capacity",
+            None => "tank.anchors",
+        };
+        let reason = format!(
+            "the tank overturns without anchors, {} of {}; `{input}` is missing",
+            with_unit(moment, Moment),
+            with_unit(resisted, Moment)
+        );
+        return work.without_comparison(ANCHORS, CheckStatus::NotChecked, &reason, Some(input));
+    };
+    let terms = [
+        ("M", moment, Moment),
+        ("M_Rd", resisted, Moment),
+        ("L", half, Length),
+        ("b", breadth, Length),
+        ("P", work.case.tank.perimeter(), Length),
+        ("n", f64::from(count), Dimensionless),
+    ];
+    let name = "tension of an anchor of the wall that lifts";
+    let formula = "(M - M_Rd)/(2·L)/(n·b/P)";
+    let force = work.sheet.calc("F_a", name, formula, &terms, Force, &clause);
+    let note = "rigid body; the anchors of the wall across the shaking alone";
+    work.check(ANCHORS, "Tension of an anchor", force, capacity, Force, &clause, note);
+}
+
+#[cfg(test)]
+mod tests;
