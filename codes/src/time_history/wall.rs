@@ -22,6 +22,9 @@ use crate::sheet::with_unit;
 /// Quality of construction without `site.ec8`: normal, the lowest.
 const NORMAL: f64 = 1.0;
 
+/// What a limit state finds at a place of a course.
+type Find<'a> = Box<dyn Fn(&Histories, &Course) -> Option<Found> + 'a>;
+
 /// A limit state of the wall.
 struct Asked<'a> {
     id: &'static str,
@@ -30,7 +33,7 @@ struct Asked<'a> {
     /// Quantities whose mesh errors its demand has.
     of: &'static [Quantity],
     /// What it finds at a place of a course.
-    find: Box<dyn Fn(&Histories, &Course) -> Option<Found> + 'a>,
+    find: Find<'a>,
 }
 
 /// The worst place of a course.
