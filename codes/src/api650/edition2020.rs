@@ -114,12 +114,17 @@ impl Run<'_> {
 
     /// Ratio F_p of operating to design pressure, with which the pressure lifts beside the earthquake.
     fn f_p(&self) -> f64 {
-        LEAST_F_P
+        let design = self.pressure();
+        match design > 0.0 {
+            true => (self.basis.case.tank.pressure.internal / design).clamp(LEAST_F_P, 1.0),
+            false => LEAST_F_P,
+        }
     }
 
-    /// Design pressure above the liquid [Pa].
+    /// Design pressure above the liquid [Pa], at least the overpressure in operation.
     fn pressure(&self) -> f64 {
-        self.site.map_or(0.0, |s| s.design_pressure)
+        let design = self.site.map_or(0.0, |s| s.design_pressure);
+        design.max(self.basis.case.tank.pressure.internal)
     }
 }
 

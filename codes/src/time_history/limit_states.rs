@@ -150,6 +150,10 @@ impl List<'_> {
             let name = "Hoop stress and anchors with the design pressure";
             self.add("design_pressure", name, format!("{API} F.7"), NotImplemented);
         }
+        if codes.ec8 && !case.tank.pressure.is_none() {
+            let name = "Stresses with the pressure above the liquid";
+            self.add("gas_pressure", name, annex("10.2"), NotImplemented);
+        }
         let other = match shell {
             true => NotApplicable("the wall is a metal shell".into()),
             false => NotImplemented,

@@ -26,6 +26,14 @@ impl Field {
         }
     }
 
+    /// The field times a factor.
+    fn times(mut self, factor: f64) -> Field {
+        self.rest *= factor;
+        scale(&mut self.even, factor);
+        scale(&mut self.odd, factor);
+        self
+    }
+
     /// Value at instant `k` and cos θ = `c`.
     pub(super) fn at(&self, k: usize, c: f64) -> f64 {
         self.rest + self.even.get(k).copied().unwrap_or(0.0) + c * self.odd[k]
@@ -95,7 +103,26 @@ pub(super) fn mises(a: f64, b: f64) -> f64 {
     mises_squared(a, b).max(0.0).sqrt()
 }
 
+fn scale(values: &mut [f64], factor: f64) {
+    if factor != 1.0 {
+        values.iter_mut().for_each(|value| *value *= factor);
+    }
+}
+
 impl Histories {
+    /// The same forces in a corroded wall: membrane stresses grow with the thickness that is lost, bending with its square.
+    ///
+    /// * `lost`: thickness as built, which the engine has, over that left
+    pub(super) fn corroded(mut self, lost: f64) -> Histories {
+        self.hoop = self.hoop.times(lost);
+        self.axial = self.axial.times(lost);
+        self.bending = self.bending.map(|bending| bending.times(lost * lost));
+        if let Some(shear) = &mut self.shear {
+            scale(shear, lost);
+        }
+        self
+    }
+
     pub(super) fn new(demands: &Demands, place: &Place) -> Histories {
         Histories {
             hoop: Field::new(demands, &place.hoop),

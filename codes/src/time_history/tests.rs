@@ -429,3 +429,43 @@ fn the_deciding_code_gives_the_capacities() {
     assert_eq!(ids(&case, &["ec8-2006", "fe"]), ["hoop_yield"]);
     assert_eq!(ids(&case, &["api650-2020", "fe"]), ["hoop_stress"]);
 }
+
+/// The same forces in what corrosion leaves of the wall: a wall of 14 mm less 2 mm is judged as one of 12 mm whose stresses are 14/12 times,
+/// in bending (14/12)² times as large. Both sides have one floating-point operation more or less: 1e-12.
+#[test]
+fn a_corroded_wall_is_judged_by_what_is_left() {
+    let given = shaken(5);
+    let mut corroded = steel_tank();
+    corroded.tank.courses[0].corrosion = 0.002;
+    let mut thin = steel_tank();
+    thin.tank.courses[0].thickness = 0.012;
+    let times = |of: &(f64, Vec<f64>, Vec<f64>), f: f64| {
+        let all = |v: &[f64]| v.iter().map(|x| f * x).collect::<Vec<f64>>();
+        (f * of.0, all(&of.1), all(&of.2))
+    };
+    let f = 14.0 / 12.0;
+    let scaled = Given {
+        hoop: times(&given.hoop, f),
+        axial: times(&given.axial, f),
+        shear: given.shear.iter().map(|x| f * x).collect(),
+        pressure: times(&given.pressure, 1.0),
+        bending: (
+            f * f * given.bending.0,
+            given.bending.1.iter().map(|x| f * f * x).collect(),
+        ),
+    };
+    let (found_thick, found_thin) = (
+        assessed(&corroded, &given.demands(0.0, 0)),
+        assessed(&thin, &scaled.demands(0.0, 0)),
+    );
+    for id in [
+        "hoop_yield",
+        "equivalent_stress",
+        "buckling_elastic",
+        "buckling_elastic_plastic",
+    ] {
+        let (a, b) = (found(&found_thick, id), found(&found_thin, id));
+        close(a.demand.unwrap_or_default(), b.demand.unwrap_or(1.0), 1e-12);
+        close(a.capacity.unwrap_or_default(), b.capacity.unwrap_or(1.0), 1e-12);
+    }
+}

@@ -63,7 +63,10 @@ fn worst(work: &Work<'_>, all: &[Asked<'_>]) -> Vec<Vec<Option<Worst>>> {
     let courses = &work.case.tank.courses;
     let mut worst: Vec<Vec<Option<Worst>>> = vec![vec![None; courses.len()]; all.len()];
     for place in &work.demands.places {
-        let histories = Histories::new(work.demands, place);
+        let lost = courses
+            .get(place.course)
+            .map_or(1.0, |c| c.thickness / c.net_thickness());
+        let histories = Histories::new(work.demands, place).corroded(lost);
         for (asked, worst) in all.iter().zip(&mut worst) {
             let (Some(course), Some(best)) = (courses.get(place.course), worst.get_mut(place.course)) else {
                 continue;
@@ -187,7 +190,7 @@ fn eurocode<'a>(case: &'a Case, codes: Codes, radius: f64) -> Vec<Asked<'a>> {
         clause: clause("10.2"),
         of: &[Quantity::AxialMembraneStress],
         find: Box::new(move |at, c| {
-            let (modulus, s) = (c.material.youngs_modulus, c.thickness);
+            let (modulus, s) = (c.material.youngs_modulus, c.net_thickness());
             at.compression(|p| elastic(modulus, strength(c), s, radius, p, quality).limit)
         }),
     });
@@ -197,7 +200,7 @@ fn eurocode<'a>(case: &'a Case, codes: Codes, radius: f64) -> Vec<Asked<'a>> {
         clause: clause("10.3"),
         of: &[Quantity::AxialMembraneStress],
         find: Box::new(move |at, c| {
-            let (modulus, s) = (c.material.youngs_modulus, c.thickness);
+            let (modulus, s) = (c.material.youngs_modulus, c.net_thickness());
             at.compression(|p| elastic_plastic(modulus, strength(c), s, radius, p.max(0.0)))
         }),
     });
@@ -239,7 +242,7 @@ fn head(density: f64, gravity: f64, pressure: f64) -> f64 {
 fn allowable_compression(density: f64, gravity: f64, radius: f64, course: &Course, pressure: f64) -> f64 {
     let depth = head(density, gravity, pressure);
     let (diameter, f_ty) = (2.0 * radius, course.material.yield_strength);
-    hold_down::allowable_compression(course.thickness, diameter, density / 1000.0, depth, f_ty).unwrap_or(0.0)
+    hold_down::allowable_compression(course.net_thickness(), diameter, density / 1000.0, depth, f_ty).unwrap_or(0.0)
 }
 
 /// Lines of the governing place of a limit state.
@@ -262,7 +265,7 @@ fn lines_of(work: &mut Work<'_>, asked: &Asked<'_>, radius: f64, at: &Worst) {
     let wall = Wall {
         youngs_modulus: course.material.youngs_modulus,
         yield_strength: f_y,
-        thickness: course.thickness,
+        thickness: course.net_thickness(),
         radius,
         quality: quality(case),
     };
@@ -304,7 +307,7 @@ fn api_lines(work: &mut Work<'_>, clause: &str, radius: f64, (course, pressure):
     let sheet = &mut work.sheet;
     sheet.look_up("H", "depth with that pressure", &source, depth, Length, clause);
     let terms = [
-        ("t_s", course.thickness, Length),
+        ("t_s", course.net_thickness(), Length),
         ("D", 2.0 * radius, Length),
         ("G", liquid.density / 1000.0, Dimensionless),
         ("H", depth, Length),

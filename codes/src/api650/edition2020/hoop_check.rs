@@ -270,9 +270,9 @@ impl Run<'_> {
 
     /// Lines above the liquid, where only the design pressure acts.
     fn dry_lines(&mut self, s: &Station, symbol: &str, name: &str) -> f64 {
+        let pressure = self.pressure();
         let sheet = &mut self.sheet;
         sheet.input("t", "thickness there, above the liquid", s.t, Length, "tank.courses");
-        let pressure = self.site.map_or(0.0, |site| site.design_pressure);
         let terms = [("P", pressure, Stress), ("D", self.basis.d, Length)];
         let force = "hoop force of the design pressure";
         let n_p = sheet.calc("N_P", force, N_P, &terms, LineForce, E6_1_4);

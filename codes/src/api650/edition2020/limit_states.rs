@@ -72,7 +72,8 @@ pub(super) fn all(case: &Case) -> Vec<LimitState> {
         ),
         (false, false) => Requirement::NotImplemented,
     };
-    let pressure = match case.site.api650.is_some_and(|site| site.design_pressure > 0.0) {
+    let pressed = case.tank.pressure.internal > 0.0 || case.site.api650.is_some_and(|site| site.design_pressure > 0.0);
+    let pressure = match pressed {
         true => Requirement::Required,
         false => Requirement::NotApplicable("there is no design pressure".into()),
     };
