@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use tank::assessment::CheckStatus;
+use tank::assessment::{Check, CheckStatus};
 use tank::units;
 
 use crate::cli::table::Table;
@@ -27,9 +27,9 @@ pub(crate) fn tables(results: &Results) -> String {
                 Some(value) => units::significant(units::in_unit(value, unit), 3),
                 None => "–".into(),
             };
-            let name = match check.compared() && !unit.symbol.is_empty() {
-                true => format!("{} [{}]", check.limit_state, unit.symbol),
-                false => check.limit_state.clone(),
+            let name = match check.demand.is_some() && !unit.symbol.is_empty() {
+                true => format!("{} [{}]", check.id, unit.symbol),
+                false => check.id.clone(),
             };
             let cells = [
                 name,
@@ -42,14 +42,31 @@ pub(crate) fn tables(results: &Results) -> String {
             table.row(cells.into_iter().chain(place));
         }
         let _ = writeln!(text, "{table}");
-        let reasons = method.checks.iter().filter(|c| !c.reason.is_empty());
-        for check in reasons.filter(|c| c.status != CheckStatus::NotApplicable) {
-            let state = words::verdict::status(check.status);
-            let _ = writeln!(text, "  {} {state}: {}", check.limit_state, check.reason);
+        for (states, reason, status) in gaps(&method.checks) {
+            let state = words::verdict::status(status);
+            let _ = writeln!(text, "  {} {state}: {reason}", states.join(", "));
         }
         text.push('\n');
     }
     text
+}
+
+/// Limit states without a comparison, those with the same reason together.
+fn gaps(checks: &[Check]) -> Vec<(Vec<&str>, &str, CheckStatus)> {
+    let mut found: Vec<(Vec<&str>, &str, CheckStatus)> = Vec::new();
+    let told = |c: &&Check| !c.reason.is_empty() && c.status != CheckStatus::NotApplicable;
+    for check in checks.iter().filter(told) {
+        let state = check.limit_state.as_str();
+        match found
+            .iter_mut()
+            .find(|(_, reason, status)| *reason == check.reason && *status == check.status)
+        {
+            Some((states, ..)) if states.contains(&state) => {}
+            Some((states, ..)) => states.push(state),
+            None => found.push((vec![state], &check.reason, check.status)),
+        }
+    }
+    found
 }
 
 /// All limit states of all methods, a second table after the quantities.

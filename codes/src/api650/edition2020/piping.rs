@@ -114,7 +114,7 @@ impl Run<'_> {
                 }
                 (Some(demand), None) => {
                     let needed = crate::sheet::with_unit(demand, Length);
-                    let reason = format!("`{path}` is missing; the pipes must allow a {name} of {needed}");
+                    let reason = format!("`{path}` is missing; the pipes must allow {needed} of {name}");
                     open.get_or_insert((reason, Some(path)));
                 }
                 (None, _) => {
