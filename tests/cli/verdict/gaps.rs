@@ -39,7 +39,7 @@ fn not_implemented() -> Vec<Tank> {
             "steel-box-uplift",
             "the bottom plate of a steel box may lift: not implemented",
             (EC8, "uplift"),
-            vec![only_ec8(), concrete_box(), wall(&[40.0; 2]), unanchored()],
+            vec![only_ec8(), concrete_box(), wall(&[150.0; 2]), unanchored()],
         )
         .open(&["uplift"]),
         api("anchor-attachment-not-accepted", "anchor_attachment").open(&["anchor_attachment"]),

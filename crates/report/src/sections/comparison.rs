@@ -6,6 +6,7 @@ use tank::assessment::Excitation;
 use super::{Section, Source};
 use crate::methods::{excitation, figure_order, look};
 use crate::number::{Scale, ratio};
+use crate::words::labels::OUTSIDE;
 use files::error::Error;
 use results::{FE, Method, Status};
 
@@ -29,7 +30,7 @@ struct Row {
 struct CellView {
     value: String,
     unusable: bool,
-    outside: bool,
+    outside: Option<&'static str>,
     ratio: String,
     fe: bool,
     break_before: bool,
@@ -92,7 +93,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
                 .map(|(cell, head)| CellView {
                     value: cell.map_or("–".into(), |c| scale.text(c.value)),
                     unusable: cell.is_some_and(|c| c.unusable),
-                    outside: cell.is_some_and(|c| c.outside),
+                    outside: cell.filter(|c| c.outside).map(|_| OUTSIDE),
                     ratio: cell
                         .and_then(|c| c.ratio)
                         .filter(|_| !head.fe)

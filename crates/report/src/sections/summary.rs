@@ -147,20 +147,16 @@ fn governing(results: &Results) -> Option<Governing> {
         utilisation: percent(ratio),
         width: bar_width(ratio),
         holds: check.holds(),
-        note: [check.note.clone(), words::verdict::place(check), within_error(check)]
-            .into_iter()
-            .filter(|part| !part.is_empty())
-            .collect::<Vec<_>>()
-            .join("; "),
+        note: [
+            check.note.clone(),
+            words::verdict::place(check),
+            words::verdict::within_error(check),
+        ]
+        .into_iter()
+        .filter(|part| !part.is_empty())
+        .collect::<Vec<_>>()
+        .join("; "),
     })
-}
-
-/// That a check holds by less than its error, with the error.
-fn within_error(check: &tank::assessment::Check) -> String {
-    match check.within_error {
-        true => format!("holds within the error only: {}", words::verdict::error(check)),
-        false => String::new(),
-    }
 }
 
 /// Length of a utilisation bar in percent of its track, on which 100 % utilisation lies at two thirds.

@@ -60,6 +60,9 @@ pub const ANGLE_AXIS: &str = "Angle θ from the direction of shaking [°]";
 /// Histories of a linear and a nonlinear run.
 pub const BOTH_RUNS: &str = "linear and nonlinear";
 
+/// A number that depends on what the model cannot say.
+pub const OUTSIDE: &str = "outside the model";
+
 /// The tank.
 pub mod tank {
     /// Plan of a strip.
@@ -85,5 +88,5 @@ pub mod tank {
     /// Place of a bar.
     pub const BAR_DEPTH: &str = "Distance from the inner face";
     /// Table of bars.
-    pub const BARS: &str = "Bars (nonlinear engine)";
+    pub const BARS: &str = "Bars of the wall";
 }

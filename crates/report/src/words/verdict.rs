@@ -116,6 +116,14 @@ pub fn place(check: &Check) -> String {
     parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
+/// That a check holds by less than its error, with the error; empty for others.
+pub fn within_error(check: &Check) -> String {
+    match check.within_error {
+        true => format!("holds within the error only: {}", error(check)),
+        false => String::new(),
+    }
+}
+
 /// Estimated error of a demand, in words; empty where there is none.
 pub fn error(check: &Check) -> String {
     match check.error {

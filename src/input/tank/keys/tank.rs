@@ -269,7 +269,7 @@ fn roof(r: &mut Resolver<'_>, given: &Roof) -> tank::Roof {
     if let Some(rim) = &given.rim.given {
         r.faults.push(range_fault(
             rim,
-            "rim applies to a floating roof only",
+            "rim does not apply to a roof that does not float",
             "\"type\": \"floating\", or a roof without rim",
         ));
     }
