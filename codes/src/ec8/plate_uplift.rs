@@ -203,7 +203,10 @@ fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, uplift: f64
         "(2/3·E·s_b·p²·R²·(1 - μ)²/(1 - ν²))^(1/3)/s_b"
     };
     let stress = line("σ_rb", name, formula, Stress, &clause);
-    let note = "uplift of the softer ground";
+    let note = match bottom.subgrade_modulus {
+        Some(_) => "",
+        None => "on soft ground, 100 MN/m³: `tank.bottom.subgrade_modulus` is not given",
+    };
     part(work, rotation_check, rotation, ROTATION, Angle, note);
     let name = "Radial membrane stress of the bottom plate";
     part(work, ("uplift_membrane", name), stress, f_y, Stress, "γ_M = 1");

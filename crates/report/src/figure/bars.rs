@@ -23,6 +23,8 @@ pub struct Bar {
     pub value: f64,
     /// Ratio to the finite-element value.
     pub ratio: Option<f64>,
+    /// Whether it depends on what the model of its engine cannot say.
+    pub outside: bool,
 }
 
 /// Bars of one quantity; `None` without a finite value.
@@ -63,8 +65,11 @@ pub fn bars(id: &str, title: &str, dimension: Dimension, bars: &[Bar]) -> Option
         );
         let text = scale.text(bar.value);
         svg.text((WIDTH - 38.0, y + 10.5), Anchor::End, "vl", &text);
+        if bar.outside {
+            svg.text((WIDTH, y + 10.5), Anchor::End, "vl", "✗");
+        }
         let compared = bar.ratio.map_or("–".to_owned(), ratio);
-        if let (Some(_), false) = (bar.ratio, bar.look.reference) {
+        if let (Some(_), false, false) = (bar.ratio, bar.look.reference, bar.outside) {
             svg.text((WIDTH, y + 10.5), Anchor::End, "mu", &format!("× {compared}"));
         }
         table.row(vec![

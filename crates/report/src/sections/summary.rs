@@ -82,6 +82,12 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("warnings", &warnings(results));
     section.set("unusual", &unusual(results));
     section.set("has_fe", &source.fe().is_some());
+    let mut cells = results
+        .comparison
+        .rows
+        .iter()
+        .flat_map(|row| row.cells.iter().flatten());
+    section.set("outside", &cells.any(|cell| cell.outside));
     section.set(
         "has_site",
         &results.methods.iter().any(|m| look(m).site && !m.quantities.is_empty()),
@@ -252,6 +258,7 @@ fn headline_figures(results: &Results) -> Vec<Figure> {
                     look: look(results.methods.get(i)?),
                     value: cell.value,
                     ratio: cell.ratio,
+                    outside: cell.outside,
                 })
             })
             .collect();

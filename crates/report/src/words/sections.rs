@@ -27,6 +27,10 @@ const ALL: &[Words] = &[
             ("seismic", "Seismic part, absolute maxima."),
             ("engine", "Dashed line: finite elements; × ratio to them."),
             (
+                "outside",
+                "✗: outside the model of the finite elements, see limits of validity.",
+            ),
+            (
                 "site",
                 "Full bars: spectrum of the record; light bars: design spectrum of the site.",
             ),
