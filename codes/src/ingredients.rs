@@ -99,7 +99,7 @@ fn ingredients_give_the_values() {
     assert!(count > 500, "{count}");
 }
 
-/// Wave, shear and moments of every procedure that gives them have ingredients.
+/// Wave, shear, moments and membrane stresses of every procedure that gives them have ingredients.
 #[test]
 fn headline_quantities_have_ingredients() {
     for case in cases() {
@@ -113,6 +113,8 @@ fn headline_quantities_have_ingredients() {
                     Quantity::BaseShear,
                     Quantity::BaseMoment,
                     Quantity::OverturningMoment,
+                    Quantity::HoopStress,
+                    Quantity::AxialMembraneStress,
                     Quantity::SloshingPeriod,
                     Quantity::ImpulsivePeriod,
                     Quantity::ImpulsiveMass,

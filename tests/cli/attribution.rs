@@ -6,7 +6,15 @@ use tank::factor::Factor;
 use crate::compare::{stderr, tankcheck};
 
 const QUAKE: &str = "examples/records/elcentro.csv";
-const HEADLINES: [&str; 4] = ["sloshing_height", "base_shear", "base_moment", "overturning_moment"];
+/// Quantities with the exchange of ingredients.
+const HEADLINES: [&str; 6] = [
+    "sloshing_height",
+    "base_shear",
+    "base_moment",
+    "overturning_moment",
+    "hoop_stress",
+    "axial_membrane_stress",
+];
 
 fn results(tank: &str) -> Value {
     let home = tempfile::tempdir().expect("a temporary folder");

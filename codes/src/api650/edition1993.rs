@@ -29,7 +29,7 @@ use tank::units::Dimension::{Dimensionless, Force, Length, LineForce, Moment, St
 use super::basis::Basis;
 use super::ground_motion::{IMPULSIVE_RANGE, impulsive_plateau};
 use super::hold_down as hd;
-use super::ingredients::{Action, Liquid, ladders, resultant};
+use super::ingredients::{Action, Liquid, axial, ladders, resultant};
 use super::masses::{ARGUMENT, COEFFICIENT_1993, PERIOD_1993, charts};
 
 const EDITION: &str = "API 650:1993";
@@ -308,6 +308,7 @@ fn ingredients(
     };
     let mut all = ladders(basis, masses.period, m_1, m_2);
     all.push(resultant(basis, &action, Quantity::BaseMoment, liquid, shell_height));
+    all.extend(axial(basis, &all));
     all
 }
 

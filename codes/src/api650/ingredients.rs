@@ -38,8 +38,15 @@ pub(super) fn resultant(basis: &Basis, action: &Action, quantity: Quantity, liqu
         }),
         convective: Some(Part::liquid(action.convective.clone(), liquid.convective)),
         combination: action.combination,
+        vertical: None,
     };
     Ingredients::response(quantity, response)
+}
+
+/// Axial membrane stress of the moment among `all`, `1.273 M/D²/t_s`.
+pub(super) fn axial(basis: &Basis, all: &[Ingredients]) -> Option<Ingredients> {
+    let moment = all.iter().find(|i| i.quantity == Quantity::BaseMoment)?;
+    moment.scaled(Quantity::AxialMembraneStress, 1.273 / (basis.d * basis.d) / basis.t_s)
 }
 
 /// A wave of `rise` per acceleration [s²].
@@ -48,6 +55,7 @@ pub(super) fn wave(ordinate: Ordinate, rise: f64) -> Ingredients {
         impulsive: None,
         convective: Some(Part::liquid(ordinate, Share::new(rise, 1.0))),
         combination: Combination::Abs,
+        vertical: None,
     };
     Ingredients::response(Quantity::SloshingHeight, response)
 }

@@ -89,11 +89,14 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     };
     ingredients::record(work, &masses, &rigid, &motion, &wall);
 
-    let motion = cylinder_vertical::assess(work, radius, gamma)?;
-    let state = cylinder_stress::assess(work, radius, moment, a_i, s_1, motion);
-    cylinder_checks::assess(work, &state, motion.is_some());
-    damage::assess(work, Some(&state), motion.is_some());
-    walls::cylinder(work, &state, motion.is_some());
+    let vertical = cylinder_vertical::assess(work, radius, gamma)?;
+    let state = cylinder_stress::assess(work, radius, moment, a_i, s_1, vertical);
+    let vertical = vertical.is_some();
+    let stresses = state.ingredients(vertical);
+    ingredients::stresses(work, &motion, &stresses);
+    cylinder_checks::assess(work, &state, vertical);
+    damage::assess(work, Some(&state), vertical);
+    walls::cylinder(work, &state, vertical);
     bearing::assess(work);
     pipes::assess(work);
     Ok(())

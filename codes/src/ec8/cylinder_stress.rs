@@ -11,11 +11,13 @@
 use std::f64::consts::PI;
 
 use super::cylinder_vertical::VerticalMotion;
+use super::ingredients::Stresses;
 use super::vertical;
 use super::work::{Work, combined};
 use crate::mechanical::{ConvectiveField, ImpulsiveField, Plan};
 use crate::sheet::with_unit;
 use tank::case::Combination;
+use tank::ingredients::Vertical;
 use tank::quantity::Quantity;
 use tank::units::Dimension::*;
 use tank::{Liquid, Tank};
@@ -36,6 +38,8 @@ pub(super) struct State<'a> {
     beside_vertical: f64,
     /// M just above the base plate [N·m], as the procedure gives it.
     pub base_moment: f64,
+    /// Height of the largest hoop stress [m].
+    hoop_at: f64,
 }
 
 /// Factors of horizontal and vertical motion in one combination.
@@ -51,7 +55,7 @@ impl State<'_> {
         if zeta >= 1.0 {
             return 0.0;
         }
-        self.liquid.density * self.liquid.fill_height * self.impulsive.wall(zeta) * self.a_i
+        self.impulsive_coefficient(zeta) * self.a_i
     }
 
     pub(super) fn pressure_convective(&self, z: f64) -> f64 {
@@ -59,7 +63,35 @@ impl State<'_> {
         if zeta > 1.0 {
             return 0.0;
         }
-        self.liquid.density * self.radius * self.convective.wall(zeta) * self.a_c
+        self.convective_coefficient(zeta) * self.a_c
+    }
+
+    /// Impulsive pressure per acceleration [kg/m²].
+    fn impulsive_coefficient(&self, zeta: f64) -> f64 {
+        self.liquid.density * self.liquid.fill_height * self.impulsive.wall(zeta)
+    }
+
+    /// Convective pressure per acceleration [kg/m²].
+    fn convective_coefficient(&self, zeta: f64) -> f64 {
+        self.liquid.density * self.radius * self.convective.wall(zeta)
+    }
+
+    /// What the membrane stresses are made of.
+    pub(super) fn ingredients(&self, vertical: bool) -> Stresses {
+        let (z, zeta) = (self.hoop_at, self.zeta(self.hoop_at));
+        let per_pressure = self.radius / self.tank.course_at(z).net_thickness();
+        let wetted = |below: bool, coefficient: f64| if below { coefficient * per_pressure } else { 0.0 };
+        let (horizontal, factor) = self.governing(z, vertical);
+        Stresses {
+            impulsive: wetted(zeta < 1.0, self.impulsive_coefficient(zeta)),
+            convective: wetted(zeta <= 1.0, self.convective_coefficient(zeta)),
+            vertical: vertical.then(|| Vertical {
+                horizontal,
+                value: factor * self.pressure_vertical(z) * per_pressure,
+                combination: Combination::Abs,
+            }),
+            axial: 1.0 / (PI * self.radius * self.radius * self.tank.courses[0].net_thickness()),
+        }
     }
 
     pub(super) fn pressure_horizontal(&self, z: f64) -> f64 {
@@ -112,8 +144,23 @@ impl State<'_> {
 
     /// Largest seismic pressure over the combinations.
     fn pressure_seismic(&self, z: f64, vertical: bool) -> f64 {
-        let of = |(x, v): &Factors| x * self.pressure_horizontal(z) + v * self.pressure_vertical(z);
-        self.combinations(vertical).iter().map(of).fold(0.0, f64::max)
+        self.pressure_of(z, self.governing(z, vertical))
+    }
+
+    fn pressure_of(&self, z: f64, (x, v): Factors) -> f64 {
+        x * self.pressure_horizontal(z) + v * self.pressure_vertical(z)
+    }
+
+    /// The combination of the largest seismic pressure.
+    fn governing(&self, z: f64, vertical: bool) -> Factors {
+        let larger = |best: Factors, next: Factors| match self.pressure_of(z, next) > self.pressure_of(z, best) {
+            true => next,
+            false => best,
+        };
+        self.combinations(vertical)
+            .into_iter()
+            .reduce(larger)
+            .unwrap_or_default()
     }
 
     /// Moment of the wall's cross-section at z [N·m].
@@ -174,7 +221,7 @@ pub(super) fn assess<'a>(
 ) -> State<'a> {
     let case = work.case;
     let gamma = case.liquid.fill_height / radius;
-    let state = State {
+    let mut state = State {
         tank: &case.tank,
         liquid: case.liquid,
         radius,
@@ -187,9 +234,10 @@ pub(super) fn assess<'a>(
         motion: motion.unwrap_or_default(),
         beside_vertical: work.demand.beside_vertical(),
         base_moment: moment,
+        hoop_at: 0.0,
     };
     base_pressures(work, &state);
-    stresses(work, &state, motion.is_some());
+    state.hoop_at = stresses(work, &state, motion.is_some());
     state
 }
 
@@ -222,7 +270,8 @@ fn base_pressures(work: &mut Work, state: &State) {
         .calc("p", "horizontal motion", formula, &terms, Stress, &clause);
 }
 
-fn stresses(work: &mut Work, state: &State, vertical: bool) {
+/// Profiles and lines of the membrane stresses; returns the height of the largest hoop stress [m].
+fn stresses(work: &mut Work, state: &State, vertical: bool) -> f64 {
     let z = work.heights();
     let base = &state.tank.courses[0];
     let hoop = |z: f64| state.pressure_seismic(z, vertical) * state.radius / state.tank.course_at(z).net_thickness();
@@ -264,4 +313,5 @@ fn stresses(work: &mut Work, state: &State, vertical: bool) {
     let sigma = work.sheet.calc("σ_z", name, formula, &terms, Stress, "membrane theory");
     work.out.values.insert(Quantity::HoopStress, largest);
     work.out.values.insert(Quantity::AxialMembraneStress, sigma);
+    at
 }

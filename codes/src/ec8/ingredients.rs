@@ -3,7 +3,7 @@
 use super::work::{Masses, Work};
 use crate::mechanical::Lumped;
 use tank::factor::Factor;
-use tank::ingredients::{Ingredients, Part, Recipe, Response, Share};
+use tank::ingredients::{Ingredients, Part, Recipe, Response, Share, Vertical};
 use tank::quantity::Quantity;
 
 /// Periods [s] and accelerations [m/s²] of an assessment.
@@ -95,6 +95,7 @@ fn responses(work: &mut Work, masses: &Masses, motion: &Motion) {
             }),
             convective: Some(Part::liquid(convective.clone(), share(&masses.convective))),
             combination,
+            vertical: None,
         };
         work.out.ingredients.push(Ingredients::response(quantity, response));
     }
@@ -103,10 +104,46 @@ fn responses(work: &mut Work, masses: &Masses, motion: &Motion) {
             impulsive: None,
             convective: Some(Part::liquid(wave, Share::new(height / a_w, 1.0))),
             combination,
+            vertical: None,
         };
         let ingredients = Ingredients::response(Quantity::SloshingHeight, response);
         work.out.ingredients.push(ingredients);
     }
+}
+
+/// Membrane stresses of a cylinder: stresses per acceleration [Pa·s²/m] of both parts at the place of the largest hoop stress,
+/// the vertical motion there, and the axial stress of a moment at the base [1/m³].
+pub(super) struct Stresses {
+    /// Impulsive hoop stress.
+    pub impulsive: f64,
+    /// Convective hoop stress.
+    pub convective: f64,
+    /// Hoop stress of the vertical motion.
+    pub vertical: Option<Vertical>,
+    /// 1/(π R² s).
+    pub axial: f64,
+}
+
+/// Adds the ingredients of the membrane stresses, after those of the base moment.
+pub(super) fn stresses(work: &mut Work, motion: &Motion, stresses: &Stresses) {
+    let damping = work.case.damping;
+    let ((t_i, a_i), (t_w, a_w)) = (motion.impulsive, motion.sloshing);
+    let q = work.demand.behaviour_factor;
+    let impulsive = work.demand.ordinate(a_i, t_i, damping.impulsive, q);
+    let convective = work.demand.ordinate(a_w, t_w, damping.sloshing, 1.0);
+    let hoop = Response {
+        vertical: stresses.vertical,
+        ..Response::hoop(
+            (impulsive, stresses.impulsive),
+            (convective, stresses.convective),
+            work.case.procedures.ec8_combination,
+        )
+    };
+    let all = &mut work.out.ingredients;
+    let moment = all.iter().find(|i| i.quantity == Quantity::BaseMoment);
+    let axial = moment.and_then(|i| i.scaled(Quantity::AxialMembraneStress, stresses.axial));
+    all.push(Ingredients::response(Quantity::HoopStress, hoop));
+    all.extend(axial);
 }
 
 /// Adds the wall and the roof that move with the impulsive part: all of them, whatever moves in one mode of an engine.

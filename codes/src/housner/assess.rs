@@ -145,12 +145,7 @@ impl Run<'_> {
 
     /// Lines of the largest hoop stress over the height; returns it [Pa].
     fn largest_hoop(&self, sheet: &mut Sheet, radius: f64) -> f64 {
-        let z = self.heights();
-        let highest = z
-            .iter()
-            .copied()
-            .max_by(|&p, &q| self.hoop(p).total_cmp(&self.hoop(q)))
-            .unwrap_or(0.0);
+        let highest = self.hoop_place();
         let (name, source) = (
             "height of the largest hoop stress",
             "largest of the profile over the height",
@@ -164,6 +159,12 @@ impl Run<'_> {
             ("s", self.case.tank.course_at(highest).thickness, Length),
         ];
         sheet.calc("σ_φ", "largest hoop stress", "p·R/s", &terms, Stress, "membrane theory")
+    }
+
+    /// Height of the largest hoop stress [m].
+    pub(super) fn hoop_place(&self) -> f64 {
+        let z = self.heights().into_iter();
+        z.max_by(|&p, &q| self.hoop(p).total_cmp(&self.hoop(q))).unwrap_or(0.0)
     }
 
     /// Heights of the profiles: 48 steps over the depth, the bottom of the sloshing part, and both sides of every joint of
@@ -187,7 +188,7 @@ impl Run<'_> {
         z
     }
 
-    fn pressures(&self) -> Pressures<'_> {
+    pub(super) fn pressures(&self) -> Pressures<'_> {
         Pressures {
             response: &self.response,
             plan: self.plan,

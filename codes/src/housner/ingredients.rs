@@ -6,7 +6,9 @@
 //! ```
 
 use super::assess::Run;
+use super::stress;
 use crate::mechanical::{Plan, convective, impulsive, sloshing_omega};
+use tank::Shape;
 use tank::factor::Factor;
 use tank::ingredients::{Ingredients, Part, Response, Share};
 use tank::quantity::Quantity;
@@ -15,6 +17,10 @@ use tank::quantity::Quantity;
 pub(super) fn of(run: &Run) -> Vec<Ingredients> {
     let mut all = vec![wave(run)];
     all.extend(resultants(run));
+    if let Shape::Cylinder { radius } = run.case.tank.shape {
+        all.push(hoop(run, radius));
+        all.extend(axial(run, radius, &all));
+    }
     all.extend(ladders(run));
     all
 }
@@ -35,8 +41,34 @@ fn wave(run: &Run) -> Ingredients {
             ..Part::liquid(ordinate, rise)
         }),
         combination: run.combination,
+        vertical: None,
     };
     Ingredients::response(Quantity::SloshingHeight, response)
+}
+
+/// Hoop stress where it is largest: both pressures are in proportion to their accelerations.
+fn hoop(run: &Run, radius: f64) -> Ingredients {
+    let (r, z, p) = (&run.response, run.hoop_place(), run.pressures());
+    let thickness = run.case.tank.course_at(z).thickness;
+    let per = |pressure: f64, acceleration: f64| match acceleration > 0.0 {
+        true => stress::hoop(pressure, radius, thickness) / acceleration,
+        false => 0.0,
+    };
+    let impulsive = per(p.impulsive(z), run.motion.ground);
+    let convective = per(p.convective(z), r.acceleration);
+    let response = Response::hoop(
+        (run.motion.ground_ordinate(), impulsive),
+        (run.motion.sloshing_ordinate(r.period, r.acceleration), convective),
+        run.combination,
+    );
+    Ingredients::response(Quantity::HoopStress, response)
+}
+
+/// Axial stress of the moment at the base.
+fn axial(run: &Run, radius: f64, all: &[Ingredients]) -> Option<Ingredients> {
+    let moment = all.iter().find(|i| i.quantity == Quantity::BaseMoment)?;
+    let modulus = stress::section_modulus_circle(2.0 * radius, run.case.tank.course_at(0.0).thickness);
+    moment.scaled(Quantity::AxialMembraneStress, 1.0 / modulus)
 }
 
 fn resultants(run: &Run) -> [Ingredients; 3] {
@@ -66,6 +98,7 @@ fn resultants(run: &Run) -> [Ingredients; 3] {
             )),
             convective: Some(Part::liquid(ordinate, Share::new(sloshing, convective_arm))),
             combination: run.combination,
+            vertical: None,
         };
         Ingredients::response(quantity, response)
     })

@@ -14,13 +14,14 @@ use tank::Case;
 use tank::case::GroundMotion;
 use tank::{Shape, Support};
 
-use analysis::{Analysis, analyse};
+use analysis::{Analysis, LineExtremes, analyse};
 use mesh_error::{Second, SecondMesh};
 use model::{Harmonic, Model};
 
 use super::harmonic::Places;
 use super::histories::Histories;
 use super::{FeError, Simulation};
+use results::channel::OnWall;
 use results::nonlinear::End;
 use results::{EngineId, Envelope, Mode, Run, SeriesInfo};
 use tank::options::LinearOptions as Options;
@@ -216,7 +217,10 @@ fn report(
     let result = Run {
         mesh: coupled.mesh.clone(),
         modes: modes(case, model),
-        modal: modal::parts(model),
+        modal: modal::parts(
+            model,
+            analysis.line(OnWall::Hoop).filter(|_| round).map(LineExtremes::worst),
+        ),
         integration: describe::integration(model, options, &analysis, motion, linear.direct.is_some()),
         damping_table: model
             .systems()

@@ -20,6 +20,28 @@ pub struct ModalPart {
     /// Wall and roof, where the engine separates them from the liquid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub structure: Option<[Inertia; 2]>,
+    /// Membrane stresses of a cylinder.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stress: Option<ModalStress>,
+}
+
+/// Membrane stresses per unit of acceleration [Pa·s²/m].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ModalStress {
+    /// Hoop stress where the history has its largest.
+    pub hoop: f64,
+    /// Axial stress at the base.
+    pub axial: f64,
+}
+
+impl ModalStress {
+    /// What remains of a total without other parts.
+    pub fn without(self, parts: &[ModalStress]) -> ModalStress {
+        parts.iter().fold(self, |rest, part| ModalStress {
+            hoop: rest.hoop - part.hoop,
+            axial: rest.axial - part.axial,
+        })
+    }
 }
 
 /// Kind of the part that is not in the listed modes: higher modes, and what is clamped to the ground.

@@ -25,6 +25,10 @@ pub enum Factor {
     ConvectiveMass,
     /// Heights of the masses.
     LeverArm,
+    /// Stress of the impulsive part per acceleration (hoop) or per moment (axial).
+    ImpulsiveStress,
+    /// Stress of the convective part per acceleration (hoop) or per moment (axial).
+    ConvectiveStress,
     /// The impulsive part moves with the ground (period zero).
     RigidWall,
     /// The impulsive part has the largest ordinate of a range of periods.
@@ -51,6 +55,8 @@ pub enum Factor {
     WaveFormula,
     /// Rule by which impulsive and convective maxima are combined.
     Combination,
+    /// Stress of the vertical motion, as the procedure combines it with the horizontal one.
+    Vertical,
     /// Potential flow in a rigid tank, exact.
     RigidTank,
     /// All sloshing modes as one mass.
@@ -69,7 +75,7 @@ pub enum Factor {
 
 impl Factor {
     /// All of them in the order of exchange.
-    pub const ALL: [Factor; 29] = [
+    pub const ALL: [Factor; 32] = [
         Factor::TimeHistory,
         Factor::Modes,
         Factor::ImpulsiveMass,
@@ -79,6 +85,8 @@ impl Factor {
         Factor::FloorMass,
         Factor::ConvectiveMass,
         Factor::LeverArm,
+        Factor::ImpulsiveStress,
+        Factor::ConvectiveStress,
         Factor::RigidWall,
         Factor::Plateau,
         Factor::ImpulsivePeriod,
@@ -92,6 +100,7 @@ impl Factor {
         Factor::Bounds,
         Factor::WaveFormula,
         Factor::Combination,
+        Factor::Vertical,
         Factor::RigidTank,
         Factor::AllSloshingModes,
         Factor::LiquidDepth,

@@ -2,13 +2,17 @@
 //! ingredient can be exchanged alone, and the value follows from them.
 //!
 //! ```text
-//! part        X_p = A Σ_k m_k a_k / (1 − ε A)       k: liquid, wall, roof, floor
+//! part        X_p = s A Σ_k m_k a_k / (1 − ε A)     k: liquid, wall, roof, floor
 //! ordinate    A   = S(T, ξ) Π f                     importance, behaviour factor, …
 //! quantity    X   = |X_i| + |X_c|   or   √(X_i² + X_c²)
+//! stress      σ   = |x X| + |σ_v|   or   √((x X)² + σ_v²)       with vertical motion
 //! ```
 //!
 //! For a base shear the arms `a_k` are 1, for moments they are heights. A wave has the convective part alone: its `m` is the
 //! rise of the surface per acceleration [s²] and ε the term of finite angles of Housner's formula; ε is zero elsewhere.
+//!
+//! The scale `s` is 1 but for stresses. An axial stress is a base moment times s = 1/W [1/m³]; a hoop stress has Σ m a = 1, and
+//! s is the stress per acceleration, a pressure coefficient times R/t [Pa·s²/m].
 
 use crate::case::Combination;
 use crate::factor::Factor;
@@ -68,6 +72,18 @@ impl Ingredients {
         }
     }
 
+    /// Another quantity that is this response times a constant; `None` for what is no response.
+    pub fn scaled(&self, quantity: Quantity, scale: f64) -> Option<Ingredients> {
+        let Recipe::Response(response) = &self.recipe else {
+            return None;
+        };
+        let mut response = (**response).clone();
+        for part in response.impulsive.iter_mut().chain(&mut response.convective) {
+            part.scale *= scale;
+        }
+        Some(Ingredients::response(quantity, response))
+    }
+
     /// The value in SI that follows from the ingredients; `None` for a ladder without rungs.
     pub fn value(&self) -> Option<f64> {
         match &self.recipe {
@@ -87,16 +103,51 @@ pub struct Response {
     pub convective: Option<Part>,
     /// How they are combined.
     pub combination: Combination,
+    /// Stress of the vertical motion; none without it, and for all that is no hoop stress.
+    pub vertical: Option<Vertical>,
+}
+
+/// Stress of the vertical motion beside that of the horizontal one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vertical {
+    /// Factor of the horizontal motion.
+    pub horizontal: f64,
+    /// Stress of the vertical motion with its factor [Pa].
+    pub value: f64,
+    /// How both are combined.
+    pub combination: Combination,
+}
+
+/// Two values combined.
+fn combined(combination: Combination, a: f64, b: f64) -> f64 {
+    match combination {
+        Combination::Abs => a.abs() + b.abs(),
+        Combination::Srss => a.hypot(b),
+    }
 }
 
 impl Response {
+    /// A hoop stress: stresses per acceleration of both parts [Pa·s²/m].
+    pub fn hoop(impulsive: (Ordinate, f64), convective: (Ordinate, f64), combination: Combination) -> Response {
+        let part = |(ordinate, scale)| Part {
+            scale,
+            ..Part::liquid(ordinate, Share::new(1.0, 1.0))
+        };
+        Response {
+            impulsive: Some(part(impulsive)),
+            convective: Some(part(convective)),
+            combination,
+            vertical: None,
+        }
+    }
+
     /// The value in SI.
     pub fn value(&self) -> f64 {
         let part = |part: &Option<Part>| part.as_ref().map_or(0.0, Part::value);
-        let (i, c) = (part(&self.impulsive), part(&self.convective));
-        match self.combination {
-            Combination::Abs => i.abs() + c.abs(),
-            Combination::Srss => i.hypot(c),
+        let value = combined(self.combination, part(&self.impulsive), part(&self.convective));
+        match self.vertical {
+            Some(vertical) => combined(vertical.combination, vertical.horizontal * value, vertical.value),
+            None => value,
         }
     }
 }
@@ -116,6 +167,8 @@ pub struct Part {
     pub floor: Share,
     /// ε of Housner's finite angles [s²/m]; 0 elsewhere.
     pub finite_angle: f64,
+    /// Stress per moment [1/m³] or per acceleration [Pa·s²/m]; 1 for all that is no stress.
+    pub scale: f64,
 }
 
 impl Part {
@@ -128,6 +181,7 @@ impl Part {
             roof: Share::default(),
             floor: Share::default(),
             finite_angle: 0.0,
+            scale: 1.0,
         }
     }
 
@@ -136,7 +190,7 @@ impl Part {
         let a = self.ordinate.value();
         let shares = [self.liquid, self.wall, self.roof, self.floor];
         let sum: f64 = shares.iter().map(|s| s.mass * s.arm).sum();
-        a * sum / (1.0 - self.finite_angle * a)
+        self.scale * a * sum / (1.0 - self.finite_angle * a)
     }
 }
 
@@ -240,10 +294,38 @@ mod tests {
             }),
             convective: Some(Part::liquid(Ordinate::at(4.0, 0.005, 1.0), Share::new(4.0, 1.5))),
             combination: Combination::Abs,
+            vertical: None,
         };
         assert!((response.value() - 31.0).abs() < 1e-12);
         response.combination = Combination::Srss;
         assert!((response.value() - 661.0_f64.sqrt()).abs() < 1e-12);
+    }
+
+    /// By hand: 3·2 = 6 and 4·2 = 8 give 10 by SRSS; with 0.3 of it and 9 of the vertical motion 12, or √(9 + 81).
+    #[test]
+    fn stress_by_hand() {
+        let at = |scale| (Ordinate::at(1.0, 0.05, 2.0), scale);
+        let mut response = Response::hoop(at(3.0), at(-4.0), Combination::Srss);
+        assert!((response.value() - 10.0).abs() < 1e-12);
+        for (combination, expected) in [(Combination::Abs, 12.0), (Combination::Srss, 90.0_f64.sqrt())] {
+            response.vertical = Some(Vertical {
+                horizontal: 0.3,
+                value: 9.0,
+                combination,
+            });
+            assert!((response.value() - expected).abs() < 1e-12);
+        }
+        let moment = Ingredients::response(
+            Quantity::BaseMoment,
+            Response {
+                vertical: None,
+                ..response
+            },
+        );
+        let axial = moment
+            .scaled(Quantity::AxialMembraneStress, 0.25)
+            .and_then(|i| i.value());
+        assert!((axial.unwrap() - 2.5).abs() < 1e-12);
     }
 
     /// The order of exchange is that of the list.

@@ -6,6 +6,8 @@
 use crate::sheet::{Term, with_unit};
 use tank::Material;
 use tank::assessment::Profile;
+use tank::case::Combination;
+use tank::ingredients::Vertical;
 use tank::units::Dimension::{Dimensionless, Length, LineForce, Stress};
 
 use super::super::hoop::{HoopForces, hoop_forces};
@@ -45,6 +47,24 @@ impl Station {
     }
 }
 
+/// The parts of the largest seismic hoop stress.
+pub(super) struct Largest {
+    /// Impulsive stress per acceleration in g [Pa].
+    pub impulsive: f64,
+    /// Convective stress per acceleration in g [Pa].
+    pub convective: f64,
+    /// Stress of the vertical acceleration.
+    pub vertical: Option<Vertical>,
+}
+
+/// The station where a stress is largest, the lowest of equal ones.
+fn largest<'a>(stations: &'a [Station], f: &dyn Fn(&Station) -> f64) -> &'a Station {
+    let first = &stations[0];
+    stations
+        .iter()
+        .fold(first, |best, s| if f(s) > f(best) { s } else { best })
+}
+
 /// The stress that lines show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Part {
@@ -75,11 +95,7 @@ impl Run<'_> {
         let stations = self.stations(a);
         self.hoop_profiles(&stations);
         // Never empty: the heights hold the bottom and the surface.
-        let largest = |f: &dyn Fn(&Station) -> f64| {
-            stations
-                .iter()
-                .fold(stations[0], |best, s| if f(s) > f(&best) { *s } else { best })
-        };
+        let largest = |f: &dyn Fn(&Station) -> f64| *largest(&stations, f);
         let seismic = largest(&Station::dynamic);
         let allowable = self.allowable_hoop();
         let governing = match &allowable {
@@ -113,6 +129,23 @@ impl Run<'_> {
             Err(input) => self.missing(limit_states::HOOP, &input),
         }
         dynamic
+    }
+
+    /// What the largest seismic hoop stress is made of.
+    pub(super) fn largest_hoop(&self, a: &Accelerations) -> Largest {
+        let b = &self.basis;
+        let stations = self.stations(a);
+        let at = largest(&stations, &Station::dynamic);
+        let unit = hoop_forces(b.h - at.z, b.d, b.h, b.g, 1.0, 1.0, a.a_v);
+        Largest {
+            impulsive: unit.impulsive / at.t,
+            convective: unit.convective / at.t,
+            vertical: (a.a_v > 0.0).then(|| Vertical {
+                horizontal: 1.0,
+                value: unit.vertical / at.t,
+                combination: Combination::Srss,
+            }),
+        }
     }
 
     /// Hoop stress with the whole design pressure, over the whole wall.

@@ -3,14 +3,14 @@
 use tank::assessment::Excitation;
 use tank::case::Combination;
 use tank::factor::Factor;
-use tank::ingredients::{Ingredients, Ordinate, Recipe, Rule, Share};
+use tank::ingredients::{Ingredients, Ordinate, Recipe, Response, Rule, Share};
 use tank::quantity::Quantity;
 
 use super::Run;
 use super::accelerations::{Accelerations, K, Periods, R_WC, importance, response_modification};
 use super::forces::Forces;
 use crate::api650::ground_motion::{DesignSpectrum, impulsive_plateau};
-use crate::api650::ingredients::{Action, Liquid, ladders, resultant, wave};
+use crate::api650::ingredients::{Action, Liquid, axial, ladders, resultant, wave};
 
 impl Run<'_> {
     /// The ingredients of the quantities.
@@ -53,6 +53,18 @@ impl Run<'_> {
             };
             all.push(resultant(basis, &action, quantity, liquid, roof));
         }
+        all.extend(axial(basis, &all));
+        let largest = self.largest_hoop(a);
+        let hoop = Response::hoop(
+            (action.impulsive, largest.impulsive / g),
+            (action.convective, largest.convective / g),
+            Combination::Srss,
+        );
+        let hoop = Response {
+            vertical: largest.vertical,
+            ..hoop
+        };
+        all.push(Ingredients::response(Quantity::HoopStress, hoop));
         all.push(wave(of_wave, 0.42 * basis.d / g));
         all
     }

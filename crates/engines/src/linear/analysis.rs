@@ -37,7 +37,7 @@ impl LineExtremes {
     }
 
     /// Place of the largest absolute value on either side.
-    fn worst(&self) -> usize {
+    pub(crate) fn worst(&self) -> usize {
         (0..self.front.len()).fold(0, |w, i| if self.peak(i) > self.peak(w) { i } else { w })
     }
 }

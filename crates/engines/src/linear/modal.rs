@@ -4,11 +4,13 @@
 //! y_j / S_a = γ_j (a·φ_j − d·φ_j/ω_j²)        y = a·ẍ_total + d·x, ẍ_total = −ω_j² x in a mode without damping
 //! rest      = y of the rigid tank − Σ_j y_j/S_a
 //! ```
+//!
+//! Stresses follow the displacements: their rest is the sum over the modes that are not listed.
 
 use fem::linalg::dot;
 use results::Channel;
-use results::channel::Side;
-use results::modal::{Inertia, ModalPart, REST};
+use results::channel::{OnWall, Side};
+use results::modal::{Inertia, ModalPart, ModalStress, REST};
 
 use super::model::Model;
 use crate::coupled::Coupled;
@@ -19,7 +21,9 @@ use crate::probe::{ModeSelection, Probe};
 const SMALL: f64 = 1e-3;
 
 /// The modes of horizontal motion that matter, by ascending frequency, and the rest.
-pub(super) fn parts(model: &Model) -> Vec<ModalPart> {
+///
+/// * `hoop`: number of the place of the largest hoop stress on its line; `None` for a wall without hoop stress
+pub(super) fn parts(model: &Model, hoop: Option<usize>) -> Vec<ModalPart> {
     let horizontal = &model.horizontal;
     let coupled = &horizontal.coupled;
     let whole = inertia(coupled, |probe| {
@@ -28,7 +32,7 @@ pub(super) fn parts(model: &Model) -> Vec<ModalPart> {
     let all: Vec<ModalPart> = horizontal
         .modes
         .iter()
-        .map(|mode| part(model, coupled, mode))
+        .map(|mode| part(model, coupled, mode, hoop))
         // An overcritical mode is switched off.
         .filter(|part| part.damping < 1.0)
         .collect();
@@ -44,6 +48,11 @@ pub(super) fn parts(model: &Model) -> Vec<ModalPart> {
     };
     let mut listed: Vec<ModalPart> = all.into_iter().filter(matters).collect();
     let totals: Vec<Inertia> = listed.iter().map(|p| p.total).collect();
+    let every = horizontal.modes.iter().map(|mode| stress(coupled, mode, hoop?));
+    let own: Option<Vec<ModalStress>> = listed.iter().map(|p| p.stress).collect();
+    let stress = every
+        .collect::<Option<Vec<_>>>()
+        .and_then(|every| Some(sum(&every).without(&own?)));
     listed.push(ModalPart {
         kind: REST.into(),
         number: 1,
@@ -52,21 +61,40 @@ pub(super) fn parts(model: &Model) -> Vec<ModalPart> {
         wave: 0.0,
         total: whole.without(&totals),
         structure: None,
+        stress,
     });
     listed
 }
 
-fn part(model: &Model, coupled: &Coupled, mode: &CoupledMode) -> ModalPart {
-    let response = |probe: &Probe| {
-        let counts = match probe.modes {
-            ModeSelection::All => true,
-            ModeSelection::FirstSloshing(most) => mode.kind == Kind::Sloshing && mode.number <= most,
-        };
-        let acceleration = dot_or_zero(&probe.absolute_acceleration, &mode.vector);
-        let displacement = dot_or_zero(&probe.displacement, &mode.vector);
-        let value = mode.participation * (acceleration - displacement / (mode.omega * mode.omega));
-        if counts { value } else { 0.0 }
+fn sum(stresses: &[ModalStress]) -> ModalStress {
+    stresses.iter().fold(ModalStress::default(), |sum, s| ModalStress {
+        hoop: sum.hoop + s.hoop,
+        axial: sum.axial + s.axial,
+    })
+}
+
+/// Stresses of a mode; `None` if the model does not observe them.
+fn stress(coupled: &Coupled, mode: &CoupledMode, hoop: usize) -> Option<ModalStress> {
+    let of = |probe: &Probe| response(probe, mode);
+    Some(ModalStress {
+        hoop: coupled.line(OnWall::Hoop)?.probes.get(hoop).map(of)?,
+        axial: coupled.probe(Channel::Base(OnWall::Axial)).map(of)?,
+    })
+}
+
+/// The response of a mode per unit of its pseudo-acceleration.
+fn response(probe: &Probe, mode: &CoupledMode) -> f64 {
+    let counts = match probe.modes {
+        ModeSelection::All => true,
+        ModeSelection::FirstSloshing(most) => mode.kind == Kind::Sloshing && mode.number <= most,
     };
+    let acceleration = dot_or_zero(&probe.absolute_acceleration, &mode.vector);
+    let displacement = dot_or_zero(&probe.displacement, &mode.vector);
+    let value = mode.participation * (acceleration - displacement / (mode.omega * mode.omega));
+    if counts { value } else { 0.0 }
+}
+
+fn part(model: &Model, coupled: &Coupled, mode: &CoupledMode, hoop: Option<usize>) -> ModalPart {
     let structure = coupled.structure.as_ref().map(|rows| {
         rows.each_ref().map(|[shear, moment]| {
             let of = |row: &[f64]| mode.participation * dot(row, &mode.vector);
@@ -84,9 +112,10 @@ fn part(model: &Model, coupled: &Coupled, mode: &CoupledMode) -> ModalPart {
         damping: model.damper.ratio(mode.kind, mode.omega),
         wave: coupled
             .probe(Channel::Wave(Side::Front))
-            .map_or(0.0, |p| response(p).abs()),
-        total: inertia(coupled, response),
+            .map_or(0.0, |p| response(p, mode).abs()),
+        total: inertia(coupled, |probe| response(probe, mode)),
         structure,
+        stress: hoop.and_then(|place| stress(coupled, mode, place)),
     }
 }
 

@@ -17,10 +17,11 @@ use results::Method;
 use results::compare::Attribution;
 
 /// Quantities with a waterfall.
-const HEADLINES: [Quantity; 3] = [
+const HEADLINES: [Quantity; 4] = [
     Quantity::SloshingHeight,
     Quantity::BaseShear,
     Quantity::OverturningMoment,
+    Quantity::HoopStress,
 ];
 
 /// The factors of a quantity under one excitation.

@@ -84,20 +84,20 @@ impl Engine<'_> {
 
     /// Rungs of a response.
     fn response(&self, quantity: Quantity, target: &Response) -> Option<Vec<Rung>> {
-        let per_acceleration = |p: &ModalPart| match quantity {
-            Quantity::SloshingHeight => p.wave,
-            _ => of(quantity, &p.total),
-        };
-        let squares: f64 = self
-            .modal
-            .iter()
-            .map(|p| (per_acceleration(p) * (self.spectrum)(p.period, p.damping)).powi(2))
-            .sum();
+        let mut squares = 0.0;
+        for part in self.modal {
+            let response = match stress(quantity, part) {
+                Some(stress) => stress?,
+                None if quantity == Quantity::SloshingHeight => part.wave,
+                None => of(quantity, &part.total),
+            };
+            squares += (response * (self.spectrum)(part.period, part.damping)).powi(2);
+        }
         let mut state = self.two_modes(quantity, target)?;
         let mut rungs = vec![
             Rung {
                 factor: Factor::TimeHistory,
-                value: squares.sqrt(),
+                value: f64::sqrt(squares),
             },
             Rung {
                 factor: Factor::Modes,
@@ -122,9 +122,13 @@ impl Engine<'_> {
             Quantity::SloshingHeight => Share::new(sloshing.wave, 1.0),
             _ => share(quantity, &sloshing.total, 0.0),
         };
-        let convective = Part::liquid(self.ordinate(sloshing.period, sloshing.damping), rise);
+        let mut convective = Part::liquid(self.ordinate(sloshing.period, sloshing.damping), rise);
+        convective.scale = scale(quantity, sloshing)?;
         let impulsive = match (&target.impulsive, self.structural()) {
-            (Some(part), Some(mode)) => Some(self.impulsive(quantity, mode, part)),
+            (Some(part), Some(mode)) => Some(Part {
+                scale: scale(quantity, mode)?,
+                ..self.impulsive(quantity, mode, part)
+            }),
             (None, _) => None,
             (Some(_), None) => return None,
         };
@@ -132,6 +136,7 @@ impl Engine<'_> {
             impulsive,
             convective: Some(convective),
             combination: Combination::Srss,
+            vertical: None,
         })
     }
 
@@ -139,7 +144,7 @@ impl Engine<'_> {
     fn impulsive(&self, quantity: Quantity, mode: &ModalPart, target: &Part) -> Part {
         let ordinate = self.ordinate(mode.period, mode.damping);
         match (&mode.structure, mode.liquid()) {
-            (Some([wall, roof]), Some(liquid)) => Part {
+            (Some([wall, roof]), Some(liquid)) if quantity != Quantity::HoopStress => Part {
                 wall: share(quantity, wall, target.wall.arm),
                 roof: share(quantity, roof, target.roof.arm),
                 floor: Share::new(0.0, target.floor.arm),
@@ -162,6 +167,9 @@ impl Engine<'_> {
     fn exchange(&self, factor: Factor, state: &mut Response, target: &Response, split: bool) {
         if let (Some(own), Some(other)) = (&mut state.impulsive, &target.impulsive) {
             masses(factor, own, other, split);
+            if factor == Factor::ImpulsiveStress {
+                own.scale = other.scale;
+            }
             self.exchange_ordinate(factor, &mut own.ordinate, &other.ordinate, true);
         }
         if let (Some(own), Some(other)) = (&mut state.convective, &target.convective) {
@@ -172,12 +180,15 @@ impl Engine<'_> {
                     own.finite_angle = other.finite_angle;
                 }
                 Factor::LeverArm => own.liquid.arm = other.liquid.arm,
+                Factor::ConvectiveStress => own.scale = other.scale,
                 _ => {}
             }
             self.exchange_ordinate(factor, &mut own.ordinate, &other.ordinate, false);
         }
-        if factor == Factor::Combination {
-            state.combination = target.combination;
+        match factor {
+            Factor::Combination => state.combination = target.combination,
+            Factor::Vertical => state.vertical = target.vertical,
+            _ => {}
         }
     }
 
@@ -226,7 +237,7 @@ pub fn largest_structural(modal: &[ModalPart]) -> Option<&ModalPart> {
 /// The part of an inertia that a quantity is.
 fn of(quantity: Quantity, inertia: &Inertia) -> f64 {
     match quantity {
-        Quantity::BaseMoment => inertia.moment,
+        Quantity::BaseMoment | Quantity::AxialMembraneStress => inertia.moment,
         Quantity::OverturningMoment => inertia.overturning,
         _ => inertia.shear,
     }
@@ -237,9 +248,29 @@ fn share(quantity: Quantity, inertia: &Inertia, arm: f64) -> Share {
     let shear = inertia.shear;
     match quantity {
         Quantity::BaseShear => Share::new(shear, 1.0),
+        Quantity::HoopStress => Share::new(1.0, 1.0),
         _ if shear == 0.0 => Share::new(0.0, arm),
         _ => Share::new(shear, of(quantity, inertia) / shear),
     }
+}
+
+/// The stress that a quantity is, per acceleration [Pa·s²/m]: none for what is no stress, none within if the engine has none.
+fn stress(quantity: Quantity, part: &ModalPart) -> Option<Option<f64>> {
+    match quantity {
+        Quantity::HoopStress => Some(part.stress.map(|s| s.hoop)),
+        Quantity::AxialMembraneStress => Some(part.stress.map(|s| s.axial)),
+        _ => None,
+    }
+}
+
+/// Stress of a mode per acceleration (hoop) or per moment (axial), 1 for what is no stress; `None` if the engine has none.
+fn scale(quantity: Quantity, mode: &ModalPart) -> Option<f64> {
+    let scale = match (quantity, stress(quantity, mode)) {
+        (Quantity::AxialMembraneStress, Some(stress)) => stress? / mode.total.moment,
+        (_, Some(stress)) => stress?,
+        (_, None) => 1.0,
+    };
+    scale.is_finite().then_some(scale)
 }
 
 /// Replaces the masses or the arms of an impulsive part. An engine that does not separate its masses exchanges them together.

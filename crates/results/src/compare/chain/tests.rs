@@ -1,4 +1,6 @@
 use super::*;
+use crate::modal::ModalStress;
+use tank::ingredients::Vertical;
 
 /// S_a = 2 m/s² over T, halved by ξ above 1 %, 3 m/s² of ground.
 fn spectrum(period: f64, damping: f64) -> f64 {
@@ -27,6 +29,7 @@ fn modal(split: bool) -> Vec<ModalPart> {
         wave,
         total,
         structure,
+        stress: None,
     };
     let structure = split.then(|| [inertia(20.0, 2.0), Inertia::default()]);
     vec![
@@ -76,6 +79,7 @@ fn two_exchanges_by_hand() {
         }),
         convective: Some(Part::liquid(Ordinate::at(4.0, 0.005, 0.5), Share::new(50.0, 1.0))),
         combination: Combination::Abs,
+        vertical: None,
     };
     let found = attribute(true, Quantity::BaseShear, target, 250.0);
     let expected = [
@@ -112,6 +116,7 @@ fn everything_differs() -> Response {
             Share::new(60.0, 3.5),
         )),
         combination: Combination::Abs,
+        vertical: None,
     }
 }
 
@@ -142,6 +147,7 @@ fn a_wave_by_hand() {
             ..Part::liquid(Ordinate::at(5.0, 0.005, 0.4), Share::new(0.3, 1.0))
         }),
         combination: Combination::Abs,
+        vertical: None,
     };
     let found = attribute(true, Quantity::SloshingHeight, target, 0.08);
     // SRSS of one sloshing mode is that mode, 0.2·0.5 = 0.1 m; at 5 s 0.08 m; 0.3·0.4/(1 − 0.4) = 0.2 m.
@@ -189,4 +195,86 @@ fn no_factor_of_zero() {
         ingredients: &ingredients,
     };
     assert_eq!(engine(&modal).attribute(&made, 100.0), None);
+}
+
+/// The modes with hoop stresses of 4, 10 and 1 per acceleration, and axial stresses of a hundredth of the moments.
+fn stressed() -> Vec<ModalPart> {
+    let mut modal = modal(true);
+    for (part, hoop) in modal.iter_mut().zip([4.0, 10.0, 1.0]) {
+        let axial = 0.01 * part.total.moment;
+        part.stress = Some(ModalStress { hoop, axial });
+    }
+    modal
+}
+
+fn of_stress(modal: &[ModalPart], ingredients: &Ingredients, value: f64) -> Option<Attribution> {
+    let made = Made {
+        method: "x",
+        excitation: Excitation::Record,
+        ingredients,
+    };
+    engine(modal).attribute(&made, value)
+}
+
+/// By hand: a hoop stress of a procedure with 12 and 3 per acceleration, a rigid wall, and 9 of vertical motion.
+///
+/// ```text
+/// history 21        SRSS of 10·2, 4·0.5, 1·3: √413
+/// two modes         √(20² + 2²)
+/// stresses          √(24² + 2²), √(24² + 1.5²)
+/// rigid wall        √(36² + 1.5²)
+/// vertical          + 9
+/// ```
+#[test]
+fn a_hoop_stress_by_hand() {
+    let at = |period, damping, base, scale| (Ordinate::at(period, damping, base), scale);
+    let target = Response {
+        vertical: Some(Vertical {
+            horizontal: 1.0,
+            value: 9.0,
+            combination: Combination::Abs,
+        }),
+        ..Response::hoop(
+            (Ordinate::ground(3.0), 12.0),
+            at(4.0, 0.005, 0.5, 3.0),
+            Combination::Srss,
+        )
+    };
+    let ingredients = Ingredients::response(Quantity::HoopStress, target);
+    let found = of_stress(&stressed(), &ingredients, 21.0).unwrap();
+    let values = [413.0_f64, 404.0, 580.0, 578.25, 1298.25].map(f64::sqrt);
+    let expected = [
+        (Factor::TimeHistory, values[0] / 21.0),
+        (Factor::Modes, values[1] / values[0]),
+        (Factor::ImpulsiveStress, values[2] / values[1]),
+        (Factor::ConvectiveStress, values[3] / values[2]),
+        (Factor::RigidWall, values[4] / values[3]),
+        (Factor::Vertical, 1.0 + 9.0 / values[4]),
+    ];
+    let steps = list(&found);
+    assert_eq!(steps.len(), expected.len(), "{steps:?}");
+    for ((factor, value), (which, by_hand)) in steps.into_iter().zip(expected) {
+        assert_eq!(factor, which);
+        assert!((value - by_hand).abs() < 1e-12, "{which:?}: {value} {by_hand}");
+    }
+    // An engine without the stresses of its modes attributes none.
+    assert_eq!(of_stress(&modal(true), &ingredients, 21.0), None);
+}
+
+/// An engine whose axial stresses are its moments over one section modulus has the factors of the base moment; a procedure with
+/// half of that modulus doubles both parts, one after the other.
+#[test]
+fn an_axial_stress_has_the_factors_of_its_moment() {
+    let moment = Ingredients::response(Quantity::BaseMoment, everything_differs());
+    let of_moment = list(&of_stress(&stressed(), &moment, 500.0).unwrap());
+    let axial = |scale| moment.scaled(Quantity::AxialMembraneStress, scale).unwrap();
+    let same = list(&of_stress(&stressed(), &axial(0.01), 5.0).unwrap());
+    assert_eq!(same.len(), of_moment.len());
+    for (a, b) in same.iter().zip(&of_moment) {
+        assert!(a.0 == b.0 && (a.1 - b.1).abs() < 1e-12, "{a:?} {b:?}");
+    }
+    let twice = list(&of_stress(&stressed(), &axial(0.02), 5.0).unwrap());
+    let stress = |f: &&(Factor, f64)| matches!(f.0, Factor::ImpulsiveStress | Factor::ConvectiveStress);
+    let product: f64 = twice.iter().filter(stress).map(|f| f.1).product();
+    assert!((product - 2.0).abs() < 1e-12, "{product}");
 }
