@@ -18,7 +18,7 @@ use std::f64::consts::PI;
 
 use super::limit_states::BEARING;
 use super::work::Work;
-use crate::sheet::{Term, number};
+use crate::sheet::{Sheet, Term, number};
 use tank::Shape;
 use tank::assessment::CheckStatus;
 use tank::quantity::Quantity;
@@ -26,7 +26,7 @@ use tank::units::Dimension::*;
 
 const CLAUSE: &str = "EN 1998-5:2004 5.4.1.1";
 /// Path of the resistance.
-const RESISTANCE: &str = "site.ec8.bearing_capacity";
+pub(crate) const RESISTANCE: &str = "site.ec8.bearing_capacity";
 
 /// Eccentricity e/R and force N/(σ R²) of a segment in contact with the half angle 0 < α ≤ π.
 fn segment(alpha: f64) -> (f64, f64) {
@@ -69,6 +69,75 @@ fn factor(shape: Shape, eccentricity: f64) -> f64 {
     }
 }
 
+/// Largest pressure [Pa] under a rigid base without tension; infinite where the resultant leaves it.
+///
+/// * `normal`: force on the base [N]
+/// * `moment`: moment below the base plate, ≥ 0 [N·m]
+pub(crate) fn largest_pressure(shape: Shape, normal: f64, moment: f64) -> f64 {
+    match normal > 0.0 {
+        true => normal / shape.plan_area() * factor(shape, moment / normal / shape.half_length()),
+        false => f64::INFINITY,
+    }
+}
+
+/// What a base without tension makes of force and moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Bears {
+    /// Largest pressure [Pa].
+    Pressure(f64),
+    /// The resultant leaves the base.
+    Leaves {
+        /// Largest moment that a base without tension carries [N·m].
+        limit: f64,
+    },
+}
+
+/// Lines of eccentricity and pressure under a normal force N_b [N].
+///
+/// * second of `eccentricity`: the terms of its formula, N_b among them
+pub(crate) fn base_lines(
+    sheet: &mut Sheet,
+    shape: Shape,
+    normal: f64,
+    (formula, mut terms): (&str, Vec<Term>),
+) -> Bears {
+    let half = match shape {
+        Shape::Cylinder { radius } => ("R", radius, Length),
+        Shape::Rectangle { length, .. } => ("L", 0.5 * length, Length),
+    };
+    terms.push(half);
+    if let Shape::Rectangle { breadth, .. } = shape {
+        terms.push(("b", breadth, Length));
+    }
+    let eccentricity = match normal > 0.0 {
+        true => sheet.calc("e", "eccentricity", formula, &terms, Length, CLAUSE),
+        false => f64::INFINITY,
+    };
+    let ratio = eccentricity / half.1;
+    if !factor(shape, ratio).is_finite() {
+        // No pressure carries a resultant outside the base.
+        let limit = normal.max(0.0) * half.1;
+        return Bears::Leaves { limit };
+    }
+    terms.push(("e", eccentricity, Length));
+    let formula = match shape {
+        Shape::Cylinder { .. } if ratio <= 0.25 => "N_b/(π·R²)·(1 + 4·e/R)",
+        Shape::Cylinder { .. } => {
+            let (name, source) = (
+                "pressure σ R²/N of the segment in contact",
+                "plane pressure without tension, solved for e/R",
+            );
+            let value = circle(ratio);
+            sheet.look_up("κ_b", name, source, value, Dimensionless, "statics");
+            terms.push(("κ_b", value, Dimensionless));
+            "κ_b·N_b/R²"
+        }
+        Shape::Rectangle { .. } if ratio <= 1.0 / 3.0 => "N_b/(2·L·b)·(1 + 3·e/L)",
+        Shape::Rectangle { .. } => "2·N_b/(3·b·(L - e))",
+    };
+    Bears::Pressure(sheet.calc("σ_b,max", "largest pressure", formula, &terms, Stress, CLAUSE))
+}
+
 /// One combination of horizontal and vertical motion, vertical positive downwards.
 type Factors = (f64, f64);
 
@@ -83,17 +152,9 @@ pub(super) fn assess(work: &mut Work) {
         return;
     };
     let case = work.case;
-    let shape = case.tank.shape;
     let mass = work.mass + case.tank.wall_mass() + case.tank.roof.mass;
-    let (half, area) = (shape.half_length(), shape.plan_area());
     let force = |(_, v): Factors| mass * (case.gravity + v * work.demand.vertical_ground());
-    let pressure = |f: Factors| {
-        let normal = force(f);
-        match normal > 0.0 {
-            true => normal / area * factor(shape, f.0 * moment / normal / half),
-            false => f64::INFINITY,
-        }
-    };
+    let pressure = |f: Factors| largest_pressure(case.tank.shape, force(f), f.0 * moment);
     let combinations: &[Factors] = match work.demand.vertical {
         true => &[(1.0, 0.3), (1.0, -0.3), (0.3, 1.0), (0.3, -1.0)],
         false => &[(1.0, 0.0)],
@@ -119,14 +180,6 @@ fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance): (f64
         ("E_x", x, Dimensionless),
         ("E_z", v, Dimensionless),
     ];
-    let half = match shape {
-        Shape::Cylinder { radius } => ("R", radius, Length),
-        Shape::Rectangle { length, .. } => ("L", 0.5 * length, Length),
-    };
-    terms.push(half);
-    if let Shape::Rectangle { breadth, .. } = shape {
-        terms.push(("b", breadth, Length));
-    }
     let sheet = &mut work.sheet;
     sheet.section("Bearing of the ground");
     sheet.input("m_t", "mass of liquid, wall and roof", mass, Mass, "definition");
@@ -146,36 +199,14 @@ fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance): (f64
         ),
         false => "rigid base without tension".to_string(),
     };
-    let eccentricity = match normal > 0.0 {
-        true => sheet.calc("e", "eccentricity", "E_x·M′/N_b", &terms, Length, CLAUSE),
-        false => f64::INFINITY,
-    };
-    let ratio = eccentricity / half.1;
-    if !factor(shape, ratio).is_finite() {
-        // No pressure carries a resultant outside the base.
-        let note = format!("the resultant leaves the base; {note}");
-        let name = "Moment that a base without tension carries";
-        let limit = normal.max(0.0) * half.1;
-        return work.check(BEARING, name, x * moment, limit, Moment, CLAUSE, &note);
-    }
-    terms.push(("e", eccentricity, Length));
-    let formula = match shape {
-        Shape::Cylinder { .. } if ratio <= 0.25 => "N_b/(π·R²)·(1 + 4·e/R)",
-        Shape::Cylinder { .. } => {
-            let (name, source) = (
-                "pressure σ R²/N of the segment in contact",
-                "plane pressure without tension, solved for e/R",
-            );
-            let value = circle(ratio);
-            sheet.look_up("κ_b", name, source, value, Dimensionless, "statics");
-            terms.push(("κ_b", value, Dimensionless));
-            "κ_b·N_b/R²"
+    match base_lines(sheet, shape, normal, ("E_x·M′/N_b", terms)) {
+        Bears::Pressure(pressure) => work.check(BEARING, name, pressure, resistance, Stress, CLAUSE, &note),
+        Bears::Leaves { limit } => {
+            let note = format!("the resultant leaves the base; {note}");
+            let name = "Moment that a base without tension carries";
+            work.check(BEARING, name, x * moment, limit, Moment, CLAUSE, &note);
         }
-        Shape::Rectangle { .. } if ratio <= 1.0 / 3.0 => "N_b/(2·L·b)·(1 + 3·e/L)",
-        Shape::Rectangle { .. } => "2·N_b/(3·b·(L - e))",
-    };
-    let pressure = sheet.calc("σ_b,max", "largest pressure", formula, &terms, Stress, CLAUSE);
-    work.check(BEARING, name, pressure, resistance, Stress, CLAUSE, &note);
+    }
 }
 
 #[cfg(test)]

@@ -78,6 +78,8 @@ pub struct Demands {
     pub wave: Option<Peak>,
     /// Horizontal force on the foundation [N].
     pub base_shear: Option<Terms>,
+    /// Moment of the motion below the base plate, the pressure on the bottom included [N·m].
+    pub overturning_moment: Option<Terms>,
     /// Vertical acceleration of the ground, upwards [m/s²]; none without a vertical record.
     pub vertical: Option<Terms>,
     /// Largest relative error of a peak that lies between two of the times.

@@ -76,6 +76,8 @@ pub(crate) fn demands(
     let mut wanted = Wanted::default();
     let shear = model.horizontal.coupled.probe(Channel::BaseShear);
     let shear = shear.map(|probe| wanted.push(vec![(0, 1.0, probe)]));
+    let below = model.horizontal.coupled.probe(Channel::OverturningMoment);
+    let below = below.map(|probe| wanted.push(vec![(0, 1.0, probe)]));
     let vertical = model.vertical.is_some().then(|| wanted.push(vec![(1, 1.0, &upwards)]));
     let slots = places(case, model, &mut wanted);
     let Combined { states, terms } = combine(model, analysis, motion, (grid, stride), &wanted.observables)?;
@@ -103,6 +105,7 @@ pub(crate) fn demands(
         places: slots.iter().map(place).collect(),
         wave: wave(analysis),
         base_shear: shear.map(take),
+        overturning_moment: below.map(take),
         vertical: vertical.map(take),
         sampling: sampling(model, grid.h() * stride as f64, stride),
         states,

@@ -32,6 +32,8 @@ struct Run {
     hoop: Vec<[f64; 2]>,
     axial: Vec<[f64; 2]>,
     shear: (Vec<f64>, f64),
+    /// Moment below the base plate.
+    below: (Vec<f64>, f64),
 }
 
 fn run(vertical: bool) -> Run {
@@ -43,13 +45,17 @@ fn run(vertical: bool) -> Run {
         let sides = line.front.iter().zip(&line.back);
         sides.map(|(f, b)| [f.peak().0, b.peak().0]).collect()
     };
-    let shear = analysis.scalars.iter().find(|(s, _)| s.channel == Channel::BaseShear);
-    let shear = &shear.unwrap().1;
+    let series = |channel: Channel| {
+        let found = analysis.scalars.iter().find(|(s, _)| s.channel == channel);
+        let history = &found.unwrap().1;
+        (history.values.clone(), history.extreme.peak().0)
+    };
     Run {
         demands: demands(&case, &model, &analysis, &motion).unwrap(),
         hoop: line(OnWall::Hoop),
         axial: line(OnWall::Axial),
-        shear: (shear.values.clone(), shear.extreme.peak().0),
+        shear: series(Channel::BaseShear),
+        below: series(Channel::OverturningMoment),
     }
 }
 
@@ -91,18 +97,22 @@ fn peaks_are_those_of_the_response() {
     }
 }
 
-/// The history at the samples of the record, to rounding: both are the same superposition.
+/// The histories at the samples of the record, to rounding: both are the same superposition.
 #[test]
-fn base_shear_is_that_of_the_series() {
+fn base_reactions_are_those_of_the_series() {
     let run = run(true);
-    let own = run.demands.history(run.demands.base_shear.as_ref().unwrap());
-    let (values, peak) = run.shear;
     let times = &run.demands.times;
-    for (k, value) in values.iter().enumerate() {
-        let t = 0.01 * k as f64;
-        let i = times.partition_point(|x| *x < t - 1e-9);
-        assert!((times[i] - t).abs() < 1e-9);
-        assert!((own[i] - value).abs() < 1e-9 * peak, "{t}: {} {value}", own[i]);
+    for (terms, (values, peak)) in [
+        (&run.demands.base_shear, &run.shear),
+        (&run.demands.overturning_moment, &run.below),
+    ] {
+        let own = run.demands.history(terms.as_ref().unwrap());
+        for (k, value) in values.iter().enumerate() {
+            let t = 0.01 * k as f64;
+            let i = times.partition_point(|x| *x < t - 1e-9);
+            assert!((times[i] - t).abs() < 1e-9);
+            assert!((own[i] - value).abs() < 1e-9 * peak, "{t}: {} {value}", own[i]);
+        }
     }
 }
 

@@ -81,6 +81,8 @@ pub(super) fn demands(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> D
         places,
         wave: (samples > 0).then_some(if front.value >= back.value { front } else { back }),
         base_shear: Some(base_shear),
+        // The pressure on the bottom is not recorded.
+        overturning_moment: None,
         vertical,
         sampling: 1.0 - (0.5 * tank.wall_omega * step).min(0.5 * PI).cos(),
     }

@@ -296,7 +296,7 @@ impl Report<'_> {
     }
 }
 
-/// Wave and base shear; the resistance of plane walls is not implemented.
+/// Wave and base reactions; the resistance of plane walls is not implemented.
 fn demands(lines: &[Line]) -> Demands {
     let rise = |(side, theta): (Side, f64)| {
         let line = lines.iter().find(|l| l.channel == Channel::Wave(side))?;
@@ -304,11 +304,14 @@ fn demands(lines: &[Line]) -> Demands {
         Some(Peak { value, time, theta })
     };
     let rises = Side::BOTH.into_iter().zip([0.0, std::f64::consts::PI]).filter_map(rise);
-    let shear = lines.iter().find(|l| l.channel == Channel::BaseShear);
+    let of = |channel| lines.iter().find(|l| l.channel == channel);
+    let shear = of(Channel::BaseShear);
+    let below = of(Channel::OverturningMoment).filter(|below| shear.is_some_and(|shear| shear.times == below.times));
     Demands {
         times: shear.map(|l| l.times.clone()).unwrap_or_default(),
-        states: shear.map(|l| l.values.clone()).into_iter().collect(),
+        states: shear.into_iter().chain(below).map(|l| l.values.clone()).collect(),
         base_shear: shear.map(|_| vec![(0, 1.0)]),
+        overturning_moment: below.map(|_| vec![(1, 1.0)]),
         wave: rises.reduce(|a, b| if b.value > a.value { b } else { a }),
         ..Demands::default()
     }
