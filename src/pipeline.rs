@@ -81,9 +81,8 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     let mut outside = Vec::new();
     for (number, simulation) in simulations.into_iter().enumerate() {
         let findings = runs::findings(job, &simulation);
-        if findings.outside.is_some() {
-            outside.push(simulation.result.engine.column(number));
-        }
+        let column = simulation.result.engine.column(number);
+        outside.extend(findings.outside.map(|why| (column, why)));
         methods.push(runs::method(job, number, &simulation, findings));
         match number {
             0 => series = simulation.series,
@@ -102,8 +101,8 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     for (number, run) in runs.iter().enumerate() {
         comparison.mark_unusable(&methods, run.engine.column(number), &run.mesh_error);
     }
-    for method in outside {
-        comparison.mark_outside(&methods, method);
+    for (method, why) in outside {
+        comparison.mark_outside(&methods, method, why);
     }
     let cause = runs::incomplete(missing, &runs);
     let unfinished = cause.is_some() || runs.iter().any(|run| run.incomplete);

@@ -12,13 +12,16 @@
 //! | compression | −σ_z | EN 1998-4 A.10.2 and A.10.3, API 650 E.6.2.2.3 |
 //! | anchors | pull × spacing | given capacity |
 //! | sliding | base shear | μ M (g + a_v) |
+//! | bearing | pressure of M′ and M (g + a_v) under a rigid base | given resistance |
 //!
-//! The wall does not lift in an engine that clamps it. Where it pulls and the tank is unanchored, every demand but the wave is outside
-//! the model: nothing may hold there ([`Findings::outside`]).
+//! The wall does not lift in an engine that clamps it, and the walls of a box are cantilevers. Where an unanchored wall pulls, or a box is
+//! too narrow for that ([`tank::PLANE_WALLS`]), every demand but the wave is outside the model: nothing may hold there
+//! ([`Findings::outside`]).
 //!
 //! Formulas of the capacities are those of [`crate::ec8`] and [`crate::api650`]. `docs/theory/limit-states-of-runs.md` has the details.
 
 mod base;
+mod bearing;
 mod limit_states;
 mod search;
 mod surface;
@@ -33,12 +36,14 @@ use tank::Support;
 use tank::assessment::{Check, CheckStatus, Requirement, Step};
 use tank::case::Case;
 use tank::demand::{Angles, Demands};
+use tank::outside::Outside;
+use tank::units::{Dimension, display};
 
 use crate::sheet::Sheet;
-use limit_states::{API, FREEBOARD, OTHER_WALL, ROOF};
+use limit_states::{API, FREEBOARD, OTHER_WALL, PLATES, ROOF};
 use work::Work;
 
-pub use limit_states::{Codes, OUTSIDE, limit_states};
+pub use limit_states::{Codes, limit_states};
 
 /// What the demands of a run amount to.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -49,8 +54,8 @@ pub struct Findings {
     pub steps: Vec<Step>,
     /// Remarks, one sentence each.
     pub notes: Vec<String>,
-    /// Why the run is outside its model: a wall that pulls without anchors.
-    pub outside: Option<String>,
+    /// Why the run is outside its model.
+    pub outside: Option<Outside>,
 }
 
 /// The demands of a run against the capacities of codes.
@@ -60,16 +65,18 @@ pub fn assess(case: &Case, codes: Codes, demands: &Demands, errors: &BTreeMap<St
     let states = limit_states(case, codes);
     let mut work = Work::new((case, codes), demands, errors, &states);
     surface::assess(&mut work);
-    let mut outside = None;
+    let mut pulls = None;
     if let Some(radius) = base::radius(case).filter(|_| !demands.places.is_empty()) {
         if case.tank.is_metal() {
             wall::assess(&mut work, radius);
         }
-        outside = base::tension(&mut work, radius);
+        pulls = base::tension(&mut work, radius);
     }
     base::sliding(&mut work);
-    if let Some(pulls) = &outside {
-        leave(&mut work, pulls);
+    bearing::assess(&mut work);
+    let outside = outside(&mut work, pulls);
+    if let Some((why, reason)) = &outside {
+        leave(&mut work, *why, reason);
     }
     notes(&mut work);
     for state in &states {
@@ -87,7 +94,7 @@ pub fn assess(case: &Case, codes: Codes, demands: &Demands, errors: &BTreeMap<St
         steps: steps(sheet),
         checks,
         notes,
-        outside,
+        outside: outside.map(|(why, _)| why),
     }
 }
 
@@ -96,25 +103,48 @@ fn steps(sheet: Sheet) -> Vec<Step> {
     sheet.into_steps().unwrap_or_default()
 }
 
-/// Nothing that depends on the clamped base may hold.
-fn leave(work: &mut Work<'_>, pulls: &str) {
+/// Why the run is outside its model, with the reason of the checks that cannot hold.
+///
+/// * `pulls`: where an unanchored wall pulls, in words
+fn outside(work: &mut Work<'_>, pulls: Option<String>) -> Option<(Outside, String)> {
+    if let Some(pulls) = pulls {
+        let reason = format!(
+            "{pulls} and the tank is unanchored: the wall lifts off, which the engine does not model; its forces and stresses are \
+             outside the model"
+        );
+        return Some((Outside::Uplift, reason));
+    }
+    let tank = &work.case.tank;
+    let ratio = tank.breadth_to_height()?;
+    let (breadth, limit) = (format!("{ratio:.2} heights of the wall broad"), tank::PLANE_WALLS);
+    if !tank.bends_as_plates() {
+        let reason = format!("the box is {breadth}, at least {limit:.0}: its walls across the shaking are cantilevers");
+        work.without(PLATES, CheckStatus::NotApplicable, &reason, None);
+        return None;
+    }
+    let height = display(tank.wall_height(), Dimension::Length);
     let reason = format!(
-        "{pulls} and the tank is unanchored: the wall lifts off, which the engine does not model; its forces and stresses are \
-         outside the model"
+        "the box is {breadth} ({height}), less than {limit:.0}: its walls bend as plates held at the base and both sides, and the engine \
+         computes cantilevers; its impulsive period, forces and stresses are outside the model"
     );
+    Some((Outside::Plates, reason))
+}
+
+/// Nothing that depends on what the engine leaves out may hold.
+fn leave(work: &mut Work<'_>, why: Outside, reason: &str) {
     let depends = |check: &&mut Check| ![FREEBOARD, ROOF, OTHER_WALL].contains(&check.limit_state.as_str());
     for check in work.checks.iter_mut().filter(depends) {
         match check.status {
             CheckStatus::Holds => {
                 check.status = CheckStatus::NotChecked;
                 check.within_error = false;
-                check.reason.clone_from(&reason);
+                reason.clone_into(&mut check.reason);
             }
             CheckStatus::Fails => check.note = format!("outside the model: {}", check.note),
             _ => {}
         }
     }
-    work.without(OUTSIDE, CheckStatus::NotChecked, &reason, None);
+    work.without(why.limit_state(), CheckStatus::NotChecked, reason, None);
     // Before all that follows from it.
     work.checks.rotate_right(1);
 }

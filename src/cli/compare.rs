@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use fem::progress::Progress;
-use tank::assessment::Excitation;
+use tank::assessment::{Check, CheckStatus, Excitation};
+use tank::outside::Outside;
 use tank::units;
 
 use crate::cli::budget::{self, MemoryArg};
@@ -357,13 +358,19 @@ fn table(results: &Results, excitation: Excitation) -> String {
         let of = |row: &ComparisonRow| columns.iter().any(|&i| row.cells[i].as_ref().is_some_and(mark));
         results.comparison.rows.iter().any(of)
     };
-    for (mark, legend) in [
-        ((|c| c.unusable) as fn(&results::Cell) -> bool, terminal::unusable()),
-        (|c| c.outside, terminal::outside()),
-    ] {
-        if marked(mark) {
-            let _ = writeln!(text, "{legend}");
-        }
+    if marked(|c| c.unusable) {
+        let _ = writeln!(text, "{}", terminal::unusable());
+    }
+    let open = |why: &Outside| {
+        let of = |i: &usize| results.methods[*i].checks.iter();
+        let is = |c: &Check| c.status == CheckStatus::NotChecked && c.limit_state == why.limit_state();
+        columns.iter().flat_map(of).any(is)
+    };
+    for why in Outside::ALL
+        .into_iter()
+        .filter(|why| marked(|c| c.outside) && open(why))
+    {
+        let _ = writeln!(text, "{}", terminal::outside(why));
     }
     if let Some(later) = later {
         let _ = writeln!(text, "{}", terminal::later(&later.peaks, later.end, later.completed));

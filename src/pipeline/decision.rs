@@ -4,6 +4,7 @@ use codes::{Procedure, time_history};
 use results::{Deciding, Method, Status};
 use tank::assessment::{Check, CheckStatus, Excitation, LimitState, Requirement};
 use tank::check;
+use tank::outside::Outside;
 
 use crate::job::Job;
 
@@ -135,7 +136,8 @@ pub(super) fn left_out(procedure: &dyn Procedure, job: &Job) -> Option<Method> {
 /// The same checks, those marked that the user accepts; worst first, so that an accepted gap does not stand before an open one. A run
 /// outside its model cannot be accepted.
 fn accept(id: &str, job: &Job, mut checks: Vec<Check>) -> Vec<Check> {
-    let open = |c: &&mut Check| c.status == CheckStatus::NotChecked && c.limit_state != time_history::OUTSIDE;
+    let outside = |c: &Check| Outside::ALL.iter().any(|why| why.limit_state() == c.limit_state);
+    let open = |c: &&mut Check| c.status == CheckStatus::NotChecked && !outside(c);
     for check in checks.iter_mut().filter(open) {
         let accepted = &job.decision.accepted;
         if let Some(gap) = accepted.iter().find(|a| a.means(id, &check.limit_state)) {
@@ -157,9 +159,14 @@ pub(super) fn unused(job: &Job, methods: &[Method]) -> Vec<String> {
     let unused = job.decision.accepted.iter().filter(|gap| !used(gap));
     unused
         .map(|gap| {
-            if gap.check.ends_with(time_history::OUTSIDE) {
+            let why = Outside::ALL.iter().find(|why| gap.check.ends_with(why.limit_state()));
+            if let Some(why) = why {
+                let run = match why {
+                    Outside::Uplift => "a run whose clamped wall pulls",
+                    Outside::Plates => "a run whose cantilevers stand for plates",
+                };
                 return format!(
-                    "accepted: `{}` cannot be accepted: a run whose clamped wall pulls is outside its model",
+                    "accepted: `{}` cannot be accepted: {run} is outside its model",
                     gap.check
                 );
             }

@@ -10,9 +10,11 @@
 mod api_rest;
 mod concrete;
 mod engine;
+mod engine_bearing;
 mod failing;
 mod gaps;
 mod matrix;
+mod plates;
 mod sound;
 mod spectra;
 mod unanchored;

@@ -8,7 +8,7 @@ use tank::quantity::Quantity;
 use tank::units::Dimension::{Acceleration, Dimensionless, Force, LineForce, Mass};
 use tank::{Shape, Support};
 
-use super::limit_states::{ANCHORS, API, Codes, OUTSIDE, SLIDING};
+use super::limit_states::{ANCHORS, API, Codes, SLIDING, UPLIFT};
 use super::search::{Found, Histories};
 use super::work::Work;
 use crate::sheet::with_unit;
@@ -36,7 +36,7 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
             true => Some(pulls),
             false => {
                 let reason = "the wall does not pull at its base: it stays in contact";
-                work.without(OUTSIDE, CheckStatus::NotApplicable, reason, None);
+                work.without(UPLIFT, CheckStatus::NotApplicable, reason, None);
                 None
             }
         };

@@ -32,7 +32,11 @@ pub(super) const API_COMPRESSION: &str = "shell_compression";
 /// Tension of the anchors.
 pub(super) const ANCHORS: &str = "anchorage";
 /// Tension at the base of a wall without anchors.
-pub const OUTSIDE: &str = "uplift_tension";
+pub(super) const UPLIFT: &str = "uplift_tension";
+/// Walls of a box that bend as plates.
+pub(super) const PLATES: &str = "plane_walls";
+/// Bearing of the ground.
+pub(super) const BEARING: &str = "bearing";
 /// Sliding.
 pub(super) const SLIDING: &str = "sliding";
 /// Walls that are not metal shells.
@@ -167,6 +171,14 @@ impl List<'_> {
         );
     }
 
+    /// Only of boxes: no other tank has walls that a strip may not stand for.
+    fn plates(&mut self) {
+        if self.case.tank.breadth_to_height().is_some() {
+            let name = "Walls of the box as cantilevers";
+            self.add(PLATES, name, "theory of plates".into(), Required);
+        }
+    }
+
     fn base(&mut self) {
         let cylinder = match self.cylinder() {
             true => Required,
@@ -179,7 +191,7 @@ impl List<'_> {
         let clause = self.both(main("4.5.1.3"), "E.6.2.1.2");
         self.add(ANCHORS, "Tension of the anchors", clause, pulls);
         let clause = self.both(annex("9"), "E.6.2.1.1");
-        self.add(OUTSIDE, "Uplift of the unanchored wall", clause, lifts);
+        self.add(UPLIFT, "Uplift of the unanchored wall", clause, lifts);
         let clause = self.both("EN 1998-5:2004 5.4.1.1".into(), "E.7.6");
         self.add(SLIDING, "Sliding on the foundation", clause, Required);
     }
@@ -188,7 +200,7 @@ impl List<'_> {
     fn others(&mut self) {
         if self.codes.ec8 {
             let ground = "EN 1998-5:2004 5.4.1.1".to_owned();
-            self.add("bearing", "Bearing of the ground", ground, NotImplemented);
+            self.add(BEARING, "Bearing of the ground", ground, Required);
             let name = "Differential displacement of pipes";
             self.add("pipes", name, main("4.5.2.3"), NotImplemented);
             let reason = "the record is one ground motion; the damage limitation state has a seismic action of its own";
@@ -213,6 +225,7 @@ pub fn limit_states(case: &Case, codes: Codes) -> Vec<LimitState> {
     };
     list.surface();
     list.wall();
+    list.plates();
     list.base();
     list.others();
     list.states

@@ -9,8 +9,11 @@ use tank::case::Case;
 use tank::demand::{Demands, OnWall, Peak, Place};
 use tank::{Anchors, Shape, Support};
 
+use super::limit_states::UPLIFT;
 use super::*;
 use crate::samples::{case, course, steel};
+
+mod plates;
 
 const FY: f64 = 235e6;
 const R: f64 = 10.0;
@@ -268,7 +271,7 @@ fn anchors_carry_the_pull_of_their_spacing() {
     case.tank.support = Support::Unanchored;
     let lifted = assessed(&case, &given(-3.0).demands(0.0, 0));
     assert!(lifted.outside.is_some());
-    assert_eq!(found(&lifted, OUTSIDE).status, CheckStatus::NotChecked);
+    assert_eq!(found(&lifted, UPLIFT).status, CheckStatus::NotChecked);
     let holds: Vec<&str> = lifted
         .checks
         .iter()
@@ -278,7 +281,7 @@ fn anchors_carry_the_pull_of_their_spacing() {
     assert_eq!(holds, ["freeboard"]);
     let rests = assessed(&case, &given(1.9).demands(0.0, 0));
     assert_eq!(
-        (&rests.outside, found(&rests, OUTSIDE).status),
+        (&rests.outside, found(&rests, UPLIFT).status),
         (&None, CheckStatus::NotApplicable)
     );
 }

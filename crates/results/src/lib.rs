@@ -382,7 +382,7 @@ pub struct Cell {
     /// True if the estimated mesh error of the value is above [`MESH_ERROR_LIMIT`]: the number is not to be used.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub unusable: bool,
-    /// True if the value is outside the model of its engine: a clamped base that pulls stands for an unanchored tank.
+    /// True if the value is outside the model of its engine; the check of [`tank::outside::Outside`] that is open says why.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub outside: bool,
 }

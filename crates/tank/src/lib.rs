@@ -11,6 +11,7 @@
 //! | [`refusal`] | rejected input and its place |
 //! | [`quantity`] | comparable quantities of procedures and engines |
 //! | [`check`] | limit states, and how each ends |
+//! | [`outside`] | why numbers of an engine are outside its model |
 //! | [`demand`] | histories of stresses and forces that limit states compare with capacities |
 //! | [`assessment`] | result of a procedure |
 //! | [`ingredients`], [`factor`] | what a quantity is made of, and the order in which that is exchanged |
@@ -27,6 +28,7 @@ pub mod formula;
 pub mod hazard;
 pub mod ingredients;
 pub mod options;
+pub mod outside;
 pub mod quantity;
 pub mod reference;
 pub mod refusal;

@@ -3,10 +3,12 @@
 mod behaviour;
 mod layers;
 mod parts;
+mod plane;
 
 pub use behaviour::{Bar, Behaviour, Concrete, ConcreteLaw, Interlayer, Softening, Steel};
 pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
 pub use parts::{Pipes, RoofKind};
+pub use plane::PLANE_WALLS;
 
 use serde::{Deserialize, Serialize};
 

@@ -14,7 +14,7 @@ fn decides() -> Value {
     json!({ "procedures": { "decide": ["fe"] } })
 }
 
-fn tank(
+pub(super) fn tank(
     name: &'static str,
     why: &'static str,
     (status, first): (VerdictStatus, &'static str),
@@ -26,7 +26,10 @@ fn tank(
 
 /// Tanks that must not hold.
 pub(super) fn failing() -> Vec<Tank> {
-    [walls(), base(), gaps()].into_iter().flatten().collect()
+    [walls(), base(), gaps(), plates::failing(), engine_bearing::failing()]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 fn walls() -> Vec<Tank> {
@@ -140,7 +143,7 @@ fn gaps() -> Vec<Tank> {
             "engine-box",
             "the strength of a box is not implemented",
             (Incomplete, "wall_strength"),
-            vec![only_ec8(), concrete_box(), accept(&["anchorage"])],
+            vec![only_ec8(), plates::broad(), accept(&["anchorage"])],
         ),
         tank(
             "engine-roof-impact",
@@ -154,7 +157,7 @@ fn gaps() -> Vec<Tank> {
 
 /// Tanks that hold.
 pub(super) fn sound() -> Vec<Tank> {
-    vec![
+    let mut all = vec![
         tank("engine-sound", "the base tank", (Holds, ANY), vec![]),
         tank(
             "engine-sound-ec8",
@@ -177,7 +180,10 @@ pub(super) fn sound() -> Vec<Tank> {
             vec![only_ec8(), json!({ "site": { "ec8": { "friction": 0.4 } } })],
         )
         .open(&["sliding"]),
-    ]
+    ];
+    all.extend(plates::sound());
+    all.extend(engine_bearing::sound());
+    all
 }
 
 /// The checks of a column.

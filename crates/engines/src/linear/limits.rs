@@ -2,7 +2,7 @@
 
 use tank::Case;
 use tank::units::{Dimension, display};
-use tank::{Shape, Support};
+use tank::{PLANE_WALLS, Shape, Support};
 
 use super::analysis::Analysis;
 use super::model::{Harmonic, Model};
@@ -29,6 +29,7 @@ pub(crate) fn limits(case: &Case, model: &Model, analysis: &Analysis, record_ste
     }
     found.extend(suction(case, model, analysis));
     found.extend(uplift(case, model, analysis));
+    found.extend(breadth(case));
     let structural = |h: &Harmonic| h.first(Kind::Structural).map(|m| m.omega);
     let fastest = model.systems().filter_map(structural).fold(0.0, f64::max);
     found.push(compressibility(case, fastest / std::f64::consts::TAU));
@@ -70,6 +71,26 @@ pub(crate) fn waves(case: &Case, wave: f64) -> [Limit; 2] {
             "The liquid overtops the wall or strikes the roof; neither is modelled.",
         ),
     ]
+}
+
+/// Breadth of a box against that from which its walls are cantilevers.
+fn breadth(case: &Case) -> Option<Limit> {
+    let ratio = case.tank.breadth_to_height()?;
+    let holds = !case.tank.bends_as_plates();
+    Some(Limit {
+        id: "breadth_against_height".into(),
+        name: format!("Breadth over the height of the wall against {PLANE_WALLS:.0}"),
+        value: ratio,
+        limit: PLANE_WALLS,
+        dimension: Dimension::Dimensionless,
+        holds,
+        note: match holds {
+            true => String::new(),
+            false => "The walls across the shaking bend as plates held at the base and both sides; the engine computes \
+                      cantilevers: impulsive period and mass, forces and stresses are outside the model, the wave is not."
+                .into(),
+        },
+    })
 }
 
 /// Total pressure below the trough: above it the wall is simply dry when the surface sinks.
@@ -195,5 +216,29 @@ pub(crate) fn record(omega: f64, record_step: f64) -> Limit {
              damp that part further: the impulsive response is as good as the record there."
                 .into()
         },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::harmonic::test_tanks;
+
+    /// 5 m of breadth and 100 m of breadth over walls 4 m high; a strip and a cylinder have no breadth.
+    #[test]
+    fn a_narrow_box_exceeds_its_limit() {
+        let found = |shape: Shape| {
+            let case = test_tanks::case(shape, &[(4.0, 0.3)], (30e9, 0.2, 2500.0), (1000.0, 3.0));
+            breadth(&case).map(|limit| (limit.holds, limit.value, limit.note.is_empty()))
+        };
+        let of = |breadth: f64, strip: bool| Shape::Rectangle {
+            length: 5.0,
+            breadth,
+            strip,
+        };
+        assert_eq!(found(of(5.0, false)), Some((false, 1.25, false)));
+        assert_eq!(found(of(100.0, false)), Some((true, 25.0, true)));
+        assert_eq!(found(of(1.0, true)), None);
+        assert_eq!(found(Shape::Cylinder { radius: 5.0 }), None);
     }
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use tank::assessment::{Check, Excitation};
+use tank::outside::Outside;
 use tank::units::{self, Dimension};
 
 use crate::number::significant;
@@ -40,8 +41,12 @@ pub fn unusable() -> String {
 }
 
 /// Legend of [`OUTSIDE`].
-pub fn outside() -> String {
-    format!("{OUTSIDE} outside the model: the wall pulls and the tank is unanchored, the engine clamps it")
+pub fn outside(why: Outside) -> String {
+    let why = match why {
+        Outside::Uplift => "the wall pulls and the tank is unanchored, the engine clamps it",
+        Outside::Plates => "the walls of the box bend as plates held at three sides, the engine has cantilevers",
+    };
+    format!("{OUTSIDE} outside the model: {why}")
 }
 
 /// Measured values that are not compared, a line for each reason.

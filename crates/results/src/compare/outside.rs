@@ -1,12 +1,13 @@
-//! Values outside the model of their engine: a wall that it clamps pulls, and the tank has no anchors.
+//! Values outside the model of their engine: it clamps a wall that pulls, or has cantilevers for the plates of a box.
 
 use tank::Quantity;
+use tank::outside::Outside;
 
 use crate::{Comparison, Method};
 
-/// Whether a quantity depends on how the wall is held. Periods and masses are those of the tank at rest, and the wave hardly depends on
-/// the base.
-fn depends(quantity: &str) -> bool {
+/// Whether a quantity depends on what the engine leaves out. An unanchored wall that pulls changes forces and stresses: periods and masses
+/// are those of the tank at rest. Plates have another impulsive period and mass as well. The wave hardly depends on the wall.
+fn depends(quantity: &str, why: Outside) -> bool {
     let held = [
         Quantity::BaseShear,
         Quantity::BaseMoment,
@@ -15,18 +16,20 @@ fn depends(quantity: &str) -> bool {
         Quantity::AxialMembraneStress,
         Quantity::BendingStress,
     ];
-    held.iter().any(|q| q.id() == quantity)
+    let impulsive = [Quantity::ImpulsivePeriod, Quantity::ImpulsiveMass];
+    let of_plates = impulsive.iter().filter(|_| why == Outside::Plates);
+    held.iter().chain(of_plates).any(|q| q.id() == quantity)
 }
 
 impl Comparison {
-    /// Marks the values of a method that depend on the base of the wall as outside its model.
+    /// Marks the values of a method that are outside its model.
     ///
     /// * `method`: id of the method
-    pub fn mark_outside(&mut self, methods: &[Method], method: &str) {
+    pub fn mark_outside(&mut self, methods: &[Method], method: &str, why: Outside) {
         let Some(column) = methods.iter().position(|m| m.id == method) else {
             return;
         };
-        for row in self.rows.iter_mut().filter(|row| depends(&row.quantity)) {
+        for row in self.rows.iter_mut().filter(|row| depends(&row.quantity, why)) {
             if let Some(Some(cell)) = row.cells.get_mut(column) {
                 cell.outside = true;
             }
@@ -50,20 +53,24 @@ mod tests {
             serde_json::from_value(row).unwrap()
         };
         let mut comparison = Comparison {
-            rows: vec![row("base_shear"), row("sloshing_height")],
+            rows: vec![row("base_shear"), row("sloshing_height"), row("impulsive_period")],
             ..Comparison::default()
         };
-        comparison.mark_outside(&methods, "fe");
-        let marked = |i: usize| {
+        comparison.mark_outside(&methods, "fe", Outside::Uplift);
+        let marked = |comparison: &Comparison, i: usize| {
             comparison.rows[i]
                 .cells
                 .iter()
                 .map(|c| c.unwrap().outside)
                 .collect::<Vec<_>>()
         };
-        assert_eq!(marked(0), [false, true]);
-        assert_eq!(marked(1), [false, false]);
+        assert_eq!(marked(&comparison, 0), [false, true]);
+        assert_eq!(marked(&comparison, 1), [false, false]);
+        assert_eq!(marked(&comparison, 2), [false, false]);
         let old = json!({ "value": 1.0, "ratio": 1.0 });
         assert_eq!(serde_json::to_value(comparison.rows[1].cells[0]).unwrap(), old);
+        comparison.mark_outside(&methods, "fe", Outside::Plates);
+        assert_eq!(marked(&comparison, 1), [false, false]);
+        assert_eq!(marked(&comparison, 2), [false, true]);
     }
 }

@@ -1,0 +1,128 @@
+//! Bearing of the ground under the record: the pressure below the base of every instant against a given resistance.
+//!
+//! ```text
+//! N(t) = M (g + a_v(t))        e(t) = |M′(t)|/N(t)        σ of a rigid base without tension, as in [`crate::ec8::bearing`]
+//! ```
+//!
+//! M is the mass of liquid, wall and roof, a_v the acceleration of the ground upwards, M′ the moment below the base plate.
+
+use std::f64::consts::PI;
+
+use tank::assessment::{Check, CheckStatus};
+use tank::quantity::Quantity;
+use tank::units::Dimension::{Acceleration, Force, Mass, Moment, Stress, Time};
+
+use super::limit_states::BEARING;
+use super::search::Found;
+use super::work::Work;
+use crate::ec8::bearing::{Bears, RESISTANCE, base_lines, largest_pressure};
+use crate::sheet::with_unit;
+
+/// The largest error that is stated: where the resultant nears the edge, the pressure grows without bound.
+const LARGEST_ERROR: f64 = 10.0;
+
+/// Adds the check, or what is missing for it.
+pub(super) fn assess(work: &mut Work<'_>) {
+    if !work.codes.ec8 {
+        return;
+    }
+    let Some(resistance) = work.case.site.ec8.and_then(|site| site.bearing_capacity) else {
+        let reason = format!("`{RESISTANCE}` is missing");
+        return work.without(BEARING, CheckStatus::NotChecked, &reason, Some(RESISTANCE));
+    };
+    let Some(moment) = work.demands.overturning_moment.as_ref() else {
+        let reason = "the engine does not give the moment below the base plate";
+        return work.without(BEARING, CheckStatus::NotChecked, reason, None);
+    };
+    let moment = work.demands.history(moment);
+    let vertical = work.demands.vertical.as_ref().map(|terms| work.demands.history(terms));
+    let upwards = |k: usize| vertical.as_ref().map_or(0.0, |a| a[k]);
+    let case = work.case;
+    let mass = case.liquid_mass() + case.tank.wall_mass() + case.tank.roof.mass;
+    let normal = |k: usize| mass * (case.gravity + upwards(k));
+    let pressure = |k: usize, more: f64| largest_pressure(case.tank.shape, normal(k), moment[k].abs() * (1.0 + more));
+    // Of several instants whose resultant leaves the base, that with the largest moment.
+    let worse = |&i: &usize, &j: &usize| {
+        let by_moment = || moment[i].abs().total_cmp(&moment[j].abs());
+        let by_pressure = pressure(i, 0.0).total_cmp(&pressure(j, 0.0));
+        by_pressure.then_with(by_moment).then(j.cmp(&i))
+    };
+    let Some(k) = (0..moment.len()).max_by(worse) else {
+        return;
+    };
+    let at = At {
+        instant: k,
+        moment: moment[k],
+        mass,
+        upwards: upwards(k),
+    };
+    let bears = lines(work, &at, resistance);
+    let found = Found {
+        utilisation: 0.0,
+        demand: at.moment.abs(),
+        rest: 0.0,
+        capacity: resistance,
+        instant: k,
+        cosine: 1.0,
+    };
+    let of_moment = work.error(&[Quantity::OverturningMoment], &found);
+    let error = of_moment.map(|more| match bears {
+        Bears::Pressure(now) => (pressure(k, more) / now - 1.0).min(LARGEST_ERROR),
+        Bears::Leaves { .. } => more,
+    });
+    let clause = work.clause(BEARING);
+    let note = "rigid base without tension, weight of the same instant, without bottom plate and foundation";
+    let check = match bears {
+        Bears::Pressure(pressure) => {
+            let name = "Largest pressure of the ground";
+            Check::new(BEARING, name, pressure, resistance, Stress, &clause, note)
+        }
+        Bears::Leaves { limit } => {
+            let name = "Moment that a base without tension carries";
+            let note = format!("the resultant leaves the base; {note}");
+            Check::new(BEARING, name, at.moment.abs(), limit, Moment, &clause, &note)
+        }
+    };
+    // M′ is that of the accelerations towards θ = 0: tank and liquid lean back, to θ = 180°.
+    let theta = if at.moment > 0.0 { PI } else { 0.0 };
+    let time = work.demands.times.get(k).copied();
+    work.checks
+        .push(check.at(time, Some(0.0), Some(theta)).with_error(error));
+}
+
+/// The governing instant.
+struct At {
+    instant: usize,
+    /// Moment below the base plate [N·m].
+    moment: f64,
+    /// Mass on the base [kg].
+    mass: f64,
+    /// Vertical acceleration [m/s²].
+    upwards: f64,
+}
+
+/// Lines of the governing instant.
+fn lines(work: &mut Work<'_>, at: &At, resistance: f64) -> Bears {
+    let clause = work.clause(BEARING);
+    let time = work.demands.times.get(at.instant).copied().unwrap_or_default();
+    let (shape, gravity) = (work.case.tank.shape, work.case.gravity);
+    let sheet = &mut work.sheet;
+    sheet.section(&format!("Bearing of the ground: t = {}", with_unit(time, Time)));
+    let run = "the run of the engine";
+    let moment = sheet.input("M′", "moment below the base plate", at.moment.abs(), Moment, run);
+    sheet.input("R_d", "design bearing resistance", resistance, Stress, RESISTANCE);
+    let name = "vertical acceleration of the ground then, upwards";
+    sheet.input("a_v", name, at.upwards, Acceleration, "record");
+    let terms = [
+        ("M", at.mass, Mass),
+        ("g", gravity, Acceleration),
+        ("a_v", at.upwards, Acceleration),
+    ];
+    let name = "weight of liquid, wall and roof then";
+    let normal = sheet.calc("N_b", name, "M·(g + a_v)", &terms, Force, &clause);
+    let terms = vec![("M′", moment, Moment), ("N_b", normal, Force)];
+    base_lines(sheet, shape, normal, ("M′/N_b", terms))
+}
+
+#[cfg(test)]
+mod tests;
