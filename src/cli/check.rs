@@ -5,6 +5,7 @@ use std::time::Instant;
 use fem::progress::Silent;
 
 use crate::cli::inputs::{self, Inputs};
+use crate::cli::terminal::say;
 use crate::cli::{Format, Global, compare, print, solve, tanks, wall};
 use crate::error::Error;
 use crate::pipeline::{self, Outcome};
@@ -87,5 +88,17 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         }
     }
     compare::print(&results, args.out.as_deref(), args.format, global)?;
+    compare::late_warnings(&job, &results);
+    if let Some(run) = results
+        .verdict
+        .silent
+        .iter()
+        .find(|d| d.method.starts_with(results::FE))
+    {
+        say!(
+            "note: procedures.decide names `{}`, a finite-element run; `check` has none, `tankcheck compare --quake` has",
+            run.method
+        );
+    }
     Ok(compare::exit_code(&results.verdict))
 }

@@ -21,7 +21,7 @@ use crate::job::Job;
 use crate::pipeline::{self, Outcome};
 use engines::estimate::Estimate;
 use engines::{FeError, Integrator, engine};
-use files::{OutputFolder, kept_complete};
+use files::{OutputFolder, kept_complete, text};
 use report;
 use report::words::{self, terminal};
 use results::compare::unusable;
@@ -188,7 +188,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     }
     watch.finish();
     print(&results, Some(&args.out), args.format, global)?;
-    // Warnings about the input were printed before the run.
+    late_warnings(&job, &results);
     for found in unusable(&results) {
         say!("warning: {}", words::verdict::unusable(&found));
     }
@@ -306,6 +306,13 @@ pub(crate) fn print(results: &Results, out: Option<&Path>, format: Format, globa
     Ok(())
 }
 
+/// Warnings that follow from the results; those about the input were printed before the run.
+pub(crate) fn late_warnings(job: &Job, results: &Results) {
+    for warning in results.warnings.iter().filter(|w| !job.warnings.contains(w)) {
+        say!("warning: {}", text::line(warning));
+    }
+}
+
 /// Quantity × method for one excitation, values with their ratio to the engine.
 fn table(results: &Results, excitation: Excitation) -> String {
     let shown = |m: &Method| m.excitation == excitation && !m.quantities.is_empty();
@@ -319,8 +326,8 @@ fn table(results: &Results, excitation: Excitation) -> String {
     if columns.is_empty() {
         return String::new();
     }
-    let head =
-        std::iter::once(terminal::corner(excitation)).chain(columns.iter().map(|&i| results.methods[i].id.as_str()));
+    let head = std::iter::once(terminal::corner(excitation, results.reference().is_some()))
+        .chain(columns.iter().map(|&i| results.methods[i].id.as_str()));
     let later = Later::of(results).filter(|_| excitation == Excitation::Record);
     let mut table = Table::new(head);
     for row in &results.comparison.rows {

@@ -170,6 +170,16 @@ pub(super) fn unused(job: &Job, methods: &[Method]) -> Vec<String> {
                     gap.check
                 );
             }
+            let fails = |m: &Method| {
+                let mut failing = m.checks.iter().filter(|c| c.status == CheckStatus::Fails);
+                failing.any(|c| gap.means(&m.id, &c.limit_state))
+            };
+            if methods.iter().any(fails) {
+                return format!(
+                    "accepted: `{}` fails; only what was not checked can be accepted",
+                    gap.check
+                );
+            }
             format!(
                 "accepted: `{}` is not an open limit state of this tank; remove the entry",
                 gap.check

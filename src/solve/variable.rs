@@ -117,7 +117,7 @@ impl Variable {
                 };
                 if !course.layers.is_empty() {
                     return Err(Error::input(format!(
-                        "error: --solve thickness:{number}: course {number} has layers, expected one thickness\n  help: solve for \
+                        "error: --solve thickness:{number}: course {number} has layers or bars, expected one thickness\n  help: solve for \
                          a course of one material"
                     )));
                 }

@@ -193,11 +193,11 @@ fn lines(work: &mut Work, (x, v): Factors, mass: f64, (moment, resistance): (f64
     let name = "Largest pressure of the ground";
     let note = match work.demand.vertical {
         true => format!(
-            "rigid base without tension, {} E_x, {} E_z (downwards positive)",
+            "rigid base without tension; floor slab and foundation are left out and add their weight; {} E_x, {} E_z (downwards positive)",
             number(x),
             number(v)
         ),
-        false => "rigid base without tension".to_string(),
+        false => "rigid base without tension; floor slab and foundation are left out and add their weight".to_string(),
     };
     match base_lines(sheet, shape, normal, ("E_x·M′/N_b", terms)) {
         Bears::Pressure(pressure) => work.check(BEARING, name, pressure, resistance, Stress, CLAUSE, &note),

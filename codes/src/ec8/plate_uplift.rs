@@ -209,7 +209,7 @@ fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, uplift: f64
     };
     part(work, rotation_check, rotation, ROTATION, Angle, note);
     let name = "Radial membrane stress of the bottom plate";
-    part(work, ("uplift_membrane", name), stress, f_y, Stress, "γ_M = 1");
+    part(work, ("uplift_membrane", name), stress, f_y, Stress, "with γ_M = 1");
     if let Some(width) = bottom.width {
         let name = "Lifted length within the plate under the wall";
         let note = "beyond `tank.bottom.width` the plate may be thinner";

@@ -16,11 +16,13 @@ pub const UNUSABLE: &str = "‡";
 /// Mark of a number outside the model of its engine.
 pub const OUTSIDE: &str = "§";
 
-/// Corner of the table of `compare`.
-pub fn corner(excitation: Excitation) -> &'static str {
-    match excitation {
-        Excitation::Record => "record spectrum / history (ratio to fe)",
-        Excitation::Site => "design spectrum of the site (ratio to fe under the record)",
+/// Corner of the table of `compare`, and of that of `check`, which has no run (`engine`) to compare with.
+pub fn corner(excitation: Excitation, engine: bool) -> &'static str {
+    match (excitation, engine) {
+        (Excitation::Record, true) => "record spectrum / history (ratio to fe)",
+        (Excitation::Site, true) => "design spectrum of the site (ratio to fe under the record)",
+        (Excitation::Record, false) => "record spectrum, seismic part",
+        (Excitation::Site, false) => "design spectrum of the site, seismic part",
     }
 }
 
