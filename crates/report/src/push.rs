@@ -181,7 +181,7 @@ fn meridian_figure(push: &Push, number: usize, shell: &PushShell) -> Result<Figu
         .meridians
         .first()
         .map_or(0.0, |m| m.z.last().copied().unwrap_or(0.0));
-    let part = (6.0 * shell.capacity.height).clamp(0.15 * top, top);
+    let part = (6.0 * shell.capacity.height).max(0.15 * top).min(top);
     let below = |z: f64| z <= part * (1.0 + 1e-9);
     let shown = || {
         shell
