@@ -2,9 +2,10 @@
 
 use results::Series;
 
-/// Appends the columns of `other`, their ids prefixed, at the times of `series`; between its own samples `other` is
-/// linear, after its end (an interrupted run) it is not a number.
+/// Appends the columns of `other`, their ids prefixed, at the times of `series`, and after these at its own; between its own
+/// samples `other` is linear. After its end (an interrupted run, a shorter free vibration) a column is not a number.
 pub(crate) fn append(series: &mut Series, other: &Series, prefix: &str) {
+    extend(series, &other.time);
     let same = series.time == other.time;
     for (id, column) in other.ids.iter().zip(&other.columns) {
         series.ids.push(format!("{prefix}{id}"));
@@ -13,6 +14,18 @@ pub(crate) fn append(series: &mut Series, other: &Series, prefix: &str) {
         } else {
             series.time.iter().map(|&t| at(&other.time, column, t)).collect()
         });
+    }
+}
+
+/// Adds the times after the last one of `series`, at which its columns are not numbers.
+fn extend(series: &mut Series, time: &[f64]) {
+    let Some(&end) = series.time.last() else { return };
+    // A rounding beyond the last sample is the last sample.
+    let slack = 1e-9 * end.abs().max(1.0);
+    let later = &time[time.partition_point(|&t| t <= end + slack)..];
+    series.time.extend(later);
+    for column in &mut series.columns {
+        column.resize(series.time.len(), f64::NAN);
     }
 }
 
@@ -52,5 +65,15 @@ mod tests {
         assert_eq!(both.columns[1], [0.0, 2.0, 8.0, 18.0]);
         assert_eq!(both.columns[2][..3], [0.0, 2.0, 4.0]);
         assert!(both.columns[2][3].is_nan());
+    }
+
+    #[test]
+    fn a_longer_history_adds_its_times() {
+        let mut both = series(&[0.0, 1.0], &[0.0, 1.0]);
+        append(&mut both, &series(&[0.0, 1.0, 2.0, 3.0], &[0.0, 2.0, 8.0, 18.0]), "a_");
+        assert_eq!(both.time, [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(both.columns[1], [0.0, 2.0, 8.0, 18.0]);
+        assert_eq!(both.columns[0][..2], [0.0, 1.0]);
+        assert!(both.columns[0][2..].iter().all(|v| v.is_nan()));
     }
 }

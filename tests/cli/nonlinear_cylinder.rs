@@ -30,7 +30,7 @@ const TANK: &str = r#"{
   },
   "analysis": { "nonlinear": {
     "elements": { "height": 4, "circumference": 8 }, "time_step": "5 ms", "integration": { "concrete": "midpoint 8" },
-    "checkpoint": "1 s"
+    "checkpoint": "1 s", "after_record": "none"
   } }
 }
 "#;

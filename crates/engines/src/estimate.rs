@@ -13,11 +13,11 @@
 //! | computing time | [`LONGEST_RUN`] |
 
 use tank::Case;
+use tank::options::AfterRecord;
 pub use tank::options::MEMORY_LIMIT_MIB;
 use tank::{Course, Shape};
 
 use super::FeError;
-use super::linear::model::FREE_PERIODS;
 
 /// Most samples of a response, free vibration included: twice the longest record that is read (5.5 hours at 100 Hz).
 pub const MOST_SAMPLES: f64 = 4e6;
@@ -197,24 +197,23 @@ pub struct Response {
 }
 
 impl Response {
-    /// The response of a case, with free vibration if the engine continues after the record; `None` without a record.
+    /// The response of a case, with free vibration after the record; `None` without a record.
     ///
     /// Errors: a sloshing period so long that the free vibration passes [`LONGEST_TAIL`].
-    pub fn of(case: &Case, free: bool) -> Result<Option<Response>, FeError> {
+    pub fn of(case: &Case, after: AfterRecord) -> Result<Option<Response>, FeError> {
         let Some(motion) = &case.ground_motion else {
             return Ok(None);
         };
         let vertical = motion.vertical.as_ref().map_or(0.0, |v| v.duration());
         let period = sloshing_period(case);
-        let tail = if free { FREE_PERIODS * period } else { 0.0 };
+        let tail = after.duration(period);
         // A period that is not a number counts as too long.
         if tail.is_nan() || tail > LONGEST_TAIL {
             return Err(FeError::TooLong {
-                what: format!("the first sloshing period is {period:.3e} s"),
-                allowed: format!(
-                    "at most {:.0} s, half of a day's free vibration",
-                    LONGEST_TAIL / FREE_PERIODS
+                what: format!(
+                    "the first sloshing period is {period:.3e} s, the free vibration after the record {tail:.3e} s"
                 ),
+                allowed: format!("at most {LONGEST_TAIL:.0} s of free vibration, a day"),
                 help: "check `gravity`, the width of the tank and `liquid.fill_height`".into(),
             });
         }

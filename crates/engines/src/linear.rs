@@ -233,6 +233,7 @@ fn report(
         mass_balance: describe::mass_balance(model),
         energy: analysis.energy,
         envelopes: envelopes(model, &analysis),
+        record_end: Some(record_end(motion)),
         histories: histories.info,
         limits: limits::limits(case, model, &analysis, motion.horizontal.dt),
         ..Run::new(linear.engine)
@@ -273,6 +274,12 @@ fn histories(motion: &GroundMotion, analysis: &Analysis) -> Histories {
         histories.push(info, history.values.clone());
     }
     histories
+}
+
+/// End of the longer record [s].
+fn record_end(motion: &GroundMotion) -> f64 {
+    let vertical = motion.vertical.as_ref().map_or(0.0, |v| v.duration());
+    motion.horizontal.duration().max(vertical)
 }
 
 /// Envelopes at θ = 0 with the static state.

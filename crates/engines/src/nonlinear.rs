@@ -2,6 +2,7 @@
 //!
 //! [`simulate`] runs a case once, [`Incremental`] at rising scales of its record, [`push`] is the static pushover of a cylinder.
 
+mod after_record;
 mod checkpoint;
 mod cylinder;
 mod incremental;
@@ -32,7 +33,7 @@ pub fn estimate(case: &Case, options: &NonlinearOptions) -> Result<Estimate, FeE
     check_depth(case)?;
     match case.tank.shape {
         Shape::Cylinder { .. } => cylinder::estimate::estimate(case, options, 0, 1),
-        Shape::Rectangle { .. } => strip::estimate::estimate(case, options, true, 0, 1),
+        Shape::Rectangle { .. } => strip::estimate::estimate(case, options, 0, 1),
     }
 }
 
@@ -48,7 +49,7 @@ pub fn estimate_incremental(
     check_depth(case)?;
     match case.tank.shape {
         Shape::Cylinder { .. } => cylinder::estimate::estimate(case, options, jobs, runs),
-        Shape::Rectangle { .. } => strip::estimate::estimate(case, options, false, jobs, runs),
+        Shape::Rectangle { .. } => strip::estimate::estimate(case, options, jobs, runs),
     }
 }
 

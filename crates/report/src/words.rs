@@ -8,6 +8,7 @@
 //! | [`differences`] | where methods differ and why |
 //! | [`verdict`], [`outcome`] | whether the tank holds, whether the results are complete, how a nonlinear run ended |
 //! | [`sections`] | titles of sections and the sentences of their templates |
+//! | [`after_record`] | where the record ends within a history |
 //! | [`labels`] | heads of columns, labels of rows |
 //! | [`summary`] | the first page |
 //! | [`figures`] | captions and descriptions of figures |
@@ -15,6 +16,7 @@
 //! | [`ida`], [`push`] | the pages of these analyses |
 //! | [`terminal`] | the summaries on the terminal |
 
+pub mod after_record;
 pub mod apart;
 pub mod differences;
 pub mod factors;

@@ -113,6 +113,9 @@ pub struct Run {
     /// Whether something is missing because the user stopped it: the rest of the histories, the second mesh, pictures.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub incomplete: bool,
+    /// End of the record [s] where the run goes on with free vibration after it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub record_end: Option<f64>,
     /// Mesh and unknowns, as label → text ("liquid elements (r × z)" → "5 × 8, quadratic").
     pub mesh: Vec<Labelled>,
     /// Coupled modes of all computed harmonics.
@@ -154,6 +157,7 @@ impl Run {
             engine,
             end: End::Completed,
             incomplete: false,
+            record_end: None,
             mesh: Vec::new(),
             modes: Vec::new(),
             modal: Vec::new(),

@@ -1,9 +1,11 @@
 //! Options of the engines with their defaults: plain data in SI, without the engines themselves.
 
+pub mod after_record;
 pub mod linear;
 pub mod nonlinear;
 pub mod solid;
 
+pub use after_record::AfterRecord;
 pub use linear::LinearOptions;
 pub use nonlinear::NonlinearOptions;
 pub use solid::SolidOptions;

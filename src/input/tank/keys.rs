@@ -3,6 +3,7 @@
 //! Keys and meaning are a contract: extend freely, do not rename.
 
 mod accepted;
+mod after_record;
 mod corrosion;
 mod cross;
 mod damping;

@@ -9,6 +9,7 @@
 
 use tank::Case;
 use tank::Shape;
+use tank::options::AfterRecord;
 
 use super::wall_mesh::wall_nodes;
 use crate::FeError;
@@ -106,7 +107,7 @@ impl Mesh {
 /// Errors: options out of range; a response longer than the limits.
 pub fn estimate(case: &Case, options: &Options) -> Result<Estimate, FeError> {
     crate::checks::check_options(case, options)?;
-    let response = Response::of(case, true)?;
+    let response = Response::of(case, AfterRecord::DEFAULT)?;
     let mut found = of(case, options, response);
     for refine in coarser(options.refine) {
         let coarse = Options {

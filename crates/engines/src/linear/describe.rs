@@ -5,7 +5,7 @@ use tank::case::GroundMotion;
 use tank::units::significant;
 
 use super::analysis::Analysis;
-use super::model::{FREE_PERIODS, Harmonic, Model};
+use super::model::{Harmonic, Model};
 use crate::harmonic::{self};
 use crate::modes::{CoupledMode, Kind};
 use crate::response::superpose::{FREQUENCY_FACTOR, SLOSHING_MODES, STRUCTURAL_MODES};
@@ -56,7 +56,7 @@ pub(crate) fn integration(
     labels.push(label(
         "duration",
         format!(
-            "{:.2} s: the record and at least {FREE_PERIODS} periods of the first sloshing mode of free vibration",
+            "{:.2} s: the record and at least 2 periods of the first sloshing mode of free vibration",
             grid.time(grid.steps())
         ),
     ));

@@ -14,8 +14,8 @@ use crate::response::{direct, motion::Grid};
 use crate::{FeError, estimate};
 use results::Channel;
 use results::channel::{OnWall, Side};
-use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
+use tank::options::{AfterRecord, LinearOptions as Options};
 
 /// Sub-steps in the period of the highest significant mode, for extremes between samples (the response itself is exact).
 const SUB_STEPS_PER_PERIOD: f64 = 20.0;
@@ -26,8 +26,6 @@ const MOST_MODAL: f64 = 40.0;
 const MOST_DIRECT: f64 = 400.0;
 /// A structural mode is significant if it carries this share of the mass.
 const SIGNIFICANT: f64 = 0.01;
-/// Free vibration after the record, in periods of the first sloshing mode.
-pub(crate) const FREE_PERIODS: f64 = 2.0;
 
 /// A coupled system and its modes.
 #[derive(Clone, Debug)]
@@ -112,10 +110,8 @@ impl Model {
         } else {
             dt
         };
-        let tail = self
-            .horizontal
-            .first(Kind::Sloshing)
-            .map_or(0.0, |m| FREE_PERIODS * std::f64::consts::TAU / m.omega);
+        let period = |m: &CoupledMode| std::f64::consts::TAU / m.omega;
+        let tail = AfterRecord::DEFAULT.duration(self.horizontal.first(Kind::Sloshing).map_or(0.0, period));
         let duration = motion.vertical.as_ref().map_or(0.0, |v| v.duration());
         let grid = Grid::new(dt, motion.horizontal.duration().max(duration), tail, longest);
         let samples = (motion.horizontal.duration().max(duration) + tail) / dt;

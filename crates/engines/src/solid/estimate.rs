@@ -9,6 +9,7 @@
 
 use tank::Case;
 use tank::Shape;
+use tank::options::AfterRecord;
 
 use super::memory::RUN;
 use super::mesh::Division;
@@ -53,7 +54,7 @@ const ORTHOGONAL: f64 = 2.0;
 /// Errors: options out of range; an invalid mesh; a response longer than the limits.
 pub fn estimate(case: &Case, options: &Options, solid: &SolidOptions) -> Result<Estimate, FeError> {
     crate::checks::check_options(case, options)?;
-    let response = Response::of(case, true)?;
+    let response = Response::of(case, AfterRecord::DEFAULT)?;
     let mut found = of(case, options, solid, response)?;
     let smaller = |give: String, options: &Options, solid: &SolidOptions| -> Result<_, FeError> {
         let smaller = of(case, options, solid, response)?;

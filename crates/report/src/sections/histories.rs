@@ -3,12 +3,12 @@
 use tank::units::Dimension;
 
 use super::{Section, Source};
-use crate::figure::chart::{Axis, Chart, Line, Mark};
+use crate::figure::chart::{Axis, Chart, Line, Mark, Rule};
 use crate::figure::decimate::decimate;
 use crate::figure::{Figure, Room, WIDE};
 use crate::number::{Scale, fixed};
 use crate::table::{Column, Table};
-use crate::words::{figures, labels, sections};
+use crate::words::{after_record, figures, labels, sections};
 use files::error::Error;
 use results::channel::{Ground, OnWall};
 use results::{Channel, SeriesInfo};
@@ -96,9 +96,19 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     }
     let mut section = Section::new("histories");
     section.set("undrawn", &sections::undrawn(infos.len().saturating_sub(MOST)));
+    section.set("after", &after_record::sentence(fe, source.series.time.last().copied()));
     section.set("peaks", &table);
     section.set_figures("figures", drawn);
     Ok(Some(section))
+}
+
+/// A vertical line where the record ends, if a history goes on until `end` [s].
+pub(super) fn record_end(source: &Source, end: f64) -> Option<Rule> {
+    let found = source.results.runs.iter().find_map(|run| run.record_end)?;
+    (found < end).then(|| Rule {
+        x: found,
+        label: labels::RECORD_END.into(),
+    })
 }
 
 /// A history as a figure, its largest absolute value marked; `None` if the column is empty.
@@ -139,12 +149,13 @@ pub(super) fn history(
     let extent = [values[lowest], values[highest], peak, 0.0].map(|v| 1.12 * v);
     let x = Axis::exact("Time", Dimension::Time, (time[0], time[n - 1]), 8);
     let y = Axis::linear(title, dimension, extent, 5);
-    let mut chart = Chart::new((WIDE, 0.0), x, y).with_plot_height(96.0);
+    let mut chart = Chart::new((WIDE, 0.0), x, y);
     chart.lines.push(Line {
         points,
         class: format!("{class} hist"),
         label: String::new(),
     });
+    chart.rules = record_end(source, time[n - 1]).into_iter().collect();
     if chart.x.holds(time_of_peak) {
         chart.marks.push(Mark {
             at: (time_of_peak, peak),
@@ -152,6 +163,7 @@ pub(super) fn history(
             class: "peak".into(),
         });
     }
+    let chart = chart.with_plot_height(96.0);
     let mut table = Table::new(vec![
         Column::words("Extreme"),
         Column::numbers(title, scale.symbol()),

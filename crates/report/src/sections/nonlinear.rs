@@ -13,7 +13,7 @@ use crate::number::{Scale, fixed, plain, ratio, significant};
 use crate::table::{Column, Table};
 use crate::words::capital;
 use crate::words::verdict::LIQUID_PARTED;
-use crate::words::{labels, outcome};
+use crate::words::{after_record, labels, outcome};
 use files::error::Error;
 use results::channel::OnWall;
 use results::nonlinear::{BaseMoment, Count, End, Event, Nonlinear};
@@ -57,6 +57,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("events", &run.map_or_else(Table::default, |_| events(&fe.events)));
     section.set("moments", &run.map_or_else(Table::default, |run| moments(&run.moments)));
     section.set("numbered", &!marks.is_empty());
+    section.set("after", &after_record::sentence(fe, source.series.time.last().copied()));
     section.set_figures("overlays", overlays(source, &marks)?);
     let pictures = run.map_or_else(Drawn::default, pictures);
     section.set_figures("crack_figures", pictures.figures);

@@ -2,7 +2,7 @@
 
 use tank::units::Dimension;
 
-use super::Source;
+use super::{Source, histories};
 use crate::figure::chart::{Axis, Chart, Line, Rule};
 use crate::figure::decimate::decimate;
 use crate::figure::{Figure, Room, WIDE};
@@ -67,15 +67,16 @@ fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option
         return Ok(None);
     };
     let time = &source.series.time;
-    let end = time.len().min(first.len()).min(other.len());
-    // An interrupted run ends before the record does.
-    let run = other[..end].iter().take_while(|v| v.is_finite()).count();
-    if run < 2 {
+    // An interrupted run ends before the record does, and each has its own free vibration after it.
+    let end = time.len().min(first.len());
+    let run = other.iter().take(time.len()).take_while(|v| v.is_finite()).count();
+    let common = end.min(run);
+    if common < 2 {
         return Ok(None);
     }
     let values = first[..end].iter().chain(&other[..run]).copied();
     let (low, high) = values.fold((0.0_f64, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
-    let x = Axis::exact("Time", Dimension::Time, (time[0], time[end - 1]), 8);
+    let x = Axis::exact("Time", Dimension::Time, (time[0], time[end.max(run) - 1]), 8);
     let y = Axis::linear(&info.title, info.dimension, [1.05 * low, 1.05 * high], 5);
     let mut chart = Chart::new((WIDE, 0.0), x, y);
     let peak = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
@@ -99,9 +100,10 @@ fn overlay(source: &Source, info: &SeriesInfo, second: &Second) -> Result<Option
             x: *x,
             label: label.clone(),
         })
+        .chain(histories::record_end(source, time[end.max(run) - 1]))
         .collect();
     let chart = chart.with_plot_height(96.0);
-    let apart = (0..run).map(|i| (first[i] - other[i]).abs()).fold(0.0, f64::max);
+    let apart = (0..common).map(|i| (first[i] - other[i]).abs()).fold(0.0, f64::max);
     let largest = peak(&first[..end]);
     let scale = Scale::of(info.dimension, [largest]);
     let mut table = Table::new(vec![

@@ -84,6 +84,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     }
     let mut section = Section::new("profiles");
     section.set("has_fe", &(!source.results.runs.is_empty()));
+    section.set("after", &source.results.runs.iter().any(|run| run.record_end.is_some()));
     section.set("has_codes", &groups.values().any(|g| !g.profiles.is_empty()));
     section.set_figures("figures", figures);
     section.set_figures("site_figures", site);

@@ -96,9 +96,11 @@ impl<'a> Source<'a> {
             .or_else(|| self.results.methods.iter().filter(|m| m.id != MEASURED).find_map(of))
     }
 
-    /// A column of the series.
+    /// A column of the series, to the end of its run.
     pub(super) fn column(&self, id: &str) -> Option<&'a [f64]> {
         let i = self.series.ids.iter().position(|c| c == id)?;
-        self.series.columns.get(i).map(Vec::as_slice)
+        let values = self.series.columns.get(i)?;
+        let end = values.iter().rposition(|v| v.is_finite()).map_or(0, |last| last + 1);
+        Some(&values[..end])
     }
 }

@@ -1,5 +1,7 @@
 //! Heads of columns and labels of rows, legends and axes.
 
+/// Vertical line at the end of the record.
+pub const RECORD_END: &str = "end of the record";
 /// Ratio to the finite-element value.
 pub const RATIO_TO_ENGINE: &str = "Ratio to FE";
 /// Relative difference between two meshes.

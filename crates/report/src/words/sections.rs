@@ -124,6 +124,10 @@ const ALL: &[Words] = &[
                 "maxima",
                 "The codes give absolute maxima; the finite elements give the largest and smallest values over time.",
             ),
+            (
+                "after",
+                "Largest and smallest values are those of the record and of the free vibration after it.",
+            ),
         ],
     },
     Words {
@@ -140,8 +144,8 @@ const ALL: &[Words] = &[
         sentences: &[
             (
                 "difference",
-                "Seismic part alone, absolute maxima. Both runs have the same ground motion, but each has its own duration: where the \
-                 linear run continues with free vibration after the record, a wave may still rise. Periods and masses are those of \
+                "Seismic part alone, absolute maxima. Both runs have the same ground motion, but each has its own duration: where one \
+                 continues longer with free vibration after the record, a wave may still rise. Periods and masses are those of \
                  the initial wall.",
             ),
             ("bounds", "≥: the run ended before the ground motion did."),

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::after_record::AfterRecord;
 use crate::case;
 
 /// Most elements over the height of a wall.
@@ -30,6 +31,9 @@ pub struct NonlinearOptions {
     pub follower_pressure: bool,
     /// Points through the thickness of each layer.
     pub integration: Integration,
+    /// Free vibration after the record.
+    #[serde(default)]
+    pub after_record: AfterRecord,
     /// Computing time between two checkpoints [s].
     pub checkpoint: f64,
 }
@@ -52,6 +56,7 @@ impl NonlinearOptions {
             self_weight: true,
             follower_pressure: true,
             integration: Integration::DEFAULT,
+            after_record: AfterRecord::DEFAULT,
             checkpoint: 60.0,
         }
     }

@@ -1,10 +1,10 @@
 //! `analysis.nonlinear`: options of the nonlinear engine.
 
 use tank::case;
-use tank::options::NonlinearOptions;
 use tank::options::nonlinear::{
     Contact, Damping, Integration, MOST_ROWS, MOST_SECTORS, MassProportionalAt, ThicknessRule, WallElements,
 };
+use tank::options::{AfterRecord, NonlinearOptions};
 use tank::{Shape, Tank};
 
 use super::damping::RATIO;
@@ -49,6 +49,9 @@ object! {
             = default(DEFAULT.follower_pressure).because("pressure stands on the deformed wall"),
         /// Points through the thickness, by kind of material.
         integration: Opt<Integrations>,
+        /// Free vibration after the record: periods of the first sloshing mode, a time, or none. A long wave often peaks there.
+        after_record ("2 periods"): Opt<AfterRecord> = default(DEFAULT.after_record)
+            .because("as the linear engines: two periods of the first sloshing mode"),
         /// Computing time between two checkpoints from which a run can be resumed.
         checkpoint ("300 s"): Opt<Time> [Limits::from(1.0).to(1e6)]
             = default(Time(DEFAULT.checkpoint)).because("at most a minute of computing is lost"),
@@ -206,6 +209,7 @@ pub(super) fn nonlinear(
         self_weight: r.choice(&given.self_weight),
         follower_pressure: r.choice(&given.follower_pressure),
         integration: integration(r, &given.integration),
+        after_record: r.choice(&given.after_record),
         checkpoint: r.or_default(&given.checkpoint),
     }
 }

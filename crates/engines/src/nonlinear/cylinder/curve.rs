@@ -26,7 +26,7 @@ impl Cylinder<'_> {
 
     /// Assumptions, one sentence each.
     pub(crate) fn assumptions(&self) -> Vec<String> {
-        assumptions(self.case, self.options, &self.tank)
+        assumptions(self.case, self.options, &self.tank, &self.span)
     }
 
     /// The tank at every scale on `threads` threads, by ascending scale; `each` receives every finished run.

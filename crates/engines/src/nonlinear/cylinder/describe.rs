@@ -1,11 +1,12 @@
 //! The run in words and numbers: mesh, integration, cost, assumptions.
 
-use fem::analysis::march::Run;
+use fem::analysis::march::{Outcome, Run};
 use fem::analysis::scheme::TimeScheme;
 use tank::Case;
 use tank::Support;
 use tank::units::{Dimension, display, significant};
 
+use super::super::after_record::Span;
 use super::model::CylinderModel;
 use super::watch::Watch;
 use results::nonlinear::Count;
@@ -102,6 +103,7 @@ pub(super) fn mesh(tank: &CylinderModel) -> Vec<Labelled> {
 pub(super) fn integration(
     tank: &CylinderModel,
     options: &NonlinearOptions,
+    span: &Span,
     watch: &Watch<'_>,
     run: &Run,
 ) -> Vec<Labelled> {
@@ -143,7 +145,10 @@ pub(super) fn integration(
         ),
         label(
             "duration",
-            format!("{:.2} s, the record only, without free vibration", run.time),
+            match run.outcome {
+                Outcome::Completed => span.text(),
+                _ => format!("{:.2} s of {}", run.time, span.text()),
+            },
         ),
         label("damping", damping),
         label(
@@ -169,7 +174,7 @@ pub(super) fn integration(
     out
 }
 
-pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &CylinderModel) -> Vec<String> {
+pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &CylinderModel, span: &Span) -> Vec<String> {
     let mut out = vec![
         "Wall of four-node shells with finite rotations, plane sections in each shell, layers and bars with the laws of the \
          input; clamped at its base, rigid bottom."
@@ -190,6 +195,7 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &Cylind
         "The run starts from equilibrium under weight and hydrostatic pressure. An unconverged step is never accepted: it is \
          halved until it converges, or the run ends as a collapse and its numbers are lower bounds."
             .to_owned(),
+        span.assumption(),
         "Damping of the wall is proportional to its initial stiffness; where the wall softens, the damping force remains, and \
          its energy is reported."
             .to_owned(),

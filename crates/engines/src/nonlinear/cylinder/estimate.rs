@@ -46,7 +46,7 @@ const AT_SAMPLE: f64 = 60.0;
 ///
 /// Errors: no ground motion; a response longer than the limits.
 pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, runs: usize) -> Result<Estimate, FeError> {
-    let response = Response::of(case, false)?.ok_or(FeError::NoRecord)?;
+    let response = Response::of(case, options.after_record)?.ok_or(FeError::NoRecord)?;
     check_levels(&case.tank, case.liquid.fill_height, 1.0)?;
     let mut found = of(case, options, response, [jobs, runs]);
     if jobs > 1 {

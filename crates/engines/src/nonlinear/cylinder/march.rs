@@ -12,7 +12,9 @@ use tank::Case;
 use tank::case::GroundMotion;
 
 use super::super::CheckpointFile;
+use super::super::after_record::Span;
 use crate::FeError;
+use crate::linear::checked_motion;
 use tank::options::nonlinear::NonlinearOptions;
 
 use super::model::CylinderModel;
@@ -28,19 +30,28 @@ pub(crate) struct Cylinder<'a> {
     pub case: &'a Case,
     pub options: &'a NonlinearOptions,
     pub tank: CylinderModel,
+    /// End of the records and of a run.
+    pub span: Span,
 }
 
 impl<'a> Cylinder<'a> {
-    /// Errors: a tank that is not a cylinder; an unsupported wall, law or option; parameters out of range.
+    /// Errors: no record; a tank that is not a cylinder; an unsupported wall, law or option; parameters out of range.
     pub(crate) fn new(
         case: &'a Case,
         options: &'a NonlinearOptions,
         progress: &dyn Progress,
     ) -> Result<Cylinder<'a>, FeError> {
+        let motion = checked_motion(case)?;
         progress.stage("mesh, condensed liquid, order of elimination", 1);
         let tank = CylinderModel::new(case, options)?;
         progress.advance(1);
-        Ok(Cylinder { case, options, tank })
+        let span = Span::new(motion, options.after_record, tank.sloshing_omega)?;
+        Ok(Cylinder {
+            case,
+            options,
+            tank,
+            span,
+        })
     }
 
     /// Longest step [s].
@@ -50,7 +61,7 @@ impl<'a> Cylinder<'a> {
         self.options.time_step.unwrap_or_else(usual)
     }
 
-    /// Through `scale` times the records.
+    /// Through `scale` times the records and the free vibration after them.
     pub(crate) fn march(
         &self,
         motion: &GroundMotion,
@@ -60,7 +71,7 @@ impl<'a> Cylinder<'a> {
     ) -> Result<(Watch<'_>, Run), FeError> {
         let (tank, options) = (&self.tank, self.options);
         let record = &motion.horizontal;
-        let grid = Grid::new(record.dt, record.duration(), 0.0, self.step(record));
+        let grid = Grid::new(record.dt, self.span.record, self.span.tail, self.step(record));
         let sampled = |record: &Record| {
             let scaled: Vec<f64> = record.acceleration.iter().map(|a| scale * a).collect();
             Motion::sampled(record.dt, &scaled, &grid)

@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use fem::analysis::march::{Outcome, Run};
+use tank::Quantity;
 use tank::Support;
-use tank::{Case, Quantity};
 
 use super::curve::departures;
 use super::demands::demands;
 use super::describe::{HELD_DOWN, assumptions, cost, integration, mesh};
+use super::march::Cylinder;
 use super::model::CylinderModel;
 use super::points::look;
 use super::state::{energies, events, grid, loops, maps, pictures, place};
@@ -19,16 +20,15 @@ use crate::histories::Histories;
 use results::channel::{OnWall, Side};
 use results::nonlinear::{End, EventKind, Nonlinear};
 use results::{Channel, EnergyBalance, EngineId, Envelope, Run as Finished, SeriesInfo};
-use tank::options::nonlinear::NonlinearOptions;
 
 /// Everything that is reported of a run.
-pub(super) fn report(
-    case: &Case,
-    options: &NonlinearOptions,
-    tank: &CylinderModel,
-    watch: &Watch<'_>,
-    run: &Run,
-) -> Simulation {
+pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> Simulation {
+    let Cylinder {
+        case,
+        options,
+        tank,
+        span,
+    } = cylinder;
     let last = look(tank, &run.state);
     let mut worst = watch.seen.worst.clone().unwrap_or_else(|| last.clone());
     worst.envelop(&last);
@@ -74,7 +74,7 @@ pub(super) fn report(
         end,
         events,
         mesh: mesh(tank),
-        integration: integration(tank, options, watch, run),
+        integration: integration(tank, options, span, watch, run),
         energy: Some(EnergyBalance {
             input: copies * total.input,
             kinetic: copies * total.kinetic,
@@ -83,6 +83,7 @@ pub(super) fn report(
             error: balance.error(),
         }),
         envelopes: envelopes(tank, watch),
+        record_end: span.record_end(),
         histories: histories.info,
         nonlinear: Some(nonlinear),
         incomplete: run.outcome != Outcome::Completed,
@@ -92,7 +93,7 @@ pub(super) fn report(
         values,
         result,
         series: histories.series,
-        assumptions: assumptions(case, options, tank),
+        assumptions: assumptions(case, options, tank, span),
         notes,
         snapshots: None,
         demands: Some(demands(case, tank, watch)),

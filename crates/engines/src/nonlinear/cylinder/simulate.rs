@@ -28,5 +28,5 @@ pub(crate) fn simulate(
             stage: "the nonlinear run".into(),
         });
     }
-    Ok(report(case, options, &cylinder.tank, &watch, &run))
+    Ok(report(&cylinder, &watch, &run))
 }

@@ -10,6 +10,7 @@ use fem::strip::{StripModel, StripQuake, StripTank};
 use tank::Case;
 use tank::Shape;
 
+use super::super::after_record::Span;
 use super::super::laws::unsupported;
 use super::describe::{assumptions, damping, facts};
 use super::failure::failed;
@@ -29,6 +30,8 @@ pub(super) const STEPS_PER_PERIOD: f64 = 20.0;
 pub(crate) struct Strip {
     pub model: StripModel,
     pub quake: StripQuake,
+    /// End of the records and of a run.
+    pub span: Span,
     /// Computing time between two checkpoints [s].
     pub seconds: f64,
     /// The model in numbers.
@@ -100,13 +103,17 @@ impl Strip {
         if options.contact == Contact::Opening {
             quake.newton = Options::for_contact();
         }
+        let sloshing = model.modes.omega.first().copied().unwrap_or(0.0);
+        let span = Span::new(motion, options.after_record, sloshing)?;
+        quake.until = Some(span.end());
         let facts = facts(&model, &tank, step);
         Ok(Strip {
             model,
             quake,
+            span,
             seconds: options.checkpoint,
             facts,
-            assumptions: assumptions(case, options),
+            assumptions: assumptions(case, options, &span),
         })
     }
 }

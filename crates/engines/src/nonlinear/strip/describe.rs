@@ -6,6 +6,7 @@ use fem::strip::{StripDamping, StripModel, StripTank};
 use tank::Case;
 use tank::units::Dimension;
 
+use super::super::after_record::Span;
 use crate::FeError;
 use results::{Fact, FactKind};
 use tank::options::nonlinear::{Contact, Damping, MassProportionalAt, NonlinearOptions};
@@ -59,7 +60,7 @@ pub(super) fn facts(model: &StripModel, tank: &StripTank, step: f64) -> Vec<Fact
 }
 
 /// Assumptions of the strip, one sentence each.
-pub(super) fn assumptions(case: &Case, options: &NonlinearOptions) -> Vec<String> {
+pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, span: &Span) -> Vec<String> {
     let mut out = vec![
         "Strip of 1 m breadth in plane strain; corners of the tank are outside the model; rigid base, clamped walls.".to_owned(),
         "Walls as fibre beams with plane sections and small deflections: no shear failure, no bond slip.".to_owned(),
@@ -78,6 +79,7 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions) -> Vec<String
         "Every run starts from equilibrium under the weight of the walls and the hydrostatic pressure. An unconverged step is \
          never accepted: it is halved until it converges, or the run ends as a collapse and its numbers are lower bounds."
             .to_owned(),
+        span.assumption(),
         format!(
             "A wall counts as collapsed when its top has moved by {} of its height, the limit of small-deflection theory.",
             fem::strip::LARGEST_DEFLECTION

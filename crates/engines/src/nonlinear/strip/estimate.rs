@@ -27,17 +27,11 @@ const BLOCKS: f64 = 4.0;
 /// Bytes of a beam in the model: section, element, matrices.
 const BEAM: f64 = 20_000.0;
 
-/// Cost of [`super::simulate`], with free vibration (`free`), or of `runs` runs of an incremental analysis, `jobs` in parallel.
+/// Cost of [`super::simulate`]; with `jobs` > 0 of `runs` runs of an incremental analysis, `jobs` in parallel.
 ///
 /// Errors: no ground motion; a response longer than the limits.
-pub(crate) fn estimate(
-    case: &Case,
-    options: &NonlinearOptions,
-    free: bool,
-    jobs: usize,
-    runs: usize,
-) -> Result<Estimate, FeError> {
-    let response = Response::of(case, free)?.ok_or(FeError::NoRecord)?;
+pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, runs: usize) -> Result<Estimate, FeError> {
+    let response = Response::of(case, options.after_record)?.ok_or(FeError::NoRecord)?;
     let beams = f64::from(options.elements.map_or(ELEMENTS, |e| e.height));
     let step = options.time_step.unwrap_or_else(|| {
         (std::f64::consts::TAU / first_wall_frequency(case) / STEPS_PER_PERIOD).min(0.5 * response.dt)
@@ -76,8 +70,13 @@ pub(crate) fn estimate(
         lever: Lever {
             smaller: Vec::new(),
             other: format!(
-                "give `analysis.nonlinear.time_step` above {step:.2e} s{}",
-                if jobs > 1 { ", or use fewer --jobs" } else { "" }
+                "give `analysis.nonlinear.time_step` above {step:.2e} s{}{}",
+                if jobs > 1 { ", or use fewer --jobs" } else { "" },
+                if response.tail > 0.0 {
+                    ", or `after_record` as none"
+                } else {
+                    ""
+                }
             ),
         },
     })

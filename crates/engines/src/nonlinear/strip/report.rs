@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use fem::analysis::damping::RatioRow;
 use tank::units::{Dimension, display, significant};
 
-use super::simulate::{FREE_PERIODS, Report};
+use super::simulate::Report;
 use super::walls::WALLS;
 use crate::linear::limits;
 use results::channel::OnWall;
@@ -93,13 +93,7 @@ impl Report<'_> {
                     significant(grid.dt, 4)
                 ),
             ),
-            label(
-                "duration",
-                format!(
-                    "{:.2} s: the record and {FREE_PERIODS} periods of the first sloshing mode of free vibration",
-                    grid.time(grid.steps())
-                ),
-            ),
+            label("duration", self.strip.span.text()),
             label(
                 "damping",
                 format!(

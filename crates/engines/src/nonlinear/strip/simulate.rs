@@ -1,7 +1,6 @@
 //! One run of both walls, and everything the results folder holds of it.
 
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
 
 use fem::progress::Progress;
 use fem::strip::{Scalar, Side as Wall, WallHistory};
@@ -24,9 +23,6 @@ use results::channel::{OnWall, Side};
 use results::{Channel, EngineId, Mode, Run, SeriesInfo};
 use tank::options::nonlinear::{Damping, NonlinearOptions};
 
-/// Free vibration after the record, in periods of the first sloshing mode, as in the linear engine.
-pub(super) const FREE_PERIODS: f64 = crate::linear::model::FREE_PERIODS;
-
 /// Time history of a strip.
 ///
 /// Errors: as [`Strip::new`]; an invalid record; a checkpoint that cannot be written or belongs to another run; interrupted
@@ -38,14 +34,11 @@ pub(crate) fn simulate(
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
     let motion = checked_motion(case)?;
-    let mut strip = Strip::new(case, options)?;
+    let strip = Strip::new(case, options)?;
     let breadth = match case.tank.shape {
         Shape::Rectangle { breadth, .. } => breadth,
         Shape::Cylinder { .. } => 1.0,
     };
-    let vertical = motion.vertical.as_ref().map_or(0.0, |v| v.duration());
-    let tail = strip.model.modes.omega.first().map_or(0.0, |w| FREE_PERIODS * TAU / w);
-    strip.quake.until = Some(motion.horizontal.duration().max(vertical) + tail);
     let files = Side::BOTH.map(|side| checkpoint.map(|c| c.wall(side, options.checkpoint)));
     let runs = strip
         .model
@@ -134,6 +127,7 @@ impl Report<'_> {
             modes,
             mass_balance: self.mass_balance(),
             envelopes: self.envelopes(),
+            record_end: self.strip.span.record_end(),
             histories: histories.info,
             limits: self.limits(wave),
             nonlinear: Some(self.walls.nonlinear()),
