@@ -148,7 +148,8 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         .iter()
         .zip(estimates.collect::<Result<Vec<Estimate>, FeError>>()?)
     {
-        budget::admit(&estimate, job.solid.memory_limit_mib, *id == EngineId::Solid, global)?;
+        let always = matches!(id, EngineId::Solid | EngineId::Nonlinear);
+        budget::admit(&estimate, job.solid.memory_limit_mib, always, global)?;
     }
     nonlinear::announce(&job, global);
     if args.vtu.as_ref() == Some(&args.out) {

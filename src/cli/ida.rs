@@ -75,7 +75,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     progress::stop_gracefully();
     let estimate = nonlinear::estimate_incremental(&job.job.case, &job.job.nonlinear, job.jobs, job.scales.len())?;
     let limit = args.memory.over(job.job.solid.memory_limit_mib);
-    budget::admit(&estimate, limit, false, global)?;
+    budget::admit(&estimate, limit, true, global)?;
     let watch = Watch::new(global, "incremental dynamic analysis");
     let found = ida::run(&job, || stamp(started), &watch)?;
     watch.finish();

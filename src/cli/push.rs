@@ -83,7 +83,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     progress::stop_gracefully();
     let estimate = estimate(&job.job.case, &job.job.nonlinear, &job.options)?;
     let limit = args.memory.over(job.job.solid.memory_limit_mib);
-    budget::admit(&estimate, limit, false, global)?;
+    budget::admit(&estimate, limit, true, global)?;
     let watch = Watch::new(global, "pushover");
     if let Some(file) = &job.checkpoint {
         nonlinear::announce_start("pushover", file, job.job.nonlinear.checkpoint, global);

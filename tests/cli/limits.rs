@@ -188,6 +188,44 @@ fn every_engine_is_held_to_the_memory_and_says_what_fits() {
     );
 }
 
+/// Before a nonlinear run of any command its size, memory and time stand on standard error, however short it is; nothing with
+/// --quiet.
+#[test]
+fn nonlinear_runs_are_announced_with_their_estimate() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let pulse = "tests/golden/short/pulse.csv";
+    let strip = "tests/golden/short/strip.json";
+    let commands: [&[&str]; 3] = [
+        &[
+            "compare",
+            strip,
+            "--quake",
+            pulse,
+            "--fe",
+            "nonlinear",
+            "--procedures",
+            "housner",
+        ],
+        &["ida", strip, "--quake", pulse, "--scale", "0,0.1", "--jobs", "2"],
+        &["push", "tests/golden/short/cylinder.json"],
+    ];
+    for (k, command) in commands.into_iter().enumerate() {
+        let run = ["nonlinear run: ", "nonlinear run: ", "pushover: "][k];
+        let out = home.path().join(k.to_string());
+        for quiet in [false, true] {
+            let mut command = command.to_vec();
+            command.extend(["--out", text(&out)]);
+            command.extend(quiet.then_some("--quiet"));
+            let said = stderr(&tankcheck(&command));
+            let found = said
+                .lines()
+                .find(|line| line.starts_with(run) && line.contains(" MiB, about "));
+            assert_eq!(found.is_some(), !quiet, "{command:?}: {said}");
+            assert!(k != 1 || quiet || said.contains("2 runs, 2 at a time"), "{said}");
+        }
+    }
+}
+
 /// Limits of the tank file hold for every engine; the option of the command line is laid over them.
 #[test]
 fn the_limit_of_the_tank_file_holds() {
