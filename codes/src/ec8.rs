@@ -43,6 +43,7 @@ pub(crate) mod example;
 pub mod flexible;
 mod ingredients;
 mod limit_states;
+mod modal;
 #[cfg(test)]
 mod own_spectrum;
 mod pipes;
@@ -72,6 +73,7 @@ use demand::{Demand, Edition};
 use work::Work;
 
 use crate::hazard;
+use crate::modal_action::ModalAction;
 use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::sheet::Sheet;
 use spectrum::ElasticSpectrum;
@@ -136,6 +138,10 @@ impl Procedure for En2006 {
             })
         };
         dampings.iter().filter_map(curve).collect()
+    }
+
+    fn modal_action<'a>(&self, case: &'a Case, reduced: bool) -> Option<Result<ModalAction<'a>, CodeError>> {
+        case.site.ec8.map(|_| modal::action(case, reduced))
     }
 
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {

@@ -9,6 +9,7 @@
 //! | [`en1992`] | sections of reinforced concrete |
 //! | [`time_history`] | demands of an engine under the record against the capacities of the codes |
 //! | [`hazard`] | ordinates of the user's spectrum |
+//! | [`modal_action`] | the design spectrum of a procedure for the modes of an engine |
 //! | [`housner`], [`ec8`], [`api650`], [`deformability`] | the procedures |
 
 pub mod api650;
@@ -22,6 +23,7 @@ pub mod housner;
 #[cfg(test)]
 mod ingredients;
 pub mod mechanical;
+pub mod modal_action;
 pub mod procedure;
 mod roof;
 #[cfg(test)]

@@ -4,6 +4,8 @@ use tank::assessment::{Assessment, Excitation, LimitState, NotApplicable};
 use tank::case::{Case, Site};
 use tank::formula::FormulaError;
 
+use crate::modal_action::ModalAction;
+
 /// Failure of a computation inside a procedure.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CodeError {
@@ -78,6 +80,12 @@ pub trait Procedure: Sync {
     /// Design spectra of the site at the damping ratios asked for; none where the site is not given or not covered.
     fn design_curves(&self, _site: &Site, _dampings: &[f64]) -> Vec<DesignCurve> {
         Vec::new()
+    }
+    /// Its design spectrum for the modes of an engine, as [`crate::modal_action`] describes; none where the site does not give its data.
+    ///
+    /// * `reduced`: whether by behaviour factor or response modification
+    fn modal_action<'a>(&self, _case: &'a Case, _reduced: bool) -> Option<Result<ModalAction<'a>, CodeError>> {
+        None
     }
     /// Whether the procedure covers this case under this excitation; if not, the clause and the reason.
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable>;

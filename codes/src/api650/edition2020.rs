@@ -29,6 +29,7 @@ mod foundation;
 pub(crate) mod hoop_check;
 mod ingredients;
 pub(crate) mod limit_states;
+mod modal;
 mod piping;
 mod resistance;
 #[cfg(test)]
@@ -41,6 +42,7 @@ mod upper_courses;
 use crate::api650::ground_motion::DesignSpectrum;
 use crate::api650::site_specific::SiteSpecific;
 use crate::hazard;
+use crate::modal_action::ModalAction;
 use crate::procedure::{CodeError, DesignCurve, Label, Procedure};
 use crate::sheet::Sheet;
 use tank::STANDARD_GRAVITY;
@@ -175,6 +177,11 @@ impl Procedure for Api6502020 {
             longest: site.spectrum.as_ref().map_or(f64::INFINITY, hazard::longest),
             acceleration,
         }]
+    }
+
+    fn modal_action<'a>(&self, case: &'a Case, reduced: bool) -> Option<Result<ModalAction<'a>, CodeError>> {
+        let annex = case.site.api650.as_ref()?;
+        Some(modal::action(case, annex, reduced))
     }
 
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {

@@ -7,7 +7,9 @@ use super::model::{Input, Response};
 use super::motion::{self, Motion, SOURCE};
 use super::notes;
 use super::stress::{self, Pressures};
+use crate::hazard;
 use crate::mechanical::Plan;
+use crate::modal_action::{ModalAction, Ordinates};
 use crate::procedure::{CodeError, Label, Procedure};
 use crate::sheet::Sheet;
 use tank::Shape;
@@ -34,6 +36,21 @@ impl Procedure for Housner {
             short: "Housner",
             figure_key: "k-housner",
         }
+    }
+
+    fn modal_action<'a>(&self, case: &'a Case, _reduced: bool) -> Option<Result<ModalAction<'a>, CodeError>> {
+        let own = case.site.spectrum.as_ref()?;
+        let importance = case.site.ec8.map_or(1.0, |site| site.importance);
+        let elastic =
+            || -> Ordinates<'a> { Box::new(move |period, damping| hazard::elastic(own, importance, damping)(period)) };
+        Some(Ok(ModalAction {
+            longest: hazard::longest(own),
+            structural: elastic(),
+            sloshing: elastic(),
+            wave: elastic(),
+            assumption: "Modes of the engine under the user's spectrum, at the damping of each mode (η of EN 1998-1), not reduced.".into(),
+            vertical: false,
+        }))
     }
 
     fn applies(&self, case: &Case, excitation: Excitation) -> Result<(), NotApplicable> {
