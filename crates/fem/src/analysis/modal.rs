@@ -116,6 +116,24 @@ impl ModalBasis {
         self.participation[mode].map(|g| g * g)
     }
 
+    /// An observable of displacements and accelerations per unit of pseudo-acceleration of each mode, and the static response of the
+    /// missing mass per unit of ground acceleration, under the component `axis`:
+    ///
+    /// ```text
+    /// r_j = Γ_j (c·φ_j − d·φ_j/ω_j²)          r = b + c·ι − d·r_k − Σ c·φ_j Γ_j          Σ r_j + r: everything follows the ground
+    /// ```
+    pub fn per_acceleration(&self, observable: &Observable, axis: usize) -> (Vec<f64>, f64) {
+        let p = self.project(observable);
+        let unit = |j: usize| {
+            let w = self.omega[j];
+            self.participation[j][axis] * (p.acceleration[j] - p.displacement[j] / (w * w))
+        };
+        let followed: f64 = (0..self.len())
+            .map(|j| p.acceleration[j] * self.participation[j][axis])
+            .sum();
+        ((0..self.len()).map(unit).collect(), p.ground[axis] - followed)
+    }
+
     /// An observable's coefficients of (Y_j), (Ẏ_j without its acceleration part), (Ÿ_j) and a_k.
     pub(super) fn project(&self, row: &Observable) -> Projected {
         let on = |sparse: &[(usize, f64)]| -> Vec<f64> {

@@ -8,7 +8,7 @@
 //! ρ_ij = 8 √(ξ_i ξ_j) (ξ_i + r ξ_j) r^{3/2} / [(1 − r²)² + 4 ξ_i ξ_j r (1 + r²) + 4 (ξ_i² + ξ_j²) r²]      r = ω_j/ω_i
 //! ```
 //!
-//! (CQC; SRSS takes ρ_ij = δ_ij.) Modes that are not kept follow the ground: R_rk is their static response to the
+//! (CQC; SRSS takes ρ_ij = δ_ij; the absolute sum is Σ |R_jk| + |R_rk|.) Modes that are not kept follow the ground: R_rk is their static response to the
 //! zero-period acceleration, summed algebraically within a component (missing mass) and by squares with the rest.
 //!
 //! Source: Der Kiureghian 1981; Wilson, Der Kiureghian & Bayo 1981; missing mass after Kennedy 1984.
@@ -24,6 +24,8 @@ pub enum ModalRule {
     Srss,
     /// Complete quadratic combination.
     Cqc,
+    /// Sum of absolute values, an upper bound.
+    Absolute,
 }
 
 /// How components of the ground motion are combined.
@@ -46,6 +48,30 @@ pub fn correlation(first: (f64, f64), second: (f64, f64)) -> f64 {
         return 1.0;
     }
     8.0 * (xi * xj).sqrt() * (xi + r * xj) * r.powf(1.5) / denominator
+}
+
+/// Signed peaks of modes and the missing mass as one peak.
+///
+/// * `modes`: (ω_j [rad/s], ξ_j), one for each of `own`
+/// * `own`: signed peaks R_j
+/// * `rest`: response of the missing mass R_r
+pub fn combined(rule: ModalRule, modes: &[(f64, f64)], own: &[f64], rest: f64) -> f64 {
+    let paired = || modes.iter().zip(own).enumerate();
+    let square: f64 = match rule {
+        ModalRule::Absolute => return own.iter().map(|r| r.abs()).sum::<f64>() + rest.abs(),
+        ModalRule::Srss => own.iter().map(|r| r * r).sum(),
+        ModalRule::Cqc => paired()
+            .map(|(i, (first, a))| {
+                let with = |(j, (second, b)): (usize, (&(f64, f64), &f64))| match i == j {
+                    true => a * b,
+                    false => correlation(*first, *second) * a * b,
+                };
+                paired().map(with).sum::<f64>()
+            })
+            .sum(),
+    };
+    // CQC is a covariance; rounding alone can make it negative.
+    (square + rest * rest).max(0.0).sqrt()
 }
 
 /// Excitation of one component.
@@ -108,15 +134,7 @@ pub fn peaks(
                 .collect()
         })
         .collect();
-    let mut rho = vec![0.0; m * m];
-    for i in 0..m {
-        for j in 0..m {
-            rho[i + j * m] = match modal {
-                ModalRule::Srss => f64::from(i == j),
-                ModalRule::Cqc => correlation((basis.omega[i], ratios[i]), (basis.omega[j], ratios[j])),
-            };
-        }
-    }
+    let keys: Vec<(f64, f64)> = basis.omega.iter().copied().zip(ratios.iter().copied()).collect();
     let peak = |observable: &Observable| {
         if !observable.velocity.is_empty() {
             return Err(refuse(
@@ -132,14 +150,7 @@ pub fn peaks(
                 .collect();
             let followed: f64 = (0..m).map(|j| p.acceleration[j] * basis.participation[j][c.axis]).sum();
             let rest = (p.ground[c.axis] - followed) * c.zero_period;
-            let mut square = rest * rest;
-            for j in 0..m {
-                for i in 0..m {
-                    square += rho[i + j * m] * own[i] * own[j];
-                }
-            }
-            // CQC is a covariance; rounding alone can make it negative.
-            totals.push(square.max(0.0).sqrt());
+            totals.push(combined(modal, &keys, &own, rest));
             modes.push(own);
             missing.push(rest);
         }

@@ -6,7 +6,7 @@ use super::*;
 use crate::analysis::damping::{Damping, Rayleigh};
 use crate::analysis::frequency::{Reduced, Window};
 use crate::analysis::motion::Motion;
-use crate::analysis::spectrum::{Component, DirectionRule, ModalRule, peaks};
+use crate::analysis::spectrum::{Component, DirectionRule, ModalRule, combined, peaks};
 use crate::analysis::transient::{Settings, integrate};
 use crate::linalg::{Cholesky, Eigen, Ordering, Pattern, Symbolic, Symmetric, generalized_eigen};
 use crate::progress::Silent;
@@ -244,6 +244,10 @@ fn spectra_combine() {
     let total = -2.0 * (still[0][4] - 0.5 * still[0][5]);
     // Under a flat spectrum the first mode is static too, with the sign of the ground acceleration turned.
     assert!((found[0].missing[0] - found[0].modes[0][0] - total).abs() < 1e-12);
+    // What follows the ground in all: modes and rest of an observable of displacements are −d·K⁻¹ M ι.
+    let (units, rest) = basis.per_acceleration(&rows[0], 0);
+    assert!((units.iter().sum::<f64>() + rest - 0.5 * total).abs() < 1e-12);
+    assert!((2.0 * rest - found[0].missing[0]).abs() < 1e-12);
     let velocity = &observables()[1..2];
     assert!(
         peaks(
@@ -256,6 +260,17 @@ fn spectra_combine() {
         )
         .is_err()
     );
+}
+
+/// 3, −4 and a rest of 1: by hand. Modes of one frequency are fully correlated: |3 − 4|.
+#[test]
+fn rules_by_hand() {
+    let (apart, same) = ([(1.0, 1e-9), (3.0, 1e-9)], [(2.0, 0.05); 2]);
+    let of = |rule, modes: &[(f64, f64)]| combined(rule, modes, &[3.0, -4.0], 1.0);
+    assert_eq!(of(ModalRule::Absolute, &apart), 8.0);
+    assert!((of(ModalRule::Srss, &apart) - 26.0_f64.sqrt()).abs() < 1e-14);
+    assert!((of(ModalRule::Cqc, &apart) - 26.0_f64.sqrt()).abs() < 1e-6);
+    assert!((of(ModalRule::Cqc, &same) - 2.0_f64.sqrt()).abs() < 1e-12);
 }
 
 /// Hysteretic damping: at resonance the amplitude is that of the same viscous ratio; a harmonic far below is static.
