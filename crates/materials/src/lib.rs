@@ -26,7 +26,10 @@ pub mod grades;
 pub mod interlayer;
 mod modes;
 pub mod plastic_fracturing;
+mod range;
 pub mod von_mises;
+
+pub use range::ElasticRange;
 
 use std::fmt::Debug;
 
@@ -120,6 +123,11 @@ pub trait Law<const N: usize>: Debug + Send + Sync {
     /// Whether σ = C ε with one C for all time, without history: such a law can be integrated beforehand.
     fn is_linear(&self) -> bool {
         false
+    }
+
+    /// Strains in which a point without a past is elastic, if the law can tell.
+    fn elastic_range(&self) -> Option<&dyn ElasticRange<N>> {
+        None
     }
 
     /// Stress, tangent and dissipation at the total strain `strain`, with the committed history `old`; writes the new

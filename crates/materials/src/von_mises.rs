@@ -38,7 +38,7 @@ mod tests;
 use crate::check::{below, positive, within};
 use crate::elastic::Elastic;
 use crate::modes::Modes;
-use crate::{Law, LawError, PointState, Response, refuse};
+use crate::{ElasticRange, Law, LawError, PointState, Response, refuse};
 
 const KIND: &str = "von_mises";
 
@@ -393,12 +393,33 @@ macro_rules! law {
                 self.len($n)
             }
 
+            fn elastic_range(&self) -> Option<&dyn ElasticRange<$n>> {
+                Some(self)
+            }
+
             fn respond(&self, strain: &[f64; $n], old: &[f64], new: &mut [f64]) -> Result<Response<$n>, LawError> {
                 self.respond_in(&self.$modes, strain, old, new)
             }
 
             fn inspect(&self, strain: &[f64; $n], history: &[f64]) -> PointState {
                 self.inspect_in(&self.$modes, strain, history)
+            }
+        }
+
+        /// The first yield surface.
+        impl ElasticRange<$n> for VonMises {
+            fn holds(&self, strain: &[f64; $n]) -> bool {
+                let split = Modes::split(strain);
+                let trial = std::array::from_fn(|j| self.$modes.c[j] * split[j]);
+                self.$modes.equivalent(&trial) <= self.yield_stress
+            }
+
+            fn moduli(&self) -> [[f64; $n]; $n] {
+                self.$modes.moduli
+            }
+
+            fn history(&self, _strain: &[f64; $n], slots: &mut [f64]) {
+                slots.fill(0.0);
             }
         }
     };

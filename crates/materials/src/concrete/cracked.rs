@@ -39,6 +39,7 @@ mod flow;
 mod frame;
 mod local;
 mod parameters;
+mod range;
 mod step;
 
 pub use parameters::{CrackAxes, CrackedParameters, ShearRetention};
@@ -48,7 +49,7 @@ use frame::Frame;
 use super::surface::at;
 use super::tension::Traction;
 use crate::drucker_prager::Cone;
-use crate::{Crack, Law, LawError, PointState, Response};
+use crate::{Crack, ElasticRange, Law, LawError, PointState, Response};
 
 /// Name in errors and files.
 const KIND: &str = "cracked-concrete";
@@ -180,6 +181,10 @@ impl Law<3> for CrackedConcrete {
 
     fn history_len(&self) -> usize {
         SLOTS
+    }
+
+    fn elastic_range(&self) -> Option<&dyn ElasticRange<3>> {
+        Some(self)
     }
 
     fn respond(&self, strain: &[f64; 3], old: &[f64], new: &mut [f64]) -> Result<Response<3>, LawError> {
