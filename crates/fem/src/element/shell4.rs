@@ -255,50 +255,51 @@ impl Shell4 {
         out: &mut Response,
     ) -> Result<(), ElementError> {
         let c = self.configuration(&motion);
-        let common = self.common(&c);
+        let values = self.values(&c);
+        let common = want.tangent.then(|| self.common(&c));
         let extrapolated = match &kept {
             Some(kept) if want.tangent => self.extrapolate(kept, &motion),
             _ => None,
         };
-        let mut stressed = Stressed::default();
+        let (mut stressed, mut other) = (Stressed::default(), Stressed::default());
         let mut any = false;
         let mut section = SectionResponse::default();
         let len = self.section.history_len();
         for (g, p) in self.points.iter().enumerate() {
-            let k = self.kinematics(p, &c, &common);
             let slots = g * len..(g + 1) * len;
+            let (old, new) = (&old[slots.clone()], &mut new[slots]);
             let turn = self.turns.as_ref().map_or(Turn::NONE, |t| t[g]);
-            self.section.respond(
-                &turn.strain(&k.strain),
-                &old[slots.clone()],
-                &mut new[slots],
-                &mut section,
-            )?;
-            turn.back(&mut section);
-            if want.force {
-                for (row, n) in k.rows.iter().zip(&section.resultants) {
-                    let n = n * p.area;
-                    for (f, b) in out.force.iter_mut().zip(row) {
-                        *f += n * b;
+            let strain = turn.strain(&self.strain(p, &c, &values));
+            match &common {
+                Some(common) => {
+                    self.section.respond(&strain, old, new, &mut section)?;
+                    turn.back(&mut section);
+                    let rows = Self::rows(p, &c, common);
+                    add_material(&rows, &section.tangent, p.area, &mut out.tangent);
+                    any |= section.resultants.iter().any(|&n| n != 0.0);
+                    if let Some(extrapolated) = &extrapolated {
+                        any |= extrapolated[g].iter().any(|&n| n != 0.0);
+                        self.stress(p, &extrapolated[g], &mut other);
+                    }
+                    if let Some(kept) = kept.as_deref_mut() {
+                        mixed::keep_point(kept, g, &section);
                     }
                 }
-            }
-            if want.tangent {
-                add_material(&k.rows, &section.tangent, p.area, &mut out.tangent);
-                let stress = extrapolated.as_ref().map_or(&section.resultants, |e| &e[g]);
-                if stress.iter().any(|&n| n != 0.0) {
-                    any = true;
-                    self.stress(p, stress, &mut stressed);
-                }
-                if let Some(kept) = kept.as_deref_mut() {
-                    mixed::keep_point(kept, g, &section);
+                None => {
+                    self.section.resist(&strain, old, new, &mut section)?;
+                    section.resultants = turn.resultants_back(&section.resultants);
                 }
             }
+            self.stress(p, &section.resultants, &mut stressed);
+        }
+        if want.force {
+            Self::add_force(&c, &stressed, &mut out.force);
         }
         if want.tangent {
             out.tangent.mirror();
             if any {
-                self.add_geometric(&c, &stressed, &mut out.tangent);
+                let stressed = if extrapolated.is_some() { &other } else { &stressed };
+                self.add_geometric(&c, stressed, &mut out.tangent);
             }
             if let Some(kept) = kept {
                 mixed::keep_motion(kept, &motion);
@@ -438,10 +439,8 @@ impl Buckling for Shell4 {
         let tangent = self.initial_tangent()?;
         let mut stressed = Stressed::default();
         for (g, p) in self.points.iter().enumerate() {
-            let k = self.kinematics(p, &reference, &common);
-            let strain = k
-                .rows
-                .map(|row| row.iter().zip(values).map(|(b, v)| b * v).sum::<f64>());
+            let strain =
+                Self::rows(p, &reference, &common).map(|row| row.iter().zip(values).map(|(b, v)| b * v).sum::<f64>());
             let turn = self.turns.as_ref().map_or(Turn::NONE, |t| t[g]);
             let strain = turn.strain(&strain);
             let resultants = tangent.map(|row| row.iter().zip(&strain).map(|(c, e)| c * e).sum());

@@ -20,7 +20,14 @@
 //! Linear laws ([`Law::is_linear`]) are integrated once, when the section is made. A section of linear laws only has no history
 //! and costs as much as an elastic one.
 //!
-//! History of a point: the energy dissipated so far [J/m²], then that of every layer, then of every bar whose law is not linear.
+//! A point whose layers have all been in their elastic range ([`materials::ElasticRange`]) from the beginning is **whole**: it answers
+//! with the constant A, B, D of its layers, and only the outermost ones of each ply are asked whether they stay in their range, which
+//! is convex. The first strain outside ends this for good; the layers then take up the histories they would have.
+//!
+//! History of a point: the energy dissipated so far [J/m²], 1 while it is whole, its strain then (ε, κ), then that of every layer (the
+//! initial one while it is whole), then of every bar whose law is not linear.
+
+mod response;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -70,6 +77,8 @@ struct Layer {
     /// Place of its history.
     slots: Range<usize>,
     linear: bool,
+    /// Whether its law has an elastic range.
+    ranged: bool,
 }
 
 /// A bar, ready for use.
@@ -94,6 +103,10 @@ pub struct LayeredSection {
     history: usize,
     /// Tangent of the linear laws and of transverse shear.
     constant: [[f64; 8]; 8],
+    /// The same with the layers that have an elastic range.
+    whole: [[f64; 8]; 8],
+    /// Outermost layers of each ply with an elastic range.
+    outermost: Vec<usize>,
     thickness: f64,
     eccentricity: f64,
     inertia: [f64; 3],
@@ -139,6 +152,8 @@ impl LayeredSection {
             rods: Vec::new(),
             history: 0,
             constant: [[0.0; 8]; 8],
+            whole: [[0.0; 8]; 8],
+            outermost: Vec::new(),
             thickness,
             eccentricity,
             inertia: [0.0; 3],
@@ -165,6 +180,7 @@ impl LayeredSection {
         )?;
         for i in 6..8 {
             self.constant[i][i] = factor * self.shear;
+            self.whole[i][i] = factor * self.shear;
         }
         Ok(self)
     }
@@ -192,11 +208,17 @@ impl LayeredSection {
         let shear = virgin.tangent[2][2];
         check(shear > 0.0, "shear modulus of a law", shear, "> 0")?;
         self.shear += shear * ply.thickness;
+        let moduli = ply.law.elastic_range().filter(|_| !linear).map(|range| range.moduli());
+        let first = self.layers.len();
         for (x, w) in ply.rule.points()? {
             let (depth, weight) = (middle + half * x, half * w);
             let slots = if linear { 0..0 } else { self.reserve(len) };
             if linear {
                 add_layer(&virgin.tangent, depth, weight, &mut self.constant);
+                add_layer(&virgin.tangent, depth, weight, &mut self.whole);
+            }
+            if let Some(moduli) = &moduli {
+                add_layer(moduli, depth, weight, &mut self.whole);
             }
             self.layers.push(Layer {
                 law: ply.law.clone(),
@@ -204,7 +226,11 @@ impl LayeredSection {
                 weight,
                 slots,
                 linear,
+                ranged: moduli.is_some(),
             });
+        }
+        if moduli.is_some() {
+            self.outermost.extend([first, self.layers.len() - 1]);
         }
         let mass = ply.density * ply.thickness;
         self.inertia[0] += mass;
@@ -229,6 +255,7 @@ impl LayeredSection {
         let virgin = at_rest(&*bar.law)?;
         if linear {
             rod.add_tangent(virgin.tangent[0][0], &mut self.constant);
+            rod.add_tangent(virgin.tangent[0][0], &mut self.whole);
         }
         let mass = bar.density * bar.area;
         self.inertia[0] += mass;
@@ -238,9 +265,9 @@ impl LayeredSection {
         Ok(())
     }
 
-    /// Room for a history; the energy comes first.
+    /// Room for a history, after that of the point itself.
     fn reserve(&mut self, len: usize) -> Range<usize> {
-        let start = self.history.max(1);
+        let start = self.history.max(response::HEAD);
         self.history = start + len;
         start..self.history
     }
@@ -316,6 +343,9 @@ impl Section for LayeredSection {
 
     fn init_history(&self, slots: &mut [f64]) {
         slots.fill(0.0);
+        if self.history > 0 {
+            slots[response::WHOLE] = f64::from(u8::from(!self.outermost.is_empty()));
+        }
         for layer in self.layers.iter().filter(|l| !l.linear) {
             layer.law.init_history(&mut slots[layer.slots.clone()]);
         }
@@ -331,42 +361,17 @@ impl Section for LayeredSection {
         new: &mut [f64],
         out: &mut SectionResponse,
     ) -> Result<(), ElementError> {
-        out.tangent = self.constant;
-        for (n, row) in out.resultants.iter_mut().zip(&self.constant) {
-            *n = row.iter().zip(strain).map(|(c, e)| c * e).sum();
-        }
-        if self.history == 0 {
-            return Ok(());
-        }
-        let mut dissipation = 0.0;
-        for layer in self.layers.iter().filter(|l| !l.linear) {
-            let (at, own) = (at_depth(strain, layer.depth), layer.slots.clone());
-            let response = layer
-                .law
-                .respond(&at, &old[own.clone()], &mut new[own])
-                .map_err(failed)?;
-            for (i, stress) in response.stress.iter().enumerate() {
-                out.resultants[i] += layer.weight * stress;
-                out.resultants[3 + i] += layer.weight * layer.depth * stress;
-            }
-            add_layer(&response.tangent, layer.depth, layer.weight, &mut out.tangent);
-            dissipation += layer.weight * response.dissipation;
-        }
-        for rod in self.rods.iter().filter(|r| !r.linear) {
-            let (at, own) = (rod.strain(strain), rod.slots.clone());
-            let response = rod
-                .law
-                .respond(&[at], &old[own.clone()], &mut new[own])
-                .map_err(failed)?;
-            let force = rod.area * response.stress[0];
-            for (n, b) in out.resultants.iter_mut().zip(rod.weights()) {
-                *n += force * b;
-            }
-            rod.add_tangent(response.tangent[0][0], &mut out.tangent);
-            dissipation += rod.area * response.dissipation;
-        }
-        new[0] = old[0] + dissipation;
-        Ok(())
+        self.integrate::<true>(strain, old, new, out)
+    }
+
+    fn resist(
+        &self,
+        strain: &[f64; 8],
+        old: &[f64],
+        new: &mut [f64],
+        out: &mut SectionResponse,
+    ) -> Result<(), ElementError> {
+        self.integrate::<false>(strain, old, new, out)
     }
 
     fn dissipated(&self, history: &[f64]) -> f64 {
@@ -374,9 +379,10 @@ impl Section for LayeredSection {
     }
 
     fn inspect(&self, strain: &[f64; 8], history: &[f64], see: &mut dyn FnMut(LayerState)) {
+        let mut room = Vec::new();
         for (number, layer) in self.layers.iter().enumerate() {
             let at = at_depth(strain, layer.depth);
-            let own = &history[layer.slots.clone()];
+            let own = layer.past(history, &mut room);
             // The law has already responded to a committed state.
             let stress = layer
                 .law

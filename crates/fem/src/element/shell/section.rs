@@ -81,6 +81,19 @@ pub trait Section: Send + Sync {
         out: &mut SectionResponse,
     ) -> Result<(), ElementError>;
 
+    /// The same without the tangent, which may be left as it is; the resultants are those of [`Section::respond`], bit for bit.
+    ///
+    /// Errors: those of [`Section::respond`].
+    fn resist(
+        &self,
+        strain: &[f64; 8],
+        old: &[f64],
+        new: &mut [f64],
+        out: &mut SectionResponse,
+    ) -> Result<(), ElementError> {
+        self.respond(strain, old, new, out)
+    }
+
     /// Energy dissipated so far per area of the reference surface [J/m²], read from the committed history of one point.
     fn dissipated(&self, _history: &[f64]) -> f64 {
         0.0

@@ -31,12 +31,12 @@ impl Shell4 {
     /// Errors: those of the section.
     pub fn resultant_rows(&self, p: &Point) -> Result<[Row; 8], ElementError> {
         let reference = self.reference();
-        let kinematics = self.kinematics(p, &reference, &self.common(&reference));
+        let strains = Self::rows(p, &reference, &self.common(&reference));
         let tangent = self.initial_tangent()?;
         let turn = self.turn(p);
         let mut rows = [[0.0; SIZE]; 8];
         for j in 0..SIZE {
-            let strain = turn.strain(&std::array::from_fn(|k| kinematics.rows[k][j]));
+            let strain = turn.strain(&std::array::from_fn(|k| strains[k][j]));
             for (row, c) in rows.iter_mut().zip(&tangent) {
                 row[j] = c.iter().zip(&strain).map(|(c, e)| c * e).sum();
             }
@@ -79,10 +79,10 @@ impl Shell4 {
         mut see: impl FnMut(usize, &Point, &'h [f64], [f64; 8]) -> Result<(), ElementError>,
     ) -> Result<(), ElementError> {
         let c = self.configuration(motion);
-        let common = self.common(&c);
+        let values = self.values(&c);
         let len = self.section.history_len();
         self.points.iter().enumerate().try_for_each(|(g, p)| {
-            let strain = self.turn(p).strain(&self.kinematics(p, &c, &common).strain);
+            let strain = self.turn(p).strain(&self.strain(p, &c, &values));
             see(g, p, &history[g * len..(g + 1) * len], strain)
         })
     }

@@ -77,7 +77,7 @@ impl Shell4 {
         });
         let common = self.common(&before);
         Some(std::array::from_fn(|g| {
-            let rows = self.kinematics(&self.points[g], &before, &common).rows;
+            let rows = Self::rows(&self.points[g], &before, &common);
             let strain = rows.map(|row| row.iter().zip(&step).map(|(b, v)| b * v).sum::<f64>());
             let own = &kept[POINT + g * POINT_LEN..][..POINT_LEN];
             std::array::from_fn(|i| {

@@ -19,20 +19,20 @@ pub(super) struct Configuration {
     pub(super) w: [Vector3<f64>; 4],
 }
 
-/// Strain rows at one point and the derivatives of position and director they are made of.
-pub(super) struct Kinematics {
-    pub(super) rows: [Row; 8],
-    pub(super) strain: [f64; 8],
+/// Rows of membrane shear and edge shears, common to all points.
+pub(super) struct Common {
+    shear: Option<Row>,
+    edges: [Row; 4],
 }
 
 /// Membrane shear and edge shears, common to all points.
-pub(super) struct Common {
-    pub(super) shear: Option<(Row, f64)>,
-    pub(super) edges: [(Row, f64); 4],
+pub(super) struct Values {
+    shear: Option<f64>,
+    edges: [f64; 4],
 }
 
 /// Weighted resultants that multiply the constant second derivatives of the strains.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Stressed {
     /// Coefficients of x_a · x_b.
     pub(super) xx: [[f64; 4]; 4],
@@ -62,23 +62,39 @@ impl Shell4 {
         }
     }
 
-    /// 2ε_12 at a point: row and value.
-    pub(super) fn membrane_shear_at(&self, p: &Point, c: &Configuration) -> (Row, f64) {
+    /// Row of 2ε_12 at a point.
+    fn membrane_shear_row(p: &Point, c: &Configuration) -> Row {
         let (x1, x2) = (blend(&p.d1, &c.x), blend(&p.d2, &c.x));
-        let (u1, u2) = (blend(&p.d1, &c.u), blend(&p.d2, &c.u));
-        let (g1, g2) = (blend(&p.d1, &self.x), blend(&p.d2, &self.x));
         let mut row = [0.0; SIZE];
         for a in 0..4 {
             put(&mut row, 6 * a, x2 * p.d1[a] + x1 * p.d2[a]);
         }
-        (row, g1.dot(&u2) + g2.dot(&u1) + u1.dot(&u2))
+        row
+    }
+
+    /// 2ε_12 at a point.
+    fn membrane_shear(&self, p: &Point, c: &Configuration) -> f64 {
+        let (u1, u2) = (blend(&p.d1, &c.u), blend(&p.d2, &c.u));
+        let (g1, g2) = (blend(&p.d1, &self.x), blend(&p.d2, &self.x));
+        g1.dot(&u2) + g2.dot(&u1) + u1.dot(&u2)
+    }
+
+    /// Strains that are common to all points.
+    pub(super) fn values(&self, c: &Configuration) -> Values {
+        Values {
+            shear: match self.membrane_shear {
+                MembraneShear::CentrePoint => Some(self.membrane_shear(&self.centre, c)),
+                MembraneShear::Full => None,
+            },
+            edges: EDGES.map(|(a, b)| {
+                let stretch = (c.u[b] - c.u[a]) * 0.25;
+                let turn = c.w[a] + c.w[b];
+                stretch.dot(&(self.directors[a] + self.directors[b] + turn)) + (self.x[b] - self.x[a]).dot(&turn) * 0.25
+            }),
+        }
     }
 
     pub(super) fn common(&self, c: &Configuration) -> Common {
-        let shear = match self.membrane_shear {
-            MembraneShear::CentrePoint => Some(self.membrane_shear_at(&self.centre, c)),
-            MembraneShear::Full => None,
-        };
         let edges = EDGES.map(|(a, b)| {
             // At the middle of the edge: x,α = ½ (x_b − x_a), d = ½ (d_a + d_b).
             let along = (c.x[b] - c.x[a]) * 0.25;
@@ -88,13 +104,15 @@ impl Shell4 {
             put(&mut row, 6 * b, director);
             put(&mut row, 6 * a + 3, c.d[a].cross(&along));
             put(&mut row, 6 * b + 3, c.d[b].cross(&along));
-            let stretch = (c.u[b] - c.u[a]) * 0.25;
-            let turn = c.w[a] + c.w[b];
-            let value = stretch.dot(&(self.directors[a] + self.directors[b] + turn))
-                + (self.x[b] - self.x[a]).dot(&turn) * 0.25;
-            (row, value)
+            row
         });
-        Common { shear, edges }
+        Common {
+            shear: match self.membrane_shear {
+                MembraneShear::CentrePoint => Some(Self::membrane_shear_row(&self.centre, c)),
+                MembraneShear::Full => None,
+            },
+            edges,
+        }
     }
 
     /// Factors of the four edge shears in γ_1 and γ_2 at a point.
@@ -104,12 +122,10 @@ impl Shell4 {
         [0, 1].map(|i| std::array::from_fn(|e| weight[e] * p.contravariant[e / 2][i]))
     }
 
-    pub(super) fn kinematics(&self, p: &Point, c: &Configuration, common: &Common) -> Kinematics {
+    /// Rows of the strains at a point.
+    pub(super) fn rows(p: &Point, c: &Configuration, common: &Common) -> [Row; 8] {
         let (x1, x2) = (blend(&p.d1, &c.x), blend(&p.d2, &c.x));
         let (d1, d2) = (blend(&p.d1, &c.d), blend(&p.d2, &c.d));
-        let (u1, u2) = (blend(&p.d1, &c.u), blend(&p.d2, &c.u));
-        let (w1, w2) = (blend(&p.d1, &c.w), blend(&p.d2, &c.w));
-        let (g1, g2) = (blend(&p.d1, &self.x), blend(&p.d2, &self.x));
         let mut rows = [[0.0; SIZE]; 8];
         for a in 0..4 {
             let (n1, n2, k) = (p.d1[a], p.d2[a], 6 * a);
@@ -124,15 +140,27 @@ impl Shell4 {
             put(&mut rows[4], k + 3, t2 * n2);
             put(&mut rows[5], k + 3, t2 * n1 + t1 * n2);
         }
-        let (shear_row, shear) = match &common.shear {
-            Some(shear) => *shear,
-            None => self.membrane_shear_at(p, c),
-        };
-        rows[2] = shear_row;
+        rows[2] = common.shear.unwrap_or_else(|| Self::membrane_shear_row(p, c));
+        for (i, tying) in Self::tying(p).iter().enumerate() {
+            for (&factor, row) in tying.iter().zip(&common.edges) {
+                for (to, from) in rows[6 + i].iter_mut().zip(row) {
+                    *to += factor * from;
+                }
+            }
+        }
+        rows
+    }
+
+    /// Strains at a point.
+    pub(super) fn strain(&self, p: &Point, c: &Configuration, common: &Values) -> [f64; 8] {
+        let (d1, d2) = (blend(&p.d1, &c.d), blend(&p.d2, &c.d));
+        let (u1, u2) = (blend(&p.d1, &c.u), blend(&p.d2, &c.u));
+        let (w1, w2) = (blend(&p.d1, &c.w), blend(&p.d2, &c.w));
+        let (g1, g2) = (blend(&p.d1, &self.x), blend(&p.d2, &self.x));
         let mut strain = [
             g1.dot(&u1) + 0.5 * u1.dot(&u1),
             g2.dot(&u2) + 0.5 * u2.dot(&u2),
-            shear,
+            common.shear.unwrap_or_else(|| self.membrane_shear(p, c)),
             u1.dot(&d1) + g1.dot(&w1),
             u2.dot(&d2) + g2.dot(&w2),
             u1.dot(&d2) + g1.dot(&w2) + u2.dot(&d1) + g2.dot(&w1),
@@ -140,14 +168,11 @@ impl Shell4 {
             0.0,
         ];
         for (i, tying) in Self::tying(p).iter().enumerate() {
-            for (&factor, (row, value)) in tying.iter().zip(&common.edges) {
+            for (&factor, value) in tying.iter().zip(&common.edges) {
                 strain[6 + i] += factor * value;
-                for (to, from) in rows[6 + i].iter_mut().zip(row) {
-                    *to += factor * from;
-                }
             }
         }
-        Kinematics { rows, strain }
+        strain
     }
 
     /// Adds the weighted resultants of one point.
@@ -170,6 +195,28 @@ impl Shell4 {
             for n in [a, b] {
                 out.xd[b][n] += q;
                 out.xd[a][n] -= q;
+            }
+        }
+    }
+
+    /// Adds the internal force. The strains are quadratic in x and bilinear in x and d: with y = x − x_0, which no strain
+    /// misses,
+    ///
+    /// ```text
+    /// f_a = Σ_b xx_ab y_b + Σ_b xd_ab d_b ,   m_b = d_b × Σ_a xd_ab y_a
+    /// ```
+    pub(super) fn add_force(c: &Configuration, stressed: &Stressed, force: &mut [f64]) {
+        let y = c.x.map(|x| x - c.x[0]);
+        for a in 0..4 {
+            let (mut f, mut pull) = (Vector3::zeros(), Vector3::zeros());
+            for b in 0..4 {
+                f += y[b] * stressed.xx[a][b] + c.d[b] * stressed.xd[a][b];
+                pull += y[b] * stressed.xd[b][a];
+            }
+            let moment = c.d[a].cross(&pull);
+            for i in 0..3 {
+                force[6 * a + i] += f[i];
+                force[6 * a + 3 + i] += moment[i];
             }
         }
     }
