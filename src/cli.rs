@@ -119,6 +119,7 @@ pub fn main() -> ExitCode {
         When::Always => anstream::ColorChoice::Always.write_global(),
         When::Never => anstream::ColorChoice::Never.write_global(),
     }
+    fem::cores::limit(cli.global.threads.map_or(0, usize::from));
     progress::listen(&cli.global);
     match cli.run() {
         Ok(code) => ExitCode::from(code),

@@ -413,6 +413,7 @@ mod tests {
         let global = Global {
             color: crate::cli::When::Never,
             quiet: true,
+            threads: None,
         };
         let whole = spectrum(&record, &periods, &[0.02, 0.05], Method::Exact);
         let parts = in_parts(

@@ -15,7 +15,7 @@
 //! * [`model`]: nodes, elements, supports and groups, built once and then read-only; [`dofs`] numbers its unknowns.
 //! * [`state`]: committed and trial fields and the elements' history. [`assembly`]: element matrices to global ones.
 //! * [`strip`]: a long rectangular tank as a strip, from fibre beams and condensed liquid.
-//! * [`progress`]: progress of a long analysis, and its interruption.
+//! * [`progress`]: progress of a long analysis, and its interruption. [`cores`]: the cores it may use.
 //! * [`analysis`]: static, eigen, modal, spectral, frequency-domain and direct time integration.
 //!
 //! Units are SI throughout unless a test's source fixes others.
@@ -23,6 +23,7 @@
 pub mod analysis;
 pub mod assembly;
 pub mod chart;
+pub mod cores;
 pub mod dofs;
 pub mod element;
 pub use linalg;

@@ -141,14 +141,17 @@ impl Builder {
         if dofs.is_empty() {
             return Err(ModelError::NoUnknown);
         }
+        let by_node = |frames: &BTreeMap<usize, Matrix3<f64>>| {
+            (0..self.nodes.len()).map(|node| frames.get(&node).copied()).collect()
+        };
         Ok(Model {
+            frames: by_node(&self.frames),
+            rotation_frames: by_node(&self.rotation_frames),
             nodes: self.nodes,
             elements: self.elements,
             group_of: self.group_of,
             groups: self.groups,
             held: self.held,
-            frames: self.frames,
-            rotation_frames: self.rotation_frames,
             dofs,
         })
     }
@@ -161,8 +164,8 @@ pub struct Model {
     group_of: Vec<GroupId>,
     groups: Vec<String>,
     held: Vec<[bool; KINDS]>,
-    frames: BTreeMap<usize, Matrix3<f64>>,
-    rotation_frames: BTreeMap<usize, Matrix3<f64>>,
+    frames: Vec<Option<Matrix3<f64>>>,
+    rotation_frames: Vec<Option<Matrix3<f64>>>,
     dofs: DofMap,
 }
 
@@ -204,12 +207,12 @@ impl Model {
 
     /// Frame of the displacement unknowns of `node`, if not the global axes; rows are the axes.
     pub fn frame(&self, node: usize) -> Option<&Matrix3<f64>> {
-        self.frames.get(&node)
+        self.frames[node].as_ref()
     }
 
     /// Frame of the rotation unknowns of `node`, if not the global axes; rows are the axes.
     pub fn rotation_frame(&self, node: usize) -> Option<&Matrix3<f64>> {
-        self.rotation_frames.get(&node)
+        self.rotation_frames[node].as_ref()
     }
 
     /// The unknowns under a field given at every node: displacement, rotation (global components), potential, elevation,

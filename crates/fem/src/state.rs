@@ -1,7 +1,7 @@
 //! Committed and trial fields and the elements' history.
 //!
-//! No element and no material has commit code: [`State::commit`] copies the trial fields and history onto the committed
-//! ones, [`State::revert`] the other way round. Finite rotations are fields: each node's rotation since the reference
+//! No element and no material has commit code: [`State::commit`] makes the trial fields and history the committed ones,
+//! [`State::revert`] the other way round. Finite rotations are fields: each node's rotation since the reference
 //! state, updated multiplicatively by spin increments, so that a cut step restores them with everything else.
 
 use nalgebra::{UnitQuaternion, Vector3};
@@ -24,7 +24,7 @@ pub struct Fields {
 }
 
 /// Committed and trial state of a model.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct State {
     /// Last converged fields.
     pub committed: Fields,
@@ -32,8 +32,10 @@ pub struct State {
     pub trial: Fields,
     /// History at the committed state, all elements one after the other.
     pub old: Vec<f64>,
-    /// History at the trial state.
-    pub new: Vec<f64>,
+    /// History at the trial state; without meaning until the elements have written it.
+    new: Vec<f64>,
+    /// Whether they have, since the last commit or revert.
+    written: bool,
     /// Start of each element's history, with the total at the end.
     offsets: Vec<usize>,
 }
@@ -60,6 +62,7 @@ impl State {
             committed: fields.clone(),
             trial: fields,
             new: old.clone(),
+            written: false,
             old,
             offsets,
         }
@@ -70,16 +73,26 @@ impl State {
         self.offsets[e]..self.offsets[e + 1]
     }
 
+    /// Trial fields, committed history, trial history to be written, and the start of each element's history with the total at the
+    /// end.
+    pub(crate) fn split(&mut self) -> (&Fields, &[f64], &mut [f64], &[usize]) {
+        self.written = true;
+        (&self.trial, &self.old, &mut self.new, &self.offsets)
+    }
+
     /// Accepts the trial state.
     pub fn commit(&mut self) {
         self.committed.clone_from(&self.trial);
-        self.old.copy_from_slice(&self.new);
+        if std::mem::take(&mut self.written) {
+            // Elements write all of their trial history: the old one need not be copied back.
+            std::mem::swap(&mut self.old, &mut self.new);
+        }
     }
 
     /// Returns to the committed state.
     pub fn revert(&mut self) {
         self.trial.clone_from(&self.committed);
-        self.new.copy_from_slice(&self.old);
+        self.written = false;
     }
 
     /// Adds an increment to the trial displacements; its rotational part is a spin superposed on the nodes' rotations,
@@ -105,6 +118,13 @@ impl State {
                 rotation.renormalize();
             }
         }
+    }
+}
+
+/// Equal fields and equal committed history.
+impl PartialEq for State {
+    fn eq(&self, other: &State) -> bool {
+        (&self.committed, &self.trial, &self.old) == (&other.committed, &other.trial, &other.old)
     }
 }
 

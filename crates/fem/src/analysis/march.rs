@@ -85,12 +85,14 @@ pub struct Settings {
     pub halvings: u32,
     /// Steps that must converge before a cut step is doubled.
     pub recovery: usize,
+    /// Threads that evaluate the elements; no result depends on their number.
+    pub threads: usize,
     /// Where to keep checkpoints.
     pub checkpoint: Option<Checkpoint>,
 }
 
 impl Settings {
-    /// Generalised-α with ρ_∞ = 0.9 from rest.
+    /// Generalised-α with ρ_∞ = 0.9 from rest, on one thread.
     pub fn new(grid: Grid) -> Settings {
         Settings {
             scheme: TimeScheme::GeneralizedAlpha { radius: 0.9 },
@@ -101,6 +103,7 @@ impl Settings {
             newton: Options::default(),
             halvings: 6,
             recovery: 10,
+            threads: 1,
             checkpoint: None,
         }
     }

@@ -222,6 +222,8 @@ pub struct Newton<'a> {
     cost: Cost,
     room: Room,
     kept: Option<Kept>,
+    /// Threads that evaluate the elements.
+    threads: usize,
 }
 
 /// Vectors kept from iteration to iteration.
@@ -307,6 +309,7 @@ impl<'a> Newton<'a> {
             cost: Cost::default(),
             room: Room::default(),
             kept: None,
+            threads: 1,
         };
         if viscous {
             let state = State::new(model);
@@ -319,6 +322,12 @@ impl<'a> Newton<'a> {
     /// ([`Mixed`](crate::element::Mixed)); a step that fails is tried again without.
     pub fn with_extrapolated_stresses(mut self) -> Newton<'a> {
         self.kept = Some(Kept::new(self.model));
+        self
+    }
+
+    /// The same with the elements evaluated on `threads` threads; no result depends on their number.
+    pub fn on_threads(mut self, threads: usize) -> Newton<'a> {
+        self.threads = threads;
         self
     }
 

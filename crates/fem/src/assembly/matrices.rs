@@ -46,8 +46,13 @@ impl Assembler {
         if self.turned[e] {
             turn_matrix(model, &*model.elements()[e], local);
         }
+        self.place(e, &local.data, sink);
+    }
+
+    /// Adds the matrix of element `e`, given along the axes of the unknowns.
+    pub(super) fn place(&self, e: usize, local: &[f64], sink: &mut Sink<'_>) {
         let places = &self.places[self.place_starts[e]..self.place_starts[e + 1]];
-        for (&place, &value) in places.iter().zip(&local.data) {
+        for (&place, &value) in places.iter().zip(local) {
             if place != NONE {
                 sink.add(place as usize, value);
             }

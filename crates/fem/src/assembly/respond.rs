@@ -1,12 +1,28 @@
 //! Response of the elements to a motion.
 
+mod parallel;
+
 use super::matrices::{Sink, Work};
-use super::turn::turn_back;
+use super::turn::{Nodes, turn_back};
 use super::{Assembler, NONE};
 use crate::element::{ElementError, LocalMatrix, Motion, Response, Want, local_size};
 use crate::linalg::Symmetric;
 use crate::model::Model;
-use crate::state::{Gather, State};
+use crate::state::{Fields, Gather, State};
+
+/// Room for the response of one element, reused from element to element.
+#[derive(Default)]
+struct Room {
+    gather: Gather,
+    response: Response,
+}
+
+/// Variables of one element: committed and trial history, and data kept from one iteration to the next.
+struct Slots<'a> {
+    old: &'a [f64],
+    new: &'a mut [f64],
+    kept: &'a mut [f64],
+}
 
 /// Internal forces of a model.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -28,6 +44,8 @@ pub(crate) struct Ask<'a> {
     pub linear: Option<&'a LinearPart>,
     /// Factor on the tangents of elements that act at the end of a step.
     pub end_tangent: f64,
+    /// Threads that evaluate the elements, at most; the results do not depend on them.
+    pub threads: usize,
 }
 
 impl<'a> Ask<'a> {
@@ -37,6 +55,7 @@ impl<'a> Ask<'a> {
             want,
             linear,
             end_tangent: 1.0,
+            threads: 1,
         }
     }
 }
@@ -65,10 +84,6 @@ impl Kept {
     /// Forgets the iterate before: a step begins.
     pub fn clear(&mut self) {
         self.values.fill(0.0);
-    }
-
-    fn of(&mut self, e: usize) -> &mut [f64] {
-        &mut self.values[self.offsets[e]..self.offsets[e + 1]]
     }
 }
 
@@ -161,7 +176,7 @@ impl Assembler {
         ask: Ask<'_>,
         tangent: &mut Symmetric,
         forces: &mut Forces,
-        mut kept: Option<&mut Kept>,
+        kept: Option<&mut Kept>,
     ) -> Result<(), (usize, ElementError)> {
         let Ask { want, linear, .. } = ask;
         let ends = !self.at_end.is_empty();
@@ -184,62 +199,70 @@ impl Assembler {
                 forces.support[s as usize] += k * state.trial.u[e as usize];
             }
         }
-        let (mut gather, mut response) = (Gather::default(), Response::default());
-        for (e, element) in model.elements().iter().enumerate() {
-            if linear.is_some() && self.linear[e] {
-                continue;
-            }
-            let dofs = self.equation_starts[e]..self.equation_starts[e + 1];
-            response.reset(dofs.len());
-            let range = state.history(e);
-            let motion: Motion<'_> = match self.turned[e] {
-                true => gather.motion(model, &state.trial, &**element),
-                // Components are the unknowns themselves.
-                false => {
-                    let value = |&q: &u32| if q == NONE { 0.0 } else { state.trial.u[q as usize] };
-                    gather.values(&state.trial, &**element, self.equations[dofs.clone()].iter().map(value))
-                }
-            };
-            let (old, new) = (&state.old[range.clone()], &mut state.new[range]);
-            match kept.as_deref_mut().and_then(|kept| Some((element.mixed()?, kept))) {
-                Some((mixed, kept)) => mixed.respond_mixed(motion, old, new, want, kept.of(e), &mut response),
-                None => element.respond(motion, old, new, want, &mut response),
-            }
-            .map_err(|error| (e, error))?;
-            if self.turned[e] {
-                turn_back(model, &**element, &state.trial.rotation, want, &mut response);
-            }
-            self.add_forces(model, e, want, &mut response, forces);
-            if ends && self.at_end[e] {
-                response.tangent.data.iter_mut().for_each(|k| *k *= ask.end_tangent);
+        let nodes = Nodes::new(model, &state.trial);
+        self.evaluate(model, state, &nodes, ask, kept, |e, force, matrix| {
+            if want.force {
+                self.add_forces(e, force, forces);
             }
             if want.tangent {
-                self.scatter(model, e, &mut response.tangent, &mut Sink::whole(&mut tangent.values));
+                self.place(e, matrix, &mut Sink::whole(&mut tangent.values));
             }
+        })
+    }
+
+    /// Response of element `e` along the axes of the unknowns, into the room; writes its part `new` of the history.
+    fn local(
+        &self,
+        model: &Model,
+        e: usize,
+        ask: Ask<'_>,
+        (trial, nodes): (&Fields, &Nodes),
+        slots: Slots<'_>,
+        room: &mut Room,
+    ) -> Result<(), ElementError> {
+        let (want, element) = (ask.want, &*model.elements()[e]);
+        let Slots { old, new, kept } = slots;
+        let dofs = self.equation_starts[e]..self.equation_starts[e + 1];
+        let Room { gather, response } = room;
+        response.reset(dofs.len());
+        let motion: Motion<'_> = match self.turned[e] {
+            true => {
+                let at = element.nodes().iter().enumerate();
+                let own = at.flat_map(|(a, &node)| element.dofs(a).iter().map(move |d| nodes.values[node][d.index()]));
+                gather.values(trial, element, own)
+            }
+            // Components are the unknowns themselves.
+            false => {
+                let value = |&q: &u32| if q == NONE { 0.0 } else { trial.u[q as usize] };
+                gather.values(trial, element, self.equations[dofs].iter().map(value))
+            }
+        };
+        match element.mixed().filter(|_| !kept.is_empty()) {
+            Some(mixed) => mixed.respond_mixed(motion, old, new, want, kept, response)?,
+            None => element.respond(motion, old, new, want, response)?,
+        }
+        if want.tangent && self.at_end.get(e) == Some(&true) {
+            response.tangent.data.iter_mut().for_each(|k| *k *= ask.end_tangent);
+        }
+        if self.turned[e] {
+            nodes.turn(model, element, want, response);
         }
         Ok(())
     }
 
     /// Adds the force of element `e`: to the unknowns, the supports, and the forces at the end of a step.
-    fn add_forces(&self, model: &Model, e: usize, want: Want, response: &mut Response, forces: &mut Forces) {
-        if !want.force {
-            return;
-        }
-        self.scatter_vector(model, e, &mut response.force, &mut forces.internal);
+    fn add_forces(&self, e: usize, force: &[f64], forces: &mut Forces) {
         let dofs = self.equation_starts[e]..self.equation_starts[e + 1];
-        for (&s, f) in self.held[dofs.clone()].iter().zip(&response.force) {
+        let ends = self.at_end.get(e) == Some(&true);
+        for ((&q, &s), f) in self.equations[dofs.clone()].iter().zip(&self.held[dofs]).zip(force) {
+            if q != NONE {
+                forces.internal[q as usize] += f;
+                if ends {
+                    forces.at_end[q as usize] += f;
+                }
+            }
             if s != NONE {
                 forces.support[s as usize] += f;
-            }
-        }
-        if self.at_end.get(e) == Some(&true) {
-            // Turned already.
-            for (&q, f) in self.equations[dofs]
-                .iter()
-                .zip(&response.force)
-                .filter(|(q, _)| **q != NONE)
-            {
-                forces.at_end[q as usize] += f;
             }
         }
     }

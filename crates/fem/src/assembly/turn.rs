@@ -2,9 +2,10 @@
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
-use crate::dofs::Dof;
+use crate::dofs::{Dof, KINDS};
 use crate::element::{Element, LocalMatrix, Response, Want};
 use crate::model::Model;
+use crate::state::Fields;
 
 /// Turns rotational components back with their nodes where these have a rotation frame: the frame F turns with the
 /// node, its rows are those of F Rᵀ, so that the third one stays the director of a smooth shell node.
@@ -30,6 +31,54 @@ pub(super) fn turn_back(
             }
         }
         k += element.dofs(a).len();
+    }
+}
+
+/// What the elements of one evaluation share at the nodes.
+pub(super) struct Nodes {
+    /// Global components of the displacements.
+    pub(super) values: Vec<[f64; KINDS]>,
+    /// F Rᵀ: from global components of a rotation to those along the frame, which turns with the node ([`turn_back`]).
+    spins: Vec<Option<Matrix3<f64>>>,
+}
+
+impl Nodes {
+    pub(super) fn new(model: &Model, fields: &Fields) -> Nodes {
+        let count = model.nodes().len();
+        let spin = |node: usize| {
+            let (frame, rotation) = (model.rotation_frame(node)?, &fields.rotation[node]);
+            Some(match rotation.imag() == Vector3::zeros() {
+                true => *frame,
+                false => frame * rotation.inverse().to_rotation_matrix().matrix(),
+            })
+        };
+        Nodes {
+            values: (0..count).map(|node| model.at_node(&fields.u, node)).collect(),
+            spins: (0..count).map(spin).collect(),
+        }
+    }
+
+    /// Response of an element along the axes of the unknowns, as they have turned with the nodes.
+    pub(super) fn turn(&self, model: &Model, element: &dyn Element, want: Want, response: &mut Response) {
+        let mut k = 0;
+        for (a, &node) in element.nodes().iter().enumerate() {
+            for (i, &dof) in element.dofs(a).iter().enumerate() {
+                let frame = match dof {
+                    Dof::Ux => model.frame(node),
+                    Dof::Rx => self.spins[node].as_ref(),
+                    _ => None,
+                };
+                if let Some(frame) = frame {
+                    if want.force {
+                        turn_triple(&mut response.force, k + i, frame);
+                    }
+                    if want.tangent {
+                        turn_rows_and_columns(&mut response.tangent, k + i, frame);
+                    }
+                }
+            }
+            k += element.dofs(a).len();
+        }
     }
 }
 

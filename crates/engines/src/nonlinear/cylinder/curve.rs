@@ -2,6 +2,7 @@
 
 use fem::analysis::ida;
 use fem::analysis::march::{Outcome, Run};
+use fem::cores;
 use fem::liquid::separation::Parting;
 use fem::progress::{Progress, Quiet};
 
@@ -47,12 +48,14 @@ impl Cylinder<'_> {
         // Highest first: these halve their steps and take longest.
         let mut order: Vec<f64> = scales.to_vec();
         order.sort_by(|a, b| b.total_cmp(a));
+        // Runs at a time share the cores.
+        let inner = cores::share(threads.min(scales.len()));
         let run = |scale: f64| -> Result<Option<IdaRun>, FeError> {
             let file = checkpoint(scale).map(|mut file| {
                 file.key = format!("{} {scale}", file.key);
                 file
             });
-            let (watch, run) = self.march(motion, scale, file.as_ref(), &Quiet(progress))?;
+            let (watch, run) = self.march(motion, scale, inner, file.as_ref(), &Quiet(progress))?;
             Ok((run.outcome != Outcome::Interrupted)
                 .then(|| self.summary(scale, motion.horizontal.pga(), &watch, &run)))
         };

@@ -61,11 +61,12 @@ impl<'a> Cylinder<'a> {
         self.options.time_step.unwrap_or_else(usual)
     }
 
-    /// Through `scale` times the records and the free vibration after them.
+    /// Through `scale` times the records and the free vibration after them, on `threads` threads.
     pub(crate) fn march(
         &self,
         motion: &GroundMotion,
         scale: f64,
+        threads: usize,
         checkpoint: Option<&CheckpointFile>,
         progress: &dyn Progress,
     ) -> Result<(Watch<'_>, Run), FeError> {
@@ -88,6 +89,7 @@ impl<'a> Cylinder<'a> {
             radius: options.spectral_radius,
         };
         settings.constant = tank.constant();
+        settings.threads = threads;
         if tank.joints.is_some() {
             settings.newton = Options::for_contact();
         }

@@ -1,6 +1,7 @@
 //! Time history of a case: march and report.
 
 use fem::analysis::march::Outcome;
+use fem::cores;
 use fem::progress::Progress;
 use tank::Case;
 use tank::options::nonlinear::NonlinearOptions;
@@ -22,7 +23,7 @@ pub(crate) fn simulate(
 ) -> Result<Simulation, FeError> {
     let motion = checked_motion(case)?;
     let cylinder = Cylinder::new(case, options, progress)?;
-    let (watch, run) = cylinder.march(motion, 1.0, checkpoint, progress)?;
+    let (watch, run) = cylinder.march(motion, 1.0, cores::available(), checkpoint, progress)?;
     if run.outcome == Outcome::Interrupted && watch.recorder.times.len() < 2 {
         return Err(FeError::Interrupted {
             stage: "the nonlinear run".into(),

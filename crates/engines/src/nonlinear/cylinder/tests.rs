@@ -12,6 +12,7 @@ use tank::{Case, Quantity};
 use tank::{Course, Shape, Support};
 
 use super::super::{CheckpointFile, simulate};
+use super::march::Cylinder;
 use super::model::CylinderModel;
 use crate as fe;
 use results::nonlinear::End;
@@ -342,6 +343,33 @@ fn resumed_with(contact: Contact) {
     let (a, b) = (resumed.result.nonlinear.unwrap(), straight.result.nonlinear.unwrap());
     assert_eq!((&a.maps, &a.cracks, &a.loops), (&b.maps, &b.cracks, &b.loops));
     assert_eq!(a.energies, b.energies);
+}
+
+/// The bits of a run do not depend on the number of threads: with cracks, and with contact that opens. The shells and their
+/// pressures are more than the fewest elements that are shared among threads.
+#[test]
+fn threads_change_no_bit() {
+    for (case, contact) in [
+        (shaken(cracking(), 12.0, 10), Contact::Bonded),
+        (shaken(elastic(), 25.0, 8), Contact::Opening),
+    ] {
+        let own = NonlinearOptions {
+            contact,
+            ..options(&case, 14, 24)
+        };
+        let cylinder = Cylinder::new(&case, &own, &Silent).unwrap();
+        assert!(cylinder.tank.model.elements().len() > 256);
+        let motion = case.ground_motion.as_ref().unwrap();
+        let run = |threads: usize| {
+            let (watch, run) = cylinder.march(motion, 1.0, threads, None, &Silent).unwrap();
+            (watch.recorder.histories, watch.seen, run.state, run.balance, run.cost)
+        };
+        let one = run(1);
+        assert!(one.4.steps > 8);
+        for threads in [2, 3] {
+            assert!(run(threads) == one, "{threads} threads");
+        }
+    }
 }
 
 /// A joint that may open follows the wall as long as it is in compression; pulled hard it opens near the surface, and the

@@ -70,7 +70,8 @@ impl<'a> Driver<'a> {
             problem.symbolic,
             Some(inertia),
             settings.newton.clone(),
-        )?;
+        )?
+        .on_threads(settings.threads);
         let state = match &settings.start {
             Some(start) => start.clone(),
             None => State::new(problem.model),

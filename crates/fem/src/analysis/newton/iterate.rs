@@ -22,6 +22,7 @@ impl Newton<'_> {
             want,
             linear: Some(&self.linear),
             end_tangent: 1.0 / on_force,
+            threads: self.threads,
         };
         self.assembler
             .answer(

@@ -1,0 +1,27 @@
+//! Cores that an analysis may use: all of the machine, or fewer if the user says so.
+//!
+//! No result depends on the number of threads, so that this is the one setting that is not part of an analysis.
+
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// 0: all.
+static LIMIT: AtomicUsize = AtomicUsize::new(0);
+
+/// Sets the number of cores for the rest of the process; 0: all of the machine.
+pub fn limit(cores: usize) {
+    LIMIT.store(cores, Ordering::Relaxed);
+}
+
+/// Number of cores, ≥ 1.
+pub fn available() -> usize {
+    match LIMIT.load(Ordering::Relaxed) {
+        0 => std::thread::available_parallelism().map_or(1, NonZero::get),
+        cores => cores,
+    }
+}
+
+/// Threads of each of `runs` analyses at a time, ≥ 1.
+pub fn share(runs: usize) -> usize {
+    (available() / runs.max(1)).max(1)
+}
