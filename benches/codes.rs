@@ -33,6 +33,7 @@ fn case() -> Case {
     let mut case = file.case;
     case.ground_motion = Some(tank::case::GroundMotion {
         horizontal: record(),
+        transverse: None,
         vertical: None,
     });
     case

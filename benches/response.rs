@@ -26,6 +26,7 @@ fn shaken() -> Case {
     let mut case = broad(1000.0);
     case.ground_motion = Some(GroundMotion {
         horizontal: motions::broad_band(0.0115, 31.0),
+        transverse: None,
         vertical: None,
     });
     case

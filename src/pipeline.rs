@@ -224,6 +224,13 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
         }
     };
     let (mut assumptions, ingredients) = (assessment.assumptions, assessment.ingredients);
+    let across = job.case.ground_motion.as_ref().and_then(|m| m.transverse.as_ref());
+    if matches!(
+        (&status, excitation, across),
+        (Status::Computed, Excitation::Record, Some(_))
+    ) {
+        assumptions.push("One horizontal component: the record along x alone, without that along y.".into());
+    }
     if let (Status::Computed, Some(layered)) = (&status, layers(job)) {
         assumptions.push(layered.into());
     }

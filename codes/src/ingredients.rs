@@ -49,6 +49,7 @@ fn cases() -> Vec<Case> {
     for (number, mut case) in tanks().into_iter().enumerate() {
         case.ground_motion = Some(GroundMotion {
             horizontal: record(3.0),
+            transverse: None,
             vertical: None,
         });
         case.site.ec8 = Some(ec8_site(1 + (number % 2) as u8, number % 3 == 0));

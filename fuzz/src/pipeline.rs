@@ -103,6 +103,7 @@ fn compute(file: TankFile, quake: &Record) -> Option<Outcome> {
     let mut case = file.case;
     case.ground_motion = Some(GroundMotion {
         horizontal,
+        transverse: None,
         vertical: None,
     });
     let procedures = pipeline::select_procedures(&file.procedures)

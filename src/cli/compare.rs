@@ -37,6 +37,7 @@ use results::{
 Examples:
   tankcheck compare tank.json --quake elcentro.csv --out out/
   tankcheck compare tank.json --quake ns.at2 --vertical up.at2 --out out/
+  tankcheck compare tank.json --quake ns.at2 --quake-y ew.at2 --vertical up.at2 --out out/
   tankcheck compare tank.json --quake rec.txt --units g --integrator newmark --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe both --mesh 12x16x20 --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe solid --liquid displacement --vtu paraview/

@@ -121,6 +121,7 @@ impl Args {
             accept: None,
             tank: self.tank.clone(),
             quake: Some(self.quake.clone()),
+            quake_y: None,
             vertical: self.vertical.clone(),
             reading: self.reading.clone(),
             procedures: None,

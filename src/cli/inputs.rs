@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use oscillator::record::Record;
 use tank::case::GroundMotion;
 use tank::check::Decision;
 use tank::refusal::Refusal;
@@ -22,6 +23,9 @@ pub(crate) struct Inputs {
     /// Horizontal ground acceleration: CSV, two-column text or PEER .AT2.
     #[arg(long, value_name = "RECORD")]
     pub quake: Option<PathBuf>,
+    /// Second horizontal ground acceleration, along y (θ = 90°), of a cylinder; scaled with the factor of --quake.
+    #[arg(long, value_name = "RECORD", requires = "quake")]
+    pub quake_y: Option<PathBuf>,
     /// Vertical ground acceleration; scaled with the factor of the horizontal one.
     #[arg(long, value_name = "RECORD", requires = "quake")]
     pub vertical: Option<PathBuf>,
@@ -68,28 +72,29 @@ impl Inputs {
             let factor = format!("record.{}", tank.record.scaled_by());
             records::plausible::check(&processed, &factor, allow)?;
             warnings.extend(records::plausible::doubts(&processed, &tank.record));
-            let vertical = match &self.vertical {
-                None => None,
-                Some(path) => {
-                    let vertical = records::read(path, &options)?;
-                    files.push(source("vertical record", path, &vertical.sha256));
-                    // One earthquake has one scale: the vertical component follows the horizontal factor.
-                    let factor = processed.pga() / horizontal.record.pga().max(f64::MIN_POSITIVE);
-                    let processing = records::Processing {
-                        scale_to: None,
-                        scale_by: Some(factor),
-                        ..tank.record
-                    };
-                    let processed = records::process(&vertical.record, &processing)?;
-                    records::plausible::check(&processed, "vertical record", allow)?;
-                    warnings.extend(records::plausible::doubts(&processed, &records::Processing::default()));
-                    raw_records.push(vertical.record);
-                    Some(processed)
-                }
+            // One earthquake has one scale: its other components follow the factor of the first.
+            let factor = processed.pga() / horizontal.record.pga().max(f64::MIN_POSITIVE);
+            let processing = records::Processing {
+                scale_to: None,
+                scale_by: Some(factor),
+                ..tank.record
             };
-            raw_records.insert(0, horizontal.record);
+            raw_records.push(horizontal.record);
+            let mut component = |path: &Option<PathBuf>, role: &str| -> Result<Option<Record>, Error> {
+                let Some(path) = path else { return Ok(None) };
+                let read = records::read(path, &options)?;
+                files.push(source(role, path, &read.sha256));
+                let processed = records::process(&read.record, &processing)?;
+                records::plausible::check(&processed, role, allow)?;
+                warnings.extend(records::plausible::doubts(&processed, &records::Processing::default()));
+                raw_records.push(read.record);
+                Ok(Some(processed))
+            };
+            let transverse = component(&self.quake_y, "record along y")?;
+            let vertical = component(&self.vertical, "vertical record")?;
             case.ground_motion = Some(GroundMotion {
                 horizontal: processed,
+                transverse,
                 vertical,
             });
         }

@@ -151,6 +151,7 @@ impl Args {
             accept: None,
             tank: self.tank.clone(),
             quake: None,
+            quake_y: None,
             vertical: None,
             reading: Reading::default(),
             procedures: None,

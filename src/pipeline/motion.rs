@@ -84,6 +84,7 @@ pub(crate) fn records(job: &Job) -> Vec<RecordSummary> {
     };
     let processed = [
         ("horizontal", Some(&motion.horizontal)),
+        ("horizontal, y", motion.transverse.as_ref()),
         ("vertical", motion.vertical.as_ref()),
     ];
     processed

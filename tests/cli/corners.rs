@@ -124,6 +124,7 @@ fn job(text: &str) -> Option<Job> {
     };
     case.ground_motion = Some(GroundMotion {
         horizontal: record.clone(),
+        transverse: None,
         vertical: None,
     });
     Some(Job {

@@ -25,6 +25,7 @@ fn example(tank: &str, record: &str) -> TankFile {
     let horizontal = records::process(&read.record, &file.record).expect("its processing");
     file.case.ground_motion = Some(tank::case::GroundMotion {
         horizontal,
+        transverse: None,
         vertical: None,
     });
     file

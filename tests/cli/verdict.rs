@@ -139,6 +139,7 @@ impl Tank {
             job.raw_records = vec![horizontal.clone()];
             job.case.ground_motion = Some(GroundMotion {
                 horizontal,
+                transverse: None,
                 vertical: None,
             });
         }

@@ -19,7 +19,11 @@ use crate::tanks::{GRAVITY, assert_close, broad, column};
 
 fn shaken(horizontal: Record, vertical: Option<Record>) -> Case {
     let mut case = broad(1000.0);
-    case.ground_motion = Some(GroundMotion { horizontal, vertical });
+    case.ground_motion = Some(GroundMotion {
+        horizontal,
+        transverse: None,
+        vertical,
+    });
     case
 }
 

@@ -24,6 +24,7 @@ use crate::tanks::{GRAVITY, assert_close, broad, case, column, material, slender
 fn shaken(mut case: Case, horizontal: Record) -> Case {
     case.ground_motion = Some(GroundMotion {
         horizontal,
+        transverse: None,
         vertical: None,
     });
     case

@@ -78,6 +78,7 @@ fn shaken(vertical: bool) -> tank::Case {
     let mut case = broad(1000.0);
     case.ground_motion = Some(GroundMotion {
         horizontal: artificial(3.0),
+        transverse: None,
         vertical: vertical.then(|| artificial(4.5)),
     });
     case

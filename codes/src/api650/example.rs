@@ -54,6 +54,7 @@ pub(super) fn with_record(mut case: Case) -> Case {
     };
     case.ground_motion = Some(GroundMotion {
         horizontal,
+        transverse: None,
         vertical: None,
     });
     case

@@ -204,6 +204,7 @@ fn rectangle_combines_vertical_motion_with_0_3() {
     // A vertical record ten times the horizontal one: the other combination governs.
     c.ground_motion = Some(GroundMotion {
         horizontal: record(0.3),
+        transverse: None,
         vertical: Some(record(6.0)),
     });
     let a = En2006.assess(&c, Excitation::Record).unwrap();

@@ -65,6 +65,7 @@ fn record_replaces_the_design_spectrum() {
     });
     case.ground_motion = Some(GroundMotion {
         horizontal: record(3.0),
+        transverse: None,
         vertical: None,
     });
     for procedure in [&En2006 as &dyn Procedure, &Env1998] {
@@ -97,6 +98,7 @@ fn vertical_record() {
     let mut case = oil_tank();
     case.ground_motion = Some(GroundMotion {
         horizontal: record(3.0),
+        transverse: None,
         vertical: Some(record(1.5)),
     });
     let a = En2006.assess(&case, Excitation::Record).unwrap();

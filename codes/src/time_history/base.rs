@@ -114,6 +114,8 @@ fn frictions(case: &Case, codes: Codes) -> (Vec<(&'static str, f64, String)>, Op
 /// |V(t)| ≤ μ M (g + a_v(t))        a_v upwards
 /// ```
 ///
+/// |V| is √(V_x² + V_y²) under two horizontal components.
+///
 /// M is the mass of liquid, wall and roof. The weight of the bottom plate is left out, on the safe side.
 pub(super) fn sliding(work: &mut Work<'_>) {
     let case = work.case;
@@ -131,14 +133,15 @@ pub(super) fn sliding(work: &mut Work<'_>) {
         }
         return;
     };
-    let shear = work.demands.history(shear);
+    let (shear, transverse) = (work.demands.history(shear), work.demands.transverse(shear));
+    let size = |k: usize| transverse.as_ref().map_or(shear[k].abs(), |y| shear[k].hypot(y[k]));
     let vertical = work.demands.vertical.as_ref().map(|terms| work.demands.history(terms));
     let upwards = |k: usize| vertical.as_ref().map_or(0.0, |a| a[k]);
     let mass = case.liquid_mass() + case.tank.wall_mass() + case.tank.roof.mass;
     for (id, friction, clause) in frictions {
         let capacity = |k: usize| friction * mass * (case.gravity + upwards(k));
         let ratio = |k: usize| match capacity(k) {
-            c if c > 0.0 => shear[k].abs() / c,
+            c if c > 0.0 => size(k) / c,
             _ => f64::INFINITY,
         };
         let Some(k) = (0..shear.len()).max_by(|&i, &j| ratio(i).total_cmp(&ratio(j)).then(j.cmp(&i))) else {
@@ -147,7 +150,7 @@ pub(super) fn sliding(work: &mut Work<'_>) {
         let time = work.demands.times[k];
         let when = with_unit(time, tank::units::Dimension::Time);
         work.sheet.section(&format!("Sliding ({clause}): t = {when}"));
-        let demand = shear[k].abs();
+        let demand = size(k);
         work.sheet
             .input("V", "base shear", demand, Force, "the run of the engine");
         let name = "vertical acceleration of the ground then, upwards";
@@ -166,12 +169,16 @@ pub(super) fn sliding(work: &mut Work<'_>) {
             rest: 0.0,
             capacity,
             instant: k,
-            cosine: 1.0,
+            direction: (1.0, 0.0),
         };
         let error = work.error(&[Quantity::BaseShear], &found);
         let note = "weight of the same instant, without bottom plate and foundation";
         let check = Check::new(id, "Sliding on the foundation", demand, capacity, Force, &clause, note);
-        let theta = if shear[k] < 0.0 { PI } else { 0.0 };
+        let theta = match &transverse {
+            Some(y) => y[k].atan2(shear[k]).rem_euclid(TAU),
+            None if shear[k] < 0.0 => PI,
+            None => 0.0,
+        };
         work.checks.push(
             check
                 .of(SLIDING)

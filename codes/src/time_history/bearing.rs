@@ -6,7 +6,7 @@
 //!
 //! M is the mass of liquid, wall and roof, a_v the acceleration of the ground upwards, M′ the moment below the base plate.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use tank::assessment::{Check, CheckStatus};
 use tank::quantity::Quantity;
@@ -34,7 +34,12 @@ pub(super) fn assess(work: &mut Work<'_>) {
         let reason = "the engine does not give the moment below the base plate";
         return work.without(BEARING, CheckStatus::NotChecked, reason, None);
     };
-    let moment = work.demands.history(moment);
+    let (along, transverse) = (work.demands.history(moment), work.demands.transverse(moment));
+    // M′_x alone has its sign, the resultant of both directions has none.
+    let moment: Vec<f64> = match &transverse {
+        Some(y) => along.iter().zip(y).map(|(x, y)| x.hypot(*y)).collect(),
+        None => along.clone(),
+    };
     let vertical = work.demands.vertical.as_ref().map(|terms| work.demands.history(terms));
     let upwards = |k: usize| vertical.as_ref().map_or(0.0, |a| a[k]);
     let case = work.case;
@@ -63,7 +68,7 @@ pub(super) fn assess(work: &mut Work<'_>) {
         rest: 0.0,
         capacity: resistance,
         instant: k,
-        cosine: 1.0,
+        direction: (1.0, 0.0),
     };
     let of_moment = work.error(&[Quantity::OverturningMoment], &found);
     let error = of_moment.map(|more| match bears {
@@ -84,7 +89,11 @@ pub(super) fn assess(work: &mut Work<'_>) {
         }
     };
     // M′ is that of the accelerations towards θ = 0: tank and liquid lean back, to θ = 180°.
-    let theta = if at.moment > 0.0 { PI } else { 0.0 };
+    let theta = match &transverse {
+        Some(y) => (-y[k]).atan2(-along[k]).rem_euclid(TAU),
+        None if at.moment > 0.0 => PI,
+        None => 0.0,
+    };
     let time = work.demands.times.get(k).copied();
     work.checks
         .push(check.at(time, Some(0.0), Some(theta)).with_error(error));

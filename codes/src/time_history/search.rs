@@ -1,17 +1,43 @@
 //! The instant, height and angle at which a demand is largest against its capacity.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use tank::demand::{Angles, Demands, OnWall, Place};
 
 /// Steps of the angle from 0 to 180° where a utilisation is not linear in cos θ.
 const STEPS: usize = 12;
 
-/// A quantity of one place over time: rest + even(t) + odd(t) cos θ.
+/// Parts of the circumference where it is searched under motion along x and y: between two of them the amplitude of a harmonic
+/// varies by 0.1 %.
+const FAN: usize = 72;
+
+/// The directions of a search around the circumference.
+fn around() -> Vec<Direction> {
+    let angle = |i: usize| TAU * i as f64 / FAN as f64;
+    (0..FAN).map(|i| (angle(i).cos(), angle(i).sin())).collect()
+}
+
+/// cos θ and sin θ of a place on the circumference. Without a motion along y the sine has no effect and is 0.
+pub(super) type Direction = (f64, f64);
+
+/// θ = 0 and 180°.
+const SIDES: [Direction; 2] = [(1.0, 0.0), (-1.0, 0.0)];
+
+/// Angle of a direction [rad], from 0 to 2 π.
+pub(super) fn angle((cosine, sine): Direction) -> f64 {
+    match sine == 0.0 {
+        true => cosine.clamp(-1.0, 1.0).acos(),
+        false => sine.atan2(cosine).rem_euclid(TAU),
+    }
+}
+
+/// A quantity of one place over time: rest + even(t) + odd(t) cos θ + transverse(t) sin θ.
 pub(super) struct Field {
     pub(super) rest: f64,
     even: Vec<f64>,
     odd: Vec<f64>,
+    /// Part of the motion along y; none without one.
+    transverse: Option<Vec<f64>>,
 }
 
 impl Field {
@@ -23,6 +49,7 @@ impl Field {
                 false => demands.history(&of.even),
             },
             odd: demands.history(&of.odd),
+            transverse: demands.transverse(&of.odd),
         }
     }
 
@@ -31,19 +58,45 @@ impl Field {
         self.rest *= factor;
         scale(&mut self.even, factor);
         scale(&mut self.odd, factor);
+        if let Some(transverse) = &mut self.transverse {
+            scale(transverse, factor);
+        }
         self
     }
 
-    /// Value at instant `k` and cos θ = `c`.
-    pub(super) fn at(&self, k: usize, c: f64) -> f64 {
-        self.rest + self.even.get(k).copied().unwrap_or(0.0) + c * self.odd[k]
+    /// Value at instant `k` in the direction (`c`, `s`).
+    pub(super) fn at(&self, k: usize, (c, s): Direction) -> f64 {
+        let along = self.rest + self.even.get(k).copied().unwrap_or(0.0) + c * self.odd[k];
+        match &self.transverse {
+            Some(transverse) => along + s * transverse[k],
+            None => along,
+        }
+    }
+
+    /// The directions of the largest and the smallest value at instant `k`.
+    fn ends(&self, k: usize) -> [Direction; 2] {
+        let Some(transverse) = &self.transverse else {
+            return SIDES;
+        };
+        let (x, y) = (self.odd[k], transverse[k]);
+        match x.hypot(y) {
+            size if size > 0.0 => [(x / size, y / size), (-x / size, -y / size)],
+            _ => SIDES,
+        }
+    }
+
+    /// Largest absolute value that it can have at instant `k`.
+    fn bound(&self, k: usize) -> f64 {
+        let ends = self.ends(k).map(|at| self.at(k, at).abs());
+        ends[0].max(ends[1])
     }
 
     /// Smallest and largest value over time and circumference.
     fn range(&self) -> (f64, f64) {
         let mut range = (f64::INFINITY, f64::NEG_INFINITY);
         for k in 0..self.odd.len() {
-            for value in [self.at(k, 1.0), self.at(k, -1.0)] {
+            for direction in self.ends(k) {
+                let value = self.at(k, direction);
                 range = (range.0.min(value), range.1.max(value));
             }
         }
@@ -61,10 +114,12 @@ pub(super) struct Histories {
     pub(super) pressure: Option<Field>,
     /// Amplitude of the shear stress at θ = 90° [Pa], where known.
     shear: Option<Vec<f64>>,
+    /// The same of the motion along y, at θ = 180°.
+    transverse_shear: Option<Vec<f64>>,
     /// Meridional bending stress at the outer face [Pa], at the base where known.
     pub(super) bending: Option<Field>,
-    /// cos θ of the angles.
-    cosines: Vec<f64>,
+    /// The angles.
+    directions: Vec<Direction>,
 }
 
 /// Where a demand is largest against its capacity.
@@ -80,8 +135,8 @@ pub(super) struct Found {
     pub(super) capacity: f64,
     /// Number of the instant.
     pub(super) instant: usize,
-    /// cos θ.
-    pub(super) cosine: f64,
+    /// Place on the circumference.
+    pub(super) direction: Direction,
 }
 
 /// demand / capacity; infinite without a capacity.
@@ -117,7 +172,7 @@ impl Histories {
         self.hoop = self.hoop.times(lost);
         self.axial = self.axial.times(lost);
         self.bending = self.bending.map(|bending| bending.times(lost * lost));
-        if let Some(shear) = &mut self.shear {
+        for shear in [&mut self.shear, &mut self.transverse_shear].into_iter().flatten() {
             scale(shear, lost);
         }
         self
@@ -129,13 +184,17 @@ impl Histories {
             axial: Field::new(demands, &place.axial),
             pressure: place.pressure.as_ref().map(|p| Field::new(demands, p)),
             shear: place.shear.as_ref().map(|terms| demands.history(terms)),
+            transverse_shear: place.shear.as_ref().and_then(|terms| demands.transverse(terms)),
             bending: match (&place.bending, place.z == 0.0) {
                 (Some(bending), true) => Some(Field::new(demands, bending)),
                 _ => None,
             },
-            cosines: match demands.angles {
-                Angles::All => (0..=STEPS).map(|i| (PI * i as f64 / STEPS as f64).cos()).collect(),
-                Angles::Sides => vec![1.0, -1.0],
+            directions: match demands.angles {
+                Angles::All if !demands.transverse.is_empty() => around(),
+                Angles::All => (0..=STEPS)
+                    .map(|i| ((PI * i as f64 / STEPS as f64).cos(), 0.0))
+                    .collect(),
+                Angles::Sides => SIDES.to_vec(),
             },
         }
     }
@@ -155,12 +214,11 @@ impl Histories {
     }
 
     fn of_sides(&self, field: &Field, sign: f64, capacity: f64) -> Option<Found> {
-        let largest = |k: usize| (sign * field.at(k, 1.0)).max(sign * field.at(k, -1.0));
+        let values = |k: usize| field.ends(k).map(|at| sign * field.at(k, at));
+        let largest = |k: usize| values(k)[0].max(values(k)[1]);
         let instant = (0..self.len()).max_by(|&i, &j| largest(i).total_cmp(&largest(j)).then(j.cmp(&i)))?;
-        let cosine = match sign * field.at(instant, 1.0) >= sign * field.at(instant, -1.0) {
-            true => 1.0,
-            false => -1.0,
-        };
+        let [first, second] = values(instant);
+        let direction = field.ends(instant)[usize::from(first < second)];
         let demand = largest(instant).max(0.0);
         Some(Found {
             utilisation: ratio(demand, capacity),
@@ -168,7 +226,7 @@ impl Histories {
             rest: (sign * field.rest).max(0.0),
             capacity,
             instant,
-            cosine,
+            direction,
         })
     }
 
@@ -178,13 +236,18 @@ impl Histories {
     /// σ²(c) = σ_θ² + σ_z² − σ_θ σ_z + 3 τ² (1 − c²)        σ_θ, σ_z linear in c = cos θ
     /// ```
     ///
-    /// is a parabola in c: the largest value is at a side or at its vertex.
+    /// is a parabola in c: the largest value is at a side or at its vertex. With a motion along y it is searched around the
+    /// circumference.
     pub(super) fn equivalent(&self, capacity: f64) -> Option<Found> {
+        if self.hoop.transverse.is_some() {
+            return self.equivalent_around(capacity);
+        }
         let at = |k: usize| -> (f64, f64) {
-            let [front, back] = [1.0, -1.0].map(|c| mises_squared(self.hoop.at(k, c), self.axial.at(k, c)));
+            let [front, back] = SIDES.map(|side| mises_squared(self.hoop.at(k, side), self.axial.at(k, side)));
             let sides = if front >= back { (front, 1.0) } else { (back, -1.0) };
             let Some(shear) = &self.shear else { return sides };
-            let middle = mises_squared(self.hoop.at(k, 0.0), self.axial.at(k, 0.0)) + 3.0 * shear[k] * shear[k];
+            let across = (0.0, 0.0);
+            let middle = mises_squared(self.hoop.at(k, across), self.axial.at(k, across)) + 3.0 * shear[k] * shear[k];
             let (curvature, slope) = (0.5 * (front + back) - middle, 0.5 * (front - back));
             let vertex = -0.5 * slope / curvature;
             if curvature < 0.0 && vertex.abs() < 1.0 {
@@ -208,13 +271,66 @@ impl Histories {
             rest: mises(self.hoop.rest, self.axial.rest),
             capacity,
             instant,
-            cosine,
+            direction: (cosine, 0.0),
         })
     }
 
-    /// Interior pressure at an instant and cos θ [Pa].
-    pub(super) fn pressure_at(&self, k: usize, c: f64) -> f64 {
-        self.pressure.as_ref().map_or(0.0, |p| p.at(k, c))
+    /// [`Histories::equivalent`] under motion along x and y: every [`FAN`]th part of the circumference at the instants that can
+    /// govern, then finer around the largest.
+    fn equivalent_around(&self, capacity: f64) -> Option<Found> {
+        let of = |of: &Option<Vec<f64>>, k: usize| of.as_ref().map_or(0.0, |shear| shear[k]);
+        let squared = |k: usize, direction: Direction| {
+            let (c, s) = direction;
+            // The shear of a motion along y is turned by 90°: sin(θ − 90°) = −cos θ.
+            let shear = s * of(&self.shear, k) - c * of(&self.transverse_shear, k);
+            mises_squared(self.hoop.at(k, direction), self.axial.at(k, direction)) + 3.0 * shear * shear
+        };
+        let bound = |k: usize| {
+            let (a, b) = (self.hoop.bound(k), self.axial.bound(k));
+            let shear = of(&self.shear, k).hypot(of(&self.transverse_shear, k));
+            a * a + b * b + a * b + 3.0 * shear * shear
+        };
+        let mut worst = (0, (1.0, 0.0), f64::NEG_INFINITY);
+        for k in 0..self.len() {
+            if bound(k) <= worst.2 {
+                continue;
+            }
+            for &direction in &self.directions {
+                let found = squared(k, direction);
+                if found > worst.2 {
+                    worst = (k, direction, found);
+                }
+            }
+        }
+        let (instant, coarse, _) = worst;
+        if self.len() == 0 {
+            return None;
+        }
+        let step = TAU / FAN as f64 / 50.0;
+        let finer = (-50..=50).map(|i| {
+            let theta = coarse.1.atan2(coarse.0) + f64::from(i) * step;
+            (theta.cos(), theta.sin())
+        });
+        let direction = finer.fold(coarse, |best, next| {
+            match squared(instant, next) > squared(instant, best) {
+                true => next,
+                false => best,
+            }
+        });
+        let demand = squared(instant, direction).sqrt();
+        Some(Found {
+            utilisation: ratio(demand, capacity),
+            demand,
+            rest: mises(self.hoop.rest, self.axial.rest),
+            capacity,
+            instant,
+            direction,
+        })
+    }
+
+    /// Interior pressure at an instant and a place on the circumference [Pa].
+    pub(super) fn pressure_at(&self, k: usize, direction: Direction) -> f64 {
+        self.pressure.as_ref().map_or(0.0, |p| p.at(k, direction))
     }
 
     /// Axial compression against a capacity that depends on the interior pressure of the same instant and place, monotonously: at no
@@ -222,19 +338,24 @@ impl Histories {
     pub(super) fn compression(&self, capacity: impl Fn(f64) -> f64) -> Option<Found> {
         let (low, high) = self.pressure.as_ref().map_or((0.0, 0.0), Field::range);
         let floor = capacity(low).min(capacity(high));
-        let compression = |k: usize, c: f64| -self.axial.at(k, c);
-        let bound = |k: usize| ratio(compression(k, 1.0).max(compression(k, -1.0)), floor);
+        let compression = |k: usize, at: Direction| -self.axial.at(k, at);
+        let bound = |k: usize| {
+            let [one, other] = self.axial.ends(k).map(|at| compression(k, at));
+            ratio(one.max(other), floor)
+        };
         let exact = |k: usize| -> Option<Found> {
-            let all = self.cosines.iter().map(|&cosine| {
-                let demand = compression(k, cosine).max(0.0);
-                let capacity = capacity(self.pressure_at(k, cosine));
+            let own = self.axial.transverse.as_ref().map(|_| self.axial.ends(k));
+            let places = self.directions.iter().copied().chain(own.into_iter().flatten());
+            let all = places.map(|direction| {
+                let demand = compression(k, direction).max(0.0);
+                let capacity = capacity(self.pressure_at(k, direction));
                 Found {
                     utilisation: ratio(demand, capacity),
                     demand,
                     rest: (-self.axial.rest).max(0.0),
                     capacity,
                     instant: k,
-                    cosine,
+                    direction,
                 }
             });
             all.reduce(|best, found| {
@@ -265,11 +386,18 @@ impl Histories {
     pub(super) fn range_at_base(&self, poisson: f64, capacity: f64) -> Option<Found> {
         let bending = self.bending.as_ref()?;
         let mut worst: Option<Found> = None;
-        for cosine in [1.0, -1.0] {
+        let directions = match self.hoop.transverse {
+            Some(_) => &self.directions[..],
+            None => &SIDES,
+        };
+        for &direction in directions {
             for face in [1.0, -1.0] {
                 let state = |k: usize| {
-                    let b = face * bending.at(k, cosine);
-                    (self.axial.at(k, cosine) + b, self.hoop.at(k, cosine) + poisson * b)
+                    let b = face * bending.at(k, direction);
+                    (
+                        self.axial.at(k, direction) + b,
+                        self.hoop.at(k, direction) + poisson * b,
+                    )
                 };
                 let by_size = |i: &usize, j: &usize| state(*i).0.total_cmp(&state(*j).0);
                 let (low, high) = ((0..self.len()).min_by(by_size)?, (0..self.len()).max_by(by_size)?);
@@ -289,7 +417,7 @@ impl Histories {
                             rest: 0.0,
                             capacity,
                             instant,
-                            cosine,
+                            direction,
                         });
                     }
                 }

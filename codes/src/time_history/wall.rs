@@ -78,7 +78,7 @@ fn worst(work: &Work<'_>, all: &[Asked<'_>]) -> Vec<Vec<Option<Worst>>> {
                     course: place.course,
                     found,
                     z: place.z,
-                    pressure: histories.pressure_at(found.instant, found.cosine),
+                    pressure: histories.pressure_at(found.instant, found.direction),
                 });
             }
         }

@@ -9,7 +9,7 @@ use tank::quantity::Quantity;
 use tank::units::Dimension;
 
 use super::limit_states::Codes;
-use super::search::Found;
+use super::search::{Found, angle};
 use crate::sheet::{Sheet, with_unit};
 
 /// Where and when a demand governs.
@@ -85,7 +85,7 @@ impl<'a> Work<'a> {
         Moment {
             time: self.demands.times.get(found.instant).copied().unwrap_or_default(),
             z,
-            theta: found.cosine.clamp(-1.0, 1.0).acos(),
+            theta: angle(found.direction),
         }
     }
 

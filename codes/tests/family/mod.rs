@@ -209,7 +209,11 @@ impl Draw {
                 fill_height,
             },
             gravity: self.of(&[9.80665, 9.81]),
-            ground_motion: Some(GroundMotion { horizontal, vertical }),
+            ground_motion: Some(GroundMotion {
+                horizontal,
+                transverse: None,
+                vertical,
+            }),
             damping: Damping {
                 sloshing: 0.005,
                 impulsive: self.of(&[0.02, 0.05]),

@@ -28,6 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 .collect(),
             processing: Vec::new(),
         },
+        transverse: None,
         vertical: None,
     });
     let (linear, solid, nonlinear) = (

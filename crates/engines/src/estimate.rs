@@ -204,7 +204,6 @@ impl Response {
         let Some(motion) = &case.ground_motion else {
             return Ok(None);
         };
-        let vertical = motion.vertical.as_ref().map_or(0.0, |v| v.duration());
         let period = sloshing_period(case);
         let tail = after.duration(period);
         // A period that is not a number counts as too long.
@@ -219,7 +218,7 @@ impl Response {
         }
         Ok(Some(Response {
             dt: motion.horizontal.dt,
-            duration: motion.horizontal.duration().max(vertical),
+            duration: motion.duration(),
             tail,
         }))
     }

@@ -34,17 +34,27 @@ impl Histories {
         self.info.push(info);
     }
 
-    /// Adds the ground motion, that of a vertical record last.
+    /// Adds the ground motion: along x, along y, vertical.
     pub(crate) fn push_ground(&mut self, motion: &GroundMotion) {
-        let records = [(false, Some(&motion.horizontal)), (true, motion.vertical.as_ref())];
-        for (vertical, record) in records {
+        type Named = fn(Ground) -> Channel;
+        let named: [Named; 3] = [
+            |motion| Channel::Ground {
+                motion,
+                vertical: false,
+            },
+            Channel::GroundY,
+            |motion| Channel::Ground { motion, vertical: true },
+        ];
+        let records = [
+            Some(&motion.horizontal),
+            motion.transverse.as_ref(),
+            motion.vertical.as_ref(),
+        ];
+        for (channel, record) in named.into_iter().zip(records) {
             let Some(record) = record else { continue };
             let columns = ground(record, &self.series.time);
             for (component, column) in columns {
-                let channel = Channel::Ground {
-                    motion: component,
-                    vertical,
-                };
+                let channel = channel(component);
                 let peak = (0..column.len()).fold(0, |w, i| if column[i].abs() > column[w].abs() { i } else { w });
                 let peak = (column[peak].abs(), self.series.time[peak]);
                 self.push(SeriesInfo::of(channel, 0.0, peak), column);

@@ -205,6 +205,7 @@ mod tests {
                     .collect(),
                 processing: Vec::new(),
             },
+            transverse: None,
             vertical: None,
         });
         let options = Options {

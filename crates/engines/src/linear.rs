@@ -1,6 +1,7 @@
 //! Time history of a case: model, analysis, second mesh, and everything the results folder holds of them.
 
 pub(crate) mod analysis;
+mod around;
 pub(crate) mod demands;
 pub(crate) mod describe;
 pub(crate) mod limits;
@@ -12,7 +13,10 @@ use fem::progress::{Progress, Silent};
 use oscillator::record::Record;
 use tank::Case;
 use tank::case::GroundMotion;
+use tank::demand::Demands;
 use tank::{Shape, Support};
+
+use around::Around;
 
 use analysis::{Analysis, LineExtremes, analyse};
 use mesh_error::{Second, SecondMesh};
@@ -84,6 +88,15 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
 pub(crate) fn checked_motion(case: &Case) -> Result<&GroundMotion, FeError> {
     let motion = case.ground_motion.as_ref().ok_or(FeError::NoRecord)?;
     check_record("horizontal record", &motion.horizontal)?;
+    if let Some(transverse) = &motion.transverse {
+        check_record("record along y", transverse)?;
+        if !matches!(case.tank.shape, Shape::Cylinder { .. }) {
+            return Err(FeError::Unsupported(
+                "--quake-y: two horizontal components are for cylinders; run a rectangular tank in each direction"
+                    .into(),
+            ));
+        }
+    }
     if let Some(vertical) = &motion.vertical {
         check_record("vertical record", vertical)?;
     }
@@ -146,7 +159,8 @@ pub(crate) fn complete(
     let motion = checked_motion(case)?;
     // The damping is reviewed before it is used.
     let notes = review(linear.model)?;
-    let newmark = options.integrator == Integrator::Newmark && motion.vertical.is_none();
+    let alone = motion.vertical.is_none() && motion.transverse.is_none();
+    let newmark = options.integrator == Integrator::Newmark && alone;
     let Some(direct) = linear.direct.filter(|_| newmark) else {
         let analysis = analyse(linear.model, motion, options, progress)?;
         return report(case, options, linear, analysis, motion, notes);
@@ -211,9 +225,15 @@ fn report(
                 .into(),
         );
     }
+    let around = Around::of(model, motion, options, &analysis)?;
+    notes.extend(Around::notes(motion));
     notes.extend(model.horizontal.impulsive().and_then(|found| found.note()));
     let coupled = &model.horizontal.coupled;
-    let histories = histories(motion, &analysis);
+    let demands = demands::demands(case, model, &analysis, motion)?;
+    let mut histories = histories(motion, &analysis);
+    if let Some(around) = &around {
+        around.add(&mut histories);
+    }
     let result = Run {
         mesh: coupled.mesh.clone(),
         modes: modes(case, model),
@@ -235,7 +255,8 @@ fn report(
         envelopes: envelopes(model, &analysis),
         record_end: Some(record_end(motion)),
         histories: histories.info,
-        limits: limits::limits(case, model, &analysis, motion.horizontal.dt),
+        directions: around.as_ref().map_or_else(Vec::new, Around::results),
+        limits: limits::limits(case, model, (&analysis, around.as_ref()), motion.horizontal.dt),
         ..Run::new(linear.engine)
     };
     Ok(Simulation {
@@ -245,7 +266,10 @@ fn report(
         assumptions: describe::assumptions(case, options),
         notes,
         snapshots: None,
-        demands: Some(demands::demands(case, model, &analysis, motion)?),
+        demands: Some(Demands {
+            wave: around.as_ref().map_or(demands.wave, |around| around.wave),
+            ..demands
+        }),
     })
 }
 

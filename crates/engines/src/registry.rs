@@ -18,6 +18,17 @@ pub fn engine(id: EngineId) -> &'static dyn Engine {
     ALL[id as usize]
 }
 
+/// A rectangular tank has walls of its own along y.
+fn across_a_box(task: &Task<'_>) -> Option<Refusal> {
+    let shaken = task.case.ground_motion.as_ref().is_some_and(|m| m.transverse.is_some());
+    let round = matches!(task.case.tank.shape, Shape::Cylinder { .. });
+    (shaken && !round).then(|| {
+        let message = "--quake-y: two horizontal components are for cylinders";
+        Refusal::new(Place::Transverse, message, "\"cylinder\"")
+            .help("remove --quake-y and run a rectangular tank in each direction, length and breadth exchanged")
+    })
+}
+
 /// One Fourier harmonic at a time.
 struct Harmonic;
 
@@ -26,8 +37,8 @@ impl Engine for Harmonic {
         EngineId::Harmonic
     }
 
-    fn refuses(&self, _: &Task<'_>) -> Vec<Refusal> {
-        Vec::new()
+    fn refuses(&self, task: &Task<'_>) -> Vec<Refusal> {
+        across_a_box(task).into_iter().collect()
     }
 
     fn stops(&self) -> bool {
@@ -82,7 +93,15 @@ impl Engine for Nonlinear {
     }
 
     fn refuses(&self, task: &Task<'_>) -> Vec<Refusal> {
-        scope::refusals(task.case, task.nonlinear, Purpose::History)
+        let mut all = scope::refusals(task.case, task.nonlinear, Purpose::History);
+        if task.case.ground_motion.as_ref().is_some_and(|m| m.transverse.is_some()) {
+            let message = "--quake-y: the nonlinear engine shakes a tank along x alone";
+            all.push(
+                Refusal::new(Place::Transverse, message, "one horizontal record")
+                    .help("remove --quake-y, or use --fe harmonic or --fe solid"),
+            );
+        }
+        all
     }
 
     fn has_layers(&self) -> bool {

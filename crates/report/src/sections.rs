@@ -4,6 +4,7 @@
 mod attribution;
 mod checks;
 mod comparison;
+mod directions;
 mod engine;
 mod histories;
 mod input;
@@ -58,6 +59,7 @@ sections![
     modes,
     profiles,
     histories,
+    directions,
     nonlinear,
     spatial,
     sheets,

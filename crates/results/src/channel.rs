@@ -18,6 +18,10 @@ const WAVE_HEIGHT: &str = "wave_height";
 const BASE_SHEAR: &str = "base_shear";
 /// Id of the moment above the base plate.
 const BASE_MOMENT: &str = "base_moment";
+/// End of the ids of components along y.
+const ALONG_Y: &str = "_y";
+/// Before the angle in ids.
+const ANGLE: &str = "_theta_";
 /// Id of the moment below the base plate.
 const OVERTURNING_MOMENT: &str = "overturning_moment";
 
@@ -65,6 +69,31 @@ pub enum Ground {
     Velocity,
     /// Displacement [m].
     Displacement,
+}
+
+/// A horizontal force or a moment on the base.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OnBase {
+    /// Base shear.
+    Shear,
+    /// Moment above the base plate.
+    Moment,
+    /// Moment below the base plate.
+    Overturning,
+}
+
+impl OnBase {
+    /// All of them.
+    pub const ALL: [OnBase; 3] = [OnBase::Shear, OnBase::Moment, OnBase::Overturning];
+
+    /// The channel of its component along x.
+    pub fn along(self) -> Channel {
+        match self {
+            OnBase::Shear => Channel::BaseShear,
+            OnBase::Moment => Channel::BaseMoment,
+            OnBase::Overturning => Channel::OverturningMoment,
+        }
+    }
 }
 
 /// A quantity over the height of the wall.
@@ -150,8 +179,17 @@ pub enum Channel {
         /// That of the vertical record.
         vertical: bool,
     },
+    /// Motion of the ground along y.
+    GroundY(Ground),
     /// Wave height at the wall.
     Wave(Side),
+    /// Wave height at the wall at an angle.
+    WaveAround {
+        /// θ [°].
+        degrees: f64,
+    },
+    /// Largest wave height around the wall.
+    WaveLargest,
     /// Wave height at a gauge.
     WaveAt {
         /// Radius (or x) in the direction of shaking [m].
@@ -163,6 +201,10 @@ pub enum Channel {
     BaseMoment,
     /// Moment below the base plate.
     OverturningMoment,
+    /// Component along y of a force or moment on the base.
+    Y(OnBase),
+    /// Resultant of both horizontal components of a force or moment on the base.
+    Resultant(OnBase),
     /// The largest over the height.
     Largest {
         /// The quantity.
@@ -176,6 +218,22 @@ pub enum Channel {
         what: OnWall,
         /// Height above the base [m].
         z: f64,
+    },
+    /// At a station and an angle.
+    AtAngle {
+        /// The quantity.
+        what: OnWall,
+        /// Height above the base [m].
+        z: f64,
+        /// θ [°].
+        degrees: f64,
+    },
+    /// At the base at an angle.
+    BaseAtAngle {
+        /// The quantity.
+        what: OnWall,
+        /// θ [°].
+        degrees: f64,
     },
     /// At the base.
     Base(OnWall),
@@ -215,13 +273,20 @@ impl Channel {
                 let prefix = if vertical { VERTICAL_PREFIX } else { "" };
                 format!("{prefix}{id}")
             }
+            Channel::GroundY(motion) => format!("{}{ALONG_Y}", GROUND_COLUMNS[motion as usize]),
+            Channel::Y(what) => format!("{}{ALONG_Y}", what.along().id()),
+            Channel::Resultant(what) => format!("{}_resultant", what.along().id()),
             Channel::Wave(side) => format!("{WAVE_HEIGHT}_{}", side.id()),
+            Channel::WaveAround { degrees } => format!("{WAVE_HEIGHT}{ANGLE}{degrees}"),
+            Channel::WaveLargest => format!("{WAVE_HEIGHT}_largest"),
             Channel::WaveAt { r } => format!("{WAVE_HEIGHT}_r_{r}"),
             Channel::BaseShear => BASE_SHEAR.into(),
             Channel::BaseMoment => BASE_MOMENT.into(),
             Channel::OverturningMoment => OVERTURNING_MOMENT.into(),
             Channel::Largest { what, .. } => what.id().into(),
             Channel::At { what, z } => format!("{}_z_{z}", what.id()),
+            Channel::AtAngle { what, z, degrees } => format!("{}_z_{z}{ANGLE}{degrees}", what.id()),
+            Channel::BaseAtAngle { what, degrees } => format!("{}_base{ANGLE}{degrees}", what.id()),
             Channel::Base(what) => format!("{}_base", what.id()),
             Channel::BaseOn(what, side) => format!("{}_base_{}", what.id(), side.id()),
             Channel::SectionMoment(side) => format!("{WALL_MOMENT}_section_{}", side.id()),
@@ -246,7 +311,25 @@ impl Channel {
                 z: number(&format!("{}_z_", what.id()))?,
             })
         };
-        plain.or_else(wave).or_else(|| OnWall::ALL.iter().find_map(at))
+        let around = || {
+            Some(Channel::WaveAround {
+                degrees: number(&format!("{WAVE_HEIGHT}{ANGLE}"))?,
+            })
+        };
+        let at_angle = |&what: &OnWall| {
+            let (before, degrees) = id.split_once(ANGLE)?;
+            let degrees = degrees.parse().ok()?;
+            if before.strip_prefix(what.id())? == "_base" {
+                return Some(Channel::BaseAtAngle { what, degrees });
+            }
+            let z = before.strip_prefix(&format!("{}_z_", what.id()))?.parse().ok()?;
+            Some(Channel::AtAngle { what, z, degrees })
+        };
+        plain
+            .or_else(wave)
+            .or_else(|| OnWall::ALL.iter().find_map(at))
+            .or_else(around)
+            .or_else(|| OnWall::ALL.iter().find_map(at_angle))
     }
 
     /// All channels whose id has no number.
@@ -265,14 +348,24 @@ impl Channel {
                 Channel::Deflection(side),
             ]
         });
+        let across = Ground::ALL.map(Channel::GroundY);
+        let on_base = OnBase::ALL
+            .into_iter()
+            .flat_map(|what| [Channel::Y(what), Channel::Resultant(what)]);
         let others = [
+            Channel::WaveLargest,
             Channel::BaseShear,
             Channel::BaseMoment,
             Channel::OverturningMoment,
             Channel::Top,
             Channel::Belly,
         ];
-        ground.chain(on_wall).chain(sides).chain(others)
+        ground
+            .chain(on_wall)
+            .chain(sides)
+            .chain(others)
+            .chain(across)
+            .chain(on_base)
     }
 
     /// Title.
@@ -287,7 +380,18 @@ impl Channel {
                 let direction = if vertical { ", vertical" } else { "" };
                 format!("{title}{direction}")
             }
+            Channel::GroundY(motion) => {
+                let along = Channel::Ground {
+                    motion,
+                    vertical: false,
+                };
+                format!("{}, y", along.title())
+            }
+            Channel::Y(what) => format!("{}, y", what.along().title()),
+            Channel::Resultant(what) => format!("{}, resultant of x and y", what.along().title()),
             Channel::Wave(side) => format!("Wave height at the wall, {}", side.title()),
+            Channel::WaveAround { degrees } => format!("Wave height at the wall, θ = {degrees}°"),
+            Channel::WaveLargest => "Wave height at the wall, largest around the circumference".into(),
             Channel::WaveAt { r } => format!("Wave height at {r} m from the centre"),
             Channel::BaseShear => "Base shear".into(),
             Channel::BaseMoment => "Moment above the base plate".into(),
@@ -298,6 +402,8 @@ impl Channel {
                 display(z, Dimension::Length)
             ),
             Channel::At { what, z } => format!("{} at z = {z} m", what.title()),
+            Channel::AtAngle { what, z, degrees } => format!("{} at z = {z} m, θ = {degrees}°", what.title()),
+            Channel::BaseAtAngle { what, degrees } => format!("{} at the base, θ = {degrees}°", what.title()),
             Channel::Base(what) => format!("{} at the base", what.title()),
             Channel::BaseOn(what, side) => format!("{}, {}", Channel::Base(what).title(), side.title()),
             Channel::SectionMoment(side) => {
@@ -312,7 +418,8 @@ impl Channel {
     /// Dimension.
     pub fn dimension(self) -> Dimension {
         match self {
-            Channel::Ground { motion, .. } => match motion {
+            Channel::Y(what) | Channel::Resultant(what) => what.along().dimension(),
+            Channel::Ground { motion, .. } | Channel::GroundY(motion) => match motion {
                 Ground::Acceleration => Dimension::Acceleration,
                 Ground::Velocity => Dimension::Velocity,
                 Ground::Displacement => Dimension::Length,
@@ -321,9 +428,12 @@ impl Channel {
             Channel::BaseMoment | Channel::OverturningMoment => Dimension::Moment,
             Channel::Largest { what, .. }
             | Channel::At { what, .. }
+            | Channel::AtAngle { what, .. }
+            | Channel::BaseAtAngle { what, .. }
             | Channel::Base(what)
             | Channel::BaseOn(what, _) => what.dimension(),
             Channel::SectionMoment(_) => Dimension::LineMoment,
+            Channel::WaveAround { .. } | Channel::WaveLargest => Dimension::Length,
             Channel::Wave(_) | Channel::WaveAt { .. } | Channel::Top | Channel::Belly | Channel::Deflection(_) => {
                 Dimension::Length
             }
@@ -332,7 +442,10 @@ impl Channel {
 
     /// Whether it is a wave height.
     pub fn is_wave(self) -> bool {
-        matches!(self, Channel::Wave(_) | Channel::WaveAt { .. })
+        matches!(
+            self,
+            Channel::Wave(_) | Channel::WaveAt { .. } | Channel::WaveAround { .. } | Channel::WaveLargest
+        )
     }
 
     /// Its value of the wall, if it is one.
@@ -340,6 +453,8 @@ impl Channel {
         match self {
             Channel::Largest { what, .. }
             | Channel::At { what, .. }
+            | Channel::AtAngle { what, .. }
+            | Channel::BaseAtAngle { what, .. }
             | Channel::Base(what)
             | Channel::BaseOn(what, _) => Some(what),
             Channel::SectionMoment(_) => Some(OnWall::Moment),
@@ -391,6 +506,25 @@ mod tests {
                 "hoop_stress_z_0.05",
             ),
             (Channel::Base(OnWall::Axial), "axial_membrane_stress_base"),
+            (Channel::GroundY(Ground::Acceleration), "ground_acceleration_y"),
+            (Channel::Y(OnBase::Shear), "base_shear_y"),
+            (Channel::Resultant(OnBase::Overturning), "overturning_moment_resultant"),
+            (Channel::WaveAround { degrees: 90.0 }, "wave_height_theta_90"),
+            (
+                Channel::AtAngle {
+                    what: OnWall::Hoop,
+                    z: 0.5,
+                    degrees: 22.5,
+                },
+                "hoop_stress_z_0.5_theta_22.5",
+            ),
+            (
+                Channel::BaseAtAngle {
+                    what: OnWall::Axial,
+                    degrees: 90.0,
+                },
+                "axial_membrane_stress_base_theta_90",
+            ),
             (
                 Channel::BaseOn(OnWall::Moment, Side::Back),
                 "wall_moment_base_theta_180",

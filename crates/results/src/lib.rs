@@ -5,6 +5,7 @@
 
 pub mod channel;
 pub mod compare;
+mod directions;
 mod fact;
 mod fields;
 pub mod finite;
@@ -27,6 +28,7 @@ use tank::assessment::{Check, Excitation, Profile, Step};
 use tank::units::Dimension;
 
 pub use channel::{Channel, GROUND_COLUMNS, VERTICAL_PREFIX};
+pub use directions::Directional;
 pub use fact::{Fact, FactKind};
 pub use fields::{DeformedShape, Fields, Picture, WallMap};
 pub use ida::{
@@ -222,7 +224,7 @@ pub struct Deformability {
 /// Ground motion as computed with, and its measures.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RecordSummary {
-    /// `horizontal` or `vertical`.
+    /// `horizontal`, `horizontal, y` or `vertical`.
     pub direction: String,
     /// Name.
     pub name: String,

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use tank::units::Dimension;
 
 use crate::channel::Channel;
+use crate::directions::Directional;
 use crate::fields::Fields;
 use crate::modal::ModalPart;
 use crate::nonlinear::{End, Event, EventKind, Nonlinear};
@@ -137,6 +138,9 @@ pub struct Run {
     pub envelopes: Vec<Envelope>,
     /// Histories in `series.csv`.
     pub histories: Vec<SeriesInfo>,
+    /// Extremes under two horizontal components; empty with one.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub directions: Vec<Directional>,
     /// Limits of validity and the values found.
     pub limits: Vec<Limit>,
     /// First yield, first crack, first separation and the like, by time.
@@ -168,6 +172,7 @@ impl Run {
             energy: None,
             envelopes: Vec::new(),
             histories: Vec::new(),
+            directions: Vec::new(),
             limits: Vec::new(),
             events: Vec::new(),
             fields: None,

@@ -35,10 +35,21 @@ pub struct Case {
 /// Recorded ground motion.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GroundMotion {
-    /// In the direction of shaking.
+    /// Along x, the direction of shaking.
     pub horizontal: Record,
+    /// Along y (θ = 90°), at the same time; absent for one horizontal component.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub transverse: Option<Record>,
     /// Upwards; absent if not considered.
     pub vertical: Option<Record>,
+}
+
+impl GroundMotion {
+    /// Duration of the longest record [s].
+    pub fn duration(&self) -> f64 {
+        let others = [&self.transverse, &self.vertical].into_iter().flatten();
+        others.map(Record::duration).fold(self.horizontal.duration(), f64::max)
+    }
 }
 
 /// Modal damping ratios, as fractions of critical.

@@ -6,8 +6,14 @@
 //! h(t) = Σ c_k s_k(t)        value(θ, t) = rest + even(t) + odd(t) cos θ
 //! ```
 //!
-//! rest is the static state, even(t) the axisymmetric part of the motion, odd(t) that of the horizontal one. Plain data: engines fill
-//! it, limit states read it, and it is not part of the results.
+//! rest is the static state, even(t) the axisymmetric part of the motion, odd(t) that of the horizontal one. A second horizontal
+//! component along y moves the tank as the first one does, turned by 90°: its part is that of the same terms over other histories,
+//!
+//! ```text
+//! value(θ, t) = rest + even(t) + odd(t) cos θ + odd_y(t) sin θ        odd_y(t) = Σ c_k y_k(t)
+//! ```
+//!
+//! Plain data: engines fill it, limit states read it, and it is not part of the results.
 
 /// A history as a combination of common ones: (number of the state, coefficient).
 pub type Terms = Vec<(usize, f64)>;
@@ -70,6 +76,8 @@ pub struct Demands {
     pub times: Vec<f64>,
     /// The common histories at these times.
     pub states: Vec<Vec<f64>>,
+    /// The same histories under the horizontal component along y; empty without one.
+    pub transverse: Vec<Vec<f64>>,
     /// Where they are known.
     pub angles: Angles,
     /// Places on the wall by course and height; none for a wall without membrane stresses.
@@ -89,14 +97,24 @@ pub struct Demands {
 impl Demands {
     /// A combination at all times.
     pub fn history(&self, terms: &Terms) -> Vec<f64> {
-        let mut out = vec![0.0; self.times.len()];
-        for &(state, factor) in terms {
-            for (y, s) in out.iter_mut().zip(&self.states[state]) {
-                *y += factor * s;
-            }
-        }
-        out
+        combined(terms, &self.states, self.times.len())
     }
+
+    /// The same combination under the component along y; none without one.
+    pub fn transverse(&self, terms: &Terms) -> Option<Vec<f64>> {
+        (!self.transverse.is_empty()).then(|| combined(terms, &self.transverse, self.times.len()))
+    }
+}
+
+/// Σ c_k s_k at `count` times.
+fn combined(terms: &Terms, states: &[Vec<f64>], count: usize) -> Vec<f64> {
+    let mut out = vec![0.0; count];
+    for &(state, factor) in terms {
+        for (y, s) in out.iter_mut().zip(&states[state]) {
+            *y += factor * s;
+        }
+    }
+    out
 }
 
 #[cfg(test)]

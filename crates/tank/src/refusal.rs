@@ -23,6 +23,8 @@ pub enum Place {
     Rows,
     /// Number of elements around the tank.
     Sectors,
+    /// Ground motion along y.
+    Transverse,
 }
 
 /// A rejected input.

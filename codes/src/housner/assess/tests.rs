@@ -110,6 +110,7 @@ fn record_spectrum_enters_as_pseudo_acceleration() {
             acceleration: vec![1.0; 1000],
             processing: Vec::new(),
         },
+        transverse: None,
         vertical: None,
     });
     let out = Housner

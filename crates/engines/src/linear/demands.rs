@@ -5,6 +5,7 @@
 
 use std::f64::consts::PI;
 
+use oscillator::record::Record;
 use tank::case::GroundMotion;
 use tank::demand::{Angles, Demands, OnWall as Stress, Peak, Place, Terms};
 use tank::{Case, Shape};
@@ -80,7 +81,12 @@ pub(crate) fn demands(
     let below = below.map(|probe| wanted.push(vec![(0, 1.0, probe)]));
     let vertical = model.vertical.is_some().then(|| wanted.push(vec![(1, 1.0, &upwards)]));
     let slots = places(case, model, &mut wanted);
-    let Combined { states, terms } = combine(model, analysis, motion, (grid, stride), &wanted.observables)?;
+    let of = |record| {
+        let records = (record, motion.vertical.as_ref());
+        combine(model, analysis, records, (grid, stride), &wanted.observables)
+    };
+    let Combined { states, terms } = of(&motion.horizontal)?;
+    let transverse = motion.transverse.as_ref().map(of).transpose()?;
     let take = |i: usize| -> Terms { terms[i].clone() };
     let on_wall = |slot: &Slot| Stress {
         rest: slot.rest,
@@ -109,14 +115,18 @@ pub(crate) fn demands(
         vertical: vertical.map(take),
         sampling: sampling(model, grid.h() * stride as f64, stride),
         states,
+        transverse: transverse.map_or_else(Vec::new, |of_y| of_y.states),
     })
 }
 
-/// The observables as combinations of modal states.
-fn combine(
+/// The observables as combinations of modal states under a horizontal record and the vertical one. Which states they combine does
+/// not depend on the records.
+///
+/// Errors: a response that is not finite.
+pub(crate) fn combine(
     model: &Model,
     analysis: &Analysis<'_>,
-    motion: &GroundMotion,
+    (horizontal, vertical): (&Record, Option<&Record>),
     (grid, stride): (Grid, usize),
     observables: &[Observable<'_>],
 ) -> Result<Combined, FeError> {
@@ -125,7 +135,7 @@ fn combine(
         .zip(&analysis.kept)
         .map(|(h, kept)| ModalSystem::new(&h.coupled, kept.clone(), &model.damper))
         .collect::<Result<Vec<ModalSystem>, FeError>>()?;
-    let records = std::iter::once(&motion.horizontal).chain(&motion.vertical);
+    let records = std::iter::once(horizontal).chain(vertical);
     let motions: Vec<Motion> = records.map(|record| Motion::new(record, &grid)).collect();
     let motions: Vec<&Motion> = motions.iter().collect();
     superpose::combine(&systems, &motions, grid, stride, observables)

@@ -33,8 +33,8 @@ pub(crate) fn integration(
         "method",
         match options.integrator {
             Integrator::Modal => "modal superposition, exact for ground motion linear between samples".into(),
-            // With a vertical record the reduction itself is integrated.
-            Integrator::Newmark if reduced && motion.vertical.is_some() => {
+            // With a second record the reduction itself is integrated.
+            Integrator::Newmark if reduced && (motion.vertical.is_some() || motion.transverse.is_some()) => {
                 "direct integration of the reduced coordinates, Newmark's average acceleration".into()
             }
             Integrator::Newmark => "direct integration of all unknowns, Newmark's average acceleration".into(),

@@ -5,6 +5,7 @@ use tank::units::{Dimension, display};
 use tank::{PLANE_WALLS, Shape, Support};
 
 use super::analysis::Analysis;
+use super::around::Around;
 use super::model::{Harmonic, Model};
 use crate::modes::Kind;
 use crate::response::observe::Extreme;
@@ -22,13 +23,21 @@ const SOUND: f64 = 1435.0;
 const RECORD_STEPS: f64 = 10.0;
 
 /// All limits of a run.
-pub(crate) fn limits(case: &Case, model: &Model, analysis: &Analysis, record_step: f64) -> Vec<Limit> {
+///
+/// * `around`: with two horizontal components, what both together do
+pub(crate) fn limits(
+    case: &Case,
+    model: &Model,
+    (analysis, around): (&Analysis, Option<&Around>),
+    record_step: f64,
+) -> Vec<Limit> {
     let mut found = Vec::new();
-    if let Some(wave) = analysis.wave() {
+    let resultant = around.and_then(|a| a.wave).map(|peak| peak.value);
+    if let Some(wave) = resultant.or(analysis.wave()) {
         found.extend(waves(case, wave));
     }
-    found.extend(suction(case, model, analysis));
-    found.extend(uplift(case, model, analysis));
+    found.extend(suction(case, model, analysis, around));
+    found.extend(uplift(case, model, analysis, around));
     found.extend(breadth(case));
     let structural = |h: &Harmonic| h.first(Kind::Structural).map(|m| m.omega);
     let fastest = model.systems().filter_map(structural).fold(0.0, f64::max);
@@ -94,18 +103,23 @@ fn breadth(case: &Case) -> Option<Limit> {
 }
 
 /// Total pressure below the trough: above it the wall is simply dry when the surface sinks.
-fn suction(case: &Case, model: &Model, analysis: &Analysis) -> Option<Limit> {
+fn suction(case: &Case, model: &Model, analysis: &Analysis, around: Option<&Around>) -> Option<Limit> {
     let line = model.horizontal.coupled.line(OnWall::Pressure)?;
     let extremes = analysis.line(OnWall::Pressure)?;
     let fall = |(front, back): (Extreme, Extreme)| -front.min.min(back.min);
     let trough = case.liquid.fill_height - analysis.sides(Channel::Wave(Side::Front)).map_or(0.0, fall);
-    let mut worst: Option<(f64, f64, f64, &str)> = None;
+    let mut worst: Option<(f64, f64, f64, String)> = None;
     // The base is tested even if linear waves fall below it.
     for (i, &z) in line.z.iter().enumerate().filter(|(i, z)| *i == 0 || **z < trough) {
-        for (side, extreme) in [("0°", &extremes.front[i]), ("180°", &extremes.back[i])] {
-            let total = line.probes[i].static_value + extreme.min;
-            if worst.is_none_or(|w| total < w.0) {
-                worst = Some((total, z, extreme.min_time, side));
+        let sides = [("0°", &extremes.front[i]), ("180°", &extremes.back[i])];
+        let along = sides.map(|(side, extreme)| (extreme.min, extreme.min_time, side.to_owned()));
+        let both = around
+            .and_then(|a| a.suction.get(i))
+            .map(|p| (p.value, p.time, degrees(p.theta)));
+        for (least, time, side) in along.into_iter().chain(both) {
+            let total = line.probes[i].static_value + least;
+            if worst.as_ref().is_none_or(|w| total < w.0) {
+                worst = Some((total, z, time, side));
             }
         }
     }
@@ -131,17 +145,17 @@ fn suction(case: &Case, model: &Model, analysis: &Analysis) -> Option<Limit> {
 }
 
 /// Tension at the base of an anchored cylinder's wall, static and seismic, against its anchors.
-fn uplift(case: &Case, model: &Model, analysis: &Analysis) -> Option<Limit> {
+fn uplift(case: &Case, model: &Model, analysis: &Analysis, around: Option<&Around>) -> Option<Limit> {
     let Shape::Cylinder { radius } = case.tank.shape else {
         return None;
     };
     let channel = Channel::Base(OnWall::Axial);
     let probe = model.horizontal.coupled.probe(channel)?;
     let (front, back) = analysis.sides(channel)?;
-    let (rise, time, side) = if front.max >= back.max {
-        (front.max, front.max_time, "0°")
-    } else {
-        (back.max, back.max_time, "180°")
+    let (rise, time, side) = match around.and_then(|a| a.axial) {
+        Some(peak) => (peak.value, peak.time, degrees(peak.theta)),
+        None if front.max >= back.max => (front.max, front.max_time, "0°".to_owned()),
+        None => (back.max, back.max_time, "180°".to_owned()),
     };
     let tension = (probe.static_value + rise) * case.tank.course_at(0.0).thickness;
     let capacity = case.tank.anchors.and_then(|a| {
@@ -174,6 +188,11 @@ fn uplift(case: &Case, model: &Model, analysis: &Analysis) -> Option<Limit> {
             (false, Some(_), _) => format!("The anchors are overstressed {place}: the wall lifts off."),
         },
     })
+}
+
+/// An angle [rad] in words.
+fn degrees(theta: f64) -> String {
+    format!("{:.0}°", theta.to_degrees())
 }
 
 /// First frequency of wall and liquid [Hz] against the acoustic one.

@@ -112,9 +112,9 @@ impl Model {
         };
         let period = |m: &CoupledMode| std::f64::consts::TAU / m.omega;
         let tail = AfterRecord::DEFAULT.duration(self.horizontal.first(Kind::Sloshing).map_or(0.0, period));
-        let duration = motion.vertical.as_ref().map_or(0.0, |v| v.duration());
-        let grid = Grid::new(dt, motion.horizontal.duration().max(duration), tail, longest);
-        let samples = (motion.horizontal.duration().max(duration) + tail) / dt;
+        let duration = motion.duration();
+        let grid = Grid::new(dt, duration, tail, longest);
+        let samples = (duration + tail) / dt;
         estimate::check_steps("harmonic run", samples, samples * grid.sub_steps as f64)?;
         Ok(grid)
     }

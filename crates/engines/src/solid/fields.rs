@@ -151,7 +151,7 @@ pub(super) fn fields(
         });
     }
     for (what, time) in moments {
-        let moment = histories.at(spaces, *time);
+        let moment = histories.at(tank, spaces, *time);
         out.moments.push(DeformedShape {
             title: what.clone(),
             time: moment.time,
@@ -285,7 +285,7 @@ pub(super) fn snapshots(
     };
     let mut time = 0.0;
     while time <= end {
-        let moment = histories.at(spaces, time);
+        let moment = histories.at(tank, spaces, time);
         let u: Vec<[f64; 3]> = (0..tank.model.nodes().len())
             .map(|node| displacement(tank, &moment.displacement, node))
             .collect();

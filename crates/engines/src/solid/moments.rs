@@ -1,11 +1,14 @@
 //! The whole state of the model at given moments, from the reduced coordinates.
 
+use oscillator::record::Record;
 use tank::case::GroundMotion;
 
+use super::model::TankModel;
 use super::reduce::Space;
 use super::rows::sparse_dot;
+use super::symmetry::turned;
 use crate::FeError;
-use crate::linear::model::Model;
+use crate::linear::model::{Harmonic, Model};
 use crate::modes::CoupledMode;
 use crate::probe::Probe;
 use crate::response::motion::Motion;
@@ -25,6 +28,10 @@ pub(super) struct Histories {
 }
 
 struct Direction {
+    /// Number of its system and space.
+    system: usize,
+    /// Whether its motion is that of its space turned by 90°.
+    turned: bool,
     q: Vec<Vec<f64>>,
     acceleration: Vec<Vec<f64>>,
     ground: Vec<f64>,
@@ -51,16 +58,25 @@ impl Histories {
             .systems()
             .map(|h| superpose::keep(&h.modes, &model.damper, options.wave_modes))
             .collect();
-        let systems = model
-            .systems()
-            .zip(&kept)
-            .map(|(h, kept)| ModalSystem::new(&h.coupled, kept.clone(), &model.damper))
+        // Along y the tank moves as along x.
+        let second = motion.transverse.as_ref().map(|record| (0, true, record));
+        let upwards = motion.vertical.as_ref().map(|record| (1, false, record));
+        let directions: Vec<(usize, bool, &Record)> = std::iter::once((0, false, &motion.horizontal))
+            .chain(second)
+            .chain(upwards)
+            .collect();
+        let all: Vec<&Harmonic> = model.systems().collect();
+        let systems = directions
+            .iter()
+            .map(|&(system, ..)| ModalSystem::new(&all[system].coupled, kept[system].clone(), &model.damper))
             .collect::<Result<Vec<ModalSystem>, FeError>>()?;
         let grid = model.grid(motion, Integrator::Modal)?;
-        let records = std::iter::once(&motion.horizontal).chain(&motion.vertical);
-        let ground: Vec<Motion> = records.map(|r| Motion::new(r, &grid)).collect();
+        let ground: Vec<Motion> = directions.iter().map(|(.., r)| Motion::new(r, &grid)).collect();
         let ground: Vec<&Motion> = ground.iter().collect();
-        let sizes: Vec<usize> = model.systems().map(|h| h.coupled.influence.len()).collect();
+        let sizes: Vec<usize> = directions
+            .iter()
+            .map(|&(s, ..)| all[s].coupled.influence.len())
+            .collect();
         let probes: Vec<(usize, Vec<Probe>)> = sizes.iter().map(|&n| unit_probes(n)).enumerate().collect();
         let observables: Vec<Observable> = probes
             .iter()
@@ -68,10 +84,11 @@ impl Histories {
             .collect();
         let observed = superpose::respond(&systems, &ground, grid, &observables, &[], &fem::progress::Silent)?;
         let mut rest = observed.scalars.into_iter().map(|h| h.values);
-        let directions = model
-            .systems()
+        let directions = directions
+            .iter()
             .zip(&sizes)
-            .map(|(h, &n)| {
+            .map(|(&(system, turned, _), &n)| {
+                let h = all[system];
                 let q: Vec<Vec<f64>> = rest.by_ref().take(n).collect();
                 let mut acceleration: Vec<Vec<f64>> = rest.by_ref().take(n).collect();
                 let ground = rest.next().unwrap_or_default();
@@ -81,6 +98,8 @@ impl Histories {
                     }
                 }
                 Direction {
+                    system,
+                    turned,
                     q,
                     acceleration,
                     ground,
@@ -94,23 +113,30 @@ impl Histories {
         })
     }
 
-    /// The state at the sample nearest to `time` [s]; `spaces` belong to the directions.
-    pub(super) fn at(&self, spaces: &[Space], time: f64) -> Moment {
+    /// The state at the sample nearest to `time` [s]; `spaces` belong to the systems of the model.
+    pub(super) fn at(&self, tank: &TankModel, spaces: &[Space], time: f64) -> Moment {
         let sample = ((time / self.dt).round().max(0.0) as usize).min(self.samples - 1);
         let size = spaces[0].rigid.len();
         let (mut displacement, mut acceleration) = (vec![0.0; size], vec![0.0; size]);
-        for (direction, space) in self.directions.iter().zip(spaces) {
+        for direction in &self.directions {
+            let space = &spaces[direction.system];
             let take = |histories: &[Vec<f64>]| histories.iter().map(|h| h[sample]).collect::<Vec<f64>>();
-            for (x, v) in displacement.iter_mut().zip(space.basis.times(&take(&direction.q))) {
+            let mut moved = space.basis.times(&take(&direction.q));
+            let mut relative = space.basis.times(&take(&direction.acceleration));
+            let ground = direction.ground[sample];
+            let mut carried = vec![0.0; size];
+            for (e, carried) in carried.iter_mut().enumerate().filter(|(e, _)| space.potentials[*e]) {
+                *carried = ground * space.rigid[e];
+            }
+            if direction.turned {
+                [moved, relative, carried] = [moved, relative, carried].map(|x| turned(tank, &x));
+            }
+            for (x, v) in displacement.iter_mut().zip(moved) {
                 *x += v;
             }
-            let relative = space.basis.times(&take(&direction.acceleration));
-            let ground = direction.ground[sample];
-            for (e, (x, v)) in acceleration.iter_mut().zip(relative).enumerate() {
+            for ((x, v), ground) in acceleration.iter_mut().zip(relative).zip(carried) {
                 *x += v;
-                if space.potentials[e] {
-                    *x += ground * space.rigid[e];
-                }
+                *x += ground;
             }
         }
         for (e, x) in displacement.iter_mut().enumerate() {

@@ -28,7 +28,7 @@ fn rank(info: &SeriesInfo) -> usize {
 }
 
 fn is_ground(info: &SeriesInfo) -> bool {
-    matches!(info.channel(), Some(Channel::Ground { .. }))
+    matches!(info.channel(), Some(Channel::Ground { .. } | Channel::GroundY(_)))
 }
 
 /// Makes the section.

@@ -12,6 +12,9 @@ use files::error::Error;
 use results::channel::Ground;
 use results::{Channel, RecordSummary};
 
+/// Direction of a second horizontal record.
+const ACROSS: &str = "horizontal, y";
+
 #[derive(Serialize)]
 struct Record {
     direction: String,
@@ -45,10 +48,15 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
 }
 
 fn curves(source: &Source, record: &RecordSummary) -> Result<Vec<Figure>, Error> {
-    let vertical = record.direction == "vertical";
     let mut figures = Vec::new();
     for motion in Ground::ALL {
-        let channel = Channel::Ground { motion, vertical };
+        let channel = match record.direction.as_str() {
+            ACROSS => Channel::GroundY(motion),
+            direction => Channel::Ground {
+                motion,
+                vertical: direction == "vertical",
+            },
+        };
         let id = channel.id();
         let Some(values) = source.column(&id) else {
             continue;

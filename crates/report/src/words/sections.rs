@@ -139,6 +139,22 @@ const ALL: &[Words] = &[
         )],
     },
     Words {
+        id: "directions",
+        title: "Two horizontal components",
+        sentences: &[
+            (
+                "together",
+                "Both components at the same instant: the largest value over time and circumference, its direction from x towards y, \
+                 its time. Seismic part alone; with a vertical record its motion is contained in x, y and the resultant.",
+            ),
+            (
+                "srss",
+                "SRSS: the square root of the sum of the squares of the largest values of x and y, which the codes take for components \
+                 that do not peak together.",
+            ),
+        ],
+    },
+    Words {
         id: "nonlinear",
         title: "Nonlinear run",
         sentences: &[

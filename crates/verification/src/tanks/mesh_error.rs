@@ -41,6 +41,7 @@ fn errors(tank: Case, omega: f64) -> Result<Vec<(Quantity, f64, f64)>, engines::
     let mut shaken = tank;
     shaken.ground_motion = Some(GroundMotion {
         horizontal: artificial(omega),
+        transverse: None,
         vertical: None,
     });
     let run = |refine: f64, mesh_error: bool| {

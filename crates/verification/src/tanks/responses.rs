@@ -183,6 +183,7 @@ fn strip(original: &Record) -> Answer {
 fn shake(case: &mut Case, record: &Record) {
     case.ground_motion = Some(GroundMotion {
         horizontal: record.clone(),
+        transverse: None,
         vertical: None,
     });
 }

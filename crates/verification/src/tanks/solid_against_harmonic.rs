@@ -65,6 +65,7 @@ pub fn artificial(omega: f64) -> Record {
 fn shaken(mut case: Case, omega: f64) -> Case {
     case.ground_motion = Some(GroundMotion {
         horizontal: artificial(omega),
+        transverse: None,
         vertical: None,
     });
     case

@@ -1,7 +1,5 @@
 //! Demands against the extremes and histories that the response analysis finds by itself, and against equilibrium.
 
-use oscillator::record::Record;
-
 use super::super::analysis::analyse;
 use super::*;
 use crate::harmonic::Places;
@@ -23,6 +21,7 @@ fn motion(vertical: bool) -> GroundMotion {
     };
     GroundMotion {
         horizontal: record(2.0, 9.0),
+        transverse: None,
         vertical: vertical.then(|| record(1.0, 13.0)),
     }
 }

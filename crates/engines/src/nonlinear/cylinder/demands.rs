@@ -77,6 +77,7 @@ pub(super) fn demands(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> D
     Demands {
         times: recorder.times[..samples].to_vec(),
         states: states.states,
+        transverse: Vec::new(),
         angles: Angles::Sides,
         places,
         wave: (samples > 0).then_some(if front.value >= back.value { front } else { back }),

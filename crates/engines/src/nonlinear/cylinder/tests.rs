@@ -44,6 +44,7 @@ fn shaken(mut case: Case, acceleration: f64, samples: usize) -> Case {
     };
     case.ground_motion = Some(GroundMotion {
         horizontal: record,
+        transverse: None,
         vertical: None,
     });
     case

@@ -50,6 +50,7 @@ fn strip(behaviour: Behaviour, peak: f64) -> Case {
             acceleration: acceleration.collect(),
             processing: Vec::new(),
         },
+        transverse: None,
         vertical: None,
     });
     case

@@ -56,6 +56,7 @@ pub(super) fn options(damping: DampingModel, stations: &[f64]) -> Options {
 pub(super) fn shaken(mut case: Case, record: &Record) -> Case {
     case.ground_motion = Some(GroundMotion {
         horizontal: record.clone(),
+        transverse: None,
         vertical: None,
     });
     case
