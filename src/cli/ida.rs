@@ -30,6 +30,10 @@ Examples:
   tankcheck ida tank.json --quake elcentro.csv --scale 0..1.1 --steps 12 -o ida/
   tankcheck ida tank.json --quake elcentro.csv --scale 0.5,0.85,0.9,1 --jobs 2 -o ida/
   tankcheck ida tank.json --quake elcentro.csv --scale 0..1.1 --steps 12 -o ida/ --resume
+  tankcheck ida cylinder.json --quake elcentro.csv --scale 0.2,0.4,0.6 --memory-limit 2048 -o ida/
+
+A strip of a rectangular tank or a cylinder; analysis.nonlinear holds elements, contact and the free vibration after the
+record. Scales that exceed a limit of validity (small waves, freeboard, displacement, crack width, suction) are marked.
 
 Exit codes: 0 done; 2 bad input; 3 the computation failed or was interrupted, or results could not be
 written; 130 stopped by a second Ctrl-C.")]
@@ -98,6 +102,9 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         }
         for sentence in words::ida::departures(&found) {
             say!("outside the model: {sentence}");
+        }
+        for sentence in words::ida::outside(&found) {
+            say!("limit of validity: {sentence}");
         }
         for sentence in words::ida::partings(&found) {
             say!("note: {sentence}");

@@ -5,6 +5,7 @@
 mod after_record;
 mod checkpoint;
 mod cylinder;
+mod extremes;
 mod incremental;
 mod laws;
 mod parting;

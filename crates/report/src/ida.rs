@@ -136,6 +136,8 @@ pub fn table(ida: &Ida) -> Table {
     let stress = of(Dimension::Stress, |r| r.bar_stress);
     let cracks = ida.runs.iter().any(|r| r.first_crack.is_some());
     let parts = ida.runs.iter().any(|r| r.parting.is_some());
+    let open = ida.runs.iter().any(|r| r.open_share.is_some());
+    let limited = ida.runs.iter().any(|r| !r.limits.is_empty());
     let bars = ida.runs.iter().any(|r| r.bar_stress > 0.0);
     let plastic = ida.runs.iter().any(|r| r.plastic_strain > 0.0);
     let mut columns = vec![
@@ -165,6 +167,12 @@ pub fn table(ida: &Ida) -> Table {
     }
     if plastic {
         columns.push(Column::numbers("Plastic strain", ""));
+    }
+    if open {
+        columns.push(Column::numbers(heads::OPEN, "%"));
+    }
+    if limited {
+        columns.push(Column::words(heads::OUTSIDE));
     }
     columns.push(Column::numbers(heads::DAMPING, "%"));
     columns.push(Column::numbers("Halved steps", ""));
@@ -200,6 +208,15 @@ pub fn table(ida: &Ida) -> Table {
         if plastic {
             row.push(significant(run.plastic_strain, 2));
         }
+        if open {
+            row.push(
+                run.open_share
+                    .map_or("–".to_owned(), |share| significant(100.0 * share, 3)),
+            );
+        }
+        if limited {
+            row.push(words::exceeded(run));
+        }
         row.push(significant(100.0 * run.wall_damping, 3));
         row.push(run.halvings.to_string());
         row.push(format!("{:.0e}", run.energy_residual));
@@ -227,6 +244,9 @@ pub fn report(ida: &Ida) -> Result<Report, Error> {
     page.insert("collapses", &words::collapses(ida));
     page.insert("partings", &words::partings(ida));
     page.insert("departures", &words::departures(ida));
+    page.insert("outside", &words::outside(ida));
+    let extremes = ida.runs.iter().map(|r| (Some(r.scale), r.extremes.as_slice()));
+    page.insert("extremes", &super::extremes::table(extremes));
     page.insert("moments", &ida.runs.iter().any(|r| r.section_moment.is_some()));
     page.insert("figures", &views);
     page.insert("version", &ida.volatile.version);

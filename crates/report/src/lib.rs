@@ -22,6 +22,7 @@
 //! | [`template`] | holds the templates, embedded or the user's |
 //! | [`verification`] | the page and the figures of the verification manual |
 
+mod extremes;
 pub mod figure;
 pub mod ida;
 pub mod math;

@@ -12,6 +12,8 @@ pub const GROUND_COLUMNS: [&str; 3] = ["ground_acceleration", "ground_velocity",
 /// Prefix of [`GROUND_COLUMNS`] for the vertical record.
 pub const VERTICAL_PREFIX: &str = "vertical_";
 
+/// Beginning of the ids of open shares.
+const OPEN: &str = "open_share";
 /// Beginning of the ids of wave heights.
 const WAVE_HEIGHT: &str = "wave_height";
 /// Id of the base shear.
@@ -247,6 +249,10 @@ pub enum Channel {
     Belly,
     /// Deflection of the top of a strip's wall.
     Deflection(Side),
+    /// Share of the wetted wall of a cylinder that the liquid has left.
+    Open,
+    /// Share of the wetted wall of one side of a strip that the liquid has left.
+    OpenOn(Side),
 }
 
 impl Channel {
@@ -293,6 +299,8 @@ impl Channel {
             Channel::Top => "top_displacement".into(),
             Channel::Belly => "belly_displacement".into(),
             Channel::Deflection(side) => format!("wall_displacement_{}", side.id()),
+            Channel::Open => OPEN.into(),
+            Channel::OpenOn(side) => format!("{OPEN}_{}", side.id()),
         }
     }
 
@@ -346,6 +354,7 @@ impl Channel {
                 Channel::Wave(side),
                 Channel::SectionMoment(side),
                 Channel::Deflection(side),
+                Channel::OpenOn(side),
             ]
         });
         let across = Ground::ALL.map(Channel::GroundY);
@@ -359,6 +368,7 @@ impl Channel {
             Channel::OverturningMoment,
             Channel::Top,
             Channel::Belly,
+            Channel::Open,
         ];
         ground
             .chain(on_wall)
@@ -412,6 +422,8 @@ impl Channel {
             Channel::Top => "Radial displacement of the top of the wall, θ = 0°".into(),
             Channel::Belly => "Radial displacement at a third of the levels of the wall, θ = 0°".into(),
             Channel::Deflection(side) => format!("Deflection of the top of the wall, {}", side.title()),
+            Channel::Open => "Share of the wetted wall that the liquid has left".into(),
+            Channel::OpenOn(side) => format!("Share of the wetted wall that the liquid has left, {}", side.title()),
         }
     }
 
@@ -434,6 +446,7 @@ impl Channel {
             | Channel::BaseOn(what, _) => what.dimension(),
             Channel::SectionMoment(_) => Dimension::LineMoment,
             Channel::WaveAround { .. } | Channel::WaveLargest => Dimension::Length,
+            Channel::Open | Channel::OpenOn(_) => Dimension::Dimensionless,
             Channel::Wave(_) | Channel::WaveAt { .. } | Channel::Top | Channel::Belly | Channel::Deflection(_) => {
                 Dimension::Length
             }

@@ -5,9 +5,9 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use tank::units::Dimension;
 
-use super::nonlinear::{BaseMoment, Departure};
+use super::nonlinear::{BaseMoment, Departure, TwoSided};
 use super::store::{read_document, write_document};
-use super::{Fact, SourceFile, Volatile};
+use super::{Fact, Limit, SourceFile, Volatile};
 use files::error::Error;
 
 /// Version of the format; a reader refuses any other.
@@ -81,6 +81,15 @@ pub struct IdaRun {
     /// First separation of the liquid from a wall; a linear estimate where the model does not separate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub parting: Option<LiquidParting>,
+    /// Limits of validity of the theory with the values of this run; none in results of earlier versions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub limits: Vec<Limit>,
+    /// Largest share of the wetted wall that the liquid has left at once, where it may.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub open_share: Option<f64>,
+    /// Extremes of both signs and at both sides; none in results of earlier versions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub extremes: Vec<TwoSided>,
     /// Height of the highest crack [m]; 0 without any.
     pub highest_crack: f64,
     /// Largest opening strain of a crack.
@@ -102,6 +111,13 @@ pub struct IdaRun {
     pub steps: u64,
     /// Residual of the energy balance over the largest energy.
     pub energy_residual: f64,
+}
+
+impl IdaRun {
+    /// Limits of validity that the run exceeds.
+    pub fn exceeded(&self) -> impl Iterator<Item = &Limit> {
+        self.limits.iter().filter(|limit| !limit.holds)
+    }
 }
 
 /// No equilibrium.
@@ -162,14 +178,14 @@ pub fn ida_csv(ida: &Ida) -> String {
         "scale,pga_m_s2,collapse_time_s,wave_m,wall_displacement_m,base_moment_nm{per},first_crack_time_s,\
          first_crack_moment_nm{per},highest_crack_m,largest_crack,plastic_strain,bar_stress_pa,bar_plastic_strain,wall_damping,\
          halvings,energy_residual,parting_time_s,parting_height_m,section_moment_nm{per},damping_moment_nm{per},\
-         inertia_moment_nm{per},left_model_time_s,left_model\n",
+         inertia_moment_nm{per},left_model_time_s,left_model,open_share,limits_exceeded\n",
     );
     let option = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:.6}"));
     let moment = |value: Option<f64>| value.map_or(String::new(), |v| format!("{v:.6e}"));
     for run in &ida.runs {
         let _ = writeln!(
             text,
-            "{:.6},{:.6},{},{:.6e},{:.6e},{:.6e},{},{},{:.4},{:.4e},{:.4e},{:.6e},{:.4e},{:.6e},{},{:.2e},{},{},{},{},{},{},{}",
+            "{:.6},{:.6},{},{:.6e},{:.6e},{:.6e},{},{},{:.4},{:.4e},{:.4e},{:.6e},{:.4e},{:.6e},{},{:.2e},{},{},{},{},{},{},{},{},{}",
             run.scale,
             run.pga,
             option(run.collapse.as_ref().map(|c| c.time)),
@@ -192,7 +208,9 @@ pub fn ida_csv(ida: &Ida) -> String {
             moment(run.moment_parts.as_ref().map(|m| m.damping)),
             moment(run.moment_parts.as_ref().map(|m| m.inertia)),
             option(run.departures.first().map(|d| d.time)),
-            run.departures.iter().map(|d| d.kind.id()).collect::<Vec<_>>().join(" ")
+            run.departures.iter().map(|d| d.kind.id()).collect::<Vec<_>>().join(" "),
+            option(run.open_share),
+            run.exceeded().map(|l| l.id.as_str()).collect::<Vec<_>>().join(" ")
         );
     }
     text
@@ -233,6 +251,9 @@ mod tests {
                     height: 4.6,
                     open: false,
                 }),
+                limits: Vec::new(),
+                open_share: None,
+                extremes: Vec::new(),
                 highest_crack: 0.4,
                 largest_crack: 1e-3,
                 plastic_strain: 0.0,
@@ -267,6 +288,6 @@ mod tests {
         let text = ida_csv(&sample());
         let counts: Vec<usize> = text.lines().map(|l| l.split(',').count()).collect();
         // Head and line; those of the section and of the departures came to eighteen.
-        assert_eq!(counts, [23, 23]);
+        assert_eq!(counts, [25, 25]);
     }
 }

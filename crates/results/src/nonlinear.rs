@@ -26,6 +26,35 @@ pub struct Nonlinear {
     /// Limits of the model that the run has passed, the first of each kind by time.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub departures: Vec<Departure>,
+    /// Extremes of both signs, at both sides of the tank, and at both faces of its wall.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub extremes: Vec<TwoSided>,
+}
+
+/// Smallest and largest value of a quantity, as changes from the state at rest.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TwoSided {
+    /// Title, with side or face.
+    pub title: String,
+    /// Dimension.
+    pub dimension: Dimension,
+    /// Value at rest.
+    pub rest: f64,
+    /// Smallest; quantities that cannot be negative (cracks, gaps) have none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub min: Option<At>,
+    /// Largest.
+    pub max: At,
+}
+
+/// A value, and when it was reached.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct At {
+    /// Value, a change from that at rest.
+    pub value: f64,
+    /// Time [s], where it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time: Option<f64>,
 }
 
 /// A limit of the model that a run has passed; later values are marked.

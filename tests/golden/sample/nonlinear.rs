@@ -299,6 +299,7 @@ fn run(tank: &Tank, liquid: &Liquid, time: &[f64]) -> Nonlinear {
         },
         moments: Vec::new(),
         departures: Vec::new(),
+        extremes: Vec::new(),
         cost: vec![
             count("time steps", 5211.0, Dimension::Dimensionless),
             count("halved steps", 17.0, Dimension::Dimensionless),

@@ -6,6 +6,8 @@ mod demands;
 mod describe;
 mod elements;
 pub(super) mod estimate;
+mod extremes;
+mod limits;
 mod march;
 pub(super) mod mesh;
 mod model;

@@ -183,6 +183,10 @@ impl SeparationCheck {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Openings {
     heights: Vec<f64>,
+    /// Area of the wall that belongs to each place [m²]; of a strip per metre [m].
+    areas: Vec<f64>,
+    /// Area that was open at each instant [m²].
+    open: Vec<f64>,
     seen: Vec<Gap>,
     instants: usize,
     /// Largest penetration of the penalty [m].
@@ -216,10 +220,13 @@ pub struct Opening {
 
 impl Openings {
     /// * `heights`: places on the wetted wall [m]
-    pub fn new(heights: Vec<f64>) -> Openings {
+    /// * `areas`: of the wall that belongs to each [m²]; of a strip per metre [m]
+    pub fn new(heights: Vec<f64>, areas: Vec<f64>) -> Openings {
         Openings {
             seen: vec![Gap::default(); heights.len()],
             heights,
+            areas,
+            open: Vec::new(),
             instants: 0,
             penetration: 0.0,
         }
@@ -229,9 +236,11 @@ impl Openings {
     /// gives way there [m].
     pub fn see(&mut self, time: f64, gaps: impl Iterator<Item = (f64, f64)>) {
         self.instants += 1;
-        for (seen, (gap, penetration)) in self.seen.iter_mut().zip(gaps) {
+        let mut open = 0.0;
+        for ((seen, area), (gap, penetration)) in self.seen.iter_mut().zip(&self.areas).zip(gaps) {
             self.penetration = self.penetration.max(penetration);
             if gap > 0.0 {
+                open += area;
                 seen.first.get_or_insert(time);
                 seen.instants += 1;
             }
@@ -239,6 +248,12 @@ impl Openings {
                 (seen.widest, seen.time) = (gap, time);
             }
         }
+        self.open.push(open);
+    }
+
+    /// Area of the wall that the liquid has left at each instant seen [m²]; of a strip per metre [m].
+    pub fn open(&self) -> &[f64] {
+        &self.open
     }
 
     /// Largest distance at each place so far [m].
@@ -270,6 +285,7 @@ impl Openings {
     pub fn save(&self, to: &mut Writer) {
         to.count(self.instants);
         to.number(self.penetration);
+        to.numbers(&self.open);
         for s in &self.seen {
             to.numbers(&[s.first.unwrap_or(f64::NAN), s.widest, s.time]);
             to.count(s.instants);
@@ -282,6 +298,7 @@ impl Openings {
     pub fn restore(&mut self, from: &mut Reader) -> Result<(), CheckpointError> {
         self.instants = from.count()?;
         self.penetration = from.number()?;
+        self.open = from.numbers("the open area")?;
         for s in &mut self.seen {
             let mut own = [0.0; 3];
             from.numbers_into("a place that opens", &mut own)?;
@@ -362,6 +379,16 @@ mod tests {
         // At 0.05 and 0.2 m: above the trough.
         assert_eq!(plain.places.len(), 2);
         assert!(plain.places.iter().all(|p| !p.below_trough) && plain.lowest_below_trough().is_none());
+    }
+
+    /// Two of three places open at once, one alone later: their areas, at every instant.
+    #[test]
+    fn the_open_area_is_that_of_the_open_places() {
+        let mut openings = Openings::new(vec![0.5, 1.0, 1.5], vec![2.0, 3.0, 4.0]);
+        for (time, gaps) in [(0.0, [0.0; 3]), (0.1, [0.0, 1e-3, 2e-3]), (0.2, [0.0, 0.0, 1e-3])] {
+            openings.see(time, gaps.into_iter().map(|g| (g, 0.0)));
+        }
+        assert_eq!(openings.open(), [0.0, 7.0, 4.0]);
     }
 
     /// A rigid acceleration of the wall away from the liquid: p' = −ρ a s; separates at all depths beyond g.

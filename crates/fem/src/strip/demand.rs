@@ -3,6 +3,7 @@
 use super::BaseReaction;
 use super::history::{Cell, EventKind, Scalar, WallHistory};
 use super::validity::{Departure, first_of};
+use crate::analysis::march::Range;
 use crate::liquid::separation::Parting;
 
 /// A moment at the base and its parts [N].
@@ -98,6 +99,10 @@ pub struct Demand {
     pub bar_plastic_strain: f64,
     /// When the liquid first separates from the wall, or would if it could; set at the end of a run.
     pub parting: Option<Parting>,
+    /// Largest length of the wetted wall that the liquid has left at once, where it may [m].
+    pub open: Option<f64>,
+    /// Value at rest and range of every [`Scalar`], of one wall alone.
+    pub ranges: Vec<(Scalar, f64, Range)>,
     /// Limits of the model that were passed, the first of each kind by time.
     pub departures: Vec<Departure>,
 }
@@ -135,6 +140,11 @@ impl Demand {
             bar_stress: cells(|c| c.bar_stress),
             bar_plastic_strain: cells(|c| c.bar_plastic_strain),
             parting: Parting::first(&history.separation, history.openings.as_ref()),
+            open: history
+                .openings
+                .as_ref()
+                .map(|o| o.open().iter().copied().fold(0.0, f64::max)),
+            ranges: Scalar::ALL.map(|scalar| history.range(scalar)).to_vec(),
             departures: history.departures.clone(),
         }
     }
@@ -159,6 +169,8 @@ impl Demand {
             bar_stress: a.bar_stress.max(b.bar_stress),
             bar_plastic_strain: a.bar_plastic_strain.max(b.bar_plastic_strain),
             parting: earlier(a.parting, b.parting, |p| p.time),
+            open: a.open.zip(b.open).map(|(a, b)| a.max(b)).or(a.open).or(b.open),
+            ranges: Vec::new(),
             departures: first_of(&a.departures, &b.departures),
         }
     }

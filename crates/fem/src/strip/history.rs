@@ -189,6 +189,15 @@ impl WallHistory {
         &self.scalars[scalar as usize]
     }
 
+    /// A scalar with its value at rest and its range.
+    pub fn range(&self, scalar: Scalar) -> (Scalar, f64, Range) {
+        let mut range = Range::EMPTY;
+        for (&value, &time) in self.scalar(scalar).iter().zip(&self.times) {
+            range.include(value, time);
+        }
+        (scalar, self.at_rest(scalar), range)
+    }
+
     /// A scalar at rest.
     pub fn at_rest(&self, scalar: Scalar) -> f64 {
         self.scalar(scalar).first().copied().unwrap_or(0.0)

@@ -8,6 +8,7 @@ use tank::units::Dimension;
 
 use super::overlay::{self, Second};
 use super::{Section, Source, engine, histories};
+use crate::extremes;
 use crate::figure::{Figure, cells, cracks};
 use crate::number::{Scale, fixed, plain, ratio, significant};
 use crate::table::{Column, Table};
@@ -56,6 +57,8 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     );
     section.set("events", &run.map_or_else(Table::default, |_| events(&fe.events)));
     section.set("moments", &run.map_or_else(Table::default, |run| moments(&run.moments)));
+    let both = run.map(|run| (None, run.extremes.as_slice()));
+    section.set("extremes", &extremes::table(both.into_iter()));
     section.set("numbered", &!marks.is_empty());
     section.set("after", &after_record::sentence(fe, source.series.time.last().copied()));
     section.set_figures("overlays", overlays(source, &marks)?);

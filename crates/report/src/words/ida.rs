@@ -3,7 +3,7 @@
 use super::outcome::{passed, place};
 use super::verdict::LIQUID_PARTED;
 use crate::number::{fixed, significant, with_unit};
-use results::{Ida, IdaRun};
+use results::{Ida, IdaRun, Limit};
 
 /// Abscissa of the curves, within a sentence.
 pub const PGA: &str = "peak ground acceleration";
@@ -42,6 +42,10 @@ pub mod heads {
         "Liquid separates at",
         "at the height",
     ];
+    /// Largest open share of the wetted wall.
+    pub const OPEN: &str = "Open share";
+    /// Limits of validity that are exceeded.
+    pub const OUTSIDE: &str = "Limits exceeded";
     /// Damping.
     pub const DAMPING: &str = "Damping of the wall mode";
 }
@@ -51,6 +55,7 @@ pub fn mark(run: &IdaRun) -> &'static str {
     match (&run.collapse, run.departures.is_empty()) {
         (Some(_), _) => "≥, collapse",
         (None, false) => "left the model",
+        (None, true) if run.exceeded().next().is_some() => "limit",
         (None, true) => "",
     }
 }
@@ -74,6 +79,9 @@ pub fn caption(ida: &Ida) -> String {
     }
     if ida.runs.iter().any(|r| !r.departures.is_empty()) {
         sentences.push("Runs that left the model are not results; the table of runs lists when and why.");
+    }
+    if ida.runs.iter().any(|r| r.exceeded().next().is_some()) {
+        sentences.push("Runs marked as limit exceed a limit of validity; the table of runs names it.");
     }
     sentences.join(" ")
 }
@@ -122,6 +130,44 @@ fn departure(ida: &Ida, run: &IdaRun) -> String {
         )
     });
     format!("Scale {}: {}.{parts}", significant(run.scale, 4), how.join("; "))
+}
+
+/// Limits of validity that a run exceeds, in a cell.
+pub fn exceeded(run: &IdaRun) -> String {
+    let short: Vec<&str> = run
+        .exceeded()
+        .map(|limit| match limit.id.as_str() {
+            "wave_against_radius" => "wave not small",
+            "wave_against_freeboard" => "freeboard",
+            "wall_displacement" => "displacement",
+            "crack_width" => "crack width",
+            "suction" => "suction",
+            "compressibility" => "compressibility",
+            "record_step" => "step of the record",
+            _ => limit.name.as_str(),
+        })
+        .collect();
+    match short.is_empty() {
+        true => "–".into(),
+        false => short.join(", "),
+    }
+}
+
+/// Limits of validity that runs exceed, one sentence each.
+pub fn outside(ida: &Ida) -> Vec<String> {
+    let of = |run: &IdaRun, limit: &Limit| {
+        format!(
+            "Scale {}: {}: {}, limit {}. {}",
+            significant(run.scale, 4),
+            limit.name,
+            with_unit(limit.value, limit.dimension),
+            with_unit(limit.limit, limit.dimension),
+            limit.note
+        )
+    };
+    let runs = ida.runs.iter();
+    runs.flat_map(|run| run.exceeded().map(move |limit| of(run, limit)))
+        .collect()
 }
 
 /// Remarks on runs in which the liquid separates from a wall, or does by the linear estimate, one sentence each.

@@ -1,5 +1,9 @@
 //! Heads of columns and labels of rows, legends and axes.
 
+/// Times of the extremes of both signs.
+pub const SMALLEST_TIME: &str = "Time of the smallest";
+/// See [`SMALLEST_TIME`].
+pub const LARGEST_TIME: &str = "Time of the largest";
 /// Vertical line at the end of the record.
 pub const RECORD_END: &str = "end of the record";
 /// Ratio to the finite-element value.

@@ -167,6 +167,11 @@ const ALL: &[Words] = &[
             ("bounds", "≥: the run ended before the ground motion did."),
             ("numbers", "Vertical lines: the events by their numbers."),
             (
+                "extremes",
+                "Changes from the state at rest, over the record and the free vibration after it; waves and displacements positive upwards \
+                 and outwards. Widths of cracks and gaps are the largest so far.",
+            ),
+            (
                 "moments",
                 "At the time of the largest reaction of each wall, signed, with the static state. The reaction of the ground combines \
                  the stresses of the section, viscous damping, inertia and the pressure on the lowest element; only the part of the \
@@ -242,6 +247,14 @@ const ALL: &[Words] = &[
                 "moment",
                 "Base moment: reaction of the ground, with damping and inertia. Moment of the section: largest bending moment of the \
                  lowest section, the integral of its stresses, which its strength limits.",
+            ),
+            (
+                "outside",
+                "These runs exceed limits of the theory: what depends on them is indicative only.",
+            ),
+            (
+                "extremes",
+                "Changes from the state at rest; waves and displacements positive upwards and outwards.",
             ),
             (
                 "departures",

@@ -47,6 +47,8 @@ pub(crate) struct Joints {
     pub penalty: f64,
     /// Index of each joint's node among the wetted ones.
     pub numbers: Vec<usize>,
+    /// Area of the wall that belongs to each joint [m²].
+    pub areas: Vec<f64>,
     /// Height and angle of each joint.
     pub places: Vec<[f64; 2]>,
     elements: Vec<(usize, LiquidJoint)>,
@@ -86,6 +88,7 @@ impl Join<'_> {
         let mut out = Joints {
             penalty: self.penalty,
             numbers: Vec::new(),
+            areas: Vec::new(),
             places: Vec::new(),
             elements: Vec::new(),
         };
@@ -105,6 +108,7 @@ impl Join<'_> {
             let [x, y, z] = builder.position(wall_nodes[i]);
             out.places.push([z, y.atan2(x)]);
             out.numbers.push(i);
+            out.areas.push(areas[i]);
         }
         Ok(out)
     }

@@ -9,9 +9,12 @@ use fem::progress::{Progress, Quiet};
 use super::super::CheckpointFile;
 use super::super::parting::parting;
 use super::describe::{assumptions, facts};
+use super::extremes;
+use super::limits::limits;
 use super::march::Cylinder;
 use super::model::CylinderModel;
 use super::points::{Happening, look};
+use super::state::maps;
 use super::watch::{BASE_MOMENT, WAVE_BACK, WAVE_FRONT, Watch};
 use crate::FeError;
 use crate::linear::checked_motion;
@@ -111,6 +114,7 @@ impl Cylinder<'_> {
             }),
             _ => None,
         };
+        let maps = maps(self.case, tank, watch, &worst, &last);
         let energy = run.balance.samples.last().map_or(0.0, |e| e.hysteretic);
         IdaRun {
             scale,
@@ -125,6 +129,9 @@ impl Cylinder<'_> {
             moment_parts: None,
             first_crack,
             parting: Parting::first(&watch.separation, watch.openings.as_ref()).map(parting),
+            limits: limits(self, watch, &worst),
+            open_share: extremes::open_history(tank, watch).map(|open| open.into_iter().fold(0.0, f64::max)),
+            extremes: extremes::extremes(tank, watch, &maps),
             highest_crack: highest.fold(0.0, f64::max),
             largest_crack: worst.crack_strain,
             plastic_strain: most(&last.plastic_strain),

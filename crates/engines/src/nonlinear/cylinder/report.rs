@@ -10,6 +10,8 @@ use tank::Support;
 use super::curve::departures;
 use super::demands::demands;
 use super::describe::{HELD_DOWN, assumptions, cost, integration, mesh};
+use super::extremes;
+use super::limits::limits;
 use super::march::Cylinder;
 use super::model::CylinderModel;
 use super::points::look;
@@ -32,7 +34,7 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
     let last = look(tank, &run.state);
     let mut worst = watch.seen.worst.clone().unwrap_or_else(|| last.clone());
     worst.envelop(&last);
-    let histories = histories(watch);
+    let histories = histories(tank, watch);
     let values = values(tank, watch);
     let mut notes = Vec::new();
     if case.tank.support == Support::Unanchored {
@@ -58,9 +60,11 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
     }
     let balance = &run.balance;
     let energies = energies(run, watch);
+    let maps = maps(case, tank, watch, &worst, &last);
     let nonlinear = Nonlinear {
         grid: grid(tank),
-        maps: maps(case, tank, watch, &worst, &last),
+        extremes: extremes::extremes(tank, watch, &maps),
+        maps,
         cracks: pictures(watch, &last, run.time),
         loops: loops(watch),
         energies,
@@ -84,6 +88,7 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
         }),
         envelopes: envelopes(tank, watch),
         record_end: span.record_end(),
+        limits: limits(cylinder, watch, &worst),
         histories: histories.info,
         nonlinear: Some(nonlinear),
         incomplete: run.outcome != Outcome::Completed,
@@ -101,7 +106,7 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
 }
 
 /// Histories relative to the static state, as in the other engines.
-fn histories(watch: &Watch<'_>) -> Histories {
+fn histories(tank: &CylinderModel, watch: &Watch<'_>) -> Histories {
     let recorder = &watch.recorder;
     let times = &recorder.times;
     let mut histories = Histories::at(times.clone());
@@ -131,6 +136,9 @@ fn histories(watch: &Watch<'_>) -> Histories {
     for (meridian, side) in watch.seen.sides.iter().zip(Side::BOTH) {
         push(Channel::BaseOn(OnWall::Axial, side), &meridian.base_axial, None);
         push(Channel::BaseOn(OnWall::Moment, side), &meridian.moment, None);
+    }
+    if let Some(open) = extremes::open_history(tank, watch) {
+        push(Channel::Open, &open, None);
     }
     histories
 }

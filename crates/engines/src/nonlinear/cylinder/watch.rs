@@ -35,6 +35,11 @@ pub(super) const TOP_FRONT: usize = 4;
 /// Displacement along x of the wall's node that bulges most in the static state.
 pub(super) const BELLY_FRONT: usize = 5;
 
+/// [`TOP_FRONT`] and [`BELLY_FRONT`] at θ = π, outwards.
+pub(super) const TOP_BACK: usize = 6;
+/// See [`TOP_BACK`].
+pub(super) const BELLY_BACK: usize = 7;
+
 /// Smallest and largest value with their times.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Extremes {
@@ -175,7 +180,10 @@ impl<'a> Watch<'a> {
             unknowns: tank.liquid_unknowns(),
             cosine: angles.iter().map(|t| t.cos()).collect(),
             rise: rise(&tank.liquid, tank.gravity, tank.depth, &heights, &angles),
-            openings: tank.joints.as_ref().map(|j| Openings::new(j.heights())),
+            openings: tank
+                .joints
+                .as_ref()
+                .map(|j| Openings::new(j.heights(), j.areas.clone())),
             seen: Seen::default(),
             tank,
             interval,
@@ -413,6 +421,17 @@ fn quantities(tank: &CylinderModel) -> Result<Vec<Quantity>, AnalysisError> {
     };
     let at = |level: usize| tank.wall.inner[levels[level][0]];
     let belly = levels.len() / 3;
+    // Half a wall has its last meridian at θ = π, a whole one its middle one.
+    let back = |level: usize| -> Vec<(usize, f64)> {
+        let around = &levels[level];
+        let opposite = if tank.cells.half {
+            around.len() - 1
+        } else {
+            around.len() / 2
+        };
+        let row = tank.model.row(tank.wall.inner[around[opposite]], Dof::Ux);
+        row.into_iter().map(|(e, c)| (e, -c)).collect()
+    };
     Ok(vec![
         Quantity::Reaction(shear),
         Quantity::Reaction(moment),
@@ -420,5 +439,7 @@ fn quantities(tank: &CylinderModel) -> Result<Vec<Quantity>, AnalysisError> {
         row("wave at θ = 180°", tank.elevation(std::f64::consts::PI)),
         row("top of the wall", tank.model.row(at(levels.len() - 1), Dof::Ux)),
         row("lower third of the wall", tank.model.row(at(belly), Dof::Ux)),
+        row("top of the wall, θ = 180°", back(levels.len() - 1)),
+        row("lower third of the wall, θ = 180°", back(belly)),
     ])
 }

@@ -30,6 +30,8 @@ pub(super) const STEPS_PER_PERIOD: f64 = 20.0;
 pub(crate) struct Strip {
     pub model: StripModel,
     pub quake: StripQuake,
+    /// The case, without its records.
+    pub case: Case,
     /// End of the records and of a run.
     pub span: Span,
     /// Computing time between two checkpoints [s].
@@ -110,6 +112,10 @@ impl Strip {
         Ok(Strip {
             model,
             quake,
+            case: Case {
+                ground_motion: None,
+                ..case.clone()
+            },
             span,
             seconds: options.checkpoint,
             facts,

@@ -1,19 +1,58 @@
 //! A strip at rising scales of its record.
 
-use fem::analysis::march::Outcome;
+use fem::analysis::march::{Outcome, Range};
 use fem::progress::Progress;
-use fem::strip::StripLevel;
+use fem::strip::{Scalar, StripLevel, StripRun};
 
 use super::super::CheckpointFile;
+use super::super::extremes::of_range;
 use super::super::parting::parting;
 use super::build::Strip;
 use super::departures::{base_moment, departure};
 use super::failure::failed;
 use crate::FeError;
-use results::channel::Side;
-use results::{Collapse, FirstCrack, IdaRun};
+use crate::linear::limits;
+use results::channel::{OnWall, Side};
+use results::nonlinear::TwoSided;
+use results::{Channel, Collapse, FirstCrack, IdaRun, Limit};
+
+/// Extremes of a wall: both signs.
+fn extremes((wall, side): (&StripRun, Side)) -> Vec<TwoSided> {
+    let channel = |scalar: Scalar| match scalar {
+        Scalar::Elevation => Some(Channel::Wave(side)),
+        Scalar::Deflection => Some(Channel::Deflection(side)),
+        Scalar::Shear => Some(Channel::BaseOn(OnWall::Shear, side)),
+        Scalar::Moment => Some(Channel::BaseOn(OnWall::Moment, side)),
+        Scalar::SectionMoment => Some(Channel::SectionMoment(side)),
+        _ => None,
+    };
+    let of = |(scalar, rest, range): &(Scalar, f64, Range)| {
+        let channel = channel(*scalar)?;
+        of_range(channel.title(), channel.dimension(), *rest, range)
+    };
+    wall.demand.ranges.iter().filter_map(of).collect()
+}
 
 impl Strip {
+    /// Depth of the liquid [m].
+    fn depth(&self) -> f64 {
+        self.model.tank.liquid.depth
+    }
+
+    /// Limits of validity at a scale.
+    fn limits(&self, level: &StripLevel) -> Vec<Limit> {
+        let rise = |wall: &StripRun| {
+            let found = wall.demand.ranges.iter().find(|r| r.0 == Scalar::Elevation);
+            found.map_or(0.0, |(_, rest, range)| range.max - rest)
+        };
+        let wave = level.walls.iter().map(rise).fold(0.0, f64::max);
+        let mut found = limits::waves(&self.case, wave).to_vec();
+        let omega = self.model.wall_frequency();
+        found.push(limits::compressibility(&self.case, omega / std::f64::consts::TAU));
+        found.push(limits::record(omega, self.quake.horizontal.dt));
+        found
+    }
+
     /// Both walls at every scale on `threads` threads, by ascending scale; `each` receives every finished run.
     ///
     /// * `checkpoint`: checkpoint of the run of a scale; the caller removes it
@@ -70,6 +109,9 @@ impl Strip {
                 base_moment: c.base_moment,
             }),
             parting: demand.parting.map(parting),
+            limits: self.limits(level),
+            open_share: demand.open.map(|length| length / self.depth()),
+            extremes: level.walls.iter().zip(Side::BOTH).flat_map(extremes).collect(),
             highest_crack: demand.highest_crack,
             largest_crack: demand.largest_crack,
             plastic_strain: demand.plastic_strain,

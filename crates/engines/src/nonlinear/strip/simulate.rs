@@ -10,6 +10,7 @@ use tank::demand::{Demands, Peak};
 use tank::{Case, Quantity};
 
 use super::super::CheckpointFile;
+use super::super::extremes::of_maps;
 use super::build::Strip;
 use super::failure::failed;
 use super::modes::{damping_table, modes};
@@ -20,6 +21,7 @@ use crate::linear::checked_motion;
 use crate::modes::Kind;
 use crate::{FeError, Simulation};
 use results::channel::{OnWall, Side};
+use results::nonlinear::{At, Nonlinear, TwoSided};
 use results::{Channel, EngineId, Mode, Run, SeriesInfo};
 use tank::options::nonlinear::{Damping, NonlinearOptions};
 
@@ -130,7 +132,7 @@ impl Report<'_> {
             record_end: self.strip.span.record_end(),
             histories: histories.info,
             limits: self.limits(wave),
-            nonlinear: Some(self.walls.nonlinear()),
+            nonlinear: Some(self.nonlinear(&lines)),
             incomplete: self.walls.interrupted(),
             ..Run::new(EngineId::Nonlinear)
         };
@@ -143,6 +145,27 @@ impl Report<'_> {
             snapshots: None,
             demands: Some(demands(&lines)),
         }
+    }
+
+    fn nonlinear(&self, lines: &[Line]) -> Nonlinear {
+        let mut found = self.walls.nonlinear();
+        let of = |line: &Line| {
+            let [(max, max_time), (min, min_time)] = line.extremes();
+            let at = |value, time| At {
+                value,
+                time: Some(time),
+            };
+            TwoSided {
+                title: line.title.clone(),
+                dimension: line.channel.dimension(),
+                rest: line.rest,
+                min: (!matches!(line.channel, Channel::OpenOn(_))).then(|| at(min, min_time)),
+                max: at(max, max_time),
+            }
+        };
+        found.extremes = lines.iter().map(of).collect();
+        found.extremes.extend(of_maps(&found.maps, &found.grid));
+        found
     }
 
     fn wall_line(&self, side: Side, scalar: Scalar, channel: Channel) -> Line {
@@ -212,6 +235,19 @@ impl Report<'_> {
                     ..self.wall_line(side, scalar, channel(side))
                 });
             }
+        }
+        for (run, side) in self.walls.runs.iter().zip(Side::BOTH) {
+            let Some(openings) = &run.history.openings else {
+                continue;
+            };
+            let depth = self.case.liquid.fill_height;
+            lines.push(Line {
+                channel: Channel::OpenOn(side),
+                title: Channel::OpenOn(side).title(),
+                rest: 0.0,
+                times: run.history.times.clone(),
+                values: openings.open().iter().map(|length| length / depth).collect(),
+            });
         }
         lines
     }

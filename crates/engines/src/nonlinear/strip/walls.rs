@@ -41,6 +41,7 @@ impl Walls<'_> {
                 z: levels.clone(),
                 surface: self.case.liquid.fill_height,
             },
+            extremes: Vec::new(),
             maps: self.maps(),
             cracks: self.cracks(),
             loops: self.loops(),

@@ -74,7 +74,7 @@ impl<'a> WallObserver<'a> {
                 events: Vec::new(),
                 pictures: Default::default(),
                 separation: check,
-                openings: joints.map(|j| Openings::new(j.heights.clone())),
+                openings: joints.map(|j| Openings::new(j.heights.clone(), j.shares.clone())),
                 peak: BaseMoment::default(),
                 departures: Vec::new(),
             },

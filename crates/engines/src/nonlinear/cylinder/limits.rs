@@ -1,0 +1,107 @@
+//! Limits of validity of a nonlinear cylinder, tested on a run.
+
+use tank::units::{Dimension, display};
+
+use super::march::Cylinder;
+use super::points::Look;
+use super::watch::{WAVE_BACK, WAVE_FRONT, Watch};
+use crate::linear::limits;
+use results::Limit;
+
+/// Displacements of the wall beyond this share of the radius change the liquid's domain, and with it the added mass, by as much
+/// (p ~ ρ R ẅ); the liquid is that of the undeformed tank.
+const SMALL_DISPLACEMENT: f64 = 0.05;
+/// Widest crack [m] at which bars still count as bonded and the tank as tight: more than three times the widest crack that EN
+/// 1992-1-1, table 7.1N, allows anywhere (0.4 mm). Beyond, slip of the bars and loss of liquid, neither of which is modelled, matter.
+const WIDE_CRACK: f64 = 1.3e-3;
+
+/// All limits of a run.
+///
+/// * `worst`: largest values of every cell
+pub(super) fn limits(cylinder: &Cylinder<'_>, watch: &Watch<'_>, worst: &Look) -> Vec<Limit> {
+    let (case, tank) = (cylinder.case, &cylinder.tank);
+    let recorder = &watch.recorder;
+    let rise = |k: usize| {
+        let rest = recorder.histories[k].first().copied().unwrap_or(0.0);
+        (recorder.ranges[k].max - rest).max(0.0)
+    };
+    let mut found = limits::waves(case, rise(WAVE_FRONT).max(rise(WAVE_BACK))).to_vec();
+    found.push(displacement(tank.radius, watch.seen.displacement));
+    found.extend(suction(watch));
+    let cracks = worst.crack_width.iter().flatten().copied();
+    if worst.crack_width.iter().any(|face| !face.is_empty()) {
+        found.push(crack(cracks.fold(0.0, f64::max)));
+    }
+    found.push(limits::compressibility(case, tank.wall_omega / std::f64::consts::TAU));
+    if let Some(motion) = &case.ground_motion {
+        found.push(limits::record(tank.wall_omega, motion.horizontal.dt));
+    }
+    found
+}
+
+fn displacement(radius: f64, (value, time): (f64, f64)) -> Limit {
+    let limit = SMALL_DISPLACEMENT * radius;
+    let holds = value <= limit;
+    Limit {
+        id: "wall_displacement".into(),
+        name: format!("Radial displacement of the wall against {SMALL_DISPLACEMENT} of the radius"),
+        value,
+        limit,
+        dimension: Dimension::Length,
+        holds,
+        note: match holds {
+            true => String::new(),
+            false => {
+                format!("The liquid is that of the undeformed tank: its pressure after {time:.2} s is indicative only.")
+            }
+        },
+    }
+}
+
+fn crack(value: f64) -> Limit {
+    let holds = value <= WIDE_CRACK;
+    Limit {
+        id: "crack_width".into(),
+        name: "Widest crack against that at which slip of bars and loss of liquid matter".into(),
+        value,
+        limit: WIDE_CRACK,
+        dimension: Dimension::Length,
+        holds,
+        note: match holds {
+            true => String::new(),
+            false => {
+                "Bars are bonded in the model and the wall is tight: crack widths and the demand after this crack are \
+                      indicative only."
+                    .into()
+            }
+        },
+    }
+}
+
+/// Lowest pressure of a displaced particle under the trough, where the model keeps the liquid at the wall.
+fn suction(watch: &Watch<'_>) -> Option<Limit> {
+    if watch.openings.is_some() {
+        return None;
+    }
+    let found = watch.separation.result();
+    let below = |(height, pressure): &(f64, f64)| *height < found.trough && pressure.is_finite();
+    let lowest = watch.separation.lowest_pressures().filter(below);
+    let (height, value) = lowest.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let holds = value >= 0.0;
+    Some(Limit {
+        id: "suction".into(),
+        name: "Smallest pressure of the liquid at the wall below the wave trough".into(),
+        value,
+        limit: 0.0,
+        dimension: Dimension::Stress,
+        holds,
+        note: match holds {
+            true => String::new(),
+            false => format!(
+                "Suction at z = {}: the liquid would separate from the wall if air entered; the model keeps it in contact \
+                 (`contact` opening models the separation).",
+                display(height, Dimension::Length)
+            ),
+        },
+    })
+}
