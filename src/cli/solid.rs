@@ -7,7 +7,8 @@ use engines::solid::{Liquid, MeshSize, SolidOptions};
 /// Options of the three-dimensional engine.
 #[derive(clap::Args, Clone, Debug)]
 pub(crate) struct SolidArgs {
-    /// Elements over radius, circumference and height of the wall, as 12x16x20 [default: by the size of the tank].
+    /// Elements over radius, circumference and height of the wall, as 12x16x20; of a box over half its length, its breadth and the height
+    /// [default: by the size of the tank].
     #[arg(long, value_name = "RxSxV", allow_hyphen_values = true)]
     mesh: Option<MeshSize>,
     /// Formulation of the liquid [default: potential, or as in the tank file].

@@ -273,6 +273,18 @@ pub fn first_wall_frequency(case: &Case) -> f64 {
     }
 }
 
+/// First circular frequency [rad/s] of a plane wall `side` [m] long, clamped at its base and both sides, with half of the liquid's depth
+/// as added mass: cantilever and clamped beam side by side, a lower bound for constant thickness (Dunkerley).
+///
+/// ```text
+/// ω² = (3.516/h²)² + (22.37/a²)², times E t³/12 / (ρ_w t + ρ H/2)
+/// ```
+pub fn first_plate_frequency(case: &Case, side: f64) -> f64 {
+    let height = case.tank.wall_height();
+    let cantilever = first_wall_frequency(case);
+    cantilever * (1.0 + (22.37 / 3.516 * (height / side).powi(2)).powi(2)).sqrt()
+}
+
 /// Entries of a factor and operations of its factorisation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Fill {

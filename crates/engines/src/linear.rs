@@ -212,7 +212,7 @@ fn report(
             "The tank is unanchored; the linear engine clamps the wall to the ground and does not model uplift.".into(),
         );
     }
-    if let Shape::Rectangle { strip: false, .. } = case.tank.shape {
+    if let (EngineId::Harmonic, Shape::Rectangle { strip: false, .. }) = (linear.engine, case.tank.shape) {
         notes.push(
             "The rectangular tank is modelled as a plane strip of its breadth with rigid side walls: plate bending and \
              corners are left out."
@@ -256,18 +256,24 @@ fn report(
         record_end: Some(record_end(motion)),
         histories: histories.info,
         directions: around.as_ref().map_or_else(Vec::new, Around::results),
-        limits: limits::limits(case, model, (&analysis, around.as_ref()), motion.horizontal.dt),
+        limits: limits::limits(
+            case,
+            model,
+            (&analysis, around.as_ref()),
+            (motion.horizontal.dt, linear.engine),
+        ),
         ..Run::new(linear.engine)
     };
     Ok(Simulation {
         values: analysis.values(model, round),
         result,
         series: histories.series,
-        assumptions: describe::assumptions(case, options),
+        assumptions: describe::assumptions(case, options, linear.engine),
         notes,
         snapshots: None,
         demands: Some(Demands {
             wave: around.as_ref().map_or(demands.wave, |around| around.wave),
+            plates: linear.engine == EngineId::Solid,
             ..demands
         }),
     })

@@ -2,8 +2,7 @@
 
 use fem::progress::Progress;
 use results::EngineId;
-use tank::Shape;
-use tank::refusal::{Place, Refusal};
+use tank::refusal::Refusal;
 
 use crate::engine::{Engine, Simulation, Task};
 use crate::estimate::Estimate;
@@ -63,16 +62,7 @@ impl Engine for Solid {
     }
 
     fn refuses(&self, task: &Task<'_>) -> Vec<Refusal> {
-        match task.case.tank.shape {
-            Shape::Cylinder { .. } => Vec::new(),
-            Shape::Rectangle { .. } => vec![Refusal {
-                place: Place::Shape,
-                message: "the three-dimensional engine models upright cylinders".into(),
-                found: String::new(),
-                allowed: "\"cylinder\"".into(),
-                help: "use --fe harmonic for a rectangular tank".into(),
-            }],
-        }
+        solid::refused(task.case, task.solid)
     }
 
     fn estimate(&self, task: &Task<'_>) -> Result<Estimate, FeError> {
@@ -119,7 +109,8 @@ impl Engine for Nonlinear {
 
 #[cfg(test)]
 mod tests {
-    use tank::Case;
+    use tank::refusal::Place;
+    use tank::{Case, Shape};
 
     use super::*;
     use tank::options::LinearOptions as Options;
@@ -157,8 +148,14 @@ mod tests {
         case.tank.shape = Shape::Rectangle {
             length: 3.0,
             breadth: 3.0,
-            strip: false,
+            strip: true,
         };
         assert_eq!(refusals(&case), [Vec::new(), vec![Place::Shape], vec![Place::Shape]]);
+        case.tank.shape = Shape::Rectangle {
+            length: 3.0,
+            breadth: 3.0,
+            strip: false,
+        };
+        assert_eq!(refusals(&case), [Vec::new(), Vec::new(), vec![Place::Shape]]);
     }
 }

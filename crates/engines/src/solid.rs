@@ -8,8 +8,10 @@ mod estimate;
 mod fields;
 mod memory;
 pub(crate) mod mesh;
+mod mirror;
 pub mod model;
 mod moments;
+mod plan;
 mod poles;
 mod project;
 mod reduce;
@@ -23,5 +25,6 @@ pub mod system;
 mod waves;
 
 pub use estimate::estimate;
+pub use model::refused;
 pub use run::{modes, most_waves, respond, simulate};
 pub use tank::options::solid::{Liquid, MeshSize, MeshSizeError, SolidOptions};

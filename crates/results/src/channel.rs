@@ -115,6 +115,10 @@ pub enum OnWall {
     Moment,
     /// Shear force [N/m].
     Shear,
+    /// Horizontal bending moment of a plate in its middle [N m/m].
+    HorizontalMoment,
+    /// The same at a corner of two plates.
+    CornerMoment,
 }
 
 impl Ground {
@@ -124,7 +128,7 @@ impl Ground {
 
 impl OnWall {
     /// All of them.
-    pub const ALL: [OnWall; 7] = [
+    pub const ALL: [OnWall; 9] = [
         OnWall::Pressure,
         OnWall::Hoop,
         OnWall::Axial,
@@ -132,6 +136,8 @@ impl OnWall {
         OnWall::Displacement,
         OnWall::Moment,
         OnWall::Shear,
+        OnWall::HorizontalMoment,
+        OnWall::CornerMoment,
     ];
 
     /// Id of the envelope.
@@ -144,6 +150,8 @@ impl OnWall {
             OnWall::Displacement => "radial_displacement",
             OnWall::Moment => WALL_MOMENT,
             OnWall::Shear => "wall_shear",
+            OnWall::HorizontalMoment => "horizontal_moment",
+            OnWall::CornerMoment => "corner_moment",
         }
     }
 
@@ -157,6 +165,8 @@ impl OnWall {
             OnWall::Displacement => "Radial displacement",
             OnWall::Moment => "Meridional bending moment of the wall",
             OnWall::Shear => "Shear force of the wall",
+            OnWall::HorizontalMoment => "Horizontal bending moment in the middle of the wall",
+            OnWall::CornerMoment => "Horizontal bending moment of the wall at its corner",
         }
     }
 
@@ -165,7 +175,7 @@ impl OnWall {
         match self {
             OnWall::Pressure | OnWall::Hoop | OnWall::Axial | OnWall::Bending => Dimension::Stress,
             OnWall::Displacement => Dimension::Length,
-            OnWall::Moment => Dimension::LineMoment,
+            OnWall::Moment | OnWall::HorizontalMoment | OnWall::CornerMoment => Dimension::LineMoment,
             OnWall::Shear => Dimension::LineForce,
         }
     }

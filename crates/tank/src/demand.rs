@@ -90,6 +90,8 @@ pub struct Demands {
     pub overturning_moment: Option<Terms>,
     /// Vertical acceleration of the ground, upwards [m/s²]; none without a vertical record.
     pub vertical: Option<Terms>,
+    /// Whether the engine models the walls of a box as plates, not as cantilevers.
+    pub plates: bool,
     /// Largest relative error of a peak that lies between two of the times.
     pub sampling: f64,
 }

@@ -19,6 +19,8 @@ pub enum Place {
     Law(String),
     /// The interlayer of this material.
     Interlayer(String),
+    /// Formulation of the liquid in three dimensions.
+    Liquid,
     /// Number of elements over the height.
     Rows,
     /// Number of elements around the tank.

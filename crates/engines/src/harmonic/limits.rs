@@ -18,7 +18,9 @@ const ACOUSTIC_RATIO: f64 = 0.3;
 const THICK: f64 = 0.1;
 
 /// Assumptions of the model for this case, one sentence each.
-pub(crate) fn assumptions(case: &Case) -> Vec<String> {
+///
+/// * `plates`: whether the walls of a box are plates, whose engine states what it assumes of them
+pub(crate) fn assumptions(case: &Case, plates: bool) -> Vec<String> {
     let mut out = vec![
         "The liquid is inviscid and incompressible, its waves are small (linear potential theory about the state of rest)."
             .to_owned(),
@@ -41,6 +43,7 @@ pub(crate) fn assumptions(case: &Case) -> Vec<String> {
                 );
             }
         }
+        Shape::Rectangle { .. } if plates => {}
         Shape::Rectangle { strip, .. } => {
             out.push(
                 "The two walls across the shaking are cantilevers in plane strain, clamped at the base; what ties them \

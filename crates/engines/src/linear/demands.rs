@@ -113,6 +113,7 @@ pub(crate) fn demands(
         base_shear: shear.map(take),
         overturning_moment: below.map(take),
         vertical: vertical.map(take),
+        plates: false,
         sampling: sampling(model, grid.h() * stride as f64, stride),
         states,
         transverse: transverse.map_or_else(Vec::new, |of_y| of_y.states),

@@ -10,7 +10,7 @@ use crate::harmonic::{self};
 use crate::modes::{CoupledMode, Kind};
 use crate::response::superpose::{FREQUENCY_FACTOR, SLOSHING_MODES, STRUCTURAL_MODES};
 use fem::linalg::dot;
-use results::{Balance, Channel, Labelled};
+use results::{Balance, Channel, EngineId, Labelled};
 use tank::options::LinearOptions as Options;
 use tank::options::linear::{DampingModel, Integrator};
 
@@ -131,8 +131,8 @@ pub(crate) fn mass_balance(model: &Model) -> Vec<Balance> {
 }
 
 /// Assumptions of the engine.
-pub(crate) fn assumptions(case: &Case, options: &Options) -> Vec<String> {
-    let mut list = harmonic::assumptions(case);
+pub(crate) fn assumptions(case: &Case, options: &Options, engine: EngineId) -> Vec<String> {
+    let mut list = harmonic::assumptions(case, engine == EngineId::Solid);
     list.push(format!(
         "Wave height: the first {} sloshing modes (more only chase the singularity at the contact line).",
         options.wave_modes

@@ -10,7 +10,7 @@ use super::model::{Harmonic, Model};
 use crate::modes::Kind;
 use crate::response::observe::Extreme;
 use results::channel::{OnWall, Side};
-use results::{Channel, Limit};
+use results::{Channel, EngineId, Limit};
 
 /// Waves higher than this share of the radius (or half length) are not small.
 const SMALL_WAVE: f64 = 0.2;
@@ -25,11 +25,13 @@ const RECORD_STEPS: f64 = 10.0;
 /// All limits of a run.
 ///
 /// * `around`: with two horizontal components, what both together do
+/// * `record_step`: step of the record [s]
+/// * `engine`: the walls of a box are cantilevers in the harmonic engine alone
 pub(crate) fn limits(
     case: &Case,
     model: &Model,
     (analysis, around): (&Analysis, Option<&Around>),
-    record_step: f64,
+    (record_step, engine): (f64, EngineId),
 ) -> Vec<Limit> {
     let mut found = Vec::new();
     let resultant = around.and_then(|a| a.wave).map(|peak| peak.value);
@@ -38,7 +40,9 @@ pub(crate) fn limits(
     }
     found.extend(suction(case, model, analysis, around));
     found.extend(uplift(case, model, analysis, around));
-    found.extend(breadth(case));
+    if engine == EngineId::Harmonic {
+        found.extend(breadth(case));
+    }
     let structural = |h: &Harmonic| h.first(Kind::Structural).map(|m| m.omega);
     let fastest = model.systems().filter_map(structural).fold(0.0, f64::max);
     found.push(compressibility(case, fastest / std::f64::consts::TAU));

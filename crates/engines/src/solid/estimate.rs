@@ -4,6 +4,7 @@
 //! wall       5 unknowns a node of a closed surface                    factor: nested dissection of a surface
 //! potential  1 a node of a closed block, 1 an elevation               factors of both
 //! displacement liquid  3 a node, in one matrix with the wall          a factor for each pole
+//! box        a plan of length × breadth, four walls around it          and factors of both together for each pole
 //! reduction  three times VECTORS vectors over all unknowns, solves and orthogonalisation of each
 //! ```
 
@@ -60,13 +61,18 @@ pub fn estimate(case: &Case, options: &Options, solid: &SolidOptions) -> Result<
         let smaller = of(case, options, solid, response)?;
         Ok((give, smaller.bytes(), smaller.seconds))
     };
+    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     match solid.mesh {
         Some(mesh) => {
             for part in [0.8, 0.65, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05, 0.02, 0.01] {
                 let scaled = |n: usize, least: usize| ((n as f64 * part) as usize).max(least);
                 let mesh = MeshSize {
                     radial: scaled(mesh.radial, 1),
-                    sectors: scaled(mesh.sectors, 8).next_multiple_of(4),
+                    sectors: scaled(mesh.sectors, if round { 8 } else { 2 }).next_multiple_of(if round {
+                        4
+                    } else {
+                        2
+                    }),
                     vertical: scaled(mesh.vertical, 1),
                 };
                 let solid = SolidOptions {
@@ -98,6 +104,9 @@ pub fn estimate(case: &Case, options: &Options, solid: &SolidOptions) -> Result<
 /// Numbers of nodes.
 struct Nodes {
     round: bool,
+    /// Around the wall.
+    around: f64,
+    /// Of the plan: around and over the radius, or over breadth and length.
     sectors: f64,
     radial: f64,
     depth: f64,
@@ -110,8 +119,15 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     let nodes = Nodes {
         round,
-        sectors: division.sectors as f64 + if round { 0.0 } else { 1.0 },
-        radial: (division.radii.len() - 1) as f64,
+        around: division.sectors as f64,
+        sectors: match round {
+            true => division.sectors as f64,
+            false => 2.0 * division.breadth.len() as f64 - 1.0,
+        },
+        radial: match round {
+            true => (division.radii.len() - 1) as f64,
+            false => 2.0 * division.radii.len() as f64 - 1.0,
+        },
         depth: division.liquid.len() as f64,
         wall: (division.wall.len() - 1) as f64,
     };
@@ -119,7 +135,7 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
     let n = unknowns(&nodes, solid.liquid);
     let factors = factors(&nodes, solid.liquid, poles);
     let cells = nodes.sectors * nodes.radial * (nodes.depth - 1.0);
-    let shells = nodes.sectors * nodes.wall;
+    let shells = nodes.around * nodes.wall;
     let liquid = match solid.liquid {
         Liquid::Potential => [1.0, CELL[0]],
         Liquid::Displacement => [3.0, CELL[1]],
@@ -160,7 +176,7 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
         parts.push(("histories", NUMBER * samples * (HISTORIES + 2.0 * vectors * directions)));
         if let Some(interval) = solid.snapshot_interval {
             let states = (response.duration / interval).floor() + 1.0;
-            let numbers = 3.0 * (nodes.sectors * (nodes.radial * nodes.depth + nodes.wall)) + cells + 7.0 * shells;
+            let numbers = 3.0 * (nodes.sectors * nodes.radial * nodes.depth + shells) + cells + 7.0 * shells;
             parts.push(("states for ParaView (--vtu-every)", NUMBER * states * numbers));
             seconds += states * numbers * STATE_TIME;
         }
@@ -187,7 +203,7 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
 
 fn unknowns(nodes: &Nodes, liquid: Liquid) -> f64 {
     let surface = nodes.sectors * nodes.radial;
-    let wall = nodes.sectors * nodes.wall * WALL;
+    let wall = nodes.around * nodes.wall * WALL;
     match liquid {
         Liquid::Potential => surface * (nodes.depth + 1.0) + wall,
         Liquid::Displacement => 3.0 * surface * nodes.depth + wall,
@@ -197,13 +213,17 @@ fn unknowns(nodes: &Nodes, liquid: Liquid) -> f64 {
 /// All factors.
 fn factors(nodes: &Nodes, liquid: Liquid, poles: f64) -> Fill {
     let grid = |along: [f64; 2], dofs: f64| Fill::grid([nodes.sectors, along[0], along[1]], dofs, nodes.round);
-    let wall = grid([nodes.wall, 1.0], WALL);
+    // A ring of plates is closed as a cylinder is.
+    let wall = Fill::grid([nodes.around, nodes.wall, 1.0], WALL, true);
+    let volume = |dofs: f64| grid([nodes.radial, nodes.depth], dofs);
     match liquid {
-        Liquid::Potential => wall
-            .with(1.0, grid([nodes.radial, nodes.depth], 1.0))
-            .with(1.0, grid([nodes.radial, 1.0], 1.0)),
+        Liquid::Potential => {
+            let one = wall.with(1.0, volume(1.0)).with(1.0, grid([nodes.radial, 1.0], 1.0));
+            // In three fields at a pole.
+            one.with(poles, one)
+        }
         Liquid::Displacement => {
-            let one = wall.with(1.0, grid([nodes.radial, nodes.depth], 3.0));
+            let one = wall.with(1.0, volume(3.0));
             one.with(poles, one)
         }
     }

@@ -23,6 +23,8 @@ const LEVELS: usize = 25;
 const RINGS: usize = 9;
 /// Most rays that are drawn.
 const RAYS: usize = 48;
+/// Most lines of nodes that are drawn over half a side of a rectangle.
+const LINES: usize = 7;
 /// Digits kept: pictures need no more.
 const DIGITS: usize = 6;
 
@@ -46,6 +48,9 @@ fn thinned(count: usize, most: usize) -> Vec<usize> {
 
 impl Drawing {
     fn new(tank: &TankModel) -> Drawing {
+        if !tank.is_round() {
+            return Drawing::of_rectangle(tank);
+        }
         let sectors = tank.division.sectors;
         let step = sectors.div_ceil(RAYS);
         // Rays must divide the circle.
@@ -84,6 +89,48 @@ impl Drawing {
         Drawing { nodes, wall, surface }
     }
 
+    /// Of a rectangle: at most `LINES` lines of nodes over every half of a side, the corners and middles among them.
+    fn of_rectangle(tank: &TankModel) -> Drawing {
+        let division = &tank.division;
+        let halves = [division.radii.len() - 1, division.breadth.len() - 1];
+        // Lines over a whole side, from those of its half.
+        let side = |half: usize| -> Vec<usize> {
+            let own = thinned(half + 1, LINES);
+            let left = own.iter().skip(1).rev().map(|k| half - k);
+            left.chain(own.iter().map(|k| half + k)).collect()
+        };
+        let [x, y] = halves.map(side);
+        let [length, breadth] = halves.map(|half| 2 * half);
+        // As the ring of the wall runs: half of the front, left, back, right, half of the front.
+        let middle = y.iter().position(|&j| j == halves[1]).unwrap_or(0);
+        let mut rays: Vec<usize> = y[middle..].iter().map(|j| j - halves[1]).collect();
+        let corner = halves[1];
+        rays.extend(x.iter().skip(1).map(|i| corner + i));
+        rays.extend(y.iter().skip(1).map(|j| corner + length + j));
+        rays.extend(x.iter().skip(1).map(|i| corner + length + breadth + i));
+        rays.extend(y[1..middle].iter().map(|j| corner + 2 * length + breadth + j));
+        let n = rays.len();
+        let levels = thinned(tank.wall.rows.len(), LEVELS);
+        let mut nodes: Vec<usize> = (levels.iter())
+            .flat_map(|&level| rays.iter().map(move |&s| tank.wall.rows[level][s]))
+            .collect();
+        let quad = |l: usize, s: usize, next: usize| [l * n + s, l * n + next, (l + 1) * n + next, (l + 1) * n + s];
+        let wall = (0..levels.len() - 1)
+            .flat_map(|l| (0..n).map(move |s| quad(l, s, (s + 1) % n)))
+            .collect();
+        let start = nodes.len();
+        nodes.extend(
+            y.iter()
+                .flat_map(|j| x.iter().map(move |i| tank.volume.surface_nodes[i + (length + 1) * j])),
+        );
+        let number = |i: usize, j: usize| start + i + x.len() * j;
+        let surface = (0..y.len() - 1)
+            .flat_map(|j| (0..x.len() - 1).map(move |i| (i, j)))
+            .map(|(i, j)| [number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)])
+            .collect();
+        Drawing { nodes, wall, surface }
+    }
+
     fn displacement(&self, tank: &TankModel, x: &[f64]) -> Vec<[f64; 3]> {
         self.nodes.iter().map(|&node| displacement(tank, x, node)).collect()
     }
@@ -104,7 +151,14 @@ fn round_all(values: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
 }
 
 /// Circumferential and axial wave number of a mode in words.
-pub(super) fn title(mode: &TankMode) -> String {
+pub(super) fn title(tank: &TankModel, mode: &TankMode) -> String {
+    if !tank.is_round() {
+        let part = ["even in x and y", "along x", "along y", "odd in x and y"][mode.harmonic as usize % 4];
+        return match mode.kind {
+            Kind::Sloshing => format!("sloshing, {part}"),
+            _ => format!("walls, {part}"),
+        };
+    }
     let waves = match mode.harmonic {
         0 => "axisymmetric".to_owned(),
         n => format!("cos {}θ", if n == 1 { String::new() } else { n.to_string() }),
@@ -144,7 +198,7 @@ pub(super) fn fields(
             .fold(0.0, f64::max);
         let scale = if peak > 0.0 { 1.0 / peak } else { 1.0 };
         out.modes.push(Picture {
-            title: title(mode),
+            title: title(tank, mode),
             omega: mode.omega,
             circumferential: mode.harmonic,
             displacement: round_all(shape.into_iter().map(|v| v.map(|c| c * scale)).collect()),
@@ -158,7 +212,9 @@ pub(super) fn fields(
             displacement: round_all(drawing.displacement(tank, &moment.displacement)),
         });
         out.maps.push(pressure_map(tank, &moment, what));
-        out.maps.push(hoop_map(tank, spaces, &moment, what));
+        let maps: &[StressMap] = if tank.is_round() { &[HOOP] } else { &[AROUND, UPWARDS] };
+        out.maps
+            .extend(maps.iter().map(|map| stress_map(tank, spaces, &moment, (map, what))));
     }
     out
 }
@@ -224,18 +280,58 @@ fn pressure_map(tank: &TankModel, moment: &Moment, what: &str) -> WallMap {
         title: format!("Pressure on the wall, {what}"),
         time: moment.time,
         dimension: Dimension::Stress,
-        theta: angles(sectors, 0.0),
+        theta: angles(tank, 0.0),
         z: levels.iter().map(|&l| rounded(tank.division.liquid[l])).collect(),
         values,
     }
+    .closed(tank)
 }
 
-fn angles(sectors: usize, offset: f64) -> Vec<f64> {
-    let angle = |s: usize| rounded(std::f64::consts::TAU * (s as f64 + offset) / sectors as f64);
+/// Angles of the nodes of the wall (`offset` 0) or of the centres of its elements (½) seen from the middle of the tank.
+fn angles(tank: &TankModel, offset: f64) -> Vec<f64> {
+    let sectors = tank.division.sectors;
+    if tank.is_round() {
+        let angle = |s: usize| rounded(std::f64::consts::TAU * (s as f64 + offset) / sectors as f64);
+        return (0..sectors).map(angle).collect();
+    }
+    let nodes = tank.model.nodes();
+    let angle = |s: usize| {
+        let [p, q] = [s, (s + 1) % sectors].map(|s| nodes[tank.wall.rows[0][s]]);
+        let [x, y] = [0, 1].map(|k| p[k] + offset * (q[k] - p[k]));
+        rounded(y.atan2(x).rem_euclid(std::f64::consts::TAU))
+    };
     (0..sectors).map(angle).collect()
 }
 
-fn hoop_map(tank: &TankModel, spaces: &[Space], moment: &Moment, what: &str) -> WallMap {
+/// A stress over the developed wall: a resultant, and what divides it.
+struct StressMap {
+    id: &'static str,
+    title: &'static str,
+    resultant: &'static str,
+    /// Area, or section modulus of a length of wall, for its thickness.
+    section: fn(f64) -> f64,
+}
+
+const HOOP: StressMap = StressMap {
+    id: "hoop_stress",
+    title: "Hoop membrane stress",
+    resultant: "n_11",
+    section: |t| t,
+};
+const AROUND: StressMap = StressMap {
+    id: "horizontal_bending_stress",
+    title: "Horizontal bending stress, outer face",
+    resultant: "m_11",
+    section: |t| t * t / 6.0,
+};
+const UPWARDS: StressMap = StressMap {
+    id: "bending_stress",
+    title: "Vertical bending stress, outer face",
+    resultant: "m_22",
+    section: |t| t * t / 6.0,
+};
+
+fn stress_map(tank: &TankModel, spaces: &[Space], moment: &Moment, (map, what): (&StressMap, &str)) -> WallMap {
     let sectors = tank.division.sectors;
     let whole: Vec<f64> = moment
         .displacement
@@ -252,20 +348,37 @@ fn hoop_map(tank: &TankModel, spaces: &[Space], moment: &Moment, what: &str) -> 
             let force: f64 = element
                 .samples()
                 .iter()
-                .find(|sample| sample.name == "n_11")
+                .find(|sample| sample.name == map.resultant)
                 .map_or(0.0, |sample| sample.row.iter().zip(&local).map(|(c, v)| c * v).sum());
-            values.push(rounded(force / tank.wall.thickness[l]));
+            values.push(rounded(force / (map.section)(tank.wall.thickness[l])));
         }
     }
     let middle = |&l: &usize| rounded(0.5 * (tank.wall.z[l] + tank.wall.z[l + 1]));
     WallMap {
-        id: "hoop_stress".into(),
-        title: format!("Hoop membrane stress, {what}"),
+        id: map.id.into(),
+        title: format!("{}, {what}", map.title),
         time: moment.time,
         dimension: Dimension::Stress,
-        theta: angles(sectors, 0.5),
+        theta: angles(tank, 0.5),
         z: levels.iter().map(middle).collect(),
         values,
+    }
+    .closed(tank)
+}
+
+/// Closing of a map of four walls, whose angles are not evenly spaced.
+trait Closed {
+    /// With its first column once more at its end.
+    fn closed(self, tank: &TankModel) -> Self;
+}
+
+impl Closed for WallMap {
+    fn closed(mut self, tank: &TankModel) -> WallMap {
+        if let (false, Some(first)) = (tank.is_round(), self.theta.first()) {
+            self.theta.push(first + std::f64::consts::TAU);
+            self.values.extend_from_within(..self.z.len());
+        }
+        self
     }
 }
 

@@ -14,6 +14,7 @@
 
 use tank::{Shape, Tank};
 
+use super::plan::Plan;
 use crate::FeError;
 use tank::options::LinearOptions as Options;
 use tank::options::solid::{MeshSize, SolidOptions};
@@ -36,6 +37,13 @@ const RADIAL_GRADING: f64 = 1.4;
 const VERTICAL: f64 = 16.0;
 /// Exponent of the grading z/H = 1 − (1 − s)^p towards the surface.
 const VERTICAL_GRADING: f64 = 1.4;
+/// Elements over half a side of a rectangle that is no longer than twice the height of its walls; with longer ones the number goes with
+/// the root of the length.
+const HALF_SIDE: f64 = 10.0;
+/// Half a side over the height of the walls beyond which elements grow longer with the side.
+const LONG: f64 = 16.0;
+/// Liquid elements over the depth of a rectangle no deeper than half its shorter side.
+const BOX_VERTICAL: f64 = 12.0;
 /// Largest count of elements in one direction that is accepted.
 const MOST: usize = 4000;
 
@@ -44,7 +52,9 @@ const MOST: usize = 4000;
 pub struct Division {
     /// Radii of the liquid's nodes, from 0 to R [m]; for a rectangle the x of one half.
     pub radii: Vec<f64>,
-    /// Sectors of the circle; elements over the breadth of a rectangle.
+    /// y of the nodes of half the breadth of a rectangle, from 0 [m]; empty for a circle.
+    pub breadth: Vec<f64>,
+    /// Sectors of the circle, or elements around the four walls of a rectangle.
     pub sectors: usize,
     /// Heights of the wall's nodes, from 0 to the top [m].
     pub wall: Vec<f64>,
@@ -64,12 +74,15 @@ impl Division {
         matching: bool,
     ) -> Result<Division, FeError> {
         let radius = tank.shape.half_length();
-        let round = matches!(tank.shape, Shape::Cylinder { .. });
+        if let Shape::Rectangle { breadth, .. } = tank.shape {
+            return Division::of_rectangle(tank, depth, breadth, options, solid);
+        }
         if let Some(size) = solid.mesh {
-            check(size, round)?;
+            check(size, true)?;
             let wall = uniform_wall(tank, depth, size.vertical);
             return Ok(Division {
                 radii: graded(radius, size.radial, 1.0),
+                breadth: Vec::new(),
                 sectors: size.sectors,
                 liquid: wetted(&wall, depth),
                 wall,
@@ -82,8 +95,9 @@ impl Division {
         let slender = (depth / radius).max(1.0);
         Ok(Division {
             radii: graded(radius, count(RADIAL), RADIAL_GRADING),
+            breadth: Vec::new(),
             // A multiple of four keeps both planes of symmetry.
-            sectors: if round { 4 * count(SECTORS / 4.0) } else { 1 },
+            sectors: 4 * count(SECTORS / 4.0),
             liquid: if matching {
                 wetted(&wall, depth)
             } else {
@@ -93,21 +107,80 @@ impl Division {
         })
     }
 
+    /// The same of a rectangle: the plan is finer towards the corners, and where the walls are long against their height.
+    ///
+    /// Errors: as [`Division::new`]; an odd number of elements over the breadth, which leaves no node in its middle.
+    fn of_rectangle(
+        tank: &Tank,
+        depth: f64,
+        breadth: f64,
+        options: &Options,
+        solid: &SolidOptions,
+    ) -> Result<Division, FeError> {
+        let halves = [tank.shape.half_length(), 0.5 * breadth];
+        if let Some(size) = solid.mesh {
+            check(size, false)?;
+            let wall = uniform_wall(tank, depth, size.vertical);
+            return Ok(Division {
+                radii: graded(halves[0], size.radial, 1.0),
+                breadth: graded(halves[1], size.sectors / 2, 1.0),
+                sectors: 4 * (size.radial + size.sectors / 2),
+                liquid: wetted(&wall, depth),
+                wall,
+            });
+        }
+        let refine = options.refine;
+        check_levels(tank, depth, refine)?;
+        let count = |n: f64| ((n * refine).round() as usize).max(3);
+        let height = tank.wall_height();
+        let counts = halves.map(|half| count(HALF_SIDE * (half / height).clamp(1.0, LONG).sqrt()));
+        let shortest = halves[0].min(halves[1]);
+        Ok(Division {
+            radii: graded(halves[0], counts[0], RADIAL_GRADING),
+            breadth: graded(halves[1], counts[1], RADIAL_GRADING),
+            sectors: 4 * (counts[0] + counts[1]),
+            liquid: graded(
+                depth,
+                count(BOX_VERTICAL * (depth / shortest).clamp(1.0, 4.0)),
+                VERTICAL_GRADING,
+            ),
+            wall: wall_levels(tank, depth, refine),
+        })
+    }
+
+    /// The plan of a rectangle.
+    pub(super) fn plan(&self) -> Option<Plan> {
+        (!self.breadth.is_empty()).then(|| Plan::new(&self.radii, &self.breadth))
+    }
+
     /// Numbers of elements of the division.
     pub fn size(&self) -> MeshSize {
+        let half = self.breadth.len().saturating_sub(1);
         MeshSize {
             radial: self.radii.len() - 1,
-            sectors: self.sectors,
+            sectors: if half > 0 { 2 * half } else { self.sectors },
             vertical: self.wall.len() - 1,
         }
     }
 }
 
 fn check(size: MeshSize, round: bool) -> Result<(), FeError> {
-    let least = if round { 4 } else { 1 };
+    let least = if round { 4 } else { 2 };
+    let sides = if round {
+        "mesh, sectors"
+    } else {
+        "mesh, elements over the breadth"
+    };
+    if !round && size.sectors % 2 != 0 {
+        return Err(FeError::Option {
+            option: sides.into(),
+            found: size.sectors.to_string(),
+            allowed: "an even number: the middle of the wall is where results are read".into(),
+        });
+    }
     for (option, found, least) in [
         ("mesh, elements over the radius", size.radial, 1),
-        ("mesh, sectors", size.sectors, least),
+        (sides, size.sectors, least),
         ("mesh, elements over the height", size.vertical, 1),
     ] {
         if !(least..=MOST).contains(&found) {

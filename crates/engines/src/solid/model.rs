@@ -1,7 +1,7 @@
 //! From a case to a model of nodes and elements.
 //!
-//! The wall is a mantle of `shell4`, clamped at its base; the liquid has separate nodes. The bottom is rigid. All
-//! horizontal ground motion is along x.
+//! The wall is a mantle of `shell4`, clamped at its base: a cylinder, or four plates that meet in monolithic corners. The liquid has
+//! separate nodes. The bottom is rigid. All horizontal ground motion is along x.
 
 use std::sync::Arc;
 
@@ -13,14 +13,15 @@ use fem::element::shell::section::{ElasticSection, Section};
 use fem::element::shell::surface::{Normals, ShellCell, ShellSurface};
 use fem::element::shell4::Axes;
 use fem::element::{ElementError, Fluid8, FreeSurface, LiquidProperties, Potential8, PotentialSurface, WetFace};
-use fem::mesh::{Cylinder, Face, Volume};
+use fem::mesh::{Cylinder, Face, Volume, Wall};
 use fem::model::{Builder, Model};
 use nalgebra::Vector3;
-use tank::Case;
-use tank::Shape;
+use tank::refusal::{Place, Refusal};
+use tank::{Case, Shape};
 
 use super::memory::allow;
 use super::mesh::Division;
+use super::plan::{self, Plan};
 use super::roof::RoofRing;
 use crate::FeError;
 use crate::error::failed;
@@ -95,8 +96,16 @@ pub struct TankModel {
     pub volume: Volume,
     /// Depth of the liquid [m].
     pub depth: f64,
-    /// Radius [m].
+    /// Radius, or half the length of a rectangle [m].
     pub radius: f64,
+    /// Chart of the liquid: (r, θ, z) of a cylinder, (x, y, z) of a rectangle.
+    pub chart: Chart,
+    /// Nodes of the surface on the line of shaking, from the middle to θ = 0 and to θ = 180°; places as in [`Division::radii`].
+    pub lines: [Vec<usize>; 2],
+    /// Mirror images of all nodes at x = 0 and y = 0, of a rectangle.
+    pub mirrors: Option<[Vec<usize>; 2]>,
+    /// Length of the base that belongs to its node at θ = 0 [m].
+    pub edge: f64,
     /// Density of the liquid [kg/m³].
     pub density: f64,
     /// Acceleration of free fall [m/s²].
@@ -110,26 +119,41 @@ impl TankModel {
     ///
     /// Errors: a shape that is not modelled in three dimensions; a division out of range; an element that cannot be built.
     pub fn new(case: &Case, options: &Options, solid: &SolidOptions) -> Result<TankModel, FeError> {
-        let Shape::Cylinder { radius } = case.tank.shape else {
-            return Err(FeError::Unsupported(
-                "the three-dimensional engine models upright cylinders; use --fe harmonic for a rectangular tank"
-                    .into(),
-            ));
-        };
+        if let Some(refusal) = refused(case, solid).into_iter().next() {
+            return Err(FeError::Unsupported(format!("{}; {}", refusal.message, refusal.help)));
+        }
         let matching = solid.liquid == Liquid::Displacement;
         let depth = case.liquid.fill_height;
         let division = Division::new(&case.tank, depth, options, solid, matching)?;
         refuse_the_hopeless(&division, solid)?;
+        let plan = division.plan();
         let mut builder = Builder::new();
-        let wall = add_wall(case, &division, &mut builder)?;
-        let volume = add_liquid(case, &division, solid.liquid, &wall, &mut builder)?;
+        let wall = add_wall(case, &division, plan.as_ref(), &mut builder)?;
+        let volume = add_liquid(case, &division, plan.as_ref(), solid.liquid, &wall, &mut builder)?;
         let joint = match solid.liquid {
             Liquid::Displacement => joint_stiffness(case, &division),
             Liquid::Potential => 0.0,
         };
         let model = builder.build().map_err(failed)?;
         let assembler = Assembler::new(&model);
+        let mirrors = match plan {
+            Some(_) => {
+                let liquid = wall.rows.len() * division.sectors;
+                let found = plan::mirrors(model.nodes(), &[0, liquid]);
+                Some(found.ok_or_else(|| failed("the mesh is not symmetric"))?)
+            }
+            None => None,
+        };
+        let radius = case.tank.shape.half_length();
         Ok(TankModel {
+            lines: lines(&division, plan.as_ref(), &volume),
+            edge: match &plan {
+                None => 2.0 * radius * (std::f64::consts::PI / division.sectors as f64).sin(),
+                // Half of the elements on both sides of the middle.
+                Some(_) => division.breadth[1],
+            },
+            chart: chart(plan.as_ref()),
+            mirrors,
             division,
             liquid: solid.liquid,
             model,
@@ -142,6 +166,20 @@ impl TankModel {
             gravity: case.gravity,
             joint,
         })
+    }
+
+    /// Whether the wall is a cylinder.
+    pub fn is_round(&self) -> bool {
+        self.mirrors.is_none()
+    }
+
+    /// Factor of the mean of the two elements next to θ = 0 on the value there, under motion of a harmonic: flat elements of a round
+    /// wall see cos θ at half a sector.
+    pub fn beside(&self, harmonic: u32) -> f64 {
+        match harmonic {
+            1 if self.is_round() => (std::f64::consts::PI / self.division.sectors as f64).cos(),
+            _ => 1.0,
+        }
     }
 
     /// Whether element `e` belongs to one of the groups.
@@ -165,13 +203,64 @@ impl TankModel {
     }
 }
 
-fn add_wall(case: &Case, division: &Division, builder: &mut Builder) -> Result<WallPart, FeError> {
+/// What the engine does not model of a rectangular tank.
+pub fn refused(case: &Case, solid: &SolidOptions) -> Vec<Refusal> {
+    let mut found = Vec::new();
+    let Shape::Rectangle { strip, .. } = case.tank.shape else {
+        return found;
+    };
+    if strip {
+        let message = "the three-dimensional engine models boxes with four walls, not a strip of a long tank";
+        let refusal = Refusal::new(Place::Shape, message, "a rectangle with its breadth");
+        found.push(refusal.help("use --fe harmonic for a strip, or give tank.breadth in place of tank.strip"));
+    }
+    if solid.liquid == Liquid::Displacement {
+        let message = "the three-dimensional engine models the liquid of a box by its potential only";
+        let refusal = Refusal::new(Place::Liquid, message, "\"potential\"").found("\"displacement\"");
+        found.push(refusal.help("use --liquid potential"));
+    }
+    found
+}
+
+/// Chart of the liquid.
+fn chart(plan: Option<&Plan>) -> Chart {
+    match plan {
+        Some(_) => Chart::Cartesian,
+        None => Chart::Cylindrical,
+    }
+}
+
+/// Nodes of the surface on the line of shaking.
+fn lines(division: &Division, plan: Option<&Plan>, volume: &Volume) -> [Vec<usize>; 2] {
+    let places = match plan {
+        Some(plan) => plan.lines(),
+        None => [0, division.sectors / 2].map(|sector| {
+            let ring = |ring: usize| match ring {
+                0 => 0,
+                ring => 1 + (ring - 1) * division.sectors + sector,
+            };
+            (0..division.radii.len()).map(ring).collect()
+        }),
+    };
+    places.map(|side| side.into_iter().map(|k| volume.surface_nodes[k]).collect())
+}
+
+/// Nodes and faces of the wall before its elements.
+fn mantle(division: &Division, plan: Option<&Plan>) -> Result<Wall, FeError> {
+    if let Some(plan) = plan {
+        let (nodes, cells, rows) = plan.walls(&division.wall);
+        return Ok(Wall { nodes, cells, rows });
+    }
     let mesh = Cylinder {
         radii: division.radii.clone(),
         sectors: division.sectors,
         heights: division.wall.clone(),
     };
-    let wall = mesh.wall().map_err(failed)?;
+    mesh.wall().map_err(failed)
+}
+
+fn add_wall(case: &Case, division: &Division, plan: Option<&Plan>, builder: &mut Builder) -> Result<WallPart, FeError> {
+    let wall = mantle(division, plan)?;
     builder.nodes(&wall.nodes);
     let levels = division.wall.windows(2);
     let courses: Vec<_> = levels.map(|z| case.tank.course_at(0.5 * (z[0] + z[1]))).collect();
@@ -199,7 +288,11 @@ fn add_wall(case: &Case, division: &Division, builder: &mut Builder) -> Result<W
         Vector3::new(p[0], p[1], 0.0).normalize()
     };
     let surface = ShellSurface {
-        normals: Normals::Exact(&outwards),
+        // Plates have the normals of their elements; where two meet, the corner is a fold.
+        normals: match plan {
+            Some(_) => Normals::Cells,
+            None => Normals::Exact(&outwards),
+        },
         axes: Axes::HOOP_Z,
         ..ShellSurface::new(cells)
     };
@@ -213,7 +306,11 @@ fn add_wall(case: &Case, division: &Division, builder: &mut Builder) -> Result<W
         let top = wall.rows[wall.rows.len() - 1].clone();
         let positions: Vec<[f64; 3]> = top.iter().map(|&n| wall.nodes[n]).collect();
         let lever = case.tank.roof_height() - case.tank.wall_height();
-        builder.element(ROOF, RoofRing::new(top, &positions, case.tank.roof.mass, lever));
+        let ring = match plan {
+            Some(_) => RoofRing::frame(top, &positions, case.tank.roof.mass, lever),
+            None => RoofRing::new(top, &positions, case.tank.roof.mass, lever),
+        };
+        builder.element(ROOF, ring);
     }
     Ok(WallPart {
         z: division.wall.clone(),
@@ -234,7 +331,11 @@ const LEAST_BYTES: f64 = 2048.0;
 /// Errors: more unknowns than the allowed memory holds at `LEAST_BYTES` each.
 fn refuse_the_hopeless(division: &Division, solid: &SolidOptions) -> Result<(), FeError> {
     let ring = division.sectors as f64;
-    let liquid = (division.radii.len() - 1) as f64 * ring * division.liquid.len() as f64;
+    let plan = match division.breadth.len().saturating_sub(1) {
+        0 => (division.radii.len() - 1) as f64 * ring,
+        half => 4.0 * (division.radii.len() - 1) as f64 * half as f64,
+    };
+    let liquid = plan * division.liquid.len() as f64;
     let unknowns_of_liquid = match solid.liquid {
         Liquid::Displacement => 3.0,
         Liquid::Potential => 1.0,
@@ -246,6 +347,7 @@ fn refuse_the_hopeless(division: &Division, solid: &SolidOptions) -> Result<(), 
 fn add_liquid(
     case: &Case,
     division: &Division,
+    plan: Option<&Plan>,
     liquid: Liquid,
     wall: &WallPart,
     builder: &mut Builder,
@@ -255,21 +357,26 @@ fn add_liquid(
         sectors: division.sectors,
         heights: division.liquid.clone(),
     };
-    let mut volume = mesh.volume().map_err(failed)?;
+    let chart = chart(plan);
+    let mut volume = match plan {
+        Some(plan) => plan.volume(&division.liquid),
+        None => mesh.volume(),
+    }
+    .map_err(failed)?;
     let first = builder.nodes(&volume.nodes);
     shift(&mut volume, first);
     let (density, gravity) = (case.liquid.density, case.gravity);
     match liquid {
         Liquid::Potential => {
             for cell in &volume.cells {
-                let element = Potential8::new(cell, Chart::Cylindrical, density).map_err(failed)?;
+                let element = Potential8::new(cell, chart, density).map_err(failed)?;
                 builder.element(LIQUID, element);
             }
             for face in &volume.surface {
-                let element = PotentialSurface::new(face, Chart::Cylindrical, density, gravity).map_err(failed)?;
+                let element = PotentialSurface::new(face, chart, density, gravity).map_err(failed)?;
                 builder.element(SURFACE, element);
             }
-            join_potential(division, &volume, wall, density, builder).map_err(failed)?;
+            join_potential(division, &volume, wall, (density, chart), builder).map_err(failed)?;
         }
         Liquid::Displacement => {
             let liquid = displacement_liquid(case);
@@ -324,7 +431,7 @@ fn join_potential(
     division: &Division,
     volume: &Volume,
     wall: &WallPart,
-    density: f64,
+    (density, chart): (f64, Chart),
     builder: &mut Builder,
 ) -> Result<(), ElementError> {
     let sectors = division.sectors;
@@ -337,13 +444,22 @@ fn join_potential(
                 continue;
             }
             let face = &wall.faces[l * sectors + sector];
-            let normals = face.chart.map(|c| [c[1].cos(), c[1].sin(), 0.0]);
-            if let Some(joint) = WetFace::overlapping(liquid, face, Chart::Cylindrical, normals, density)? {
+            let normals = match chart {
+                Chart::Cylindrical => face.chart.map(|c| [c[1].cos(), c[1].sin(), 0.0]),
+                Chart::Cartesian => [normal(face); 4],
+            };
+            if let Some(joint) = WetFace::overlapping(liquid, face, chart, normals, density)? {
                 builder.element(JOINT, joint);
             }
         }
     }
     Ok(())
+}
+
+/// Unit normal of a face of a plane wall, outwards.
+fn normal(face: &Face) -> [f64; 3] {
+    let p = face.chart.map(Vector3::from);
+    (p[2] - p[0]).cross(&(p[3] - p[1])).normalize().into()
 }
 
 /// Adds `first` to all node numbers of a volume.

@@ -144,7 +144,7 @@ impl Projector<'_> {
         let of_moment = sparse_dot(&moment.displacement, self.statics);
         // The weight that the lowest elements bring onto the edge does not depend on displacements.
         let (tank, roof) = (&case.tank, case.tank.roof.mass);
-        let weight = case.gravity * (tank.wall_mass() + roof) / (std::f64::consts::TAU * self.tank.radius);
+        let weight = case.gravity * (tank.wall_mass() + roof) / tank.perimeter();
         let probe = |what, row: Row, static_value| {
             let empty = Probe {
                 static_value,
@@ -169,20 +169,14 @@ impl Projector<'_> {
             _ => 1.0 / t,
         };
         let poisson = wall.poisson_ratio[course.start];
-        let row = self.observer.resultant(course, z, resultant, poisson).scaled(factor);
+        let place = (resultant, &*self.observer.middle());
+        let row = self.observer.resultant(course, z, place, poisson).scaled(factor);
         let probe = Probe {
-            static_value: sparse_dot(&row.displacement, self.statics) * self.static_factor(),
+            // The row holds 1/cos(π/N), which the static state does not need.
+            static_value: sparse_dot(&row.displacement, self.statics) * self.tank.beside(self.observer.harmonic),
             ..probe
         };
         self.probe(probe, &row)
-    }
-
-    /// Rows of wall resultants under horizontal motion hold 1/cos(π/N), which the static state does not need.
-    fn static_factor(&self) -> f64 {
-        match self.observer.harmonic {
-            0 => 1.0,
-            _ => (std::f64::consts::PI / self.tank.division.sectors as f64).cos(),
-        }
     }
 
     fn displacement(&self, probe: Probe, row: &Row) -> Probe {
@@ -237,6 +231,9 @@ impl Projector<'_> {
                 probes: probes.collect(),
             });
         }
+        if !self.tank.is_round() {
+            lines.extend(self.plate_lines(&places));
+        }
         let what = OnWall::Displacement;
         lines.push(ProbeLine {
             what,
@@ -249,6 +246,26 @@ impl Projector<'_> {
                 .collect(),
         });
         lines
+    }
+
+    /// Bending moments of the plate at θ = 0 at heights of its courses: vertical and horizontal in its middle, horizontal at its corner.
+    fn plate_lines(&self, places: &[(f64, std::ops::Range<usize>)]) -> Vec<ProbeLine> {
+        let (middle, corner) = (self.observer.middle(), self.observer.corner());
+        let line = |what: OnWall, resultant: Resultant, at: &[(usize, f64)]| ProbeLine {
+            what,
+            z: places.iter().map(|p| p.0).collect(),
+            probes: (places.iter().enumerate())
+                .map(|(i, (z, course))| {
+                    let row = self.observer.resultant(course, *z, (resultant, at), 0.0);
+                    self.displacement(ProbeLine::probe(what, i, *z), &row)
+                })
+                .collect(),
+        };
+        vec![
+            line(OnWall::Moment, Resultant::Moment, &middle),
+            line(OnWall::HorizontalMoment, Resultant::Around, &middle),
+            line(OnWall::CornerMoment, Resultant::Around, &corner),
+        ]
     }
 
     pub(super) fn shape_rows(&self) -> ShapeRows {

@@ -22,18 +22,18 @@ use std::collections::BTreeMap;
 
 use fem::assembly::local_values;
 use fem::chart::Chart;
-use fem::dofs::Dof;
-use fem::element::{Fluid8, LiquidProperties, reference_stiffness};
+use fem::dofs::{Dof, KINDS};
+use fem::element::{Fluid8, LiquidProperties, reference_mass, reference_stiffness};
 use fem::linalg::{Cholesky, Matrix, transposed_product};
 use fem::progress::Progress;
 use tank::Case;
 
-use super::model::{SURFACE, TankModel, WALL, displacement_liquid};
+use super::model::{ROOF, SURFACE, TankModel, WALL, displacement_liquid};
 use super::poles::VECTORS;
 use super::project::Projector;
 use super::ritz::{Ritz, reduce, symmetric};
-use super::rows::{Observer, Row, static_load};
-use super::symmetry::Harmonic;
+use super::rows::{Field, Observer, Row, static_load, tilt};
+use super::symmetry::Symmetry;
 use super::system::{System, columns};
 use crate::FeError;
 use crate::coupled::{Coupled, Part, SparseRow};
@@ -95,8 +95,8 @@ pub(super) fn rigid_motion(tank: &TankModel, system: &System, harmonic: u32) -> 
     let dofs = model.dofs();
     let mut rigid = model.vector(|_| ground);
     let potential = match harmonic {
-        1 => system.potential_of(&inertia)?,
-        _ => (0..dofs.len())
+        1.. => system.potential_of(&inertia)?,
+        0 => (0..dofs.len())
             .map(|e| {
                 let (node, dof) = dofs.unknown(e);
                 (dof == Dof::Phi).then(|| model.nodes()[node][2] - tank.depth)
@@ -140,8 +140,9 @@ pub(super) fn new(
     progress: &dyn Progress,
 ) -> Result<(Coupled, Space), FeError> {
     let (rigid, load) = rigid_motion(tank, system, harmonic)?;
-    let symmetry = Harmonic::new(tank, harmonic);
-    let Ritz { basis, mass, stiffness } = reduce(system, &load, VECTORS, &|x| symmetry.project(x), progress)?;
+    let symmetry = Symmetry::new(tank, harmonic);
+    let loads: Vec<(usize, &[f64])> = (0..system.poles()).map(|pole| (pole, &*load)).collect();
+    let Ritz { basis, mass, stiffness } = reduce(system, &loads, VECTORS, &|x| symmetry.project(x), progress)?;
     let factor = Cholesky::factor(&mass).map_err(failure("the reduced mass matrix"))?;
     let influence = factor.solve_vector(&basis.transposed_times(&load));
     let statics = statics(tank)?;
@@ -184,7 +185,7 @@ pub(super) fn new(
         liquid_mass: case.liquid_mass(),
         wall_mass: case.tank.wall_mass() + case.tank.roof.mass,
         moment_arm,
-        structure: None,
+        structure: (!tank.is_round() && harmonic == 1).then(|| structure(tank, &basis)),
         mesh: describe(tank, system, basis.cols),
         shape_rows,
         mass,
@@ -201,6 +202,36 @@ pub(super) fn new(
         mean_elevation: system.mean_elevation.clone(),
     };
     Ok((coupled, space))
+}
+
+/// Rows of base shear and base moment of the walls alone and of the roof alone over the reduced accelerations, κᵀ M_group V.
+fn structure(tank: &TankModel, basis: &Matrix) -> [[Vec<f64>; 2]; 2] {
+    let nodes = tank.model.nodes();
+    let mut along = [0.0; KINDS];
+    along[0] = 1.0;
+    let fields: [Field; 2] = [&|_| along, &|node| tilt(nodes[node])];
+    [WALL, ROOF].map(|group| {
+        fields.map(|field| {
+            let mut row = vec![0.0; tank.model.dofs().len()];
+            for (e, element) in tank.model.elements().iter().enumerate() {
+                if !tank.is_in(e, &[group]) {
+                    continue;
+                }
+                let own = element.nodes().iter().enumerate();
+                let values: Vec<f64> = own
+                    .flat_map(|(k, &node)| {
+                        let global = field(node);
+                        element.dofs(k).iter().map(move |d| global[d.index()])
+                    })
+                    .collect();
+                let momentum = reference_mass(&**element).to_matrix().times(&values);
+                for (i, c) in tank.model.spread(&**element, &momentum) {
+                    row[i] += c;
+                }
+            }
+            basis.transposed_times(&row)
+        })
+    })
 }
 
 /// Vᵀ (ρ g S) V.

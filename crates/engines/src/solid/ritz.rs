@@ -33,19 +33,19 @@ pub(super) struct Ritz {
     pub stiffness: Matrix,
 }
 
-/// At most `count` Ritz vectors of `system` for the load `load`.
+/// At most `count` Ritz vectors of `system`, the same number for each pole with its load.
 ///
-/// Errors: not enough memory; a load of zero.
+/// Errors: not enough memory; loads of zero.
 pub(super) fn reduce(
     system: &System,
-    load: &[f64],
+    loads: &[(usize, &[f64])],
     count: usize,
     purify: &dyn Fn(&mut [f64]),
     progress: &dyn Progress,
 ) -> Result<Ritz, FeError> {
     let (mut basis, mut images): (Vec<Vec<f64>>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
-    for pole in 0..system.poles() {
-        let most = (pole + 1) * count / system.poles();
+    for (k, &(pole, load)) in loads.iter().enumerate() {
+        let most = (k + 1) * count / loads.len();
         let mut right = load.to_vec();
         while basis.len() < most {
             let mut x = system.solve_at(pole, &right)?;

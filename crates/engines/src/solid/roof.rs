@@ -15,12 +15,11 @@ use fem::element::{Element, ElementError, LocalMatrix, Motion, Response, Want};
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct RoofRing {
     nodes: Vec<usize>,
-    /// (cos θ, sin θ) of the nodes.
-    directions: Vec<(f64, f64)>,
+    /// Tilts ψ = Σ p u_z about the middle, (p_x, p_y) of every node [1/m].
+    tilts: Vec<(f64, f64)>,
     /// Share of each node in the ring; all of them add to 1.
     shares: Vec<f64>,
     mass: f64,
-    radius: f64,
     lever: f64,
 }
 
@@ -44,12 +43,37 @@ impl RoofRing {
 
     fn of_shares(nodes: Vec<usize>, positions: &[[f64; 3]], shares: Vec<f64>, mass: f64, lever: f64) -> RoofRing {
         let radius = positions.first().map_or(1.0, |p| p[0].hypot(p[1]));
+        let tilt = |direction: f64, share: f64| -2.0 * direction * share / radius;
+        let tilts = positions.iter().zip(&shares);
         RoofRing {
-            directions: positions.iter().map(|p| (p[0] / radius, p[1] / radius)).collect(),
+            tilts: tilts
+                .map(|(p, &s)| (tilt(p[0] / radius, s), tilt(p[1] / radius, s)))
+                .collect(),
             nodes,
             shares,
             mass,
-            radius,
+            lever,
+        }
+    }
+
+    /// A closed frame of `mass` [kg] on nodes in the order of a polygon symmetric about both axes, spread evenly over its length; its centre
+    /// is `lever` [m] above them. Its tilt is the straight line of least squares through u_z.
+    pub(crate) fn frame(nodes: Vec<usize>, positions: &[[f64; 3]], mass: f64, lever: f64) -> RoofRing {
+        let n = positions.len();
+        let side = |a: usize| {
+            let (p, q) = (positions[a % n], positions[(a + 1) % n]);
+            (p[0] - q[0]).hypot(p[1] - q[1])
+        };
+        let around: f64 = (0..n).map(side).sum();
+        let shares: Vec<f64> = (0..n).map(|a| 0.5 * (side(a + n - 1) + side(a)) / around).collect();
+        let square = |axis: usize| -> f64 { positions.iter().zip(&shares).map(|(p, s)| s * p[axis] * p[axis]).sum() };
+        let [x, y] = [square(0), square(1)];
+        let tilts = positions.iter().zip(&shares);
+        RoofRing {
+            tilts: tilts.map(|(p, s)| (-s * p[0] / x, -s * p[1] / y)).collect(),
+            nodes,
+            shares,
+            mass,
             lever,
         }
     }
@@ -75,14 +99,14 @@ impl Element for RoofRing {
         if self.lever == 0.0 {
             return;
         }
-        for (a, &(ca, sa)) in self.directions.iter().enumerate() {
-            for (b, &(cb, sb)) in self.directions.iter().enumerate() {
-                let [pa, pb] = [self.shares[a], self.shares[b]];
-                for (c, da, db) in [(0, ca, cb), (1, sa, sb)] {
-                    let tilt = |d: f64, share: f64| -2.0 * d * share / self.radius * self.lever;
-                    out.add(3 * a + c, 3 * b + 2, self.mass * pa * tilt(db, pb));
-                    out.add(3 * b + 2, 3 * a + c, self.mass * pa * tilt(db, pb));
-                    out.add(3 * a + 2, 3 * b + 2, self.mass * tilt(da, pa) * tilt(db, pb));
+        for (a, &(xa, ya)) in self.tilts.iter().enumerate() {
+            for (b, &(xb, yb)) in self.tilts.iter().enumerate() {
+                let share = self.shares[a];
+                for (c, ta, tb) in [(0, xa, xb), (1, ya, yb)] {
+                    let (ta, tb) = (ta * self.lever, tb * self.lever);
+                    out.add(3 * a + c, 3 * b + 2, self.mass * share * tb);
+                    out.add(3 * b + 2, 3 * a + c, self.mass * share * tb);
+                    out.add(3 * a + 2, 3 * b + 2, self.mass * ta * tb);
                 }
             }
         }
@@ -132,6 +156,27 @@ mod tests {
         let rotation: Vec<f64> = positions.iter().flat_map(|p| [p[2], 0.0, -p[0]]).collect();
         let exact = mass * ((z + lever).powi(2) + 0.5 * radius * radius);
         assert!((energy(&rotation) / exact - 1.0).abs() < 1e-12);
+        // A rectangle of 4 by 6 m.
+        let corners = [
+            [2.0, 0.0],
+            [2.0, 3.0],
+            [0.0, 3.0],
+            [-2.0, 3.0],
+            [-2.0, 0.0],
+            [-2.0, -3.0],
+            [0.0, -3.0],
+            [2.0, -3.0],
+        ];
+        let frame: Vec<[f64; 3]> = corners.iter().map(|p| [p[0], p[1], z]).collect();
+        let ring = RoofRing::frame((0..8).collect(), &frame, mass, lever);
+        let m = reference_mass(&ring).to_matrix();
+        let along: Vec<f64> = frame.iter().flat_map(|_| [0.6, 0.8, 0.0]).collect();
+        assert!((fem::linalg::dot(&along, &m.times(&along)) / mass - 1.0).abs() < 1e-12);
+        let tilted: Vec<f64> = frame.iter().flat_map(|p| [p[2], 0.0, -p[0]]).collect();
+        // Lumped at the nodes: 2² over the long sides, half of it over the short ones.
+        let lumped = (12.0 * 4.0 + 8.0 * 2.0) / 20.0;
+        let exact_frame = mass * ((z + lever).powi(2) + lumped);
+        assert!((fem::linalg::dot(&tilted, &m.times(&tilted)) / exact_frame - 1.0).abs() < 1e-12);
         // Half the ring has half of it in symmetric motions.
         let part = &positions[..=n as usize / 2];
         let half = RoofRing::half((0..part.len()).collect(), part, mass, lever);

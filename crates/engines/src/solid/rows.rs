@@ -2,8 +2,8 @@
 //!
 //! Signs and places as in the harmonic engine: tension positive, liquid pressure positive in compression, reactions positive
 //! as inertia forces of a positive acceleration, values at θ = 0. Wall resultants are those of the two elements next to
-//! θ = 0, averaged; under horizontal motion they vary with cos θ exactly, so that the mean divided by cos(π/N) is the
-//! value at θ = 0.
+//! θ = 0, averaged; under horizontal motion those of a cylinder vary with cos θ exactly, so that the mean divided by cos(π/N) is the
+//! value at θ = 0. θ = 0 and 180° of a rectangle are the middles of the walls across the shaking.
 //!
 //! Stresses at the base are reactions: nodal force and moment of the clamped edge over its length, less the load applied at
 //! the node (the inertia of the elements above).
@@ -11,6 +11,7 @@
 use std::collections::BTreeMap;
 
 use fem::assembly::Assembler;
+use fem::chart::Chart;
 use fem::dofs::{Dof, KINDS};
 use fem::element::Inspect;
 use fem::element::{local_size, reference_mass, reference_stiffness};
@@ -79,6 +80,8 @@ pub(super) enum Resultant {
     Axial,
     /// Meridional moment m_v.
     Moment,
+    /// Moment m_φ along the circumference: the horizontal one of a plate.
+    Around,
 }
 
 impl Resultant {
@@ -87,6 +90,7 @@ impl Resultant {
             Resultant::Hoop => "n_11",
             Resultant::Axial => "n_22",
             Resultant::Moment => "m_22",
+            Resultant::Around => "m_11",
         }
     }
 }
@@ -95,7 +99,7 @@ impl Resultant {
 pub(super) struct Observer<'a> {
     /// The tank.
     pub tank: &'a TankModel,
-    /// Harmonic of the load: 1 along x, 0 along z.
+    /// Harmonic of the load: 1 along x, 0 along z, and of a rectangle 2 along y.
     pub harmonic: u32,
 }
 
@@ -107,21 +111,23 @@ impl Observer<'_> {
     /// Rigid motion of the ground with unit acceleration.
     pub(super) fn ground(&self) -> [f64; KINDS] {
         let mut field = [0.0; KINDS];
-        field[if self.harmonic == 1 { 0 } else { 2 }] = 1.0;
+        let direction = match self.harmonic {
+            1 => 0,
+            // The motions of a rectangle that are odd about y = 0.
+            2 if !self.tank.is_round() => 1,
+            _ => 2,
+        };
+        field[direction] = 1.0;
         field
     }
 
     /// Wave height at the radius `r` (negative: at θ = 180°).
     pub(super) fn elevation(&self, r: f64) -> Row {
-        let volume = &self.tank.volume;
-        let (radii, sectors) = (&self.tank.division.radii, self.tank.division.sectors);
-        let dof = match volume.surface_nodes.first() {
+        let radii = &self.tank.division.radii;
+        let line = &self.tank.lines[usize::from(r < 0.0)];
+        let dof = match line.first() {
             Some(&n) if self.tank.model.dofs().equation(n, Dof::Eta).is_some() => Dof::Eta,
             _ => Dof::Uz,
-        };
-        let node = |ring: usize| match ring {
-            0 => volume.surface_nodes[0],
-            ring => volume.surface_nodes[1 + (ring - 1) * sectors + if r < 0.0 { sectors / 2 } else { 0 }],
         };
         let at = r.abs().min(radii[radii.len() - 1]);
         let upper = radii.partition_point(|x| *x < at).clamp(1, radii.len() - 1);
@@ -129,7 +135,7 @@ impl Observer<'_> {
         let mut out = SparseRow::new();
         for (ring, weight) in [(upper - 1, 1.0 - share), (upper, share)] {
             if weight != 0.0 {
-                out.extend(self.row(node(ring), dof).into_iter().map(|(i, c)| (i, weight * c)));
+                out.extend(self.row(line[ring], dof).into_iter().map(|(i, c)| (i, weight * c)));
             }
         }
         Row::of_displacement(out)
@@ -140,14 +146,34 @@ impl Observer<'_> {
         Row::of_displacement(self.row(self.tank.wall.rows[level][0], Dof::Ux))
     }
 
-    /// A combination Σ c × resultant of a level of the wall's elements at the natural height s, from the centre (s = 0) or
-    /// by the straight line through the Gauss points.
-    fn within(&self, level: usize, s: f64, terms: &[(Resultant, f64)], out: &mut BTreeMap<usize, f64>) {
-        let (wall, sectors) = (&self.tank.wall, self.tank.division.sectors);
-        let spread = match self.harmonic {
-            0 => 1.0,
-            _ => (std::f64::consts::PI / sectors as f64).cos(),
+    /// Sectors and their shares in a value at θ = 0.
+    pub(super) fn middle(&self) -> Vec<(usize, f64)> {
+        let share = 0.5 / self.tank.beside(self.harmonic);
+        vec![(0, share), (self.tank.division.sectors - 1, share)]
+    }
+
+    /// Sectors of the wall at θ = 0 of a rectangle, and their shares in a value at its corner: on the straight line through the centres of
+    /// the last two.
+    pub(super) fn corner(&self) -> Vec<(usize, f64)> {
+        let y = &self.tank.division.breadth;
+        let last = y.len() - 1;
+        let Some(before) = last.checked_sub(2) else {
+            return vec![(0, 1.0)];
         };
+        let share = (y[last] - y[last - 1]) / (y[last] - y[before]);
+        vec![(last - 1, 1.0 + share), (last - 2, -share)]
+    }
+
+    /// A combination Σ c × resultant of elements of a level of the wall, with shares, at the natural height s: from the centre (s = 0) or
+    /// by the straight line through the Gauss points.
+    fn within(
+        &self,
+        (level, s): (usize, f64),
+        at: &[(usize, f64)],
+        terms: &[(Resultant, f64)],
+        out: &mut BTreeMap<usize, f64>,
+    ) {
+        let (wall, sectors) = (&self.tank.wall, self.tank.division.sectors);
         // Of each name the first sample is that of the centre, then come the Gauss points at s = −A, −A, A, A.
         let slope = 0.25 * s / GAUSS;
         let weights = if s == 0.0 {
@@ -155,14 +181,14 @@ impl Observer<'_> {
         } else {
             [0.0, 0.25 - slope, 0.25 - slope, 0.25 + slope, 0.25 + slope]
         };
-        for sector in [0, sectors - 1] {
+        for &(sector, share) in at {
             let element = &*self.tank.model.elements()[wall.elements[level * sectors + sector]];
             let samples = element.samples();
             for &(resultant, factor) in terms {
                 let own = samples.iter().filter(|sample| sample.name == resultant.name());
                 for (sample, weight) in own.zip(weights).filter(|(_, w)| *w != 0.0) {
                     for (i, c) in self.tank.model.spread(element, &sample.row) {
-                        *out.entry(i).or_insert(0.0) += 0.5 * factor * weight * c / spread;
+                        *out.entry(i).or_insert(0.0) += share * factor * weight * c;
                     }
                 }
             }
@@ -173,7 +199,13 @@ impl Observer<'_> {
     ///
     /// Meridional force and moment are best at the centres of elements and linear between them. The hoop strain is best
     /// at nodes: n_φ = (n_φ − ν n_v) + ν n_v with the first part, E t ε_φ, from the element and the second from centres.
-    pub(super) fn resultant(&self, course: &std::ops::Range<usize>, z: f64, resultant: Resultant, poisson: f64) -> Row {
+    pub(super) fn resultant(
+        &self,
+        course: &std::ops::Range<usize>,
+        z: f64,
+        (resultant, at): (Resultant, &[(usize, f64)]),
+        poisson: f64,
+    ) -> Row {
         let nodes = &self.tank.wall.z;
         let middle = |level: usize| 0.5 * (nodes[level] + nodes[level + 1]);
         let mut row = BTreeMap::new();
@@ -182,7 +214,7 @@ impl Observer<'_> {
             other => (other, 1.0),
         };
         if course.len() == 1 {
-            self.within(course.start, 0.0, &[meridional], &mut row);
+            self.within((course.start, 0.0), at, &[meridional], &mut row);
         } else {
             let upper = course
                 .clone()
@@ -191,7 +223,7 @@ impl Observer<'_> {
                 .max(course.start + 1);
             let share = (z - middle(upper - 1)) / (middle(upper) - middle(upper - 1));
             for (level, weight) in [(upper - 1, 1.0 - share), (upper, share)] {
-                self.within(level, 0.0, &[(meridional.0, weight * meridional.1)], &mut row);
+                self.within((level, 0.0), at, &[(meridional.0, weight * meridional.1)], &mut row);
             }
         }
         if resultant == Resultant::Hoop {
@@ -205,7 +237,7 @@ impl Observer<'_> {
                 let share = 1.0 / beside.len() as f64;
                 let terms = [(Resultant::Hoop, share), (Resultant::Axial, -poisson * share)];
                 // Exactly at the centre the centre's own sample serves.
-                self.within(level, s, &terms, &mut row);
+                self.within((level, s), at, &terms, &mut row);
             }
         }
         Row::of_displacement(row.into_iter().collect())
@@ -246,13 +278,12 @@ impl Observer<'_> {
                 }
             }
         }
-        let length = 2.0 * tank.radius * (std::f64::consts::PI / tank.division.sectors as f64).sin();
         let row = Row {
             displacement: elastic.into_iter().collect(),
             acceleration: inertia.into_iter().collect(),
             held,
         };
-        Ok(row.scaled(1.0 / length))
+        Ok(row.scaled(1.0 / tank.edge))
     }
 
     /// Hydrodynamic pressure on the wall at a level of the liquid's nodes: −ρ φ̈, or the pressure in the joint.
@@ -332,10 +363,14 @@ impl Observer<'_> {
                             j[1][i] += d[a][1] * c[i];
                         }
                     }
-                    let area = (j[0][0] * j[1][1] - j[0][1] * j[1][0]).abs() * x[0] * wr * ws;
+                    let plane = (j[0][0] * j[1][1] - j[0][1] * j[1][0]).abs() * wr * ws;
+                    let (area, arm) = match self.tank.chart {
+                        Chart::Cylindrical => (plane * x[0], x[0] * x[1].cos()),
+                        Chart::Cartesian => (plane, x[0]),
+                    };
                     for (a, &node) in face.nodes.iter().enumerate() {
                         for (e, c) in self.row(node, Dof::Phi) {
-                            *row.entry(e).or_insert(0.0) += self.tank.density * area * n[a] * x[0] * x[1].cos() * c;
+                            *row.entry(e).or_insert(0.0) += self.tank.density * area * n[a] * arm * c;
                         }
                     }
                 }

@@ -17,14 +17,13 @@ use super::reduce::{self, Space};
 use super::rows::{Observer, Row, sparse_dot};
 use super::spectrum::{self, TankMode};
 use super::system::System;
-use super::waves::classify;
 use crate::checks::check_options;
 use crate::damping::Damper;
 use crate::linear::analysis::analyse;
 use crate::linear::mesh_error::{self, Second, SecondMesh};
 use crate::linear::model::{Harmonic, Model};
 use crate::linear::{Linear, checked_motion, complete};
-use crate::modes::{Kind, solve};
+use crate::modes::{CoupledMode, Kind, solve};
 use crate::{FeError, Simulation};
 use results::channel::Side;
 use results::{Channel, EngineId, Mode, ModeShape, Run};
@@ -34,10 +33,16 @@ use tank::options::solid::SolidOptions;
 
 /// Ritz vectors of the search for modes of one wave number.
 const MODE_VECTORS: usize = 48;
+/// The same for one part of a rectangle: from two loads, and with poles, since hundreds of waves come before the first mode of a wall.
+const PART_VECTORS: usize = 144;
 /// Ritz vectors of the search for one mode to be drawn.
 const DRAWN_VECTORS: usize = 32;
 /// Largest circumferential wave number that is searched for modes.
 const MOST_WAVES: u32 = 24;
+/// The same in one part of the motions of a rectangle.
+const DRAWN_PART_VECTORS: usize = 48;
+/// Other parts of the motions of a rectangle whose lowest modes are drawn: along y, even about both planes.
+const DRAWN_PARTS: [u32; 2] = [2, 0];
 /// Wave numbers beyond 1 whose lowest wall modes are drawn.
 const DRAWN_WAVES: [u32; 3] = [2, 3, 5];
 
@@ -81,7 +86,10 @@ impl Prepared {
             stop(progress, "the reduction")?;
             let (coupled, space) = reduce::new(case, options, &tank, &system, harmonic, progress)?;
             spaces.push(space);
-            let modes = solve(&coupled, None)?;
+            let mut modes = solve(&coupled, None)?;
+            if !tank.is_round() {
+                renumber(&mut modes);
+            }
             Ok(Harmonic { coupled, modes })
         };
         let model = Model {
@@ -113,7 +121,7 @@ impl Prepared {
                     kind,
                     harmonic: harmonic.coupled.harmonic,
                     omega: m.omega,
-                    waves: classify(&spectrum::radial(&self.tank, &vector), &self.tank.wall.z),
+                    waves: spectrum::waves(&self.tank, &vector),
                     vector,
                 }
             })
@@ -124,17 +132,18 @@ impl Prepared {
     fn drawn_modes(&self, progress: &dyn Progress) -> Result<Vec<TankMode>, FeError> {
         let mut drawn = self.expanded(0, Kind::Sloshing, 3);
         drawn.extend(self.expanded(0, Kind::Structural, 2));
-        progress.stage(
-            "modes of other wave numbers",
-            DRAWN_WAVES.len() as u64 * DRAWN_VECTORS as u64,
-        );
-        for n in DRAWN_WAVES {
+        let (others, vectors): (&[u32], usize) = match self.tank.is_round() {
+            true => (&DRAWN_WAVES, DRAWN_VECTORS),
+            false => (&DRAWN_PARTS, DRAWN_PART_VECTORS),
+        };
+        progress.stage("modes of other wave numbers", (others.len() * vectors) as u64);
+        for &n in others {
             if n > spectrum::most_waves(&self.tank) || progress.interrupted() {
                 break;
             }
-            let found = spectrum::of_harmonic(&self.tank, &self.system, n, (DRAWN_VECTORS, 1), progress)?;
+            let found = spectrum::of_harmonic(&self.tank, &self.system, n, (vectors, 1), progress)?;
             let first = |kind: Kind| found.iter().find(|m| m.kind == kind).cloned();
-            if n == 2 {
+            if n == 2 || !self.tank.is_round() {
                 drawn.extend(first(Kind::Sloshing));
             }
             drawn.extend(first(Kind::Structural));
@@ -161,6 +170,27 @@ impl Prepared {
             simulation.snapshots = Some(states);
         }
         Ok(())
+    }
+}
+
+/// Share of all effective mass from which a mode of a rectangle counts before the others of its kind.
+const COUNTS: f64 = 1e-5;
+
+/// Numbers the modes that the motion excites first, by kind and frequency, then the others.
+///
+/// In a rectangle waves across the shaking lie between those along it; walls that give way excite them hardly, and the first five waves
+/// are not to be taken up by them.
+fn renumber(modes: &mut [CoupledMode]) {
+    let all: f64 = modes.iter().map(CoupledMode::effective_mass).sum();
+    let mut last: BTreeMap<Kind, usize> = BTreeMap::new();
+    for excited in [true, false] {
+        for mode in modes.iter_mut() {
+            if (mode.effective_mass() > COUNTS * all) == excited {
+                let number = last.entry(mode.kind).or_insert(0);
+                *number += 1;
+                mode.number = *number;
+            }
+        }
     }
 }
 
@@ -258,6 +288,19 @@ fn integrated(
          excites."
             .into(),
     );
+    if let Shape::Rectangle { .. } = case.tank.shape {
+        simulation.assumptions.push(
+            "The four walls are plates in the planes of the inner faces, clamped at the base, free at the top and joined rigidly at the \
+             corners."
+                .into(),
+        );
+        if case.tank.roof.mass > 0.0 {
+            simulation.notes.push(
+                "The roof is a mass along the top edges of the walls; its stiffness, which would hold the edges, is not modelled."
+                    .into(),
+            );
+        }
+    }
     if options.integrator == Integrator::Newmark {
         simulation.notes.push(
             "Pictures and ParaView files of the three-dimensional engine come from the reduced coordinates by modal \
@@ -297,14 +340,16 @@ pub fn modes(
     )?;
     progress.advance(1);
     let most = spectrum::most_waves(&tank).min(MOST_WAVES);
-    progress.stage("modes by wave number", u64::from(most + 1) * MODE_VECTORS as u64);
+    let vectors = if tank.is_round() { MODE_VECTORS } else { PART_VECTORS };
+    progress.stage("modes by wave number", u64::from(most + 1) * vectors as u64);
     let damper = Damper::new(case, &options.damping)?;
     let mut found: Vec<Mode> = Vec::new();
     for n in 0..=most {
         stop(progress, "the search for modes")?;
-        let modes = spectrum::of_harmonic(&tank, &system, n, (MODE_VECTORS, count), progress)?;
+        let modes = spectrum::of_harmonic(&tank, &system, n, (vectors, count), progress)?;
         let participation = match n {
             0 | 1 => Some(reduce::rigid_motion(&tank, &system, n)?.1),
+            2 if !tank.is_round() => Some(reduce::rigid_motion(&tank, &system, n)?.1),
             _ => None,
         };
         // Modes of the rotation penalty of a displacement liquid are not modes of the tank.

@@ -9,7 +9,47 @@
 
 use fem::dofs::{Dof, KINDS};
 
+use super::mirror::Mirrored;
 use super::model::TankModel;
+
+/// Symmetry of the motions of one harmonic: of a cylinder, or of the part of this number of a rectangle.
+pub(super) enum Symmetry<'a> {
+    /// Of a cyclic mesh.
+    Cyclic(Harmonic<'a>),
+    /// Of a mesh with two planes of symmetry.
+    Mirrored(Mirrored<'a>),
+}
+
+impl<'a> Symmetry<'a> {
+    /// That of harmonic `harmonic`.
+    pub(super) fn new(tank: &'a TankModel, harmonic: u32) -> Symmetry<'a> {
+        match &tank.mirrors {
+            Some(images) => Symmetry::Mirrored(Mirrored::new(&tank.model, images, harmonic)),
+            None => Symmetry::Cyclic(Harmonic::new(tank, harmonic)),
+        }
+    }
+
+    /// Loads that excite all modes of the harmonic, each with the pole it is for.
+    ///
+    /// The modes of one part of a rectangle may have one frequency in pairs, which one load cannot tell apart. At the poles beyond 0 the
+    /// walls are loaded alone: they are where the modes of the walls are sought.
+    pub(super) fn loads(&self, poles: usize) -> Vec<(usize, Vec<f64>)> {
+        match self {
+            Symmetry::Cyclic(harmonic) => (0..poles).map(|pole| (pole, harmonic.load())).collect(),
+            Symmetry::Mirrored(part) => (0..poles)
+                .flat_map(|pole| [1, 2].map(|seed| (pole, part.load(seed, pole == 0))))
+                .collect(),
+        }
+    }
+
+    /// Removes from `x` the parts that do not belong to the harmonic.
+    pub(super) fn project(&self, x: &mut [f64]) {
+        match self {
+            Symmetry::Cyclic(harmonic) => harmonic.project(x),
+            Symmetry::Mirrored(part) => part.project(x),
+        }
+    }
+}
 
 /// Projection on the motions of harmonic m that are symmetric about the plane y = 0.
 pub(super) struct Harmonic<'a> {

@@ -52,6 +52,14 @@ struct Potential {
     mean: SparseRow,
 }
 
+/// A factor of K + s M, and the equations it is of: those of φ as well where there are any.
+struct Pole {
+    /// s [rad²/s²].
+    place: f64,
+    factor: Factor,
+    whole: bool,
+}
+
 /// K and M of a model over all its unknowns; those of φ are zero in K, and in vectors follow from the others.
 pub struct System {
     stiffness: Symmetric,
@@ -65,8 +73,8 @@ pub struct System {
     pub mean_elevation: SparseRow,
     /// Bytes of the factors.
     pub bytes: u64,
-    /// Factors of K + s M for further poles s, displacement liquids only.
-    poles: Vec<Factor>,
+    /// Factors of K + s M for further poles s; those of a potential liquid hold φ.
+    poles: Vec<Pole>,
 }
 
 /// Matrices and their symbolic factors.
@@ -77,6 +85,8 @@ struct Phase {
     phi: Vec<usize>,
     own_stiffness: Symmetric,
     symbolic: Arc<Symbolic>,
+    /// Symbolic factor of all unknowns, where a pole needs it.
+    whole: Option<Arc<Symbolic>>,
     /// Equations of φ but for the held one, ρ H, its symbolic factor.
     liquid: Option<(Vec<usize>, Symmetric, Arc<Symbolic>)>,
     bytes: u64,
@@ -90,7 +100,14 @@ impl Phase {
         let (phi, own): (Vec<usize>, Vec<usize>) = (0..dofs.len()).partition(|&e| dofs.unknown(e).1 == Dof::Phi);
         let own_stiffness = stiffness.submatrix(&own);
         let symbolic = self::symbolic(&own_stiffness, model, &own)?;
-        let mut entries = (1 + poles) * symbolic.entries();
+        let mut entries = symbolic.entries();
+        let whole = if poles > 0 && !phi.is_empty() {
+            let all: Vec<usize> = (0..dofs.len()).collect();
+            Some(self::symbolic(&stiffness, model, &all)?)
+        } else {
+            None
+        };
+        entries += poles * whole.as_ref().unwrap_or(&symbolic).entries();
         let liquid = if phi.is_empty() {
             None
         } else {
@@ -111,6 +128,7 @@ impl Phase {
             phi,
             own_stiffness,
             symbolic,
+            whole,
             liquid,
             bytes,
         })
@@ -118,8 +136,8 @@ impl Phase {
 }
 
 impl System {
-    /// Factors the matrices of `model`; `limit` is the memory allowed for them [bytes]. `poles` s > 0 [rad²/s²] at which
-    /// K + s M is factored as well are for models without potentials.
+    /// Factors the matrices of `model`; `limit` is the memory allowed for them [bytes]. `poles` s > 0 [rad²/s²] are those at which
+    /// K + s M is factored as well, with the potentials where there are any.
     ///
     /// Errors: more memory than allowed, before anything is factored; a matrix that is not positive definite.
     pub fn new(model: &Model, assembler: &Assembler, poles: &[f64], limit: u64) -> Result<System, FeError> {
@@ -132,6 +150,7 @@ impl System {
             phi,
             own_stiffness,
             symbolic,
+            whole,
             liquid,
             bytes,
         } = phase;
@@ -162,11 +181,23 @@ impl System {
         };
         for &pole in poles {
             let mut shifted = system.stiffness.clone();
-            shifted.add(pole, &system.mass);
-            let factor = own_symbolic
-                .factor(&shifted, Kind::Definite)
-                .map_err(failure("K + s M"))?;
-            system.poles.push(factor);
+            let factor = match &whole {
+                // In three fields: −ρ H is negative semi-definite, and the volume of the liquid is kept.
+                Some(symbolic) => {
+                    shifted.add(pole, &full_mass);
+                    symbolic.factor(&shifted, Kind::QuasiDefinite)
+                }
+                None => {
+                    shifted.add(pole, &system.mass);
+                    own_symbolic.factor(&shifted, Kind::Definite)
+                }
+            };
+            let factor = factor.map_err(failure("K + s M"))?;
+            system.poles.push(Pole {
+                place: pole,
+                factor,
+                whole: whole.is_some(),
+            });
         }
         if let Some((free, h, symbolic)) = liquid {
             system.add_potential(model, &full_mass, &phi, (free, h, symbolic))?;
@@ -263,13 +294,30 @@ impl System {
         1 + self.poles.len()
     }
 
+    /// Place s of a pole [rad²/s²].
+    pub fn place(&self, pole: usize) -> f64 {
+        match pole {
+            0 => 0.0,
+            pole => self.poles[pole - 1].place,
+        }
+    }
+
     /// (K + s M)⁻¹ b for pole `pole`; the first is s = 0.
     ///
     /// Errors: not enough memory.
     pub fn solve_at(&self, pole: usize, b: &[f64]) -> Result<Vec<f64>, FeError> {
         match pole {
             0 => self.solve(b),
-            pole => self.poles[pole - 1].solve_vector(b).map_err(failure("K + s M")),
+            pole => {
+                let pole = &self.poles[pole - 1];
+                let mut right = b.to_vec();
+                if pole.whole {
+                    // φ follows from the other unknowns.
+                    let potentials = self.potential.iter().flat_map(|p| p.free.iter().chain([&p.held]));
+                    potentials.for_each(|&e| right[e] = 0.0);
+                }
+                pole.factor.solve_vector(&right).map_err(failure("K + s M"))
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! The three-dimensional run: mesh, mode shapes, deformed shapes, maps of the wall, and the difference from the harmonic
 //! engine.
 
+use tank::Shape;
 use tank::units::Dimension;
 
 use super::{Section, Source, engine, overlay};
@@ -39,11 +40,10 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     }
     section.set_figures("overlays", overlays(source)?);
     let drawn = |draw: fn(&Fields) -> Vec<Figure>| fields.map_or(Vec::new(), draw);
+    let round = matches!(results.tank.tank.shape, Shape::Cylinder { .. });
+    let modes = |f: &Fields| numbered(&f.modes, |i, m| Some(mode(f, i, (m, round))));
     section.set_figures("mesh_figures", drawn(|f| vec![mesh(f)]));
-    section.set_figures(
-        "mode_figures",
-        drawn(|f| numbered(&f.modes, |i, m| Some(mode(f, i, m)))),
-    );
+    section.set_figures("mode_figures", fields.map_or(Vec::new(), modes));
     section.set_figures(
         "moment_figures",
         drawn(|f| numbered(&f.moments, |i, m| Some(moment(f, i, m)))),
@@ -187,7 +187,7 @@ fn mesh(fields: &Fields) -> Figure {
     }
 }
 
-fn mode(fields: &Fields, index: usize, mode: &Picture) -> Figure {
+fn mode(fields: &Fields, index: usize, (mode, round): (&Picture, bool)) -> Figure {
     let unit = largest(&fields.wall, &mode.displacement).max(largest(&fields.surface, &mode.displacement));
     let factor = SWING * dimension(fields) / unit.max(f64::MIN_POSITIVE);
     let (size, markup) = scene::draw(
@@ -203,7 +203,7 @@ fn mode(fields: &Fields, index: usize, mode: &Picture) -> Figure {
         titled: false,
         description: words::mode(
             frequency,
-            mode.circumferential,
+            round.then_some(mode.circumferential),
             &scene::eye(),
             [&fields.wall, &fields.surface].map(|f| largest(f, &mode.displacement) / unit.max(f64::MIN_POSITIVE)),
         ),

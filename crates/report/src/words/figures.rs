@@ -171,10 +171,12 @@ pub mod spatial {
         )
     }
 
-    /// Description of a mode; `parts` are the largest displacements of wall and surface over the largest.
-    pub fn mode(frequency: f64, waves: u32, eye: &str, parts: [f64; 2]) -> String {
+    /// Description of a mode; `waves` is the circumferential wave number of a cylinder, `parts` are the largest displacements of wall and
+    /// surface over the largest.
+    pub fn mode(frequency: f64, waves: Option<u32>, eye: &str, parts: [f64; 2]) -> String {
+        let waves = waves.map_or(String::new(), |n| format!("circumferential wave number {n}, "));
         format!(
-            "Mode shape at {} Hz, circumferential wave number {waves}, {eye}; largest displacement of the wall {}, of the free \
+            "Mode shape at {} Hz, {waves}{eye}; largest displacement of the wall {}, of the free \
              surface {} of the largest.",
             significant(frequency, 4),
             percent(parts[0]),

@@ -168,6 +168,10 @@ pub fn wave_numbers(most: u32) -> String {
     )
 }
 
+/// How the three-dimensional engine numbers the motions of a box.
+pub const PARTS_OF_A_BOX: &str = "part 0 is even about both middle planes (vertical motion), 1 odd along the length, 2 odd along the breadth, \
+                                  3 odd along both";
+
 /// A layered course, from 1; `layers` are already in words, lengths in metres, the modulus in Pa.
 pub fn course(number: usize, layers: &[String], thickness: f64, modulus: f64) -> String {
     format!(

@@ -48,5 +48,9 @@ pub(super) fn of(file: &TankFile) -> Places {
             all.insert(Place::Sectors, circumference);
         }
     }
+    let solid = file.analysis.value().and_then(|a| a.solid.value());
+    if let Some(liquid) = solid.and_then(|s| s.liquid.place()) {
+        all.insert(Place::Liquid, liquid);
+    }
     Places::new(all)
 }

@@ -16,7 +16,7 @@ const DEFAULT: SolidOptions = SolidOptions::DEFAULT;
 object! {
     /// Options of the three-dimensional engine.
     Solid {
-        /// Numbers of elements over radius (or half length), circumference (or breadth) and height of the wall.
+        /// Numbers of elements over radius (or half length), circumference (or breadth, an even number) and height of the wall.
         mesh: Opt<MeshSize> = without("by the size of the tank"),
         /// Formulation of the liquid.
         liquid: Opt<LiquidElement> = default(DEFAULT.liquid).because("nothing to calibrate"),

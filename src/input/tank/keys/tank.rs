@@ -26,7 +26,8 @@ object! {
         shape: Field<Plan>,
         /// Inner radius of a cylinder, which needs it.
         radius ("10 m"): Opt<Length> [SIZE],
-        /// Inner length of a rectangle in the direction of shaking (the whole length); a rectangle needs it.
+        /// Inner length of a rectangle in the direction of shaking (the whole length); a rectangle needs it. For shaking along the other
+        /// direction exchange length and breadth.
         length ("20 m"): Opt<Length> [SIZE],
         /// Inner breadth of a rectangle across the direction of shaking. Give either this or strip.
         breadth ("8 m"): Opt<Length> [SIZE],

@@ -85,6 +85,7 @@ pub(super) fn demands(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> D
         // The pressure on the bottom is not recorded.
         overturning_moment: None,
         vertical,
+        plates: false,
         sampling: 1.0 - (0.5 * tank.wall_omega * step).min(0.5 * PI).cos(),
     }
 }
