@@ -14,8 +14,8 @@
 //! | sliding | base shear | μ M (g + a_v) |
 //! | bearing | pressure of M′ and M (g + a_v) under a rigid base | given resistance |
 //!
-//! The wall does not lift in an engine that clamps it, and the walls of a box are cantilevers. Where an unanchored wall pulls, or a box is
-//! too narrow for that ([`tank::PLANE_WALLS`]), every demand but the wave is outside the model: nothing may hold there
+//! The wall does not lift in an engine that clamps it, and the walls of a box are cantilevers in one without plates. Where an unanchored
+//! wall pulls, or such a box is too narrow for that ([`tank::PLANE_WALLS`]), every demand but the wave is outside the model: nothing may hold there
 //! ([`Findings::outside`]).
 //!
 //! Formulas of the capacities are those of [`crate::ec8`] and [`crate::api650`]. `docs/theory/limit-states-of-runs.md` has the details.
@@ -116,6 +116,11 @@ fn outside(work: &mut Work<'_>, pulls: Option<String>) -> Option<(Outside, Strin
     }
     let tank = &work.case.tank;
     let ratio = tank.breadth_to_height()?;
+    if work.demands.plates {
+        let reason = "the engine models the four walls as plates";
+        work.without(PLATES, CheckStatus::NotApplicable, reason, None);
+        return None;
+    }
     let (breadth, limit) = (format!("{ratio:.2} heights of the wall broad"), tank::PLANE_WALLS);
     if !tank.bends_as_plates() {
         let reason = format!("the box is {breadth}, at least {limit:.0}: its walls across the shaking are cantilevers");

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use fem::progress::Progress;
+use tank::Case;
 use tank::assessment::{Check, CheckStatus, Excitation};
 use tank::outside::Outside;
 use tank::units;
@@ -20,7 +21,7 @@ use crate::error::{EXIT_CHECK_FAILED, EXIT_COMPUTATION, EXIT_NOT_CHECKED, EXIT_O
 use crate::job::Job;
 use crate::pipeline::{self, Outcome};
 use engines::estimate::Estimate;
-use engines::{FeError, Integrator, engine};
+use engines::{FeError, Integrator, Task, engine};
 use files::{OutputFolder, kept_complete, text};
 use report;
 use report::words::{self, terminal};
@@ -55,9 +56,9 @@ pub(crate) struct Args {
     /// Folder for report.html, results.json, series.csv and figures/.
     #[arg(long, short, value_name = "FOLDER", default_value = "out")]
     out: PathBuf,
-    /// Finite-element engine.
-    #[arg(long, value_enum, default_value_t = Engine::Harmonic)]
-    fe: Engine,
+    /// Finite-element engine [default: harmonic; solid for a box less broad than seven heights of its walls].
+    #[arg(long, value_enum)]
+    fe: Option<Engine>,
     #[command(flatten)]
     solid: solid::SolidArgs,
     #[command(flatten)]
@@ -103,6 +104,14 @@ enum Engine {
 }
 
 impl Engine {
+    /// The engine that runs where none is asked for: cantilevers do not stand for the walls of a short box.
+    fn usual(case: &Case) -> Engine {
+        match case.tank.bends_as_plates() {
+            true => Engine::Solid,
+            false => Engine::Harmonic,
+        }
+    }
+
     /// The engines that run, in this order.
     fn ids(self) -> &'static [EngineId] {
         match self {
@@ -133,11 +142,13 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
                 .into(),
         ));
     }
-    let engines = args.fe.ids();
-    let mut job = args
-        .inputs
-        .job(|task| engines.iter().flat_map(|&id| engine(id).refuses(task)).collect())?;
-    job.engines = engines.to_vec();
+    let engines = |case: &Case| args.fe.unwrap_or_else(|| Engine::usual(case)).ids();
+    let refuses = |task: &Task<'_>| {
+        let all = engines(task.case).iter();
+        all.flat_map(|&id| engine(id).refuses(task)).collect()
+    };
+    let mut job = args.inputs.job(refuses)?;
+    job.engines = engines(&job.case).to_vec();
     choose(&mut job, &args)?;
     if job.engines.iter().any(|&id| engine(id).stops()) {
         progress::stop_gracefully();

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use fem::progress::Progress;
 use serde_json::json;
-use tank::Shape;
+use tank::{Case, Shape};
 
 use crate::cli::budget::{self, MemoryArg};
 use crate::cli::progress::Watch;
@@ -13,15 +13,18 @@ use crate::cli::table::Table;
 use crate::cli::terminal::say;
 use crate::cli::{self, Format, Global, print, solid};
 use crate::error::{EXIT_OK, Error};
-use crate::input;
-use engines::harmonic;
+use crate::{input, job};
 use engines::solid::SolidOptions;
+use engines::{engine, harmonic};
 use files::text;
 use report::words::terminal as words;
-use results::{Mode, finite};
+use results::{EngineId, Mode, finite};
 
 /// Largest circumferential harmonic: the default meshes do not resolve more waves.
 const MAX_HARMONIC: u32 = 20;
+
+/// Last of the parts of the motions of a box in three dimensions: even or odd about each of its middle planes.
+const MOST_PART: u32 = 3;
 
 /// Largest number of modes of each kind.
 const MAX_COUNT: usize = 100;
@@ -36,14 +39,14 @@ Examples:
 
 Harmonic 1 responds to horizontal motion, 0 to vertical motion (its effective mass is that of pressure and weight); 2 and
 more do not respond to uniform ground motion. A rectangle has the symmetric half (0) and the antisymmetric half (1) of its
-plane strip.")]
+plane strip; in three dimensions four parts: 1 responds to motion along its length, 2 along its breadth, 3 to none.")]
 pub(crate) struct Args {
     /// The tank (`-` reads standard input).
     #[arg(value_name = "TANK")]
     tank: PathBuf,
-    /// Finite-element engine.
-    #[arg(long, value_enum, default_value_t = Engine::Harmonic)]
-    fe: Engine,
+    /// Finite-element engine [default: harmonic; solid for a box less broad than seven heights of its walls].
+    #[arg(long, value_enum)]
+    fe: Option<Engine>,
     #[command(flatten)]
     solid: solid::SolidArgs,
     /// Circumferential harmonics, separated by commas [default: 0,1,2; rectangle 0,1; three-dimensional: all].
@@ -71,24 +74,41 @@ enum Engine {
     Solid,
 }
 
+impl Engine {
+    fn id(self) -> EngineId {
+        match self {
+            Engine::Harmonic => EngineId::Harmonic,
+            Engine::Solid => EngineId::Solid,
+        }
+    }
+}
+
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let tank = input::read_tank(&args.tank)?;
     for warning in &tank.warnings {
         say!("warning: {}", text::line(warning));
     }
+    let fe = args.fe.unwrap_or(match tank.case.tank.bends_as_plates() {
+        true => Engine::Solid,
+        false => Engine::Harmonic,
+    });
+    let faults = job::refused(&tank, |task| engine(fe.id()).refuses(task));
+    if !faults.is_empty() {
+        return Err(faults.into_error(&tank.source).into());
+    }
     let case = tank.case;
     let mut options = tank.fe;
     options.refine = args.refine.unwrap_or(options.refine);
-    let default = match (args.fe, case.tank.shape) {
+    let default = match (fe, case.tank.shape) {
         (Engine::Solid, _) => Vec::new(),
         (_, Shape::Cylinder { .. }) => vec![0, 1, 2],
         (_, Shape::Rectangle { .. }) => vec![0, 1],
     };
     let harmonics = args.harmonics.unwrap_or(default);
-    check(&harmonics, args.count, case.tank.shape)?;
+    check(&harmonics, args.count, (case.tank.shape, fe))?;
     let limit = args.memory.over(tank.solid.memory_limit_mib);
-    let (modes, notes) = match args.fe {
+    let (modes, notes) = match fe {
         Engine::Harmonic => {
             if let Some(option) = args.solid.given() {
                 return Err(Error::input(format!(
@@ -128,18 +148,17 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
                      needs six"
                 )));
             }
-            notes.push(words::wave_numbers(most));
+            notes.push(match case.tank.shape {
+                Shape::Cylinder { .. } => words::wave_numbers(most),
+                Shape::Rectangle { .. } => words::PARTS_OF_A_BOX.into(),
+            });
             (modes, notes)
         }
     };
     finite::check("modes", &modes)?;
     match args.format {
         Format::Human => {
-            let mut text = format!(
-                "{}\n\n{}",
-                text::line(&case.name),
-                table(&modes, case.liquid_mass(), args.fe)
-            );
+            let mut text = format!("{}\n\n{}", text::line(&case.name), table(&modes, &case, fe));
             for note in &notes {
                 let _ = writeln!(text, "\nnote: {note}");
             }
@@ -159,13 +178,14 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     Ok(EXIT_OK)
 }
 
-fn check(harmonics: &[u32], count: usize, shape: Shape) -> Result<(), Error> {
+fn check(harmonics: &[u32], count: usize, (shape, engine): (Shape, Engine)) -> Result<(), Error> {
     let usage = |option: &str, found: String, allowed: String| {
         Error::input(format!("error: {option}: found `{found}`, expected {allowed}"))
     };
-    let largest = match shape {
-        Shape::Cylinder { .. } => MAX_HARMONIC,
-        Shape::Rectangle { .. } => 1,
+    let largest = match (shape, engine) {
+        (Shape::Cylinder { .. }, _) => MAX_HARMONIC,
+        (Shape::Rectangle { .. }, Engine::Harmonic) => 1,
+        (Shape::Rectangle { .. }, Engine::Solid) => MOST_PART,
     };
     if let Some(m) = harmonics.iter().find(|&&m| m > largest) {
         return Err(usage(
@@ -189,11 +209,14 @@ fn check(harmonics: &[u32], count: usize, shape: Shape) -> Result<(), Error> {
     Ok(())
 }
 
-fn table(modes: &[Mode], liquid_mass: f64, engine: Engine) -> Table {
+fn table(modes: &[Mode], case: &Case, engine: Engine) -> Table {
+    let liquid_mass = case.liquid_mass();
+    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     // Wave numbers as in the theory manual: one for the harmonic engine, two for the wall of the three-dimensional one.
     let waves: &[&str] = match engine {
         Engine::Harmonic => &["m"],
-        Engine::Solid => &["n (around)", "m (axial)"],
+        Engine::Solid if round => &["n (around)", "m (axial)"],
+        Engine::Solid => &["part"],
     };
     let head = ["mode"].iter().chain(waves).chain(&[
         "T [s]",
@@ -205,13 +228,14 @@ fn table(modes: &[Mode], liquid_mass: f64, engine: Engine) -> Table {
     ]);
     let mut table = Table::new(head.copied());
     for mode in modes {
-        let moved = mode.harmonic <= 1;
+        // The motions of a box along y are its part 2.
+        let moved = mode.harmonic <= if engine == Engine::Solid && !round { 2 } else { 1 };
         let cell = |shown: bool, text: String| if shown { text } else { "–".to_owned() };
         let axial = mode.axial.map_or("–".to_owned(), |m| m.to_string());
         let name = [format!("{} {}", mode.kind, mode.number), mode.harmonic.to_string()];
         table.row(
             name.into_iter()
-                .chain((engine == Engine::Solid).then_some(axial))
+                .chain((engine == Engine::Solid && round).then_some(axial))
                 .chain([
                     format!("{:.5}", mode.period),
                     format!("{:.4}", 1.0 / mode.period),
@@ -264,8 +288,10 @@ mod tests {
 
     #[test]
     fn ranges() {
-        assert!(check(&[0, 1, 2], 3, CYLINDER).is_ok());
-        assert!(check(&[0, 1], 1, BOX).is_ok());
+        assert!(check(&[0, 1, 2], 3, (CYLINDER, Engine::Harmonic)).is_ok());
+        assert!(check(&[0, 1], 1, (BOX, Engine::Harmonic)).is_ok());
+        assert!(check(&[2, 3], 1, (BOX, Engine::Solid)).is_ok());
+        assert!(check(&[4], 1, (BOX, Engine::Solid)).is_err());
         for (harmonics, count, shape) in [
             (vec![21], 3, CYLINDER),
             (vec![2], 3, BOX),
@@ -274,7 +300,7 @@ mod tests {
             (vec![1], 101, CYLINDER),
         ] {
             assert!(matches!(
-                check(&harmonics, count, shape),
+                check(&harmonics, count, (shape, Engine::Harmonic)),
                 Err(Error::Files(files::error::Error::Input(_)))
             ));
         }

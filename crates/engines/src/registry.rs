@@ -2,7 +2,8 @@
 
 use fem::progress::Progress;
 use results::EngineId;
-use tank::refusal::Refusal;
+use tank::PLANE_WALLS;
+use tank::refusal::{Place, Refusal};
 
 use crate::engine::{Engine, Simulation, Task};
 use crate::estimate::Estimate;
@@ -15,6 +16,17 @@ pub const ALL: [&dyn Engine; 3] = [&Harmonic, &Solid, &Nonlinear];
 /// The engine of an id.
 pub fn engine(id: EngineId) -> &'static dyn Engine {
     ALL[id as usize]
+}
+
+/// A box whose walls are plates, which the harmonic engine would take for cantilevers.
+fn plates(task: &Task<'_>) -> Option<Refusal> {
+    let tank = &task.case.tank;
+    let ratio = tank.breadth_to_height().filter(|_| tank.bends_as_plates())?;
+    let message =
+        "the walls of this box bend as plates held at the base and both sides; the harmonic engine has cantilevers";
+    let allowed = format!("a breadth of at least {PLANE_WALLS:.0} heights of the wall");
+    let refusal = Refusal::new(Place::Shape, message, allowed).found(format!("{ratio:.2} heights"));
+    Some(refusal.help("use --fe solid"))
 }
 
 /// A rectangular tank has walls of its own along y.
@@ -37,7 +49,7 @@ impl Engine for Harmonic {
     }
 
     fn refuses(&self, task: &Task<'_>) -> Vec<Refusal> {
-        across_a_box(task).into_iter().collect()
+        across_a_box(task).into_iter().chain(plates(task)).collect()
     }
 
     fn stops(&self) -> bool {
@@ -62,7 +74,9 @@ impl Engine for Solid {
     }
 
     fn refuses(&self, task: &Task<'_>) -> Vec<Refusal> {
-        solid::refused(task.case, task.solid)
+        let mut all = solid::refused(task.case, task.solid);
+        all.extend(across_a_box(task));
+        all
     }
 
     fn estimate(&self, task: &Task<'_>) -> Result<Estimate, FeError> {
@@ -109,7 +123,6 @@ impl Engine for Nonlinear {
 
 #[cfg(test)]
 mod tests {
-    use tank::refusal::Place;
     use tank::{Case, Shape};
 
     use super::*;
@@ -156,6 +169,6 @@ mod tests {
             breadth: 3.0,
             strip: false,
         };
-        assert_eq!(refusals(&case), [Vec::new(), Vec::new(), vec![Place::Shape]]);
+        assert_eq!(refusals(&case), [vec![Place::Shape], Vec::new(), vec![Place::Shape]]);
     }
 }

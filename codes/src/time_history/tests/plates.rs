@@ -12,10 +12,11 @@ use super::super::Findings;
 use super::{assessed, found};
 use crate::samples::{case, course, material};
 
-/// A box as broad as it is high is outside the model, and nothing but the freeboard holds; a strip and a channel are not.
+/// A box as broad as it is high is outside the model of cantilevers, and nothing but the freeboard holds; in an engine of plates, and of
+/// a strip and a channel, the rest does.
 #[test]
 fn a_narrow_box_is_outside_the_model() {
-    let found_of = |breadth: f64, strip: bool| {
+    let found_by = |breadth: f64, strip: bool, plates: bool| {
         let concrete = material("concrete", 30e9, 0.2, 2500.0);
         let shape = Shape::Rectangle {
             length: 5.0,
@@ -39,10 +40,12 @@ fn a_narrow_box_is_outside_the_model() {
             }),
             base_shear: Some(vec![(0, 1.0)]),
             overturning_moment: Some(vec![(0, 4.0)]),
+            plates,
             ..Demands::default()
         };
         assessed(&case, &demands)
     };
+    let found_of = |breadth: f64, strip: bool| found_by(breadth, strip, false);
     let holding = |findings: &Findings| -> Vec<String> {
         let holds = findings.checks.iter().filter(|c| c.holds());
         holds.map(|c| c.limit_state.clone()).collect()
@@ -53,6 +56,10 @@ fn a_narrow_box_is_outside_the_model() {
     let open = found(&narrow, "plane_walls");
     assert_eq!(open.status, CheckStatus::NotChecked);
     assert!(open.reason.contains("1.25 heights"), "{}", open.reason);
+    let plates = found_by(5.0, false, true);
+    assert_eq!(plates.outside, None);
+    assert_eq!(found(&plates, "plane_walls").status, CheckStatus::NotApplicable);
+    assert_eq!(holding(&plates), ["freeboard", "sliding", "bearing"]);
     let broad = found_of(100.0, false);
     assert_eq!(broad.outside, None);
     assert_eq!(found(&broad, "plane_walls").status, CheckStatus::NotApplicable);
