@@ -2,6 +2,7 @@
 
 mod attribution;
 mod bad_tank;
+mod bond_input;
 mod compare;
 mod corners;
 mod estimates;

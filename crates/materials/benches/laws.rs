@@ -60,6 +60,7 @@ fn concrete() {
             size: 0.1,
         },
         stiffening: None,
+        bond: None,
     };
     let sargin = Compression::Sargin {
         strength: 35e6,

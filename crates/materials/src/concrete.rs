@@ -11,12 +11,14 @@
 //!
 //! Strengths are positive numbers, stresses and strains positive in tension.
 
+pub mod bond;
 pub mod cracked;
 mod surface;
 mod tension;
 pub mod uniaxial;
 
-pub use cracked::{CrackAxes, CrackedConcrete, CrackedParameters, ShearRetention};
+pub use bond::{Bond, Conditions};
+pub use cracked::{CrackAxes, CrackedConcrete, CrackedParameters, Envelope, ShearRetention};
 pub use tension::{Softening, Stiffening, Tension};
 pub use uniaxial::{Compression, PostPeak, UniaxialConcrete};
 

@@ -20,6 +20,7 @@
 pub mod bar;
 mod check;
 pub mod concrete;
+pub mod dougill;
 pub mod drucker_prager;
 pub mod elastic;
 pub mod grades;
@@ -27,6 +28,7 @@ pub mod interlayer;
 mod modes;
 pub mod plastic_fracturing;
 mod range;
+pub mod two_surface;
 pub mod von_mises;
 
 pub use range::ElasticRange;

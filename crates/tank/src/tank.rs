@@ -5,7 +5,7 @@ mod layers;
 mod parts;
 mod plane;
 
-pub use behaviour::{Bar, Behaviour, Concrete, ConcreteLaw, Interlayer, Softening, Steel};
+pub use behaviour::{Bar, BarBond, Behaviour, BiaxialEnvelope, Concrete, ConcreteLaw, Interlayer, Softening, Steel};
 pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
 pub use parts::{Pipes, RoofKind};
 pub use plane::PLANE_WALLS;

@@ -49,6 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         strength: 3.5e6,
         softening,
         stiffening: None,
+        bond: None,
     };
     let concrete = UniaxialConcrete::new(3.4e10 / 0.96, Compression::Plastic { strength: 35e6 }, Some(tension))?;
     let area = get("as", 7e-4);

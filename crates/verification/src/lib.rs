@@ -63,6 +63,8 @@ pub const ALL: &[&Benchmark] = &[
     &shell::cylinder_modes::BENCHMARK,
     &materials::steel::BENCHMARK,
     &materials::concrete::BENCHMARK,
+    &materials::bond::BENCHMARK,
+    &materials::solid_concrete::BENCHMARK,
     &solid::cantilever::BENCHMARK,
     &solid::joint::BENCHMARK,
     &solid::wall::BENCHMARK,

@@ -25,6 +25,8 @@ fn c30() -> Material {
             shear_retention_strain: 2e-4,
             tension_stiffening: 0.0,
             crack_spacing: None,
+            envelope: tank::BiaxialEnvelope::default(),
+            bond: tank::BarBond::Perfect,
         }),
         ..material("c30", 33e9, 0.2, 2500.0)
     }

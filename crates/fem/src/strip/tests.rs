@@ -42,6 +42,7 @@ fn concrete(softening: Softening) -> Arc<dyn Law<1>> {
         strength: 3.5e6,
         softening,
         stiffening: None,
+        bond: None,
     };
     Arc::new(UniaxialConcrete::new(YOUNG, Compression::Plastic { strength: 35e6 }, Some(tension)).unwrap())
 }

@@ -17,7 +17,8 @@
 //! is damage, of dissipation −½ G γ_e² dβ ≥ 0. Small e_b: fixed cracks that keep much shear lock, the principal
 //! tension between them exceeds f_t (de Borst & Nauta 1985, Rots 1988).
 //!
-//! Compression: Drucker-Prager cone (f_c, f_bc), associated, ideally plastic; dissipation k dλ.
+//! Compression: Drucker-Prager cone (f_c, f_bc) or the envelope of Kupfer and Gerstle (`surface.rs`), associated, ideally plastic;
+//! dissipation k dλ on the cone.
 //!
 //! ## Steps
 //!
@@ -42,11 +43,11 @@ mod parameters;
 mod range;
 mod step;
 
-pub use parameters::{CrackAxes, CrackedParameters, ShearRetention};
+pub use parameters::{CrackAxes, CrackedParameters, Envelope, ShearRetention};
 
 use frame::Frame;
 
-use super::surface::at;
+use super::surface::Surface;
 use super::tension::Traction;
 use crate::drucker_prager::Cone;
 use crate::{Crack, ElasticRange, Law, LawError, PointState, Response};
@@ -78,7 +79,7 @@ pub struct CrackedConcrete {
     plane_modulus: f64,
     shear_modulus: f64,
     strength: f64,
-    cone: Cone,
+    surface: Surface,
     traction: Traction,
     retention: ShearRetention,
     /// Opening up to which the axes rotate.
@@ -97,6 +98,7 @@ impl CrackedConcrete {
             biaxial_ratio,
             retention,
             axes,
+            envelope,
             ..
         } = *parameters;
         Ok(CrackedConcrete {
@@ -105,7 +107,13 @@ impl CrackedConcrete {
             plane_modulus: young / (1.0 - nu * nu),
             shear_modulus: 0.5 * young / (1.0 + nu),
             strength: compressive_strength,
-            cone: Cone::of_strengths(compressive_strength, biaxial_ratio * compressive_strength)?,
+            surface: match envelope {
+                Envelope::DruckerPrager => Surface::Cone(Cone::of_strengths(
+                    compressive_strength,
+                    biaxial_ratio * compressive_strength,
+                )?),
+                Envelope::Kupfer => Surface::Kupfer([compressive_strength, biaxial_ratio]),
+            },
             traction,
             retention,
             turning: match axes {
@@ -163,9 +171,7 @@ impl CrackedConcrete {
         if most > 0.0 && most > self.beginning(least).0 {
             return None;
         }
-        // J2 = radius² + mean²/3
-        let f = (radius * radius + mean * mean / 3.0).sqrt() + 2.0 * self.cone.alpha * mean - self.cone.k;
-        (f <= ON_CONE * self.cone.k).then_some(stress)
+        (self.surface.at(&stress).1 <= ON_CONE * self.surface.scale()).then_some(stress)
     }
 
     fn elastic_moduli(&self) -> [[f64; 3]; 3] {
@@ -199,10 +205,10 @@ impl Law<3> for CrackedConcrete {
         let Ok(response) = self.respond(strain, history, &mut new) else {
             return PointState::default();
         };
-        let (_, f) = at(&self.cone, &response.stress);
+        let (_, f) = self.surface.at(&response.stress);
         let mut state = PointState {
             plastic_strain: new[EQUIVALENT],
-            utilisation: (1.0 + f / self.cone.k).max(0.0),
+            utilisation: (1.0 + f / self.surface.scale()).max(0.0),
             ..PointState::default()
         };
         if new[AXIS] == 0.0 && new[AXIS + 1] == 0.0 {

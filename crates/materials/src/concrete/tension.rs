@@ -10,6 +10,8 @@
 //! there it falls linearly to zero at 2 ε_y (the sources of the theory sheet stop it at yield; a jump does not
 //! converge).
 //!
+//! [`Bond`] instead adds the mean stress b(e) that the bars hand over between cracks: t(e) = f_t exp(−e/e_f) + b(e).
+//!
 //! The recoverable energy of a crack is ½ t(m) e²/m. The rest of the work is a function of m alone,
 //!
 //! ```text
@@ -24,6 +26,7 @@
 //! Source: Bažant & Oh 1983 (energy and size), Rots 1988 (crack strain, secant unloading).
 
 use super::SIZE_MARGIN;
+use super::bond::{Bond, Curve};
 use crate::check::{found, positive};
 use crate::{LawError, refuse};
 
@@ -65,6 +68,8 @@ pub struct Tension {
     pub softening: Softening,
     /// Tension stiffening by the bars; not together with [`Softening::Brittle`].
     pub stiffening: Option<Stiffening>,
+    /// Bond of the bars; not together with [`Softening::Brittle`] or a stiffening.
+    pub bond: Option<Bond>,
 }
 
 /// Traction over opening, checked.
@@ -82,6 +87,8 @@ pub(crate) struct Traction {
     yield_strain: f64,
     /// Whether e_f follows from the fracture energy.
     by_energy: bool,
+    /// b(e).
+    bond: Option<Curve>,
 }
 
 impl Traction {
@@ -126,7 +133,15 @@ impl Traction {
             tail_from: f64::INFINITY,
             yield_strain: f64::INFINITY,
             by_energy: matches!(tension.softening, Softening::Energy { .. }),
+            bond: None,
         };
+        if let Some(bond) = &tension.bond {
+            if softening_strain == 0.0 || tension.stiffening.is_some() {
+                let allowed = "with softening that is not brittle, without tension stiffening";
+                return Err(refuse(law, "bond", "given".to_owned(), allowed));
+            }
+            traction.bond = Some(bond.curve(law, [young_modulus, f_t, softening_strain])?);
+        }
         if let Some(Stiffening { share, yield_strain }) = tension.stiffening {
             if !(0.0..1.0).contains(&share) {
                 return Err(refuse(law, "stiffening", share.to_string(), "from 0 to below 1"));
@@ -163,6 +178,7 @@ impl Traction {
             tail_from: f64::INFINITY,
             yield_strain: f64::INFINITY,
             by_energy: false,
+            bond: None,
         }
     }
 
@@ -179,7 +195,14 @@ impl Traction {
                 return if e > 0.0 { (0.0, 0.0) } else { (self.strength, 0.0) };
             }
             let t = self.strength * (-e / self.softening_strain).exp();
-            return (t, -t / self.softening_strain);
+            let slope = -t / self.softening_strain;
+            return match &self.bond {
+                None => (t, slope),
+                Some(curve) => {
+                    let (b, rate) = curve.at(e);
+                    (t + b, slope + rate)
+                }
+            };
         }
         let y = self.yield_strain;
         if e <= y {
@@ -191,7 +214,7 @@ impl Traction {
         }
     }
 
-    /// The same crack with a strength reduced by lateral compression; the fracture energy stays, if energy is given.
+    /// The same crack with a strength reduced by lateral compression; the fracture energy stays, if energy is given, and the bond.
     pub(crate) fn reduced(&self, strength: f64) -> Traction {
         let share = strength / self.strength;
         let stretch = if self.by_energy { 1.0 / share } else { 1.0 };
@@ -219,7 +242,9 @@ impl Traction {
     /// D(m) [J/m³]: energy dissipated by a crack of largest opening m; `traction` is t(m).
     #[inline]
     pub(crate) fn dissipated(&self, m: f64, traction: f64) -> f64 {
-        let work = if m <= self.tail_from {
+        let work = if let Some(curve) = &self.bond {
+            self.softening_strain * (self.strength - (traction - curve.at(m).0)) + curve.work(m)
+        } else if m <= self.tail_from {
             self.softening_strain * (self.strength - traction)
         } else {
             let y = self.yield_strain;
@@ -260,8 +285,25 @@ impl Traction {
             let slope = -self.tail / y;
             return (e, self.tail * (2.0 - e / y), slope / (1.0 + slope / young_modulus));
         }
-        let a = self.strength / (young_modulus * e_f);
-        let v = u / e_f;
+        let (mut u_line, mut divisor, mut start) = (u, 1.0, start);
+        if let Some(curve) = &self.bond {
+            // On a piece b = b_0 + k e: (1 + k/E) e + (f/E) exp(−e/e_f) = u − b_0/E.
+            let strain = |e: f64| e + self.at(e).0 / young_modulus;
+            let (mut low, mut high) = (0, Curve::PIECES);
+            while low < high {
+                let middle = (low + high).div_ceil(2);
+                if strain(curve.begins(middle)) <= u {
+                    low = middle;
+                } else {
+                    high = middle - 1;
+                }
+            }
+            let (value, slope) = curve.line(low);
+            (u_line, divisor) = (u - value / young_modulus, 1.0 + slope / young_modulus);
+            start = start.max(curve.begins(low));
+        }
+        let a = self.strength / (young_modulus * e_f * divisor);
+        let v = u_line / (e_f * divisor);
         let mut x = start / e_f;
         // Halley's step near the root, where it is cubic: its error is (step)³ (f''/2f')². 40 is never reached.
         for _ in 0..40 {
@@ -280,7 +322,10 @@ impl Traction {
         }
         // From equilibrium, not from the exponential: u = e + t/E holds to rounding.
         let t = (young_modulus * (u - x * e_f)).max(0.0);
-        let slope = -t / e_f;
+        let slope = match &self.bond {
+            None => -t / e_f,
+            Some(_) => self.at(x * e_f).1,
+        };
         (x * e_f, t, slope / (1.0 + slope / young_modulus))
     }
 }

@@ -24,6 +24,7 @@ pub(crate) fn parameters() -> CrackedParameters {
                 size: SIZE,
             },
             stiffening: None,
+            bond: None,
         },
     )
 }
@@ -133,6 +134,7 @@ fn energy_of_a_bar() {
                 strength,
                 softening,
                 stiffening: None,
+                bond: None,
             };
             let law = CrackedConcrete::new(&CrackedParameters::new(young, NU, 30e6, tension)).unwrap();
             let mut point = Point::new(&law);

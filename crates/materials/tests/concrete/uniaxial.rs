@@ -20,6 +20,7 @@ fn softening(size: f64) -> Tension {
             size,
         },
         stiffening: None,
+        bond: None,
     }
 }
 

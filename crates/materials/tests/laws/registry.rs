@@ -3,11 +3,14 @@
 use materials::Law;
 use materials::bar::{Bar, Rupture};
 use materials::concrete::{
-    Compression, CrackAxes, CrackedConcrete, CrackedParameters, PostPeak, Softening, Tension, UniaxialConcrete,
+    Bond, Compression, Conditions, CrackAxes, CrackedConcrete, CrackedParameters, Envelope, PostPeak, Softening,
+    Tension, UniaxialConcrete, bond::model_code_1990,
 };
+use materials::dougill::Fracturing;
 use materials::drucker_prager::DruckerPrager;
 use materials::elastic::Elastic;
 use materials::plastic_fracturing::{Parameters, PlasticFracturing};
+use materials::two_surface::TwoSurface;
 use materials::von_mises::VonMises;
 
 /// A law and the size of strains that activate it.
@@ -76,12 +79,43 @@ fn tension() -> Tension {
             size: 0.1,
         },
         stiffening: None,
+        bond: None,
     }
 }
 
 fn cracked(axes: CrackAxes) -> CrackedConcrete {
     CrackedConcrete::new(&CrackedParameters {
         axes,
+        ..CrackedParameters::new(34e9, 0.2, 35e6, tension())
+    })
+    .unwrap()
+}
+
+/// With the bond of bars of 1.5 %, 16 mm, cracks every 20 cm.
+fn bonded() -> Tension {
+    let [strength, slip, exponent] = model_code_1990(27e6, Conditions::Good);
+    Tension {
+        bond: Some(Bond {
+            ratio: 0.015,
+            diameter: 16e-3,
+            bar_modulus: 200e9,
+            yield_stress: 500e6,
+            strength,
+            slip,
+            exponent,
+            spacing: 0.2,
+        }),
+        ..tension()
+    }
+}
+
+fn bonded_layer() -> CrackedConcrete {
+    CrackedConcrete::new(&CrackedParameters::new(34e9, 0.2, 35e6, bonded())).unwrap()
+}
+
+fn kupfer() -> CrackedConcrete {
+    CrackedConcrete::new(&CrackedParameters {
+        envelope: Envelope::Kupfer,
         ..CrackedParameters::new(34e9, 0.2, 35e6, tension())
     })
     .unwrap()
@@ -123,6 +157,12 @@ pub(crate) fn bars() -> Vec<Case<1>> {
             35e6,
         ),
         case("concrete, crushing", uniaxial(sargin()), 0.003, 35e6),
+        case(
+            "concrete, bond",
+            UniaxialConcrete::new(34e9, Compression::Plastic { strength: 35e6 }, Some(bonded())).unwrap(),
+            0.003,
+            35e6,
+        ),
     ]
 }
 
@@ -139,6 +179,8 @@ pub(crate) fn plane() -> Vec<Case<3>> {
         case("plastic-fracturing", plastic_fracturing(), 0.004, 35e6),
         case("concrete, fixed cracks", cracked(CrackAxes::Fixed), 0.002, 35e6),
         case("concrete, turning cracks", cracked(CrackAxes::Turning), 0.002, 35e6),
+        case("concrete, bond", bonded_layer(), 0.002, 35e6),
+        case("concrete, Kupfer", kupfer(), 0.002, 35e6),
     ]
 }
 
@@ -151,6 +193,18 @@ pub(crate) fn solid() -> Vec<Case<6>> {
         case("von Mises, low-cycle", low_cycle_steel(), 0.01, 355e6),
         case("Drucker-Prager, ideal", cone(0.0), 0.003, 35e6),
         case("Drucker-Prager, kinematic", cone(3e9), 0.003, 35e6),
+        case(
+            "two surfaces",
+            TwoSurface::new(34e9, 0.2, 35e6, 1.16 * 35e6, 3.5e6).unwrap(),
+            0.003,
+            35e6,
+        ),
+        case(
+            "fracturing",
+            Fracturing::new(34e9, 0.2, 20e6, 1.16, 2e-3).unwrap(),
+            0.003,
+            35e6,
+        ),
     ]
 }
 

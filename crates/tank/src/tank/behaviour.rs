@@ -76,6 +76,9 @@ pub struct Concrete {
     pub biaxial_ratio: f64,
     /// Tensile strength f_t [Pa], 0 < f_t < f_c.
     pub tensile_strength: f64,
+    /// Biaxial strength in compression.
+    #[serde(default, skip_serializing_if = "BiaxialEnvelope::is_default")]
+    pub envelope: BiaxialEnvelope,
     /// Tension beyond f_t.
     pub softening: Softening,
     /// Least shear stiffness of a cracked point over that of a sound one, from 0 to 1.
@@ -86,6 +89,47 @@ pub struct Concrete {
     pub tension_stiffening: f64,
     /// Spacing of the cracks [m], where bars set it: the length over which an opening is smeared is at most this.
     pub crack_spacing: Option<f64>,
+    /// Bond of the bars.
+    #[serde(default, skip_serializing_if = "BarBond::is_perfect")]
+    pub bond: BarBond,
+}
+
+/// Biaxial strength of concrete in compression.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BiaxialEnvelope {
+    /// Drucker and Prager's cone.
+    #[default]
+    DruckerPrager,
+    /// The curve of Kupfer and Gerstle.
+    Kupfer,
+}
+
+impl BiaxialEnvelope {
+    /// Whether it is the default.
+    pub fn is_default(&self) -> bool {
+        *self == BiaxialEnvelope::default()
+    }
+}
+
+/// Bond of bars in cracked concrete.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BarBond {
+    /// No slip; what the concrete carries between cracks is `tension_stiffening`.
+    #[default]
+    Perfect,
+    /// Bond law of the Model Code 1990, unconfined concrete, good conditions.
+    Good,
+    /// The same, all other conditions.
+    Other,
+}
+
+impl BarBond {
+    /// Whether the bars do not slip.
+    pub fn is_perfect(&self) -> bool {
+        *self == BarBond::Perfect
+    }
 }
 
 /// Law of concrete.
@@ -174,6 +218,8 @@ mod tests {
             shear_retention_strain: 2e-4,
             tension_stiffening: 0.0,
             crack_spacing: None,
+            envelope: BiaxialEnvelope::default(),
+            bond: BarBond::Perfect,
         };
         let (e, h) = (34e9, concrete.largest_element(34e9));
         assert!((h - 0.98 * 0.388_571).abs() < 1e-6, "{h}");

@@ -5,7 +5,7 @@ use materials::concrete::{
     Compression, CrackedConcrete, CrackedParameters, PostPeak, ShearRetention, Softening, Tension, UniaxialConcrete,
 };
 
-use super::compression::{drucker_prager, plastic_fracturing};
+use super::compression::{drucker_prager, kupfer, plastic_fracturing};
 use super::drive::{Noise, Point};
 use crate::{Answer, Benchmark, Failure, Part, Reference, Row};
 
@@ -23,10 +23,12 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
         ("M7", "closed strain cycles dissipate"),
         ("M8", "shear of a crack"),
         ("M9", "a crack that closes and opens again"),
+        ("M14", "biaxial envelope of Kupfer and Gerstle"),
     ],
     parts: &[
         Part::Fast(drucker_prager),
         Part::Fast(plastic_fracturing),
+        Part::Fast(kupfer),
         Part::Fast(concrete),
     ],
 };
@@ -53,6 +55,7 @@ fn tension(size: f64) -> Tension {
             size,
         },
         stiffening: None,
+        bond: None,
     }
 }
 
@@ -230,6 +233,7 @@ fn energies(softening: impl Fn(f64) -> Softening) -> Result<Vec<(f64, f64)>, Fai
                 strength,
                 softening,
                 stiffening: None,
+                bond: None,
             },
         ))?;
         let mut point = Point::new(&law as &dyn Law<3>);

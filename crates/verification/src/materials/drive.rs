@@ -30,6 +30,15 @@ impl<'a, const N: usize> Point<'a, N> {
         }
     }
 
+    /// A copy that goes its own way.
+    pub(crate) fn fork(&self) -> Self {
+        Point {
+            committed: self.committed.clone(),
+            trial: self.trial.clone(),
+            ..*self
+        }
+    }
+
     /// Answers at `strain` without committing.
     ///
     /// Errors: no stress found.

@@ -54,6 +54,7 @@ fn concrete(softening_strain: f64) -> Result<UniaxialConcrete, StripError> {
         strength: TENSION,
         softening: Softening::Strain { softening_strain },
         stiffening: None,
+        bond: None,
     };
     let compression = Compression::Plastic { strength: COMPRESSION };
     UniaxialConcrete::new(PLANE_MODULUS, compression, Some(tension)).map_err(law_error)

@@ -239,6 +239,7 @@ fn uniform(
         material: material?,
         reinforcement,
     };
+    let layer = bonded(r, layer, Some(list));
     Some(tank::Course::layered(height, vec![layer]))
 }
 
@@ -347,12 +348,52 @@ fn layer(r: &mut Resolver<'_>, l: &Layer, materials: &Materials) -> Option<tank:
         Some(list) => all_bars(r, list, shell, (&l.thickness, thickness), materials),
         None => Vec::new(),
     };
-    Some(tank::Layer {
+    let layer = tank::Layer {
         kind,
         thickness,
         material: material?,
         reinforcement,
-    })
+    };
+    Some(bonded(r, layer, l.reinforcement.given.as_ref()))
+}
+
+/// A layer whose concrete has a bond law: its bars need a diameter, and cracks a spacing.
+fn bonded(
+    r: &mut Resolver<'_>,
+    mut layer: tank::Layer,
+    bars: Option<&Field<Vec<Field<Reinforcement>>>>,
+) -> tank::Layer {
+    let Behaviour::Concrete(concrete) = layer.material.behaviour else {
+        return layer;
+    };
+    if concrete.bond.is_perfect() {
+        return layer;
+    }
+    let name = layer.material.name.clone();
+    let list = bars
+        .and_then(|field| field.value.as_ref())
+        .map_or(&[][..], Vec::as_slice);
+    for field in list {
+        if field.value.as_ref().is_some_and(|b| b.diameter.given.is_none()) {
+            let message = format!("the bond of `{name}` needs the diameter of the bars");
+            r.faults.push(
+                range_fault(field, &message, "a diameter from 3 mm to 60 mm").help("add \"diameter\": \"16 mm\""),
+            );
+        }
+    }
+    if concrete.crack_spacing.is_none()
+        && let Some(spacing) = layer.mean_crack_spacing()
+    {
+        let text = tank::units::display(spacing, Dimension::Length);
+        r.remarks.push(format!(
+            "materials.{name}: crack_spacing {text} (mean spacing of stabilised cracks, CEB-FIP Model Code 1990)"
+        ));
+        layer.material.behaviour = Behaviour::Concrete(tank::Concrete {
+            crack_spacing: Some(spacing),
+            ..concrete
+        });
+    }
+    layer
 }
 
 /// Layers of bars in a shell.

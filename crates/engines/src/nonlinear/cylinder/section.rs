@@ -8,11 +8,11 @@ use fem::element::solid8::{Elastic as Core, Kinematics};
 use fem::element::wall::place::{Build, Leaf};
 use fem::element::wall::{Layer as Between, LayerMass};
 use materials::Law;
-use materials::concrete::{CrackedConcrete, CrackedParameters, ShearRetention, fracture_energy, peak_strain};
+use materials::concrete::{CrackedConcrete, CrackedParameters, Envelope, ShearRetention, fracture_energy, peak_strain};
 use materials::elastic::Elastic;
 use materials::plastic_fracturing::{Parameters, PlasticFracturing};
 use materials::von_mises::VonMises;
-use tank::{BarDirection, Behaviour, Concrete, ConcreteLaw, Layer, LayerKind};
+use tank::{BarDirection, Behaviour, BiaxialEnvelope, Concrete, ConcreteLaw, Layer, LayerKind};
 
 use super::super::laws::{CRUSHING, bar_law, quadrature, refused, tension, unsupported};
 use crate::FeError;
@@ -219,6 +219,10 @@ pub(crate) fn plane_concrete(
         ConcreteLaw::Cracked => {
             let mut parameters = CrackedParameters::new(young, nu, strength, tension(concrete, layer, None, size));
             parameters.biaxial_ratio = concrete.biaxial_ratio;
+            parameters.envelope = match concrete.envelope {
+                BiaxialEnvelope::DruckerPrager => Envelope::DruckerPrager,
+                BiaxialEnvelope::Kupfer => Envelope::Kupfer,
+            };
             parameters.retention = ShearRetention {
                 least: concrete.shear_retention,
                 strain: concrete.shear_retention_strain,

@@ -210,6 +210,8 @@ fn concrete(name: &str) -> Material {
             shear_retention_strain: 2e-4,
             tension_stiffening: 0.0,
             crack_spacing: Some(0.15),
+            envelope: tank::BiaxialEnvelope::default(),
+            bond: tank::BarBond::Perfect,
         }),
         ..material(30e9, 0.2, 2500.0)
     }

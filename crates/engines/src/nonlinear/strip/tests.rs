@@ -68,6 +68,8 @@ fn concrete() -> Behaviour {
         shear_retention_strain: 1e-3,
         tension_stiffening: 0.0,
         crack_spacing: None,
+        envelope: tank::BiaxialEnvelope::default(),
+        bond: tank::BarBond::Perfect,
     })
 }
 

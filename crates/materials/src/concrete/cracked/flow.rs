@@ -14,7 +14,6 @@
 
 use super::CrackedConcrete;
 use super::local::{Problem, Solution};
-use crate::concrete::surface::{at, normal};
 
 type Vector = [f64; 6];
 type Matrix = [[f64; 6]; 6];
@@ -26,11 +25,12 @@ impl CrackedConcrete {
         let (a, axes) = (&problem.strain, &problem.axes);
         let mut starts = [[0.0; 6]; 4];
         let mut count = 0;
+        let scale = self.surface.scale();
         let mut add = |stress: [f64; 3], e: [f64; 2]| {
             // Back to the cone along the ray, which keeps the first step short.
-            let (q, f) = at(&self.cone, &stress);
+            let (q, f) = self.surface.at(&stress);
             let share = if f > 0.0 {
-                (self.cone.k / (f + self.cone.k).max(1e-3 * q)).min(1.0)
+                (scale / (f + scale).max(1e-3 * q)).min(1.0)
             } else {
                 1.0
             };
@@ -60,7 +60,7 @@ impl CrackedConcrete {
 
     fn newton(&self, problem: &Problem, start: Vector) -> Option<Solution> {
         let a = &problem.strain;
-        let small = 1e-13 * (a[0].abs() + a[1].abs() + a[2].abs() + self.cone.k / self.young_modulus);
+        let small = 1e-13 * (a[0].abs() + a[1].abs() + a[2].abs() + self.surface.scale() / self.young_modulus);
         let mut x = start;
         let (mut r, mut jacobian) = self.residual(problem, &x)?;
         let mut norm = length(&r);
@@ -95,14 +95,14 @@ impl CrackedConcrete {
         let (a, axes) = (&problem.strain, &problem.axes);
         let stress = [young * x[0], young * x[1], young * x[2]];
         let (lambda, e) = (x[3], [x[4], x[5]]);
-        let (q, f) = at(&self.cone, &stress);
+        let (q, f) = self.surface.at(&stress);
         if !q.is_finite() {
             return None;
         }
         let (mut n, mut h) = ([0.0; 3], [[0.0; 3]; 3]);
         // On the axis of the cone flow is negligible: cracks come first.
-        if q > 1e-9 * self.cone.k {
-            (n, h) = normal(&self.cone, &stress, q);
+        if q > 1e-9 * self.surface.scale() {
+            (n, h) = self.surface.normal(&stress, q);
         }
         let wider = if e[0] >= e[1] { 0 } else { 1 };
         let (mut beta, mut rate) = (problem.beta, 0.0);
@@ -161,9 +161,9 @@ impl CrackedConcrete {
         let stress = [young * x[0], young * x[1], young * x[2]];
         let opening = [x[4].max(0.0), x[5].max(0.0)];
         let multiplier = x[3].max(0.0);
-        let (q, _) = at(&self.cone, &stress);
-        let n = if q > 1e-9 * self.cone.k {
-            normal(&self.cone, &stress, q).0
+        let (q, _) = self.surface.at(&stress);
+        let n = if q > 1e-9 * self.surface.scale() {
+            self.surface.normal(&stress, q).0
         } else {
             [0.0; 3]
         };

@@ -32,6 +32,16 @@ pub enum CrackAxes {
     Turning,
 }
 
+/// Surface of plastic compression.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Envelope {
+    /// Drucker and Prager's cone through f_c and f_bc.
+    #[default]
+    DruckerPrager,
+    /// The biaxial envelope of Kupfer and Gerstle through f_c and f_bc.
+    Kupfer,
+}
+
 /// Parameters of [`super::CrackedConcrete`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrackedParameters {
@@ -43,6 +53,8 @@ pub struct CrackedParameters {
     pub compressive_strength: f64,
     /// f_bc/f_c, 1 to 1.5.
     pub biaxial_ratio: f64,
+    /// Surface of compression.
+    pub envelope: Envelope,
     /// Tension; f_t below f_c/2, so that cracks come before the tip of the cone.
     pub tension: Tension,
     /// Shear across cracks.
@@ -65,6 +77,7 @@ impl CrackedParameters {
             poisson_ratio,
             compressive_strength,
             biaxial_ratio: 1.16,
+            envelope: Envelope::default(),
             tension,
             retention: ShearRetention::default(),
             axes: CrackAxes::default(),

@@ -5,7 +5,6 @@ use super::local::{Axis, Problem, Solution};
 use super::{
     AXIS, CrackedConcrete, EQUIVALENT, KIND, LARGEST, ON_CONE, PARTS, PLASTIC, SHEAR, SLOTS, STRAIN, STRENGTH, TRACTION,
 };
-use crate::concrete::surface::at;
 use crate::{LawError, Response};
 
 impl CrackedConcrete {
@@ -13,7 +12,7 @@ impl CrackedConcrete {
     fn solve(&self, problem: &Problem) -> Option<Solution> {
         let elastic = self.without_flow(problem);
         if let Some(solution) = &elastic
-            && at(&self.cone, &solution.stress).1 <= ON_CONE * self.cone.k
+            && self.surface.at(&solution.stress).1 <= ON_CONE * self.surface.scale()
         {
             return elastic;
         }
@@ -122,13 +121,12 @@ impl CrackedConcrete {
             }
             tangent[2][2] = turning;
         }
-        let mut dissipation = self.cone.k * multiplier;
+        let mut dissipation = self.surface.dissipation(&stress, &flow, multiplier);
         if multiplier > 0.0 {
             for (i, flow) in frame.strain_back(&flow).iter().enumerate() {
                 new[PLASTIC + i] += flow;
             }
-            // ε_zz of the flow: α more, as the trace of n is 3 α.
-            let out = 3.0 * self.cone.alpha * multiplier - flow[0] - flow[1];
+            let out = self.surface.through_thickness(&flow, multiplier);
             let square = flow[0] * flow[0] + flow[1] * flow[1] + out * out + 0.5 * flow[2] * flow[2];
             new[EQUIVALENT] += (2.0 / 3.0 * square).sqrt();
         }
@@ -244,6 +242,7 @@ mod tests {
                     size: 0.1,
                 },
                 stiffening: None,
+                bond: None,
             },
         ))
         .unwrap();

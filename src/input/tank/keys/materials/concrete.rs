@@ -1,9 +1,9 @@
 //! `behaviour.concrete` of a material: concrete that cracks and crushes.
 
-use tank::{Concrete, ConcreteLaw, Softening};
+use tank::{BarBond, BiaxialEnvelope, Concrete, ConcreteLaw, Softening};
 
 use super::reader::{ElasticPart, Reader, STRESS, like, shown};
-use crate::input::tank::key::{Absent, Limits, default, without};
+use crate::input::tank::key::{Absent, Limits, default};
 use crate::input::tank::keys::grades::{Preset, Strengths};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
@@ -29,6 +29,9 @@ object! {
         /// Biaxial over uniaxial compressive strength.
         biaxial_ratio (1.16): Opt<Number> [Limits::from(1.0).to(1.5)]
             = default(Number(1.16)).because("Kupfer, Hilsdorf and Rüsch 1969"),
+        /// Biaxial strength in compression of the law cracked in shells.
+        envelope: Opt<BiaxialEnvelope>
+            = default(BiaxialEnvelope::DruckerPrager).because("-5.5 to +4.6 % of the curve of Kupfer and Gerstle"),
         /// Tensile strength.
         tensile_strength ("2.9 MPa"): Opt<Stress> [STRESS] = Absent::Follows("that of the grade; needed without one"),
         /// Energy of a crack per area.
@@ -49,11 +52,34 @@ object! {
         tension_stiffening (0.4): Opt<Number> [Limits::from(0.0).below(1.0)]
             = default(Number(0.0)).because("repeated loading destroys the bond"),
         /// Spacing of cracks, where bars set it.
-        crack_spacing ("15 cm"): Opt<Length> [Limits::above(0.0).to(10.0)] = without("the size of the element"),
+        crack_spacing ("15 cm"): Opt<Length> [Limits::above(0.0).to(10.0)] = Absent::Follows(
+            "the size of the element; with bond the mean spacing of CEB-FIP Model Code 1990, 2/3 of diameter/(3.6 effective ratio)"
+        ),
+        /// Bond of the bars. With a bond law they slip at cracks: the concrete between cracks carries what the bond hands over, until the
+        /// bars yield at the crack; needs their diameter. Not together with tension_stiffening, softening_strain or brittle.
+        bond: Opt<BarBond> = default(BarBond::Perfect).because("no slip; repeated loading destroys the bond"),
     }
 }
 
 choice! {
+    /// Biaxial strength in compression.
+    BiaxialEnvelope {
+        /// Drucker and Prager's cone through both strengths.
+        DruckerPrager = "drucker-prager",
+        /// The curve of Kupfer and Gerstle through both strengths.
+        Kupfer = "kupfer",
+    }
+
+    /// Bond of bars.
+    BarBond {
+        /// No slip.
+        Perfect = "perfect",
+        /// Bond law of CEB-FIP Model Code 1990, unconfined concrete, good bond conditions.
+        Good = "good",
+        /// The same, all other bond conditions.
+        Other = "other",
+    }
+
     /// Law of concrete.
     ConcreteLaw {
         /// Fixed cracks at right angles, Drucker-Prager compression.
@@ -110,6 +136,8 @@ pub(super) fn concrete(
     };
     let biaxial_ratio = r.or_default(&c.biaxial_ratio);
     let softening = softening(r, reader, field, c, (e, f_c, f_t));
+    let envelope = envelope(r, c, law);
+    let bond = bond(r, reader, c, (law, softening), f_c);
     Concrete {
         law,
         compressive_strength: f_c,
@@ -121,7 +149,57 @@ pub(super) fn concrete(
         shear_retention_strain: r.or_default(&c.shear_retention_strain),
         tension_stiffening: r.or_default(&c.tension_stiffening),
         crack_spacing: r.optional(&c.crack_spacing),
+        envelope,
+        bond,
     }
+}
+
+/// Biaxial strength in compression: the curve is for the law `cracked`.
+fn envelope(r: &mut Resolver<'_>, c: &ConcreteBehaviour, law: ConcreteLaw) -> BiaxialEnvelope {
+    let envelope = r.choice(&c.envelope);
+    if let (Some(field), true) = (
+        &c.envelope.given,
+        envelope == BiaxialEnvelope::Kupfer && law != ConcreteLaw::Cracked,
+    ) {
+        r.faults.push(range_fault(
+            field,
+            "the envelope of Kupfer and Gerstle belongs to the law `cracked`",
+            "with \"law\": \"cracked\" only",
+        ));
+    }
+    envelope
+}
+
+/// Bond of the bars; `f_c` [Pa].
+fn bond(
+    r: &mut Resolver<'_>,
+    reader: &Reader,
+    c: &ConcreteBehaviour,
+    (law, softening): (ConcreteLaw, Softening),
+    f_c: f64,
+) -> BarBond {
+    let bond = r.choice(&c.bond);
+    if let Some(field) = &c.bond.given
+        && bond != BarBond::Perfect
+    {
+        let stiffened = c.tension_stiffening.value().is_some_and(|share| share.0 > 0.0);
+        let energy = matches!(softening, Softening::FractureEnergy(_));
+        if stiffened || !energy || law == ConcreteLaw::PlasticFracturing {
+            r.faults.push(range_fault(
+                field,
+                "this concrete cannot take a bond law",
+                "with softening by fracture_energy, without tension_stiffening, law `cracked` or `uniaxial`",
+            ));
+        }
+        if c.characteristic_strength.given.is_none() && reader.preset.is_none() && f_c <= MEAN_LESS_CHARACTERISTIC {
+            r.faults.push(range_fault(
+                field,
+                "the bond strength follows from f_ck, which is f_cm - 8 MPa without characteristic_strength",
+                "a compressive strength above 8 MPa, or characteristic_strength",
+            ));
+        }
+    }
+    bond
 }
 
 /// Tension of concrete beyond f_t; `elastic` is (E, f_c, f_t) [Pa].
