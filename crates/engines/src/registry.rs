@@ -2,8 +2,8 @@
 
 use fem::progress::Progress;
 use results::EngineId;
-use tank::PLANE_WALLS;
 use tank::refusal::{Place, Refusal};
+use tank::{PLANE_WALLS, Shape};
 
 use crate::engine::{Engine, Simulation, Task};
 use crate::estimate::Estimate;
@@ -123,7 +123,7 @@ impl Engine for Nonlinear {
 
 #[cfg(test)]
 mod tests {
-    use tank::{Case, Shape};
+    use tank::Case;
 
     use super::*;
     use tank::options::LinearOptions as Options;

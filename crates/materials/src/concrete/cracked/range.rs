@@ -4,8 +4,9 @@
 //! σ_1 ≤ f_t (1 + 0.8 min(σ_2, 0)/f_c)   and   F(σ) ≤ 0
 //! ```
 //!
-//! Convex: σ_1 is a convex and σ_2 a concave function of the stress, so that the right side is concave; the cone is convex. The
-//! strength of [`CrackedConcrete`] under lateral compression is bounded below and cracks need tension: its range is larger.
+//! Convex: σ_1 is a convex and σ_2 a concave function of the stress, so that the right side is concave; the surface of
+//! compression is convex. The strength of [`CrackedConcrete`] under lateral compression is bounded below and cracks need tension:
+//! its range is larger.
 
 use super::{CrackedConcrete, PARTS, SLOTS, STRAIN};
 use crate::ElasticRange;
@@ -25,8 +26,7 @@ impl ElasticRange<3> for CrackedConcrete {
         let radius = (half * half + stress[2] * stress[2]).sqrt();
         let (most, least) = (mean + radius, mean - radius);
         let strength = self.traction.strength * (1.0 + 0.8 * least.min(0.0) / self.strength);
-        let f = (radius * radius + mean * mean / 3.0).sqrt() + 2.0 * self.cone.alpha * mean - self.cone.k;
-        most <= (1.0 - ROUNDING) * strength && f <= 0.0
+        most <= (1.0 - ROUNDING) * strength && self.surface.at(&stress).1 <= 0.0
     }
 
     fn moduli(&self) -> [[f64; 3]; 3] {
