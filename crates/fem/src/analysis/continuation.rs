@@ -27,7 +27,7 @@ use std::sync::Arc;
 
 use super::newton::{Criteria, StepFailure};
 use super::{AnalysisError, check_length, failed};
-use crate::assembly::{Assembler, Kept};
+use crate::assembly::{Ask, Assembler, Forces, Kept};
 use crate::dofs::Dof;
 use crate::element::Want;
 use crate::linalg::{Factor, Kind, Matrix, Symbolic, Symmetric, dot};
@@ -74,6 +74,7 @@ pub struct Continuation<'a> {
     load: Vec<f64>,
     criteria: Criteria,
     kept: Option<Kept>,
+    threads: usize,
     watch: bool,
     translations: Vec<usize>,
     tangent: Symmetric,
@@ -110,6 +111,7 @@ impl<'a> Continuation<'a> {
             load: load.to_vec(),
             criteria,
             kept: None,
+            threads: 1,
             watch: false,
             translations: (0..n).filter(is_translation).collect(),
             tangent: Symmetric::zeros(assembler.pattern().clone()),
@@ -123,6 +125,12 @@ impl<'a> Continuation<'a> {
     /// ([`Mixed`](crate::element::Mixed)); a step that fails is tried again without.
     pub fn with_extrapolated_stresses(mut self) -> Continuation<'a> {
         self.kept = Some(Kept::new(self.model));
+        self
+    }
+
+    /// The same with the elements evaluated on `threads` threads; no result depends on their number.
+    pub fn on_threads(mut self, threads: usize) -> Continuation<'a> {
+        self.threads = threads;
         self
     }
 
@@ -224,13 +232,15 @@ impl<'a> Continuation<'a> {
     /// Forces and, in `tangent`, K_T at the trial state.
     fn respond(&mut self, state: &mut State, mixed: bool) -> Result<Vec<f64>, StepFailure> {
         let kept = if mixed { self.kept.as_mut() } else { None };
-        let answer = match kept {
-            Some(kept) => self
-                .assembler
-                .respond_mixed(self.model, state, Want::ALL, &mut self.tangent, kept),
-            None => self.assembler.respond(self.model, state, Want::ALL, &mut self.tangent),
+        let ask = Ask {
+            threads: self.threads,
+            ..Ask::now(Want::ALL, None)
         };
-        answer.map_err(|(number, source)| StepFailure::Element { number, source })
+        let mut forces = Forces::default();
+        self.assembler
+            .answer(self.model, state, ask, &mut self.tangent, &mut forces, kept)
+            .map_err(|(number, source)| StepFailure::Element { number, source })?;
+        Ok(forces.internal)
     }
 
     fn factorise(&mut self) -> Result<&Factor, AnalysisError> {

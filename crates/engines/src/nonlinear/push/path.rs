@@ -3,6 +3,7 @@
 use fem::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use fem::analysis::continuation::{Constraint, Continuation, Memory, StepLength};
 use fem::analysis::newton::Criteria;
+use fem::cores;
 use fem::dofs::Dof;
 use fem::progress::Progress;
 use fem::state::State;
@@ -291,7 +292,8 @@ pub(super) fn continuation<'a>(
         load,
         CRITERIA,
     );
-    Ok(path.map_err(analysis)?.with_extrapolated_stresses())
+    let path = path.map_err(analysis)?.on_threads(cores::available());
+    Ok(path.with_extrapolated_stresses())
 }
 
 impl PushModel {

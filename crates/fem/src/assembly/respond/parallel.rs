@@ -54,6 +54,7 @@ impl Assembler {
     /// Calls `accept(element, force, matrix)` in the order of the elements, without those that `ask` replaces.
     ///
     /// Errors: the first element that fails, with its number.
+    // Long: with one thread and with several the same closure takes its variables off the same slices.
     pub(super) fn evaluate(
         &self,
         model: &Model,

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use materials::concrete::{CrackedConcrete, CrackedParameters, Softening, Tension};
 use materials::elastic::Elastic;
 
 use super::*;
@@ -258,4 +259,121 @@ fn parameters_out_of_range_are_rejected() {
     assert!(LayeredSection::new(std::slice::from_ref(&good), &[bar(0.0, 0.0)]).is_err());
     let section = LayeredSection::new(&[good], &[bar(1e-3, 0.05)]).unwrap();
     assert!(section.with_shear_factor(0.0).is_err());
+}
+
+/// A law that hides its elastic range.
+#[derive(Debug)]
+struct Hidden(CrackedConcrete);
+
+impl Law<3> for Hidden {
+    fn kind(&self) -> &'static str {
+        "hidden"
+    }
+
+    fn history_len(&self) -> usize {
+        self.0.history_len()
+    }
+
+    fn respond(&self, strain: &[f64; 3], old: &[f64], new: &mut [f64]) -> Result<Response<3>, LawError> {
+        self.0.respond(strain, old, new)
+    }
+
+    fn inspect(&self, strain: &[f64; 3], history: &[f64]) -> materials::PointState {
+        self.0.inspect(strain, history)
+    }
+}
+
+/// A whole section is its layers one by one, before and after it cracks: resultants, tangent, dissipation and the state of every
+/// layer. Sums in another order differ by rounding: 1e-12 of the elastic values. The path bends to and fro, beyond the cracking
+/// strain of 1e-4 from its middle on.
+#[test]
+fn whole_sections_are_their_layers() {
+    let tension = Tension {
+        strength: 3e6,
+        softening: Softening::Energy {
+            fracture_energy: 100.0,
+            size: 0.15,
+        },
+        stiffening: None,
+    };
+    let law = CrackedConcrete::new(&CrackedParameters::new(30e9, 0.2, 38e6, tension)).unwrap();
+    let bar = Bar {
+        law: Arc::new(materials::bar::Bar::new(E, 500e6, 1e9).unwrap()),
+        area: 1e-3,
+        depth: 0.06,
+        angle: 0.0,
+        density: 7850.0,
+    };
+    let of = |law: Arc<dyn Law<3>>| {
+        let plies = [
+            ply(law.clone(), 0.08, Rule::MidPoint(8)),
+            ply(law, 0.12, Rule::Gauss(5)),
+        ];
+        LayeredSection::eccentric(&plies, std::slice::from_ref(&bar), 0.01).unwrap()
+    };
+    let sections = [of(Arc::new(law)), of(Arc::new(Hidden(law)))];
+    let mut histories = [0, 1].map(|i| virgin(&sections[i]));
+    let mut first_crack = None;
+    for step in 0..200 {
+        let size = 1.5e-6 * f64::from(step);
+        let wave = |k: f64| size * (0.3 * k * f64::from(step) + k).sin();
+        let strain = [
+            wave(1.0),
+            0.4 * wave(2.0),
+            wave(3.0),
+            5.0 * wave(1.3),
+            4.0 * wave(0.7),
+            3.0 * wave(2.1),
+            wave(1.7),
+            0.0,
+        ];
+        let mut seen: [Vec<LayerState>; 2] = Default::default();
+        let found: [SectionResponse; 2] = std::array::from_fn(|i| {
+            // Another strain in between, as of an iterate that was not accepted.
+            let mut new = vec![f64::NAN; histories[i].len()];
+            respond(&sections[i], &strain.map(|e| 3.0 * e), &histories[i], &mut new);
+            let found = respond(&sections[i], &strain, &histories[i], &mut new);
+            let mut alone = SectionResponse::default();
+            let mut again = vec![f64::NAN; new.len()];
+            sections[i]
+                .resist(&strain, &histories[i], &mut again, &mut alone)
+                .unwrap();
+            assert_eq!((alone.resultants, &again), (found.resultants, &new));
+            sections[i].inspect(&strain, &new, &mut |layer| seen[i].push(layer));
+            histories[i] = new;
+            found
+        });
+        let [a, b] = &found;
+        for i in 0..8 {
+            let scale = sections[0].whole[i][i];
+            assert!(
+                (a.resultants[i] - b.resultants[i]).abs() <= 1e-12 * scale * 1e-4,
+                "step {step}, resultant {i}"
+            );
+            for j in 0..8 {
+                let scale = (scale * sections[0].whole[j][j]).sqrt();
+                assert!(
+                    (a.tangent[i][j] - b.tangent[i][j]).abs() <= 1e-12 * scale,
+                    "step {step}, {i} {j}"
+                );
+            }
+        }
+        let [x, y] = [0, 1].map(|i| sections[i].dissipated(&histories[i]));
+        assert!((x - y).abs() <= 1e-12 * y.abs());
+        assert_eq!(seen[0], seen[1], "step {step}");
+        let cracked = seen[1].iter().any(|layer| layer.state.cracks[0].is_some());
+        if cracked && first_crack.is_none() {
+            first_crack = Some(step);
+        }
+        // The range is smaller than the elastic one only where compression is beyond f_c.
+        assert_eq!(
+            histories[0][response::WHOLE] == 1.0,
+            first_crack.is_none(),
+            "step {step}"
+        );
+    }
+    assert!(
+        first_crack.is_some_and(|step| step > 20 && step < 150),
+        "{first_crack:?}"
+    );
 }
