@@ -9,6 +9,7 @@
 //! | C7 | joint that opens: stiff block beyond the kern, multipliers | equilibrium by hand |
 //! | C9 | wall element of shells and layer; sandwich beam | two beams on a layer; Plantema, Allen |
 //! | C9 | wall of two beams and a layer, dissertation figure 8.9 | two beams on an elastic layer |
+//! | C13 | the same macro wall with concrete that cracks | fibre section of the strips, curvature integrated |
 //! | C10 | the same wall alone under liquid pressure and its weight | cantilever |
 //!
 //! Units of the sources: m, kN, t, s.
@@ -23,6 +24,7 @@ use fem::model::Model;
 
 pub(crate) mod cantilever;
 mod column;
+mod cracked_wall;
 pub(crate) mod elastica;
 mod forced;
 pub(crate) mod joint;

@@ -31,8 +31,14 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
     title: "Wall of two shells and a layer",
     model: "Strip one element wide: the wall of example 8.4 by its exact statics, sandwich beams, rigid \
             rotations.",
-    ids: &[("C9", "wall of two shells and a layer")],
-    parts: &[Part::Fast(rows)],
+    ids: &[
+        ("C9", "wall of two shells and a layer"),
+        (
+            "C13",
+            "the same with concrete that cracks, beside the fibre section of the strips",
+        ),
+    ],
+    parts: &[Part::Fast(rows), Part::Fast(super::cracked_wall::rows)],
 };
 
 /// An elastic section whose shear stiffness is multiplied: a shell after Kirchhoff, to be compared with Bernoulli's beams.
@@ -79,7 +85,7 @@ fn leaf([e, nu, t]: [f64; 3], shear: Shear) -> Result<Leaf, Failure> {
 }
 
 /// A layered wall on a footprint.
-fn layered(
+pub(super) fn layered(
     builder: &mut Builder,
     footprint: &Footprint,
     leaves: [Leaf; 2],
@@ -104,14 +110,14 @@ fn layered(
 }
 
 /// Plane strain of a strip in y, z: no displacement across, no rotation about z.
-fn plane_strain(builder: &mut Builder, footprint: &Footprint, placed: &PlacedWall) {
+pub(super) fn plane_strain(builder: &mut Builder, footprint: &Footprint, placed: &PlacedWall) {
     for level in &footprint.levels {
         placed.hold(builder, level, &[Dof::Uy, Dof::Ry]);
     }
 }
 
 /// Forces of a pressure on the inner shell.
-fn press(model: &Model, footprint: &Footprint, placed: &PlacedWall, p: impl Fn(f64) -> f64) -> Vec<f64> {
+pub(super) fn press(model: &Model, footprint: &Footprint, placed: &PlacedWall, p: impl Fn(f64) -> f64) -> Vec<f64> {
     let mut loads = NodalLoads::new();
     for &cell in &footprint.cells {
         let nodes = placed.inner_cell(cell);
@@ -123,7 +129,7 @@ fn press(model: &Model, footprint: &Footprint, placed: &PlacedWall, p: impl Fn(f
 
 /// Levels graded 1:30 to the base, with one at the liquid's surface: the shortest decay length is 23 mm, the lowest element
 /// 3 mm.
-fn levels(count: usize) -> Result<Vec<f64>, Failure> {
+pub(super) fn levels(count: usize) -> Result<Vec<f64>, Failure> {
     let mut z = grading::geometric(0.0, DEPTH, count, 30.0)?;
     z.extend(grading::uniform(DEPTH, HEIGHT, 6)?.into_iter().skip(1));
     Ok(z)
