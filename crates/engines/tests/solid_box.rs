@@ -176,6 +176,7 @@ fn shaken(mut case: Case, vertical: bool) -> Case {
     };
     case.ground_motion = Some(GroundMotion {
         horizontal: record(1.0),
+        transverse: None,
         vertical: vertical.then(|| record(0.6)),
     });
     case

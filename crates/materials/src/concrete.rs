@@ -22,6 +22,19 @@ pub use cracked::{CrackAxes, CrackedConcrete, CrackedParameters, Envelope, Shear
 pub use tension::{Softening, Stiffening, Tension};
 pub use uniaxial::{Compression, PostPeak, UniaxialConcrete};
 
+/// Length over which a crack in a rectangular cell is smeared [m]: the side next to its normal.
+///
+/// The extent of the cell along the normal itself would vary with the angle, and the traction of a beginning crack with the direction of its strain.
+///
+/// * `sides`: along axes 1 and 2 [m]
+/// * `angle`: of the normal from axis 1 [rad]
+///
+/// Source: Bažant & Oh 1983 (a crack is spread over one element).
+pub fn crack_band([first, second]: [f64; 2], angle: f64) -> f64 {
+    let (s, c) = angle.sin_cos();
+    if c.abs() >= s.abs() { first } else { second }
+}
+
 /// Share of the snap-back bound E G_f/f_t² that an element may have.
 pub const SIZE_MARGIN: f64 = 0.98;
 

@@ -84,6 +84,8 @@ pub struct CrackedConcrete {
     retention: ShearRetention,
     /// Opening up to which the axes rotate.
     turning: f64,
+    /// Sides of the cell along axes 1 and 2 [m].
+    sides: Option<[f64; 2]>,
 }
 
 impl CrackedConcrete {
@@ -99,6 +101,7 @@ impl CrackedConcrete {
             retention,
             axes,
             envelope,
+            sides,
             ..
         } = *parameters;
         Ok(CrackedConcrete {
@@ -120,6 +123,7 @@ impl CrackedConcrete {
                 CrackAxes::Fixed => 0.0,
                 CrackAxes::Turning => 2.0 * traction.strength / young,
             },
+            sides,
         })
     }
 

@@ -227,6 +227,25 @@ impl Traction {
         }
     }
 
+    /// The same crack smeared over a length shorter by `stretch` ≥ 1: its strains grow, if energy is given. Bond and the yield of bars stay.
+    pub(crate) fn stretched(&self, stretch: f64) -> Traction {
+        if !self.by_energy {
+            return *self;
+        }
+        // The tail begins before the bars yield.
+        let most = 0.999 * self.yield_strain / self.tail_from;
+        let stretch = if most.is_finite() {
+            stretch.min(most.max(1.0))
+        } else {
+            stretch
+        };
+        Traction {
+            softening_strain: self.softening_strain * stretch,
+            tail_from: self.tail_from * stretch,
+            ..*self
+        }
+    }
+
     /// ∂t/∂f_t at the opening e, along [`Traction::reduced`].
     pub(crate) fn by_strength(&self, e: f64) -> f64 {
         if self.softening_strain == 0.0 {

@@ -296,3 +296,40 @@ fn cracks_are_reported() {
     assert!((second.angle - first.angle - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
     assert!(first.opening < first.largest && second.opening > 2.5e-4 && state.damage > 0.9);
 }
+
+/// A cell of 0.0625 × 0.25 m whose crack opens fully across one of its sides, or at 30° to the shorter: energy per area of the crack is G_f. Smeared
+/// over the longer side, a crack along it had a quarter.
+#[test]
+fn energy_of_a_crack_in_a_long_cell() {
+    let tension = Tension {
+        strength: 3.5e6,
+        softening: Softening::Energy {
+            fracture_energy: 100.0,
+            size: 0.25,
+        },
+        stiffening: None,
+        bond: None,
+    };
+    let sides = [0.0625, 0.25];
+    let law = CrackedConcrete::new(&CrackedParameters {
+        sides: Some(sides),
+        ..CrackedParameters::new(34e9, 0.0, 35e6, tension)
+    })
+    .unwrap();
+    let (s30, c30) = (0.5, 0.75f64.sqrt());
+    for ([c, s], h) in [([1.0, 0.0], sides[0]), ([0.0, 1.0], sides[1]), ([c30, s30], sides[0])] {
+        let mut old = vec![0.0; law.history_len()];
+        let (mut new, mut dissipated) = (old.clone(), 0.0);
+        for i in 1..=4000 {
+            let e = 1e-5 * f64::from(i);
+            let strain = [e * c * c, e * s * s, 2.0 * e * c * s];
+            dissipated += law.respond(&strain, &old, &mut new).unwrap().dissipation;
+            old.copy_from_slice(&new);
+        }
+        assert!(
+            (dissipated * h / 100.0 - 1.0).abs() < 1e-6,
+            "{c} {s}: {}",
+            dissipated * h
+        );
+    }
+}

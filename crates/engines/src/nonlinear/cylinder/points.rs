@@ -2,6 +2,7 @@
 
 use fem::element::{Inspect, Inspection};
 use fem::state::{Gather, State};
+use materials::concrete::crack_band;
 use serde::{Deserialize, Serialize};
 
 use super::model::CylinderModel;
@@ -128,14 +129,14 @@ fn faces(parts: &[Vec<Part>]) -> [Option<(usize, usize)>; 2] {
 }
 
 /// Cracks of a point as a picture shows them.
-fn cracks(cell: usize, band: f64, p: &Inspection) -> [Option<Crack>; 2] {
+fn cracks(cell: usize, band: [f64; 2], p: &Inspection) -> [Option<Crack>; 2] {
     p.state.cracks.map(|c| {
         c.map(|c| Crack {
             cell,
             // Along the crack, not along its normal.
             angle: c.angle + std::f64::consts::FRAC_PI_2,
-            width: band * c.opening,
-            largest: band * c.largest,
+            width: crack_band(band, c.angle) * c.opening,
+            largest: crack_band(band, c.angle) * c.largest,
         })
     })
 }

@@ -28,8 +28,8 @@ pub(crate) enum Part {
     Steel(Option<f64>),
     /// Concrete.
     Concrete {
-        /// Length over which a crack is smeared [m].
-        band: f64,
+        /// Lengths around and up the wall over which cracks are smeared [m].
+        band: [f64; 2],
         /// Compressive strength [Pa].
         strength: f64,
     },
@@ -161,7 +161,7 @@ fn part(layer: &Layer, element: [f64; 2]) -> Part {
     match layer.material.behaviour {
         Behaviour::Steel(steel) => Part::Steel(steel.ultimate_strength),
         Behaviour::Concrete(concrete) => Part::Concrete {
-            band: concrete.band(element[0].max(element[1])),
+            band: element.map(|side| concrete.band(side)),
             strength: concrete.compressive_strength,
         },
         _ => Part::Elastic,
@@ -170,7 +170,7 @@ fn part(layer: &Layer, element: [f64; 2]) -> Part {
 
 /// Law of a layer in plane stress, and its quadrature.
 ///
-/// * `element`: [length, height] of the cell [m]; cracks are smeared over the longer of them, or over their spacing
+/// * `element`: [length, height] of the cell [m]; a crack is smeared over the side next to its normal, or over their spacing
 ///
 /// Errors: a law that shells do not have; parameters out of range.
 fn plane_law(
@@ -219,6 +219,7 @@ pub(crate) fn plane_concrete(
         ConcreteLaw::Cracked => {
             let mut parameters = CrackedParameters::new(young, nu, strength, tension(concrete, layer, None, size));
             parameters.biaxial_ratio = concrete.biaxial_ratio;
+            parameters.sides = Some(element.map(|side| concrete.band(side)));
             parameters.envelope = match concrete.envelope {
                 BiaxialEnvelope::DruckerPrager => Envelope::DruckerPrager,
                 BiaxialEnvelope::Kupfer => Envelope::Kupfer,

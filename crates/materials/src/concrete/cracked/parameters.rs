@@ -61,6 +61,9 @@ pub struct CrackedParameters {
     pub retention: ShearRetention,
     /// Axes of cracks.
     pub axes: CrackAxes,
+    /// Sides of the cell along axes 1 and 2 [m], > 0: a crack is then smeared over the side next to its normal
+    /// ([`super::super::crack_band`]) instead of the size of [`super::super::Softening::Energy`], which is the longer side.
+    pub sides: Option<[f64; 2]>,
 }
 
 impl CrackedParameters {
@@ -81,6 +84,7 @@ impl CrackedParameters {
             tension,
             retention: ShearRetention::default(),
             axes: CrackAxes::default(),
+            sides: None,
         }
     }
 
@@ -115,6 +119,9 @@ impl CrackedParameters {
                     0.5 * self.compressive_strength
                 ),
             ));
+        }
+        if let Some(sides) = self.sides {
+            positive(law, "side of the cell", sides[0].min(sides[1]), "m")?;
         }
         let ShearRetention { least, strain } = self.retention;
         if !(least > 0.0 && least <= 1.0) {

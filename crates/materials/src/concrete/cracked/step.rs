@@ -5,6 +5,8 @@ use super::local::{Axis, Problem, Solution};
 use super::{
     AXIS, CrackedConcrete, EQUIVALENT, KIND, LARGEST, ON_CONE, PARTS, PLASTIC, SHEAR, SLOTS, STRAIN, STRENGTH, TRACTION,
 };
+use crate::concrete::crack_band;
+use crate::concrete::tension::Traction;
 use crate::{LawError, Response};
 
 impl CrackedConcrete {
@@ -19,14 +21,26 @@ impl CrackedConcrete {
         self.with_flow(problem, elastic.as_ref())
     }
 
+    /// Traction of a crack of this strength across axis `i`: its energy over the side of the cell next to its normal.
+    fn traction_across(&self, strength: f64, frame: Frame, i: usize) -> Traction {
+        let traction = self.traction.reduced(strength);
+        let Some(sides) = self.sides else {
+            return traction;
+        };
+        // The second crack's normal is a quarter turn on.
+        let [c, s] = if i == 0 { [frame.c, frame.s] } else { [frame.s, frame.c] };
+        let longest = sides[0].max(sides[1]);
+        traction.stretched((longest / crack_band(sides, s.atan2(c))).max(1.0))
+    }
+
     /// Crack of the history across axis `i`.
-    fn axis(&self, history: &[f64], i: usize) -> Axis {
+    fn axis(&self, history: &[f64], frame: Frame, i: usize) -> Axis {
         let strength = history[STRENGTH + i];
         if strength == 0.0 {
             return Axis::WHOLE;
         }
         Axis {
-            traction: Some(self.traction.reduced(strength)),
+            traction: Some(self.traction_across(strength, frame, i)),
             largest: history[LARGEST + i],
             at_largest: history[TRACTION + i],
             gradient: [0.0; 3],
@@ -64,7 +78,7 @@ impl CrackedConcrete {
         }
         let mut problem = Problem {
             strain: local,
-            axes: [self.axis(old, 0), self.axis(old, 1)],
+            axes: [self.axis(old, frame, 0), self.axis(old, frame, 1)],
             beta: 1.0 - old[SHEAR],
             coaxial,
         };
@@ -86,7 +100,7 @@ impl CrackedConcrete {
             }
             let (strength, rate) = self.beginning(solution.stress[1 - i]);
             problem.axes[i] = Axis {
-                traction: Some(self.traction.reduced(strength)),
+                traction: Some(self.traction_across(strength, frame, i)),
                 largest: 0.0,
                 at_largest: strength,
                 gradient: solution.tangent[1 - i].map(|d| rate * d),
