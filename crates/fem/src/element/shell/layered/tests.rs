@@ -295,6 +295,7 @@ fn whole_sections_are_their_layers() {
             size: 0.15,
         },
         stiffening: None,
+        bond: None,
     };
     let law = CrackedConcrete::new(&CrackedParameters::new(30e9, 0.2, 38e6, tension)).unwrap();
     let bar = Bar {
