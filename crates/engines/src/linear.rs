@@ -8,6 +8,7 @@ pub(crate) mod limits;
 pub(crate) mod mesh_error;
 mod modal;
 pub(crate) mod model;
+mod waves;
 
 use fem::progress::{Progress, Silent};
 use oscillator::record::Record;
@@ -228,6 +229,7 @@ fn report(
     let around = Around::of(model, motion, options, &analysis)?;
     notes.extend(Around::notes(motion));
     notes.extend(model.horizontal.impulsive().and_then(|found| found.note()));
+    notes.extend(waves::note(analysis.wave(), options.wave_modes, &analysis.waves));
     let coupled = &model.horizontal.coupled;
     let demands = demands::demands(case, model, &analysis, motion)?;
     let mut histories = histories(motion, &analysis);

@@ -281,6 +281,11 @@ impl Channel {
         Channel::Base(OnWall::Bending),
     ];
 
+    /// Whether it is the wave at the wall, of either side.
+    pub fn is_wave_at_wall(self) -> bool {
+        matches!(self, Channel::Wave(_))
+    }
+
     /// Id: name of the column in `series.csv`, without the prefix of its engine.
     pub fn id(self) -> String {
         match self {

@@ -7,6 +7,7 @@ use tank::Quantity;
 use tank::case::GroundMotion;
 
 use super::model::{Harmonic, Model, Scalar};
+use super::waves;
 use crate::FeError;
 use crate::impulsive::Impulsive;
 use crate::modes::{CoupledMode, Kind};
@@ -55,6 +56,9 @@ pub(crate) struct Analysis<'a> {
     pub lines: Vec<LineExtremes>,
     /// Numbers of modes kept, system by system; empty for direct integration.
     pub kept: Vec<Vec<&'a CoupledMode>>,
+    /// Largest rise of the surface at the wall [m] with more sloshing modes than count for it, by their number; of modal
+    /// superposition.
+    pub waves: Vec<(usize, f64)>,
     /// Energy balance of direct integration.
     pub energy: Option<EnergyBalance>,
     /// Largest difference of a scalar's peak between direct integration and modal superposition, relative, with its title.
@@ -186,7 +190,15 @@ pub(crate) fn analyse<'a>(
     } else {
         Vec::new()
     };
-    let mut observed = superpose::respond(&systems, &ground, grid, &observables, &opposite, progress)?;
+    let sloshing = kept[0].iter().filter(|m| m.kind == Kind::Sloshing).count();
+    let further = waves::further(&scalars, options.wave_modes, sloshing);
+    let others: Vec<Observable> = opposite
+        .iter()
+        .cloned()
+        .chain(further.iter().flat_map(waves::Further::observables))
+        .collect();
+    let mut observed = superpose::respond(&systems, &ground, grid, &observables, &others, progress)?;
+    let waves = waves::rises(&further, &observed.extremes.split_off(opposite.len()));
     let (mut used, mut energy, mut difference) = (grid, None, None);
     if options.integrator == Integrator::Newmark {
         used = model.grid(motion, Integrator::Newmark)?;
@@ -213,6 +225,7 @@ pub(crate) fn analyse<'a>(
         scalars: scalars.into_iter().zip(observed.scalars).collect(),
         lines: extremes,
         kept,
+        waves,
         energy,
         difference,
     })

@@ -6,7 +6,7 @@ use super::{Section, Source};
 use crate::figure::{Figure, Room, shapes};
 use crate::number::{Scale, fixed, percent, significant};
 use crate::table::{Column, Table, spread};
-use crate::words::{self, capital};
+use crate::words::{self, capital, labels};
 use files::error::Error;
 use results::{Mode, Run};
 
@@ -26,10 +26,40 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     Ok(Some(section))
 }
 
+/// Largest ratio of the highest to the lowest frequency of a group of closely spaced modes. Source: US NRC Regulatory Guide 1.92,
+/// revision 3, section C.1.1: 10 %.
+const CLOSE: f64 = 1.1;
+
+/// Number of the group of closely spaced modes of each mode, harmonic by harmonic; `None` for a mode by itself. A group begins with
+/// its lowest mode.
+fn groups(modes: &[&Mode]) -> Vec<Option<usize>> {
+    let mut order: Vec<usize> = (0..modes.len()).collect();
+    order.sort_by(|&a, &b| {
+        let key = |i: usize| (modes[i].harmonic, modes[i].omega);
+        let ((m, a), (n, b)) = (key(a), key(b));
+        m.cmp(&n).then(a.total_cmp(&b))
+    });
+    let mut out = vec![None; modes.len()];
+    let (mut next, mut at) = (1, 0);
+    while at < order.len() {
+        let first = modes[order[at]];
+        let close = |&&i: &&usize| modes[i].harmonic == first.harmonic && modes[i].omega <= CLOSE * first.omega;
+        let size = order[at..].iter().take_while(close).count().max(1);
+        if size > 1 {
+            order[at..at + size].iter().for_each(|&i| out[i] = Some(next));
+            next += 1;
+        }
+        at += size;
+    }
+    out
+}
+
 fn table(source: &Source, modes: &[&Mode]) -> Table {
+    let groups = groups(modes);
+    let grouped = groups.iter().any(Option::is_some);
     let mass = Scale::of(Dimension::Mass, modes.iter().map(|m| m.effective_mass));
     let height = Scale::of(Dimension::Length, modes.iter().map(|m| m.effective_height));
-    let mut table = Table::new(vec![
+    let mut columns = vec![
         Column::numbers("m", ""),
         Column::words("Kind"),
         Column::numbers("No.", ""),
@@ -39,10 +69,14 @@ fn table(source: &Source, modes: &[&Mode]) -> Table {
         Column::numbers("Effective mass", mass.symbol()),
         Column::numbers("of liquid", ""),
         Column::numbers("Effective height", height.symbol()),
-    ]);
-    for m in modes {
+    ];
+    if grouped {
+        columns.push(Column::numbers(labels::GROUP, ""));
+    }
+    let mut table = Table::new(columns);
+    for (m, group) in modes.iter().zip(groups) {
         let moves = m.effective_mass.abs() > 1e-9 * source.results.tank.liquid_mass;
-        table.row(vec![
+        let mut row = vec![
             m.harmonic.to_string(),
             m.kind.clone(),
             m.number.to_string(),
@@ -64,7 +98,11 @@ fn table(source: &Source, modes: &[&Mode]) -> Table {
             } else {
                 "–".into()
             },
-        ]);
+        ];
+        if grouped {
+            row.push(group.map_or("–".into(), |g| g.to_string()));
+        }
+        table.row(row);
     }
     table
 }
@@ -122,5 +160,41 @@ fn shape(source: &Source, mode: &Mode) -> Figure {
         markup,
         table,
         room: Room::Third,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use results::ModeShape;
+
+    use super::*;
+
+    fn mode(harmonic: u32, omega: f64) -> Mode {
+        Mode {
+            harmonic,
+            axial: None,
+            kind: "structural".into(),
+            number: 1,
+            omega,
+            period: 1.0 / omega,
+            damping: 0.0,
+            participation: 0.0,
+            effective_mass: 0.0,
+            effective_height: 0.0,
+            shape: ModeShape {
+                z: Vec::new(),
+                wall: Vec::new(),
+                surface: Vec::new(),
+                r: Vec::new(),
+            },
+        }
+    }
+
+    /// 1.00, 1.05, 1.10 are one group, 1.15 lies beyond 1.1 times its first; other harmonics do not join.
+    #[test]
+    fn closely_spaced_modes_are_a_group() {
+        let all = [(1, 1.0), (1, 1.15), (1, 1.05), (0, 1.02), (1, 1.1), (1, 3.0), (1, 3.2)].map(|(m, w)| mode(m, w));
+        let all: Vec<&Mode> = all.iter().collect();
+        assert_eq!(groups(&all), [Some(1), None, Some(1), None, Some(1), Some(2), Some(2)]);
     }
 }

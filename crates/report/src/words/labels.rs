@@ -1,5 +1,7 @@
 //! Heads of columns and labels of rows, legends and axes.
 
+/// Group of closely spaced modes.
+pub const GROUP: &str = "Closely spaced";
 /// Times of the extremes of both signs.
 pub const SMALLEST_TIME: &str = "Time of the smallest";
 /// See [`SMALLEST_TIME`].
