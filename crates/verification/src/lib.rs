@@ -46,6 +46,7 @@ pub const ALL: &[&Benchmark] = &[
     &tanks::rigid_masses::BENCHMARK,
     &tanks::coupled_modes::BENCHMARK,
     &tanks::solid_against_harmonic::BENCHMARK,
+    &tanks::solid_box::BENCHMARK,
     &tanks::mesh_error::BENCHMARK,
     &shell::element::BENCHMARK,
     &shell::patch::BENCHMARK,

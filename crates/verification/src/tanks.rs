@@ -17,6 +17,7 @@ pub(crate) mod rigid_masses;
 pub(crate) mod rigid_sloshing;
 pub(crate) mod rigid_strip;
 pub mod solid_against_harmonic;
+pub(crate) mod solid_box;
 
 /// The dissertation's g [m/s²].
 const G: f64 = 9.81;
