@@ -19,6 +19,7 @@ pub mod nonlinear;
 mod histories;
 mod impulsive;
 mod linear;
+mod out_of_round;
 pub mod probe;
 mod registry;
 pub mod response;

@@ -39,6 +39,19 @@ fn across_a_box(task: &Task<'_>) -> Option<Refusal> {
             .help("remove --quake-y and run a rectangular tank in each direction, length and breadth exchanged")
     })
 }
+/// Note of an engine that computes the perfect tank beside imperfections.
+const PERFECT: &str = "analysis.imperfections is not used here: harmonics of a shell of revolution are independent of each other, and \
+    the engine computes the perfect cylinder; use --fe solid or --fe nonlinear for the imperfect one.";
+
+/// The response along y is that along x turned by a quarter of the circle: of a perfect cylinder alone.
+fn across_imperfections(task: &Task<'_>) -> Option<Refusal> {
+    let shaken = task.case.ground_motion.as_ref().is_some_and(|m| m.transverse.is_some());
+    (shaken && !task.solid.imperfections.is_empty()).then(|| {
+        let message = "--quake-y: two horizontal components are for perfect cylinders";
+        Refusal::new(Place::Transverse, message, "no analysis.imperfections")
+            .help("remove --quake-y or analysis.imperfections")
+    })
+}
 
 /// One Fourier harmonic at a time.
 struct Harmonic;
@@ -61,7 +74,11 @@ impl Engine for Harmonic {
     }
 
     fn run(&self, task: &Task<'_>, progress: &dyn Progress) -> Result<Simulation, FeError> {
-        simulate_watched(task.case, task.linear, progress)
+        let mut simulation = simulate_watched(task.case, task.linear, progress)?;
+        if !task.solid.imperfections.is_empty() {
+            simulation.notes.push(PERFECT.into());
+        }
+        Ok(simulation)
     }
 }
 
@@ -75,7 +92,9 @@ impl Engine for Solid {
 
     fn refuses(&self, task: &Task<'_>) -> Vec<Refusal> {
         let mut all = solid::refused(task.case, task.solid);
+        all.extend(solid::unresolved(task));
         all.extend(across_a_box(task));
+        all.extend(across_imperfections(task));
         all
     }
 
@@ -126,9 +145,10 @@ mod tests {
     use tank::Case;
 
     use super::*;
+    use tank::imperfection::{Imperfection, Imperfections, Profile, Wave};
     use tank::options::LinearOptions as Options;
     use tank::options::nonlinear::NonlinearOptions;
-    use tank::options::solid::SolidOptions;
+    use tank::options::solid::{MeshSize, SolidOptions};
 
     #[test]
     fn every_id_has_its_engine() {
@@ -170,5 +190,54 @@ mod tests {
             strip: false,
         };
         assert_eq!(refusals(&case), [vec![Place::Shape], Vec::new(), vec![Place::Shape]]);
+    }
+    /// A crest beside the plane of shaking breaks the symmetry of half a tank; seven waves need 64 sectors, and a mesh that is given has
+    /// as many as it has; the default mesh is refined.
+    #[test]
+    fn imperfections_need_a_mesh_and_a_symmetry() {
+        let case = crate::harmonic::test_tanks::broad();
+        let imperfections = |n: u32, phase: f64| Imperfections {
+            parts: vec![Imperfection::Wave(Wave {
+                n,
+                amplitude: 1e-3,
+                profile: Profile::Linear,
+                phase,
+            })],
+        };
+        let refused = |imperfections: Imperfections, mesh: Option<MeshSize>, symmetry: bool| {
+            let linear = Options::default();
+            let solid = SolidOptions {
+                mesh,
+                imperfections: imperfections.clone(),
+                ..SolidOptions::default()
+            };
+            let nonlinear = NonlinearOptions {
+                symmetry,
+                imperfections,
+                ..NonlinearOptions::new(case.damping)
+            };
+            let task = Task {
+                case: &case,
+                linear: &linear,
+                solid: &solid,
+                nonlinear: &nonlinear,
+                checkpoint: None,
+            };
+            [EngineId::Solid, EngineId::Nonlinear].map(|id| engine(id).refuses(&task).len())
+        };
+        let mesh = |sectors| {
+            let (radial, vertical) = (4, 12);
+            Some(MeshSize {
+                radial,
+                sectors,
+                vertical,
+            })
+        };
+        assert_eq!(refused(imperfections(7, 0.0), None, true), [0, 0]);
+        assert_eq!(refused(imperfections(7, 0.1), None, true), [0, 1]);
+        assert_eq!(refused(imperfections(7, 0.1), None, false), [0, 0]);
+        assert_eq!(refused(imperfections(7, 0.0), mesh(60), true), [1, 0]);
+        assert_eq!(refused(imperfections(7, 0.0), mesh(64), true), [0, 0]);
+        assert_eq!(refused(imperfections(12, 0.0), None, true), [0, 1]);
     }
 }

@@ -3,9 +3,13 @@
 //! [`simulate`] turns a case into a model of the crate `fem` (liquid, shell wall, contact between them), runs it, and
 //! returns what the harmonic engine returns, so that reports can compare them.
 
+mod around;
+mod coupling;
 mod direct;
 mod estimate;
 mod fields;
+mod form;
+mod loaded;
 mod memory;
 pub(crate) mod mesh;
 mod mirror;
@@ -26,5 +30,9 @@ mod waves;
 
 pub use estimate::estimate;
 pub use model::refused;
+pub(crate) use run::unresolved;
 pub use run::{modes, most_waves, respond, simulate};
 pub use tank::options::solid::{Liquid, MeshSize, MeshSizeError, SolidOptions};
+
+#[cfg(test)]
+mod tests;

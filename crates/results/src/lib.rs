@@ -3,6 +3,7 @@
 //! `results.json` is ordered and deterministic; everything that may differ between two identical runs stands in
 //! [`Volatile`]. All values are SI, each with its unit. The report, `diff` and users' scripts read only these files.
 
+mod around;
 pub mod channel;
 pub mod compare;
 mod directions;
@@ -27,6 +28,7 @@ use serde::{Deserialize, Serialize};
 use tank::assessment::{Check, Excitation, Profile, Step};
 use tank::units::Dimension;
 
+pub use around::{Around, BaseAround, WaveAround};
 pub use channel::{Channel, GROUND_COLUMNS, VERTICAL_PREFIX};
 pub use directions::Directional;
 pub use fact::{Fact, FactKind};

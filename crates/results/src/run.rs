@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use tank::units::Dimension;
 
+use crate::around::Around;
 use crate::channel::Channel;
 use crate::directions::Directional;
 use crate::fields::Fields;
@@ -149,6 +150,9 @@ pub struct Run {
     /// Fields of the three-dimensional engine for pictures.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fields: Option<Fields>,
+    /// Response of an imperfect wall by waves around the tank.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub around: Option<Around>,
     /// State of the wall, of the nonlinear engine.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nonlinear: Option<Nonlinear>,
@@ -176,6 +180,7 @@ impl Run {
             limits: Vec::new(),
             events: Vec::new(),
             fields: None,
+            around: None,
             nonlinear: None,
         }
     }

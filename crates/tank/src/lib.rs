@@ -14,6 +14,7 @@
 //! | [`outside`] | why numbers of an engine are outside its model |
 //! | [`demand`] | histories of stresses and forces that limit states compare with capacities |
 //! | [`assessment`] | result of a procedure |
+//! | [`imperfection`] | deviations of a wall from the perfect cylinder |
 //! | [`ingredients`], [`factor`] | what a quantity is made of, and the order in which that is exchanged |
 //!
 //! SI units throughout (m, kg, s, N, Pa, rad); the unit is in the doc of every field. `z` points upwards from the
@@ -26,6 +27,7 @@ pub mod demand;
 pub mod factor;
 pub mod formula;
 pub mod hazard;
+pub mod imperfection;
 pub mod ingredients;
 pub mod options;
 pub mod outside;

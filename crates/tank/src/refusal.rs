@@ -27,6 +27,8 @@ pub enum Place {
     Sectors,
     /// Ground motion along y.
     Transverse,
+    /// Deviations of the wall from the perfect cylinder.
+    Imperfections,
 }
 
 /// A rejected input.

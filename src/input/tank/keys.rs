@@ -9,6 +9,7 @@ mod cross;
 mod damping;
 mod file;
 mod grades;
+mod imperfections;
 mod linear;
 mod materials;
 mod nonlinear;
@@ -62,13 +63,17 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
     };
     let analysis = file.analysis.value();
     let fe = linear::analysis(&mut r, analysis, tank.as_ref());
-    let solid = solid::solid(&mut r, analysis.and_then(|a| a.solid.value()));
-    let nonlinear = nonlinear::nonlinear(
+    let mut solid = solid::solid(&mut r, analysis.and_then(|a| a.solid.value()));
+    let mut nonlinear = nonlinear::nonlinear(
         &mut r,
         analysis.and_then(|a| a.nonlinear.value()),
         tank.as_ref(),
         damping,
     );
+    let imperfect = imperfections::imperfections(&mut r, analysis, tank.as_ref(), folder);
+    solid.imperfections.clone_from(&imperfect);
+    nonlinear.imperfections = imperfect;
+    solid.initial_stress = analysis.and_then(|a| imperfections::initial_stress(&mut r, &a.initial_stress));
     let measured = reported::measured(&mut r, &file.measured);
     let published = reported::published(&mut r, &file.published);
     let (echo, remarks, warnings) = (r.echo, r.remarks, r.warnings);

@@ -113,6 +113,8 @@ quantity! {
     Number: Dimension::Dimensionless;
     /// A length.
     Length: Dimension::Length;
+    /// An angle.
+    Angle: Dimension::Angle;
     /// A time.
     Time: Dimension::Time;
     /// A mass.

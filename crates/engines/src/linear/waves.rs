@@ -129,6 +129,7 @@ mod tests {
                 acceleration: acceleration.clone(),
                 processing: Vec::new(),
             },
+            transverse: None,
             vertical: None,
         });
         let options = LinearOptions {

@@ -1,5 +1,6 @@
 //! Cylinders: half a wall of shells (or the whole) and the condensed liquid, marched through the record.
 
+mod around;
 mod contact;
 mod curve;
 mod demands;

@@ -253,6 +253,7 @@ fn imperfect(
             let z = push.height.unwrap_or(perfect.capacity.height);
             let (t, nu) = (course(z).thickness, course(z).material.poisson_ratio);
             let shape = Depression {
+                radius: plan.radius,
                 amplitude: amplitude.of_wall(t, plan.radius),
                 height: z,
                 half_wave: half_wave(plan.radius, t, nu),

@@ -15,7 +15,7 @@ use super::cylinder::section as shells;
 use super::laws::uniaxial_concrete;
 use super::strip;
 use super::strip::section as fibres;
-use crate::FeError;
+use crate::{FeError, out_of_round};
 use tank::options::nonlinear::{NonlinearOptions, WallElements};
 
 /// Size so small that only parameters of a law can be at fault [m].
@@ -71,6 +71,7 @@ pub(crate) fn refusals(case: &Case, options: &NonlinearOptions, purpose: Purpose
             .help("a tank much broader than long is a strip: \"strip\": true in place of its breadth"),
         ),
     }
+    all.extend(imperfect(case, options, purpose));
     // Each refusal is listed once, however many courses share it.
     let mut listed: Vec<Refusal> = Vec::new();
     for refusal in all {
@@ -82,6 +83,32 @@ pub(crate) fn refusals(case: &Case, options: &NonlinearOptions, purpose: Purpose
         }
     }
     listed
+}
+
+/// The refusal of imperfections, if there is one.
+fn imperfect(case: &Case, options: &NonlinearOptions, purpose: Purpose) -> Option<Refusal> {
+    let imperfections = &options.imperfections;
+    if imperfections.is_empty() {
+        return None;
+    }
+    let refuse = |message: &str, allowed: &str| Refusal::new(Place::Imperfections, message, allowed);
+    if purpose == Purpose::Pushover {
+        let refusal = refuse(
+            "a pushover has an imperfect shell of its own",
+            "no analysis.imperfections; --imperfection with an amplitude or a quality class",
+        );
+        return Some(refusal);
+    }
+    if options.symmetry && !imperfections.is_symmetric(case.tank.wall_height()) {
+        let refusal = refuse(
+            "the imperfections are not symmetric about the plane of shaking, and half of the tank is computed",
+            "analysis.nonlinear.symmetry false, or a phase that puts a crest or a trough at θ = 0",
+        );
+        return Some(refusal.help("add \"symmetry\": false to analysis.nonlinear"));
+    }
+    let cells = Cells::new(&case.tank, case.liquid.fill_height, options.elements, options.symmetry);
+    let help = "set analysis.nonlinear.elements";
+    out_of_round::resolved(imperfections, &case.tank, (cells.sectors, cells.rows()), help)
 }
 
 fn strip_walls(case: &Case, options: &NonlinearOptions, all: &mut Vec<Refusal>) {

@@ -12,6 +12,7 @@ use tank::Case;
 use tank::Shape;
 use tank::options::AfterRecord;
 
+use super::coupling;
 use super::memory::RUN;
 use super::mesh::Division;
 use super::poles::{VECTORS, poles};
@@ -142,7 +143,8 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
     };
     let places = shells * WALL * WALL * NEIGHBOURS[0]
         + nodes.sectors * nodes.radial * nodes.depth * liquid[0] * liquid[0] * NEIGHBOURS[1];
-    let vectors = VECTORS as f64;
+    let height = case.tank.wall_height();
+    let vectors = coupling::vectors(&solid.imperfections, height) as f64;
     let directions = match case.ground_motion.as_ref().map(|m| m.vertical.is_some()) {
         Some(true) => 2.0,
         _ => 1.0,
@@ -156,8 +158,10 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
     ];
     // A solve for each vector at one of the poles, and the vectors before it.
     let sweep = 2.0 * NUMBER * factors.entries / (1.0 + poles) + ORTHOGONAL * 2.0 * NUMBER * vectors * n;
-    let mut seconds =
-        REST + factors.flops / FACTOR_RATE + SOLVES * directions * sweep / SWEEP_RATE + CELL_TIME * (cells + shells);
+    let mut seconds = REST
+        + factors.flops / FACTOR_RATE
+        + (SOLVES - VECTORS as f64 + vectors) * directions * sweep / SWEEP_RATE
+        + CELL_TIME * (cells + shells);
     let (mut samples, mut steps) = (0.0, 0.0);
     if let Some(response) = response {
         samples = response.samples();

@@ -16,6 +16,7 @@ use tank::{Shape, Tank};
 
 use super::plan::Plan;
 use crate::FeError;
+use crate::out_of_round::sectors;
 use tank::options::LinearOptions as Options;
 use tank::options::solid::{MeshSize, SolidOptions};
 
@@ -97,7 +98,7 @@ impl Division {
             radii: graded(radius, count(RADIAL), RADIAL_GRADING),
             breadth: Vec::new(),
             // A multiple of four keeps both planes of symmetry.
-            sectors: 4 * count(SECTORS / 4.0),
+            sectors: (4 * count(SECTORS / 4.0)).max(sectors(&solid.imperfections, tank).next_multiple_of(4)),
             liquid: if matching {
                 wetted(&wall, depth)
             } else {

@@ -16,20 +16,25 @@ use fem::element::{ElementError, Fluid8, FreeSurface, LiquidProperties, Potentia
 use fem::mesh::{Cylinder, Face, Volume, Wall};
 use fem::model::{Builder, Model};
 use nalgebra::Vector3;
-use tank::refusal::{Place, Refusal};
 use tank::{Case, Shape};
 
+use super::form::Form;
+use super::loaded::LoadedState;
 use super::memory::allow;
 use super::mesh::Division;
 use super::plan::{self, Plan};
 use super::roof::RoofRing;
-use crate::FeError;
 use crate::error::failed;
+use crate::{FeError, out_of_round};
+use tank::imperfection::Imperfections;
 use tank::options::LinearOptions as Options;
 use tank::options::solid::{Liquid, SolidOptions};
+use tank::refusal::{Place, Refusal};
 
 /// Group of the wall's shells.
 pub const WALL: &str = "wall";
+/// Group of what the loaded state adds to the stiffness of the wall.
+pub const LOADED: &str = "loaded state";
 /// Group of the roof's mass.
 pub const ROOF: &str = "roof";
 /// Group of the liquid's volume.
@@ -60,6 +65,8 @@ pub struct WallPart {
     pub thickness: Vec<f64>,
     /// Poisson's ratio of the faces of each level.
     pub poisson_ratio: Vec<f64>,
+    /// Elements of the loaded state; none if the wall moves about its unloaded state.
+    pub loaded: Vec<usize>,
 }
 
 impl WallPart {
@@ -112,6 +119,10 @@ pub struct TankModel {
     pub gravity: f64,
     /// Normal stiffness of the joint of a displacement liquid [N/m³]; 0 with a potential.
     pub joint: f64,
+    /// Deviations of the wall.
+    pub imperfections: Imperfections,
+    /// The loaded state, if the wall moves about it.
+    pub loaded: Option<LoadedState>,
 }
 
 impl TankModel {
@@ -122,14 +133,42 @@ impl TankModel {
         if let Some(refusal) = refused(case, solid).into_iter().next() {
             return Err(FeError::Unsupported(format!("{}; {}", refusal.message, refusal.help)));
         }
+        let form = Form::of(case, &solid.imperfections);
+        TankModel::formed(case, options, solid, &form)
+    }
+
+    /// The model with a wall and a liquid of this form.
+    ///
+    /// Errors: as [`TankModel::new`].
+    pub(super) fn formed(
+        case: &Case,
+        options: &Options,
+        solid: &SolidOptions,
+        form: &Form<'_>,
+    ) -> Result<TankModel, FeError> {
         let matching = solid.liquid == Liquid::Displacement;
         let depth = case.liquid.fill_height;
         let division = Division::new(&case.tank, depth, options, solid, matching)?;
         refuse_the_hopeless(&division, solid)?;
+        refuse_the_unresolved(case, &division, solid)?;
+        let loaded = match solid.about_loaded_state() {
+            true => Some(LoadedState::new(case, &division, form)?),
+            false => None,
+        };
         let plan = division.plan();
         let mut builder = Builder::new();
-        let wall = add_wall(case, &division, plan.as_ref(), &mut builder)?;
-        let volume = add_liquid(case, &division, plan.as_ref(), solid.liquid, &wall, &mut builder)?;
+        let mut wall = add_wall(case, &division, (plan.as_ref(), form), &mut builder)?;
+        if let Some(state) = &loaded {
+            wall.loaded = state.add_to(&wall, &mut builder);
+        }
+        let volume = add_liquid(
+            case,
+            &division,
+            (plan.as_ref(), form),
+            solid.liquid,
+            &wall,
+            &mut builder,
+        )?;
         let joint = match solid.liquid {
             Liquid::Displacement => joint_stiffness(case, &division),
             Liquid::Potential => 0.0,
@@ -165,6 +204,11 @@ impl TankModel {
             density: case.liquid.density,
             gravity: case.gravity,
             joint,
+            imperfections: match form.imperfections.is_empty() {
+                true => Imperfections::NONE,
+                false => form.imperfections.clone(),
+            },
+            loaded,
         })
     }
 
@@ -180,6 +224,11 @@ impl TankModel {
             1 if self.is_round() => (std::f64::consts::PI / self.division.sectors as f64).cos(),
             _ => 1.0,
         }
+    }
+
+    /// Height of the wall [m].
+    pub fn height(&self) -> f64 {
+        self.wall.z.last().copied().unwrap_or(0.0)
     }
 
     /// Whether element `e` belongs to one of the groups.
@@ -213,6 +262,11 @@ pub fn refused(case: &Case, solid: &SolidOptions) -> Vec<Refusal> {
         let message = "the three-dimensional engine models boxes with four walls, not a strip of a long tank";
         let refusal = Refusal::new(Place::Shape, message, "a rectangle with its breadth");
         found.push(refusal.help("use --fe harmonic for a strip, or give tank.breadth in place of tank.strip"));
+    }
+    if !solid.imperfections.is_empty() {
+        let message = "a box is computed with plane walls";
+        let refusal = Refusal::new(Place::Imperfections, message, "no imperfections of a rectangle");
+        found.push(refusal.help("remove analysis.imperfections"));
     }
     if solid.liquid == Liquid::Displacement {
         let message = "the three-dimensional engine models the liquid of a box by its potential only";
@@ -259,9 +313,18 @@ fn mantle(division: &Division, plan: Option<&Plan>) -> Result<Wall, FeError> {
     mesh.wall().map_err(failed)
 }
 
-fn add_wall(case: &Case, division: &Division, plan: Option<&Plan>, builder: &mut Builder) -> Result<WallPart, FeError> {
+/// Shells, clamped base and roof.
+///
+/// Errors: an element that cannot be built.
+pub(super) fn add_wall(
+    case: &Case,
+    division: &Division,
+    (plan, form): (Option<&Plan>, &Form<'_>),
+    builder: &mut Builder,
+) -> Result<WallPart, FeError> {
     let wall = mantle(division, plan)?;
-    builder.nodes(&wall.nodes);
+    let places: Vec<[f64; 3]> = wall.nodes.iter().map(|p| form.moved(*p)).collect();
+    builder.nodes(&places);
     let levels = division.wall.windows(2);
     let courses: Vec<_> = levels.map(|z| case.tank.course_at(0.5 * (z[0] + z[1]))).collect();
     let sections = courses
@@ -283,10 +346,7 @@ fn add_wall(case: &Case, division: &Division, plan: Option<&Plan>, builder: &mut
             group: WALL.into(),
         })
         .collect();
-    let outwards = |_: usize, node: usize| {
-        let p = wall.nodes[node];
-        Vector3::new(p[0], p[1], 0.0).normalize()
-    };
+    let outwards = |_: usize, node: usize| form.normal(wall.nodes[node]);
     let surface = ShellSurface {
         // Plates have the normals of their elements; where two meet, the corner is a fold.
         normals: match plan {
@@ -319,7 +379,38 @@ fn add_wall(case: &Case, division: &Division, plan: Option<&Plan>, builder: &mut
         elements: placed.elements,
         thickness: courses.iter().map(|c| c.thickness).collect(),
         poisson_ratio: courses.iter().map(|c| c.material.poisson_ratio).collect(),
+        loaded: Vec::new(),
     })
+}
+
+/// Errors: imperfections that the mesh does not resolve, or beside a liquid that does not follow them.
+fn refuse_the_unresolved(case: &Case, division: &Division, solid: &SolidOptions) -> Result<(), FeError> {
+    let mesh = (division.sectors, division.wall.len() - 1);
+    match unresolved(case, solid, mesh) {
+        Some(refusal) => Err(FeError::Option {
+            option: "analysis.imperfections".into(),
+            found: refusal.found,
+            allowed: refusal.allowed,
+        }),
+        None => Ok(()),
+    }
+}
+
+/// The refusal of imperfections on a mesh of so many sectors and rows, or beside a liquid that does not follow them.
+pub(super) fn unresolved(case: &Case, solid: &SolidOptions, mesh: (usize, usize)) -> Option<Refusal> {
+    if solid.liquid == Liquid::Displacement && !solid.imperfections.is_empty() {
+        let refusal = Refusal::new(
+            Place::Imperfections,
+            "the displacement liquid does not follow an imperfect wall",
+            "analysis.solid.liquid \"potential\" with imperfections",
+        );
+        return Some(refusal.found("analysis.solid.liquid \"displacement\""));
+    }
+    let help = match solid.mesh {
+        Some(_) => "give more sectors in --mesh or analysis.solid.mesh",
+        None => "refine the mesh with --refine or analysis.refine",
+    };
+    out_of_round::resolved(&solid.imperfections, &case.tank, mesh, help)
 }
 
 /// Least memory of an unknown with its matrices and factors [bytes]: below the need of the smallest models (3.7 kB); the factor
@@ -347,7 +438,7 @@ fn refuse_the_hopeless(division: &Division, solid: &SolidOptions) -> Result<(), 
 fn add_liquid(
     case: &Case,
     division: &Division,
-    plan: Option<&Plan>,
+    (plan, form): (Option<&Plan>, &Form<'_>),
     liquid: Liquid,
     wall: &WallPart,
     builder: &mut Builder,
@@ -363,6 +454,7 @@ fn add_liquid(
         None => mesh.volume(),
     }
     .map_err(failed)?;
+    form.deform(&mut volume);
     let first = builder.nodes(&volume.nodes);
     shift(&mut volume, first);
     let (density, gravity) = (case.liquid.density, case.gravity);
@@ -376,7 +468,7 @@ fn add_liquid(
                 let element = PotentialSurface::new(face, chart, density, gravity).map_err(failed)?;
                 builder.element(SURFACE, element);
             }
-            join_potential(division, &volume, wall, (density, chart), builder).map_err(failed)?;
+            join_potential(division, &volume, (wall, form), (density, chart), builder).map_err(failed)?;
         }
         Liquid::Displacement => {
             let liquid = displacement_liquid(case);
@@ -430,7 +522,7 @@ pub fn joint_stiffness(case: &Case, division: &Division) -> f64 {
 fn join_potential(
     division: &Division,
     volume: &Volume,
-    wall: &WallPart,
+    (wall, form): (&WallPart, &Form<'_>),
     (density, chart): (f64, Chart),
     builder: &mut Builder,
 ) -> Result<(), ElementError> {
@@ -449,6 +541,10 @@ fn join_potential(
                 Chart::Cartesian => [normal(face); 4],
             };
             if let Some(joint) = WetFace::overlapping(liquid, face, chart, normals, density)? {
+                let joint = match form.area_vectors(face) {
+                    Some(vectors) => joint.with_area_vectors(vectors),
+                    None => joint,
+                };
                 builder.element(JOINT, joint);
             }
         }

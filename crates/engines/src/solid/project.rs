@@ -50,6 +50,11 @@ impl Projector<'_> {
     /// Completes `probe` from its row.
     fn probe(&self, probe: Probe, row: &Row) -> Probe {
         self.rows.borrow_mut().insert(probe.key(), row.clone());
+        self.projected(probe, row)
+    }
+
+    /// The same without keeping the row.
+    pub(super) fn projected(&self, probe: Probe, row: &Row) -> Probe {
         let dofs = self.tank.model.dofs();
         let mut displacement = row.displacement.clone();
         // The mean of φ̈ over the surface is −g times the mean elevation.

@@ -35,9 +35,11 @@ use super::ritz::{Ritz, reduce, symmetric};
 use super::rows::{Field, Observer, Row, static_load, tilt};
 use super::symmetry::Symmetry;
 use super::system::{System, columns};
+use super::{around, coupling};
 use crate::FeError;
 use crate::coupled::{Coupled, Part, SparseRow};
 use crate::error::{failed, failure};
+use crate::probe::Probe;
 use results::Channel;
 use results::Labelled;
 use tank::options::LinearOptions as Options;
@@ -55,6 +57,8 @@ pub(super) struct Space {
     pub potentials: Vec<bool>,
     /// Mean elevation of a potential liquid's surface over the unknowns.
     pub mean_elevation: SparseRow,
+    /// Probes of an imperfect wall around the tank.
+    pub around: Vec<(around::What, Probe)>,
     /// Row of every probe over the unknowns, by [`crate::probe::Probe::key`].
     pub rows: BTreeMap<String, Row>,
 }
@@ -63,6 +67,9 @@ pub(super) struct Space {
 ///
 /// Errors: a stiffness matrix that is not positive definite.
 pub(super) fn statics(tank: &TankModel) -> Result<Vec<f64>, FeError> {
+    if let Some(state) = &tank.loaded {
+        return Ok(state.displacement(&tank.model));
+    }
     let dofs = tank.model.dofs();
     let wall_nodes = tank.wall.rows.len() * tank.division.sectors;
     let own: Vec<usize> = (0..dofs.len()).filter(|&e| dofs.unknown(e).0 < wall_nodes).collect();
@@ -140,9 +147,14 @@ pub(super) fn new(
     progress: &dyn Progress,
 ) -> Result<(Coupled, Space), FeError> {
     let (rigid, load) = rigid_motion(tank, system, harmonic)?;
-    let symmetry = Symmetry::new(tank, harmonic);
-    let loads: Vec<(usize, &[f64])> = (0..system.poles()).map(|pole| (pole, &*load)).collect();
-    let Ritz { basis, mass, stiffness } = reduce(system, &loads, VECTORS, &|x| symmetry.project(x), progress)?;
+    let Ritz { basis, mass, stiffness } = match tank.imperfections.is_empty() {
+        true => {
+            let symmetry = Symmetry::new(tank, harmonic);
+            let loads: Vec<(usize, &[f64])> = (0..system.poles()).map(|pole| (pole, &*load)).collect();
+            reduce(system, &loads, VECTORS, &|x| symmetry.project(x), progress)?
+        }
+        false => coupling::reduce(tank, system, &load, harmonic, progress)?,
+    };
     let factor = Cholesky::factor(&mass).map_err(failure("the reduced mass matrix"))?;
     let influence = factor.solve_vector(&basis.transposed_times(&load));
     let statics = statics(tank)?;
@@ -173,6 +185,10 @@ pub(super) fn new(
         _ => vec![0.0; influence.len()],
     };
     let shape_rows = projector.shape_rows();
+    let around = match tank.imperfections.is_empty() {
+        true => Vec::new(),
+        false => around::probes(&projector)?,
+    };
     let rows = projector.rows.into_inner();
     let surface = surface_part(tank, &basis)?;
     let coupled = Coupled {
@@ -195,6 +211,7 @@ pub(super) fn new(
     let dofs = tank.model.dofs();
     let space = Space {
         rows,
+        around,
         basis,
         rigid,
         statics,

@@ -43,33 +43,96 @@ pub(super) fn reduce(
     purify: &dyn Fn(&mut [f64]),
     progress: &dyn Progress,
 ) -> Result<Ritz, FeError> {
-    let (mut basis, mut images): (Vec<Vec<f64>>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
-    for (k, &(pole, load)) in loads.iter().enumerate() {
+    let mut space = Growing::new(system);
+    for (k, load) in loads.iter().enumerate() {
         let most = (k + 1) * count / loads.len();
+        space.grow_at(*load, most, purify, progress)?;
+    }
+    space.finish()
+}
+
+/// A basis under way.
+pub(super) struct Growing<'a> {
+    system: &'a System,
+    basis: Vec<Vec<f64>>,
+    /// M times them.
+    images: Vec<Vec<f64>>,
+}
+
+impl<'a> Growing<'a> {
+    /// Without a vector.
+    pub(super) fn new(system: &'a System) -> Growing<'a> {
+        Growing {
+            system,
+            basis: Vec::new(),
+            images: Vec::new(),
+        }
+    }
+
+    /// The first vector.
+    pub(super) fn first(&self) -> Option<&[f64]> {
+        self.basis.first().map(Vec::as_slice)
+    }
+
+    /// Adds at most `count` vectors for the load `load`.
+    ///
+    /// Errors: not enough memory.
+    pub(super) fn grow(
+        &mut self,
+        load: &[f64],
+        count: usize,
+        purify: &dyn Fn(&mut [f64]),
+        progress: &dyn Progress,
+    ) -> Result<(), FeError> {
+        let before = self.basis.len();
+        for pole in 0..self.system.poles() {
+            let most = before + (pole + 1) * count / self.system.poles();
+            self.grow_at((pole, load), most, purify, progress)?;
+        }
+        Ok(())
+    }
+
+    /// Grows to at most `most` vectors with the load at a pole.
+    ///
+    /// Errors: not enough memory.
+    fn grow_at(
+        &mut self,
+        (pole, load): (usize, &[f64]),
+        most: usize,
+        purify: &dyn Fn(&mut [f64]),
+        progress: &dyn Progress,
+    ) -> Result<(), FeError> {
         let mut right = load.to_vec();
-        while basis.len() < most {
-            let mut x = system.solve_at(pole, &right)?;
+        while self.basis.len() < most {
+            let mut x = self.system.solve_at(pole, &right)?;
             purify(&mut x);
-            system.complete(&mut x)?;
-            let Some((x, image)) = orthogonal(system, x, &basis, &images) else {
+            self.system.complete(&mut x)?;
+            let Some((x, image)) = orthogonal(self.system, x, &self.basis, &self.images) else {
                 break;
             };
             right.clone_from(&image);
-            basis.push(x);
-            images.push(image);
+            self.basis.push(x);
+            self.images.push(image);
             progress.advance(1);
         }
+        Ok(())
     }
-    if basis.is_empty() {
-        return Err(FeError::Analysis("the ground motion does not load the model".into()));
+
+    /// The reduced system.
+    ///
+    /// Errors: no vector.
+    pub(super) fn finish(self) -> Result<Ritz, FeError> {
+        if self.basis.is_empty() {
+            return Err(FeError::Analysis("the ground motion does not load the model".into()));
+        }
+        let elastic: Vec<Vec<f64>> = self.basis.iter().map(|x| self.system.stiffness_times(x)).collect();
+        let basis = columns(&self.basis);
+        Ok(Ritz {
+            mass: symmetric(transposed_product(&basis, &columns(&self.images))),
+            stiffness: symmetric(transposed_product(&basis, &columns(&elastic))),
+            basis,
+        })
     }
-    let elastic: Vec<Vec<f64>> = basis.iter().map(|x| system.stiffness_times(x)).collect();
-    let basis = columns(&basis);
-    Ok(Ritz {
-        mass: symmetric(transposed_product(&basis, &columns(&images))),
-        stiffness: symmetric(transposed_product(&basis, &columns(&elastic))),
-        basis,
-    })
 }
 
 /// `x` without its shares in `basis`, of unit norm, and M x; `None` if nothing new is left.

@@ -247,11 +247,19 @@ impl Observer<'_> {
     ///
     /// Errors: an element without stiffness.
     pub(super) fn edge_reaction(&self, dof: Dof) -> Result<Row, FeError> {
+        self.edge_reaction_at(0, dof)
+    }
+
+    /// The same at another node of the edge.
+    ///
+    /// Errors: an element without stiffness.
+    pub(super) fn edge_reaction_at(&self, sector: usize, dof: Dof) -> Result<Row, FeError> {
         let tank = self.tank;
-        let node = tank.wall.rows[0][0];
+        let node = tank.wall.rows[0][sector];
         let ground = self.ground();
         let (mut elastic, mut inertia, mut held) = (BTreeMap::new(), BTreeMap::new(), 0.0);
-        for element in tank.wall.elements.iter().map(|&e| &*tank.model.elements()[e]) {
+        let elements = tank.wall.elements.iter().chain(&tank.wall.loaded);
+        for element in elements.map(|&e| &*tank.model.elements()[e]) {
             let Some(corner) = element.nodes().iter().position(|&n| n == node) else {
                 continue;
             };

@@ -10,15 +10,18 @@ use tank::case::GroundMotion;
 
 use super::direct::OwnUnknowns;
 use super::fields;
-use super::model::TankModel;
+use super::mesh::Division;
+use super::model::{self, TankModel};
 use super::moments::Histories;
 use super::poles::{VECTORS, poles};
 use super::reduce::{self, Space};
 use super::rows::{Observer, Row, sparse_dot};
 use super::spectrum::{self, TankMode};
 use super::system::System;
+use super::{around, coupling};
 use crate::checks::check_options;
 use crate::damping::Damper;
+use crate::engine::Task;
 use crate::linear::analysis::analyse;
 use crate::linear::mesh_error::{self, Second, SecondMesh};
 use crate::linear::model::{Harmonic, Model};
@@ -30,7 +33,19 @@ use results::{Channel, EngineId, Mode, ModeShape, Run};
 use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
 use tank::options::solid::SolidOptions;
+use tank::refusal::Refusal;
 
+/// Notes on an imperfect wall.
+const IMPERFECT: [&str; 2] = [
+    "The wall is imperfect (analysis.imperfections): stresses, pressures and displacements over the height are those at θ = 0; the \
+     response by waves around the tank and the stress around the base are listed apart.",
+    "The wave height counts the first sloshing modes of the perfect tank; waves of other harmonics, to which the imperfections couple \
+     them, are not in it.",
+];
+/// Assumption of a wall about its loaded state.
+const LOADED: &str = "The wall moves about its state under weight and liquid, in large rotations with a pressure that turns with the \
+    wall: its forces stiffen the wall, and the pressure has pressed its imperfections out as far as it does. A particle of the wall keeps \
+    its pressure.";
 /// Ritz vectors of the search for modes of one wave number.
 const MODE_VECTORS: usize = 48;
 /// The same for one part of a rectangle: from two loads, and with poles, since hundreds of waves come before the first mode of a wall.
@@ -85,8 +100,11 @@ impl Prepared {
         let mut prepare = |harmonic: u32| -> Result<Harmonic, FeError> {
             stop(progress, "the reduction")?;
             let (coupled, space) = reduce::new(case, options, &tank, &system, harmonic, progress)?;
-            spaces.push(space);
             let mut modes = solve(&coupled, None)?;
+            coupling::number(&tank, &system, harmonic, &mut modes, &|mode| {
+                space.basis.times(&mode.vector)
+            });
+            spaces.push(space);
             if !tank.is_round() {
                 renumber(&mut modes);
             }
@@ -301,6 +319,22 @@ fn integrated(
             );
         }
     }
+    let found = around::respond(
+        case,
+        &prepared.tank.imperfections,
+        (&prepared.model, &prepared.spaces),
+        checked_motion(case)?,
+        options,
+        progress,
+    )?;
+    if let Some(around) = found {
+        simulation.result.limits.extend(around::limits(case, &around));
+        simulation.notes.extend(IMPERFECT.map(str::to_owned));
+        simulation.result.around = Some(around);
+    }
+    if prepared.tank.loaded.is_some() {
+        simulation.assumptions.push(LOADED.into());
+    }
     if options.integrator == Integrator::Newmark {
         simulation.notes.push(
             "Pictures and ParaView files of the three-dimensional engine come from the reduced coordinates by modal \
@@ -309,6 +343,16 @@ fn integrated(
         );
     }
     Ok((prepared, simulation))
+}
+
+/// The refusal of imperfections, if there is one.
+pub(crate) fn unresolved(task: &Task<'_>) -> Option<Refusal> {
+    if task.solid.imperfections.is_empty() {
+        return None;
+    }
+    let depth = task.case.liquid.fill_height;
+    let division = Division::new(&task.case.tank, depth, task.linear, task.solid, false).ok()?;
+    model::unresolved(task.case, task.solid, (division.sectors, division.wall.len() - 1))
 }
 
 /// Largest circumferential wave number that [`modes`] looks for on the mesh of a case.

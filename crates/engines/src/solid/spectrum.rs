@@ -16,7 +16,7 @@ use fem::linalg::{Symmetric, dot, generalized_eigen};
 use fem::progress::Progress;
 
 use super::mirror::PARTS;
-use super::model::{SURFACE, TankModel, WALL};
+use super::model::{LOADED, SURFACE, TankModel, WALL};
 use super::ritz::reduce;
 use super::symmetry::Symmetry;
 use super::system::System;
@@ -78,7 +78,7 @@ pub fn of_harmonic(
         .map_err(failed)?;
     let wall = tank
         .assembler
-        .stiffness_of(&tank.model, |e| tank.is_in(e, &[WALL]))
+        .stiffness_of(&tank.model, |e| tank.is_in(e, &[WALL, LOADED]))
         .map_err(failed)?;
     // Where the potential energy is; a displacement liquid keeps some in its rotation penalty.
     let kind_of = |vector: &[f64], omega: f64| -> Kind {

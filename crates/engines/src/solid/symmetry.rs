@@ -57,6 +57,8 @@ pub(super) struct Harmonic<'a> {
     rings: Vec<Vec<usize>>,
     axis: Vec<usize>,
     harmonic: u32,
+    /// Whether the twins turned by a quarter wave belong to it, too.
+    twins: bool,
 }
 
 impl<'a> Harmonic<'a> {
@@ -68,7 +70,13 @@ impl<'a> Harmonic<'a> {
             rings,
             axis,
             harmonic,
+            twins: false,
         }
+    }
+
+    /// The same with the motions that are antisymmetric about the plane y = 0.
+    pub(super) fn with_twins(self, twins: bool) -> Harmonic<'a> {
+        Harmonic { twins, ..self }
     }
 
     /// A load of the harmonic that excites all its modes: forces of irregular size on every ring, all directions.
@@ -105,30 +113,38 @@ impl<'a> Harmonic<'a> {
         let m = f64::from(self.harmonic);
         for ring in &self.rings {
             let step = std::f64::consts::TAU / ring.len() as f64;
-            let mut amplitude = [0.0; KINDS];
+            let (mut amplitude, mut twin) = ([0.0; KINDS], [0.0; KINDS]);
             for (s, &node) in ring.iter().enumerate() {
                 let own = cylindrical(&model.at_node(x, node), step * s as f64);
                 let (sine, cosine) = (m * step * s as f64).sin_cos();
                 for (k, a) in amplitude.iter_mut().enumerate() {
                     *a += own[k] * if is_odd(k) { sine } else { cosine };
                 }
+                if self.twins {
+                    for (k, a) in twin.iter_mut().enumerate() {
+                        *a += own[k] * if is_odd(k) { cosine } else { sine };
+                    }
+                }
             }
             let alone = self.harmonic == 0 || 2 * self.harmonic as usize == ring.len();
             let factor = if alone { 1.0 } else { 2.0 } / ring.len() as f64;
             for (s, &node) in ring.iter().enumerate() {
                 let (sine, cosine) = (m * step * s as f64).sin_cos();
-                let own: [f64; KINDS] =
-                    std::array::from_fn(|k| factor * amplitude[k] * if is_odd(k) { sine } else { cosine });
+                let own: [f64; KINDS] = std::array::from_fn(|k| match is_odd(k) {
+                    true => factor * amplitude[k] * sine + factor * twin[k] * cosine,
+                    false => factor * amplitude[k] * cosine + factor * twin[k] * sine,
+                });
                 field[node] = cylindrical(&own, -step * s as f64);
             }
         }
         for &node in &self.axis {
             let own = model.at_node(x, node);
             for (k, value) in own.into_iter().enumerate() {
-                let kept = matches!(
-                    (self.harmonic, Dof::ALL[k]),
-                    (0, Dof::Uz | Dof::Phi | Dof::Eta) | (1, Dof::Ux | Dof::Ry)
-                );
+                let kept = match (self.harmonic, Dof::ALL[k]) {
+                    (0, Dof::Uz | Dof::Phi | Dof::Eta) | (1, Dof::Ux | Dof::Ry) => true,
+                    (1, Dof::Uy | Dof::Rx) => self.twins,
+                    _ => false,
+                };
                 field[node][k] = if kept { value } else { 0.0 };
             }
         }

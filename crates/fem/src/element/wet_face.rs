@@ -148,6 +148,13 @@ impl WetFace {
         }))
     }
 
+    /// The same on a wall that deviates from the face: `vectors` are n dA at its corners over the area dA of the face, of any
+    /// length. The liquid's own nodes may follow the wall.
+    pub fn with_area_vectors(mut self, vectors: [[f64; 3]; 4]) -> WetFace {
+        self.normals = vectors;
+        self
+    }
+
     /// Area that is joined [m²].
     pub fn area(&self) -> f64 {
         self.areas.iter().flatten().sum()

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::after_record::AfterRecord;
 use crate::case;
+use crate::imperfection::Imperfections;
 
 /// Most elements over the height of a wall.
 pub const MOST_ROWS: u32 = 1000;
@@ -36,6 +37,9 @@ pub struct NonlinearOptions {
     pub after_record: AfterRecord,
     /// Computing time between two checkpoints [s].
     pub checkpoint: f64,
+    /// Deviations of the wall from the perfect cylinder.
+    #[serde(default, skip_serializing_if = "Imperfections::is_empty")]
+    pub imperfections: Imperfections,
 }
 
 impl NonlinearOptions {
@@ -58,6 +62,7 @@ impl NonlinearOptions {
             integration: Integration::DEFAULT,
             after_record: AfterRecord::DEFAULT,
             checkpoint: 60.0,
+            imperfections: Imperfections::NONE,
         }
     }
 }

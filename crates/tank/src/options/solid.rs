@@ -5,6 +5,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use super::MEMORY_LIMIT_MIB;
+use crate::imperfection::Imperfections;
 
 /// Formulation of the liquid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -28,6 +29,12 @@ pub struct SolidOptions {
     pub memory_limit_mib: u64,
     /// Time between the states kept for pictures [s]; `None` keeps none.
     pub snapshot_interval: Option<f64>,
+    /// Deviations of the wall from the perfect cylinder.
+    #[serde(default, skip_serializing_if = "Imperfections::is_empty")]
+    pub imperfections: Imperfections,
+    /// Whether the wall moves about its loaded state, whose forces stiffen it; `None`: if it has imperfections.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub initial_stress: Option<bool>,
 }
 
 impl SolidOptions {
@@ -37,7 +44,14 @@ impl SolidOptions {
         liquid: Liquid::Potential,
         memory_limit_mib: MEMORY_LIMIT_MIB,
         snapshot_interval: None,
+        imperfections: Imperfections::NONE,
+        initial_stress: None,
     };
+
+    /// Whether the wall moves about its loaded state.
+    pub fn about_loaded_state(&self) -> bool {
+        self.initial_stress.unwrap_or(!self.imperfections.is_empty())
+    }
 }
 
 impl Default for SolidOptions {

@@ -75,6 +75,7 @@ fn tank([length, breadth, height, thickness, depth]: [f64; 5], material: &tank::
             acceleration: vec![0.0, 0.5, 1.0, 0.5, 0.0],
             processing: Vec::new(),
         },
+        transverse: None,
         vertical: None,
     });
     case

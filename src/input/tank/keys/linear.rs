@@ -4,6 +4,7 @@ use tank::options::LinearOptions;
 use tank::options::linear::{DampingModel, Integrator};
 use tank::{Shape, Tank};
 
+use super::imperfections::Imperfection;
 use super::nonlinear::Nonlinear;
 use super::rayleigh::{Rayleigh, rayleigh};
 use super::solid::Solid;
@@ -36,6 +37,13 @@ object! {
         stations: Opt<Vec<Field<Length>>> [PLACES],
         /// Damping model.
         damping: Opt<AnalysisDamping> = Absent::Follows("the modal ratios of damping"),
+        /// Deviations of a cylinder's wall from the perfect shape, which are added, in the three-dimensional and the nonlinear
+        /// engine. All others compute the perfect cylinder.
+        imperfections: Opt<Vec<Field<Imperfection>>> [Limits::ANY.items(0, 100)]
+            = Absent::Without("the wall is a perfect cylinder"),
+        /// Whether the wall of the three-dimensional engine moves about its state under weight and liquid, whose hoop force
+        /// stiffens it against waves around the tank.
+        initial_stress (true): Opt<bool> = Absent::Follows("true with imperfections, else false"),
         /// Options of the three-dimensional engine (--fe solid, --fe both).
         solid: Opt<Solid>,
         /// Options of the nonlinear engine.

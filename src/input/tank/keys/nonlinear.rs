@@ -1,6 +1,7 @@
 //! `analysis.nonlinear`: options of the nonlinear engine.
 
 use tank::case;
+use tank::imperfection::Imperfections;
 use tank::options::nonlinear::{
     Contact, Damping, Integration, MOST_ROWS, MOST_SECTORS, MassProportionalAt, ThicknessRule, WallElements,
 };
@@ -18,7 +19,7 @@ use crate::input::tank::syntax::{Kind, Node};
 use crate::input::tank::values::{Number, Pitch, Time, Whole};
 
 /// Defaults. The damping ratios are placeholders: those of the case replace them.
-const DEFAULT: NonlinearOptions = NonlinearOptions::new(case::Damping {
+const DEFAULT: &NonlinearOptions = &NonlinearOptions::new(case::Damping {
     sloshing: f64::NAN,
     impulsive: f64::NAN,
 });
@@ -211,6 +212,8 @@ pub(super) fn nonlinear(
         integration: integration(r, &given.integration),
         after_record: r.choice(&given.after_record),
         checkpoint: r.or_default(&given.checkpoint),
+        // Those of `analysis`.
+        imperfections: Imperfections::NONE,
     }
 }
 

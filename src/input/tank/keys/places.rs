@@ -52,5 +52,8 @@ pub(super) fn of(file: &TankFile) -> Places {
     if let Some(liquid) = solid.and_then(|s| s.liquid.place()) {
         all.insert(Place::Liquid, liquid);
     }
+    if let Some(imperfections) = file.analysis.value().and_then(|a| a.imperfections.place()) {
+        all.insert(Place::Imperfections, imperfections);
+    }
     Places::new(all)
 }

@@ -11,7 +11,7 @@ use crate::input::tank::values::Whole;
 use results::InputValue;
 
 /// Defaults.
-const DEFAULT: SolidOptions = SolidOptions::DEFAULT;
+const DEFAULT: &SolidOptions = &SolidOptions::DEFAULT;
 
 object! {
     /// Options of the three-dimensional engine.
@@ -38,9 +38,9 @@ choice! {
 /// Options of the three-dimensional engine. Defaults are echoed only where the engine runs, by [`solid_defaults`].
 pub(super) fn solid(r: &mut Resolver<'_>, given: Option<&Solid>) -> SolidOptions {
     let Some(given) = given else {
-        return DEFAULT;
+        return DEFAULT.clone();
     };
-    let mut options = DEFAULT;
+    let mut options = DEFAULT.clone();
     if let Some(field) = &given.mesh.given {
         r.echo_given(field);
         options.mesh = field.value;

@@ -209,6 +209,14 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &Cylind
     if !options.self_weight {
         out.push("The weight of the wall is ignored, as requested.".into());
     }
+    if !tank.imperfections.is_empty() {
+        out.push(
+            "The wall is imperfect (analysis.imperfections): its nodes lie on the deviating surface, which is free of stress when empty. \
+             The liquid stays that of the perfect cylinder: its dynamic pressure acts along the perfect radius. The damping of the \
+             wall is fitted at the first mode of the perfect tank."
+                .into(),
+        );
+    }
     if tank.cells.half {
         out.push(
             "Motion is symmetric about the plane of shaking: buckles that break this symmetry are not modelled.".into(),

@@ -24,7 +24,7 @@ use fem::element::wall::place::{Footprint, PlacedWall, WallMesh};
 use fem::linalg::{Kind, Ordering, Pattern, Symbolic, dot};
 use fem::liquid::CondensedLiquid;
 use fem::model::{Builder, Model};
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Vector3};
 use tank::Case;
 use tank::Shape;
 
@@ -32,8 +32,9 @@ use super::contact::{JOINT, Join, Joints};
 use super::elements::{WALL, add_liquid, add_roof, build_rows, penalty, pressures, support};
 use super::mesh::Cells;
 use super::section::RowBuild;
-use crate::FeError;
 use crate::error::failed;
+use crate::{FeError, out_of_round};
+use tank::imperfection::Imperfections;
 use tank::options::nonlinear::{Contact, Damping as Wanted, MassProportionalAt, NonlinearOptions};
 
 /// Modes of harmonic 1 that count for the wave at the wall, as in the linear engines: more only chase the singularity at the
@@ -94,6 +95,24 @@ pub(crate) struct CylinderModel {
     pub unit_weight: f64,
     /// g [m/s²].
     pub gravity: f64,
+    /// Deviations of the wall; the liquid is that of the perfect cylinder.
+    pub imperfections: Imperfections,
+}
+
+/// The points and normals of an imperfect wall; `None` of a perfect one.
+fn shape(case: &Case, imperfections: &Imperfections, radius: f64, perfect: &Footprint) -> Option<Footprint> {
+    if imperfections.is_empty() {
+        return None;
+    }
+    let mut out = perfect.clone();
+    for (point, normal) in out.points.iter_mut().zip(&mut out.normals) {
+        let theta = point[1].atan2(point[0]);
+        let deviation = imperfections.at(theta, point[2], case.tank.wall_height());
+        let (offset, direction) = out_of_round::place(radius, theta, deviation);
+        *point = (Vector3::from(*point) + offset).into();
+        *normal = direction.normalize().into();
+    }
+    Some(out)
 }
 
 impl CylinderModel {
@@ -116,8 +135,9 @@ impl CylinderModel {
                 "the nonlinear engine models walls of two shells whose distance is the same in all courses".into(),
             ));
         }
+        let shape = shape(case, &options.imperfections, radius, &footprint);
         let wall = WallMesh {
-            footprint: &footprint,
+            footprint: shape.as_ref().unwrap_or(&footprint),
             courses: &|row| rows[row].build.clone(),
             offsets: [0.0, gap],
             name: WALL,
@@ -235,8 +255,22 @@ impl CylinderModel {
             depth,
             unit_weight,
             gravity: case.gravity,
+            imperfections: match options.imperfections.is_empty() {
+                true => Imperfections::NONE,
+                false => options.imperfections.clone(),
+            },
         };
-        out.wall_omega = out.first_wall_mode()?;
+        out.wall_omega = match out.imperfections.is_empty() {
+            true => out.first_wall_mode()?,
+            // Inverse iteration does not stay in one harmonic of an imperfect wall: that of the perfect one gives the damping.
+            false => {
+                let perfect = NonlinearOptions {
+                    imperfections: Imperfections::NONE,
+                    ..options.clone()
+                };
+                CylinderModel::new(case, &perfect)?.wall_omega
+            }
+        };
         out.set_damping(options.damping)?;
         Ok(out)
     }

@@ -91,6 +91,7 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
         limits: limits(cylinder, watch, &worst),
         histories: histories.info,
         nonlinear: Some(nonlinear),
+        around: watch.seen.around.around(case, tank),
         incomplete: run.outcome != Outcome::Completed,
         ..Finished::new(EngineId::Nonlinear)
     };

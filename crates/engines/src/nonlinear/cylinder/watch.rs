@@ -15,6 +15,7 @@ use fem::liquid::separation::{Openings, SeparationCheck};
 use fem::state::Gather;
 use serde::{Deserialize, Serialize};
 
+use super::around::AroundSeen;
 use super::contact::rise;
 use super::model::CylinderModel;
 use super::points::{Happening, Look, look};
@@ -133,6 +134,9 @@ pub(crate) struct Seen {
     pub first: Vec<(Happening, f64, usize)>,
     /// Number of looks.
     pub looks: usize,
+    /// Waves around an imperfect wall.
+    #[serde(default)]
+    pub around: AroundSeen,
     /// Largest radial displacement of the wall at a sample, the static state included [m], and its time [s].
     pub displacement: (f64, f64),
 }
@@ -311,6 +315,7 @@ impl<'a> Watch<'a> {
         }
         self.meridians(now)?;
         self.displacement(now);
+        self.seen.around.see(self.tank, &now.state.committed.u, now.time);
         match (&self.tank.joints, &mut self.openings) {
             (Some(joints), Some(openings)) => openings.see(now.time, joints.look(&self.tank.model, now.state)),
             _ => self.pressures(now),

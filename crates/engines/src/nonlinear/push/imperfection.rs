@@ -15,6 +15,9 @@
 use std::f64::consts::PI;
 
 use nalgebra::Vector3;
+use tank::imperfection::Deviation;
+
+use crate::out_of_round::place;
 
 /// How large an imperfection is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -103,17 +106,26 @@ pub(super) enum Dent {
 impl Dent {
     /// Displacement of a node and its normal there, of any length.
     ///
-    /// * `place`: ring and angle, by number; `angle` [rad], `z` [m]
-    pub(super) fn at(&self, place: (usize, usize), angle: f64, z: f64) -> (Vector3<f64>, Vector3<f64>) {
+    /// * `node`: ring and angle, by number; `angle` [rad], `z` [m]
+    pub(super) fn at(&self, node: (usize, usize), angle: f64, z: f64) -> (Vector3<f64>, Vector3<f64>) {
         let (s, c) = angle.sin_cos();
         let radial = Vector3::new(c, s, 0.0);
         match self {
             Dent::Weld(depression) => {
-                let (offset, slope) = depression.at(z);
-                (radial * offset, radial - Vector3::z() * slope)
+                let (w, along_z) = depression.at(z);
+                let along_theta = 0.0;
+                place(
+                    depression.radius,
+                    angle,
+                    Deviation {
+                        w,
+                        along_theta,
+                        along_z,
+                    },
+                )
             }
             Dent::Mode(field) => {
-                let [moved, turned] = field[place.0][place.1];
+                let [moved, turned] = field[node.0][node.1];
                 (moved, radial + turned.cross(&radial))
             }
         }
@@ -123,6 +135,8 @@ impl Dent {
 /// A depression that goes around the tank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Depression {
+    /// R [m].
+    pub(super) radius: f64,
     /// δ [m], outwards positive.
     pub(super) amplitude: f64,
     /// z_0 [m].
@@ -154,6 +168,7 @@ mod tests {
     #[test]
     fn slope_is_the_derivative() {
         let d = Depression {
+            radius: 12.0,
             amplitude: 0.01,
             height: 0.5,
             half_wave: half_wave(12.0, 0.012, 0.3),

@@ -1,0 +1,268 @@
+//! Response of an imperfect wall by waves around the tank.
+//!
+//! ```text
+//! u_n(z) = (2 − δ_n0)/N Σ_s u_r(θ_s, z) cos nθ_s          σ_n = (2 − δ_n0)/N Σ_s σ_z(θ_s, 0) cos nθ_s
+//! ```
+//!
+//! and the same with sin nθ where the imperfections are not symmetric about the plane of shaking; the amplitude is then the square root
+//! of the squares of both peaks, an upper bound. The axial membrane stress at the base is the reaction of the clamped edge, node by
+//! node.
+
+use fem::dofs::Dof;
+use fem::progress::Progress;
+use results::{Around, BaseAround, Channel, Limit, WaveAround};
+use tank::Case;
+use tank::case::GroundMotion;
+use tank::units::Dimension;
+
+use super::project::Projector;
+use super::reduce::Space;
+use super::rows::Row;
+use crate::FeError;
+use crate::linear::model::Model;
+use crate::out_of_round;
+use crate::probe::Probe;
+use crate::response::motion::Motion;
+use crate::response::observe::Extreme;
+use crate::response::superpose::{self, ModalSystem, Observable};
+use tank::options::LinearOptions as Options;
+use tank::options::linear::Integrator;
+
+/// Harmonics that are always reported, from 0.
+const REPORTED: u32 = 8;
+/// Most levels at which a harmonic is observed.
+const LEVELS: usize = 24;
+
+/// What a probe observes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum What {
+    /// Radial displacement of a harmonic at a height [m].
+    Displacement {
+        /// n.
+        n: u32,
+        /// z.
+        z: f64,
+    },
+    /// Axial membrane stress of a harmonic at the base.
+    Stress {
+        /// n.
+        n: u32,
+    },
+    /// Axial membrane stress at the base, at an angle [rad].
+    Base {
+        /// θ.
+        theta: f64,
+    },
+}
+
+/// The probes of one direction of ground motion.
+///
+/// Errors: an element without stiffness.
+pub(super) fn probes(projector: &Projector<'_>) -> Result<Vec<(What, Probe)>, FeError> {
+    let tank = projector.tank;
+    let sectors = tank.division.sectors;
+    let waves = tank.imperfections.waves(tank.height());
+    let most = waves
+        .last()
+        .map_or(0, |n| n + 1)
+        .max(REPORTED)
+        .min((sectors / 2) as u32 - 1);
+    let twins = !tank.imperfections.is_symmetric(tank.height());
+    let angle = |s: usize| std::f64::consts::TAU * s as f64 / sectors as f64;
+    let weights = |n: u32, sine: bool| -> Vec<f64> {
+        let factor = if n == 0 { 1.0 } else { 2.0 } / sectors as f64;
+        let of = |s: usize| {
+            let (s, c) = (f64::from(n) * angle(s)).sin_cos();
+            factor * if sine { s } else { c }
+        };
+        (0..sectors).map(of).collect()
+    };
+    let probe = |row: &Row| projector.projected(Probe::new(Channel::Top), row);
+    let mut out = Vec::new();
+    let step = tank.wall.z.len().div_ceil(LEVELS);
+    let levels = (1..tank.wall.z.len()).filter(|l| l % step == 0 || l + 1 == tank.wall.z.len());
+    for level in levels {
+        for n in 0..=most {
+            for sine in [false, true].into_iter().filter(|sine| twins || !sine) {
+                let mut row = Row::default();
+                for (s, weight) in weights(n, sine).into_iter().enumerate() {
+                    let (sine, cosine) = angle(s).sin_cos();
+                    for (dof, direction) in [(Dof::Ux, cosine), (Dof::Uy, sine)] {
+                        let own = tank.model.row(tank.wall.rows[level][s], dof);
+                        row.displacement
+                            .extend(own.into_iter().map(|(e, c)| (e, weight * direction * c)));
+                    }
+                }
+                let z = tank.wall.z[level];
+                out.push((What::Displacement { n, z }, probe(&row)));
+            }
+        }
+    }
+    let thickness = tank.wall.thickness[0];
+    let edges = (0..sectors)
+        .map(|s| {
+            Ok(projector
+                .observer
+                .edge_reaction_at(s, Dof::Uz)?
+                .scaled(-1.0 / thickness))
+        })
+        .collect::<Result<Vec<Row>, FeError>>()?;
+    for n in 0..=most {
+        for sine in [false, true].into_iter().filter(|sine| twins || !sine) {
+            let mut row = Row::default();
+            for (edge, weight) in edges.iter().zip(weights(n, sine)) {
+                let part = edge.clone().scaled(weight);
+                row.displacement.extend(part.displacement);
+                row.acceleration.extend(part.acceleration);
+                row.held += part.held;
+            }
+            out.push((What::Stress { n }, probe(&row)));
+        }
+    }
+    out.extend(edges.iter().enumerate().map(|(s, row)| {
+        let theta = angle(s);
+        (What::Base { theta }, probe(row))
+    }));
+    Ok(out)
+}
+
+/// The response around the tank; none of a perfect one.
+///
+/// Errors: as [`superpose::respond`].
+pub(super) fn respond(
+    case: &Case,
+    imperfections: &tank::imperfection::Imperfections,
+    (model, spaces): (&Model, &[Space]),
+    motion: &GroundMotion,
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<Option<Around>, FeError> {
+    if imperfections.is_empty() || spaces.iter().any(|s| s.around.is_empty()) {
+        return Ok(None);
+    }
+    let systems = model
+        .systems()
+        .map(|h| {
+            let kept = superpose::keep(&h.modes, &model.damper, options.wave_modes);
+            ModalSystem::new(&h.coupled, kept, &model.damper)
+        })
+        .collect::<Result<Vec<ModalSystem>, FeError>>()?;
+    let grid = model.grid(motion, Integrator::Modal)?;
+    let records = std::iter::once(&motion.horizontal).chain(&motion.vertical);
+    let ground: Vec<Motion> = records.map(|r| Motion::new(r, &grid)).collect();
+    let ground: Vec<&Motion> = ground.iter().collect();
+    let observables: Vec<Observable> = (0..spaces[0].around.len())
+        .map(|i| {
+            spaces
+                .iter()
+                .enumerate()
+                .map(|(k, space)| (k, 1.0, &space.around[i].1))
+                .collect()
+        })
+        .collect();
+    let observed = superpose::respond(&systems, &ground, grid, &[], &observables, progress)?;
+    let what = spaces[0].around.iter().map(|(what, _)| *what);
+    let found: Vec<(What, Extreme)> = what.zip(observed.extremes).collect();
+    Ok(Some(collect(case, imperfections, &found)))
+}
+
+/// Peaks of the harmonics, and the stress around the base.
+fn collect(case: &Case, imperfections: &tank::imperfection::Imperfections, found: &[(What, Extreme)]) -> Around {
+    let mut waves: Vec<WaveAround> = Vec::new();
+    let mut base = BaseAround {
+        theta: Vec::new(),
+        min: Vec::new(),
+        max: Vec::new(),
+    };
+    let mut rest = found;
+    while let Some(((what, extreme), after)) = rest.split_first() {
+        // Cosine and sine of one harmonic follow each other.
+        let twin = after
+            .first()
+            .filter(|(other, _)| other == what)
+            .map(|(_, e)| e.peak().0);
+        rest = if twin.is_some() { &after[1..] } else { after };
+        let (peak, time) = extreme.peak();
+        let peak = peak.hypot(twin.unwrap_or(0.0));
+        let wave = |waves: &mut Vec<WaveAround>, n: u32| match waves.iter().position(|w| w.n == n) {
+            Some(place) => place,
+            None => {
+                waves.push(WaveAround {
+                    n,
+                    deviation: 0.0,
+                    displacement: 0.0,
+                    z: 0.0,
+                    time: 0.0,
+                    stress: None,
+                });
+                waves.len() - 1
+            }
+        };
+        match *what {
+            What::Displacement { n, z } => {
+                let place = wave(&mut waves, n);
+                if peak > waves[place].displacement {
+                    (waves[place].displacement, waves[place].z, waves[place].time) = (peak, z, time);
+                }
+            }
+            What::Stress { n } => {
+                let place = wave(&mut waves, n);
+                waves[place].stress = Some(peak);
+            }
+            What::Base { theta } => {
+                base.theta.push(theta);
+                base.min.push(extreme.min);
+                base.max.push(extreme.max);
+            }
+        }
+    }
+    out_of_round::around(&case.tank, imperfections, waves, Some(base))
+}
+
+/// Waves around the tank that are not small against the thickness.
+const SMALL: f64 = 0.5;
+/// Deviation over the thickness up to which the coupling of harmonics is in proportion to it.
+const FIRST_ORDER: f64 = 1.0;
+
+/// Limits of validity of an imperfect wall.
+pub(super) fn limits(case: &Case, around: &Around) -> Vec<Limit> {
+    let mut out = vec![Limit {
+        id: "deviation_against_thickness".into(),
+        name: "Largest deviation from the perfect cylinder over the thickness of the wall".into(),
+        value: around.over_thickness,
+        limit: FIRST_ORDER,
+        dimension: Dimension::Dimensionless,
+        holds: around.over_thickness <= FIRST_ORDER,
+        note: match around.over_thickness <= FIRST_ORDER {
+            true => String::new(),
+            false => "The waves around the tank are no longer in proportion to the deviation, and the stiffness of the wall against \
+                      horizontal motion differs from that of the perfect cylinder: results hold for this form alone and must not be \
+                      scaled."
+                .into(),
+        },
+    }];
+    if let Some((displacement, n)) = around.largest_beyond() {
+        let thinnest = case
+            .tank
+            .courses
+            .iter()
+            .map(|c| c.thickness)
+            .fold(f64::INFINITY, f64::min);
+        let holds = displacement <= SMALL * thinnest;
+        out.push(Limit {
+            id: "waves_against_thickness".into(),
+            name: format!("Seismic waves n = {n} around the tank against {SMALL} of the thinnest course"),
+            value: displacement,
+            limit: SMALL * thinnest,
+            dimension: Dimension::Length,
+            holds,
+            note: match holds {
+                true => String::new(),
+                false => "The waves around the tank change the form of the wall by as much as its imperfections: the linear engine \
+                          leaves out how membrane forces of large displacements then stiffen or soften it; use --fe nonlinear."
+                    .into(),
+            },
+        });
+    }
+    out
+}

@@ -1,0 +1,150 @@
+//! Source:    perfect tank; symmetry; the search for modes of one harmonic
+//! Goal:      imperfections of the three-dimensional engine
+//! Model:     broad tank, coarse meshes, a pulse of half a second
+//! Expected:  stated at each test
+
+use fem::progress::Silent;
+use oscillator::record::Record;
+use results::Around;
+use tank::Case;
+use tank::case::GroundMotion;
+use tank::imperfection::{Imperfection, Imperfections, Profile, Wave};
+use tank::options::LinearOptions as Options;
+use tank::options::solid::{MeshSize, SolidOptions};
+
+use super::model::TankModel;
+use super::poles::poles;
+use super::system::System;
+use super::{coupling, reduce, respond, spectrum};
+use crate::Simulation;
+use crate::modes::{Kind, solve};
+use crate::solid::symmetry::Harmonic;
+
+fn case() -> Case {
+    let mut case = tank::reference::broad(1000.0);
+    case.ground_motion = Some(GroundMotion {
+        horizontal: Record {
+            name: "pulse".into(),
+            dt: 0.01,
+            acceleration: (0..50)
+                .map(|k| (f64::from(k) / 49.0 * 6.0 * std::f64::consts::PI).sin())
+                .collect(),
+            processing: Vec::new(),
+        },
+        transverse: None,
+        vertical: None,
+    });
+    case
+}
+
+fn options() -> Options {
+    Options {
+        mesh_error: false,
+        ..Options::default()
+    }
+}
+
+fn solid(amplitude: f64, phase: f64) -> SolidOptions {
+    SolidOptions {
+        mesh: Some(MeshSize {
+            radial: 4,
+            sectors: 32,
+            vertical: 14,
+        }),
+        imperfections: Imperfections {
+            parts: vec![Imperfection::Wave(Wave {
+                n: 3,
+                amplitude,
+                profile: Profile::Linear,
+                phase,
+            })],
+        },
+        initial_stress: Some(false),
+        ..SolidOptions::default()
+    }
+}
+
+fn run(solid: &SolidOptions) -> Simulation {
+    respond(&case(), &options(), solid, &Silent).unwrap()
+}
+
+fn around(solid: &SolidOptions) -> Around {
+    run(solid).result.around.expect("the wall is imperfect")
+}
+
+/// The same bits.
+#[test]
+fn an_amplitude_of_zero_is_the_perfect_tank() {
+    let (zero, none) = (
+        solid(0.0, 0.0),
+        SolidOptions {
+            imperfections: Imperfections::NONE,
+            ..solid(0.0, 0.0)
+        },
+    );
+    let (zero, none) = (run(&zero), run(&none));
+    assert_eq!(zero.values, none.values);
+    assert_eq!(zero.series, none.series);
+    assert!(zero.result.around.is_none());
+}
+
+/// n = 3 is coupled to 2 and 4, in proportion to its amplitude; n = 1 and the wave change in the second order, n = 5 answers in it. Of
+/// 0.02 mm, a hundredth of the thickness, that is below 1e-3. A crest at +φ and one at −φ are mirror images.
+#[test]
+fn an_imperfection_excites_its_neighbours() {
+    let (one, two) = (around(&solid(2e-5, 0.0)), around(&solid(4e-5, 0.0)));
+    let perfect = run(&SolidOptions {
+        imperfections: Imperfections::NONE,
+        ..solid(0.0, 0.0)
+    });
+    for n in [2, 4] {
+        let (a, b) = (one.waves[n].displacement, two.waves[n].displacement);
+        assert!(a > 0.0 && (b / a - 2.0).abs() < 2e-3, "{n}: {a} {b}");
+        let (a, b) = (one.waves[n].stress.unwrap(), two.waves[n].stress.unwrap());
+        assert!((b / a - 2.0).abs() < 2e-3, "{n}: {a} {b}");
+    }
+    assert!(one.waves[5].displacement < 0.01 * one.waves[4].displacement);
+    assert!((two.waves[1].displacement / one.waves[1].displacement - 1.0).abs() < 1e-3);
+    let imperfect = run(&solid(2e-5, 0.0));
+    for (quantity, value) in &perfect.values {
+        let ratio = imperfect.values.get(quantity).map_or(f64::NAN, |v| v / value);
+        assert!((ratio - 1.0).abs() < 2e-3, "{quantity:?}: {ratio}");
+    }
+    let (left, right) = (around(&solid(2e-5, 0.3)), around(&solid(2e-5, -0.3)));
+    for n in 0..=5 {
+        let (a, b) = (&left.waves[n], &right.waves[n]);
+        assert!(
+            (a.displacement - b.displacement).abs() < 1e-5 * one.waves[4].displacement,
+            "{n}"
+        );
+    }
+}
+
+/// The reduced space holds the first modes of the coupled harmonics: their frequencies are those of the search for modes of one
+/// harmonic within the width of the coupling, 1e-3.
+#[test]
+fn the_space_holds_the_modes_of_coupled_harmonics() {
+    let (case, options, solid) = (case(), options(), solid(2e-5, 0.0));
+    let tank = TankModel::new(&case, &options, &solid).unwrap();
+    let system = System::new(&tank.model, &tank.assembler, &poles(&case, &solid), 1 << 32).unwrap();
+    let (coupled, space) = reduce::new(&case, &options, &tank, &system, 1, &Silent).unwrap();
+    let modes = solve(&coupled, None).unwrap();
+    for n in coupling::harmonics(&[3], 1) {
+        let symmetry = Harmonic::new(&tank, n);
+        let mut own = modes.iter().filter(|mode| {
+            let whole = space.basis.times(&mode.vector);
+            let mut part = whole.clone();
+            symmetry.project(&mut part);
+            mode.kind == Kind::Structural && fem::linalg::dot(&part, &system.mass_times(&whole)) > 0.5
+        });
+        let searched = spectrum::of_harmonic(&tank, &system, n, (48, 2), &Silent).unwrap();
+        for expected in searched.iter().filter(|m| m.kind == Kind::Structural) {
+            let found = own.next().map_or(f64::NAN, |m| m.omega);
+            assert!(
+                (found / expected.omega - 1.0).abs() < 1e-3,
+                "{n}: {found} {}",
+                expected.omega
+            );
+        }
+    }
+}
