@@ -47,6 +47,7 @@ pub const ALL: &[&Benchmark] = &[
     &tanks::coupled_modes::BENCHMARK,
     &tanks::solid_against_harmonic::BENCHMARK,
     &tanks::solid_box::BENCHMARK,
+    &tanks::imperfect_wall::BENCHMARK,
     &tanks::mesh_error::BENCHMARK,
     &shell::element::BENCHMARK,
     &shell::patch::BENCHMARK,

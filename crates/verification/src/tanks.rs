@@ -10,6 +10,7 @@ use tank::reference::GRAVITY;
 
 pub(crate) mod coupled_modes;
 pub mod dissertation;
+pub(crate) mod imperfect_wall;
 pub(crate) mod mesh_error;
 pub(crate) mod responses;
 pub mod rigid;
