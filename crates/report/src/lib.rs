@@ -173,7 +173,10 @@ pub fn build(results: &Results, series: &Series, templates: &Templates) -> Resul
     // The styles of spatial and nonlinear figures burden only the reports that have them.
     let mut css = templates.css("figure.css").to_owned();
     let nonlinear = results.beside(EngineId::Nonlinear).is_some();
-    if views.iter().any(|v| v.id == "spatial") || results.beside(EngineId::Solid).is_some() || nonlinear {
+    if views.iter().any(|v| ["spatial", "around"].contains(&v.id))
+        || results.beside(EngineId::Solid).is_some()
+        || nonlinear
+    {
         css.push_str(templates.css("fields.css"));
     }
     if nonlinear {

@@ -1,6 +1,7 @@
 //! The sections of the report, in their order. A section is a function from the results to a template and its context;
 //! a section without content is left out.
 
+mod around;
 mod attribution;
 mod checks;
 mod comparison;
@@ -62,6 +63,7 @@ sections![
     directions,
     nonlinear,
     spatial,
+    around,
     sheets,
     engine,
     limits,

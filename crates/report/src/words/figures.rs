@@ -155,6 +155,73 @@ pub fn sketch_description(plan: &str, support: &str, tank: &Tank, liquid: &Liqui
     )
 }
 
+/// Waves around an imperfect wall.
+pub mod around {
+    use super::*;
+    use results::{Around, BaseAround};
+
+    /// Amplitudes of the displacement.
+    pub const DISPLACEMENT: &str = "Radial displacement";
+    /// Amplitudes of the stress.
+    pub const STRESS: &str = "Axial membrane stress at the base";
+    /// Title of the stress around the base.
+    pub const BASE: &str = "Axial membrane stress around the base, range over time";
+    /// Horizontal axis of amplitudes.
+    pub const WAVES: &str = "Waves around the tank n";
+    /// Horizontal axis around the base.
+    pub const ANGLE: &str = "Angle from the direction of shaking";
+    /// The range in a legend.
+    pub const RANGE: &str = "all waves";
+    /// The wave n = 1 in a legend.
+    pub const FIRST: &str = "n = 1 alone";
+
+    /// Heading of a run.
+    pub fn engine(name: &str) -> String {
+        format!("By the {name} engine")
+    }
+
+    /// Deviation and largest waves in a sentence or two.
+    pub fn summary(around: &Around) -> String {
+        let mut out = format!(
+            "Largest deviation {} ({} thicknesses) at θ = {:.0}°, z = {}.",
+            with_unit(around.deviation, Dimension::Length),
+            significant(around.over_thickness, 3),
+            around.theta.to_degrees(),
+            with_unit(around.z, Dimension::Length)
+        );
+        if let Some((displacement, n)) = around.largest_beyond() {
+            out += &format!(
+                " Largest wave beyond n = 1: {} in n = {n}.",
+                with_unit(displacement, Dimension::Length)
+            );
+        }
+        if let Some(ring) = &around.base {
+            let (stress, theta) = ring.largest();
+            out += &format!(
+                " Largest axial membrane stress around the base {} at θ = {:.0}°.",
+                with_unit(stress, Dimension::Stress),
+                theta.to_degrees()
+            );
+        }
+        out
+    }
+
+    /// Description of amplitudes by n.
+    pub fn bars(title: &str) -> String {
+        format!("{title}: largest amplitude of each number of waves around the tank.")
+    }
+
+    /// Description of the stress around the base.
+    pub fn base(ring: &BaseAround) -> String {
+        let (stress, theta) = ring.largest();
+        format!(
+            "Smallest and largest seismic axial membrane stress at the base by angle; largest {} at {:.0}°.",
+            with_unit(stress, Dimension::Stress),
+            theta.to_degrees()
+        )
+    }
+}
+
 /// The three-dimensional run.
 pub mod spatial {
     use super::*;

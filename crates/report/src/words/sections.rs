@@ -213,6 +213,16 @@ const ALL: &[Words] = &[
         ],
     },
     Words {
+        id: "around",
+        title: "Waves around the imperfect wall",
+        sentences: &[(
+            "why",
+            "A perfect cylinder answers horizontal motion in one wave around the tank alone. Where its radius deviates in n waves, the hoop \
+             force and the pressure of that motion act on the deviation and excite n − 1 and n + 1 waves. Seismic part; largest amplitudes \
+             over the height and over time, at different times.",
+        )],
+    },
+    Words {
         id: "sheets",
         title: "Calculation sheets",
         sentences: &[("record", "the sheet for the record")],
