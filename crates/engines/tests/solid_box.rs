@@ -82,10 +82,9 @@ fn waves_of_a_rigid_box_in_both_directions() {
             let of_part = found
                 .iter()
                 .filter(|m| m.harmonic == i % 2 + 2 * (j % 2) && m.kind == Kind::Sloshing);
-            let nearest = of_part
+            of_part
                 .map(|m| m.omega / exact - 1.0)
-                .fold(1.0, |a: f64, b| if b.abs() < a.abs() { b } else { a });
-            nearest
+                .fold(1.0, |a: f64, b| if b.abs() < a.abs() { b } else { a })
         };
         [(1, 0), (0, 1), (1, 1), (2, 0), (3, 0)]
             .map(|(i, j)| wave(i, j))
