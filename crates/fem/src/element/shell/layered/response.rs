@@ -125,7 +125,7 @@ impl LayeredSection {
         let mut dissipation = 0.0;
         let mut blocks = Blocks::default();
         let mut room = Vec::new();
-        for layer in self.layers.iter().filter(|l| !l.linear && !(whole && l.ranged)) {
+        for layer in self.layers.iter().filter(|l| !(l.linear || whole && l.ranged)) {
             let at = at_depth(strain, layer.depth);
             let past = layer.past(old, &mut room);
             let response = layer
