@@ -121,6 +121,12 @@ fn linear_damping(job: &Job) -> Option<Damping> {
     let model = &job.linear.damping;
     Some(match Damper::new(&job.case, model).ok()? {
         Damper::ByKind { sloshing, structural } => Damping::Modal { sloshing, structural },
+        Damper::ByGroup { wall, sloshing, .. } => Damping::ByGroup { wall, sloshing },
+        Damper::Caughey(caughey) => Damping::Caughey {
+            pairs: caughey.pairs().len(),
+            first: caughey.pairs().first().copied().unwrap_or_default().into(),
+            last: caughey.pairs().last().copied().unwrap_or_default().into(),
+        },
         Damper::Rayleigh(c) => Damping::Rayleigh {
             mass: c.mass,
             stiffness: c.stiffness,

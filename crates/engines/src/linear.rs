@@ -8,6 +8,7 @@ pub(crate) mod limits;
 pub(crate) mod mesh_error;
 mod modal;
 pub(crate) mod model;
+pub(crate) mod tilt;
 mod waves;
 
 use fem::progress::{Progress, Silent};
@@ -80,6 +81,15 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
     });
     let mut simulation = first?;
     mesh_error::note(&mut simulation, other.transpose()?.as_ref(), options);
+    if !options.snapshots.is_empty() {
+        simulation.notes.push(
+            "`analysis.snapshots`: states at given times are those of the three-dimensional engine (--fe solid, --fe both).".into(),
+        );
+    }
+    if let Some(angle) = options.tilt {
+        let build = |tilted: &Case| crate::harmonic::build_observed(tilted, options, 1, Places::Usual);
+        simulation.result.tilt = Some(tilt::tilt(case, angle, build)?);
+    }
     Ok(simulation)
 }
 

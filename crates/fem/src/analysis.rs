@@ -26,6 +26,7 @@
 //! | [`ida`] | one model under one record at rising scales |
 
 pub mod buckling;
+pub mod caughey;
 pub mod checkpoint;
 pub mod contact;
 pub mod continuation;

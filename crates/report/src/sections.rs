@@ -24,6 +24,7 @@ mod spatial;
 mod spectra;
 mod summary;
 mod tank;
+mod tilt;
 
 use files::error::Error;
 
@@ -61,6 +62,7 @@ sections![
     profiles,
     histories,
     directions,
+    tilt,
     nonlinear,
     spatial,
     around,

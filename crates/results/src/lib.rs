@@ -19,6 +19,7 @@ mod push;
 mod run;
 mod snapshots;
 mod store;
+mod tilt;
 mod verdict;
 pub mod vtu;
 
@@ -50,6 +51,7 @@ pub use store::{
     write,
 };
 
+pub use tilt::{Tilt, TiltLine};
 pub use verdict::{Aside, Counts, Deciding, Governing, Verdict, VerdictStatus, verdict};
 
 pub use files::error::describe;

@@ -11,6 +11,7 @@ use crate::directions::Directional;
 use crate::fields::Fields;
 use crate::modal::ModalPart;
 use crate::nonlinear::{End, Event, EventKind, Nonlinear};
+use crate::tilt::Tilt;
 
 /// Id of the first engine's column in the comparison, the reference of all ratios.
 pub const FE: &str = "fe";
@@ -142,6 +143,9 @@ pub struct Run {
     /// Extremes under two horizontal components; empty with one.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub directions: Vec<Directional>,
+    /// Static tilt test, if asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tilt: Option<Tilt>,
     /// Limits of validity and the values found.
     pub limits: Vec<Limit>,
     /// First yield, first crack, first separation and the like, by time.
@@ -177,6 +181,7 @@ impl Run {
             envelopes: Vec::new(),
             histories: Vec::new(),
             directions: Vec::new(),
+            tilt: None,
             limits: Vec::new(),
             events: Vec::new(),
             fields: None,

@@ -62,7 +62,7 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
         accepted: accepted::accepted(&mut r, &file.accepted),
     };
     let analysis = file.analysis.value();
-    let fe = linear::analysis(&mut r, analysis, tank.as_ref());
+    let fe = linear::analysis(&mut r, analysis, tank.as_ref(), damping);
     let mut solid = solid::solid(&mut r, analysis.and_then(|a| a.solid.value()));
     let mut nonlinear = nonlinear::nonlinear(
         &mut r,

@@ -254,7 +254,10 @@ fn options() {
     for (more, message) in [
         (r#", "analysis": { "gauges": ["11 m"] }"#, "the radius"),
         (r#", "analysis": { "stations": ["8.1 m"] }"#, "the height of the wall"),
-        (r#", "analysis": { "damping": {} }"#, "either rayleigh or coefficients"),
+        (
+            r#", "analysis": { "damping": {} }"#,
+            "one of by_group, caughey, rayleigh and coefficients",
+        ),
         (
             r#", "procedures": { "run": ["ec8-2005"] }"#,
             "did you mean \"ec8-2006\"?",

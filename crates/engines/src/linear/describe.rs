@@ -97,7 +97,8 @@ fn kept_modes(h: &Harmonic, kept: &[&CoupledMode], options: &Options) -> Labelle
     let load = h.coupled.mass.times(&h.coupled.influence);
     let total = dot(&load, &h.coupled.influence);
     let carried: f64 = kept.iter().map(|m| m.effective_mass()).sum();
-    let rule = if options.damping == DampingModel::Modal {
+    let by_frequency = matches!(options.damping, DampingModel::Modal | DampingModel::Caughey(_));
+    let rule = if by_frequency {
         format!(
             "up to {FREQUENCY_FACTOR} × the frequency of the impulsive mode, at least {SLOSHING_MODES} sloshing and \
              {STRUCTURAL_MODES} structural"

@@ -82,10 +82,11 @@ impl Model {
             let modes = crate::modes::solve(&coupled, None)?;
             Ok(Harmonic { coupled, modes })
         };
+        let horizontal = prepare(1)?;
         Ok(Model {
-            horizontal: prepare(1)?,
             vertical: if vertical { Some(prepare(0)?) } else { None },
-            damper,
+            damper: damper.tuned(&horizontal.modes),
+            horizontal,
         })
     }
 

@@ -46,7 +46,7 @@ impl<'a> DirectSystem<'a> {
                     .map(|(m, k)| mass * m + stiffness * k)
                     .collect(),
             },
-            Damper::ByKind { .. } => {
+            Damper::ByKind { .. } | Damper::ByGroup { .. } | Damper::Caughey(_) => {
                 let mut shapes = Matrix::zeros(n, modes.len());
                 for (j, mode) in modes.iter().enumerate() {
                     shapes.column_mut(j).copy_from_slice(&mode.vector);

@@ -63,7 +63,7 @@ impl OwnUnknowns<'_> {
                 mass: r.mass,
                 stiffness: r.stiffness,
             }),
-            Damper::ByKind { .. } => {
+            Damper::ByKind { .. } | Damper::ByGroup { .. } | Damper::Caughey(_) => {
                 let (mut data, mut rates) = (Vec::new(), Vec::new());
                 for mode in self.modes() {
                     let rate = 2.0 * self.model.damper.ratio(mode.kind, mode.omega) * mode.omega;

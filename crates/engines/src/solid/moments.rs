@@ -113,6 +113,11 @@ impl Histories {
         })
     }
 
+    /// Time of the last sample [s].
+    pub(super) fn end(&self) -> f64 {
+        self.dt * self.samples.saturating_sub(1) as f64
+    }
+
     /// The state at the sample nearest to `time` [s]; `spaces` belong to the systems of the model.
     pub(super) fn at(&self, tank: &TankModel, spaces: &[Space], time: f64) -> Moment {
         let sample = ((time / self.dt).round().max(0.0) as usize).min(self.samples - 1);

@@ -20,12 +20,13 @@ use super::spectrum::{self, TankMode};
 use super::system::System;
 use super::{around, coupling};
 use crate::checks::check_options;
+use crate::coupled::Coupled;
 use crate::damping::Damper;
 use crate::engine::Task;
 use crate::linear::analysis::analyse;
 use crate::linear::mesh_error::{self, Second, SecondMesh};
 use crate::linear::model::{Harmonic, Model};
-use crate::linear::{Linear, checked_motion, complete};
+use crate::linear::{Linear, checked_motion, complete, tilt};
 use crate::modes::{CoupledMode, Kind, solve};
 use crate::{FeError, Simulation};
 use results::channel::Side;
@@ -110,10 +111,11 @@ impl Prepared {
             }
             Ok(Harmonic { coupled, modes })
         };
+        let horizontal = prepare(1)?;
         let model = Model {
-            horizontal: prepare(1)?,
             vertical: if vertical { Some(prepare(0)?) } else { None },
-            damper,
+            damper: damper.tuned(&horizontal.modes),
+            horizontal,
         };
         Ok(Prepared {
             tank,
@@ -180,7 +182,8 @@ impl Prepared {
     ) -> Result<(), FeError> {
         let drawn = self.drawn_modes(progress)?;
         let histories = Histories::new(&self.model, motion, options)?;
-        let moments = extreme_moments(&simulation.result);
+        let mut moments = extreme_moments(&simulation.result);
+        moments.extend(asked(&histories, options)?);
         simulation.result.fields = Some(fields::fields(&self.tank, &self.spaces, &histories, &drawn, &moments));
         if let Some(interval) = solid.snapshot_interval.filter(|i| *i > 0.0) {
             let end = motion.horizontal.duration();
@@ -227,6 +230,22 @@ fn extreme_moments(result: &Run) -> Vec<(String, f64)> {
     .collect()
 }
 
+/// The moments of `analysis.snapshots`.
+///
+/// Errors: a time after the end of the histories.
+fn asked(histories: &Histories, options: &Options) -> Result<Vec<(String, f64)>, FeError> {
+    let end = histories.end();
+    let title = |&time: &f64| (format!("at t = {time:.3} s"), time);
+    match options.snapshots.iter().find(|time| **time > end * (1.0 + 1e-9)) {
+        Some(late) => Err(FeError::Option {
+            option: "analysis.snapshots".into(),
+            found: format!("{late} s"),
+            allowed: format!("at most {end:.3} s, the end of record and free vibration"),
+        }),
+        None => Ok(options.snapshots.iter().map(title).collect()),
+    }
+}
+
 /// Errors: the user wants to stop.
 fn stop(progress: &dyn Progress, stage: &str) -> Result<(), FeError> {
     if progress.interrupted() {
@@ -262,9 +281,23 @@ pub fn simulate(
         None => None,
     };
     prepared.pictures(motion, options, solid, &mut simulation, progress)?;
+    if let Some(angle) = options.tilt.filter(|_| !progress.interrupted()) {
+        let build = |tilted: &Case| coupled(tilted, options, solid, progress);
+        simulation.result.tilt = Some(tilt::tilt(case, angle, build)?);
+    }
     simulation.result.incomplete |= progress.interrupted();
     mesh_error::note(&mut simulation, second.as_ref(), options);
     Ok(simulation)
+}
+
+/// The system of harmonic 1 of a case.
+///
+/// Errors: as [`simulate`].
+fn coupled(case: &Case, options: &Options, solid: &SolidOptions, progress: &dyn Progress) -> Result<Coupled, FeError> {
+    let tank = TankModel::new(case, options, solid)?;
+    let memory = solid.memory_limit_mib << 20;
+    let system = System::new(&tank.model, &tank.assembler, &poles(case, solid), memory)?;
+    reduce::new(case, options, &tank, &system, 1, progress).map(|(coupled, _)| coupled)
 }
 
 /// The response alone, without pictures and a second mesh.

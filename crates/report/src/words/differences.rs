@@ -154,6 +154,13 @@ pub fn damping(damping: &Damping) -> String {
             percent(wall),
             percent(sloshing)
         ),
+        Damping::Caughey { pairs, first, last } => format!(
+            "Caughey's series through {pairs} ratios, from {} % at {} rad/s to {} % at {} rad/s",
+            percent(first[1]),
+            units::significant(first[0], 4),
+            percent(last[1]),
+            units::significant(last[0], 4)
+        ),
         Damping::InitialRayleigh { first, second } => format!(
             "Rayleigh on the initial stiffness, {} % at {} rad/s and {} % at {} rad/s",
             percent(first[1]),

@@ -8,6 +8,10 @@ pub const SMALLEST_TIME: &str = "Time of the smallest";
 pub const LARGEST_TIME: &str = "Time of the largest";
 /// Vertical line at the end of the record.
 pub const RECORD_END: &str = "end of the record";
+/// Low side of a tilted tank.
+pub const LOW_SIDE: &str = "θ = 0°, low side";
+/// Its high side.
+pub const HIGH_SIDE: &str = "θ = 180°, high side";
 /// Ratio to the finite-element value.
 pub const RATIO_TO_ENGINE: &str = "Ratio to FE";
 /// Relative difference between two meshes.

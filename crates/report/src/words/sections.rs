@@ -139,6 +139,18 @@ const ALL: &[Words] = &[
         )],
     },
     Words {
+        id: "tilt",
+        title: "Static tilt test",
+        sentences: &[
+            (
+                "rest",
+                "Tank and liquid at rest on a tilted base: weight and pressure of the tilted tank, in axes of the tank. θ = 0 is the low \
+                 side. Linear: the wall is not wetted higher on the low side.",
+            ),
+            ("height", "Over the height, weight and pressure contained."),
+        ],
+    },
+    Words {
         id: "directions",
         title: "Two horizontal components",
         sentences: &[

@@ -125,6 +125,15 @@ pub enum Damping {
         /// Ratio of each sloshing mode.
         sloshing: f64,
     },
+    /// Caughey's series through pairs.
+    Caughey {
+        /// Number of pairs.
+        pairs: usize,
+        /// Circular frequency [rad/s] and ratio of the lowest pair.
+        first: [f64; 2],
+        /// The same of the highest pair.
+        last: [f64; 2],
+    },
     /// Rayleigh damping on the initial stiffness, fitted at two circular frequencies.
     InitialRayleigh {
         /// Circular frequency [rad/s] and ratio.

@@ -27,6 +27,15 @@ pub enum DampingModel {
         /// Accept a negative coefficient (parity with published runs), with a warning.
         allow_negative: bool,
     },
+    /// Wall proportional to its stiffness, a ratio for every sloshing mode, as of the nonlinear engine.
+    ByGroup {
+        /// Ratio of the first mode of wall and liquid; that of the others grows with their frequency.
+        wall: f64,
+        /// Ratio of each sloshing mode.
+        sloshing: f64,
+    },
+    /// Caughey's series through pairs of circular frequency [rad/s] and ratio.
+    Caughey(CaugheyPairs),
     /// Rayleigh damping with its coefficients given, whatever their sign (parity with published runs), with a warning if
     /// one is negative.
     Coefficients {
@@ -35,6 +44,31 @@ pub enum DampingModel {
         /// a_K [s].
         stiffness: f64,
     },
+}
+
+/// Pairs of Caughey's series, six at most.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CaugheyPairs {
+    pairs: [(f64, f64); CaugheyPairs::MOST],
+    count: usize,
+}
+
+impl CaugheyPairs {
+    /// Most pairs.
+    pub const MOST: usize = 6;
+
+    /// The first [`CaugheyPairs::MOST`] of `given`, each a circular frequency [rad/s] and a ratio.
+    pub fn new(given: &[(f64, f64)]) -> CaugheyPairs {
+        let count = given.len().min(CaugheyPairs::MOST);
+        let mut pairs = [(0.0, 0.0); CaugheyPairs::MOST];
+        pairs[..count].copy_from_slice(&given[..count]);
+        CaugheyPairs { pairs, count }
+    }
+
+    /// The pairs.
+    pub fn pairs(&self) -> &[(f64, f64)] {
+        &self.pairs[..self.count]
+    }
 }
 
 /// Options of the linear engine. The defaults keep the errors stated in the theory manual.
@@ -54,6 +88,12 @@ pub struct LinearOptions {
     pub gauges: Vec<f64>,
     /// Extra stress stations: heights above the base [m] with histories of hoop, axial and bending stress.
     pub stations: Vec<f64>,
+    /// Times of states that the three-dimensional engine draws besides those of extreme response [s].
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub snapshots: Vec<f64>,
+    /// Angle of the static tilt test [rad]; none without one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tilt: Option<f64>,
 }
 
 impl LinearOptions {
@@ -66,6 +106,8 @@ impl LinearOptions {
         mesh_error: true,
         gauges: Vec::new(),
         stations: Vec::new(),
+        snapshots: Vec::new(),
+        tilt: None,
     };
 }
 

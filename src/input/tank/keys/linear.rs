@@ -1,17 +1,17 @@
 //! `analysis`: options of the linear engines.
 
 use tank::options::LinearOptions;
-use tank::options::linear::{DampingModel, Integrator};
-use tank::{Shape, Tank};
+use tank::options::linear::{CaugheyPairs, DampingModel, Integrator};
+use tank::{Shape, Tank, case};
 
 use super::imperfections::Imperfection;
-use super::nonlinear::Nonlinear;
-use super::rayleigh::{Rayleigh, rayleigh};
+use super::nonlinear::{ByGroup, Nonlinear, by_group};
+use super::rayleigh::{RatioAt, Rayleigh, ratio_at, rayleigh};
 use super::solid::Solid;
-use crate::input::tank::key::{Absent, Limits, default};
+use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, like_field, range_fault};
-use crate::input::tank::values::{Length, Number, Time, Whole};
+use crate::input::tank::values::{Angle, Length, Number, Time, Whole};
 
 /// Defaults.
 const DEFAULT: &LinearOptions = &LinearOptions::DEFAULT;
@@ -19,6 +19,13 @@ const DEFAULT: &LinearOptions = &LinearOptions::DEFAULT;
 const PLACES: Limits = Limits::from(0.0).to(1000.0).items(0, 100);
 /// Coefficients of Rayleigh damping.
 const COEFFICIENT: Limits = Limits::from(-1e6).to(1e6);
+
+/// Times of snapshots [s].
+const SNAPSHOTS: Limits = Limits::from(0.0).to(1e5).items(0, 20);
+/// Angles of a tilt test [rad]: up to 45°.
+const TILT: Limits = Limits::above(0.0).to(std::f64::consts::FRAC_PI_4);
+/// Pairs of Caughey's series.
+const PAIRS: Limits = Limits::from(0.0).items(2, CaugheyPairs::MOST);
 
 object! {
     /// Options of the finite-element analysis.
@@ -35,6 +42,10 @@ object! {
         gauges: Opt<Vec<Field<Length>>> [PLACES],
         /// Stress stations: heights above the base with histories of hoop, axial and bending stress.
         stations: Opt<Vec<Field<Length>>> [PLACES],
+        /// Times at which the three-dimensional engine draws the deformed tank, pressure and hoop stress, besides the extremes.
+        snapshots: Opt<Vec<Field<Time>>> [SNAPSHOTS],
+        /// Angle of a static tilt test by the linear engines: tank and liquid at rest on a base tilted by it.
+        tilt ("10 deg"): Opt<Angle> [TILT] = without("no tilt test"),
         /// Damping model.
         damping: Opt<AnalysisDamping> = Absent::Follows("the modal ratios of damping"),
         /// Deviations of a cylinder's wall from the perfect shape, which are added, in the three-dimensional and the nonlinear
@@ -50,8 +61,12 @@ object! {
         nonlinear: Opt<Nonlinear>,
     }
 
-    /// Damping model of the finite-element analysis instead of modal ratios. Give one of the two.
+    /// Damping model of the finite-element analysis instead of modal ratios. Give one of them.
     AnalysisDamping {
+        /// Stiffness-proportional in the wall, a ratio for every sloshing mode, as of the nonlinear engine.
+        by_group: Opt<ByGroup>,
+        /// Caughey's series through pairs of frequency and ratio; beyond them the ratio of the nearest.
+        caughey: Opt<Vec<Field<RatioAt>>> [PAIRS],
         /// Rayleigh damping fitted to two ratios.
         rayleigh: Opt<Rayleigh>,
         /// Rayleigh damping with its coefficients given, whatever their sign.
@@ -78,7 +93,14 @@ choice! {
 }
 
 /// Options of the linear engines. Defaults are those of the engine and not echoed one by one.
-pub(super) fn analysis(r: &mut Resolver<'_>, given: Option<&Analysis>, tank: Option<&Tank>) -> LinearOptions {
+///
+/// * `ratios`: damping ratios of the case
+pub(super) fn analysis(
+    r: &mut Resolver<'_>,
+    given: Option<&Analysis>,
+    tank: Option<&Tank>,
+    ratios: case::Damping,
+) -> LinearOptions {
     let Some(given) = given else {
         r.echo_default("analysis", "not given", "modal integration on the default mesh");
         return DEFAULT.clone();
@@ -96,14 +118,32 @@ pub(super) fn analysis(r: &mut Resolver<'_>, given: Option<&Analysis>, tank: Opt
         mesh_error: r.choice(&given.mesh_error),
         gauges: places(r, &given.gauges, half, what),
         stations: places(r, &given.stations, height, "the height of the wall"),
+        snapshots: times(r, &given.snapshots),
+        tilt: match given.tilt.given {
+            Some(_) => r.optional(&given.tilt),
+            None => None,
+        },
         damping: match &given.damping.given {
-            Some(damping) => damping_model(r, damping),
+            Some(damping) => damping_model(r, damping, ratios),
             None => {
                 r.echo_default("analysis.damping", "modal", "the ratios of `damping`");
                 DampingModel::Modal
             }
         },
     }
+}
+
+/// Times of snapshots.
+fn times(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Time>>>) -> Vec<f64> {
+    let Some((field, list)) = option.given.as_ref().and_then(|f| Some((f, f.value.as_ref()?))) else {
+        return Vec::new();
+    };
+    let (_, most) = field.limits.items;
+    if list.len() > most {
+        let fault = range_fault(field, "too many times", &format!("at most {most}"));
+        r.faults.push(fault.found(format!("{} times", list.len())));
+    }
+    list.iter().map(|time| r.within(time, field.limits)).collect()
 }
 
 /// Places from 0 to a length of the tank (NaN if the tank is faulty: no upper limit).
@@ -129,39 +169,64 @@ fn places(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Length>>>, end: f64, what
     all
 }
 
-fn damping_model(r: &mut Resolver<'_>, field: &Field<AnalysisDamping>) -> DampingModel {
+fn damping_model(r: &mut Resolver<'_>, field: &Field<AnalysisDamping>, ratios: case::Damping) -> DampingModel {
     let Some(model) = &field.value else {
         return DampingModel::Modal;
     };
-    match (&model.rayleigh.given, &model.coefficients.given) {
-        (Some(one), None) => match &one.value {
-            Some(given) => {
-                let (first, second, allow_negative) = rayleigh(r, given);
-                DampingModel::Rayleigh {
-                    first,
-                    second,
-                    allow_negative,
-                }
+    let found = match (
+        &model.by_group.given,
+        &model.caughey.given,
+        &model.rayleigh.given,
+        &model.coefficients.given,
+    ) {
+        (Some(one), None, None, None) => one.value.as_ref().map(|group| {
+            let (wall, sloshing) = by_group(r, group, ratios);
+            DampingModel::ByGroup { wall, sloshing }
+        }),
+        (None, Some(one), None, None) => one.value.as_ref().and_then(|pairs| caughey(r, one, pairs)),
+        (None, None, Some(one), None) => one.value.as_ref().map(|given| {
+            let (first, second, allow_negative) = rayleigh(r, given);
+            DampingModel::Rayleigh {
+                first,
+                second,
+                allow_negative,
             }
-            None => DampingModel::Modal,
-        },
-        (None, Some(one)) => match &one.value {
-            Some(c) => DampingModel::Coefficients {
-                mass: r.number(&c.mass),
-                stiffness: r.number(&c.stiffness),
-            },
-            None => DampingModel::Modal,
-        },
-        (Some(_), Some(_)) | (None, None) => {
+        }),
+        (None, None, None, Some(one)) => one.value.as_ref().map(|c| DampingModel::Coefficients {
+            mass: r.number(&c.mass),
+            stiffness: r.number(&c.stiffness),
+        }),
+        _ => {
             r.faults.push(
                 range_fault(
                     field,
                     "not exactly one damping model",
-                    "either rayleigh or coefficients",
+                    "one of by_group, caughey, rayleigh and coefficients",
                 )
                 .help("remove analysis.damping to use the modal ratios of `damping`"),
             );
-            DampingModel::Modal
+            None
         }
+    };
+    found.unwrap_or(DampingModel::Modal)
+}
+
+/// The pairs of Caughey's series, two to six at different frequencies.
+fn caughey(r: &mut Resolver<'_>, field: &Field<Vec<Field<RatioAt>>>, given: &[Field<RatioAt>]) -> Option<DampingModel> {
+    let (least, most) = field.limits.items;
+    if !(least..=most).contains(&given.len()) {
+        let fault = range_fault(field, "too few or too many pairs", &format!("{least} to {most} pairs"));
+        r.faults.push(fault.found(format!("{} pairs", given.len())));
+        return None;
     }
+    let mut pairs: Vec<(f64, f64)> = Vec::new();
+    for one in given {
+        let pair = ratio_at(r, one);
+        if pairs.iter().any(|(omega, _)| (omega - pair.0).abs() <= 1e-6 * pair.0) {
+            let fault = range_fault(one, "two pairs have the same frequency", "different frequencies");
+            r.faults.push(fault);
+        }
+        pairs.push(pair);
+    }
+    Some(DampingModel::Caughey(CaugheyPairs::new(&pairs)))
 }

@@ -291,6 +291,17 @@ fn integration(r: &mut Resolver<'_>, option: &Opt<Integrations>) -> Integration 
     }
 }
 
+/// Ratios of wall and sloshing.
+pub(super) fn by_group(r: &mut Resolver<'_>, group: &ByGroup, ratios: case::Damping) -> (f64, f64) {
+    let mut ratio = |option: &Opt<Number>, otherwise: f64, source: &str| {
+        r.or_else(option, otherwise, &otherwise.to_string(), source)
+    };
+    (
+        ratio(&group.wall, ratios.impulsive, "damping.impulsive"),
+        ratio(&group.sloshing, ratios.sloshing, "damping.sloshing"),
+    )
+}
+
 fn damping(r: &mut Resolver<'_>, option: &Opt<NonlinearDamping>, ratios: case::Damping) -> Damping {
     let default = Damping::ByGroup {
         wall: ratios.impulsive,
@@ -308,13 +319,8 @@ fn damping(r: &mut Resolver<'_>, option: &Opt<NonlinearDamping>, ratios: case::D
     ) {
         (Some(group), None, None) => {
             let Some(group) = &group.value else { return default };
-            let mut ratio = |option: &Opt<Number>, otherwise: f64, source: &str| {
-                r.or_else(option, otherwise, &otherwise.to_string(), source)
-            };
-            Damping::ByGroup {
-                wall: ratio(&group.wall, ratios.impulsive, "damping.impulsive"),
-                sloshing: ratio(&group.sloshing, ratios.sloshing, "damping.sloshing"),
-            }
+            let (wall, sloshing) = by_group(r, group, ratios);
+            Damping::ByGroup { wall, sloshing }
         }
         (None, Some(field), None) => match &field.value {
             Some(given) => {

@@ -29,16 +29,18 @@ object! {
 /// A (circular frequency [rad/s], ratio) pair.
 type Pair = (f64, f64);
 
+/// A pair; NaN where it is faulty.
+pub(super) fn ratio_at(r: &mut Resolver<'_>, field: &Field<RatioAt>) -> Pair {
+    let Some(pair) = &field.value else {
+        return (f64::NAN, f64::NAN);
+    };
+    r.echo_given(&pair.at);
+    (pair.at.value.map_or(f64::NAN, |p| p.0), r.number(&pair.ratio))
+}
+
 /// Both pairs of Rayleigh damping, and whether a negative coefficient is accepted.
 pub(super) fn rayleigh(r: &mut Resolver<'_>, rayleigh: &Rayleigh) -> (Pair, Pair, bool) {
-    let mut pair = |f: &Field<RatioAt>| {
-        let Some(pair) = &f.value else {
-            return (f64::NAN, f64::NAN);
-        };
-        r.echo_given(&pair.at);
-        (pair.at.value.map_or(f64::NAN, |p| p.0), r.number(&pair.ratio))
-    };
-    let (first, second) = (pair(&rayleigh.first), pair(&rayleigh.second));
+    let (first, second) = (ratio_at(r, &rayleigh.first), ratio_at(r, &rayleigh.second));
     if (first.0 - second.0).abs() <= 1e-9 * first.0 {
         r.faults.push(range_fault(
             &rayleigh.second,
