@@ -5,10 +5,10 @@ mod attribution;
 mod decision;
 mod measured;
 mod motion;
+mod quantities;
 mod runs;
 mod series;
-
-use std::collections::BTreeMap;
+mod site;
 
 use codes::Procedure;
 use codes::procedure::CodeError;
@@ -18,13 +18,14 @@ use tank::Quantity;
 use tank::assessment::{Assessment, Excitation};
 use tank::ingredients::Ingredients;
 
+use self::quantities::quantities;
 use crate::error::Error;
 use crate::job::Job;
 use engines::{Simulation, engine};
 use results::compare::{self, Context, Incomplete};
 use results::{
     Deformability, EngineId, FORMAT, Method, RecordSummary, Results, Run, Series, Snapshots, Status, TankSummary,
-    Value, Verdict, Volatile, finite,
+    Verdict, Volatile, finite,
 };
 
 /// Ids of the procedures to run, in report order; an empty list means all.
@@ -78,12 +79,19 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         ..Context::default()
     };
     let (mut runs, mut series): (Vec<Run>, Series) = Default::default();
-    let mut outside = Vec::new();
+    let (mut outside, mut site_errors) = (Vec::new(), Vec::new());
     for (number, simulation) in simulations.into_iter().enumerate() {
-        let findings = runs::findings(job, &simulation);
         let column = simulation.result.engine.column(number);
-        outside.extend(findings.outside.map(|why| (column, why)));
-        methods.push(runs::method(job, number, &simulation, findings));
+        if job.case.ground_motion.is_some() {
+            let findings = runs::findings(job, &simulation);
+            outside.extend(findings.outside.map(|why| ((column, Excitation::Record), why)));
+            methods.push(runs::method(job, number, &simulation, findings));
+        }
+        if let Some(site) = site::column(job, number, &simulation) {
+            outside.extend(site.outside.map(|why| ((column, Excitation::Site), why)));
+            site_errors.push((column, site.errors));
+            methods.push(site.method);
+        }
         match number {
             0 => series = simulation.series,
             _ => series::append(&mut series, &simulation.series, simulation.result.engine.prefix()),
@@ -99,7 +107,11 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
     comparison.measured_apart = measured::others(job);
     comparison.published_apart = measured::published(job);
     for (number, run) in runs.iter().enumerate() {
-        comparison.mark_unusable(&methods, run.engine.column(number), &run.mesh_error);
+        let column = (run.engine.column(number), Excitation::Record);
+        comparison.mark_unusable(&methods, column, &run.mesh_error);
+    }
+    for (column, errors) in &site_errors {
+        comparison.mark_unusable(&methods, (column, Excitation::Site), errors);
     }
     for (method, why) in outside {
         comparison.mark_outside(&methods, method, why);
@@ -259,21 +271,6 @@ fn method(procedure: &dyn Procedure, job: &Job, excitation: Excitation) -> Resul
 /// Note on the equivalent wall of a method for one material, if the wall has layers.
 fn layers(job: &Job) -> Option<&'static str> {
     job.case.tank.courses.iter().find_map(Course::layer_assumption)
-}
-
-fn quantities(values: &BTreeMap<Quantity, f64>) -> BTreeMap<String, Value> {
-    values
-        .iter()
-        .map(|(q, &value)| {
-            (
-                q.id().to_owned(),
-                Value {
-                    value,
-                    dimension: q.dimension(),
-                },
-            )
-        })
-        .collect()
 }
 
 /// Periods of the tank [s]: the first modes of the engine, or those of the procedures without an engine.

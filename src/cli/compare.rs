@@ -5,6 +5,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use codes::modal_action;
 use fem::progress::Progress;
 use tank::Case;
 use tank::assessment::{Check, CheckStatus, Excitation};
@@ -37,6 +38,7 @@ use results::{
 #[command(after_help = "\
 Examples:
   tankcheck compare tank.json --quake elcentro.csv --out out/
+  tankcheck compare tank.json --out out/          the engine's modes under the design spectrum of the tank's `site`
   tankcheck compare tank.json --quake ns.at2 --vertical up.at2 --out out/
   tankcheck compare tank.json --quake ns.at2 --quake-y ew.at2 --vertical up.at2 --out out/
   tankcheck compare tank.json --quake rec.txt --units g --integrator newmark --out out/
@@ -136,19 +138,27 @@ enum IntegratorArg {
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
-    if args.inputs.quake.is_none() {
-        return Err(Error::input(
-            "error: the ground motion is missing\n  help: give a record with --quake, or run `tankcheck check` for the codes alone"
-                .into(),
-        ));
-    }
     let engines = |case: &Case| args.fe.unwrap_or_else(|| Engine::usual(case)).ids();
     let refuses = |task: &Task<'_>| {
         let all = engines(task.case).iter();
         all.flat_map(|&id| engine(id).refuses(task)).collect()
     };
+    let missing = || {
+        Error::input(
+            "error: the ground motion is missing\n  help: give a record with --quake, or run `tankcheck check` for the codes alone; \
+             --fe harmonic runs without a record under the design spectrum of `site`"
+                .into(),
+        )
+    };
+    if args.inputs.quake.is_none() && args.fe.is_some_and(|fe| fe != Engine::Harmonic) {
+        return Err(missing());
+    }
     let mut job = args.inputs.job(refuses)?;
     job.engines = engines(&job.case).to_vec();
+    let spectral = || job.engines == [EngineId::Harmonic] && modal_action::of(&job.case, None, true).is_some();
+    if job.case.ground_motion.is_none() && !spectral() {
+        return Err(missing());
+    }
     choose(&mut job, &args)?;
     if job.engines.iter().any(|&id| engine(id).stops()) {
         progress::stop_gracefully();
@@ -339,7 +349,8 @@ fn table(results: &Results, excitation: Excitation) -> String {
     if columns.is_empty() {
         return String::new();
     }
-    let head = std::iter::once(terminal::corner(excitation, results.reference().is_some()))
+    let fe_here = columns.iter().any(|&i| results.methods[i].id == results::FE);
+    let head = std::iter::once(terminal::corner(excitation, results.reference().is_some(), fe_here))
         .chain(columns.iter().map(|&i| results.methods[i].id.as_str()));
     let later = Later::of(results).filter(|_| excitation == Excitation::Record);
     let mut table = Table::new(head);
@@ -386,9 +397,12 @@ fn table(results: &Results, excitation: Excitation) -> String {
         let is = |c: &Check| c.status == CheckStatus::NotChecked && c.limit_state == why.limit_state();
         columns.iter().flat_map(of).any(is)
     };
+    // The column of the engine under the site's spectrum has no checks that give the reason.
+    let plates = results.tank.tank.bends_as_plates();
+    let alone = |why: &Outside| excitation == Excitation::Site && plates == (*why == Outside::Plates);
     for why in Outside::ALL
         .into_iter()
-        .filter(|why| marked(|c| c.outside) && open(why))
+        .filter(|why| marked(|c| c.outside) && (open(why) || alone(why)))
     {
         let _ = writeln!(text, "{}", terminal::outside(why));
     }

@@ -32,7 +32,10 @@ pub(super) fn deciding(job: &Job, methods: &[Method]) -> Vec<Deciding> {
         named => named
             .iter()
             .map(|id| {
-                decides(id, Excitation::Site).unwrap_or_else(|| Deciding {
+                // An engine is checked under the record alone.
+                let code = codes::ALL.iter().any(|procedure| procedure.id() == id);
+                let under_site = code.then(|| decides(id, Excitation::Site)).flatten();
+                under_site.unwrap_or_else(|| Deciding {
                     method: id.clone(),
                     excitation: Excitation::Record,
                 })

@@ -3,7 +3,7 @@
 use tank::assessment::Excitation;
 use tank::case::Reported;
 
-use super::quantities;
+use super::quantities::quantities;
 use crate::job::Job;
 use results::Method;
 use results::compare::{self, Apart, Shaken, Why, apart};

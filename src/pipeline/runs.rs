@@ -5,7 +5,8 @@ use fem::progress::Progress;
 use tank::assessment::Excitation;
 use tank::demand::Demands;
 
-use super::{decision, layers, quantities};
+use super::quantities::quantities;
+use super::{decision, layers};
 use crate::error::{EXIT_COMPUTATION, Error};
 use crate::job::Job;
 use engines::damping::Damper;

@@ -11,6 +11,7 @@ use tank::{Case, Quantity};
 use crate::FeError;
 use crate::estimate::Estimate;
 use crate::nonlinear::CheckpointFile;
+use crate::spectral::ModalUnits;
 use tank::options::LinearOptions as Options;
 use tank::options::nonlinear::NonlinearOptions;
 use tank::options::solid::SolidOptions;
@@ -47,6 +48,10 @@ pub struct Simulation {
     pub snapshots: Option<Snapshots>,
     /// What limit states compare with capacities; none of an engine or a tank that does not give it.
     pub demands: Option<Demands>,
+    /// The response to horizontal motion mode by mode, of a linear engine.
+    pub units: Option<ModalUnits>,
+    /// The same on a second mesh, with the length of its elements over those of the run.
+    pub second: Option<(f64, ModalUnits)>,
 }
 
 /// A finite-element engine.

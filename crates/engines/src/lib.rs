@@ -24,10 +24,12 @@ pub mod probe;
 mod registry;
 pub mod response;
 pub mod solid;
+pub mod spectral;
 
 pub use engine::{Engine, Simulation, Task};
 pub use error::FeError;
 pub use fem::liquid;
+pub use linear::mesh_error::errors as mesh_errors;
 pub use linear::{simulate, simulate_watched};
 pub use registry::{ALL, engine};
 pub use tank::options::LinearOptions as Options;

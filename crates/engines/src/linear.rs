@@ -9,6 +9,7 @@ pub(crate) mod mesh_error;
 mod modal;
 pub(crate) mod model;
 pub(crate) mod tilt;
+pub(crate) mod units;
 mod waves;
 
 use fem::progress::{Progress, Silent};
@@ -36,9 +37,9 @@ use tank::options::linear::Integrator;
 /// Modes of each kind and harmonic that are listed in the results.
 const LISTED_MODES: usize = 6;
 
-/// Time history of the coupled tank and liquid.
+/// Time history of the coupled tank and liquid; its modes alone for a case that has a site and no record.
 ///
-/// Errors: no ground motion or a record without samples; an option out of range; a model that cannot be built or
+/// Errors: neither record nor site or a record without samples; an option out of range; a model that cannot be built or
 /// factored; a response that is not finite.
 pub fn simulate(case: &Case, options: &Options) -> Result<Simulation, FeError> {
     simulate_watched(case, options, &Silent)
@@ -48,8 +49,11 @@ pub fn simulate(case: &Case, options: &Options) -> Result<Simulation, FeError> {
 ///
 /// Errors: as [`simulate`].
 pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress) -> Result<Simulation, FeError> {
-    let motion = checked_motion(case)?;
-    let vertical = motion.vertical.is_some();
+    let motion = match case.ground_motion {
+        None if case.site.is_given() => None,
+        _ => Some(checked_motion(case)?),
+    };
+    let vertical = motion.is_some_and(|m| m.vertical.is_some());
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     progress.stage("wall, liquid and modes", 1);
     // The two meshes share nothing and are computed in parallel.
@@ -57,15 +61,26 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
         let other = SecondMesh::of(options).map(|mesh| {
             scope.spawn(move || -> Result<Second, FeError> {
                 let model = Model::new(case, &mesh.options, vertical, Places::Dense)?;
-                let analysis = analyse(&model, motion, &mesh.options, &Silent)?;
+                let values = match motion {
+                    Some(motion) => analyse(&model, motion, &mesh.options, &Silent)?.values(&model, round),
+                    None => units::properties(&model),
+                };
+                let units = match case.site.is_given() {
+                    true => Some(units::units(&model, &mesh.options)?),
+                    false => None,
+                };
                 Ok(Second {
                     ratio: mesh.ratio,
-                    values: analysis.values(&model, round),
+                    values,
                     wave: None,
+                    units,
                 })
             })
         });
         let first = Model::new(case, options, vertical, Places::Usual).and_then(|model| {
+            if motion.is_none() {
+                return units::without_record(case, options, &model, EngineId::Harmonic);
+            }
             let linear = Linear {
                 engine: EngineId::Harmonic,
                 model: &model,
@@ -218,18 +233,7 @@ fn report(
 ) -> Result<Simulation, FeError> {
     let model = linear.model;
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
-    if case.tank.support == Support::Unanchored {
-        notes.push(
-            "The tank is unanchored; the linear engine clamps the wall to the ground and does not model uplift.".into(),
-        );
-    }
-    if let (EngineId::Harmonic, Shape::Rectangle { strip: false, .. }) = (linear.engine, case.tank.shape) {
-        notes.push(
-            "The rectangular tank is modelled as a plane strip of its breadth with rigid side walls: plate bending and \
-             corners are left out."
-                .into(),
-        );
-    }
+    notes.extend(model_notes(case, linear.engine));
     if motion.vertical.as_ref().is_some_and(|v| v.dt != motion.horizontal.dt) {
         notes.push(
             "The records differ in their time step: the vertical one is linearised within the steps of the analysis."
@@ -254,14 +258,7 @@ fn report(
             analysis.line(OnWall::Hoop).filter(|_| round).map(LineExtremes::worst),
         ),
         integration: describe::integration(model, options, &analysis, motion, linear.direct.is_some()),
-        damping_table: model
-            .systems()
-            .flat_map(|h| {
-                model
-                    .damper
-                    .table(&h.modes, h.coupled.liquid_mass + h.coupled.wall_mass)
-            })
-            .collect(),
+        damping_table: damping_table(model),
         mass_balance: describe::mass_balance(model),
         energy: analysis.energy,
         envelopes: envelopes(model, &analysis),
@@ -288,7 +285,39 @@ fn report(
             plates: linear.engine == EngineId::Solid,
             ..demands
         }),
+        units: match case.site.is_given() {
+            true => Some(units::units(model, options)?),
+            false => None,
+        },
+        second: None,
     })
+}
+
+/// What the model of a tank leaves out.
+fn model_notes(case: &Case, engine: EngineId) -> Vec<String> {
+    let mut notes = Vec::new();
+    if case.tank.support == Support::Unanchored {
+        notes.push(
+            "The tank is unanchored; the linear engine clamps the wall to the ground and does not model uplift.".into(),
+        );
+    }
+    if let (EngineId::Harmonic, Shape::Rectangle { strip: false, .. }) = (engine, case.tank.shape) {
+        notes.push(
+            "The rectangular tank is modelled as a plane strip of its breadth with rigid side walls: plate bending and \
+             corners are left out."
+                .into(),
+        );
+    }
+    notes
+}
+
+/// Resulting damping ratios of all systems.
+fn damping_table(model: &Model) -> Vec<results::DampingRow> {
+    let of = |h: &Harmonic| {
+        let mass = h.coupled.liquid_mass + h.coupled.wall_mass;
+        model.damper.table(&h.modes, mass)
+    };
+    model.systems().flat_map(of).collect()
 }
 
 /// The first modes of each kind, harmonic by harmonic, with the damping they were given.

@@ -60,15 +60,17 @@ pub fn excitation(method: &Method) -> &'static str {
     }
 }
 
-/// Indices of the methods for figures: finite elements, other engines, measurement, procedures on the record, on the spectrum of
-/// the site.
+/// Indices of the methods for figures: finite elements, other engines, measurement, procedures on the record; the same on the spectrum
+/// of the site.
 pub fn figure_order(results: &Results) -> Vec<usize> {
     let rank = |m: &Method| match (m.id.as_str(), m.excitation) {
-        (FE, _) => 0,
-        _ if m.is_run() => 1,
+        (FE, Excitation::Record) => 0,
+        (_, Excitation::Record) if m.is_run() => 1,
         (MEASURED, _) => 2,
         (_, Excitation::Record) => 3,
-        (_, Excitation::Site) => 4,
+        (FE, Excitation::Site) => 4,
+        _ if m.is_run() => 5,
+        (_, Excitation::Site) => 6,
     };
     let mut order: Vec<usize> = (0..results.methods.len()).collect();
     order.sort_by_key(|&i| rank(&results.methods[i]));

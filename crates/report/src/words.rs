@@ -14,6 +14,7 @@
 //! | [`figures`] | captions and descriptions of figures |
 //! | [`facts`] | names of the numbers of a model |
 //! | [`ida`], [`push`] | the pages of these analyses |
+//! | [`site`] | the modes of an engine under the design spectrum |
 //! | [`terminal`] | the summaries on the terminal |
 
 pub mod after_record;
@@ -27,6 +28,7 @@ pub mod labels;
 pub mod outcome;
 pub mod push;
 pub mod sections;
+pub mod site;
 pub mod summary;
 pub mod terminal;
 pub mod verdict;

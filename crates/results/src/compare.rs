@@ -1,4 +1,4 @@
-//! The join of procedures and engine: quantity × method, ratios to the finite-element column, differences, verdict.
+//! The join of procedures and engine: quantity × method, ratios to the finite-element column of the same excitation, differences, verdict.
 //!
 //! All that is found is a typed fact with its numbers; the report puts it into words.
 
@@ -14,6 +14,7 @@ mod outside;
 use std::collections::BTreeMap;
 
 use tank::Quantity;
+use tank::assessment::Excitation;
 
 pub use apart::{Apart, Differs, Shaken, Why, apart};
 pub use attribution::THRESHOLD;
@@ -32,19 +33,26 @@ pub const MEASURED: &str = "measured";
 ///
 /// `published` are values others have given for this tank; they are carried along, not compared.
 pub fn compare(methods: &[Method], context: &Context, published: Vec<tank::case::Reported>) -> Comparison {
-    let reference = methods.iter().find(|m| m.id == FE);
+    // Under the spectrum of the site its own column of the engine, where there is one: both sides then see the same action.
+    let fe = |excitation: Excitation| methods.iter().find(|m| m.id == FE && m.excitation == excitation);
+    let reference = |m: &Method| match m.excitation {
+        Excitation::Site => fe(Excitation::Site)
+            .filter(|fe| !fe.quantities.is_empty())
+            .or(fe(Excitation::Record)),
+        Excitation::Record => fe(Excitation::Record),
+    };
     let rows: Vec<ComparisonRow> = Quantity::ALL
         .into_iter()
         .filter_map(|quantity| {
             let of = |m: &Method| m.quantities.get(quantity.id()).map(|v| v.value);
             // Of a quotient that overflows there is no ratio.
-            let base = reference.and_then(of).filter(|v| *v != 0.0);
+            let base = |m: &Method| reference(m).and_then(of).filter(|v| *v != 0.0);
             let cells: Vec<Option<Cell>> = methods
                 .iter()
                 .map(|m| {
                     of(m).map(|value| Cell {
                         value,
-                        ratio: base.map(|base| value / base).filter(|ratio| ratio.is_finite()),
+                        ratio: base(m).map(|base| value / base).filter(|ratio| ratio.is_finite()),
                         unusable: false,
                         outside: false,
                     })
@@ -98,7 +106,6 @@ pub struct Happened {
 mod tests {
     use std::collections::BTreeMap;
 
-    use tank::assessment::Excitation;
     use tank::units::Dimension;
 
     use super::*;
@@ -127,6 +134,28 @@ mod tests {
         assert_eq!(comparison.rows.len(), 1);
         assert_eq!(comparison.rows[0].cells[0].and_then(|c| c.ratio), Some(0.75));
         assert_eq!(comparison.rows[0].cells[1].and_then(|c| c.ratio), Some(1.0));
+    }
+
+    /// A code under the site's spectrum is compared with the engine under it, or with the history where there is none.
+    #[test]
+    fn each_excitation_has_its_reference() {
+        let site = |id: &str, shear: f64| Method {
+            excitation: Excitation::Site,
+            ..method(id, shear)
+        };
+        let both = [
+            method("code", 30.0),
+            site("code", 10.0),
+            method("fe", 40.0),
+            site("fe", 20.0),
+        ];
+        let ratios = |methods: &[Method]| -> Vec<f64> {
+            let row = &compare(methods, &Context::default(), vec![]).rows[0];
+            row.cells.iter().filter_map(|c| c.as_ref()?.ratio).collect()
+        };
+        assert_eq!(ratios(&both), [0.75, 0.5, 1.0, 1.0]);
+        assert_eq!(ratios(&both[..3]), [0.75, 0.25, 1.0]);
+        assert_eq!(ratios(&[site("code", 10.0), site("fe", 20.0)]), [0.5, 1.0]);
     }
 
     /// Results of earlier versions state causes that were guessed; they are read and not shown.

@@ -19,6 +19,7 @@ mod procedures;
 mod rayleigh;
 mod record;
 mod reported;
+mod response;
 mod site;
 mod solid;
 mod spectrum;

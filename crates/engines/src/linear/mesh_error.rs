@@ -28,6 +28,7 @@ use tank::options::linear::Integrator;
 use super::model::{Harmonic, Model};
 use crate::engine::Simulation;
 use crate::modes::{CoupledMode, Kind};
+use crate::spectral::ModalUnits;
 use fem::linalg::dot;
 use results::channel::Side;
 use results::{Channel, EngineId};
@@ -55,6 +56,8 @@ pub(crate) struct Second {
     pub values: BTreeMap<Quantity, f64>,
     /// Wave of the run's mesh with extrapolated modes [m].
     pub wave: Option<f64>,
+    /// Its response mode by mode.
+    pub units: Option<ModalUnits>,
 }
 
 impl SecondMesh {
@@ -100,6 +103,20 @@ fn richardson(value: f64, other: f64, ratio: f64, order: i32) -> f64 {
     ((value - other) / (1.0 - ratio.powi(order)) / value).abs()
 }
 
+/// Relative mesh errors of values by quantity id, from those of a second mesh with elements `ratio` times as long.
+pub fn errors(
+    engine: EngineId,
+    values: &BTreeMap<Quantity, f64>,
+    other: &BTreeMap<Quantity, f64>,
+    ratio: f64,
+) -> BTreeMap<String, f64> {
+    let error = |(quantity, value): (&Quantity, &f64)| {
+        let error = richardson(*value, *other.get(quantity)?, ratio, order(engine, *quantity));
+        (*value != 0.0).then(|| (quantity.id().to_owned(), error))
+    };
+    values.iter().filter_map(error).collect()
+}
+
 /// A model whose sloshing modes have the frequencies, and the share in the wave, that they have in the limit of small elements, from
 /// those of `other` with elements `ratio` times as long. It serves for the wave alone.
 pub(crate) fn extrapolated(model: &Model, other: &Model, ratio: f64) -> Model {
@@ -134,6 +151,7 @@ fn wave_share(harmonic: &Harmonic, mode: &CoupledMode) -> Option<f64> {
 /// Writes the estimated errors into a simulation.
 pub(crate) fn note(simulation: &mut Simulation, second: Option<&Second>, options: &Options) {
     let engine = simulation.result.engine;
+    simulation.second = second.and_then(|second| Some((second.ratio, second.units.clone()?)));
     if let Some(second) = second {
         let error = |(quantity, value): (&Quantity, &f64)| {
             let other = second.values.get(quantity)?;

@@ -141,6 +141,16 @@ pub fn combine(
     })
 }
 
+/// Observables of one system per unit of pseudo-acceleration of each of its modes, and of the ground acceleration that the modes not
+/// kept follow.
+///
+/// Errors: a mode without a positive frequency.
+pub fn per_acceleration(system: &ModalSystem, observables: &[Observable]) -> Result<Vec<(Vec<f64>, f64)>, FeError> {
+    let basis = basis(std::slice::from_ref(system), &[0]).map_err(failed)?;
+    let rows = functionals(&[&system.block], observables);
+    Ok(rows.iter().map(|row| basis.per_acceleration(row, 0)).collect())
+}
+
 /// Response of `systems` (three at most) to `motions` (one each): histories of `scalars`, extremes of `others`.
 ///
 /// Errors: a response that is not finite, with its time.

@@ -276,6 +276,7 @@ pub fn simulate(
                 ratio,
                 values: analyse(&coarse, motion, &options, progress)?.values(&coarse, round),
                 wave: analyse(&limit, motion, &options, progress)?.wave(),
+                units: None,
             })
         }
         None => None,

@@ -85,7 +85,9 @@ impl FigureView {
 impl<'a> Source<'a> {
     /// The finite-element method, where it ran.
     pub(super) fn fe(&self) -> Option<&'a Method> {
-        self.results.methods.iter().find(|m| m.id == FE)
+        let mut columns = self.results.methods.iter().filter(|m| m.id == FE);
+        // The column under the record is the first.
+        columns.next()
     }
 
     /// A quantity of the finite elements, or else of the first method that gives it, in SI.

@@ -64,7 +64,7 @@ pub fn rest(count: usize) -> String {
 /// Head of the column of factors' names.
 pub const FACTOR: &str = "Exchanged for the procedure's";
 /// Last row of a table of factors.
-pub const PRODUCT: &str = "product = ratio to FE";
+pub const PRODUCT: &str = "product = ratio to FE under the record";
 
 /// Title within a waterfall.
 pub fn short_title(quantity: &str, site: bool) -> String {

@@ -46,8 +46,10 @@ const ALL: &[Words] = &[
             ),
             (
                 "ratios",
-                "Below each value: its ratio to the finite elements under the record. The site columns have another ground motion, and \
-                 the codes may reduce its forces: there the ratio shows the size of the design action, not the accuracy of the method.",
+                "Below each value: its ratio to the finite elements under the same excitation. Under the spectrum of the site they are the \
+                 engine's modes by the response-spectrum method, under the design spectrum that their column names; a code with another \
+                 spectrum differs by that as well. Where the site has no such column, ratios are to the record's: they show the size \
+                 of the design action, not the accuracy of the method.",
             ),
         ],
     },
@@ -73,7 +75,8 @@ const ALL: &[Words] = &[
             (
                 "exchange",
                 "From the value of the finite elements, one ingredient after the other is exchanged for the procedure's and the \
-                 value computed again; the product of the factors is the ratio to the finite elements.",
+                 value computed again; the product of the factors is the ratio to the finite elements under the record, also of the \
+                 columns of the site.",
             ),
             (
                 "order",

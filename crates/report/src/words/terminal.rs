@@ -17,9 +17,12 @@ pub const UNUSABLE: &str = "‡";
 pub const OUTSIDE: &str = "§";
 
 /// Corner of the table of `compare`, and of that of `check`, which has no run (`engine`) to compare with.
-pub fn corner(excitation: Excitation, engine: bool) -> &'static str {
+///
+/// * `own`: whether the engine has a column under this excitation
+pub fn corner(excitation: Excitation, engine: bool, own: bool) -> &'static str {
     match (excitation, engine) {
         (Excitation::Record, true) => "record spectrum / history (ratio to fe)",
+        (Excitation::Site, true) if own => "design spectrum of the site (ratio to fe under it)",
         (Excitation::Site, true) => "design spectrum of the site (ratio to fe under the record)",
         (Excitation::Record, false) => "record spectrum, seismic part",
         (Excitation::Site, false) => "design spectrum of the site, seismic part",

@@ -3,16 +3,25 @@
 use std::collections::BTreeMap;
 
 use tank::Quantity;
+use tank::assessment::Excitation;
 
 use crate::{Comparison, MESH_ERROR_LIMIT, Method, Results};
 
 impl Comparison {
     /// Marks the values of a method whose estimated mesh error is above [`MESH_ERROR_LIMIT`]; [`unusable`] lists them.
     ///
-    /// * `method`: id of the method
+    /// * `method`: id of the method, and its excitation
     /// * `errors`: its relative errors by quantity id
-    pub fn mark_unusable(&mut self, methods: &[Method], method: &str, errors: &BTreeMap<String, f64>) {
-        let Some(column) = methods.iter().position(|m| m.id == method) else {
+    pub fn mark_unusable(
+        &mut self,
+        methods: &[Method],
+        (method, excitation): (&str, Excitation),
+        errors: &BTreeMap<String, f64>,
+    ) {
+        let Some(column) = methods
+            .iter()
+            .position(|m| m.id == method && m.excitation == excitation)
+        else {
             return;
         };
         for row in &mut self.rows {
@@ -60,7 +69,6 @@ pub fn unusable(results: &Results) -> Vec<Unusable> {
 #[cfg(test)]
 mod tests {
     use serde_json::json;
-    use tank::assessment::Excitation;
 
     use super::*;
     use crate::Cell;
@@ -78,7 +86,7 @@ mod tests {
         };
         for (error, unusable) in [(0.0, false), (0.2, false), (0.2001, true)] {
             let errors = BTreeMap::from([("base_shear".to_owned(), error)]);
-            comparison.mark_unusable(&methods, "fe", &errors);
+            comparison.mark_unusable(&methods, ("fe", Excitation::Record), &errors);
             let marked = Cell { unusable, ..cell };
             assert_eq!(comparison.rows[0].cells, [Some(cell), Some(marked)], "{error}");
         }

@@ -1,6 +1,7 @@
 //! Values outside the model of their engine: it clamps a wall that pulls, or has cantilevers for the plates of a box.
 
 use tank::Quantity;
+use tank::assessment::Excitation;
 use tank::outside::Outside;
 
 use crate::{Comparison, Method};
@@ -24,9 +25,12 @@ fn depends(quantity: &str, why: Outside) -> bool {
 impl Comparison {
     /// Marks the values of a method that are outside its model.
     ///
-    /// * `method`: id of the method
-    pub fn mark_outside(&mut self, methods: &[Method], method: &str, why: Outside) {
-        let Some(column) = methods.iter().position(|m| m.id == method) else {
+    /// * `method`: id of the method, and its excitation
+    pub fn mark_outside(&mut self, methods: &[Method], (method, excitation): (&str, Excitation), why: Outside) {
+        let Some(column) = methods
+            .iter()
+            .position(|m| m.id == method && m.excitation == excitation)
+        else {
             return;
         };
         for row in self.rows.iter_mut().filter(|row| depends(&row.quantity, why)) {
@@ -40,7 +44,6 @@ impl Comparison {
 #[cfg(test)]
 mod tests {
     use serde_json::json;
-    use tank::assessment::Excitation;
 
     use super::*;
 
@@ -56,7 +59,7 @@ mod tests {
             rows: vec![row("base_shear"), row("sloshing_height"), row("impulsive_period")],
             ..Comparison::default()
         };
-        comparison.mark_outside(&methods, "fe", Outside::Uplift);
+        comparison.mark_outside(&methods, ("fe", Excitation::Record), Outside::Uplift);
         let marked = |comparison: &Comparison, i: usize| {
             comparison.rows[i]
                 .cells
@@ -69,7 +72,7 @@ mod tests {
         assert_eq!(marked(&comparison, 2), [false, false]);
         let old = json!({ "value": 1.0, "ratio": 1.0 });
         assert_eq!(serde_json::to_value(comparison.rows[1].cells[0]).unwrap(), old);
-        comparison.mark_outside(&methods, "fe", Outside::Plates);
+        comparison.mark_outside(&methods, ("fe", Excitation::Record), Outside::Plates);
         assert_eq!(marked(&comparison, 1), [false, false]);
         assert_eq!(marked(&comparison, 2), [false, true]);
     }

@@ -71,6 +71,56 @@ impl CaugheyPairs {
     }
 }
 
+/// How the largest responses of modes are combined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ModalCombination {
+    /// Complete quadratic combination.
+    Cqc,
+    /// Square root of the sum of squares.
+    Srss,
+    /// Sum of absolute values.
+    Abs,
+}
+
+/// How the impulsive part (structural modes, and what follows the ground) and the convective one (sloshing modes) are combined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PartCombination {
+    /// All modes together, by [`ModalCombination`].
+    Modal,
+    /// Square root of the sum of squares of the two parts.
+    Srss,
+    /// Sum of the two parts.
+    Abs,
+}
+
+/// Options of the response-spectrum method: the modes of a linear engine under the design spectrum of the site.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SpectrumOptions {
+    /// Combination of modes.
+    pub combination: ModalCombination,
+    /// Combination of the impulsive and the convective part.
+    pub parts: PartCombination,
+    /// Whether modes that are not kept follow the ground with the acceleration at T = 0.
+    pub missing_mass: bool,
+    /// Whether by the behaviour factor or the response modification of the code.
+    pub reduced: bool,
+    /// Id of the procedure whose design spectrum it is; the first that the site gives the data of, if none.
+    pub code: Option<String>,
+}
+
+impl SpectrumOptions {
+    /// The defaults.
+    pub const DEFAULT: SpectrumOptions = SpectrumOptions {
+        combination: ModalCombination::Cqc,
+        parts: PartCombination::Modal,
+        missing_mass: true,
+        reduced: true,
+        code: None,
+    };
+}
+
 /// Options of the linear engine. The defaults keep the errors stated in the theory manual.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LinearOptions {
@@ -94,6 +144,8 @@ pub struct LinearOptions {
     /// Angle of the static tilt test [rad]; none without one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tilt: Option<f64>,
+    /// Response-spectrum method.
+    pub spectrum: SpectrumOptions,
 }
 
 impl LinearOptions {
@@ -108,6 +160,7 @@ impl LinearOptions {
         stations: Vec::new(),
         snapshots: Vec::new(),
         tilt: None,
+        spectrum: SpectrumOptions::DEFAULT,
     };
 }
 

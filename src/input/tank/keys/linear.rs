@@ -7,6 +7,7 @@ use tank::{Shape, Tank, case};
 use super::imperfections::Imperfection;
 use super::nonlinear::{ByGroup, Nonlinear, by_group};
 use super::rayleigh::{RatioAt, Rayleigh, ratio_at, rayleigh};
+use super::response::{ResponseSpectrum, response};
 use super::solid::Solid;
 use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, Opt, choice, object};
@@ -55,6 +56,8 @@ object! {
         /// Whether the wall of the three-dimensional engine moves about its state under weight and liquid, whose hoop force
         /// stiffens it against waves around the tank.
         initial_stress (true): Opt<bool> = Absent::Follows("true with imperfections, else false"),
+        /// Response-spectrum method under the design spectrum of `site`.
+        spectrum: Opt<ResponseSpectrum>,
         /// Options of the three-dimensional engine (--fe solid, --fe both).
         solid: Opt<Solid>,
         /// Options of the nonlinear engine.
@@ -130,6 +133,7 @@ pub(super) fn analysis(
                 DampingModel::Modal
             }
         },
+        spectrum: response(r, given.spectrum.given.as_ref().and_then(|f| f.value.as_ref())),
     }
 }
 

@@ -103,6 +103,8 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
         notes,
         snapshots: None,
         demands: Some(demands(case, tank, watch)),
+        units: None,
+        second: None,
     }
 }
 

@@ -144,6 +144,8 @@ impl Report<'_> {
             notes: self.notes(),
             snapshots: None,
             demands: Some(demands(&lines)),
+            units: None,
+            second: None,
         }
     }
 

@@ -1,0 +1,94 @@
+//! The modes of an engine under the design spectrum of the site.
+
+use results::EngineId;
+use tank::Quantity;
+use tank::options::linear::{ModalCombination, PartCombination, SpectrumOptions};
+use tank::outside::Outside;
+
+use crate::number::{percent, significant};
+
+/// Heading of the spectral accelerations.
+pub const SHEET: &str = "Spectral accelerations of the modes";
+
+/// Source of the spectral accelerations.
+pub const CLAUSE: &str = "response-spectrum method";
+
+/// What the column is for.
+pub const INFORMATION: &str = "For comparison: no limit state is checked under this excitation; the checks of an engine are those of its \
+     time history under the record.";
+
+/// Vertical motion is left out.
+pub const NO_VERTICAL: &str = "Horizontal motion only: the procedure of this spectrum adds vertical motion, which raises its hoop stress; this \
+     column has none.";
+
+/// Title of the column.
+pub fn title(engine: EngineId, code: &str) -> String {
+    let space = match engine {
+        EngineId::Solid => " in three dimensions",
+        EngineId::Harmonic | EngineId::Nonlinear => "",
+    };
+    format!("Finite elements{space}, response-spectrum method with the spectrum of {code}")
+}
+
+/// The named spectrum is not there.
+pub fn no_data(code: &str) -> String {
+    format!("`site` does not give the data of the design spectrum of `{code}`")
+}
+
+/// How modes are combined.
+pub fn combination(options: &SpectrumOptions) -> String {
+    let rule = match options.combination {
+        ModalCombination::Cqc => "complete quadratic combination (CQC)",
+        ModalCombination::Srss => "square root of the sum of squares (SRSS)",
+        ModalCombination::Abs => "sum of absolute values",
+    };
+    let parts = match options.parts {
+        PartCombination::Modal => "all modes together",
+        PartCombination::Srss => "impulsive and convective part apart, then SRSS of the two",
+        PartCombination::Abs => "impulsive and convective part apart, then their sum",
+    };
+    let rest = match options.missing_mass {
+        true => "what is not in the modes follows the ground with the acceleration at T = 0",
+        false => "what is not in the modes is left out",
+    };
+    format!("Largest responses of the modes: {rule}, for each quantity and place; {parts}; {rest}.")
+}
+
+/// The quantity with the largest mesh error.
+pub fn mesh_error(quantity: &str, error: f64) -> String {
+    let title = Quantity::from_id(quantity)
+        .map_or(quantity, |q| q.title())
+        .to_lowercase();
+    format!("Largest estimated mesh error: {} ({title}).", percent(error))
+}
+
+/// Why numbers of the column are outside the model.
+pub fn outside(why: Outside) -> &'static str {
+    match why {
+        Outside::Uplift => {
+            "The tank is unanchored and the wall pulls at its base: it lifts off, which the engine does not model; forces and stresses are \
+             outside the model."
+        }
+        Outside::Plates => {
+            "The walls of the box bend as plates held at three sides, the engine has cantilevers: impulsive period, forces and stresses are \
+             outside the model."
+        }
+    }
+}
+
+/// Name of a mode, and where its acceleration is read.
+pub fn mode(kind: &str, number: usize, period: f64, damping: f64) -> (String, String) {
+    (
+        format!("{kind} mode {number}"),
+        format!(
+            "design spectrum at T = {} s; damping of the mode {}",
+            significant(period, 4),
+            percent(damping)
+        ),
+    )
+}
+
+/// The same of what follows the ground.
+pub fn rest() -> (String, String) {
+    ("what follows the ground".into(), "design spectrum at T = 0".into())
+}
