@@ -262,3 +262,6 @@ impl ModalUnits {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
