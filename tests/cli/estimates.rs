@@ -141,33 +141,20 @@ const MEASURED_SOLID: [(Mesh, Liquid, bool, Figure, Figure); 5] = [
 const MEASURED_STRIP: [(f64, Option<f64>, Option<f64>); 2] = [(0.006, None, Some(8.9)), (0.0025, Some(19.4), None)];
 
 /// Tank, record, elements over height and around, memory, time: `compare … --fe nonlinear`.
-const MEASURED_CYLINDER: [(&str, &str, [u32; 2], Figure, Figure); 4] = [
+const MEASURED_CYLINDER: [(&str, &str, [u32; 2], Figure, Figure); 2] = [
+    // Under the first second of the record: histories are some MiB of the whole.
     (
         "08_concrete_cylinder/tank.json",
         "08_concrete_cylinder/record.csv",
         [40, 100],
-        Some(503.8),
-        Some(1140.0),
-    ),
-    (
-        "08_concrete_cylinder/tank.json",
-        "08_concrete_cylinder/record.csv",
-        [20, 50],
-        Some(71.2),
-        None,
-    ),
-    (
-        "07_steel_cylinder/tank.json",
-        "07_steel_cylinder/shaking.csv",
-        [24, 48],
-        Some(65.8),
+        Some(129.1),
         None,
     ),
     (
         "07_steel_cylinder/tank.json",
         "07_steel_cylinder/shaking.csv",
         [48, 96],
-        Some(521.3),
+        Some(73.4),
         None,
     ),
 ];

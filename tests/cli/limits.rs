@@ -147,16 +147,14 @@ fn every_engine_is_held_to_the_memory_and_says_what_fits() {
         let words: Vec<&str> = few.iter().chain(words).copied().collect();
         refused(command, home.path(), &words);
     };
-    // 11 GB and an abort before.
+    let limit = ["--memory-limit", "300"];
     let cylinder = ["compare", text(&fine), "--quake", QUAKE, "--fe", "nonlinear"];
     refuse(
-        &cylinder,
-        &["nonlinear run", "liquid block", "give `analysis.nonlinear.elements`"],
+        &[&cylinder[..], &limit].concat(),
+        &["nonlinear run", "give `analysis.nonlinear.elements`"],
     );
-    refuse(
-        &["ida", text(&fine), "--quake", QUAKE, "--scale", "0.5,1", "--jobs", "2"],
-        &["nonlinear run", "2 runs, 2 at a time"],
-    );
+    let ida = ["ida", text(&fine), "--quake", QUAKE, "--scale", "0.5,1", "--jobs", "2"];
+    refuse(&[&ida[..], &limit].concat(), &["nonlinear run", "2 runs, 2 at a time"]);
     let harmonic = [
         "compare",
         TANK,

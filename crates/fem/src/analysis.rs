@@ -15,6 +15,7 @@
 //! | [`observer`] | histories of scalars, extremes of everything else; [`observable`] defines the scalars |
 //! | [`scheme`] | generalised-α and its special cases: Newmark, Hilber-Hughes-Taylor, trapezoidal rule |
 //! | [`transient`] | direct time integration, one factor for many records, with energy balance |
+//! | [`rings`] | linear systems of a wall on rings of nodes with a liquid that is not assembled |
 //! | [`newton`] | one nonlinear load or time step; static load paths |
 //! | [`march`] | nonlinear time histories: static start, cut steps, energy balance, observers |
 //! | [`checkpoint`] | files that a long march is resumed from |
@@ -39,6 +40,7 @@ pub mod motion;
 pub mod newton;
 pub mod observable;
 pub mod observer;
+pub mod rings;
 pub mod scheme;
 pub mod spectrum;
 pub mod statics;

@@ -4,9 +4,11 @@ use std::ops::Range;
 use std::sync::Arc;
 
 mod matrices;
+mod operators;
 mod respond;
 mod turn;
 
+pub use operators::PlacedOperator;
 pub(crate) use respond::Ask;
 pub use respond::{Forces, Kept, LinearPart};
 
@@ -34,6 +36,8 @@ pub struct Assembler {
     turned: Vec<bool>,
     /// Elements whose force is K u in components that do not turn with the nodes.
     linear: Vec<bool>,
+    /// Elements that are operators.
+    unassembled: Vec<bool>,
     /// Elements whose force is taken at the end of a time step; empty without any.
     at_end: Vec<bool>,
     /// Held dofs that some element uses, by node.
@@ -55,6 +59,7 @@ impl Assembler {
             .iter()
             .map(|e| e.contact().is_some_and(|joint| joint.acts_at_end()))
             .collect();
+        let unassembled: Vec<bool> = model.elements().iter().map(|e| e.operator().is_some()).collect();
         let mut supports: Vec<(usize, Dof)> = Vec::new();
         let mut number = std::collections::BTreeMap::new();
         for element in model.elements() {
@@ -79,8 +84,8 @@ impl Assembler {
             linear.push(fixed);
             equation_starts.push(equations.len());
         }
-        let pattern = pattern_of(dofs.len(), &equations, &equation_starts);
-        let (places, place_starts) = places_of(&pattern, &equations, &equation_starts);
+        let pattern = pattern_of(dofs.len(), &equations, &equation_starts, &unassembled);
+        let (places, place_starts) = places_of(&pattern, &equations, &equation_starts, &unassembled);
         let (first, second) = places.split_at(place_starts[(place_starts.len() - 1) / 2]);
         let end = first
             .iter()
@@ -96,6 +101,7 @@ impl Assembler {
             place_starts,
             turned,
             linear,
+            unassembled,
             at_end: if ends.contains(&true) { ends } else { Vec::new() },
             supports,
             held,
@@ -119,11 +125,11 @@ impl Assembler {
     }
 }
 
-/// Pattern of `size` equations whose elements use `equations`.
-fn pattern_of(size: usize, equations: &[u32], starts: &[usize]) -> Pattern {
-    let cliques: Vec<Vec<usize>> = starts
-        .windows(2)
-        .map(|w| {
+/// Pattern of `size` equations whose elements use `equations`, those aside that are `unassembled`.
+fn pattern_of(size: usize, equations: &[u32], starts: &[usize], unassembled: &[bool]) -> Pattern {
+    let assembled = starts.windows(2).zip(unassembled).filter(|(_, operator)| !**operator);
+    let cliques: Vec<Vec<usize>> = assembled
+        .map(|(w, _)| {
             let own = &equations[w[0]..w[1]];
             let mut clique: Vec<usize> = own.iter().filter(|&&e| e != NONE).map(|&e| e as usize).collect();
             clique.sort_unstable();
@@ -135,10 +141,10 @@ fn pattern_of(size: usize, equations: &[u32], starts: &[usize]) -> Pattern {
 }
 
 /// Places of the local entries of the lower triangle, with the start of each element's.
-fn places_of(pattern: &Pattern, equations: &[u32], starts: &[usize]) -> (Vec<u32>, Vec<usize>) {
+fn places_of(pattern: &Pattern, equations: &[u32], starts: &[usize], unassembled: &[bool]) -> (Vec<u32>, Vec<usize>) {
     let (mut places, mut place_starts) = (Vec::new(), vec![0]);
-    for w in starts.windows(2) {
-        let own = &equations[w[0]..w[1]];
+    for (w, operator) in starts.windows(2).zip(unassembled) {
+        let own = if *operator { &[] } else { &equations[w[0]..w[1]] };
         for &j in own {
             for &i in own {
                 let place = if i == NONE || j == NONE || i < j {

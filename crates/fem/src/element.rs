@@ -12,6 +12,7 @@ use materials::{LawError, PointState};
 use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::dofs::Dof;
+use crate::ring::RingOperator;
 
 pub use fluid::{LiquidProperties, RotationPart, VolumePart};
 pub use fluid4::Fluid4;
@@ -248,6 +249,12 @@ pub trait Element: Send + Sync {
 
     /// Adds the consistent nodal forces of a uniform acceleration field b (gravity: b = (0, 0, −g)), ∫ ρ Nᵀ b dV.
     fn body_force(&self, _acceleration: [f64; 3], _out: &mut [f64]) {}
+
+    /// The element as an operator over its local dofs: it is linear, and its matrices are not assembled. [`Element::mass`] and
+    /// [`Element::respond`] form them for small elements.
+    fn operator(&self) -> Option<&RingOperator> {
+        None
+    }
 
     /// The element as a joint that opens and closes.
     fn contact(&self) -> Option<&dyn Contact> {

@@ -31,6 +31,7 @@ pub mod liquid;
 pub mod mesh;
 pub mod model;
 pub mod progress;
+pub mod ring;
 pub mod shape;
 pub mod state;
 pub mod strip;

@@ -5,20 +5,24 @@
 //! spatial elements; [`WallPencil`] and [`WallSolver`] join it to an assembled wall. [`strip`]: a rectangular tank in plane,
 //! in closed form. [`separation`]: where such a liquid leaves its wall.
 
+mod circular;
 mod condensed;
 mod domain;
 mod harmonic;
 mod mesh;
+mod on_wall;
 mod potential;
 pub mod separation;
 pub mod strip;
 mod super_liquid;
 mod wall;
 
+pub use circular::{CircularElement, CircularLiquid};
 pub use condensed::Condensed;
 pub use domain::Domain;
 pub use harmonic::HarmonicLiquid;
 pub use mesh::{LiquidMesh, scaled};
+pub use on_wall::WallLiquid;
 pub use potential::{Potential, Row, Trace};
 pub use super_liquid::{CondenseError, CondensedLiquid, CondensedMesh, Rim};
 pub use wall::{NormalRow, WallPencil, WallSolver};

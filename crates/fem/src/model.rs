@@ -11,6 +11,7 @@ use nalgebra::Matrix3;
 
 use crate::dofs::{Dof, DofMap, KINDS};
 use crate::element::Element;
+use crate::ring::NodeRings;
 
 /// Number of a group of elements.
 pub type GroupId = usize;
@@ -53,6 +54,7 @@ pub struct Builder {
     held: Vec<[bool; KINDS]>,
     frames: BTreeMap<usize, Matrix3<f64>>,
     rotation_frames: BTreeMap<usize, Matrix3<f64>>,
+    rings: Option<NodeRings>,
 }
 
 impl Builder {
@@ -112,6 +114,11 @@ impl Builder {
         self.rotation_frames.insert(node, frame);
     }
 
+    /// Names the rings on which all nodes with displacements lie. Analyses that use them find unknowns on other nodes.
+    pub fn rings(&mut self, rings: NodeRings) {
+        self.rings = Some(rings);
+    }
+
     /// Checks and numbers the model.
     ///
     /// Errors: an element with an unknown node, a coordinate that is not finite, no unknown at all.
@@ -152,6 +159,7 @@ impl Builder {
             group_of: self.group_of,
             groups: self.groups,
             held: self.held,
+            rings: self.rings,
             dofs,
         })
     }
@@ -166,6 +174,7 @@ pub struct Model {
     held: Vec<[bool; KINDS]>,
     frames: Vec<Option<Matrix3<f64>>>,
     rotation_frames: Vec<Option<Matrix3<f64>>>,
+    rings: Option<NodeRings>,
     dofs: DofMap,
 }
 
@@ -213,6 +222,11 @@ impl Model {
     /// Frame of the rotation unknowns of `node`, if not the global axes; rows are the axes.
     pub fn rotation_frame(&self, node: usize) -> Option<&Matrix3<f64>> {
         self.rotation_frames[node].as_ref()
+    }
+
+    /// Rings on which the nodes lie, if they were named.
+    pub fn rings(&self) -> Option<&NodeRings> {
+        self.rings.as_ref()
     }
 
     /// The unknowns under a field given at every node: displacement, rotation (global components), potential, elevation,

@@ -14,6 +14,7 @@ pub(super) mod mesh;
 mod model;
 mod points;
 mod report;
+mod rings;
 pub(super) mod section;
 mod simulate;
 mod state;

@@ -212,6 +212,7 @@ fn histories_lie_between_bounds() {
     let mut case = with_site(test_tanks::broad());
     case.ground_motion = Some(GroundMotion {
         horizontal: record.clone(),
+        transverse: None,
         vertical: None,
     });
     let run = simulate(&case, &quick()).unwrap();

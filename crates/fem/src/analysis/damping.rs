@@ -187,6 +187,8 @@ pub struct Damping {
     pub rayleigh: Rayleigh,
     /// C_s.
     pub sparse: Option<Symmetric>,
+    /// Coefficients of the elements that are not assembled, besides those over all the model.
+    pub operators: Rayleigh,
     /// W D Wᵀ.
     pub modal: Option<ModalPart>,
 }
@@ -245,10 +247,28 @@ impl Damping {
                 );
             }
         }
+        let operators: Vec<Rayleigh> = assembler.operators(model).map(|p| of(p.element)).collect();
+        if operators.windows(2).any(|pair| pair[0] != pair[1]) {
+            return Err(DampingError {
+                option: "Rayleigh damping by group",
+                found: format!("{operators:?} for elements that are not assembled"),
+                allowed: "the same for all of them".into(),
+            }
+            .into());
+        }
         Ok(Damping {
             sparse: c.values.iter().any(|v| *v != 0.0).then_some(c),
+            operators: operators.first().copied().unwrap_or_default(),
             ..Damping::default()
         })
+    }
+
+    /// Coefficients of the elements that are not assembled.
+    pub fn of_operators(&self) -> Rayleigh {
+        Rayleigh {
+            mass: self.rayleigh.mass + self.operators.mass,
+            stiffness: self.rayleigh.stiffness + self.operators.stiffness,
+        }
     }
 
     /// Adds a sparse matrix on the pattern of M and K (dashpots).
@@ -301,8 +321,8 @@ impl Damping {
         });
         Ok(Damping {
             rayleigh: rest,
-            sparse: None,
             modal,
+            ..Damping::default()
         })
     }
 

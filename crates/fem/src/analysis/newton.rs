@@ -31,11 +31,12 @@
 use std::sync::Arc;
 
 use super::damping::Damping;
+use super::rings::RingLayout;
 use super::scheme::{LoadStep, Scheme, Weights};
-use super::{AnalysisError, check_length, failed};
+use super::{AnalysisError, check_length};
 use crate::assembly::{Assembler, Forces, Kept, LinearPart};
 use crate::element::{ElementError, Want};
-use crate::linalg::{Factor, Kind, Symbolic, Symmetric, dot};
+use crate::linalg::{Kind, Symbolic, Symmetric, dot};
 use crate::model::Model;
 use crate::progress::Progress;
 use crate::state::{Fields, State};
@@ -44,6 +45,7 @@ mod iterate;
 mod memory;
 mod path;
 mod search;
+mod solver;
 
 pub use path::{LoadPath, load_path};
 
@@ -195,6 +197,8 @@ pub struct Cost {
     pub factors: u64,
     /// Line searches.
     pub searches: u64,
+    /// Products of the iterative solutions, where elements are not assembled.
+    pub products: u64,
 }
 
 /// Constants of an analysis, and data kept from one step to the next.
@@ -210,7 +214,9 @@ pub struct Newton<'a> {
     tangent: Symmetric,
     effective: Symmetric,
     /// Factor of `effective`, and the weights in it.
-    factor: Option<(Factor, Weights)>,
+    factor: Option<(solver::Solver, Weights)>,
+    /// Where elements are not assembled.
+    rings: Option<Arc<RingLayout>>,
     /// C_T.
     viscous: Option<Symmetric>,
     /// Forces at the committed state, and the displacements they belong to.
@@ -301,6 +307,10 @@ impl<'a> Newton<'a> {
             tangent: Symmetric::zeros(assembler.pattern().clone()),
             effective: Symmetric::zeros(assembler.pattern().clone()),
             factor: None,
+            rings: match assembler.has_operators() {
+                true => Some(Arc::new(RingLayout::new(model, assembler)?)),
+                false => None,
+            },
             viscous: None,
             committed: Forces::default(),
             committed_at: None,
@@ -432,21 +442,16 @@ impl<'a> Newton<'a> {
             found: "no mass".into(),
             allowed: "a mass matrix for time steps".into(),
         })?;
-        let mut regular = inertia.mass.clone();
-        regular.add(0.25e-6 * h * h, inertia.stiffness);
-        let factor = self
-            .symbolic
-            .factor(&regular, self.kind)
-            .map_err(failed("the mass matrix"))?;
-        let solve = |b: &[f64]| factor.solve_vector(b).map_err(failed("the acceleration after a jump"));
-        let mut a = solve(force)?;
-        let mut rest = force.to_vec();
-        inertia.mass.add_product(-1.0, &a, &mut rest);
-        for (a, d) in a.iter_mut().zip(solve(&rest)?) {
-            *a += d;
-        }
-        for (total, a) in state.committed.a.iter_mut().zip(&a) {
-            *total += a;
+        let rest = |a: &[f64]| {
+            let mut rest = force.to_vec();
+            inertia.mass.add_product(-1.0, a, &mut rest);
+            let minus = |_| [-1.0, 0.0];
+            self.assembler.add_operator_products(self.model, minus, a, &mut rest);
+            rest
+        };
+        let [a, correction] = self.regular_mass(0.25e-6 * h * h, force, rest)?;
+        for (total, (a, d)) in state.committed.a.iter_mut().zip(a.iter().zip(&correction)) {
+            *total += a + d;
         }
         state.revert();
         Ok(())

@@ -13,7 +13,7 @@ use super::AnalysisError;
 use super::damping::Rayleigh;
 use super::system::unit;
 use crate::dofs::{Dof, KINDS};
-use crate::element::{Element, LocalMatrix, Sample, local_size, reference_mass, reference_stiffness};
+use crate::element::{Element, ElementError, LocalMatrix, Sample, local_size, reference_mass, reference_stiffness};
 use crate::model::Model;
 
 /// Sparse row: (equation, coefficient).
@@ -126,15 +126,10 @@ impl Observable {
             if virtual_motion.iter().all(|w| *w == 0.0) {
                 continue;
             }
-            let k = reference_stiffness(element).map_err(|source| AnalysisError::Element { number, source })?;
-            let m = reference_mass(element);
             let r = rayleigh(number);
-            let mut damper = LocalMatrix::zeros(local_size(element));
-            if !element.damping(&mut damper) {
-                damper = LocalMatrix::zeros(local_size(element));
-            }
-            let (on_k, on_m) = (rows(&k, &virtual_motion), rows(&m, &virtual_motion));
-            let on_c: Vec<f64> = rows(&damper, &virtual_motion)
+            let [on_k, on_m, own] =
+                all_rows(element, &virtual_motion).map_err(|source| AnalysisError::Element { number, source })?;
+            let on_c: Vec<f64> = own
                 .iter()
                 .zip(on_k.iter().zip(&on_m))
                 .map(|(c, (k, m))| c + r.stiffness * k + r.mass * m)
@@ -168,6 +163,26 @@ impl Observable {
 /// Σ c_i x_i.
 pub fn apply(row: &[(usize, f64)], x: &[f64]) -> f64 {
     row.iter().map(|&(i, c)| c * x[i]).sum()
+}
+
+/// K w, M w and C w of an element.
+fn all_rows(element: &dyn Element, w: &[f64]) -> Result<[Vec<f64>; 3], ElementError> {
+    if let Some(operator) = element.operator() {
+        let zeros = || vec![0.0; w.len()];
+        let (mut on_k, mut on_m, mut own) = (zeros(), zeros(), zeros());
+        operator.add_stiffness(1.0, w, &mut on_k);
+        operator.add_mass(1.0, w, &mut on_m);
+        for (k, c) in operator.damping().iter().enumerate() {
+            own[operator.wall() + k] = c * w[operator.wall() + k];
+        }
+        return Ok([on_k, on_m, own]);
+    }
+    let mut damper = LocalMatrix::zeros(local_size(element));
+    if !element.damping(&mut damper) {
+        damper = LocalMatrix::zeros(local_size(element));
+    }
+    let (k, m) = (reference_stiffness(element)?, reference_mass(element));
+    Ok([&k, &m, &damper].map(|a| rows(a, w)))
 }
 
 /// Aᵀ w of a symmetric local matrix.

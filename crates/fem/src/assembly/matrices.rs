@@ -185,7 +185,8 @@ impl Assembler {
         let count = model.elements().len();
         let run = |range: Range<usize>, mut sinks: [Sink<'_>; N]| -> Result<(), ElementError> {
             let mut work = Work::default();
-            range.into_iter().try_for_each(|e| add(e, &mut work, &mut sinks))
+            let mut assembled = range.into_iter().filter(|e| !self.unassembled[*e]);
+            assembled.try_for_each(|e| add(e, &mut work, &mut sinks))
         };
         let mut values: [Vec<f64>; N] = std::array::from_fn(|_| vec![0.0; self.pattern.places()]);
         if count < HALVED {
@@ -230,6 +231,10 @@ impl Assembler {
         let mut out = Symmetric::zeros(self.pattern.clone());
         let mut local = LocalMatrix::default();
         for (e, element) in model.elements().iter().enumerate() {
+            if let Some(operator) = element.operator() {
+                self.add_diagonal_damping(e, operator, &mut out);
+                continue;
+            }
             local.reset(local_size(&**element));
             if element.damping(&mut local) {
                 self.scatter(model, e, &mut local, &mut Sink::whole(&mut out.values));
@@ -258,10 +263,15 @@ impl Assembler {
                     false => global[d.index()],
                 }));
             }
-            mass.reset(values.len());
-            element.mass(&mut mass);
             product.clear();
             product.resize(values.len(), 0.0);
+            if let Some(operator) = element.operator() {
+                operator.add_mass(1.0, &values, &mut product);
+                self.scatter_vector(model, e, &mut product, &mut out);
+                continue;
+            }
+            mass.reset(values.len());
+            element.mass(&mut mass);
             for (column, &x) in mass.data.chunks_exact(values.len()).zip(&values) {
                 if x != 0.0 {
                     for (y, a) in product.iter_mut().zip(column) {

@@ -105,7 +105,8 @@ impl Assembler {
             support: Vec::new(),
         };
         let mut work = Work::default();
-        for (e, element) in model.elements().iter().enumerate().filter(|(e, _)| self.linear[*e]) {
+        let elements = model.elements().iter().enumerate();
+        for (e, element) in elements.filter(|(e, _)| self.linear[*e] && !self.unassembled[*e]) {
             let local = work.stiffness(&**element).map_err(|error| (e, error))?;
             self.scatter(model, e, local, &mut Sink::whole(&mut out.tangent.values));
             let range = self.equation_starts[e]..self.equation_starts[e + 1];
@@ -199,6 +200,9 @@ impl Assembler {
                 forces.support[s as usize] += k * state.trial.u[e as usize];
             }
         }
+        if want.force {
+            self.add_operator_forces(model, &state.trial.u, forces);
+        }
         let nodes = Nodes::new(model, &state.trial);
         self.evaluate(model, state, &nodes, ask, kept, |e, force, matrix| {
             if want.force {
@@ -282,7 +286,7 @@ impl Assembler {
         let mut new = Vec::new();
         for (e, element) in model.elements().iter().enumerate() {
             let a = factor(e);
-            if a == 0.0 {
+            if a == 0.0 || self.unassembled[e] {
                 continue;
             }
             response.reset(local_size(&**element));

@@ -15,7 +15,7 @@ use fem::dofs::Dof;
 use fem::element::liquid_joint::{JointPoint, LiquidJoint};
 use fem::element::wall::place::{Footprint, PlacedWall};
 use fem::linalg::Matrix;
-use fem::liquid::CondensedLiquid;
+use fem::liquid::WallLiquid;
 use fem::model::{Builder, Model};
 use fem::state::{Gather, State};
 
@@ -32,7 +32,7 @@ pub(super) struct Join<'a> {
     /// Wetted nodes of the wall and the liquid's nodes at the same places, level by level, the held ones of the base first.
     pub nodes: [&'a [usize]; 2],
     pub amplitudes: &'a [usize],
-    pub liquid: &'a CondensedLiquid,
+    pub liquid: &'a WallLiquid,
     pub gravity: f64,
     pub depth: f64,
     /// ρ g [N/m³].
@@ -61,7 +61,7 @@ impl Join<'_> {
     pub(super) fn add_to(&self, builder: &mut Builder) -> Result<Joints, FeError> {
         let [wall_nodes, face_nodes] = self.nodes;
         let number: BTreeMap<usize, usize> = wall_nodes.iter().enumerate().map(|(i, &n)| (n, i)).collect();
-        let modes = self.liquid.omega.len();
+        let modes = self.liquid.omega().len();
         // ∫ N dA and ∫ N u_z dA of every node.
         let mut areas = vec![0.0; wall_nodes.len()];
         let mut rises = Matrix::zeros(modes, wall_nodes.len());
@@ -154,12 +154,12 @@ impl Joints {
 
 /// Vertical displacement of the particles at the wall under unit sloshing amplitudes: that of each mode decays from the surface
 /// as sinh kz/sinh kH, with ω² = g k tanh kH.
-pub(super) fn rise(liquid: &CondensedLiquid, gravity: f64, depth: f64, heights: &[f64], angles: &[f64]) -> Matrix {
-    let mut out = Matrix::zeros(heights.len(), liquid.omega.len());
-    for (j, omega) in liquid.omega.iter().enumerate() {
+pub(super) fn rise(liquid: &WallLiquid, gravity: f64, depth: f64, heights: &[f64], angles: &[f64]) -> Matrix {
+    let mut out = Matrix::zeros(heights.len(), liquid.omega().len());
+    for (j, omega) in liquid.omega().iter().enumerate() {
         let k = wave_number(omega * omega / gravity, depth);
-        for rim in &liquid.rim {
-            let top = rim.row[liquid.wall + j];
+        for rim in liquid.rim() {
+            let top = rim.row[liquid.wall() + j];
             if top == 0.0 {
                 continue;
             }

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use fem::dofs::Dof;
 use fem::element::shell::load::{FollowerPressure, NodalLoads};
 use fem::element::wall::place::{Footprint, PlacedWall};
-use fem::liquid::{CondensedLiquid, HarmonicLiquid, LiquidMesh};
+use fem::liquid::{CircularLiquid, CondensedLiquid, HarmonicLiquid, LiquidMesh, WallLiquid};
 use fem::model::Builder;
 use tank::Case;
-use tank::options::nonlinear::{Damping as Wanted, NonlinearOptions};
+use tank::options::nonlinear::{Contact, Damping as Wanted, NonlinearOptions};
 
 use super::mesh::Cells;
 use super::section::{self, RowBuild};
@@ -30,6 +30,20 @@ const ROOF: &str = "roof";
 const SLOSHING_MODES: usize = 12;
 /// Highest harmonic whose surface is free to slosh.
 const SLOSHING_HARMONICS: u32 = 1;
+
+/// Wetted nodes up to which the liquid is a dense block, bonded and with contact that opens. Above, it is an operator. Bonded, an
+/// operator needs one to four products a solution and is faster from some hundred nodes; every joint that opens takes a step of
+/// the iteration, so that with contact the block serves as long as it fits (docs/performance.md).
+const DENSE: [usize; 2] = [400, 3000];
+
+/// Whether the liquid of so many wetted nodes is an operator.
+pub(super) fn iterates(wetted: usize, contact: Contact) -> bool {
+    let [bonded, opening] = DENSE;
+    match contact {
+        Contact::Bonded => wetted > bonded,
+        Contact::Opening => wetted > opening,
+    }
+}
 
 pub(super) fn build_rows(
     case: &Case,
@@ -88,11 +102,11 @@ pub(super) fn add_liquid(
     case: &Case,
     builder: &mut Builder,
     cells: &Cells,
-    radius: f64,
     wetted: &[usize],
     options: &NonlinearOptions,
-) -> Result<(CondensedLiquid, Vec<usize>, usize), FeError> {
-    let (depth, density) = (case.liquid.fill_height, case.liquid.density);
+    operator: bool,
+) -> Result<(WallLiquid, Vec<usize>, usize), FeError> {
+    let (radius, depth) = (case.tank.shape.half_length(), case.liquid.fill_height);
     let mut heights = cells.z[..cells.wet(depth)].to_vec();
     if let Some(last) = heights.last_mut() {
         *last = depth;
@@ -100,7 +114,7 @@ pub(super) fn add_liquid(
     let mesh = LiquidMesh::graded(radius, depth, 1.0);
     let harmonic = HarmonicLiquid::new(
         radius,
-        density,
+        case.liquid.density,
         case.gravity,
         cells.sectors,
         &heights,
@@ -108,23 +122,29 @@ pub(super) fn add_liquid(
         SLOSHING_HARMONICS,
     )
     .map_err(failed)?;
-    let whole = match cells.half {
-        true => CondensedLiquid::of_harmonic_half(&harmonic).map_err(failed)?,
-        false => CondensedLiquid::of_harmonic(&harmonic),
-    };
     let families = if cells.half { 2 } else { 3 };
-    let liquid = whole
-        .with_sloshing_modes((families * SLOSHING_MODES).min(whole.surface()))
-        .map_err(failed)?;
-    let amplitudes: Vec<usize> = liquid.omega.iter().map(|_| builder.node([0.0, 0.0, depth])).collect();
+    let modes = families * SLOSHING_MODES;
+    let liquid = if operator {
+        WallLiquid::Circular(CircularLiquid::new(&harmonic, cells.half, modes).map_err(failed)?)
+    } else {
+        let whole = match cells.half {
+            true => CondensedLiquid::of_harmonic_half(&harmonic).map_err(failed)?,
+            false => CondensedLiquid::of_harmonic(&harmonic),
+        };
+        let modes = modes.min(whole.surface());
+        WallLiquid::Dense(whole.with_sloshing_modes(modes).map_err(failed)?)
+    };
+    let amplitudes: Vec<usize> = liquid.omega().iter().map(|_| builder.node([0.0, 0.0, depth])).collect();
     let ratio = match options.damping {
         Wanted::ByGroup { sloshing, .. } => sloshing,
         _ => 0.0,
     };
     let wall: Vec<(usize, Dof)> = wetted.iter().map(|&n| (n, Dof::Ux)).collect();
     let surface: Vec<(usize, Dof)> = amplitudes.iter().map(|&n| (n, Dof::Amplitude)).collect();
-    let element = liquid.element(&wall, &surface, ratio).map_err(failed)?;
-    let number = builder.element(LIQUID, element);
+    let number = match &liquid {
+        WallLiquid::Dense(dense) => builder.element(LIQUID, dense.element(&wall, &surface, ratio).map_err(failed)?),
+        WallLiquid::Circular(own) => builder.element(LIQUID, own.element(&wall, &surface, ratio).map_err(failed)?),
+    };
     Ok((liquid, amplitudes, number))
 }
 

@@ -1,8 +1,9 @@
 //! Memory and time of a nonlinear run of a cylinder, from the numbers of its cells and wetted nodes.
 //!
 //! ```text
-//! liquid     a dense block over w wetted nodes: M, K, C of the element and of the liquid, places, M, C and tangents of the
+//! liquid     few wetted nodes w: a dense block: M, K, C of the element and of the liquid, places, M, C and tangents of the
 //!            model, the factor, copies of an iteration
+//!            many: one block over the levels for each harmonic, and a factored section of the wall with it
 //! wall       5 unknowns a node (twice for two shells); nested dissection of a surface
 //! history    committed and trial state of every point of every layer
 //! ```
@@ -10,6 +11,7 @@
 use tank::Case;
 use tank::{Behaviour, Course, Layer, LayerKind};
 
+use super::elements::iterates;
 use super::march::{LOOKS, STEPS_PER_PERIOD};
 use super::mesh::Cells;
 use crate::FeError;
@@ -31,6 +33,16 @@ const CELL: f64 = 20_000.0;
 const POINTS: f64 = 4.0;
 /// States of the history kept at a time: committed, trial, and a copy to return to.
 const STATES: f64 = 3.2;
+/// Vectors of an iterative solution, and of the state.
+const VECTORS: f64 = 30.0;
+/// Products of an iterative solution.
+const PRODUCTS: f64 = 6.0;
+/// Bytes kept for a byte of a factored section: values alone.
+const SECTION: f64 = 1.2;
+/// Operations a second of the small factors [1/s].
+const SMALL_RATE: f64 = 2e9;
+/// Time of a transform of n numbers over n log₂ n, as bytes read.
+const TRANSFORM: f64 = 4.0;
 /// Iterations of a step, and steps from one factorisation to the next.
 const ITERATIONS: f64 = 3.5;
 const KEPT: f64 = 30.0;
@@ -94,14 +106,24 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
         .sum::<f64>()
         * columns;
     let points: f64 = history / 12.0;
-    let block = NUMBER * wetted * wetted;
+    let levels = cells.wet(depth) as f64;
+    let operator = iterates((levels * meridians) as usize, options.contact);
+    let block = if operator { 0.0 } else { NUMBER * wetted * wetted };
+    let rings = if operator {
+        Rings::new(&cells, levels, node * rows)
+    } else {
+        Rings::default()
+    };
     // C of the liquid is another one.
     let damped = matches!(options.damping, Damping::ByGroup { .. });
     let model = block * (MODEL_BLOCKS + if damped { 1.0 } else { 0.0 });
     // One harmonic of the liquid at a time: its mesh over radius and depth, dense in its columns.
     let section = 11.0 * (2.0 * 8.0 * (depth / case.tank.shape.half_length() / 2.7).max(1.0) + 1.0);
     let harmonic = NUMBER * section * (4.0 * (cells.wet(depth) as f64 + 11.0) + 100.0);
-    let fill = Fill::grid([meridians, rows, 1.0], node, !cells.half).with(1.0, Fill::dense(wetted));
+    let fill = match operator {
+        true => Fill::default(),
+        false => Fill::grid([meridians, rows, 1.0], node, !cells.half).with(1.0, Fill::dense(wetted)),
+    };
     let at_a_time = jobs.max(1).min(runs.max(1)) as f64;
     let step = options.time_step.unwrap_or_else(|| {
         (std::f64::consts::TAU / first_wall_frequency(case) / STEPS_PER_PERIOD).min(0.5 * response.dt)
@@ -112,16 +134,19 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
     let kept = samples * (AT_SAMPLE + 2.0 * rows + 0.5 * wetted.min(LOOKS));
     let parts = vec![
         ("the program", PROGRAM),
-        ("liquid block", model + at_a_time * MARCH_BLOCKS * block),
+        ("liquid block", model + at_a_time * MARCH_BLOCKS * block + rings.blocks),
+        ("sections of the wall", (1.0 + at_a_time) * rings.sections),
+        // A value, and its places.
+        ("vectors of the iteration", at_a_time * VECTORS * NUMBER * unknowns),
         ("liquid of one harmonic", harmonic),
         ("wall", number * shells * CELL * (1.0 + 0.5 * at_a_time)),
         ("history of the layers", at_a_time * STATES * NUMBER * history),
         ("factors", (1.0 + at_a_time) * NUMBER * fill.entries),
         ("histories", at_a_time * NUMBER * kept),
     ];
-    let sweep = 3.0 * block + 2.0 * NUMBER * fill.entries;
+    let sweep = 3.0 * block + 2.0 * NUMBER * fill.entries + PRODUCTS * rings.product(unknowns, number * shells);
     let iteration = number * shells * CELL_TIME + points * POINT_TIME + sweep / PRODUCT_RATE;
-    let once = steps * (ITERATIONS * iteration + fill.flops / FACTOR_RATE / KEPT);
+    let once = steps * (ITERATIONS * iteration + (fill.flops / FACTOR_RATE + rings.factor) / KEPT);
     let of_runs = if jobs > 0 {
         format!(", {runs} runs, {at_a_time:.0} at a time")
     } else {
@@ -130,17 +155,62 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
     Estimate {
         run: "nonlinear run",
         size: format!(
-            "{rows:.0} x {} elements, {unknowns:.0} unknowns, {wetted:.0} of them joined by the liquid, {steps:.0} steps{of_runs}",
-            cells.sectors
+            "{rows:.0} x {} elements, {unknowns:.0} unknowns, {wetted:.0} of them joined by the liquid{}, {steps:.0} steps{of_runs}",
+            cells.sectors,
+            if operator { " (iterated)" } else { "" }
         ),
         parts,
         samples,
         steps,
-        seconds: once * runs.max(1) as f64 + 2.0 * wetted.powi(3) / DENSE_RATE,
+        seconds: once * runs.max(1) as f64 + 2.0 * (block / NUMBER).powf(1.5) / DENSE_RATE,
         lever: Lever {
             smaller: Vec::new(),
             other: "coarsen the wall (`analysis.nonlinear.elements`)".into(),
         },
+    }
+}
+
+/// Liquid and preconditioner by circumferential harmonics.
+#[derive(Clone, Copy, Debug, Default)]
+struct Rings {
+    /// Bytes of the liquid's blocks, and of those that they are made from.
+    blocks: f64,
+    /// Bytes of the factored sections.
+    sections: f64,
+    /// Time of one factorisation of all of them [s].
+    factor: f64,
+    /// Entries read in a product with the liquid and a solution with the sections.
+    entries: f64,
+    /// Operations of the transforms.
+    transforms: f64,
+}
+
+impl Rings {
+    /// * `levels`: of wetted nodes; `section`: unknowns of a meridian
+    fn new(cells: &Cells, levels: f64, section: f64) -> Rings {
+        let sectors = cells.sectors as f64;
+        let harmonics = 0.5 * sectors + 1.0;
+        let families = if cells.half { 1.0 } else { 2.0 };
+        let joined = levels + AMPLITUDES / 2.0;
+        // All but the joined unknowns are eliminated from the base upwards: on the average half of the joined ones are below.
+        let factor = 0.5 * joined * joined + 0.5 * (section - levels) * joined;
+        let flops = joined.powi(3) / 3.0 + (section - levels) * joined * joined / 3.0;
+        Rings {
+            blocks: 4.0 * NUMBER * harmonics * joined * joined,
+            sections: SECTION * NUMBER * harmonics * factor,
+            factor: harmonics * flops / SMALL_RATE,
+            entries: harmonics * families * (joined * joined + 2.0 * factor),
+            transforms: 2.0 * (section + levels) * TRANSFORM * sectors * sectors.log2(),
+        }
+    }
+
+    /// Bytes, or operations of the same time, of one product: sparse matrix of the wall, liquid, preconditioner.
+    fn product(&self, unknowns: f64, cells: f64) -> f64 {
+        match self.entries {
+            0.0 => 0.0,
+            // Half a matrix of 20 x 20 a cell, with its indices; nine vectors.
+            entries => 2.0 * NUMBER * 120.0 * cells + NUMBER * (entries + 9.0 * unknowns) + self.transforms,
+        }
     }
 }
 

@@ -41,10 +41,22 @@ impl<'a> Cylinder<'a> {
         options: &'a NonlinearOptions,
         progress: &dyn Progress,
     ) -> Result<Cylinder<'a>, FeError> {
-        let motion = checked_motion(case)?;
+        checked_motion(case)?;
         progress.stage("mesh, condensed liquid, order of elimination", 1);
         let tank = CylinderModel::new(case, options)?;
         progress.advance(1);
+        Cylinder::of(case, options, tank)
+    }
+
+    /// The march of a model that is there.
+    ///
+    /// Errors: no ground motion.
+    pub(crate) fn of(
+        case: &'a Case,
+        options: &'a NonlinearOptions,
+        tank: CylinderModel,
+    ) -> Result<Cylinder<'a>, FeError> {
+        let motion = checked_motion(case)?;
         let span = Span::new(motion, options.after_record, tank.sloshing_omega)?;
         Ok(Cylinder {
             case,

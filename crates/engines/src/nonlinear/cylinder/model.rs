@@ -15,22 +15,24 @@ use std::sync::Arc;
 
 use fem::analysis::damping::{Damping, Rayleigh};
 use fem::analysis::march::Problem;
+use fem::analysis::rings::solve_once;
 use fem::analysis::system::System;
-use fem::assembly::Assembler;
+use fem::assembly::{Assembler, order};
 use fem::dofs::Dof;
 use fem::element::interlayer;
 use fem::element::shell4::MassKind;
 use fem::element::wall::place::{Footprint, PlacedWall, WallMesh};
 use fem::linalg::{Kind, Ordering, Pattern, Symbolic, dot};
-use fem::liquid::CondensedLiquid;
+use fem::liquid::WallLiquid;
 use fem::model::{Builder, Model};
 use nalgebra::{Matrix3, Vector3};
 use tank::Case;
 use tank::Shape;
 
 use super::contact::{JOINT, Join, Joints};
-use super::elements::{WALL, add_liquid, add_roof, build_rows, penalty, pressures, support};
+use super::elements::{WALL, add_liquid, add_roof, build_rows, iterates, penalty, pressures, support};
 use super::mesh::Cells;
+use super::rings::name_rings;
 use super::section::RowBuild;
 use crate::error::failed;
 use crate::{FeError, out_of_round};
@@ -78,7 +80,7 @@ pub(crate) struct CylinderModel {
     /// Area of the wall that belongs to each of them [m²].
     pub areas: Vec<f64>,
     /// The liquid.
-    pub liquid: CondensedLiquid,
+    pub liquid: WallLiquid,
     /// Equations of the sloshing amplitudes.
     pub amplitudes: Vec<usize>,
     /// ω of the first mode of wall and liquid in which the tank moves sideways, the surface free of pressure [rad/s].
@@ -120,6 +122,15 @@ impl CylinderModel {
     ///
     /// Errors: a tank that is not a cylinder; an unsupported wall, law or option; parameters out of range.
     pub(crate) fn new(case: &Case, options: &NonlinearOptions) -> Result<CylinderModel, FeError> {
+        CylinderModel::in_form(case, options, |wetted| iterates(wetted, options.contact))
+    }
+
+    /// The model with the liquid as an operator if `iterates(wetted nodes)`.
+    pub(super) fn in_form(
+        case: &Case,
+        options: &NonlinearOptions,
+        iterates: impl Fn(usize) -> bool,
+    ) -> Result<CylinderModel, FeError> {
         let Shape::Cylinder { radius } = case.tank.shape else {
             return Err(FeError::Unsupported("the tank is not a cylinder".into()));
         };
@@ -170,13 +181,17 @@ impl CylinderModel {
                 builder.frame(*nodes.1, radial);
             }
         }
+        let operator = iterates(wetted.len());
+        if operator {
+            name_rings(&mut builder, &footprint, &wall, &wetted, &cells)?;
+        }
         if options.contact == Contact::Opening {
             for &node in &wetted[..footprint.levels[0].len()] {
                 builder.hold(node, Dof::Ux);
             }
         }
         let (liquid, amplitude_nodes, liquid_element) =
-            add_liquid(case, &mut builder, &cells, radius, &wetted, options)?;
+            add_liquid(case, &mut builder, &cells, &wetted, options, operator)?;
         let joints = match options.contact {
             Contact::Bonded => None,
             Contact::Opening => {
@@ -226,10 +241,10 @@ impl CylinderModel {
                 c * load[0] + s * load[1]
             })
             .collect();
-        let first = liquid.rim.iter().position(|r| r.harmonic == 1);
-        let sloshing_omega = (0..liquid.omega.len())
-            .find(|&j| first.is_some_and(|r| liquid.rim[r].row[liquid.wall + j].abs() > 1e-9))
-            .map_or(0.0, |j| liquid.omega[j]);
+        let first = liquid.rim().iter().position(|r| r.harmonic == 1);
+        let sloshing_omega = (0..liquid.omega().len())
+            .find(|&j| first.is_some_and(|r| liquid.rim()[r].row[liquid.wall() + j].abs() > 1e-9))
+            .map_or(0.0, |j| liquid.omega()[j]);
         let pressure = pressure_loads.vector(&model);
         let mut out = CylinderModel {
             cells,
@@ -292,12 +307,12 @@ impl CylinderModel {
 
     /// Row of the surface's elevation at the wall at the angle θ [rad]: of harmonic 0 whole, of harmonic 1 the first modes.
     pub(crate) fn elevation(&self, theta: f64) -> Vec<(usize, f64)> {
-        let mut row = vec![0.0; self.liquid.mass.rows];
-        for rim in &self.liquid.rim {
+        let mut row = vec![0.0; self.liquid.wall() + self.amplitudes.len()];
+        for rim in self.liquid.rim() {
             let c = (f64::from(rim.harmonic) * theta).cos();
             let mut counted = 0;
             for (k, (to, from)) in row.iter_mut().zip(&rim.row).enumerate() {
-                let amplitude = k >= self.liquid.wall && from.abs() > 1e-9;
+                let amplitude = k >= self.liquid.wall() && from.abs() > 1e-9;
                 counted += usize::from(amplitude);
                 if rim.harmonic == 0 || (amplitude && counted <= WAVE_MODES) {
                     *to += c * from;
@@ -321,9 +336,9 @@ impl CylinderModel {
         let mut load = self.system.inertia[0].clone();
         let mut follow = vec![0.0; load.len()];
         for &e in &self.amplitudes {
-            follow[e] = -load[e] / self.system.mass.get(e, e);
+            follow[e] = -load[e] / self.amplitude_mass(e);
         }
-        for (f, m) in load.iter_mut().zip(self.system.mass.times(&follow)) {
+        for (f, m) in load.iter_mut().zip(self.mass_times(&follow)) {
             *f += m;
         }
         self.amplitudes.iter().for_each(|&e| load[e] = 0.0);
@@ -333,21 +348,18 @@ impl CylinderModel {
     /// Inverse iteration from the impulsive load: on a round tank it stays among the modes in which the tank moves sideways. The
     /// amplitudes follow the wall as without gravity; their masses are 1 and uncoupled.
     fn first_wall_mode(&self) -> Result<f64, FeError> {
-        let factor = self
-            .symbolic
-            .factor(&self.system.stiffness, Kind::QuasiDefinite)
-            .map_err(failed)?;
+        let solver = self.static_solver()?;
         let mut load = self.impulsive_load();
         let mut omega2 = 0.0;
         for _ in 0..ITERATIONS {
-            let mut x = factor.solve_vector(&load).map_err(failed)?;
+            let mut x = solver(&load)?;
             self.amplitudes.iter().for_each(|&e| x[e] = 0.0);
-            let potential = dot(&x, &self.system.stiffness.times(&x));
-            let pushed = self.system.mass.times(&x);
+            let potential = dot(&x, &self.stiffness_times(&x));
+            let pushed = self.mass_times(&x);
             for &e in &self.amplitudes {
-                x[e] = -pushed[e] / self.system.mass.get(e, e);
+                x[e] = -pushed[e] / self.amplitude_mass(e);
             }
-            let mut moved = self.system.mass.times(&x);
+            let mut moved = self.mass_times(&x);
             self.amplitudes.iter().for_each(|&e| moved[e] = 0.0);
             let kinetic = dot(&x, &moved);
             let next = potential / kinetic;
@@ -366,6 +378,44 @@ impl CylinderModel {
             }
         }
         Ok(omega2.sqrt())
+    }
+
+    /// M x.
+    fn mass_times(&self, x: &[f64]) -> Vec<f64> {
+        let mut y = self.system.mass.times(x);
+        self.assembler.add_operator_mass(&self.model, x, &mut y);
+        y
+    }
+
+    /// K x.
+    fn stiffness_times(&self, x: &[f64]) -> Vec<f64> {
+        let mut y = self.system.stiffness.times(x);
+        let on_stiffness = |_| [0.0, 1.0];
+        self.assembler
+            .add_operator_products(&self.model, on_stiffness, x, &mut y);
+        y
+    }
+
+    /// Mass of a sloshing amplitude; those of an operator are normalised.
+    fn amplitude_mass(&self, equation: usize) -> f64 {
+        match &self.liquid {
+            WallLiquid::Dense(_) => self.system.mass.get(equation, equation),
+            WallLiquid::Circular(_) => 1.0,
+        }
+    }
+
+    /// Solves with the initial stiffness.
+    fn static_solver(&self) -> Result<StaticSolver<'_>, FeError> {
+        if let WallLiquid::Circular(_) = &self.liquid {
+            let solve = |b: &[f64]| {
+                let (model, assembler) = (&self.model, &self.assembler);
+                solve_once(model, assembler, &self.system.stiffness, [0.0, 1.0], b).map_err(failed)
+            };
+            return Ok(Box::new(solve));
+        }
+        let factor = self.symbolic.factor(&self.system.stiffness, Kind::QuasiDefinite);
+        let factor = factor.map_err(failed)?;
+        Ok(Box::new(move |b| factor.solve_vector(b).map_err(failed)))
     }
 
     fn set_damping(&mut self, wanted: Wanted) -> Result<(), FeError> {
@@ -416,12 +466,19 @@ impl CylinderModel {
     }
 }
 
+/// Solves a linear system.
+type StaticSolver<'a> = Box<dyn Fn(&[f64]) -> Result<Vec<f64>, FeError> + 'a>;
+
 /// Order of elimination: the wall by nested dissection, then the amplitudes and the radial displacements that the liquid
 /// joins; or minimum degree if that takes fewer operations.
 fn symbolic(model: &Model, assembler: &Assembler, liquid: usize) -> Result<Arc<Symbolic>, FeError> {
     let dofs = model.dofs();
     let mut joined = vec![false; dofs.len()];
     let element = &model.elements()[liquid];
+    if element.operator().is_some() {
+        let found = Symbolic::new(assembler.pattern().clone(), &order(model, assembler.pattern()));
+        return Ok(Arc::new(found.map_err(failed)?));
+    }
     for (local, &node) in element.nodes().iter().enumerate() {
         for &dof in element.dofs(local) {
             if let Some(e) = dofs.equation(node, dof) {

@@ -285,10 +285,7 @@ impl<'a> Watch<'a> {
             *a += c * now.ground[0];
         }
         let u = of(&fields.u);
-        let mut force = self.tank.liquid.mass.times(&a);
-        for (f, k) in force.iter_mut().zip(self.tank.liquid.stiffness.times(&u)) {
-            *f += k;
-        }
+        let force = self.tank.liquid.forces(&a, &u);
         let rises = self.rise.times(&u[wall..]);
         let vertical = now.ground[2] * self.tank.unit_weight / self.tank.gravity;
         let depth = self.tank.depth;

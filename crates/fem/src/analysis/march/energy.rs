@@ -132,9 +132,8 @@ impl<'a> Meter<'a> {
     pub(crate) fn begin(&mut self, state: &State, force: &Forces) {
         self.before.clone_from(&state.committed);
         self.force.clone_from(force);
-        let mass = &self.problem.system.mass;
-        product(mass, &self.before.a, &mut self.ma);
-        product(mass, &self.before.v, &mut self.mv);
+        mass_product(self.problem, &self.before.a, &mut self.ma);
+        mass_product(self.problem, &self.before.v, &mut self.mv);
     }
 
     /// After a step that converged; `viscous` is the tangent damping that held in it.
@@ -154,14 +153,17 @@ impl<'a> Meter<'a> {
         let [du, ma, mv, cv0, cv1] = &mut self.room;
         du.clear();
         du.extend(after.u.iter().zip(&self.before.u).map(|(a, b)| a - b));
-        product(&system.mass, &after.a, ma);
-        product(&system.mass, &after.v, mv);
+        mass_product(self.problem, &after.a, ma);
+        mass_product(self.problem, &after.v, mv);
+        let c = system.damping.of_operators();
+        let Problem { model, assembler, .. } = self.problem;
         for (v, out) in [(&self.before.v, &mut *cv0), (&after.v, &mut *cv1)] {
             out.clear();
             out.resize(n, 0.0);
             system
                 .damping
                 .add_sparse_product(&system.mass, &system.stiffness, 1.0, v, out);
+            assembler.add_operator_products(model, |_| [c.mass, c.stiffness], v, out);
             if let Some(c) = viscous {
                 c.add_product(1.0, v, out);
             }
@@ -216,10 +218,11 @@ impl<'a> Meter<'a> {
     }
 }
 
-fn product(a: &Symmetric, x: &[f64], out: &mut Vec<f64>) {
+fn mass_product(problem: Problem<'_>, x: &[f64], out: &mut Vec<f64>) {
     out.clear();
     out.resize(x.len(), 0.0);
-    a.add_product(1.0, x, out);
+    problem.system.mass.add_product(1.0, x, out);
+    problem.assembler.add_operator_mass(problem.model, x, out);
 }
 
 fn hysteresis(problem: Problem<'_>, state: &State) -> f64 {

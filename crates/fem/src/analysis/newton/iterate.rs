@@ -173,12 +173,17 @@ impl Newton<'_> {
         part.resize(blend.len(), 0.0);
         mix(on_mass, &state.trial.a, &state.committed.a, blend);
         inertia.mass.add_product(1.0, blend, part);
+        self.assembler.add_operator_mass(self.model, blend, part);
         take(part);
         part.fill(0.0);
         mix(on_force, &state.trial.v, &state.committed.v, blend);
         inertia
             .damping
             .add_sparse_product(inertia.mass, inertia.stiffness, 1.0, blend, part);
+        let c = inertia.damping.of_operators();
+        let on_operators = |_| [c.mass, c.stiffness];
+        self.assembler
+            .add_operator_products(self.model, on_operators, blend, part);
         if let Some(viscous) = &self.viscous {
             viscous.add_product(1.0, blend, part);
         }
@@ -205,16 +210,12 @@ impl Newton<'_> {
         self.effective.values.fill(0.0);
         self.effective.add(w.stiffness, &self.tangent);
         if let Some(inertia) = self.inertia {
-            let c = &inertia.damping.rayleigh;
-            self.effective.add(w.mass + w.damping * c.mass, inertia.mass);
-            if w.damping * c.stiffness != 0.0 {
-                self.effective.add(w.damping * c.stiffness, inertia.stiffness);
-            }
-            for sparse in inertia.damping.sparse.iter().chain(&self.viscous) {
-                self.effective.add(w.damping, sparse);
+            inertia.add_to(&mut self.effective, w);
+            if let Some(viscous) = &self.viscous {
+                self.effective.add(w.damping, viscous);
             }
         }
-        if w.mass == 0.0 {
+        if w.mass == 0.0 && self.rings.is_none() {
             // Unknowns without stiffness (potentials) rest in statics.
             let pattern = self.effective.pattern.clone();
             for &diagonal in &pattern.starts[..pattern.size()] {
@@ -224,33 +225,16 @@ impl Newton<'_> {
             }
         }
         self.cost.factors += 1;
-        // Taken out, so that a factor that failed is not used again.
-        let factor = match self.factor.take() {
-            Some((mut factor, _)) => factor.refactor(&self.effective).map(|()| factor),
-            None => self.symbolic.factor(&self.effective, self.kind),
-        };
-        self.factor = Some((factor.map_err(failed("the effective tangent"))?, w));
-        Ok(())
+        self.factorise(w)
     }
 
     /// δu from r with the factor there is.
     fn solve(&mut self) -> Result<(), AnalysisError> {
         self.cost.iterations += 1;
-        let Room { r, du, .. } = &mut self.room;
-        let (factor, _) = self.factor.as_ref().ok_or(AnalysisError::Option {
-            option: "Newton's method",
-            found: "no factor".into(),
-            allowed: "a factor of the effective tangent".into(),
-        })?;
-        du.clone_from(r);
-        let mut x = crate::linalg::Matrix {
-            rows: du.len(),
-            cols: 1,
-            data: std::mem::take(du),
-        };
-        let solved = factor.solve(&mut x);
-        *du = x.data;
-        solved.map_err(failed("the effective tangent"))
+        let (r, mut du) = (std::mem::take(&mut self.room.r), std::mem::take(&mut self.room.du));
+        let solved = self.back_substitute(&r, &mut du);
+        (self.room.r, self.room.du) = (r, du);
+        solved
     }
 
     /// Node and dof of the largest component of r, or of the first that is not finite.

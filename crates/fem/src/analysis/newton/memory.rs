@@ -12,7 +12,15 @@ impl Newton<'_> {
     pub(in crate::analysis) fn save(&self, to: &mut Writer) {
         to.number(self.reference);
         let c = &self.cost;
-        for count in [c.steps, c.failures, c.iterations, c.evaluations, c.factors, c.searches] {
+        for count in [
+            c.steps,
+            c.failures,
+            c.iterations,
+            c.evaluations,
+            c.factors,
+            c.searches,
+            c.products,
+        ] {
             to.count(count as usize);
         }
         to.count(usize::from(self.viscous.is_some()));
@@ -43,6 +51,7 @@ impl Newton<'_> {
             &mut c.evaluations,
             &mut c.factors,
             &mut c.searches,
+            &mut c.products,
         ] {
             *count = from.count()? as u64;
         }
@@ -66,13 +75,11 @@ impl Newton<'_> {
                 stiffness: w[2],
             };
             // A run keeps no tangent that it could not factor.
-            let factor = self.symbolic.factor(&self.effective, self.kind);
-            let factor = factor.map_err(|_| CheckpointError::Value {
+            self.factorise(weights).map_err(|_| CheckpointError::Value {
                 what: "a pivot of the effective tangent",
                 found: 0.0,
                 allowed: "a matrix that can be factored",
             })?;
-            self.factor = Some((factor, weights));
         }
         if from.count()? != 0 {
             let unknowns = self.model.dofs().len();

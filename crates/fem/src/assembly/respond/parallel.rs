@@ -156,7 +156,7 @@ impl Assembler {
 
     /// Whether the linear part stands for the element.
     fn is_replaced(&self, e: usize, ask: Ask<'_>) -> bool {
-        ask.linear.is_some() && self.linear[e]
+        self.unassembled[e] || (ask.linear.is_some() && self.linear[e])
     }
 
     /// End of the round that begins with element `first`.

@@ -8,6 +8,7 @@ use fem::element::liquid_joint::{JointPoint, LiquidJoint};
 use fem::element::spring::{Direction, PointMass, Spring};
 use fem::element::super_element::SuperElement;
 use fem::linalg::Matrix;
+use fem::liquid::{CircularLiquid, HarmonicLiquid, LiquidMesh};
 use fem::mesh::Face;
 use nalgebra::UnitQuaternion;
 
@@ -138,6 +139,27 @@ fn super_element() -> Specimen {
     }
 }
 
+/// Four nodes of a ring with an amplitude of harmonic 1, the half from 0 to π.
+fn circular() -> Specimen {
+    let build = move |_: &Turn| -> Box<dyn Element> {
+        let heights = [0.0, 1.0];
+        let mesh = LiquidMesh::graded(1.0, 1.0, 1.0);
+        let liquid = HarmonicLiquid::new(1.0, 2.0, 9.81, 4, &heights, &mesh, 1).unwrap();
+        let liquid = CircularLiquid::new(&liquid, true, 1).unwrap();
+        let wall: Vec<(usize, Dof)> = (0..6).map(|n| (n, Dof::Ux)).collect();
+        Box::new(liquid.element(&wall, &[(6, Dof::Amplitude)], 0.005).unwrap())
+    };
+    let nodes = [0.0, 1.0].map(|z| [[1.0, 0.0, z], [0.0, 1.0, z], [-1.0, 0.0, z]]);
+    let mut nodes: Vec<[f64; 3]> = nodes.into_iter().flatten().collect();
+    nodes.push([0.0; 3]);
+    Specimen {
+        turns: OWN_AXES,
+        rotations: NO_FRAME,
+        mass: Mass::None("its frames are not those of the suite; translations are tested with the liquid"),
+        ..Specimen::new("CircularElement", "a liquid in half a cylinder", &nodes, build)
+    }
+}
+
 pub(crate) fn all() -> Vec<Specimen> {
     let mut all = springs();
     all.extend([
@@ -150,6 +172,7 @@ pub(crate) fn all() -> Vec<Specimen> {
         liquid_joint("bonded", false),
         liquid_joint("opens", true),
         super_element(),
+        circular(),
     ]);
     all
 }

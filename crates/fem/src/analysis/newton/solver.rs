@@ -1,0 +1,158 @@
+//! Solution with the effective tangent: by its factor, or by iteration where elements are not assembled.
+
+use super::{Inertia, Newton};
+use crate::analysis::rings::RingSolver;
+use crate::analysis::scheme::Weights;
+use crate::analysis::{AnalysisError, failed};
+use crate::linalg::{Factor, LinalgError, Symmetric};
+
+/// Relative residual at which the iteration of one increment ends: Newton's next residual is new anyway, and with less than this
+/// more of them are needed.
+const TOLERANCE: f64 = 1e-3;
+/// The same where nothing corrects the solution.
+const EXACT: f64 = 1e-12;
+
+/// What stands for the inverse of the effective tangent.
+pub(super) enum Solver {
+    Direct(Factor),
+    Rings(Box<RingSolver>),
+}
+
+const WHAT: &str = "the effective tangent";
+
+impl Inertia<'_> {
+    /// A ← A + w_M M + w_C C of what is assembled.
+    pub(super) fn add_to(&self, a: &mut Symmetric, w: Weights) {
+        let c = &self.damping.rayleigh;
+        a.add(w.mass + w.damping * c.mass, self.mass);
+        if w.damping * c.stiffness != 0.0 {
+            a.add(w.damping * c.stiffness, self.stiffness);
+        }
+        if let Some(sparse) = &self.damping.sparse {
+            a.add(w.damping, sparse);
+        }
+    }
+}
+
+impl Newton<'_> {
+    /// (c_M, c_K) of every element that is not assembled.
+    fn shares(&self, w: Weights) -> Vec<[f64; 2]> {
+        let c = self.inertia.map(|i| i.damping.of_operators()).unwrap_or_default();
+        let share = [w.mass + w.damping * c.mass, w.stiffness + w.damping * c.stiffness];
+        self.assembler.operators(self.model).map(|_| share).collect()
+    }
+
+    /// Makes `self.factor` that of `self.effective`.
+    pub(super) fn factorise(&mut self, w: Weights) -> Result<(), AnalysisError> {
+        // Taken out, so that a factor that failed is not used again.
+        let before = self.factor.take().map(|(solver, _)| solver);
+        let solver = match (&self.rings, before) {
+            (Some(_), before) => Solver::Rings(Box::new(self.ring_solver(w, before)?)),
+            (None, Some(Solver::Direct(mut factor))) => {
+                factor.refactor(&self.effective).map_err(failed(WHAT))?;
+                Solver::Direct(factor)
+            }
+            (None, _) => {
+                let factor = self.symbolic.factor(&self.effective, self.kind);
+                Solver::Direct(factor.map_err(failed(WHAT))?)
+            }
+        };
+        self.factor = Some((solver, w));
+        Ok(())
+    }
+
+    /// The mean of the effective tangent, or of that with the initial stiffness if it is not positive definite.
+    fn ring_solver(&self, w: Weights, before: Option<Solver>) -> Result<RingSolver, AnalysisError> {
+        let Some(layout) = &self.rings else {
+            return Err(failed(WHAT)(LinalgError::Singular { size: 0 }));
+        };
+        let shares = self.shares(w);
+        let (model, assembler) = (self.model, self.assembler);
+        let make = |before: Option<Solver>, sparse: &Symmetric| match before {
+            Some(Solver::Rings(mut solver)) => {
+                solver.refactor(model, assembler, sparse, &shares)?;
+                Ok(*solver)
+            }
+            _ => RingSolver::new(layout, model, assembler, sparse, &shares),
+        };
+        if let Ok(solver) = make(before, &self.effective) {
+            return Ok(solver);
+        }
+        // Without C_T, which a resumed run has in another state.
+        let stiffness = assembler.stiffness(model);
+        let mut initial = stiffness.map_err(|source| AnalysisError::Element { number: 0, source })?;
+        initial.values.iter_mut().for_each(|k| *k *= w.stiffness);
+        if let Some(inertia) = self.inertia {
+            inertia.add_to(&mut initial, w);
+        }
+        make(None, &initial).map_err(failed(WHAT))
+    }
+
+    /// x = A⁻¹ b with the factor there is.
+    pub(super) fn back_substitute(&mut self, b: &[f64], x: &mut Vec<f64>) -> Result<(), AnalysisError> {
+        let (solver, _) = self.factor.as_ref().ok_or(AnalysisError::Option {
+            option: "Newton's method",
+            found: "no factor".into(),
+            allowed: "a factor of the effective tangent".into(),
+        })?;
+        match solver {
+            Solver::Direct(factor) => {
+                x.clear();
+                x.extend_from_slice(b);
+                let mut column = crate::linalg::Matrix {
+                    rows: x.len(),
+                    cols: 1,
+                    data: std::mem::take(x),
+                };
+                let solved = factor.solve(&mut column);
+                *x = column.data;
+                solved.map_err(failed(WHAT))
+            }
+            Solver::Rings(solver) => {
+                let solved = solver.solve(self.model, self.assembler, &self.effective, b, x, TOLERANCE);
+                self.cost.products += solved.map_err(failed(WHAT))? as u64;
+                Ok(())
+            }
+        }
+    }
+
+    /// (M + ε K)⁻¹ b for each of two right-hand sides, the second of which follows from the first solution.
+    pub(super) fn regular_mass(
+        &self,
+        epsilon: f64,
+        force: &[f64],
+        rest: impl Fn(&[f64]) -> Vec<f64>,
+    ) -> Result<[Vec<f64>; 2], AnalysisError> {
+        let Some(inertia) = self.inertia else {
+            return Err(failed("the mass matrix")(LinalgError::Singular { size: 0 }));
+        };
+        let mut regular = inertia.mass.clone();
+        regular.add(epsilon, inertia.stiffness);
+        let after = failed("the acceleration after a jump");
+        match &self.rings {
+            None => {
+                let factor = self
+                    .symbolic
+                    .factor(&regular, self.kind)
+                    .map_err(failed("the mass matrix"))?;
+                let first = factor.solve_vector(force).map_err(&after)?;
+                let second = factor.solve_vector(&rest(&first)).map_err(&after)?;
+                Ok([first, second])
+            }
+            Some(layout) => {
+                let shares: Vec<[f64; 2]> = self.assembler.operators(self.model).map(|_| [1.0, epsilon]).collect();
+                let (model, assembler) = (self.model, self.assembler);
+                let solver = RingSolver::new(layout, model, assembler, &regular, &shares);
+                let solver = solver.map_err(failed("the mass matrix"))?;
+                let solve = |b: &[f64]| {
+                    let mut x = Vec::new();
+                    let solved = solver.solve(model, assembler, &regular, b, &mut x, EXACT);
+                    solved.map(|_| x).map_err(&after)
+                };
+                let first = solve(force)?;
+                let second = solve(&rest(&first))?;
+                Ok([first, second])
+            }
+        }
+    }
+}

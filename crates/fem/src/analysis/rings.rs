@@ -1,0 +1,194 @@
+//! Linear systems of a wall on equally spaced meridians with elements that are not assembled.
+//!
+//! ```text
+//! A = S + c_M M_f + c_K K_f          S sparse: wall; M_f, K_f block-circulant: liquid
+//! A x = b                            minimal residuals, preconditioned by P
+//! P = ⟨S⟩ + c_M M_f + c_K K_f        ⟨S⟩: mean of S over all turns by 2π/N and the reflection
+//! ```
+//!
+//! P has one block for each circumferential harmonic, over the unknowns of a meridian and the amplitudes: banded where the wall
+//! is alone, full over the wetted radial displacements. As long as the wall is elastic and round S = ⟨S⟩ but for rounding and
+//! the method ends after one step or two; cracks and yielding are differences that the iteration carries. P is the mean of congruent
+//! matrices, and so positive definite if A is; A itself may be indefinite behind a bifurcation ([`minres`] does not
+//! mind), then P is taken from the initial stiffness if its factor fails.
+//!
+//! A factor of S alone is no substitute: with steps of some ms c_M M_f exceeds the stiffness of the wall up to harmonics of order 100.
+//!
+//! Source: Chan 1988 (optimal circulant preconditioner); Paige & Saunders 1975.
+
+use std::sync::Arc;
+
+use super::{AnalysisError, failed};
+use crate::assembly::Assembler;
+use crate::linalg::{Factor, Kind, LinalgError, Matrix, Symmetric, minres};
+use crate::model::Model;
+use crate::ring::{RingBlock, Weight};
+
+mod layout;
+
+pub use layout::RingLayout;
+
+/// Products in one solution at most.
+const LIMIT: usize = 400;
+/// A solution that has not reached its tolerance is still a direction if its residual has fallen to this part.
+const USEFUL: f64 = 0.3;
+
+/// Factored preconditioner, and the factors of the elements that are not assembled.
+pub struct RingSolver {
+    layout: Arc<RingLayout>,
+    factors: Vec<Factor>,
+    /// (c_M, c_K) by the order of the operators.
+    shares: Vec<[f64; 2]>,
+}
+
+impl RingSolver {
+    /// Factors the mean of `sparse` with the operators, `shares` times their mass and stiffness.
+    ///
+    /// Errors: a mean that is not positive definite.
+    pub fn new(
+        layout: &Arc<RingLayout>,
+        model: &Model,
+        assembler: &Assembler,
+        sparse: &Symmetric,
+        shares: &[[f64; 2]],
+    ) -> Result<RingSolver, LinalgError> {
+        let mut out = RingSolver {
+            layout: layout.clone(),
+            factors: Vec::new(),
+            shares: shares.to_vec(),
+        };
+        out.refactor(model, assembler, sparse, shares)?;
+        Ok(out)
+    }
+
+    /// The same for other values.
+    ///
+    /// Errors: a mean that is not positive definite; the solver must not be used then.
+    pub fn refactor(
+        &mut self,
+        model: &Model,
+        assembler: &Assembler,
+        sparse: &Symmetric,
+        shares: &[[f64; 2]],
+    ) -> Result<(), LinalgError> {
+        self.shares = shares.to_vec();
+        let layout = self.layout.clone();
+        let mean = layout.mean(sparse);
+        let amplitudes = layout.amplitude_diagonal(sparse);
+        for m in 0..layout.ring().harmonics() {
+            let mut section = layout.section(m, &mean);
+            for (number, (placed, [on_mass, on_stiffness])) in
+                assembler.operators(model).zip(shares.iter().copied()).enumerate()
+            {
+                let RingBlock { mass, stiffness } = &placed.operator.blocks()[m];
+                layout.add_block(&mut section, number, on_mass, mass);
+                if let Some(k) = stiffness {
+                    layout.add_block(&mut section, number, on_stiffness, k);
+                }
+            }
+            layout.close(&mut section, m, &amplitudes);
+            match self.factors.get_mut(m) {
+                Some(factor) => factor.refactor(&section)?,
+                None => self.factors.push(layout.symbolic(m).factor(&section, Kind::Definite)?),
+            }
+        }
+        Ok(())
+    }
+
+    /// Solves (S + operators) x = b to √(rᵀ P⁻¹ r) ≤ `tolerance` times its first value; returns the number of products.
+    ///
+    /// Errors: no convergence.
+    pub fn solve(
+        &self,
+        model: &Model,
+        assembler: &Assembler,
+        sparse: &Symmetric,
+        b: &[f64],
+        x: &mut Vec<f64>,
+        tolerance: f64,
+    ) -> Result<usize, LinalgError> {
+        x.clear();
+        x.resize(b.len(), 0.0);
+        let numbers: Vec<usize> = assembler.operators(model).map(|p| p.element).collect();
+        let share = |e: usize| {
+            let found = numbers.iter().position(|n| *n == e);
+            found.map_or([0.0; 2], |i| self.shares[i])
+        };
+        let mut product = |x: &[f64], y: &mut [f64]| {
+            y.fill(0.0);
+            sparse.add_product(1.0, x, y);
+            assembler.add_operator_products(model, share, x, y);
+        };
+        let mut precondition = |r: &[f64], z: &mut [f64]| self.precondition(r, z);
+        let found = minres(&mut product, &mut precondition, b, x, tolerance, LIMIT)?;
+        if found.residual > tolerance.max(USEFUL) || (found.residual > tolerance && tolerance < 1e-6) {
+            return Err(LinalgError::Iteration {
+                iterations: found.count,
+                residual: found.residual,
+                allowed: tolerance,
+            });
+        }
+        Ok(found.count)
+    }
+
+    /// z = P⁻¹ r.
+    fn precondition(&self, r: &[f64], z: &mut [f64]) -> Result<(), LinalgError> {
+        let layout = &*self.layout;
+        let ring = layout.ring();
+        let (families, size) = (ring.families(), layout.size());
+        let mut room = ring.room();
+        let mut sections: Vec<Matrix> = (0..ring.harmonics())
+            .map(|m| Matrix::zeros(layout.symbolic(m).pattern().size(), families))
+            .collect();
+        let mut row = vec![0.0; ring.meridians()];
+        for a in 0..size {
+            for (value, &e) in row.iter_mut().zip(layout.equations(a)) {
+                *value = r.get(e as usize).copied().unwrap_or(0.0);
+            }
+            ring.analyse(&row, layout.is_odd(a), Weight::Displacements, &mut room, |m, f, c| {
+                sections[m].column_mut(f)[a] = c;
+            });
+        }
+        for &(e, a) in layout.amplitudes() {
+            sections[a.harmonic].column_mut(a.family)[size + a.slot] = r[e];
+        }
+        for (factor, section) in self.factors.iter().zip(&mut sections) {
+            factor.solve(section)?;
+        }
+        z.fill(0.0);
+        for a in 0..size {
+            let get = |m: usize, f: usize| sections[m].column(f)[a];
+            ring.synthesise(layout.is_odd(a), Weight::Displacements, &mut room, get, &mut row);
+            for (value, &e) in row.iter().zip(layout.equations(a)) {
+                if let Some(z) = z.get_mut(e as usize) {
+                    *z = *value;
+                }
+            }
+        }
+        for &(e, a) in layout.amplitudes() {
+            z[e] = sections[a.harmonic].column(a.family)[size + a.slot];
+        }
+        Ok(())
+    }
+}
+
+/// Solves (S + c_M M_f + c_K K_f) x = b to 10⁻¹².
+///
+/// Errors: a model without rings of nodes; a mean that is not positive definite; no convergence.
+pub fn solve_once(
+    model: &Model,
+    assembler: &Assembler,
+    sparse: &Symmetric,
+    share: [f64; 2],
+    b: &[f64],
+) -> Result<Vec<f64>, AnalysisError> {
+    let layout = Arc::new(RingLayout::new(model, assembler)?);
+    let shares: Vec<[f64; 2]> = assembler.operators(model).map(|_| share).collect();
+    let solve = || -> Result<Vec<f64>, LinalgError> {
+        let solver = RingSolver::new(&layout, model, assembler, sparse, &shares)?;
+        let mut x = Vec::new();
+        solver.solve(model, assembler, sparse, b, &mut x, 1e-12)?;
+        Ok(x)
+    };
+    solve().map_err(failed("a wall with its liquid"))
+}

@@ -1,0 +1,297 @@
+//! Unknowns of a model by rings of nodes, and the mean of a matrix over all turns.
+
+use std::collections::HashMap;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use crate::analysis::{AnalysisError, failed};
+use crate::assembly::Assembler;
+use crate::dofs::Dof;
+use crate::linalg::{Matrix, Ordering, Pattern, Symbolic, Symmetric};
+use crate::model::Model;
+use crate::ring::{Ring, RingAmplitude};
+
+/// Marks unknowns that are held and places that are left out.
+const NONE: u32 = u32::MAX;
+/// Places whose values enter with the other sign.
+const FLIPPED: u32 = 1 << 31;
+/// Nodes further apart than this many sectors are joined by small masses only (a roof): left out of the mean.
+const REACH: usize = 2;
+
+/// Mean of the entries (row, column) of nodes `offset` sectors apart.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    row: usize,
+    column: usize,
+    offset: usize,
+    /// Number of pairs of nodes on the full circle.
+    count: f64,
+}
+
+/// One operator in the sections: row of each of its levels, `None` where it is held.
+type Levels = Vec<Option<usize>>;
+
+/// Unknowns of a meridian, and where the entries of a model's matrices belong.
+pub struct RingLayout {
+    ring: Ring,
+    /// Equations by unknown of the meridian, then by meridian.
+    rows: Vec<Vec<u32>>,
+    odd: Vec<bool>,
+    amplitudes: Vec<(usize, RingAmplitude)>,
+    entries: Vec<Entry>,
+    /// Entry of each place of the model's pattern.
+    targets: Vec<u32>,
+    operators: Vec<Levels>,
+    /// Sections without and with amplitudes.
+    symbolic: [Arc<Symbolic>; 2],
+    /// Place of each entry in the sections.
+    places: [Vec<usize>; 2],
+    /// Whether a harmonic has amplitudes.
+    sloshing: Vec<bool>,
+}
+
+impl RingLayout {
+    /// Of a model whose nodes lie on rings.
+    ///
+    /// Errors: a model without rings, unknowns that are on none.
+    pub fn new(model: &Model, assembler: &Assembler) -> Result<RingLayout, AnalysisError> {
+        let missing = |found: String| AnalysisError::Option {
+            option: "elements that are not assembled",
+            found,
+            allowed: "a model whose nodes are named as rings".into(),
+        };
+        let rings = model.rings().ok_or_else(|| missing("no rings of nodes".into()))?;
+        let dofs = model.dofs();
+        let (mut rows, mut odd) = (Vec::new(), Vec::new());
+        let mut of = vec![(NONE, 0_u32); dofs.len()];
+        for nodes in &rings.nodes {
+            for dof in [Dof::Ux, Dof::Uy, Dof::Uz, Dof::Rx, Dof::Ry] {
+                let number = |&n: &usize| dofs.equation(n, dof).map_or(NONE, |e| e as u32);
+                let own: Vec<u32> = nodes.iter().map(number).collect();
+                if own.iter().all(|e| *e == NONE) {
+                    continue;
+                }
+                for (k, &e) in own.iter().enumerate().filter(|(_, e)| **e != NONE) {
+                    of[e as usize] = (rows.len() as u32, k as u32);
+                }
+                rows.push(own);
+                odd.push(matches!(dof, Dof::Uy | Dof::Ry));
+            }
+        }
+        let mut amplitudes = Vec::new();
+        let mut operators = Vec::new();
+        for placed in assembler.operators(model) {
+            let operator = placed.operator;
+            for (k, &a) in operator.amplitudes().iter().enumerate() {
+                if let Some(e) = placed.equation(operator.wall() + k) {
+                    amplitudes.push((e, a));
+                }
+            }
+            let meridians = operator.ring().meridians();
+            let level = |l: usize| -> Option<usize> {
+                let free = (0..meridians).find_map(|k| placed.equation(l * meridians + k))?;
+                Some(of[free].0 as usize)
+            };
+            operators.push((0..operator.levels()).map(level).collect::<Levels>());
+        }
+        if operators.len() > 1 {
+            return Err(missing(format!("{} liquids", operators.len())));
+        }
+        let slots = amplitudes.iter().map(|(_, a)| a.slot + 1).max().unwrap_or(0);
+        let is_amplitude = |e: usize| amplitudes.iter().any(|(own, _)| *own == e);
+        if let Some(e) = (0..dofs.len()).find(|&e| of[e].0 == NONE && !is_amplitude(e)) {
+            let (node, dof) = dofs.unknown(e);
+            return Err(missing(format!("{dof} of node {node} on no ring")));
+        }
+        let (entries, targets) = average(&rings.ring, assembler.pattern(), &of, &odd);
+        let wet: Vec<usize> = operators.iter().flatten().flatten().copied().collect();
+        let sections = [0, slots].map(|slots| section(rows.len(), slots, &entries, &wet));
+        let [plain, full] = sections;
+        let symbolic = [
+            plain.map_err(failed("a section of the wall"))?,
+            full.map_err(failed("a section of the wall"))?,
+        ];
+        let places = symbolic.each_ref().map(|s| {
+            let place = |e: &Entry| s.pattern().place(e.row, e.column).unwrap_or(0);
+            entries.iter().map(place).collect()
+        });
+        Ok(RingLayout {
+            sloshing: (0..rings.ring.harmonics())
+                .map(|m| amplitudes.iter().any(|(_, a)| a.harmonic == m))
+                .collect(),
+            ring: rings.ring.clone(),
+            rows,
+            odd,
+            amplitudes,
+            entries,
+            targets,
+            operators,
+            symbolic,
+            places,
+        })
+    }
+
+    pub(super) fn ring(&self) -> &Ring {
+        &self.ring
+    }
+
+    /// Unknowns of a meridian.
+    pub(super) fn size(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Equations of an unknown of the meridian; beyond all where it is held.
+    pub(super) fn equations(&self, row: usize) -> &[u32] {
+        &self.rows[row]
+    }
+
+    pub(super) fn is_odd(&self, row: usize) -> bool {
+        self.odd[row]
+    }
+
+    pub(super) fn amplitudes(&self) -> &[(usize, RingAmplitude)] {
+        &self.amplitudes
+    }
+
+    pub(super) fn symbolic(&self, m: usize) -> &Arc<Symbolic> {
+        &self.symbolic[usize::from(self.sloshing[m])]
+    }
+
+    /// Means of all entries.
+    pub(super) fn mean(&self, sparse: &Symmetric) -> Vec<f64> {
+        let mut out = vec![0.0; self.entries.len()];
+        for (&target, &value) in self.targets.iter().zip(&sparse.values) {
+            if target != NONE {
+                let at = (target & !FLIPPED) as usize;
+                out[at] += if target & FLIPPED == 0 { value } else { -value };
+            }
+        }
+        // Half a circle stands for the whole: every pair twice, those on the plane once with twice its value.
+        let twice = if self.ring.is_half() { 2.0 } else { 1.0 };
+        for (sum, entry) in out.iter_mut().zip(&self.entries) {
+            *sum *= twice / entry.count;
+        }
+        out
+    }
+
+    /// Diagonal of the amplitudes.
+    pub(super) fn amplitude_diagonal(&self, sparse: &Symmetric) -> Vec<f64> {
+        let diagonal = |&(e, _): &(usize, RingAmplitude)| sparse.values[sparse.pattern.starts[e]];
+        self.amplitudes.iter().map(diagonal).collect()
+    }
+
+    /// The wall in harmonic m.
+    pub(super) fn section(&self, m: usize, mean: &[f64]) -> Symmetric {
+        let mut out = Symmetric::zeros(self.symbolic(m).pattern().clone());
+        let places = &self.places[usize::from(self.sloshing[m])];
+        for ((entry, &value), &place) in self.entries.iter().zip(mean).zip(places) {
+            let sectors = self.ring.sectors();
+            let angle = TAU * ((m * entry.offset) % sectors) as f64 / sectors as f64;
+            let factor = match (entry.offset, self.odd[entry.row], self.odd[entry.column]) {
+                (0, _, _) => 1.0,
+                (_, a, b) if a == b => 2.0 * angle.cos(),
+                (_, true, _) => 2.0 * angle.sin(),
+                _ => -2.0 * angle.sin(),
+            };
+            out.values[place] += factor * value;
+        }
+        out
+    }
+
+    /// Adds `factor` times a block of an operator.
+    pub(super) fn add_block(&self, section: &mut Symmetric, operator: usize, factor: f64, block: &Matrix) {
+        if factor == 0.0 {
+            return;
+        }
+        let levels = &self.operators[operator];
+        let at = |i: usize| match levels.get(i) {
+            Some(row) => *row,
+            None => Some(self.rows.len() + i - levels.len()),
+        };
+        let pattern = section.pattern.clone();
+        for j in 0..block.cols {
+            for i in 0..block.rows {
+                if let (Some(p), Some(q)) = (at(i), at(j))
+                    && p >= q
+                    && let Some(place) = pattern.place(p, q)
+                {
+                    section.values[place] += factor * block.get(i, j);
+                }
+            }
+        }
+    }
+
+    /// Adds the amplitudes' own diagonal, and a one where there is nothing: a harmonic with fewer modes than another.
+    pub(super) fn close(&self, section: &mut Symmetric, m: usize, amplitudes: &[f64]) {
+        let pattern = section.pattern.clone();
+        for ((_, a), c) in self.amplitudes.iter().zip(amplitudes) {
+            if a.harmonic == m && a.family == 0 {
+                section.values[pattern.starts[self.rows.len() + a.slot]] += c;
+            }
+        }
+        for &diagonal in &pattern.starts[..pattern.size()] {
+            if section.values[diagonal] == 0.0 {
+                section.values[diagonal] = 1.0;
+            }
+        }
+    }
+}
+
+/// Entries of the mean, and the entry of each place of a matrix.
+fn average(ring: &Ring, pattern: &Pattern, of: &[(u32, u32)], odd: &[bool]) -> (Vec<Entry>, Vec<u32>) {
+    let sectors = ring.sectors();
+    let mut entries: Vec<Entry> = Vec::new();
+    let mut numbers: HashMap<(u32, u32, usize), u32> = HashMap::new();
+    let mut targets = vec![NONE; pattern.places()];
+    let plane = |k: u32| ring.is_half() && (k == 0 || 2 * k as usize == sectors);
+    for j in 0..pattern.size() {
+        for p in pattern.starts[j]..pattern.starts[j + 1] {
+            let (mut low, mut high) = (of[j], of[pattern.rows[p]]);
+            if low.0 == NONE || high.0 == NONE {
+                continue;
+            }
+            if low.0 > high.0 {
+                std::mem::swap(&mut low, &mut high);
+            }
+            let ahead = (high.1 as usize + sectors - low.1 as usize) % sectors;
+            let back = 2 * ahead > sectors;
+            let offset = if back { sectors - ahead } else { ahead };
+            let mixed = odd[high.0 as usize] != odd[low.0 as usize];
+            if offset > REACH || (mixed && offset == 0) {
+                continue;
+            }
+            let number = *numbers.entry((high.0, low.0, offset)).or_insert_with(|| {
+                entries.push(Entry {
+                    row: high.0 as usize,
+                    column: low.0 as usize,
+                    offset,
+                    count: 0.0,
+                });
+                entries.len() as u32 - 1
+            });
+            let on_plane = plane(low.1) && plane(high.1);
+            entries[number as usize].count += if ring.is_half() && !on_plane { 2.0 } else { 1.0 };
+            targets[p] = number | if back && mixed { FLIPPED } else { 0 };
+        }
+    }
+    (entries, targets)
+}
+
+/// Analysis of a section: the wall first, then what the liquid joins.
+fn section(
+    size: usize,
+    slots: usize,
+    entries: &[Entry],
+    wet: &[usize],
+) -> Result<Arc<Symbolic>, crate::linalg::LinalgError> {
+    let mut cliques: Vec<Vec<usize>> = entries.iter().map(|e| vec![e.row, e.column]).collect();
+    cliques.iter_mut().for_each(|c| c.dedup());
+    let joined: Vec<usize> = wet.iter().copied().chain(size..size + slots).collect();
+    let mut is_joined = vec![false; size + slots];
+    joined.iter().for_each(|&i| is_joined[i] = true);
+    cliques.push(joined.clone());
+    let pattern = Arc::new(Pattern::from_cliques(size + slots, cliques.iter().map(Vec::as_slice)));
+    let mut order: Vec<usize> = (0..size).filter(|&i| !is_joined[i]).collect();
+    order.extend(joined);
+    Ok(Arc::new(Symbolic::new(pattern, &Ordering::Given(order))?))
+}
