@@ -29,6 +29,7 @@ mod roof;
 #[cfg(test)]
 mod samples;
 pub mod sheet;
+pub mod site_action;
 pub mod time_history;
 pub mod wall_period;
 

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use codes::modal_action;
+use codes::site_action;
 use fem::progress::Progress;
 use tank::Case;
 use tank::assessment::{Check, CheckStatus, Excitation};
@@ -155,7 +155,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     }
     let mut job = args.inputs.job(refuses)?;
     job.engines = engines(&job.case).to_vec();
-    let spectral = || job.engines == [EngineId::Harmonic] && modal_action::of(&job.case, None, true).is_some();
+    let spectral = || job.engines == [EngineId::Harmonic] && site_action::of(&job.case, None, true).is_some();
     if job.case.ground_motion.is_none() && !spectral() {
         return Err(missing());
     }

@@ -1,9 +1,12 @@
 //! The modes of an engine under the design spectrum of the site, as a column of the comparison.
 
+mod words;
+
 use std::collections::BTreeMap;
 
-use codes::modal_action::{self, ModalAction};
+use codes::modal_action::ModalAction;
 use codes::procedure::CodeError;
+use codes::site_action;
 use tank::assessment::{Excitation, Profile, Step};
 use tank::outside::Outside;
 use tank::units::Dimension;
@@ -14,8 +17,7 @@ use crate::job::Job;
 use engines::Simulation;
 use engines::modes::Kind;
 use engines::spectral::{self, Action, ModalUnits, Spectral};
-use report::words::site as words;
-use results::{Method, Status};
+use results::{EngineId, Method, Status};
 
 /// A column with what marks its numbers.
 pub(super) struct Column {
@@ -46,7 +48,7 @@ pub(super) fn column(job: &Job, number: usize, simulation: &Simulation) -> Optio
     let options = &job.linear.spectrum;
     let wanted = options.code.as_deref();
     let engine = simulation.result.engine;
-    let found = modal_action::of(&job.case, wanted, options.reduced);
+    let found = site_action::of(&job.case, wanted, options.reduced);
     let (code, action) = match (found, wanted) {
         (Some(found), _) => found,
         (None, None) => return None,
@@ -95,7 +97,7 @@ pub(super) fn column(job: &Job, number: usize, simulation: &Simulation) -> Optio
         engines::mesh_errors(engine, &found.values, &other, *ratio)
     });
     let errors = errors.unwrap_or_default();
-    let outside = outside(job, &found);
+    let outside = outside(job, engine, &found);
     method.quantities = quantities(&values);
     method.steps = steps(units, &found);
     method.profiles = profiles(&found);
@@ -124,15 +126,15 @@ fn covered<'a>(job: &Job, units: &ModalUnits, action: ModalAction<'a>) -> Result
             Kind::Sloshing => "sloshing",
             Kind::Structural | Kind::Rotational => "structural",
         };
-        action.covers(&job.case.site, what, period)?;
+        site_action::covers(&job.case.site, what, period)?;
     }
     Ok(action)
 }
 
 /// Why the column is outside the model of its engine: it clamps a wall that pulls, or has cantilevers for the plates of a box.
-fn outside(job: &Job, found: &Spectral) -> Option<Outside> {
+fn outside(job: &Job, engine: EngineId, found: &Spectral) -> Option<Outside> {
     let tank = &job.case.tank;
-    if tank.breadth_to_height().is_some() && tank.bends_as_plates() {
+    if engine == EngineId::Harmonic && tank.bends_as_plates() {
         return Some(Outside::Plates);
     }
     let (peak, at_rest) = found.base_axial?;

@@ -288,7 +288,16 @@ fn results_that_cannot_be_written_leave_the_old_ones() {
 fn compare_without_a_record_says_how_to_give_one() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let out = home.path().join("out");
-    refused(&["compare", TANK, "--out", path(&out)], &out, &["--quake"]);
+    refused(
+        &[
+            "compare",
+            "examples/02_perspex_model_tank/tank.json",
+            "--out",
+            path(&out),
+        ],
+        &out,
+        &["--quake"],
+    );
 }
 
 #[test]

@@ -5,7 +5,8 @@
 //! Tolerance: half the last digit of the expected value, 1e-12 where it is exact
 
 use super::edition1993::convective_coefficient;
-use super::edition2020::accelerations::{design_accelerations, importance, response_modification};
+use super::edition2020::accelerations::design_accelerations;
+use super::edition2020::factors::{importance, response_modification};
 use super::ground_motion::{DesignSpectrum, mapped_from_peak, tests::site};
 use super::hoop::hoop_forces;
 use super::masses::{

@@ -24,6 +24,7 @@
 pub mod accelerations;
 mod anchors;
 mod combinations;
+pub mod factors;
 pub mod forces;
 mod foundation;
 pub(crate) mod hoop_check;

@@ -28,7 +28,6 @@ pub mod labels;
 pub mod outcome;
 pub mod push;
 pub mod sections;
-pub mod site;
 pub mod summary;
 pub mod terminal;
 pub mod verdict;

@@ -12,6 +12,7 @@ use super::super::ground_motion::{DesignSpectrum, impulsive_plateau};
 use super::super::masses::{COEFFICIENT, IMPULSIVE_PERIOD, PERIOD, impulsive_coefficient};
 use super::super::site_specific::SiteSpecific;
 use super::Run;
+use super::factors::{K, R_WC, importance, response_modification};
 
 const E4: &str = "API 650:2020 E.4.4";
 const E4_5_1: &str = "API 650:2020 E.4.5.1, figure E.1";
@@ -20,11 +21,6 @@ const E4_6: &str = "API 650:2020 E.4.6.1";
 pub(super) const E5: &str = "API 650:2020 E.5.1, table E.4";
 pub(super) const E6_1_3: &str = "API 650:2020 E.6.1.3";
 pub(super) const E7_2: &str = "API 650:2020 E.7.2";
-
-/// Factor from 5 % to 0.5 % damping.
-pub(super) const K: f64 = 1.5;
-/// Response modification of the convective part.
-pub(super) const R_WC: f64 = 2.0;
 
 /// Periods [s].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,24 +44,6 @@ pub struct Accelerations {
     pub a_v: f64,
     /// For the sloshing wave, A_f.
     pub a_f: f64,
-}
-
-/// Importance factor of the seismic use group: 1.0, 1.25, 1.5. Errors: any other group.
-pub fn importance(sug: u8) -> Result<f64, CodeError> {
-    match sug {
-        1 => Ok(1.0),
-        2 => Ok(1.25),
-        3 => Ok(1.5),
-        _ => Err(CodeError::Data {
-            clause: "API 650:2020 E.5.1.2 (site.api650.sug)".into(),
-            reason: format!("seismic use group {sug}; allowed are 1, 2 and 3"),
-        }),
-    }
-}
-
-/// Response modification R_wi of the impulsive part: 4.0 mechanically anchored, 3.5 self-anchored.
-pub fn response_modification(anchored: bool) -> f64 {
-    if anchored { 4.0 } else { 3.5 }
 }
 
 /// Design accelerations of a site (E.4.6.1, E.6.1.3, E.7.2), reduced by R_w except A_f.

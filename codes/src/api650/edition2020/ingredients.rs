@@ -7,7 +7,8 @@ use tank::ingredients::{Ingredients, Ordinate, Recipe, Response, Rule, Share};
 use tank::quantity::Quantity;
 
 use super::Run;
-use super::accelerations::{Accelerations, K, Periods, R_WC, importance, response_modification};
+use super::accelerations::{Accelerations, Periods};
+use super::factors::{K, R_WC, importance, response_modification};
 use super::forces::Forces;
 use crate::api650::ground_motion::{DesignSpectrum, impulsive_plateau};
 use crate::api650::ingredients::{Action, Liquid, axial, ladders, resultant, wave};

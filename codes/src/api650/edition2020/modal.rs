@@ -2,7 +2,7 @@
 
 use super::super::ground_motion::DesignSpectrum;
 use super::super::site_specific::SiteSpecific;
-use super::accelerations::{K, R_WC, importance, response_modification};
+use super::factors::{K, R_WC, importance, response_modification};
 use crate::hazard;
 use crate::modal_action::ModalAction;
 use crate::procedure::CodeError;

@@ -12,7 +12,8 @@
 use super::super::ground_motion::DesignSpectrum;
 use super::super::site_specific::SiteSpecific;
 use super::Run;
-use super::accelerations::{Accelerations, E5, E6_1_3, E7_2, K, R_WC, importance, response_modification};
+use super::accelerations::{Accelerations, E5, E6_1_3, E7_2};
+use super::factors::{K, R_WC, importance, response_modification};
 use crate::hazard;
 use crate::procedure::CodeError;
 use tank::case::{Api650Site, SiteClass};

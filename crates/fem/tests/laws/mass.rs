@@ -63,6 +63,13 @@ fn the_mass_sums_up() {
                 let found = product(&specimen.row(left), &times(&mass, &specimen.row(right)));
                 assert!((found / value - 1.0).abs() <= 1e-12, "{specimen}: {found}, not {value}");
             }
+            Mass::Elsewhere(why) => {
+                assert!(largest(&mass.data) > 0.0, "{specimen}: no mass; {why}");
+                assert!(
+                    smallest(&mass.data, mass.n) >= -1e-12 * largest(&mass.data),
+                    "{specimen}: negative mass"
+                );
+            }
             Mass::None(why) => assert_eq!(largest(&mass.data), 0.0, "{specimen}: mass in spite of: {why}"),
         }
     }

@@ -77,6 +77,8 @@ pub(crate) enum Mass {
     Weightless(f64, &'static str),
     /// A form that joins two fields: leftᵀ M right is `value`.
     Joins { left: Field, right: Field, value: f64 },
+    /// There is one, whose sum is tested elsewhere, because …
+    Elsewhere(&'static str),
     /// None, because …
     None(&'static str),
 }

@@ -12,6 +12,7 @@ use crate::figure::{Figure, HALF, Room, WIDE, map};
 use crate::number::{Scale, fixed, ratio};
 use crate::table::{Column, Table, spread};
 use crate::words::figures::around as words;
+use crate::words::labels;
 use files::error::Error;
 use results::{Around, BaseAround, Run};
 
@@ -73,7 +74,7 @@ fn table(around: &Around) -> Table {
         Column::numbers("at t", "s"),
     ];
     if stresses {
-        columns.push(Column::numbers("Axial membrane stress at the base", stress.symbol()));
+        columns.push(Column::numbers(labels::BASE_STRESS, stress.symbol()));
         columns.push(Column::numbers("over n = 1", ""));
     }
     let mut table = Table::new(columns);

@@ -45,13 +45,11 @@ fn resultants(found: &[(&str, &Tilt)]) -> Table {
     let largest = |values: &[f64]| values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
     add("Angle", &|t| with_unit(t.angle, Dimension::Angle));
     add("Base shear", &|t| with_unit(t.base_shear, Dimension::Force));
-    add("Moment above the base plate", &|t| {
-        with_unit(t.base_moment, Dimension::Moment)
-    });
-    add("Moment below the base plate", &|t| {
+    add(labels::MOMENT_ABOVE, &|t| with_unit(t.base_moment, Dimension::Moment));
+    add(labels::MOMENT_BELOW, &|t| {
         with_unit(t.overturning_moment, Dimension::Moment)
     });
-    add("Rise of the surface at the wall", &|t| {
+    add(labels::SURFACE_RISE, &|t| {
         with_unit(largest(&t.surface), Dimension::Length)
     });
     table

@@ -217,12 +217,6 @@ fn damping_model(r: &mut Resolver<'_>, field: &Field<AnalysisDamping>, ratios: c
 
 /// The pairs of Caughey's series, two to six at different frequencies.
 fn caughey(r: &mut Resolver<'_>, field: &Field<Vec<Field<RatioAt>>>, given: &[Field<RatioAt>]) -> Option<DampingModel> {
-    let (least, most) = field.limits.items;
-    if !(least..=most).contains(&given.len()) {
-        let fault = range_fault(field, "too few or too many pairs", &format!("{least} to {most} pairs"));
-        r.faults.push(fault.found(format!("{} pairs", given.len())));
-        return None;
-    }
     let mut pairs: Vec<(f64, f64)> = Vec::new();
     for one in given {
         let pair = ratio_at(r, one);
@@ -231,6 +225,12 @@ fn caughey(r: &mut Resolver<'_>, field: &Field<Vec<Field<RatioAt>>>, given: &[Fi
             r.faults.push(fault);
         }
         pairs.push(pair);
+    }
+    let (least, most) = field.limits.items;
+    if !(least..=most).contains(&pairs.len()) {
+        let fault = range_fault(field, "too few or too many pairs", &format!("{least} to {most} pairs"));
+        r.faults.push(fault.found(format!("{} pairs", pairs.len())));
+        return None;
     }
     Some(DampingModel::Caughey(CaugheyPairs::new(&pairs)))
 }

@@ -1,11 +1,14 @@
 //! `analysis.spectrum`: options of the response-spectrum method.
 
-use codes::modal_action;
+use codes::{ALL, site_action};
 use tank::options::linear::{ModalCombination, PartCombination, SpectrumOptions};
 
+use crate::input::diagnostic::Faults;
 use crate::input::tank::key::{Absent, default};
-use crate::input::tank::read::{Opt, choice, object};
+use crate::input::tank::read::{FromNode, Opt, choice, object, one_of_words, quoted};
 use crate::input::tank::resolver::Resolver;
+use crate::input::tank::shape::{Book, Shape};
+use crate::input::tank::syntax::Node;
 
 /// Defaults.
 const DEFAULT: SpectrumOptions = SpectrumOptions::DEFAULT;
@@ -22,7 +25,7 @@ object! {
         /// Whether accelerations are divided by the behaviour factor or response modification of the code, as in its own procedure.
         reduced: Opt<bool> = default(DEFAULT.reduced),
         /// The procedure whose design spectrum it is.
-        code: Opt<SpectrumCode> = Absent::Follows("ec8-2006, api650-2020, housner: the first that site gives the data of"),
+        code: Opt<SpectrumCode> = Absent::Follows("the first of the three that site gives the data of"),
     }
 }
 
@@ -46,29 +49,37 @@ choice! {
         /// Sum of the two parts.
         Abs = "abs",
     }
-
-    /// The procedure whose design spectrum the modes see.
-    SpectrumCode {
-        /// EN 1998: max(S_e/q, S_d) for structural modes, S_e for sloshing ones.
-        Ec8 = "ec8-2006",
-        /// Annex E of API 650: S_a I/R_wi for structural modes, K S_a I/R_wc for sloshing ones.
-        Api650 = "api650-2020",
-        /// The user's spectrum, elastic.
-        Housner = "housner",
-    }
 }
 
 /// The procedure whose design spectrum the modes see.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum SpectrumCode {
-    Ec8,
-    Api650,
-    Housner,
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SpectrumCode(&'static str);
+
+/// Ids of the procedures that have one.
+fn codes() -> Vec<(&'static str, SpectrumCode)> {
+    site_action::ids().iter().map(|id| (*id, SpectrumCode(id))).collect()
 }
 
-impl SpectrumCode {
-    fn id(self) -> &'static str {
-        modal_action::ids()[self as usize]
+impl FromNode for SpectrumCode {
+    fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
+        one_of_words(node, &codes(), faults)
+    }
+    fn allowed() -> String {
+        quoted(site_action::ids())
+    }
+    fn example() -> String {
+        format!("\"{}\"", site_action::ids()[0])
+    }
+    fn shape(book: &mut Book) -> Shape {
+        let title = |id: &str| ALL.iter().find(|p| p.id() == id).map_or("", |p| p.label().title);
+        let words = site_action::ids()
+            .iter()
+            .map(|id| (*id, format!("{}.", title(id))))
+            .collect();
+        book.choice("SpectrumCode", &["A code procedure with a design spectrum."], words)
+    }
+    fn written(&self) -> Option<String> {
+        Some(self.0.into())
     }
 }
 
@@ -86,17 +97,6 @@ pub(super) fn response(r: &mut Resolver<'_>, given: Option<&ResponseSpectrum>) -
         parts: r.choice(&given.parts),
         missing_mass: r.choice(&given.missing_mass),
         reduced: r.choice(&given.reduced),
-        code: code.map(|code| code.id().to_owned()),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn codes_have_the_ids_of_their_procedures() {
-        let all = [SpectrumCode::Ec8, SpectrumCode::Api650, SpectrumCode::Housner];
-        assert_eq!(all.map(SpectrumCode::id), ["ec8-2006", "api650-2020", "housner"]);
+        code: code.map(|code| code.0.to_owned()),
     }
 }

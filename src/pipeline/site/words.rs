@@ -5,24 +5,24 @@ use tank::Quantity;
 use tank::options::linear::{ModalCombination, PartCombination, SpectrumOptions};
 use tank::outside::Outside;
 
-use crate::number::{percent, significant};
+use tank::units::significant;
 
 /// Heading of the spectral accelerations.
-pub const SHEET: &str = "Spectral accelerations of the modes";
+pub(super) const SHEET: &str = "Spectral accelerations of the modes";
 
 /// Source of the spectral accelerations.
-pub const CLAUSE: &str = "response-spectrum method";
+pub(super) const CLAUSE: &str = "response-spectrum method";
 
 /// What the column is for.
-pub const INFORMATION: &str = "For comparison: no limit state is checked under this excitation; the checks of an engine are those of its \
+pub(super) const INFORMATION: &str = "For comparison: no limit state is checked under this excitation; the checks of an engine are those of its \
      time history under the record.";
 
 /// Vertical motion is left out.
-pub const NO_VERTICAL: &str = "Horizontal motion only: the procedure of this spectrum adds vertical motion, which raises its hoop stress; this \
+pub(super) const NO_VERTICAL: &str = "Horizontal motion only: the procedure of this spectrum adds vertical motion, which raises its hoop stress; this \
      column has none.";
 
 /// Title of the column.
-pub fn title(engine: EngineId, code: &str) -> String {
+pub(super) fn title(engine: EngineId, code: &str) -> String {
     let space = match engine {
         EngineId::Solid => " in three dimensions",
         EngineId::Harmonic | EngineId::Nonlinear => "",
@@ -31,12 +31,12 @@ pub fn title(engine: EngineId, code: &str) -> String {
 }
 
 /// The named spectrum is not there.
-pub fn no_data(code: &str) -> String {
+pub(super) fn no_data(code: &str) -> String {
     format!("`site` does not give the data of the design spectrum of `{code}`")
 }
 
 /// How modes are combined.
-pub fn combination(options: &SpectrumOptions) -> String {
+pub(super) fn combination(options: &SpectrumOptions) -> String {
     let rule = match options.combination {
         ModalCombination::Cqc => "complete quadratic combination (CQC)",
         ModalCombination::Srss => "square root of the sum of squares (SRSS)",
@@ -55,7 +55,7 @@ pub fn combination(options: &SpectrumOptions) -> String {
 }
 
 /// The quantity with the largest mesh error.
-pub fn mesh_error(quantity: &str, error: f64) -> String {
+pub(super) fn mesh_error(quantity: &str, error: f64) -> String {
     let title = Quantity::from_id(quantity)
         .map_or(quantity, |q| q.title())
         .to_lowercase();
@@ -63,7 +63,7 @@ pub fn mesh_error(quantity: &str, error: f64) -> String {
 }
 
 /// Why numbers of the column are outside the model.
-pub fn outside(why: Outside) -> &'static str {
+pub(super) fn outside(why: Outside) -> &'static str {
     match why {
         Outside::Uplift => {
             "The tank is unanchored and the wall pulls at its base: it lifts off, which the engine does not model; forces and stresses are \
@@ -77,7 +77,7 @@ pub fn outside(why: Outside) -> &'static str {
 }
 
 /// Name of a mode, and where its acceleration is read.
-pub fn mode(kind: &str, number: usize, period: f64, damping: f64) -> (String, String) {
+pub(super) fn mode(kind: &str, number: usize, period: f64, damping: f64) -> (String, String) {
     (
         format!("{kind} mode {number}"),
         format!(
@@ -89,6 +89,11 @@ pub fn mode(kind: &str, number: usize, period: f64, damping: f64) -> (String, St
 }
 
 /// The same of what follows the ground.
-pub fn rest() -> (String, String) {
+pub(super) fn rest() -> (String, String) {
     ("what follows the ground".into(), "design spectrum at T = 0".into())
+}
+
+/// A share in per cent, with two digits.
+fn percent(share: f64) -> String {
+    format!("{} %", significant(100.0 * share, 2))
 }
