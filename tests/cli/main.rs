@@ -6,6 +6,7 @@ mod bond_input;
 mod compare;
 mod corners;
 mod estimates;
+mod frequency;
 mod hostile;
 mod ida;
 mod interrupt;

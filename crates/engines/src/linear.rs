@@ -9,6 +9,7 @@ pub(crate) mod mesh_error;
 mod modal;
 pub(crate) mod model;
 pub(crate) mod tilt;
+mod transfer;
 pub(crate) mod units;
 mod waves;
 
@@ -273,7 +274,7 @@ fn report(
         ),
         ..Run::new(linear.engine)
     };
-    Ok(Simulation {
+    let mut simulation = Simulation {
         values: analysis.values(model, round),
         result,
         series: histories.series,
@@ -290,7 +291,9 @@ fn report(
             false => None,
         },
         second: None,
-    })
+    };
+    transfer::add(&mut simulation, model, options)?;
+    Ok(simulation)
 }
 
 /// What the model of a tank leaves out.

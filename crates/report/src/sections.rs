@@ -25,6 +25,7 @@ mod spectra;
 mod summary;
 mod tank;
 mod tilt;
+mod transfer;
 
 use files::error::Error;
 
@@ -63,6 +64,7 @@ sections![
     histories,
     directions,
     tilt,
+    transfer,
     nonlinear,
     spatial,
     around,

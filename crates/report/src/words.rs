@@ -16,6 +16,7 @@
 //! | [`ida`], [`push`] | the pages of these analyses |
 //! | [`site`] | the modes of an engine under the design spectrum |
 //! | [`terminal`] | the summaries on the terminal |
+//! | [`transfer`] | transfer functions |
 
 pub mod after_record;
 pub mod apart;
@@ -30,6 +31,7 @@ pub mod push;
 pub mod sections;
 pub mod summary;
 pub mod terminal;
+pub mod transfer;
 pub mod verdict;
 
 use tank::Quantity;

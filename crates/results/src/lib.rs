@@ -20,6 +20,7 @@ mod run;
 mod snapshots;
 mod store;
 mod tilt;
+mod transfer;
 mod verdict;
 pub mod vtu;
 
@@ -47,11 +48,12 @@ pub use run::{
 };
 pub use snapshots::{Resultants, Snapshot, Snapshots};
 pub use store::{
-    COMPARE, COMPARE_REPORT, FIGURES_FOLDER, OUTPUT, REPORT_FILE, RESULTS_FILE, SERIES_FILE, put, read, read_series,
-    write,
+    COMPARE, COMPARE_REPORT, FIGURES_FOLDER, OUTPUT, REPORT_FILE, RESULTS_FILE, SERIES_FILE, TRANSFER_FILE, put, read,
+    read_series, write,
 };
 
 pub use tilt::{Tilt, TiltLine};
+pub use transfer::{Transfer, TransferFunction, TransferMode};
 pub use verdict::{Aside, Counts, Deciding, Governing, Verdict, VerdictStatus, verdict};
 
 pub use files::error::describe;

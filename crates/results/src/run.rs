@@ -12,6 +12,7 @@ use crate::fields::Fields;
 use crate::modal::ModalPart;
 use crate::nonlinear::{End, Event, EventKind, Nonlinear};
 use crate::tilt::Tilt;
+use crate::transfer::Transfer;
 
 /// Id of the first engine's column in the comparison, the reference of all ratios.
 pub const FE: &str = "fe";
@@ -146,6 +147,9 @@ pub struct Run {
     /// Static tilt test, if asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tilt: Option<Tilt>,
+    /// Transfer functions, if asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub transfer: Option<Transfer>,
     /// Limits of validity and the values found.
     pub limits: Vec<Limit>,
     /// First yield, first crack, first separation and the like, by time.
@@ -182,6 +186,7 @@ impl Run {
             histories: Vec::new(),
             directions: Vec::new(),
             tilt: None,
+            transfer: None,
             limits: Vec::new(),
             events: Vec::new(),
             fields: None,

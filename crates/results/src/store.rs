@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::ida::IDA_FILE;
 use super::push::PUSH_FILE;
-use super::{FORMAT, Results, Series, previous};
+use super::{FORMAT, Results, Series, previous, transfer};
 use files::error::{Error, describe};
 use files::{Kind, settle, write_whole};
 
@@ -15,13 +15,15 @@ use files::{Kind, settle, write_whole};
 pub const RESULTS_FILE: &str = "results.json";
 /// Name of the time histories in a results folder.
 pub const SERIES_FILE: &str = "series.csv";
+/// Name of the transfer functions in a results folder.
+pub const TRANSFER_FILE: &str = "transfer.csv";
 /// Name of the report in a results folder.
 pub const REPORT_FILE: &str = "report.html";
 /// Folder of the figures in a results folder.
 pub const FIGURES_FOLDER: &str = "figures";
 
 /// Files and folders that a verification writes.
-pub const OUTPUT: [&str; 4] = [RESULTS_FILE, SERIES_FILE, REPORT_FILE, FIGURES_FOLDER];
+pub const OUTPUT: [&str; 5] = [RESULTS_FILE, SERIES_FILE, TRANSFER_FILE, REPORT_FILE, FIGURES_FOLDER];
 
 /// Results of a verification.
 pub const COMPARE: Kind = Kind {
@@ -34,7 +36,7 @@ pub const COMPARE: Kind = Kind {
 /// The report of a verification, rendered again next to its results.
 pub const COMPARE_REPORT: Kind = Kind {
     names: |name| [REPORT_FILE, FIGURES_FOLDER].contains(&name),
-    keeps: |name| [RESULTS_FILE, SERIES_FILE].contains(&name),
+    keeps: |name| [RESULTS_FILE, SERIES_FILE, TRANSFER_FILE].contains(&name),
     option: "a copy of results.json and series.csv",
     ..COMPARE
 };
@@ -129,7 +131,7 @@ pub fn read_series(folder: &Path) -> Result<Series, Error> {
     Ok(series)
 }
 
-/// Writes `results.json` and `series.csv` (unless empty) into an existing folder.
+/// Writes `results.json`, `series.csv` (unless empty) and `transfer.csv` (of the first run that has one) into an existing folder.
 ///
 /// Numbers of `results.json` are written with 10 significant digits: far below the accuracy of any method, and enough
 /// for differences between processors to vanish. Factors of an attribution have 12, so that their product closes to 1e-9.
@@ -140,6 +142,9 @@ pub fn write(folder: &Path, results: &Results, series: &Series) -> Result<(), Er
     let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::Report(e.to_string()))?;
     text.push('\n');
     put(&path, text.as_bytes())?;
+    if let Some(found) = results.runs.iter().find_map(|run| run.transfer.as_ref()) {
+        put(&folder.join(TRANSFER_FILE), transfer::csv(found).as_bytes())?;
+    }
     if series.time.is_empty() {
         return Ok(());
     }

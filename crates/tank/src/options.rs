@@ -1,6 +1,7 @@
 //! Options of the engines with their defaults: plain data in SI, without the engines themselves.
 
 pub mod after_record;
+pub mod frequency;
 pub mod linear;
 pub mod nonlinear;
 pub mod solid;

@@ -8,6 +8,7 @@ mod corrosion;
 mod cross;
 mod damping;
 mod file;
+mod frequency;
 mod grades;
 mod imperfections;
 mod linear;

@@ -121,7 +121,7 @@ pub(crate) fn without_record(
         mass_balance: super::describe::mass_balance(model),
         ..Run::new(engine)
     };
-    Ok(Simulation {
+    let mut simulation = Simulation {
         values: properties(model),
         result,
         series: Default::default(),
@@ -131,5 +131,7 @@ pub(crate) fn without_record(
         demands: None,
         units: Some(units(model, options)?),
         second: None,
-    })
+    };
+    super::transfer::add(&mut simulation, model, options)?;
+    Ok(simulation)
 }

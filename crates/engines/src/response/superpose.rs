@@ -5,8 +5,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use fem::analysis::frequency::Reduced;
 use fem::analysis::modal::ModalBasis;
 use fem::progress::Progress;
+use nalgebra::Complex;
 
 pub use super::blocks::Observable;
 use super::blocks::{Block, Steps, failed, functionals, load, offsets};
@@ -149,6 +151,30 @@ pub fn per_acceleration(system: &ModalSystem, observables: &[Observable]) -> Res
     let basis = basis(std::slice::from_ref(system), &[0]).map_err(failed)?;
     let rows = functionals(&[&system.block], observables);
     Ok(rows.iter().map(|row| basis.per_acceleration(row, 0)).collect())
+}
+
+/// Steady state of observables of one system per unit of harmonic ground acceleration: complex amplitudes at circular frequencies
+/// [rad/s], observable by observable.
+///
+/// * `hysteretic`: whether the ratios are those of hysteretic damping
+///
+/// Errors: a mode without a positive frequency; an undamped resonance.
+pub fn transfer(
+    system: &ModalSystem,
+    observables: &[Observable],
+    hysteretic: bool,
+    omega: &[f64],
+) -> Result<Vec<Vec<Complex<f64>>>, FeError> {
+    let basis = basis(std::slice::from_ref(system), &[0]).map_err(failed)?;
+    let none = vec![0.0; system.damping.len()];
+    let (viscous, hysteretic) = match hysteretic {
+        true => (&none, &system.damping),
+        false => (&system.damping, &none),
+    };
+    let rows = functionals(&[&system.block], observables);
+    Reduced::modal(&basis, viscous, hysteretic)
+        .and_then(|reduced| reduced.transfer(&rows, 0, omega))
+        .map_err(failed)
 }
 
 /// Response of `systems` (three at most) to `motions` (one each): histories of `scalars`, extremes of `others`.

@@ -13,7 +13,8 @@
 //! window**): the motion times e^{−σt} decays whatever the damping, and the response is multiplied by e^{σt} again. With
 //! σ T = ln 10⁶ the remainder of the previous period is 10⁻⁶ of it, and rounding grows to 10⁻¹⁰.
 //!
-//! Use: an independent solution to check modal superposition and direct integration with; no engine uses it.
+//! Use: [`Reduced::transfer`], the steady state under harmonic motion, of the linear engines; [`Reduced::respond`], an independent solution
+//! to check modal superposition and direct integration with.
 //!
 //! Source: Clough & Penzien 1993, chapter 6; exponential window: Kausel & Roësset 1992.
 
@@ -143,6 +144,44 @@ impl Reduced {
         DMatrix::from_fn(m, m, entry).lu().solve(load)
     }
 
+    /// Complex amplitudes of observables per unit of ground acceleration a(t) = Re e^{iΩt} along a component, frequency by frequency:
+    /// y(t) = Re H e^{iΩt}.
+    ///
+    /// * `axis`: component of the ground motion
+    /// * `omega`: Ω [rad/s], 0 for the static response
+    ///
+    /// A lone mode has H = −Γ d·φ/(ω² − Ω² + 2 i ξ ω Ω) for a displacement, 1/(2 ξ) of its static response at Ω = ω.
+    ///
+    /// Errors: a system that is singular at a frequency, an amplitude that is not finite (an undamped resonance).
+    pub fn transfer(
+        &self,
+        observables: &[Observable],
+        axis: usize,
+        omega: &[f64],
+    ) -> Result<Vec<Vec<Complex<f64>>>, AnalysisError> {
+        let projected: Vec<_> = observables.iter().map(|o| self.project(o)).collect();
+        let right = self.load[axis].map(|p| Complex::new(-p, 0.0));
+        let mut all = vec![Vec::with_capacity(omega.len()); observables.len()];
+        for &omega in omega {
+            let s = Complex::new(0.0, omega);
+            let singular = || {
+                refuse(
+                    format!("a singular system at {omega} rad/s"),
+                    "damping, or no resonance",
+                )
+            };
+            let y = self.solve(s, &right).ok_or_else(singular)?;
+            for (out, p) in all.iter_mut().zip(&projected) {
+                let value = amplitude(p, &y, s) + p.ground[axis];
+                if !(value.re.is_finite() && value.im.is_finite()) {
+                    return Err(singular());
+                }
+                out.push(value);
+            }
+        }
+        Ok(all)
+    }
+
     /// Histories of `observables` at the samples of the grid, extremes at its sub-steps.
     ///
     /// Errors: nodal forces, a window out of range, a system that is singular at a frequency.
@@ -154,11 +193,6 @@ impl Reduced {
         window: Window,
         observables: &[Observable],
     ) -> Result<Vec<History>, AnalysisError> {
-        let refuse = |found: String, allowed: &str| AnalysisError::Option {
-            option: "frequency domain",
-            found,
-            allowed: allowed.into(),
-        };
         if !load.forces.is_empty() {
             return Err(refuse(
                 "nodal forces".into(),
@@ -211,11 +245,8 @@ impl Reduced {
                 ));
             };
             for (out, p) in outputs.iter_mut().zip(&projected) {
-                let mut sum: Complex<f64> = ground.iter().zip(&p.ground).map(|(a, b)| a * *b).sum();
-                for j in 0..y.len() {
-                    sum += y[j] * (s * s * p.acceleration[j] + s * p.velocity[j] + p.displacement[j]);
-                }
-                out[f] = sum;
+                let follows: Complex<f64> = ground.iter().zip(&p.ground).map(|(a, b)| a * *b).sum();
+                out[f] = follows + amplitude(p, &y, s);
             }
         }
         let mut histories = Vec::new();
@@ -269,6 +300,20 @@ impl Reduced {
     }
 }
 
+/// What an observable takes of the coordinates y.
+fn amplitude(p: &super::modal::Projected, y: &DVector<Complex<f64>>, s: Complex<f64>) -> Complex<f64> {
+    let of = |j: usize| y[j] * (s * s * p.acceleration[j] + s * p.velocity[j] + p.displacement[j]);
+    (0..y.len()).map(of).sum()
+}
+
+fn refuse(found: String, allowed: &str) -> AnalysisError {
+    AnalysisError::Option {
+        option: "frequency domain",
+        found,
+        allowed: allowed.into(),
+    }
+}
+
 /// The smallest even number ≥ `n` without prime factors above 5, which transforms fast.
 fn smooth(n: usize) -> usize {
     let is_smooth = |mut m: usize| {
@@ -283,11 +328,4 @@ fn smooth(n: usize) -> usize {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lengths_are_smooth() {
-        assert_eq!([1, 7, 31, 1001, 4097].map(smooth), [2, 8, 32, 1024, 4320]);
-    }
-}
+mod tests;

@@ -96,6 +96,16 @@ impl Axis {
         }
     }
 
+    /// The same logarithmic axis with labels at powers of ten alone, for many decades.
+    pub fn by_decades(mut self) -> Axis {
+        let whole = |p: f64| (p - p.round()).abs() < 1e-9;
+        let (major, rest): (Vec<_>, Vec<_>) = self.major.into_iter().partition(|(p, _)| whole(*p));
+        self.major = major;
+        self.minor.extend(rest.into_iter().map(|(p, _)| p));
+        self.minor.sort_by(f64::total_cmp);
+        self
+    }
+
     /// Position of a value (SI) in drawing space.
     pub fn position(&self, value: f64) -> f64 {
         let value = self.scale.convert(value);

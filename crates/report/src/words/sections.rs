@@ -154,6 +154,23 @@ const ALL: &[Words] = &[
         ],
     },
     Words {
+        id: "transfer",
+        title: "Harmonic base motion",
+        sentences: &[
+            (
+                "meaning",
+                "Steady state under harmonic horizontal motion of the ground, by frequency: the amplitude over its quasi-static value, which is 1 \
+                 for very slow motion. Vertical lines are modes of the first engine drawn: f_c sloshing, f_i structural. Magnitudes and phases of \
+                 the first engine are in `transfer.csv`, those of every engine in `results.json` (`runs[].transfer`).",
+            ),
+            (
+                "linear",
+                "Linear theory: the amplitudes hold while waves are small and the liquid touches the wall; at a lightly damped sloshing mode that is a \
+                 very small acceleration of the ground.",
+            ),
+        ],
+    },
+    Words {
         id: "directions",
         title: "Two horizontal components",
         sentences: &[

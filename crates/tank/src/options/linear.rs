@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::frequency::FrequencyOptions;
+
 /// Time integration of the linear engine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -146,6 +148,9 @@ pub struct LinearOptions {
     pub tilt: Option<f64>,
     /// Response-spectrum method.
     pub spectrum: SpectrumOptions,
+    /// Transfer functions; none without them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frequency: Option<FrequencyOptions>,
 }
 
 impl LinearOptions {
@@ -161,6 +166,7 @@ impl LinearOptions {
         snapshots: Vec::new(),
         tilt: None,
         spectrum: SpectrumOptions::DEFAULT,
+        frequency: None,
     };
 }
 

@@ -4,6 +4,7 @@ use tank::options::LinearOptions;
 use tank::options::linear::{CaugheyPairs, DampingModel, Integrator};
 use tank::{Shape, Tank, case};
 
+use super::frequency::{Frequency, frequency};
 use super::imperfections::Imperfection;
 use super::nonlinear::{ByGroup, Nonlinear, by_group};
 use super::rayleigh::{RatioAt, Rayleigh, ratio_at, rayleigh};
@@ -58,6 +59,8 @@ object! {
         initial_stress (true): Opt<bool> = Absent::Follows("true with imperfections, else false"),
         /// Response-spectrum method under the design spectrum of `site`.
         spectrum: Opt<ResponseSpectrum>,
+        /// Transfer functions of the linear engines under harmonic base motion.
+        frequency: Opt<Frequency>,
         /// Options of the three-dimensional engine (--fe solid, --fe both).
         solid: Opt<Solid>,
         /// Options of the nonlinear engine.
@@ -134,6 +137,7 @@ pub(super) fn analysis(
             }
         },
         spectrum: response(r, given.spectrum.given.as_ref().and_then(|f| f.value.as_ref())),
+        frequency: frequency(r, &given.frequency),
     }
 }
 
