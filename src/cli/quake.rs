@@ -1,4 +1,6 @@
-//! `tankcheck quake`: properties of an accelerogram.
+//! `tankcheck quake`: properties of an accelerogram, and records of harmonic motion.
+
+mod harmonic;
 
 use std::path::PathBuf;
 
@@ -25,6 +27,8 @@ pub(crate) struct Args {
 enum Command {
     /// Peaks, intensity and duration of a record, and its format as read.
     Info(Info),
+    /// Write a record of harmonic motion.
+    Harmonic(harmonic::Harmonic),
 }
 
 #[derive(clap::Args)]
@@ -73,7 +77,13 @@ struct Facts<'a> {
 
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
-    let Command::Info(info) = args.command;
+    let info = match args.command {
+        Command::Info(info) => info,
+        Command::Harmonic(harmonic) => {
+            harmonic.run()?;
+            return Ok(EXIT_OK);
+        }
+    };
     let read = records::read(&info.record, &info.reading.options())?;
     let facts = facts(&read);
     finite::check("the measures of the record", &facts)?;

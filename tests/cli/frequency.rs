@@ -29,3 +29,33 @@ fn transfer_functions_stand_in_results_table_and_report() {
     assert!(out.join("figures/transfer_base_shear.svg").is_file());
     assert!(read("report.html").contains("Harmonic base motion"));
 }
+
+/// A record of harmonic motion is written once, reads as it was asked for, and is not replaced.
+#[test]
+fn harmonic_motion_is_a_record() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let file = home.path().join("harmonic.csv");
+    let name = file.to_str().expect("a temporary path is text");
+    let write = || {
+        let motion = [
+            "--amplitude",
+            "0.1g",
+            "--frequency",
+            "0.5",
+            "--duration",
+            "60",
+            "--ramp",
+            "4",
+        ];
+        tankcheck(&[&["quake", "harmonic"], &motion[..], &["-o", name]].concat())
+    };
+    let run = write();
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let info = tankcheck(&["quake", "info", name, "--format", "json"]);
+    let facts: serde_json::Value = serde_json::from_slice(&info.stdout).expect("JSON");
+    // The crest lies on a sample; numbers of the table have ten digits.
+    let peak = facts["pga_g"].as_f64().expect("a number");
+    assert!((peak - 0.1).abs() < 1e-9, "{peak}");
+    assert_eq!(facts["samples"], 6001);
+    assert_eq!(write().status.code(), Some(2), "an existing file is kept");
+}
