@@ -21,7 +21,7 @@ fn frequency() {
     for (given, path, message) in [
         (r#"{ "from": "2 Hz", "to": "1 Hz" }"#, "frequency.to", "above `from`"),
         (r#"{ "from": "-2 Hz" }"#, "frequency.from", "positive"),
-        (r#"{ "points": 1 }"#, "frequency.points", "at least 2"),
+        (r#"{ "points": 1 }"#, "frequency.points", "from 2 to 20000"),
         (r#"{ "damping": "none" }"#, "frequency.damping", "hysteretic"),
     ] {
         let text = refused(&of(given));
