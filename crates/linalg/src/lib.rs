@@ -22,7 +22,7 @@ pub use dense::{Cholesky, product, transposed_product};
 pub use eigen::{Eigen, generalized_eigen};
 pub use factor::{Factor, Inertia, Kind};
 pub use lanczos::{Modes, Search, modes};
-pub use minres::{Iterations, minres};
+pub use minres::{Iterations, Precondition, minres};
 pub use ordering::Ordering;
 pub use pencil::{Pencil, Shifted, Sparse};
 pub use sparse::{SparseCholesky, Triplets};

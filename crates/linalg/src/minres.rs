@@ -20,6 +20,9 @@ pub struct Iterations {
     pub residual: f64,
 }
 
+/// z = P⁻¹ r.
+pub type Precondition<'a> = dyn FnMut(&[f64], &mut [f64]) -> Result<(), LinalgError> + 'a;
+
 /// Solves A x = b from x = 0 until √(rᵀ P⁻¹ r) has fallen to `tolerance` of its first value.
 ///
 /// * `product(x, y)`: y = A x
@@ -31,7 +34,7 @@ pub struct Iterations {
 /// Errors: a preconditioner that is not positive definite ([`LinalgError::NotPositiveDefinite`]), numbers that are not finite.
 pub fn minres(
     product: &mut dyn FnMut(&[f64], &mut [f64]),
-    precondition: &mut dyn FnMut(&[f64], &mut [f64]) -> Result<(), LinalgError>,
+    precondition: &mut Precondition<'_>,
     b: &[f64],
     x: &mut [f64],
     tolerance: f64,

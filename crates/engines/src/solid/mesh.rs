@@ -172,7 +172,7 @@ fn check(size: MeshSize, round: bool) -> Result<(), FeError> {
     } else {
         "mesh, elements over the breadth"
     };
-    if !round && size.sectors % 2 != 0 {
+    if !round && !size.sectors.is_multiple_of(2) {
         return Err(FeError::Option {
             option: sides.into(),
             found: size.sectors.to_string(),

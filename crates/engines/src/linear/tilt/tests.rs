@@ -17,7 +17,7 @@ fn harmonic(case: &Case) -> Tilt {
     .unwrap()
 }
 
-fn line<'a>(tilt: &'a Tilt, what: OnWall) -> &'a TiltLine {
+fn line(tilt: &Tilt, what: OnWall) -> &TiltLine {
     tilt.lines.iter().find(|line| line.id == what.id()).unwrap()
 }
 

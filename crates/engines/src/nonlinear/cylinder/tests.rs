@@ -424,7 +424,11 @@ fn operator_is_the_dense_march() {
         for (k, (a, b)) in found.iter().zip(&dense).enumerate() {
             let largest = b.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
             let apart = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-            assert!(apart < tolerance * largest, "{strength} {:?} {k}: {apart} of {largest}", own.contact);
+            assert!(
+                apart < tolerance * largest,
+                "{strength} {:?} {k}: {apart} of {largest}",
+                own.contact
+            );
         }
         // The wall is elastic and round: the preconditioner is the matrix, but for the stress that is there.
         let each = run.cost.products as f64 / run.cost.iterations as f64;
