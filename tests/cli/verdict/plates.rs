@@ -91,7 +91,7 @@ fn the_walls_of_a_box_are_plates_in_three_dimensions() {
             .status
     };
     assert_eq!(check("plane_walls"), tank::assessment::CheckStatus::NotApplicable);
-    assert!(fe.checks.iter().any(|c| c.limit_state == "sliding" && c.compared()));
+    assert!(fe.checks.iter().any(|c| c.limit_state == "freeboard" && c.compared()));
     assert!(found.runs[0].limits.iter().all(|l| l.id != "breadth_against_height"));
     let channel = run(100.0, &[EngineId::Harmonic]).expect("cantilevers");
     let limit = channel.runs[0].limits.iter().find(|l| l.id == "breadth_against_height");

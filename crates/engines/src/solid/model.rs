@@ -107,7 +107,7 @@ pub struct TankModel {
     pub radius: f64,
     /// Chart of the liquid: (r, θ, z) of a cylinder, (x, y, z) of a rectangle.
     pub chart: Chart,
-    /// Nodes of the surface on the line of shaking, from the middle to θ = 0 and to θ = 180°; places as in [`Division::radii`].
+    /// Nodes of the surface on the line of shaking, from the middle to θ = 0 and to θ = 180°; places as in the radii of the division.
     pub lines: [Vec<usize>; 2],
     /// Mirror images of all nodes at x = 0 and y = 0, of a rectangle.
     pub mirrors: Option<[Vec<usize>; 2]>,
