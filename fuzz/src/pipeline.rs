@@ -7,6 +7,7 @@
 use std::path::Path;
 
 use ::results::{EngineId, Method, Results};
+use ::tank::assessment::Excitation;
 use ::tank::case::GroundMotion;
 use fem::progress::Silent;
 use oscillator::record::Record;
@@ -61,7 +62,7 @@ pub fn run(bytes: &[u8]) {
                 let fe = |r: &Results| {
                     r.methods
                         .iter()
-                        .filter(|m| m.id == "fe")
+                        .filter(|m| m.id == "fe" && m.excitation == Excitation::Record)
                         .cloned()
                         .collect::<Vec<Method>>()
                 };
