@@ -3,10 +3,14 @@
 //! Procedures speak of one impulsive mass at one period. The modes of a tank are many; which of them is meant?
 //!
 //! ```text
-//! dominant   the structural mode with the largest effective mass m_1, period T_1
+//! dominant   the structural mode with the largest effective mass m_1, period T_1, among those that are at most √3 above the
+//!            lowest one with half of the largest effective mass of all
 //! group      every structural mode with  m ≥ ½ m_1  and  T_1/√3 ≤ T ≤ √3 T_1
 //! period     T_1                         mass   the sum over the group
 //! ```
+//!
+//! The lower one counts of two comparable modes that are further apart: the walls of a box share the mass among several plate modes,
+//! and the highest vectors of a reduced space carry what is left of it.
 //!
 //! A mass on a spring that is tuned to the wall, a heavy roof for one, splits the impulsive mode into two of comparable mass
 //! (μ: ratio of the masses, both springs tuned to ω_0):
@@ -60,12 +64,16 @@ impl Impulsive {
     /// Of the structural modes of a tank; `None` without one that moves mass.
     pub(crate) fn of(modes: impl Iterator<Item = Member>) -> Option<Impulsive> {
         let modes: Vec<Member> = modes.collect();
+        let near = 3.0_f64.sqrt();
+        let largest = modes.iter().map(|m| m.mass).reduce(f64::max)?;
+        let comparable = modes.iter().filter(|m| m.mass >= COMPARABLE * largest);
+        let lowest = comparable.map(|m| m.omega).reduce(f64::min)?;
         // Of equal masses the first counts.
         let dominant = modes
             .iter()
             .copied()
+            .filter(|m| m.omega <= near * lowest)
             .reduce(|a, b| if b.mass > a.mass { b } else { a })?;
-        let near = 3.0_f64.sqrt();
         let members = modes
             .into_iter()
             .filter(|m| {
@@ -124,6 +132,19 @@ mod tests {
     use results::Mode;
     use tank::case::GroundMotion;
     use tank::{Case, Quantity, Shape};
+
+    /// Plate modes of a box with what is left of the mass in a high one: the first plate mode is meant, with the second beside it.
+    #[test]
+    fn a_high_rest_is_not_the_impulsive_mode() {
+        let modes = [(183.3, 32.8), (263.8, 21.8), (460.7, 13.1), (804.0, 48.1)];
+        let members = modes
+            .into_iter()
+            .zip(1..)
+            .map(|((omega, mass), number)| Member { number, omega, mass });
+        let found = Impulsive::of(members).unwrap();
+        assert_eq!(found.dominant.number, 1);
+        assert_eq!(found.members.len(), 2);
+    }
 
     /// Modes of a mass 1 on a spring 1 that carries a mass μ on a spring μ f²: closed form of the 2 × 2 eigenvalue problem.
     fn pair(mu: f64, f: f64) -> [Member; 2] {
