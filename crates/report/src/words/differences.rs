@@ -93,10 +93,10 @@ fn largest(steps: &[FactorStep]) -> String {
 fn nonlinear(reason: &Reason, events: &[Event]) -> String {
     match *reason {
         Reason::LeftModel { time } => {
-            format!("The run left its model and was stopped at {time:.2} s: its values are those until then.")
+            format!("The run left its model and was stopped at {time:.2} s; its values end there.")
         }
         Reason::Interrupted { time } => {
-            format!("The run was interrupted at {time:.2} s: its values are those until then.")
+            format!("The run was interrupted at {time:.2} s; its values end there.")
         }
         Reason::NotCarriedAtRest => "The wall does not carry weight and static pressure: the run has no history.".into(),
         Reason::NoEquilibrium { time } => format!(
@@ -114,7 +114,7 @@ fn nonlinear(reason: &Reason, events: &[Event]) -> String {
                              spectrum to the longer period."
             .into(),
         Reason::Yielding => {
-            "Yielding bounds the stress there and moves forces to where the wall is still elastic.".into()
+            "Yielding limits the stress there and shifts forces to parts of the wall that are still elastic.".into()
         }
         Reason::Dissipation { energy, work } => format!(
             "The materials dissipate {}, {} % of the work of the loads.",

@@ -25,7 +25,7 @@ pub fn history(static_value: f64, dimension: Dimension, between: bool) -> String
     let mut caption = String::new();
     if static_value != 0.0 {
         caption = format!(
-            "Seismic part; the static value {} is not contained. ",
+            "Seismic part, without the static value {}. ",
             with_unit(static_value, dimension)
         );
     }

@@ -75,7 +75,7 @@ pub fn value(run: &IdaRun, value: &str) -> String {
 pub fn caption(ida: &Ida) -> String {
     let mut sentences = Vec::new();
     if ida.runs.iter().any(|r| r.collapse.is_some()) {
-        sentences.push("Runs that found no equilibrium are lower bounds.");
+        sentences.push("Runs that lost equilibrium are lower bounds.");
     }
     if ida.runs.iter().any(|r| !r.departures.is_empty()) {
         sentences.push("Runs that left the model are not results; the table of runs lists when and why.");

@@ -6,9 +6,9 @@ use crate::number::{fixed, percent};
 use results::nonlinear::{Departure, DepartureKind, Passed};
 
 /// Meaning of the numbers of a run that ended early.
-pub const BOUNDS: &str = "Values, pictures and histories are those until then: lower bounds of the demand.";
+pub const BOUNDS: &str = "Values, figures and histories end there; they are lower bounds of the demand.";
 /// Meaning of the numbers of a stopped run.
-pub const UNTIL_THEN: &str = "Values, pictures and histories are those until then.";
+pub const UNTIL_THEN: &str = "Values, figures and histories end there.";
 /// Headline of a whole run.
 pub const COMPLETED: &str = "Equilibrium was found to the end of the ground motion";
 /// Guarantee of a whole run.
@@ -76,7 +76,7 @@ pub fn departure(departure: &Departure) -> String {
 /// A departure at which a run was stopped, as a remark on the calculation.
 pub fn stopped_remark(departure: &Departure) -> String {
     format!(
-        "The run has left its model after {:.3} s ({}): {}. All numbers are those until then.",
+        "The run left its model after {:.3} s ({}): {}. All values end there.",
         departure.time,
         place(departure),
         passed(departure)

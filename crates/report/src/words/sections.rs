@@ -46,10 +46,10 @@ const ALL: &[Words] = &[
             ),
             (
                 "ratios",
-                "Below each value: its ratio to the finite elements under the same excitation. Under the spectrum of the site they are the \
-                 engine's modes by the response-spectrum method, under the design spectrum that their column names; a code with another \
-                 spectrum differs by that as well. Where the site has no such column, ratios are to the record's: they show the size \
-                 of the design action, not the accuracy of the method.",
+                "Below each value: its ratio to the finite elements under the same excitation. For the spectrum of the site these are the \
+                 engine's modes with the response-spectrum method, under the design spectrum named in their column; a code with another \
+                 spectrum also differs by its spectrum. Without such a column the ratios refer to the run under the record: they show \
+                 the size of the design action, not the accuracy of the method.",
             ),
         ],
     },
@@ -150,7 +150,7 @@ const ALL: &[Words] = &[
                 "Tank and liquid at rest on a tilted base: weight and pressure of the tilted tank, in axes of the tank. θ = 0 is the low \
                  side. Linear: the wall is not wetted higher on the low side.",
             ),
-            ("height", "Over the height, weight and pressure contained."),
+            ("height", "Over the height, including weight and pressure."),
         ],
     },
     Words {
@@ -165,8 +165,8 @@ const ALL: &[Words] = &[
             ),
             (
                 "linear",
-                "Linear theory: the amplitudes hold while waves are small and the liquid touches the wall; at a lightly damped sloshing mode that is a \
-                 very small acceleration of the ground.",
+                "Linear theory: the amplitudes hold while waves are small and the liquid touches the wall; near a lightly damped sloshing mode this \
+                 limits the ground acceleration to very small values.",
             ),
         ],
     },
@@ -176,8 +176,8 @@ const ALL: &[Words] = &[
         sentences: &[
             (
                 "together",
-                "Both components at the same instant: the largest value over time and circumference, its direction from x towards y, \
-                 its time. Seismic part alone; with a vertical record its motion is contained in x, y and the resultant.",
+                "Both components act together: the largest value over time and circumference, with its direction from x towards y and \
+                 its time. Seismic part alone; x, y and the resultant include the response to a vertical record.",
             ),
             (
                 "srss",
@@ -212,12 +212,12 @@ const ALL: &[Words] = &[
             ),
             (
                 "cracks",
-                "Strokes run along the cracks and are thicker where these are wider. Height and circumference have different scales; \
+                "Strokes run along the cracks; wider cracks have thicker strokes. Height and circumference have different scales; \
                  directions are drawn accordingly.",
             ),
             (
                 "loops",
-                "From the static state on, in the order of time; the static state is included.",
+                "In the order of time, starting from the static state, which is included.",
             ),
         ],
     },
@@ -249,7 +249,7 @@ const ALL: &[Words] = &[
         title: "Waves around the imperfect wall",
         sentences: &[(
             "why",
-            "A perfect cylinder answers horizontal motion in one wave around the tank alone. Where its radius deviates in n waves, the hoop \
+            "A perfect cylinder responds to horizontal motion in a single wave around the tank. Where its radius deviates in n waves, the hoop \
              force and the pressure of that motion act on the deviation and excite n − 1 and n + 1 waves. Seismic part; largest amplitudes \
              over the height and over time, at different times.",
         )],
@@ -264,7 +264,7 @@ const ALL: &[Words] = &[
         title: "Finite-element model",
         sentences: &[(
             "mesh_error",
-            "From a second mesh by Richardson's extrapolation, relative; right within a factor of about 2 above 0.2 %.",
+            "From a second mesh by Richardson's extrapolation, relative; accurate within a factor of about 2 above 0.2 %.",
         )],
     },
     title("limits", "Limits of validity"),
@@ -292,7 +292,7 @@ const ALL: &[Words] = &[
             ),
             (
                 "outside",
-                "These runs exceed limits of the theory: what depends on them is indicative only.",
+                "These runs exceed limits of the theory: results that depend on these limits are indicative only.",
             ),
             (
                 "extremes",
@@ -304,7 +304,7 @@ const ALL: &[Words] = &[
             ),
             (
                 "collapses",
-                "The numbers of these runs are those until the collapse: lower bounds.",
+                "The values of these runs end with the collapse and are lower bounds.",
             ),
         ],
     },
@@ -351,7 +351,7 @@ pub fn unlisted(count: usize) -> String {
 /// How many limits of the theory are exceeded.
 pub fn exceeded(count: usize) -> String {
     match count {
-        0 => "All limits of the linear theory are kept.".into(),
+        0 => "The run stays within all limits of the linear theory.".into(),
         1 => "One limit of the linear theory is exceeded.".into(),
         count => format!("{count} limits of the linear theory are exceeded."),
     }

@@ -148,9 +148,9 @@ pub fn incomplete(cause: &Incomplete) -> String {
                 "Collapse: the nonlinear run did not find equilibrium after {time:.2} s; its extremes are lower bounds"
             )
         }
-        Incomplete::LeftModel { time } => format!(
-            "The nonlinear run left its model and was stopped at {time:.2} s, its extremes are those until then"
-        ),
+        Incomplete::LeftModel { time } => {
+            format!("The nonlinear run left its model and was stopped at {time:.2} s; its extremes end there")
+        }
         Incomplete::BeyondModel { time } => {
             format!("The nonlinear run left its model at {time:.2} s, later values are not results")
         }
