@@ -18,8 +18,8 @@ pub(super) const INFORMATION: &str = "For comparison: no limit state is checked 
      time history under the record.";
 
 /// Vertical motion is left out.
-pub(super) const NO_VERTICAL: &str = "Horizontal motion only: the procedure of this spectrum adds vertical motion, which raises its hoop stress; this \
-     column has none.";
+pub(super) const NO_VERTICAL: &str = "Horizontal motion only: the procedure of this spectrum adds vertical motion, which raises its hoop stress; \
+     this column does not.";
 
 /// Title of the column.
 pub(super) fn title(engine: EngineId, code: &str) -> String {
@@ -44,12 +44,12 @@ pub(super) fn combination(options: &SpectrumOptions) -> String {
     };
     let parts = match options.parts {
         PartCombination::Modal => "all modes together",
-        PartCombination::Srss => "impulsive and convective part apart, then SRSS of the two",
-        PartCombination::Abs => "impulsive and convective part apart, then their sum",
+        PartCombination::Srss => "impulsive and convective parts separately, then SRSS of the two",
+        PartCombination::Abs => "impulsive and convective parts separately, then their sum",
     };
     let rest = match options.missing_mass {
-        true => "what is not in the modes follows the ground with the acceleration at T = 0",
-        false => "what is not in the modes is left out",
+        true => "the missing mass follows the ground with the acceleration at T = 0",
+        false => "the missing mass is left out",
     };
     format!("Largest responses of the modes: {rule}, for each quantity and place; {parts}; {rest}.")
 }
@@ -70,7 +70,7 @@ pub(super) fn outside(why: Outside) -> &'static str {
              outside the model."
         }
         Outside::Plates => {
-            "The walls of the box bend as plates held at three sides, the engine has cantilevers: impulsive period, forces and stresses are \
+            "The walls of the box bend as plates held at three sides, but the engine models cantilevers: impulsive period, forces and stresses are \
              outside the model."
         }
     }
