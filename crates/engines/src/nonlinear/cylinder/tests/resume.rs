@@ -1,0 +1,92 @@
+//! The cylinder with the liquid as an operator, interrupted and resumed.
+
+use std::path::Path;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use fem::analysis::march::Outcome;
+use fem::progress::{Progress, Silent};
+use tank::Case;
+use tank::options::AfterRecord;
+use tank::options::nonlinear::NonlinearOptions;
+
+use super::super::march::Cylinder;
+use super::super::model::CylinderModel;
+use super::{cracking, options, shaken};
+use crate::nonlinear::CheckpointFile;
+
+/// Interrupts a march after so many time steps; those of the static start are not counted.
+struct StopAt {
+    step: u64,
+    done: AtomicU64,
+}
+
+impl Progress for StopAt {
+    fn stage(&self, _: &str, _: u64) {
+        self.done.store(0, Ordering::Relaxed);
+    }
+
+    fn advance(&self, steps: u64) {
+        self.done.fetch_add(steps, Ordering::Relaxed);
+    }
+
+    fn interrupted(&self) -> bool {
+        self.done.load(Ordering::Relaxed) >= self.step
+    }
+}
+
+fn file(folder: &Path) -> CheckpointFile {
+    CheckpointFile {
+        path: folder.join("run.checkpoint"),
+        key: "a".into(),
+        resume: true,
+    }
+}
+
+/// A run whose systems are solved by iteration, stopped in the record and in the free vibration after it and resumed each time,
+/// ends bit by bit as the uninterrupted one, whatever the numbers of threads of the three parts are.
+fn resumed(case: &Case, own: &NonlinearOptions, tank: CylinderModel, stops: [u64; 2]) {
+    assert!(tank.wetted.len() > 400, "{} wetted nodes", tank.wetted.len());
+    assert!(tank.assembler.has_operators());
+    let cylinder = Cylinder::of(case, own, tank).unwrap();
+    let motion = case.ground_motion.as_ref().unwrap();
+    let march = |threads: usize, file: Option<&CheckpointFile>, progress: &dyn Progress| {
+        let (watch, run) = cylinder.march(motion, 1.0, threads, file, progress).unwrap();
+        let seen = (watch.seen, watch.openings);
+        (
+            (watch.recorder.histories, seen, run.state, run.balance, run.cost),
+            run.outcome,
+        )
+    };
+    let (straight, end) = march(1, None, &Silent);
+    assert_eq!(end, Outcome::Completed);
+    assert!(straight.4.products > straight.4.iterations, "{:?}", straight.4);
+    assert!(march(2, None, &Silent).0 == straight, "two threads");
+    for threads in [[1, 2, 1], [2, 1, 2]] {
+        let folder = tempfile::tempdir().unwrap();
+        let file = file(folder.path());
+        for (&threads, step) in threads.iter().zip(stops) {
+            let stop = StopAt {
+                step,
+                done: AtomicU64::new(0),
+            };
+            let (part, end) = march(threads, Some(&file), &stop);
+            assert_eq!(end, Outcome::Interrupted);
+            assert!(part.4.steps < straight.4.steps);
+        }
+        let (found, end) = march(threads[2], Some(&file), &Silent);
+        assert_eq!(end, Outcome::Completed);
+        assert!(found == straight, "{threads:?} threads");
+    }
+}
+
+/// A wall that cracks: a kept tangent that is not the preconditioner, and increments of several products.
+#[test]
+fn iterated_run_resumed_is_uninterrupted() {
+    let case = shaken(cracking(), 12.0, 7);
+    let own = NonlinearOptions {
+        after_record: AfterRecord::Time(0.02),
+        ..options(&case, 14, 64)
+    };
+    let tank = CylinderModel::new(&case, &own).unwrap();
+    resumed(&case, &own, tank, [6, 15]);
+}
