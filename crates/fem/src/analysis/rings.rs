@@ -12,6 +12,9 @@
 //! matrices, and so positive definite if A is; A itself may be indefinite behind a bifurcation ([`minres`] does not
 //! mind), then P is taken from the initial stiffness if its factor fails.
 //!
+//! Joints of the liquid's face and the wall that are open ([`joints`]) are taken out of P exactly: their mean over a level with closed ones
+//! is neither.
+//!
 //! A factor of S alone is no substitute: with steps of some ms c_M M_f exceeds the stiffness of the wall up to harmonics of order 100.
 //!
 //! Source: Chan 1988 (optimal circulant preconditioner); Paige & Saunders 1975.
@@ -23,9 +26,12 @@ use crate::assembly::Assembler;
 use crate::linalg::{Factor, Kind, LinalgError, Matrix, Symmetric, minres};
 use crate::model::Model;
 use crate::ring::{RingBlock, Weight};
+use joints::{Open, Update};
 
+mod joints;
 mod layout;
 
+pub use joints::OPEN_AT_MOST;
 pub use layout::RingLayout;
 
 /// Products in one solution at most.
@@ -37,6 +43,8 @@ const USEFUL: f64 = 0.3;
 pub struct RingSolver {
     layout: Arc<RingLayout>,
     factors: Vec<Factor>,
+    /// Open joints.
+    open: Option<Update>,
     /// (c_M, c_K) by the order of the operators.
     shares: Vec<[f64; 2]>,
 }
@@ -55,6 +63,7 @@ impl RingSolver {
         let mut out = RingSolver {
             layout: layout.clone(),
             factors: Vec::new(),
+            open: None,
             shares: shares.to_vec(),
         };
         out.refactor(model, assembler, sparse, shares)?;
@@ -73,7 +82,8 @@ impl RingSolver {
     ) -> Result<(), LinalgError> {
         self.shares = shares.to_vec();
         let layout = self.layout.clone();
-        let mean = layout.mean(sparse);
+        let mut mean = layout.mean(sparse);
+        let open = Open::close(&layout, sparse, &mut mean);
         let amplitudes = layout.amplitude_diagonal(sparse);
         for m in 0..layout.ring().harmonics() {
             let mut section = layout.section(m, &mean);
@@ -92,6 +102,7 @@ impl RingSolver {
                 None => self.factors.push(layout.symbolic(m).factor(&section, Kind::Definite)?),
             }
         }
+        self.open = open.update(&layout, &self.factors)?;
         Ok(())
     }
 
@@ -133,6 +144,17 @@ impl RingSolver {
 
     /// z = P⁻¹ r.
     fn precondition(&self, r: &[f64], z: &mut [f64]) -> Result<(), LinalgError> {
+        self.precondition_closed(r, z)?;
+        if let Some(update) = &self.open {
+            let mut more = r.to_vec();
+            update.add(z, &mut more);
+            self.precondition_closed(&more, z)?;
+        }
+        Ok(())
+    }
+
+    /// z = P₀⁻¹ r.
+    fn precondition_closed(&self, r: &[f64], z: &mut [f64]) -> Result<(), LinalgError> {
         let layout = &*self.layout;
         let ring = layout.ring();
         let (families, size) = (ring.families(), layout.size());

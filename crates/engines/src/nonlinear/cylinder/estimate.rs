@@ -8,6 +8,7 @@
 //! history    committed and trial state of every point of every layer
 //! ```
 
+use fem::analysis::rings::OPEN_AT_MOST;
 use tank::Case;
 use tank::{Behaviour, Course, Layer, LayerKind};
 
@@ -110,7 +111,7 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
     let operator = iterates((levels * meridians) as usize, options.contact);
     let block = if operator { 0.0 } else { NUMBER * wetted * wetted };
     let rings = if operator {
-        Rings::new(&cells, levels, node * rows)
+        Rings::new(&cells, levels, node * rows, options.contact)
     } else {
         Rings::default()
     };
@@ -136,6 +137,7 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
         ("the program", PROGRAM),
         ("liquid block", model + at_a_time * MARCH_BLOCKS * block + rings.blocks),
         ("sections of the wall", (1.0 + at_a_time) * rings.sections),
+        ("open joints", at_a_time * rings.joints),
         // A value, and its places.
         ("vectors of the iteration", at_a_time * VECTORS * NUMBER * unknowns),
         ("liquid of one harmonic", harmonic),
@@ -177,6 +179,8 @@ struct Rings {
     blocks: f64,
     /// Bytes of the factored sections.
     sections: f64,
+    /// Bytes of the compliances of open joints.
+    joints: f64,
     /// Time of one factorisation of all of them [s].
     factor: f64,
     /// Entries read in a product with the liquid and a solution with the sections.
@@ -187,7 +191,7 @@ struct Rings {
 
 impl Rings {
     /// * `levels`: of wetted nodes; `section`: unknowns of a meridian
-    fn new(cells: &Cells, levels: f64, section: f64) -> Rings {
+    fn new(cells: &Cells, levels: f64, section: f64, contact: Contact) -> Rings {
         let sectors = cells.sectors as f64;
         let harmonics = 0.5 * sectors + 1.0;
         let families = if cells.half { 1.0 } else { 2.0 };
@@ -195,7 +199,14 @@ impl Rings {
         // All but the joined unknowns are eliminated from the base upwards: on the average half of the joined ones are below.
         let factor = 0.5 * joined * joined + 0.5 * (section - levels) * joined;
         let flops = joined.powi(3) / 3.0 + (section - levels) * joined * joined / 3.0;
+        // Matrix, its factor and that of the tangent before; by harmonic and by angle for every pair of levels.
+        let open = (levels * cells.columns() as f64).min(OPEN_AT_MOST as f64);
+        let joints = match contact {
+            Contact::Bonded => 0.0,
+            Contact::Opening => NUMBER * (3.0 * open * open + 0.5 * levels * levels * (harmonics + sectors)),
+        };
         Rings {
+            joints,
             blocks: 4.0 * NUMBER * harmonics * joined * joined,
             sections: SECTION * NUMBER * harmonics * factor,
             factor: harmonics * flops / SMALL_RATE,

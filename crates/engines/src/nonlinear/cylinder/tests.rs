@@ -1,6 +1,7 @@
 //! The nonlinear cylinder against the linear engine, against itself on the whole circle, and against itself resumed.
 
 mod curve;
+mod opening;
 mod resume;
 
 use std::sync::atomic::{AtomicU64, Ordering};

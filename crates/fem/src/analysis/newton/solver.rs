@@ -109,7 +109,9 @@ impl Newton<'_> {
                 solved.map_err(failed(WHAT))
             }
             Solver::Rings(solver) => {
-                let solved = solver.solve(self.model, self.assembler, &self.effective, b, x, TOLERANCE);
+                // Two solutions suffice for the criterion of forces.
+                let tolerance = TOLERANCE.min(self.options.criteria.force.sqrt());
+                let solved = solver.solve(self.model, self.assembler, &self.effective, b, x, tolerance);
                 self.cost.products += solved.map_err(failed(WHAT))? as u64;
                 Ok(())
             }

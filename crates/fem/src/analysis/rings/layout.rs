@@ -31,9 +31,21 @@ struct Entry {
 /// One operator in the sections: row of each of its levels, `None` where it is held.
 type Levels = Vec<Option<usize>>;
 
+/// Face of a liquid and the wall behind it, joined node by node and by nothing else.
+pub(super) struct Pair {
+    /// Unknowns of the meridian: face, wall.
+    pub(super) rows: [usize; 2],
+    /// Entries of the mean: between them, diagonal of the face, diagonal of the wall.
+    pub(super) entries: [usize; 3],
+    /// Place of the joint in the model's pattern, by meridian.
+    pub(super) places: Vec<usize>,
+}
+
 /// Unknowns of a meridian, and where the entries of a model's matrices belong.
 pub struct RingLayout {
     ring: Ring,
+    /// Its full circle.
+    circle: Ring,
     /// Equations by unknown of the meridian, then by meridian.
     rows: Vec<Vec<u32>>,
     odd: Vec<bool>,
@@ -42,6 +54,7 @@ pub struct RingLayout {
     /// Entry of each place of the model's pattern.
     targets: Vec<u32>,
     operators: Vec<Levels>,
+    pairs: Vec<Pair>,
     /// Sections without and with amplitudes.
     symbolic: [Arc<Symbolic>; 2],
     /// Place of each entry in the sections.
@@ -105,6 +118,8 @@ impl RingLayout {
         }
         let (entries, targets) = average(&rings.ring, assembler.pattern(), &of, &odd);
         let wet: Vec<usize> = operators.iter().flatten().flatten().copied().collect();
+        let pairs = pairs(&wet, &rows, &entries, assembler.pattern());
+        let circle = Ring::new(rings.ring.sectors(), false).ok_or_else(|| missing("fewer than 3 sectors".into()))?;
         let sections = [0, slots].map(|slots| section(rows.len(), slots, &entries, &wet));
         let [plain, full] = sections;
         let symbolic = [
@@ -120,12 +135,14 @@ impl RingLayout {
                 .map(|m| amplitudes.iter().any(|(_, a)| a.harmonic == m))
                 .collect(),
             ring: rings.ring.clone(),
+            circle,
             rows,
             odd,
             amplitudes,
             entries,
             targets,
             operators,
+            pairs,
             symbolic,
             places,
         })
@@ -133,6 +150,16 @@ impl RingLayout {
 
     pub(super) fn ring(&self) -> &Ring {
         &self.ring
+    }
+
+    /// The full circle.
+    pub(super) fn circle(&self) -> &Ring {
+        &self.circle
+    }
+
+    /// Joints of a liquid's face and a wall.
+    pub(super) fn pairs(&self) -> &[Pair] {
+        &self.pairs
     }
 
     /// Unknowns of a meridian.
@@ -275,6 +302,37 @@ fn average(ring: &Ring, pattern: &Pattern, of: &[(u32, u32)], odd: &[bool]) -> (
         }
     }
     (entries, targets)
+}
+
+/// The rows of `faces` that one other row on their own meridian joins, and nothing else.
+fn pairs(faces: &[usize], rows: &[Vec<u32>], entries: &[Entry], pattern: &Pattern) -> Vec<Pair> {
+    let pair = |&face: &usize| -> Option<Pair> {
+        let mut own = entries
+            .iter()
+            .enumerate()
+            .filter(|(_, e)| e.row == face || e.column == face);
+        let (mut between, mut diagonal) = (None, None);
+        own.try_for_each(|(number, e)| {
+            let place = if e.row == e.column { &mut diagonal } else { &mut between };
+            (e.offset == 0 && place.replace(number).is_none()).then_some(())
+        })?;
+        let between = between?;
+        let wall = entries[between].row + entries[between].column - face;
+        let on_diagonal = |e: &Entry| e.offset == 0 && e.row == wall && e.column == wall;
+        let places = rows[face]
+            .iter()
+            .zip(&rows[wall])
+            .map(|(&a, &b)| match a == NONE || b == NONE {
+                true => None,
+                false => pattern.place(a.max(b) as usize, a.min(b) as usize),
+            });
+        Some(Pair {
+            rows: [face, wall],
+            entries: [between, diagonal?, entries.iter().position(on_diagonal)?],
+            places: places.collect::<Option<_>>()?,
+        })
+    };
+    faces.iter().filter_map(pair).collect()
 }
 
 /// Analysis of a section: the wall first, then what the liquid joins.
