@@ -12,8 +12,9 @@ use crate::error::Error;
 use crate::input::{self, TankFile, records};
 use crate::job::{self, Job};
 use engines::Task;
+use engines::nonlinear::NonlinearOptions;
 use files::text;
-use results::SourceFile;
+use results::{InputValue, SourceFile};
 
 /// The tank file, the records and how to read them.
 #[derive(clap::Args, Clone, Debug)]
@@ -60,7 +61,7 @@ impl Inputs {
     /// * `origin`: beginning of its warnings on standard error ("tanks.csv:3: "), may be empty
     pub(crate) fn resolved(&self, tank: TankFile, origin: &str) -> Result<Job, Error> {
         let mut warnings = tank.warnings.clone();
-        let mut case = tank.case;
+        let (mut case, mut nonlinear, mut echo) = (tank.case, tank.nonlinear, tank.echo);
         let mut files = vec![source("tank", &self.tank, &tank.sha256)];
         let mut raw_records = Vec::new();
         if let Some(path) = &self.quake {
@@ -92,6 +93,9 @@ impl Inputs {
             };
             let transverse = component(&self.quake_y, "record along y")?;
             let vertical = component(&self.vertical, "vertical record")?;
+            if transverse.is_some() {
+                whole_tank(&mut nonlinear, &mut echo);
+            }
             case.ground_motion = Some(GroundMotion {
                 horizontal: processed,
                 transverse,
@@ -113,9 +117,9 @@ impl Inputs {
             engines: Vec::new(),
             linear: tank.fe,
             solid: tank.solid,
-            nonlinear: tank.nonlinear,
+            nonlinear,
             checkpoint: None,
-            echo: tank.echo,
+            echo,
             files,
             warnings,
             raw_records,
@@ -156,6 +160,20 @@ impl Inputs {
             decision.accepted.push(gap.clone());
         }
         Ok(decision)
+    }
+}
+
+/// Two horizontal components have no plane of symmetry: the default of half a tank becomes the whole; a half that the file asks for is
+/// left to the engine, which refuses it.
+fn whole_tank(options: &mut NonlinearOptions, echo: &mut [InputValue]) {
+    let line = echo.iter_mut().find(|line| line.path == "analysis.nonlinear.symmetry");
+    if line.as_ref().is_some_and(|line| !line.default) {
+        return;
+    }
+    options.symmetry = false;
+    if let Some(line) = line {
+        line.text = "false".into();
+        line.source = "two horizontal components (--quake-y) have no plane of symmetry".into();
     }
 }
 

@@ -21,9 +21,16 @@ const API_FRICTION: f64 = 0.4;
 /// Tension at the base of a cylinder's wall. Returns where an unanchored wall pulls, in words.
 pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
     let demands = work.demands;
-    let base = demands.places.iter().find(|place| place.z == 0.0)?;
+    let all = demands.places.iter().filter(|place| place.z == 0.0);
+    let pulls = all.filter_map(|place| {
+        Some((
+            place,
+            Histories::new(demands, place).axial_tension(0.0)?.turned(place.turned),
+        ))
+    });
+    // More than one only where the histories are known at two sides of each.
+    let (base, found) = pulls.reduce(|best, next| if next.1.demand > best.1.demand { next } else { best })?;
     let thickness = work.case.tank.courses[base.course].thickness;
-    let found = Histories::new(demands, base).axial_tension(0.0)?;
     let moment = work.moment(&found, 0.0);
     let pull = found.demand * thickness;
     let pulls = format!(

@@ -139,6 +139,20 @@ pub(super) struct Found {
     pub(super) direction: Direction,
 }
 
+impl Found {
+    /// The same with its direction turned by an angle [rad].
+    pub(super) fn turned(self, angle: f64) -> Found {
+        let ((c, s), (sine, cosine)) = (self.direction, angle.sin_cos());
+        match angle == 0.0 {
+            true => self,
+            false => Found {
+                direction: (c * cosine - s * sine, s * cosine + c * sine),
+                ..self
+            },
+        }
+    }
+}
+
 /// demand / capacity; infinite without a capacity.
 fn ratio(demand: f64, capacity: f64) -> f64 {
     match (demand > 0.0, capacity > 0.0) {

@@ -59,6 +59,7 @@ impl Given {
             places: vec![Place {
                 z,
                 course,
+                turned: 0.0,
                 hoop,
                 axial,
                 bending: Some(bending),

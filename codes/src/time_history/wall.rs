@@ -76,7 +76,7 @@ fn worst(work: &Work<'_>, all: &[Asked<'_>]) -> Vec<Vec<Option<Worst>>> {
             if let Some(found) = found.filter(larger) {
                 *best = Some(Worst {
                     course: place.course,
-                    found,
+                    found: found.turned(place.turned),
                     z: place.z,
                     pressure: histories.pressure_at(found.instant, found.direction),
                 });

@@ -130,6 +130,11 @@ pub(crate) fn checked_motion(case: &Case) -> Result<&GroundMotion, FeError> {
     Ok(motion)
 }
 
+/// Remarks on two horizontal components, one sentence each; none on one.
+pub(crate) fn both_directions(motion: &GroundMotion) -> Vec<String> {
+    Around::notes(motion)
+}
+
 fn check_record(which: &str, record: &Record) -> Result<(), FeError> {
     let refuse = |found: String, allowed: &str| {
         Err(FeError::Option {

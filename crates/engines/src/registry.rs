@@ -116,15 +116,7 @@ impl Engine for Nonlinear {
     }
 
     fn refuses(&self, task: &Task<'_>) -> Vec<Refusal> {
-        let mut all = scope::refusals(task.case, task.nonlinear, Purpose::History);
-        if task.case.ground_motion.as_ref().is_some_and(|m| m.transverse.is_some()) {
-            let message = "--quake-y: the nonlinear engine shakes a tank along x alone";
-            all.push(
-                Refusal::new(Place::Transverse, message, "one horizontal record")
-                    .help("remove --quake-y, or use --fe harmonic or --fe solid"),
-            );
-        }
-        all
+        scope::refusals(task.case, task.nonlinear, Purpose::History)
     }
 
     fn has_layers(&self) -> bool {

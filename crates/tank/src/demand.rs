@@ -36,6 +36,8 @@ pub struct Place {
     pub z: f64,
     /// Number of its course, from 0.
     pub course: usize,
+    /// Where θ = 0 of its histories is on the circumference [rad]; other than 0 only where they are known at two sides alone.
+    pub turned: f64,
     /// Hoop membrane stress [Pa].
     pub hoop: OnWall,
     /// Axial membrane stress [Pa].
@@ -54,7 +56,7 @@ pub enum Angles {
     /// Everywhere: they go with cos θ.
     #[default]
     All,
-    /// At θ = 0 and θ = 180° alone.
+    /// At θ = 0 and θ = 180° of each place alone.
     Sides,
 }
 

@@ -96,6 +96,7 @@ pub(crate) fn demands(
     let place = |found: &PlaceSlots| Place {
         z: found.z,
         course: found.course,
+        turned: 0.0,
         hoop: on_wall(&found.hoop),
         axial: on_wall(&found.axial),
         bending: found.bending.as_ref().map(on_wall),

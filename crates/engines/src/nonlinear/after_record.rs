@@ -28,9 +28,8 @@ impl Span {
         } else {
             0.0
         };
-        let vertical = motion.vertical.as_ref().map_or(0.0, |v| v.duration());
         let span = Span {
-            record: motion.horizontal.duration().max(vertical),
+            record: motion.duration(),
             tail: after.duration(period),
             after,
         };

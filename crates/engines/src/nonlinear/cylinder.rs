@@ -13,11 +13,13 @@ mod march;
 pub(super) mod mesh;
 mod model;
 mod points;
+mod recorded;
 mod report;
 mod rings;
 pub(super) mod section;
 mod simulate;
 mod state;
+pub(super) mod two;
 mod watch;
 
 #[cfg(test)]

@@ -12,6 +12,7 @@ use tank::{Behaviour, Concrete, ConcreteLaw, Course, Layer, LayerKind, Shape, So
 
 use super::cylinder::mesh::Cells;
 use super::cylinder::section as shells;
+use super::cylinder::two;
 use super::laws::uniaxial_concrete;
 use super::strip;
 use super::strip::section as fibres;
@@ -72,6 +73,9 @@ pub(crate) fn refusals(case: &Case, options: &NonlinearOptions, purpose: Purpose
         ),
     }
     all.extend(imperfect(case, options, purpose));
+    if purpose == Purpose::History {
+        all.extend(two::refusals(case, options));
+    }
     // Each refusal is listed once, however many courses share it.
     let mut listed: Vec<Refusal> = Vec::new();
     for refusal in all {

@@ -186,25 +186,33 @@ fn choose(modes: &[Option<Modes>], ring: &Ring, count: usize) -> Vec<(usize, usi
     out
 }
 
-/// Row over all unknowns of the cosine of harmonic `m` of the elevation, `own` over (ŵ, q̂).
+/// Rows over all unknowns of harmonic `m` of the elevation, `own` over (ŵ, q̂).
 fn rim(operator: &RingOperator, m: usize, own: &[f64]) -> Rim {
     let (ring, levels) = (operator.ring(), operator.levels());
     // Unknowns of a half are (ŵ, q̂)/√2.
     let scale = ring.scale(m) * if ring.is_half() { 2.0_f64.sqrt() } else { 1.0 };
-    let mut row = vec![0.0; operator.size()];
-    let mut room = ring.room();
-    for (level, out) in row[..operator.wall()].chunks_exact_mut(ring.meridians()).enumerate() {
-        let get = |n: usize, family: usize| if n == m && family == 0 { scale * own[level] } else { 0.0 };
-        ring.synthesise(false, crate::ring::Weight::Forces, &mut room, get, out);
-    }
-    for (a, out) in operator.amplitudes().iter().zip(&mut row[operator.wall()..]) {
-        if a.harmonic == m && a.family == 0 {
-            *out = scale * own[levels + a.slot];
+    let over = |family: usize| {
+        let mut row = vec![0.0; operator.size()];
+        let mut room = ring.room();
+        for (level, out) in row[..operator.wall()].chunks_exact_mut(ring.meridians()).enumerate() {
+            let get = |n: usize, f: usize| if n == m && f == family { scale * own[level] } else { 0.0 };
+            ring.synthesise(false, crate::ring::Weight::Forces, &mut room, get, out);
         }
-    }
+        for (a, out) in operator.amplitudes().iter().zip(&mut row[operator.wall()..]) {
+            if a.harmonic == m && a.family == family {
+                *out = scale * own[levels + a.slot];
+            }
+        }
+        row
+    };
     Rim {
         harmonic: m as u32,
-        row,
+        row: over(0),
+        sine: if m > 0 && ring.families() > 1 {
+            over(1)
+        } else {
+            Vec::new()
+        },
     }
 }
 

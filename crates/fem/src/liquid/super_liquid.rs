@@ -61,17 +61,19 @@ pub struct CondensedLiquid {
     pub stiffness: Matrix,
     /// Circular frequencies of the sloshing modes [rad/s], if amplitudes have taken the place of the elevations.
     pub omega: Vec<f64>,
-    /// Elevation at the wall of a cylinder, its cosines; empty where the harmonics are not known.
+    /// Elevation at the wall of a cylinder; empty where the harmonics are not known.
     pub rim: Vec<Rim>,
 }
 
-/// One harmonic of the elevation at the wall: η(θ) = Σ (row · x) cos mθ.
+/// One harmonic of the elevation at the wall: η(θ) = Σ (row · x) cos mθ + (sine · x) sin mθ.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rim {
     /// m.
     pub harmonic: u32,
-    /// Coefficients over the unknowns of the liquid.
+    /// Coefficients of the cosine over the unknowns of the liquid.
     pub row: Vec<f64>,
+    /// Those of the sine; empty where it does not exist: m = 0, half a tank.
+    pub sine: Vec<f64>,
 }
 
 /// A liquid of elements, condensed.
@@ -93,20 +95,25 @@ impl CondensedLiquid {
         let (n, levels) = (liquid.wall() + liquid.elevations(), liquid.heights().len());
         let unit = identity(n);
         let rim = |(m, block): (usize, &super::harmonic::Block)| -> Option<Rim> {
-            let (own, &(column, first)) = (block.rim.as_ref()?, block.columns.first()?);
-            let scale = liquid.fourier.get(0, column);
-            let mut row = vec![0.0; n];
-            for (level, value) in own[..levels].iter().enumerate() {
-                for k in 0..liquid.sectors() {
-                    row[level * liquid.sectors() + k] = scale * value * liquid.fourier.get(k, column);
+            let (own, &(cosine, _)) = (block.rim.as_ref()?, block.columns.first()?);
+            // Columns of cosine and sine have the same factor.
+            let scale = liquid.fourier.get(0, cosine);
+            let over = |&(column, first): &(usize, usize)| {
+                let mut row = vec![0.0; n];
+                for (level, value) in own[..levels].iter().enumerate() {
+                    for k in 0..liquid.sectors() {
+                        row[level * liquid.sectors() + k] = scale * value * liquid.fourier.get(k, column);
+                    }
                 }
-            }
-            for (k, value) in own[levels..].iter().enumerate() {
-                row[liquid.wall() + first + k] = scale * value;
-            }
+                for (k, value) in own[levels..].iter().enumerate() {
+                    row[liquid.wall() + first + k] = scale * value;
+                }
+                row
+            };
             Some(Rim {
                 harmonic: m as u32,
-                row,
+                row: block.columns.first().map(over)?,
+                sine: block.columns.get(1).map_or_else(Vec::new, over),
             })
         };
         CondensedLiquid {
@@ -193,6 +200,7 @@ impl CondensedLiquid {
                 out.rim.push(Rim {
                     harmonic: m as u32,
                     row,
+                    sine: Vec::new(),
                 });
             }
             first += elevations;
@@ -301,6 +309,7 @@ impl CondensedLiquid {
             }
         }
         let project = |a: &Matrix| transposed_product(&t, &product(a, &t));
+        let row = |row: &[f64]| -> Vec<f64> { (0..t.cols).map(|j| crate::linalg::dot(row, t.column(j))).collect() };
         Ok(CondensedLiquid {
             wall: self.wall,
             mass: project(&self.mass),
@@ -311,7 +320,12 @@ impl CondensedLiquid {
                 .iter()
                 .map(|rim| Rim {
                     harmonic: rim.harmonic,
-                    row: (0..t.cols).map(|j| crate::linalg::dot(&rim.row, t.column(j))).collect(),
+                    row: row(&rim.row),
+                    sine: if rim.sine.is_empty() {
+                        Vec::new()
+                    } else {
+                        row(&rim.sine)
+                    },
                 })
                 .collect(),
         })

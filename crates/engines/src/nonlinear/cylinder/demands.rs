@@ -15,7 +15,9 @@ use tank::Case;
 use tank::demand::{Angles, Demands, OnWall, Peak, Place, Terms};
 
 use super::model::CylinderModel;
-use super::watch::{BASE_SHEAR, WAVE_BACK, WAVE_FRONT, Watch};
+use super::recorded::{BASE_SHEAR, WAVE_BACK, WAVE_FRONT};
+use super::two::{self, SHEAR_Y};
+use super::watch::{Meridian, Watch};
 
 /// Length of the disturbance of a clamped edge over √(R t).
 const EDGE: f64 = 2.5;
@@ -58,10 +60,20 @@ pub(super) fn demands(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> D
     let rest = |k: usize| recorder.histories[k].first().copied().unwrap_or(0.0);
     let own = |k: usize| recorder.histories[k].iter().map(move |v| v - rest(k));
     let base_shear = states.keep(own(BASE_SHEAR));
-    let places = match case.tank.is_metal() {
-        true => places(case, tank, watch, &mut states),
-        false => Vec::new(),
-    };
+    let two = case
+        .ground_motion
+        .as_ref()
+        .is_some_and(|motion| motion.transverse.is_some());
+    let mut found = Vec::new();
+    if case.tank.is_metal() {
+        let [front, back] = sides;
+        found.extend(places(case, tank, ([front, back], 0.0), &mut states));
+        let fan = if two { two::fan(&tank.cells) } else { Vec::new() };
+        for (ends, columns) in watch.seen.two.meridians.chunks_exact(2).zip(fan.chunks_exact(2)) {
+            let turned = tank.cells.angle() * columns[0] as f64;
+            found.extend(places(case, tank, ([&ends[0], &ends[1]], turned), &mut states));
+        }
+    }
     let vertical = case.ground_motion.as_ref().and_then(|motion| motion.vertical.as_ref());
     let vertical = vertical.map(|record| states.keep(recorder.times.iter().map(|t| at(record, *t))));
     let rise = |(k, theta): (usize, f64)| {
@@ -73,25 +85,40 @@ pub(super) fn demands(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> D
         }
     };
     let [front, back] = [(WAVE_FRONT, 0.0), (WAVE_BACK, PI)].map(rise);
+    let higher = if front.value >= back.value { front } else { back };
+    // Only the base shear has a part of its own along y: the places have their meridians.
+    let mut transverse = Vec::new();
+    if two {
+        transverse = vec![Vec::new(); states.states.len()];
+        if let Some((state, _)) = base_shear.first() {
+            transverse[*state] = own(SHEAR_Y).take(samples).collect();
+        }
+    }
+    let between = if two { two::between_meridians(&tank.cells) } else { 0.0 };
     let step = recorder.times.get(1).copied().unwrap_or(0.0);
     Demands {
         times: recorder.times[..samples].to_vec(),
         states: states.states,
-        transverse: Vec::new(),
+        transverse,
         angles: Angles::Sides,
-        places,
-        wave: (samples > 0).then_some(if front.value >= back.value { front } else { back }),
+        places: found,
+        wave: (samples > 0).then_some(if two { watch.seen.two.wave() } else { higher }),
         base_shear: Some(base_shear),
         // The pressure on the bottom is not recorded.
         overturning_moment: None,
         vertical,
         plates: false,
-        sampling: 1.0 - (0.5 * tank.wall_omega * step).min(0.5 * PI).cos(),
+        sampling: 1.0 - (0.5 * tank.wall_omega * step).min(0.5 * PI).cos() + between,
     }
 }
 
-fn places(case: &Case, tank: &CylinderModel, watch: &Watch<'_>, states: &mut States) -> Vec<Place> {
-    let [front, back] = &watch.seen.sides;
+/// Places of a diameter of meridians, whose first is at the angle `turned` [rad].
+fn places(
+    case: &Case,
+    tank: &CylinderModel,
+    ([front, back], turned): ([&Meridian; 2], f64),
+    states: &mut States,
+) -> Vec<Place> {
     let thickness = |row: usize| tank.rows[row].thickness;
     let middle = |row: usize| 0.5 * (tank.cells.z[row] + tank.cells.z[row + 1]);
     let rows = front
@@ -121,6 +148,7 @@ fn places(case: &Case, tank: &CylinderModel, watch: &Watch<'_>, states: &mut Sta
             // The lowest row stands for the base, as in the quantities of the run.
             z: if row == 0 { 0.0 } else { z },
             course: course(case, z),
+            turned,
             hoop: states.sides(hoop, 1.0),
             axial: states.sides(axial, 1.0),
             bending,

@@ -217,6 +217,9 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &Cylind
                 .into(),
         );
     }
+    if case.ground_motion.as_ref().is_some_and(|m| m.transverse.is_some()) {
+        out.push(super::two::ASSUMPTION.into());
+    }
     if tank.cells.half {
         out.push(
             "Motion is symmetric about the plane of shaking: buckles that break this symmetry are not modelled.".into(),

@@ -15,6 +15,7 @@ use tank::{Behaviour, Course, Layer, LayerKind};
 use super::elements::iterates;
 use super::march::{LOOKS, STEPS_PER_PERIOD};
 use super::mesh::Cells;
+use super::two;
 use crate::FeError;
 use crate::estimate::{
     DENSE_RATE, Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PRODUCT_RATE, PROGRAM, Response, first_wall_frequency,
@@ -132,7 +133,17 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
     let samples = response.samples();
     // A whole number of steps in a sample.
     let steps = samples * (response.dt / step - 1e-9).ceil().max(1.0);
-    let kept = samples * (AT_SAMPLE + 2.0 * rows + 0.5 * wetted.min(LOOKS));
+    let two = case
+        .ground_motion
+        .as_ref()
+        .is_some_and(|motion| motion.transverse.is_some());
+    // Hoop and axial stress of the meridians of a fan.
+    let meridian = if two {
+        2.0 * rows * two::fan(&cells).len() as f64
+    } else {
+        0.0
+    };
+    let kept = samples * (AT_SAMPLE + 2.0 * rows + meridian + 0.5 * wetted.min(LOOKS));
     let parts = vec![
         ("the program", PROGRAM),
         ("liquid block", model + at_a_time * MARCH_BLOCKS * block + rings.blocks),

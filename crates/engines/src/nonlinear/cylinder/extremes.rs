@@ -6,10 +6,9 @@ use results::nonlinear::{At, CellMap, TwoSided};
 
 use super::super::extremes::{of_maps, of_range};
 use super::model::CylinderModel;
+use super::recorded::{BASE_MOMENT, BASE_SHEAR, BELLY_BACK, BELLY_FRONT, TOP_BACK, TOP_FRONT, WAVE_BACK, WAVE_FRONT};
 use super::state::grid;
-use super::watch::{
-    BASE_MOMENT, BASE_SHEAR, BELLY_BACK, BELLY_FRONT, Extremes, TOP_BACK, TOP_FRONT, WAVE_BACK, WAVE_FRONT, Watch,
-};
+use super::watch::{Extremes, Watch};
 
 /// Everything that was watched.
 pub(super) fn extremes(tank: &CylinderModel, watch: &Watch<'_>, maps: &[CellMap]) -> Vec<TwoSided> {

@@ -4,7 +4,8 @@ use tank::units::{Dimension, display};
 
 use super::march::Cylinder;
 use super::points::Look;
-use super::watch::{WAVE_BACK, WAVE_FRONT, Watch};
+use super::recorded::{WAVE_BACK, WAVE_FRONT};
+use super::watch::Watch;
 use crate::linear::limits;
 use results::Limit;
 
@@ -25,7 +26,8 @@ pub(super) fn limits(cylinder: &Cylinder<'_>, watch: &Watch<'_>, worst: &Look) -
         let rest = recorder.histories[k].first().copied().unwrap_or(0.0);
         (recorder.ranges[k].max - rest).max(0.0)
     };
-    let mut found = limits::waves(case, rise(WAVE_FRONT).max(rise(WAVE_BACK))).to_vec();
+    let sides = rise(WAVE_FRONT).max(rise(WAVE_BACK));
+    let mut found = limits::waves(case, sides.max(watch.seen.two.wave().value)).to_vec();
     found.push(displacement(tank.radius, watch.seen.displacement));
     found.extend(suction(watch));
     let cracks = worst.crack_width.iter().flatten().copied();

@@ -90,6 +90,7 @@ impl<'a> Cylinder<'a> {
             Motion::sampled(record.dt, &scaled, &grid)
         };
         let mut load = Load::ground(0, sampled(record));
+        load.ground[1] = motion.transverse.as_ref().map(sampled);
         if let Some(vertical) = &motion.vertical {
             let motion = sampled(vertical);
             let unit: Vec<f64> = tank.pressure.iter().map(|p| p / tank.gravity).collect();
@@ -107,7 +108,7 @@ impl<'a> Cylinder<'a> {
         }
         settings.checkpoint = checkpoint.map(|file| file.whole(options.checkpoint));
         let interval = (record.duration() / LOOKS).max(record.dt);
-        let mut watch = Watch::new(tank, interval).map_err(analysis)?;
+        let mut watch = Watch::new(tank, interval, motion.transverse.is_some()).map_err(analysis)?;
         let run = march(tank.problem(), &load, &settings, &mut [&mut watch], progress).map_err(analysis)?;
         match watch.failure.take() {
             Some(failure) => Err(analysis(failure)),

@@ -42,6 +42,8 @@ use tank::options::nonlinear::{Contact, Damping as Wanted, MassProportionalAt, N
 /// Modes of harmonic 1 that count for the wave at the wall, as in the linear engines: more only chase the singularity at the
 /// contact line.
 const WAVE_MODES: usize = 5;
+/// Relative difference of two frequencies that are one.
+const SAME: f64 = 1e-6;
 /// Iterations that find the first mode of wall and liquid, at most: each makes the second mode smaller to a ninth or less.
 /// More would amplify rounding in modes of higher wave number, whose frequencies are lower in thin shells.
 const ITERATIONS: usize = 8;
@@ -305,17 +307,22 @@ impl CylinderModel {
         self.weight.iter().zip(&self.pressure).map(|(w, p)| w + p).collect()
     }
 
-    /// Row of the surface's elevation at the wall at the angle θ [rad]: of harmonic 0 whole, of harmonic 1 the first modes.
+    /// Row of the surface's elevation at the wall at the angle θ [rad]: of harmonic 0 whole, of harmonic 1 the first modes. Cosine and
+    /// sine of a mode have one frequency, and their amplitudes may be mixed: frequencies are counted.
     pub(crate) fn elevation(&self, theta: f64) -> Vec<(usize, f64)> {
-        let mut row = vec![0.0; self.liquid.wall() + self.amplitudes.len()];
+        let wall = self.liquid.wall();
+        let mut row = vec![0.0; wall + self.amplitudes.len()];
         for rim in self.liquid.rim() {
-            let c = (f64::from(rim.harmonic) * theta).cos();
-            let mut counted = 0;
-            for (k, (to, from)) in row.iter_mut().zip(&rim.row).enumerate() {
-                let amplitude = k >= self.liquid.wall() && from.abs() > 1e-9;
-                counted += usize::from(amplitude);
+            let (s, c) = (f64::from(rim.harmonic) * theta).sin_cos();
+            let sine = |k: usize| rim.sine.get(k).copied().unwrap_or(0.0);
+            let (mut counted, mut last) = (0, 0.0);
+            for (k, (to, cosine)) in row.iter_mut().zip(&rim.row).enumerate() {
+                let amplitude = k >= wall && (cosine.abs() > 1e-9 || sine(k).abs() > 1e-9);
+                if amplitude && (self.liquid.omega()[k - wall] / last - 1.0).abs() > SAME {
+                    (counted, last) = (counted + 1, self.liquid.omega()[k - wall]);
+                }
                 if rim.harmonic == 0 || (amplitude && counted <= WAVE_MODES) {
-                    *to += c * from;
+                    *to += c * cosine + s * sine(k);
                 }
             }
         }

@@ -15,10 +15,13 @@ use super::limits::limits;
 use super::march::Cylinder;
 use super::model::CylinderModel;
 use super::points::look;
+use super::recorded::{BASE_MOMENT, BASE_SHEAR, BELLY_FRONT, TOP_FRONT, WAVE_BACK, WAVE_FRONT};
 use super::state::{energies, events, grid, loops, maps, pictures, place};
-use super::watch::{BASE_MOMENT, BASE_SHEAR, BELLY_FRONT, Extremes, TOP_FRONT, WAVE_BACK, WAVE_FRONT, Watch};
+use super::two;
+use super::watch::{Extremes, Watch};
 use crate::Simulation;
 use crate::histories::Histories;
+use crate::linear::both_directions;
 use results::channel::{OnWall, Side};
 use results::nonlinear::{End, EventKind, Nonlinear};
 use results::{Channel, EnergyBalance, EngineId, Envelope, Run as Finished, SeriesInfo};
@@ -36,7 +39,7 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
     worst.envelop(&last);
     let histories = histories(tank, watch);
     let values = values(tank, watch);
-    let mut notes = Vec::new();
+    let mut notes = case.ground_motion.as_ref().map_or_else(Vec::new, both_directions);
     if case.tank.support == Support::Unanchored {
         notes.push(HELD_DOWN.into());
     }
@@ -92,6 +95,7 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
         histories: histories.info,
         nonlinear: Some(nonlinear),
         around: watch.seen.around.around(case, tank),
+        directions: watch.seen.two.results(tank, &watch.recorder),
         incomplete: run.outcome != Outcome::Completed,
         ..Finished::new(EngineId::Nonlinear)
     };
@@ -143,6 +147,7 @@ fn histories(tank: &CylinderModel, watch: &Watch<'_>) -> Histories {
     if let Some(open) = extremes::open_history(tank, watch) {
         push(Channel::Open, &open, None);
     }
+    two::add(&mut histories, recorder, &watch.seen.two);
     histories
 }
 
@@ -176,6 +181,7 @@ fn values(tank: &CylinderModel, watch: &Watch<'_>) -> BTreeMap<Quantity, f64> {
         .iter()
         .filter_map(|s| s.axial.first().map(|e| e.swing().0))
         .fold(0.0, f64::max);
+    let [hoop, axial] = watch.seen.two.along().unwrap_or([hoop, axial]);
     let mut out = BTreeMap::from([
         (Quantity::ImpulsivePeriod, TAU / tank.wall_omega),
         (Quantity::SloshingHeight, rise(WAVE_FRONT).max(rise(WAVE_BACK))),

@@ -1,5 +1,7 @@
 //! Events, maps, cracks, loops and energies of a run.
 
+use std::f64::consts::{PI, TAU};
+
 use fem::analysis::march::Run;
 use tank::Behaviour;
 use tank::Case;
@@ -7,13 +9,20 @@ use tank::units::{Dimension, display, significant};
 
 use super::model::CylinderModel;
 use super::points::{Happening, Look};
-use super::watch::{BASE_SHEAR, BELLY_FRONT, Watch};
+use super::recorded::{BASE_SHEAR, BELLY_FRONT};
+use super::watch::Watch;
 use results::nonlinear::{CellMap, Columns, CrackPicture, Energies, Event, EventKind, Loop, LoopAxis, WallGrid};
 
 /// Points of a loop or a curve of energy at most.
 const POINTS: usize = 1500;
 
+/// A place in words; the angle from −180° to 360°, rounding below 0 taken for 0.
 pub(super) fn place(theta: f64, z: f64) -> String {
+    let theta = if theta < -1e-9 && theta > -PI {
+        theta + TAU
+    } else {
+        theta
+    };
     format!(
         "θ = {}°, z = {}",
         significant(theta.to_degrees().abs(), 3),

@@ -3,6 +3,7 @@
 mod curve;
 mod opening;
 mod resume;
+mod two;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 

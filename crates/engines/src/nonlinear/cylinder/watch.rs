@@ -5,11 +5,9 @@
 
 use fem::analysis::AnalysisError;
 use fem::analysis::checkpoint::{CheckpointError, Reader, Writer};
-use fem::analysis::damping::Rayleigh;
-use fem::analysis::march::{Instant, Observe, Quantity, QuantityObserver, Reaction};
-use fem::analysis::observable::Observable;
-use fem::dofs::{Dof, KINDS};
-use fem::element::Inspect;
+use fem::analysis::march::{Instant, Observe, QuantityObserver};
+use fem::dofs::Dof;
+use fem::element::{Inspect, SectionState};
 use fem::linalg::Matrix;
 use fem::liquid::separation::{Openings, SeparationCheck};
 use fem::state::Gather;
@@ -19,27 +17,11 @@ use super::around::AroundSeen;
 use super::contact::rise;
 use super::model::CylinderModel;
 use super::points::{Happening, Look, look};
+use super::recorded::{BASE_MOMENT, WAVE_BACK, WAVE_FRONT, quantities};
+use super::two::{self, MOMENT_Y, TwoSeen};
 
 /// A base moment larger than that of the last picture by this factor gives a new one.
 const GROWN: f64 = 1.05;
-
-/// Numbers of the recorded quantities.
-pub(super) const BASE_SHEAR: usize = 0;
-/// Moment about the y axis at the base.
-pub(super) const BASE_MOMENT: usize = 1;
-/// Elevation of the surface at the wall, θ = 0.
-pub(super) const WAVE_FRONT: usize = 2;
-/// The same at θ = π.
-pub(super) const WAVE_BACK: usize = 3;
-/// Radial displacement of the top of the wall, θ = 0.
-pub(super) const TOP_FRONT: usize = 4;
-/// Displacement along x of the wall's node that bulges most in the static state.
-pub(super) const BELLY_FRONT: usize = 5;
-
-/// [`TOP_FRONT`] and [`BELLY_FRONT`] at θ = π, outwards.
-pub(super) const TOP_BACK: usize = 6;
-/// See [`TOP_BACK`].
-pub(super) const BELLY_BACK: usize = 7;
 
 /// Smallest and largest value with their times.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -137,6 +119,9 @@ pub(crate) struct Seen {
     /// Waves around an imperfect wall.
     #[serde(default)]
     pub around: AroundSeen,
+    /// Two horizontal components.
+    #[serde(default)]
+    pub two: TwoSeen,
     /// Largest radial displacement of the wall at a sample, the static state included [m], and its time [s].
     pub displacement: (f64, f64),
 }
@@ -156,8 +141,10 @@ pub(crate) struct Watch<'a> {
     pub openings: Option<Openings>,
     /// Equations of the liquid's unknowns.
     unknowns: Vec<Option<usize>>,
-    /// cos θ of each wetted node.
-    cosine: Vec<f64>,
+    /// cos θ and sin θ of each wetted node.
+    directions: Vec<[f64; 2]>,
+    /// Columns of the fan of meridians with two horizontal components, but for the sides; none with one.
+    fan: Option<Vec<usize>>,
     /// Rise of each wetted particle under unit amplitudes.
     rise: Matrix,
     /// Failure of an element that was asked.
@@ -165,10 +152,10 @@ pub(crate) struct Watch<'a> {
 }
 
 impl<'a> Watch<'a> {
-    /// Watches with looks every `interval` [s].
+    /// Watches with looks every `interval` [s], `two` horizontal components or one.
     ///
     /// Errors: those of the elements.
-    pub(crate) fn new(tank: &'a CylinderModel, interval: f64) -> Result<Watch<'a>, AnalysisError> {
+    pub(crate) fn new(tank: &'a CylinderModel, interval: f64, two: bool) -> Result<Watch<'a>, AnalysisError> {
         let heights: Vec<f64> = tank.wetted.iter().map(|&n| tank.model.nodes()[n][2]).collect();
         let angles: Vec<f64> = tank
             .wetted
@@ -178,17 +165,27 @@ impl<'a> Watch<'a> {
                 y.atan2(x)
             })
             .collect();
+        let mut recorded = quantities(tank)?;
+        if two {
+            recorded.extend(two::quantities(tank)?);
+        }
+        let fan = two.then(|| two::fan(&tank.cells));
+        let others = fan.as_ref().map_or(0, Vec::len);
         Ok(Watch {
-            recorder: QuantityObserver::new(quantities(tank)?),
+            recorder: QuantityObserver::new(recorded),
             separation: SeparationCheck::new(tank.unit_weight, tank.depth, heights.clone()),
             unknowns: tank.liquid_unknowns(),
-            cosine: angles.iter().map(|t| t.cos()).collect(),
+            directions: angles.iter().map(|t| [t.cos(), t.sin()]).collect(),
+            fan,
             rise: rise(&tank.liquid, tank.gravity, tank.depth, &heights, &angles),
             openings: tank
                 .joints
                 .as_ref()
                 .map(|j| Openings::new(j.heights(), j.areas.clone())),
-            seen: Seen::default(),
+            seen: Seen {
+                two: TwoSeen::new(others),
+                ..Seen::default()
+            },
             tank,
             interval,
             failure: None,
@@ -216,27 +213,38 @@ impl<'a> Watch<'a> {
         found
     }
 
+    /// Section states of a cell, its hoop and its axial stress [Pa]: means of the points of each shell, sums over the shells.
+    fn cell(
+        &self,
+        now: &Instant<'_>,
+        gather: &mut Gather,
+        row: usize,
+        column: usize,
+    ) -> Result<(Vec<SectionState>, [f64; 2]), AnalysisError> {
+        let e = self.tank.wall.rows[row][column];
+        let element = &*self.tank.model.elements()[e];
+        let motion = gather.motion(&self.tank.model, &now.state.committed, element);
+        let states = element
+            .sections(motion, &now.state.old[now.state.history(e)])
+            .map_err(|source| AnalysisError::Element { number: e, source })?;
+        let thickness = self.tank.rows[row].thickness;
+        let stress = [0, 1].map(|i| sum(&states, |s| s.resultants[i]) / thickness);
+        Ok((states, stress))
+    }
+
     fn meridians(&mut self, now: &Instant<'_>) -> Result<(), AnalysisError> {
         let columns = self.tank.cells.columns();
         let opposite = if self.tank.cells.half { columns - 1 } else { columns / 2 };
         let mut gather = Gather::default();
-        for (side, column) in [0, opposite].into_iter().enumerate() {
+        let fan = self.fan.iter().flatten().copied();
+        let all: Vec<usize> = [0, opposite].into_iter().chain(fan).collect();
+        for (number, column) in all.into_iter().enumerate() {
             for row in 0..self.tank.cells.rows() {
-                let e = self.tank.wall.rows[row][column];
-                let element = &*self.tank.model.elements()[e];
-                let motion = gather.motion(&self.tank.model, &now.state.committed, element);
-                let states = element
-                    .sections(motion, &now.state.old[now.state.history(e)])
-                    .map_err(|source| AnalysisError::Element { number: e, source })?;
-                // Mean of the points of each shell, sum over the shells.
-                let points = 4.0;
-                let sum = |f: &dyn Fn(&fem::element::SectionState) -> f64| states.iter().map(f).sum::<f64>() / points;
-                let thickness = self.tank.rows[row].thickness;
-                let (hoop, axial) = (
-                    sum(&|s| s.resultants[0]) / thickness,
-                    sum(&|s| s.resultants[1]) / thickness,
-                );
-                let meridian = &mut self.seen.sides[side];
+                let (states, [hoop, axial]) = self.cell(now, &mut gather, row, column)?;
+                let meridian = match number.checked_sub(2) {
+                    None => &mut self.seen.sides[number],
+                    Some(other) => &mut self.seen.two.meridians[other],
+                };
                 if now.sample.is_some() {
                     let histories = [&mut meridian.hoop_history, &mut meridian.axial_history];
                     for (history, value) in histories.into_iter().zip([hoop, axial]) {
@@ -251,13 +259,32 @@ impl<'a> Watch<'a> {
                     }
                 }
                 if row == 0 && now.sample.is_some() {
-                    let shells = (states.len() as f64 / points).max(1.0);
-                    meridian.curvature.push(sum(&|s| s.strain[4]) / shells);
-                    meridian.moment.push(sum(&|s| s.resultants[4]));
+                    let shells = (states.len() as f64 / POINTS).max(1.0);
+                    meridian.curvature.push(sum(&states, |s| s.strain[4]) / shells);
+                    meridian.moment.push(sum(&states, |s| s.resultants[4]));
                     meridian.base_axial.push(axial);
                 }
             }
         }
+        Ok(())
+    }
+
+    /// Stresses of all cells, with two horizontal components.
+    fn stresses(&mut self, now: &Instant<'_>) -> Result<(), AnalysisError> {
+        if self.fan.is_none() {
+            return Ok(());
+        }
+        let cells = &self.tank.cells;
+        let mut gather = Gather::default();
+        let (mut hoop, mut axial) = (Vec::new(), Vec::new());
+        for row in 0..cells.rows() {
+            for column in 0..cells.columns() {
+                let (_, [around, along]) = self.cell(now, &mut gather, row, column)?;
+                hoop.push(around);
+                axial.push(along);
+            }
+        }
+        self.seen.two.stresses(cells, [&hoop, &axial], now.time);
         Ok(())
     }
 
@@ -281,8 +308,8 @@ impl<'a> Watch<'a> {
             self.unknowns.iter().map(at).collect()
         };
         let mut a = of(&fields.a);
-        for (a, c) in a.iter_mut().zip(&self.cosine) {
-            *a += c * now.ground[0];
+        for (a, [c, s]) in a.iter_mut().zip(&self.directions) {
+            *a += c * now.ground[0] + s * now.ground[1];
         }
         let u = of(&fields.u);
         let force = self.tank.liquid.forces(&a, &u);
@@ -301,23 +328,32 @@ impl<'a> Watch<'a> {
             own + vertical * (depth - heights[i])
         };
         let last = |k: usize| self.recorder.histories[k].last().copied().unwrap_or(0.0);
-        let lowest = last(WAVE_FRONT).min(last(WAVE_BACK)).min(0.0);
+        let sides = || last(WAVE_FRONT).min(last(WAVE_BACK));
+        let lowest = two::trough(&self.recorder).unwrap_or_else(sides).min(0.0);
         self.separation.see(now.time, pressure, |i| rises[i], lowest);
     }
 
     fn watch(&mut self, now: &Instant<'_>) -> Result<(), AnalysisError> {
         self.recorder.see(now);
+        if self.fan.is_some() {
+            self.seen.two.see(&self.recorder, now);
+        }
         if now.sample.is_none() {
             return Ok(());
         }
         self.meridians(now)?;
+        self.stresses(now)?;
         self.displacement(now);
         self.seen.around.see(self.tank, &now.state.committed.u, now.time);
         match (&self.tank.joints, &mut self.openings) {
             (Some(joints), Some(openings)) => openings.see(now.time, joints.look(&self.tank.model, now.state)),
             _ => self.pressures(now),
         }
-        let moment = self.recorder.histories[BASE_MOMENT].last().map_or(0.0, |m| m.abs());
+        let last = |k: usize| self.recorder.histories.get(k).and_then(|h| h.last()).copied();
+        let moment = match (last(BASE_MOMENT).unwrap_or(0.0), last(MOMENT_Y)) {
+            (along, None) => along.abs(),
+            (along, Some(across)) => along.hypot(across),
+        };
         let grown = self.seen.extreme.as_ref().is_some_and(|k| moment > GROWN * k.moment);
         if self.seen.rest.is_none() {
             let found = self.look(now);
@@ -382,66 +418,10 @@ impl Observe for Watch<'_> {
     }
 }
 
-/// Recorded quantities, those of half a tank doubled where they are sums.
-fn quantities(tank: &CylinderModel) -> Result<Vec<Quantity>, AnalysisError> {
-    let base: Vec<usize> = tank.footprint.levels[0]
-        .iter()
-        .flat_map(|&p| [Some(&tank.wall.inner), Some(&tank.wall.outer)].map(|l| l.and_then(|l| l.get(p)).copied()))
-        .flatten()
-        // The force of the liquid at the base of the wall goes into the ground there.
-        .chain(tank.wetted[..tank.footprint.levels[0].len()].iter().copied())
-        .collect();
-    let copies = tank.cells.copies();
-    let at_base = |field: [f64; KINDS]| {
-        let base = &base;
-        move |node: usize| match base.contains(&node) {
-            true => field.map(|v| copies * v),
-            false => [0.0; KINDS],
-        }
-    };
-    let rayleigh = |e: usize| -> Rayleigh { tank.rayleigh[tank.model.group_of(e)] };
-    let mut sideways = [0.0; KINDS];
-    sideways[Dof::Ux.index()] = 1.0;
-    let shear = Reaction::new(tank.problem(), "base shear", at_base(sideways), rayleigh)?;
-    let nodes = tank.model.nodes();
-    let turning = |node: usize| {
-        let mut field = [0.0; KINDS];
-        if base.contains(&node) {
-            field[Dof::Uz.index()] = -copies * nodes[node][0];
-            field[Dof::Ry.index()] = copies;
-        }
-        field
-    };
-    let moment = Reaction::new(tank.problem(), "base moment", turning, rayleigh)?;
-    let levels = &tank.footprint.levels;
-    let row = |name: &str, row| {
-        Quantity::Linear(Observable {
-            name: name.into(),
-            displacement: row,
-            ..Observable::default()
-        })
-    };
-    let at = |level: usize| tank.wall.inner[levels[level][0]];
-    let belly = levels.len() / 3;
-    // Half a wall has its last meridian at θ = π, a whole one its middle one.
-    let back = |level: usize| -> Vec<(usize, f64)> {
-        let around = &levels[level];
-        let opposite = if tank.cells.half {
-            around.len() - 1
-        } else {
-            around.len() / 2
-        };
-        let row = tank.model.row(tank.wall.inner[around[opposite]], Dof::Ux);
-        row.into_iter().map(|(e, c)| (e, -c)).collect()
-    };
-    Ok(vec![
-        Quantity::Reaction(shear),
-        Quantity::Reaction(moment),
-        row("wave at θ = 0°", tank.elevation(0.0)),
-        row("wave at θ = 180°", tank.elevation(std::f64::consts::PI)),
-        row("top of the wall", tank.model.row(at(levels.len() - 1), Dof::Ux)),
-        row("lower third of the wall", tank.model.row(at(belly), Dof::Ux)),
-        row("top of the wall, θ = 180°", back(levels.len() - 1)),
-        row("lower third of the wall, θ = 180°", back(belly)),
-    ])
+/// Integration points of a cell of one shell.
+const POINTS: f64 = 4.0;
+
+/// Mean over the points of each shell, sum over the shells.
+fn sum(states: &[SectionState], of: impl Fn(&SectionState) -> f64) -> f64 {
+    states.iter().map(of).sum::<f64>() / POINTS
 }

@@ -129,6 +129,35 @@ fn harmonic_liquid() {
     }
 }
 
+/// What a motion turned by a quarter of the circle does to the sine, the motion does to the cosine: rounding of sums of some ten
+/// terms, 1e-12.
+#[test]
+fn a_turned_motion_lifts_the_sine() {
+    let (sectors, heights) = (8, [0.0, 0.5, 1.0, DEPTH]);
+    let mesh = LiquidMesh::graded(RADIUS, DEPTH, 1.0);
+    let liquid = HarmonicLiquid::new(RADIUS, DENSITY, GRAVITY, sectors, &heights, &mesh, 1).unwrap();
+    let whole = CondensedLiquid::of_harmonic(&liquid);
+    let rim = whole.rim.iter().find(|rim| rim.harmonic == 1).unwrap();
+    let own: Vec<usize> = liquid.blocks.iter().map(|b| b.elevations(heights.len())).collect();
+    let motion = |turned: bool| {
+        let back = if turned { sectors / 4 } else { 0 };
+        let w = |level: usize, k: usize| ((3 * level + 5 * ((k + sectors - back) % sectors)) as f64).sin();
+        let mut x: Vec<f64> = (0..heights.len())
+            .flat_map(|l| (0..sectors).map(move |k| w(l, k)))
+            .collect();
+        x.resize(whole.mass.rows, 0.0);
+        let first = whole.wall + own[0] + if turned { own[1] } else { 0 };
+        (0..own[1]).for_each(|i| x[first + i] = (0.7 * i as f64).cos());
+        x
+    };
+    let (cosine, sine) = (
+        crate::linalg::dot(&rim.row, &motion(false)),
+        crate::linalg::dot(&rim.sine, &motion(true)),
+    );
+    assert!((sine / cosine - 1.0).abs() < 1e-12, "{sine} {cosine}");
+    assert!(whole.rim[0].sine.is_empty());
+}
+
 /// Half of a liquid has half the energy of every motion that is symmetric, and its rim rises as the whole one does.
 #[test]
 fn symmetric_half() {
