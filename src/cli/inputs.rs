@@ -24,7 +24,7 @@ pub(crate) struct Inputs {
     /// Horizontal ground acceleration: CSV, two-column text or PEER .AT2.
     #[arg(long, value_name = "RECORD")]
     pub quake: Option<PathBuf>,
-    /// Second horizontal ground acceleration, along y (θ = 90°), of a cylinder; scaled with the factor of --quake.
+    /// Second horizontal ground acceleration, along y (θ = 90°), of a cylinder or of a box with --fe solid; scaled with the factor of --quake.
     #[arg(long, value_name = "RECORD", requires = "quake")]
     pub quake_y: Option<PathBuf>,
     /// Vertical ground acceleration; scaled with the factor of the horizontal one.

@@ -20,6 +20,7 @@ use tank::case::GroundMotion;
 use tank::demand::Demands;
 use tank::{Shape, Support};
 
+pub(crate) use around::Across;
 use around::Around;
 
 use analysis::{Analysis, LineExtremes, analyse};
@@ -56,6 +57,11 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
     };
     let vertical = motion.is_some_and(|m| m.vertical.is_some());
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
+    if !round && motion.is_some_and(|m| m.transverse.is_some()) {
+        return Err(FeError::Unsupported(
+            "--quake-y: the harmonic engine has no walls along y of a rectangular tank; use --fe solid".into(),
+        ));
+    }
     progress.stage("wall, liquid and modes", 1);
     // The two meshes share nothing and are computed in parallel.
     let (first, other) = std::thread::scope(|scope| {
@@ -86,6 +92,7 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
                 engine: EngineId::Harmonic,
                 model: &model,
                 direct: None,
+                across: None,
             };
             complete(case, options, &linear, progress)
         });
@@ -117,10 +124,9 @@ pub(crate) fn checked_motion(case: &Case) -> Result<&GroundMotion, FeError> {
     check_record("horizontal record", &motion.horizontal)?;
     if let Some(transverse) = &motion.transverse {
         check_record("record along y", transverse)?;
-        if !matches!(case.tank.shape, Shape::Cylinder { .. }) {
+        if matches!(case.tank.shape, Shape::Rectangle { strip: true, .. }) {
             return Err(FeError::Unsupported(
-                "--quake-y: two horizontal components are for cylinders; run a rectangular tank in each direction"
-                    .into(),
+                "--quake-y: a strip has no walls across the other direction; remove --quake-y".into(),
             ));
         }
     }
@@ -179,6 +185,8 @@ pub(crate) struct Linear<'a> {
     pub model: &'a Model,
     /// Its own direct integration, for horizontal motion.
     pub direct: Option<&'a dyn Direct>,
+    /// Motion along y of a box.
+    pub across: Option<Across<'a>>,
 }
 
 /// The run on the requested mesh, with everything that is reported.
@@ -246,12 +254,15 @@ fn report(
                 .into(),
         );
     }
-    let around = Around::of(model, motion, options, &analysis)?;
+    let around = Around::of(model, linear.across, motion, options, &analysis)?;
     notes.extend(Around::notes(motion));
     notes.extend(model.horizontal.impulsive().and_then(|found| found.note()));
     notes.extend(waves::note(analysis.wave(), options.wave_modes, &analysis.waves));
     let coupled = &model.horizontal.coupled;
-    let demands = demands::demands(case, model, &analysis, motion)?;
+    let mut demands = demands::demands(case, model, &analysis, motion)?;
+    if let Some(second) = linear.across {
+        demands::across(&mut demands, (model, second.model), motion, options)?;
+    }
     let mut histories = histories(motion, &analysis);
     if let Some(around) = &around {
         around.add(&mut histories);

@@ -29,16 +29,25 @@ fn plates(task: &Task<'_>) -> Option<Refusal> {
     Some(refusal.help("use --fe solid"))
 }
 
-/// A rectangular tank has walls of its own along y.
-fn across_a_box(task: &Task<'_>) -> Option<Refusal> {
+/// A rectangular tank has walls of its own along y, which only three dimensions have; a strip has none.
+fn across_a_box(task: &Task<'_>, engine: EngineId) -> Option<Refusal> {
     let shaken = task.case.ground_motion.as_ref().is_some_and(|m| m.transverse.is_some());
-    let round = matches!(task.case.tank.shape, Shape::Cylinder { .. });
-    (shaken && !round).then(|| {
-        let message = "--quake-y: two horizontal components are for cylinders";
-        Refusal::new(Place::Transverse, message, "\"cylinder\"")
-            .help("remove --quake-y and run a rectangular tank in each direction, length and breadth exchanged")
-    })
+    let (message, help) = match task.case.tank.shape {
+        _ if !shaken => return None,
+        Shape::Cylinder { .. } => return None,
+        Shape::Rectangle { strip: true, .. } => (
+            "--quake-y: a strip has no walls across the other direction",
+            "remove --quake-y",
+        ),
+        Shape::Rectangle { .. } if engine == EngineId::Solid => return None,
+        Shape::Rectangle { .. } => (
+            "--quake-y: this engine has no walls along y of a rectangular tank",
+            "use --fe solid, or remove --quake-y",
+        ),
+    };
+    Some(Refusal::new(Place::Transverse, message, "a cylinder, or a box with --fe solid").help(help))
 }
+
 /// Note of an engine that computes the perfect tank beside imperfections.
 const PERFECT: &str = "analysis.imperfections is not used here: harmonics of a shell of revolution are independent of each other, and \
     the engine computes the perfect cylinder; use --fe solid or --fe nonlinear for the imperfect one.";
@@ -62,7 +71,10 @@ impl Engine for Harmonic {
     }
 
     fn refuses(&self, task: &Task<'_>) -> Vec<Refusal> {
-        across_a_box(task).into_iter().chain(plates(task)).collect()
+        across_a_box(task, EngineId::Harmonic)
+            .into_iter()
+            .chain(plates(task))
+            .collect()
     }
 
     fn stops(&self) -> bool {
@@ -93,7 +105,7 @@ impl Engine for Solid {
     fn refuses(&self, task: &Task<'_>) -> Vec<Refusal> {
         let mut all = solid::refused(task.case, task.solid);
         all.extend(solid::unresolved(task));
-        all.extend(across_a_box(task));
+        all.extend(across_a_box(task, EngineId::Solid));
         all.extend(across_imperfections(task));
         all
     }

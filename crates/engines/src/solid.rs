@@ -7,6 +7,7 @@ mod around;
 mod coupling;
 mod direct;
 mod estimate;
+mod exchanged;
 mod fields;
 mod form;
 mod loaded;
@@ -14,6 +15,7 @@ mod memory;
 pub(crate) mod mesh;
 mod mirror;
 pub mod model;
+mod modes;
 mod moments;
 mod plan;
 mod poles;
@@ -30,8 +32,9 @@ mod waves;
 
 pub use estimate::estimate;
 pub use model::refused;
+pub use modes::{modes, most_waves};
 pub(crate) use run::unresolved;
-pub use run::{modes, most_waves, respond, simulate};
+pub use run::{respond, simulate};
 pub use tank::options::solid::{Liquid, MeshSize, MeshSizeError, SolidOptions};
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Two horizontal components of the ground motion at the same time on a cylinder.
+//! Two horizontal components of the ground motion at the same time, on a cylinder and on a box.
 //!
 //! The tank moves under the component along y as under that along x, turned by 90°: the same harmonic m = 1 with another record,
 //!
@@ -6,60 +6,47 @@
 //! value(θ, t) = even(t) + X(t) cos θ + Y(t) sin θ        largest over θ: even + √(X² + Y²) at tan θ = Y/X
 //! ```
 //!
+//! A box has walls of its own along y: its motion along y is that along x of the box with length and breadth exchanged, turned by 90°. A
+//! motion along x is even about the plane y = 0, one along y odd, and so the other way round:
+//!
+//! ```text
+//! middle of a wall         one of the two, the other is 0
+//! corner (±, ±)            ± X ± Y        waves, horizontal moments of the walls; every sign is at one of the four corners
+//! forces and moments       √(X² + Y²)
+//! ```
+//!
 //! X is the response to a_x, Y that to a_y, even that to the vertical record. The direction of an extreme is that of the sub-step at
 //! which it is found; its value is the extreme of the response in that direction, between the sub-steps as well. A direction that
 //! turns within a sub-step makes it too small by 0.3 % at most with 20 sub-steps in a period: with half a sub-step ω h/2 ≤ π/20 and
 //! an elliptical orbit of axes a > b, Δθ ≤ (b/a) π/20, and 1 − h(θ + Δθ)/h(θ) ≤ (1 − b²/a²) (b²/a²) (π/20)²/2.
 
+mod items;
+mod meet;
+
 use std::f64::consts::TAU;
 
 use fem::progress::Silent;
-use results::channel::{OnBase, OnWall, Side};
+use results::channel::{OnWall, Side};
 use results::{Channel, Directional, SeriesInfo};
 use tank::case::GroundMotion;
 use tank::demand::Peak;
 use tank::options::LinearOptions;
 use tank::options::linear::Integrator;
 
+pub(crate) use meet::Across;
+
 use super::analysis::Analysis;
 use super::demands::{MOST_INSTANTS, combine};
-use super::model::{Harmonic, Model};
+use super::model::Model;
+use items::{Item, items, on_base};
+use meet::{CORNERS, Meet, at_corners, extreme_directions, lines, opposite};
+
 use crate::FeError;
 use crate::histories::Histories;
-use crate::probe::Probe;
 use crate::response::direct::{self, DirectSystem};
 use crate::response::motion::Motion;
 use crate::response::observe::{Extreme, Observed};
 use crate::response::superpose::{self, Combined, ModalSystem, Observable};
-
-/// Numbers of the systems of the joint response: m = 1 along x, m = 1 along y, m = 0.
-const ALONG: usize = 0;
-const ACROSS: usize = 1;
-const UPWARDS: usize = 2;
-
-/// A quantity that goes around the tank.
-#[derive(Clone, Copy)]
-struct Item<'a> {
-    channel: Channel,
-    odd: &'a Probe,
-    even: Option<&'a Probe>,
-}
-
-impl<'a> Item<'a> {
-    /// The response in the direction (c, s).
-    fn towards(&self, (c, s): (f64, f64)) -> Observable<'a> {
-        let mut terms = vec![(ALONG, c, self.odd), (ACROSS, s, self.odd)];
-        terms.extend(self.even.map(|even| (UPWARDS, 1.0, even)));
-        terms
-    }
-
-    /// The response to the component along y at θ = 90° (or 270°).
-    fn across(&self, sign: f64) -> Observable<'a> {
-        let mut terms = vec![(ACROSS, sign, self.odd)];
-        terms.extend(self.even.map(|even| (UPWARDS, 1.0, even)));
-        terms
-    }
-}
 
 /// Extremes of a quantity over time and circumference.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,6 +59,8 @@ pub(crate) struct Ends {
     across: f64,
     /// Largest value under the motion along y.
     rise_across: f64,
+    /// Largest absolute value and largest value under the motion along x.
+    along: (f64, f64),
 }
 
 impl Ends {
@@ -101,11 +90,12 @@ pub(crate) struct Around {
 }
 
 impl Around {
-    /// None without a component along y.
+    /// None without a component along y. A box has a model of its own for it, `second`.
     ///
     /// Errors: a response that is not finite.
     pub(crate) fn of(
         model: &Model,
+        second: Option<Across<'_>>,
         motion: &GroundMotion,
         options: &LinearOptions,
         analysis: &Analysis<'_>,
@@ -113,23 +103,27 @@ impl Around {
         if motion.transverse.is_none() {
             return Ok(None);
         }
-        let items = items(model);
-        let directions = directions(model, motion, analysis, &items)?;
+        let items = items(model, second);
+        let other = second.map_or(model, |second| second.model);
+        let directions = directions((model, other), motion, options, analysis, &items)?;
         let histories: Vec<(Channel, Observable<'_>)> = items.iter().flat_map(across).collect();
         let scalars: Vec<Observable<'_>> = histories.iter().map(|(_, o)| o.clone()).collect();
         let mut others = Vec::new();
         for (item, &[max, min]) in items.iter().zip(&directions) {
             others.extend([max, opposite(max), min, opposite(min)].map(|direction| item.towards(direction)));
             others.extend([1.0, -1.0].map(|sign| item.across(sign)));
+            others.extend([1.0, -1.0].map(|sign| item.along(sign)));
         }
-        let observed = respond(model, motion, options, analysis, &scalars, &others)?;
-        let ends: Vec<Ends> = (observed.extremes.chunks(6).zip(&directions))
-            .map(|(found, directions)| ends(found, *directions))
+        let observed = respond((model, other), motion, options, analysis, &scalars, &others)?;
+        let ends: Vec<Ends> = (observed.extremes.chunks(8).zip(&directions).zip(&items))
+            .map(|((found, directions), item)| ends(found, *directions, item.stretch))
             .collect();
+        let wave = of_channel(&items, &ends, Channel::Wave(Side::Front)).map(|e| e.max);
+        let corner = items.iter().position(Item::is_corner_wave).map(|i| ends[i].max);
         Ok(Some(Around {
             columns: columns(analysis, &items, &ends, &histories, observed),
             results: results(analysis, &items, &ends),
-            wave: of_channel(&items, &ends, Channel::Wave(Side::Front)).map(|e| e.max),
+            wave: corner.or(wave),
             axial: of_channel(&items, &ends, Channel::Base(OnWall::Axial)).map(|e| e.max),
             suction: on_line(&items, &ends, OnWall::Pressure).map(|(_, e)| e.min).collect(),
         }))
@@ -173,56 +167,33 @@ impl Around {
     }
 }
 
-/// Everything that is observed: scalars but for the gauges, which lie along x, hoop stress and pressure over the height.
-fn items(model: &Model) -> Vec<Item<'_>> {
-    let coupled = &model.horizontal.coupled;
-    let gauge = |probe: &&Probe| !matches!(probe.channel, Channel::WaveAt { .. });
-    let even = |probe: &Probe| {
-        let of = |v: &'_ Harmonic| v.coupled.probes.iter().position(|p| p.channel == probe.channel);
-        let vertical = model.vertical.as_ref()?;
-        Some(&vertical.coupled.probes[of(vertical)?])
-    };
-    let mut all: Vec<Item<'_>> = (coupled.probes.iter().filter(gauge))
-        .map(|odd| Item {
-            channel: odd.channel,
-            odd,
-            even: even(odd),
-        })
-        .collect();
-    for what in [OnWall::Hoop, OnWall::Pressure] {
-        let Some(line) = coupled.line(what) else { continue };
-        let upwards = model.vertical.as_ref().and_then(|v| v.coupled.line(what));
-        let upwards = upwards.filter(|same| same.z == line.z);
-        for (i, (odd, &z)) in line.probes.iter().zip(&line.z).enumerate() {
-            all.push(Item {
-                channel: Channel::Largest { what, z },
-                odd,
-                even: upwards.map(|same| &same.probes[i]),
-            });
-        }
-    }
-    all
-}
-
 /// Directions (cos θ, sin θ) of the largest and the smallest value of each quantity, at the instants of the sub-steps.
 fn directions(
-    model: &Model,
+    (model, other): (&Model, &Model),
     motion: &GroundMotion,
+    options: &LinearOptions,
     analysis: &Analysis<'_>,
     items: &[Item<'_>],
 ) -> Result<Vec<[(f64, f64); 2]>, FeError> {
     let grid = model.grid(motion, Integrator::Modal)?;
     let stride = grid.steps().div_ceil(MOST_INSTANTS).max(1);
     let odd = items.iter().map(|item| vec![(0, 1.0, item.odd)]);
+    let turned: Vec<Observable<'_>> = items.iter().map(|item| vec![(0, 1.0, item.across)]).collect();
     let even = items
         .iter()
         .map(|item| item.even.map_or_else(Vec::new, |e| vec![(1, 1.0, e)]));
     let observables: Vec<Observable<'_>> = odd.chain(even).collect();
-    let of = |record| {
-        let records = (record, motion.vertical.as_ref());
-        combine(model, analysis, records, (grid, stride), &observables)
+    let records = (&motion.horizontal, motion.vertical.as_ref());
+    let along = combine(model, &analysis.kept, records, (grid, stride), &observables)?;
+    let kept = [superpose::keep(
+        &other.horizontal.modes,
+        &other.damper,
+        options.wave_modes,
+    )];
+    let across = match &motion.transverse {
+        Some(record) => Some(combine(other, &kept, (record, None), (grid, stride), &turned)?),
+        None => None,
     };
-    let (along, across) = (of(&motion.horizontal)?, motion.transverse.as_ref().map(of).transpose()?);
     let count = grid.steps() / stride + 1;
     let history = |from: Option<&Combined>, number: usize| -> Vec<f64> {
         let mut out = vec![0.0; count];
@@ -236,34 +207,14 @@ fn directions(
     };
     let found = (0..items.len()).map(|i| {
         let (x, y) = (history(Some(&along), i), history(across.as_ref(), i));
-        extreme_directions(&x, &y, &history(Some(&along), items.len() + i))
+        extreme_directions(items[i].meet, &x, &y, &history(Some(&along), items.len() + i))
     });
     Ok(found.collect())
 }
 
-/// Where even + X cos θ + Y sin θ is largest and smallest over time and θ.
-fn extreme_directions(x: &[f64], y: &[f64], even: &[f64]) -> [(f64, f64); 2] {
-    let (mut highest, mut lowest) = (f64::NEG_INFINITY, f64::INFINITY);
-    let mut directions = [(1.0, 0.0), (-1.0, 0.0)];
-    for ((&x, &y), &even) in x.iter().zip(y).zip(even) {
-        let size = x.hypot(y);
-        if size == 0.0 {
-            continue;
-        }
-        let towards = (x / size, y / size);
-        if even + size > highest {
-            (highest, directions[0]) = (even + size, towards);
-        }
-        if even - size < lowest {
-            (lowest, directions[1]) = (even - size, (-towards.0, -towards.1));
-        }
-    }
-    directions
-}
-
 /// The joint response by the integrator of the run.
 fn respond(
-    model: &Model,
+    (model, other): (&Model, &Model),
     motion: &GroundMotion,
     options: &LinearOptions,
     analysis: &Analysis<'_>,
@@ -278,40 +229,44 @@ fn respond(
     let grid = model.grid(motion, options.integrator)?;
     let motions: Vec<Motion> = records.into_iter().flatten().map(|r| Motion::new(r, &grid)).collect();
     let motions: Vec<&Motion> = motions.iter().collect();
-    let systems = || std::iter::once((0, &model.horizontal)).chain(model.systems().enumerate());
+    let upwards = model.vertical.as_ref().map(|vertical| (vertical, &model.damper));
+    let systems = || {
+        let along = [(&model.horizontal, &model.damper), (&other.horizontal, &other.damper)];
+        along.into_iter().chain(upwards)
+    };
     match options.integrator {
         Integrator::Modal => {
+            let turned = superpose::keep(&other.horizontal.modes, &other.damper, options.wave_modes);
+            let kept = [analysis.kept.first().cloned().unwrap_or_default(), turned];
+            let kept = kept.into_iter().chain(analysis.kept.get(1).cloned());
             let systems = systems()
-                .map(|(number, h)| ModalSystem::new(&h.coupled, analysis.kept[number].clone(), &model.damper))
+                .zip(kept)
+                .map(|((h, damper), kept)| ModalSystem::new(&h.coupled, kept, damper))
                 .collect::<Result<Vec<ModalSystem<'_>>, FeError>>()?;
             superpose::respond(&systems, &motions, grid, scalars, others, &Silent)
         }
         Integrator::Newmark => {
             let systems: Vec<DirectSystem<'_>> = systems()
-                .map(|(_, h)| DirectSystem::new(&h.coupled, &h.modes, &model.damper))
+                .map(|(h, damper)| DirectSystem::new(&h.coupled, &h.modes, damper))
                 .collect();
             direct::respond(&systems, &motions, grid, scalars, others, &Silent).map(|(observed, _)| observed)
         }
     }
 }
 
-/// The other end of a diameter.
-fn opposite((c, s): (f64, f64)) -> (f64, f64) {
-    (-c, -s)
-}
-
 /// Extremes from those at both ends of the diameters of the largest and of the smallest value, and at θ = 90° and 270° under the
 /// motion along y.
-fn ends(found: &[Extreme], [max, min]: [(f64, f64); 2]) -> Ends {
+fn ends(found: &[Extreme], [max, min]: [(f64, f64); 2], stretch: [f64; 2]) -> Ends {
     let directions = [max, opposite(max), min, opposite(min)];
     let mut ends = Ends {
         max: Peak::default(),
         min: Peak::default(),
         across: found[4].peak().0.max(found[5].peak().0),
         rise_across: found[4].max.max(found[5].max),
+        along: (found[6].peak().0.max(found[7].peak().0), found[6].max.max(found[7].max)),
     };
     for (extreme, (c, s)) in found.iter().zip(directions) {
-        let theta = s.atan2(c).rem_euclid(TAU);
+        let theta = (s * stretch[1]).atan2(c * stretch[0]).rem_euclid(TAU);
         if extreme.max > ends.max.value {
             (ends.max.value, ends.max.time, ends.max.theta) = (extreme.max, extreme.max_time, theta);
         }
@@ -338,11 +293,6 @@ fn on_line<'a>(items: &'a [Item<'_>], ends: &'a [Ends], of: OnWall) -> impl Iter
         })
 }
 
-/// The force or moment on the base of a channel.
-fn on_base(channel: Channel) -> Option<OnBase> {
-    OnBase::ALL.into_iter().find(|what| what.along() == channel)
-}
-
 /// Histories of the component along y, with their channels.
 fn across<'a>(item: &Item<'a>) -> Vec<(Channel, Observable<'a>)> {
     let one = |channel: Channel| vec![(channel, item.across(1.0))];
@@ -352,6 +302,13 @@ fn across<'a>(item: &Item<'a>) -> Vec<(Channel, Observable<'a>)> {
             (Channel::WaveAround { degrees }, item.across(1.0)),
             (Channel::WaveAround { degrees: 270.0 }, item.across(-1.0)),
         ],
+        // At the corners: x and y together.
+        Channel::WaveAround { degrees } if item.meet == Meet::Corners => {
+            let corners = at_corners(degrees).into_iter().zip(CORNERS);
+            corners
+                .map(|(degrees, corner)| (Channel::WaveAround { degrees }, item.towards(corner)))
+                .collect()
+        }
         Channel::Base(what) => one(Channel::BaseAtAngle { what, degrees }),
         Channel::At { what, z } => one(Channel::AtAngle { what, z, degrees }),
         channel => on_base(channel).map_or_else(Vec::new, |what| one(Channel::Y(what))),
@@ -390,8 +347,17 @@ fn columns(
             let info = SeriesInfo::of(Channel::Resultant(what), 0.0, (peak.value, peak.time));
             resultants.push((info, values));
         }
+        if let (Meet::Corners, Channel::WaveAround { degrees }) = (item.meet, item.channel) {
+            let corners = at_corners(degrees).map(|degrees| turned(Channel::WaveAround { degrees }));
+            let count = corners[0].map_or(0, Vec::len);
+            let largest = |k: usize| corners.iter().flatten().map(|c| c[k]).fold(f64::NEG_INFINITY, f64::max);
+            let peak = (ends.max.value, ends.max.time);
+            let values = (0..count).map(largest).collect();
+            resultants.push((SeriesInfo::of(Channel::WaveLargest, 0.0, peak), values));
+        }
         let sides = Side::BOTH.map(|side| along(Channel::Wave(side)).map(|(_, values)| values));
-        if let (Channel::Wave(_), [Some(front), Some(back)]) = (item.channel, sides) {
+        let round = item.meet == Meet::Everywhere;
+        if let (true, Channel::Wave(_), [Some(front), Some(back)]) = (round, item.channel, sides) {
             let y = turned(Channel::WaveAround { degrees: 90.0 });
             let value = |((front, back), y): ((&f64, &f64), &f64)| {
                 let (even, x) = (0.5 * (front + back), 0.5 * (front - back));
@@ -415,6 +381,18 @@ fn results(analysis: &Analysis<'_>, items: &[Item<'_>], ends: &[Ends]) -> Vec<Di
         if let Channel::Largest { .. } = channel {
             continue;
         }
+        if item.is_corner_wave() {
+            let title = "Wave height at the corners".to_owned();
+            let rises = (ends.along.1, ends.rise_across);
+            out.push(directional(
+                ("wave_height_corner".into(), title),
+                channel,
+                None,
+                rises,
+                ends.max,
+            ));
+            continue;
+        }
         let Some(sides) = analysis.sides(channel) else { continue };
         let (id, title, z, found, (x, y)) = match channel {
             // Of the wave only the rise counts, as in the comparison.
@@ -434,7 +412,8 @@ fn results(analysis: &Analysis<'_>, items: &[Item<'_>], ends: &[Ends]) -> Vec<Di
         };
         out.push(directional((id, title), channel, z, (x, y), found));
     }
-    for what in [OnWall::Hoop, OnWall::Pressure] {
+    let boxed = items.iter().any(|item| item.meet == Meet::Corners);
+    for what in lines(boxed) {
         let larger = |best: Option<(f64, Ends, f64)>, next: (f64, Ends, f64)| match best {
             Some(best) if best.1.largest().value >= next.1.largest().value => Some(best),
             _ => Some(next),

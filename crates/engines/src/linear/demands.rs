@@ -13,11 +13,13 @@ use tank::{Case, Shape};
 use super::analysis::Analysis;
 use super::model::{Harmonic, Model};
 use crate::FeError;
+use crate::modes::CoupledMode;
 use crate::probe::{Probe, ProbeLine};
 use crate::response::motion::{Grid, Motion};
 use crate::response::superpose::{self, Combined, ModalSystem, Observable};
 use results::Channel;
 use results::channel::{OnWall, Side};
+use tank::options::LinearOptions;
 use tank::options::linear::Integrator;
 
 /// Most instants of the kept histories; of a longer run every second, third … sub-step is kept.
@@ -83,10 +85,12 @@ pub(crate) fn demands(
     let slots = places(case, model, &mut wanted);
     let of = |record| {
         let records = (record, motion.vertical.as_ref());
-        combine(model, analysis, records, (grid, stride), &wanted.observables)
+        combine(model, &analysis.kept, records, (grid, stride), &wanted.observables)
     };
     let Combined { states, terms } = of(&motion.horizontal)?;
-    let transverse = motion.transverse.as_ref().map(of).transpose()?;
+    // The walls of a box along y are others: its part along y is added by `across`.
+    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
+    let transverse = motion.transverse.as_ref().filter(|_| round).map(of).transpose()?;
     let take = |i: usize| -> Terms { terms[i].clone() };
     let on_wall = |slot: &Slot| Stress {
         rest: slot.rest,
@@ -121,20 +125,62 @@ pub(crate) fn demands(
     })
 }
 
+/// Adds the part along y of the forces on the base of a box, whose motion along y is that along x of `other`, to its demands.
+///
+/// Errors: a response that is not finite.
+pub(crate) fn across(
+    demands: &mut Demands,
+    (model, other): (&Model, &Model),
+    motion: &GroundMotion,
+    options: &LinearOptions,
+) -> Result<(), FeError> {
+    let Some(record) = &motion.transverse else {
+        return Ok(());
+    };
+    let grid = model.grid(motion, Integrator::Modal)?;
+    let stride = grid.steps().div_ceil(MOST_INSTANTS).max(1);
+    let kept = [superpose::keep(
+        &other.horizontal.modes,
+        &other.damper,
+        options.wave_modes,
+    )];
+    let forces = [
+        (Channel::BaseShear, &mut demands.base_shear),
+        (Channel::OverturningMoment, &mut demands.overturning_moment),
+    ];
+    for (channel, terms) in forces {
+        let (Some(own), Some(probe)) = (terms.as_ref(), other.horizontal.coupled.probe(channel)) else {
+            continue;
+        };
+        let found = combine(other, &kept, (record, None), (grid, stride), &[vec![(0, 1.0, probe)]])?;
+        let sum = |terms: &Terms, states: &[Vec<f64>]| -> Vec<f64> {
+            let value = |k: usize| terms.iter().map(|&(state, factor)| factor * states[state][k]).sum();
+            (0..demands.times.len()).map(value).collect()
+        };
+        let (along, across) = (sum(own, &demands.states), sum(&found.terms[0], &found.states));
+        // A state of its own under either record.
+        demands.transverse.resize(demands.states.len(), Vec::new());
+        *terms = Some(vec![(demands.states.len(), 1.0)]);
+        demands.states.push(along);
+        demands.transverse.push(across);
+    }
+    Ok(())
+}
+
 /// The observables as combinations of modal states under a horizontal record and the vertical one. Which states they combine does
 /// not depend on the records.
 ///
 /// Errors: a response that is not finite.
 pub(crate) fn combine(
     model: &Model,
-    analysis: &Analysis<'_>,
+    kept: &[Vec<&CoupledMode>],
     (horizontal, vertical): (&Record, Option<&Record>),
     (grid, stride): (Grid, usize),
     observables: &[Observable<'_>],
 ) -> Result<Combined, FeError> {
     let systems = model
         .systems()
-        .zip(&analysis.kept)
+        .zip(kept)
         .map(|(h, kept)| ModalSystem::new(&h.coupled, kept.clone(), &model.damper))
         .collect::<Result<Vec<ModalSystem>, FeError>>()?;
     let records = std::iter::once(horizontal).chain(vertical);

@@ -164,7 +164,9 @@ impl Model {
             observable,
         };
         let mut scalars = Vec::new();
-        for probe in &coupled.probes {
+        // A corner of a box has histories of both components together alone.
+        let corner = |probe: &&Probe| matches!(probe.channel, Channel::WaveAround { .. });
+        for probe in coupled.probes.iter().filter(|probe| !corner(probe)) {
             scalars.push(scalar(probe, probe.channel, self.observable(probe, false)));
             // The wave at θ = 180° has a separate history.
             if let Channel::Wave(Side::Front) = probe.channel {

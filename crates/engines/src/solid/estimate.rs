@@ -191,6 +191,14 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
             steps = direct;
         }
     }
+    // A box along y is a model of its own, built before the other.
+    let two = case
+        .ground_motion
+        .as_ref()
+        .is_some_and(|motion| motion.transverse.is_some());
+    if two && matches!(case.tank.shape, Shape::Rectangle { .. }) {
+        seconds *= 2.0;
+    }
     Ok(Estimate {
         run: RUN,
         size: format!("{} elements, {n:.0} unknowns", division.size()),

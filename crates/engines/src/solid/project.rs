@@ -7,14 +7,15 @@ use fem::dofs::Dof;
 use fem::linalg::{Matrix, dot};
 use results::Channel;
 use results::channel::{OnWall, Side};
-use tank::Case;
 use tank::options::LinearOptions as Options;
+use tank::{Case, Shape};
 
 use super::model::TankModel;
 use super::rows::{Observer, Resultant, Row, sparse_dot};
 use super::system::System;
 use crate::FeError;
 use crate::coupled::{ShapeRows, SparseRow};
+use crate::linear::Across;
 use crate::probe::{ModeSelection, Probe, ProbeLine};
 
 /// Stresses over the height.
@@ -111,6 +112,18 @@ impl Projector<'_> {
             row.displacement.extend(above.displacement);
             let what = OnWall::Displacement;
             probes.push(self.displacement(Probe::new(Channel::At { what, z }), &row));
+        }
+        let two = case
+            .ground_motion
+            .as_ref()
+            .is_some_and(|motion| motion.transverse.is_some());
+        if let (true, Shape::Rectangle { length, breadth, .. }) = (two, case.tank.shape) {
+            let degrees = Across::corner([0.5 * length, 0.5 * breadth]);
+            let probe = Probe {
+                modes: ModeSelection::FirstSloshing(options.wave_modes),
+                ..Probe::new(Channel::WaveAround { degrees })
+            };
+            probes.push(self.probe(probe, &self.observer.corner_elevation()));
         }
         Ok(probes)
     }

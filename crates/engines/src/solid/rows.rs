@@ -141,6 +141,18 @@ impl Observer<'_> {
         Row::of_displacement(out)
     }
 
+    /// Wave height at the corner x, y > 0 of a rectangle: the highest node numbers in both directions of the surface's grid.
+    pub(super) fn corner_elevation(&self) -> Row {
+        let Some(&node) = self.tank.volume.surface_nodes.last() else {
+            return Row::default();
+        };
+        let dof = match self.tank.model.dofs().equation(node, Dof::Eta) {
+            Some(_) => Dof::Eta,
+            None => Dof::Uz,
+        };
+        Row::of_displacement(self.row(node, dof))
+    }
+
     /// Radial displacement of the wall at a level of its nodes.
     pub(super) fn radial_displacement(&self, level: usize) -> Row {
         Row::of_displacement(self.row(self.tank.wall.rows[level][0], Dof::Ux))

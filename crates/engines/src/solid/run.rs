@@ -2,20 +2,19 @@
 
 use std::collections::BTreeMap;
 
-use fem::linalg::dot;
 use fem::progress::Progress;
 use tank::Case;
 use tank::Shape;
 use tank::case::GroundMotion;
 
 use super::direct::OwnUnknowns;
+use super::exchanged::{TWO_DIRECTIONS, exchanged};
 use super::fields;
 use super::mesh::Division;
 use super::model::{self, TankModel};
 use super::moments::Histories;
 use super::poles::{VECTORS, poles};
 use super::reduce::{self, Space};
-use super::rows::{Observer, Row, sparse_dot};
 use super::spectrum::{self, TankMode};
 use super::system::System;
 use super::{around, coupling};
@@ -26,11 +25,11 @@ use crate::engine::Task;
 use crate::linear::analysis::analyse;
 use crate::linear::mesh_error::{self, Second, SecondMesh};
 use crate::linear::model::{Harmonic, Model};
-use crate::linear::{Linear, checked_motion, complete, tilt};
+use crate::linear::{Across, Linear, checked_motion, complete, tilt};
 use crate::modes::{CoupledMode, Kind, solve};
 use crate::{FeError, Simulation};
 use results::channel::Side;
-use results::{Channel, EngineId, Mode, ModeShape, Run};
+use results::{Channel, EngineId, Run};
 use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
 use tank::options::solid::SolidOptions;
@@ -47,14 +46,8 @@ const IMPERFECT: [&str; 2] = [
 const LOADED: &str = "The wall moves about its state under weight and liquid, in large rotations with a pressure that turns with the \
     wall: its forces stiffen the wall, and the pressure has pressed its imperfections out as far as it does. A particle of the wall keeps \
     its pressure.";
-/// Ritz vectors of the search for modes of one wave number.
-const MODE_VECTORS: usize = 48;
-/// The same for one part of a rectangle: from two loads, and with poles, since hundreds of waves come before the first mode of a wall.
-const PART_VECTORS: usize = 144;
 /// Ritz vectors of the search for one mode to be drawn.
 const DRAWN_VECTORS: usize = 32;
-/// Largest circumferential wave number that is searched for modes.
-const MOST_WAVES: u32 = 24;
 /// The same in one part of the motions of a rectangle.
 const DRAWN_PART_VECTORS: usize = 48;
 /// Other parts of the motions of a rectangle whose lowest modes are drawn: along y, even about both planes.
@@ -181,6 +174,18 @@ impl Prepared {
         progress: &dyn Progress,
     ) -> Result<(), FeError> {
         let drawn = self.drawn_modes(progress)?;
+        // The other motion of a box is that of another model.
+        let along;
+        let motion = match self.tank.is_round() {
+            true => motion,
+            false => {
+                along = GroundMotion {
+                    transverse: None,
+                    ..motion.clone()
+                };
+                &along
+            }
+        };
         let histories = Histories::new(&self.model, motion, options)?;
         let mut moments = extreme_moments(&simulation.result);
         moments.extend(asked(&histories, options)?);
@@ -247,7 +252,7 @@ fn asked(histories: &Histories, options: &Options) -> Result<Vec<(String, f64)>,
 }
 
 /// Errors: the user wants to stop.
-fn stop(progress: &dyn Progress, stage: &str) -> Result<(), FeError> {
+pub(super) fn stop(progress: &dyn Progress, stage: &str) -> Result<(), FeError> {
     if progress.interrupted() {
         return Err(FeError::Interrupted { stage: stage.into() });
     }
@@ -322,6 +327,11 @@ fn integrated(
 ) -> Result<(Prepared, Simulation), FeError> {
     let vertical = checked_motion(case)?.vertical.is_some();
     check_options(case, options)?;
+    // Along y first: of its matrices nothing stays but the reduced model.
+    let across = match exchanged(case, solid) {
+        Some((case, solid, halves)) => Some((Prepared::new(&case, options, &solid, false, progress)?.model, halves)),
+        None => None,
+    };
     let prepared = Prepared::new(case, options, solid, vertical, progress)?;
     let direct = OwnUnknowns {
         tank: &prepared.tank,
@@ -333,6 +343,7 @@ fn integrated(
         engine: EngineId::Solid,
         model: &prepared.model,
         direct: Some(&direct),
+        across: across.as_ref().map(|(model, halves)| Across { model, halves: *halves }),
     };
     let mut simulation = complete(case, options, &linear, progress)?;
     simulation.assumptions.push(
@@ -340,6 +351,9 @@ fn integrated(
          excites."
             .into(),
     );
+    if across.is_some() {
+        simulation.assumptions.push(TWO_DIRECTIONS.into());
+    }
     if let Shape::Rectangle { .. } = case.tank.shape {
         simulation.assumptions.push(
             "The four walls are plates in the planes of the inner faces, clamped at the base, free at the top and joined rigidly at the \
@@ -387,101 +401,4 @@ pub(crate) fn unresolved(task: &Task<'_>) -> Option<Refusal> {
     let depth = task.case.liquid.fill_height;
     let division = Division::new(&task.case.tank, depth, task.linear, task.solid, false).ok()?;
     model::unresolved(task.case, task.solid, (division.sectors, division.wall.len() - 1))
-}
-
-/// Largest circumferential wave number that [`modes`] looks for on the mesh of a case.
-///
-/// Errors: a mesh that cannot be built.
-pub fn most_waves(case: &Case, options: &Options, solid: &SolidOptions) -> Result<u32, FeError> {
-    let tank = TankModel::new(case, options, solid)?;
-    Ok(spectrum::most_waves(&tank).min(MOST_WAVES))
-}
-
-/// The `count` lowest modes of each kind (`sloshing`, `structural`), named by circumferential and axial wave number.
-///
-/// Errors: as [`simulate`].
-pub fn modes(
-    case: &Case,
-    options: &Options,
-    solid: &SolidOptions,
-    count: usize,
-    progress: &dyn Progress,
-) -> Result<Vec<Mode>, FeError> {
-    check_options(case, options)?;
-    progress.stage("mesh, matrices and factors", 1);
-    let tank = TankModel::new(case, options, solid)?;
-    let system = System::new(
-        &tank.model,
-        &tank.assembler,
-        &poles(case, solid),
-        solid.memory_limit_mib << 20,
-    )?;
-    progress.advance(1);
-    let most = spectrum::most_waves(&tank).min(MOST_WAVES);
-    let vectors = if tank.is_round() { MODE_VECTORS } else { PART_VECTORS };
-    progress.stage("modes by wave number", u64::from(most + 1) * vectors as u64);
-    let damper = Damper::new(case, &options.damping)?;
-    let mut found: Vec<Mode> = Vec::new();
-    for n in 0..=most {
-        stop(progress, "the search for modes")?;
-        let modes = spectrum::of_harmonic(&tank, &system, n, (vectors, count), progress)?;
-        let participation = match n {
-            0 | 1 => Some(reduce::rigid_motion(&tank, &system, n)?.1),
-            2 if !tank.is_round() => Some(reduce::rigid_motion(&tank, &system, n)?.1),
-            _ => None,
-        };
-        // Modes of the rotation penalty of a displacement liquid are not modes of the tank.
-        for kind in [Kind::Sloshing, Kind::Structural] {
-            for (k, mode) in modes.iter().filter(|m| m.kind == kind).take(count).enumerate() {
-                let gamma = participation.as_ref().map_or(0.0, |load| dot(load, &mode.vector));
-                found.push(Mode {
-                    harmonic: n,
-                    axial: mode.waves.filter(|_| kind != Kind::Sloshing).map(|w| w.axial),
-                    kind: kind.id().into(),
-                    number: k + 1,
-                    omega: mode.omega,
-                    period: std::f64::consts::TAU / mode.omega,
-                    damping: damper.ratio(kind, mode.omega),
-                    participation: gamma,
-                    effective_mass: gamma * gamma,
-                    effective_height: 0.0,
-                    shape: shape(&tank, &mode.vector),
-                });
-            }
-        }
-    }
-    found.sort_by(|a, b| a.omega.total_cmp(&b.omega));
-    let mut left = BTreeMap::new();
-    found.retain(|m| {
-        let taken: &mut usize = left.entry(m.kind.clone()).or_insert(0);
-        *taken += 1;
-        *taken <= count
-    });
-    Ok(found)
-}
-
-/// Shape of a mode at θ = 0.
-fn shape(tank: &TankModel, x: &[f64]) -> ModeShape {
-    let observer = Observer { tank, harmonic: 1 };
-    let value = |row: Row| sparse_dot(&row.displacement, x);
-    let mut shape = ModeShape {
-        z: tank.wall.z.clone(),
-        wall: (0..tank.wall.z.len())
-            .map(|level| value(observer.radial_displacement(level)))
-            .collect(),
-        r: tank.division.radii.clone(),
-        surface: tank
-            .division
-            .radii
-            .iter()
-            .map(|&r| value(observer.elevation(r)))
-            .collect(),
-    };
-    let all = || shape.wall.iter().chain(&shape.surface);
-    let peak = all().fold(0.0_f64, |m, v| m.max(v.abs()));
-    if peak > 0.0 {
-        let all = shape.wall.iter_mut().chain(&mut shape.surface);
-        all.for_each(|v| *v /= peak);
-    }
-    shape
 }
