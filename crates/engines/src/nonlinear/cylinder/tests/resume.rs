@@ -7,11 +7,11 @@ use fem::analysis::march::Outcome;
 use fem::progress::{Progress, Silent};
 use tank::Case;
 use tank::options::AfterRecord;
-use tank::options::nonlinear::NonlinearOptions;
+use tank::options::nonlinear::{Contact, NonlinearOptions};
 
 use super::super::march::Cylinder;
 use super::super::model::CylinderModel;
-use super::{cracking, options, shaken};
+use super::{cracking, elastic, options, shaken};
 use crate::nonlinear::CheckpointFile;
 
 /// Interrupts a march after so many time steps; those of the static start are not counted.
@@ -88,5 +88,18 @@ fn iterated_run_resumed_is_uninterrupted() {
         ..options(&case, 14, 64)
     };
     let tank = CylinderModel::new(&case, &own).unwrap();
+    resumed(&case, &own, tank, [6, 15]);
+}
+
+/// The same with contact that opens.
+#[test]
+fn iterated_run_with_contact_resumed_is_uninterrupted() {
+    let case = shaken(elastic(), 25.0, 5);
+    let own = NonlinearOptions {
+        contact: Contact::Opening,
+        after_record: AfterRecord::Time(0.01),
+        ..options(&case, 14, 72)
+    };
+    let tank = CylinderModel::in_form(&case, &own, |_| true).unwrap();
     resumed(&case, &own, tank, [6, 15]);
 }
