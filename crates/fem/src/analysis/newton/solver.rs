@@ -61,7 +61,7 @@ impl Newton<'_> {
         Ok(())
     }
 
-    /// The mean of the effective tangent, or of that with the initial stiffness if it is not positive definite.
+    /// The mean of the effective tangent, or of that with the initial stiffness if it is not positive definite; joints as they are.
     fn ring_solver(&self, w: Weights, before: Option<Solver>) -> Result<RingSolver, AnalysisError> {
         let Some(layout) = &self.rings else {
             return Err(failed(WHAT)(LinalgError::Singular { size: 0 }));
@@ -85,6 +85,7 @@ impl Newton<'_> {
         if let Some(inertia) = self.inertia {
             inertia.add_to(&mut initial, w);
         }
+        layout.take_joints(&self.effective, &mut initial);
         make(None, &initial).map_err(failed(WHAT))
     }
 

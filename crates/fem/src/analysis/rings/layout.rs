@@ -162,6 +162,21 @@ impl RingLayout {
         &self.pairs
     }
 
+    /// Gives `to` the joints of `from`.
+    pub(in crate::analysis) fn take_joints(&self, from: &Symmetric, to: &mut Symmetric) {
+        for pair in &self.pairs {
+            for (k, &place) in pair.places.iter().enumerate() {
+                // Off the diagonal a joint is negative.
+                let change = to.values[place] - from.values[place];
+                to.values[place] = from.values[place];
+                for row in pair.rows {
+                    let diagonal = to.pattern.starts[self.rows[row][k] as usize];
+                    to.values[diagonal] += change;
+                }
+            }
+        }
+    }
+
     /// Unknowns of a meridian.
     pub(super) fn size(&self) -> usize {
         self.rows.len()

@@ -57,12 +57,15 @@ fn clock() -> f64 {
 
 /// Times of both forms of the liquid, for the limit between them; the numbers stand in docs/performance.md.
 ///
-/// `SIZES="16x40 24x60" cargo test -p engines --lib dense_or_iterated -- --ignored --nocapture`
+/// `SIZES="16x40@1.5 24x60@0.8" cargo test -p engines --lib dense_or_iterated -- --ignored --nocapture`
 #[test]
 #[ignore = "slow: a measurement"]
 fn dense_or_iterated() {
     let sizes = std::env::var("SIZES").unwrap_or_else(|_| "16x40".into());
     for size in sizes.split_whitespace() {
+        // 16x40@1.5: elements, and the amplitude over g.
+        let (size, strength) = size.split_once('@').unwrap_or((size, "1.5"));
+        let strength: f64 = strength.parse().unwrap();
         let (height, around) = size.split_once('x').unwrap();
         let mut case = steel();
         let mut own = NonlinearOptions {
@@ -73,7 +76,7 @@ fn dense_or_iterated() {
         case = shaken(case, 0.0, 41);
         if let Some(motion) = &mut case.ground_motion {
             for (i, a) in motion.horizontal.acceleration.iter_mut().enumerate() {
-                *a = 1.5 * case.gravity * (18.85 * 0.01 * i as f64).sin();
+                *a = strength * case.gravity * (18.85 * 0.01 * i as f64).sin();
             }
         }
         for operator in [false, true] {
@@ -86,7 +89,7 @@ fn dense_or_iterated() {
             let each = run.cost.products as f64 / run.cost.iterations.max(1) as f64;
             let open = watch.openings.as_ref().map(|o| o.places().len());
             println!(
-                "{size}, {wetted} wetted nodes, operator {operator}: {:.2} s, {each:.1} products a solution, {open:?} joints opened, {:?} {:?}",
+                "{size}, {strength} g, {wetted} wetted nodes, operator {operator}: {:.2} s, {each:.1} products a solution, {open:?} joints opened, {:?} {:?}",
                 clock() - begin,
                 run.outcome,
                 run.cost
