@@ -84,7 +84,11 @@ impl Damper {
             Damper::ByGroup { wall, sloshing, .. } => Damper::ByGroup {
                 wall,
                 sloshing,
-                omega: modes.iter().find(|m| m.kind == Kind::Structural).map(|m| m.omega),
+                // By its number: waves of an imperfect wall may be lower.
+                omega: modes
+                    .iter()
+                    .find(|m| m.kind == Kind::Structural && m.number == 1)
+                    .map(|m| m.omega),
             },
             other => other,
         }
