@@ -33,6 +33,8 @@ mod waves;
 pub use estimate::estimate;
 pub use model::refused;
 pub use modes::{modes, most_waves};
+#[cfg(test)]
+pub(crate) use run::around_a_perfect_liquid;
 pub(crate) use run::unresolved;
 pub use run::{respond, simulate};
 pub use tank::options::solid::{Liquid, MeshSize, MeshSizeError, SolidOptions};

@@ -73,9 +73,20 @@ impl Prepared {
         vertical: bool,
         progress: &dyn Progress,
     ) -> Result<Prepared, FeError> {
-        let damper = Damper::new(case, &options.damping)?;
         progress.stage("mesh, matrices and factors", 2);
         let tank = TankModel::new(case, options, solid)?;
+        Prepared::of(tank, case, options, solid, vertical, progress)
+    }
+
+    fn of(
+        tank: TankModel,
+        case: &Case,
+        options: &Options,
+        solid: &SolidOptions,
+        vertical: bool,
+        progress: &dyn Progress,
+    ) -> Result<Prepared, FeError> {
+        let damper = Damper::new(case, &options.damping)?;
         progress.advance(1);
         stop(progress, "the mesh")?;
         let system = System::new(
@@ -391,6 +402,33 @@ fn integrated(
         );
     }
     Ok((prepared, simulation))
+}
+
+/// The response around an imperfect wall on the liquid of the perfect tank, as the nonlinear engine has it.
+///
+/// Errors: as [`simulate`].
+#[cfg(test)]
+pub(crate) fn around_a_perfect_liquid(
+    case: &Case,
+    options: &Options,
+    solid: &SolidOptions,
+) -> Result<Option<results::Around>, FeError> {
+    let form = super::form::Form {
+        wet: false,
+        ..super::form::Form::of(case, &solid.imperfections)
+    };
+    let progress = &fem::progress::Silent;
+    let tank = TankModel::formed(case, options, solid, &form)?;
+    let prepared = Prepared::of(tank, case, options, solid, false, progress)?;
+    let parts = (&prepared.model, &prepared.spaces[..]);
+    around::respond(
+        case,
+        &solid.imperfections,
+        parts,
+        checked_motion(case)?,
+        options,
+        progress,
+    )
 }
 
 /// The refusal of imperfections, if there is one.

@@ -1,4 +1,4 @@
-//! Waves around an imperfect wall, sample by sample.
+//! Waves around an imperfect wall, step by step.
 //!
 //! ```text
 //! u_n(z) = (2 − δ_n0)/2π ∫ u_r cos nθ dθ  by the trapezoidal rule          half the tank: twice the integral from 0 to π

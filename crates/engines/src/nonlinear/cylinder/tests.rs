@@ -1,6 +1,7 @@
 //! The nonlinear cylinder against the linear engine, against itself on the whole circle, and against itself resumed.
 
 mod curve;
+mod imperfect;
 mod opening;
 mod resume;
 mod two;

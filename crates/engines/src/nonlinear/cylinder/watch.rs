@@ -338,13 +338,14 @@ impl<'a> Watch<'a> {
         if self.fan.is_some() {
             self.seen.two.see(&self.recorder, now);
         }
+        // At every step: a period of the wall may be three samples of the record.
+        self.seen.around.see(self.tank, &now.state.committed.u, now.time);
         if now.sample.is_none() {
             return Ok(());
         }
         self.meridians(now)?;
         self.stresses(now)?;
         self.displacement(now);
-        self.seen.around.see(self.tank, &now.state.committed.u, now.time);
         match (&self.tank.joints, &mut self.openings) {
             (Some(joints), Some(openings)) => openings.see(now.time, joints.look(&self.tank.model, now.state)),
             _ => self.pressures(now),
