@@ -146,16 +146,16 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let missing = || {
         Error::input(
             "error: the ground motion is missing\n  help: give a record with --quake, or run `tankcheck check` for the codes alone; \
-             --fe harmonic runs without a record under the design spectrum of `site`"
+             the linear engines run without a record under the design spectrum of `site`"
                 .into(),
         )
     };
-    if args.inputs.quake.is_none() && args.fe.is_some_and(|fe| fe != Engine::Harmonic) {
+    if args.inputs.quake.is_none() && matches!(args.fe, Some(Engine::None | Engine::Nonlinear)) {
         return Err(missing());
     }
     let mut job = args.inputs.job(refuses)?;
     job.engines = engines(&job.case).to_vec();
-    let spectral = || job.engines == [EngineId::Harmonic] && site_action::of(&job.case, None, true).is_some();
+    let spectral = || site_action::of(&job.case, None, true).is_some();
     if job.case.ground_motion.is_none() && !spectral() {
         return Err(missing());
     }

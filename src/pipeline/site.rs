@@ -16,7 +16,7 @@ use super::quantities::quantities;
 use crate::job::Job;
 use engines::Simulation;
 use engines::modes::Kind;
-use engines::spectral::{self, Action, ModalUnits, Spectral};
+use engines::spectral::{self, Action, KeptMode, ModalUnits, Spectral};
 use results::{EngineId, Method, Status};
 
 /// A column with what marks its numbers.
@@ -88,24 +88,45 @@ pub(super) fn column(job: &Job, number: usize, simulation: &Simulation) -> Optio
         sloshing: &action.sloshing,
         wave: &action.wave,
     };
-    let found = units.respond(&seen, options, round);
+    let both = |units: &ModalUnits| -> (Spectral, Option<KeptMode>) {
+        let along = units.respond(&seen, options, round);
+        let upwards = action.upwards.as_ref();
+        let found = upwards.and_then(|up| units.with_vertical(&along, (&up.spectrum, up.beside), options, round));
+        match found {
+            Some((found, breathing)) => (found, breathing),
+            None => (along, None),
+        }
+    };
+    let upwards = action.upwards.as_ref().filter(|_| units.vertical.is_some());
+    let (found, breathing) = both(units);
     let mut values = found.values.clone();
     let own = simulation.values.iter().filter(|(q, _)| OWN.contains(q));
     values.extend(own.map(|(q, value)| (*q, *value)));
     let errors = simulation.second.as_ref().map(|(ratio, other)| {
-        let other = other.respond(&seen, options, round).values;
+        let other = both(other).0.values;
         engines::mesh_errors(engine, &found.values, &other, *ratio)
     });
     let errors = errors.unwrap_or_default();
     let outside = outside(job, engine, &found);
     method.quantities = quantities(&values);
     method.steps = steps(units, &found);
+    if let (Some(up), Some(mode)) = (upwards, breathing) {
+        let (name, at) = words::breathing(mode.period());
+        let value = (up.spectrum)(mode.period(), mode.damping);
+        method.steps.push(step("S_v".into(), name, at, value));
+        let (name, at) = words::upward_rest();
+        method
+            .steps
+            .push(step("S_v0".into(), name, at, (up.spectrum)(0.0, mode.damping)));
+    }
     method.profiles = profiles(&found);
     method.assumptions = vec![action.assumption.clone(), words::combination(options)];
     method.assumptions.extend(simulation.assumptions.iter().cloned());
     method.notes = vec![words::INFORMATION.into()];
-    if action.vertical {
-        method.notes.push(words::NO_VERTICAL.into());
+    match upwards {
+        Some(up) => method.assumptions.push(words::vertical(up.beside)),
+        None if action.vertical => method.notes.push(words::NO_VERTICAL.into()),
+        None => {}
     }
     if let Some((quantity, error)) = errors.iter().max_by(|a, b| a.1.total_cmp(b.1)) {
         method.notes.push(words::mesh_error(quantity, *error));
@@ -141,10 +162,9 @@ fn outside(job: &Job, engine: EngineId, found: &Spectral) -> Option<Outside> {
     (tank.support == Support::Unanchored && peak + at_rest > 0.0).then_some(Outside::Uplift)
 }
 
-/// Spectral accelerations of the modes that carry mass.
-fn steps(units: &ModalUnits, found: &Spectral) -> Vec<Step> {
-    let total: f64 = units.modes.iter().map(|m| m.mass).sum();
-    let step = |symbol: String, name: String, look_up: String, value: f64| Step {
+/// A line of the sheet with a spectral acceleration [m/s²].
+fn step(symbol: String, name: String, look_up: String, value: f64) -> Step {
+    Step {
         section: words::SHEET.into(),
         symbol,
         name,
@@ -153,7 +173,12 @@ fn steps(units: &ModalUnits, found: &Spectral) -> Vec<Step> {
         dimension: Dimension::Acceleration,
         clause: words::CLAUSE.into(),
         ..Step::default()
-    };
+    }
+}
+
+/// Spectral accelerations of the modes that carry mass.
+fn steps(units: &ModalUnits, found: &Spectral) -> Vec<Step> {
+    let total: f64 = units.modes.iter().map(|m| m.mass).sum();
     let modes = units.modes.iter().zip(&found.accelerations).enumerate();
     let mut steps: Vec<Step> = modes
         .filter(|(_, (mode, _))| mode.mass > LISTED * total)

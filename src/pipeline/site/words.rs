@@ -21,6 +21,32 @@ pub(super) const INFORMATION: &str = "For comparison: no limit state is checked 
 pub(super) const NO_VERTICAL: &str = "Horizontal motion only: the procedure of this spectrum adds vertical motion, which raises its hoop stress; \
      this column does not.";
 
+/// Vertical motion is combined; `beside` is the share of the horizontal action where the vertical one leads.
+pub(super) fn vertical(beside: f64) -> String {
+    format!(
+        "Vertical motion: axisymmetric modes of the engine (the breathing wall) under the vertical elastic spectrum at 3 % damping, what is not \
+         in the modes kept follows the ground, by the same rule; stresses and pressures are the larger of E_h + 0.3 E_v and {} E_h + E_v \
+         (EN 1998-1 4.3.3.5.2).",
+        significant(beside, 3)
+    )
+}
+
+/// Name of the breathing mode, and where its acceleration is read.
+pub(super) fn breathing(period: f64) -> (String, String) {
+    (
+        "axisymmetric (breathing) mode, vertical motion".into(),
+        format!("vertical spectrum at T = {} s", significant(period, 4)),
+    )
+}
+
+/// The same of what follows the ground upwards.
+pub(super) fn upward_rest() -> (String, String) {
+    (
+        "what follows the ground upwards".into(),
+        "vertical spectrum at T = 0".into(),
+    )
+}
+
 /// Title of the column.
 pub(super) fn title(engine: EngineId, code: &str) -> String {
     let space = match engine {
