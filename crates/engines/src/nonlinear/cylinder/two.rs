@@ -71,7 +71,7 @@ pub(crate) fn refusals(case: &Case, options: &NonlinearOptions) -> Vec<Refusal> 
         ];
     }
     let cells = Cells::new(&case.tank, case.liquid.fill_height, options.elements, false);
-    if cells.sectors % 4 == 0 {
+    if cells.sectors.is_multiple_of(4) {
         return Vec::new();
     }
     let message = "--quake-y: θ = 90° is a meridian of the mesh only with a multiple of four elements around the tank";
