@@ -4,6 +4,7 @@ use tank::Case;
 
 use crate::FeError;
 use tank::options::LinearOptions as Options;
+use tank::options::linear::WallPlace;
 
 /// Allowed range of [`Options::refine`].
 const REFINE: std::ops::RangeInclusive<f64> = 0.25..=16.0;
@@ -36,6 +37,12 @@ pub(crate) fn check_options(case: &Case, options: &Options) -> Result<(), FeErro
     let height = case.tank.wall_height();
     if let Some(z) = options.stations.iter().find(|z| !(0.0..=height).contains(*z)) {
         return Err(out_of_range("stations", format!("{z} m"), format!("0 m to {height} m")));
+    }
+    let outside = |place: &&WallPlace| !(0.0..=height).contains(&place.z) || !place.theta.is_finite();
+    if let Some(place) = options.force_stations.iter().find(outside) {
+        let found = format!("{} m, {} rad", place.z, place.theta);
+        let allowed = format!("0 m to {height} m, a finite angle");
+        return Err(out_of_range("analysis.force_stations", found, allowed));
     }
     Ok(())
 }

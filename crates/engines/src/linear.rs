@@ -360,6 +360,10 @@ fn histories(motion: &GroundMotion, analysis: &Analysis) -> Histories {
     let mut histories = Histories::at((0..grid.samples).map(|k| k as f64 * grid.dt).collect());
     histories.push_ground(motion);
     for (scalar, history) in &analysis.scalars {
+        // With a component along y the internal forces are those of both ([`around`]).
+        if motion.transverse.is_some() && scalar.channel.force_at().is_some() {
+            continue;
+        }
         let info = SeriesInfo::of(scalar.channel, scalar.static_value, history.extreme.peak());
         histories.push(info, history.values.clone());
     }

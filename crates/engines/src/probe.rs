@@ -27,6 +27,34 @@ pub struct Probe {
     pub static_value: f64,
     /// Which modes count.
     pub modes: ModeSelection,
+    /// Where around the tank it is, of an internal force.
+    pub turn: Option<Turn>,
+}
+
+/// Factors on the amplitude of harmonic 1 at an angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn {
+    /// Under motion along x: cos θ, or sin θ of a quantity that is odd about the plane of shaking.
+    pub along: f64,
+    /// Under motion along y, the same turned by 90°: sin θ or −cos θ.
+    pub across: f64,
+}
+
+impl Turn {
+    /// Of a quantity of the wall at θ [rad].
+    pub fn of(what: OnWall, theta: f64) -> Turn {
+        let (sine, cosine) = theta.sin_cos();
+        match what {
+            OnWall::Shear | OnWall::Twist => Turn {
+                along: sine,
+                across: -cosine,
+            },
+            _ => Turn {
+                along: cosine,
+                across: sine,
+            },
+        }
+    }
 }
 
 impl Probe {
@@ -40,6 +68,7 @@ impl Probe {
             ground_acceleration: 0.0,
             static_value: 0.0,
             modes: ModeSelection::All,
+            turn: None,
         }
     }
 

@@ -146,6 +146,10 @@ impl Engine for Nonlinear {
                 "`analysis.frequency`: transfer functions are those of the linear engines (--fe harmonic, --fe solid).";
             simulation.notes.push(note.into());
         }
+        if !task.linear.force_stations.is_empty() {
+            let note = "`analysis.force_stations`: histories of internal forces are those of the linear engines (--fe harmonic, --fe solid).";
+            simulation.notes.push(note.into());
+        }
         Ok(simulation)
     }
 }

@@ -9,6 +9,7 @@ mod directions;
 mod engine;
 mod histories;
 mod input;
+mod internal_forces;
 mod limits;
 mod modes;
 mod motion;
@@ -62,6 +63,7 @@ sections![
     modes,
     profiles,
     histories,
+    internal_forces,
     directions,
     tilt,
     transfer,

@@ -13,6 +13,7 @@
 //! | [`summary`] | the first page |
 //! | [`figures`] | captions and descriptions of figures |
 //! | [`facts`] | names of the numbers of a model |
+//! | [`internal_forces`] | stations of the wall |
 //! | [`ida`], [`push`] | the pages of these analyses |
 //! | [`site`] | the modes of an engine under the design spectrum |
 //! | [`terminal`] | the summaries on the terminal |
@@ -25,6 +26,7 @@ pub mod factors;
 pub mod facts;
 pub mod figures;
 pub mod ida;
+pub mod internal_forces;
 pub mod labels;
 pub mod outcome;
 pub mod push;

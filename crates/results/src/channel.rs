@@ -119,6 +119,14 @@ pub enum OnWall {
     HorizontalMoment,
     /// The same at a corner of two plates.
     CornerMoment,
+    /// Meridional membrane force n_s [N/m].
+    AxialForce,
+    /// Hoop membrane force n_θ [N/m].
+    HoopForce,
+    /// Bending moment along the circumference m_θ [N m/m].
+    HoopMoment,
+    /// Twisting moment m_sθ [N m/m].
+    Twist,
 }
 
 impl Ground {
@@ -128,7 +136,7 @@ impl Ground {
 
 impl OnWall {
     /// All of them.
-    pub const ALL: [OnWall; 9] = [
+    pub const ALL: [OnWall; 13] = [
         OnWall::Pressure,
         OnWall::Hoop,
         OnWall::Axial,
@@ -138,6 +146,20 @@ impl OnWall {
         OnWall::Shear,
         OnWall::HorizontalMoment,
         OnWall::CornerMoment,
+        OnWall::AxialForce,
+        OnWall::HoopForce,
+        OnWall::HoopMoment,
+        OnWall::Twist,
+    ];
+
+    /// Internal forces of a cylinder at a station: membrane forces, then moments.
+    pub const FORCES: [OnWall; 6] = [
+        OnWall::AxialForce,
+        OnWall::HoopForce,
+        OnWall::Shear,
+        OnWall::Moment,
+        OnWall::HoopMoment,
+        OnWall::Twist,
     ];
 
     /// Id of the envelope.
@@ -152,6 +174,10 @@ impl OnWall {
             OnWall::Shear => "wall_shear",
             OnWall::HorizontalMoment => "horizontal_moment",
             OnWall::CornerMoment => "corner_moment",
+            OnWall::AxialForce => "axial_force",
+            OnWall::HoopForce => "hoop_force",
+            OnWall::HoopMoment => "hoop_moment",
+            OnWall::Twist => "twisting_moment",
         }
     }
 
@@ -167,6 +193,10 @@ impl OnWall {
             OnWall::Shear => "Shear force of the wall",
             OnWall::HorizontalMoment => "Horizontal bending moment in the middle of the wall",
             OnWall::CornerMoment => "Horizontal bending moment of the wall at its corner",
+            OnWall::AxialForce => "Meridional membrane force",
+            OnWall::HoopForce => "Hoop membrane force",
+            OnWall::HoopMoment => "Bending moment along the circumference",
+            OnWall::Twist => "Twisting moment of the wall",
         }
     }
 
@@ -175,8 +205,10 @@ impl OnWall {
         match self {
             OnWall::Pressure | OnWall::Hoop | OnWall::Axial | OnWall::Bending => Dimension::Stress,
             OnWall::Displacement => Dimension::Length,
-            OnWall::Moment | OnWall::HorizontalMoment | OnWall::CornerMoment => Dimension::LineMoment,
-            OnWall::Shear => Dimension::LineForce,
+            OnWall::Moment | OnWall::HorizontalMoment | OnWall::CornerMoment | OnWall::HoopMoment | OnWall::Twist => {
+                Dimension::LineMoment
+            }
+            OnWall::Shear | OnWall::AxialForce | OnWall::HoopForce => Dimension::LineForce,
         }
     }
 }
@@ -486,6 +518,14 @@ impl Channel {
             | Channel::Base(what)
             | Channel::BaseOn(what, _) => Some(what),
             Channel::SectionMoment(_) => Some(OnWall::Moment),
+            _ => None,
+        }
+    }
+
+    /// The quantity, height [m] and angle [°] of an internal force at a station.
+    pub fn force_at(self) -> Option<(OnWall, f64, f64)> {
+        match self {
+            Channel::AtAngle { what, z, degrees } if OnWall::FORCES.contains(&what) => Some((what, z, degrees)),
             _ => None,
         }
     }

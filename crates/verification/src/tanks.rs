@@ -11,6 +11,7 @@ use tank::reference::GRAVITY;
 pub(crate) mod coupled_modes;
 pub mod dissertation;
 pub(crate) mod imperfect_wall;
+pub(crate) mod internal_forces;
 pub(crate) mod mesh_error;
 pub(crate) mod responses;
 pub mod rigid;

@@ -29,6 +29,8 @@ const LINES: f64 = 5.0;
 /// Histories of a run without gauges and stations, and histories of a station.
 const HISTORIES: f64 = 14.0;
 const PER_STATION: f64 = 3.0;
+/// Histories of a station of internal forces.
+const FORCES: f64 = 6.0;
 /// Modal states of one direction that the limit states keep.
 const STATES: f64 = 40.0;
 /// Times that a history is there: in the response, as a column of the results, as text.
@@ -154,7 +156,10 @@ fn of(case: &Case, options: &Options, response: Option<Response>) -> Estimate {
     let (mut samples, mut steps) = (0.0, 0.0);
     if let Some(response) = response {
         samples = response.samples();
-        let histories = HISTORIES + options.gauges.len() as f64 + PER_STATION * options.stations.len() as f64;
+        let histories = HISTORIES
+            + options.gauges.len() as f64
+            + PER_STATION * options.stations.len() as f64
+            + FORCES * options.force_stations.len() as f64;
         let newmark = options.integrator == Integrator::Newmark;
         let [modal, direct] = STEPS.map(|(per_period, most)| {
             let wanted = response.dt * per_period * HIGHEST * first_wall_frequency(case) / std::f64::consts::TAU;

@@ -5,7 +5,7 @@
 
 use tank::Case;
 
-use crate::probe::{ModeSelection, Probe, ProbeLine};
+use crate::probe::{ModeSelection, Probe, ProbeLine, Turn};
 use fem::linalg::dot;
 use results::Channel;
 use results::channel::{OnWall, Side};
@@ -35,6 +35,16 @@ const LINES: [(Output, OnWall); 4] = [
     (Output::AxialStress, OnWall::Axial),
     (Output::BendingStress, OnWall::Bending),
     (Output::RadialDisplacement, OnWall::Displacement),
+];
+
+/// Internal forces at a station, in the order of [`OnWall::FORCES`].
+const FORCES: [Output; 6] = [
+    Output::AxialForce,
+    Output::HoopForce,
+    Output::ShearForce,
+    Output::BendingMoment,
+    Output::HoopMoment,
+    Output::Twist,
 ];
 
 impl Observer<'_> {
@@ -67,6 +77,31 @@ impl Observer<'_> {
             };
             for (output, what) in LINES.into_iter().filter(|l| self.exists(l.0)) {
                 probes.push(self.wall_probe(Probe::new(Channel::At { what, z }), output, &place));
+            }
+        }
+        probes.extend(self.forces(options));
+        probes
+    }
+
+    /// Amplitudes of the internal forces at the stations, of a cylinder.
+    fn forces(&self, options: &Options) -> Vec<Probe> {
+        let mut probes = Vec::new();
+        for station in options
+            .force_stations
+            .iter()
+            .filter(|_| self.exists(Output::HoopStress))
+        {
+            let (z, degrees) = (station.z, station.degrees());
+            let place = Place {
+                z,
+                at: vec![self.assembly.wall.locate(z, true)],
+            };
+            for (what, output) in OnWall::FORCES.into_iter().zip(FORCES) {
+                let probe = Probe {
+                    turn: Some(Turn::of(what, station.theta)),
+                    ..Probe::new(Channel::AtAngle { what, z, degrees })
+                };
+                probes.push(self.wall_probe(probe, output, &place));
             }
         }
         probes
@@ -127,7 +162,7 @@ impl Observer<'_> {
             ..probe
         };
         // The wall's own weight affects its axial stress under vertical motion only (m = 0).
-        if assembly.harmonic == 0 && output == Output::AxialStress {
+        if assembly.harmonic == 0 && matches!(output, Output::AxialStress | Output::AxialForce) {
             let rigid = dot(&inertia, &assembly.translation);
             return self.acceleration_probe(probe, &inertia, rigid);
         }

@@ -59,6 +59,14 @@ pub enum Output {
     BendingMoment,
     /// n_xθ [N/m], the amplitude of sin mθ.
     ShearForce,
+    /// n_x [N/m].
+    AxialForce,
+    /// n_θ [N/m].
+    HoopForce,
+    /// m_θ [N·m/m]: positive if the outer face is in tension.
+    HoopMoment,
+    /// m_xθ [N·m/m], the amplitude of sin mθ.
+    Twist,
 }
 
 /// A ring of the wall.
@@ -195,7 +203,7 @@ impl Wall {
         }
         let t = element.thickness;
         let (c, d, nu) = rigidities(t, &element.material);
-        let [ex, et, g, kx, kt, _] = self.strains(xi, element.length);
+        let [ex, et, g, kx, kt, twist] = self.strains(xi, element.length);
         let row = |f: &dyn Fn(usize) -> f64| std::array::from_fn(f);
         match output {
             Output::RadialDisplacement => displacements(xi, element.length)[2],
@@ -204,6 +212,10 @@ impl Wall {
             Output::BendingStress => row(&|i| 6.0 * d / (t * t) * (kx[i] + nu * kt[i])),
             Output::BendingMoment => row(&|i| d * (kx[i] + nu * kt[i])),
             Output::ShearForce => row(&|i| 0.5 * (1.0 - nu) * c * g[i]),
+            Output::AxialForce => row(&|i| c * (ex[i] + nu * et[i])),
+            Output::HoopForce => row(&|i| c * (et[i] + nu * ex[i])),
+            Output::HoopMoment => row(&|i| d * (kt[i] + nu * kx[i])),
+            Output::Twist => row(&|i| 0.5 * (1.0 - nu) * d * twist[i]),
         }
     }
 

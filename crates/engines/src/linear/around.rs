@@ -38,7 +38,7 @@ pub(crate) use meet::Across;
 use super::analysis::Analysis;
 use super::demands::{MOST_INSTANTS, combine};
 use super::model::Model;
-use items::{Item, items, on_base};
+use items::{stations, Item, items, on_base};
 use meet::{CORNERS, Meet, at_corners, extreme_directions, lines, opposite};
 
 use crate::FeError;
@@ -106,7 +106,8 @@ impl Around {
         let items = items(model, second);
         let other = second.map_or(model, |second| second.model);
         let directions = directions((model, other), motion, options, analysis, &items)?;
-        let histories: Vec<(Channel, Observable<'_>)> = items.iter().flat_map(across).collect();
+        let mut histories: Vec<(Channel, Observable<'_>)> = items.iter().flat_map(across).collect();
+        histories.extend(stations(model));
         let scalars: Vec<Observable<'_>> = histories.iter().map(|(_, o)| o.clone()).collect();
         let mut others = Vec::new();
         for (item, &[max, min]) in items.iter().zip(&directions) {

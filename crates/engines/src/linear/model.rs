@@ -138,7 +138,8 @@ impl Model {
 
 /// cos θ of m = 1 changes sign on the opposite side, m = 0 does not.
 fn superpose<'a>(horizontal: &'a Probe, vertical: Option<&'a Probe>, opposite: bool) -> Observable<'a> {
-    let mut terms = vec![(0, if opposite { -1.0 } else { 1.0 }, horizontal)];
+    let around = horizontal.turn.map_or(1.0, |turn| turn.along);
+    let mut terms = vec![(0, if opposite { -around } else { around }, horizontal)];
     terms.extend(vertical.map(|v| (1, 1.0, v)));
     terms
 }

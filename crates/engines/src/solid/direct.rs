@@ -169,13 +169,17 @@ impl Direct for OwnUnknowns<'_> {
 
         let before: Vec<History> = analysis.scalars.iter().map(|(_, h)| h.clone()).collect();
         for ((scalar, history), found) in analysis.scalars.iter_mut().zip(&transient.observed.scalars) {
-            let sign = scalar.observable.first().map_or(1.0, |t| t.1);
+            let factor = scalar.observable.first().map_or(1.0, |t| t.1);
+            let extreme = match factor < 0.0 {
+                true => mirrored(&found.extreme),
+                false => found.extreme,
+            };
             *history = History {
-                values: found.values.iter().map(|v| sign * v).collect(),
-                extreme: if sign < 0.0 {
-                    mirrored(&found.extreme)
-                } else {
-                    found.extreme
+                values: found.values.iter().map(|v| factor * v).collect(),
+                extreme: Extreme {
+                    min: factor.abs() * extreme.min,
+                    max: factor.abs() * extreme.max,
+                    ..extreme
                 },
             };
             // Samples that an interrupted run did not reach are unknown.

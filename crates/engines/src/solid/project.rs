@@ -16,7 +16,7 @@ use super::system::System;
 use crate::FeError;
 use crate::coupled::{ShapeRows, SparseRow};
 use crate::linear::Across;
-use crate::probe::{ModeSelection, Probe, ProbeLine};
+use crate::probe::{ModeSelection, Probe, ProbeLine, Turn};
 
 /// Stresses over the height.
 const STRESSES: [(OnWall, Resultant); 3] = [
@@ -125,7 +125,54 @@ impl Projector<'_> {
             };
             probes.push(self.probe(probe, &self.observer.corner_elevation()));
         }
+        probes.extend(self.forces(options));
         Ok(probes)
+    }
+
+    /// Internal forces at the stations of a cylinder: amplitudes of the first harmonic of a perfect one, else values at the place itself.
+    fn forces(&self, options: &Options) -> Vec<Probe> {
+        const FORCES: [Resultant; 6] = [
+            Resultant::Axial,
+            Resultant::Hoop,
+            Resultant::Shear,
+            Resultant::Moment,
+            Resultant::Around,
+            Resultant::Twist,
+        ];
+        let courses = self.tank.wall.courses();
+        let perfect = self.tank.imperfections.is_empty();
+        let mut probes = Vec::new();
+        for station in options.force_stations.iter().filter(|_| self.tank.is_round()) {
+            let (z, degrees) = (station.z, station.degrees());
+            let level = self.level_of(z);
+            let Some(course) = courses.iter().find(|c| c.contains(&level)) else {
+                continue;
+            };
+            let poisson = self.tank.wall.poisson_ratio[course.start];
+            for (what, resultant) in OnWall::FORCES.into_iter().zip(FORCES) {
+                let odd = matches!(resultant, Resultant::Shear | Resultant::Twist);
+                let angle = match (perfect, odd) {
+                    (false, _) => station.theta,
+                    (true, true) => std::f64::consts::FRAC_PI_2,
+                    (true, false) => 0.0,
+                };
+                let mut at = self.observer.at_angle(angle);
+                // The shares of a harmonic are not those of a mean.
+                let sum: f64 = at.iter().map(|(_, share)| share).sum();
+                if self.observer.harmonic != 1 {
+                    at.iter_mut().for_each(|(_, share)| *share /= sum);
+                }
+                let row = self.observer.resultant(course, z, (resultant, &at), poisson);
+                let mean = if self.observer.harmonic == 1 { sum } else { 1.0 };
+                let probe = Probe {
+                    static_value: sparse_dot(&row.displacement, self.statics) / mean,
+                    turn: perfect.then(|| Turn::of(what, station.theta)),
+                    ..Probe::new(Channel::AtAngle { what, z, degrees })
+                };
+                probes.push(self.probe(probe, &row));
+            }
+        }
+        probes
     }
 
     /// Level of elements that holds the height z, the upper one at a node.

@@ -82,6 +82,10 @@ pub(super) enum Resultant {
     Moment,
     /// Moment m_φ along the circumference: the horizontal one of a plate.
     Around,
+    /// Membrane shear n_φv.
+    Shear,
+    /// Twisting moment m_φv.
+    Twist,
 }
 
 impl Resultant {
@@ -91,6 +95,8 @@ impl Resultant {
             Resultant::Axial => "n_22",
             Resultant::Moment => "m_22",
             Resultant::Around => "m_11",
+            Resultant::Shear => "n_12",
+            Resultant::Twist => "m_12",
         }
     }
 }
@@ -162,6 +168,20 @@ impl Observer<'_> {
     pub(super) fn middle(&self) -> Vec<(usize, f64)> {
         let share = 0.5 / self.tank.beside(self.harmonic);
         vec![(0, share), (self.tank.division.sectors - 1, share)]
+    }
+
+    /// Sectors and their shares in a value at θ [rad] of a cylinder: on the curve a cos θ + b sin θ through the centres of two of them.
+    pub(super) fn at_angle(&self, theta: f64) -> Vec<(usize, f64)> {
+        let count = self.tank.division.sectors;
+        let step = std::f64::consts::TAU / count as f64;
+        let place = theta.rem_euclid(std::f64::consts::TAU) / step - 0.5;
+        let lower = place.floor();
+        let share = |distance: f64| (step * distance).sin() / step.sin();
+        let sector = |k: f64| (k.rem_euclid(count as f64) as usize).min(count - 1);
+        vec![
+            (sector(lower), share(lower + 1.0 - place)),
+            (sector(lower + 1.0), share(place - lower)),
+        ]
     }
 
     /// Sectors of the wall at θ = 0 of a rectangle, and their shares in a value at its corner: on the straight line through the centres of

@@ -31,12 +31,17 @@ fn is_ground(info: &SeriesInfo) -> bool {
     matches!(info.channel(), Some(Channel::Ground { .. } | Channel::GroundY(_)))
 }
 
+/// Whether it is an internal force at a station, which has a section of its own.
+fn is_force(info: &SeriesInfo) -> bool {
+    info.channel().and_then(Channel::force_at).is_some()
+}
+
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let Some(fe) = source.results.reference() else {
         return Ok(None);
     };
-    let mut infos: Vec<&SeriesInfo> = fe.histories.iter().filter(|s| !is_ground(s)).collect();
+    let mut infos: Vec<&SeriesInfo> = fe.histories.iter().filter(|s| !is_ground(s) && !is_force(s)).collect();
     infos.sort_by_key(|s| rank(s));
     if infos.is_empty() {
         return Ok(None);

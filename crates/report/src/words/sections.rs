@@ -142,6 +142,17 @@ const ALL: &[Words] = &[
         )],
     },
     Words {
+        id: "internal_forces",
+        title: "Internal forces of the wall at stations",
+        sentences: &[(
+            "meaning",
+            "Forces and moments a metre of the wall's middle surface: s along the meridian, θ along the circumference; tension and moments \
+             that stretch the outer face are positive. Histories are the seismic part; the state at rest under weight and liquid is to be \
+             added. A transverse shear force is not given: the harmonic engine's wall is a thin shell without shear strain. All samples are in \
+             `series.csv`.",
+        )],
+    },
+    Words {
         id: "tilt",
         title: "Static tilt test",
         sentences: &[

@@ -123,6 +123,23 @@ impl SpectrumOptions {
     };
 }
 
+/// A place of the wall.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WallPlace {
+    /// Height above the base [m].
+    pub z: f64,
+    /// Angle from the direction of shaking [rad].
+    pub theta: f64,
+}
+
+impl WallPlace {
+    /// θ in degrees as names have it, rounded to 1e-6.
+    pub fn degrees(&self) -> f64 {
+        // + 0.0 makes −0 a zero.
+        (self.theta.to_degrees() * 1e6).round() / 1e6 + 0.0
+    }
+}
+
 /// Options of the linear engine. The defaults keep the errors stated in the theory manual.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LinearOptions {
@@ -140,6 +157,9 @@ pub struct LinearOptions {
     pub gauges: Vec<f64>,
     /// Extra stress stations: heights above the base [m] with histories of hoop, axial and bending stress.
     pub stations: Vec<f64>,
+    /// Places of a cylinder's wall with histories of its internal forces.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub force_stations: Vec<WallPlace>,
     /// Times of states that the three-dimensional engine draws besides those of extreme response [s].
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub snapshots: Vec<f64>,
@@ -163,6 +183,7 @@ impl LinearOptions {
         mesh_error: true,
         gauges: Vec::new(),
         stations: Vec::new(),
+        force_stations: Vec::new(),
         snapshots: Vec::new(),
         tilt: None,
         spectrum: SpectrumOptions::DEFAULT,

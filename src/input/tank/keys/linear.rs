@@ -1,7 +1,7 @@
 //! `analysis`: options of the linear engines.
 
 use tank::options::LinearOptions;
-use tank::options::linear::{CaugheyPairs, DampingModel, Integrator};
+use tank::options::linear::{CaugheyPairs, DampingModel, Integrator, WallPlace};
 use tank::{Shape, Tank, case};
 
 use super::frequency::{Frequency, frequency};
@@ -26,6 +26,10 @@ const COEFFICIENT: Limits = Limits::from(-1e6).to(1e6);
 const SNAPSHOTS: Limits = Limits::from(0.0).to(1e5).items(0, 20);
 /// Angles of a tilt test [rad]: up to 45°.
 const TILT: Limits = Limits::above(0.0).to(std::f64::consts::FRAC_PI_4);
+/// Angles around the tank [rad]: a turn in either sense.
+const TURN: Limits = Limits::from(-std::f64::consts::TAU).to(std::f64::consts::TAU);
+/// Most stations of internal forces, six histories each.
+const MOST_STATIONS: usize = 50;
 /// Pairs of Caughey's series.
 const PAIRS: Limits = Limits::from(0.0).items(2, CaugheyPairs::MOST);
 
@@ -44,6 +48,9 @@ object! {
         gauges: Opt<Vec<Field<Length>>> [PLACES],
         /// Stress stations: heights above the base with histories of hoop, axial and bending stress.
         stations: Opt<Vec<Field<Length>>> [PLACES],
+        /// Places of a cylinder's wall with histories of its membrane forces and moments by the linear engines.
+        force_stations: Opt<Vec<Field<ForceStation>>> [Limits::ANY.items(0, MOST_STATIONS)]
+            = Absent::Without("no histories of internal forces"),
         /// Times at which the three-dimensional engine draws the deformed tank, pressure and hoop stress, besides the extremes.
         snapshots: Opt<Vec<Field<Time>>> [SNAPSHOTS],
         /// Angle of a static tilt test by the linear engines: tank and liquid at rest on a base tilted by it.
@@ -65,6 +72,14 @@ object! {
         solid: Opt<Solid>,
         /// Options of the nonlinear engine.
         nonlinear: Opt<Nonlinear>,
+    }
+
+    /// A place of a cylinder's wall: height above the base and angle from the direction of shaking.
+    ForceStation {
+        /// Height above the base; at a joint of courses just above it.
+        z: Field<Length> [PLACES],
+        /// Angle from the direction of shaking.
+        theta ("90 deg"): Opt<Angle> [TURN] = default(Angle(0.0)),
     }
 
     /// Damping model of the finite-element analysis instead of modal ratios. Give one of them.
@@ -124,6 +139,7 @@ pub(super) fn analysis(
         mesh_error: r.choice(&given.mesh_error),
         gauges: places(r, &given.gauges, half, what),
         stations: places(r, &given.stations, height, "the height of the wall"),
+        force_stations: force_stations(r, &given.force_stations, tank),
         snapshots: times(r, &given.snapshots),
         tilt: match given.tilt.given {
             Some(_) => r.optional(&given.tilt),
@@ -152,6 +168,41 @@ fn times(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Time>>>) -> Vec<f64> {
         r.faults.push(fault.found(format!("{} times", list.len())));
     }
     list.iter().map(|time| r.within(time, field.limits)).collect()
+}
+
+/// Stations of internal forces, of a cylinder alone.
+fn force_stations(r: &mut Resolver<'_>, option: &Opt<Vec<Field<ForceStation>>>, tank: Option<&Tank>) -> Vec<WallPlace> {
+    let Some((field, list)) = option.given.as_ref().and_then(|f| Some((f, f.value.as_ref()?))) else {
+        return Vec::new();
+    };
+    if let Some(Shape::Rectangle { .. }) = tank.map(|t| t.shape) {
+        let fault = range_fault(field, "stations of internal forces are for cylinders", "a cylinder");
+        r.faults.push(fault.help("remove analysis.force_stations"));
+    }
+    let (_, most) = field.limits.items;
+    if list.len() > most {
+        let fault = range_fault(field, "too many stations", &format!("at most {most}"));
+        r.faults.push(fault.found(format!("{} stations", list.len())));
+    }
+    let height = tank.map_or(f64::NAN, Tank::wall_height);
+    let mut all: Vec<WallPlace> = Vec::new();
+    for one in list {
+        let Some(given) = &one.value else { continue };
+        let place = WallPlace {
+            z: r.number(&given.z),
+            theta: r.or_default(&given.theta),
+        };
+        if place.z > height * (1.0 + 1e-9) {
+            let allowed = format!("from 0 to {}, the height of the wall", like_field(&given.z, height));
+            r.faults.push(range_fault(&given.z, "outside the tank", &allowed));
+        }
+        if all.iter().any(|o| o.z == place.z && o.degrees() == place.degrees()) {
+            r.faults
+                .push(range_fault(one, "two stations at one place", "different places"));
+        }
+        all.push(place);
+    }
+    all
 }
 
 /// Places from 0 to a length of the tank (NaN if the tank is faulty: no upper limit).

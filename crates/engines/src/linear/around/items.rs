@@ -62,12 +62,9 @@ pub(super) fn on_base(channel: Channel) -> Option<OnBase> {
 /// Everything that is observed: scalars but for the gauges, which lie along x, hoop stress and pressure over the height.
 pub(super) fn items<'a>(model: &'a Model, second: Option<Across<'a>>) -> Vec<Item<'a>> {
     let coupled = &model.horizontal.coupled;
-    let gauge = |probe: &&Probe| !matches!(probe.channel, Channel::WaveAt { .. });
-    let even = |probe: &Probe| {
-        let of = |v: &'_ Harmonic| v.coupled.probes.iter().position(|p| p.channel == probe.channel);
-        let vertical = model.vertical.as_ref()?;
-        Some(&vertical.coupled.probes[of(vertical)?])
-    };
+    // Gauges lie along x, stations of internal forces have an angle.
+    let gauge = |probe: &&Probe| !matches!(probe.channel, Channel::WaveAt { .. }) && probe.turn.is_none();
+    let even = |probe: &Probe| even(model, probe);
     let other = second.map_or(coupled, |second| &second.model.horizontal.coupled);
     let corner = second.map(|second| Channel::WaveAround {
         degrees: Across::corner(second.halves),
@@ -118,4 +115,23 @@ pub(super) fn items<'a>(model: &'a Model, second: Option<Across<'a>>) -> Vec<Ite
         }
     }
     all
+}
+
+/// The probe of m = 0 that belongs to one of m = 1.
+fn even<'a>(model: &'a Model, probe: &Probe) -> Option<&'a Probe> {
+    let vertical: &'a Harmonic = model.vertical.as_ref()?;
+    vertical.coupled.probes.iter().find(|p| p.channel == probe.channel)
+}
+
+/// Internal forces at stations under both components.
+pub(super) fn stations(model: &Model) -> Vec<(Channel, Observable<'_>)> {
+    let probes = model.horizontal.coupled.probes.iter();
+    let both = |probe| {
+        let probe: &Probe = probe;
+        let turn = probe.turn?;
+        let mut terms = vec![(ALONG, turn.along, probe), (ACROSS, turn.across, probe)];
+        terms.extend(even(model, probe).map(|even| (UPWARDS, 1.0, even)));
+        Some((probe.channel, terms))
+    };
+    probes.filter_map(both).collect()
 }
