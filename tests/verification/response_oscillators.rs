@@ -41,6 +41,7 @@ fn chain(masses: &[f64], springs: &[f64]) -> Coupled {
         lines: Vec::new(),
         shear: None,
         structure: None,
+        dashpots: Vec::new(),
         liquid_mass: 0.0,
         wall_mass: masses.iter().sum(),
         moment_arm: (1..=n).map(|i| i as f64).collect(),

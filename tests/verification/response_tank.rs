@@ -202,7 +202,10 @@ fn kept_modes_and_missing_mass_suffice() {
     for tank in [broad(1000.0), slender(1000.0, 5.0), strip()] {
         let coupled = build(&tank, &Options::default(), 1).unwrap();
         let modes = solve(&coupled, None).unwrap();
-        let kept: Vec<f64> = superpose::keep(&modes, &damper, 5).iter().map(|m| m.omega).collect();
+        let kept: Vec<f64> = superpose::keep(&coupled, &modes, &damper, 5)
+            .iter()
+            .map(|m| m.omega)
+            .collect();
         assert!(kept.len() < modes.len() / 2);
         let all = peaks(&tank, &modes, |_| true, &motion);
         let some = peaks(&tank, &modes, |m| kept.contains(&m.omega), &motion);

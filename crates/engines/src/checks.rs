@@ -4,7 +4,7 @@ use tank::Case;
 
 use crate::FeError;
 use tank::options::LinearOptions as Options;
-use tank::options::linear::WallPlace;
+use tank::options::linear::{Dashpots, WallPlace};
 
 /// Allowed range of [`Options::refine`].
 const REFINE: std::ops::RangeInclusive<f64> = 0.25..=16.0;
@@ -43,6 +43,14 @@ pub(crate) fn check_options(case: &Case, options: &Options) -> Result<(), FeErro
         let found = format!("{} m, {} rad", place.z, place.theta);
         let allowed = format!("0 m to {height} m, a finite angle");
         return Err(out_of_range("analysis.force_stations", found, allowed));
+    }
+    let ring = |ring: &&Dashpots| {
+        !(ring.z > 0.0 && ring.z <= height && ring.coefficient >= 0.0 && ring.coefficient.is_finite())
+    };
+    if let Some(ring) = options.dashpots.iter().find(ring) {
+        let found = format!("{} m, {} N s/m", ring.z, ring.coefficient);
+        let allowed = format!("above 0 m to {height} m, a coefficient from 0");
+        return Err(out_of_range("analysis.damping.dashpots", found, allowed));
     }
     Ok(())
 }

@@ -42,6 +42,8 @@ pub struct Coupled {
     /// Rows of base shear and base moment of the wall alone and of the roof alone, by the absolute accelerations; `None` if
     /// the engine does not separate them from the liquid.
     pub structure: Option<[[Vec<f64>; 2]; 2]>,
+    /// Dashpots to the ground: row b over the unknowns and coefficient c [N·s/m]; the force −c b·ẋ acts on b·x.
+    pub dashpots: Vec<(Vec<f64>, f64)>,
     /// Mesh in words, label → text.
     pub mesh: Vec<results::Labelled>,
     /// Rows that turn an eigenvector into its shape for drawing.

@@ -5,6 +5,7 @@
 
 mod assembly;
 mod build;
+mod dashpots;
 mod estimate;
 mod limits;
 mod modes;

@@ -248,6 +248,11 @@ fn report(
     let model = linear.model;
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     notes.extend(model_notes(case, linear.engine));
+    if !options.dashpots.is_empty() && case.site.is_given() {
+        notes.push(
+            "`analysis.damping.dashpots`: the response-spectrum method combines uncoupled modes and leaves the dashpots out.".into(),
+        );
+    }
     if motion.vertical.as_ref().is_some_and(|v| v.dt != motion.horizontal.dt) {
         notes.push(
             "The records differ in their time step: the vertical one is linearised within the steps of the analysis."

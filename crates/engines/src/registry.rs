@@ -128,7 +128,15 @@ impl Engine for Nonlinear {
     }
 
     fn refuses(&self, task: &Task<'_>) -> Vec<Refusal> {
-        scope::refusals(task.case, task.nonlinear, Purpose::History)
+        let mut all = scope::refusals(task.case, task.nonlinear, Purpose::History);
+        if !task.linear.dashpots.is_empty() {
+            let message = "the nonlinear engine has no dashpots";
+            all.push(
+                Refusal::new(Place::Dashpots, message, "no analysis.damping.dashpots")
+                    .help("remove analysis.damping.dashpots, or use --fe harmonic or --fe solid"),
+            );
+        }
+        all
     }
 
     fn has_layers(&self) -> bool {

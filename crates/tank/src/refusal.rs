@@ -29,6 +29,8 @@ pub enum Place {
     Transverse,
     /// Deviations of the wall from the perfect cylinder.
     Imperfections,
+    /// Dashpots of the linear engines.
+    Dashpots,
 }
 
 /// A rejected input.

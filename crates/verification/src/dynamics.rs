@@ -4,6 +4,7 @@ use crate::{Reference, Row};
 
 mod bar;
 pub(crate) mod condensed_liquid;
+pub(crate) mod dashpots;
 pub(crate) mod energy_balance;
 pub(crate) mod four_methods;
 pub(crate) mod missing_mass;

@@ -87,6 +87,7 @@ pub const ALL: &[&Benchmark] = &[
     &fluid::impulsive::BENCHMARK,
     &dynamics::time_integration::BENCHMARK,
     &dynamics::rayleigh_damping::BENCHMARK,
+    &dynamics::dashpots::BENCHMARK,
     &dynamics::response_spectrum_method::BENCHMARK,
     &dynamics::condensed_liquid::BENCHMARK,
     &dynamics::missing_mass::BENCHMARK,

@@ -13,6 +13,7 @@ use results::Labelled;
 use tank::options::LinearOptions as Options;
 
 use super::assembly::{Assembly, RoofShare};
+use super::dashpots;
 use super::observe::Observer;
 use super::places::Places;
 use super::state::Static;
@@ -85,6 +86,7 @@ pub(crate) fn build_observed(
             let rows = [&assembly.wall_inertia, &assembly.roof_inertia];
             rows.map(|rows| rows.each_ref().map(|row| assembly.reduction.row(row)))
         }),
+        dashpots: dashpots::rows(&assembly, options),
         mesh: describe(&assembly),
         shape_rows: shape_rows(&assembly),
         mass,

@@ -165,7 +165,7 @@ pub(crate) fn analyse<'a>(
 
     let kept: Vec<Vec<&CoupledMode>> = model
         .systems()
-        .map(|h: &Harmonic| superpose::keep(&h.modes, &model.damper, options.wave_modes))
+        .map(|h: &Harmonic| superpose::keep(&h.coupled, &h.modes, &model.damper, options.wave_modes))
         .collect();
     let systems = model
         .systems()

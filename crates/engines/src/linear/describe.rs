@@ -12,7 +12,7 @@ use crate::response::superpose::{FREQUENCY_FACTOR, SLOSHING_MODES, STRUCTURAL_MO
 use fem::linalg::dot;
 use results::{Balance, Channel, EngineId, Labelled};
 use tank::options::LinearOptions as Options;
-use tank::options::linear::{DampingModel, Integrator};
+use tank::options::linear::{DampingModel, Dashpots, Integrator, WallDirection};
 
 /// Time integration, damping and number of modes, in words.
 ///
@@ -71,6 +71,7 @@ pub(crate) fn integration(
         ));
     }
     labels.push(label("damping", model.damper.text()));
+    labels.extend(options.dashpots.iter().map(dashpots));
     if options.integrator == Integrator::Modal {
         for (h, kept) in model.systems().zip(&analysis.kept) {
             labels.push(kept_modes(h, kept, options));
@@ -92,12 +93,30 @@ pub(crate) fn integration(
     labels
 }
 
+/// A ring of dashpots.
+fn dashpots(ring: &Dashpots) -> Labelled {
+    let direction = match ring.direction {
+        WallDirection::Radial => "radial",
+        WallDirection::Tangential => "tangential",
+        WallDirection::Vertical => "vertical",
+    };
+    Labelled {
+        label: "dashpots".into(),
+        text: format!(
+            "{} N s/m in all, {direction}, evenly around the wall at z = {} m; they couple the modes, and reactions of the base contain their forces",
+            significant(ring.coefficient, 4),
+            significant(ring.z, 4),
+        ),
+    }
+}
+
 fn kept_modes(h: &Harmonic, kept: &[&CoupledMode], options: &Options) -> Labelled {
     let sloshing = kept.iter().filter(|m| m.kind == Kind::Sloshing).count();
     let load = h.coupled.mass.times(&h.coupled.influence);
     let total = dot(&load, &h.coupled.influence);
     let carried: f64 = kept.iter().map(|m| m.effective_mass()).sum();
-    let by_frequency = matches!(options.damping, DampingModel::Modal | DampingModel::Caughey(_));
+    let by_frequency =
+        h.coupled.dashpots.is_empty() && matches!(options.damping, DampingModel::Modal | DampingModel::Caughey(_));
     let rule = if by_frequency {
         format!(
             "up to {FREQUENCY_FACTOR} × the frequency of the impulsive mode, at least {SLOSHING_MODES} sloshing and \

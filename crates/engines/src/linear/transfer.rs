@@ -39,7 +39,12 @@ pub(crate) fn add(simulation: &mut Simulation, model: &Model, options: &Options)
     let Some(wanted) = &options.frequency else {
         return Ok(());
     };
-    let kept = superpose::keep(&model.horizontal.modes, &model.damper, options.wave_modes);
+    let kept = superpose::keep(
+        &model.horizontal.coupled,
+        &model.horizontal.modes,
+        &model.damper,
+        options.wave_modes,
+    );
     let ratio = |mode: &CoupledMode| model.damper.ratio(mode.kind, mode.omega);
     if let Some(mode) = kept.iter().find(|mode| ratio(mode) <= 0.0) {
         simulation.notes.push(format!(

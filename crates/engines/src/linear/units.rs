@@ -32,7 +32,12 @@ const SCALARS: [Channel; 6] = [
 /// Errors: a stiffness matrix that is not positive definite.
 pub(crate) fn units(model: &Model, options: &Options) -> Result<ModalUnits, FeError> {
     let coupled = &model.horizontal.coupled;
-    let kept = superpose::keep(&model.horizontal.modes, &model.damper, options.wave_modes);
+    let kept = superpose::keep(
+        &model.horizontal.coupled,
+        &model.horizontal.modes,
+        &model.damper,
+        options.wave_modes,
+    );
     let modes = kept
         .iter()
         .map(|m| KeptMode {

@@ -38,7 +38,7 @@ impl<'a> DirectSystem<'a> {
     /// the sloshing modes that count for wave heights).
     pub fn new(system: &'a Coupled, modes: &'a [CoupledMode], damper: &Damper) -> DirectSystem<'a> {
         let n = system.influence.len();
-        let damping = match damper {
+        let mut damping = match damper {
             Damper::Rayleigh(Rayleigh { mass, stiffness }) => Matrix {
                 rows: n,
                 cols: n,
@@ -62,6 +62,13 @@ impl<'a> DirectSystem<'a> {
                 product(&momenta, &weighted)
             }
         };
+        for (row, coefficient) in &system.dashpots {
+            for (j, b) in row.iter().enumerate().filter(|(_, b)| **b != 0.0) {
+                for (to, a) in damping.column_mut(j).iter_mut().zip(row) {
+                    *to += coefficient * a * b;
+                }
+            }
+        }
         let block = Block {
             system,
             modes: modes.iter().collect(),

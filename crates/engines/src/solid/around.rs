@@ -143,7 +143,7 @@ pub(super) fn respond(
     let systems = model
         .systems()
         .map(|h| {
-            let kept = superpose::keep(&h.modes, &model.damper, options.wave_modes);
+            let kept = superpose::keep(&h.coupled, &h.modes, &model.damper, options.wave_modes);
             ModalSystem::new(&h.coupled, kept, &model.damper)
         })
         .collect::<Result<Vec<ModalSystem>, FeError>>()?;

@@ -58,6 +58,26 @@ impl OwnUnknowns<'_> {
     }
 
     fn damping(&self) -> Damping {
+        let mut damping = self.by_model();
+        let dashpots = &self.space.dashpots;
+        if !dashpots.is_empty() {
+            let size = self.system.size();
+            let modal = damping.modal.get_or_insert_with(|| ModalPart {
+                momenta: Matrix::zeros(size, 0),
+                rates: Vec::new(),
+            });
+            for (row, coefficient) in dashpots {
+                let mut dense = vec![0.0; size];
+                row.iter().for_each(|&(i, c)| dense[i] += c);
+                modal.momenta.data.extend(dense);
+                modal.momenta.cols += 1;
+                modal.rates.push(*coefficient);
+            }
+        }
+        damping
+    }
+
+    fn by_model(&self) -> Damping {
         match self.model.damper {
             Damper::Rayleigh(r) => Damping::rayleigh(Rayleigh {
                 mass: r.mass,

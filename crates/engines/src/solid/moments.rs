@@ -56,7 +56,7 @@ impl Histories {
     pub(super) fn new(model: &Model, motion: &GroundMotion, options: &Options) -> Result<Histories, FeError> {
         let kept: Vec<Vec<&CoupledMode>> = model
             .systems()
-            .map(|h| superpose::keep(&h.modes, &model.damper, options.wave_modes))
+            .map(|h| superpose::keep(&h.coupled, &h.modes, &model.damper, options.wave_modes))
             .collect();
         // Along y the tank moves as along x.
         let second = motion.transverse.as_ref().map(|record| (0, true, record));

@@ -32,7 +32,7 @@ use super::model::{ROOF, SURFACE, TankModel, WALL, displacement_liquid};
 use super::poles::VECTORS;
 use super::project::Projector;
 use super::ritz::{Ritz, reduce, symmetric};
-use super::rows::{Field, Observer, Row, static_load, tilt};
+use super::rows::{Field, Observer, Row, sparse_dot, static_load, tilt};
 use super::symmetry::Symmetry;
 use super::system::{System, columns};
 use super::{around, coupling};
@@ -43,6 +43,7 @@ use crate::probe::Probe;
 use results::Channel;
 use results::Labelled;
 use tank::options::LinearOptions as Options;
+use tank::options::linear::WallDirection;
 use tank::options::solid::Liquid;
 
 /// Map from the reduced coordinates of one direction of motion to the model.
@@ -57,6 +58,8 @@ pub(super) struct Space {
     pub potentials: Vec<bool>,
     /// Mean elevation of a potential liquid's surface over the unknowns.
     pub mean_elevation: SparseRow,
+    /// Dashpots to the ground: rows over the unknowns and coefficients [N·s/m].
+    pub dashpots: Vec<(SparseRow, f64)>,
     /// Probes of an imperfect wall around the tank.
     pub around: Vec<(around::What, Probe)>,
     /// Row of every probe over the unknowns, by [`crate::probe::Probe::key`].
@@ -189,6 +192,12 @@ pub(super) fn new(
         true => Vec::new(),
         false => around::probes(&projector)?,
     };
+    let dashpots = dashpots(&projector.observer, options);
+    let reduced = dashpots.iter().map(|(row, c)| {
+        let project = |j: usize| sparse_dot(row, basis.column(j));
+        ((0..basis.cols).map(project).collect(), *c)
+    });
+    let reduced = reduced.collect();
     let rows = projector.rows.into_inner();
     let surface = surface_part(tank, &basis)?;
     let coupled = Coupled {
@@ -202,6 +211,7 @@ pub(super) fn new(
         wall_mass: case.tank.wall_mass() + case.tank.roof.mass,
         moment_arm,
         structure: (!tank.is_round() && harmonic == 1).then(|| structure(tank, &basis)),
+        dashpots: reduced,
         mesh: describe(tank, system, basis.cols),
         shape_rows,
         mass,
@@ -210,6 +220,7 @@ pub(super) fn new(
     };
     let dofs = tank.model.dofs();
     let space = Space {
+        dashpots,
         rows,
         around,
         basis,
@@ -219,6 +230,34 @@ pub(super) fn new(
         mean_elevation: system.mean_elevation.clone(),
     };
     Ok((coupled, space))
+}
+
+/// Rings of dashpots, one at every sector.
+fn dashpots(observer: &Observer<'_>, options: &Options) -> Vec<(SparseRow, f64)> {
+    let tank = observer.tank;
+    let (nodes, sectors) = (&tank.wall.z, tank.division.sectors);
+    let mut all = Vec::new();
+    for ring in options.dashpots.iter().filter(|_| tank.is_round()) {
+        let upper = nodes.partition_point(|z| *z < ring.z).clamp(1, nodes.len() - 1);
+        let share = ((ring.z - nodes[upper - 1]) / (nodes[upper] - nodes[upper - 1])).min(1.0);
+        for sector in 0..sectors {
+            let (sine, cosine) = (std::f64::consts::TAU * sector as f64 / sectors as f64).sin_cos();
+            let direction = match ring.direction {
+                WallDirection::Radial => [cosine, sine, 0.0],
+                WallDirection::Tangential => [-sine, cosine, 0.0],
+                WallDirection::Vertical => [0.0, 0.0, 1.0],
+            };
+            let mut row = SparseRow::new();
+            for (level, weight) in [(upper - 1, 1.0 - share), (upper, share)] {
+                for (dof, part) in [Dof::Ux, Dof::Uy, Dof::Uz].into_iter().zip(direction) {
+                    let own = tank.model.row(tank.wall.rows[level][sector], dof);
+                    row.extend(own.into_iter().map(|(i, c)| (i, weight * part * c)));
+                }
+            }
+            all.push((row, ring.coefficient / sectors as f64));
+        }
+    }
+    all
 }
 
 /// Rows of base shear and base moment of the walls alone and of the roof alone over the reduced accelerations, κᵀ M_group V.

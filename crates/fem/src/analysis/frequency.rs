@@ -67,7 +67,7 @@ pub struct Reduced {
 }
 
 impl Reduced {
-    /// In modal coordinates with the ratio of every mode, viscous and hysteretic; missing mass as in [`ModalBasis`].
+    /// In modal coordinates with the ratio of every mode, viscous and hysteretic, and the dashpots of the basis; missing mass as in [`ModalBasis`].
     ///
     /// Errors: ratios of wrong number.
     pub fn modal(basis: &ModalBasis, viscous: &[f64], hysteretic: &[f64]) -> Result<Reduced, AnalysisError> {
@@ -76,16 +76,20 @@ impl Reduced {
         check_length("hysteretic ratios", hysteretic.len(), m)?;
         let diagonal = |f: &dyn Fn(usize) -> f64| DMatrix::from_diagonal(&DVector::from_fn(m, |j, _| f(j)));
         let w = &basis.omega;
+        let mut damping = diagonal(&|j| 2.0 * viscous[j] * w[j]);
+        if let Some(coupling) = &basis.coupling {
+            damping += DMatrix::from_fn(m, m, |i, j| coupling.get(i, j));
+        }
         Ok(Reduced {
             stiffness: diagonal(&|j| w[j] * w[j]),
             hysteretic: diagonal(&|j| 2.0 * hysteretic[j] * w[j] * w[j]),
-            damping: diagonal(&|j| 2.0 * viscous[j] * w[j]),
+            damping,
             mass: DMatrix::identity(m, m),
             load: [0, 1, 2].map(|k| DVector::from_fn(m, |j, _| basis.participation[j][k])),
             basis: basis.vectors.clone(),
             influence: basis.influence.clone(),
             residual: basis.residual.clone(),
-            diagonal: true,
+            diagonal: basis.coupling.is_none(),
         })
     }
 

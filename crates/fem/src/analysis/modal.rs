@@ -17,9 +17,15 @@
 //! y = Σ (d·φ_j − ω_j² c·φ_j) Y_j + Σ (e·φ_j − 2 ξ_j ω_j c·φ_j) Ẏ_j + Σ [b_k + c·ι_k − d·r_k − Σ c·φ_j Γ_jk] a_k
 //! ```
 //!
+//! Dashpots couple the modes: Ÿ_j gets −Σ D_jk Ẏ_k, and all modes are propagated together.
+//!
 //! Source: Nigam & Jennings 1969; missing mass after Kennedy 1984 and Clough & Penzien 1993, section 12-6.
 
+mod coupled;
+
 use oscillator::sdof::Recurrence;
+
+use coupled::Propagator;
 
 use super::motion::Grid;
 use super::observable::{Observable, apply};
@@ -43,6 +49,8 @@ pub struct ModalBasis {
     pub influence: [Vec<f64>; 3],
     /// r_k; empty for a component without missing mass.
     pub residual: [Vec<f64>; 3],
+    /// D of dashpots over the modes; none without them.
+    pub coupling: Option<Matrix>,
 }
 
 impl ModalBasis {
@@ -98,6 +106,7 @@ impl ModalBasis {
             participation,
             influence,
             residual,
+            coupling: None,
         })
     }
 
@@ -160,12 +169,16 @@ impl ModalBasis {
         let mut row = Row::default();
         let mut slope = Slope::default();
         let mut ground = p.ground;
+        // D is symmetric: c·Φ D v = (D Φᵀ c)·v.
+        let by_dashpots = self.coupled(&p.acceleration);
+        let on_v = |j: usize| p.velocity[j] - 2.0 * ratios[j] * self.omega[j] * p.acceleration[j] - by_dashpots[j];
+        let slowed = self.coupled(&(0..m).map(on_v).collect::<Vec<f64>>());
         for j in 0..m {
             let (c, k) = (2.0 * ratios[j] * self.omega[j], self.omega[j] * self.omega[j]);
             let on_y = p.displacement[j] - k * p.acceleration[j];
-            let on_v = p.velocity[j] - c * p.acceleration[j];
+            let on_v = on_v(j);
             row.value.push((j, on_y));
-            slope.states.push((m + j, on_y - c * on_v));
+            slope.states.push((m + j, on_y - c * on_v - slowed[j]));
             if on_v != 0.0 {
                 row.value.push((m + j, on_v));
                 slope.states.push((j, -k * on_v));
@@ -269,10 +282,12 @@ impl ModalBasis {
                 let ground = [0, 1, 2].map(|axis| at(2 * m + axis));
                 let y: Vec<f64> = (0..m).map(at).collect();
                 let v: Vec<f64> = (0..m).map(|j| at(m + j)).collect();
+                let by_dashpots = self.coupled(&v);
                 let a: Vec<f64> = (0..m)
                     .map(|j| {
                         let w = self.omega[j];
-                        -2.0 * ratios[j] * w * v[j] - w * w * y[j] - dot(&self.participation[j], &ground)
+                        let damped = 2.0 * ratios[j] * w * v[j] + by_dashpots[j];
+                        -damped - w * w * y[j] - dot(&self.participation[j], &ground)
                     })
                     .collect();
                 let mut u = self.vectors.times(&y);
@@ -330,6 +345,10 @@ impl ModalBasis {
         let step = |(&omega, &ratio): (&f64, &f64)| Recurrence::new(omega, ratio, grid.h());
         let steps: Vec<Recurrence> = self.omega.iter().zip(ratios).map(step).collect();
         let mut now = vec![(0.0, 0.0); m];
+        let mut together = self
+            .coupling
+            .as_ref()
+            .map(|d| (Propagator::new(self, ratios, d, grid.h()), vec![0.0; 2 * m]));
         let mut chunk = Chunk::new(2 * m + 3);
         let mut loads = Vec::with_capacity(Chunk::LENGTH);
         while chunk.start < grid.steps() {
@@ -343,7 +362,11 @@ impl ModalBasis {
                 };
                 [both(&load.ground[0]), both(&load.ground[1]), both(&load.ground[2])]
             }));
-            for (j, (step, state)) in steps.iter().zip(&mut now).enumerate() {
+            if let Some((propagator, state)) = &mut together {
+                self.advance(propagator, state, &loads, &mut chunk);
+            }
+            let alone = if together.is_some() { &[][..] } else { &steps[..] };
+            for (j, (step, state)) in alone.iter().zip(&mut now).enumerate() {
                 let g = self.participation[j];
                 let (y, v) = chunk.pair_mut(j, m + j);
                 (y[0], v[0]) = *state;
@@ -372,6 +395,22 @@ impl ModalBasis {
             chunk.start += chunk.len - 1;
         }
         Ok(true)
+    }
+}
+
+impl ModalBasis {
+    /// Fills a chunk with modes that dashpots couple, from the state (ω Y, Ẏ) on.
+    fn advance(&self, propagator: &mut Propagator, state: &mut [f64], loads: &[[(f64, f64); 3]], chunk: &mut Chunk) {
+        let m = self.len();
+        for k in 0..chunk.len {
+            if k > 0 {
+                propagator.advance(state, &loads[k - 1]);
+            }
+            for (j, omega) in self.omega.iter().enumerate() {
+                chunk.set(j, k, state[j] / omega);
+                chunk.set(m + j, k, state[m + j]);
+            }
+        }
     }
 }
 

@@ -48,6 +48,29 @@ pub enum DampingModel {
     },
 }
 
+/// Direction of dashpots on the wall of a cylinder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum WallDirection {
+    /// Outwards.
+    Radial,
+    /// Along the circumference.
+    Tangential,
+    /// Along the axis.
+    Vertical,
+}
+
+/// Dashpots between the ground and the wall of a cylinder, evenly spaced around it at one height.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Dashpots {
+    /// Height above the base [m].
+    pub z: f64,
+    /// Direction.
+    pub direction: WallDirection,
+    /// Coefficient of all of them together [N·s/m].
+    pub coefficient: f64,
+}
+
 /// Pairs of Caughey's series, six at most.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CaugheyPairs {
@@ -149,6 +172,9 @@ pub struct LinearOptions {
     pub integrator: Integrator,
     /// Damping.
     pub damping: DampingModel,
+    /// Dashpots besides the damping model.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub dashpots: Vec<Dashpots>,
     /// Sloshing modes that count for the wave height (5).
     pub wave_modes: usize,
     /// Estimate the discretisation error by a second, coarser mesh.
@@ -179,6 +205,7 @@ impl LinearOptions {
         refine: 1.0,
         integrator: Integrator::Modal,
         damping: DampingModel::Modal,
+        dashpots: Vec::new(),
         wave_modes: 5,
         mesh_error: true,
         gauges: Vec::new(),

@@ -1,7 +1,7 @@
 //! `analysis`: options of the linear engines.
 
 use tank::options::LinearOptions;
-use tank::options::linear::{CaugheyPairs, DampingModel, Integrator, WallPlace};
+use tank::options::linear::{CaugheyPairs, DampingModel, Dashpots, Integrator, WallDirection, WallPlace};
 use tank::{Shape, Tank, case};
 
 use super::frequency::{Frequency, frequency};
@@ -28,6 +28,9 @@ const SNAPSHOTS: Limits = Limits::from(0.0).to(1e5).items(0, 20);
 const TILT: Limits = Limits::above(0.0).to(std::f64::consts::FRAC_PI_4);
 /// Angles around the tank [rad]: a turn in either sense.
 const TURN: Limits = Limits::from(-std::f64::consts::TAU).to(std::f64::consts::TAU);
+/// Heights of dashpots above the clamped base [m], and most rings of them.
+const RINGS: Limits = Limits::above(0.0).to(1000.0);
+const MOST_RINGS: usize = 20;
 /// Most stations of internal forces, six histories each.
 const MOST_STATIONS: usize = 50;
 /// Pairs of Caughey's series.
@@ -82,7 +85,7 @@ object! {
         theta ("90 deg"): Opt<Angle> [TURN] = default(Angle(0.0)),
     }
 
-    /// Damping model of the finite-element analysis instead of modal ratios. Give one of them.
+    /// Damping model of the finite-element analysis instead of modal ratios; give one of them. Dashpots act besides it.
     AnalysisDamping {
         /// Stiffness-proportional in the wall, a ratio for every sloshing mode, as of the nonlinear engine.
         by_group: Opt<ByGroup>,
@@ -92,6 +95,19 @@ object! {
         rayleigh: Opt<Rayleigh>,
         /// Rayleigh damping with its coefficients given, whatever their sign.
         coefficients: Opt<Coefficients>,
+        /// Dashpots between the ground and the wall of a cylinder in the linear engines, besides the damping model; they couple the modes.
+        dashpots: Opt<Vec<Field<RingOfDashpots>>> [Limits::ANY.items(0, MOST_RINGS)] = Absent::Without("no dashpots"),
+    }
+
+    /// Dashpots between the ground and the wall, three or more, evenly spaced around it at one height: they damp each harmonic of the
+    /// motion by itself.
+    RingOfDashpots {
+        /// Height above the base.
+        z: Field<Length> [RINGS],
+        /// Direction.
+        direction: Opt<WallDirection> = default(WallDirection::Radial),
+        /// Coefficient of all of them together in N s/m, a bare number.
+        coefficient (200000): Field<Number> [Limits::above(0.0).to(1e15)],
     }
 
     /// Coefficients of Rayleigh damping C = a_M M + a_K K.
@@ -100,6 +116,18 @@ object! {
         mass (0.1): Field<Number> [COEFFICIENT],
         /// a_K.
         stiffness ("0.001 s"): Field<Time> [COEFFICIENT],
+    }
+}
+
+choice! {
+    /// Direction of dashpots.
+    WallDirection {
+        /// Outwards.
+        Radial = "radial",
+        /// Along the circumference.
+        Tangential = "tangential",
+        /// Along the axis.
+        Vertical = "vertical",
     }
 }
 
@@ -145,6 +173,10 @@ pub(super) fn analysis(
             Some(_) => r.optional(&given.tilt),
             None => None,
         },
+        dashpots: given
+            .damping
+            .value()
+            .map_or_else(Vec::new, |d| dashpots(r, &d.dashpots, tank)),
         damping: match &given.damping.given {
             Some(damping) => damping_model(r, damping, ratios),
             None => {
@@ -255,6 +287,7 @@ fn damping_model(r: &mut Resolver<'_>, field: &Field<AnalysisDamping>, ratios: c
             mass: r.number(&c.mass),
             stiffness: r.number(&c.stiffness),
         }),
+        (None, None, None, None) if model.dashpots.given.is_some() => Some(DampingModel::Modal),
         _ => {
             r.faults.push(
                 range_fault(
@@ -268,6 +301,37 @@ fn damping_model(r: &mut Resolver<'_>, field: &Field<AnalysisDamping>, ratios: c
         }
     };
     found.unwrap_or(DampingModel::Modal)
+}
+
+/// Rings of dashpots, of a cylinder alone.
+fn dashpots(r: &mut Resolver<'_>, option: &Opt<Vec<Field<RingOfDashpots>>>, tank: Option<&Tank>) -> Vec<Dashpots> {
+    let Some((field, list)) = option.given.as_ref().and_then(|f| Some((f, f.value.as_ref()?))) else {
+        return Vec::new();
+    };
+    if let Some(Shape::Rectangle { .. }) = tank.map(|t| t.shape) {
+        let fault = range_fault(field, "dashpots around the wall are for cylinders", "a cylinder");
+        r.faults.push(fault.help("remove analysis.damping.dashpots"));
+    }
+    let (_, most) = field.limits.items;
+    if list.len() > most {
+        let fault = range_fault(field, "too many rings of dashpots", &format!("at most {most}"));
+        r.faults.push(fault.found(format!("{} rings", list.len())));
+    }
+    let height = tank.map_or(f64::NAN, Tank::wall_height);
+    let mut all = Vec::new();
+    for given in list.iter().filter_map(|one| one.value.as_ref()) {
+        let z = r.number(&given.z);
+        if z > height * (1.0 + 1e-9) {
+            let allowed = format!("above 0 to {}, the height of the wall", like_field(&given.z, height));
+            r.faults.push(range_fault(&given.z, "outside the tank", &allowed));
+        }
+        all.push(Dashpots {
+            z,
+            direction: r.choice(&given.direction),
+            coefficient: r.number(&given.coefficient),
+        });
+    }
+    all
 }
 
 /// The pairs of Caughey's series, two to six at different frequencies.

@@ -55,5 +55,9 @@ pub(super) fn of(file: &TankFile) -> Places {
     if let Some(imperfections) = file.analysis.value().and_then(|a| a.imperfections.place()) {
         all.insert(Place::Imperfections, imperfections);
     }
+    let damping = file.analysis.value().and_then(|a| a.damping.value());
+    if let Some(dashpots) = damping.and_then(|d| d.dashpots.place()) {
+        all.insert(Place::Dashpots, dashpots);
+    }
     Places::new(all)
 }

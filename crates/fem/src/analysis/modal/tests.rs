@@ -306,3 +306,88 @@ fn hysteretic_damping_at_resonance() {
     assert!((steady(0.05, 0.0) / closed - 1.0).abs() < 5e-3);
     assert!((steady(0.0, 0.05) / closed - 1.0).abs() < 5e-3);
 }
+
+/// A dashpot of the frame, c b bᵀ with two entries of b, on all modes: against the frequency domain on all unknowns with the matrix itself, with
+/// the tolerance of [`methods_agree`] (corners of the record between its samples); the steady state by modes and by matrices is one and the same.
+#[test]
+fn dashpots_couple_the_modes() {
+    let (system, eigen) = frame();
+    let n = system.size();
+    let (mut row, coefficient) = (vec![0.0; n], 12.0);
+    (row[0], row[4]) = (0.4, 1.0);
+    let basis = ModalBasis::new(&system, &eigen.omega, &eigen.vectors, [None; 3])
+        .unwrap()
+        .with_dashpots([(row.as_slice(), coefficient)]);
+    let ratios = vec![0.0; n];
+    let mut dashpot = Symmetric::zeros(system.mass.pattern.clone());
+    for (i, j) in [(0, 0), (4, 0), (4, 4)] {
+        let place = dashpot.pattern.place(i, j).unwrap();
+        dashpot.values[place] += coefficient * row[i] * row[j];
+    }
+    let damped = System::from_matrices(system.mass.clone(), system.stiffness.clone(), system.influence.clone())
+        .with_damping(Damping {
+            sparse: Some(dashpot),
+            ..Damping::none()
+        });
+    let grid = Grid::new(0.02, 3.98, 1.0, 0.02 / 32.0);
+    let load = shaking(&grid);
+    let rows = observables();
+    let (modal, _) = basis.respond(&ratios, &load, grid, &rows, &[], &Silent).unwrap();
+    let exact = Reduced::full(&damped, 0.0).unwrap();
+    let exact = exact.respond(&load, grid, Window::Exponential(6.0), &rows).unwrap();
+    for (a, b) in modal.scalars.iter().zip(&exact) {
+        let largest = b.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        for (i, (a, b)) in a.values.iter().zip(&b.values).enumerate() {
+            // The record ends with a jump at 199.
+            assert!(
+                (a - b).abs() < 2e-3 * largest || i == 199,
+                "{i}: {a} {b} of {largest:e}"
+            );
+        }
+    }
+    // The steady state by both, exact for both.
+    let omega = [3.0, 12.5, 25.0];
+    let by_modes = Reduced::modal(&basis, &ratios, &ratios)
+        .unwrap()
+        .transfer(&rows, 0, &omega);
+    let by_matrix = Reduced::full(&damped, 0.0).unwrap().transfer(&rows, 0, &omega);
+    for (a, b) in by_modes
+        .unwrap()
+        .iter()
+        .flatten()
+        .zip(by_matrix.unwrap().iter().flatten())
+    {
+        assert!((a - b).norm() <= 1e-9 * b.norm().max(1e-12), "{a} {b}");
+    }
+}
+
+/// One mode with a dashpot is a mode with the ratio c b²/(2 ω): the exact recurrence, to rounding of a few hundred steps.
+#[test]
+fn a_dashpot_on_one_mode_is_its_ratio() {
+    let (system, eigen) = frame();
+    let first = Matrix {
+        rows: system.size(),
+        cols: 1,
+        data: eigen.vectors.column(0).to_vec(),
+    };
+    let plain = ModalBasis::new(&system, &eigen.omega[..1], &first, [None; 3]).unwrap();
+    let mut row = vec![0.0; system.size()];
+    row[2] = 1.0;
+    let ratio = 5.0 * first.get(2, 0).powi(2) / (2.0 * eigen.omega[0]);
+    let grid = Grid::new(0.02, 4.0, 0.0, 0.005);
+    let load = shaking(&grid);
+    let rows = observables();
+    let (expected, _) = plain.respond(&[ratio], &load, grid, &rows, &rows, &Silent).unwrap();
+    let coupled = plain.with_dashpots([(row.as_slice(), 5.0)]);
+    let (found, _) = coupled.respond(&[0.0], &load, grid, &rows, &rows, &Silent).unwrap();
+    for (a, b) in found.scalars.iter().zip(&expected.scalars) {
+        let largest = b.extreme.peak().0;
+        assert!((a.extreme.peak().0 - largest).abs() <= 1e-9 * largest);
+        assert!(
+            a.values
+                .iter()
+                .zip(&b.values)
+                .all(|(a, b)| (a - b).abs() <= 1e-9 * largest)
+        );
+    }
+}
