@@ -11,7 +11,9 @@ use tank::ingredients::{Ingredients, Recipe, Rung};
 use crate::job::Job;
 use engines::Simulation;
 use results::Method;
-use results::compare::{Attribution, Engine, Made, largest_structural};
+use results::compare::{Attribution, Engine, Made};
+use results::impulsive;
+use results::modal::ModalPart;
 
 /// Attributions of all quantities that the procedures give ingredients for, of the first engine: none without one, or if it is
 /// not linear. `made` are the ingredients of `methods`.
@@ -91,17 +93,27 @@ fn resolved(job: &Job, ingredients: &Ingredients) -> Ingredients {
     }
 }
 
-/// Separates liquid, wall and roof in the impulsive mass of an engine, as the procedures do; an engine that cannot separate
-/// them gives no impulsive mass that could be compared.
+/// Separates liquid, wall and roof in the impulsive mass of an engine, that of all modes of its group, as the procedures do; an engine
+/// that cannot separate them gives no impulsive mass that could be compared.
 pub(super) fn separate(job: &Job, simulation: &mut Simulation) {
     let values = &mut simulation.values;
-    let mode = largest_structural(&simulation.result.modal);
-    match mode.and_then(|mode| Some((mode.liquid()?, mode.structure?))) {
-        Some((liquid, [wall, roof])) => {
-            values.insert(Quantity::ImpulsiveMass, liquid.shear);
-            values.insert(Quantity::WallMass, wall.shear);
+    let group = impulsive::among(&simulation.result.modal).map(|(_, members)| members);
+    let separated = |members: Vec<&ModalPart>| -> Option<[f64; 3]> {
+        members.into_iter().try_fold([0.0; 3], |[liquid, wall, roof], mode| {
+            let [own_wall, own_roof] = mode.structure?;
+            Some([
+                liquid + mode.liquid()?.shear,
+                wall + own_wall.shear,
+                roof + own_roof.shear,
+            ])
+        })
+    };
+    match group.and_then(separated) {
+        Some([liquid, wall, roof]) => {
+            values.insert(Quantity::ImpulsiveMass, liquid);
+            values.insert(Quantity::WallMass, wall);
             if job.case.tank.roof.mass > 0.0 {
-                values.insert(Quantity::RoofMass, roof.shear);
+                values.insert(Quantity::RoofMass, roof);
             }
         }
         None => {

@@ -3,13 +3,13 @@
 //! Procedures speak of one impulsive mass at one period. The modes of a tank are many; which of them is meant?
 //!
 //! ```text
-//! dominant   the structural mode with the largest effective mass m_1, period T_1, among those that are at most √3 above the
-//!            lowest one with half of the largest effective mass of all
+//! dominant   a structural mode of period T_1 whose effective mass m_1 is the largest between T_1/√3 and √3 T_1
 //! group      every structural mode with  m ≥ ½ m_1  and  T_1/√3 ≤ T ≤ √3 T_1
+//! impulsive  of the groups with half of the mass of the heaviest one the lowest
 //! period     T_1                         mass   the sum over the group
 //! ```
 //!
-//! The lower one counts of two comparable modes that are further apart: the walls of a box share the mass among several plate modes,
+//! The rule stands in [`results::impulsive`]. The lower one counts of two comparable groups: the walls of a box share the mass among several plate modes,
 //! and the highest vectors of a reduced space carry what is left of it.
 //!
 //! A mass on a spring that is tuned to the wall, a heavy roof for one, splits the impulsive mode into two of comparable mass
@@ -38,9 +38,6 @@ pub(crate) struct Member {
     pub mass: f64,
 }
 
-/// Least effective mass of a member over that of the dominant mode.
-const COMPARABLE: f64 = 0.5;
-
 /// The impulsive mode of a tank.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Impulsive {
@@ -64,24 +61,12 @@ impl Impulsive {
     /// Of the structural modes of a tank; `None` without one that moves mass.
     pub(crate) fn of(modes: impl Iterator<Item = Member>) -> Option<Impulsive> {
         let modes: Vec<Member> = modes.collect();
-        let near = 3.0_f64.sqrt();
-        let largest = modes.iter().map(|m| m.mass).reduce(f64::max)?;
-        let comparable = modes.iter().filter(|m| m.mass >= COMPARABLE * largest);
-        let lowest = comparable.map(|m| m.omega).reduce(f64::min)?;
-        // Of equal masses the first counts.
-        let dominant = modes
-            .iter()
-            .copied()
-            .filter(|m| m.omega <= near * lowest)
-            .reduce(|a, b| if b.mass > a.mass { b } else { a })?;
-        let members = modes
-            .into_iter()
-            .filter(|m| {
-                let ratio = m.omega / dominant.omega;
-                m.mass >= COMPARABLE * dominant.mass && (1.0 / near..=near).contains(&ratio)
-            })
-            .collect();
-        Some(Impulsive { dominant, members })
+        let pairs: Vec<(f64, f64)> = modes.iter().map(|m| (m.omega, m.mass)).collect();
+        let (dominant, members) = results::impulsive::group(&pairs)?;
+        Some(Impulsive {
+            dominant: modes[dominant],
+            members: members.into_iter().map(|i| modes[i]).collect(),
+        })
     }
 
     /// Period of the dominant mode [s].

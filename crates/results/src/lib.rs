@@ -11,6 +11,7 @@ mod fact;
 mod fields;
 pub mod finite;
 mod ida;
+pub mod impulsive;
 pub mod modal;
 pub mod nonlinear;
 pub mod numdiff;

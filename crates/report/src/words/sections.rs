@@ -80,7 +80,7 @@ const ALL: &[Words] = &[
             ),
             (
                 "order",
-                "The order is fixed: modal maxima combined by SRSS for the history; the structural mode of the largest mass and the first \
+                "The order is fixed: modal maxima combined by SRSS for the history; the impulsive mode and the first \
                  sloshing mode for all modes; masses of liquid, wall, roof, floor and sloshing; lever arms; periods; damping; spectrum, \
                  code's damping factor, long-period branch, importance and behaviour factor, bounds; wave formula; combination rule. \
                  Another order has other factors with the same product.",

@@ -3,7 +3,7 @@
 //! ```text
 //! V₀  the history                                       X_j = S_a(T_j, ξ_j) r_j    r_j response of a mode per acceleration
 //! V₁  √(Σ X_j² + X_rest²)      time_history             all modes, and the rest with the peak ground acceleration
-//! V₂  √(X_i² + X_c²)           modes                    the structural mode of the largest mass, the first sloshing mode
+//! V₂  √(X_i² + X_c²)           modes                    the impulsive mode ([`crate::impulsive`]), the first sloshing mode
 //! V₃… one ingredient after the other, in the order of `Factor`, until all are the procedure's
 //! f_k = V_k/V_{k−1}            Π f_k = V_n/V₀
 //! ```
@@ -17,7 +17,8 @@ use tank::factor::Factor;
 use tank::ingredients::{Ingredients, Ordinate, Part, Recipe, Response, Rule, Rung, Share};
 
 use super::factors::{Attribution, FactorStep};
-use crate::modal::{Inertia, ModalPart, REST};
+use crate::impulsive;
+use crate::modal::{Inertia, ModalPart};
 
 /// An exchange that changes less than this is left out: rounding of equal ingredients.
 const UNCHANGED: f64 = 1e-12;
@@ -68,9 +69,9 @@ impl Engine<'_> {
         (attribution.gap() <= CLOSED).then_some(attribution)
     }
 
-    /// The structural mode of the largest mass.
+    /// The impulsive mode.
     fn structural(&self) -> Option<&ModalPart> {
-        largest_structural(self.modal)
+        impulsive::among(self.modal).map(|(dominant, _)| dominant)
     }
 
     /// The first sloshing mode.
@@ -226,12 +227,6 @@ impl Engine<'_> {
         let first = (quantity == Quantity::ImpulsiveMass && sloshing > 0.0).then_some(all_modes);
         first.into_iter().chain(rungs.iter().copied()).collect()
     }
-}
-
-/// The structural mode of the largest mass.
-pub fn largest_structural(modal: &[ModalPart]) -> Option<&ModalPart> {
-    let structural = modal.iter().filter(|p| p.kind != REST && p.kind == "structural");
-    structural.max_by(|a, b| a.total.shear.total_cmp(&b.total.shear))
 }
 
 /// The part of an inertia that a quantity is.

@@ -1,5 +1,5 @@
 use super::*;
-use crate::modal::ModalStress;
+use crate::modal::{ModalStress, REST};
 use tank::ingredients::Vertical;
 
 /// S_a = 2 m/s² over T, halved by ξ above 1 %, 3 m/s² of ground.
