@@ -25,6 +25,7 @@ mod ritz;
 pub(crate) mod roof;
 mod rows;
 mod run;
+mod search;
 pub mod spectrum;
 mod symmetry;
 pub mod system;

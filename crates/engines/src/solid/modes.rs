@@ -12,7 +12,7 @@ use tank::options::solid::SolidOptions;
 use super::model::TankModel;
 use super::poles::poles;
 use super::rows::{Observer, Row, sparse_dot};
-use super::run::stop;
+use super::search::search;
 use super::system::System;
 use super::{reduce, spectrum};
 use crate::FeError;
@@ -20,10 +20,6 @@ use crate::checks::check_options;
 use crate::damping::Damper;
 use crate::modes::Kind;
 
-/// Ritz vectors of the search for modes of one wave number.
-const MODE_VECTORS: usize = 48;
-/// The same for one part of a rectangle: from two loads, and with poles, since hundreds of waves come before the first mode of a wall.
-const PART_VECTORS: usize = 144;
 /// Largest circumferential wave number that is searched for modes.
 const MOST_WAVES: u32 = 24;
 
@@ -56,13 +52,9 @@ pub fn modes(
     )?;
     progress.advance(1);
     let most = spectrum::most_waves(&tank).min(MOST_WAVES);
-    let vectors = if tank.is_round() { MODE_VECTORS } else { PART_VECTORS };
-    progress.stage("modes by wave number", u64::from(most + 1) * vectors as u64);
     let damper = Damper::new(case, &options.damping)?;
     let mut found: Vec<Mode> = Vec::new();
-    for n in 0..=most {
-        stop(progress, "the search for modes")?;
-        let modes = spectrum::of_harmonic(&tank, &system, n, (vectors, count), progress)?;
+    for (n, modes) in (0..).zip(search(&tank, &system, (most, count), progress)?) {
         let participation = match n {
             0 | 1 => Some(reduce::rigid_motion(&tank, &system, n)?.1),
             2 if !tank.is_round() => Some(reduce::rigid_motion(&tank, &system, n)?.1),
