@@ -5,9 +5,11 @@
 
 mod assembly;
 mod build;
+mod content;
 mod dashpots;
 mod estimate;
 mod limits;
+mod liquid_mesh;
 mod modes;
 mod observe;
 mod places;

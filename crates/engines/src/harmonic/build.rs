@@ -8,12 +8,13 @@ use crate::checks::check_options;
 use crate::coupled::{Coupled, Part, ShapeRows};
 use crate::error::failure;
 use fem::linalg::Cholesky;
-use fem::liquid::{Domain, LiquidMesh, Potential};
+use fem::liquid::{Domain, Potential};
 use results::Labelled;
 use tank::options::LinearOptions as Options;
 
 use super::assembly::{Assembly, RoofShare};
 use super::dashpots;
+use super::liquid_mesh;
 use super::observe::Observer;
 use super::places::Places;
 use super::state::Static;
@@ -42,7 +43,7 @@ pub(crate) fn build_observed(
     let domain = domain(case, harmonic)?;
     let depth = case.liquid.fill_height;
     let wall = Wall::new(&case.tank, depth, harmonic, options.refine);
-    let mesh = LiquidMesh::graded(domain.half_length(), depth, options.refine);
+    let mesh = liquid_mesh::mesh(case, options.refine);
 
     let tolerance = 1e-6 * case.tank.wall_height();
     let mut trace: Vec<f64> = wall.nodes.iter().copied().filter(|&z| z <= depth + tolerance).collect();
@@ -87,7 +88,10 @@ pub(crate) fn build_observed(
             rows.map(|rows| rows.each_ref().map(|row| assembly.reduction.row(row)))
         }),
         dashpots: dashpots::rows(&assembly, options),
-        mesh: describe(&assembly),
+        mesh: describe(&assembly)
+            .into_iter()
+            .chain(liquid_mesh::label(case))
+            .collect(),
         shape_rows: shape_rows(&assembly),
         mass,
         stiffness,

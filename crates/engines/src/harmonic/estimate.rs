@@ -11,6 +11,7 @@ use tank::Case;
 use tank::Shape;
 use tank::options::AfterRecord;
 
+use super::liquid_mesh;
 use super::wall_mesh::wall_nodes;
 use crate::FeError;
 use crate::estimate::{
@@ -68,9 +69,7 @@ impl Mesh {
             n if n <= MANY_COURSES => wall_nodes(tank, depth, refine).0.len() as f64,
             n => n as f64 + 46.0 * refine,
         };
-        let radial = (5.0 * refine).round().max(2.0);
-        let slender = (depth / tank.shape.half_length() / 2.7).max(1.0);
-        let vertical = (8.0 * slender * refine).round().max(2.0);
+        let [radial, vertical] = liquid_mesh::elements(case, refine);
         let surface = 2.0 * radial + 1.0;
         let (nodal, wetted) = match tank.shape {
             Shape::Cylinder { .. } => (4.0, depth / tank.wall_height()),
