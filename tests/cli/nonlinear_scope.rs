@@ -107,7 +107,7 @@ fn laws_of_the_other_engine() {
         &[
             "materials.concrete.behaviour.concrete.law",
             "found \"uniaxial\"",
-            "\"cracked\" or \"plastic-fracturing\"",
+            "\"cracked\", \"plastic-fracturing\", \"two-surface\" or \"fracturing\"",
         ],
     );
     has(

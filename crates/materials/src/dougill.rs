@@ -21,14 +21,14 @@
 //!
 //! **Parameters are our own.** The dissertation names the theory of microcracks and prints neither f_0 nor the evolution; r_f sets the energy. Loss in
 //! one direction does not reach another: stress across m remains. Strain softens locally: the energy depends on the mesh unless r_f is chosen by
-//! its size.
+//! its size ([`Fracturing::of_energy`]).
 //!
 //! Source: Dougill 1976 (fracture surface in strain space, normality, secant to the origin); Bažant & Kim 1979. Checks: rows M15.
 
-use crate::check::{positive, within};
+use crate::check::{found, positive, within};
 use crate::drucker_prager::Cone;
 use crate::elastic::Elastic;
-use crate::{Law, LawError, PointState, Response};
+use crate::{Law, LawError, PointState, Response, refuse};
 
 const KIND: &str = "fracturing";
 
@@ -78,6 +78,36 @@ impl Fracturing {
             scale: (1.0 + nu) * cone.uniaxial(),
             first: onset / young_modulus,
             fall,
+        })
+    }
+
+    /// The same with the `energy` [J/m³] that a proportional path dissipates in the end along the elastic strains of uniaxial
+    /// compression: r_f = energy (m : D_0⁻¹ : m)/r_0 − r_0/2. Crushing energy over the size of an element makes the law
+    /// independent of the mesh as far as its strains localise in one element.
+    ///
+    /// Errors: a parameter out of range; an energy below that of a drop at the first loss, ½ r_0²/(m : D_0⁻¹ : m).
+    pub fn of_energy(
+        young_modulus: f64,
+        poisson_ratio: f64,
+        onset: f64,
+        biaxial_ratio: f64,
+        energy: f64,
+    ) -> Result<Fracturing, LawError> {
+        // Any r_f: the surface does not depend on it.
+        let law = Fracturing::new(young_modulus, poisson_ratio, onset, biaxial_ratio, 1.0)?;
+        let nu = poisson_ratio;
+        let (_, m, _) = law.surface(&[-law.first, nu * law.first, nu * law.first, 0.0, 0.0, 0.0]);
+        let trace = m[0] + m[1] + m[2];
+        let square = m.iter().map(|m| m * m).sum::<f64>();
+        let under = ((1.0 + nu) * square - nu * trace * trace) / young_modulus;
+        let least = 0.5 * law.first * law.first / under;
+        if energy.is_nan() || energy <= least || energy.is_infinite() {
+            let allowed = format!("above {}, else a smaller element", found(least, "J/m³"));
+            return Err(refuse(KIND, "energy", found(energy, "J/m³"), &allowed));
+        }
+        Ok(Fracturing {
+            fall: (energy - least) * under / law.first,
+            ..law
         })
     }
 

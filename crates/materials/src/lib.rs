@@ -26,6 +26,7 @@ pub mod elastic;
 pub mod grades;
 pub mod interlayer;
 mod modes;
+pub mod plane_stress;
 pub mod plastic_fracturing;
 mod range;
 pub mod two_surface;

@@ -109,6 +109,7 @@ pub const ALL: &[&Benchmark] = &[
     &shell::elephant_foot::BENCHMARK,
     &shell::pinched_large::BENCHMARK,
     &shell::concrete_beams::BENCHMARK,
+    &shell::concrete_patch::BENCHMARK,
     &dynamics::nonlinear::BENCHMARK,
     &tanks::responses::BENCHMARK,
     &dynamics::separation::BENCHMARK,

@@ -24,6 +24,7 @@ mod bent_strip;
 pub(crate) mod cantilever;
 pub(crate) mod cantilever_plate;
 pub(crate) mod concrete_beams;
+pub(crate) mod concrete_patch;
 pub(crate) mod cook;
 pub(crate) mod cylinder_modes;
 mod cylinder_wall;

@@ -77,6 +77,11 @@ pub(super) fn uniaxial_concrete(
                 "plastic-fracturing concrete is for shells only: choose `cracked` or `uniaxial` for a strip",
             );
         }
+        ConcreteLaw::TwoSurface | ConcreteLaw::Fracturing => {
+            return unsupported(
+                "this law of concrete is for shells only: choose `cracked` or `uniaxial` for a strip of fibres, or `wall` as shell",
+            );
+        }
     };
     let tension = tension(concrete, layer, Some(BarDirection::Vertical), element);
     UniaxialConcrete::new(young, compression, Some(tension)).map_err(refused)

@@ -194,9 +194,9 @@ fn cylinder(case: &Case, options: &NonlinearOptions, radius: f64, sized: bool, a
             let (young, nu) = (layer.material.youngs_modulus, layer.material.poisson_ratio);
             let law = |size: f64| shells::plane_concrete(&concrete, young, nu, layer, [size, size]).map(|_| ());
             let softens = match concrete.law {
-                // It has no parameters of tension.
-                ConcreteLaw::PlasticFracturing => f64::INFINITY,
-                _ => concrete.largest_element(young),
+                // The others have no softening in tension.
+                law if law.cracks() => concrete.largest_element(young),
+                _ => f64::INFINITY,
             };
             if sized {
                 let around = Some(Around {
@@ -430,7 +430,7 @@ fn against_law(layer: &Layer, concrete: &Concrete, error: FeError) -> Refusal {
         (FeError::Unsupported(message), ConcreteLaw::Uniaxial) => Refusal::new(
             Place::Law(name),
             message,
-            "\"cracked\" or \"plastic-fracturing\" in a cylinder",
+            "\"cracked\", \"plastic-fracturing\", \"two-surface\" or \"fracturing\" in shells",
         ),
         (FeError::Unsupported(message), _) => {
             Refusal::new(Place::Law(name), message, "\"cracked\" or \"uniaxial\" in a strip")

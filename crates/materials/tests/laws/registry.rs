@@ -9,6 +9,7 @@ use materials::concrete::{
 use materials::dougill::Fracturing;
 use materials::drucker_prager::DruckerPrager;
 use materials::elastic::Elastic;
+use materials::plane_stress::PlaneStress;
 use materials::plastic_fracturing::{Parameters, PlasticFracturing};
 use materials::two_surface::TwoSurface;
 use materials::von_mises::VonMises;
@@ -175,6 +176,14 @@ pub(crate) fn bars() -> Vec<Case<1>> {
     ]
 }
 
+fn two_surfaces() -> TwoSurface {
+    TwoSurface::new(34e9, 0.2, 35e6, 1.16 * 35e6, 3.5e6).unwrap()
+}
+
+fn fracturing() -> Fracturing {
+    Fracturing::new(34e9, 0.2, 20e6, 1.16, 2e-3).unwrap()
+}
+
 /// Plane stress.
 pub(crate) fn plane() -> Vec<Case<3>> {
     vec![
@@ -191,6 +200,8 @@ pub(crate) fn plane() -> Vec<Case<3>> {
         case("concrete, bond", bonded_layer(), 0.002, 35e6),
         case("concrete, Kupfer", kupfer(), 0.002, 35e6),
         case("concrete, sides", long_cell(), 0.002, 35e6),
+        case("two surfaces, layer", PlaneStress::new(two_surfaces()), 0.002, 35e6),
+        case("fracturing, layer", PlaneStress::new(fracturing()), 0.002, 35e6),
     ]
 }
 
@@ -203,18 +214,8 @@ pub(crate) fn solid() -> Vec<Case<6>> {
         case("von Mises, low-cycle", low_cycle_steel(), 0.01, 355e6),
         case("Drucker-Prager, ideal", cone(0.0), 0.003, 35e6),
         case("Drucker-Prager, kinematic", cone(3e9), 0.003, 35e6),
-        case(
-            "two surfaces",
-            TwoSurface::new(34e9, 0.2, 35e6, 1.16 * 35e6, 3.5e6).unwrap(),
-            0.003,
-            35e6,
-        ),
-        case(
-            "fracturing",
-            Fracturing::new(34e9, 0.2, 20e6, 1.16, 2e-3).unwrap(),
-            0.003,
-            35e6,
-        ),
+        case("two surfaces", two_surfaces(), 0.003, 35e6),
+        case("fracturing", fracturing(), 0.003, 35e6),
     ]
 }
 

@@ -143,6 +143,17 @@ pub enum ConcreteLaw {
     Uniaxial,
     /// Plastic-fracturing theory.
     PlasticFracturing,
+    /// Two cones of Drucker and Prager, in compression and in tension, ideally plastic.
+    TwoSurface,
+    /// Dougill's progressively fracturing solid: stiffness that falls, no permanent strain.
+    Fracturing,
+}
+
+impl ConcreteLaw {
+    /// Whether the law has a softening branch in tension, cracks and their shear.
+    pub fn cracks(self) -> bool {
+        matches!(self, ConcreteLaw::Cracked | ConcreteLaw::Uniaxial)
+    }
 }
 
 /// Tension of concrete beyond its strength.

@@ -71,6 +71,19 @@ fn drive(point: &mut Point<'_, 6>, driven: &[usize], values: &[f64]) -> Result<[
     .into())
 }
 
+/// Stress [Pa] of the first of the `driven` strains when all of them have reached `end` in `steps` steps, other stresses zero.
+///
+/// Errors: no stress found.
+pub(crate) fn driven_stress(law: &dyn Law<6>, driven: &[usize], end: f64, steps: i32) -> Result<f64, Failure> {
+    let mut point = Point::new(law);
+    let mut stress = f64::NAN;
+    for i in 1..=steps {
+        let value = end * f64::from(i) / f64::from(steps);
+        stress = drive(&mut point, driven, &vec![value; driven.len()])?[driven[0]];
+    }
+    Ok(stress)
+}
+
 /// Plateaus of ideal plasticity.
 fn strengths() -> Answer {
     let law = TwoSurface::new(E, NU, F_C, 1.16 * F_C, F_T)?;
@@ -207,6 +220,20 @@ fn fracturing() -> Answer {
         ),
         point.dissipated / 1e3,
         // Implicit Euler in 200000 steps: half a step, 1e-7, of r_0 + r_f.
+        (1e-3, "kJ/m³"),
+    ));
+    // The same of a law made for an energy.
+    let made = Fracturing::of_energy(E, NU, F_C, 1.16, 50e3)?;
+    let mut point = Point::new(&made as &dyn Law<6>);
+    for i in 1..=200_000 {
+        point.step(unit.map(|x| 2e-7 * x * f64::from(i)))?;
+    }
+    rows.push(Row::new(
+        "M15",
+        "fracturing: energy of the same path of a law made for it",
+        (50.0, "energy given", Reference::ClosedForm),
+        point.dissipated / 1e3,
+        // As above.
         (1e-3, "kJ/m³"),
     ));
     // Uniaxial compression to 1.5 ‰, unloaded in ten steps.

@@ -9,8 +9,11 @@ use fem::element::wall::place::{Build, Leaf};
 use fem::element::wall::{Layer as Between, LayerMass};
 use materials::Law;
 use materials::concrete::{CrackedConcrete, CrackedParameters, Envelope, ShearRetention, fracture_energy, peak_strain};
+use materials::dougill::Fracturing;
 use materials::elastic::Elastic;
+use materials::plane_stress::PlaneStress;
 use materials::plastic_fracturing::{Parameters, PlasticFracturing};
+use materials::two_surface::TwoSurface;
 use materials::von_mises::VonMises;
 use tank::{BarDirection, Behaviour, BiaxialEnvelope, Concrete, ConcreteLaw, Layer, LayerKind};
 
@@ -242,10 +245,18 @@ pub(crate) fn plane_concrete(
             });
             Arc::new(law.map_err(refused)?)
         }
+        ConcreteLaw::TwoSurface => {
+            let biaxial = concrete.biaxial_ratio * strength;
+            let law = TwoSurface::new(young, nu, strength, biaxial, concrete.tensile_strength);
+            Arc::new(PlaneStress::new(law.map_err(refused)?))
+        }
+        ConcreteLaw::Fracturing => {
+            let energy = CRUSHING * fracture_energy(strength) / size;
+            let law = Fracturing::of_energy(young, nu, strength, concrete.biaxial_ratio, energy);
+            Arc::new(PlaneStress::new(law.map_err(refused)?))
+        }
         ConcreteLaw::Uniaxial => {
-            return unsupported(
-                "uniaxial concrete is for strips only: choose `cracked` or `plastic-fracturing` for shells",
-            );
+            return unsupported("uniaxial concrete is for strips only: choose another law for shells");
         }
     })
 }

@@ -88,6 +88,13 @@ choice! {
         Uniaxial = "uniaxial",
         /// Plastic-fracturing theory.
         PlasticFracturing = "plastic-fracturing",
+        /// Two cones of Drucker and Prager through compressive_strength, biaxial_ratio and tensile_strength, ideally plastic: it does not
+        /// soften and has no cracks.
+        TwoSurface = "two-surface",
+        /// Dougill's progressively fracturing solid: from compressive_strength on its stiffness falls, without permanent strain; the energy
+        /// is 250 times the fracture energy of the compressive strength (fib Model Code 2010) over the size of the element. It has no
+        /// tensile strength of its own: in tension it begins at 0.6 to 1 of the compressive strength, by biaxial_ratio.
+        Fracturing = "fracturing",
     }
 }
 
@@ -137,6 +144,7 @@ pub(super) fn concrete(
     let biaxial_ratio = r.or_default(&c.biaxial_ratio);
     let softening = softening(r, reader, field, c, (e, f_c, f_t));
     let envelope = envelope(r, c, law);
+    without_cracks(r, reader, c, law);
     let bond = bond(r, reader, c, (law, softening), f_c);
     Concrete {
         law,
@@ -168,6 +176,42 @@ fn envelope(r: &mut Resolver<'_>, c: &ConcreteBehaviour, law: ConcreteLaw) -> Bi
         ));
     }
     envelope
+}
+
+/// Keys of cracks have no meaning in solids of concrete that do not crack.
+fn without_cracks(r: &mut Resolver<'_>, reader: &Reader, c: &ConcreteBehaviour, law: ConcreteLaw) {
+    if !matches!(law, ConcreteLaw::TwoSurface | ConcreteLaw::Fracturing) {
+        return;
+    }
+    let allowed = "with \"law\": \"cracked\" or \"uniaxial\" only";
+    macro_rules! refuse {
+        ($($key:ident),*) => {$(
+            if let Some(field) = &c.$key.given {
+                let message = concat!("this law of concrete has no cracks, so that `", stringify!($key), "` does not apply");
+                r.faults.push(range_fault(field, message, allowed));
+            }
+        )*};
+    }
+    refuse!(
+        fracture_energy,
+        softening_strain,
+        brittle,
+        shear_retention,
+        shear_retention_strain,
+        tension_stiffening,
+        crack_spacing,
+        bond
+    );
+    r.remarks.push(match law {
+        ConcreteLaw::Fracturing => format!(
+            "{}: Dougill's fracturing solid has no tensile strength of its own; tensile_strength serves the checks alone",
+            reader.path
+        ),
+        _ => format!(
+            "{}: two-surface plasticity does not soften; it is for limit loads and short histories",
+            reader.path
+        ),
+    });
 }
 
 /// Bond of the bars; `f_c` [Pa].
