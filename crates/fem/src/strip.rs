@@ -1,4 +1,4 @@
-//! A long rectangular tank as a strip: fibre walls, and the liquid condensed in closed form.
+//! A long rectangular tank as a strip: walls of fibre beams or layered shells, and the liquid condensed in closed form.
 //!
 //! ```text
 //!        z                       one wall of the strip at x = L, per metre of tank
@@ -20,14 +20,16 @@
 //! * [`StripTank`]: parameters. [`StripModel`]: the model, its loads, damping and modes.
 //! * [`StripModel::histories`]: both walls through an earthquake, with full histories ([`WallHistory`]).
 //!   [`StripModel::run`]: one wall, its [`Demand`] alone; [`StripModel::incremental`]: both at rising scales.
-//! * [`levels`]: nodes along a wall.
+//! * [`levels`]: nodes along a wall. [`ShellWall`]: shells and the layer between them in place of the beams.
 
 mod build;
 mod contact;
 mod demand;
 mod history;
 mod model;
+mod pieces;
 mod run;
+mod shells;
 mod validity;
 
 #[cfg(test)]
@@ -39,6 +41,7 @@ pub use demand::{BaseMoment, Demand, FirstCrack};
 pub use history::{Cell, EventKind, Picture, Scalar, WallEvent, WallHistory};
 pub use model::{BaseReaction, Side, StripModel};
 pub use run::{StripLevel, StripQuake, StripRun, WallRun};
+pub use shells::{ShellRow, ShellWall};
 pub use validity::{ACCELERATION, BAR_STRAIN, Departure, DepartureKind, ENERGY_SHARE, MOMENT_SHARE};
 
 use std::sync::Arc;
@@ -57,6 +60,8 @@ pub struct StripTank {
     pub levels: Vec<f64>,
     /// Section of each element, from the bottom; one fewer than levels. ζ along +x: the wet face is at −h/2.
     pub sections: Vec<Arc<FibreSection>>,
+    /// Shells that take the place of the beams; the sections then give the mass of the wall and the penalty of the joint alone.
+    pub shells: Option<ShellWall>,
     /// Integration along the beams, P-Δ.
     pub options: Options,
     /// Rotation spring at the base [N m/rad per m]; clamped without.
@@ -67,6 +72,16 @@ pub struct StripTank {
     pub sloshing: usize,
     /// How liquid and wall touch.
     pub contact: Contact,
+}
+
+impl StripTank {
+    /// Unknowns of the liquid's face: those of the beams; deflections alone of shells and of a face of its own.
+    pub fn trace(&self) -> Trace {
+        match self.shells {
+            Some(_) => Trace::Linear,
+            None => self.contact.trace(),
+        }
+    }
 }
 
 /// How liquid and wall touch.

@@ -95,6 +95,7 @@ pub const ALL: &[&Benchmark] = &[
     &dynamics::four_methods::BENCHMARK,
     &strip::at_rest::BENCHMARK,
     &strip::section::BENCHMARK,
+    &strip::shells::BENCHMARK,
     &shell::tank_locking::BENCHMARK,
     &shell::tank_grading::BENCHMARK,
     &shell::cantilever::BENCHMARK,

@@ -6,6 +6,7 @@
 //! | section | cracking and yield moment of the base | beam theory |
 //! | C11 | linear response under different dampings | independent prototype, table 8.14 |
 //! | C8 | contact that opens, in the march of nonlinear walls | Moreau's scheme on the same matrices |
+//! | C14 | walls of layered shells in time | the same strip of fibres |
 //! | C12 | incremental dynamic analysis | independent prototype, table 8.16 |
 //!
 //! Rows with a record take it as an argument: the version that the dissertation describes (0.348 g) may not be
@@ -27,6 +28,7 @@ pub(crate) mod contact;
 pub(crate) mod incremental;
 pub(crate) mod linear_response;
 pub(crate) mod section;
+pub(crate) mod shells;
 
 /// The dissertation's g; γ = 10 kN/m³ of the water and 25 kN/m³ of the concrete are exact with it.
 const G: f64 = 9.81;
@@ -58,6 +60,7 @@ fn tank(section: FibreSection, wet: usize, ratio: f64, options: Options) -> Resu
     Ok(StripTank {
         levels: levels([DEPTH, HEIGHT], [wet, dry], ratio)?,
         sections: vec![section; wet + dry],
+        shells: None,
         options,
         base_spring: None,
         liquid: StripLiquid {

@@ -17,7 +17,7 @@ use super::laws::uniaxial_concrete;
 use super::strip;
 use super::strip::section as fibres;
 use crate::{FeError, out_of_round};
-use tank::options::nonlinear::{NonlinearOptions, WallElements};
+use tank::options::nonlinear::{NonlinearOptions, StripWall, WallElements};
 
 /// Size so small that only parameters of a law can be at fault [m].
 const TINY: f64 = 1e-3;
@@ -144,12 +144,27 @@ fn strip_walls(case: &Case, options: &NonlinearOptions, all: &mut Vec<Refusal>) 
             // Plane strain across the strip.
             let nu = layer.material.poisson_ratio;
             let young = layer.material.youngs_modulus / (1.0 - nu * nu);
-            let law = |size: f64| uniaxial_concrete(&concrete, young, layer, size).map(|_| ());
-            let softens = concrete.largest_element(young);
+            let law = |size: f64| match options.wall {
+                StripWall::Fibre => uniaxial_concrete(&concrete, young, layer, size).map(|_| ()),
+                StripWall::Shell => {
+                    let own = layer.material.youngs_modulus;
+                    shells::plane_concrete(&concrete, own, nu, layer, [size, size]).map(|_| ())
+                }
+            };
+            let softens = match concrete.law {
+                // The others have no softening in tension.
+                law if law.cracks() => concrete.largest_element(young),
+                _ => f64::INFINITY,
+            };
             check(index, layer, &concrete, softens, &law, &rows, None, all);
         }
+        let longest = rows.longest(index, rows.count());
+        let built = || match options.wall {
+            StripWall::Fibre => fibres::section(&layers, longest, options).map(|_| ()),
+            StripWall::Shell => strip::shells::shell_row(&layers, longest, &options.integration).map(|_| ()),
+        };
         if all.len() == before
-            && let Err(error) = fibres::section(&layers, rows.longest(index, rows.count()), options)
+            && let Err(error) = built()
         {
             all.push(refusal(Place::Course(index), error).found(in_words(course)));
         }

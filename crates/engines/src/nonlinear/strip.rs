@@ -1,4 +1,4 @@
-//! Strips: two walls of fibre beams and the condensed liquid, marched through the record.
+//! Strips: two walls of fibre beams or layered shells, and the condensed liquid, marched through the record.
 //!
 //! [`Strip`] is the model; [`simulate`] runs it once, [`Strip::incremental`] at rising scales.
 
@@ -12,6 +12,7 @@ mod maps;
 mod modes;
 mod report;
 pub(super) mod section;
+pub(super) mod shells;
 mod simulate;
 mod walls;
 

@@ -1,6 +1,6 @@
 //! Parts that a strip is built of.
 
-use super::{StripError, StripTank};
+use super::{StripError, StripTank, shells};
 use crate::analysis::damping::Rayleigh;
 use crate::analysis::observable::Observable;
 use crate::dofs::{Dof, KINDS};
@@ -29,20 +29,21 @@ pub(super) fn liquid_element(
     tank: &StripTank,
     damping: StripDamping,
     liquid: &WallLiquid,
-    face: &[usize],
+    face: &[Vec<usize>],
     amplitude_nodes: &[usize],
 ) -> Result<SuperElement, StripError> {
-    let trace = tank.contact.trace();
-    let nodes: Vec<usize> = face.iter().chain(amplitude_nodes).copied().collect();
-    let dofs = nodes
-        .iter()
-        .map(|n| if face.contains(n) { dofs_of(trace) } else { AMPLITUDE })
-        .collect();
+    let trace = tank.trace();
+    let mut nodes: Vec<usize> = face.iter().flatten().copied().collect();
+    let mut dofs = vec![dofs_of(trace); nodes.len()];
+    nodes.extend(amplitude_nodes);
+    dofs.resize(nodes.len(), AMPLITUDE);
+    let over = |matrix: &Matrix| shells::spread(matrix, trace.unknowns(), face);
+    let mass = over(&liquid.mass);
+    let n = mass.rows;
     let mut element = SuperElement::new(nodes, dofs)?
-        .with_mass(liquid.mass.clone())?
-        .with_stiffness(liquid.stiffness.clone())?;
+        .with_mass(mass)?
+        .with_stiffness(over(&liquid.stiffness))?;
     if let StripDamping::ByGroup { sloshing, .. } = damping {
-        let n = liquid.mass.rows;
         let mut c = Matrix::zeros(n, n);
         for (i, (mass, omega)) in liquid.modal_masses.iter().zip(&liquid.omega).enumerate() {
             let at = n - tank.sloshing + i;
@@ -73,12 +74,14 @@ pub(super) fn coefficients(damping: StripDamping, omega: f64) -> [Rayleigh; 2] {
 }
 
 /// Forces over the unknowns of the liquid's face as a load.
-pub(super) fn wall_forces(model: &Model, face: &[usize], dofs: &[Dof], forces: &[f64]) -> Vec<f64> {
+pub(super) fn wall_forces(model: &Model, face: &[Vec<usize>], dofs: &[Dof], forces: &[f64]) -> Vec<f64> {
     let mut out = vec![0.0; model.dofs().len()];
-    for (i, &node) in face.iter().enumerate() {
-        for (k, &dof) in dofs.iter().enumerate() {
-            if let Some(e) = model.dofs().equation(node, dof) {
-                out[e] = forces[dofs.len() * i + k];
+    for (i, nodes) in face.iter().enumerate() {
+        for &node in nodes {
+            for (k, &dof) in dofs.iter().enumerate() {
+                if let Some(e) = model.dofs().equation(node, dof) {
+                    out[e] = forces[dofs.len() * i + k] / nodes.len() as f64;
+                }
             }
         }
     }
@@ -88,7 +91,7 @@ pub(super) fn wall_forces(model: &Model, face: &[usize], dofs: &[Dof], forces: &
 /// Reactions on the base of wall and liquid: along x and z, about y. On a rotation spring the last is that of the spring.
 pub(super) fn base_rows(
     model: &Model,
-    base: [usize; 2],
+    base: &[usize],
     tank: &StripTank,
     rayleigh: &[Rayleigh],
 ) -> Result<[Observable; 3], StripError> {

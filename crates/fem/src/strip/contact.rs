@@ -8,11 +8,15 @@
 //! The face is linear between the levels: one joint for every unknown of it. With a cubic face and joints at its Gauss points
 //! the set of closed points is not clear any more, and Newton's method runs round among several.
 //!
+//! Walls of shells with a joint that opens have pieces between the levels instead, whose closed part is cut
+//! ([`crate::element::liquid_joint::clipped`]).
+//!
 //! u_z leaves out the part of the deflection of the wall itself: millimetres against decimetres of waves that can separate.
 
 use std::sync::Arc;
 
 use super::build::WALL_DOFS;
+use super::pieces::{self, Piece};
 use super::{PENALTY, StripError, StripTank};
 use crate::analysis::failed;
 use crate::assembly::Assembler;
@@ -40,8 +44,10 @@ pub struct Joints {
     pub shares: Vec<f64>,
     /// Mean pressure at rest on it [Pa].
     pub at_rest: Vec<f64>,
-    /// Numbers in the model, and the elements.
+    /// Numbers in the model, and the elements; empty where pieces between the levels take their place.
     pub elements: Vec<(usize, LiquidJoint)>,
+    /// Pieces between the levels whose closed part is cut: walls of shells with a joint that opens.
+    pieces: Vec<Piece>,
 }
 
 /// A point of a joint at an instant.
@@ -100,13 +106,14 @@ pub(super) fn penalty(tank: &StripTank) -> Result<f64, StripError> {
 }
 
 impl Joints {
-    /// Between the nodes of wall, face and amplitudes.
+    /// Between the nodes of the wall at each level, of the face and of the amplitudes.
     ///
     /// Errors: a penalty that is not positive.
     pub(super) fn add_to(
         builder: &mut Builder,
         tank: &StripTank,
-        [wall, face, amplitudes]: [&[usize]; 3],
+        wall: &[Vec<usize>],
+        [face, amplitudes]: [&[usize]; 2],
         penalty: f64,
         opens: bool,
     ) -> Result<Joints, StripError> {
@@ -118,6 +125,7 @@ impl Joints {
             shares: Vec::new(),
             at_rest: Vec::new(),
             elements: Vec::new(),
+            pieces: Vec::new(),
         };
         let weight = liquid.density * liquid.gravity;
         let rise = |n: usize, z: f64| {
@@ -143,25 +151,40 @@ impl Joints {
                 }
             }
         }
+        let cut = opens && tank.shells.is_some();
+        if cut {
+            let nodes = [face, amplitudes];
+            out.pieces = pieces::add(builder, tank, wall, nodes, penalty, |n, z| weight * rise(n, z))?;
+        }
         for (i, (share, rises)) in shares.into_iter().zip(&rises).enumerate().skip(1) {
-            let mut unknowns = vec![(face[i], Dof::Ux), (wall[i], Dof::Ux)];
+            out.heights.push(tank.levels[i]);
+            out.shares.push(share);
+            out.at_rest.push(forces[i] / share);
+            if cut {
+                continue;
+            }
+            let mut unknowns = vec![(face[i], Dof::Ux)];
+            unknowns.extend(wall[i].iter().map(|&n| (n, Dof::Ux)));
+            let own = unknowns.len();
             unknowns.extend(amplitudes.iter().map(|&n| (n, Dof::Amplitude)));
+            let mut closing = vec![(0, 1.0)];
+            closing.extend((1..own).map(|k| (k, -1.0 / wall[i].len() as f64)));
             let point = JointPoint {
-                closing: vec![(0, 1.0), (1, -1.0)],
-                relief: rises.iter().enumerate().map(|(n, r)| (2 + n, -weight * r)).collect(),
+                closing,
+                relief: rises.iter().enumerate().map(|(n, r)| (own + n, -weight * r)).collect(),
                 stiffness: penalty * share,
             };
             let joint = LiquidJoint::new(&unknowns, vec![point], opens)?;
             out.elements.push((builder.element(JOINT, joint.clone()), joint));
-            out.heights.push(tank.levels[i]);
-            out.shares.push(share);
-            out.at_rest.push(forces[i] / share);
         }
         Ok(out)
     }
 
     /// States of all points in the committed `state`.
     pub fn look(&self, model: &Model, state: &State) -> Vec<Touch> {
+        if !self.pieces.is_empty() {
+            return pieces::look(&self.pieces, &self.shares, model, state);
+        }
         let mut gather = Gather::default();
         let mut out = Vec::with_capacity(self.heights.len());
         for (e, joint) in &self.elements {

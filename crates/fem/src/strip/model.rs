@@ -6,6 +6,7 @@ use super::build::{
     BASE, StripDamping, base_rows, check, coefficients, dofs_of, first_wall_mode, liquid_element, wall_forces,
 };
 use super::contact::{self, Joints};
+use super::shells::{self, Nodes};
 use super::{Contact, StripError, StripTank};
 use crate::analysis::damping::{Damping, RatioRow, Rayleigh};
 use crate::analysis::failed;
@@ -13,7 +14,6 @@ use crate::analysis::observable::{Observable, apply};
 use crate::analysis::system::System;
 use crate::assembly::Assembler;
 use crate::dofs::Dof;
-use crate::element::fibre_beam::FibreBeam;
 use crate::element::spring::{Direction, Spring};
 use crate::element::{Inspect, Response, Want, local_size};
 use crate::linalg::{Eigen, Ordering, Symbolic, dot, generalized_eigen};
@@ -66,7 +66,7 @@ impl BaseReaction {
 
 /// The model, built once; runs only read it.
 pub struct StripModel {
-    /// Nodes and elements: the beams from the bottom, the liquid, the spring if there is one.
+    /// Nodes and elements: the beams or shells from the bottom, the liquid, the spring if there is one.
     pub model: Model,
     /// Its assembler.
     pub assembler: Assembler,
@@ -84,9 +84,11 @@ pub struct StripModel {
     pub weight: Vec<f64>,
     /// Nodal forces of the pressure at rest.
     pub pressure: Vec<f64>,
-    /// Nodes of the wall upwards.
+    /// Nodes of the wall upwards; of shells one a level, on the leaf that bends.
     pub wall: Vec<usize>,
-    /// Nodes of the liquid's face upwards: the wall's own with Ux and Ry, or, where the two are joined, others with Ux alone.
+    /// Nodes at the base of wall and liquid.
+    feet: Vec<usize>,
+    /// Nodes of the liquid's face upwards, one a level: the wall's own with the unknowns of the trace, or, where the two are joined, others with Ux alone.
     pub face: Vec<usize>,
     /// Joints between them.
     pub joints: Option<Joints>,
@@ -111,23 +113,26 @@ impl StripModel {
     pub fn new(tank: &StripTank, damping: StripDamping) -> Result<StripModel, StripError> {
         check(tank, damping)?;
         let mut builder = Builder::new();
-        let wall: Vec<usize> = tank.levels.iter().map(|&z| builder.node([0.0, 0.0, z])).collect();
-        builder.hold(wall[0], Dof::Ux);
-        builder.hold(wall[0], Dof::Uz);
-        for (ends, section) in wall.windows(2).zip(&tank.sections) {
-            FibreBeam::add_to(&mut builder, WALL, [ends[0], ends[1]], section.clone(), tank.options)?;
-        }
+        let Nodes {
+            axis: wall,
+            wet,
+            mut feet,
+        } = shells::place(&mut builder, tank, WALL)?;
         let amplitude_nodes: Vec<usize> = (0..tank.sloshing)
             .map(|_| builder.node([0.0, 0.0, tank.liquid.depth]))
             .collect();
-        let face = match tank.contact {
-            Contact::Bonded => wall.clone(),
-            Contact::Joined { .. } => contact::face(&mut builder, tank),
+        let touched: Vec<Vec<usize>> = match tank.contact {
+            Contact::Bonded => wet.clone(),
+            Contact::Joined { .. } => contact::face(&mut builder, tank).into_iter().map(|n| vec![n]).collect(),
         };
+        let face: Vec<usize> = touched.iter().map(|level| level[0]).collect();
         let levels = &tank.levels[..face.len()];
-        let trace = tank.contact.trace();
+        let trace = tank.trace();
         let liquid = tank.liquid.on(trace, levels, tank.sloshing);
-        builder.element(LIQUID, liquid_element(tank, damping, &liquid, &face, &amplitude_nodes)?);
+        builder.element(
+            LIQUID,
+            liquid_element(tank, damping, &liquid, &touched, &amplitude_nodes)?,
+        );
         let joints = match tank.contact {
             Contact::Bonded => None,
             Contact::Joined { opens, penalty } => {
@@ -138,7 +143,8 @@ impl StripModel {
                 Some(Joints::add_to(
                     &mut builder,
                     tank,
-                    [&wall, &face, &amplitude_nodes],
+                    &wet,
+                    [&face, &amplitude_nodes],
                     penalty,
                     opens,
                 )?)
@@ -181,9 +187,10 @@ impl StripModel {
             _ => Damping::by_group(&assembler, &model, &groups, false)?,
         };
         let ratios = system.damping.ratios(&system.mass, &system.stiffness, &modes);
-        let base = base_rows(&model, [wall[0], face[0]], tank, &groups)?;
+        feet.push(face[0]);
+        let base = base_rows(&model, &feet, tank, &groups)?;
         let weight = assembler.body_force(&model, [0.0, 0.0, -tank.liquid.gravity]);
-        let pressure = wall_forces(&model, &face, dofs_of(trace), &liquid.hydrostatic);
+        let pressure = wall_forces(&model, &touched, dofs_of(trace), &liquid.hydrostatic);
         Ok(StripModel {
             model,
             assembler,
@@ -195,6 +202,7 @@ impl StripModel {
             weight,
             pressure,
             wall,
+            feet,
             face,
             joints,
             liquid,
@@ -212,7 +220,7 @@ impl StripModel {
 
     /// Unknowns of the liquid's face in `field`, level by level.
     pub fn face_unknowns<'a>(&'a self, field: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
-        let dofs = dofs_of(self.tank.contact.trace());
+        let dofs = dofs_of(self.tank.trace());
         self.face.iter().flat_map(move |&node| {
             let own = self.model.at_node(field, node);
             dofs.iter().map(move |dof| own[dof.index()])
@@ -258,7 +266,7 @@ impl StripModel {
     /// Errors: those of the elements.
     pub fn base_reaction(&self, state: &State, ground: [f64; 3]) -> Result<BaseReaction, StripError> {
         let mut out = BaseReaction::default();
-        let base = [self.wall[0], self.face[0]];
+        let base = &self.feet;
         let (mut gather, mut response) = (Gather::default(), Response::default());
         let held = |dof: &Dof| self.model.is_held(base[0], *dof);
         for (e, element) in self.model.elements().iter().enumerate() {
@@ -284,11 +292,7 @@ impl StripModel {
             }
         }
         // Pressure at rest and of the vertical motion are nodal loads; their share at the base goes straight into the ground.
-        for (k, i) in [0, 2]
-            .into_iter()
-            .enumerate()
-            .take(self.tank.contact.trace().unknowns())
-        {
+        for (k, i) in [0, 2].into_iter().enumerate().take(self.tank.trace().unknowns()) {
             out.load[i] -= self.liquid.hydrostatic[k] * (1.0 + ground[2] / self.tank.liquid.gravity);
         }
         let fields = &state.committed;
@@ -313,6 +317,9 @@ impl StripModel {
         let mut gather = Gather::default();
         let motion = gather.motion(&self.model, &state.committed, element);
         let found = element.sections(motion, &state.old[state.history(0)])?;
+        if let Some(shells) = &self.tank.shells {
+            return Ok(shells.lowest(&found));
+        }
         Ok(found.first().map_or([0.0; 2], |s| [s.strain[3], s.resultants[3]]))
     }
 

@@ -68,6 +68,7 @@ fn strip(section: FibreSection, damping: StripDamping) -> StripModel {
     let tank = StripTank {
         levels: levels([DEPTH, HEIGHT], [17, 3], 1.0).unwrap(),
         sections: vec![section; 20],
+        shells: None,
         options: Options::default(),
         base_spring: None,
         liquid: StripLiquid::new(2.5, DEPTH, 1019.4),

@@ -26,6 +26,9 @@ pub struct NonlinearOptions {
     pub damping: Damping,
     /// Contact of liquid and wall.
     pub contact: Contact,
+    /// Elements of the walls of a strip; of no account for a cylinder, whose walls are shells.
+    #[serde(default)]
+    pub wall: StripWall,
     /// Whether the weight of the wall acts.
     pub self_weight: bool,
     /// Whether the pressure turns with the wall.
@@ -57,6 +60,7 @@ impl NonlinearOptions {
                 sloshing: damping.sloshing,
             },
             contact: Contact::Bonded,
+            wall: StripWall::Fibre,
             self_weight: true,
             follower_pressure: true,
             integration: Integration::DEFAULT,
@@ -85,6 +89,17 @@ pub enum Contact {
     Bonded,
     /// It separates from the wall instead of pulling on it.
     Opening,
+}
+
+/// Elements of the walls of a strip.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum StripWall {
+    /// Beams with sections of fibres: the leaf that bends, the others as mass.
+    #[default]
+    Fibre,
+    /// Layered shells: every leaf, and the layer between two.
+    Shell,
 }
 
 /// Damping.

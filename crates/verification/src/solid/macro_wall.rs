@@ -44,9 +44,15 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
 /// An elastic section whose shear stiffness is multiplied: a shell after Kirchhoff, to be compared with Bernoulli's beams.
 /// A hundred times leaves 1e-4 of the shear deflection of the concrete (1 %) and 2e-3 of the moment at the liner's edge;
 /// 10⁴ times leaves a residual of 1e-5 on the finest mesh.
-struct StiffShear {
+pub(crate) struct StiffShear {
     section: ElasticSection,
     factor: f64,
+}
+
+impl StiffShear {
+    pub(crate) fn new(section: ElasticSection, factor: f64) -> StiffShear {
+        StiffShear { section, factor }
+    }
 }
 
 impl Section for StiffShear {
@@ -79,7 +85,7 @@ fn leaf([e, nu, t]: [f64; 3], shear: Shear) -> Result<Leaf, Failure> {
     let section = ElasticSection::new(e, nu, t, 0.0)?;
     let section: Arc<dyn Section> = match shear {
         Shear::Flexible => Arc::new(section),
-        Shear::Stiff => Arc::new(StiffShear { section, factor: 100.0 }),
+        Shear::Stiff => Arc::new(StiffShear::new(section, 100.0)),
     };
     Ok(Leaf { section, face: 0.5 * t })
 }

@@ -3,7 +3,7 @@
 use tank::case;
 use tank::imperfection::Imperfections;
 use tank::options::nonlinear::{
-    Contact, Damping, Integration, MOST_ROWS, MOST_SECTORS, MassProportionalAt, ThicknessRule, WallElements,
+    Contact, Damping, Integration, MOST_ROWS, MOST_SECTORS, MassProportionalAt, StripWall, ThicknessRule, WallElements,
 };
 use tank::options::{AfterRecord, NonlinearOptions};
 use tank::{Shape, Tank};
@@ -43,6 +43,9 @@ object! {
         damping: Opt<NonlinearDamping> = Absent::Follows("by_group with the ratios of damping"),
         /// Contact of liquid and wall.
         contact: Opt<Contact> = default(DEFAULT.contact).because("the liquid stays at the wall"),
+        /// Elements of the walls of a strip; not for a cylinder, whose walls are shells.
+        wall ("shell"): Opt<StripWall>
+            = default(DEFAULT.wall).because("one leaf bends, and fibres take a tenth of the time of shells"),
         /// Whether the weight of the wall acts.
         self_weight (false): Opt<bool> = default(DEFAULT.self_weight).because("the wall has weight"),
         /// Whether the pressure turns with the wall.
@@ -112,6 +115,16 @@ choice! {
         Bonded = "bonded",
         /// The liquid separates from the wall where its pressure drops below zero.
         Opening = "opening",
+    }
+}
+
+choice! {
+    /// Elements of the walls of a strip.
+    StripWall {
+        /// Beams with sections of fibres: the stiffest leaf bends, the others count for mass.
+        Fibre = "fibre",
+        /// Layered shells, flexible in shear: every leaf, with the interlayer between two.
+        Shell = "shell",
     }
 }
 
@@ -196,6 +209,16 @@ pub(super) fn nonlinear(
             "symmetry for a cylinder or a rectangle",
         ));
     }
+    if let (Some(wall), Some(false)) = (
+        &given.wall.given,
+        tank.map(|t| matches!(t.shape, Shape::Rectangle { strip: true, .. })),
+    ) {
+        r.faults.push(range_fault(
+            wall,
+            "wall applies to a strip alone",
+            "no `wall`: walls of this tank are shells",
+        ));
+    }
     let symmetry = r.choice(&given.symmetry);
     if symmetry {
         halves(r, &given.elements, tank);
@@ -207,6 +230,7 @@ pub(super) fn nonlinear(
         time_step: r.optional(&given.time_step),
         damping: damping(r, &given.damping, ratios),
         contact: r.choice(&given.contact),
+        wall: r.choice(&given.wall),
         self_weight: r.choice(&given.self_weight),
         follower_pressure: r.choice(&given.follower_pressure),
         integration: integration(r, &given.integration),

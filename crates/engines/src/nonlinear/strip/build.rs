@@ -1,4 +1,4 @@
-//! From a case to the strip of the nonlinear engine: fibre walls, liquid condensed onto them.
+//! From a case to the strip of the nonlinear engine: walls of fibres or shells, liquid condensed onto them.
 
 use std::sync::Arc;
 
@@ -15,9 +15,10 @@ use super::super::laws::unsupported;
 use super::describe::{assumptions, damping, facts};
 use super::failure::failed;
 use super::section::{course_at, levels, section};
+use super::shells;
 use crate::FeError;
 use results::Fact;
-use tank::options::nonlinear::{Contact, NonlinearOptions};
+use tank::options::nonlinear::{Contact, NonlinearOptions, StripWall};
 
 /// Sloshing modes of the condensed liquid: the tenth holds 1e-4 of the liquid's mass.
 const SLOSHING_MODES: usize = 12;
@@ -63,8 +64,15 @@ impl Strip {
         }
         let levels = levels(case, options.elements.map_or(ELEMENTS, |e| e.height));
         let mut sections = Vec::new();
+        let shells = match options.wall {
+            StripWall::Fibre => None,
+            StripWall::Shell => Some(shells::wall(case, &levels, &options.integration)?),
+        };
         for ends in levels.windows(2) {
-            let layers = course_at(case, 0.5 * (ends[0] + ends[1])).build_up();
+            let mut layers = course_at(case, 0.5 * (ends[0] + ends[1])).build_up();
+            if shells.is_some() {
+                layers = shells::elastic(&layers);
+            }
             sections.push(Arc::new(section(&layers, ends[1] - ends[0], options)?));
         }
         let liquid = StripLiquid {
@@ -76,6 +84,7 @@ impl Strip {
         let tank = StripTank {
             levels,
             sections,
+            shells,
             options: fibre_beam::Options::default(),
             base_spring: None,
             liquid,

@@ -9,7 +9,7 @@ use tank::units::Dimension;
 use super::super::after_record::Span;
 use crate::FeError;
 use results::{Fact, FactKind};
-use tank::options::nonlinear::{Contact, Damping, MassProportionalAt, NonlinearOptions};
+use tank::options::nonlinear::{Contact, Damping, MassProportionalAt, NonlinearOptions, StripWall};
 
 /// Damping of the strip.
 ///
@@ -38,14 +38,22 @@ pub(super) fn damping(damping: Damping, liquid: &StripLiquid) -> Result<StripDam
     })
 }
 
+/// Fibres of a section; of shells, layers of the leaf that bends.
+pub(super) fn points(tank: &StripTank) -> usize {
+    let most = match &tank.shells {
+        Some(shells) => shells.rows.iter().map(|r| r.layers).max(),
+        None => tank.sections.iter().map(|s| s.fibre_count()).max(),
+    };
+    most.unwrap_or(0)
+}
+
 /// The model in numbers.
 pub(super) fn facts(model: &StripModel, tank: &StripTank, step: f64) -> Vec<Fact> {
     let fact = |kind, value: f64, dimension| Fact { kind, value, dimension };
     let number = Dimension::Dimensionless;
-    let fibres = tank.sections.iter().map(|s| s.fibre_count()).max().unwrap_or(0);
     vec![
         fact(FactKind::ElementsOverWall, (tank.levels.len() - 1) as f64, number),
-        fact(FactKind::SectionFibres, fibres as f64, number),
+        fact(FactKind::SectionFibres, points(tank) as f64, number),
         fact(FactKind::SloshingModes, tank.sloshing as f64, number),
         fact(
             FactKind::FirstSloshing,
@@ -63,7 +71,16 @@ pub(super) fn facts(model: &StripModel, tank: &StripTank, step: f64) -> Vec<Fact
 pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, span: &Span) -> Vec<String> {
     let mut out = vec![
         "Strip of 1 m breadth in plane strain; corners of the tank are outside the model; rigid base, clamped walls.".to_owned(),
-        "Walls as fibre beams with plane sections and small deflections: no shear failure, no bond slip.".to_owned(),
+        match options.wall {
+            StripWall::Fibre => {
+                "Walls as fibre beams with plane sections and small deflections: no shear failure, no bond slip."
+            }
+            StripWall::Shell => {
+                "Walls as layered shells, one element across: plane sections of each leaf, flexible in shear; no shear failure, \
+                 no bond slip."
+            }
+        }
+        .to_owned(),
         match options.contact {
             Contact::Bonded => {
                 "Liquid of linear potential theory, condensed onto the wall and bonded to it. Both walls are run: with the \
@@ -87,9 +104,17 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, span: &Span) 
     ];
     if case.tank.courses.iter().any(|c| c.layers.len() > 1) {
         out.push(
-            "Layered wall: the stiffest leaf bends; the interlayer passes no shear and what stands on its other side counts for \
-             mass alone."
-                .into(),
+            match options.wall {
+                StripWall::Fibre => {
+                    "Layered wall: the stiffest leaf bends; the interlayer passes no shear and what stands on its other side \
+                     counts for mass alone."
+                }
+                StripWall::Shell => {
+                    "Layered wall: both leaves are shells with the interlayer between their faces; cracks, bars and the moment \
+                     of the section are those of the stiffest leaf."
+                }
+            }
+            .into(),
         );
     }
     if !options.self_weight {

@@ -7,7 +7,7 @@ use super::section::course_at;
 use crate::FeError;
 use crate::estimate::{Estimate, Lever, NUMBER, PROGRAM, Response, first_wall_frequency};
 use crate::nonlinear::cylinder::estimate::slots;
-use tank::options::nonlinear::NonlinearOptions;
+use tank::options::nonlinear::{NonlinearOptions, StripWall};
 
 /// Numbers that a step of a wall leaves behind: seven histories, time, energies, pressures that are followed.
 const AT_STEP: f64 = 18.0;
@@ -18,6 +18,9 @@ const ITERATIONS: f64 = 2.2;
 /// Time of a beam without its fibres, and of a fibre, in one iteration [s].
 const BEAM_TIME: f64 = 1.5e-6;
 const FIBRE_TIME: f64 = 1.5e-7;
+/// Time of an element of two shells and a layer without its layers of concrete in one iteration [s], and its bytes in the model.
+const SHELL_TIME: f64 = 3e-5;
+const SHELL: f64 = 100_000.0;
 /// Numbers a fibre remembers on average, those of [`slots`].
 const FIBRE: f64 = 4.0 * 17.0;
 /// Operations a second of a dense factorisation on one core.
@@ -44,11 +47,16 @@ pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, run
     let walls = 2.0;
     // The liquid couples deflection and slope of all wetted nodes: one dense block, factored in every iteration.
     let coupled = 2.0 * beams * (case.liquid.fill_height / case.tank.wall_height()).min(1.0);
-    let iteration = beams * (BEAM_TIME + 2.0 * fibres * FIBRE_TIME) + coupled.powi(3) / 3.0 / FLOPS;
+    // Of shells: both edges of the wet face, as many unknowns.
+    let [element, points, bytes] = match options.wall {
+        StripWall::Fibre => [BEAM_TIME, 2.0, BEAM],
+        StripWall::Shell => [SHELL_TIME, 4.0, SHELL],
+    };
+    let iteration = beams * (element + points * fibres * FIBRE_TIME) + coupled.powi(3) / 3.0 / FLOPS;
     Ok(Estimate {
         run: "nonlinear run",
         size: format!(
-            "{beams:.0} beams over each of two walls, {steps:.0} steps{}",
+            "{beams:.0} elements over each of two walls, {steps:.0} steps{}",
             if jobs > 0 {
                 format!(", {runs} runs, {at_a_time:.0} at a time")
             } else {
@@ -57,7 +65,7 @@ pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, run
         ),
         parts: vec![
             ("the program", PROGRAM),
-            ("wall", beams * BEAM),
+            ("wall", beams * bytes),
             ("liquid", at_a_time * walls * NUMBER * BLOCKS * coupled * coupled),
             (
                 "histories",

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use fem::analysis::damping::RatioRow;
 use tank::units::{Dimension, display, significant};
 
+use super::describe;
 use super::simulate::Report;
 use super::walls::WALLS;
 use crate::linear::limits;
@@ -52,15 +53,16 @@ impl Report<'_> {
 
     pub(super) fn mesh(&self) -> Vec<Labelled> {
         let model = &self.strip.model;
-        let fibres = model.tank.sections.iter().map(|s| s.fibre_count()).max().unwrap_or(0);
-        vec![
-            label(
-                "wall elements",
-                format!(
-                    "{} fibre beams a wall, two sections an element, {fibres} fibres a section",
-                    model.tank.sections.len()
-                ),
+        let (elements, points) = (model.tank.sections.len(), describe::points(&model.tank));
+        let wall = match model.tank.shells {
+            None => format!("{elements} fibre beams a wall, two sections an element, {points} fibres a section"),
+            Some(_) => format!(
+                "{elements} elements a wall, each of four-node shells and the layer between them; {points} layers in the leaf \
+                 that bends"
             ),
+        };
+        vec![
+            label("wall elements", wall),
             label(
                 "liquid",
                 format!(
@@ -135,7 +137,7 @@ impl Report<'_> {
     /// Liquid and walls in a rigid translation, against their masses.
     pub(super) fn mass_balance(&self) -> Vec<Balance> {
         let model = &self.strip.model;
-        let each = model.tank.contact.trace().unknowns();
+        let each = model.tank.trace().unknowns();
         let wall = each * model.face.len();
         let size = model.liquid.mass.rows;
         let translation: Vec<f64> = (0..size).map(|i| f64::from(i < wall && i % each == 0)).collect();

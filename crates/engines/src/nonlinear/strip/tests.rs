@@ -1,6 +1,7 @@
 //! The strip in one run: against the linear engine, at rest, until collapse.
 
 mod resume;
+mod shells;
 
 use fem::progress::Silent;
 use oscillator::record::Record;
@@ -15,7 +16,7 @@ use crate::harmonic::test_tanks;
 use crate::nonlinear::simulate;
 use crate::{FeError, Simulation};
 use results::nonlinear::{Columns, End, EventKind, Nonlinear};
-use tank::options::nonlinear::{Contact, NonlinearOptions, WallElements};
+use tank::options::nonlinear::{Contact, NonlinearOptions, StripWall, WallElements};
 
 /// g of the test cases.
 const G: f64 = 9.81;

@@ -23,7 +23,7 @@ impl StripModel {
     /// The same of the accelerations, those of the face with the acceleration `ground` of the ground [m/s²].
     fn face_acceleration(&self, field: &[f64], ground: f64) -> Vec<f64> {
         let mut out = self.face_of(field);
-        let each = self.tank.contact.trace().unknowns();
+        let each = self.tank.trace().unknowns();
         let face = out[..each * self.face.len()].iter_mut();
         face.step_by(each).for_each(|a| *a += ground);
         out
@@ -61,8 +61,8 @@ impl<'a> WallObserver<'a> {
         };
         let check = SeparationCheck::new(liquid.density * liquid.gravity, liquid.depth, heights[wet..].to_vec());
         WallObserver {
-            places: liquid.places(tank.contact.trace(), strip.face_levels(), tank.sloshing, &heights),
-            bottom: liquid.bottom_moment(tank.contact.trace(), strip.face_levels(), tank.sloshing),
+            places: liquid.places(tank.trace(), strip.face_levels(), tank.sloshing, &heights),
+            bottom: liquid.bottom_moment(tank.trace(), strip.face_levels(), tank.sloshing),
             rest: Vec::new(),
             history: WallHistory {
                 times: Vec::new(),
@@ -190,7 +190,12 @@ impl<'a> WallObserver<'a> {
             let motion = gather.motion(&strip.model, &now.state.committed, &**element);
             let (mut cell, mut widest) = (Cell::default(), [[0.0_f64; 2]; 2]);
             let (mut point, mut cracked) = (usize::MAX, 0);
+            let shells = strip.tank.shells.as_ref();
+            let layers = shells.map_or(section.layers(), |s| s.rows[e].layers);
             element.material_points(motion, &now.state.old[now.state.history(e)], &mut |fibre| {
+                if shells.is_some_and(|s| !s.bends(fibre.point)) {
+                    return;
+                }
                 let state = &fibre.state;
                 let mut first = |kind: EventKind| {
                     seen[kind as usize].get_or_insert((fibre.position[2], fibre.depth));
@@ -198,7 +203,7 @@ impl<'a> WallObserver<'a> {
                 if fibre.point != point {
                     (point, cracked) = (fibre.point, 0);
                 }
-                if fibre.layer >= section.layers() {
+                if fibre.layer >= layers {
                     bar.see(fibre);
                     cell.bar_stress = cell.bar_stress.max(fibre.stress[0].abs());
                     cell.bar_plastic_strain = cell.bar_plastic_strain.max(state.plastic_strain);
@@ -218,11 +223,11 @@ impl<'a> WallObserver<'a> {
                 for crack in state.cracks.iter().flatten() {
                     first(EventKind::Crack);
                     cell.highest_crack = cell.highest_crack.max(fibre.position[2]);
-                    cracked += 1;
                     let [open, largest] = &mut widest[usize::from(fibre.depth > 0.0)];
                     (*open, *largest) = (open.max(crack.opening), largest.max(crack.largest));
                 }
-                cell.cracked = cell.cracked.max(f64::from(cracked) / section.layers() as f64);
+                cracked += u32::from(state.cracks.iter().flatten().next().is_some());
+                cell.cracked = cell.cracked.max(f64::from(cracked) / layers as f64);
             });
             self.history.cells[e].include(&cell);
             faces.iter_mut().zip(widest).for_each(|(face, w)| face.push(w));

@@ -1,0 +1,189 @@
+//! A wall of the strip as layered shells: leaves of one element across, with the layer between them.
+//!
+//! ```text
+//!   wet leaf     layer    leaf that bends          levels as of the fibre wall; every node at y = 0 and y = 1 m
+//!     ●────────────░────────────●                  plane strain: no displacement across, no rotation about z
+//! ```
+//!
+//! Moments refer to the middle of each leaf: the layer passes no shear, so that normal forces of the leaves are their own weights.
+//! Results at points (cracks, bars, plastic strain) are those of the leaf that bends, as with fibres.
+
+use super::{StripError, StripTank};
+use crate::dofs::Dof;
+use crate::element::SectionState;
+use crate::element::fibre_beam::FibreBeam;
+use crate::element::shell4::MassKind;
+use crate::element::wall::place::{Build, Footprint, WallMesh};
+use crate::linalg::Matrix;
+use crate::model::Builder;
+
+/// Breadth of the strip [m]: everything is per metre of tank.
+const BREADTH: f64 = 1.0;
+/// Points of a shell.
+const POINTS: usize = 4;
+
+/// Shells of an element of the wall.
+#[derive(Clone)]
+pub struct ShellRow {
+    /// One shell, or two with a layer between them.
+    pub build: Build,
+    /// Layers of the leaf that bends; points of its section from this number on are bars.
+    pub layers: usize,
+}
+
+/// A wall of shells instead of fibre beams.
+#[derive(Clone)]
+pub struct ShellWall {
+    /// Elements from the bottom; one fewer than levels.
+    pub rows: Vec<ShellRow>,
+    /// Number of the leaf that bends, from the wet one.
+    pub main: usize,
+    /// Distance from the wet to the other reference surface [m]; 0 of one shell.
+    pub gap: f64,
+}
+
+impl std::fmt::Debug for ShellWall {
+    /// Sections are not shown.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "ShellWall {{ {} rows, leaf {}, gap {} m }}",
+            self.rows.len(),
+            self.main,
+            self.gap
+        )
+    }
+}
+
+impl ShellWall {
+    /// Whether a material point of this number belongs to the leaf that bends.
+    pub(super) fn bends(&self, point: usize) -> bool {
+        point / POINTS == self.main
+    }
+
+    /// Mean curvature and moment up the wall of the lower points of the leaf that bends, of the sign of a fibre wall.
+    pub(super) fn lowest(&self, sections: &[SectionState]) -> [f64; 2] {
+        let own = sections.chunks(POINTS).nth(self.main).unwrap_or_default();
+        let lowest = own.iter().map(|s| s.position[2]).fold(f64::INFINITY, f64::min);
+        let low = own.iter().filter(|s| s.position[2] < lowest + 1e-9);
+        let count = low.clone().count().max(1) as f64;
+        // Axis 2 is the upward one.
+        let mean = |of: &dyn Fn(&SectionState) -> f64| low.clone().map(of).sum::<f64>() / count;
+        [mean(&|s| s.strain[4]), BREADTH * mean(&|s| s.resultants[4])]
+    }
+}
+
+/// Nodes of a wall.
+pub(super) struct Nodes {
+    /// Of the leaf that bends, one at each level, upwards.
+    pub axis: Vec<usize>,
+    /// Of the wet face, all of each level, upwards.
+    pub wet: Vec<Vec<usize>>,
+    /// All at the base.
+    pub feet: Vec<usize>,
+}
+
+/// Adds nodes and elements of the wall; a fibre wall may still turn at its base.
+///
+/// Errors: those of the elements; shells on a spring at the base, of another number than levels, bonded without a layer.
+pub(super) fn place(builder: &mut Builder, tank: &StripTank, group: &str) -> Result<Nodes, StripError> {
+    let Some(shells) = &tank.shells else {
+        let axis: Vec<usize> = tank.levels.iter().map(|&z| builder.node([0.0, 0.0, z])).collect();
+        builder.hold(axis[0], Dof::Ux);
+        builder.hold(axis[0], Dof::Uz);
+        for (ends, section) in axis.windows(2).zip(&tank.sections) {
+            FibreBeam::add_to(builder, group, [ends[0], ends[1]], section.clone(), tank.options)?;
+        }
+        return Ok(Nodes {
+            wet: axis.iter().map(|&n| vec![n]).collect(),
+            feet: vec![axis[0]],
+            axis,
+        });
+    };
+    check(tank, shells)?;
+    let mesh_error = |e: crate::mesh::MeshError| StripError::Parameter {
+        parameter: "levels",
+        found: e.to_string(),
+        allowed: "ascending from 0",
+    };
+    let footprint = Footprint::strip(0.0, &[0.0, BREADTH], &tank.levels).map_err(mesh_error)?;
+    let courses = |row: usize| shells.rows[row].build.clone();
+    let mesh = WallMesh {
+        footprint: &footprint,
+        courses: &courses,
+        offsets: [0.0, shells.gap],
+        name: group,
+        mass: MassKind::Consistent,
+    };
+    let placed = mesh.place(builder)?;
+    for level in &footprint.levels {
+        placed.hold(builder, level, &[Dof::Uy, Dof::Ry]);
+    }
+    placed.hold(builder, &footprint.levels[0], Dof::SHELL);
+    let bending = match shells.main {
+        0 => &placed.inner,
+        _ => &placed.outer,
+    };
+    let base = &footprint.levels[0];
+    Ok(Nodes {
+        axis: footprint.levels.iter().map(|l| bending[l[0]]).collect(),
+        wet: footprint
+            .levels
+            .iter()
+            .map(|l| l.iter().map(|&p| placed.inner[p]).collect())
+            .collect(),
+        feet: [&placed.inner, &placed.outer]
+            .iter()
+            .flat_map(|nodes| base.iter().filter_map(|&p| nodes.get(p).copied()))
+            .collect(),
+    })
+}
+
+fn check(tank: &StripTank, shells: &ShellWall) -> Result<(), StripError> {
+    let refuse = |parameter, found: String, allowed| {
+        Err(StripError::Parameter {
+            parameter,
+            found,
+            allowed,
+        })
+    };
+    if tank.base_spring.is_some() {
+        return refuse("base spring", "one under shells".into(), "a clamped base");
+    }
+    if shells.rows.len() + 1 != tank.levels.len() {
+        let found = format!("{} for {} elements", shells.rows.len(), tank.levels.len() - 1);
+        return refuse("shells", found, "one an element");
+    }
+    let leaves = |row: &ShellRow| match row.build {
+        Build::Shell(_) => 1,
+        Build::Bonded(_) => 0,
+        Build::Layered(..) => 2,
+    };
+    if let Some(row) = shells.rows.iter().find(|r| leaves(r) <= shells.main) {
+        let found = format!("leaf {} of {}", shells.main, leaves(row));
+        return refuse("shells", found, "one shell, or two with a layer");
+    }
+    Ok(())
+}
+
+/// A matrix over the unknowns of a face (`each` a level) and of the amplitudes as one over the unknowns of all nodes of each level,
+/// the displacement of the face being their mean. One node a level: the matrix itself.
+pub(super) fn spread(matrix: &Matrix, each: usize, face: &[Vec<usize>]) -> Matrix {
+    let from = each * face.len();
+    let amplitudes = matrix.rows - from;
+    // For each new unknown: the old one and its share.
+    let mut rows: Vec<(usize, f64)> = Vec::new();
+    for (level, nodes) in face.iter().enumerate() {
+        for _ in nodes {
+            rows.extend((0..each).map(|k| (each * level + k, 1.0 / nodes.len() as f64)));
+        }
+    }
+    rows.extend((0..amplitudes).map(|i| (from + i, 1.0)));
+    let mut out = Matrix::zeros(rows.len(), rows.len());
+    for (j, &(q, b)) in rows.iter().enumerate() {
+        for (i, &(p, a)) in rows.iter().enumerate() {
+            out.add(i, j, a * b * matrix.get(p, q));
+        }
+    }
+    out
+}
