@@ -38,7 +38,7 @@ pub(crate) use meet::Across;
 use super::analysis::Analysis;
 use super::demands::{MOST_INSTANTS, combine};
 use super::model::Model;
-use items::{stations, Item, items, on_base};
+use items::{Item, items, on_base, stations};
 use meet::{CORNERS, Meet, at_corners, extreme_directions, lines, opposite};
 
 use crate::FeError;
