@@ -187,6 +187,7 @@ fn directions(
     let records = (&motion.horizontal, motion.vertical.as_ref());
     let along = combine(model, &analysis.kept, records, (grid, stride), &observables)?;
     let kept = [superpose::keep(
+        &other.horizontal.coupled,
         &other.horizontal.modes,
         &other.damper,
         options.wave_modes,
@@ -237,7 +238,12 @@ fn respond(
     };
     match options.integrator {
         Integrator::Modal => {
-            let turned = superpose::keep(&other.horizontal.modes, &other.damper, options.wave_modes);
+            let turned = superpose::keep(
+                &other.horizontal.coupled,
+                &other.horizontal.modes,
+                &other.damper,
+                options.wave_modes,
+            );
             let kept = [analysis.kept.first().cloned().unwrap_or_default(), turned];
             let kept = kept.into_iter().chain(analysis.kept.get(1).cloned());
             let systems = systems()

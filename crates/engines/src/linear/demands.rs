@@ -140,6 +140,7 @@ pub(crate) fn across(
     let grid = model.grid(motion, Integrator::Modal)?;
     let stride = grid.steps().div_ceil(MOST_INSTANTS).max(1);
     let kept = [superpose::keep(
+        &other.horizontal.coupled,
         &other.horizontal.modes,
         &other.damper,
         options.wave_modes,
