@@ -11,6 +11,7 @@ use crate::error::{EXIT_INPUT, EXIT_OK, Error};
 use files::text;
 use terminal::say;
 
+mod base;
 mod budget;
 mod check;
 mod checks;
@@ -62,6 +63,8 @@ enum Command {
     Ida(ida::Args),
     /// Push an anchored cylinder until its wall buckles.
     Push(push::Args),
+    /// Compute uplift of the bottom plate and the moment that the base of a tank holds, statically.
+    Base(base::Args),
     /// Compute the coupled modes of tank and liquid.
     Modes(modes::Args),
     /// Compute the response spectra of a record.
@@ -93,6 +96,7 @@ Examples:
   tankcheck check tank.json
   tankcheck check tank.json --solve fill_height
   tankcheck check tank.json --table tanks.csv
+  tankcheck base tank.json --uplift 10mm,50mm --rotation 5e-4,1e-3
   tankcheck modes tank.json --format json
   tankcheck spectrum elcentro.csv --damping 0.5%,2%,5% --periods 0.02..20
   tankcheck quake info elcentro.csv
@@ -134,6 +138,7 @@ impl Cli {
             Command::Check(args) => check::run(args, &self.global),
             Command::Ida(args) => ida::run(args, &self.global),
             Command::Push(args) => push::run(args, &self.global),
+            Command::Base(args) => base::run(args, &self.global),
             Command::Modes(args) => modes::run(args, &self.global),
             Command::Spectrum(args) => spectrum::run(args, &self.global),
             Command::Quake(args) => quake::run(args, &self.global),

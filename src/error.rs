@@ -22,6 +22,9 @@ pub enum Error {
     /// The finite-element computation failed.
     #[error("finite elements: {0}")]
     Fe(#[from] FeError),
+    /// The base of the tank has no equilibrium.
+    #[error("base of the tank: {0}")]
+    Base(#[from] base::BaseError),
     /// A benchmark of the verification manual without an answer, or a file of the manual.
     #[error(transparent)]
     Verification(#[from] verification::Error),
@@ -55,7 +58,7 @@ impl Error {
                 | FeError::Unsupported(_)
                 | FeError::Checkpoint(_),
             ) => EXIT_INPUT,
-            Error::Code { .. } | Error::Fe(_) | Error::Verification(_) => EXIT_COMPUTATION,
+            Error::Code { .. } | Error::Fe(_) | Error::Base(_) | Error::Verification(_) => EXIT_COMPUTATION,
         }
     }
 }

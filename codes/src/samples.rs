@@ -63,6 +63,7 @@ pub(crate) fn case(shape: Shape, courses: Vec<Course>, depth: f64, ec8: Option<E
             courses,
             roof: Roof::default(),
             bottom: None,
+            foundation: None,
             anchors: None,
             pressure: Default::default(),
             pipes: None,

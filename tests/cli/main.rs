@@ -2,6 +2,7 @@
 
 mod attribution;
 mod bad_tank;
+mod base;
 mod bond_input;
 mod compare;
 mod corners;

@@ -11,17 +11,19 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("materials", &[]),
     ("files", &[]),
     ("tank", &["oscillator"]),
+    ("base", &["tank"]),
     ("fem", &["linalg", "materials", "oscillator"]),
-    ("codes", &["oscillator", "tank"]),
+    ("codes", &["base", "oscillator", "tank"]),
     ("results", &["files", "oscillator", "tank"]),
     (
         "engines",
-        &["fem", "linalg", "materials", "oscillator", "results", "tank"],
+        &["base", "fem", "linalg", "materials", "oscillator", "results", "tank"],
     ),
     ("report", &["files", "results", "tank"]),
     (
         "verification",
         &[
+            "base",
             "codes",
             "engines",
             "fem",
@@ -37,6 +39,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     (
         "tankcheck",
         &[
+            "base",
             "codes",
             "engines",
             "fem",

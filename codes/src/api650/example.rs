@@ -32,6 +32,8 @@ pub(crate) fn case() -> Case {
     };
     case.tank.bottom = Some(Bottom {
         thickness: 0.010,
+        sketch: None,
+        projection: 0.0,
         corrosion: 0.0,
         width: None,
         subgrade_modulus: None,

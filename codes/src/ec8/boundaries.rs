@@ -86,6 +86,8 @@ fn overturning() {
         c.tank.support = Support::Unanchored;
         c.tank.bottom = Some(Bottom {
             thickness: 0.010,
+            sketch: None,
+            projection: 0.0,
             corrosion: 0.0,
             width: None,
             subgrade_modulus: None,

@@ -215,6 +215,8 @@ fn unanchored_walls() {
     case.tank.support = Support::Unanchored;
     case.tank.bottom = Some(Bottom {
         thickness: 0.010,
+        sketch: None,
+        projection: 0.0,
         corrosion: 0.0,
         width: None,
         subgrade_modulus: None,

@@ -104,6 +104,8 @@ impl Draw {
         let support = self.of(&[Support::Anchored, Support::Unanchored]);
         let plate = Bottom {
             thickness: thickest * self.of(&[0.3, 0.8, 1.5]),
+            sketch: None,
+            projection: 0.0,
             corrosion: 0.0,
             width: self.of(&[None, Some(0.6)]),
             subgrade_modulus: self.of(&[None, Some(5e8)]),

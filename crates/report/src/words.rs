@@ -8,6 +8,7 @@
 //! | [`differences`] | where methods differ and why |
 //! | [`verdict`], [`outcome`] | whether the tank holds, whether the results are complete, how a nonlinear run ended |
 //! | [`sections`] | titles of sections and the sentences of their templates |
+//! | [`base`] | the command of that name |
 //! | [`after_record`] | where the record ends within a history |
 //! | [`labels`] | heads of columns, labels of rows |
 //! | [`summary`] | the first page |
@@ -21,6 +22,7 @@
 
 pub mod after_record;
 pub mod apart;
+pub mod base;
 pub mod differences;
 pub mod factors;
 pub mod facts;

@@ -1,11 +1,13 @@
 //! The tank and its contents.
 
 mod behaviour;
+mod foundation;
 mod layers;
 mod parts;
 mod plane;
 
 pub use behaviour::{Bar, BarBond, Behaviour, BiaxialEnvelope, Concrete, ConcreteLaw, Interlayer, Softening, Steel};
+pub use foundation::{Foundation, FoundationKind};
 pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
 pub use parts::{Pipes, RoofKind};
 pub use plane::PLANE_WALLS;
@@ -116,7 +118,7 @@ pub struct Roof {
     pub rim: f64,
 }
 
-/// Bottom plate, needed by the anchorage checks only.
+/// Bottom plate.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Bottom {
     /// Thickness of the bottom plate under the shell (annular plate where there is one) [m].
@@ -127,6 +129,12 @@ pub struct Bottom {
     /// Width of the plate of this thickness, from the inside of the shell towards the centre [m].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub width: Option<f64>,
+    /// Thickness of the plates within that width, as built [m]; the same corrosion takes from them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sketch: Option<f64>,
+    /// Projection of the plate outside the wall [m].
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub projection: f64,
     /// Subgrade modulus of the ground under the wall [N/m³].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub subgrade_modulus: Option<f64>,
@@ -178,6 +186,9 @@ pub struct Tank {
     pub roof: Roof,
     /// Bottom plate, where given.
     pub bottom: Option<Bottom>,
+    /// Foundation, where given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub foundation: Option<Foundation>,
     /// Anchors, where given.
     pub anchors: Option<Anchors>,
     /// Pressure above the liquid.

@@ -54,11 +54,13 @@ pub enum Dimension {
     LineArea,
     /// 1/m
     Curvature,
+    /// N/m³
+    Subgrade,
 }
 
 impl Dimension {
     /// All dimensions.
-    pub const ALL: [Dimension; 18] = [
+    pub const ALL: [Dimension; 19] = [
         Dimension::Dimensionless,
         Dimension::Length,
         Dimension::Time,
@@ -77,6 +79,7 @@ impl Dimension {
         Dimension::Energy,
         Dimension::LineArea,
         Dimension::Curvature,
+        Dimension::Subgrade,
     ];
 
     /// The dimension with this SI symbol.
@@ -105,6 +108,7 @@ impl Dimension {
             Dimension::Energy => "J",
             Dimension::LineArea => "m2/m",
             Dimension::Curvature => "rad/m",
+            Dimension::Subgrade => "N/m3",
         }
     }
 
@@ -129,6 +133,7 @@ impl Dimension {
             Dimension::Energy => "an energy",
             Dimension::LineArea => "an area per length",
             Dimension::Curvature => "a curvature",
+            Dimension::Subgrade => "a subgrade modulus",
         }
     }
 
@@ -153,6 +158,7 @@ impl Dimension {
             Dimension::Energy => "5 kJ",
             Dimension::LineArea => "7.0 cm2/m",
             Dimension::Curvature => "0.01 rad/m",
+            Dimension::Subgrade => "100 MN/m3",
         }
     }
 

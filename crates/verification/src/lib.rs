@@ -14,6 +14,7 @@
 
 #![warn(unreachable_pub)]
 
+mod base;
 mod benchmark;
 mod dynamics;
 mod entry;
@@ -53,6 +54,9 @@ pub const ALL: &[&Benchmark] = &[
     &tanks::transfer::BENCHMARK,
     &tanks::mode_damping::BENCHMARK,
     &tanks::internal_forces::BENCHMARK,
+    &base::strip::BENCHMARK,
+    &base::round::BENCHMARK,
+    &base::rocking::BENCHMARK,
     &shell::element::BENCHMARK,
     &shell::patch::BENCHMARK,
     &shell::scordelis_lo::BENCHMARK,

@@ -4,6 +4,7 @@
 
 mod accepted;
 mod after_record;
+mod base;
 mod corrosion;
 mod cross;
 mod damping;

@@ -121,6 +121,10 @@ quantity! {
     Mass: Dimension::Mass;
     /// A density.
     Density: Dimension::Density;
+    /// A velocity.
+    Velocity: Dimension::Velocity;
+    /// A subgrade modulus.
+    Subgrade: Dimension::Subgrade;
     /// An acceleration.
     Acceleration: Dimension::Acceleration;
     /// A force.

@@ -245,6 +245,7 @@ fn tank(kind: Kind) -> Tank {
             ..Roof::default()
         },
         bottom: None,
+        foundation: None,
         anchors: None,
         pressure: Default::default(),
         pipes: None,

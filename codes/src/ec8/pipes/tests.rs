@@ -50,6 +50,8 @@ fn uplift_adds() {
     case.tank.support = Support::Unanchored;
     case.tank.bottom = Some(Bottom {
         thickness: 0.010,
+        sketch: None,
+        projection: 0.0,
         corrosion: 0.0,
         width: None,
         subgrade_modulus: Some(1e8),

@@ -20,6 +20,8 @@ fn unanchored(ag: f64) -> Case {
     case.tank.support = Support::Unanchored;
     case.tank.bottom = Some(Bottom {
         thickness: 0.010,
+        sketch: None,
+        projection: 0.0,
         corrosion: 0.0,
         width: None,
         subgrade_modulus: None,

@@ -23,6 +23,8 @@ fn tank(vertical: bool, bottom: Option<f64>, support: Support) -> Case {
         corrosion: 0.0,
         subgrade_modulus: None,
         thickness: 0.4,
+        sketch: None,
+        projection: 0.0,
         width: None,
         material: material("bottom", modulus, 0.2, 2500.0),
     });

@@ -168,6 +168,14 @@ pub const UNITS: &[Unit] = &[
     // curvature
     ten("rad/km", "rad/km", D::Curvature, -3),
     ten("rad/m", "rad/m", D::Curvature, 0),
+    // subgrade modulus
+    ten("N/m³", "N/m3", D::Subgrade, 0),
+    ten("kN/m³", "kN/m3", D::Subgrade, 3),
+    ten("MN/m³", "MN/m3", D::Subgrade, 6),
+    also(
+        by("lb/in³", "lb/in3", D::Subgrade, POUND_FORCE / (INCH * INCH * INCH)),
+        &["pci", "lbf/in3"],
+    ),
 ];
 
 impl Unit {

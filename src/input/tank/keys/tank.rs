@@ -1,16 +1,16 @@
 //! `tank` and `liquid`.
 
 use tank::units::Dimension;
-use tank::{RoofKind, Shape, Support};
+use tank::{FoundationKind, RoofKind, Shape, Support};
 
-use super::corrosion::loss;
+use super::base;
 use super::materials::Materials;
-use super::wall::{self, CORROSION, Course, HEIGHT, THICKNESS, Use};
+use super::wall::{self, CORROSION, Course, HEIGHT, THICKNESS};
 use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::syntax::join;
-use crate::input::tank::values::{Density, Force, Length, Mass, Number, Stress, Whole};
+use crate::input::tank::values::{Density, Force, Length, Mass, Number, Stress, Subgrade, Velocity, Whole};
 
 /// Plan dimensions and the height of the roof, from the smallest laboratory tank up; the upper bound catches mm written as m.
 const SIZE: Limits = Limits::from(1e-3).to(1000.0);
@@ -41,6 +41,8 @@ object! {
         roof: Opt<Roof> = Absent::Follows("no mass"),
         /// Bottom plate under the wall, needed by the anchorage and uplift checks.
         bottom: Opt<Bottom> = Absent::Without("checks of uplift and anchorage are left out"),
+        /// What the tank stands on: the ground under the rim of the bottom plate, and the soil.
+        foundation: Opt<Foundation>,
         /// Anchor bolts, needed by the anchorage checks.
         anchors: Opt<Anchors>,
         /// Gas or vapour above the liquid while the earthquake acts.
@@ -92,19 +94,48 @@ object! {
 
     /// Bottom plate under the wall.
     Bottom {
-        /// Thickness of the bottom plate (of the annular plate, where there is one).
+        /// Thickness of the bottom plate; of the plates within the annular plate where annular_thickness is given.
         thickness ("8 mm"): Field<Length> [THICKNESS],
         /// Corrosion allowance; it does not resist uplift.
         corrosion_allowance ("1 mm"): Opt<Length> [CORROSION],
         /// Measured thickness of a corroded plate, instead of the allowance; thickness is that as built.
         measured_thickness ("6.5 mm"): Opt<Length> [THICKNESS],
-        /// Width of the plate of this thickness, from the inside of the shell towards the centre.
+        /// Thickness of the annular plate under the wall; together with annular_width.
+        annular_thickness ("12 mm"): Opt<Length> [THICKNESS] = Absent::Follows("that of the bottom plate"),
+        /// Width of the annular plate, from the inside of the shell towards the centre.
+        annular_width ("1.2 m"): Opt<Length> [SIZE] = Absent::Follows("width"),
+        /// The same for a plate of `thickness` under the wall. Give one of the widths.
         width ("0.9 m"): Opt<Length> [SIZE] = without("the width is not checked, API 650 E.6.2.1.1.2"),
+        /// Projection of the plate outside the wall; it rests on the ground without liquid on it.
+        projection ("50 mm"): Opt<Length> [Limits::from(0.0).to(1.0)] = default(Length(0.0)),
         /// Subgrade modulus of the ground under the wall in MN/m³: compacted gravel 100, ring wall, slab or rock 10 000.
         subgrade_modulus (100): Opt<Number> [Limits::from(1.0).to(1e6)]
             = without("uplift on ground of 100, compression at the toe on ground of 10 000 MN/m³, EN 1998-4:2006 A.9"),
         /// Name of its material.
         material ("steel"): Field<String>,
+    }
+
+    /// Foundation, and the soil below it.
+    Foundation {
+        /// Kind of foundation.
+        kind: Field<FoundationKind>,
+        /// Modulus of the ground under the rim of the bottom plate, pressure over settlement. The rim loads a strip some decimetres
+        /// wide, so it is much stiffer than a plate-load test of the whole bottom.
+        stiffness ("100 MN/m3"): Opt<Subgrade> [Limits::from(1e6).to(1e12)]
+            = Absent::Follows("from shear_wave_velocity after Vesic; else 100 MN/m³ of soil, 10 000 MN/m³ of a ring wall or slab"),
+        /// Velocity of shear waves in the soil, at the strains of the earthquake (EN 1998-5:2004 table 4.1).
+        shear_wave_velocity ("250 m/s"): Opt<Velocity> [Limits::from(50.0).to(3000.0)]
+            = without("the motion of the soil under the tank is left out"),
+        /// Density of the soil.
+        soil_density ("1900 kg/m3"): Opt<Density> [Limits::from(1000.0).to(3000.0)]
+            = default(Density(1900.0)).because("moist sand or gravel"),
+        /// Poisson's ratio of the soil.
+        soil_poisson_ratio (0.33): Opt<Number> [Limits::from(0.0).below(0.5)]
+            = default(Number(1.0 / 3.0)).shown("1/3").because("drained sand or gravel"),
+        /// Thickness of a slab.
+        thickness ("0.6 m"): Opt<Length> [THICKNESS],
+        /// Coefficient of friction between the bottom plate and the ground, the mean that is expected rather than a design value.
+        friction (0.4): Opt<Number> [Limits::above(0.0).to(2.0)] = without("the tank does not slide in the time history"),
     }
 
     /// Anchor bolts.
@@ -146,6 +177,16 @@ choice! {
         Rectangle = "rectangle",
     }
 
+    /// Kind of foundation.
+    FoundationKind {
+        /// The bottom plate lies on soil or on a pad of gravel.
+        Soil = "soil",
+        /// A ring of concrete under the wall, soil within it.
+        RingWall = "ring_wall",
+        /// A stiff slab or raft of concrete under the whole bottom.
+        Slab = "slab",
+    }
+
     /// How a roof is carried.
     RoofKind {
         /// By the wall.
@@ -185,20 +226,13 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     if t.bottom.given.is_none() {
         r.not_given(&t.bottom);
     }
-    let bottom = t.bottom.value().and_then(|bottom| {
-        let thickness = r.number(&bottom.thickness);
-        let corrosion = loss(r, thickness, &bottom.corrosion_allowance, &bottom.measured_thickness);
-        let width = r.optional(&bottom.width);
-        let subgrade_modulus = r.optional(&bottom.subgrade_modulus).map(|k| 1e6 * k);
-        let material = wall::material(r, &bottom.material, materials, Use::Shell)?;
-        Some(tank::Bottom {
-            thickness,
-            corrosion,
-            width,
-            subgrade_modulus,
-            material,
-        })
-    });
+    let bottom = t.bottom.value().and_then(|given| base::bottom(r, given, materials));
+    if let (Some(field), Some(plate)) = (&t.bottom.given, &bottom)
+        && let Some(first) = courses.as_ref().and_then(|c| c.first())
+    {
+        base::thicker_than_the_wall(r, field, plate, first.thickness);
+    }
+    let foundation = (t.foundation.value()).and_then(|given| base::foundation(r, given, t.bottom.value()));
     let anchors = t.anchors.value().map(|anchors| tank::Anchors {
         count: r.count(&anchors.count).unwrap_or(0),
         capacity: r.optional(&anchors.capacity),
@@ -236,6 +270,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         courses: courses?,
         roof,
         bottom,
+        foundation,
         anchors,
         pressure,
         pipes,

@@ -1,0 +1,140 @@
+//! Hold-down force against uplift.
+
+use crate::error::BaseError;
+use crate::march::Lifted;
+use crate::strip::Strip;
+
+/// A state of a strip, per metre of the rim.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// Uplift of the rim w [m], from the ground without load.
+    pub uplift: f64,
+    /// Pull of the plate on the wall, downwards, F [N/m]; negative where the plate carries the wall.
+    pub hold_down: f64,
+    /// Rotation θ of the rim [rad], positive where the plate rises outwards.
+    pub rotation: f64,
+    /// Bending moment of the plate at the rim [N], positive where its underside is in tension.
+    pub rim_moment: f64,
+    /// Membrane force of the plate at the rim, tension positive, N [N/m].
+    pub axial_force: f64,
+    /// Distance from the rim to the ground l [m].
+    pub lifted_width: f64,
+    /// Plastic rotation of the joint [rad].
+    pub plastic_rotation: f64,
+}
+
+/// F(w) of a strip that is lifted and lowered from rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// In the order of the uplift.
+    points: Vec<Point>,
+    slopes: Vec<f64>,
+}
+
+/// Points of a curve on either side of rest.
+const POINTS: usize = 48;
+
+impl Curve {
+    /// Between `from` and `to` [m] around the rest of the strip under a wall of `weight` [N/m].
+    ///
+    /// Points stand close around rest, where the rim leaves the ground, and grow apart geometrically.
+    ///
+    /// Errors: no equilibrium.
+    pub fn of(strip: &Strip, weight: f64, from: f64, to: f64) -> Result<Curve, BaseError> {
+        let rest = Lifted::at_rest(strip, weight)?;
+        let middle = rest.uplift();
+        let mut points = Vec::with_capacity(2 * POINTS + 1);
+        for end in [from.min(middle), to.max(middle)] {
+            let mut state = rest.clone();
+            let mut branch = Vec::with_capacity(POINTS);
+            for i in 1..=POINTS {
+                // Cubic: the first step is 9e-6 of the whole.
+                let share = (i as f64 / POINTS as f64).powi(3);
+                if end == middle {
+                    break;
+                }
+                state.lift_to(middle + share * (end - middle))?;
+                branch.push(state.point());
+            }
+            if end < middle {
+                branch.reverse();
+                branch.push(rest.point());
+            }
+            if points.is_empty() && branch.is_empty() {
+                branch.push(rest.point());
+            }
+            points.extend(branch);
+        }
+        Ok(Curve {
+            slopes: slopes(&points),
+            points,
+        })
+    }
+
+    /// The states of the curve.
+    pub fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// Lowest and highest uplift [m].
+    pub fn range(&self) -> (f64, f64) {
+        (self.points[0].uplift, self.points[self.points.len() - 1].uplift)
+    }
+
+    fn place(&self, uplift: f64) -> usize {
+        let after = self.points.partition_point(|p| p.uplift < uplift);
+        after.clamp(1, self.points.len() - 1)
+    }
+
+    /// Hold-down force F at an uplift within the range [N/m]; monotone cubics between the points.
+    pub fn hold_down(&self, uplift: f64) -> f64 {
+        let i = self.place(uplift);
+        let (a, b) = (&self.points[i - 1], &self.points[i]);
+        let h = b.uplift - a.uplift;
+        let t = ((uplift - a.uplift) / h).clamp(0.0, 1.0);
+        let (m, n) = (self.slopes[i - 1] * h, self.slopes[i] * h);
+        let (t2, t3) = (t * t, t * t * t);
+        a.hold_down * (1.0 - 3.0 * t2 + 2.0 * t3)
+            + b.hold_down * (3.0 * t2 - 2.0 * t3)
+            + m * (t - 2.0 * t2 + t3)
+            + n * (t3 - t2)
+    }
+
+    /// The state at an uplift within the range, linear between points but for the force.
+    pub fn at(&self, uplift: f64) -> Point {
+        let i = self.place(uplift);
+        let (a, b) = (&self.points[i - 1], &self.points[i]);
+        let t = ((uplift - a.uplift) / (b.uplift - a.uplift)).clamp(0.0, 1.0);
+        let mix = |f: fn(&Point) -> f64| f(a) + t * (f(b) - f(a));
+        Point {
+            uplift,
+            hold_down: self.hold_down(uplift),
+            rotation: mix(|p| p.rotation),
+            rim_moment: mix(|p| p.rim_moment),
+            axial_force: mix(|p| p.axial_force),
+            lifted_width: mix(|p| p.lifted_width),
+            plastic_rotation: mix(|p| p.plastic_rotation),
+        }
+    }
+}
+
+/// Slopes that keep the curve monotone between its points (Fritsch & Butland 1984).
+fn slopes(points: &[Point]) -> Vec<f64> {
+    let secant: Vec<(f64, f64)> = points
+        .windows(2)
+        .map(|p| {
+            let h = p[1].uplift - p[0].uplift;
+            (h, (p[1].hold_down - p[0].hold_down) / h)
+        })
+        .collect();
+    let inner = secant.windows(2).map(|s| {
+        let ((h, a), (k, b)) = (s[0], s[1]);
+        if a * b <= 0.0 {
+            return 0.0;
+        }
+        3.0 * (h + k) / ((2.0 * k + h) / a + (k + 2.0 * h) / b)
+    });
+    let first = secant.first().map(|s| s.1);
+    let last = secant.last().map(|s| s.1);
+    first.into_iter().chain(inner).chain(last).collect()
+}

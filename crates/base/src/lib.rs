@@ -1,0 +1,40 @@
+//! The base of a tank that is not held down.
+//!
+//! Under an overturning moment the wall lifts a crescent of the bottom plate. What holds the wall down is the liquid on that crescent:
+//! the plate is a strip under pressure that spans from the rim to where it meets the ground again. A strip gives the hold-down force
+//! for every uplift of the rim ([`Strip`], [`Curve`]); strips side by side around the circumference give the moment for every
+//! rotation of the base ([`Rocking`]).
+//!
+//! ```text
+//! Case → Strip (plate, ground, edge of the wall) → Curve F(w) → Rocking M(ψ)
+//! ```
+//!
+//! Everything is per metre of the rim where it is not said otherwise; lengths in m, forces in N, uplift positive.
+//!
+//! Sources: Malhotra & Veletsos 1994 (strips side by side); Wozniak & Mitchell 1978 (two plastic hinges).
+
+mod band;
+pub mod closed;
+mod curve;
+mod edge;
+mod element;
+mod error;
+mod ground;
+mod march;
+mod mesh;
+pub mod model;
+mod plate;
+mod rocking;
+mod strip;
+#[cfg(test)]
+mod tests;
+
+pub use curve::{Curve, Point};
+pub use edge::Edge;
+pub use error::BaseError;
+pub use ground::{Soil, subgrade_modulus};
+pub use march::Lifted;
+pub use model::{Base, Missing, Origin};
+pub use plate::{Bands, Plate};
+pub use rocking::{Rocking, Turn, plane_section};
+pub use strip::{Plan, Rim, Strip};

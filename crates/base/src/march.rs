@@ -1,0 +1,317 @@
+//! Lifting a strip step by step: Newton's method under a given uplift of the rim.
+
+use crate::band::Band;
+use crate::curve::Point;
+use crate::element::{Element, GAUSS, SIZE};
+use crate::error::BaseError;
+use crate::strip::{Plan, Rim, Strip};
+
+/// Steps of the liquid's pressure on the way to rest.
+const FILLING: usize = 8;
+/// Iterations of a step.
+const ITERATIONS: usize = 40;
+/// Shortest step of the uplift [m].
+const SHORTEST: f64 = 1e-9;
+
+/// A strip in a state of equilibrium.
+#[derive(Clone, Debug)]
+pub struct Lifted<'a> {
+    strip: &'a Strip,
+    /// u, w, θ of each node.
+    x: Vec<f64>,
+    /// Plastic strains of all fibres.
+    plastic: Vec<f64>,
+}
+
+/// What is given at the rim.
+#[derive(Clone, Copy)]
+enum Given {
+    /// The hold-down force [N/m], and the share of the pressures.
+    Force(f64, f64),
+    /// The uplift [m], under the full pressure.
+    Uplift(f64),
+}
+
+struct System {
+    residual: Vec<f64>,
+    tangent: Band,
+    plastic: Vec<f64>,
+}
+
+impl<'a> Lifted<'a> {
+    /// At rest: the plate under its liquid, the rim under a wall of `weight` [N/m].
+    ///
+    /// The liquid widens the wall and turns its foot, which presses the rim down; a strip that starts flat misses it.
+    ///
+    /// Errors: no equilibrium.
+    pub fn at_rest(strip: &'a Strip, weight: f64) -> Result<Lifted<'a>, BaseError> {
+        let fibres: usize = (0..strip.nodes.len() - 1).map(|i| 3 * strip.plate(i).fibres()).sum();
+        let mut state = Lifted {
+            strip,
+            x: vec![0.0; 3 * strip.nodes.len()],
+            plastic: vec![0.0; fibres],
+        };
+        // All of the plate sunk evenly: near the answer, and in contact everywhere.
+        for w in state.x.iter_mut().skip(1).step_by(3) {
+            *w = -strip.pressure / strip.modulus / FILLING as f64;
+        }
+        for step in 1..=FILLING {
+            let share = step as f64 / FILLING as f64;
+            let found = state.step(Given::Force(-weight * share, share))?;
+            if !found {
+                return Err(BaseError::NoEquilibrium {
+                    uplift: state.uplift(),
+                    step: 0.0,
+                });
+            }
+        }
+        Ok(state)
+    }
+
+    /// Uplift of the rim [m].
+    pub fn uplift(&self) -> f64 {
+        self.x[self.strip.rim_at() + 1]
+    }
+
+    /// Lifts or lowers the rim to `uplift` [m].
+    ///
+    /// Errors: no equilibrium at the smallest step; the state is then the last one found.
+    pub fn lift_to(&mut self, uplift: f64) -> Result<(), BaseError> {
+        let mut step = uplift - self.uplift();
+        while self.uplift() != uplift {
+            let rest = uplift - self.uplift();
+            let target = if rest.abs() <= step.abs() * (1.0 + 1e-9) {
+                uplift
+            } else {
+                self.uplift() + step
+            };
+            if self.step(Given::Uplift(target))? {
+                continue;
+            }
+            step /= 2.0;
+            if step.abs() < SHORTEST {
+                return Err(BaseError::NoEquilibrium { uplift, step });
+            }
+        }
+        Ok(())
+    }
+
+    /// One step; false, and nothing changed, where it does not converge.
+    fn step(&mut self, given: Given) -> Result<bool, BaseError> {
+        let (n, rim) = (self.x.len(), self.strip.rim_at());
+        let mut x = self.x.clone();
+        if let Given::Uplift(w) = given {
+            // The change of the rim is spread by the first solve, not left to one element.
+            let system = self.system(&x, Given::Uplift(self.uplift()));
+            let change = w - self.uplift();
+            let mut dx: Vec<f64> = (0..n)
+                .map(|i| -system.residual[i] - system.tangent.get(i, rim + 1) * change)
+                .collect();
+            self.solve(system.tangent, &mut dx, Some(change));
+            if !dx.iter().all(|v| v.is_finite()) {
+                return Ok(false);
+            }
+            x.iter_mut().zip(&dx).for_each(|(x, d)| *x += d);
+        }
+        for _ in 0..ITERATIONS {
+            let system = self.system(&x, given);
+            let mut dx: Vec<f64> = system.residual.iter().map(|r| -r).collect();
+            let solved = self.solve(
+                system.tangent,
+                &mut dx,
+                matches!(given, Given::Uplift(_)).then_some(0.0),
+            );
+            if !solved {
+                return Ok(false);
+            }
+            // Displacements and rotations times the plate's thickness are lengths: settled to a thousandth of a micrometre.
+            let t = self.strip.bands.rim().thickness;
+            let moved = dx
+                .chunks_exact(3)
+                .map(|d| d[0].abs().max(d[1].abs()).max(t * d[2].abs()));
+            let largest = moved.fold(0.0, f64::max);
+            if !largest.is_finite() || largest > 10.0 {
+                return Ok(false);
+            }
+            x.iter_mut().zip(&dx).for_each(|(x, d)| *x += d);
+            if largest < 1e-9 {
+                if let Given::Uplift(w) = given {
+                    x[rim + 1] = w;
+                }
+                let system = self.system(&x, given);
+                self.x = x;
+                self.plastic = system.plastic;
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    fn solve(&self, mut tangent: Band, dx: &mut [f64], rim: Option<f64>) -> bool {
+        let at = self.strip.rim_at();
+        let mut known = vec![(0, 0.0), (2, 0.0)];
+        known.extend(rim.map(|change| (at + 1, change)));
+        if self.strip.rim == Rim::Clamped {
+            known.push((at + 2, 0.0));
+        }
+        for &(i, value) in &known {
+            tangent.fix(i);
+            dx[i] = value;
+        }
+        tangent.solve(dx)
+    }
+
+    fn system(&self, x: &[f64], given: Given) -> System {
+        let strip = self.strip;
+        let (n, rim) = (x.len(), strip.rim_at());
+        let share = match given {
+            Given::Force(_, share) => share,
+            Given::Uplift(_) => 1.0,
+        };
+        let mut system = System {
+            residual: vec![0.0; n],
+            tangent: Band::new(n, SIZE - 1),
+            plastic: self.plastic.clone(),
+        };
+        for i in 0..strip.nodes.len() - 1 {
+            let element = strip.element(i, share);
+            let range = self.fibres(i);
+            let new = &mut system.plastic[range.clone()];
+            let answer = element.respond(&unknowns(x, i), &self.plastic[range], new);
+            for a in 0..SIZE {
+                system.residual[3 * i + a] += answer.force[a];
+                for b in 0..SIZE {
+                    system.tangent.add(3 * i + a, 3 * i + b, answer.tangent[a][b]);
+                }
+            }
+        }
+        if let Rim::Wall(edge) = &strip.rim {
+            let edge = edge.stiffness();
+            // δ = u, δ′ = −θ.
+            let (u, turn) = (x[rim] - share * edge.free[0], -x[rim + 2] - share * edge.free[1]);
+            let k = edge.k;
+            system.residual[rim] += k[0][0] * u + k[0][1] * turn;
+            system.residual[rim + 2] -= k[1][0] * u + k[1][1] * turn;
+            system.tangent.add(rim, rim, k[0][0]);
+            system.tangent.add(rim + 2, rim, -k[1][0]);
+            system.tangent.add(rim + 2, rim + 2, k[1][1]);
+        }
+        if let Given::Force(force, _) = given {
+            system.residual[rim + 1] -= force;
+        }
+        system
+    }
+
+    /// Places of the plastic strains of an element; all plates have a yield stress, or none has.
+    fn fibres(&self, element: usize) -> std::ops::Range<usize> {
+        let each = self.plastic.len() / (self.strip.nodes.len() - 1);
+        element * each..(element + 1) * each
+    }
+
+    /// What the strip does in this state.
+    pub fn point(&self) -> Point {
+        let strip = self.strip;
+        let rim = strip.rim_at();
+        let system = self.system(&self.x, Given::Uplift(self.uplift()));
+        // Forces of the plate alone: the edge of the wall is what they meet.
+        let last = rim / 3 - 1;
+        let element = strip.element(last, 1.0);
+        let range = self.fibres(last);
+        let mut new = vec![0.0; range.len()];
+        let outer = element.respond(&unknowns(&self.x, last), &self.plastic[range], &mut new);
+        Point {
+            uplift: self.uplift(),
+            hold_down: system.residual[rim + 1],
+            rotation: self.x[rim + 2],
+            rim_moment: outer.force[5],
+            axial_force: outer.force[3],
+            lifted_width: self.lifted_width(),
+            plastic_rotation: self.plastic_rotation(),
+        }
+    }
+
+    /// Distance from the rim to the first point on the ground [m].
+    fn lifted_width(&self) -> f64 {
+        let strip = self.strip;
+        if self.uplift() <= 0.0 {
+            return 0.0;
+        }
+        let mut before = (strip.length(), self.uplift());
+        for i in (0..strip.rim_at() / 3).rev() {
+            let element = strip.element(i, 1.0);
+            let q = unknowns(&self.x, i);
+            for (x, _) in GAUSS.iter().rev() {
+                let here = (strip.nodes[i] + x * element.length, element.deflection(&q, *x));
+                if here.1 <= 0.0 {
+                    let crossing = here.0 + (before.0 - here.0) * -here.1 / (before.1 - here.1);
+                    return strip.length() - crossing;
+                }
+                before = here;
+            }
+        }
+        strip.length()
+    }
+
+    /// Plastic rotation of the joint: curvature less M/D, from the rim to where its sign changes [rad].
+    fn plastic_rotation(&self) -> f64 {
+        let strip = self.strip;
+        let (mut sum, mut sign) = (0.0_f64, 0.0);
+        for i in (0..strip.rim_at() / 3).rev() {
+            let element = strip.element(i, 1.0);
+            let old = &self.plastic[self.fibres(i)];
+            let fibres = old.len();
+            if fibres == 0 {
+                break;
+            }
+            let mut new = vec![0.0; fibres];
+            let answer = element.respond(&unknowns(&self.x, i), old, &mut new);
+            for (g, (_, weight)) in GAUSS.iter().enumerate().rev() {
+                if old[g * fibres / 3..(g + 1) * fibres / 3].iter().all(|&p| p == 0.0) {
+                    continue;
+                }
+                let plastic = answer.curvature[g] - answer.sections[g].m / element.plate.bending_stiffness();
+                if sign == 0.0 {
+                    sign = plastic.signum();
+                }
+                if plastic.signum() != sign {
+                    return sum.abs();
+                }
+                sum += weight * element.length * plastic;
+            }
+        }
+        sum.abs()
+    }
+}
+
+fn unknowns(x: &[f64], element: usize) -> [f64; SIZE] {
+    let mut q = [0.0; SIZE];
+    q.copy_from_slice(&x[3 * element..3 * element + SIZE]);
+    q
+}
+
+impl Strip {
+    /// First unknown of the rim.
+    fn rim_at(&self) -> usize {
+        3 * (self.nodes.len() - 1 - self.outside)
+    }
+
+    pub(crate) fn plate(&self, element: usize) -> &crate::plate::Plate {
+        let middle = 0.5 * (self.nodes[element] + self.nodes[element + 1]);
+        self.bands.at(self.length() - middle)
+    }
+
+    fn element(&self, i: usize, share: f64) -> Element<'_> {
+        Element {
+            length: self.nodes[i + 1] - self.nodes[i],
+            plate: self.plate(i),
+            round: (self.plan == Plan::Round).then(|| (self.nodes[i], self.length())),
+            modulus: self.modulus,
+            // Outside the wall there is no liquid.
+            pressure: if 3 * i < self.rim_at() {
+                share * self.pressure
+            } else {
+                0.0
+            },
+        }
+    }
+}

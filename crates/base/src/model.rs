@@ -1,0 +1,195 @@
+//! The base of a tank from its data.
+//!
+//! The ground under the rim is that of `tank.foundation` or of `tank.bottom`, else an assumption that is named. As nobody knows it well,
+//! results are also given for a third and for three times the modulus.
+
+use tank::{Bottom, Case, FoundationKind, STANDARD_GRAVITY, Shape};
+
+use crate::curve::Curve;
+use crate::edge::Edge;
+use crate::error::BaseError;
+use crate::ground::{Soil, subgrade_modulus};
+use crate::plate::{Bands, Plate};
+use crate::rocking::Rocking;
+use crate::strip::{Plan, Rim, Strip};
+
+/// Modulus of soil without data [N/m³]: compacted gravel.
+pub const SOIL: f64 = 1e8;
+/// Modulus of concrete under the rim [N/m³].
+pub const CONCRETE: f64 = 1e10;
+
+/// Share of the pressure at rest on the plate for which curves are kept: suction lowers it.
+const LEVELS: [f64; 3] = [1.0, 0.75, 0.5];
+
+/// Where the modulus of the ground comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// It is given.
+    Given,
+    /// From the velocity of shear waves, after Vesic.
+    Waves,
+    /// It is assumed for this kind of foundation.
+    Assumed(FoundationKind),
+}
+
+/// Why a tank has no such base.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Missing {
+    /// The tank is not a cylinder.
+    Cylinder,
+    /// No bottom plate is given.
+    Plate,
+    /// The bottom is not a metal plate: it turns as a whole.
+    Metal,
+}
+
+/// The base of a cylinder on its bottom plate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Base {
+    bands: Bands,
+    edge: Edge,
+    projection: f64,
+    /// Radius R [m].
+    pub radius: f64,
+    /// Pressure of the liquid on the plate at rest [Pa].
+    pub pressure: f64,
+    /// Weight w_t of wall and roof [N/m].
+    pub weight: f64,
+    /// Modulus of the ground under the rim [N/m³].
+    pub modulus: f64,
+    /// Its origin.
+    pub origin: Origin,
+}
+
+impl Base {
+    /// The base of a tank at its fill; plates and wall as built.
+    ///
+    /// Errors: a tank without such a base.
+    pub fn of(case: &Case) -> Result<Base, Missing> {
+        let tank = &case.tank;
+        let Shape::Cylinder { radius } = tank.shape else {
+            return Err(Missing::Cylinder);
+        };
+        let bottom = tank.bottom.as_ref().ok_or(Missing::Plate)?;
+        if bottom.material.youngs_modulus < tank::METAL {
+            return Err(Missing::Metal);
+        }
+        let bands = bands(bottom);
+        let wall = &tank.courses[0];
+        let gradient = case.liquid.density * STANDARD_GRAVITY;
+        let pressure = gradient * case.liquid.fill_height;
+        let (modulus, origin) = ground(case, bands.rim());
+        Ok(Base {
+            edge: Edge {
+                radius,
+                thickness: wall.thickness,
+                young_modulus: wall.material.youngs_modulus,
+                poisson_ratio: wall.material.poisson_ratio,
+                pressure,
+                gradient,
+            },
+            bands,
+            projection: bottom.projection,
+            radius,
+            pressure,
+            weight: tank.mass_above(0.0).0 * STANDARD_GRAVITY / (std::f64::consts::TAU * radius),
+            modulus,
+            origin,
+        })
+    }
+
+    /// The same base with plates that do not yield.
+    #[must_use]
+    pub fn elastic(self) -> Base {
+        Base {
+            bands: self.bands.elastic(),
+            ..self
+        }
+    }
+
+    /// The same base on another ground [N/m³].
+    #[must_use]
+    pub fn on(&self, modulus: f64) -> Base {
+        Base {
+            modulus,
+            ..self.clone()
+        }
+    }
+
+    /// Whether the plate has a yield stress.
+    pub fn yields(&self) -> bool {
+        self.bands.rim().yield_stress.is_some()
+    }
+
+    /// The plate under the wall.
+    pub fn plate(&self) -> &Plate {
+        self.bands.rim()
+    }
+
+    /// Thickness of the lowest course [m].
+    pub fn wall_thickness(&self) -> f64 {
+        self.edge.thickness
+    }
+
+    /// A strip under a pressure on the plate [Pa].
+    ///
+    /// Errors: data without meaning.
+    pub fn strip(&self, pressure: f64) -> Result<Strip, BaseError> {
+        let rim = Rim::Wall(self.edge);
+        let strip = Strip::new(
+            self.bands.clone(),
+            rim,
+            self.radius,
+            self.modulus,
+            pressure,
+            Plan::Strip,
+        )?;
+        Ok(strip.projecting(self.projection))
+    }
+
+    /// The base with a rim that is known between two displacements [m]; with `suction` also under lower pressures on the plate.
+    ///
+    /// Errors: no equilibrium.
+    pub fn rocking(&self, from: f64, to: f64, suction: bool) -> Result<Rocking, BaseError> {
+        let levels = if suction { &LEVELS[..] } else { &LEVELS[..1] };
+        let curves = levels.iter().map(|level| {
+            let pressure = level * self.pressure;
+            Ok((pressure, Curve::of(&self.strip(pressure)?, self.weight, from, to)?))
+        });
+        Rocking::new(self.radius, self.weight, curves.collect::<Result<_, BaseError>>()?)
+    }
+}
+
+fn bands(bottom: &Bottom) -> Bands {
+    let material = &bottom.material;
+    let plate = |thickness| Plate {
+        thickness,
+        young_modulus: material.youngs_modulus,
+        poisson_ratio: material.poisson_ratio,
+        yield_stress: material.yield_strength,
+    };
+    match (bottom.sketch, bottom.width) {
+        (Some(sketch), Some(width)) => Bands::annular(plate(bottom.thickness), width, plate(sketch)),
+        _ => Bands::uniform(plate(bottom.thickness)),
+    }
+}
+
+fn ground(case: &Case, plate: &Plate) -> (f64, Origin) {
+    let foundation = case.tank.foundation.as_ref();
+    let bottom = case.tank.bottom.as_ref();
+    let given = foundation
+        .and_then(|f| f.stiffness)
+        .or(bottom.and_then(|b| b.subgrade_modulus));
+    if let Some(k) = given {
+        return (k, Origin::Given);
+    }
+    let kind = foundation.map_or(FoundationKind::Soil, |f| f.kind);
+    if let (Some(f), FoundationKind::Soil) = (foundation, kind)
+        && let Some(velocity) = f.shear_wave_velocity
+        && let Ok(k) = subgrade_modulus(Soil::of_waves(velocity, f.soil_density, f.soil_poisson_ratio), plate)
+    {
+        return (k, Origin::Waves);
+    }
+    let k = if kind == FoundationKind::Soil { SOIL } else { CONCRETE };
+    (k, Origin::Assumed(kind))
+}

@@ -1,0 +1,185 @@
+//! Moment against rotation of the base: strips side by side.
+//!
+//! ```text
+//! w(φ) = w₀ + ψ R cos φ          ∫ F(w) R dφ + 2 π R w_t = 0  →  w₀          M = ∫ F(w) cos φ R² dφ          n_toe = −F(w₀ − ψ R)
+//! ```
+//!
+//! The foot of the wall stays a plane, which a wall with a roof or a stiff girder does; a broad open tank warps, and its uplift
+//! gathers on a shorter arc. With a bottom pressure p − p_b cos φ the strip is read between curves at three pressures.
+//!
+//! Source: Malhotra & Veletsos 1994.
+
+use crate::curve::Curve;
+use crate::element::GAUSS;
+use crate::error::BaseError;
+use std::f64::consts::PI;
+
+/// Panels of three Gauss points on the lifted arc, and as many on the rest.
+const PANELS: usize = 48;
+
+/// The base of a tank.
+#[derive(Clone, Debug)]
+pub struct Rocking {
+    radius: f64,
+    weight: f64,
+    /// Pressures on the plate [Pa], falling, and the strip's curve under each.
+    curves: Vec<(f64, Curve)>,
+}
+
+/// The base at a rotation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn {
+    /// Rotation ψ [rad].
+    pub rotation: f64,
+    /// Overturning moment M [N m].
+    pub moment: f64,
+    /// Displacement w₀ of the centre of the foot, upwards [m].
+    pub centre: f64,
+    /// Uplift at the lifted side, w₀ + ψ R [m].
+    pub uplift: f64,
+    /// Axial force of the wall at the toe, compression positive [N/m].
+    pub toe_force: f64,
+    /// Half of the angle over which the rim is lifted off the ground [rad].
+    pub lifted_angle: f64,
+}
+
+impl Rocking {
+    /// * `radius` R [m]
+    /// * `weight` w_t of wall and roof [N/m]
+    /// * `curves` of the strip under pressures on the plate [Pa]; the first is the pressure at rest
+    ///
+    /// Errors: no curve.
+    pub fn new(radius: f64, weight: f64, mut curves: Vec<(f64, Curve)>) -> Result<Rocking, BaseError> {
+        if curves.is_empty() {
+            return Err(BaseError::Parameter {
+                name: "number of curves",
+                value: 0.0,
+                allowed: "at least one",
+            });
+        }
+        curves.sort_by(|a, b| b.0.total_cmp(&a.0));
+        Ok(Rocking { radius, weight, curves })
+    }
+
+    /// The strip's curve at rest.
+    pub fn curve(&self) -> &Curve {
+        &self.curves[0].1
+    }
+
+    /// F(w) under a pressure; between the curves Lagrange's polynomial, none beyond them.
+    fn hold_down(&self, uplift: f64, pressure: f64) -> f64 {
+        if self.curves.len() == 1 {
+            return self.curves[0].1.hold_down(uplift);
+        }
+        let (highest, lowest) = (self.curves[0].0, self.curves[self.curves.len() - 1].0);
+        let p = pressure.clamp(lowest, highest);
+        let term = |i: usize| -> f64 {
+            let (own, curve) = &self.curves[i];
+            let others = self.curves.iter().enumerate().filter(|(j, _)| *j != i);
+            others
+                .map(|(_, (other, _))| (p - other) / (own - other))
+                .product::<f64>()
+                * curve.hold_down(uplift)
+        };
+        (0..self.curves.len()).map(term).sum()
+    }
+
+    fn range(&self) -> (f64, f64) {
+        self.curves
+            .iter()
+            .fold((f64::NEG_INFINITY, f64::INFINITY), |range, (_, curve)| {
+                let (from, to) = curve.range();
+                (range.0.max(from), range.1.min(to))
+            })
+    }
+
+    /// The base at `rotation` ψ [rad] ≥ 0, with a bottom pressure that is lower by `suction` cos φ [Pa].
+    ///
+    /// Errors: a rotation that moves the rim beyond the curve.
+    pub fn at(&self, rotation: f64, suction: f64) -> Result<Turn, BaseError> {
+        let p = self.curves[0].0;
+        let hold = |w: f64, cos: f64| self.hold_down(w, p - suction * cos);
+        plane_section(self.radius, self.weight, self.range(), rotation, &hold)
+    }
+}
+
+/// A foot that stays plane, on any law of its rim: `hold` gives the pull on the wall [N/m] for an uplift [m] at the angle whose cosine
+/// it gets, 1 at the lifted side. It may jump where the rim leaves the ground, at an uplift of 0.
+///
+/// * `range` of uplifts for which the law is known [m]
+///
+/// Errors: a rotation that moves the rim beyond the range.
+pub fn plane_section(
+    radius: f64,
+    weight: f64,
+    (from, to): (f64, f64),
+    rotation: f64,
+    hold: &dyn Fn(f64, f64) -> f64,
+) -> Result<Turn, BaseError> {
+    let reach = rotation * radius;
+    let (mut low, mut high) = (from + reach, to - reach);
+    let beyond = |wanted| BaseError::BeyondCurve {
+        rotation,
+        wanted,
+        from,
+        to,
+    };
+    if !(low < high) {
+        return Err(beyond(2.0 * reach + from));
+    }
+    let total = std::f64::consts::TAU * radius * weight;
+    let over = |centre: f64| sums(radius, centre, reach, hold).0 + total;
+    if over(low) > 0.0 {
+        return Err(beyond(low - reach));
+    }
+    if over(high) < 0.0 {
+        return Err(beyond(high + reach));
+    }
+    for _ in 0..80 {
+        let middle = 0.5 * (low + high);
+        if over(middle) < 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let centre = 0.5 * (low + high);
+    Ok(Turn {
+        rotation,
+        moment: sums(radius, centre, reach, hold).1,
+        centre,
+        uplift: centre + reach,
+        toe_force: -hold(centre - reach, -1.0),
+        lifted_angle: open(centre, reach),
+    })
+}
+
+/// Half of the angle over which the rim is off the ground [rad].
+fn open(centre: f64, reach: f64) -> f64 {
+    match (reach > 0.0, centre > 0.0) {
+        (true, _) => (-centre / reach).clamp(-1.0, 1.0).acos(),
+        (false, true) => PI,
+        (false, false) => 0.0,
+    }
+}
+
+/// Force [N] and moment [N m] around the circumference; panels end where the rim leaves the ground.
+fn sums(radius: f64, centre: f64, reach: f64, hold: &dyn Fn(f64, f64) -> f64) -> (f64, f64) {
+    let edge = open(centre, reach);
+    let (mut force, mut moment) = (0.0, 0.0);
+    for (from, to) in [(0.0, edge), (edge, PI)] {
+        if to <= from {
+            continue;
+        }
+        let width = (to - from) / PANELS as f64;
+        for i in 0..PANELS {
+            for (x, weight) in GAUSS {
+                let cos = (from + (i as f64 + x) * width).cos();
+                let f = weight * width * hold(centre + reach * cos, cos);
+                force += f;
+                moment += f * cos;
+            }
+        }
+    }
+    (2.0 * radius * force, 2.0 * radius * radius * moment)
+}

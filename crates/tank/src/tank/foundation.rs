@@ -1,0 +1,38 @@
+//! What the tank stands on.
+
+use serde::{Deserialize, Serialize};
+
+/// Kind of foundation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum FoundationKind {
+    /// The bottom plate lies on soil or on a pad of gravel.
+    Soil,
+    /// A ring of concrete under the wall, soil within it.
+    RingWall,
+    /// A stiff slab or raft of concrete under the whole bottom.
+    Slab,
+}
+
+/// Foundation and the soil below it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Foundation {
+    /// Kind.
+    pub kind: FoundationKind,
+    /// Modulus of the ground under the rim of the bottom plate [N/m³].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<f64>,
+    /// Velocity V_s of shear waves in the soil at the strains of the earthquake [m/s].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_wave_velocity: Option<f64>,
+    /// Density ρ_s of the soil [kg/m³].
+    pub soil_density: f64,
+    /// Poisson's ratio ν_s of the soil.
+    pub soil_poisson_ratio: f64,
+    /// Thickness of the slab [m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub thickness: Option<f64>,
+    /// Coefficient of friction between the bottom plate and the ground.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<f64>,
+}

@@ -1,0 +1,91 @@
+//! The base of a tank that is not held down.
+//!
+//! | rows | model | reference |
+//! |---|---|---|
+//! | U1 | strip on nearly rigid ground, rim hinged, clamped, yielding | closed forms |
+//! | U2 | strip with the edge of the wall, elastic and yielding, four tanks | an independent program |
+//! | U3 | round plate lifted evenly | four constants; an independent program |
+//! | U4 | foot that stays plane: linear ground, constant hold-down, bolts | closed forms |
+//! | U5 | moment against rotation of three tanks | an independent program |
+
+use ::base::{Bands, BaseError, Edge, Plan, Plate, Rim, Strip};
+
+use crate::Failure;
+
+pub(crate) mod rocking;
+pub(crate) mod round;
+pub(crate) mod strip;
+
+const GRAVITY: f64 = 9.81;
+
+/// A tank of the rows.
+struct Sample {
+    name: &'static str,
+    radius: f64,
+    fill: f64,
+    density: f64,
+    /// Lowest course and bottom plate [m].
+    wall: f64,
+    plate: f64,
+    yield_stress: f64,
+    young_modulus: f64,
+    /// Wall and roof [N/m].
+    weight: f64,
+}
+
+/// A: the aluminium tank of Manos & Clough; B: 27.8 m in diameter, of Vathi & Karamanos; C: crude oil, 40 m; D: slender.
+const TANKS: [Sample; 4] = [
+    sample("A", [1.83, 1.525, 1000.0], [2.03e-3, 2.03e-3], [240e6, 70e9], 81.0),
+    sample("B", [13.9, 15.7, 1000.0], [17.7e-3, 8e-3], [235e6, 210e9], 16822.0),
+    sample("C", [20.0, 15.0, 870.0], [25e-3, 10e-3], [205e6, 205e9], 21350.0),
+    sample("D", [6.1, 11.3, 1000.0], [8e-3, 6.35e-3], [235e6, 210e9], 7284.0),
+];
+
+const fn sample(
+    name: &'static str,
+    [radius, fill, density]: [f64; 3],
+    [wall, plate]: [f64; 2],
+    [yield_stress, young_modulus]: [f64; 2],
+    weight: f64,
+) -> Sample {
+    Sample {
+        name,
+        radius,
+        fill,
+        density,
+        wall,
+        plate,
+        yield_stress,
+        young_modulus,
+        weight,
+    }
+}
+
+impl Sample {
+    fn pressure(&self) -> f64 {
+        self.density * GRAVITY * self.fill
+    }
+
+    fn strip(&self, yields: bool, modulus: f64, plan: Plan) -> Result<Strip, BaseError> {
+        let plate = Plate {
+            thickness: self.plate,
+            young_modulus: self.young_modulus,
+            poisson_ratio: 0.3,
+            yield_stress: yields.then_some(self.yield_stress),
+        };
+        let edge = Edge {
+            radius: self.radius,
+            thickness: self.wall,
+            young_modulus: self.young_modulus,
+            poisson_ratio: 0.3,
+            pressure: self.pressure(),
+            gradient: self.density * GRAVITY,
+        };
+        let bands = Bands::uniform(plate);
+        Strip::new(bands, Rim::Wall(edge), self.radius, modulus, self.pressure(), plan)
+    }
+}
+
+fn failure(error: BaseError) -> Failure {
+    Failure::from(error.to_string())
+}

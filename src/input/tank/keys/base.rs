@@ -1,0 +1,102 @@
+//! `tank.bottom` and `tank.foundation`.
+
+use tank::FoundationKind;
+
+use super::corrosion::loss;
+use super::materials::Materials;
+use super::tank::{Bottom, Foundation};
+use super::wall::{self, Use};
+use crate::input::tank::read::Field;
+use crate::input::tank::resolver::{Resolver, range_fault};
+
+/// The bottom plate: that under the wall first, the plates within it as `sketch`.
+pub(super) fn bottom(r: &mut Resolver<'_>, given: &Bottom, materials: &Materials) -> Option<tank::Bottom> {
+    let inner = r.number(&given.thickness);
+    let annular = r.optional(&given.annular_thickness);
+    let thickness = annular.unwrap_or(inner);
+    let corrosion = loss(r, thickness, &given.corrosion_allowance, &given.measured_thickness);
+    let width = match (&given.annular_width.given, &given.width.given) {
+        (Some(_), Some(field)) => {
+            let message = "the width of the annular plate is given twice";
+            r.faults
+                .push(range_fault(field, message, "either annular_width or width"));
+            None
+        }
+        (Some(field), None) => Some(r.number(field)),
+        (None, _) => r.optional(&given.width),
+    };
+    if let (Some(field), None) = (&given.annular_thickness.given, width) {
+        let message = "an annular plate without its width";
+        let allowed = "annular_thickness together with annular_width";
+        r.faults.push(range_fault(field, message, allowed));
+    }
+    if let (Some(field), Some(plate)) = (&given.annular_thickness.given, annular)
+        && plate < inner
+    {
+        let message = "the annular plate is thinner than the plates within it";
+        r.faults
+            .push(range_fault(field, message, "at least tank.bottom.thickness"));
+    }
+    let projection = r.or_default(&given.projection);
+    let subgrade_modulus = r.optional(&given.subgrade_modulus).map(|k| 1e6 * k);
+    let material = wall::material(r, &given.material, materials, Use::Shell)?;
+    Some(tank::Bottom {
+        thickness,
+        corrosion,
+        width,
+        sketch: annular.map(|_| inner),
+        projection,
+        subgrade_modulus,
+        material,
+    })
+}
+
+/// A plate that is thicker than the lowest course: the joint then yields in the wall, which the strips do not follow.
+pub(super) fn thicker_than_the_wall(r: &mut Resolver<'_>, field: &Field<Bottom>, plate: &tank::Bottom, course: f64) {
+    if plate.thickness > course {
+        r.warnings.push(format!(
+            "{}: the plate under the wall ({} mm) is thicker than the lowest course ({} mm): in an uplift the wall yields before the \
+             plate, which the model of the base leaves elastic",
+            field.path,
+            1e3 * plate.thickness,
+            1e3 * course
+        ));
+    }
+}
+
+/// The foundation.
+pub(super) fn foundation(
+    r: &mut Resolver<'_>,
+    given: &Foundation,
+    bottom: Option<&Bottom>,
+) -> Option<tank::Foundation> {
+    r.echo_given(&given.kind);
+    let stiffness = r.optional(&given.stiffness);
+    if let (Some(_), Some(field)) = (stiffness, bottom.and_then(|b| b.subgrade_modulus.given.as_ref())) {
+        let message = "the ground under the rim is given twice";
+        let allowed = "either tank.foundation.stiffness or tank.bottom.subgrade_modulus";
+        r.faults.push(range_fault(field, message, allowed));
+    }
+    let shear_wave_velocity = r.optional(&given.shear_wave_velocity);
+    let soil_density = r.or_default(&given.soil_density);
+    let soil_poisson_ratio = r.or_default(&given.soil_poisson_ratio);
+    let thickness = r.optional(&given.thickness);
+    let friction = r.optional(&given.friction);
+    let kind = given.kind.value?;
+    if let Some(field) = &given.thickness.given
+        && kind == FoundationKind::Soil
+    {
+        let message = "thickness does not apply to a tank on soil";
+        let allowed = "\"kind\": \"slab\" or \"ring_wall\"";
+        r.faults.push(range_fault(field, message, allowed));
+    }
+    Some(tank::Foundation {
+        kind,
+        stiffness,
+        shear_wave_velocity,
+        soil_density,
+        soil_poisson_ratio,
+        thickness,
+        friction,
+    })
+}

@@ -1,0 +1,120 @@
+//! `tankcheck base` through the command line.
+
+use serde_json::{Value, json};
+
+use crate::compare::{stderr, tankcheck};
+
+const TANK: &str = "examples/05_oil_tank/tank.json";
+
+fn changed(home: &std::path::Path, change: impl FnOnce(&mut Value)) -> String {
+    let text = std::fs::read_to_string(TANK).expect("an example");
+    let mut tank: Value = serde_json::from_str(&text).expect("JSON");
+    change(&mut tank);
+    let file = home.join("tank.json");
+    std::fs::write(&file, tank.to_string()).expect("writable");
+    file.to_str().expect("a temporary path is text").to_owned()
+}
+
+fn computed(arguments: &[&str]) -> Value {
+    let run = tankcheck(&[&["base"], arguments, &["--format", "json"]].concat());
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    serde_json::from_slice(&run.stdout).expect("JSON")
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+/// The promised fields; more uplift holds more, and the wall's weight is what the rim carries at rest.
+#[test]
+fn strip_and_moment_are_printed() {
+    let found = computed(&[TANK, "--uplift", "1mm,10mm,50mm", "--rotation", "5e-4,1e-3"]);
+    let strip = found["strip"].as_array().expect("a list");
+    assert_eq!(strip.len(), 3);
+    for key in [
+        "uplift_m",
+        "hold_down_N_per_m",
+        "rotation_rad",
+        "rim_moment_Nm_per_m",
+        "axial_force_N_per_m",
+        "lifted_width_m",
+        "plastic_rotation_rad",
+    ] {
+        assert!(strip.iter().all(|p| p[key].is_f64()), "{key}");
+    }
+    assert!(
+        strip
+            .windows(2)
+            .all(|p| number(&p[1]["hold_down_N_per_m"]) > number(&p[0]["hold_down_N_per_m"]))
+    );
+    let weight = number(&found["wall_weight_N_per_m"]);
+    assert!((number(&found["rest"]["hold_down_N_per_m"]) / weight + 1.0).abs() < 1e-6);
+    let turns = found["moment_rotation"].as_array().expect("a list");
+    for key in [
+        "rotation_rad",
+        "moment_Nm",
+        "uplift_m",
+        "toe_force_N_per_m",
+        "toe_stress_Pa",
+    ] {
+        assert!(turns.iter().all(|t| t[key].is_f64()), "{key}");
+    }
+    assert_eq!(found["band"].as_array().map(Vec::len), Some(3));
+    assert_eq!(found["modulus_origin"], "assumed");
+}
+
+/// The foundation's modulus is used, an elastic plate holds more than one that yields, suction lowers the moment.
+#[test]
+fn ground_plate_and_pressure_count() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let file = changed(home.path(), |tank| {
+        tank["tank"]["foundation"] = json!({ "kind": "soil", "stiffness": "1e9 N/m3" });
+    });
+    let rotation = ["--rotation", "1e-3", "--uplift", "50mm"];
+    let own = computed(&[&[file.as_str()], &rotation[..]].concat());
+    assert_eq!(own["modulus_origin"], "given");
+    assert!((number(&own["modulus_N_per_m3"]) / 1e9 - 1.0).abs() < 1e-12);
+    let elastic = computed(&[&[file.as_str(), "--elastic"], &rotation[..]].concat());
+    let force = |v: &Value| number(&v["strip"][0]["hold_down_N_per_m"]);
+    assert!(force(&elastic) > force(&own));
+    let sucked = computed(&[&[file.as_str(), "--bottom-pressure", "40 kPa"], &rotation[..]].concat());
+    let moment = |v: &Value| number(&v["moment_rotation"][0]["moment_Nm"]);
+    assert!(moment(&sucked) < moment(&own));
+}
+
+#[test]
+fn bad_input_has_one_message() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let said = |change: &dyn Fn(&mut Value), arguments: &[&str], words: &str| {
+        let file = changed(home.path(), change);
+        let run = tankcheck(&[&["base", file.as_str()], arguments].concat());
+        assert_eq!(run.status.code(), Some(2), "{words}: {}", stderr(&run));
+        assert!(stderr(&run).contains(words), "{words}: {}", stderr(&run));
+        assert!(run.stdout.is_empty());
+    };
+    let keep = |_: &mut Value| {};
+    said(&keep, &["--uplift", "50 kg"], "--uplift");
+    said(&keep, &["--uplift", "50 m"], "--uplift");
+    said(&keep, &["--rotation=-1e-3"], "--rotation");
+    said(&keep, &["--bottom-pressure", "1 MPa"], "--bottom-pressure");
+    said(&|t| t["tank"]["bottom"] = Value::Null, &[], "tank.bottom");
+    let with = |key: &'static str, value: Value| {
+        move |t: &mut Value| {
+            t["tank"]["foundation"] = json!({ "kind": "soil" });
+            t["tank"]["foundation"][key] = value.clone();
+        }
+    };
+    said(&with("friction", json!(0)), &[], "tank.foundation.friction");
+    said(&with("stiffness", json!("1 N/m3")), &[], "tank.foundation.stiffness");
+    said(
+        &with("shear_wave_velocity", json!("5 m/s")),
+        &[],
+        "tank.foundation.shear_wave_velocity",
+    );
+    said(&with("thickness", json!("0.5 m")), &[], "tank.foundation.thickness");
+    said(
+        &|t| t["tank"]["bottom"]["annular_thickness"] = json!("9 mm"),
+        &[],
+        "tank.bottom.annular_thickness",
+    );
+}
