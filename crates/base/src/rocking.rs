@@ -24,6 +24,8 @@ pub struct Rocking {
     weight: f64,
     /// Pressures on the plate [Pa], falling, and the strip's curve under each.
     curves: Vec<(f64, Curve)>,
+    /// Which of them is that at rest.
+    rest: usize,
 }
 
 /// The base at a rotation.
@@ -50,20 +52,36 @@ impl Rocking {
     ///
     /// Errors: no curve.
     pub fn new(radius: f64, weight: f64, mut curves: Vec<(f64, Curve)>) -> Result<Rocking, BaseError> {
-        if curves.is_empty() {
+        let Some(pressure) = curves.first().map(|c| c.0) else {
             return Err(BaseError::Parameter {
                 name: "number of curves",
                 value: 0.0,
                 allowed: "at least one",
             });
-        }
+        };
         curves.sort_by(|a, b| b.0.total_cmp(&a.0));
-        Ok(Rocking { radius, weight, curves })
+        let rest = curves.iter().position(|c| c.0 == pressure).unwrap_or(0);
+        Ok(Rocking {
+            radius,
+            weight,
+            curves,
+            rest,
+        })
     }
 
     /// The strip's curve at rest.
     pub fn curve(&self) -> &Curve {
-        &self.curves[0].1
+        &self.curves[self.rest].1
+    }
+
+    /// Pressure on the plate at rest [Pa].
+    pub fn pressure(&self) -> f64 {
+        self.curves[self.rest].0
+    }
+
+    /// Radius R [m].
+    pub fn radius(&self) -> f64 {
+        self.radius
     }
 
     /// F(w) under a pressure; between the curves Lagrange's polynomial, none beyond them.
@@ -97,7 +115,7 @@ impl Rocking {
     ///
     /// Errors: a rotation that moves the rim beyond the curve.
     pub fn at(&self, rotation: f64, suction: f64) -> Result<Turn, BaseError> {
-        let p = self.curves[0].0;
+        let p = self.pressure();
         let hold = |w: f64, cos: f64| self.hold_down(w, p - suction * cos);
         plane_section(self.radius, self.weight, self.range(), rotation, &hold)
     }
@@ -117,7 +135,7 @@ pub fn plane_section(
     hold: &dyn Fn(f64, f64) -> f64,
 ) -> Result<Turn, BaseError> {
     let reach = rotation * radius;
-    let (mut low, mut high) = (from + reach, to - reach);
+    let (low, high) = (from + reach, to - reach);
     let beyond = |wanted| BaseError::BeyondCurve {
         rotation,
         wanted,
@@ -129,21 +147,14 @@ pub fn plane_section(
     }
     let total = std::f64::consts::TAU * radius * weight;
     let over = |centre: f64| sums(radius, centre, reach, hold).0 + total;
-    if over(low) > 0.0 {
+    let (below, above) = (over(low), over(high));
+    if below > 0.0 {
         return Err(beyond(low - reach));
     }
-    if over(high) < 0.0 {
+    if above < 0.0 {
         return Err(beyond(high + reach));
     }
-    for _ in 0..80 {
-        let middle = 0.5 * (low + high);
-        if over(middle) < 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    let centre = 0.5 * (low + high);
+    let centre = root(&over, (low, below), (high, above), 1e-12 * total.abs());
     Ok(Turn {
         rotation,
         moment: sums(radius, centre, reach, hold).1,
@@ -152,6 +163,33 @@ pub fn plane_section(
         toe_force: -hold(centre - reach, -1.0),
         lifted_angle: open(centre, reach),
     })
+}
+
+/// Root of an increasing function in a bracket of (place, value): false position with halved ends (Dowell & Jarratt 1971), and every
+/// third time the middle.
+fn root(f: &dyn Fn(f64) -> f64, mut low: (f64, f64), mut high: (f64, f64), settled: f64) -> f64 {
+    let mut last = 0_i8;
+    for i in 0..200 {
+        let width = high.0 - low.0;
+        let share = if i % 3 == 2 { 0.5 } else { low.1 / (low.1 - high.1) };
+        let x = low.0 + share.clamp(0.0, 1.0) * width;
+        let value = f(x);
+        if value.abs() <= settled || width <= 1e-15 {
+            return x;
+        }
+        let side = if value < 0.0 { -1 } else { 1 };
+        let (own, other) = if side < 0 {
+            (&mut low, &mut high)
+        } else {
+            (&mut high, &mut low)
+        };
+        *own = (x, value);
+        if last == side {
+            other.1 *= 0.5;
+        }
+        last = side;
+    }
+    0.5 * (low.0 + high.0)
 }
 
 /// Half of the angle over which the rim is off the ground [rad].

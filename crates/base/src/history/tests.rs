@@ -1,0 +1,200 @@
+//! Sliding against closed forms, rocking against quadrature and a fixed base.
+
+use super::*;
+use crate::{Bands, Curve, Edge, Plan, Plate, Rim, Rocking, Strip};
+
+const G: f64 = 9.81;
+
+fn block(mass: f64) -> Body {
+    Body {
+        modes: Vec::new(),
+        mass,
+        first_moment: 0.0,
+        second_moment: 0.0,
+    }
+}
+
+fn slide(ground: &[f64], step: f64, coefficient: f64) -> History {
+    let mass = 1000.0;
+    march(&Run {
+        body: &block(mass),
+        law: None,
+        hysteretic: 0.0,
+        dashpot: 0.0,
+        friction: Some(Friction {
+            coefficient,
+            weight: mass * G,
+            vertical: Vec::new(),
+        }),
+        rigid_pressure: [0.0; 2],
+        step,
+        ground,
+    })
+    .unwrap()
+}
+
+/// A pulse A over t₀ leaves a slip of A² t₀²/(2 μ g) − A t₀²/2 against its direction. Both ends of the pulse are a step long, which is
+/// 3e-3 of it at 1 ms; the tolerance is that of the ends at 0.1 ms.
+#[test]
+fn a_rectangular_pulse_slips_by_its_closed_form() {
+    let (a, t0, mu) = (0.5 * G, 0.3, 0.2);
+    let step = 1e-4;
+    let pulse: Vec<f64> = (0..12_000)
+        .map(|i| if (i as f64) * step < t0 - 0.5 * step { a } else { 0.0 })
+        .collect();
+    let found = slide(&pulse, step, mu).slip.last().copied().unwrap();
+    let expected = a * a * t0 * t0 / (2.0 * mu * G) - a * t0 * t0 / 2.0;
+    assert!((found.abs() / expected - 1.0).abs() < 1e-3, "{found} {expected}");
+}
+
+/// Steady slip under A sin ωt has the range 2 A/ω² √(1 − (π η/2)²), η = μ g/A below 0.537.
+#[test]
+fn harmonic_motion_slips_by_its_closed_form() {
+    let (a, omega) = (0.4 * G, std::f64::consts::TAU * 2.0);
+    let step = 2e-4;
+    for eta in [0.1, 0.3, 0.5] {
+        let motion: Vec<f64> = (0..200_000).map(|i| a * (omega * step * i as f64).sin()).collect();
+        let history = slide(&motion, step, eta * a / G);
+        let last = &history.slip[history.slip.len() - 2_500..];
+        let range = last.iter().copied().fold(f64::MIN, f64::max) - last.iter().copied().fold(f64::MAX, f64::min);
+        let expected = 2.0 * a / (omega * omega) * (1.0 - (std::f64::consts::FRAC_PI_2 * eta).powi(2)).sqrt();
+        assert!((range / expected - 1.0).abs() < 1e-3, "{eta}: {range} {expected}");
+        assert!(history.balance < 1e-3, "{}", history.balance);
+    }
+}
+
+/// Doubled ground motion and friction slip twice as far.
+#[test]
+fn slip_is_homogeneous() {
+    let motion: Vec<f64> = (0..4000)
+        .map(|i| 3.0 * (0.013 * i as f64).sin() * (0.0017 * i as f64).cos())
+        .collect();
+    let double: Vec<f64> = motion.iter().map(|a| 2.0 * a).collect();
+    let (one, two) = (slide(&motion, 1e-3, 0.1), slide(&double, 1e-3, 0.2));
+    for (a, b) in one.slip.iter().zip(&two.slip) {
+        assert!((2.0 * a - b).abs() < 1e-12);
+    }
+}
+
+/// Example 05's base, elastic, on 100 MN/m³, and its impulsive mass on one spring.
+fn base(weight: f64, modulus: f64) -> Law {
+    let plate = Plate {
+        thickness: 0.01,
+        young_modulus: 2.05e11,
+        poisson_ratio: 0.3,
+        yield_stress: None,
+    };
+    let pressure = 128e3;
+    let edge = Edge {
+        radius: 20.0,
+        thickness: 0.025,
+        young_modulus: 2.05e11,
+        poisson_ratio: 0.3,
+        pressure,
+        gradient: 870.0 * G,
+    };
+    let strip = Strip::new(
+        Bands::uniform(plate),
+        Rim::Wall(edge),
+        20.0,
+        modulus,
+        pressure,
+        Plan::Strip,
+    )
+    .unwrap();
+    let reach = 0.08 * (1e8 / modulus).min(1.0) + 0.02;
+    let curve = Curve::of(&strip, weight, -reach, 0.25).unwrap();
+    let rocking = Rocking::new(20.0, weight, vec![(pressure, curve)]).unwrap();
+    Law::new(&rocking, 2e-3).unwrap()
+}
+
+const MASS: f64 = 7.479e6;
+const ARM: f64 = 6.065;
+
+fn impulsive() -> Body {
+    let omega = std::f64::consts::TAU / 0.2181;
+    Body {
+        modes: vec![BodyMode {
+            omega,
+            damping: 0.02,
+            translation: MASS.sqrt(),
+            rotation: MASS.sqrt() * ARM,
+            pressure: 0.0,
+        }],
+        mass: MASS,
+        first_moment: MASS * ARM,
+        second_moment: MASS * ARM * ARM,
+    }
+}
+
+fn rock(body: &Body, law: Option<&Law>, ground: &[f64], step: f64) -> History {
+    march(&Run {
+        body,
+        law,
+        hysteretic: 0.0,
+        dashpot: 0.0,
+        friction: None,
+        rigid_pressure: [0.0; 2],
+        step,
+        ground,
+    })
+    .unwrap()
+}
+
+/// After a short pulse the undamped body swings freely. Its period at a given energy is 4 ∫ du/√(2 (E₀ − E(u))/m), where the total
+/// displacement u of the mass is that of its spring and of the base together, u = V/k + h ψ with V h = M(ψ).
+#[test]
+fn free_rocking_has_the_period_of_its_quadrature() {
+    let law = base(21_350.0, 1e8);
+    let mut body = impulsive();
+    body.modes[0].damping = 0.0;
+    let stiffness = MASS * body.modes[0].omega.powi(2);
+    for peak in [2.0, 4.0] {
+        let step = 2.5e-4;
+        let motion: Vec<f64> = (0..12_000).map(|i| if i < 160 { peak } else { 0.0 }).collect();
+        let history = rock(&body, Some(&law), &motion, step);
+        assert!(history.balance < 1e-3, "{}", history.balance);
+        let late = &history.rotation[4_000..];
+        let crossings: Vec<f64> = late
+            .windows(2)
+            .enumerate()
+            .filter(|(_, w)| w[0] < 0.0 && w[1] >= 0.0)
+            .map(|(i, w)| i as f64 - w[0] / (w[1] - w[0]))
+            .collect();
+        let period = step * (crossings[crossings.len() - 1] - crossings[0]) / (crossings.len() - 1) as f64;
+        let largest = late.iter().copied().fold(0.0, f64::max);
+        // ψ = ψ₀ sin χ removes the singularity of the quadrature.
+        let moment = |psi: f64| law.respond(psi, 0.0, 0.0, &[]);
+        let energy = |psi: f64| law.work(psi) + 0.5 * (moment(psi).moment / ARM).powi(2) / stiffness;
+        let total = energy(largest);
+        let n = 400;
+        let quarter: f64 = (0..n)
+            .map(|i| {
+                let chi = std::f64::consts::FRAC_PI_2 * (i as f64 + 0.5) / n as f64;
+                let psi = largest * chi.sin();
+                let du = moment(psi).tangent / (ARM * stiffness) + ARM;
+                du * largest * chi.cos() / (2.0 * (total - energy(psi)) / MASS).sqrt()
+            })
+            .sum::<f64>()
+            * std::f64::consts::FRAC_PI_2
+            / n as f64;
+        // Method of second order, (ω h)²/12 = 1e-6 in the period; its loss of amplitude shortens it by less than 1e-3.
+        assert!(
+            (period / (4.0 * quarter) - 1.0).abs() < 1e-3,
+            "{period} {}",
+            4.0 * quarter
+        );
+    }
+}
+
+/// On ground as hard as rock under a wall so heavy that nothing lifts, the body moves as on a fixed base.
+#[test]
+fn a_heavy_wall_on_rock_does_not_rock() {
+    let law = base(2e6, 1e11);
+    let body = impulsive();
+    let motion: Vec<f64> = (0..4000).map(|i| 2.0 * (0.02 * i as f64).sin()).collect();
+    let (free, fixed) = (rock(&body, Some(&law), &motion, 1e-3), rock(&body, None, &motion, 1e-3));
+    let peak = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    assert!((peak(&free.shear) / peak(&fixed.shear) - 1.0).abs() < 2e-2);
+    assert!(peak(&free.rotation) < law.first_uplift());
+}
