@@ -121,6 +121,7 @@ impl Draw {
                 ..Roof::default()
             },
             bottom: self.of(&[true, true, true, false]).then_some(plate),
+            foundation: None,
             anchors: self.yes().then(|| Anchors {
                 count: 40,
                 capacity: self.yes().then_some(200e3),
