@@ -37,7 +37,7 @@ pub use modes::{modes, most_waves};
 #[cfg(test)]
 pub(crate) use run::around_a_perfect_liquid;
 pub(crate) use run::unresolved;
-pub use run::{respond, simulate};
+pub use run::{respond, simulate, tilted};
 pub use tank::options::solid::{Liquid, MeshSize, MeshSizeError, SolidOptions};
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ pub mod dissertation;
 pub(crate) mod imperfect_wall;
 pub(crate) mod internal_forces;
 pub(crate) mod mesh_error;
+pub(crate) mod mode_damping;
 pub(crate) mod responses;
 pub mod rigid;
 pub(crate) mod rigid_masses;
@@ -20,6 +21,8 @@ pub(crate) mod rigid_sloshing;
 pub(crate) mod rigid_strip;
 pub mod solid_against_harmonic;
 pub(crate) mod solid_box;
+pub(crate) mod tilt;
+pub(crate) mod transfer;
 
 /// The dissertation's g [m/s²].
 const G: f64 = 9.81;

@@ -29,7 +29,7 @@ use crate::linear::{Across, Linear, checked_motion, complete, tilt};
 use crate::modes::{CoupledMode, Kind, solve};
 use crate::{FeError, Simulation};
 use results::channel::Side;
-use results::{Channel, EngineId, Run};
+use results::{Channel, EngineId, Run, Tilt};
 use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
 use tank::options::solid::SolidOptions;
@@ -299,12 +299,24 @@ pub fn simulate(
     };
     prepared.pictures(motion, options, solid, &mut simulation, progress)?;
     if let Some(angle) = options.tilt.filter(|_| !progress.interrupted()) {
-        let build = |tilted: &Case| coupled(tilted, options, solid, progress);
-        simulation.result.tilt = Some(tilt::tilt(case, angle, build)?);
+        simulation.result.tilt = Some(tilted(case, angle, options, solid, progress)?);
     }
     simulation.result.incomplete |= progress.interrupted();
     mesh_error::note(&mut simulation, second.as_ref(), options);
     Ok(simulation)
+}
+
+/// The static tilt test alone, on a base tilted by `angle` [rad].
+///
+/// Errors: as [`simulate`].
+pub fn tilted(
+    case: &Case,
+    angle: f64,
+    options: &Options,
+    solid: &SolidOptions,
+    progress: &dyn Progress,
+) -> Result<Tilt, FeError> {
+    tilt::tilt(case, angle, |tilted| coupled(tilted, options, solid, progress))
 }
 
 /// The system of harmonic 1 of a case.
