@@ -429,7 +429,20 @@ impl<'a> Demand<'a> {
     /// Vertical acceleration of the breathing mode [m/s²] at its period and 3 % damping. Adds its line.
     pub fn breathing(&self, sheet: &mut Sheet, period: f64) -> f64 {
         let damping = BREATHING_DAMPING;
-        let (value, clause) = match &self.source {
+        let (value, clause) = self.upwards(period);
+        let source = format!(
+            "vertical spectrum at T_vd = {}, ξ = {} %",
+            with_unit(period, Dimension::Time),
+            number(100.0 * damping)
+        );
+        let name = "vertical spectral acceleration of the breathing mode";
+        sheet.look_up("S_ve(T_vd)", name, &source, value, Dimension::Acceleration, clause)
+    }
+
+    /// Vertical acceleration at a period [s] and 3 % damping [m/s²], with its clause.
+    pub fn upwards(&self, period: f64) -> (f64, &'static str) {
+        let damping = BREATHING_DAMPING;
+        match &self.source {
             Source::En(s) => (s.vertical(period, damping), EN_VERTICAL),
             Source::Env(s) => (s.vertical(period, damping), ENV_VERTICAL),
             Source::Table(s) => match s.vertical(period, damping) {
@@ -440,14 +453,7 @@ impl<'a> Demand<'a> {
                 vertical.map_or(0.0, |v| ordinates(v, period, damping).psa),
                 "spectrum of the vertical record",
             ),
-        };
-        let source = format!(
-            "vertical spectrum at T_vd = {}, ξ = {} %",
-            with_unit(period, Dimension::Time),
-            number(100.0 * damping)
-        );
-        let name = "vertical spectral acceleration of the breathing mode";
-        sheet.look_up("S_ve(T_vd)", name, &source, value, Dimension::Acceleration, clause)
+        }
     }
 }
 

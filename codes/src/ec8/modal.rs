@@ -2,7 +2,7 @@
 
 use super::demand::{Demand, Edition};
 use crate::hazard;
-use crate::modal_action::ModalAction;
+use crate::modal_action::{ModalAction, Upwards};
 use crate::procedure::CodeError;
 use crate::sheet::{Sheet, number};
 use tank::assessment::Excitation;
@@ -44,5 +44,9 @@ pub(super) fn action<'a>(case: &'a Case, reduced: bool) -> Result<ModalAction<'a
             "Modes of the engine under {spectrum}, at the damping of each mode: {structural}, sloshing modes with S_e, q = 1{components}."
         ),
         vertical: demand.vertical,
+        upwards: demand.vertical.then(|| Upwards {
+            spectrum: Box::new(move |period, _| demand.upwards(period).0),
+            beside: demand.beside_vertical(),
+        }),
     })
 }

@@ -50,6 +50,7 @@ impl Procedure for Housner {
             wave: elastic(),
             assumption: "Modes of the engine under the user's spectrum, at the damping of each mode (η of EN 1998-1), not reduced.".into(),
             vertical: false,
+            upwards: None,
         }))
     }
 

@@ -82,6 +82,8 @@ pub struct ModalUnits {
     pub scalars: Vec<(Channel, Unit)>,
     /// Lines over the height.
     pub lines: Vec<UnitLine>,
+    /// The same of vertical motion, whose axisymmetric modes are the breathing wall; none where the site does not ask for it.
+    pub vertical: Option<Box<ModalUnits>>,
 }
 
 /// Acceleration [m/s²] at a period [s], 0 for the ground, and a damping ratio.
@@ -131,6 +133,9 @@ struct Seen {
     rigid: Vec<f64>,
     ground: f64,
 }
+
+/// Share of the lesser of two components (EN 1998-1 4.3.3.5.2).
+const LESSER: f64 = 0.3;
 
 /// Step of the search for the largest ordinate [s] and longest period in it: the shortest control period T_B of EN 1998-1 is 0.05 s,
 /// and no design spectrum has its maximum beyond 2 s.
@@ -194,6 +199,62 @@ impl ModalUnits {
             values,
             lines,
         }
+    }
+
+    /// The response to a horizontal spectrum with that to a vertical one, and the structural mode of vertical motion that carries most of the
+    /// pressure at the base; none without vertical modes.
+    ///
+    /// ```text
+    /// R = max(R_h + 0.3 R_v, c R_h + R_v)          for each observable
+    /// ```
+    ///
+    /// * `upwards`: the vertical spectrum, and c
+    ///
+    /// Source: EN 1998-1:2004 4.3.3.5.2(4), as for the pressures of EN 1998-4:2006 A.2.2 and A.3.3. R_v by the same rule for modes: the
+    /// breathing modes, and what follows the ground with S_v(0), whose sum on a rigid wall is ρ S_v(0) (H − z).
+    pub fn with_vertical(
+        &self,
+        horizontal: &Spectral,
+        (upwards, beside): (Ordinates<'_>, f64),
+        options: &SpectrumOptions,
+        round: bool,
+    ) -> Option<(Spectral, Option<KeptMode>)> {
+        let units = self.vertical.as_ref()?;
+        let action = Action {
+            structural: upwards,
+            sloshing: upwards,
+            wave: upwards,
+        };
+        let vertical = units.respond(&action, options, round);
+        let larger = |h: f64, v: f64| (h + LESSER * v).max(beside * h + v);
+        let mut found = horizontal.clone();
+        for (quantity, value) in &mut found.values {
+            *value = larger(*value, vertical.values.get(quantity).copied().unwrap_or(0.0));
+        }
+        for line in &mut found.lines {
+            let same = vertical.lines.iter().find(|l| l.what == line.what && l.z == line.z);
+            let Some(same) = same else { continue };
+            for (h, v) in line.values.iter_mut().zip(&same.values) {
+                *h = larger(*h, *v);
+            }
+        }
+        if let Some(hoop) = found.lines.iter().find(|l| l.what == OnWall::Hoop && round) {
+            let largest = hoop.values.iter().copied().fold(0.0, f64::max);
+            found.values.insert(Quantity::HoopStress, largest);
+        }
+        if let (Some((peak, _)), Some((other, _))) = (&mut found.base_axial, vertical.base_axial) {
+            *peak = larger(*peak, other);
+        }
+        Some((found, units.breathing()))
+    }
+
+    /// The structural mode with the largest pressure at the base under a unit acceleration.
+    pub fn breathing(&self) -> Option<KeptMode> {
+        let pressure = self.lines.iter().find(|l| l.what == OnWall::Pressure)?.units.first()?;
+        let shares = self.modes.iter().zip(&pressure.modes);
+        let structural = shares.filter(|(mode, _)| mode.kind == Kind::Structural);
+        let largest = structural.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+        Some(*largest.0)
     }
 
     /// An observable of the tank.

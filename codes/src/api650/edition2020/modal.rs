@@ -87,5 +87,6 @@ pub(super) fn action<'a>(case: &'a Case, annex: &Api650Site, reduced: bool) -> R
              ground with S_a(T) I/R_wi at 5 % (R_wi = {r_i}), sloshing modes with K S_a(T) I/R_wc (R_wc = {r_c}), the wave without R_wc."
         ),
         vertical: true,
+        upwards: None,
     })
 }

@@ -1,6 +1,5 @@
 //! The coupled systems of a case with their modes and observables.
 
-use tank::Case;
 use tank::case::GroundMotion;
 
 use crate::coupled::Coupled;
@@ -16,6 +15,7 @@ use results::Channel;
 use results::channel::{OnWall, Side};
 use tank::options::linear::Integrator;
 use tank::options::{AfterRecord, LinearOptions as Options};
+use tank::{Case, Shape};
 
 /// Sub-steps in the period of the highest significant mode, for extremes between samples (the response itself is exact).
 const SUB_STEPS_PER_PERIOD: f64 = 20.0;
@@ -26,6 +26,11 @@ const MOST_MODAL: f64 = 40.0;
 const MOST_DIRECT: f64 = 400.0;
 /// A structural mode is significant if it carries this share of the mass.
 const SIGNIFICANT: f64 = 0.01;
+
+/// Whether the site asks for vertical motion.
+pub(crate) fn shaken_upwards(case: &Case) -> bool {
+    case.site.ec8.is_some_and(|site| site.vertical)
+}
 
 /// A coupled system and its modes.
 #[derive(Clone, Debug)]
@@ -66,6 +71,8 @@ pub(crate) struct Model {
     pub horizontal: Harmonic,
     /// m = 0, with a vertical record only.
     pub vertical: Option<Harmonic>,
+    /// m = 0 for the vertical spectrum of the site: no part of a response to records.
+    pub site: Option<Harmonic>,
     /// Damping.
     pub damper: Damper,
 }
@@ -83,8 +90,16 @@ impl Model {
             Ok(Harmonic { coupled, modes })
         };
         let horizontal = prepare(1)?;
+        let vertical = if vertical { Some(prepare(0)?) } else { None };
+        let round = matches!(case.tank.shape, Shape::Cylinder { .. });
+        let site = match &vertical {
+            _ if !(round && shaken_upwards(case)) => None,
+            Some(same) => Some(same.clone()),
+            None => Some(prepare(0)?),
+        };
         Ok(Model {
-            vertical: if vertical { Some(prepare(0)?) } else { None },
+            vertical,
+            site,
             damper: damper.tuned(&horizontal.modes),
             horizontal,
         })

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use tank::Quantity;
 
-use super::model::Model;
+use super::model::{Harmonic, Model};
 use crate::FeError;
 use crate::impulsive::Impulsive;
 use crate::modes::{CoupledMode, Kind};
@@ -27,17 +27,27 @@ const SCALARS: [Channel; 6] = [
     Channel::Base(OnWall::Bending),
 ];
 
-/// The modes that a response keeps and the missing mass, per unit of acceleration.
+/// The modes that a response keeps and the missing mass, per unit of acceleration, of horizontal motion and of the vertical motion of the
+/// site.
 ///
 /// Errors: a stiffness matrix that is not positive definite.
 pub(crate) fn units(model: &Model, options: &Options) -> Result<ModalUnits, FeError> {
-    let coupled = &model.horizontal.coupled;
-    let kept = superpose::keep(
-        &model.horizontal.coupled,
-        &model.horizontal.modes,
-        &model.damper,
-        options.wave_modes,
-    );
+    let upwards = match &model.site {
+        Some(vertical) => Some(Box::new(of(vertical, model, options)?)),
+        None => None,
+    };
+    Ok(ModalUnits {
+        vertical: upwards,
+        ..of(&model.horizontal, model, options)?
+    })
+}
+
+/// The same of one harmonic.
+///
+/// Errors: as [`units`].
+fn of(harmonic: &Harmonic, model: &Model, options: &Options) -> Result<ModalUnits, FeError> {
+    let coupled = &harmonic.coupled;
+    let kept = superpose::keep(coupled, &harmonic.modes, &model.damper, options.wave_modes);
     let modes = kept
         .iter()
         .map(|m| KeptMode {
@@ -74,7 +84,12 @@ pub(crate) fn units(model: &Model, options: &Options) -> Result<ModalUnits, FeEr
             units: all.by_ref().take(line.probes.len()).collect(),
         });
     }
-    Ok(ModalUnits { modes, scalars, lines })
+    Ok(ModalUnits {
+        modes,
+        scalars,
+        lines,
+        vertical: None,
+    })
 }
 
 /// Periods and masses, which do not depend on the ground motion.

@@ -20,6 +20,7 @@ use crate::FeError;
 use crate::estimate::{
     Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PRODUCT_RATE, PROGRAM, Response, SWEEP_RATE, coarser,
 };
+use crate::linear::model::shaken_upwards;
 use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
 use tank::options::solid::{Liquid, MeshSize, SolidOptions};
@@ -147,6 +148,7 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
     let vectors = coupling::vectors(&solid.imperfections, height) as f64;
     let directions = match case.ground_motion.as_ref().map(|m| m.vertical.is_some()) {
         Some(true) => 2.0,
+        _ if shaken_upwards(case) => 2.0,
         _ => 1.0,
     };
     let mut parts = vec![

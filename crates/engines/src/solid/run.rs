@@ -24,7 +24,8 @@ use crate::damping::Damper;
 use crate::engine::Task;
 use crate::linear::analysis::analyse;
 use crate::linear::mesh_error::{self, Second, SecondMesh};
-use crate::linear::model::{Harmonic, Model};
+use crate::linear::model::{Harmonic, Model, shaken_upwards};
+use crate::linear::units;
 use crate::linear::{Across, Linear, checked_motion, complete, tilt};
 use crate::modes::{CoupledMode, Kind, solve};
 use crate::{FeError, Simulation};
@@ -116,8 +117,17 @@ impl Prepared {
             Ok(Harmonic { coupled, modes })
         };
         let horizontal = prepare(1)?;
+        let vertical = if vertical { Some(prepare(0)?) } else { None };
+        let site = match &vertical {
+            _ if !shaken_upwards(case) => None,
+            Some(same) => Some(same.clone()),
+            None => Some(prepare(0)?),
+        };
+        // Spaces are those of responses to records.
+        spaces.truncate(1 + usize::from(vertical.is_some()));
         let model = Model {
-            vertical: if vertical { Some(prepare(0)?) } else { None },
+            vertical,
+            site,
             damper: damper.tuned(&horizontal.modes),
             horizontal,
         };
@@ -279,6 +289,9 @@ pub fn simulate(
     solid: &SolidOptions,
     progress: &dyn Progress,
 ) -> Result<Simulation, FeError> {
+    if case.ground_motion.is_none() && case.site.is_given() {
+        return without_record(case, options, solid, progress);
+    }
     let motion = checked_motion(case)?;
     let vertical = motion.vertical.is_some();
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
@@ -317,6 +330,44 @@ pub fn tilted(
     progress: &dyn Progress,
 ) -> Result<Tilt, FeError> {
     tilt::tilt(case, angle, |tilted| coupled(tilted, options, solid, progress))
+}
+
+/// The modes of a case that has a site and no record, for the design spectrum of the site.
+///
+/// Errors: as [`simulate`].
+fn without_record(
+    case: &Case,
+    options: &Options,
+    solid: &SolidOptions,
+    progress: &dyn Progress,
+) -> Result<Simulation, FeError> {
+    check_options(case, options)?;
+    let model = Prepared::new(case, options, solid, false, progress)?.model;
+    let mut simulation = units::without_record(case, options, &model, EngineId::Solid)?;
+    let coarser = SecondMesh::coarser(options).filter(|_| solid.mesh.is_none() && !progress.interrupted());
+    let second = match coarser {
+        Some(SecondMesh { options, ratio }) => {
+            let coarse = Prepared::new(case, &options, solid, false, progress)?.model;
+            Some(Second {
+                ratio,
+                values: units::properties(&coarse),
+                wave: None,
+                units: Some(units::units(&coarse, &options)?),
+            })
+        }
+        None => None,
+    };
+    if let Some(angle) = options.tilt.filter(|_| !progress.interrupted()) {
+        let build = |tilted: &Case| coupled(tilted, options, solid, progress);
+        simulation.result.tilt = Some(tilt::tilt(case, angle, build)?);
+    }
+    if solid.snapshot_interval.is_some() || !options.snapshots.is_empty() {
+        let note = "States for pictures and ParaView are those of a time history: this run has no record.";
+        simulation.notes.push(note.into());
+    }
+    simulation.result.incomplete |= progress.interrupted();
+    mesh_error::note(&mut simulation, second.as_ref(), options);
+    Ok(simulation)
 }
 
 /// The system of harmonic 1 of a case.

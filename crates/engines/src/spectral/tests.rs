@@ -4,6 +4,8 @@
 //! Goal:      shear, moment and wave of the response-spectrum method
 //! Tolerance: at each test
 
+mod vertical;
+
 use oscillator::record::Record;
 use oscillator::spectrum::ordinates;
 use tank::case::{Ec8Site, GroundMotion, GroundType};
@@ -72,6 +74,7 @@ fn by_hand() {
         modes: vec![mode(Kind::Sloshing, 1.0), mode(Kind::Structural, 4.0)],
         scalars: vec![(Channel::BaseShear, unit)],
         lines: Vec::new(),
+        vertical: None,
     };
     // The structural period, 1.6 s, lies behind the maximum at 0.1 s: no rigid share.
     let structural = |period: f64, _: f64| match period {
