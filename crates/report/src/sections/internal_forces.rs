@@ -19,7 +19,7 @@ const MOST: usize = 4;
 /// Height of the plots in user units.
 const PLOT: f64 = 120.0;
 /// Classes of the three curves of a figure.
-const CLASSES: [&str; 3] = ["k-fe", "k-other", "k-fe-solid"];
+const CLASSES: [&str; 3] = ["k-s1", "k-s2", "k-s3"];
 
 /// The histories of a station.
 struct Station<'a> {
