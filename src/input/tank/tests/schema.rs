@@ -122,6 +122,7 @@ fn examples_and_defaults_of_the_schema_are_read() {
                 "thinner than any",
                 "thicker than any",
                 "the liquid is higher",
+                "annular plate",
             ];
             let own: Vec<&String> = found
                 .iter()
