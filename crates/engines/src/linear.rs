@@ -8,6 +8,7 @@ pub(crate) mod limits;
 pub(crate) mod mesh_error;
 mod modal;
 pub(crate) mod model;
+mod rocking;
 pub(crate) mod tilt;
 mod transfer;
 pub(crate) mod units;
@@ -259,6 +260,7 @@ fn report(
                 .into(),
         );
     }
+    let free = rocking::free(case, (linear.engine, model), &analysis, motion, options);
     let around = Around::of(model, linear.across, motion, options, &analysis)?;
     notes.extend(Around::notes(motion));
     notes.extend(model.horizontal.impulsive().and_then(|found| found.note()));
@@ -272,6 +274,10 @@ fn report(
     if let Some(around) = &around {
         around.add(&mut histories);
     }
+    rocking::say(&free, &mut notes);
+    if let rocking::Free::Moves(found) = &free {
+        rocking::push(found, &mut histories);
+    }
     let result = Run {
         mesh: coupled.mesh.clone(),
         modes: modes(case, model),
@@ -283,6 +289,7 @@ fn report(
         damping_table: damping_table(model),
         mass_balance: describe::mass_balance(model),
         energy: analysis.energy,
+        base: free.result(),
         envelopes: envelopes(model, &analysis),
         record_end: Some(record_end(motion)),
         histories: histories.info,
@@ -321,9 +328,7 @@ fn report(
 fn model_notes(case: &Case, engine: EngineId) -> Vec<String> {
     let mut notes = Vec::new();
     if case.tank.support == Support::Unanchored {
-        notes.push(
-            "The tank is unanchored; the linear engine clamps the wall to the ground and does not model uplift.".into(),
-        );
+        notes.push(rocking::HELD_DOWN.into());
     }
     if let (EngineId::Harmonic, Shape::Rectangle { strip: false, .. }) = (engine, case.tank.shape) {
         notes.push(

@@ -3,6 +3,7 @@
 
 mod around;
 mod attribution;
+mod base;
 mod checks;
 mod comparison;
 mod directions;
@@ -65,6 +66,7 @@ sections![
     histories,
     internal_forces,
     directions,
+    base,
     tilt,
     transfer,
     nonlinear,

@@ -19,6 +19,7 @@
 //! | [`site`] | the modes of an engine under the design spectrum |
 //! | [`terminal`] | the summaries on the terminal |
 //! | [`transfer`] | transfer functions |
+//! | [`uplift`] | the base of a tank that lifts or slides |
 
 pub mod after_record;
 pub mod apart;
@@ -36,6 +37,7 @@ pub mod sections;
 pub mod summary;
 pub mod terminal;
 pub mod transfer;
+pub mod uplift;
 pub mod verdict;
 
 use tank::Quantity;

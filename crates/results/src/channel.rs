@@ -295,6 +295,14 @@ pub enum Channel {
     Open,
     /// Share of the wetted wall of one side of a strip that the liquid has left.
     OpenOn(Side),
+    /// Rotation of the base.
+    BaseRotation,
+    /// Displacement of the rim upwards, from the ground without load.
+    Uplift(Side),
+    /// Axial stress of the wall at the toe, compression.
+    ToeStress,
+    /// Slip of the base against the ground.
+    Slip,
 }
 
 impl Channel {
@@ -348,6 +356,10 @@ impl Channel {
             Channel::Deflection(side) => format!("wall_displacement_{}", side.id()),
             Channel::Open => OPEN.into(),
             Channel::OpenOn(side) => format!("{OPEN}_{}", side.id()),
+            Channel::BaseRotation => "base_rotation".into(),
+            Channel::Uplift(side) => format!("uplift_{}", side.id()),
+            Channel::ToeStress => "toe_axial_stress".into(),
+            Channel::Slip => "slip".into(),
         }
     }
 
@@ -402,6 +414,7 @@ impl Channel {
                 Channel::SectionMoment(side),
                 Channel::Deflection(side),
                 Channel::OpenOn(side),
+                Channel::Uplift(side),
             ]
         });
         let across = Ground::ALL.map(Channel::GroundY);
@@ -416,6 +429,9 @@ impl Channel {
             Channel::Top,
             Channel::Belly,
             Channel::Open,
+            Channel::BaseRotation,
+            Channel::ToeStress,
+            Channel::Slip,
         ];
         ground
             .chain(on_wall)
@@ -471,6 +487,10 @@ impl Channel {
             Channel::Deflection(side) => format!("Deflection of the top of the wall, {}", side.title()),
             Channel::Open => "Share of the wetted wall that the liquid has left".into(),
             Channel::OpenOn(side) => format!("Share of the wetted wall that the liquid has left, {}", side.title()),
+            Channel::BaseRotation => "Rotation of the base, with uplift".into(),
+            Channel::Uplift(side) => format!("Uplift of the rim, {}", side.title()),
+            Channel::ToeStress => "Axial stress at the toe, compression, with uplift".into(),
+            Channel::Slip => "Slip of the base".into(),
         }
     }
 
@@ -494,6 +514,9 @@ impl Channel {
             Channel::SectionMoment(_) => Dimension::LineMoment,
             Channel::WaveAround { .. } | Channel::WaveLargest => Dimension::Length,
             Channel::Open | Channel::OpenOn(_) => Dimension::Dimensionless,
+            Channel::BaseRotation => Dimension::Angle,
+            Channel::ToeStress => Dimension::Stress,
+            Channel::Uplift(_) | Channel::Slip => Dimension::Length,
             Channel::Wave(_) | Channel::WaveAt { .. } | Channel::Top | Channel::Belly | Channel::Deflection(_) => {
                 Dimension::Length
             }

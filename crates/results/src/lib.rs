@@ -4,6 +4,7 @@
 //! [`Volatile`]. All values are SI, each with its unit. The report, `diff` and users' scripts read only these files.
 
 mod around;
+mod base_run;
 pub mod channel;
 pub mod compare;
 mod directions;
@@ -22,6 +23,7 @@ mod snapshots;
 mod store;
 mod tilt;
 mod transfer;
+mod value;
 mod verdict;
 pub mod vtu;
 
@@ -32,6 +34,7 @@ use tank::assessment::{Check, Excitation, Profile, Step};
 use tank::units::Dimension;
 
 pub use around::{Around, BaseAround, WaveAround};
+pub use base_run::{BaseBand, BaseEnergy, BaseQuantity, BaseRun, GroundOrigin};
 pub use channel::{Channel, GROUND_COLUMNS, VERTICAL_PREFIX};
 pub use directions::Directional;
 pub use fact::{Fact, FactKind};
@@ -55,6 +58,7 @@ pub use store::{
 
 pub use tilt::{Tilt, TiltLine};
 pub use transfer::{Transfer, TransferFunction, TransferMode};
+pub use value::Value;
 pub use verdict::{Aside, Counts, Deciding, Governing, Verdict, VerdictStatus, verdict};
 
 pub use files::error::describe;
@@ -128,31 +132,6 @@ pub struct SourceFile {
     pub name: String,
     /// SHA-256 of the bytes, hexadecimal.
     pub sha256: String,
-}
-
-/// A value with its SI unit.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Value {
-    /// Value in SI.
-    pub value: f64,
-    /// Dimension; its SI symbol is the unit.
-    #[serde(rename = "unit", with = "unit_symbol")]
-    pub dimension: Dimension,
-}
-
-/// Writes a dimension as its SI symbol.
-mod unit_symbol {
-    use serde::{Deserialize, Deserializer, Serializer, de::Error};
-    use tank::units::Dimension;
-
-    pub(crate) fn serialize<S: Serializer>(d: &Dimension, s: S) -> Result<S::Ok, S::Error> {
-        s.serialize_str(d.si_symbol())
-    }
-
-    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(d: D) -> Result<Dimension, D::Error> {
-        let text = String::deserialize(d)?;
-        Dimension::from_si_symbol(&text).ok_or_else(|| D::Error::custom(format!("unknown unit `{text}`")))
-    }
 }
 
 /// One line of the input echo.

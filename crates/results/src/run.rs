@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use tank::units::Dimension;
 
 use crate::around::Around;
+use crate::base_run::BaseRun;
 use crate::channel::Channel;
 use crate::directions::Directional;
 use crate::fields::Fields;
@@ -150,6 +151,9 @@ pub struct Run {
     /// Transfer functions, if asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub transfer: Option<Transfer>,
+    /// The run with a base that rocks and slides, of an unanchored tank that lifts or slides.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub base: Option<BaseRun>,
     /// Limits of validity and the values found.
     pub limits: Vec<Limit>,
     /// First yield, first crack, first separation and the like, by time.
@@ -187,6 +191,7 @@ impl Run {
             directions: Vec::new(),
             tilt: None,
             transfer: None,
+            base: None,
             limits: Vec::new(),
             events: Vec::new(),
             fields: None,

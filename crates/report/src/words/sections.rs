@@ -153,6 +153,21 @@ const ALL: &[Words] = &[
         )],
     },
     Words {
+        id: "base",
+        title: "Base: uplift and sliding",
+        sentences: &[
+            (
+                "beside",
+                "The tank stands on its bottom plate and lifts or slides. The values here are those of a run in which the base rotates and \
+                 slips; all other sections show the run with the wall held down.",
+            ),
+            (
+                "band",
+                "The ground under the rim is never known well: the same run on a third and on three times its modulus.",
+            ),
+        ],
+    },
+    Words {
         id: "tilt",
         title: "Static tilt test",
         sentences: &[

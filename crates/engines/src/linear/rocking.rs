@@ -1,0 +1,191 @@
+//! An unanchored cylinder that rocks and slides on its bottom plate, beside the run with the wall held down.
+//!
+//! The modes of the wall on a fixed base become the body of [`::base::history`], whose base is that of the strips. Where the run with
+//! the wall held down neither lifts the rim nor overcomes friction nothing is computed: the tank moves as if it were held.
+//! `docs/theory/base.md`.
+
+mod body;
+mod outcome;
+mod search;
+#[cfg(test)]
+mod tests;
+mod words;
+
+use ::base::history::Friction;
+use ::base::{Base, Soil};
+use results::channel::OnWall;
+use results::{BaseRun, Channel, EngineId};
+use tank::case::GroundMotion;
+use tank::options::LinearOptions as Options;
+use tank::{Case, STANDARD_GRAVITY, Shape, Support};
+
+use super::analysis::Analysis;
+use super::model::Model;
+use crate::histories::Histories;
+use crate::response::motion::{Grid, Motion};
+
+pub(super) use outcome::Moved;
+use search::{Found, Setup};
+pub(super) use words::HELD_DOWN;
+
+/// Longest time step [s].
+const LONGEST: f64 = 1e-3;
+/// What follows the record in the runs that search [s]: the rotation follows the wall, not the sloshing.
+const AFTER: f64 = 2.0;
+/// Moduli of the band over that of the ground.
+const BAND: [f64; 2] = [1.0 / 3.0, 3.0];
+
+/// What an unanchored tank does.
+pub(super) enum Free {
+    /// It is none, or its engine says so elsewhere.
+    Held,
+    /// It is not computed, and why.
+    NotComputed(String),
+    /// Nothing lifts or slides.
+    Rests(String),
+    /// It lifts or slides.
+    Moves(Box<Moved>),
+}
+
+impl Free {
+    /// The results of the run.
+    pub(super) fn result(self) -> Option<BaseRun> {
+        match self {
+            Free::Moves(moved) => Some(moved.result),
+            _ => None,
+        }
+    }
+}
+
+/// The run of a tank that is not held down.
+pub(super) fn free(
+    case: &Case,
+    (engine, model): (EngineId, &Model),
+    analysis: &Analysis<'_>,
+    motion: &GroundMotion,
+    options: &Options,
+) -> Free {
+    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
+    if !round || case.tank.support != Support::Unanchored || engine != EngineId::Harmonic {
+        return Free::Held;
+    }
+    let Ok(base) = Base::of(case) else {
+        return Free::Held;
+    };
+    if let Some(reason) = words::unsupported(motion.transverse.is_some(), !options.dashpots.is_empty()) {
+        return Free::NotComputed(reason);
+    }
+    let Some(setup) = setup(case, model, motion, analysis.grid, options) else {
+        return Free::NotComputed(words::NO_ROWS.into());
+    };
+    match run(&setup, &base, analysis) {
+        Ok(free) => free,
+        Err(missed) => Free::NotComputed(words::missed(&missed)),
+    }
+}
+
+/// The run, if anything moves.
+fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, search::Missed> {
+    let (_, law) = search::law(base, search::FIRST)?;
+    let peak = |channel| {
+        analysis
+            .sides(channel)
+            .map_or(0.0, |(front, back)| front.peak().0.max(back.peak().0))
+    };
+    let moment = peak(Channel::BaseMoment);
+    let pressure = analysis.line(OnWall::Pressure).map_or(0.0, |line| line.peak(0));
+    let lifting = search::lifting(&law, pressure);
+    if moment < lifting && !slides(setup, analysis) {
+        return Ok(Free::Rests(words::rests(moment, lifting, setup.friction.is_some())));
+    }
+    let (main, others) = std::thread::scope(|scope| {
+        let others = BAND.map(|factor| {
+            let on = base.on(factor * base.modulus);
+            scope.spawn(move || search::settle(setup, &on, false).map(|found| (on, found)))
+        });
+        let main = search::settle(setup, base, true);
+        (
+            main,
+            others.map(|other| other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))),
+        )
+    });
+    let band = others
+        .into_iter()
+        .flatten()
+        .map(|(on, found)| outcome::band(&on, &found))
+        .collect();
+    let fixed = [peak(Channel::BaseShear), moment];
+    let found: Found = main?;
+    Ok(Free::Moves(Box::new(outcome::moved(setup, base, found, band, fixed))))
+}
+
+/// Whether the shear of the wall held down overcomes friction.
+fn slides(setup: &Setup, analysis: &Analysis<'_>) -> bool {
+    let Some(friction) = &setup.friction else {
+        return false;
+    };
+    let shear = analysis.scalars.iter().find(|(s, _)| s.channel == Channel::BaseShear);
+    shear.is_some_and(|(_, history)| {
+        history.values.iter().enumerate().any(|(k, v)| {
+            let up = friction.vertical.get(k * setup.sub_steps).copied().unwrap_or(0.0);
+            v.abs() > friction.coefficient * friction.weight * (1.0 + up).max(0.0)
+        })
+    })
+}
+
+/// What does not depend on the ground.
+fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options: &Options) -> Option<Setup> {
+    let (body, rigid_pressure) = body::body(model, options.wave_modes)?;
+    let sub_steps = (grid.dt / LONGEST - 1e-9).ceil().max(1.0) as usize;
+    let fine = Grid { sub_steps, ..grid };
+    let sampled = |record| {
+        let motion = Motion::new(record, &fine);
+        (0..=fine.steps()).map(|i| motion.at(i)).collect::<Vec<f64>>()
+    };
+    let vertical = motion.vertical.as_ref().map_or_else(Vec::new, sampled);
+    let coupled = &model.horizontal.coupled;
+    let foundation = case.tank.foundation;
+    let searched = ((motion.duration() + AFTER) / fine.h()) as usize + 1;
+    Some(Setup {
+        friction: foundation.and_then(|f| f.friction).map(|coefficient| Friction {
+            coefficient,
+            weight: (coupled.liquid_mass + coupled.wall_mass) * case.gravity,
+            vertical: vertical.iter().map(|a| a / STANDARD_GRAVITY).collect(),
+        }),
+        soil: foundation.and_then(|f| {
+            let velocity = f.shear_wave_velocity?;
+            Some((
+                Soil::of_waves(velocity, f.soil_density, f.soil_poisson_ratio),
+                velocity,
+                f.soil_density,
+            ))
+        }),
+        ground: sampled(&motion.horizontal),
+        searched,
+        step: fine.h(),
+        sub_steps,
+        vertical: motion.vertical.is_some(),
+        body,
+        rigid_pressure,
+    })
+}
+
+/// Replaces the note on a wall that is held down.
+pub(super) fn say(free: &Free, notes: &mut Vec<String>) {
+    let text = match free {
+        Free::Held => return,
+        Free::NotComputed(reason) | Free::Rests(reason) => reason.clone(),
+        Free::Moves(_) => words::BESIDE.into(),
+    };
+    match notes.iter_mut().find(|note| *note == HELD_DOWN) {
+        Some(note) => *note = text,
+        None => notes.push(text),
+    }
+}
+
+/// Adds the histories of the run.
+pub(super) fn push(moved: &Moved, histories: &mut Histories) {
+    for (info, column) in &moved.columns {
+        histories.push(info.clone(), column.clone());
+    }
+}

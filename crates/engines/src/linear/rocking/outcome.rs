@@ -1,0 +1,262 @@
+//! What is reported of a run on a free base.
+
+use ::base::{Base, Origin, Turn};
+use results::channel::Side;
+use results::{BaseBand, BaseEnergy, BaseQuantity, BaseRun, Channel, GroundOrigin, SeriesInfo, Value};
+use tank::units::Dimension;
+
+use super::search::{Found, Setup};
+use super::words;
+
+/// Largest plastic rotation of the joint, EN 1998-4:2006 A.9.4 [rad].
+const PLASTIC: f64 = 0.20;
+/// Points of the cycles that are kept, and their time on either side of the largest rotation [s].
+const CYCLES: (usize, f64) = (800, 2.0);
+/// Points of the backbone.
+const BACKBONE: usize = 60;
+
+/// A run on a free base.
+pub(crate) struct Moved {
+    /// Its results.
+    pub result: BaseRun,
+    /// Its histories at the steps of the record.
+    pub columns: Vec<(SeriesInfo, Vec<f64>)>,
+}
+
+/// Largest |value| with its time step.
+fn largest(values: impl IntoIterator<Item = f64>) -> (f64, usize) {
+    let mut found = (0.0, 0);
+    for (i, value) in values.into_iter().enumerate() {
+        if value.abs() > f64::abs(found.0) {
+            found = (value, i);
+        }
+    }
+    found
+}
+
+/// States of the base, step by step.
+struct States {
+    turns: Vec<Turn>,
+    /// Displacement of the rim at θ = 0 and 180° [m].
+    rim: [Vec<f64>; 2],
+    /// Axial stress at the toe [Pa].
+    toe: Vec<f64>,
+}
+
+fn states(base: &Base, found: &Found) -> States {
+    let history = &found.history;
+    let places = history.rotation.iter().zip(&history.pressure);
+    let turns: Vec<Turn> = places.map(|(psi, suction)| found.law.turn(*psi, *suction)).collect();
+    // A positive rotation lifts θ = 180°.
+    let rim = [-1.0, 1.0].map(|side| {
+        let moved = turns.iter().zip(&history.rotation);
+        moved
+            .map(|(turn, psi)| turn.centre + side * psi * base.radius)
+            .collect()
+    });
+    States {
+        toe: turns
+            .iter()
+            .map(|turn| turn.toe_force / base.wall_thickness())
+            .collect(),
+        turns,
+        rim,
+    }
+}
+
+/// Largest values.
+struct Peaks {
+    uplift: (f64, usize),
+    rotation: (f64, usize),
+    plastic: f64,
+    toe: (f64, usize),
+    slip: (f64, usize),
+    shear: (f64, usize),
+    moment: (f64, usize),
+}
+
+fn peaks(states: &States, found: &Found) -> Peaks {
+    let history = &found.history;
+    let mut uplift = (0.0, 0);
+    for (i, turn) in states.turns.iter().enumerate() {
+        if turn.uplift > uplift.0 {
+            uplift = (turn.uplift, i);
+        }
+    }
+    Peaks {
+        plastic: found.rocking.curve().at(uplift.0).plastic_rotation,
+        uplift,
+        rotation: largest(history.rotation.iter().copied()),
+        toe: largest(states.toe.iter().copied()),
+        slip: largest(history.slip.iter().copied()),
+        shear: largest(history.shear.iter().copied()),
+        moment: largest(history.moment.iter().copied()),
+    }
+}
+
+/// Largest values on another ground.
+pub(super) fn band(base: &Base, found: &Found) -> BaseBand {
+    let peaks = peaks(&states(base, found), found);
+    BaseBand {
+        modulus: base.modulus,
+        uplift: peaks.uplift.0,
+        base_rotation: peaks.rotation.0.abs(),
+        plastic_rotation: peaks.plastic,
+        toe_axial_stress: peaks.toe.0.abs(),
+        slip: peaks.slip.0.abs(),
+        base_shear: peaks.shear.0.abs(),
+    }
+}
+
+/// The run as it is reported; `fixed` are base shear [N] and base moment [N m] of the wall held down.
+pub(super) fn moved(setup: &Setup, base: &Base, found: Found, band: Vec<BaseBand>, fixed: [f64; 2]) -> Moved {
+    let states = states(base, &found);
+    let peaks = peaks(&states, &found);
+    let history = &found.history;
+    let energy = history.energy;
+    let (peak, radius) = (peaks.rotation.1, base.radius);
+    let lifted = peaks.uplift.1;
+    let lean = history.rotation[lifted];
+    let result = BaseRun {
+        modulus: base.modulus,
+        origin: match base.origin {
+            Origin::Given => GroundOrigin::Given,
+            Origin::Waves => GroundOrigin::Waves,
+            Origin::Assumed(kind) => GroundOrigin::Assumed(kind),
+        },
+        friction: setup.friction.as_ref().map(|f| f.coefficient),
+        hysteretic: found.hysteretic,
+        settled: found.settled,
+        dashpot: found.dashpot,
+        step: setup.step,
+        quantities: quantities(setup, &peaks, &found, lean),
+        plastic_rotation_limit: PLASTIC,
+        fixed_shear: fixed[0],
+        fixed_moment: fixed[1],
+        energy: BaseEnergy {
+            input: energy.input,
+            viscous: energy.viscous,
+            base_elastic: energy.base_elastic,
+            base_hysteretic: energy.base_hysteretic,
+            base_radiated: energy.base_radiated,
+            friction: energy.friction,
+            body: energy.body,
+            error: history.balance,
+        },
+        band,
+        backbone: (0..=BACKBONE)
+            .map(|i| {
+                let psi = 1.1 * peaks.rotation.0.abs() * (i as f64 / BACKBONE as f64).powi(2);
+                [psi, found.law.respond(psi, 0.0, 0.0, &[]).moment]
+            })
+            .collect(),
+        cycles: cycles(setup, &found, peak),
+        around: (0..=72)
+            .map(|i| {
+                let degrees = 5.0 * f64::from(i);
+                let w = states.turns[lifted].centre - lean * radius * degrees.to_radians().cos();
+                [degrees, w]
+            })
+            .collect(),
+        assumptions: words::assumptions(setup, base, &found),
+    };
+    Moved {
+        columns: columns(setup, &states, &found),
+        result,
+    }
+}
+
+fn quantities(setup: &Setup, peaks: &Peaks, found: &Found, lean: f64) -> Vec<BaseQuantity> {
+    let quantity = |id: &str, value: f64, dimension, time: Option<usize>, degrees| BaseQuantity {
+        id: id.into(),
+        value: Value { value, dimension },
+        time: time.map(|i| i as f64 * setup.step),
+        degrees,
+    };
+    let lifted_side = if lean > 0.0 { 180.0 } else { 0.0 };
+    let toe_side = if found.history.rotation[peaks.toe.1] > 0.0 {
+        0.0
+    } else {
+        180.0
+    };
+    let residual = found.history.slip.last().copied().unwrap_or(0.0);
+    let (rotation, toe, slip) = (peaks.rotation, peaks.toe, peaks.slip);
+    vec![
+        quantity(
+            "uplift",
+            peaks.uplift.0,
+            Dimension::Length,
+            Some(peaks.uplift.1),
+            Some(lifted_side),
+        ),
+        quantity(
+            "base_rotation",
+            rotation.0.abs(),
+            Dimension::Angle,
+            Some(rotation.1),
+            None,
+        ),
+        quantity(
+            "plastic_rotation",
+            peaks.plastic,
+            Dimension::Angle,
+            Some(peaks.uplift.1),
+            Some(lifted_side),
+        ),
+        quantity(
+            "toe_axial_stress",
+            toe.0.abs(),
+            Dimension::Stress,
+            Some(toe.1),
+            Some(toe_side),
+        ),
+        quantity("slip", slip.0.abs(), Dimension::Length, Some(slip.1), None),
+        quantity("slip_residual", residual.abs(), Dimension::Length, None, None),
+        quantity(
+            "base_shear",
+            peaks.shear.0.abs(),
+            Dimension::Force,
+            Some(peaks.shear.1),
+            None,
+        ),
+        quantity(
+            "base_moment",
+            peaks.moment.0.abs(),
+            Dimension::Moment,
+            Some(peaks.moment.1),
+            None,
+        ),
+    ]
+}
+
+/// Rotation and moment around the step `peak`.
+fn cycles(setup: &Setup, found: &Found, peak: usize) -> Vec<[f64; 2]> {
+    let side = (CYCLES.1 / setup.step) as usize;
+    let end = (peak + side).min(found.history.rotation.len());
+    let steps = peak.saturating_sub(side)..end;
+    let stride = steps.len().div_ceil(CYCLES.0).max(1);
+    steps
+        .step_by(stride)
+        .map(|i| [found.history.rotation[i], found.history.moment[i]])
+        .collect()
+}
+
+/// Histories at the steps of the record.
+fn columns(setup: &Setup, states: &States, found: &Found) -> Vec<(SeriesInfo, Vec<f64>)> {
+    let column = |channel: Channel, values: &[f64]| {
+        let (peak, at) = largest(values.iter().copied());
+        let info = SeriesInfo::of(channel, 0.0, (peak.abs(), at as f64 * setup.step));
+        (info, values.iter().step_by(setup.sub_steps).copied().collect())
+    };
+    let [front, back] = &states.rim;
+    let mut columns = vec![
+        column(Channel::BaseRotation, &found.history.rotation),
+        column(Channel::Uplift(Side::Front), front),
+        column(Channel::Uplift(Side::Back), back),
+        column(Channel::ToeStress, &states.toe),
+    ];
+    if setup.friction.is_some() {
+        columns.push(column(Channel::Slip, &found.history.slip));
+    }
+    columns
+}

@@ -1,0 +1,176 @@
+//! The law of the base that covers the run, and its hysteretic share.
+
+use ::base::history::{Body, Friction, History, Run, march};
+use ::base::{Base, BaseError, Law, Rocking, Soil};
+
+/// Largest rotation of the first law [rad].
+pub(super) const FIRST: f64 = 2e-3;
+/// Largest rotation of any law [rad].
+pub(super) const MOST: f64 = 0.05;
+/// Rounds of the hysteretic share.
+const ROUNDS: usize = 3;
+/// Change of the share that is settled.
+const SETTLED: f64 = 0.01;
+/// Stress of a wall that no toe exceeds [Pa]; how far the rim is pressed into hard ground.
+const CRUSHED: f64 = 500e6;
+
+/// What does not depend on the ground.
+pub(super) struct Setup {
+    /// Wall and liquid.
+    pub body: Body,
+    /// Rigid parts of the bottom pressure.
+    pub rigid_pressure: [f64; 2],
+    /// Friction.
+    pub friction: Option<Friction>,
+    /// Soil with the velocity of its shear waves [m/s] and its density [kg/m³].
+    pub soil: Option<(Soil, f64, f64)>,
+    /// Ground acceleration at each step [m/s²].
+    pub ground: Vec<f64>,
+    /// Steps of the runs that search.
+    pub searched: usize,
+    /// Time step [s].
+    pub step: f64,
+    /// Steps in one of the record.
+    pub sub_steps: usize,
+    /// Whether there is a vertical record.
+    pub vertical: bool,
+}
+
+/// A run that its law covers.
+pub(super) struct Found {
+    pub rocking: Rocking,
+    pub law: Law,
+    pub hysteretic: f64,
+    /// Change of the largest rotation in the last round, relative.
+    pub settled: f64,
+    pub dashpot: f64,
+    pub history: History,
+}
+
+/// Why there is no run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Missed {
+    /// No equilibrium of the base.
+    Base(BaseError),
+    /// The base turns further than [`MOST`].
+    TooFar(f64),
+}
+
+impl From<BaseError> for Missed {
+    fn from(error: BaseError) -> Missed {
+        Missed::Base(error)
+    }
+}
+
+/// The law up to a rotation [rad].
+///
+/// Errors: no equilibrium.
+pub(super) fn law(base: &Base, largest: f64) -> Result<(Rocking, Law), BaseError> {
+    let reach = largest * base.radius;
+    // The rim loads a strip of this width.
+    let width = 2.0 * (4.0 * base.plate().bending_stiffness() / base.modulus).powf(0.25);
+    let line = base.modulus * width;
+    let rest = 10.0 * base.pressure / base.modulus + 5.0 * base.weight / line;
+    let mut pressed = reach.min(CRUSHED * base.wall_thickness() / line) + rest;
+    let mut tries = 0;
+    loop {
+        let rocking = base.rocking(-pressed, 2.0 * reach + 0.02, true)?;
+        match Law::new(&rocking, largest) {
+            Err(BaseError::BeyondCurve { .. }) if tries < 2 => {
+                tries += 1;
+                pressed *= 3.0;
+            }
+            other => return Ok((rocking, other?)),
+        }
+    }
+}
+
+/// Moment at which the rim leaves the ground, under a suction [Pa] or without [N m].
+pub(super) fn lifting(law: &Law, suction: f64) -> f64 {
+    let first = |suction: f64| {
+        let places = (0..=400).map(|i| law.turn(law.largest() * (f64::from(i) / 400.0).powi(3), suction));
+        let mut lifted = places.skip_while(|turn| turn.uplift <= 0.0);
+        lifted.next().map_or(f64::INFINITY, |turn| turn.moment)
+    };
+    first(0.0).min(first(suction))
+}
+
+/// c_ψ = π R³ ρ_s V_La B of the rim's strip on soil with shear waves; 0 without.
+fn dashpot(setup: &Setup, base: &Base) -> f64 {
+    let Some((soil, velocity, density)) = setup.soil else {
+        return 0.0;
+    };
+    let analogue = 3.4 * velocity / (std::f64::consts::PI * (1.0 - soil.poisson_ratio));
+    let width = 2.0 * (4.0 * base.plate().bending_stiffness() / base.modulus).powf(0.25);
+    std::f64::consts::PI * base.radius.powi(3) * density * analogue * width
+}
+
+/// Largest |ψ| [rad].
+pub(super) fn turned(history: &History) -> f64 {
+    history.rotation.iter().fold(0.0, |m, psi| f64::max(m, psi.abs()))
+}
+
+/// One march; `whole` goes on to the end of free vibration.
+pub(super) fn one(setup: &Setup, law: &Law, hysteretic: f64, dashpot: f64, whole: bool) -> Result<History, BaseError> {
+    let end = if whole {
+        setup.ground.len()
+    } else {
+        setup.searched.min(setup.ground.len())
+    };
+    march(&Run {
+        body: &setup.body,
+        law: Some(law),
+        hysteretic,
+        dashpot,
+        friction: setup.friction.clone(),
+        rigid_pressure: setup.rigid_pressure,
+        step: setup.step,
+        ground: &setup.ground[..end],
+    })
+}
+
+/// The run on a ground, with a law that covers it and the hysteretic share of its largest rotation.
+///
+/// Errors: no equilibrium; a base that turns too far.
+pub(super) fn settle(setup: &Setup, base: &Base, whole: bool) -> Result<Found, Missed> {
+    let dashpot = dashpot(setup, base);
+    let mut largest = FIRST;
+    loop {
+        let (rocking, law) = law(base, largest)?;
+        let mut hysteretic = law.hysteretic(base, 0.5 * largest)?;
+        let mut history = one(setup, &law, hysteretic, dashpot, false)?;
+        let (mut peak, mut settled) = (turned(&history), 0.0);
+        for _ in 0..ROUNDS {
+            if peak > largest {
+                break;
+            }
+            let next = law.hysteretic(base, peak)?;
+            if (next - hysteretic).abs() < SETTLED {
+                break;
+            }
+            hysteretic = next;
+            history = one(setup, &law, hysteretic, dashpot, false)?;
+            let now = turned(&history);
+            settled = (now / peak - 1.0).abs();
+            peak = now;
+        }
+        if whole && peak <= largest {
+            history = one(setup, &law, hysteretic, dashpot, true)?;
+            peak = turned(&history);
+        }
+        if peak <= largest {
+            return Ok(Found {
+                rocking,
+                law,
+                hysteretic,
+                settled,
+                dashpot,
+                history,
+            });
+        }
+        if largest >= MOST {
+            return Err(Missed::TooFar(peak));
+        }
+        largest = (1.3 * peak).max(2.0 * largest).min(MOST);
+    }
+}

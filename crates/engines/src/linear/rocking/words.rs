@@ -1,0 +1,92 @@
+//! Notes and assumptions of a run on a free base.
+
+use ::base::Base;
+use tank::units::{Dimension, display, significant};
+
+use super::search::{Found, MOST, Missed, Setup};
+
+/// The wall is held down, whatever the tank does.
+pub(crate) const HELD_DOWN: &str =
+    "The tank is unanchored; the linear engine clamps the wall to the ground and does not model uplift.";
+/// Of a run that lifts or slides.
+pub(super) const BESIDE: &str = "The tank is unanchored and lifts or slides: uplift, toe, slip and the shear with uplift are in the section on the \
+     base. The comparable values, envelopes and histories of this run are those of the wall held down.";
+/// The model lacks rows.
+pub(super) const NO_ROWS: &str = "The tank is unanchored; its model has no rows of base moment or pressure, and uplift is not computed: the wall is held down.";
+
+/// What the run cannot have, in words.
+pub(super) fn unsupported(two: bool, dashpots: bool) -> Option<String> {
+    let reason = match (two, dashpots) {
+        (true, _) => "uplift under two horizontal components is not computed",
+        (_, true) => "uplift with `analysis.damping.dashpots`, which couple the modes, is not computed",
+        _ => return None,
+    };
+    Some(format!(
+        "The tank is unanchored; {reason}: the linear engine clamps the wall to the ground."
+    ))
+}
+
+/// Nothing moves.
+pub(super) fn rests(moment: f64, lifting: f64, friction: bool) -> String {
+    format!(
+        "The tank is unanchored: its base moment of {} stays below {}, at which the rim leaves the ground{}. It moves as if held down.",
+        display(moment, Dimension::Moment),
+        display(lifting, Dimension::Moment),
+        if friction { ", and its shear below friction" } else { "" }
+    )
+}
+
+/// There is no run.
+pub(super) fn missed(missed: &Missed) -> String {
+    let reason = match missed {
+        Missed::Base(error) => error.to_string(),
+        Missed::TooFar(angle) => format!(
+            "the base turns by {} rad, more than the {MOST} rad of the model: the tank overturns or lifts beyond small rotations",
+            significant(*angle, 3)
+        ),
+    };
+    format!(
+        "The tank is unanchored and lifts, but there is no run with uplift: {reason}. All values are those of the wall held down."
+    )
+}
+
+/// Assumptions, one sentence each.
+pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<String> {
+    let mut list: Vec<String> = [
+        "The foot of the wall stays plane: a broad tank without a stiff roof warps, which lifts a shorter arc higher.",
+        "Strips of the bottom plate stand side by side without hoop forces.",
+        "The toe's stress contains the weight of wall and roof; it is the force per length over the thickness of the lowest course.",
+        "The suction on the lifted side acts on the strips; the pressure of a vertical motion does not.",
+        "The liquid above the lifted crescent has no inertia of its own, and the liquid's floor stays at rest.",
+    ]
+    .map(String::from)
+    .to_vec();
+    if base.yields() {
+        list.push(format!(
+            "A share of {} of the base's moment is hysteretic, so that a cycle to the largest rotation loses what the strips lose in \
+             their second cycle; it changed the largest rotation by {} % in its last round.",
+            significant(found.hysteretic, 3),
+            significant(100.0 * found.settled, 2)
+        ));
+    } else {
+        list.push("The material of the bottom plate has no yield strength: the joint loses no energy.".into());
+    }
+    list.push(match &setup.friction {
+        Some(friction) => format!(
+            "Coulomb friction of {} under the weight of tank and liquid{}; lifting does not change the weight.",
+            significant(friction.coefficient, 3),
+            if setup.vertical {
+                ", with the vertical acceleration"
+            } else {
+                ""
+            }
+        ),
+        None => "Without `tank.foundation.friction` the tank does not slide.".into(),
+    });
+    list.push(if found.dashpot > 0.0 {
+        "The soil under the rim radiates energy where it is in contact.".into()
+    } else {
+        "The soil radiates no energy: `tank.foundation.shear_wave_velocity` is not given.".into()
+    });
+    list
+}

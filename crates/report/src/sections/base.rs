@@ -1,0 +1,287 @@
+//! The base of a tank that lifts or slides: values beside the wall held down, histories, loop, circumference, band, energies.
+
+use tank::units::Dimension;
+
+use super::histories::record_end;
+use super::{Section, Source};
+use crate::figure::chart::{Axis, Chart, Line};
+use crate::figure::decimate::decimate;
+use crate::figure::{Figure, HALF, Room, WIDE};
+use crate::number::{Scale, fixed, percent, with_unit};
+use crate::table::{Column, Table, spread};
+use crate::words::uplift as words;
+use files::error::Error;
+use results::channel::Side;
+use results::{BaseQuantity, BaseRun, Channel};
+
+/// Height of the plots in user units.
+const PLOT: f64 = 150.0;
+
+/// Makes the section.
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let Some(run) = source.results.reference().and_then(|run| run.base.as_ref()) else {
+        return Ok(None);
+    };
+    let mut section = Section::new("base");
+    section.set("values", &values(run));
+    section.set("ground", &words::ground(run));
+    section.set("band", &band(run));
+    section.set("energy", &energy(run));
+    section.set("balance", &words::balance(run));
+    section.set("assumptions", &run.assumptions);
+    let sides = Side::BOTH.map(Channel::Uplift);
+    let figures = [
+        over_time(source, 0, &sides)?,
+        over_time(source, 1, &[Channel::BaseRotation])?,
+        Some(turning(run)?),
+        Some(around(run)?),
+    ];
+    section.set_figures("figures", figures.into_iter().flatten().collect());
+    Ok(Some(section))
+}
+
+fn text(quantity: &BaseQuantity) -> String {
+    match quantity.value.dimension {
+        Dimension::Angle => words::rotation(quantity.value.value),
+        dimension => with_unit(quantity.value.value, dimension),
+    }
+}
+
+fn values(run: &BaseRun) -> Table {
+    let [name, with, time, angle, held, ratio] = words::VALUES;
+    let mut table = Table::new(vec![
+        Column::words(name),
+        Column::numbers(with, ""),
+        Column::numbers(time, "s"),
+        Column::numbers(angle, ""),
+        Column::numbers(held, ""),
+        Column::numbers(ratio, ""),
+    ]);
+    let none = || words::NONE.to_owned();
+    for quantity in &run.quantities {
+        let fixed_base = match quantity.id.as_str() {
+            "base_shear" => Some(run.fixed_shear),
+            "base_moment" => Some(run.fixed_moment),
+            _ => None,
+        };
+        let mut value = text(quantity);
+        if quantity.id == "plastic_rotation" && quantity.value.value > run.plastic_rotation_limit {
+            value = words::beyond(&value, run.plastic_rotation_limit);
+        }
+        table.row(vec![
+            words::quantity(&quantity.id).into(),
+            value,
+            quantity.time.map_or_else(none, |t| fixed(t, 3)),
+            quantity.degrees.map_or_else(none, |d| fixed(d, 0)),
+            fixed_base.map_or_else(none, |v| with_unit(v, quantity.value.dimension)),
+            fixed_base.map_or_else(none, |v| fixed(quantity.value.value / v, 3)),
+        ]);
+    }
+    table
+}
+
+fn band(run: &BaseRun) -> Table {
+    let [first, rest @ ..] = words::BAND;
+    let mut columns = vec![Column::words(first)];
+    columns.extend(rest.map(|title| Column::numbers(title, "")));
+    let mut table = Table::new(columns);
+    let value = |id: &str| run.quantity(id).map_or(0.0, |q| q.value.value);
+    let own = results::BaseBand {
+        modulus: run.modulus,
+        uplift: value("uplift"),
+        base_rotation: value("base_rotation"),
+        plastic_rotation: value("plastic_rotation"),
+        toe_axial_stress: value("toe_axial_stress"),
+        slip: value("slip"),
+        base_shear: value("base_shear"),
+    };
+    let mut rows: Vec<&results::BaseBand> = run.band.iter().chain([&own]).collect();
+    rows.sort_by(|a, b| a.modulus.total_cmp(&b.modulus));
+    for row in rows {
+        table.row(vec![
+            with_unit(row.modulus, Dimension::Subgrade),
+            with_unit(row.uplift, Dimension::Length),
+            words::rotation(row.base_rotation),
+            words::rotation(row.plastic_rotation),
+            with_unit(row.toe_axial_stress, Dimension::Stress),
+            with_unit(row.slip, Dimension::Length),
+            with_unit(row.base_shear, Dimension::Force),
+        ]);
+    }
+    table
+}
+
+fn energy(run: &BaseRun) -> Table {
+    let e = &run.energy;
+    let all = [
+        e.input,
+        e.viscous,
+        e.base_elastic,
+        e.base_hysteretic,
+        e.base_radiated,
+        e.friction,
+        e.body,
+    ];
+    let scale = Scale::of(Dimension::Energy, all);
+    let mut table = Table::new(vec![
+        Column::words(crate::words::labels::ENERGY_AT_END),
+        Column::numbers("Value", scale.symbol()),
+        Column::numbers(words::SHARE, ""),
+    ]);
+    for (label, value) in words::ENERGIES.into_iter().zip(all) {
+        let share = if e.input == 0.0 {
+            words::NONE.into()
+        } else {
+            percent(value / e.input)
+        };
+        table.row(vec![label.into(), scale.text(value), share]);
+    }
+    table
+}
+
+/// A figure of a chart with the table of its points; `number` is that of its title.
+fn figure(
+    id: &str,
+    number: usize,
+    chart: Chart,
+    table: Table,
+    room: Room,
+    description: String,
+) -> Result<Figure, Error> {
+    Ok(Figure {
+        id: id.into(),
+        title: words::FIGURES[number].into(),
+        caption: String::new(),
+        titled: false,
+        description,
+        size: chart.size,
+        markup: chart.draw()?,
+        table,
+        room,
+    })
+}
+
+/// Curves over time; `None` without columns.
+fn over_time(source: &Source, number: usize, channels: &[Channel]) -> Result<Option<Figure>, Error> {
+    let time = &source.series.time;
+    let classes = ["k-fe", "k-other"];
+    let found = channels.iter().filter_map(|channel| source.column(&channel.id()));
+    let columns: Vec<&[f64]> = found.filter(|c| c.len() > 1 && c.len() <= time.len()).collect();
+    let (Some(first), Some(channel)) = (columns.first(), channels.first()) else {
+        return Ok(None);
+    };
+    let dimension = channel.dimension();
+    let all = || columns.iter().flat_map(|c| c.iter().copied());
+    let end = time[first.len() - 1];
+    let x = Axis::exact(words::AXES[4], Dimension::Time, (time[0], end), 8);
+    let y = Axis::linear(words::AXES[number], dimension, all().chain([0.0]), 5);
+    let mut chart = Chart::new((WIDE, 0.0), x, y);
+    let scale = Scale::of(dimension, all());
+    let mut table = Table::new(vec![Column::numbers(words::AXES[4], "s")]);
+    for (i, column) in columns.iter().enumerate() {
+        let label = if columns.len() > 1 { words::SIDES[i % 2] } else { "" };
+        chart.lines.push(Line {
+            points: decimate(&time[..column.len()], column, (WIDE - 60.0) as usize),
+            class: format!("{} hist", classes[i % 2]),
+            label: label.into(),
+        });
+        table
+            .columns
+            .push(Column::numbers(&channels[i].title(), scale.symbol()));
+    }
+    chart.rules = record_end(source, end).into_iter().collect();
+    for k in spread(first.len(), 24) {
+        let mut row = vec![fixed(time[k], 3)];
+        row.extend(
+            columns
+                .iter()
+                .map(|c| c.get(k).map_or(words::NONE.into(), |v| scale.text(*v))),
+        );
+        table.row(row);
+    }
+    let description = words::description(words::FIGURES[number], dimension, all());
+    let chart = chart.with_plot_height(110.0);
+    figure(
+        &format!("base_{}", channel.id()),
+        number,
+        chart,
+        table,
+        Room::Wide,
+        description,
+    )
+    .map(Some)
+}
+
+/// Moment against rotation, with the backbone on both sides.
+fn turning(run: &BaseRun) -> Result<Figure, Error> {
+    let mirrored = run.backbone.iter().rev().map(|p| (-p[0], -p[1]));
+    let backbone: Vec<(f64, f64)> = mirrored.chain(run.backbone.iter().map(|p| (p[0], p[1]))).collect();
+    let cycles: Vec<(f64, f64)> = run.cycles.iter().map(|p| (p[0], p[1])).collect();
+    let both = || backbone.iter().chain(&cycles);
+    let x = Axis::linear(words::AXES[1], Dimension::Angle, both().map(|p| p.0), 5);
+    let y = Axis::linear(words::AXES[2], Dimension::Moment, both().map(|p| p.1), 5);
+    let mut chart = Chart::new((HALF, 0.0), x, y);
+    let curves = [
+        (cycles.clone(), "k-fe thin", words::LOOP[0]),
+        (backbone.clone(), "k-other", words::LOOP[1]),
+    ];
+    for (points, class, label) in curves {
+        chart.lines.push(Line {
+            points,
+            class: class.into(),
+            label: label.into(),
+        });
+    }
+    let scale = Scale::of(Dimension::Moment, run.backbone.iter().map(|p| p[1]));
+    let mut table = Table::new(vec![
+        Column::numbers(words::AXES[1], "rad"),
+        Column::numbers(words::LOOP[1], scale.symbol()),
+    ]);
+    for i in spread(run.backbone.len(), 16) {
+        table.row(vec![fixed(run.backbone[i][0], 6), scale.text(run.backbone[i][1])]);
+    }
+    let description = words::description(words::FIGURES[2], Dimension::Moment, cycles.iter().map(|p| p.1));
+    figure(
+        "base_moment_rotation",
+        2,
+        chart.with_plot_height(PLOT),
+        table,
+        Room::Half,
+        description,
+    )
+}
+
+/// Uplift around the circumference.
+fn around(run: &BaseRun) -> Result<Figure, Error> {
+    let points: Vec<(f64, f64)> = run.around.iter().map(|p| (p[0].to_radians(), p[1])).collect();
+    let x = Axis::exact(words::AXES[3], Dimension::Angle, (0.0, std::f64::consts::TAU), 6);
+    let y = Axis::linear(
+        words::AXES[0],
+        Dimension::Length,
+        points.iter().map(|p| p.1).chain([0.0]),
+        5,
+    );
+    let mut chart = Chart::new((HALF, 0.0), x, y);
+    chart.lines.push(Line {
+        points: points.clone(),
+        class: "k-fe".into(),
+        label: String::new(),
+    });
+    let scale = Scale::of(Dimension::Length, points.iter().map(|p| p.1));
+    let mut table = Table::new(vec![
+        Column::numbers("θ", "°"),
+        Column::numbers(words::AXES[0], scale.symbol()),
+    ]);
+    for i in spread(run.around.len(), 25) {
+        table.row(vec![fixed(run.around[i][0], 0), scale.text(run.around[i][1])]);
+    }
+    let description = words::description(words::FIGURES[3], Dimension::Length, points.iter().map(|p| p.1));
+    figure(
+        "base_around",
+        3,
+        chart.with_plot_height(PLOT),
+        table,
+        Room::Half,
+        description,
+    )
+}

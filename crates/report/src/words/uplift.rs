@@ -1,0 +1,114 @@
+//! The base of a tank that is not held down, in the section of that name.
+
+use tank::FoundationKind;
+use tank::units::{Dimension, display};
+
+use crate::number::{fixed, percent, with_unit};
+use results::{BaseRun, GroundOrigin};
+
+/// Title of a quantity.
+pub fn quantity(id: &str) -> &str {
+    match id {
+        "uplift" => "Largest uplift of the rim",
+        "base_rotation" => "Largest rotation of the base",
+        "plastic_rotation" => "Plastic rotation of the joint there",
+        "toe_axial_stress" => "Largest axial stress at the toe, compression",
+        "slip" => "Largest slip",
+        "slip_residual" => "Slip at the end",
+        "base_shear" => "Base shear",
+        "base_moment" => "Moment above the base plate",
+        other => other,
+    }
+}
+
+/// Heads of the table of values.
+pub const VALUES: [&str; 6] = ["Quantity", "With uplift", "Time", "θ [°]", "Wall held down", "Ratio"];
+/// Heads of the table of the band.
+pub const BAND: [&str; 7] = [
+    "Ground under the rim",
+    "Uplift",
+    "Rotation of the base",
+    "Plastic rotation",
+    "Toe stress",
+    "Slip",
+    "Base shear",
+];
+/// Labels of the energies.
+pub const ENERGIES: [&str; 7] = [
+    "Input of the ground",
+    "Damping of wall and liquid",
+    "Stored in the base",
+    "Plastic joint",
+    "Radiated into the soil",
+    "Sliding",
+    "Kinetic and stored in wall and liquid",
+];
+/// Head of the shares.
+pub const SHARE: &str = "Share of the input";
+/// No number.
+pub const NONE: &str = "–";
+/// Legend of both sides.
+pub const SIDES: [&str; 2] = ["θ = 0°", "θ = 180°"];
+/// Legend of the loop and of the backbone.
+pub const LOOP: [&str; 2] = ["around the largest rotation", "strips, pressure at rest"];
+/// Titles of the figures.
+pub const FIGURES: [&str; 4] = [
+    "Uplift of the rim over time",
+    "Rotation of the base over time",
+    "Moment of the base against its rotation",
+    "Uplift around the circumference at its largest",
+];
+/// Axes.
+pub const AXES: [&str; 5] = [
+    "Uplift",
+    "Rotation",
+    "Moment",
+    "Angle θ from the direction of shaking",
+    "Time",
+];
+
+/// A value whose limit is exceeded.
+pub fn beyond(value: &str, limit: f64) -> String {
+    format!("{value} (above {} rad)", fixed(limit, 2))
+}
+
+/// A rotation in rad.
+pub fn rotation(value: f64) -> String {
+    format!("{} rad", fixed(value, 5))
+}
+
+/// Ground, hysteretic share and time step.
+pub fn ground(run: &BaseRun) -> String {
+    let origin = match run.origin {
+        GroundOrigin::Given => "given",
+        GroundOrigin::Waves => "from the velocity of shear waves, after Vesic",
+        GroundOrigin::Assumed(FoundationKind::Soil) => "assumed for soil without data",
+        GroundOrigin::Assumed(_) => "assumed for concrete",
+    };
+    format!(
+        "Ground under the rim {} ({origin}); hysteretic share {}; time step {}.",
+        display(run.modulus, Dimension::Subgrade),
+        percent(run.hysteretic),
+        display(run.step, Dimension::Time)
+    )
+}
+
+/// Error of the energy balance.
+pub fn balance(run: &BaseRun) -> String {
+    format!(
+        "The balance of energy closes within {} of the input.",
+        percent(run.energy.error)
+    )
+}
+
+/// Description of a figure with the extremes of its curve.
+pub fn description(title: &str, dimension: Dimension, values: impl Iterator<Item = f64>) -> String {
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+        (low.min(v), high.max(v))
+    });
+    format!(
+        "{title}, from {} to {}.",
+        with_unit(low, dimension),
+        with_unit(high, dimension)
+    )
+}

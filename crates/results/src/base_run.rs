@@ -1,0 +1,122 @@
+//! An unanchored tank that rocks and slides on its base.
+
+use serde::{Deserialize, Serialize};
+use tank::FoundationKind;
+
+use crate::value::Value;
+
+/// Where the modulus of the ground comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum GroundOrigin {
+    /// `tank.foundation.stiffness` or `tank.bottom.subgrade_modulus`.
+    Given,
+    /// From the velocity of shear waves.
+    Waves,
+    /// Assumed for a kind of foundation.
+    Assumed(FoundationKind),
+}
+
+/// A time history with the base free to rotate and slide, beside that of the wall held down.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BaseRun {
+    /// Modulus k of the ground under the rim [N/m³].
+    pub modulus: f64,
+    /// Its origin.
+    pub origin: GroundOrigin,
+    /// Coefficient of friction; none holds the tank in place.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<f64>,
+    /// Share of the moment of the base that is hysteretic.
+    pub hysteretic: f64,
+    /// Change of the largest rotation in the last round of the hysteretic share, relative.
+    pub settled: f64,
+    /// Dashpot of the closed base [N m s].
+    pub dashpot: f64,
+    /// Time step [s].
+    pub step: f64,
+    /// Comparable values: `uplift`, `base_rotation`, `plastic_rotation`, `toe_axial_stress`, `slip`, `slip_residual`, `base_shear`,
+    /// `base_moment`.
+    pub quantities: Vec<BaseQuantity>,
+    /// Limit of the plastic rotation of the joint [rad].
+    pub plastic_rotation_limit: f64,
+    /// Base shear of the wall held down [N].
+    pub fixed_shear: f64,
+    /// Moment above the base plate of the wall held down [N m].
+    pub fixed_moment: f64,
+    /// Energies at the end.
+    pub energy: BaseEnergy,
+    /// The same on softer and on harder ground; empty where there is no equilibrium.
+    pub band: Vec<BaseBand>,
+    /// Moment of the base [N m] by rotation [rad] at the bottom pressure at rest, both rising.
+    pub backbone: Vec<[f64; 2]>,
+    /// Rotation [rad] and moment of the base [N m] around the largest rotation, in time.
+    pub cycles: Vec<[f64; 2]>,
+    /// Displacement of the rim [m], upwards, by angle [°] at the largest uplift.
+    pub around: Vec<[f64; 2]>,
+    /// What it assumes, one sentence each.
+    pub assumptions: Vec<String>,
+}
+
+impl BaseRun {
+    /// A value by its id.
+    pub fn quantity(&self, id: &str) -> Option<&BaseQuantity> {
+        self.quantities.iter().find(|q| q.id == id)
+    }
+}
+
+/// A value with its time and place.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BaseQuantity {
+    /// Id.
+    pub id: String,
+    /// Value and unit.
+    #[serde(flatten)]
+    pub value: Value,
+    /// When [s].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time: Option<f64>,
+    /// Where, θ [°].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub degrees: Option<f64>,
+}
+
+/// Energies at the end of a run [J].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BaseEnergy {
+    /// Input of the ground.
+    pub input: f64,
+    /// Lost in the damping of wall and liquid.
+    pub viscous: f64,
+    /// Stored in the base.
+    pub base_elastic: f64,
+    /// Lost in the plastic joint.
+    pub base_hysteretic: f64,
+    /// Radiated into the soil.
+    pub base_radiated: f64,
+    /// Lost in sliding.
+    pub friction: f64,
+    /// Kinetic energy, and what wall and liquid store.
+    pub body: f64,
+    /// Largest deviation of the balance over the largest input.
+    pub error: f64,
+}
+
+/// Largest values on another ground.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BaseBand {
+    /// Modulus of the ground [N/m³].
+    pub modulus: f64,
+    /// Uplift [m].
+    pub uplift: f64,
+    /// Rotation of the base [rad].
+    pub base_rotation: f64,
+    /// Plastic rotation of the joint [rad].
+    pub plastic_rotation: f64,
+    /// Axial stress at the toe, compression [Pa].
+    pub toe_axial_stress: f64,
+    /// Slip [m].
+    pub slip: f64,
+    /// Base shear [N].
+    pub base_shear: f64,
+}
