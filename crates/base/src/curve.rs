@@ -65,10 +65,15 @@ impl Curve {
             }
             points.extend(branch);
         }
-        Ok(Curve {
+        Ok(Curve::through(points))
+    }
+
+    /// Through states in the order of the uplift.
+    pub(crate) fn through(points: Vec<Point>) -> Curve {
+        Curve {
             slopes: slopes(&points),
             points,
-        })
+        }
     }
 
     /// The states of the curve.

@@ -27,6 +27,7 @@ mod mesh;
 pub mod model;
 mod plate;
 mod rocking;
+mod stand;
 mod strip;
 #[cfg(test)]
 mod tests;
@@ -40,4 +41,5 @@ pub use march::Lifted;
 pub use model::{Base, Missing, Origin};
 pub use plate::{Bands, Plate};
 pub use rocking::{Rocking, Turn, plane_section};
+pub use stand::{Stand, Stands};
 pub use strip::{Plan, Rim, Strip};

@@ -66,6 +66,18 @@ impl Base {
     ///
     /// Errors: a tank without such a base.
     pub fn of(case: &Case) -> Result<Base, Missing> {
+        Base::built(case, false, STANDARD_GRAVITY)
+    }
+
+    /// The base of a tank at its fill as the codes see it: plates and wall less corrosion, the weight that of the whole thickness, in the
+    /// gravity of the case.
+    ///
+    /// Errors: a tank without such a base.
+    pub fn net(case: &Case) -> Result<Base, Missing> {
+        Base::built(case, true, case.gravity)
+    }
+
+    fn built(case: &Case, net: bool, gravity: f64) -> Result<Base, Missing> {
         let tank = &case.tank;
         let Shape::Cylinder { radius } = tank.shape else {
             return Err(Missing::Cylinder);
@@ -74,15 +86,15 @@ impl Base {
         if bottom.material.youngs_modulus < tank::METAL {
             return Err(Missing::Metal);
         }
-        let bands = bands(bottom);
+        let bands = bands(bottom, if net { bottom.corrosion } else { 0.0 });
         let wall = &tank.courses[0];
-        let gradient = case.liquid.density * STANDARD_GRAVITY;
+        let gradient = case.liquid.density * gravity;
         let pressure = gradient * case.liquid.fill_height;
         let (modulus, origin) = ground(case, bands.rim());
         Ok(Base {
             edge: Edge {
                 radius,
-                thickness: wall.thickness,
+                thickness: if net { wall.net_thickness() } else { wall.thickness },
                 young_modulus: wall.material.youngs_modulus,
                 poisson_ratio: wall.material.poisson_ratio,
                 pressure,
@@ -92,7 +104,7 @@ impl Base {
             projection: bottom.projection,
             radius,
             pressure,
-            weight: tank.mass_above(0.0).0 * STANDARD_GRAVITY / (std::f64::consts::TAU * radius),
+            weight: tank.mass_above(0.0).0 * gravity / (std::f64::consts::TAU * radius),
             modulus,
             origin,
         })
@@ -135,6 +147,11 @@ impl Base {
     ///
     /// Errors: data without meaning.
     pub fn strip(&self, pressure: f64) -> Result<Strip, BaseError> {
+        self.strip_of(pressure, 1.0)
+    }
+
+    /// The same with elements shorter by a factor.
+    pub(crate) fn strip_of(&self, pressure: f64, refinement: f64) -> Result<Strip, BaseError> {
         let rim = Rim::Wall(self.edge);
         let strip = Strip::new(
             self.bands.clone(),
@@ -144,6 +161,11 @@ impl Base {
             pressure,
             Plan::Strip,
         )?;
+        let strip = if refinement == 1.0 {
+            strip
+        } else {
+            strip.refined(refinement)
+        };
         Ok(strip.projecting(self.projection))
     }
 
@@ -160,10 +182,11 @@ impl Base {
     }
 }
 
-fn bands(bottom: &Bottom) -> Bands {
+/// Plates less `corrosion` [m].
+fn bands(bottom: &Bottom, corrosion: f64) -> Bands {
     let material = &bottom.material;
-    let plate = |thickness| Plate {
-        thickness,
+    let plate = |thickness: f64| Plate {
+        thickness: thickness - corrosion,
         young_modulus: material.youngs_modulus,
         poisson_ratio: material.poisson_ratio,
         yield_stress: material.yield_strength,

@@ -17,6 +17,10 @@ use std::f64::consts::PI;
 /// Panels of three Gauss points on the lifted arc, and as many on the rest.
 const PANELS: usize = 48;
 
+/// First rotation that is tried for a moment, and the largest at which a tank is thought to stand [rad].
+const FIRST: f64 = 2e-5;
+const LARGEST: f64 = 0.1;
+
 /// The base of a tank.
 #[derive(Clone, Debug)]
 pub struct Rocking {
@@ -119,6 +123,52 @@ impl Rocking {
         let hold = |w: f64, cos: f64| self.hold_down(w, p - suction * cos);
         plane_section(self.radius, self.weight, self.range(), rotation, &hold)
     }
+
+    /// The base under a moment [N m], with a bottom pressure that is lower by `suction` cos φ [Pa]; none where it does not hold the moment
+    /// up to a rotation of 0.1 rad, or not within the curve.
+    pub fn under(&self, moment: f64, suction: f64) -> Option<Turn> {
+        let goal = |turn: &Turn| turn.moment - moment;
+        turned(&|rotation| self.at(rotation, suction), &goal, 1e-10 * moment.abs())
+    }
+}
+
+/// The turn at which `goal`, which grows with the rotation, is zero up to `settled`; that at rest where it is positive there. None where it
+/// is not reached.
+pub(crate) fn turned(
+    at: &dyn Fn(f64) -> Result<Turn, BaseError>,
+    goal: &dyn Fn(&Turn) -> f64,
+    settled: f64,
+) -> Option<Turn> {
+    let rest = at(0.0).ok()?;
+    let mut low = (0.0, goal(&rest));
+    if low.1 >= -settled {
+        return Some(rest);
+    }
+    let (mut rotation, mut beyond) = (FIRST, None);
+    let high = loop {
+        match at(rotation) {
+            Ok(turn) => {
+                let value = goal(&turn);
+                if value >= 0.0 {
+                    break (rotation, value);
+                }
+                low = (rotation, value);
+                rotation = match beyond {
+                    Some(edge) => 0.5 * (rotation + edge),
+                    None => (1.5 * rotation).min(LARGEST),
+                };
+            }
+            Err(_) => {
+                beyond = Some(rotation);
+                rotation = 0.5 * (low.0 + rotation);
+            }
+        }
+        if rotation - low.0 <= 1e-9 * rotation {
+            return None;
+        }
+    };
+    let value = |rotation: f64| at(rotation).map_or(-low.1, |turn| goal(&turn));
+    at(root(&value, low, high, settled)).ok()
 }
 
 /// A foot that stays plane, on any law of its rim: `hold` gives the pull on the wall [N/m] for an uplift [m] at the angle whose cosine
@@ -142,7 +192,7 @@ pub fn plane_section(
         from,
         to,
     };
-    if !(low < high) {
+    if low.partial_cmp(&high) != Some(std::cmp::Ordering::Less) {
         return Err(beyond(2.0 * reach + from));
     }
     let total = std::f64::consts::TAU * radius * weight;

@@ -111,6 +111,11 @@ impl Strip {
         }
     }
 
+    /// Thickness of the plate under the wall [m].
+    pub(crate) fn thickness(&self) -> f64 {
+        self.bands.rim().thickness
+    }
+
     /// Pressure of the liquid on the plate [Pa].
     pub fn pressure(&self) -> f64 {
         self.pressure

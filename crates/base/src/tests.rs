@@ -174,6 +174,20 @@ fn suction_on_the_lifted_side_lowers_the_moment() {
     assert!(sucked.moment < still.moment, "{still:?} {sucked:?}");
 }
 
+/// The moment of a rotation leads back to it: bisection to 1e-10 of the moment, which grows with ψ^(1/4) at least.
+#[test]
+fn a_moment_leads_back_to_its_rotation() {
+    let base = rocking(1e8, 21e3, 20.0);
+    for psi in [1e-6, 1e-4, 1e-3, 1.3e-3] {
+        let turn = base.at(psi, 0.0).unwrap();
+        let found = base.under(turn.moment, 0.0).unwrap();
+        assert!((found.rotation / psi - 1.0).abs() < 1e-7, "{found:?} {psi}");
+    }
+    let most = base.at(1.3e-3, 0.0).unwrap().moment;
+    assert_eq!(base.under(2.0 * most, 0.0), None);
+    assert!(base.under(0.0, 0.0).unwrap().rotation < 1e-12);
+}
+
 #[test]
 fn a_rotation_beyond_the_curve_is_told() {
     let base = rocking(1e8, 21e3, 20.0);

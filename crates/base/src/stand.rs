@@ -1,0 +1,221 @@
+//! A base under a moment: how far it turns, and what its rim does there.
+//!
+//! The curve of a strip is drawn only as far as the answer needs it. Its states stand at places that do not depend on how far that is:
+//! close where the rim leaves the ground, then in steps that grow with the distance from it. What lies between the last two states on
+//! either side is not used, as slopes there would change with the next state. So an answer depends on what was asked before by rounding only.
+
+use std::cell::RefCell;
+
+use crate::curve::{Curve, Point};
+use crate::error::BaseError;
+use crate::march::Lifted;
+use crate::model::Base;
+use crate::rocking::{Turn, plane_section, turned};
+use crate::strip::Strip;
+
+/// Steps of the rim as shares of its distance from the ground without load, and from rest to there.
+const STEPS: (f64, f64) = (0.4, 1.0 / 6.0);
+/// Elements of half of the number along the strip: force and width change by less than 1 %.
+const REFINEMENT: f64 = 0.5;
+/// Largest uplift in radii: beyond it the plate's rotations are not small.
+const LIFT: f64 = 0.2;
+
+/// A base in equilibrium.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stand {
+    /// The whole of it.
+    pub turn: Turn,
+    /// The strip at the lifted side.
+    pub rim: Point,
+}
+
+/// A curve and where it starts.
+#[derive(Clone, Debug)]
+struct Kept {
+    curve: Curve,
+    /// Uplift at rest [m].
+    rest: f64,
+}
+
+/// Curves of a base on one ground, kept as far as they were drawn.
+#[derive(Clone, Debug)]
+pub struct Stands {
+    base: Base,
+    /// Pressure on the plate [Pa] and the curve under it.
+    curves: Vec<(f64, Kept)>,
+}
+
+impl Stands {
+    /// Of a base.
+    pub fn of(base: Base) -> Stands {
+        Stands {
+            base,
+            curves: Vec::new(),
+        }
+    }
+
+    /// The base.
+    pub fn base(&self) -> &Base {
+        &self.base
+    }
+
+    /// Under a moment [N m]; none where the base does not hold it up to a rotation of 0.1 rad.
+    ///
+    /// * `weight` w_t that holds the wall down [N/m]
+    /// * `suction` at the lifted side [Pa]: the plate carries p − p_b cos φ there, and p as at rest on the other side
+    pub fn under(&mut self, moment: f64, weight: f64, suction: f64) -> Option<Stand> {
+        self.found(weight, suction, &|turn| turn.moment - moment, 1e-8 * moment.abs())
+    }
+
+    /// Where the rim leaves the ground.
+    ///
+    /// * `weight` w_t that holds the wall down [N/m]
+    pub fn leaving(&mut self, weight: f64) -> Option<Stand> {
+        self.found(weight, 0.0, &|turn| turn.uplift, 1e-9)
+    }
+
+    fn found(&mut self, weight: f64, suction: f64, goal: &dyn Fn(&Turn) -> f64, settled: f64) -> Option<Stand> {
+        let base = &self.base;
+        let mut pressures = vec![base.pressure];
+        if suction > 0.0 {
+            pressures.push(base.pressure - suction);
+        }
+        let strips: Vec<Strip> = pressures
+            .iter()
+            .map(|p| base.strip_of(*p, REFINEMENT))
+            .collect::<Result<_, _>>()
+            .ok()?;
+        let mut drawn = Vec::with_capacity(strips.len());
+        for strip in &strips {
+            let kept = self.curves.iter().find(|(own, _)| *own == strip.pressure());
+            drawn.push(Drawn::of(strip, base.weight, kept.map(|(_, kept)| kept.clone())).ok()?);
+        }
+        let drawn = RefCell::new(drawn);
+        let turn = turned(&|rotation| grown(&drawn, base.radius, weight, rotation), goal, settled);
+        let drawn = drawn.into_inner();
+        let rim = turn.and_then(|turn| drawn.last().map(|d| d.kept.curve.at(turn.uplift)));
+        let curves = drawn
+            .into_iter()
+            .map(|d| (d.strip.pressure(), d.kept))
+            .collect::<Vec<_>>();
+        for (pressure, kept) in curves {
+            self.curves.retain(|(own, _)| *own != pressure);
+            self.curves.push((pressure, kept));
+        }
+        Some(Stand { turn: turn?, rim: rim? })
+    }
+}
+
+/// The base at a rotation, on curves that grow until they hold it: that at rest, and where there is one that under suction.
+fn grown(drawn: &RefCell<Vec<Drawn>>, radius: f64, weight: f64, rotation: f64) -> Result<Turn, BaseError> {
+    loop {
+        let tried = {
+            let curves = drawn.borrow();
+            let from = curves.iter().map(|d| d.range().0).fold(f64::NEG_INFINITY, f64::max);
+            let to = curves.iter().map(|d| d.range().1).fold(f64::INFINITY, f64::min);
+            let hold = |w: f64, cos: f64| {
+                let rest = curves[0].kept.curve.hold_down(w);
+                match curves.get(1) {
+                    Some(low) if cos > 0.0 => rest + cos * (low.kept.curve.hold_down(w) - rest),
+                    _ => rest,
+                }
+            };
+            plane_section(radius, weight, (from, to), rotation, &hold)
+        };
+        let Err(BaseError::BeyondCurve { wanted, from, to, .. }) = tried else {
+            return tried;
+        };
+        let up = wanted > 0.5 * (from + to);
+        if up && to > LIFT * radius {
+            return tried;
+        }
+        for curve in drawn.borrow_mut().iter_mut() {
+            let (low, high) = curve.range();
+            if (up && high <= to) || (!up && low >= from) {
+                curve.grow(up)?;
+            }
+        }
+    }
+}
+
+/// A curve that grows.
+struct Drawn<'a> {
+    strip: &'a Strip,
+    /// Weight under which the strip rests [N/m].
+    weight: f64,
+    kept: Kept,
+    /// The strip at the lower and the upper end, once it is there.
+    ends: [Option<Lifted<'a>>; 2],
+}
+
+impl<'a> Drawn<'a> {
+    fn of(strip: &'a Strip, weight: f64, kept: Option<Kept>) -> Result<Drawn<'a>, BaseError> {
+        if let Some(kept) = kept {
+            let ends = [None, None];
+            return Ok(Drawn {
+                strip,
+                weight,
+                kept,
+                ends,
+            });
+        }
+        let rest = Lifted::at_rest(strip, weight)?;
+        let mut drawn = Drawn {
+            strip,
+            weight,
+            kept: Kept {
+                curve: Curve::through(vec![rest.point()]),
+                rest: rest.uplift(),
+            },
+            ends: [Some(rest.clone()), Some(rest)],
+        };
+        for up in [false, true, false, true] {
+            drawn.grow(up)?;
+        }
+        Ok(drawn)
+    }
+
+    /// Without the outermost steps.
+    fn range(&self) -> (f64, f64) {
+        let points = self.kept.curve.points();
+        (points[1].uplift, points[points.len() - 2].uplift)
+    }
+
+    /// One step further.
+    fn grow(&mut self, up: bool) -> Result<(), BaseError> {
+        let mut points = self.kept.curve.points().to_vec();
+        let mut state = match self.ends[usize::from(up)].take() {
+            Some(state) => state,
+            None => self.again(&points, up)?,
+        };
+        let end = state.uplift();
+        let least = (STEPS.1 * self.kept.rest.abs()).max(1e-3 * self.strip.thickness());
+        let step = least.max(STEPS.0 * end.abs());
+        state.lift_to(if up { end + step } else { end - step })?;
+        points.insert(if up { points.len() } else { 0 }, state.point());
+        self.kept.curve = Curve::through(points);
+        self.ends[usize::from(up)] = Some(state);
+        Ok(())
+    }
+
+    /// The end of a curve that was kept, over its states: a plate that yields remembers its way.
+    fn again(&self, points: &[Point], up: bool) -> Result<Lifted<'a>, BaseError> {
+        let mut state = Lifted::at_rest(self.strip, self.weight)?;
+        let rest = self.kept.rest;
+        let mut way: Vec<f64> = points
+            .iter()
+            .map(|p| p.uplift)
+            .filter(|w| if up { *w > rest } else { *w < rest })
+            .collect();
+        if !up {
+            way.reverse();
+        }
+        for uplift in way {
+            state.lift_to(uplift)?;
+        }
+        Ok(state)
+    }
+}
+
+#[cfg(test)]
+mod tests;

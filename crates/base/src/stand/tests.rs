@@ -1,0 +1,119 @@
+//! A base under a moment.
+//!
+//! Source:    an independent program (strips of beams, von Karman, elastic-plastic, with the edge of the wall), two tanks on 100 MN/m³
+//! Goal:      rotation, uplift and toe of a moment; the moment at which the rim leaves the ground from both sides; no memory of what was
+//!            asked before; net thicknesses
+//! Tolerance: the moment has three digits and grows with ψ^(1/4): 4 × 0.5 %, and 1 % for the coarser strip times 4: 6 % for rotation and
+//!            uplift; 3 % for the stress at the toe, which has two digits
+
+use tank::reference::{case, material};
+use tank::{Bottom, Case, Shape};
+
+use super::{Stand, Stands};
+use crate::model::Base;
+
+/// A tank with a bottom plate: R, H [m], ρ; wall, plate [m]; f_y, E [Pa].
+fn base([radius, fill, density]: [f64; 3], [wall, plate]: [f64; 2], [strength, modulus]: [f64; 2]) -> Base {
+    Base::net(&tank([radius, fill, density], [wall, plate], [strength, modulus])).unwrap()
+}
+
+fn tank([radius, fill, density]: [f64; 3], [wall, plate]: [f64; 2], [strength, modulus]: [f64; 2]) -> Case {
+    let mut steel = material(modulus, 0.3, 7850.0);
+    steel.yield_strength = Some(strength);
+    let mut case = case(
+        Shape::Cylinder { radius },
+        &[(fill + 1.0, wall)],
+        &steel,
+        (density, fill),
+    );
+    case.tank.bottom = Some(Bottom {
+        thickness: plate,
+        sketch: None,
+        projection: 0.0,
+        corrosion: 0.0,
+        width: None,
+        subgrade_modulus: Some(1e8),
+        material: steel,
+    });
+    case
+}
+
+const OIL: ([f64; 3], [f64; 2], [f64; 2]) = ([20.0, 15.0, 870.0], [0.025, 0.010], [205e6, 205e9]);
+const SLENDER: ([f64; 3], [f64; 2], [f64; 2]) = ([6.1, 11.3, 1000.0], [0.008, 0.00635], [235e6, 210e9]);
+
+fn oil() -> Stands {
+    Stands::of(base(OIL.0, OIL.1, OIL.2))
+}
+
+fn close(found: f64, expected: f64, tolerance: f64) {
+    assert!((found / expected - 1.0).abs() < tolerance, "{found} {expected}");
+}
+
+#[test]
+fn a_moment_turns_as_an_independent_program_has_it() {
+    for (data, weight, moment, rotation, uplift, toe) in [
+        (OIL, 21_350.0, 141e6, 1e-3, 0.023, 6.7e6),
+        (OIL, 21_350.0, 166e6, 2e-3, 0.056, 8.8e6),
+        (OIL, 21_350.0, 219e6, 5e-3, 0.158, 13.2e6),
+        (SLENDER, 7_284.0, 6.51e6, 2e-3, 0.014, 10.0e6),
+    ] {
+        let found = Stands::of(base(data.0, data.1, data.2))
+            .under(moment, weight, 0.0)
+            .unwrap();
+        close(found.turn.moment, moment, 1e-6);
+        close(found.turn.rotation, rotation, 0.06);
+        close(found.turn.uplift, uplift, 0.06);
+        close(found.turn.toe_force / data.1[0], toe, 0.03);
+        assert_eq!(found.rim.uplift, found.turn.uplift);
+    }
+}
+
+#[test]
+fn the_rim_leaves_the_ground() {
+    let mut stands = oil();
+    let leaving = stands.leaving(21_350.0).unwrap().turn;
+    assert!(leaving.uplift.abs() < 1e-8, "{leaving:?}");
+    let at = |stands: &mut Stands, share: f64| stands.under(share * leaving.moment, 21_350.0, 0.0).unwrap().turn.uplift;
+    assert!(at(&mut stands, 0.99) < 0.0 && at(&mut stands, 1.01) > 0.0);
+}
+
+/// Up to rounding: the search starts from other brackets.
+#[test]
+fn answers_do_not_depend_on_what_was_asked_before() {
+    let ask = |stands: &mut Stands, moment: f64, suction: f64| -> Option<Stand> { stands.under(moment, 20e3, suction) };
+    let mut used = oil();
+    ask(&mut used, 250e6, 0.0);
+    ask(&mut used, 100e6, 20e3);
+    for (moment, suction) in [(60e6, 0.0), (150e6, 0.0), (150e6, 20e3), (280e6, 0.0)] {
+        let (again, fresh) = (ask(&mut used, moment, suction), ask(&mut oil(), moment, suction));
+        let [again, fresh] = [again, fresh].map(Option::unwrap);
+        close(again.turn.rotation, fresh.turn.rotation, 1e-9);
+        close(again.turn.uplift, fresh.turn.uplift, 1e-9);
+        close(again.turn.toe_force, fresh.turn.toe_force, 1e-9);
+    }
+}
+
+/// Suction takes from the pull of the lifted side, less weight as well; a moment without end is not held.
+#[test]
+fn suction_and_weight_decide() {
+    let mut stands = oil();
+    let mut turned = |weight: f64, suction: f64| stands.under(150e6, weight, suction).unwrap().turn.rotation;
+    let still = turned(21_350.0, 0.0);
+    assert!(turned(21_350.0, 40e3) > 1.1 * still);
+    assert!(turned(10_000.0, 0.0) > 1.1 * still);
+    close(turned(21_350.0, 1e-3), still, 1e-6);
+    assert_eq!(oil().under(1e12, 21_350.0, 0.0), None);
+}
+
+#[test]
+fn corrosion_thins_the_plate_and_the_wall() {
+    let mut case = tank(OIL.0, OIL.1, OIL.2);
+    let built = Base::of(&case).unwrap();
+    case.tank.courses[0].corrosion = 0.003;
+    case.tank.bottom.as_mut().unwrap().corrosion = 0.002;
+    let net = Base::net(&case).unwrap();
+    assert!((net.plate().thickness - 0.008).abs() < 1e-15 && (net.wall_thickness() - 0.022).abs() < 1e-15);
+    assert_eq!(Base::of(&case).unwrap(), built);
+    // The weight is that of the whole thickness; the gravity is that of the case.
+    close(net.weight, built.weight * case.gravity / tank::STANDARD_GRAVITY, 1e-12);
+}
