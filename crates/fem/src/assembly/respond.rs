@@ -91,8 +91,48 @@ impl Kept {
 #[derive(Clone, Debug)]
 pub struct LinearPart {
     tangent: Symmetric,
+    /// Columns with entries that are not zero: number, diagonal, end of its entries below the diagonal. Most of the pattern is that of nonlinear
+    /// elements.
+    columns: Vec<(u32, f64, usize)>,
+    /// Entries below the diagonal that are not zero, column by column: row, value.
+    entries: Vec<(u32, f64)>,
     /// Rows of the held dofs: (support, unknown, coefficient).
     support: Vec<(u32, u32, f64)>,
+}
+
+impl LinearPart {
+    /// Collects the entries that are not zero.
+    fn collect(&mut self) {
+        let pattern = &self.tangent.pattern;
+        for j in 0..pattern.size() {
+            let (first, last) = (pattern.starts[j], pattern.starts[j + 1]);
+            let begin = self.entries.len();
+            let below = pattern.rows[first + 1..last]
+                .iter()
+                .zip(&self.tangent.values[first + 1..last]);
+            let found = below.filter(|(_, k)| **k != 0.0).map(|(&i, &k)| (i as u32, k));
+            self.entries.extend(found);
+            let diagonal = self.tangent.values[first];
+            if diagonal != 0.0 || self.entries.len() > begin {
+                self.columns.push((j as u32, diagonal, self.entries.len()));
+            }
+        }
+    }
+
+    /// y ← y + K x, in the order of [`Symmetric::add_product`]: the same bits.
+    fn add_forces(&self, x: &[f64], y: &mut [f64]) {
+        let mut first = 0;
+        for &(j, diagonal, end) in &self.columns {
+            let j = j as usize;
+            let mut sum = diagonal * x[j];
+            for &(i, k) in &self.entries[first..end] {
+                y[i as usize] += k * x[j];
+                sum += k * x[i as usize];
+            }
+            y[j] += sum;
+            first = end;
+        }
+    }
 }
 
 impl Assembler {
@@ -102,6 +142,8 @@ impl Assembler {
     pub fn linear_part(&self, model: &Model) -> Result<LinearPart, (usize, ElementError)> {
         let mut out = LinearPart {
             tangent: Symmetric::zeros(self.pattern.clone()),
+            columns: Vec::new(),
+            entries: Vec::new(),
             support: Vec::new(),
         };
         let mut work = Work::default();
@@ -120,6 +162,7 @@ impl Assembler {
                 }
             }
         }
+        out.collect();
         Ok(out)
     }
 
@@ -195,7 +238,7 @@ impl Assembler {
             _ => {}
         }
         if let (Some(part), true) = (linear, want.force) {
-            part.tangent.add_product(1.0, &state.trial.u, &mut forces.internal);
+            part.add_forces(&state.trial.u, &mut forces.internal);
             for &(s, e, k) in &part.support {
                 forces.support[s as usize] += k * state.trial.u[e as usize];
             }

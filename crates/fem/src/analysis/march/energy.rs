@@ -111,6 +111,10 @@ pub(super) struct Meter<'a> {
     force: Forces,
     ma: Vec<f64>,
     mv: Vec<f64>,
+    /// Fields of the last end of a step: `ma` and `mv` belong to them.
+    known: bool,
+    /// Whether the fourth vector of `room` is C v of it.
+    known_damping: bool,
     room: [Vec<f64>; 5],
 }
 
@@ -124,16 +128,23 @@ impl<'a> Meter<'a> {
             force: Forces::default(),
             ma: Vec::new(),
             mv: Vec::new(),
+            known: false,
+            known_damping: false,
             room: Default::default(),
         }
     }
 
     /// Before a step: the committed state with its internal forces.
     pub(crate) fn begin(&mut self, state: &State, force: &Forces) {
+        // The acceleration jumps where the loads do.
+        let known = self.known && self.before.a == state.committed.a && self.before.v == state.committed.v;
         self.before.clone_from(&state.committed);
         self.force.clone_from(force);
-        mass_product(self.problem, &self.before.a, &mut self.ma);
-        mass_product(self.problem, &self.before.v, &mut self.mv);
+        self.known_damping &= known;
+        if !known {
+            mass_product(self.problem, &self.before.a, &mut self.ma);
+            mass_product(self.problem, &self.before.v, &mut self.mv);
+        }
     }
 
     /// After a step that converged; `viscous` is the tangent damping that held in it.
@@ -157,7 +168,12 @@ impl<'a> Meter<'a> {
         mass_product(self.problem, &after.v, mv);
         let c = system.damping.of_operators();
         let Problem { model, assembler, .. } = self.problem;
-        for (v, out) in [(&self.before.v, &mut *cv0), (&after.v, &mut *cv1)] {
+        // Tangent damping changes from step to step.
+        let kept = self.known_damping && viscous.is_none();
+        for (v, out) in [(&self.before.v, &mut *cv0), (&after.v, &mut *cv1)]
+            .into_iter()
+            .skip(usize::from(kept))
+        {
             out.clear();
             out.resize(n, 0.0);
             system
@@ -197,6 +213,14 @@ impl<'a> Meter<'a> {
         if !constant.is_empty() {
             self.now.constant += dot(constant, du);
         }
+        // The end of this step is the beginning of the next.
+        std::mem::swap(&mut self.ma, ma);
+        std::mem::swap(&mut self.mv, mv);
+        self.before.a.clone_from(&after.a);
+        self.before.v.clone_from(&after.v);
+        std::mem::swap(cv0, cv1);
+        self.known = true;
+        self.known_damping = viscous.is_none();
     }
 
     /// At a sample: asks the elements.
