@@ -68,6 +68,18 @@ fn options() {
         &spoiled("\"opening\"", "\"open\""),
         &["analysis.nonlinear.contact", "\"bonded\" or \"opening\""],
     );
+    has(
+        &with("\"step\": \"coarse\""),
+        &["analysis.nonlinear.step", "\"fixed\" or \"adaptive\""],
+    );
+    has(
+        &with("\"step\": \"adaptive\""),
+        &[
+            "analysis.nonlinear.step",
+            "adaptive steps are for cylinders with bonded liquid",
+        ],
+    );
+    read(&changed(contact, "\"step\": \"adaptive\""));
     // A strip has neither circumference nor plane of symmetry.
     let strip = GOOD
         .replace("\"shape\": \"cylinder\"", "\"shape\": \"rectangle\"")

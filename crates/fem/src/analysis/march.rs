@@ -8,6 +8,7 @@
 //!    committed history; then u̇ = 0. Unknowns without stiffness (potentials) rest meanwhile.
 //! 2. **Steps** on the nominal grid; a step that does not converge is halved, down to 2⁻⁶, with the ground motion linear
 //!    inside it; ten steps that converge double it back. An unconverged step is never accepted.
+//!    With [`Adaptive`], nominal steps are joined to longer ones where little moves, up to the distance of the samples.
 //! 3. **End**: completed, interrupted, stopped by an observer, or collapsed: no equilibrium with the shortest step, with time,
 //!    place and reason. The record until then is kept in every case.
 //!
@@ -49,9 +50,11 @@ use crate::state::State;
 mod driver;
 mod energy;
 mod observer;
+mod stride;
 
 pub use energy::{Balance, Energies};
 pub use observer::{Quantity, QuantityObserver, Range, Reaction};
+pub use stride::Adaptive;
 
 /// The problem.
 #[derive(Clone, Copy)]
@@ -85,6 +88,8 @@ pub struct Settings {
     pub halvings: u32,
     /// Steps that must converge before a cut step is doubled.
     pub recovery: usize,
+    /// Longer steps where little moves; `None` for nominal steps throughout.
+    pub adaptive: Option<Adaptive>,
     /// Threads that evaluate the elements; no result depends on their number.
     pub threads: usize,
     /// Where to keep checkpoints.
@@ -103,6 +108,7 @@ impl Settings {
             newton: Options::default(),
             halvings: 6,
             recovery: 10,
+            adaptive: None,
             threads: 1,
             checkpoint: None,
         }
@@ -246,6 +252,10 @@ pub struct Run {
     pub cuts: u64,
     /// Shortest step taken [s].
     pub shortest: f64,
+    /// Longest step taken [s].
+    pub longest: f64,
+    /// Number of long steps that were taken back for their error, or did not converge.
+    pub refused: u64,
 }
 
 /// Marches `problem` through `load`.
@@ -284,6 +294,11 @@ fn check(problem: Problem<'_>, load: &Load, settings: &Settings) -> Result<(), A
     };
     if settings.halvings > 20 {
         return refuse("halvings", settings.halvings.to_string(), "0 to 20");
+    }
+    if let Some(Adaptive { tolerance }) = settings.adaptive
+        && !(tolerance > 0.0 && tolerance.is_finite())
+    {
+        return refuse("tolerance of the step", tolerance.to_string(), "a positive number");
     }
     if settings.load_steps == 0 {
         return refuse("load steps", "0".into(), "1 or more");

@@ -383,6 +383,18 @@ impl<'a> Newton<'a> {
         p0: &[f64],
         p1: &[f64],
     ) -> Result<StepReport, StepFailure> {
+        let tried = self.attempt(scheme, state, p0, p1);
+        self.conclude(tried, state)
+    }
+
+    /// The same without commit: on success the trial state is the result, for [`Newton::conclude`] or [`Newton::take_back`].
+    pub(super) fn attempt(
+        &mut self,
+        scheme: &dyn Scheme,
+        state: &mut State,
+        p0: &[f64],
+        p1: &[f64],
+    ) -> Result<StepReport, StepFailure> {
         let limit = self.options.criteria.iterations;
         let mut result = self.iterate(scheme, state, [p0, p1], limit, false);
         if result.is_err()
@@ -398,6 +410,21 @@ impl<'a> Newton<'a> {
             result = self.iterate(scheme, state, [p0, p1], last, true);
             self.factor = None;
         }
+        result
+    }
+
+    /// Returns to the committed state from a step that has converged.
+    pub(super) fn take_back(&mut self, state: &mut State) {
+        state.revert();
+        self.cost.failures += 1;
+    }
+
+    /// Commits what [`Newton::attempt`] found, or returns to the committed state if it has failed.
+    pub(super) fn conclude(
+        &mut self,
+        mut result: Result<StepReport, StepFailure>,
+        state: &mut State,
+    ) -> Result<StepReport, StepFailure> {
         if result.is_ok() && self.viscous.is_some() {
             match self.tangent_damping(state) {
                 Ok(viscous) => self.viscous = Some(viscous),

@@ -140,6 +140,14 @@ impl GeneralizedAlpha {
         }
     }
 
+    /// Local error of the displacement of a step in h² Δa, Δa the increment of the acceleration.
+    ///
+    /// The accelerations of the scheme are those at δ h after the instant, δ = α_m − α_f, so that its Taylor series misses that of
+    /// the displacement by h³ u⃛ (β − 1/6 + δ/2). For Newmark's method the estimate of Zienkiewicz & Xie 1991.
+    pub fn local_error(&self) -> f64 {
+        self.beta - 1.0 / 6.0 + 0.5 * (self.alpha_m - self.alpha_f)
+    }
+
     /// Amplification matrix of (u, h v, h² a) for ü + 2 ξ ω u̇ + ω² u = 0, x = ω h.
     pub fn amplification(&self, x: f64, damping: f64) -> Matrix3<f64> {
         let (am, af, b, g) = (self.alpha_m, self.alpha_f, self.beta, self.gamma);

@@ -22,6 +22,9 @@ pub struct NonlinearOptions {
     pub spectral_radius: f64,
     /// Time step [s]; `None`: T_imp/20, at most half the step of the record.
     pub time_step: Option<f64>,
+    /// Whether quiet phases are marched in longer steps.
+    #[serde(default, skip_serializing_if = "StepLength::is_fixed")]
+    pub step: StepLength,
     /// Damping.
     pub damping: Damping,
     /// Contact of liquid and wall.
@@ -55,6 +58,7 @@ impl NonlinearOptions {
             symmetry: true,
             spectral_radius: 0.9,
             time_step: None,
+            step: StepLength::Fixed,
             damping: Damping::ByGroup {
                 wall: damping.impulsive,
                 sloshing: damping.sloshing,
@@ -78,6 +82,24 @@ pub struct WallElements {
     pub height: u32,
     /// Around the tank, the whole perimeter even where half of it is computed; 1 for a strip.
     pub circumference: u32,
+}
+
+/// Length of the steps of a march.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum StepLength {
+    /// The time step throughout, cut where it does not converge.
+    #[default]
+    Fixed,
+    /// Several time steps at once where little moves, with error control.
+    Adaptive,
+}
+
+impl StepLength {
+    /// Whether it is the default.
+    pub fn is_fixed(&self) -> bool {
+        *self == StepLength::Fixed
+    }
 }
 
 /// Contact of liquid and wall.

@@ -3,7 +3,8 @@
 use tank::case;
 use tank::imperfection::Imperfections;
 use tank::options::nonlinear::{
-    Contact, Damping, Integration, MOST_ROWS, MOST_SECTORS, MassProportionalAt, StripWall, ThicknessRule, WallElements,
+    Contact, Damping, Integration, MOST_ROWS, MOST_SECTORS, MassProportionalAt, StepLength, StripWall, ThicknessRule,
+    WallElements,
 };
 use tank::options::{AfterRecord, NonlinearOptions};
 use tank::{Shape, Tank};
@@ -39,6 +40,9 @@ object! {
         /// Time step.
         time_step ("0.0025 s"): Opt<Time> [Limits::from(1e-6).to(1.0)]
             = without("a twentieth of the impulsive period, at most half the step of the record"),
+        /// Whether quiet phases of a cylinder with bonded liquid are marched in longer steps: several time steps at once, at most
+        /// the step of the record, as long as the local error of the displacements stays below 0.1 % of the largest so far.
+        step ("adaptive"): Opt<StepLength> = default(DEFAULT.step).because("every time step is resolved"),
         /// Damping model.
         damping: Opt<NonlinearDamping> = Absent::Follows("by_group with the ratios of damping"),
         /// Contact of liquid and wall.
@@ -125,6 +129,16 @@ choice! {
         Fibre = "fibre",
         /// Layered shells, flexible in shear: every leaf, with the interlayer between two.
         Shell = "shell",
+    }
+}
+
+choice! {
+    /// Length of the steps.
+    StepLength {
+        /// The time step throughout.
+        Fixed = "fixed",
+        /// Several time steps at once where little moves.
+        Adaptive = "adaptive",
     }
 }
 
@@ -228,6 +242,7 @@ pub(super) fn nonlinear(
         symmetry,
         spectral_radius: r.or_default(&given.spectral_radius),
         time_step: r.optional(&given.time_step),
+        step: step(r, &given.step, tank, &given.contact),
         damping: damping(r, &given.damping, ratios),
         contact: r.choice(&given.contact),
         wall: r.choice(&given.wall),
@@ -239,6 +254,23 @@ pub(super) fn nonlinear(
         // Those of `analysis`.
         imperfections: Imperfections::NONE,
     }
+}
+
+/// Longer steps are for cylinders with bonded liquid: an impact of opening contact has no smooth acceleration to estimate errors by.
+fn step(r: &mut Resolver<'_>, option: &Opt<StepLength>, tank: Option<&Tank>, contact: &Opt<Contact>) -> StepLength {
+    let found = r.choice(option);
+    let opening = contact.given.as_ref().and_then(|field| field.value) == Some(Contact::Opening);
+    let cylinder = tank.is_none_or(|t| matches!(t.shape, Shape::Cylinder { .. }));
+    if let (StepLength::Adaptive, Some(field)) = (found, &option.given)
+        && (!cylinder || opening)
+    {
+        r.faults.push(range_fault(
+            field,
+            "adaptive steps are for cylinders with bonded liquid",
+            "\"fixed\"",
+        ));
+    }
+    found
 }
 
 fn elements(r: &mut Resolver<'_>, option: &Opt<Elements>, tank: Option<&Tank>) -> Option<WallElements> {

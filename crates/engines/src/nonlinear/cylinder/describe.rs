@@ -29,7 +29,7 @@ pub(super) fn cost(tank: &CylinderModel, watch: &Watch<'_>, run: &Run) -> Vec<Co
         dimension,
     };
     let number = Dimension::Dimensionless;
-    vec![
+    let mut out = vec![
         count("unknowns", tank.model.dofs().len() as f64, number),
         count("wetted radial displacements", tank.wetted.len() as f64, number),
         count("steps", run.cost.steps as f64, number),
@@ -39,7 +39,14 @@ pub(super) fn cost(tank: &CylinderModel, watch: &Watch<'_>, run: &Run) -> Vec<Co
         count("factorisations", run.cost.factors as f64, number),
         count("evaluations of all elements", run.cost.evaluations as f64, number),
         count("looks at all material points", watch.seen.looks as f64, number),
-    ]
+    ];
+    if run.longest > shortest(run) * (1.0 + 1e-9) {
+        out.push(count("longest step", run.longest, Dimension::Time));
+    }
+    if run.refused > 0 {
+        out.push(count("long steps taken back", run.refused as f64, number));
+    }
+    out
 }
 
 /// The model in numbers.

@@ -1,7 +1,7 @@
 //! A cylinder marched through its record.
 
 use fem::analysis::AnalysisError;
-use fem::analysis::march::{Run, Settings, march};
+use fem::analysis::march::{Adaptive, Run, Settings, march};
 use fem::analysis::motion::{Grid, Motion};
 use fem::analysis::newton::Options;
 use fem::analysis::scheme::TimeScheme;
@@ -15,7 +15,7 @@ use super::super::CheckpointFile;
 use super::super::after_record::Span;
 use crate::FeError;
 use crate::linear::checked_motion;
-use tank::options::nonlinear::NonlinearOptions;
+use tank::options::nonlinear::{NonlinearOptions, StepLength};
 
 use super::model::CylinderModel;
 use super::watch::Watch;
@@ -103,6 +103,10 @@ impl<'a> Cylinder<'a> {
         };
         settings.constant = tank.constant();
         settings.threads = threads;
+        settings.adaptive = match options.step {
+            StepLength::Fixed => None,
+            StepLength::Adaptive => Some(Adaptive::DEFAULT),
+        };
         if tank.joints.is_some() {
             settings.newton = Options::for_contact();
         }

@@ -3,6 +3,7 @@
 use std::time::Instant as Clock;
 
 use super::energy::{Balance, Meter};
+use super::stride::Strides;
 use super::*;
 use crate::analysis::checkpoint::{CheckpointError, Hash, Reader, Writer};
 use crate::analysis::newton::{Inertia, Newton, load_path};
@@ -19,6 +20,7 @@ struct Position {
     easy: usize,
     cuts: u64,
     shortest: f64,
+    longest: f64,
 }
 
 pub(super) struct Driver<'a> {
@@ -28,6 +30,7 @@ pub(super) struct Driver<'a> {
     newton: Newton<'a>,
     state: State,
     position: Position,
+    strides: Option<Strides>,
     /// Time functions at the end of the last step: three components, then the forces.
     functions: Vec<f64>,
     meter: Meter<'a>,
@@ -46,6 +49,7 @@ fn identity(key: &str, state: &State, settings: &Settings) -> u64 {
         "{:?} {:?} {:?}",
         settings.scheme, settings.grid, settings.newton
     ));
+    hash.text(&format!("{:?}", settings.adaptive));
     for count in [settings.load_steps, settings.halvings as usize, settings.recovery] {
         hash.count(count);
     }
@@ -94,7 +98,11 @@ impl<'a> Driver<'a> {
                 easy: 0,
                 cuts: 0,
                 shortest: f64::INFINITY,
+                longest: 0.0,
             },
+            strides: settings
+                .adaptive
+                .map(|a| Strides::new(a, settings.grid.sub_steps, settings.recovery, problem)),
             functions: vec![0.0; 3 + load.forces.len()],
             balance: Balance::default(),
             statics: None,
@@ -123,6 +131,9 @@ impl<'a> Driver<'a> {
                 return Ok(self.finish(end));
             }
             self.meter = Meter::new(self.problem, &self.state);
+            if let Some(strides) = &mut self.strides {
+                strides.begin(&self.state);
+            }
             if let Err(failure) = self.show(observers, 0, 0.0) {
                 return Ok(self.finish(Outcome::Collapsed(Collapse::new(0.0, None, failure))));
             }
@@ -145,8 +156,8 @@ impl<'a> Driver<'a> {
                 self.jump()?;
             }
             match self.advance(observers)? {
-                Ok(true) => progress.advance(1),
-                Ok(false) => {}
+                Ok(0) => {}
+                Ok(steps) => progress.advance(steps as u64),
                 Err(failure) => {
                     break Outcome::Collapsed(Collapse::new(self.time(), None, failure));
                 }
@@ -186,6 +197,8 @@ impl<'a> Driver<'a> {
             cost: self.newton.cost(),
             cuts: self.position.cuts,
             shortest: self.position.shortest,
+            longest: self.position.longest,
+            refused: self.strides.map_or(0, |s| s.refused),
         }
     }
 
@@ -231,9 +244,8 @@ impl<'a> Driver<'a> {
         Ok(end)
     }
 
-    /// Time functions at part `f` of the nominal step under way.
-    fn at(&self, f: f64) -> Vec<f64> {
-        let i = self.position.step;
+    /// Time functions at part `f` of nominal step `i`.
+    fn at(&self, i: usize, f: f64) -> Vec<f64> {
         let ground = self.load.ground.iter().map(Option::as_ref);
         let motions = ground.chain(self.load.forces.iter().map(|(_, m)| Some(m)));
         let value = |m: Option<&crate::analysis::motion::Motion>| {
@@ -269,7 +281,7 @@ impl<'a> Driver<'a> {
 
     /// Jump of the acceleration where the loads jump.
     fn jump(&mut self) -> Result<(), AnalysisError> {
-        let begin = self.at(0.0);
+        let begin = self.at(self.position.step, 0.0);
         let change: Vec<f64> = begin.iter().zip(&self.functions).map(|(b, e)| b - e).collect();
         if change.iter().all(|c| *c == 0.0) {
             return Ok(());
@@ -280,8 +292,18 @@ impl<'a> Driver<'a> {
         self.newton.accelerate(&mut self.state, &force, self.settings.grid.h())
     }
 
-    /// One step, cut as often as it needs; true if a nominal step is complete. The inner error is a collapse.
-    fn advance(&mut self, observers: &mut [&mut dyn Observe]) -> Result<Result<bool, StepFailure>, AnalysisError> {
+    /// Nominal steps in the next step.
+    fn stride(&self, unit: u32) -> usize {
+        let Position { step, part, .. } = self.position;
+        match &self.strides {
+            Some(strides) if part == unit => strides.next(step, self.load),
+            _ => 1,
+        }
+    }
+
+    /// One step, cut as often as it needs; the number of nominal steps that are complete. The inner error is a collapse.
+    // Long: every way a step can end.
+    fn advance(&mut self, observers: &mut [&mut dyn Observe]) -> Result<Result<usize, StepFailure>, AnalysisError> {
         let unit = 1_u32 << self.settings.halvings;
         let (mut p0, mut p1) = (Vec::new(), Vec::new());
         let begin = match self.newton.committed_forces(&mut self.state) {
@@ -291,14 +313,26 @@ impl<'a> Driver<'a> {
         self.meter.begin(&self.state, begin);
         let viscous = self.newton.viscous().cloned();
         loop {
-            let Position { at, part, .. } = self.position;
+            let Position { step, at, part, .. } = self.position;
+            let stride = self.stride(unit);
             let ends = [at, at + part].map(|x| f64::from(x) / self.unit());
-            self.load_vector(&self.at(ends[0]), &mut p0);
-            let functions = self.at(ends[1]);
+            self.load_vector(&self.at(step, ends[0]), &mut p0);
+            let functions = self.at(step + stride - 1, ends[1]);
             self.load_vector(&functions, &mut p1);
-            let h = self.settings.grid.h() * (ends[1] - ends[0]);
+            let h = self.settings.grid.h() * (ends[1] - ends[0]) * stride as f64;
             let scheme = self.settings.scheme.with_step(h)?;
-            match self.newton.step(&scheme, &mut self.state, &p0, &p1) {
+            let tried = self.newton.attempt(&scheme, &mut self.state, &p0, &p1);
+            let error = self.strides.as_ref().map_or(0.0, |s| s.error(&scheme, &self.state));
+            if let Some(strides) = &mut self.strides
+                && stride > 1
+                && tried.is_ok()
+                && strides.too_long(error)
+            {
+                self.newton.take_back(&mut self.state);
+                strides.shrink();
+                continue;
+            }
+            match self.newton.conclude(tried, &mut self.state) {
                 Ok(report) => {
                     let forces = match self.newton.committed_forces(&mut self.state) {
                         Ok(forces) => forces,
@@ -314,14 +348,29 @@ impl<'a> Driver<'a> {
                     );
                     self.functions = functions;
                     self.position.shortest = self.position.shortest.min(h);
-                    let done = self.grow(unit);
+                    self.position.longest = self.position.longest.max(h);
+                    let done = self.grow(unit, stride);
+                    if let Some(strides) = &mut self.strides
+                        && part == unit
+                        && stride == strides.now()
+                    {
+                        strides.accept(error, self.position.step, &self.state);
+                    }
                     if let Err(failure) = self.show(observers, report.iterations, h) {
                         return Ok(Err(failure));
                     }
                     return Ok(Ok(done));
                 }
+                Err(_) if stride > 1 => {
+                    if let Some(strides) = &mut self.strides {
+                        strides.shrink();
+                    }
+                }
                 Err(failure) if part == 1 => return Ok(Err(failure)),
                 Err(_) => {
+                    if let Some(strides) = &mut self.strides {
+                        strides.reset();
+                    }
                     self.position.part = part / 2;
                     self.position.easy = 0;
                     self.position.cuts += 1;
@@ -330,21 +379,21 @@ impl<'a> Driver<'a> {
         }
     }
 
-    /// Advances by the part that has converged; true at the end of a nominal step.
-    fn grow(&mut self, unit: u32) -> bool {
+    /// Advances by the part that has converged, or by `stride` nominal steps; returns the number of those complete.
+    fn grow(&mut self, unit: u32, stride: usize) -> usize {
         let p = &mut self.position;
         p.at += p.part;
         p.easy += 1;
         let done = p.at == unit;
         if done {
             p.at = 0;
-            p.step += 1;
+            p.step += stride;
         }
         if p.easy >= self.settings.recovery && p.part < unit && p.at.is_multiple_of(2 * p.part) {
             p.part *= 2;
             p.easy = 0;
         }
-        done
+        if done { stride } else { 0 }
     }
 
     /// Energies, and the observers.
@@ -383,7 +432,10 @@ impl<'a> Driver<'a> {
         for count in [p.step, p.at as usize, p.part as usize, p.easy, p.cuts as usize] {
             to.count(count);
         }
-        to.number(p.shortest);
+        to.numbers(&[p.shortest, p.longest]);
+        if let Some(strides) = &self.strides {
+            strides.save(&mut to);
+        }
         to.state(&self.state);
         to.numbers(&self.functions);
         self.meter.save(&mut to);
@@ -415,7 +467,12 @@ impl<'a> Driver<'a> {
         }
         p.easy = from.count()?;
         p.cuts = from.count()? as u64;
-        p.shortest = from.number()?;
+        let mut lengths = [0.0; 2];
+        from.numbers_into("lengths of steps", &mut lengths)?;
+        [p.shortest, p.longest] = lengths;
+        if let Some(strides) = &mut self.strides {
+            strides.restore(&mut from)?;
+        }
         from.state_into(&mut self.state)?;
         from.numbers_into("time functions", &mut self.functions)?;
         self.meter.restore(&mut from)?;

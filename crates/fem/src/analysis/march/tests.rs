@@ -1,5 +1,6 @@
 //! Marches of a linear chain against direct integration, and of one with elastic-plastic links.
 
+mod adaptive;
 mod resume;
 
 use std::cell::RefCell;
