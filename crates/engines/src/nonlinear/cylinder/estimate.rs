@@ -37,8 +37,10 @@ const POINTS: f64 = 4.0;
 const STATES: f64 = 3.2;
 /// Vectors of an iterative solution, and of the state.
 const VECTORS: f64 = 30.0;
-/// Products of an iterative solution.
-const PRODUCTS: f64 = 6.0;
+/// Products of an iterative solution with bonded liquid, and with joints that open.
+const PRODUCTS: [f64; 2] = [1.7, 6.0];
+/// Steps of the static start ([`fem::analysis::march::Settings::load_steps`]).
+const START: f64 = 5.0;
 /// Bytes kept for a byte of a factored section: values alone.
 const SECTION: f64 = 1.2;
 /// Operations a second of the small factors [1/s].
@@ -48,9 +50,12 @@ const TRANSFORM: f64 = 4.0;
 /// Iterations of a step, and steps from one factorisation to the next.
 const ITERATIONS: f64 = 3.5;
 const KEPT: f64 = 30.0;
-/// Time of a cell without its layers, and of a point of a layer, in one iteration [s].
-const CELL_TIME: f64 = 8e-6;
-const POINT_TIME: f64 = 2.5e-7;
+/// Time of a cell without its layers, and of a point of a layer, in one iteration [s]. Points of sections that neither yield nor
+/// crack cost little; these are measured where few do.
+const CELL_TIME: f64 = 1e-6;
+const POINT_TIME: f64 = 4.5e-8;
+/// Time of code procedures and linear engine beside the first run [s] (docs/performance.md).
+const BESIDE: f64 = 0.14;
 /// Sloshing amplitudes of half a cylinder.
 const AMPLITUDES: f64 = 24.0;
 /// Numbers kept at a sample, without the two of every row.
@@ -157,9 +162,15 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
         ("factors", (1.0 + at_a_time) * NUMBER * fill.entries),
         ("histories", at_a_time * NUMBER * kept),
     ];
-    let sweep = 3.0 * block + 2.0 * NUMBER * fill.entries + PRODUCTS * rings.product(unknowns, number * shells);
+    let [bonded, opening] = PRODUCTS;
+    let products = match options.contact {
+        Contact::Bonded => bonded,
+        Contact::Opening => opening,
+    };
+    let sweep = 3.0 * block + 2.0 * NUMBER * fill.entries + products * rings.product(unknowns, number * shells);
     let iteration = number * shells * CELL_TIME + points * POINT_TIME + sweep / PRODUCT_RATE;
-    let once = steps * (ITERATIONS * iteration + (fill.flops / FACTOR_RATE + rings.factor) / KEPT);
+    let factor = fill.flops / FACTOR_RATE + rings.factor;
+    let once = steps * (ITERATIONS * iteration + factor / KEPT) + START * (ITERATIONS * iteration + factor);
     let of_runs = if jobs > 0 {
         format!(", {runs} runs, {at_a_time:.0} at a time")
     } else {
@@ -175,7 +186,7 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
         parts,
         samples,
         steps,
-        seconds: once * runs.max(1) as f64 + 2.0 * (block / NUMBER).powf(1.5) / DENSE_RATE,
+        seconds: BESIDE + once * runs.max(1) as f64 + 2.0 * (block / NUMBER).powf(1.5) / DENSE_RATE,
         lever: Lever {
             smaller: Vec::new(),
             other: "coarsen the wall (`analysis.nonlinear.elements`)".into(),
