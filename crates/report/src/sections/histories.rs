@@ -36,12 +36,21 @@ fn is_force(info: &SeriesInfo) -> bool {
     info.channel().and_then(Channel::force_at).is_some()
 }
 
+/// Whether it is of a base that lifts or slides, which has a section of its own.
+fn is_base(info: &SeriesInfo) -> bool {
+    matches!(
+        info.channel(),
+        Some(Channel::BaseRotation | Channel::Uplift(_) | Channel::ToeStress | Channel::Slip)
+    )
+}
+
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let Some(fe) = source.results.reference() else {
         return Ok(None);
     };
-    let mut infos: Vec<&SeriesInfo> = fe.histories.iter().filter(|s| !is_ground(s) && !is_force(s)).collect();
+    let own = |s: &&SeriesInfo| !is_ground(s) && !is_force(s) && !is_base(s);
+    let mut infos: Vec<&SeriesInfo> = fe.histories.iter().filter(own).collect();
     infos.sort_by_key(|s| rank(s));
     if infos.is_empty() {
         return Ok(None);

@@ -8,7 +8,7 @@ use tank::units::Dimension;
 use super::search::{Found, Setup};
 use super::words;
 
-/// Largest plastic rotation of the joint, EN 1998-4:2006 A.9.4 [rad].
+/// Largest plastic rotation of the joint, EN 1998-4:2006 A.9, recalled [rad].
 const PLASTIC: f64 = 0.20;
 /// Points of the cycles that are kept, and their time on either side of the largest rotation [s].
 const CYCLES: (usize, f64) = (800, 2.0);

@@ -85,12 +85,13 @@ pub(super) fn law(base: &Base, largest: f64) -> Result<(Rocking, Law), BaseError
     }
 }
 
-/// Moment at which the rim leaves the ground, under a suction [Pa] or without [N m].
+/// Moment at which the rim leaves the ground, under a suction [Pa] or without; at most that of the law's end [N m].
 pub(super) fn lifting(law: &Law, suction: f64) -> f64 {
     let first = |suction: f64| {
         let places = (0..=400).map(|i| law.turn(law.largest() * (f64::from(i) / 400.0).powi(3), suction));
         let mut lifted = places.skip_while(|turn| turn.uplift <= 0.0);
-        lifted.next().map_or(f64::INFINITY, |turn| turn.moment)
+        let end = || law.turn(law.largest(), suction);
+        lifted.next().unwrap_or_else(end).moment
     };
     first(0.0).min(first(suction))
 }
