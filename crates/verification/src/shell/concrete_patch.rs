@@ -3,6 +3,9 @@
 //! Source:    Drucker & Prager 1952 (strengths of two cones); Dougill 1976 (first loss); the laws at a point (rows M15)
 //! Model:     1 m × 1 m, 20 cm thick, 2 × 2 shells with the inner node off the middle, four layers in plane stress, held at two edges, drawn or
 //!            pressed at the others by displacement control
+//! Measures:  the shells have Green's strain E and the second Piola-Kirchhoff stress S, in which the law is written. A side of 1 m that
+//!            moves by u has E = u + u²/2, so that the strain E is reached at u = √(1 + 2 E) − 1; the force per metre of the undeformed edge
+//!            is t P with P = (1 + u) S, since the sides turn nowhere, so that S = P/(1 + u)
 //! Tolerance: plateaus 1e-6, which Newton's method reaches; the fracturing solid depends on the steps of a path that is not proportional, in
 //!            first order: steps of 1/100 of the range, 0.5 %
 
@@ -50,7 +53,12 @@ const THICKNESS: f64 = 0.2;
 /// Steps over the range of a path.
 const STEPS: i32 = 100;
 
-/// Stress [Pa] at the strain `end` of both directions (`equibiaxial`), or of the first alone.
+/// Movement [m] of a side of 1 m at Green's strain.
+fn movement(strain: f64) -> f64 {
+    (1.0 + 2.0 * strain).sqrt() - 1.0
+}
+
+/// Second Piola-Kirchhoff stress [Pa] at Green's strain `end` of both directions (`equibiaxial`), or of the first alone.
 fn patch(law: Arc<dyn Law<3>>, equibiaxial: bool, end: f64) -> Answer<f64> {
     let ply = Ply {
         law,
@@ -98,7 +106,9 @@ fn patch(law: Arc<dyn Law<3>>, equibiaxial: bool, end: f64) -> Answer<f64> {
     let mut path = problem.continuation(criteria)?;
     let mut state = State::new(&problem.model);
     let row = problem.model.row(grid.node(2, 1), Dof::Ux);
-    let targets: Vec<f64> = (1..=STEPS).map(|i| end * f64::from(i) / f64::from(STEPS)).collect();
+    let targets: Vec<f64> = (1..=STEPS)
+        .map(|i| movement(end * f64::from(i) / f64::from(STEPS)))
+        .collect();
     let mut factor = f64::NAN;
     let first = end.abs() / f64::from(STEPS);
     let followed = path.to_displacements(
@@ -110,7 +120,8 @@ fn patch(law: Arc<dyn Law<3>>, equibiaxial: bool, end: f64) -> Answer<f64> {
         |_, point, _| factor = point.factor,
     )?;
     match followed.failure {
-        None => Ok(end.signum() * factor),
+        // The factor is the nominal stress, on the undeformed edge.
+        None => Ok(end.signum() * factor / (1.0 + movement(end))),
         Some(failure) => Err(format!("the patch stops before a strain of {end}: {failure}").into()),
     }
 }
