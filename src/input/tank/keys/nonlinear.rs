@@ -49,7 +49,7 @@ object! {
         contact: Opt<Contact> = default(DEFAULT.contact).because("the liquid stays at the wall"),
         /// Elements of the walls of a strip; not for a cylinder, whose walls are shells.
         wall ("shell"): Opt<StripWall>
-            = default(DEFAULT.wall).because("one leaf bends, and fibres take a tenth of the time of shells"),
+            = default(DEFAULT.wall).because("one leaf bends, and fibres take a sixth of the time of shells"),
         /// Whether the weight of the wall acts.
         self_weight (false): Opt<bool> = default(DEFAULT.self_weight).because("the wall has weight"),
         /// Whether the pressure turns with the wall.
@@ -127,7 +127,7 @@ choice! {
     StripWall {
         /// Beams with sections of fibres: the stiffest leaf bends, the others count for mass.
         Fibre = "fibre",
-        /// Layered shells, flexible in shear: every leaf, with the interlayer between two.
+        /// Layered shells, flexible in shear: every leaf, with the interlayer between two; the liquid is bonded.
         Shell = "shell",
     }
 }

@@ -18,9 +18,11 @@ const ITERATIONS: f64 = 2.2;
 /// Time of a beam without its fibres, and of a fibre, in one iteration [s].
 const BEAM_TIME: f64 = 1.5e-6;
 const FIBRE_TIME: f64 = 1.5e-7;
-/// Time of an element of two shells and a layer without its layers of concrete in one iteration [s], and its bytes in the model.
-const SHELL_TIME: f64 = 3e-5;
-const SHELL: f64 = 100_000.0;
+/// Time of an element of two shells and a layer without its layers of concrete, and of a layer of concrete at a point, in one iteration [s],
+/// and bytes of such an element in the model: example 06 with 5 to 60 layers (processor time), and with 20 to 160 elements (resident memory).
+const SHELL_TIME: f64 = 1e-5;
+const LAYER_TIME: f64 = 6e-8;
+const SHELL: f64 = 900_000.0;
 /// Numbers a fibre remembers on average, those of [`slots`].
 const FIBRE: f64 = 4.0 * 17.0;
 /// Operations a second of a dense factorisation on one core.
@@ -48,11 +50,11 @@ pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, run
     // The liquid couples deflection and slope of all wetted nodes: one dense block, factored in every iteration.
     let coupled = 2.0 * beams * (case.liquid.fill_height / case.tank.wall_height()).min(1.0);
     // Of shells: both edges of the wet face, as many unknowns.
-    let [element, points, bytes] = match options.wall {
-        StripWall::Fibre => [BEAM_TIME, 2.0, BEAM],
-        StripWall::Shell => [SHELL_TIME, 4.0, SHELL],
+    let [element, section, bytes] = match options.wall {
+        StripWall::Fibre => [BEAM_TIME, 2.0 * FIBRE_TIME, BEAM],
+        StripWall::Shell => [SHELL_TIME, 4.0 * LAYER_TIME, SHELL],
     };
-    let iteration = beams * (element + points * fibres * FIBRE_TIME) + coupled.powi(3) / 3.0 / FLOPS;
+    let iteration = beams * (element + fibres * section) + coupled.powi(3) / 3.0 / FLOPS;
     Ok(Estimate {
         run: "nonlinear run",
         size: format!(

@@ -7,7 +7,16 @@ use super::super::cylinder::section::{Part, row};
 use super::super::laws::unsupported;
 use super::section::{course_at, main_leaf};
 use crate::FeError;
-use tank::options::nonlinear::Integration;
+use tank::options::nonlinear::{Contact, Integration, NonlinearOptions, StripWall};
+
+/// Why contact that opens is refused of shells.
+pub(in crate::nonlinear) const OPENS: &str =
+    "contact that opens is not verified on walls of shells: it reports an opening at rest";
+
+/// Whether the options ask for contact that opens on walls of shells.
+pub(in crate::nonlinear) fn opens(options: &NonlinearOptions) -> bool {
+    options.wall == StripWall::Shell && options.contact == Contact::Opening
+}
 
 /// Shells of a wall with nodes at `levels` [m].
 ///

@@ -16,7 +16,11 @@ fn shells(case: &Case, elements: u32) -> NonlinearOptions {
 /// Liner and interlayer inside the reinforced concrete.
 fn sandwich(peak: f64) -> Case {
     let mut case = reinforced(peak);
-    let concrete = case.tank.courses[0].build_up().remove(0);
+    let mut concrete = case.tank.courses[0].build_up().remove(0);
+    // Fibres have no shear; a cracked layer keeps some of its own.
+    if let Behaviour::Concrete(law) = &mut concrete.material.behaviour {
+        law.shear_retention = 0.1;
+    }
     let of = |kind, thickness, behaviour, (youngs_modulus, density)| Layer {
         kind,
         thickness,
@@ -81,18 +85,22 @@ fn small_motion_is_that_of_fibres() {
         let found = entry(&shell, id);
         assert!((found / reference - 1.0).abs() < tolerance, "{id}: {found} {reference}");
     }
-    // Sign and size of the moment of the section and of its curvature.
+    // Sign and size of the moment of the section and of its curvature. A shell has the curvature of its middle, a beam that of its lower
+    // Gauss point, and both fall as (1 − z/H)³ at rest; 2 %: half of the layer's weight on the faces is 0.6 %.
+    let element = 3.0 / 20.0;
+    let lower = 0.5 * (1.0 - 1.0 / 3f64.sqrt()) * element;
+    let higher = ((DEPTH - 0.5 * element) / (DEPTH - lower)).powi(3);
     let loops = |s: &Simulation| nonlinear(s).loops.iter().map(|l| l.points[0]).collect::<Vec<_>>();
     for (a, b) in loops(&shell).iter().zip(loops(&fibre)) {
         for (x, y) in a.iter().zip(b) {
-            assert!((x / y - 1.0).abs() < 5e-2, "{a:?} {b:?}");
+            assert!((x / (y * higher) - 1.0).abs() < 2e-2, "{a:?} {b:?}");
         }
     }
 }
 
-/// Cracks and bars of the concrete leaf are seen; energy adds up; the joint opens as that of fibres does.
+/// Cracks and bars of the concrete leaf are seen; energy adds up.
 #[test]
-fn cracks_and_contact() {
+fn cracks_and_bars() {
     let case = sandwich(6.0);
     let found = run(&case, &shells(&case, 12));
     let n = nonlinear(&found);
@@ -108,10 +116,25 @@ fn cracks_and_contact() {
             .all(|share| (0.0..=1.0).contains(share))
     );
     assert!(n.energies.error < 1e-3, "{}", n.energies.error);
-    let mut opening = shells(&case, 12);
-    opening.contact = Contact::Opening;
-    let found = run(&sandwich(0.5), &opening);
-    assert_eq!(found.result.end, End::Completed);
+}
+
+/// Contact that opens is refused of shells, with its place, and taken of fibres.
+#[test]
+fn contact_that_opens_is_refused() {
+    let case = sandwich(0.5);
+    for (own, taken) in [(options(&case, 12), true), (shells(&case, 12), false)] {
+        let own = NonlinearOptions {
+            contact: Contact::Opening,
+            ..own
+        };
+        let found = refusals(&case, &own, Purpose::History);
+        assert_eq!(found.is_empty(), taken, "{found:?}");
+        assert!(
+            found.iter().all(|r| r.place == Place::Contact && !r.help.is_empty()),
+            "{found:?}"
+        );
+        assert_eq!(Strip::new(&case, &own).is_ok(), taken);
+    }
 }
 
 /// Laws of shells alone are refused of fibres and taken of shells, and the other way round.
