@@ -92,8 +92,11 @@ fn small_motion_is_that_of_fibres() {
     let higher = ((DEPTH - 0.5 * element) / (DEPTH - lower)).powi(3);
     let loops = |s: &Simulation| nonlinear(s).loops.iter().map(|l| l.points[0]).collect::<Vec<_>>();
     for (a, b) in loops(&shell).iter().zip(loops(&fibre)) {
+        // The other loop is that of deflection and base shear.
+        let shear = (b[1].abs() / (0.5 * gamma * DEPTH * DEPTH) - 1.0).abs() < 1e-3;
+        let share = if shear { 1.0 } else { higher };
         for (x, y) in a.iter().zip(b) {
-            assert!((x / (y * higher) - 1.0).abs() < 2e-2, "{a:?} {b:?}");
+            assert!((x / (y * share) - 1.0).abs() < 2e-2, "{a:?} {b:?}");
         }
     }
 }
