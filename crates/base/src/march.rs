@@ -8,6 +8,8 @@ use crate::strip::{Plan, Rim, Strip};
 
 /// Steps of the liquid's pressure on the way to rest.
 const FILLING: usize = 8;
+/// Smallest share of the pressure in a step on that way.
+const SMALLEST_SHARE: f64 = 1e-5;
 /// Iterations of a step.
 const ITERATIONS: usize = 40;
 /// Shortest step of the uplift [m].
@@ -52,13 +54,19 @@ impl<'a> Lifted<'a> {
             plastic: vec![0.0; fibres],
         };
         // All of the plate sunk evenly: near the answer, and in contact everywhere.
+        let mut step = 1.0 / FILLING as f64;
         for w in state.x.iter_mut().skip(1).step_by(3) {
-            *w = -strip.pressure / strip.modulus / FILLING as f64;
+            *w = -step * strip.pressure / strip.modulus;
         }
-        for step in 1..=FILLING {
-            let share = step as f64 / FILLING as f64;
-            let found = state.step(Given::Force(-weight * share, share))?;
-            if !found {
+        let mut share = 0.0;
+        while share < 1.0 {
+            let next = f64::min(share + step, 1.0);
+            if state.step(Given::Force(-weight * next, next))? {
+                share = next;
+                continue;
+            }
+            step /= 2.0;
+            if step < SMALLEST_SHARE {
                 return Err(BaseError::NoEquilibrium {
                     uplift: state.uplift(),
                     step: 0.0,
