@@ -43,7 +43,7 @@ fn response(c: &mut Criterion) {
 
     let grid = Grid::new(horizontal.dt, horizontal.duration(), 4.2, 7.7e-4);
     let motion = Motion::new(horizontal, &grid);
-    let kept = superpose::keep(&modes, &damper, 5);
+    let kept = superpose::keep(&coupled, &modes, &damper, 5);
     let system = ModalSystem::new(&coupled, kept, &damper).expect("the tank is sound");
     let systems = [system];
     let of = |p| -> Observable { vec![(0, 1.0, p)] };

@@ -72,7 +72,7 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     for warning in &tank.warnings {
         say!("warning: {}", text::line(warning));
     }
-    let base = Base::of(&tank.case).map_err(|missing| absent(missing))?;
+    let base = Base::of(&tank.case).map_err(absent)?;
     let base = if args.elastic { base.elastic() } else { base };
     if !base.yields() && !args.elastic {
         say!("warning: {}", words::ELASTIC);

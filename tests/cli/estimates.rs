@@ -144,9 +144,12 @@ const MEASURED_SOLID: [(Mesh, Liquid, bool, Figure, Figure); 5] = [
 /// Time step, memory, time: `ida examples/06_sandwich_strip/tank.json … --scale 1`.
 const MEASURED_STRIP: [(f64, Option<f64>, Option<f64>); 2] = [(0.006, None, Some(8.9)), (0.0025, Some(19.4), None)];
 
+/// A row of the next table.
+type Cylinder = (&'static str, &'static str, Figure, [u32; 2], Figure, Figure);
+
 /// Tank, record and its first seconds, elements over height and around, memory, time: `compare … --fe nonlinear --no-mesh-error
 /// --threads 1` without free vibration after the record; code procedures and linear engine are in the time, 0.2 s of it.
-const MEASURED_CYLINDER: [(&str, &str, Figure, [u32; 2], Figure, Figure); 5] = [
+const MEASURED_CYLINDER: [Cylinder; 5] = [
     // Memory under the first second of the record: histories are some MiB of the whole.
     (
         "08_concrete_cylinder/tank.json",

@@ -12,7 +12,7 @@
 //! matrices, and so positive definite if A is; A itself may be indefinite behind a bifurcation ([`minres`] does not
 //! mind), then P is taken from the initial stiffness if its factor fails.
 //!
-//! Joints of the liquid's face and the wall that are open ([`joints`]) are taken out of P exactly: their mean over a level with closed ones
+//! Joints of the liquid's face and the wall that are open (`joints`) are taken out of P exactly: their mean over a level with closed ones
 //! is neither.
 //!
 //! A factor of S alone is no substitute: with steps of some ms c_M M_f exceeds the stiffness of the wall up to harmonics of order 100.

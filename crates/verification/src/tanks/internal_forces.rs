@@ -95,7 +95,7 @@ fn found(run: &Simulation, what: OnWall, (z, degrees): (f64, f64)) -> Result<(f6
     Ok((info.peak, info.static_value))
 }
 
-fn column<'a>(run: &'a Simulation, channel: Channel) -> Result<&'a [f64], FeError> {
+fn column(run: &Simulation, channel: Channel) -> Result<&[f64], FeError> {
     let place = run.series.ids.iter().position(|id| *id == channel.id());
     let place = place.ok_or_else(|| FeError::Analysis(format!("no history {}", channel.id())))?;
     Ok(&run.series.columns[place])
