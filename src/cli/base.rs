@@ -6,9 +6,9 @@ use ::base::{Base, BaseError, Lifted, Missing, Origin, Point, Rocking, Turn};
 use serde_json::{Value, json};
 use tank::units::{Dimension, display, parse};
 
+use crate::cli::global::{Format, Global, json as pretty};
 use crate::cli::table::Table;
-use crate::cli::terminal::say;
-use crate::cli::{self, Format, Global, print};
+use crate::cli::terminal::{print, say};
 use crate::error::{EXIT_OK, Error};
 use crate::input;
 use files::text;
@@ -96,7 +96,7 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     let grounds = grounds.into_iter().collect::<Result<Vec<_>, _>>()?;
     match args.format {
         Format::Human => print(&human(&tank.case.name, &base, suction, &grounds))?,
-        Format::Json => print(&cli::json(&document(&tank.case.name, &base, suction, &grounds))?)?,
+        Format::Json => print(&pretty(&document(&tank.case.name, &base, suction, &grounds))?)?,
         Format::Csv => print(&csv(&grounds))?,
     }
     Ok(EXIT_OK)

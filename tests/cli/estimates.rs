@@ -52,7 +52,9 @@ const BROAD: [&str; 2] = ["01_broad_tank/tank.json", "records/elcentro.csv"];
 #[test]
 fn estimates_are_within_a_factor_of_measured_runs() {
     let mut faults = Vec::new();
-    let broad = example(BROAD[0], BROAD[1]);
+    let mut broad = example(BROAD[0], BROAD[1]);
+    // Measured without the modes of the site's vertical motion.
+    broad.case.site = tank::case::Site::default();
     let one = Options {
         mesh_error: false,
         ..broad.fe.clone()

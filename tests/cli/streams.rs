@@ -129,7 +129,7 @@ fn messages_that_cannot_be_written_change_no_exit_code() {
     for command in [
         &["check", "no_such_file.json"][..],
         &["chek"],
-        &["compare", TANK, "--fe", "solid"],
+        &["compare", TANK, "--fe", "nonlinear"],
         &["--nonsense"],
     ] {
         let run = run(command, Stdio::piped(), full());

@@ -53,7 +53,8 @@ fn globs_and_parts_of_names() {
             "materials-concrete",
             "materials-bond",
             "materials-solid-concrete",
-            "shell-concrete-beams"
+            "shell-concrete-beams",
+            "shell-concrete-patch"
         ]
     );
     let part = json(&["--list", "elephant"]);

@@ -31,43 +31,28 @@
 //! Source: Chung & Hulbert 1993; the identity follows from the two update formulas and the equation of motion.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use super::checkpoint::CheckpointError;
 use super::motion::Grid;
 use super::newton::{Cost, LoadPath, Options, StepFailure};
 use super::scheme::TimeScheme;
-use super::system::System;
 use super::transient::Load;
 use super::{AnalysisError, check_length};
-use crate::assembly::{Assembler, Forces};
+use crate::assembly::Forces;
 use crate::dofs::Dof;
-use crate::linalg::Symbolic;
-use crate::model::Model;
 use crate::progress::Progress;
 use crate::state::State;
 
 mod driver;
 mod energy;
 mod observer;
+mod problem;
 mod stride;
 
 pub use energy::{Balance, Energies};
 pub use observer::{Quantity, QuantityObserver, Range, Reaction};
+pub use problem::Problem;
 pub use stride::Adaptive;
-
-/// The problem.
-#[derive(Clone, Copy)]
-pub struct Problem<'a> {
-    /// The model.
-    pub model: &'a Model,
-    /// Its assembler.
-    pub assembler: &'a Assembler,
-    /// Symbolic factor of its pattern.
-    pub symbolic: &'a Arc<Symbolic>,
-    /// M, the initial K, C and M ι.
-    pub system: &'a System,
-}
 
 /// How a march is done.
 #[derive(Clone, Debug)]

@@ -143,11 +143,11 @@ fn ready_law(ready: &Ready, modulus: f64) -> ::base::Law {
     search::law(&base, search::FIRST).unwrap().1
 }
 
-/// A wall under 40 000 t of roof on ground of 1e12 N/m³ turns by what the rim gives way, 3e-4 of the wall's own deflection: shear and
+/// A wall under 2000 t of roof on ground of 1e12 N/m³ turns by what the rim gives way, 3e-4 of the wall's own deflection: shear and
 /// moment of the engine within 5e-3. And the run itself is the one held down, to the last bit.
 #[test]
 fn a_heavy_wall_does_not_lift() {
-    let heavy = oil(4e7, 1e12, 0.1);
+    let heavy = oil(2e6, 1e12, 0.1);
     let ready = ready(heavy.clone());
     let (setup, analysis) = (ready.setup(40), ready.analysis());
     let law = ready_law(&ready, 1e12);

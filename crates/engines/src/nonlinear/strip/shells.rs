@@ -10,11 +10,10 @@ use crate::FeError;
 use tank::options::nonlinear::{Contact, Integration, NonlinearOptions, StripWall};
 
 /// Why contact that opens is refused of shells.
-pub(in crate::nonlinear) const OPENS: &str =
-    "contact that opens is not verified on walls of shells: it reports an opening at rest";
+pub(crate) const OPENS: &str = "contact that opens is not verified on walls of shells: it reports an opening at rest";
 
 /// Whether the options ask for contact that opens on walls of shells.
-pub(in crate::nonlinear) fn opens(options: &NonlinearOptions) -> bool {
+pub(crate) fn opens(options: &NonlinearOptions) -> bool {
     options.wall == StripWall::Shell && options.contact == Contact::Opening
 }
 
@@ -48,7 +47,7 @@ pub(super) fn wall(case: &Case, levels: &[f64], integration: &Integration) -> Re
 /// Shells of an element of this length [m]; number of the leaf that bends, and distance of the leaves [m].
 ///
 /// Errors: layers or laws that shells do not have.
-pub(in crate::nonlinear) fn shell_row(
+pub(crate) fn shell_row(
     layers: &[Layer],
     element: f64,
     integration: &Integration,

@@ -1,6 +1,6 @@
 //! Energies of a march.
 
-use super::Problem;
+use super::problem::Problem;
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::scheme::GeneralizedAlpha;
 use crate::assembly::Forces;

@@ -21,7 +21,7 @@
 //! Source: Zienkiewicz & Xie 1991, extended to the shifted accelerations of generalised-α
 //! ([`GeneralizedAlpha::local_error`]).
 
-use super::Problem;
+use super::problem::Problem;
 use crate::analysis::checkpoint::{CheckpointError, Reader, Writer};
 use crate::analysis::motion::Motion;
 use crate::analysis::scheme::GeneralizedAlpha;

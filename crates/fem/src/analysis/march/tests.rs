@@ -5,15 +5,21 @@ mod resume;
 
 use std::cell::RefCell;
 
+use std::sync::Arc;
+
 use super::*;
 use crate::analysis::damping::{Damping, Rayleigh};
 use crate::analysis::motion::Motion;
 use crate::analysis::observable::Observable;
+use crate::analysis::system::System;
 use crate::analysis::transient::{self, integrate};
+use crate::assembly::Assembler;
 use crate::element::spring::{Direction, PointMass, Spring};
 use crate::element::{Element, ElementError, Inspect, Motion as Movement, Response, Want};
 use crate::linalg::Ordering;
+use crate::linalg::Symbolic;
 use crate::model::Builder;
+use crate::model::Model;
 use crate::progress::Silent;
 
 /// Elastic-plastic link along x between two nodes (or a node and itself held) with linear hardening; history: plastic
