@@ -150,7 +150,7 @@ const FULL: [Kept; 6] = [
             "compare",
             "examples/08_concrete_cylinder/tank.json",
             "--quake",
-            ELCENTRO,
+            "examples/08_concrete_cylinder/record.csv",
             "--fe",
             "nonlinear",
         ],

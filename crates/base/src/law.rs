@@ -277,7 +277,7 @@ fn losses(base: &Base, largest: f64) -> Result<Vec<(f64, f64)>, BaseError> {
         }
         let mut state = rest.clone();
         let mut loss = 0.0;
-        for cycle in 0..2 {
+        for _ in 0..2 {
             loss = 0.0;
             for (from, to) in [(low, high), (high, low)] {
                 let mut before = state.point().hold_down;
@@ -289,7 +289,6 @@ fn losses(base: &Base, largest: f64) -> Result<Vec<(f64, f64)>, BaseError> {
                     before = force;
                 }
             }
-            debug_assert!(cycle < 2);
         }
         found.push((high, loss.max(0.0)));
     }

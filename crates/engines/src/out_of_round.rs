@@ -111,7 +111,7 @@ fn map(tank: &Tank, imperfections: &Imperfections) -> WallMap {
     WallMap {
         id: "deviation".into(),
         title: "Deviation from the perfect cylinder".into(),
-        time: 0.0,
+        time: None,
         dimension: Dimension::Length,
         theta,
         z,

@@ -51,8 +51,9 @@ pub struct WallMap {
     pub id: String,
     /// Title, with the moment.
     pub title: String,
-    /// Time [s].
-    pub time: f64,
+    /// Time [s]; `None` where the map does not change.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time: Option<f64>,
     /// Dimension of the values.
     pub dimension: Dimension,
     /// Angles [rad], ascending.

@@ -91,7 +91,7 @@ pub(super) fn fields(tank: &Tank, liquid: &Liquid) -> Fields {
     let map = |id: &str, title: &str, time: f64, size: f64| WallMap {
         id: id.into(),
         title: title.into(),
-        time,
+        time: Some(time),
         dimension: Dimension::Stress,
         values: theta
             .iter()

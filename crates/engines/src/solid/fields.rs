@@ -278,7 +278,7 @@ fn pressure_map(tank: &TankModel, moment: &Moment, what: &str) -> WallMap {
     WallMap {
         id: "pressure".into(),
         title: format!("Pressure on the wall, {what}"),
-        time: moment.time,
+        time: Some(moment.time),
         dimension: Dimension::Stress,
         theta: angles(tank, 0.0),
         z: levels.iter().map(|&l| rounded(tank.division.liquid[l])).collect(),
@@ -357,7 +357,7 @@ fn stress_map(tank: &TankModel, spaces: &[Space], moment: &Moment, (map, what): 
     WallMap {
         id: map.id.into(),
         title: format!("{}, {what}", map.title),
-        time: moment.time,
+        time: Some(moment.time),
         dimension: Dimension::Stress,
         theta: angles(tank, 0.5),
         z: levels.iter().map(middle).collect(),

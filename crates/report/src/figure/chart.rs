@@ -9,7 +9,9 @@ use super::backend::{ClassBackend, GRID, ink};
 use super::svg::{Anchor, Svg, text_width};
 use super::ticks;
 use crate::number::{Scale, plain};
+use crate::words::labels::ANGLE_AXIS;
 use files::error::Error;
+use std::f64::consts::TAU;
 
 /// Font size of ticks, legend and labels in user units; `templates/figure.css` has the same.
 pub const FONT: f64 = 11.0;
@@ -61,6 +63,19 @@ impl Axis {
             log: false,
             range: (low, high),
             major: positions.into_iter().map(|p| (p, plain(p, decimals))).collect(),
+            minor: Vec::new(),
+        }
+    }
+
+    /// The circumference: 0 to 2π, ticks every 45° in degrees.
+    pub fn around() -> Axis {
+        let ticks = (0..=8).map(f64::from);
+        Axis {
+            title: ANGLE_AXIS.into(),
+            scale: Scale::of(Dimension::Angle, [TAU]),
+            log: false,
+            range: (0.0, TAU),
+            major: ticks.map(|k| (k * TAU / 8.0, plain(45.0 * k, 0))).collect(),
             minor: Vec::new(),
         }
     }

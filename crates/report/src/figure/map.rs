@@ -5,7 +5,8 @@
 
 use tank::units::Dimension;
 
-use super::svg::{Anchor, Svg, n, path_data};
+use super::chart::FONT;
+use super::svg::{Anchor, Svg, n, path_data, text_width};
 use super::wall::{self, BAR, BELOW, LEFT, PLOT, STEPS, TOP};
 use super::{Figure, Room, WIDE, ticks};
 use crate::number::{Scale, fixed, plain, with_unit};
@@ -15,6 +16,8 @@ use results::WallMap;
 
 /// Cells drawn over circumference and height.
 const COLUMNS: usize = 144;
+/// Where the number of a line may stand, as parts of its length, best first.
+const PLACES: [f64; 7] = [0.5, 0.3, 0.7, 0.15, 0.85, 0.05, 0.95];
 const ROWS: usize = 48;
 
 /// A map with its angles closed to a full circle, on a regular grid.
@@ -95,6 +98,8 @@ pub fn figure(id: &str, map: &WallMap) -> Option<Figure> {
         |i| x(grid_theta(i)),
         |j| y(grid_z(j)),
     ));
+    // Numbers that stand: centre and half the width.
+    let mut written: Vec<(f64, f64, f64)> = Vec::new();
     for &level in &levels {
         let lines = contour(level, &value, &|i, j| {
             let along = theta.0 + (theta.1 - theta.0) * i / COLUMNS as f64;
@@ -105,18 +110,28 @@ pub fn figure(id: &str, map: &WallMap) -> Option<Figure> {
         }
         let data: String = lines.iter().map(|l| path_data(l)).collect();
         svg.append(&format!(r#"<path class="iso" d="{data}"/>"#));
-        // The longest line carries the number.
+        // The longest line carries the number, where it covers no other.
         if let Some(line) = lines.iter().max_by_key(|l| l.len()).filter(|l| l.len() > 12) {
-            let at = line[line.len() / 2];
-            svg.text(
-                (
-                    at.0.clamp(LEFT + 14.0, right - 14.0),
-                    at.1.clamp(TOP + 9.0, bottom - 4.0),
-                ),
-                Anchor::Middle,
-                "dl halo",
-                &plain(level, decimals),
-            );
+            let text = plain(level, decimals);
+            let room = (0.5 * text_width(&text) * FONT + 2.0, 0.5 * FONT + 2.0);
+            let places = PLACES
+                .map(|part| line[(part * (line.len() - 1) as f64) as usize])
+                .map(|at| {
+                    (
+                        at.0.clamp(LEFT + 14.0, right - 14.0),
+                        at.1.clamp(TOP + 9.0, bottom - 4.0),
+                    )
+                });
+            let free = |at: &&(f64, f64)| {
+                let apart = |other: &(f64, f64, f64)| {
+                    (at.0 - other.0).abs() > room.0 + other.2 || (at.1 - other.1).abs() > 2.0 * room.1
+                };
+                written.iter().all(apart)
+            };
+            if let Some(&at) = places.iter().find(free) {
+                written.push((at.0, at.1, room.0));
+                svg.text(at, Anchor::Middle, "dl halo", &text);
+            }
         }
     }
     frame(&mut svg, &field, (x(theta.0), x(theta.1)));
@@ -293,7 +308,7 @@ mod tests {
         WallMap {
             id: "pressure".into(),
             title: "Pressure".into(),
-            time: 1.0,
+            time: Some(1.0),
             dimension: Dimension::Stress,
             values: theta
                 .iter()

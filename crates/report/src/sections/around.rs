@@ -173,7 +173,7 @@ fn base(id: &str, ring: &BaseAround, first: Option<f64>) -> Result<Figure, Error
         let end = ring.theta.first().zip(values.first()).map(|(t, v)| (t + TAU, *v));
         pairs.chain(end).collect()
     };
-    let x = Axis::exact(words::ANGLE, Dimension::Angle, (0.0, TAU), 8);
+    let x = Axis::around();
     let y = Axis::linear(
         words::STRESS,
         Dimension::Stress,

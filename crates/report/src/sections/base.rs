@@ -173,11 +173,11 @@ fn over_time(source: &Source, number: usize, channels: &[Channel]) -> Result<Opt
     let dimension = channel.dimension();
     let all = || columns.iter().flat_map(|c| c.iter().copied());
     let end = time[first.len() - 1];
-    let x = Axis::exact(words::AXES[4], Dimension::Time, (time[0], end), 8);
+    let x = Axis::exact(words::AXES[3], Dimension::Time, (time[0], end), 8);
     let y = Axis::linear(words::AXES[number], dimension, all().chain([0.0]), 5);
     let mut chart = Chart::new((WIDE, 0.0), x, y);
     let scale = Scale::of(dimension, all());
-    let mut table = Table::new(vec![Column::numbers(words::AXES[4], "s")]);
+    let mut table = Table::new(vec![Column::numbers(words::AXES[3], "s")]);
     for (i, column) in columns.iter().enumerate() {
         let label = if columns.len() > 1 { words::SIDES[i % 2] } else { "" };
         chart.lines.push(Line {
@@ -254,7 +254,7 @@ fn turning(run: &BaseRun) -> Result<Figure, Error> {
 /// Uplift around the circumference.
 fn around(run: &BaseRun) -> Result<Figure, Error> {
     let points: Vec<(f64, f64)> = run.around.iter().map(|p| (p[0].to_radians(), p[1])).collect();
-    let x = Axis::exact(words::AXES[3], Dimension::Angle, (0.0, std::f64::consts::TAU), 6);
+    let x = Axis::around();
     let y = Axis::linear(
         words::AXES[0],
         Dimension::Length,

@@ -60,7 +60,7 @@ pub fn strip(thickness: f64, pressure: f64, weight: f64, yields: bool) -> String
 /// The ground in a line.
 pub fn ground(modulus: f64, assumed: bool, waves: bool) -> String {
     let origin = match (assumed, waves) {
-        (true, _) => "assumed: `tank.foundation` says nothing",
+        (true, _) => "assumed: `tank.foundation` gives no stiffness",
         (_, true) => "from the velocity of shear waves, after Vesic",
         _ => "given",
     };

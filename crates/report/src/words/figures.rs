@@ -183,8 +183,6 @@ pub mod around {
     pub const BASE: &str = "Axial membrane stress around the base, range over time";
     /// Horizontal axis of amplitudes.
     pub const WAVES: &str = "Waves around the tank n";
-    /// Horizontal axis around the base.
-    pub const ANGLE: &str = "Angle from the direction of shaking";
     /// The range in a legend.
     pub const RANGE: &str = "all waves";
     /// The wave n = 1 in a legend.
@@ -299,16 +297,20 @@ pub mod spatial {
 pub mod wall {
     use super::*;
 
-    /// Caption of a map at a time [s].
-    pub fn map(time: f64) -> String {
-        format!("Developed wall at t = {} s.", fixed(time, 3))
+    fn at(time: Option<f64>) -> String {
+        time.map_or(String::new(), |t| format!(" at t = {} s", fixed(t, 3)))
     }
 
-    /// Description of a map at a time [s] with its extremes and their places.
-    pub fn map_description(title: &str, time: f64, largest: &str, smallest: &str) -> String {
+    /// Caption of a map, at a time [s].
+    pub fn map(time: Option<f64>) -> String {
+        format!("Developed wall{}.", at(time))
+    }
+
+    /// Description of a map, at a time [s], with its extremes and their places.
+    pub fn map_description(title: &str, time: Option<f64>, largest: &str, smallest: &str) -> String {
         format!(
-            "{title} over angle and height of the wall at t = {} s: largest {largest}; smallest {smallest}.",
-            fixed(time, 3)
+            "{title} over angle and height of the wall{}: largest {largest}; smallest {smallest}.",
+            at(time)
         )
     }
 

@@ -59,13 +59,7 @@ pub const FIGURES: [&str; 4] = [
     "Uplift around the circumference at its largest",
 ];
 /// Axes.
-pub const AXES: [&str; 5] = [
-    "Uplift",
-    "Rotation",
-    "Moment",
-    "Angle θ from the direction of shaking",
-    "Time",
-];
+pub const AXES: [&str; 4] = ["Uplift", "Rotation", "Moment", "Time"];
 
 /// A value whose limit is exceeded.
 pub fn beyond(value: &str, limit: f64) -> String {

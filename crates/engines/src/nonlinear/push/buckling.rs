@@ -112,7 +112,7 @@ impl Mode {
         WallMap {
             id: "imperfection".into(),
             title: "Deviation of the radius, outwards positive".into(),
-            time: 0.0,
+            time: None,
             dimension: Dimension::Length,
             theta: plan.angles.clone(),
             z: plan.levels.clone(),

@@ -183,7 +183,7 @@ impl<'a> Seen<'a> {
             plastic: WallMap {
                 id: "plastic_strain".into(),
                 title: "Largest plastic strain through the thickness, last state".into(),
-                time: 0.0,
+                time: None,
                 dimension: Dimension::Dimensionless,
                 theta: middles(&self.plan.angles),
                 z: middles(&self.plan.levels),
