@@ -177,7 +177,10 @@ fn corners_turn_in_the_first_mode_of_a_square_box() {
         let found = spectrum::of_harmonic(&model.0, &model.1, 1, (80, 3), &Silent).unwrap();
         let walls = found.iter().filter(|m| m.kind == Kind::Structural);
         let period = walls.map(|m| 2.0 * PI / m.omega).fold(0.0, f64::max);
-        assert!((period / expected - 1.0).abs() < 0.01, "{scale}: {period} s, {expected} s");
+        assert!(
+            (period / expected - 1.0).abs() < 0.01,
+            "{scale}: {period} s, {expected} s"
+        );
     }
 }
 

@@ -20,6 +20,8 @@ use crate::Simulation;
 use crate::modes::{Kind, solve};
 use crate::solid::symmetry::Harmonic;
 
+mod liquid;
+
 fn case() -> Case {
     let mut case = tank::reference::broad(1000.0);
     case.ground_motion = Some(GroundMotion {
