@@ -70,7 +70,7 @@ pub(super) fn reduce(
             allowed: format!("at most {MOST}; smooth the table, or give fewer waves"),
         });
     }
-    let mut space = Growing::new(system);
+    let mut space = Growing::renewed(system);
     let own = Harmonic::new(tank, harmonic).with_twins(twins);
     space.grow(load, VECTORS, &|x| own.project(x), progress)?;
     let Some(first) = space.first().map(<[f64]>::to_vec) else {
@@ -87,7 +87,14 @@ pub(super) fn reduce(
         let other = Harmonic::new(tank, k).with_twins(twins);
         let mut start: Vec<f64> = forces.iter().zip(load).map(|(k, f)| k - scale * f).collect();
         other.project(&mut start);
+        let before = space.len();
         space.grow(&start, COUPLED, &|x| other.project(x), progress)?;
+        // An amplitude of zero leaves rounding.
+        if space.len() == before && dot(&start, &start) > 1e-24 * dot(&forces, &forces) {
+            return Err(FeError::Analysis(format!(
+                "the reduced space holds no motion of harmonic {k}, to which the imperfections couple the ground motion"
+            )));
+        }
     }
     // Last: to first order they lie in the sum of the spaces before, and a chain ends with a vector that adds nothing.
     space.grow(load, WHOLE, &|_| {}, progress)?;

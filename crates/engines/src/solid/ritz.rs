@@ -57,6 +57,10 @@ pub(super) struct Growing<'a> {
     basis: Vec<Vec<f64>>,
     /// M times them.
     images: Vec<Vec<f64>>,
+    /// Whether φ of every vector is solved for once more after orthogonalisation. The difference of nearly parallel vectors magnifies the
+    /// error of φ from vector to vector, xᵢᵀ M x_j and x_jᵀ M xᵢ differ, and after thirty vectors a new one counts as exhausted. Then
+    /// the modes of one harmonic have long converged, but the next harmonic has none.
+    renewed: bool,
 }
 
 impl<'a> Growing<'a> {
@@ -66,7 +70,21 @@ impl<'a> Growing<'a> {
             system,
             basis: Vec::new(),
             images: Vec::new(),
+            renewed: false,
         }
+    }
+
+    /// Without a vector, for more than one harmonic: φ is solved for once more after orthogonalisation.
+    pub(super) fn renewed(system: &'a System) -> Growing<'a> {
+        Growing {
+            renewed: true,
+            ..Growing::new(system)
+        }
+    }
+
+    /// Number of vectors.
+    pub(super) fn len(&self) -> usize {
+        self.basis.len()
     }
 
     /// The first vector.
@@ -107,7 +125,7 @@ impl<'a> Growing<'a> {
             let mut x = self.system.solve_at(pole, &right)?;
             purify(&mut x);
             self.system.complete(&mut x)?;
-            let Some((x, image)) = orthogonal(self.system, x, &self.basis, &self.images) else {
+            let Some((x, image)) = self.orthogonal(x)? else {
                 break;
             };
             right.clone_from(&image);
@@ -116,6 +134,34 @@ impl<'a> Growing<'a> {
             progress.advance(1);
         }
         Ok(())
+    }
+
+    /// `x` without its shares in the basis, of unit norm, and M x; `None` if nothing new is left.
+    ///
+    /// Errors: not enough memory.
+    fn orthogonal(&self, mut x: Vec<f64>) -> Result<Option<(Vec<f64>, Vec<f64>)>, FeError> {
+        let norm = |x: &[f64]| dot(x, &self.system.mass_times(x)).max(0.0).sqrt();
+        let before = norm(&x);
+        // Twice is enough (Parlett 1998, section 6.9).
+        for _ in 0..2 {
+            for (v, m) in self.basis.iter().zip(&self.images) {
+                let share = dot(m, &x);
+                for (x, v) in x.iter_mut().zip(v) {
+                    *x -= share * v;
+                }
+            }
+        }
+        let after = norm(&x);
+        if after.is_nan() || after <= EXHAUSTED * before {
+            return Ok(None);
+        }
+        x.iter_mut().for_each(|v| *v /= after);
+        if self.renewed {
+            self.system.complete(&mut x)?;
+        }
+        let image = self.system.mass_times(&x);
+        let left = self.basis.iter().map(|v| dot(v, &image).abs()).fold(0.0, f64::max);
+        Ok((left <= OVERLAP).then_some((x, image)))
     }
 
     /// The reduced system.
@@ -133,34 +179,6 @@ impl<'a> Growing<'a> {
             basis,
         })
     }
-}
-
-/// `x` without its shares in `basis`, of unit norm, and M x; `None` if nothing new is left.
-fn orthogonal(
-    system: &System,
-    mut x: Vec<f64>,
-    basis: &[Vec<f64>],
-    images: &[Vec<f64>],
-) -> Option<(Vec<f64>, Vec<f64>)> {
-    let norm = |x: &[f64]| dot(x, &system.mass_times(x)).max(0.0).sqrt();
-    let before = norm(&x);
-    // Twice is enough (Parlett 1998, section 6.9).
-    for _ in 0..2 {
-        for (v, m) in basis.iter().zip(images) {
-            let share = dot(m, &x);
-            for (x, v) in x.iter_mut().zip(v) {
-                *x -= share * v;
-            }
-        }
-    }
-    let after = norm(&x);
-    if after.is_nan() || after <= EXHAUSTED * before {
-        return None;
-    }
-    x.iter_mut().for_each(|v| *v /= after);
-    let image = system.mass_times(&x);
-    let left = basis.iter().map(|v| dot(v, &image).abs()).fold(0.0, f64::max);
-    (left <= OVERLAP).then_some((x, image))
 }
 
 /// The mean of a matrix and its transpose.

@@ -91,7 +91,8 @@ fn an_amplitude_of_zero_is_the_perfect_tank() {
 }
 
 /// n = 3 is coupled to 2 and 4, in proportion to its amplitude; n = 1 and the wave change in the second order, n = 5 answers in it. Of
-/// 0.02 mm, a hundredth of the thickness, that is below 1e-3. A crest at +φ and one at −φ are mirror images.
+/// 0.02 mm, a hundredth of the thickness, that is below 1e-3. The stress of n = 2, a reaction of 7e-5 of that of n = 1, changes by 3e-3 with the
+/// number of vectors of harmonic 1 (67 to 80, as rounding ends their chain): 1e-2. A crest at +φ and one at −φ are mirror images.
 #[test]
 fn an_imperfection_excites_its_neighbours() {
     let (one, two) = (around(&solid(2e-5, 0.0)), around(&solid(4e-5, 0.0)));
@@ -103,7 +104,7 @@ fn an_imperfection_excites_its_neighbours() {
         let (a, b) = (one.waves[n].displacement, two.waves[n].displacement);
         assert!(a > 0.0 && (b / a - 2.0).abs() < 2e-3, "{n}: {a} {b}");
         let (a, b) = (one.waves[n].stress.unwrap(), two.waves[n].stress.unwrap());
-        assert!((b / a - 2.0).abs() < 2e-3, "{n}: {a} {b}");
+        assert!((b / a - 2.0).abs() < 1e-2, "{n}: {a} {b}");
     }
     assert!(one.waves[5].displacement < 0.01 * one.waves[4].displacement);
     assert!((two.waves[1].displacement / one.waves[1].displacement - 1.0).abs() < 1e-3);
@@ -119,6 +120,33 @@ fn an_imperfection_excites_its_neighbours() {
             (a.displacement - b.displacement).abs() < 1e-5 * one.waves[4].displacement,
             "{n}"
         );
+    }
+}
+
+/// The chain of harmonic 2 of a loaded wall used to end after two vectors: half of its amplitude was missing at 0.1 t and not at 0.5 t. In proportion
+/// to w to the second order, (w/t)² (n² w/R) at most: 1e-3.
+#[test]
+fn no_harmonic_is_lost_beside_a_loaded_wall() {
+    let shape = tank::Shape::Cylinder { radius: 1.83 };
+    let material = tank::reference::material(69e9, 0.32, 2750.0);
+    let mut wall = tank::reference::case(shape, &[(1.8, 3e-3)], &material, (1000.0, 1.5));
+    wall.ground_motion = case().ground_motion;
+    let found = [3e-4, 1.5e-3].map(|amplitude| {
+        let own = SolidOptions {
+            mesh: Some(MeshSize {
+                radial: 6,
+                sectors: 48,
+                vertical: 20,
+            }),
+            initial_stress: None,
+            ..solid(amplitude, 0.0)
+        };
+        let around = respond(&wall, &options(), &own, &Silent).unwrap().result.around;
+        around.expect("the wall is imperfect")
+    });
+    for n in [2, 4] {
+        let [a, b] = [0, 1].map(|k: usize| found[k].waves[n].displacement);
+        assert!((b / a / 5.0 - 1.0).abs() < 1e-3, "{n}: {a} {b}");
     }
 }
 
