@@ -27,7 +27,6 @@ mod contact;
 mod demand;
 mod history;
 mod model;
-mod pieces;
 mod run;
 mod shells;
 mod validity;

@@ -123,16 +123,6 @@ fn strip_walls(case: &Case, options: &NonlinearOptions, all: &mut Vec<Refusal>) 
             "no roof mass; remove `roof`",
         ));
     }
-    if strip::shells::opens(options) {
-        all.push(
-            Refusal::new(
-                Place::Contact,
-                strip::shells::OPENS,
-                "\"bonded\" with \"wall\": \"shell\"",
-            )
-            .help("remove \"wall\": \"shell\" from analysis.nonlinear to let the liquid separate from walls of fibres"),
-        );
-    }
     let levels = |n: u32| fibres::levels(case, n);
     let rows = Rows {
         case,

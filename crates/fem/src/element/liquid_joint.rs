@@ -18,8 +18,6 @@
 //!
 //! Source: Moreau 1999; Alart & Curnier 1991; theory sheet of this project (pressure of the displaced particle).
 
-pub mod clipped;
-
 use super::{Contact, Element, ElementError, LocalMatrix, Motion, Response, Want};
 use crate::dofs::Dof;
 

@@ -8,15 +8,11 @@
 //! The face is linear between the levels: one joint for every unknown of it. With a cubic face and joints at its Gauss points
 //! the set of closed points is not clear any more, and Newton's method runs round among several.
 //!
-//! Walls of shells with a joint that opens have pieces between the levels instead, whose closed part is cut
-//! ([`crate::element::liquid_joint::clipped`]).
-//!
 //! u_z leaves out the part of the deflection of the wall itself: millimetres against decimetres of waves that can separate.
 
 use std::sync::Arc;
 
 use super::build::WALL_DOFS;
-use super::pieces::{self, Piece};
 use super::{PENALTY, StripError, StripTank};
 use crate::analysis::failed;
 use crate::assembly::Assembler;
@@ -44,10 +40,8 @@ pub struct Joints {
     pub shares: Vec<f64>,
     /// Mean pressure at rest on it [Pa].
     pub at_rest: Vec<f64>,
-    /// Numbers in the model, and the elements; empty where pieces between the levels take their place.
+    /// Numbers in the model, and the elements.
     pub elements: Vec<(usize, LiquidJoint)>,
-    /// Pieces between the levels whose closed part is cut: walls of shells with a joint that opens.
-    pieces: Vec<Piece>,
 }
 
 /// A point of a joint at an instant.
@@ -125,7 +119,6 @@ impl Joints {
             shares: Vec::new(),
             at_rest: Vec::new(),
             elements: Vec::new(),
-            pieces: Vec::new(),
         };
         let weight = liquid.density * liquid.gravity;
         let rise = |n: usize, z: f64| {
@@ -151,18 +144,10 @@ impl Joints {
                 }
             }
         }
-        let cut = opens && tank.shells.is_some();
-        if cut {
-            let nodes = [face, amplitudes];
-            out.pieces = pieces::add(builder, tank, wall, nodes, penalty, |n, z| weight * rise(n, z))?;
-        }
         for (i, (share, rises)) in shares.into_iter().zip(&rises).enumerate().skip(1) {
             out.heights.push(tank.levels[i]);
             out.shares.push(share);
             out.at_rest.push(forces[i] / share);
-            if cut {
-                continue;
-            }
             let mut unknowns = vec![(face[i], Dof::Ux)];
             unknowns.extend(wall[i].iter().map(|&n| (n, Dof::Ux)));
             let own = unknowns.len();
@@ -182,9 +167,6 @@ impl Joints {
 
     /// States of all points in the committed `state`.
     pub fn look(&self, model: &Model, state: &State) -> Vec<Touch> {
-        if !self.pieces.is_empty() {
-            return pieces::look(&self.pieces, &self.shares, model, state);
-        }
         let mut gather = Gather::default();
         let mut out = Vec::with_capacity(self.heights.len());
         for (e, joint) in &self.elements {

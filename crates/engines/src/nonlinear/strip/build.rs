@@ -62,9 +62,6 @@ impl Strip {
         if case.tank.roof.mass > 0.0 {
             return unsupported("the strip engine does not support a roof mass; remove `roof`");
         }
-        if shells::opens(options) {
-            return unsupported(shells::OPENS);
-        }
         let levels = levels(case, options.elements.map_or(ELEMENTS, |e| e.height));
         let mut sections = Vec::new();
         let shells = match options.wall {

@@ -7,15 +7,7 @@ use super::super::cylinder::section::{Part, row};
 use super::super::laws::unsupported;
 use super::section::{course_at, main_leaf};
 use crate::FeError;
-use tank::options::nonlinear::{Contact, Integration, NonlinearOptions, StripWall};
-
-/// Why contact that opens is refused of shells.
-pub(crate) const OPENS: &str = "contact that opens is not verified on walls of shells: it reports an opening at rest";
-
-/// Whether the options ask for contact that opens on walls of shells.
-pub(crate) fn opens(options: &NonlinearOptions) -> bool {
-    options.wall == StripWall::Shell && options.contact == Contact::Opening
-}
+use tank::options::nonlinear::Integration;
 
 /// Shells of a wall with nodes at `levels` [m].
 ///
