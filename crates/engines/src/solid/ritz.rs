@@ -23,6 +23,9 @@ const EXHAUSTED: f64 = 1e-8;
 /// matrix becomes indefinite.
 const OVERLAP: f64 = 1e-6;
 
+/// A vector and M times it.
+type WithImage = (Vec<f64>, Vec<f64>);
+
 /// The reduced system.
 pub(super) struct Ritz {
     /// Basis over all unknowns, potentials included, column by column.
@@ -139,7 +142,7 @@ impl<'a> Growing<'a> {
     /// `x` without its shares in the basis, of unit norm, and M x; `None` if nothing new is left.
     ///
     /// Errors: not enough memory.
-    fn orthogonal(&self, mut x: Vec<f64>) -> Result<Option<(Vec<f64>, Vec<f64>)>, FeError> {
+    fn orthogonal(&self, mut x: Vec<f64>) -> Result<Option<WithImage>, FeError> {
         let norm = |x: &[f64]| dot(x, &self.system.mass_times(x)).max(0.0).sqrt();
         let before = norm(&x);
         // Twice is enough (Parlett 1998, section 6.9).
