@@ -47,22 +47,6 @@ fn what_fits() {
 }
 
 #[test]
-fn contact_that_opens_on_a_strip_of_shells() {
-    let shells = strip().replace(
-        "\"contact\": \"opening\"",
-        "\"contact\": \"opening\", \"wall\": \"shell\"",
-    );
-    has(
-        &refused(&shells, history),
-        &[
-            "analysis.nonlinear.contact",
-            "contact that opens is not verified on walls of shells",
-            "remove \"wall\": \"shell\" from analysis.nonlinear",
-        ],
-    );
-}
-
-#[test]
 fn elements_on_which_a_crack_snaps_back() {
     // 0.98 · 33e9 · 140.5/2.9e6² = 0.540 m. Rows are finer towards the base, so that more than 6/0.54 are needed; 62.8 m
     // around need 117, half of a tank an even number.
