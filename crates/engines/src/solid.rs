@@ -10,6 +10,7 @@ mod estimate;
 mod exchanged;
 mod fields;
 mod form;
+mod instants;
 mod loaded;
 mod memory;
 pub(crate) mod mesh;

@@ -12,6 +12,7 @@ mod file;
 mod frequency;
 mod grades;
 mod imperfections;
+mod instant;
 mod linear;
 mod materials;
 mod nonlinear;

@@ -5,6 +5,7 @@ mod force_stations;
 mod frequency;
 mod imperfections;
 mod schema;
+mod snapshots;
 mod spectrum;
 
 use proptest::prelude::*;

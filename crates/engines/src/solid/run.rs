@@ -10,6 +10,7 @@ use tank::case::GroundMotion;
 use super::direct::OwnUnknowns;
 use super::exchanged::{TWO_DIRECTIONS, exchanged};
 use super::fields;
+use super::instants::{asked, extreme_moments};
 use super::mesh::Division;
 use super::model::{self, TankModel};
 use super::moments::Histories;
@@ -29,8 +30,7 @@ use crate::linear::units;
 use crate::linear::{Across, Linear, checked_motion, complete, tilt};
 use crate::modes::{CoupledMode, Kind, solve};
 use crate::{FeError, Simulation};
-use results::channel::Side;
-use results::{Channel, EngineId, Run, Tilt};
+use results::{EngineId, Tilt};
 use tank::options::LinearOptions as Options;
 use tank::options::linear::Integrator;
 use tank::options::solid::SolidOptions;
@@ -209,7 +209,12 @@ impl Prepared {
         };
         let histories = Histories::new(&self.model, motion, options)?;
         let mut moments = extreme_moments(&simulation.result);
-        moments.extend(asked(&histories, options)?);
+        let asked = asked(&simulation.result, histories.end(), &options.snapshots)?;
+        for one in asked {
+            if !moments.contains(&one) {
+                moments.push(one);
+            }
+        }
         simulation.result.fields = Some(fields::fields(&self.tank, &self.spaces, &histories, &drawn, &moments));
         if let Some(interval) = solid.snapshot_interval.filter(|i| *i > 0.0) {
             let end = motion.horizontal.duration();
@@ -238,37 +243,6 @@ fn renumber(modes: &mut [CoupledMode]) {
                 mode.number = *number;
             }
         }
-    }
-}
-
-/// Moments of the largest base moment and of the largest wave at the wall.
-fn extreme_moments(result: &Run) -> Vec<(String, f64)> {
-    [
-        (Channel::BaseMoment, "largest base moment"),
-        (Channel::Wave(Side::Front), "largest wave at θ = 0°"),
-    ]
-    .into_iter()
-    .filter_map(|(channel, title)| {
-        let id = channel.id();
-        let series = result.histories.iter().find(|s| s.id == id)?;
-        Some((title.to_owned(), series.time))
-    })
-    .collect()
-}
-
-/// The moments of `analysis.snapshots`.
-///
-/// Errors: a time after the end of the histories.
-fn asked(histories: &Histories, options: &Options) -> Result<Vec<(String, f64)>, FeError> {
-    let end = histories.end();
-    let title = |&time: &f64| (format!("at t = {time:.3} s"), time);
-    match options.snapshots.iter().find(|time| **time > end * (1.0 + 1e-9)) {
-        Some(late) => Err(FeError::Option {
-            option: "analysis.snapshots".into(),
-            found: format!("{late} s"),
-            allowed: format!("at most {end:.3} s, the end of record and free vibration"),
-        }),
-        None => Ok(options.snapshots.iter().map(title).collect()),
     }
 }
 

@@ -163,6 +163,45 @@ impl WallPlace {
     }
 }
 
+/// An instant of a time history.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Instant {
+    /// A time [s].
+    At(f64),
+    /// The time of a peak.
+    Peak(Peak),
+}
+
+/// Peak of a history, its largest absolute value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Peak {
+    /// Wave height at the wall at θ = 0.
+    Wave,
+    /// Base shear along x.
+    BaseShear,
+    /// Moment above the base plate.
+    BaseMoment,
+    /// Moment below the base plate.
+    OverturningMoment,
+}
+
+impl Peak {
+    /// All of them.
+    pub const ALL: [Peak; 4] = [Peak::Wave, Peak::BaseShear, Peak::BaseMoment, Peak::OverturningMoment];
+
+    /// Its name in `analysis.snapshots`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Peak::Wave => "peak wave",
+            Peak::BaseShear => "peak base shear",
+            Peak::BaseMoment => "peak base moment",
+            Peak::OverturningMoment => "peak overturning moment",
+        }
+    }
+}
+
 /// Options of the linear engine. The defaults keep the errors stated in the theory manual.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LinearOptions {
@@ -186,9 +225,9 @@ pub struct LinearOptions {
     /// Places of a cylinder's wall with histories of its internal forces.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub force_stations: Vec<WallPlace>,
-    /// Times of states that the three-dimensional engine draws besides those of extreme response [s].
+    /// Instants of states that the three-dimensional engine draws besides those of extreme response.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub snapshots: Vec<f64>,
+    pub snapshots: Vec<Instant>,
     /// Angle of the static tilt test [rad]; none without one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tilt: Option<f64>,

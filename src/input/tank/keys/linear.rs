@@ -6,6 +6,7 @@ use tank::{Shape, Tank, case};
 
 use super::frequency::{Frequency, frequency};
 use super::imperfections::Imperfection;
+use super::instant::{Moment, instants};
 use super::nonlinear::{ByGroup, Nonlinear, by_group};
 use super::rayleigh::{RatioAt, Rayleigh, ratio_at, rayleigh};
 use super::response::{ResponseSpectrum, response};
@@ -54,8 +55,9 @@ object! {
         /// Places of a cylinder's wall with histories of its membrane forces and moments by the linear engines.
         force_stations: Opt<Vec<Field<ForceStation>>> [Limits::ANY.items(0, MOST_STATIONS)]
             = Absent::Without("no histories of internal forces"),
-        /// Times at which the three-dimensional engine draws the deformed tank, pressure and hoop stress, besides the extremes.
-        snapshots: Opt<Vec<Field<Time>>> [SNAPSHOTS],
+        /// Times at which the three-dimensional engine draws the deformed tank, pressure and hoop stress, besides the extremes; a time, or
+        /// the peak of a history by name.
+        snapshots: Opt<Vec<Field<Moment>>> [SNAPSHOTS],
         /// Angle of a static tilt test by the linear engines: tank and liquid at rest on a base tilted by it.
         tilt ("10 deg"): Opt<Angle> [TILT] = without("no tilt test"),
         /// Damping model.
@@ -168,7 +170,7 @@ pub(super) fn analysis(
         gauges: places(r, &given.gauges, half, what),
         stations: places(r, &given.stations, height, "the height of the wall"),
         force_stations: force_stations(r, &given.force_stations, tank),
-        snapshots: times(r, &given.snapshots),
+        snapshots: instants(r, &given.snapshots),
         tilt: match given.tilt.given {
             Some(_) => r.optional(&given.tilt),
             None => None,
@@ -187,19 +189,6 @@ pub(super) fn analysis(
         spectrum: response(r, given.spectrum.given.as_ref().and_then(|f| f.value.as_ref())),
         frequency: frequency(r, &given.frequency),
     }
-}
-
-/// Times of snapshots.
-fn times(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Time>>>) -> Vec<f64> {
-    let Some((field, list)) = option.given.as_ref().and_then(|f| Some((f, f.value.as_ref()?))) else {
-        return Vec::new();
-    };
-    let (_, most) = field.limits.items;
-    if list.len() > most {
-        let fault = range_fault(field, "too many times", &format!("at most {most}"));
-        r.faults.push(fault.found(format!("{} times", list.len())));
-    }
-    list.iter().map(|time| r.within(time, field.limits)).collect()
 }
 
 /// Stations of internal forces, of a cylinder alone.
