@@ -4,7 +4,6 @@ use fem::chart::Chart;
 use fem::dofs::Dof;
 use fem::element::Element;
 use fem::element::contact8::{Contact8, ContactLaw, Opening};
-use fem::element::liquid_joint::clipped::ClippedJoint;
 use fem::element::liquid_joint::{JointPoint, LiquidJoint};
 use fem::element::spring::{Direction, PointMass, Spring};
 use fem::element::super_element::SuperElement;
@@ -112,32 +111,6 @@ fn liquid_joint(what: &'static str, opens: bool) -> Specimen {
     }
 }
 
-/// The same with the closed part cut along a piece of the wall.
-fn clipped_joint() -> Specimen {
-    let build = move |_: &Turn| -> Box<dyn Element> {
-        let end = |closing: [f64; 3], relief: f64| JointPoint {
-            closing: closing.into_iter().enumerate().collect(),
-            relief: vec![(2, relief)],
-            stiffness: 40.0,
-        };
-        let ends = [end([-0.8, -0.2, 0.5], 3.0), end([-0.3, -0.7, -0.6], -2.0)];
-        let unknowns = [(0, Dof::Ux), (1, Dof::Ux), (2, Dof::Amplitude)];
-        Box::new(ClippedJoint::new(&unknowns, ends, 0.5).unwrap())
-    };
-    Specimen {
-        turns: OWN_AXES,
-        rotations: NO_FRAME,
-        resists: (&[0, 4], "the liquid rests where the wall moves against it"),
-        mass: Mass::None("the mass is that of the liquid's amplitudes"),
-        ..Specimen::new(
-            "ClippedJoint",
-            "a piece",
-            &[[1.0, 0.0, 0.0], [1.0, 0.0, 0.5], [0.0; 3]],
-            build,
-        )
-    }
-}
-
 /// A bar along x with an amplitude.
 fn super_element() -> Specimen {
     let build = move |_: &Turn| -> Box<dyn Element> {
@@ -202,7 +175,6 @@ pub(crate) fn all() -> Vec<Specimen> {
         ),
         liquid_joint("bonded", false),
         liquid_joint("opens", true),
-        clipped_joint(),
         super_element(),
         circular(),
     ]);
