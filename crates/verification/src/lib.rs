@@ -29,6 +29,7 @@ pub mod records;
 mod row;
 mod run;
 mod shell;
+mod soil;
 mod solid;
 pub mod strip;
 pub mod tanks;
@@ -57,6 +58,9 @@ pub const ALL: &[&Benchmark] = &[
     &base::strip::BENCHMARK,
     &base::round::BENCHMARK,
     &base::rocking::BENCHMARK,
+    &soil::impedances::BENCHMARK,
+    &soil::structure::BENCHMARK,
+    &soil::isolation::BENCHMARK,
     &shell::element::BENCHMARK,
     &shell::patch::BENCHMARK,
     &shell::scordelis_lo::BENCHMARK,
