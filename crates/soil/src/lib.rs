@@ -5,6 +5,7 @@
 //! | [`disc`] | rigid disc on a half-space or a layer: static stiffness, impedance, cones |
 //! | [`structure`] | effective period and damping of a structure on such a disc |
 //! | [`chain`] | the structure on cones as matrices with constant coefficients, complex mode, time history |
+//! | [`body`] | time history of a body in its modes on cones |
 //! | [`procedures`] | the formulas of EN 1998-4 A.7 and ASCE 7 chapter 19 |
 //! | [`isolator`] | laws of isolators, their effective stiffness and damping |
 //! | [`isolated`] | time history of a body in its modes on isolators |
@@ -16,6 +17,7 @@
 
 #![warn(unreachable_pub)]
 
+pub mod body;
 pub mod chain;
 pub mod disc;
 mod error;

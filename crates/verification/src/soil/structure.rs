@@ -11,6 +11,7 @@
 use std::f64::consts::TAU;
 
 use ::soil::C64;
+use ::soil::body::{self, Body, Mode};
 use ::soil::chain::Chain;
 use ::soil::disc::Impedance;
 use ::soil::procedures;
@@ -33,8 +34,17 @@ pub(crate) const BENCHMARK: Benchmark = Benchmark {
         ("G8", "complex stiffness with cones"),
         ("G9", "complex mode of the cones"),
         ("G10", "limits, march in time, formulas of the codes"),
+        (
+            "G11",
+            "body in modes on cones: one mode, two modes, a slab; marches and steady state",
+        ),
     ],
-    parts: &[Part::Fast(tanks), Part::Fast(limits), Part::Fast(codes)],
+    parts: &[
+        Part::Fast(tanks),
+        Part::Fast(limits),
+        Part::Fast(body_in_modes),
+        Part::Fast(codes),
+    ],
 };
 
 /// V_s, T̃ static, then T̃ and ξ̃: Veletsos, peak, cones, complex mode.
@@ -193,6 +203,97 @@ fn limits() -> Answer {
         (2e-3, "m"),
     ));
     Ok(rows)
+}
+
+/// The march of a body in modes against that of the matrices, for one mode with a heavy slab, and two modes in the steady state.
+fn body_in_modes() -> Answer {
+    let mut rows = Vec::new();
+    let (_, radius, tank) = IMPULSIVE[0];
+    let on = on_soil(radius, tank, 250.0)?;
+    let omega = TAU / on.structure.period;
+    let h = 0.005;
+    let ground: Vec<f64> = (0..400).map(|i| (23.0 * h * f64::from(i)).sin()).collect();
+    let most = |u: &[f64]| u.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    for (slab, name) in [([0.0, 0.0], "massless slab"), ([1e6, 5e7], "slab of 1000 t")] {
+        let root = on.structure.mass.sqrt();
+        let mode = Mode {
+            omega,
+            damping: on.structure.damping,
+            translation: root,
+            rotation: root * on.structure.height,
+        };
+        let (mass, arm) = (on.structure.mass, on.structure.height);
+        let body = Body {
+            modes: vec![mode],
+            mass,
+            first_moment: mass * arm,
+            second_moment: mass * arm * arm,
+            slab_mass: slab[0],
+            slab_inertia: slab[1],
+        };
+        let found = body::march(&body, &on.disc, &ground, h, 1).map_err(failure)?;
+        // q = √m u.
+        let u: Vec<f64> = found.modes[0].iter().map(|q| q[1] / root).collect();
+        let chain = Chain::new(&on, slab).map_err(failure)?.march(&ground, h, 1);
+        let apart = u.iter().zip(&chain).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
+        let zero = (0.0, "matrices of the chain", Reference::SecondFormulation);
+        let what = format!("largest difference of the deformations over their peak, {name}");
+        rows.push(Row::new("G11", what, zero, apart / most(&chain), (1e-9, "1")));
+    }
+    // Two modes, a slab, and a rigid share: steady translation and rotation.
+    let two = two_modes();
+    let period = 0.25;
+    let (h, w) = (period / 400.0, TAU / period);
+    let ground: Vec<f64> = (0..400 * 40).map(|i| (w * h * f64::from(i)).sin()).collect();
+    let found = body::march(&two, &on.disc, &ground, h, 1).map_err(failure)?;
+    let [x, psi] = steady(&two, &on, w);
+    for (what, reference, history, unit) in [
+        ("translation", x, &found.translation, "m"),
+        ("rotation", psi, &found.rotation, "rad"),
+    ] {
+        let source = (reference, "frequency domain", Reference::SecondFormulation);
+        let what = format!("steady {what} of the foundation under two modes and a slab");
+        rows.push(Row::new("G11", what, source, most(&history[400 * 38..]), (2e-3, unit)));
+    }
+    Ok(rows)
+}
+
+fn two_modes() -> Body {
+    let mode = |omega, mass: f64, arm: f64| Mode {
+        omega,
+        damping: 0.05,
+        translation: mass.sqrt(),
+        rotation: mass.sqrt() * arm,
+    };
+    Body {
+        modes: vec![mode(28.0, 4e6, 7.0), mode(60.0, 1e6, 3.0)],
+        mass: 6e6,
+        first_moment: 3.5e7,
+        second_moment: 2.5e8,
+        slab_mass: 1e6,
+        slab_inertia: 5e7,
+    }
+}
+
+/// Sizes of translation and rotation at ω: springs of the foundation against the dynamic mass of the body, by Cramer's rule.
+fn steady(body: &Body, on: &OnSoil, omega: f64) -> [f64; 2] {
+    let square = omega * omega;
+    // Per unit of A and of ψ̈: m + Σ Γ² H, S + Σ Γ Γ^ψ H, J + Σ Γ^ψ² H with H = ω²/(ω_n² − ω² + 2 i ξ ω_n ω).
+    let [mut m, mut s, mut j] = [body.mass, body.first_moment, body.second_moment].map(|x| C64::new(x, 0.0));
+    for mode in &body.modes {
+        let w = mode.omega;
+        let gain = square / C64::new(w * w - square, 2.0 * mode.damping * w * omega);
+        m += gain * mode.translation * mode.translation;
+        s += gain * mode.translation * mode.rotation;
+        j += gain * mode.rotation * mode.rotation;
+    }
+    m += body.slab_mass;
+    j += body.slab_inertia;
+    let a = on.disc.horizontal(omega, Impedance::Cone) - square * m;
+    let b = -square * s;
+    let d = on.disc.rocking(omega, Impedance::Cone) - square * j;
+    let det = a * d - b * b;
+    [((-m * d + s * b) / det).norm(), ((-s * a + m * b) / det).norm()]
 }
 
 fn codes() -> Answer {
