@@ -25,6 +25,8 @@ pub mod isolated;
 pub mod isolator;
 pub mod procedures;
 pub mod structure;
+#[cfg(test)]
+mod tests;
 
 pub use error::SoilError;
 pub use num_complex::Complex;

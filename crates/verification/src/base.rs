@@ -16,7 +16,7 @@ pub(crate) mod rocking;
 pub(crate) mod round;
 pub(crate) mod strip;
 
-pub(crate) const GRAVITY: f64 = 9.81;
+const GRAVITY: f64 = 9.81;
 
 /// A tank of the rows.
 struct Sample {

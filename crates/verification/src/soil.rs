@@ -23,6 +23,9 @@ const IMPULSIVE: [(&str, f64, [f64; 3]); 3] = [
     ("D", 6.1, [1.0118e6, 4.795, 0.1403]),
 ];
 
+/// Gravity [m/s²].
+const GRAVITY: f64 = 9.81;
+
 fn failure(error: SoilError) -> Failure {
     Failure::from(error.to_string())
 }

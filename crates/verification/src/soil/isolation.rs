@@ -15,8 +15,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
 use ::soil::isolated::{History, Mode, Run, march, peak};
 use ::soil::isolator::{Friction, Isolator, cycle, yielding_force};
 
-use super::{IMPULSIVE, failure};
-use crate::base::GRAVITY;
+use super::{GRAVITY, IMPULSIVE, failure};
 use crate::benchmark::{Benchmark, Part};
 use crate::{Answer, Failure, Reference, Row};
 
