@@ -102,7 +102,9 @@ fn an_imperfection_excites_its_neighbours() {
     });
     for n in [2, 4] {
         let (a, b) = (one.waves[n].displacement, two.waves[n].displacement);
-        assert!(a > 0.0 && (b / a - 2.0).abs() < 2e-3, "{n}: {a} {b}");
+        assert!(a > 0.0 && (b / a - 2.0).abs() < 1e-5, "{n}: {a} {b}");
+        // Stress per amplitude scatters by 0.1 % without a trend from 5 to 40 µm, where displacement keeps 1e-7: the space of
+        // chains ends by a tolerance, and stress weighs its short waves. Ten times that scatter is allowed.
         let (a, b) = (one.waves[n].stress.unwrap(), two.waves[n].stress.unwrap());
         assert!((b / a - 2.0).abs() < 1e-2, "{n}: {a} {b}");
     }
