@@ -177,7 +177,7 @@ fn effective() -> Answer {
         (1e-8, "1"),
     ));
     // ∫ |cos|^{3/2} over a turn = 2 √π Γ(5/4)/Γ(7/4).
-    let gamma = 2.0 * PI.sqrt() * 0.906_402_477_055_477_1 / 0.919_062_526_848_883_1;
+    let gamma = 2.0 * PI.sqrt() * 0.906_402_477_055_477 / 0.919_062_526_848_883_1;
     let closed = (gamma, "2 √π Γ(5/4)/Γ(7/4)", Reference::ClosedForm);
     rows.push(Row::new(
         "I1",
