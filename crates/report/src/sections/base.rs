@@ -1,4 +1,4 @@
-//! The base of a tank that lifts or slides: values beside the wall held down, histories, loop, circumference, band, energies.
+//! The base of a tank that lifts or slides: values beside those of the wall held down, histories, loop, circumference, band, energies.
 
 use tank::units::Dimension;
 
@@ -59,11 +59,7 @@ fn values(run: &BaseRun) -> Table {
     ]);
     let none = || words::NONE.to_owned();
     for quantity in &run.quantities {
-        let fixed_base = match quantity.id.as_str() {
-            "base_shear" => Some(run.fixed_shear),
-            "base_moment" => Some(run.fixed_moment),
-            _ => None,
-        };
+        let fixed_base = run.held.get(&quantity.id).copied();
         let mut value = text(quantity);
         if quantity.id == "plastic_rotation" && quantity.value.value > run.plastic_rotation_limit {
             value = words::beyond(&value, run.plastic_rotation_limit);

@@ -17,6 +17,10 @@ pub fn quantity(id: &str) -> &str {
         "slip_residual" => "Slip at the end",
         "base_shear" => "Base shear",
         "base_moment" => "Moment above the base plate",
+        "overturning_moment" => "Overturning moment",
+        "sloshing_height" => "Wave height",
+        "hoop_stress" => "Largest hoop stress",
+        "axial_membrane_stress" => "Axial stress at the foot without that at rest",
         other => other,
     }
 }
@@ -90,8 +94,10 @@ pub fn ground(run: &BaseRun) -> String {
 /// Error of the energy balance.
 pub fn balance(run: &BaseRun) -> String {
     format!(
-        "The balance of energy closes within {} of the input.",
-        percent(run.energy.error)
+        "The balance of energy closes within {} of the input. Base shear and moment of the superposed modes, whose values are reported, and of \
+         the march of the base agree within {}.",
+        percent(run.energy.error),
+        percent(run.superposition)
     )
 }
 
