@@ -263,6 +263,8 @@ fn report(
     }
     let mut free = rocking::free(case, (linear.engine, model), &analysis, motion, options);
     let held = analysis.values(model, round);
+    let fill = case.liquid.fill_height;
+    let held_hoop = rocking::Hoop::of(&analysis, model, fill);
     let moving = free.moved().map(|moved| moved.model(model));
     let analysis = match &moving {
         Some(moving) => analyse(moving, motion, options, &Silent)?,
@@ -272,7 +274,8 @@ fn report(
     let seen = moving.as_ref().unwrap_or(model);
     let mut values = analysis.values(seen, round);
     if let Some(moved) = free.moved_mut() {
-        moved.complete(&analysis, &mut values, &held);
+        let hoop = rocking::Hoop::of(&analysis, seen, fill);
+        moved.complete(&analysis, &mut values, &held, [&hoop, &held_hoop]);
     }
     let around = Around::of(model, linear.across, motion, options, &analysis)?;
     notes.extend(Around::notes(motion));

@@ -39,7 +39,7 @@ pub struct BaseRun {
     /// Time step [s].
     pub step: f64,
     /// Comparable values: `uplift`, `base_rotation`, `plastic_rotation`, `toe_axial_stress`, `slip`, `slip_residual`, `base_shear`,
-    /// `base_moment`, `overturning_moment`, `sloshing_height`, `hoop_stress`, `axial_membrane_stress`.
+    /// `base_moment`, `overturning_moment`, `sloshing_height`, `hoop_stress`, `wetted_hoop_stress`, `axial_membrane_stress`.
     pub quantities: Vec<BaseQuantity>,
     /// Limit of the plastic rotation of the joint [rad].
     pub plastic_rotation_limit: f64,
@@ -84,6 +84,9 @@ pub struct BaseQuantity {
     /// Where, θ [°].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub degrees: Option<f64>,
+    /// Where, above the base plate [m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub z: Option<f64>,
 }
 
 /// Energies at the end of a run [J].

@@ -29,6 +29,7 @@ use crate::harmonic::{CLAMPED, IN_CONTACT};
 use crate::histories::Histories;
 use crate::response::motion::{Grid, Motion};
 
+pub(super) use lifted::Hoop;
 pub(super) use outcome::Moved;
 use search::{Found, Setup};
 pub(super) use words::HELD_DOWN;

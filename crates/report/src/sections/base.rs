@@ -48,12 +48,13 @@ fn text(quantity: &BaseQuantity) -> String {
 }
 
 fn values(run: &BaseRun) -> Table {
-    let [name, with, time, angle, held, ratio] = words::VALUES;
+    let [name, with, time, angle, height, held, ratio] = words::VALUES;
     let mut table = Table::new(vec![
         Column::words(name),
         Column::numbers(with, ""),
         Column::numbers(time, "s"),
         Column::numbers(angle, ""),
+        Column::numbers(height, ""),
         Column::numbers(held, ""),
         Column::numbers(ratio, ""),
     ]);
@@ -69,6 +70,7 @@ fn values(run: &BaseRun) -> Table {
             value,
             quantity.time.map_or_else(none, |t| fixed(t, 3)),
             quantity.degrees.map_or_else(none, |d| fixed(d, 0)),
+            quantity.z.map_or_else(none, |z| fixed(z, 2)),
             fixed_base.map_or_else(none, |v| with_unit(v, quantity.value.dimension)),
             fixed_base.map_or_else(none, |v| fixed(quantity.value.value / v, 3)),
         ]);

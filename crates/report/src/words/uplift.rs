@@ -20,13 +20,22 @@ pub fn quantity(id: &str) -> &str {
         "overturning_moment" => "Overturning moment",
         "sloshing_height" => "Wave height",
         "hoop_stress" => "Largest hoop stress",
+        "wetted_hoop_stress" => "Largest hoop stress below the surface at rest",
         "axial_membrane_stress" => "Axial stress at the foot without that at rest",
         other => other,
     }
 }
 
 /// Heads of the table of values.
-pub const VALUES: [&str; 6] = ["Quantity", "With uplift", "Time", "θ [°]", "Wall held down", "Ratio"];
+pub const VALUES: [&str; 7] = [
+    "Quantity",
+    "With uplift",
+    "Time",
+    "θ [°]",
+    "z [m]",
+    "Wall held down",
+    "Ratio",
+];
 /// Heads of the table of the band.
 pub const BAND: [&str; 7] = [
     "Ground under the rim",

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use results::channel::Side;
+use results::channel::{OnWall as Line, Side};
 use results::{BaseQuantity, Channel, Value};
 use tank::Quantity;
 use tank::case::GroundMotion;
@@ -32,6 +32,35 @@ const MOVING: [Quantity; 7] = [
     Quantity::BendingStress,
 ];
 
+/// Id of the largest hoop stress below the surface at rest.
+const WETTED: &str = "wetted_hoop_stress";
+
+/// Largest dynamic hoop stress [Pa] with its height [m]: the upper edge of a wall without a ring can swing with the mass of its roof and hide
+/// what the liquid does.
+pub(in crate::linear) struct Hoop {
+    largest: (f64, f64),
+    wetted: (f64, f64),
+}
+
+impl Hoop {
+    /// * `fill`: height of the surface at rest [m]
+    pub(in crate::linear) fn of(analysis: &Analysis<'_>, model: &Model, fill: f64) -> Hoop {
+        let heights = model.horizontal.coupled.line(Line::Hoop).map(|line| line.z.as_slice());
+        let peaks = analysis.line(Line::Hoop).zip(heights);
+        let found = |top: f64| {
+            let places = peaks
+                .iter()
+                .flat_map(|(line, z)| (0..z.len()).map(|i| (line.peak(i), z[i])));
+            let below = places.filter(|(_, z)| *z <= top);
+            below.fold((0.0, 0.0), |most: (f64, f64), at| if at.0 > most.0 { at } else { most })
+        };
+        Hoop {
+            largest: found(f64::INFINITY),
+            wetted: found(fill),
+        }
+    }
+}
+
 impl Moved {
     /// The model on the moving base.
     pub(in crate::linear) fn model(&self, model: &Model) -> Model {
@@ -47,11 +76,13 @@ impl Moved {
     ///
     /// * `values`: those of `analysis`, on the moving base
     /// * `held`: those of the wall held down
+    /// * `hoop`: hoop stress on the moving base, and of the wall held down
     pub(in crate::linear) fn complete(
         &mut self,
         analysis: &Analysis<'_>,
         values: &mut BTreeMap<Quantity, f64>,
         held: &BTreeMap<Quantity, f64>,
+        hoop: [&Hoop; 2],
     ) {
         // The foot of the run is built in; that of the tank is the joint of the bottom plate.
         values.remove(&Quantity::BendingStress);
@@ -95,12 +126,25 @@ impl Moved {
                 },
                 time,
                 degrees: None,
+                z: (quantity == Quantity::HoopStress).then_some(hoop[0].largest.1),
             };
             match self.result.quantities.iter_mut().find(|q| q.id == own.id) {
                 Some(same) => *same = own,
                 None => self.result.quantities.push(own),
             }
         }
+        let [moving, held] = hoop;
+        self.result.quantities.push(BaseQuantity {
+            id: WETTED.into(),
+            value: Value {
+                value: moving.wetted.0,
+                dimension: Quantity::HoopStress.dimension(),
+            },
+            time: None,
+            degrees: None,
+            z: Some(moving.wetted.1),
+        });
+        self.result.held.insert(WETTED.into(), held.wetted.0);
     }
 
     /// Largest axial stress of the motion at the foot [Pa], without that at rest, and its time [s].

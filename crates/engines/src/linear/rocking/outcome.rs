@@ -215,6 +215,7 @@ fn quantities(setup: &Setup, peaks: &Peaks, found: &Found, lean: f64) -> Vec<Bas
         value: Value { value, dimension },
         time: time.map(|i| i as f64 * setup.step),
         degrees,
+        z: None,
     };
     let lifted_side = if lean > 0.0 { 180.0 } else { 0.0 };
     let toe_side = if found.history.rotation[peaks.toe.1] > 0.0 {

@@ -262,7 +262,13 @@ fn the_superposed_wall_agrees_with_the_march() {
     let analysis = analyse(&model, ready.motion(), &Options::default(), &Silent).unwrap();
     let mut values = analysis.values(&model, true);
     let march = moved.march;
-    moved.complete(&analysis, &mut values, &held.values(&ready.model, true));
+    let hoop = [(&analysis, &model), (&held, &ready.model)].map(|(analysis, model)| Hoop::of(analysis, model, 15.0));
+    moved.complete(
+        &analysis,
+        &mut values,
+        &held.values(&ready.model, true),
+        [&hoop[0], &hoop[1]],
+    );
     let near = |quantity: tank::Quantity, expected: f64| {
         let found = values[&quantity];
         assert!(
