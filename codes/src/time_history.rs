@@ -11,10 +11,12 @@
 //! | with bending at the base | range of the same on a face | 2 f_y |
 //! | compression | −σ_z | EN 1998-4 A.10.2 and A.10.3, API 650 E.6.2.2.3 |
 //! | anchors | pull × spacing | given capacity |
+//! | uplift | plastic rotation of the joint of the bottom plate | 0.20 rad |
 //! | sliding | base shear | μ M (g + a_v) |
 //! | bearing | pressure of M′ and M (g + a_v) under a rigid base | given resistance |
 //!
-//! The wall does not lift in an engine that clamps it, and the walls of a box are cantilevers in one without plates. Where an unanchored
+//! Uplift is judged where the engine lets the base lift ([`tank::demand::FreeBase`]); the shear of a tank that slides is then that of the tank
+//! held in place. The wall does not lift in an engine that clamps it, and the walls of a box are cantilevers in one without plates. Where an unanchored
 //! wall pulls, or such a box is too narrow for that ([`tank::PLANE_WALLS`]), every demand but the wave is outside the model: nothing may hold there
 //! ([`Findings::outside`]).
 //!

@@ -45,6 +45,7 @@ pub(super) fn attribute(
         modal,
         liquid_mass: job.case.liquid_mass(),
         spectrum: &of_record,
+        held: simulation.result.base.as_ref().map(|base| &base.held),
     };
     let mut found = Vec::new();
     for quantity in Quantity::ALL {

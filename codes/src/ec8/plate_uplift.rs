@@ -24,7 +24,7 @@ use tank::assessment::{Check, CheckStatus};
 use tank::units::Dimension::{self, *};
 
 /// Largest plastic rotation of the joint of wall and bottom [rad].
-const ROTATION: f64 = 0.20;
+pub(crate) const ROTATION: f64 = 0.20;
 /// Subgrade moduli of soft and stiff ground [N/m³]: compacted gravel, and rock, a slab or a ring wall.
 const GROUND: [f64; 2] = [1e8, 1e10];
 

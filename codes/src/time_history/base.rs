@@ -4,13 +4,15 @@ use std::f64::consts::{PI, TAU};
 
 use tank::assessment::{Check, CheckStatus};
 use tank::case::Case;
+use tank::demand::FreeBase;
 use tank::quantity::Quantity;
-use tank::units::Dimension::{Acceleration, Dimensionless, Force, LineForce, Mass};
+use tank::units::Dimension::{Acceleration, Angle, Dimensionless, Force, LineForce, Mass};
 use tank::{Shape, Support};
 
 use super::limit_states::{ANCHORS, API, Codes, SLIDING, UPLIFT};
 use super::search::{Found, Histories};
 use super::work::Work;
+use crate::ec8::plate_uplift::ROTATION;
 use crate::sheet::with_unit;
 
 /// Path of the friction of Eurocode 8.
@@ -21,6 +23,10 @@ const API_FRICTION: f64 = 0.4;
 /// Tension at the base of a cylinder's wall. Returns where an unanchored wall pulls, in words.
 pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
     let demands = work.demands;
+    if let Some(base) = &demands.base {
+        lifting(work, base);
+        return None;
+    }
     let all = demands.places.iter().filter(|place| place.z == 0.0);
     let pulls = all.filter_map(|place| {
         Some((
@@ -99,6 +105,31 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
     None
 }
 
+/// Uplift of an unanchored wall in an engine that lets it lift: the plastic rotation of the joint of its bottom plate.
+fn lifting(work: &mut Work<'_>, base: &FreeBase) {
+    if !base.lifts {
+        let reason = "the rim stays on the ground";
+        work.without(UPLIFT, CheckStatus::NotApplicable, reason, None);
+        return;
+    }
+    if !work.codes.ec8 {
+        let reason = "the rim lifts; API 650 judges uplift by the anchorage ratio of its annex, not by a time history";
+        work.without(UPLIFT, CheckStatus::NotChecked, reason, None);
+        return;
+    }
+    let Some(joint) = base.joint else {
+        let reason = "the rim lifts; the material of the bottom plate has no yield_strength";
+        work.without(UPLIFT, CheckStatus::NotChecked, reason, None);
+        return;
+    };
+    let clause = work.clause(UPLIFT);
+    let name = "Plastic rotation of the joint of the bottom plate";
+    let note = "strip of the bottom plate at the largest uplift of the run";
+    let check = Check::new(UPLIFT, name, joint.value, ROTATION, Angle, &clause, note);
+    work.checks
+        .push(check.at(Some(joint.time), Some(0.0), Some(joint.theta)));
+}
+
 /// Friction coefficients with their clauses, and the reason where one is missing.
 fn frictions(case: &Case, codes: Codes) -> (Vec<(&'static str, f64, String)>, Option<String>) {
     let (mut found, mut missing) = (Vec::new(), None);
@@ -133,7 +164,10 @@ pub(super) fn sliding(work: &mut Work<'_>) {
         let reason = format!("{API} E.7.6: the check is for self-anchored tanks");
         work.without(SLIDING, CheckStatus::NotApplicable, &reason, None);
     }
-    let Some(shear) = work.demands.base_shear.as_ref() else {
+    // Friction caps the shear of a tank that slides: it is judged by that of the tank held in place.
+    let held = work.demands.base.as_ref().and_then(|base| base.held_shear.as_ref());
+    let slides = held.is_some();
+    let Some(shear) = held.or(work.demands.base_shear.as_ref()) else {
         if !frictions.is_empty() {
             let reason = "the engine does not give the base shear";
             work.without(SLIDING, CheckStatus::NotChecked, reason, None);
@@ -179,7 +213,12 @@ pub(super) fn sliding(work: &mut Work<'_>) {
             direction: (1.0, 0.0),
         };
         let error = work.error(&[Quantity::BaseShear], &found);
-        let note = "weight of the same instant, without bottom plate and foundation";
+        let note = match slides {
+            true => {
+                "shear of the tank held in place, which slides; weight of the same instant, without bottom plate and foundation"
+            }
+            false => "weight of the same instant, without bottom plate and foundation",
+        };
         let check = Check::new(id, "Sliding on the foundation", demand, capacity, Force, &clause, note);
         let theta = match &transverse {
             Some(y) => y[k].atan2(shear[k]).rem_euclid(TAU),

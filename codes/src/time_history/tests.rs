@@ -13,6 +13,7 @@ use super::limit_states::UPLIFT;
 use super::*;
 use crate::samples::{case, course, steel};
 
+mod free;
 mod plates;
 
 const FY: f64 = 235e6;

@@ -91,16 +91,18 @@ pub struct Run<'a> {
 pub struct History {
     /// Rotation ψ [rad].
     pub rotation: Vec<f64>,
-    /// ψ̈ [rad/s²].
+    /// ψ̈ [rad/s²], linear between the instants of the forces.
     pub rotational_acceleration: Vec<f64>,
     /// Slip s [m].
     pub slip: Vec<f64>,
-    /// A = a_g + s̈ [m/s²].
+    /// A = a_g + s̈ [m/s²], s̈ linear between the instants of the forces.
     pub acceleration: Vec<f64>,
     /// Bottom pressure at the rim of the side to which a positive rotation leans [Pa].
     pub pressure: Vec<f64>,
     /// Moment of the base M_b [N m].
     pub moment: Vec<f64>,
+    /// M_b + c_ψ ψ̇, which the inertia of the body balances [N m].
+    pub resistance: Vec<f64>,
     /// Inertia force I [N].
     pub shear: Vec<f64>,
     /// Energies at the end [J].
@@ -144,8 +146,8 @@ struct State {
     moment: f64,
     /// Inertia force [N].
     shear: f64,
-    /// A [m/s²].
-    acceleration: f64,
+    /// s̈ at the instant of the forces [m/s²].
+    slipping: f64,
 }
 
 /// Newton's iterations of a step.
@@ -172,7 +174,7 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
         pressure: 0.0,
         moment: 0.0,
         shear: 0.0,
-        acceleration: run.ground.first().copied().unwrap_or(0.0),
+        slipping: 0.0,
     };
     let mut history = History::default();
     let mut sums = Energy::default();
@@ -205,15 +207,29 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
         history.rotation.push(state.psi[0]);
         history.rotational_acceleration.push(state.psi[2]);
         history.slip.push(state.slip[0]);
-        history.acceleration.push(state.acceleration);
+        history.acceleration.push(state.slipping);
         history.pressure.push(state.pressure);
         history.moment.push(rates.moment);
+        history.resistance.push(state.moment);
         history.shear.push(rates.shear);
         before = rates;
+    }
+    at_ends(&mut history.rotational_acceleration);
+    at_ends(&mut history.acceleration);
+    for (acceleration, ground) in history.acceleration.iter_mut().zip(run.ground) {
+        *acceleration += ground;
     }
     history.energy = sums;
     history.balance = if largest > 0.0 { off / largest } else { 0.0 };
     Ok(history)
+}
+
+/// The values of an acceleration at the ends of the steps, from those at the instants of the forces, t − h/3.
+fn at_ends(values: &mut [f64]) {
+    for i in 1..values.len() {
+        let next = values.get(i + 1).copied().unwrap_or(values[i]);
+        values[i] += BEGIN * (next - values[i]);
+    }
 }
 
 impl Energy {
@@ -363,7 +379,7 @@ fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), BaseError> {
     state.sliding = sliding;
     advance(run, state, &sums, found);
     state.shear = shear(found);
-    state.acceleration = if sliding == 0.0 { run.ground[i] } else { found[0] };
+    state.slipping = if sliding == 0.0 { 0.0 } else { found[0] - ground };
     Ok(())
 }
 

@@ -25,6 +25,8 @@ const SUCTIONS: [f64; 5] = [-0.5, -0.25, 0.0, 0.25, 0.5];
 const SPRINGS: usize = 16;
 /// Uplifts at which the loss of a strip is measured, over the largest.
 const LOSSES: [f64; 4] = [0.1, 0.3, 0.6, 1.0];
+/// The same up to the largest rotation of a law.
+const MANY: [f64; 7] = [0.05, 0.12, 0.22, 0.35, 0.5, 0.75, 1.0];
 /// Steps of a strip on its way up.
 const WAY: usize = 24;
 
@@ -224,6 +226,7 @@ impl Law {
             centre: mix(|t| t.centre),
             uplift: mix(|t| t.uplift),
             toe_force: mix(|t| t.toe_force),
+            pull: mix(|t| t.pull),
             lifted_angle: mix(|t| t.lifted_angle),
         }
     }
@@ -232,18 +235,33 @@ impl Law {
     ///
     /// Errors: no equilibrium of a strip.
     pub fn hysteretic(&self, base: &Base, psi: f64) -> Result<f64, BaseError> {
-        if !base.yields() || psi <= self.first_uplift() {
+        if psi <= self.first_uplift() {
             return Ok(0.0);
         }
+        let losses = Losses::up_to(base, self.turn(psi, 0.0).uplift, &LOSSES)?;
+        Ok(self.share(base, &losses, psi))
+    }
+
+    /// What strips lose up to the largest rotation, for [`Law::share`] of many rotations.
+    ///
+    /// Errors: no equilibrium of a strip.
+    pub fn losses(&self, base: &Base) -> Result<Losses, BaseError> {
+        Losses::up_to(base, self.turn(self.largest(), 0.0).uplift, &MANY)
+    }
+
+    /// [`Law::hysteretic`] with losses that are known.
+    pub fn share(&self, base: &Base, losses: &Losses, psi: f64) -> f64 {
+        if !base.yields() || psi <= self.first_uplift() {
+            return 0.0;
+        }
         let turn = self.turn(psi, 0.0);
-        let losses = losses(base, turn.uplift)?;
         let reach = psi * base.radius;
         let n = 180;
         let lost: f64 = (0..n)
             .map(|i| {
                 // Every place is lifted by one of the two turns.
                 let cos = (TAU / 4.0 * (f64::from(i) + 0.5) / f64::from(n)).cos();
-                loss_at(&losses, turn.centre + reach * cos)
+                losses.at(turn.centre + reach * cos)
             })
             .sum::<f64>()
             * TAU
@@ -251,7 +269,7 @@ impl Law {
             / f64::from(n);
         let work = self.work(psi);
         let full = 8.0 * work - 4.0 * self.curve(psi, 0.0).moment * psi;
-        Ok(if full > 0.0 { (lost / full).clamp(0.0, 1.0) } else { 0.0 })
+        if full > 0.0 { (lost / full).clamp(0.0, 1.0) } else { 0.0 }
     }
 
     /// ∫₀^ψ M dψ at rest pressure [J].
@@ -264,13 +282,30 @@ impl Law {
     }
 }
 
-/// Loss of the second cycle of a strip between rest and uplifts [J/m], by uplift.
-fn losses(base: &Base, largest: f64) -> Result<Vec<(f64, f64)>, BaseError> {
+/// Loss of the second cycle of a strip between rest and uplifts [J/m], by uplift [m].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Losses(Vec<(f64, f64)>);
+
+impl Losses {
+    /// Up to an uplift [m], at shares of it; none of a plate that does not yield.
+    fn up_to(base: &Base, largest: f64, shares: &[f64]) -> Result<Losses, BaseError> {
+        match base.yields() {
+            true => losses(base, largest, shares).map(Losses),
+            false => Ok(Losses::default()),
+        }
+    }
+
+    fn at(&self, uplift: f64) -> f64 {
+        loss_at(&self.0, uplift)
+    }
+}
+
+fn losses(base: &Base, largest: f64, shares: &[f64]) -> Result<Vec<(f64, f64)>, BaseError> {
     let strip = base.strip(base.pressure)?;
     let rest = Lifted::at_rest(&strip, base.weight)?;
     let low = rest.uplift();
     let mut found = vec![(0.0, 0.0)];
-    for share in LOSSES {
+    for share in shares {
         let high = share * largest;
         if high <= low.max(0.0) {
             continue;

@@ -36,7 +36,7 @@ pub use curve::{Curve, Point};
 pub use edge::Edge;
 pub use error::BaseError;
 pub use ground::{Soil, subgrade_modulus};
-pub use law::{Law, Response, Spring};
+pub use law::{Law, Losses, Response, Spring};
 pub use march::Lifted;
 pub use model::{Base, Missing, Origin};
 pub use plate::{Bands, Plate};

@@ -45,6 +45,8 @@ pub struct Turn {
     pub uplift: f64,
     /// Axial force of the wall at the toe, compression positive [N/m].
     pub toe_force: f64,
+    /// Axial force of the wall at the lifted side, tension positive [N/m].
+    pub pull: f64,
     /// Half of the angle over which the rim is lifted off the ground [rad].
     pub lifted_angle: f64,
 }
@@ -211,6 +213,7 @@ pub fn plane_section(
         centre,
         uplift: centre + reach,
         toe_force: -hold(centre - reach, -1.0),
+        pull: hold(centre + reach, 1.0),
         lifted_angle: open(centre, reach),
     })
 }

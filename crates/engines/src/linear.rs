@@ -11,6 +11,7 @@ pub(crate) mod model;
 mod rocking;
 pub(crate) mod tilt;
 mod transfer;
+pub(crate) mod turned;
 pub(crate) mod units;
 mod waves;
 
@@ -260,13 +261,29 @@ fn report(
                 .into(),
         );
     }
-    let free = rocking::free(case, (linear.engine, model), &analysis, motion, options);
+    let mut free = rocking::free(case, (linear.engine, model), &analysis, motion, options);
+    let held = analysis.values(model, round);
+    let fill = case.liquid.fill_height;
+    let held_hoop = rocking::Hoop::of(&analysis, model, fill);
+    let moving = free.moved().map(|moved| moved.model(model));
+    let analysis = match &moving {
+        Some(moving) => analyse(moving, motion, options, &Silent)?,
+        None => analysis,
+    };
+    // What is observed, on the moving base where it moves.
+    let seen = moving.as_ref().unwrap_or(model);
+    let mut values = analysis.values(seen, round);
+    if let Some(moved) = free.moved_mut() {
+        let hoop = rocking::Hoop::of(&analysis, seen, fill);
+        moved.complete(&analysis, &mut values, &held, [&hoop, &held_hoop]);
+    }
     let around = Around::of(model, linear.across, motion, options, &analysis)?;
     notes.extend(Around::notes(motion));
     notes.extend(model.horizontal.impulsive().and_then(|found| found.note()));
     notes.extend(waves::note(analysis.wave(), options.wave_modes, &analysis.waves));
     let coupled = &model.horizontal.coupled;
-    let mut demands = demands::demands(case, model, &analysis, motion)?;
+    let mut demands = demands::demands(case, seen, &analysis, motion)?;
+    free.demands(&mut demands, (model, seen), &analysis, motion)?;
     if let Some(second) = linear.across {
         demands::across(&mut demands, (model, second.model), motion, options)?;
     }
@@ -274,7 +291,9 @@ fn report(
     if let Some(around) = &around {
         around.add(&mut histories);
     }
-    rocking::say(&free, &mut notes);
+    let mut assumptions = describe::assumptions(case, options, linear.engine);
+    rocking::say(&free, &mut notes, &mut assumptions);
+    let modelled = free.is_modelled();
     if let rocking::Free::Moves(found) = &free {
         rocking::push(found, &mut histories);
     }
@@ -290,23 +309,26 @@ fn report(
         mass_balance: describe::mass_balance(model),
         energy: analysis.energy,
         base: free.result(),
-        envelopes: envelopes(model, &analysis),
+        envelopes: envelopes(seen, &analysis),
         record_end: Some(record_end(motion)),
         histories: histories.info,
         directions: around.as_ref().map_or_else(Vec::new, Around::results),
         limits: limits::limits(
             case,
-            model,
+            seen,
             (&analysis, around.as_ref()),
             (motion.horizontal.dt, linear.engine),
-        ),
+        )
+        .into_iter()
+        .filter(|limit| !(modelled && limit.id == limits::UPLIFT))
+        .collect(),
         ..Run::new(linear.engine)
     };
     let mut simulation = Simulation {
-        values: analysis.values(model, round),
+        values,
         result,
         series: histories.series,
-        assumptions: describe::assumptions(case, options, linear.engine),
+        assumptions,
         notes,
         snapshots: None,
         demands: Some(Demands {

@@ -1,5 +1,7 @@
 //! An unanchored tank that rocks and slides on its base.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 use tank::FoundationKind;
 
@@ -17,7 +19,8 @@ pub enum GroundOrigin {
     Assumed(FoundationKind),
 }
 
-/// A time history with the base free to rotate and slide, beside that of the wall held down.
+/// A time history with the base free to rotate and slide. The values of its run are those with uplift; those of the wall held down stand beside
+/// them here.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BaseRun {
     /// Modulus k of the ground under the rim [N/m³].
@@ -29,21 +32,23 @@ pub struct BaseRun {
     pub friction: Option<f64>,
     /// Share of the moment of the base that is hysteretic.
     pub hysteretic: f64,
-    /// Change of the largest rotation in the last round of the hysteretic share, relative.
+    /// Difference of the hysteretic share from that of the largest rotation of the run.
     pub settled: f64,
     /// Dashpot of the closed base [N m s].
     pub dashpot: f64,
     /// Time step [s].
     pub step: f64,
     /// Comparable values: `uplift`, `base_rotation`, `plastic_rotation`, `toe_axial_stress`, `slip`, `slip_residual`, `base_shear`,
-    /// `base_moment`.
+    /// `base_moment`, `overturning_moment`, `sloshing_height`, `hoop_stress`, `wetted_hoop_stress`, `axial_membrane_stress`.
     pub quantities: Vec<BaseQuantity>,
     /// Limit of the plastic rotation of the joint [rad].
     pub plastic_rotation_limit: f64,
-    /// Base shear of the wall held down [N].
-    pub fixed_shear: f64,
-    /// Moment above the base plate of the wall held down [N m].
-    pub fixed_moment: f64,
+    /// Comparable values of the wall held down, by id of the quantity (SI).
+    pub held: BTreeMap<String, f64>,
+    /// Largest difference of the peaks of base shear and base moment between the superposed response, whose values are reported, and the march
+    /// of the base, relative.
+    #[serde(default)]
+    pub superposition: f64,
     /// Energies at the end.
     pub energy: BaseEnergy,
     /// The same on softer and on harder ground; empty where there is no equilibrium.
@@ -79,6 +84,9 @@ pub struct BaseQuantity {
     /// Where, θ [°].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub degrees: Option<f64>,
+    /// Where, above the base plate [m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub z: Option<f64>,
 }
 
 /// Energies at the end of a run [J].

@@ -71,6 +71,17 @@ pub struct Peak {
     pub theta: f64,
 }
 
+/// The base of an unanchored tank, of an engine that lets it lift and slide.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FreeBase {
+    /// Whether the rim leaves the ground.
+    pub lifts: bool,
+    /// Largest plastic rotation of the joint of bottom plate and wall [rad]; none where the plate has no yield strength.
+    pub joint: Option<Peak>,
+    /// Base shear of the same tank held in place [N], where it slides.
+    pub held_shear: Option<Terms>,
+}
+
 /// All demands of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Demands {
@@ -94,6 +105,8 @@ pub struct Demands {
     pub vertical: Option<Terms>,
     /// Whether the engine models the walls of a box as plates, not as cantilevers.
     pub plates: bool,
+    /// The base, where it is free to lift and slide.
+    pub base: Option<FreeBase>,
     /// Largest relative error of a peak that lies between two of the times.
     pub sampling: f64,
 }

@@ -6,6 +6,8 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Factor {
+    /// The base that lifts and slides is exchanged for the wall held down.
+    Uplift,
     /// The history is exchanged for the maxima of its modes, combined by SRSS.
     TimeHistory,
     /// All modes are exchanged for the structural mode of the largest mass and the first sloshing mode; in the rows of
@@ -75,7 +77,8 @@ pub enum Factor {
 
 impl Factor {
     /// All of them in the order of exchange.
-    pub const ALL: [Factor; 32] = [
+    pub const ALL: [Factor; 33] = [
+        Factor::Uplift,
         Factor::TimeHistory,
         Factor::Modes,
         Factor::ImpulsiveMass,

@@ -17,6 +17,12 @@ const ACOUSTIC_RATIO: f64 = 0.3;
 /// Thickness over radius above which a thin shell (no shear deformation, one radius) is no longer a good model.
 const THICK: f64 = 0.1;
 
+/// The foot of a cylinder's wall.
+pub(crate) const CLAMPED: &str = "The wall is clamped at its base to rigid ground.";
+/// The foot of an unanchored one.
+pub(crate) const IN_CONTACT: &str =
+    "The tank is unanchored, but the engine keeps it in contact with the ground: no uplift.";
+
 /// Assumptions of the model for this case, one sentence each.
 ///
 /// * `plates`: whether the walls of a box are plates, whose engine states what it assumes of them
@@ -29,11 +35,9 @@ pub(crate) fn assumptions(case: &Case, plates: bool) -> Vec<String> {
     ];
     match case.tank.shape {
         Shape::Cylinder { .. } => {
-            out.push("The wall is clamped at its base to rigid ground.".to_owned());
+            out.push(CLAMPED.to_owned());
             if case.tank.support == Support::Unanchored {
-                out.push(
-                    "The tank is unanchored, but the engine keeps it in contact with the ground: no uplift.".to_owned(),
-                );
+                out.push(IN_CONTACT.to_owned());
             }
             if case.tank.roof.mass > 0.0 {
                 out.push(

@@ -6,7 +6,7 @@ use fem::progress::Progress;
 use tank::Quantity;
 use tank::case::GroundMotion;
 
-use super::model::{Harmonic, Model, Scalar};
+use super::model::{Model, Scalar};
 use super::waves;
 use crate::FeError;
 use crate::impulsive::Impulsive;
@@ -150,9 +150,7 @@ pub(crate) fn analyse<'a>(
     options: &Options,
     progress: &dyn Progress,
 ) -> Result<Analysis<'a>, FeError> {
-    let records: Vec<&oscillator::record::Record> =
-        std::iter::once(&motion.horizontal).chain(&motion.vertical).collect();
-    let motions = |grid: &Grid| -> Vec<Motion> { records.iter().map(|r| Motion::new(r, grid)).collect() };
+    let records = (&motion.horizontal, motion.vertical.as_ref());
     let both_sides = model.vertical.is_some();
     let sides: &[bool] = if both_sides { &[false, true] } else { &[false] };
     let lines = &model.horizontal.coupled.lines;
@@ -163,17 +161,14 @@ pub(crate) fn analyse<'a>(
         }
     }
 
-    let kept: Vec<Vec<&CoupledMode>> = model
-        .systems()
-        .map(|h: &Harmonic| superpose::keep(&h.coupled, &h.modes, &model.damper, options.wave_modes))
-        .collect();
+    let kept = model.kept(options.wave_modes);
     let systems = model
         .systems()
         .zip(&kept)
         .map(|(h, kept)| ModalSystem::new(&h.coupled, kept.clone(), &model.damper))
         .collect::<Result<Vec<ModalSystem>, FeError>>()?;
     let grid = model.grid(motion, Integrator::Modal)?;
-    let ground = motions(&grid);
+    let ground = model.motions(records, &grid);
     let ground: Vec<&Motion> = ground.iter().collect();
     progress.stage("linear response", 2 * grid.steps() as u64);
     let found = superpose::respond(&systems, &ground, grid, &[], &on_lines, progress)?;
@@ -186,7 +181,7 @@ pub(crate) fn analyse<'a>(
     let scalars = model.scalars(hoop);
     let observables: Vec<Observable> = scalars.iter().map(|s| s.observable.clone()).collect();
     let opposite: Vec<Observable> = if both_sides {
-        observables.iter().map(|o| mirror(o)).collect()
+        observables.iter().map(|o| mirror(model, o)).collect()
     } else {
         Vec::new()
     };
@@ -202,7 +197,7 @@ pub(crate) fn analyse<'a>(
     let (mut used, mut energy, mut difference) = (grid, None, None);
     if options.integrator == Integrator::Newmark {
         used = model.grid(motion, Integrator::Newmark)?;
-        let ground = motions(&used);
+        let ground = model.motions(records, &used);
         let ground: Vec<&Motion> = ground.iter().collect();
         let systems: Vec<DirectSystem> = model
             .systems()
@@ -217,7 +212,9 @@ pub(crate) fn analyse<'a>(
         };
         extremes = collect(model, &lines, both_sides);
         difference = largest_difference(&scalars, &observed.scalars, &direct.scalars);
-        (observed, energy) = (direct, Some(balance));
+        // The energies of the two parts of a lifting wall's motion do not add up to that of the whole.
+        energy = model.turned.is_none().then_some(balance);
+        observed = direct;
     }
     Ok(Analysis {
         grid: used,
@@ -232,10 +229,10 @@ pub(crate) fn analyse<'a>(
 }
 
 /// The same observation at θ = 180°: m = 1 with the other sign.
-fn mirror<'a>(observable: &Observable<'a>) -> Observable<'a> {
+fn mirror<'a>(model: &Model, observable: &Observable<'a>) -> Observable<'a> {
     observable
         .iter()
-        .map(|&(system, factor, probe)| (system, if system == 0 { -factor } else { factor }, probe))
+        .map(|&(system, factor, probe)| (system, if model.is_odd(system) { -factor } else { factor }, probe))
         .collect()
 }
 

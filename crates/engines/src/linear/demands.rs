@@ -49,13 +49,16 @@ impl<'a> Wanted<'a> {
     /// Σ share × probe `i` of a line, of m = 1 and of m = 0.
     fn on_line(&mut self, model: &'a Model, line: &'a ProbeLine, shares: &[(usize, f64)]) -> Slot {
         let rest = shares.iter().map(|(i, w)| w * line.probes[*i].static_value).sum();
-        let of = |system: usize, line: &'a ProbeLine| -> Observable<'a> {
-            shares.iter().map(|(i, w)| (system, *w, &line.probes[*i])).collect()
-        };
-        let odd = self.push(of(0, line));
+        let of =
+            |line: &'a ProbeLine| -> Observable<'a> { shares.iter().map(|(i, w)| (1, *w, &line.probes[*i])).collect() };
+        let odd = shares
+            .iter()
+            .flat_map(|(i, w)| model.odd_on_line(line, *i, *w))
+            .collect();
+        let odd = self.push(odd);
         let same = |h: &'a Harmonic| h.coupled.lines.iter().find(|l| l.what == line.what && l.z == line.z);
         let even = model.vertical.as_ref().and_then(same);
-        let even = even.map(|line| self.push(of(1, line)));
+        let even = even.map(|line| self.push(of(line)));
         Slot { rest, odd, even }
     }
 }
@@ -78,9 +81,9 @@ pub(crate) fn demands(
     };
     let mut wanted = Wanted::default();
     let shear = model.horizontal.coupled.probe(Channel::BaseShear);
-    let shear = shear.map(|probe| wanted.push(vec![(0, 1.0, probe)]));
+    let shear = shear.map(|probe| wanted.push(model.odd(probe)));
     let below = model.horizontal.coupled.probe(Channel::OverturningMoment);
-    let below = below.map(|probe| wanted.push(vec![(0, 1.0, probe)]));
+    let below = below.map(|probe| wanted.push(model.odd(probe)));
     let vertical = model.vertical.is_some().then(|| wanted.push(vec![(1, 1.0, &upwards)]));
     let slots = places(case, model, &mut wanted);
     let of = |record| {
@@ -119,6 +122,7 @@ pub(crate) fn demands(
         overturning_moment: below.map(take),
         vertical: vertical.map(take),
         plates: false,
+        base: None,
         sampling: sampling(model, grid.h() * stride as f64, stride),
         states,
         transverse: transverse.map_or_else(Vec::new, |of_y| of_y.states),
@@ -184,8 +188,7 @@ pub(crate) fn combine(
         .zip(kept)
         .map(|(h, kept)| ModalSystem::new(&h.coupled, kept.clone(), &model.damper))
         .collect::<Result<Vec<ModalSystem>, FeError>>()?;
-    let records = std::iter::once(horizontal).chain(vertical);
-    let motions: Vec<Motion> = records.map(|record| Motion::new(record, &grid)).collect();
+    let motions = model.motions((horizontal, vertical), &grid);
     let motions: Vec<&Motion> = motions.iter().collect();
     superpose::combine(&systems, &motions, grid, stride, observables)
 }

@@ -22,6 +22,9 @@ const SOUND: f64 = 1435.0;
 /// (the square of sin(π/10)/(π/10)).
 const RECORD_STEPS: f64 = 10.0;
 
+/// Id of the tension at the base of the wall.
+pub(crate) const UPLIFT: &str = "uplift_tension";
+
 /// All limits of a run.
 ///
 /// * `around`: with two horizontal components, what both together do
@@ -170,7 +173,7 @@ fn uplift(case: &Case, model: &Model, analysis: &Analysis, around: Option<&Aroun
     let holds = tension <= limit;
     let place = format!("at θ = {side}, t = {time:.2} s");
     Some(Limit {
-        id: "uplift_tension".into(),
+        id: UPLIFT.into(),
         name: match capacity {
             Some(_) => "Tension at the base of the wall against the anchors".into(),
             None => "Tension at the base of the wall".into(),

@@ -153,7 +153,10 @@ pub(crate) fn note(simulation: &mut Simulation, second: Option<&Second>, options
     let engine = simulation.result.engine;
     simulation.second = second.and_then(|second| Some((second.ratio, second.units.clone()?)));
     if let Some(second) = second {
+        // The error of a wall on a moving base is that of the wall held down, relative.
+        let held = simulation.result.base.as_ref().map(|base| &base.held);
         let error = |(quantity, value): (&Quantity, &f64)| {
+            let value = held.and_then(|held| held.get(quantity.id())).unwrap_or(value);
             let other = second.values.get(quantity)?;
             let wave = second.wave.filter(|_| *quantity == Quantity::SloshingHeight);
             let error = match wave {

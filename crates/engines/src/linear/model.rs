@@ -1,15 +1,18 @@
 //! The coupled systems of a case with their modes and observables.
 
+use oscillator::record::Record;
 use tank::case::GroundMotion;
 
+use super::turned::Turned;
 use crate::coupled::Coupled;
 use crate::damping::Damper;
 use crate::harmonic::{self, Places};
 use crate::impulsive::Impulsive;
 use crate::modes::{CoupledMode, Kind};
 use crate::probe::{Probe, ProbeLine};
-use crate::response::superpose::Observable;
-use crate::response::{direct, motion::Grid};
+use crate::response::direct;
+use crate::response::motion::{Grid, Motion};
+use crate::response::superpose::{self, Observable};
 use crate::{FeError, estimate};
 use results::Channel;
 use results::channel::{OnWall, Side};
@@ -73,6 +76,8 @@ pub(crate) struct Model {
     pub vertical: Option<Harmonic>,
     /// m = 0 for the vertical spectrum of the site: no part of a response to records.
     pub site: Option<Harmonic>,
+    /// m = 1 under the rotation of its base, of a tank that lifts or slides.
+    pub turned: Option<Turned>,
     /// Damping.
     pub damper: Damper,
 }
@@ -100,14 +105,78 @@ impl Model {
         Ok(Model {
             vertical,
             site,
+            turned: None,
             damper: damper.tuned(&horizontal.modes),
             horizontal,
         })
     }
 
-    /// The systems, m = 1 first.
+    /// The systems: m = 1, then m = 0, then m = 1 under the rotation of its base.
     pub(crate) fn systems(&self) -> impl Iterator<Item = &Harmonic> {
-        std::iter::once(&self.horizontal).chain(&self.vertical)
+        let turned = self.turned.as_ref().map(|turned| &turned.harmonic);
+        std::iter::once(&self.horizontal).chain(&self.vertical).chain(turned)
+    }
+
+    /// Whether system `number` goes with cos θ.
+    pub(crate) fn is_odd(&self, number: usize) -> bool {
+        number != 1 || self.vertical.is_none()
+    }
+
+    /// The motion of each system on a grid, under a horizontal record and a vertical one.
+    pub(crate) fn motions(&self, (horizontal, vertical): (&Record, Option<&Record>), grid: &Grid) -> Vec<Motion> {
+        let vertical = vertical.map(|record| Motion::new(record, grid));
+        match &self.turned {
+            None => std::iter::once(Motion::new(horizontal, grid)).chain(vertical).collect(),
+            Some(turned) => {
+                let [along, rotation] = turned.motions(grid);
+                std::iter::once(along).chain(vertical).chain([rotation]).collect()
+            }
+        }
+    }
+
+    /// The modes kept of each system; those of the rotation are those of the translation.
+    pub(crate) fn kept(&self, wave_modes: usize) -> Vec<Vec<&CoupledMode>> {
+        let own = std::iter::once(&self.horizontal).chain(&self.vertical);
+        let mut kept: Vec<Vec<&CoupledMode>> = own
+            .map(|h| superpose::keep(&h.coupled, &h.modes, &self.damper, wave_modes))
+            .collect();
+        if let Some(turned) = &self.turned {
+            let same = |mode: &&CoupledMode| kept[0].iter().any(|k| (k.kind, k.number) == (mode.kind, mode.number));
+            kept.push(turned.harmonic.modes.iter().filter(same).collect());
+        }
+        kept
+    }
+
+    /// A probe of m = 1 with the same probe under the rotation of the base.
+    pub(crate) fn odd<'a>(&'a self, probe: &'a Probe) -> Observable<'a> {
+        let same = self.turned.as_ref().and_then(|turned| {
+            let coupled = &turned.harmonic.coupled;
+            coupled.probes.iter().find(|p| p.channel == probe.channel)
+        });
+        self.with_rotation(vec![(0, 1.0, probe)], 1.0, same)
+    }
+
+    /// The observable with the same probe under the rotation of the base.
+    fn with_rotation<'a>(
+        &'a self,
+        mut observable: Observable<'a>,
+        factor: f64,
+        same: Option<&'a Probe>,
+    ) -> Observable<'a> {
+        observable.extend(same.map(|probe| (1 + usize::from(self.vertical.is_some()), factor, probe)));
+        observable
+    }
+
+    /// Place `i` of a line of m = 1 (of the shear as well), with the same place under the rotation of the base, both times `share`.
+    pub(crate) fn odd_on_line<'a>(&'a self, line: &'a ProbeLine, i: usize, share: f64) -> Observable<'a> {
+        let same = self.turned.as_ref().and_then(|turned| {
+            let coupled = &turned.harmonic.coupled;
+            let mut lines = coupled.lines.iter().chain(&coupled.shear);
+            lines
+                .find(|l| l.what == line.what && l.z == line.z)
+                .map(|l| &l.probes[i])
+        });
+        self.with_rotation(vec![(0, share, &line.probes[i])], share, same)
     }
 
     /// Time steps of an analysis by `integrator` under `motion`.
@@ -129,7 +198,10 @@ impl Model {
         let period = |m: &CoupledMode| std::f64::consts::TAU / m.omega;
         let tail = AfterRecord::DEFAULT.duration(self.horizontal.first(Kind::Sloshing).map_or(0.0, period));
         let duration = motion.duration();
-        let grid = Grid::new(dt, duration, tail, longest);
+        let mut grid = Grid::new(dt, duration, tail, longest);
+        if let Some(turned) = &self.turned {
+            grid.sub_steps = turned.sub_steps * grid.sub_steps.div_ceil(turned.sub_steps);
+        }
         let samples = (duration + tail) / dt;
         estimate::check_steps("harmonic run", samples, samples * grid.sub_steps as f64)?;
         Ok(grid)
@@ -138,7 +210,7 @@ impl Model {
     /// `probe` of m = 1 at θ = 0 (or 180°), with the probe of the same id of m = 0 where there is one.
     pub(crate) fn observable<'a>(&'a self, probe: &'a Probe, opposite: bool) -> Observable<'a> {
         let of = |v: &'a Harmonic| v.coupled.probes.iter().find(|p| p.channel == probe.channel);
-        superpose(probe, self.vertical.as_ref().and_then(of), opposite)
+        around(self.odd(probe), self.vertical.as_ref().and_then(of), opposite)
     }
 
     /// Probe `i` of `line` of m = 1 at θ = 0 (or 180°), with that of m = 0 (whose wall has the same heights).
@@ -147,14 +219,21 @@ impl Model {
             let same = v.coupled.lines.iter().find(|l| l.what == line.what && l.z == line.z);
             same.map(|l| &l.probes[i])
         };
-        superpose(&line.probes[i], self.vertical.as_ref().and_then(of), opposite)
+        around(
+            self.odd_on_line(line, i, 1.0),
+            self.vertical.as_ref().and_then(of),
+            opposite,
+        )
     }
 }
 
 /// cos θ of m = 1 changes sign on the opposite side, m = 0 does not.
-fn superpose<'a>(horizontal: &'a Probe, vertical: Option<&'a Probe>, opposite: bool) -> Observable<'a> {
-    let around = horizontal.turn.map_or(1.0, |turn| turn.along);
-    let mut terms = vec![(0, if opposite { -around } else { around }, horizontal)];
+fn around<'a>(odd: Observable<'a>, vertical: Option<&'a Probe>, opposite: bool) -> Observable<'a> {
+    let turned = odd.into_iter().map(|(system, factor, probe)| {
+        let factor = factor * probe.turn.map_or(1.0, |turn| turn.along);
+        (system, if opposite { -factor } else { factor }, probe)
+    });
+    let mut terms: Observable<'a> = turned.collect();
     terms.extend(vertical.map(|v| (1, 1.0, v)));
     terms
 }

@@ -1,10 +1,12 @@
-//! An unanchored cylinder that rocks and slides on its bottom plate, beside the run with the wall held down.
+//! An unanchored cylinder that rocks and slides on its bottom plate.
 //!
 //! The modes of the wall on a fixed base become the body of [`::base::history`], whose base is that of the strips. Where the run with
-//! the wall held down neither lifts the rim nor overcomes friction nothing is computed: the tank moves as if it were held.
+//! the wall held down neither lifts the rim nor overcomes friction nothing else is computed: the tank moves as if it were held. Otherwise the
+//! motion of the base drives the wall ([`lifted`]), and its values are those of the run.
 //! `docs/theory/base.md`.
 
 mod body;
+mod lifted;
 mod outcome;
 mod search;
 #[cfg(test)]
@@ -16,14 +18,18 @@ use ::base::{Base, Soil};
 use results::channel::OnWall;
 use results::{BaseRun, Channel, EngineId};
 use tank::case::GroundMotion;
+use tank::demand::{Demands, FreeBase};
 use tank::options::LinearOptions as Options;
 use tank::{Case, STANDARD_GRAVITY, Shape, Support};
 
 use super::analysis::Analysis;
 use super::model::Model;
+use crate::FeError;
+use crate::harmonic::{CLAMPED, IN_CONTACT};
 use crate::histories::Histories;
 use crate::response::motion::{Grid, Motion};
 
+pub(super) use lifted::Hoop;
 pub(super) use outcome::Moved;
 use search::{Found, Setup};
 pub(super) use words::HELD_DOWN;
@@ -48,6 +54,45 @@ pub(super) enum Free {
 }
 
 impl Free {
+    /// The run that lifts or slides.
+    pub(super) fn moved(&self) -> Option<&Moved> {
+        match self {
+            Free::Moves(moved) => Some(moved),
+            _ => None,
+        }
+    }
+
+    /// The same, to be completed.
+    pub(super) fn moved_mut(&mut self) -> Option<&mut Moved> {
+        match self {
+            Free::Moves(moved) => Some(moved),
+            _ => None,
+        }
+    }
+
+    /// Whether the base was free to move.
+    pub(super) fn is_modelled(&self) -> bool {
+        matches!(self, Free::Rests(_) | Free::Moves(_))
+    }
+
+    /// The demands on a free base, where those of the wall are computed.
+    ///
+    /// Errors: a response that is not finite.
+    pub(super) fn demands(
+        &self,
+        demands: &mut Demands,
+        models: (&Model, &Model),
+        analysis: &Analysis<'_>,
+        motion: &GroundMotion,
+    ) -> Result<(), FeError> {
+        match self {
+            Free::Moves(moved) => moved.demands(demands, models, analysis, motion)?,
+            Free::Rests(_) => demands.base = Some(FreeBase::default()),
+            Free::Held | Free::NotComputed(_) => {}
+        }
+        Ok(())
+    }
+
     /// The results of the run.
     pub(super) fn result(self) -> Option<BaseRun> {
         match self {
@@ -86,7 +131,7 @@ pub(super) fn free(
 
 /// The run, if anything moves.
 fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, search::Missed> {
-    let (_, law) = search::law(base, search::FIRST)?;
+    let (rocking, law) = search::law(base, search::FIRST)?;
     let peak = |channel| {
         analysis
             .sides(channel)
@@ -101,9 +146,9 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
     let (main, others) = std::thread::scope(|scope| {
         let others = BAND.map(|factor| {
             let on = base.on(factor * base.modulus);
-            scope.spawn(move || search::settle(setup, &on, false).map(|found| (on, found)))
+            scope.spawn(move || search::settle(setup, &on, None, false).map(|found| (on, found)))
         });
-        let main = search::settle(setup, base, true);
+        let main = search::settle(setup, base, Some((rocking, law)), true);
         (
             main,
             others.map(|other| other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))),
@@ -114,9 +159,12 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
         .flatten()
         .map(|(on, found)| outcome::band(&on, &found))
         .collect();
-    let fixed = [peak(Channel::BaseShear), moment];
     let found: Found = main?;
-    Ok(Free::Moves(Box::new(outcome::moved(setup, base, found, band, fixed))))
+    let grid = Grid {
+        sub_steps: setup.sub_steps,
+        ..analysis.grid
+    };
+    Ok(Free::Moves(Box::new(outcome::moved(setup, base, found, band, grid))))
 }
 
 /// Whether the shear of the wall held down overcomes friction.
@@ -170,12 +218,18 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
     })
 }
 
-/// Replaces the note on a wall that is held down.
-pub(super) fn say(free: &Free, notes: &mut Vec<String>) {
+/// Replaces the note and the assumptions of a wall that is held down.
+pub(super) fn say(free: &Free, notes: &mut Vec<String>, assumptions: &mut Vec<String>) {
+    if free.is_modelled() {
+        assumptions.retain(|text| text != IN_CONTACT);
+    }
+    if let (Free::Moves(_), Some(text)) = (free, assumptions.iter_mut().find(|text| *text == CLAMPED)) {
+        *text = words::FOOT.into();
+    }
     let text = match free {
         Free::Held => return,
         Free::NotComputed(reason) | Free::Rests(reason) => reason.clone(),
-        Free::Moves(_) => words::BESIDE.into(),
+        Free::Moves(_) => words::MOVES.into(),
     };
     match notes.iter_mut().find(|note| *note == HELD_DOWN) {
         Some(note) => *note = text,

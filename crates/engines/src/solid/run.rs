@@ -128,6 +128,7 @@ impl Prepared {
         let model = Model {
             vertical,
             site,
+            turned: None,
             damper: damper.tuned(&horizontal.modes),
             horizontal,
         };

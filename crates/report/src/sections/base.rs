@@ -1,4 +1,4 @@
-//! The base of a tank that lifts or slides: values beside the wall held down, histories, loop, circumference, band, energies.
+//! The base of a tank that lifts or slides: values beside those of the wall held down, histories, loop, circumference, band, energies.
 
 use tank::units::Dimension;
 
@@ -48,22 +48,19 @@ fn text(quantity: &BaseQuantity) -> String {
 }
 
 fn values(run: &BaseRun) -> Table {
-    let [name, with, time, angle, held, ratio] = words::VALUES;
+    let [name, with, time, angle, height, held, ratio] = words::VALUES;
     let mut table = Table::new(vec![
         Column::words(name),
         Column::numbers(with, ""),
         Column::numbers(time, "s"),
         Column::numbers(angle, ""),
+        Column::numbers(height, ""),
         Column::numbers(held, ""),
         Column::numbers(ratio, ""),
     ]);
     let none = || words::NONE.to_owned();
     for quantity in &run.quantities {
-        let fixed_base = match quantity.id.as_str() {
-            "base_shear" => Some(run.fixed_shear),
-            "base_moment" => Some(run.fixed_moment),
-            _ => None,
-        };
+        let fixed_base = run.held.get(&quantity.id).copied();
         let mut value = text(quantity);
         if quantity.id == "plastic_rotation" && quantity.value.value > run.plastic_rotation_limit {
             value = words::beyond(&value, run.plastic_rotation_limit);
@@ -73,6 +70,7 @@ fn values(run: &BaseRun) -> Table {
             value,
             quantity.time.map_or_else(none, |t| fixed(t, 3)),
             quantity.degrees.map_or_else(none, |d| fixed(d, 0)),
+            quantity.z.map_or_else(none, |z| fixed(z, 2)),
             fixed_base.map_or_else(none, |v| with_unit(v, quantity.value.dimension)),
             fixed_base.map_or_else(none, |v| fixed(quantity.value.value / v, 3)),
         ]);

@@ -5,6 +5,7 @@ use tank::factor::Factor;
 /// The name of an exchange in tables, figures and sentences.
 pub fn name(factor: Factor) -> &'static str {
     match factor {
+        Factor::Uplift => "wall held down for uplift",
         Factor::TimeHistory => "modal maxima for the history",
         Factor::Modes => "number of modes",
         Factor::ImpulsiveMass => "impulsive mass",

@@ -158,8 +158,9 @@ const ALL: &[Words] = &[
         sentences: &[
             (
                 "beside",
-                "The tank stands on its bottom plate and lifts or slides. The values here are those of a run in which the base rotates and \
-                 slips; all other sections show the run with the wall held down.",
+                "The tank stands on its bottom plate and lifts or slides. All values of the run are those with a base that rotates and slips; those \
+                 of the wall held down stand here beside them. Modes, transfer functions and the response-spectrum method are those of the wall \
+                 held down.",
             ),
             (
                 "band",

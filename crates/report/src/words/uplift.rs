@@ -17,12 +17,25 @@ pub fn quantity(id: &str) -> &str {
         "slip_residual" => "Slip at the end",
         "base_shear" => "Base shear",
         "base_moment" => "Moment above the base plate",
+        "overturning_moment" => "Overturning moment",
+        "sloshing_height" => "Wave height",
+        "hoop_stress" => "Largest hoop stress",
+        "wetted_hoop_stress" => "Largest hoop stress below the surface at rest",
+        "axial_membrane_stress" => "Axial stress at the foot without that at rest",
         other => other,
     }
 }
 
 /// Heads of the table of values.
-pub const VALUES: [&str; 6] = ["Quantity", "With uplift", "Time", "θ [°]", "Wall held down", "Ratio"];
+pub const VALUES: [&str; 7] = [
+    "Quantity",
+    "With uplift",
+    "Time",
+    "θ [°]",
+    "z [m]",
+    "Wall held down",
+    "Ratio",
+];
 /// Heads of the table of the band.
 pub const BAND: [&str; 7] = [
     "Ground under the rim",
@@ -90,8 +103,10 @@ pub fn ground(run: &BaseRun) -> String {
 /// Error of the energy balance.
 pub fn balance(run: &BaseRun) -> String {
     format!(
-        "The balance of energy closes within {} of the input.",
-        percent(run.energy.error)
+        "The balance of energy closes within {} of the input. Base shear and moment of the superposed modes, whose values are reported, and of \
+         the march of the base agree within {}.",
+        percent(run.energy.error),
+        percent(run.superposition)
     )
 }
 

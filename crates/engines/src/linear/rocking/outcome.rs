@@ -1,5 +1,7 @@
 //! What is reported of a run on a free base.
 
+use std::collections::BTreeMap;
+
 use ::base::{Base, Origin, Turn};
 use results::channel::Side;
 use results::{BaseBand, BaseEnergy, BaseQuantity, BaseRun, Channel, GroundOrigin, SeriesInfo, Value};
@@ -7,6 +9,7 @@ use tank::units::Dimension;
 
 use super::search::{Found, Setup};
 use super::words;
+use crate::response::motion::Grid;
 
 /// Largest plastic rotation of the joint, EN 1998-4:2006 A.9, recalled [rad].
 const PLASTIC: f64 = 0.20;
@@ -15,10 +18,28 @@ const CYCLES: (usize, f64) = (800, 2.0);
 /// Points of the backbone.
 const BACKBONE: usize = 60;
 
+/// The motion of the base.
+pub(crate) struct BaseMotion {
+    /// Its steps.
+    pub grid: Grid,
+    /// A at each step [m/s²].
+    pub acceleration: Vec<f64>,
+    /// ψ̈ at each step [rad/s²].
+    pub rotation: Vec<f64>,
+}
+
 /// A run on a free base.
 pub(crate) struct Moved {
     /// Its results.
     pub result: BaseRun,
+    /// The motion of the base.
+    pub motion: BaseMotion,
+    /// Axial stress of the foot at θ = 0 and 180°, tension positive, at each step [Pa].
+    pub foot: [Vec<f64>; 2],
+    /// Largest base shear [N] and moment that base and dashpot resist [N m].
+    pub march: [f64; 2],
+    /// Whether the bottom plate may yield.
+    pub yields: bool,
     /// Its histories at the steps of the record.
     pub columns: Vec<(SeriesInfo, Vec<f64>)>,
 }
@@ -41,6 +62,8 @@ struct States {
     rim: [Vec<f64>; 2],
     /// Axial stress at the toe [Pa].
     toe: Vec<f64>,
+    /// Axial stress of the foot at θ = 0 and 180°, tension positive [Pa].
+    foot: [Vec<f64>; 2],
 }
 
 fn states(base: &Base, found: &Found) -> States {
@@ -54,7 +77,16 @@ fn states(base: &Base, found: &Found) -> States {
             .map(|(turn, psi)| turn.centre + side * psi * base.radius)
             .collect()
     });
+    let foot = [1.0, -1.0].map(|side| {
+        let places = turns.iter().zip(&history.rotation);
+        // A positive rotation presses θ = 0.
+        let force = |turn: &Turn, pressed: bool| if pressed { -turn.toe_force } else { turn.pull };
+        places
+            .map(|(turn, psi)| force(turn, side * psi > 0.0) / base.wall_thickness())
+            .collect()
+    });
     States {
+        foot,
         toe: turns
             .iter()
             .map(|turn| turn.toe_force / base.wall_thickness())
@@ -108,8 +140,8 @@ pub(super) fn band(base: &Base, found: &Found) -> BaseBand {
     }
 }
 
-/// The run as it is reported; `fixed` are base shear [N] and base moment [N m] of the wall held down.
-pub(super) fn moved(setup: &Setup, base: &Base, found: Found, band: Vec<BaseBand>, fixed: [f64; 2]) -> Moved {
+/// The run as it is reported; the values of the wall held down and the superposed ones are added by [`Moved::complete`].
+pub(super) fn moved(setup: &Setup, base: &Base, found: Found, band: Vec<BaseBand>, grid: Grid) -> Moved {
     let states = states(base, &found);
     let peaks = peaks(&states, &found);
     let history = &found.history;
@@ -131,8 +163,8 @@ pub(super) fn moved(setup: &Setup, base: &Base, found: Found, band: Vec<BaseBand
         step: setup.step,
         quantities: quantities(setup, &peaks, &found, lean),
         plastic_rotation_limit: PLASTIC,
-        fixed_shear: fixed[0],
-        fixed_moment: fixed[1],
+        held: BTreeMap::new(),
+        superposition: 0.0,
         energy: BaseEnergy {
             input: energy.input,
             viscous: energy.viscous,
@@ -163,6 +195,17 @@ pub(super) fn moved(setup: &Setup, base: &Base, found: Found, band: Vec<BaseBand
     Moved {
         columns: columns(setup, &states, &found),
         result,
+        march: [
+            peaks.shear.0.abs(),
+            largest(found.history.resistance.iter().copied()).0.abs(),
+        ],
+        foot: states.foot,
+        yields: base.yields(),
+        motion: BaseMotion {
+            grid,
+            acceleration: found.history.acceleration,
+            rotation: found.history.rotational_acceleration,
+        },
     }
 }
 
@@ -172,6 +215,7 @@ fn quantities(setup: &Setup, peaks: &Peaks, found: &Found, lean: f64) -> Vec<Bas
         value: Value { value, dimension },
         time: time.map(|i| i as f64 * setup.step),
         degrees,
+        z: None,
     };
     let lifted_side = if lean > 0.0 { 180.0 } else { 0.0 };
     let toe_side = if found.history.rotation[peaks.toe.1] > 0.0 {

@@ -7,10 +7,11 @@ use ::base::{Base, BaseError, Law, Rocking, Soil};
 pub(super) const FIRST: f64 = 2e-3;
 /// Largest rotation of any law [rad].
 pub(super) const MOST: f64 = 0.05;
-/// Rounds of the hysteretic share.
-const ROUNDS: usize = 3;
-/// Change of the share that is settled.
-const SETTLED: f64 = 0.01;
+/// Most rounds of the hysteretic share.
+const ROUNDS: usize = 12;
+/// Difference of the share from that of the largest rotation that is settled: a loop that is 1 % of the full one wider changes the damping of a
+/// cycle by 2/π of that, 0.3 % of critical at most.
+pub(super) const SETTLED: f64 = 0.005;
 /// Stress of a wall that no toe exceeds [Pa]; how far the rim is pressed into hard ground.
 const CRUSHED: f64 = 500e6;
 
@@ -41,7 +42,7 @@ pub(super) struct Found {
     pub rocking: Rocking,
     pub law: Law,
     pub hysteretic: f64,
-    /// Change of the largest rotation in the last round, relative.
+    /// Difference of the share from that of the largest rotation.
     pub settled: f64,
     pub dashpot: f64,
     pub history: History,
@@ -130,31 +131,81 @@ pub(super) fn one(setup: &Setup, law: &Law, hysteretic: f64, dashpot: f64, whole
     })
 }
 
-/// The run on a ground, with a law that covers it and the hysteretic share of its largest rotation.
+/// A run with a hysteretic share.
+struct Round {
+    share: f64,
+    history: History,
+    /// Largest rotation [rad].
+    peak: f64,
+    /// Share of that rotation less the share of the run.
+    off: f64,
+}
+
+/// The run whose share is that of its largest rotation; the last one where it turns beyond the law, that with the smaller share where the largest
+/// rotation jumps between two shares.
+fn consistent(setup: &Setup, base: &Base, law: &Law, dashpot: f64) -> Result<Round, BaseError> {
+    let losses = law.losses(base)?;
+    let run = |share: f64| -> Result<Round, BaseError> {
+        let history = one(setup, law, share, dashpot, false)?;
+        let peak = turned(&history);
+        Ok(Round {
+            off: law.share(base, &losses, peak) - share,
+            share,
+            history,
+            peak,
+        })
+    };
+    let mut round = run(law.share(base, &losses, 0.5 * law.largest()))?;
+    // Shares that are too small and too large.
+    let (mut low, mut high): (Option<Round>, Option<Round>) = (None, None);
+    for i in 0..ROUNDS {
+        if round.peak > law.largest() || round.off.abs() <= SETTLED {
+            return Ok(round);
+        }
+        let mut next = (round.share + round.off).clamp(0.0, 1.0);
+        if round.off > 0.0 {
+            low = Some(round);
+        } else {
+            high = Some(round);
+        }
+        if let (Some(low), Some(high)) = (&low, &high) {
+            let width = high.share - low.share;
+            if width <= SETTLED {
+                break;
+            }
+            let weight = if i % 2 == 0 {
+                low.off / (low.off - high.off)
+            } else {
+                0.5
+            };
+            next = low.share + weight.clamp(0.1, 0.9) * width;
+        }
+        round = run(next)?;
+    }
+    // Which of the two is left does not matter where only one side was found.
+    match low.or(high) {
+        Some(found) => Ok(found),
+        None => run(0.0),
+    }
+}
+
+/// The run on a ground, with a law that covers it and the hysteretic share of its largest rotation; `first` is the law up to [`FIRST`].
 ///
 /// Errors: no equilibrium; a base that turns too far.
-pub(super) fn settle(setup: &Setup, base: &Base, whole: bool) -> Result<Found, Missed> {
+pub(super) fn settle(setup: &Setup, base: &Base, first: Option<(Rocking, Law)>, whole: bool) -> Result<Found, Missed> {
     let dashpot = dashpot(setup, base);
-    let mut largest = FIRST;
+    let (mut rocking, mut law) = match first {
+        Some(first) => first,
+        None => self::law(base, FIRST)?,
+    };
     loop {
-        let (rocking, law) = law(base, largest)?;
-        let mut hysteretic = law.hysteretic(base, 0.5 * largest)?;
-        let mut history = one(setup, &law, hysteretic, dashpot, false)?;
-        let (mut peak, mut settled) = (turned(&history), 0.0);
-        for _ in 0..ROUNDS {
-            if peak > largest {
-                break;
-            }
-            let next = law.hysteretic(base, peak)?;
-            if (next - hysteretic).abs() < SETTLED {
-                break;
-            }
-            hysteretic = next;
-            history = one(setup, &law, hysteretic, dashpot, false)?;
-            let now = turned(&history);
-            settled = (now / peak - 1.0).abs();
-            peak = now;
-        }
+        let largest = law.largest();
+        let Round {
+            share: hysteretic,
+            mut history,
+            mut peak,
+            off,
+        } = consistent(setup, base, &law, dashpot)?;
         if whole && peak <= largest {
             history = one(setup, &law, hysteretic, dashpot, true)?;
             peak = turned(&history);
@@ -164,7 +215,7 @@ pub(super) fn settle(setup: &Setup, base: &Base, whole: bool) -> Result<Found, M
                 rocking,
                 law,
                 hysteretic,
-                settled,
+                settled: off.abs(),
                 dashpot,
                 history,
             });
@@ -172,6 +223,6 @@ pub(super) fn settle(setup: &Setup, base: &Base, whole: bool) -> Result<Found, M
         if largest >= MOST {
             return Err(Missed::TooFar(peak));
         }
-        largest = (1.3 * peak).max(2.0 * largest).min(MOST);
+        (rocking, law) = self::law(base, (1.3 * peak).max(2.0 * largest).min(MOST))?;
     }
 }

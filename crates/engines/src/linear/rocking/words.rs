@@ -3,14 +3,18 @@
 use ::base::Base;
 use tank::units::{Dimension, display, significant};
 
-use super::search::{Found, MOST, Missed, Setup};
+use super::search::{Found, MOST, Missed, SETTLED, Setup};
 
 /// The wall is held down, whatever the tank does.
 pub(crate) const HELD_DOWN: &str =
     "The tank is unanchored; the linear engine clamps the wall to the ground and does not model uplift.";
 /// Of a run that lifts or slides.
-pub(super) const BESIDE: &str = "The tank is unanchored and lifts or slides: uplift, toe, slip and the shear with uplift are in the section on the \
-     base. The comparable values, envelopes and histories of this run are those of the wall held down.";
+pub(super) const MOVES: &str = "The tank is unanchored and lifts or slides: values, envelopes, histories and limit states are those with uplift. The \
+     section on the base has uplift, toe and slip, and the values of the wall held down beside those with uplift. Bending at the foot is not \
+     given: the foot is the joint of the bottom plate. Modes, transfer functions and the response-spectrum method are those of the wall held down.";
+/// The foot of the wall on the moving base.
+pub(super) const FOOT: &str =
+    "The foot of the wall is built into a plane that lifts, turns and slides with the bottom plate.";
 /// The model lacks rows.
 pub(super) const NO_ROWS: &str = "The tank is unanchored; its model has no rows of base moment or pressure, and uplift is not computed: the wall is held down.";
 
@@ -55,6 +59,11 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
     let mut list: Vec<String> = [
         "The foot of the wall stays plane: a broad tank without a stiff roof warps, which lifts a shorter arc higher.",
         "Strips of the bottom plate stand side by side without hoop forces.",
+        "Wall and liquid follow the acceleration and the rotation of the base as its march finds them. Displacements of the wall are those relative \
+         to the base.",
+        "Axial stress in the lowest course: at the toe and at the lifted side that of the strips, with its excess over the part with cos θ constant \
+         over the height of the course. Higher courses have the part with cos θ alone, as the histories and envelopes have everywhere.",
+        "Mesh errors are the relative ones of the wall held down.",
         "The toe's stress contains the weight of wall and roof; it is the force per length over the thickness of the lowest course.",
         "The suction on the lifted side acts on the strips; the pressure of a vertical motion does not.",
         "The liquid above the lifted crescent has no inertia of its own, and the liquid's floor stays at rest.",
@@ -64,10 +73,13 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
     if base.yields() {
         list.push(format!(
             "A share of {} of the base's moment is hysteretic, so that a cycle to the largest rotation loses what the strips lose in \
-             their second cycle; it changed the largest rotation by {} % in its last round.",
+             their second cycle; the share of the largest rotation of the run differs by {}.",
             significant(found.hysteretic, 3),
-            significant(100.0 * found.settled, 2)
+            significant(found.settled, 2)
         ));
+        if found.settled > SETTLED {
+            list.push("The hysteretic share does not settle: the largest rotation jumps between two shares; the smaller one, which loses less, is taken.".into());
+        }
     } else {
         list.push("The material of the bottom plate has no yield strength: the joint loses no energy.".into());
     }

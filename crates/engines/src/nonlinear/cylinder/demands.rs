@@ -108,6 +108,7 @@ pub(super) fn demands(case: &Case, tank: &CylinderModel, watch: &Watch<'_>) -> D
         overturning_moment: None,
         vertical,
         plates: false,
+        base: None,
         sampling: 1.0 - (0.5 * tank.wall_omega * step).min(0.5 * PI).cos() + between,
     }
 }

@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use super::*;
 use crate::modal::{ModalStress, REST};
 use tank::ingredients::Vertical;
@@ -44,6 +46,7 @@ fn engine(modal: &[ModalPart]) -> Engine<'_> {
         modal,
         liquid_mass: 140.0,
         spectrum: &spectrum,
+        held: None,
     }
 }
 
@@ -277,4 +280,29 @@ fn an_axial_stress_has_the_factors_of_its_moment() {
     let stress = |f: &&(Factor, f64)| matches!(f.0, Factor::ImpulsiveStress | Factor::ConvectiveStress);
     let product: f64 = twice.iter().filter(stress).map(|f| f.1).product();
     assert!((product - 2.0).abs() < 1e-12, "{product}");
+}
+
+/// A run that lifts: the first factor leads to the wall held down, the others are those of its attribution.
+#[test]
+fn uplift_is_the_first_factor() {
+    let modal = modal(false);
+    let ingredients = Ingredients::response(Quantity::BaseShear, everything_differs());
+    let made = Made {
+        method: "x",
+        excitation: Excitation::Record,
+        ingredients: &ingredients,
+    };
+    let held = BTreeMap::from([("base_shear".to_owned(), 250.0)]);
+    let lifts = Engine {
+        held: Some(&held),
+        ..engine(&modal)
+    };
+    let (lifted, plain) = (
+        lifts.attribute(&made, 200.0).unwrap(),
+        engine(&modal).attribute(&made, 250.0).unwrap(),
+    );
+    let (lifted, plain) = (list(&lifted), list(&plain));
+    assert_eq!(lifted[0].0, Factor::Uplift);
+    assert!((lifted[0].1 - 1.25).abs() < 1e-12);
+    assert_eq!(lifted[1..], plain[..]);
 }

@@ -1,0 +1,74 @@
+//! An unanchored tank whose engine lets it lift and slide.
+
+use tank::demand::FreeBase;
+
+use super::*;
+
+fn free(base: FreeBase) -> Demands {
+    let mut demands = shaken(5).demands(0.0, 0);
+    demands.places[0].bending = None;
+    demands.base = Some(base);
+    demands
+}
+
+/// 0.05 rad of 0.20 rad; nothing is outside the model, though the wall pulls, and bending at the foot stays open.
+#[test]
+fn the_joint_is_judged_and_nothing_is_outside() {
+    let mut case = steel_tank();
+    case.tank.support = Support::Unanchored;
+    let joint = |value| Peak {
+        value,
+        time: 2.0,
+        theta: 0.0,
+    };
+    let lifts = |joint| FreeBase {
+        lifts: true,
+        joint,
+        held_shear: None,
+    };
+    let findings = assessed(&case, &free(lifts(Some(joint(0.05)))));
+    let check = found(&findings, UPLIFT);
+    assert_eq!((findings.outside, check.status), (None, CheckStatus::Holds));
+    close(check.utilisation.unwrap(), 0.25, 1e-12);
+    assert_eq!(
+        found(&findings, "equivalent_stress_at_base").status,
+        CheckStatus::NotChecked
+    );
+    let fails = assessed(&case, &free(lifts(Some(joint(0.21)))));
+    assert_eq!(found(&fails, UPLIFT).status, CheckStatus::Fails);
+    let elastic = assessed(&case, &free(lifts(None)));
+    assert_eq!(found(&elastic, UPLIFT).status, CheckStatus::NotChecked);
+    let rests = assessed(&case, &free(FreeBase::default()));
+    assert_eq!(
+        (rests.outside, found(&rests, UPLIFT).status),
+        (None, CheckStatus::NotApplicable)
+    );
+}
+
+/// Friction caps the shear at what API allows; held in place the tank would have 9 MN: it slides, and the check fails.
+#[test]
+fn a_tank_that_slides_is_judged_by_the_shear_of_the_held_one() {
+    let mut case = steel_tank();
+    case.tank.support = Support::Unanchored;
+    case.site.api650 = Some(api_site());
+    let mass = std::f64::consts::PI * (R * R * 8.5 * 1000.0 + 2.0 * R * 7850.0 * (5.0 * 0.014 + 5.0 * 0.008));
+    let held = 1.1 * 0.4 * mass * 9.81;
+    let mut demands = Demands {
+        times: vec![0.0, 1.0],
+        states: vec![vec![0.0, 0.9 * 0.4 * mass * 9.81], vec![0.0, held]],
+        base_shear: Some(vec![(0, 1.0)]),
+        ..Demands::default()
+    };
+    assert_eq!(
+        found(&assessed(&case, &demands), "sliding_api").status,
+        CheckStatus::Holds
+    );
+    demands.base = Some(FreeBase {
+        held_shear: Some(vec![(1, 1.0)]),
+        ..FreeBase::default()
+    });
+    let findings = assessed(&case, &demands);
+    let check = found(&findings, "sliding_api");
+    assert_eq!(check.status, CheckStatus::Fails);
+    close(check.demand.unwrap(), held, 1e-12);
+}

@@ -1,0 +1,264 @@
+//! The wall on the moving base in place of the wall held down: model, values and demands.
+//!
+//! A and ψ̈ of the march drive the modes ([`Turned`]). What goes with cos θ is theirs; the axial stress at the foot does not: at the toe and
+//! at the lifted side it is the force of the strips. Its excess over the part with cos θ is added over the whole lowest course, half of it all
+//! around and half with cos θ, so that both sides have it and nothing between them is below a straight line in cos θ.
+
+use std::collections::BTreeMap;
+
+use results::channel::{OnWall as Line, Side};
+use results::{BaseQuantity, Channel, Value};
+use tank::Quantity;
+use tank::case::GroundMotion;
+use tank::demand::{Demands, FreeBase, OnWall as Stress, Peak};
+use tank::options::linear::Integrator;
+
+use super::super::analysis::Analysis;
+use super::super::demands::combine;
+use super::super::model::Model;
+use super::super::turned::Turned;
+use super::outcome::Moved;
+use crate::FeError;
+use crate::response::observe::Extreme;
+
+/// Values that depend on how the base moves.
+const MOVING: [Quantity; 7] = [
+    Quantity::SloshingHeight,
+    Quantity::BaseShear,
+    Quantity::BaseMoment,
+    Quantity::OverturningMoment,
+    Quantity::HoopStress,
+    Quantity::AxialMembraneStress,
+    Quantity::BendingStress,
+];
+
+/// Id of the largest hoop stress below the surface at rest.
+const WETTED: &str = "wetted_hoop_stress";
+
+/// Largest dynamic hoop stress [Pa] with its height [m]: the upper edge of a wall without a ring can swing with the mass of its roof and hide
+/// what the liquid does.
+pub(in crate::linear) struct Hoop {
+    largest: (f64, f64),
+    wetted: (f64, f64),
+}
+
+impl Hoop {
+    /// * `fill`: height of the surface at rest [m]
+    pub(in crate::linear) fn of(analysis: &Analysis<'_>, model: &Model, fill: f64) -> Hoop {
+        let heights = model.horizontal.coupled.line(Line::Hoop).map(|line| line.z.as_slice());
+        let peaks = analysis.line(Line::Hoop).zip(heights);
+        let found = |top: f64| {
+            let places = peaks
+                .iter()
+                .flat_map(|(line, z)| (0..z.len()).map(|i| (line.peak(i), z[i])));
+            let below = places.filter(|(_, z)| *z <= top);
+            below.fold((0.0, 0.0), |most: (f64, f64), at| if at.0 > most.0 { at } else { most })
+        };
+        Hoop {
+            largest: found(f64::INFINITY),
+            wetted: found(fill),
+        }
+    }
+}
+
+impl Moved {
+    /// The model on the moving base.
+    pub(in crate::linear) fn model(&self, model: &Model) -> Model {
+        let motion = &self.motion;
+        let [along, rotation] = [&motion.acceleration, &motion.rotation].map(Vec::clone);
+        Model {
+            turned: Some(Turned::new(&model.horizontal, &motion.grid, along, rotation)),
+            ..model.clone()
+        }
+    }
+
+    /// Replaces the values that are not superposed, and completes the results with the superposed ones.
+    ///
+    /// * `values`: those of `analysis`, on the moving base
+    /// * `held`: those of the wall held down
+    /// * `hoop`: hoop stress on the moving base, and of the wall held down
+    pub(in crate::linear) fn complete(
+        &mut self,
+        analysis: &Analysis<'_>,
+        values: &mut BTreeMap<Quantity, f64>,
+        held: &BTreeMap<Quantity, f64>,
+        hoop: [&Hoop; 2],
+    ) {
+        // The foot of the run is built in; that of the tank is the joint of the bottom plate.
+        values.remove(&Quantity::BendingStress);
+        let (axial, at) = self.foot_stress();
+        values.insert(Quantity::AxialMembraneStress, axial);
+        let moving = |quantity: &Quantity| MOVING.contains(quantity);
+        let held = held.iter().filter(|(quantity, _)| moving(quantity));
+        self.result.held = held
+            .map(|(quantity, value)| (quantity.id().to_owned(), *value))
+            .collect();
+        let peak = |channel| {
+            analysis
+                .sides(channel)
+                .map(|(front, back)| if back.peak().0 > front.peak().0 { back } else { front }.peak())
+        };
+        let mut off = 0.0_f64;
+        for (channel, march) in [
+            (Channel::BaseShear, self.march[0]),
+            (Channel::BaseMoment, self.march[1]),
+        ] {
+            if let (Some((found, _)), true) = (peak(channel), march > 0.0) {
+                off = off.max((found / march - 1.0).abs());
+            }
+        }
+        self.result.superposition = off;
+        for quantity in MOVING {
+            let Some(&value) = values.get(&quantity) else { continue };
+            let time = match quantity {
+                Quantity::BaseShear => peak(Channel::BaseShear).map(|p| p.1),
+                Quantity::BaseMoment => peak(Channel::BaseMoment).map(|p| p.1),
+                Quantity::OverturningMoment => peak(Channel::OverturningMoment).map(|p| p.1),
+                Quantity::AxialMembraneStress => Some(at),
+                Quantity::SloshingHeight => rise(analysis),
+                _ => None,
+            };
+            let own = BaseQuantity {
+                id: quantity.id().into(),
+                value: Value {
+                    value,
+                    dimension: quantity.dimension(),
+                },
+                time,
+                degrees: None,
+                z: (quantity == Quantity::HoopStress).then_some(hoop[0].largest.1),
+            };
+            match self.result.quantities.iter_mut().find(|q| q.id == own.id) {
+                Some(same) => *same = own,
+                None => self.result.quantities.push(own),
+            }
+        }
+        let [moving, held] = hoop;
+        self.result.quantities.push(BaseQuantity {
+            id: WETTED.into(),
+            value: Value {
+                value: moving.wetted.0,
+                dimension: Quantity::HoopStress.dimension(),
+            },
+            time: None,
+            degrees: None,
+            z: Some(moving.wetted.1),
+        });
+        self.result.held.insert(WETTED.into(), held.wetted.0);
+    }
+
+    /// Largest axial stress of the motion at the foot [Pa], without that at rest, and its time [s].
+    fn foot_stress(&self) -> (f64, f64) {
+        let mut found = (0.0, 0.0);
+        for side in &self.foot {
+            let rest = side.first().copied().unwrap_or(0.0);
+            for (i, stress) in side.iter().enumerate() {
+                if (stress - rest).abs() > found.0 {
+                    found = ((stress - rest).abs(), i as f64 * self.motion.grid.h());
+                }
+            }
+        }
+        found
+    }
+
+    /// Puts the forces of the strips into the demands of the wall, and adds those of the base.
+    ///
+    /// * `model`: that of the wall held down, `moving` that on the moving base
+    ///
+    /// Errors: a response that is not finite.
+    pub(in crate::linear) fn demands(
+        &self,
+        demands: &mut Demands,
+        (model, moving): (&Model, &Model),
+        analysis: &Analysis<'_>,
+        motion: &GroundMotion,
+    ) -> Result<(), FeError> {
+        // The foot is a plastic joint, not built in.
+        demands.places.iter_mut().for_each(|place| place.bending = None);
+        let base = demands.places.iter().find(|place| place.z == 0.0 && place.course == 0);
+        if let Some(place) = base {
+            let [even, odd] = self.excess(demands, &place.axial);
+            let number = demands.states.len();
+            demands.states.extend([even, odd]);
+            for place in demands.places.iter_mut().filter(|place| place.course == 0) {
+                place.axial.even.push((number, 1.0));
+                place.axial.odd.push((number + 1, 1.0));
+            }
+        }
+        let mut held_shear = None;
+        if let (true, Some(probe)) = (self.slides(), model.horizontal.coupled.probe(Channel::BaseShear)) {
+            let grid = moving.grid(motion, Integrator::Modal)?;
+            let stride = grid
+                .steps()
+                .checked_div(demands.times.len().saturating_sub(1))
+                .unwrap_or(1)
+                .max(1);
+            let records = (&motion.horizontal, motion.vertical.as_ref());
+            let kept = &analysis.kept[..model.systems().count()];
+            let found = combine(model, kept, records, (grid, stride), &[vec![(0, 1.0, probe)]])?;
+            let value = |k: usize| {
+                found.terms[0]
+                    .iter()
+                    .map(|&(state, c)| c * found.states[state][k])
+                    .sum()
+            };
+            let shear: Vec<f64> = (0..demands.times.len()).map(value).collect();
+            held_shear = Some(vec![(demands.states.len(), 1.0)]);
+            demands.states.push(shear);
+        }
+        demands.base = Some(FreeBase {
+            lifts: self.value("uplift") > 0.0,
+            joint: self.joint(),
+            held_shear,
+        });
+        Ok(())
+    }
+
+    fn value(&self, id: &str) -> f64 {
+        self.result.quantity(id).map_or(0.0, |q| q.value.value)
+    }
+
+    fn slides(&self) -> bool {
+        self.value("slip") > 0.0
+    }
+
+    fn joint(&self) -> Option<Peak> {
+        let found = self.result.quantity("plastic_rotation")?;
+        self.yields.then(|| Peak {
+            value: found.value.value,
+            time: found.time.unwrap_or_default(),
+            theta: found.degrees.unwrap_or_default().to_radians(),
+        })
+    }
+
+    /// Stress of the foot over that which goes with cos θ at the times of the demands: its even and its odd part [Pa].
+    fn excess(&self, demands: &Demands, axial: &Stress) -> [Vec<f64>; 2] {
+        let odd = demands.history(&axial.odd);
+        let at = |values: &[f64], time: f64| {
+            let place = time / self.motion.grid.h();
+            let left = (place as usize).min(values.len().saturating_sub(2));
+            match values.get(left..left + 2) {
+                Some([a, b]) => a + (place - left as f64).clamp(0.0, 1.0) * (b - a),
+                _ => axial.rest,
+            }
+        };
+        let parts = demands.times.iter().zip(odd).map(|(&time, odd)| {
+            let front = at(&self.foot[0], time) - (axial.rest + odd);
+            let back = at(&self.foot[1], time) - (axial.rest - odd);
+            (0.5 * (front + back), 0.5 * (front - back))
+        });
+        let (even, odd): (Vec<f64>, Vec<f64>) = parts.unzip();
+        [even, odd]
+    }
+}
+
+/// Time of the largest rise of the surface at the wall [s].
+fn rise(analysis: &Analysis<'_>) -> Option<f64> {
+    let found = |side| {
+        let scalar = analysis.scalars.iter().find(|(s, _)| s.channel == Channel::Wave(side));
+        scalar.map(|(_, history)| history.extreme)
+    };
+    let [front, back] = Side::BOTH.map(found);
+    let larger = |a: Extreme, b: Extreme| if b.max > a.max { b.max_time } else { a.max_time };
+    Some(larger(front?, back?))
+}
