@@ -1,0 +1,118 @@
+//! The base of an unanchored tank under a moment of a code, on the ground of the file and on ground three times softer and stiffer.
+//!
+//! What the rim does is that of [`base::Stands`], strips of the bottom plate with membrane force, plastic hinges, ground without tension
+//! and the edge of the wall; plates and wall less corrosion. All sheets of a tank ask the same curves, so the last ones are kept: an
+//! answer does not depend on what was asked before.
+
+use std::cell::RefCell;
+
+use base::model::CONCRETE;
+use base::{Base, Stand, Stands};
+use tank::Case;
+use tank::units::Dimension::{Angle, Length, Moment, Stress};
+
+use crate::sheet::{Sheet, number};
+
+/// Factors on the modulus of the ground.
+const BAND: [f64; 3] = [1.0 / 3.0, 1.0, 3.0];
+/// Grounds whose curves are kept: those of two tanks.
+const KEPT: usize = 8;
+/// Halvings of the moment that a base holds: a thousandth of it.
+const HALVINGS: u32 = 10;
+
+thread_local! {
+    static CURVES: RefCell<Vec<Stands>> = const { RefCell::new(Vec::new()) };
+}
+
+/// The bases of a tank on all grounds, the softest first; none without a metal bottom plate.
+///
+/// Where nothing is known about the foundation, concrete under the rim is among them: it lifts less than soil and presses more at the toe.
+pub(crate) fn bases(case: &Case) -> Option<Vec<Base>> {
+    let own = Base::net(case).ok()?;
+    let mut moduli = BAND.map(|factor| factor * own.modulus).to_vec();
+    let given = case.tank.bottom.as_ref().and_then(|bottom| bottom.subgrade_modulus);
+    if case.tank.foundation.is_none() && given.is_none() {
+        moduli.push(CONCRETE);
+    }
+    Some(moduli.into_iter().map(|modulus| own.on(modulus)).collect())
+}
+
+/// A base under a moment M [N·m]; none where it does not hold it.
+///
+/// * `weight`: w_t that holds the wall down [N/m]
+pub(crate) fn under(base: &Base, moment: f64, weight: f64) -> Option<Stand> {
+    asked(base, |stands| stands.under(moment, weight, 0.0))
+}
+
+/// The moment at which the rim of a base leaves the ground [N·m]; none where it stands off it at rest.
+fn leaving(base: &Base, weight: f64) -> Option<f64> {
+    let turn = asked(base, |stands| stands.leaving(weight))?.turn;
+    (turn.rotation > 0.0).then_some(turn.moment)
+}
+
+fn asked(base: &Base, question: impl FnOnce(&mut Stands) -> Option<Stand>) -> Option<Stand> {
+    CURVES.with_borrow_mut(|curves| {
+        let known = curves.iter().position(|kept| kept.base() == base);
+        let mut stands = known.map_or_else(|| Stands::of(base.clone()), |i| curves.remove(i));
+        let stand = question(&mut stands);
+        if curves.len() >= KEPT {
+            curves.remove(0);
+        }
+        curves.push(stands);
+        stand
+    })
+}
+
+/// The largest moment that a base holds [N·m], below one that it does not; to a thousandth of the latter, from below.
+pub(crate) fn held(base: &Base, beyond: f64, weight: f64) -> f64 {
+    let (mut low, mut high) = (0.0, beyond);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        match under(base, middle, weight) {
+            Some(_) => low = middle,
+            None => high = middle,
+        }
+    }
+    low
+}
+
+/// Lines of the base under the moment of a code that has another model of uplift; they decide nothing. A note where a ground does not
+/// hold the moment.
+///
+/// * `moment`: M [N·m], named `symbol` on the sheet
+/// * `weight`: w_t that holds the wall down [N/m]
+pub(crate) fn information(
+    sheet: &mut Sheet,
+    case: &Case,
+    (symbol, moment): (&str, f64),
+    weight: f64,
+    clause: &str,
+) -> Option<String> {
+    let bases = bases(case)?;
+    sheet.section("Uplift by strips of the bottom plate (for information, decides nothing)");
+    let own = "own calculation";
+    for base in &bases {
+        let modulus = number(base.modulus / 1e6);
+        let Some(stand) = under(base, moment, weight) else {
+            return Some(format!(
+                "{clause}: for information, strips of the bottom plate on {modulus} MN/m³ do not hold the moment {symbol}."
+            ));
+        };
+        let source = format!("strips side by side under {symbol}, subgrade modulus {modulus} MN/m³");
+        let turn = &stand.turn;
+        let toe = turn.toe_force.max(0.0) / base.wall_thickness();
+        for (symbol, name, value, dimension) in [
+            ("ψ", "rotation of the shell", turn.rotation, Angle),
+            ("w", "largest uplift", turn.uplift.max(0.0), Length),
+            ("l", "lifted length", stand.rim.lifted_width, Length),
+            ("σ_t", "compression at the toe", toe, Stress),
+        ] {
+            sheet.look_up(symbol, name, &source, value, dimension, own);
+        }
+        if let Some(leaving) = leaving(base, weight) {
+            let name = "moment at which the rim leaves the ground";
+            sheet.look_up("M_0", name, &source, leaving, Moment, own);
+        }
+    }
+    None
+}
