@@ -104,7 +104,12 @@ fn ground_lines(work: &mut Work, state: &State, base: &Base, stand: &Stand) -> G
     if lifts {
         values.extend([
             ("L", "lifted length", ground.length, Length),
-            ("θ_p", "plastic rotation of the joint, for information", rim.plastic_rotation, Angle),
+            (
+                "θ_p",
+                "plastic rotation of the joint, for information",
+                rim.plastic_rotation,
+                Angle,
+            ),
         ]);
     }
     for (symbol, name, value, dimension) in values {
@@ -117,9 +122,7 @@ fn ground_lines(work: &mut Work, state: &State, base: &Base, stand: &Stand) -> G
             ("R", state.radius, Length),
         ];
         let name = format!("rotation of the joint on {modulus}");
-        ground.rotation = work
-            .sheet
-            .calc("θ", &name, "2·w/L - w/(2·R)", &terms, Angle, &clause);
+        ground.rotation = work.sheet.calc("θ", &name, "2·w/L - w/(2·R)", &terms, Angle, &clause);
     }
     ground
 }

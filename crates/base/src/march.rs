@@ -76,6 +76,16 @@ impl<'a> Lifted<'a> {
         Ok(state)
     }
 
+    /// What makes up the state without its strip: displacements and plastic strains.
+    pub(crate) fn into_parts(self) -> (Vec<f64>, Vec<f64>) {
+        (self.x, self.plastic)
+    }
+
+    /// The state again, of the same strip.
+    pub(crate) fn of_parts(strip: &'a Strip, (x, plastic): (Vec<f64>, Vec<f64>)) -> Lifted<'a> {
+        Lifted { strip, x, plastic }
+    }
+
     /// Uplift of the rim [m].
     pub fn uplift(&self) -> f64 {
         self.x[self.strip.rim_at() + 1]
