@@ -20,6 +20,8 @@ pub(crate) const PANELS: usize = 48;
 /// First rotation that is tried for a moment, and the largest at which a tank is thought to stand [rad].
 const FIRST: f64 = 2e-5;
 const LARGEST: f64 = 0.1;
+/// Way to the next rotation over that to where the secant has the moment.
+const AHEAD: f64 = 1.2;
 
 /// The base of a tank.
 #[derive(Clone, Debug)]
@@ -152,10 +154,14 @@ pub(crate) fn turned(
                 if value >= 0.0 {
                     break (rotation, value);
                 }
+                let (step, gain) = (rotation - low.0, value - low.1);
                 low = (rotation, value);
                 rotation = match beyond {
                     Some(edge) => 0.5 * (rotation + edge),
-                    None => (1.5 * rotation).min(LARGEST),
+                    // Not much beyond the answer, as a curve may have to be drawn for it: the moment grows slower and slower.
+                    None => (rotation - AHEAD * value * step / gain.max(1e-300))
+                        .clamp(1.02 * rotation, 1.5 * rotation)
+                        .min(LARGEST),
                 };
             }
             Err(_) => {

@@ -15,8 +15,6 @@ use crate::strip::Strip;
 
 /// Steps of the rim as shares of its distance from the ground without load, and from rest to there.
 const STEPS: (f64, f64) = (0.4, 1.0 / 6.0);
-/// Elements of half of the number along the strip: force and width change by less than 1 %.
-const REFINEMENT: f64 = 0.5;
 /// Panels of three Gauss points on the lifted arc, and as many on the rest: a quarter of those of a curve M(ψ), which changes the moment
 /// by less than 0.1 %.
 const PANELS: usize = 12;
@@ -87,7 +85,7 @@ impl Stands {
         }
         let strips: Vec<Strip> = pressures
             .iter()
-            .map(|p| base.strip_of(*p, REFINEMENT))
+            .map(|p| base.coarse_strip(*p))
             .collect::<Result<_, _>>()
             .ok()?;
         let mut drawn = Vec::with_capacity(strips.len());
