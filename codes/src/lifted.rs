@@ -7,7 +7,7 @@
 use std::cell::RefCell;
 
 use base::model::CONCRETE;
-use base::{Base, Stand, Stands};
+use base::{Base, Origin, Stand, Stands};
 use tank::Case;
 use tank::units::Dimension::{Angle, Length, Moment, Stress};
 
@@ -24,17 +24,39 @@ thread_local! {
     static CURVES: RefCell<Vec<Stands>> = const { RefCell::new(Vec::new()) };
 }
 
-/// The bases of a tank on all grounds, the softest first; none without a metal bottom plate.
+/// The base of a tank on one of its grounds.
+pub(crate) struct Ground {
+    /// The base there.
+    pub(crate) base: Base,
+    /// Whether a check is decided there. Where the file gives the stiffness of the ground, that ground alone decides and the others show
+    /// how much it matters; where it is assumed, the least favourable of all decides.
+    pub(crate) decides: bool,
+}
+
+impl Ground {
+    /// Modulus as on the sheet, with its unit.
+    pub(crate) fn modulus(&self) -> String {
+        format!("{} MN/m³", number(self.base.modulus / 1e6))
+    }
+}
+
+/// The grounds of a tank, the softest first; none without a metal bottom plate.
 ///
 /// Where nothing is known about the foundation, concrete under the rim is among them: it lifts less than soil and presses more at the toe.
-pub(crate) fn bases(case: &Case) -> Option<Vec<Base>> {
+pub(crate) fn grounds(case: &Case) -> Option<Vec<Ground>> {
     let own = Base::net(case).ok()?;
-    let mut moduli = BAND.map(|factor| factor * own.modulus).to_vec();
-    let given = case.tank.bottom.as_ref().and_then(|bottom| bottom.subgrade_modulus);
-    if case.tank.foundation.is_none() && given.is_none() {
-        moduli.push(CONCRETE);
+    let assumed = matches!(own.origin, Origin::Assumed(_));
+    let mut moduli = BAND
+        .map(|factor| (factor * own.modulus, assumed || factor == 1.0))
+        .to_vec();
+    if case.tank.foundation.is_none() && assumed {
+        moduli.push((CONCRETE, true));
     }
-    Some(moduli.into_iter().map(|modulus| own.on(modulus)).collect())
+    let ground = |(modulus, decides)| Ground {
+        base: own.on(modulus),
+        decides,
+    };
+    Some(moduli.into_iter().map(ground).collect())
 }
 
 /// A base under a moment M [N·m]; none where it does not hold it.
@@ -88,17 +110,17 @@ pub(crate) fn information(
     weight: f64,
     clause: &str,
 ) -> Option<String> {
-    let bases = bases(case)?;
+    let grounds = grounds(case)?;
     sheet.section("Uplift by strips of the bottom plate (for information, decides nothing)");
     let own = "own calculation";
-    for base in &bases {
-        let modulus = number(base.modulus / 1e6);
+    for ground in &grounds {
+        let (base, modulus) = (&ground.base, ground.modulus());
         let Some(stand) = under(base, moment, weight) else {
             return Some(format!(
-                "{clause}: for information, strips of the bottom plate on {modulus} MN/m³ do not hold the moment {symbol}."
+                "{clause}: for information, strips of the bottom plate on {modulus} do not hold the moment {symbol}."
             ));
         };
-        let source = format!("strips side by side under {symbol}, subgrade modulus {modulus} MN/m³");
+        let source = format!("strips side by side under {symbol}, subgrade modulus {modulus}");
         let turn = &stand.turn;
         let toe = turn.toe_force.max(0.0) / base.wall_thickness();
         for (symbol, name, value, dimension) in [

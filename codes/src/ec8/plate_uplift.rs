@@ -6,8 +6,9 @@
 //! σ_rb = (1/s_b) [(2/3) E s_b p² R² (1 − μ)²/(1 − ν²)]^(1/3) ≤ f_y
 //! ```
 //!
-//! Each on ground as given and three times softer and stiffer; the least favourable decides. The diagrams are for rigid ground and tanks
-//! with roofs. θ of the clause is the slope of a parabola: the plastic rotation of the strip stands beside it, about two thirds of it. The
+//! Each on the ground of the file and on ground three times softer and stiffer. A given stiffness decides, the others are for information;
+//! of assumed ones the least favourable decides. The diagrams are for rigid ground and tanks with roofs. θ is what the clause compares with
+//! 0.20 rad, the slope of a parabola: the plastic rotation of the strip, about two thirds of it, stands beside it for information. The
 //! printed σ_rb has (1 − ν²) in the numerator, 6 % less than the membrane in plane strain that it stands for; the larger value is taken.
 //! As the membrane of the formula is fixed at the rim, σ_rb is an upper bound.
 //!
@@ -18,8 +19,8 @@ use ::base::{Base, Stand};
 use super::cylinder_stress::State;
 use super::limit_states::UPLIFT;
 use super::work::Work;
-use crate::lifted;
-use crate::sheet::{Term, number, with_unit};
+use crate::lifted::{self, Ground};
+use crate::sheet::{Term, with_unit};
 use tank::Bottom;
 use tank::assessment::{Check, CheckStatus};
 use tank::units::Dimension::{self, *};
@@ -49,67 +50,78 @@ pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Option<f64>
     };
     work.sheet
         .section("Uplift of the bottom plate (own calculation in place of the diagrams of A.9)");
-    let Some(bases) = lifted::bases(work.case) else {
+    let Some(grounds) = lifted::grounds(work.case) else {
         let reason = "the uplift is computed for bottom plates of metal";
         work.without_comparison(UPLIFT, CheckStatus::NotChecked, reason, Some("tank.bottom"));
         return None;
     };
-    let mut grounds = Vec::new();
-    for base in &bases {
-        let Some(stand) = lifted::under(base, state.base_moment, weight) else {
-            no_equilibrium(work, state, base, weight);
+    let mut rims = Vec::new();
+    for ground in &grounds {
+        if let Some(stand) = lifted::under(&ground.base, state.base_moment, weight) {
+            rims.push(ground_lines(work, state, ground, &stand));
+        } else if ground.decides {
+            no_equilibrium(work, state, &ground.base, weight);
             return None;
-        };
-        grounds.push(ground_lines(work, state, base, &stand));
+        } else {
+            work.out.notes.push(format!(
+                "{}: for information, ground of {} does not hold the moment.",
+                work.edition.clause("9"),
+                ground.modulus()
+            ));
+        }
     }
-    let largest = |value: fn(&Ground) -> f64| grounds.iter().map(value).fold(0.0, f64::max);
-    work.uplift = Some(largest(|g| g.uplift));
-    checks(work, state, bottom, f_y, &grounds);
-    Some(largest(|g| g.compression))
+    let largest = |value: fn(&Rim) -> f64| rims.iter().filter(|r| r.decides).map(value).fold(0.0, f64::max);
+    work.uplift = Some(largest(|r| r.uplift));
+    let compression = largest(|r| r.compression);
+    checks(work, state, bottom, f_y, &rims);
+    Some(compression)
 }
 
 /// What the rim does on one ground.
-struct Ground {
-    /// Modulus k [N/m³].
-    modulus: f64,
+struct Rim {
+    /// Modulus k, with its unit.
+    modulus: String,
+    /// Whether this ground decides.
+    decides: bool,
     /// w [m]; zero where all of the rim bears.
     uplift: f64,
     /// L [m].
     length: f64,
     /// θ of the clause [rad].
     rotation: f64,
+    /// Plastic rotation of the strip [rad].
+    plastic: f64,
     /// At the toe [N/m].
     compression: f64,
 }
 
-fn ground_lines(work: &mut Work, state: &State, base: &Base, stand: &Stand) -> Ground {
-    let modulus = format!("{} MN/m³", number(base.modulus / 1e6));
-    let source = format!("strips of the bottom plate side by side, subgrade modulus {modulus}");
+fn ground_lines(work: &mut Work, state: &State, ground: &Ground, stand: &Stand) -> Rim {
+    let modulus = ground.modulus();
+    let aside = if ground.decides { "" } else { ", for information" };
+    let source = format!("strips of the bottom plate side by side, subgrade modulus {modulus}{aside}");
     let clause = work.edition.clause("9");
     let own = "strips in place of A.9";
-    let (turn, rim) = (&stand.turn, &stand.rim);
-    let mut ground = Ground {
-        modulus: base.modulus,
+    let (turn, point) = (&stand.turn, &stand.rim);
+    let mut rim = Rim {
+        modulus,
+        decides: ground.decides,
         uplift: turn.uplift.max(0.0),
-        length: rim.lifted_width,
+        length: point.lifted_width,
         rotation: 0.0,
+        plastic: point.plastic_rotation,
         compression: turn.toe_force.max(0.0),
     };
-    let lifts = ground.uplift > 0.0 && ground.length > 0.0;
+    let lifts = rim.uplift > 0.0 && rim.length > 0.0;
     let mut values = vec![
         ("ψ", "rotation of the wall", turn.rotation, Angle),
-        ("n_t", "compression at the toe", ground.compression, LineForce),
-        ("w", "largest uplift", ground.uplift, Length),
+        ("n_t", "compression at the toe", rim.compression, LineForce),
+        ("w", "largest uplift", rim.uplift, Length),
     ];
     if lifts {
+        let name = "plastic rotation of the joint, for information";
         values.extend([
-            ("L", "lifted length", ground.length, Length),
-            (
-                "θ_p",
-                "plastic rotation of the joint, for information",
-                rim.plastic_rotation,
-                Angle,
-            ),
+            ("L", "lifted length", rim.length, Length),
+            ("θ_p", name, rim.plastic, Angle),
         ]);
     }
     for (symbol, name, value, dimension) in values {
@@ -117,14 +129,14 @@ fn ground_lines(work: &mut Work, state: &State, base: &Base, stand: &Stand) -> G
     }
     if lifts {
         let terms = [
-            ("w", ground.uplift, Length),
-            ("L", ground.length, Length),
+            ("w", rim.uplift, Length),
+            ("L", rim.length, Length),
             ("R", state.radius, Length),
         ];
-        let name = format!("rotation of the joint on {modulus}");
-        ground.rotation = work.sheet.calc("θ", &name, "2·w/L - w/(2·R)", &terms, Angle, &clause);
+        let name = format!("rotation of the joint on {}{aside}", rim.modulus);
+        rim.rotation = work.sheet.calc("θ", &name, "2·w/L - w/(2·R)", &terms, Angle, &clause);
     }
-    ground
+    rim
 }
 
 /// The moment exceeds what the rim holds up to a rotation at which no tank stands.
@@ -149,12 +161,36 @@ fn part(work: &mut Work, (id, name): (&str, &str), demand: f64, capacity: f64, d
     work.out.checks.push(check.of(UPLIFT));
 }
 
+/// The remark of the rotation: on which ground, why on that, and what stands beside it.
+fn remark(rims: &[Rim], decisive: &Rim) -> String {
+    let rotation = |rim: &Rim| format!("{:.3} rad on {}", rim.rotation, rim.modulus);
+    let others: Vec<String> = rims
+        .iter()
+        .filter(|r| r.modulus != decisive.modulus)
+        .map(rotation)
+        .collect();
+    let why = if rims.iter().filter(|r| r.decides).count() > 1 {
+        "the least favourable ground, as `tank.foundation` gives no stiffness"
+    } else {
+        "the ground that is given"
+    };
+    format!(
+        "on {}, {why}; {}; the plastic rotation of the strip, {:.3} rad, decides nothing",
+        decisive.modulus,
+        others.join(", "),
+        decisive.plastic
+    )
+}
+
 /// Lines of the membrane stress, and the checks.
-fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, grounds: &[Ground]) {
+fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, rims: &[Rim]) {
     let clause = work.edition.clause("9");
     let rotation_check = ("uplift_rotation", "Rotation of the joint of wall and bottom plate");
-    let most = |value: fn(&Ground) -> f64| grounds.iter().max_by(|a, b| value(a).total_cmp(&value(b)));
-    let (Some(turned), Some(longest)) = (most(|g| g.rotation), most(|g| g.length)) else {
+    let most = |value: fn(&Rim) -> f64| {
+        let deciding = rims.iter().filter(|r| r.decides);
+        deciding.max_by(|a, b| value(a).total_cmp(&value(b)))
+    };
+    let (Some(turned), Some(longest)) = (most(|r| r.rotation), most(|r| r.length)) else {
         return;
     };
     if turned.rotation == 0.0 {
@@ -196,8 +232,8 @@ fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, grounds: &[
         "(2/3·E·s_b·p²·R²·(1 - μ)²/(1 - ν²))^(1/3)/s_b"
     };
     let stress = line("σ_rb", name, formula, Stress, &clause);
-    let on = |ground: &Ground| format!("on {} MN/m³", number(ground.modulus / 1e6));
-    part(work, rotation_check, turned.rotation, ROTATION, Angle, &on(turned));
+    let note = remark(rims, turned);
+    part(work, rotation_check, turned.rotation, ROTATION, Angle, &note);
     let name = "Radial membrane stress of the bottom plate";
     part(work, ("uplift_membrane", name), stress, f_y, Stress, "with γ_M = 1");
     if let Some(width) = bottom.width {

@@ -118,7 +118,7 @@ fn little_motion_lifts_nothing() {
     assert!(a.steps.iter().all(|s| s.symbol != "L"));
 }
 
-/// A known ground leaves out that of an unknown foundation; a plate narrower than L fails.
+/// A known ground leaves out that of an unknown foundation and decides alone, though softer ground turns more; a plate narrower than L fails.
 #[test]
 fn ground_and_width_of_the_plate() {
     let mut case = unanchored(0.08);
@@ -130,11 +130,56 @@ fn ground_and_width_of_the_plate() {
     for (a, b) in lines(&known, "w").iter().zip(&lines(&unknown, "w")[..3]) {
         close(a / b, 1.0, 1e-8);
     }
-    assert_eq!(lines(&known, "w").len(), 3);
+    let rotations = lines(&known, "θ");
+    assert_eq!(rotations.len(), 3);
+    close(
+        check(&known, "uplift_rotation").demand.unwrap() / rotations[1],
+        1.0,
+        1e-9,
+    );
+    close(
+        check(&unknown, "uplift_rotation").demand.unwrap() / rotations[0],
+        1.0,
+        1e-8,
+    );
+    let note = |a: &Assessment| check(a, "uplift_rotation").note.clone();
+    assert!(note(&known).contains("the ground that is given"), "{}", note(&known));
+    assert!(note(&unknown).contains("gives no stiffness"), "{}", note(&unknown));
     assert!(line_max(&unknown) > line_max(&known));
     assert!(!check(&known, "uplift_width").holds());
     case.tank.bottom.as_mut().unwrap().width = Some(1.5);
     assert!(check(&assess(&case), "uplift_width").holds());
+}
+
+/// The velocity of shear waves is a given stiffness; a kind of foundation alone is not.
+#[test]
+fn a_foundation_without_stiffness_is_assumed() {
+    let foundation = |velocity| tank::Foundation {
+        kind: tank::FoundationKind::Soil,
+        stiffness: None,
+        shear_wave_velocity: velocity,
+        soil_density: 1900.0,
+        soil_poisson_ratio: 0.33,
+        thickness: None,
+        friction: None,
+    };
+    let mut case = unanchored(0.08);
+    case.tank.foundation = Some(foundation(None));
+    let assumed = assess(&case);
+    let rotations = lines(&assumed, "θ");
+    assert_eq!(rotations.len(), 3);
+    close(
+        check(&assumed, "uplift_rotation").demand.unwrap() / rotations[0],
+        1.0,
+        1e-9,
+    );
+    case.tank.foundation = Some(foundation(Some(250.0)));
+    let waves = assess(&case);
+    close(
+        check(&waves, "uplift_rotation").demand.unwrap() / lines(&waves, "θ")[1],
+        1.0,
+        1e-9,
+    );
 }
 
 fn line_max(a: &Assessment) -> f64 {
