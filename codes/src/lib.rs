@@ -22,7 +22,7 @@ pub mod hazard;
 pub mod housner;
 #[cfg(test)]
 mod ingredients;
-mod lifted;
+pub mod lifted;
 pub mod mechanical;
 pub mod modal_action;
 pub mod procedure;

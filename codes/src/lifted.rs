@@ -7,7 +7,7 @@
 use std::cell::RefCell;
 
 use base::model::CONCRETE;
-use base::{Base, Origin, Stand, Stands};
+use base::{Base, Origin, PlatePoint, Stand, Stands};
 use tank::Case;
 use tank::units::Dimension::{Angle, Length, Moment, Stress};
 
@@ -17,6 +17,10 @@ use crate::sheet::{Sheet, number};
 const BAND: [f64; 3] = [1.0 / 3.0, 1.0, 3.0];
 /// Grounds whose curves are kept: those of two tanks.
 const KEPT: usize = 8;
+/// Steps of a curve in a figure.
+const SAMPLES: u32 = 16;
+/// Ends of a curve in a figure over the moment: the first that the base holds.
+const SHARES: [f64; 5] = [1.0, 0.8, 0.6, 0.4, 0.2];
 /// Halvings of the moment that a base holds: a thousandth of it.
 const HALVINGS: u32 = 10;
 
@@ -72,7 +76,7 @@ fn leaving(base: &Base, weight: f64) -> Option<f64> {
     (turn.rotation > 0.0).then_some(turn.moment)
 }
 
-fn asked(base: &Base, question: impl FnOnce(&mut Stands) -> Option<Stand>) -> Option<Stand> {
+fn asked<T>(base: &Base, question: impl FnOnce(&mut Stands) -> Option<T>) -> Option<T> {
     CURVES.with_borrow_mut(|curves| {
         let known = curves.iter().position(|kept| kept.base() == base);
         let mut stands = known.map_or_else(|| Stands::of(base.clone()), |i| curves.remove(i));
@@ -137,4 +141,50 @@ pub(crate) fn information(
         }
     }
     None
+}
+
+/// The base of a tank on one of its grounds, for figures; under the weight at rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawing {
+    /// Modulus of the ground [N/m³].
+    pub modulus: f64,
+    /// Whether checks are decided on this ground.
+    pub decides: bool,
+    /// Rotation [rad] and moment of the base [N m], both rising, from rest to the moment, or to the part of it that the base holds.
+    pub curve: Vec<[f64; 2]>,
+    /// What the base does under the moment, with the plate at the lifted side from the centre outwards; none where it does not hold it.
+    pub stand: Option<(Stand, Vec<PlatePoint>)>,
+}
+
+/// The bases of an unanchored tank under a moment, the softest ground first; empty without a metal bottom plate.
+///
+/// * `moment`: just above the bottom plate [N·m]
+pub fn drawings(case: &Case, moment: f64) -> Vec<Drawing> {
+    let drawing = |ground: Ground| {
+        let (base, decides) = (&ground.base, ground.decides);
+        let ends = SHARES
+            .iter()
+            .map(|share| (share, under(base, share * moment, base.weight)));
+        let (share, end) = ends.into_iter().find_map(|(share, end)| Some((*share, end?)))?;
+        // The moment grows with a root of the rotation: close steps at its begin.
+        let step = |i: u32| end.turn.rotation * (f64::from(i) / f64::from(SAMPLES)).powi(2);
+        let rotations: Vec<f64> = (0..=SAMPLES).map(step).collect();
+        let turns = asked(base, |stands| Some(stands.at(&rotations, base.weight)))?;
+        let plate = || asked(base, |stands| stands.plate(end.turn.uplift));
+        Some(Drawing {
+            modulus: base.modulus,
+            decides,
+            curve: turns.iter().map(|turn| [turn.rotation, turn.moment]).collect(),
+            stand: if share < 1.0 {
+                None
+            } else {
+                plate().map(|plate| (end, plate))
+            },
+        })
+    };
+    grounds(case)
+        .unwrap_or_default()
+        .into_iter()
+        .filter_map(drawing)
+        .collect()
 }

@@ -29,6 +29,15 @@ pub struct Lifted<'a> {
     system: Option<System>,
 }
 
+/// The plate of a strip in a state.
+#[derive(Clone, Debug)]
+pub(crate) struct Shape {
+    /// Deflections of the nodes, upwards [m].
+    pub(crate) deflections: Vec<f64>,
+    /// Which elements have yielded.
+    pub(crate) yielded: Vec<bool>,
+}
+
 /// What is given at the rim.
 #[derive(Clone, Copy)]
 enum Given {
@@ -265,6 +274,15 @@ impl<'a> Lifted<'a> {
             axial_force: outer.force[3],
             lifted_width: self.lifted_width(),
             plastic_rotation: self.plastic_rotation(),
+        }
+    }
+
+    /// The plate in this state.
+    pub(crate) fn shape(&self) -> Shape {
+        let yielded = |i: usize| self.plastic[self.fibres(i)].iter().any(|p| *p != 0.0);
+        Shape {
+            deflections: self.x.iter().skip(1).step_by(3).copied().collect(),
+            yielded: (0..self.strip.nodes.len() - 1).map(yielded).collect(),
         }
     }
 

@@ -8,7 +8,7 @@ use std::cell::RefCell;
 
 use crate::curve::{Curve, Point};
 use crate::error::BaseError;
-use crate::march::Lifted;
+use crate::march::{Lifted, Shape};
 use crate::model::Base;
 use crate::rocking::{Turn, plane_section_by, turned};
 use crate::strip::Strip;
@@ -30,10 +30,25 @@ pub struct Stand {
     pub rim: Point,
 }
 
+/// A point of the plate of a lifted strip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlatePoint {
+    /// Distance inwards from the rim [m]; negative outside the wall.
+    pub distance: f64,
+    /// Deflection, upwards [m].
+    pub deflection: f64,
+    /// Pressure of the ground [Pa].
+    pub pressure: f64,
+    /// Whether the plate has yielded from here to the next point outwards.
+    pub yielded: bool,
+}
+
 /// A curve and where it starts.
 #[derive(Clone, Debug)]
 struct Kept {
     curve: Curve,
+    /// The plate in each state of the curve.
+    shapes: Vec<Shape>,
     /// Uplift at rest [m].
     rest: f64,
     /// The strip at the lower and the upper end: displacements and plastic strains; none after a step that failed.
@@ -77,7 +92,53 @@ impl Stands {
         self.found(weight, 0.0, &|turn| turn.uplift, 1e-9)
     }
 
+    /// At rotations [rad]; those without equilibrium are left out.
+    ///
+    /// * `weight` w_t that holds the wall down [N/m]
+    pub fn at(&mut self, rotations: &[f64], weight: f64) -> Vec<Turn> {
+        let radius = self.base.radius;
+        let turns = self.with(0.0, |drawn| {
+            let turn = |rotation: &f64| grown(drawn, radius, weight, *rotation).ok();
+            Some(rotations.iter().filter_map(turn).collect())
+        });
+        turns.unwrap_or_default()
+    }
+
+    /// The plate where the rim is lifted by `uplift` [m], from the centre outwards; linear between the states of the curve, none beyond them.
+    pub fn plate(&mut self, uplift: f64) -> Option<Vec<PlatePoint>> {
+        let (rim, modulus) = (self.base.radius, self.base.modulus);
+        self.with(0.0, |drawn| {
+            let drawn = drawn.borrow();
+            let first = drawn.first()?;
+            let points = first.kept.curve.points();
+            let after = points.partition_point(|p| p.uplift < uplift);
+            let (low, high) = (points.get(after.checked_sub(1)?)?, points.get(after)?);
+            let t = (uplift - low.uplift) / (high.uplift - low.uplift);
+            let (from, to) = (&first.kept.shapes[after - 1], &first.kept.shapes[after]);
+            let plate = first.strip.nodes.iter().enumerate().map(|(i, node)| {
+                let deflection = from.deflections[i] + t * (to.deflections[i] - from.deflections[i]);
+                PlatePoint {
+                    distance: rim - node,
+                    deflection,
+                    pressure: modulus * (-deflection).max(0.0),
+                    yielded: to.yielded.get(i).copied().unwrap_or(false),
+                }
+            });
+            Some(plate.collect())
+        })
+    }
+
     fn found(&mut self, weight: f64, suction: f64, goal: &dyn Fn(&Turn) -> f64, settled: f64) -> Option<Stand> {
+        let radius = self.base.radius;
+        self.with(suction, |drawn| {
+            let turn = turned(&|rotation| grown(drawn, radius, weight, rotation), goal, settled)?;
+            let rim = drawn.borrow().last()?.kept.curve.at(turn.uplift);
+            Some(Stand { turn, rim })
+        })
+    }
+
+    /// An answer from the curves at rest and, with suction, under that; what it makes them grow is kept.
+    fn with<T>(&mut self, suction: f64, question: impl FnOnce(&RefCell<Vec<Drawn>>) -> Option<T>) -> Option<T> {
         let base = &self.base;
         let mut pressures = vec![base.pressure];
         if suction > 0.0 {
@@ -94,15 +155,13 @@ impl Stands {
             drawn.push(Drawn::of(strip, base.weight, kept.map(|(_, kept)| kept.clone())).ok()?);
         }
         let drawn = RefCell::new(drawn);
-        let turn = turned(&|rotation| grown(&drawn, base.radius, weight, rotation), goal, settled);
-        let drawn = drawn.into_inner();
-        let rim = turn.and_then(|turn| drawn.last().map(|d| d.kept.curve.at(turn.uplift)));
-        let curves = drawn.into_iter().map(Drawn::keep).collect::<Vec<_>>();
+        let answer = question(&drawn);
+        let curves = drawn.into_inner().into_iter().map(Drawn::keep).collect::<Vec<_>>();
         for (pressure, kept) in curves {
             self.curves.retain(|(own, _)| *own != pressure);
             self.curves.push((pressure, kept));
         }
-        Some(Stand { turn: turn?, rim: rim? })
+        answer
     }
 }
 
@@ -165,6 +224,7 @@ impl<'a> Drawn<'a> {
             weight,
             kept: Kept {
                 curve: Curve::through(vec![rest.point()]),
+                shapes: vec![rest.shape()],
                 rest: rest.uplift(),
                 ends: [None, None],
             },
@@ -199,7 +259,9 @@ impl<'a> Drawn<'a> {
         let least = (STEPS.1 * self.kept.rest.abs()).max(1e-3 * self.strip.thickness());
         let step = least.max(STEPS.0 * end.abs());
         state.lift_to(if up { end + step } else { end - step })?;
-        points.insert(if up { points.len() } else { 0 }, state.point());
+        let place = if up { points.len() } else { 0 };
+        points.insert(place, state.point());
+        self.kept.shapes.insert(place, state.shape());
         self.kept.curve = Curve::through(points);
         self.ends[usize::from(up)] = Some(state);
         Ok(())

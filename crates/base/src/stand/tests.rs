@@ -157,3 +157,31 @@ fn longer_elements_give_the_same_strip() {
         }
     }
 }
+
+/// Deflections at a fixed height of the rim: the rim itself, the ground where the strip's own width ends, the pressure k w of what it sinks.
+#[test]
+fn the_plate_of_a_stand() {
+    let mut stands = oil();
+    let stand = stands.under(150e6, 21_350.0, 0.0).unwrap();
+    let turns = stands.at(&[stand.turn.rotation, 1.0], 21_350.0);
+    assert_eq!(turns.len(), 1);
+    close(turns[0].moment, 150e6, 1e-6);
+    let plate = stands.plate(stand.turn.uplift).unwrap();
+    let rim = plate.last().unwrap();
+    assert!(rim.distance.abs() < 1e-9 && (rim.deflection - stand.turn.uplift).abs() < 1e-9);
+    let lifted = plate.iter().rev().take_while(|p| p.deflection > 0.0).last().unwrap();
+    // Between two nodes, at most 60 mm apart.
+    assert!(
+        (lifted.distance - stand.rim.lifted_width).abs() < 0.06,
+        "{lifted:?} {stand:?}"
+    );
+    assert!(
+        plate
+            .iter()
+            .all(|p| (p.pressure - 1e8 * (-p.deflection).max(0.0)).abs() < 1e-6)
+    );
+    assert!(plate.iter().any(|p| p.yielded) && !plate[0].yielded);
+    // Far from the rim the ground carries the liquid.
+    close(plate[0].pressure, stands.base().pressure, 1e-6);
+    assert_eq!(stands.plate(10.0), None);
+}
