@@ -9,6 +9,7 @@ mod quantities;
 mod runs;
 mod series;
 mod site;
+mod standing;
 
 use codes::Procedure;
 use codes::procedure::CodeError;
@@ -143,6 +144,7 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         },
         records,
         spectra,
+        standing: None,
         methods,
         runs,
         comparison,
@@ -155,6 +157,15 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         series,
         snapshots,
     })
+}
+
+/// Adds what only figures need, before results are written: the base of an unanchored tank under the moments of the codes.
+///
+/// Errors: a value that is not finite.
+pub fn draw(job: &Job, results: &mut Results) -> Result<(), Error> {
+    results.standing = standing::standing(job, &results.methods);
+    finite::check("the base", &results.standing)?;
+    Ok(())
 }
 
 /// The code procedures and their verdict, without engines, spectra and comparison.

@@ -14,7 +14,7 @@
 //! | [`uplift`] | estimate for unanchored walls | in place of the diagrams of A.9 |
 //! | [`buckling`] | stability of steel walls | A.10 |
 //! | `damage` | damage limitation: freeboard and hoop | 2.1.3, EN 1998-1:2004 2.2.3 |
-//! | `bottom_strip`, `rim`, `plate_uplift` | uplift of the bottom plate of unanchored walls | A.9 |
+//! | `plate_uplift` | uplift of the bottom plate of unanchored walls | A.9 |
 //! | `bearing` | largest pressure of the ground | EN 1998-5:2004 5.4.1.1 |
 //! | `pipes` | displacement of pipes against their support | 4.5.2.3 |
 //! | `walls`, `wall_bending` | walls of concrete and of boxes: forces, bending, shear, crack width | EN 1992-1-1, EN 1992-3 |
@@ -25,7 +25,6 @@
 //! filled by `cylinder` and `rectangle`. `docs/theory/eurocode8.md` maps the clauses and lists the gaps.
 
 pub mod bearing;
-pub mod bottom_strip;
 #[cfg(test)]
 mod boundaries;
 pub mod buckling;
@@ -52,7 +51,6 @@ pub(crate) mod plate_uplift;
 #[cfg(test)]
 mod properties;
 mod rectangle;
-pub mod rim;
 #[cfg(test)]
 mod scope;
 pub mod shell_mode;

@@ -22,6 +22,7 @@ pub mod hazard;
 pub mod housner;
 #[cfg(test)]
 mod ingredients;
+pub mod lifted;
 pub mod mechanical;
 pub mod modal_action;
 pub mod procedure;

@@ -78,6 +78,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     } = pipeline::run(&job, &Silent)?;
     compare::stamp(&mut results, started);
     if let Some(folder) = folder {
+        pipeline::draw(&job, &mut results)?;
         results::write(&folder.path(), &results, &series)?;
         report::render(&folder.path(), None)?;
         folder.commit()?;

@@ -199,6 +199,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     if interrupted && results::read(&args.out).is_ok_and(|earlier| !earlier.verdict.unfinished) {
         watch.warn(&kept_complete(&args.out));
     } else {
+        pipeline::draw(&job, &mut results)?;
         write(&folder, &results, &series, args.templates.as_deref())?;
         if let (Some(vtu), Some(snapshots)) = (&vtu, &snapshots) {
             vtu::write(&vtu.path(), snapshots)?;

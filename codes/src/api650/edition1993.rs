@@ -15,6 +15,7 @@
 //!
 //! The appendix does not cover base shear, moment with base pressure, wave height and vertical motion.
 
+use crate::lifted;
 use crate::procedure::{CodeError, Label, Procedure};
 use crate::sheet::{Sheet, Term};
 use oscillator::spectrum::ordinates;
@@ -454,6 +455,9 @@ fn self_anchored(
             .push(format!("{E5_1}: the shell lifts (x = {x:.3} above 0.785).")),
         Some(_) => {}
     }
+    let note = lifted::information(sheet, basis.case, ("M", moment), w_t, E5_1);
+    out.notes.extend(note);
+    sheet.section("Resistance");
     b
 }
 

@@ -281,3 +281,14 @@ proptest! {
         prop_assert!(line(&two, "f") > line(&one, "f"));
     }
 }
+
+/// The strips stand beside x and b and decide nothing: k/3, k, 3k and concrete, as nothing is said of the foundation.
+#[test]
+fn strips_of_the_bottom_stand_beside() {
+    let out = assess(&case(), Excitation::Site);
+    let lines: Vec<&tank::assessment::Step> = out.steps.iter().filter(|s| s.section.contains("strips")).collect();
+    let values = |symbol: &str| -> Vec<f64> { lines.iter().filter(|s| s.symbol == symbol).map(|s| s.value).collect() };
+    assert_eq!((values("ψ").len(), values("w").len(), values("σ_t").len()), (4, 4, 4));
+    assert!(values("σ_t").windows(2).all(|s| s[1] > s[0]), "{:?}", values("σ_t"));
+    assert!(out.checks.iter().all(|c| !c.id.contains("uplift")));
+}

@@ -1,33 +1,32 @@
 //! Uplift of the bottom plate of an unanchored wall: height, length, rotation of the joint and membrane stress of the plate.
 //!
 //! ```text
-//! w           largest uplift of the rim under M, own calculation ([`Rim`]) in place of the diagrams of A.9
-//! L           lifted length of the strip ([`Strip`])        μ = (2R − L)/(2R)
-//! θ = 2w/L − w/(2R) ≤ 0.20 rad
+//! w, L        largest uplift of the rim under M and lifted length, own calculation ([`lifted`]) in place of the diagrams of A.9
+//! θ = 2w/L − w/(2R) ≤ 0.20 rad        μ = (2R − L)/(2R)
 //! σ_rb = (1/s_b) [(2/3) E s_b p² R² (1 − μ)²/(1 − ν²)]^(1/3) ≤ f_y
 //! ```
 //!
-//! The diagrams are for rigid ground and tanks with roofs. Without `tank.bottom.subgrade_modulus` the uplift is that of soft ground and
-//! the compression at the toe that of stiff ground. The printed σ_rb has (1 − ν²) in the numerator, 6 % less than the membrane in plane
-//! strain that it stands for; the larger value is taken. As the membrane of the formula is fixed at the rim, σ_rb is an upper bound.
+//! Each on the ground of the file and on ground three times softer and stiffer. A given stiffness decides, the others are for information;
+//! of assumed ones the least favourable decides. The diagrams are for rigid ground and tanks with roofs. θ is what the clause compares with
+//! 0.20 rad, the slope of a parabola: the plastic rotation of the strip, about two thirds of it, stands beside it for information. The
+//! printed σ_rb has (1 − ν²) in the numerator, 6 % less than the membrane in plane strain that it stands for; the larger value is taken.
+//! As the membrane of the formula is fixed at the rim, σ_rb is an upper bound.
 //!
-//! Source: EN 1998-4:2006 A.9, formulas recalled; strip and rim derived here.
+//! Source: EN 1998-4:2006 A.9, formulas recalled; strips of [`base`].
 
-use super::bottom_strip::Strip;
+use ::base::{Base, Stand};
+
 use super::cylinder_stress::State;
 use super::limit_states::UPLIFT;
-use super::rim::{Rim, Turned};
 use super::work::Work;
-use crate::sheet::{Term, number, with_unit};
+use crate::lifted::{self, Ground};
+use crate::sheet::{Term, with_unit};
 use tank::Bottom;
 use tank::assessment::{Check, CheckStatus};
 use tank::units::Dimension::{self, *};
 
 /// Largest plastic rotation of the joint of wall and bottom [rad].
 pub(crate) const ROTATION: f64 = 0.20;
-/// Subgrade moduli of soft and stiff ground [N/m³]: compacted gravel, and rock, a slab or a ring wall.
-const GROUND: [f64; 2] = [1e8, 1e10];
-
 /// Writes lines and checks; returns the largest compression at the toe [N/m] where it was computed.
 ///
 /// * `weight`: of wall and roof, less overpressure and vertical motion [N/m]
@@ -51,75 +50,98 @@ pub(super) fn assess(work: &mut Work, state: &State, weight: f64) -> Option<f64>
     };
     work.sheet
         .section("Uplift of the bottom plate (own calculation in place of the diagrams of A.9)");
-    let strip = strip_lines(work, state, bottom, f_y);
-    let grounds = bottom.subgrade_modulus.map_or(GROUND.to_vec(), |k| vec![k]);
-    let mut turned = Vec::new();
-    for ground in grounds {
-        let rim = Rim {
-            radius: state.radius,
-            weight,
-            strip,
-            ground,
-        };
-        match rim.under(state.base_moment) {
-            Some(found) => {
-                rim_lines(work, ground, found);
-                turned.push(found);
-            }
-            None => {
-                no_equilibrium(work, state, &rim);
-                return None;
-            }
+    let Some(grounds) = lifted::grounds(work.case) else {
+        let reason = "the uplift is computed for bottom plates of metal";
+        work.without_comparison(UPLIFT, CheckStatus::NotChecked, reason, Some("tank.bottom"));
+        return None;
+    };
+    let mut rims = Vec::new();
+    for ground in &grounds {
+        if let Some(stand) = lifted::under(&ground.base, state.base_moment, weight) {
+            rims.push(ground_lines(work, state, ground, &stand));
+        } else if ground.decides {
+            no_equilibrium(work, state, &ground.base, weight);
+            return None;
+        } else {
+            work.out.notes.push(format!(
+                "{}: for information, ground of {} does not hold the moment.",
+                work.edition.clause("9"),
+                ground.modulus()
+            ));
         }
     }
-    let uplift = turned.iter().map(|t| t.uplift).fold(0.0, f64::max);
-    work.uplift = Some(uplift);
-    checks(work, state, bottom, f_y, uplift);
-    Some(turned.iter().map(|t| t.compression).fold(0.0, f64::max))
+    let largest = |value: fn(&Rim) -> f64| rims.iter().filter(|r| r.decides).map(value).fold(0.0, f64::max);
+    work.uplift = Some(largest(|r| r.uplift));
+    let compression = largest(|r| r.compression);
+    checks(work, state, bottom, f_y, &rims);
+    Some(compression)
 }
 
-/// Lines of rigidity and plastic moment.
-fn strip_lines(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64) -> Strip {
-    let material = &bottom.material;
-    let terms = [
-        ("E", material.youngs_modulus, Stress),
-        ("ν", material.poisson_ratio, Dimensionless),
-        ("f_y", f_y, Stress),
-        ("s_b", bottom.net_thickness(), Length),
+/// What the rim does on one ground.
+struct Rim {
+    /// Modulus k, with its unit.
+    modulus: String,
+    /// Whether this ground decides.
+    decides: bool,
+    /// w [m]; zero where all of the rim bears.
+    uplift: f64,
+    /// L [m].
+    length: f64,
+    /// θ of the clause [rad].
+    rotation: f64,
+    /// Plastic rotation of the strip [rad].
+    plastic: f64,
+    /// At the toe [N/m].
+    compression: f64,
+}
+
+fn ground_lines(work: &mut Work, state: &State, ground: &Ground, stand: &Stand) -> Rim {
+    let modulus = ground.modulus();
+    let aside = if ground.decides { "" } else { ", for information" };
+    let source = format!("strips of the bottom plate side by side, subgrade modulus {modulus}{aside}");
+    let clause = work.edition.clause("9");
+    let own = "strips in place of A.9";
+    let (turn, point) = (&stand.turn, &stand.rim);
+    let mut rim = Rim {
+        modulus,
+        decides: ground.decides,
+        uplift: turn.uplift.max(0.0),
+        length: point.lifted_width,
+        rotation: 0.0,
+        plastic: point.plastic_rotation,
+        compression: turn.toe_force.max(0.0),
+    };
+    let lifts = rim.uplift > 0.0 && rim.length > 0.0;
+    let mut values = vec![
+        ("ψ", "rotation of the wall", turn.rotation, Angle),
+        ("n_t", "compression at the toe", rim.compression, LineForce),
+        ("w", "largest uplift", rim.uplift, Length),
     ];
-    let (name, formula) = ("rigidity of the bottom plate", "E·s_b³/(12·(1 - ν²))");
-    work.sheet.calc("D_b", name, formula, &terms, Moment, "plate theory");
-    let (name, formula) = ("its plastic moment", "f_y·s_b²/4");
-    work.sheet
-        .calc("M_p", name, formula, &terms, LineMoment, "plate theory");
-    let pressure = state.pressure_hydrostatic(0.0);
-    Strip::new(
-        material.youngs_modulus,
-        material.poisson_ratio,
-        f_y,
-        bottom.net_thickness(),
-        pressure,
-    )
-}
-
-fn rim_lines(work: &mut Work, ground: f64, turned: Turned) {
-    let source = format!(
-        "equilibrium of the rim on bottom strips, subgrade modulus {} MN/m³",
-        number(ground / 1e6)
-    );
-    let clause = "strips in place of A.9";
-    for (symbol, name, value, dimension) in [
-        ("ψ", "rotation of the wall", turned.rotation, Angle),
-        ("w", "largest uplift", turned.uplift, Length),
-        ("n_t", "compression at the toe", turned.compression, LineForce),
-    ] {
-        work.sheet.look_up(symbol, name, &source, value, dimension, clause);
+    if lifts {
+        let name = "plastic rotation of the joint, for information";
+        values.extend([
+            ("L", "lifted length", rim.length, Length),
+            ("θ_p", name, rim.plastic, Angle),
+        ]);
     }
+    for (symbol, name, value, dimension) in values {
+        work.sheet.look_up(symbol, name, &source, value, dimension, own);
+    }
+    if lifts {
+        let terms = [
+            ("w", rim.uplift, Length),
+            ("L", rim.length, Length),
+            ("R", state.radius, Length),
+        ];
+        let name = format!("rotation of the joint on {}{aside}", rim.modulus);
+        rim.rotation = work.sheet.calc("θ", &name, "2·w/L - w/(2·R)", &terms, Angle, &clause);
+    }
+    rim
 }
 
 /// The moment exceeds what the rim holds up to a rotation at which no tank stands.
-fn no_equilibrium(work: &mut Work, state: &State, rim: &Rim) {
-    let limit = rim.turned(0.1).map_or(0.0, |t| t.moment);
+fn no_equilibrium(work: &mut Work, state: &State, base: &Base, weight: f64) {
+    let limit = lifted::held(base, state.base_moment, weight);
     let note = "no equilibrium of the lifted rim up to a rotation of 0.1 rad";
     let name = "Uplift of the bottom plate: moment that weight and plate hold";
     part(
@@ -139,11 +161,39 @@ fn part(work: &mut Work, (id, name): (&str, &str), demand: f64, capacity: f64, d
     work.out.checks.push(check.of(UPLIFT));
 }
 
-/// Lines of length, rotation and membrane stress, and their checks.
-fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, uplift: f64) {
+/// The remark of the rotation: on which ground, why on that, and what stands beside it.
+fn remark(rims: &[Rim], decisive: &Rim) -> String {
+    let rotation = |rim: &Rim| format!("{:.3} rad on {}", rim.rotation, rim.modulus);
+    let others: Vec<String> = rims
+        .iter()
+        .filter(|r| r.modulus != decisive.modulus)
+        .map(rotation)
+        .collect();
+    let why = if rims.iter().filter(|r| r.decides).count() > 1 {
+        "the least favourable ground, as `tank.foundation` gives no stiffness"
+    } else {
+        "the ground that is given"
+    };
+    format!(
+        "on {}, {why}; {}; the plastic rotation of the strip, {:.3} rad, decides nothing",
+        decisive.modulus,
+        others.join(", "),
+        decisive.plastic
+    )
+}
+
+/// Lines of the membrane stress, and the checks.
+fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, rims: &[Rim]) {
     let clause = work.edition.clause("9");
     let rotation_check = ("uplift_rotation", "Rotation of the joint of wall and bottom plate");
-    if uplift == 0.0 {
+    let most = |value: fn(&Rim) -> f64| {
+        let deciding = rims.iter().filter(|r| r.decides);
+        deciding.max_by(|a, b| value(a).total_cmp(&value(b)))
+    };
+    let (Some(turned), Some(longest)) = (most(|r| r.rotation), most(|r| r.length)) else {
+        return;
+    };
+    if turned.rotation == 0.0 {
         part(work, rotation_check, 0.0, ROTATION, Angle, "all of the rim bears");
         return;
     }
@@ -153,45 +203,24 @@ fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, uplift: f64
         with_unit(state.pressure_horizontal(0.0), Stress)
     ));
     let material = &bottom.material;
-    let strip = Strip::new(
-        material.youngs_modulus,
-        material.poisson_ratio,
-        f_y,
-        bottom.net_thickness(),
-        state.pressure_hydrostatic(0.0),
-    );
+    let length = longest.length;
     let mut terms: Vec<Term> = vec![
-        ("w", uplift, Length),
-        ("p", strip.pressure, Stress),
+        ("p", state.pressure_hydrostatic(0.0), Stress),
         ("p_g", state.tank.pressure.internal, Stress),
-        ("D_b", strip.rigidity, Moment),
-        ("M_p", strip.plastic_moment, LineMoment),
         ("E", material.youngs_modulus, Stress),
         ("ν", material.poisson_ratio, Dimensionless),
         ("s_b", bottom.net_thickness(), Length),
         ("R", state.radius, Length),
+        ("L", length, Length),
     ];
     let mut line = |symbol: &'static str, name: &str, formula: &str, dimension, clause: &str| {
         let value = work.sheet.calc(symbol, name, formula, &terms, dimension, clause);
         terms.push((symbol, value, dimension));
         value
     };
-    let (name, formula) = if strip.length(uplift) >= strip.length(strip.mechanism()) {
-        ("lifted length, hinges at joint and in the span", "(2 + √(2))·√(M_p/p)")
-    } else if uplift > strip.first_hinge() {
-        (
-            "lifted length, hinge at the joint",
-            "√((2·M_p + √(4·M_p² + 24·p·D_b·w))/p)",
-        )
-    } else {
-        ("lifted length, elastic", "√(√(72·D_b·w/p))")
-    };
-    let length = line("L", name, formula, Length, "strips in place of A.9");
-    let name = "plastic rotation of the joint";
-    let rotation = line("θ", name, "2·w/L - w/(2·R)", Angle, &clause);
     line(
         "μ",
-        "bearing part of the radius",
+        "bearing part of the radius, with the largest L",
         "(2·R - L)/(2·R)",
         Dimensionless,
         &clause,
@@ -203,11 +232,8 @@ fn checks(work: &mut Work, state: &State, bottom: &Bottom, f_y: f64, uplift: f64
         "(2/3·E·s_b·p²·R²·(1 - μ)²/(1 - ν²))^(1/3)/s_b"
     };
     let stress = line("σ_rb", name, formula, Stress, &clause);
-    let note = match bottom.subgrade_modulus {
-        Some(_) => "",
-        None => "on soft ground, 100 MN/m³: `tank.bottom.subgrade_modulus` is not given",
-    };
-    part(work, rotation_check, rotation, ROTATION, Angle, note);
+    let note = remark(rims, turned);
+    part(work, rotation_check, turned.rotation, ROTATION, Angle, &note);
     let name = "Radial membrane stress of the bottom plate";
     part(work, ("uplift_membrane", name), stress, f_y, Stress, "with γ_M = 1");
     if let Some(width) = bottom.width {

@@ -1,6 +1,7 @@
 //! Symmetric banded systems: L D Lᵀ within the band, without pivoting.
 
 /// Symmetric matrix with `half` off-diagonals on either side; the lower half is kept row by row.
+#[derive(Clone, Debug)]
 pub(crate) struct Band {
     half: usize,
     rows: Vec<f64>,
@@ -40,6 +41,16 @@ impl Band {
         }
     }
 
+    /// Adds a symmetric block of consecutive unknowns from `first` on.
+    pub(crate) fn add_block<const N: usize>(&mut self, first: usize, block: &[[f64; N]; N]) {
+        for (a, row) in block.iter().enumerate() {
+            let at = self.at(first + a, first);
+            for (own, value) in self.rows[at..=at + a].iter_mut().zip(row) {
+                *own += value;
+            }
+        }
+    }
+
     /// Makes unknown `i` known: its row and column become those of the unit matrix.
     pub(crate) fn fix(&mut self, i: usize) {
         for j in i.saturating_sub(self.half)..=(i + self.half).min(self.size() - 1) {
@@ -50,30 +61,29 @@ impl Band {
 
     /// Factors in place and solves for `x` in place; false where a pivot is zero or not finite.
     pub(crate) fn solve(mut self, x: &mut [f64]) -> bool {
-        let n = self.size();
+        let (n, half) = (self.size(), self.half);
         for i in 0..n {
-            let first = i.saturating_sub(self.half);
+            let first = i.saturating_sub(half);
+            let (above, row) = self.rows.split_at_mut(i * (half + 1));
+            let mut pivot = row[half];
             for j in first..i {
-                let mut sum = self.rows[self.at(i, j)];
-                for k in first.max(j.saturating_sub(self.half))..j {
-                    sum -= self.rows[self.at(i, k)] * self.rows[self.at(j, k)];
-                }
                 // L_ij D_j for now; divided below.
-                let at = self.at(i, j);
-                self.rows[at] = sum;
+                let other = &above[j * (half + 1)..(j + 1) * (half + 1)];
+                let from = first.max(j.saturating_sub(half));
+                let (own, rest) = (&row[from + half - i..j + half - i], &other[from + half - j..half]);
+                let sum: f64 = own.iter().zip(rest).map(|(a, b)| a * b).sum();
+                row[j + half - i] -= sum;
             }
-            let mut pivot = self.rows[self.at(i, i)];
             for j in first..i {
-                let (at, diagonal) = (self.at(i, j), self.rows[self.at(j, j)]);
-                let scaled = self.rows[at] / diagonal;
-                pivot -= scaled * self.rows[at];
-                self.rows[at] = scaled;
+                let (at, diagonal) = (j + half - i, above[j * (half + 1) + half]);
+                let scaled = row[at] / diagonal;
+                pivot -= scaled * row[at];
+                row[at] = scaled;
             }
             if pivot == 0.0 || !pivot.is_finite() {
                 return false;
             }
-            let at = self.at(i, i);
-            self.rows[at] = pivot;
+            row[half] = pivot;
         }
         self.substitute(x);
         x.iter().all(|v| v.is_finite())

@@ -42,6 +42,9 @@ pub fn clamped(plate: &Plate, pressure: f64, length: f64) -> Span {
     span(plate, pressure, length, pressure * length / 3.0)
 }
 
+/// Lifted width with two plastic hinges over √(M_p/p): 2 + √2.
+pub(crate) const MECHANISM: f64 = 2.0 + std::f64::consts::SQRT_2;
+
 /// Hold-down force with two plastic hinges [N/m], 2 √(p M_p) = t √(p f_y), the w_a of API 650 E.6.2.1.1.2.
 pub fn two_hinges(plate: &Plate, pressure: f64) -> Option<f64> {
     plate.plastic_moment().map(|m| 2.0 * (pressure * m).sqrt())

@@ -45,38 +45,47 @@ pub(crate) struct Answer {
     pub(crate) curvature: [f64; 3],
 }
 
-/// w, w′, w″ of the cubics at `x` of 0 to 1, as rows over the unknowns.
-fn shape(x: f64, h: f64) -> [[f64; SIZE]; 3] {
+/// Unknowns of the deflection: w and θ of both nodes.
+const BENT: [usize; 4] = [1, 2, 4, 5];
+
+/// w, w′, w″ of the cubics at `x` of 0 to 1, as rows over the unknowns of the deflection.
+fn shape(x: f64, h: f64) -> [[f64; 4]; 3] {
     let (x2, x3) = (x * x, x * x * x);
     [
         [
-            0.0,
             1.0 - 3.0 * x2 + 2.0 * x3,
             h * (x - 2.0 * x2 + x3),
-            0.0,
             3.0 * x2 - 2.0 * x3,
             h * (x3 - x2),
         ],
         [
-            0.0,
             6.0 * (x2 - x) / h,
             1.0 - 4.0 * x + 3.0 * x2,
-            0.0,
             6.0 * (x - x2) / h,
             3.0 * x2 - 2.0 * x,
         ],
         [
-            0.0,
             (12.0 * x - 6.0) / (h * h),
             (6.0 * x - 4.0) / h,
-            0.0,
             (6.0 - 12.0 * x) / (h * h),
             (6.0 * x - 2.0) / h,
         ],
     ]
 }
 
-fn dot(a: &[f64; SIZE], b: &[f64; SIZE]) -> f64 {
+/// ∫ N′ᵀ N′ dx/h of the cubics N over an element of length h: half of its square form is the strain that the deflection adds.
+fn rise(h: f64) -> [[f64; 4]; 4] {
+    let (a, b) = (1.2 / (h * h), 0.1 / h);
+    let (c, d) = (4.0 / 30.0, -1.0 / 30.0);
+    [[a, b, -a, b], [b, c, -b, d], [-a, -b, a, -b], [b, d, -b, c]]
+}
+
+/// A row over all unknowns.
+fn wide(row: &[f64; 4]) -> [f64; SIZE] {
+    [0.0, row[0], row[1], 0.0, row[2], row[3]]
+}
+
+fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
@@ -100,25 +109,12 @@ impl Element<'_> {
     /// Response to the displacements `q`; `old` and `new` are the plastic strains of its three sections.
     pub(crate) fn respond(&self, q: &[f64; SIZE], old: &[f64], new: &mut [f64]) -> Answer {
         let h = self.length;
-        // ½ ∫ w′² dx/h and its derivatives, exact with three points for a quartic.
-        let mut rise = 0.0;
-        let mut slope = [0.0; SIZE];
-        let mut bend = [[0.0; SIZE]; SIZE];
-        for (x, g) in GAUSS {
-            let row = shape(x, h)[1];
-            let w = dot(&row, q);
-            rise += 0.5 * g * w * w;
-            for i in 0..SIZE {
-                slope[i] += g * w * row[i];
-                for j in 0..SIZE {
-                    bend[i][j] += g * row[i] * row[j];
-                }
-            }
-        }
-        let strain = (q[3] - q[0]) / h + rise;
-        let mut stretch = slope;
-        stretch[0] -= 1.0 / h;
-        stretch[3] += 1.0 / h;
+        let bent = BENT.map(|i| q[i]);
+        // ½ ∫ w′² dx/h and its derivatives.
+        let bend = rise(h);
+        let slope = bend.map(|row| dot(&row, &bent));
+        let strain = (q[3] - q[0]) / h + 0.5 * dot(&slope, &bent);
+        let stretch = [-1.0 / h, slope[0], slope[1], 1.0 / h, slope[2], slope[3]];
 
         let mut answer = Answer {
             force: [0.0; SIZE],
@@ -127,12 +123,15 @@ impl Element<'_> {
             curvature: [0.0; 3],
         };
         let fibres = old.len() / 3;
+        // Sums over the sections: N and its tangent; forces, coupling with N and tangent of w and θ.
+        let (mut n, mut ee) = (0.0, 0.0);
+        let (mut force, mut mixed, mut stiff) = ([0.0; 4], [0.0; 4], [[0.0; 4]; 4]);
         for (i, (x, g)) in GAUSS.into_iter().enumerate() {
             let [w_row, slope_row, bend_row] = shape(x, h);
             let (share, r) = self.weight(x);
             let da = g * h * share;
             let range = i * fibres..(i + 1) * fibres;
-            let curvature = dot(&bend_row, q);
+            let curvature = dot(&bend_row, &bent);
             let mut section = self
                 .plate
                 .respond(strain, curvature, &old[range.clone()], &mut new[range]);
@@ -140,7 +139,7 @@ impl Element<'_> {
             if self.round.is_some() {
                 let nu = self.plate.poisson_ratio;
                 let u_row = [(1.0 - x) / r, 0.0, 0.0, x / r, 0.0, 0.0];
-                let turn_row = slope_row.map(|v| v / r);
+                let (turn_row, bend_row) = (wide(&slope_row.map(|v| v / r)), wide(&bend_row));
                 let (hoop, turn) = (dot(&u_row, q), dot(&turn_row, q));
                 let (c, d) = (section.ee, section.kk);
                 section.n += c * nu * hoop;
@@ -152,32 +151,40 @@ impl Element<'_> {
                 add(&mut answer, da, &turn_row, 0.0, &bend_row, d * nu);
                 add(&mut answer, da, &bend_row, 0.0, &turn_row, d * nu);
             }
-            add(&mut answer, da, &stretch, section.n, &stretch, section.ee);
-            add(&mut answer, da, &bend_row, section.m, &bend_row, section.kk);
-            add(&mut answer, da, &stretch, 0.0, &bend_row, section.ek);
-            add(&mut answer, da, &bend_row, 0.0, &stretch, section.ek);
-            for a in 0..SIZE {
-                for b in 0..SIZE {
-                    answer.tangent[a][b] += da * section.n * bend[a][b];
+            let sinks = dot(&w_row, &bent).min(0.0);
+            let ground = if sinks < 0.0 { da * self.modulus } else { 0.0 };
+            let load = da * (self.pressure + self.modulus * sinks);
+            let (moment, couple, bending) = (da * section.m, da * section.ek, da * section.kk);
+            n += da * section.n;
+            ee += da * section.ee;
+            for a in 0..4 {
+                force[a] += moment * bend_row[a] + load * w_row[a];
+                mixed[a] += couple * bend_row[a];
+                let (k, s) = (bending * bend_row[a], ground * w_row[a]);
+                for b in 0..4 {
+                    stiff[a][b] += k * bend_row[b] + s * w_row[b];
                 }
             }
-            let sinks = dot(&w_row, q).min(0.0);
-            let stiffness = if sinks < 0.0 { self.modulus } else { 0.0 };
-            add(
-                &mut answer,
-                da,
-                &w_row,
-                self.pressure + self.modulus * sinks,
-                &w_row,
-                stiffness,
-            );
             answer.sections[i] = section;
+        }
+        let mixed = wide(&mixed);
+        for a in 0..SIZE {
+            answer.force[a] += n * stretch[a];
+            for b in 0..SIZE {
+                answer.tangent[a][b] += ee * stretch[a] * stretch[b] + stretch[a] * mixed[b] + mixed[a] * stretch[b];
+            }
+        }
+        for (a, i) in BENT.into_iter().enumerate() {
+            answer.force[i] += force[a];
+            for (b, j) in BENT.into_iter().enumerate() {
+                answer.tangent[i][j] += stiff[a][b] + n * bend[a][b];
+            }
         }
         answer
     }
 
     /// Deflection at a Gauss point [m].
     pub(crate) fn deflection(&self, q: &[f64; SIZE], x: f64) -> f64 {
-        dot(&shape(x, self.length)[0], q)
+        dot(&shape(x, self.length)[0], &BENT.map(|i| q[i]))
     }
 }

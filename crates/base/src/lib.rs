@@ -41,5 +41,5 @@ pub use march::Lifted;
 pub use model::{Base, Missing, Origin};
 pub use plate::{Bands, Plate};
 pub use rocking::{Rocking, Turn, plane_section};
-pub use stand::{Stand, Stands};
+pub use stand::{PlatePoint, Stand, Stands};
 pub use strip::{Plan, Rim, Strip};

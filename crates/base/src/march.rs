@@ -12,6 +12,8 @@ const FILLING: usize = 8;
 const SMALLEST_SHARE: f64 = 1e-5;
 /// Iterations of a step.
 const ITERATIONS: usize = 40;
+/// Corrections in a row that grow: the step is too long.
+const DIVERGES: usize = 2;
 /// Shortest step of the uplift [m].
 const SHORTEST: f64 = 1e-9;
 
@@ -23,6 +25,17 @@ pub struct Lifted<'a> {
     x: Vec<f64>,
     /// Plastic strains of all fibres.
     plastic: Vec<f64>,
+    /// Forces and tangent of this state, where they are known.
+    system: Option<System>,
+}
+
+/// The plate of a strip in a state.
+#[derive(Clone, Debug)]
+pub(crate) struct Shape {
+    /// Deflections of the nodes, upwards [m].
+    pub(crate) deflections: Vec<f64>,
+    /// Which elements have yielded.
+    pub(crate) yielded: Vec<bool>,
 }
 
 /// What is given at the rim.
@@ -34,9 +47,11 @@ enum Given {
     Uplift(f64),
 }
 
+#[derive(Clone, Debug)]
 struct System {
     residual: Vec<f64>,
     tangent: Band,
+    /// Plastic strains that the displacements ask for.
     plastic: Vec<f64>,
 }
 
@@ -52,6 +67,7 @@ impl<'a> Lifted<'a> {
             strip,
             x: vec![0.0; 3 * strip.nodes.len()],
             plastic: vec![0.0; fibres],
+            system: None,
         };
         // All of the plate sunk evenly: near the answer, and in contact everywhere.
         let mut step = 1.0 / FILLING as f64;
@@ -74,6 +90,22 @@ impl<'a> Lifted<'a> {
             }
         }
         Ok(state)
+    }
+
+    /// What makes up the state without its strip: displacements and plastic strains.
+    pub(crate) fn into_parts(self) -> (Vec<f64>, Vec<f64>) {
+        (self.x, self.plastic)
+    }
+
+    /// The state again, of the same strip.
+    pub(crate) fn of_parts(strip: &'a Strip, (x, plastic): (Vec<f64>, Vec<f64>)) -> Lifted<'a> {
+        let system = None;
+        Lifted {
+            strip,
+            x,
+            plastic,
+            system,
+        }
     }
 
     /// Uplift of the rim [m].
@@ -110,7 +142,8 @@ impl<'a> Lifted<'a> {
         let mut x = self.x.clone();
         if let Given::Uplift(w) = given {
             // The change of the rim is spread by the first solve, not left to one element.
-            let system = self.system(&x, Given::Uplift(self.uplift()));
+            let known = self.system.take();
+            let system = known.unwrap_or_else(|| self.system(&x, given));
             let change = w - self.uplift();
             let mut dx: Vec<f64> = (0..n)
                 .map(|i| -system.residual[i] - system.tangent.get(i, rim + 1) * change)
@@ -121,6 +154,7 @@ impl<'a> Lifted<'a> {
             }
             x.iter_mut().zip(&dx).for_each(|(x, d)| *x += d);
         }
+        let (mut before, mut growing) = (f64::INFINITY, 0);
         for _ in 0..ITERATIONS {
             let system = self.system(&x, given);
             let mut dx: Vec<f64> = system.residual.iter().map(|r| -r).collect();
@@ -138,7 +172,9 @@ impl<'a> Lifted<'a> {
                 .chunks_exact(3)
                 .map(|d| d[0].abs().max(d[1].abs()).max(t * d[2].abs()));
             let largest = moved.fold(0.0, f64::max);
-            if !largest.is_finite() || largest > 10.0 {
+            growing = if largest > before { growing + 1 } else { 0 };
+            before = largest;
+            if !largest.is_finite() || growing == DIVERGES {
                 return Ok(false);
             }
             x.iter_mut().zip(&dx).for_each(|(x, d)| *x += d);
@@ -146,9 +182,11 @@ impl<'a> Lifted<'a> {
                 if let Given::Uplift(w) = given {
                     x[rim + 1] = w;
                 }
-                let system = self.system(&x, given);
+                let mut system = self.system(&x, given);
                 self.x = x;
-                self.plastic = system.plastic;
+                self.plastic = std::mem::take(&mut system.plastic);
+                // Of the whole pressure alone: the next step may have another share.
+                self.system = matches!(given, Given::Uplift(_)).then_some(system);
                 return Ok(true);
             }
         }
@@ -186,12 +224,10 @@ impl<'a> Lifted<'a> {
             let range = self.fibres(i);
             let new = &mut system.plastic[range.clone()];
             let answer = element.respond(&unknowns(x, i), &self.plastic[range], new);
-            for a in 0..SIZE {
-                system.residual[3 * i + a] += answer.force[a];
-                for b in 0..SIZE {
-                    system.tangent.add(3 * i + a, 3 * i + b, answer.tangent[a][b]);
-                }
+            for (own, force) in system.residual[3 * i..].iter_mut().zip(answer.force) {
+                *own += force;
             }
+            system.tangent.add_block(3 * i, &answer.tangent);
         }
         if let Rim::Wall(edge) = &strip.rim {
             let edge = edge.stiffness();
@@ -220,7 +256,10 @@ impl<'a> Lifted<'a> {
     pub fn point(&self) -> Point {
         let strip = self.strip;
         let rim = strip.rim_at();
-        let system = self.system(&self.x, Given::Uplift(self.uplift()));
+        let hold_down = match &self.system {
+            Some(system) => system.residual[rim + 1],
+            None => self.system(&self.x, Given::Uplift(self.uplift())).residual[rim + 1],
+        };
         // Forces of the plate alone: the edge of the wall is what they meet.
         let last = rim / 3 - 1;
         let element = strip.element(last, 1.0);
@@ -229,12 +268,21 @@ impl<'a> Lifted<'a> {
         let outer = element.respond(&unknowns(&self.x, last), &self.plastic[range], &mut new);
         Point {
             uplift: self.uplift(),
-            hold_down: system.residual[rim + 1],
+            hold_down,
             rotation: self.x[rim + 2],
             rim_moment: outer.force[5],
             axial_force: outer.force[3],
             lifted_width: self.lifted_width(),
             plastic_rotation: self.plastic_rotation(),
+        }
+    }
+
+    /// The plate in this state.
+    pub(crate) fn shape(&self) -> Shape {
+        let yielded = |i: usize| self.plastic[self.fibres(i)].iter().any(|p| *p != 0.0);
+        Shape {
+            deflections: self.x.iter().skip(1).step_by(3).copied().collect(),
+            yielded: (0..self.strip.nodes.len() - 1).map(yielded).collect(),
         }
     }
 
@@ -270,6 +318,9 @@ impl<'a> Lifted<'a> {
             let fibres = old.len();
             if fibres == 0 {
                 break;
+            }
+            if old.iter().all(|&p| p == 0.0) {
+                continue;
             }
             let mut new = vec![0.0; fibres];
             let answer = element.respond(&unknowns(&self.x, i), old, &mut new);

@@ -2,18 +2,18 @@
 
 use crate::plate::Bands;
 
-/// Distance from the rim within which the plate may lift with a fine mesh, in widths of the contact strip (4 D/k)^(1/4) and metres.
-const FINE: f64 = 3.0;
+/// Distance from the rim within which the plate may lift with a fine mesh [m].
+pub(crate) const FINE: f64 = 3.0;
 
 /// Nodes from the rim inwards [m], the last at `length`.
 ///
 /// At the rim one thickness (a plastic hinge is some thicknesses long), growing by 5 % to a third of the length (4 D/k)^(1/4) over which
-/// the plate sinks into the ground, at most 30 mm; beyond the fine zone growing by a fifth. `refinement` divides all widths.
-pub(crate) fn nodes(bands: &Bands, modulus: f64, length: f64, refinement: f64) -> Vec<f64> {
+/// the plate sinks into the ground, at most 30 mm; beyond the distance `fine` growing by a fifth. `refinement` divides all widths.
+pub(crate) fn nodes(bands: &Bands, modulus: f64, length: f64, (refinement, fine): (f64, f64)) -> Vec<f64> {
     let rim = bands.rim();
     let sinking = (4.0 * rim.bending_stiffness() / modulus).powf(0.25);
     let largest = (sinking / 3.0).min(0.03) / refinement;
-    let fine = FINE.min(length);
+    let fine = fine.min(length);
     let mut nodes = vec![0.0];
     let mut width = (rim.thickness / refinement).min(largest);
     let mut at = 0.0;
@@ -59,7 +59,7 @@ mod tests {
         };
         let bands = Bands::annular(plate(0.01), 0.7123, plate(0.006));
         for length in [0.5, 2.0, 20.0] {
-            let nodes = nodes(&bands, 1e8, length, 1.0);
+            let nodes = nodes(&bands, 1e8, length, (1.0, 3.0));
             assert!(nodes.windows(2).all(|w| w[1] > w[0]));
             assert_eq!(nodes.first(), Some(&0.0));
             assert_eq!(nodes.last(), Some(&length));

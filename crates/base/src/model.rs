@@ -9,6 +9,7 @@ use crate::curve::Curve;
 use crate::edge::Edge;
 use crate::error::BaseError;
 use crate::ground::{Soil, subgrade_modulus};
+use crate::mesh;
 use crate::plate::{Bands, Plate};
 use crate::rocking::Rocking;
 use crate::strip::{Plan, Rim, Strip};
@@ -147,26 +148,33 @@ impl Base {
     ///
     /// Errors: data without meaning.
     pub fn strip(&self, pressure: f64) -> Result<Strip, BaseError> {
-        self.strip_of(pressure, 1.0)
+        Ok(self.bare(pressure)?.projecting(self.projection))
     }
 
-    /// The same with elements shorter by a factor.
-    pub(crate) fn strip_of(&self, pressure: f64, refinement: f64) -> Result<Strip, BaseError> {
+    /// The same with elements twice as long, which stay short only where a plate lifts that yields: over the width of the mechanism with
+    /// two hinges, l = 3.41 √(M_p/p), and as much again for membrane force and soft ground.
+    pub(crate) fn coarse_strip(&self, pressure: f64) -> Result<Strip, BaseError> {
+        let mechanism = |plate: &Plate| {
+            plate
+                .plastic_moment()
+                .map(|m| crate::closed::MECHANISM * (m / pressure).sqrt())
+        };
+        let fine = mechanism(self.bands.rim())
+            .map_or(f64::INFINITY, |l| 2.0 * l)
+            .min(mesh::FINE);
+        Ok(self.bare(pressure)?.spaced(0.5, fine).projecting(self.projection))
+    }
+
+    fn bare(&self, pressure: f64) -> Result<Strip, BaseError> {
         let rim = Rim::Wall(self.edge);
-        let strip = Strip::new(
+        Strip::new(
             self.bands.clone(),
             rim,
             self.radius,
             self.modulus,
             pressure,
             Plan::Strip,
-        )?;
-        let strip = if refinement == 1.0 {
-            strip
-        } else {
-            strip.refined(refinement)
-        };
-        Ok(strip.projecting(self.projection))
+        )
     }
 
     /// The base with a rim that is known between two displacements [m]; with `suction` also under lower pressures on the plate.

@@ -15,11 +15,13 @@ use crate::error::BaseError;
 use std::f64::consts::PI;
 
 /// Panels of three Gauss points on the lifted arc, and as many on the rest.
-const PANELS: usize = 48;
+pub(crate) const PANELS: usize = 48;
 
 /// First rotation that is tried for a moment, and the largest at which a tank is thought to stand [rad].
 const FIRST: f64 = 2e-5;
 const LARGEST: f64 = 0.1;
+/// Way to the next rotation over that to where the secant has the moment.
+const AHEAD: f64 = 1.2;
 
 /// The base of a tank.
 #[derive(Clone, Debug)]
@@ -154,10 +156,14 @@ pub(crate) fn turned(
                 if value >= 0.0 {
                     break (rotation, value);
                 }
+                let (step, gain) = (rotation - low.0, value - low.1);
                 low = (rotation, value);
                 rotation = match beyond {
                     Some(edge) => 0.5 * (rotation + edge),
-                    None => (1.5 * rotation).min(LARGEST),
+                    // Not much beyond the answer, as a curve may have to be drawn for it: the moment grows slower and slower.
+                    None => (rotation - AHEAD * value * step / gain.max(1e-300))
+                        .clamp(1.02 * rotation, 1.5 * rotation)
+                        .min(LARGEST),
                 };
             }
             Err(_) => {
@@ -186,6 +192,18 @@ pub fn plane_section(
     rotation: f64,
     hold: &dyn Fn(f64, f64) -> f64,
 ) -> Result<Turn, BaseError> {
+    plane_section_by(PANELS, radius, weight, (from, to), rotation, hold)
+}
+
+/// The same with a number of panels on either arc.
+pub(crate) fn plane_section_by(
+    panels: usize,
+    radius: f64,
+    weight: f64,
+    (from, to): (f64, f64),
+    rotation: f64,
+    hold: &dyn Fn(f64, f64) -> f64,
+) -> Result<Turn, BaseError> {
     let reach = rotation * radius;
     let (low, high) = (from + reach, to - reach);
     let beyond = |wanted| BaseError::BeyondCurve {
@@ -198,7 +216,7 @@ pub fn plane_section(
         return Err(beyond(2.0 * reach + from));
     }
     let total = std::f64::consts::TAU * radius * weight;
-    let over = |centre: f64| sums(radius, centre, reach, hold).0 + total;
+    let over = |centre: f64| sums(panels, radius, centre, reach, hold).0 + total;
     let (below, above) = (over(low), over(high));
     if below > 0.0 {
         return Err(beyond(low - reach));
@@ -209,7 +227,7 @@ pub fn plane_section(
     let centre = root(&over, (low, below), (high, above), 1e-12 * total.abs());
     Ok(Turn {
         rotation,
-        moment: sums(radius, centre, reach, hold).1,
+        moment: sums(panels, radius, centre, reach, hold).1,
         centre,
         uplift: centre + reach,
         toe_force: -hold(centre - reach, -1.0),
@@ -255,15 +273,15 @@ fn open(centre: f64, reach: f64) -> f64 {
 }
 
 /// Force [N] and moment [N m] around the circumference; panels end where the rim leaves the ground.
-fn sums(radius: f64, centre: f64, reach: f64, hold: &dyn Fn(f64, f64) -> f64) -> (f64, f64) {
+fn sums(panels: usize, radius: f64, centre: f64, reach: f64, hold: &dyn Fn(f64, f64) -> f64) -> (f64, f64) {
     let edge = open(centre, reach);
     let (mut force, mut moment) = (0.0, 0.0);
     for (from, to) in [(0.0, edge), (edge, PI)] {
         if to <= from {
             continue;
         }
-        let width = (to - from) / PANELS as f64;
-        for i in 0..PANELS {
+        let width = (to - from) / panels as f64;
+        for i in 0..panels {
             for (x, weight) in GAUSS {
                 let cos = (from + (i as f64 + x) * width).cos();
                 let f = weight * width * hold(centre + reach * cos, cos);

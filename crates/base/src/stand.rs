@@ -8,15 +8,16 @@ use std::cell::RefCell;
 
 use crate::curve::{Curve, Point};
 use crate::error::BaseError;
-use crate::march::Lifted;
+use crate::march::{Lifted, Shape};
 use crate::model::Base;
-use crate::rocking::{Turn, plane_section, turned};
+use crate::rocking::{Turn, plane_section_by, turned};
 use crate::strip::Strip;
 
 /// Steps of the rim as shares of its distance from the ground without load, and from rest to there.
 const STEPS: (f64, f64) = (0.4, 1.0 / 6.0);
-/// Elements of half of the number along the strip: force and width change by less than 1 %.
-const REFINEMENT: f64 = 0.5;
+/// Panels of three Gauss points on the lifted arc, and as many on the rest: a quarter of those of a curve M(ψ), which changes the moment
+/// by less than 0.1 %.
+const PANELS: usize = 12;
 /// Largest uplift in radii: beyond it the plate's rotations are not small.
 const LIFT: f64 = 0.2;
 
@@ -29,12 +30,29 @@ pub struct Stand {
     pub rim: Point,
 }
 
+/// A point of the plate of a lifted strip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlatePoint {
+    /// Distance inwards from the rim [m]; negative outside the wall.
+    pub distance: f64,
+    /// Deflection, upwards [m].
+    pub deflection: f64,
+    /// Pressure of the ground [Pa].
+    pub pressure: f64,
+    /// Whether the plate has yielded from here to the next point outwards.
+    pub yielded: bool,
+}
+
 /// A curve and where it starts.
 #[derive(Clone, Debug)]
 struct Kept {
     curve: Curve,
+    /// The plate in each state of the curve.
+    shapes: Vec<Shape>,
     /// Uplift at rest [m].
     rest: f64,
+    /// The strip at the lower and the upper end: displacements and plastic strains; none after a step that failed.
+    ends: [Option<(Vec<f64>, Vec<f64>)>; 2],
 }
 
 /// Curves of a base on one ground, kept as far as they were drawn.
@@ -74,7 +92,53 @@ impl Stands {
         self.found(weight, 0.0, &|turn| turn.uplift, 1e-9)
     }
 
+    /// At rotations [rad]; those without equilibrium are left out.
+    ///
+    /// * `weight` w_t that holds the wall down [N/m]
+    pub fn at(&mut self, rotations: &[f64], weight: f64) -> Vec<Turn> {
+        let radius = self.base.radius;
+        let turns = self.with(0.0, |drawn| {
+            let turn = |rotation: &f64| grown(drawn, radius, weight, *rotation).ok();
+            Some(rotations.iter().filter_map(turn).collect())
+        });
+        turns.unwrap_or_default()
+    }
+
+    /// The plate where the rim is lifted by `uplift` [m], from the centre outwards; linear between the states of the curve, none beyond them.
+    pub fn plate(&mut self, uplift: f64) -> Option<Vec<PlatePoint>> {
+        let (rim, modulus) = (self.base.radius, self.base.modulus);
+        self.with(0.0, |drawn| {
+            let drawn = drawn.borrow();
+            let first = drawn.first()?;
+            let points = first.kept.curve.points();
+            let after = points.partition_point(|p| p.uplift < uplift);
+            let (low, high) = (points.get(after.checked_sub(1)?)?, points.get(after)?);
+            let t = (uplift - low.uplift) / (high.uplift - low.uplift);
+            let (from, to) = (&first.kept.shapes[after - 1], &first.kept.shapes[after]);
+            let plate = first.strip.nodes.iter().enumerate().map(|(i, node)| {
+                let deflection = from.deflections[i] + t * (to.deflections[i] - from.deflections[i]);
+                PlatePoint {
+                    distance: rim - node,
+                    deflection,
+                    pressure: modulus * (-deflection).max(0.0),
+                    yielded: to.yielded.get(i).copied().unwrap_or(false),
+                }
+            });
+            Some(plate.collect())
+        })
+    }
+
     fn found(&mut self, weight: f64, suction: f64, goal: &dyn Fn(&Turn) -> f64, settled: f64) -> Option<Stand> {
+        let radius = self.base.radius;
+        self.with(suction, |drawn| {
+            let turn = turned(&|rotation| grown(drawn, radius, weight, rotation), goal, settled)?;
+            let rim = drawn.borrow().last()?.kept.curve.at(turn.uplift);
+            Some(Stand { turn, rim })
+        })
+    }
+
+    /// An answer from the curves at rest and, with suction, under that; what it makes them grow is kept.
+    fn with<T>(&mut self, suction: f64, question: impl FnOnce(&RefCell<Vec<Drawn>>) -> Option<T>) -> Option<T> {
         let base = &self.base;
         let mut pressures = vec![base.pressure];
         if suction > 0.0 {
@@ -82,7 +146,7 @@ impl Stands {
         }
         let strips: Vec<Strip> = pressures
             .iter()
-            .map(|p| base.strip_of(*p, REFINEMENT))
+            .map(|p| base.coarse_strip(*p))
             .collect::<Result<_, _>>()
             .ok()?;
         let mut drawn = Vec::with_capacity(strips.len());
@@ -91,18 +155,13 @@ impl Stands {
             drawn.push(Drawn::of(strip, base.weight, kept.map(|(_, kept)| kept.clone())).ok()?);
         }
         let drawn = RefCell::new(drawn);
-        let turn = turned(&|rotation| grown(&drawn, base.radius, weight, rotation), goal, settled);
-        let drawn = drawn.into_inner();
-        let rim = turn.and_then(|turn| drawn.last().map(|d| d.kept.curve.at(turn.uplift)));
-        let curves = drawn
-            .into_iter()
-            .map(|d| (d.strip.pressure(), d.kept))
-            .collect::<Vec<_>>();
+        let answer = question(&drawn);
+        let curves = drawn.into_inner().into_iter().map(Drawn::keep).collect::<Vec<_>>();
         for (pressure, kept) in curves {
             self.curves.retain(|(own, _)| *own != pressure);
             self.curves.push((pressure, kept));
         }
-        Some(Stand { turn: turn?, rim: rim? })
+        answer
     }
 }
 
@@ -120,7 +179,7 @@ fn grown(drawn: &RefCell<Vec<Drawn>>, radius: f64, weight: f64, rotation: f64) -
                     _ => rest,
                 }
             };
-            plane_section(radius, weight, (from, to), rotation, &hold)
+            plane_section_by(PANELS, radius, weight, (from, to), rotation, &hold)
         };
         let Err(BaseError::BeyondCurve { wanted, from, to, .. }) = tried else {
             return tried;
@@ -150,8 +209,8 @@ struct Drawn<'a> {
 
 impl<'a> Drawn<'a> {
     fn of(strip: &'a Strip, weight: f64, kept: Option<Kept>) -> Result<Drawn<'a>, BaseError> {
-        if let Some(kept) = kept {
-            let ends = [None, None];
+        if let Some(mut kept) = kept {
+            let ends = std::mem::take(&mut kept.ends).map(|end| end.map(|parts| Lifted::of_parts(strip, parts)));
             return Ok(Drawn {
                 strip,
                 weight,
@@ -165,7 +224,9 @@ impl<'a> Drawn<'a> {
             weight,
             kept: Kept {
                 curve: Curve::through(vec![rest.point()]),
+                shapes: vec![rest.shape()],
                 rest: rest.uplift(),
+                ends: [None, None],
             },
             ends: [Some(rest.clone()), Some(rest)],
         };
@@ -173,6 +234,12 @@ impl<'a> Drawn<'a> {
             drawn.grow(up)?;
         }
         Ok(drawn)
+    }
+
+    /// Pressure on the plate [Pa], and the curve with its ends.
+    fn keep(self) -> (f64, Kept) {
+        let ends = self.ends.map(|end| end.map(Lifted::into_parts));
+        (self.strip.pressure(), Kept { ends, ..self.kept })
     }
 
     /// Without the outermost steps.
@@ -192,7 +259,9 @@ impl<'a> Drawn<'a> {
         let least = (STEPS.1 * self.kept.rest.abs()).max(1e-3 * self.strip.thickness());
         let step = least.max(STEPS.0 * end.abs());
         state.lift_to(if up { end + step } else { end - step })?;
-        points.insert(if up { points.len() } else { 0 }, state.point());
+        let place = if up { points.len() } else { 0 };
+        points.insert(place, state.point());
+        self.kept.shapes.insert(place, state.shape());
         self.kept.curve = Curve::through(points);
         self.ends[usize::from(up)] = Some(state);
         Ok(())

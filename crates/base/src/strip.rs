@@ -80,7 +80,7 @@ impl Strip {
             });
         }
         Ok(Strip {
-            nodes: places(&bands, modulus, length, 1.0),
+            nodes: places(&bands, modulus, length, (1.0, mesh::FINE)),
             outside: 0,
             bands,
             modulus,
@@ -105,8 +105,14 @@ impl Strip {
     /// The same strip with all elements shorter by a factor; before [`Strip::projecting`].
     #[must_use]
     pub fn refined(self, factor: f64) -> Strip {
+        self.spaced(factor, mesh::FINE)
+    }
+
+    /// The same with elements that stay short up to the distance `fine` from the rim alone [m].
+    #[must_use]
+    pub(crate) fn spaced(self, factor: f64, fine: f64) -> Strip {
         Strip {
-            nodes: places(&self.bands, self.modulus, self.length(), factor),
+            nodes: places(&self.bands, self.modulus, self.length(), (factor, fine)),
             ..self
         }
     }
@@ -137,8 +143,8 @@ impl Strip {
     }
 }
 
-fn places(bands: &Bands, modulus: f64, length: f64, refinement: f64) -> Vec<f64> {
-    let mut nodes = mesh::nodes(bands, modulus, length, refinement);
+fn places(bands: &Bands, modulus: f64, length: f64, widths: (f64, f64)) -> Vec<f64> {
+    let mut nodes = mesh::nodes(bands, modulus, length, widths);
     nodes.iter_mut().for_each(|x| *x = length - *x);
     nodes.reverse();
     nodes

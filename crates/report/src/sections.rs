@@ -24,6 +24,7 @@ mod section;
 mod sheets;
 mod spatial;
 mod spectra;
+mod standing;
 mod summary;
 mod tank;
 mod tilt;
@@ -66,6 +67,7 @@ sections![
     histories,
     internal_forces,
     directions,
+    standing,
     base,
     tilt,
     transfer,

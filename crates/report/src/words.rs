@@ -11,6 +11,7 @@
 //! | [`base`] | the command of that name |
 //! | [`after_record`] | where the record ends within a history |
 //! | [`labels`] | heads of columns, labels of rows |
+//! | [`standing`] | the base of a tank without anchors under the moments of the codes |
 //! | [`summary`] | the first page |
 //! | [`figures`] | captions and descriptions of figures |
 //! | [`facts`] | names of the numbers of a model |
@@ -34,6 +35,7 @@ pub mod labels;
 pub mod outcome;
 pub mod push;
 pub mod sections;
+pub mod standing;
 pub mod summary;
 pub mod terminal;
 pub mod transfer;

@@ -20,6 +20,7 @@ mod previous;
 mod push;
 mod run;
 mod snapshots;
+mod standing;
 mod store;
 mod tilt;
 mod transfer;
@@ -56,6 +57,7 @@ pub use store::{
     read_series, write,
 };
 
+pub use standing::{Standing, StandingGround, StandingPlate, StandingValues};
 pub use tilt::{Tilt, TiltLine};
 pub use transfer::{Transfer, TransferFunction, TransferMode};
 pub use value::Value;
@@ -89,6 +91,9 @@ pub struct Results {
     pub methods: Vec<Method>,
     /// Runs of the engines, that of the reference first; empty in `check`.
     pub runs: Vec<Run>,
+    /// The base of an unanchored tank under the moments of the codes, in results that are written to a folder.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub standing: Option<Standing>,
     /// Quantities × methods.
     pub comparison: Comparison,
     /// The verdict.

@@ -9,6 +9,7 @@ use super::accelerations::Accelerations;
 use super::forces::Forces;
 use super::piping::Lift;
 use super::{Run, limit_states};
+use crate::lifted;
 
 const E6_2_1_1: &str = "API 650:2020 E.6.2.1.1";
 const E6_2_1_1_2: &str = "API 650:2020 E.6.2.1.1.2";
@@ -154,6 +155,7 @@ impl Run<'_> {
         } else {
             false
         };
+        self.strips(m_rw, w_t * (1.0 - 0.4 * a_v) - f_p * w_int);
         let state = if j <= hd::NO_UPLIFT {
             "J ≤ 0.785: the shell does not lift."
         } else if j <= hd::NOT_SELF_ANCHORED {
@@ -198,6 +200,16 @@ impl Run<'_> {
                 self.annulus_width(width);
             }
         }
+    }
+
+    /// The base of strips under the ringwall moment M_rw, beside J and w_a; it decides nothing.
+    ///
+    /// * `weight`: that holds the shell down [N/m]
+    fn strips(&mut self, m_rw: f64, weight: f64) {
+        let case = self.basis.case;
+        let note = lifted::information(&mut self.sheet, case, ("M_rw", m_rw), weight, E6_2_1_1);
+        self.out.notes.extend(note);
+        self.sheet.section("Shell compression and annulus");
     }
 
     /// Width of the annulus that w_a needs [m], and uplift.

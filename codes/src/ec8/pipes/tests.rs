@@ -60,7 +60,9 @@ fn uplift_adds() {
     case.site.ec8.as_mut().unwrap().ag = 0.08 * 9.81;
     let a = En2006.assess(&case, Excitation::Site).unwrap();
     let pipes = check(&a, "pipes");
-    let expected = line(&a, "w") + 0.1 * D_G * 0.08 / 0.25;
+    // Softest ground first; the second is that of the file, which decides.
+    let uplifts: Vec<f64> = a.steps.iter().filter(|s| s.symbol == "w").map(|s| s.value).collect();
+    let expected = uplifts[1] + 0.1 * D_G * 0.08 / 0.25;
     close(pipes.demand.unwrap() / expected, 1.0, 1e-6);
     assert!(!pipes.holds());
     // A tank that overturns, or whose plate is not known, has no known uplift.
