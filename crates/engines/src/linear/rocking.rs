@@ -101,7 +101,10 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
     let (main, others) = std::thread::scope(|scope| {
         let others = BAND.map(|factor| {
             let on = base.on(factor * base.modulus);
-            scope.spawn(move || search::settle(setup, &on, false).map(|found| (on, found)))
+            scope.spawn(move || match search::settle(setup, &on, false) {
+                Ok(found) => Ok(outcome::band(&on, &found)),
+                Err(missed) => Err(words::missed_band(on.modulus, &missed)),
+            })
         });
         let main = search::settle(setup, base, true);
         (
@@ -109,14 +112,9 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
             others.map(|other| other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))),
         )
     });
-    let band = others
-        .into_iter()
-        .flatten()
-        .map(|(on, found)| outcome::band(&on, &found))
-        .collect();
     let fixed = [peak(Channel::BaseShear), moment];
     let found: Found = main?;
-    Ok(Free::Moves(Box::new(outcome::moved(setup, base, found, band, fixed))))
+    Ok(Free::Moves(Box::new(outcome::moved(setup, base, found, others, fixed))))
 }
 
 /// Whether the shear of the wall held down overcomes friction.
@@ -180,6 +178,9 @@ pub(super) fn say(free: &Free, notes: &mut Vec<String>) {
     match notes.iter_mut().find(|note| *note == HELD_DOWN) {
         Some(note) => *note = text,
         None => notes.push(text),
+    }
+    if let Free::Moves(moved) = free {
+        notes.extend(moved.result.missed.iter().map(words::band_note));
     }
 }
 

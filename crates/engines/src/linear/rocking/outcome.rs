@@ -2,7 +2,7 @@
 
 use ::base::{Base, Origin, Turn};
 use results::channel::Side;
-use results::{BaseBand, BaseEnergy, BaseQuantity, BaseRun, Channel, GroundOrigin, SeriesInfo, Value};
+use results::{BaseBand, BaseEnergy, BaseQuantity, BaseRun, Channel, GroundOrigin, MissedBand, SeriesInfo, Value};
 use tank::units::Dimension;
 
 use super::search::{Found, Setup};
@@ -108,8 +108,17 @@ pub(super) fn band(base: &Base, found: &Found) -> BaseBand {
     }
 }
 
-/// The run as it is reported; `fixed` are base shear [N] and base moment [N m] of the wall held down.
-pub(super) fn moved(setup: &Setup, base: &Base, found: Found, band: Vec<BaseBand>, fixed: [f64; 2]) -> Moved {
+/// The run as it is reported.
+///
+/// * `grounds`: the runs of the band
+/// * `fixed`: base shear [N] and base moment [N m] of the wall held down
+pub(super) fn moved(
+    setup: &Setup,
+    base: &Base,
+    found: Found,
+    grounds: [Result<BaseBand, MissedBand>; 2],
+    fixed: [f64; 2],
+) -> Moved {
     let states = states(base, &found);
     let peaks = peaks(&states, &found);
     let history = &found.history;
@@ -143,7 +152,8 @@ pub(super) fn moved(setup: &Setup, base: &Base, found: Found, band: Vec<BaseBand
             body: energy.body,
             error: history.balance,
         },
-        band,
+        band: grounds.iter().filter_map(|ground| ground.clone().ok()).collect(),
+        missed: grounds.into_iter().filter_map(Result::err).collect(),
         backbone: (0..=BACKBONE)
             .map(|i| {
                 let psi = 1.1 * peaks.rotation.0.abs() * (i as f64 / BACKBONE as f64).powi(2);

@@ -228,3 +228,29 @@ fn friction_caps_the_shear() {
     assert!(shear <= limit * (1.0 + 1e-9), "{shear} {limit}");
     assert!(moved.result.quantity("slip").unwrap().value.value > 0.0);
 }
+
+/// A run of the band that finds no equilibrium is in the results with its ground and reason, and in the notes, and the others stay.
+#[test]
+fn a_missed_ground_is_named() {
+    let ready = ready(oil(25e3, 1e8, 2.0));
+    let base = Base::of(&ready.case).unwrap();
+    let setup = ready.setup(10);
+    let found = search::settle(&setup, &base, false).unwrap();
+    let soft = outcome::band(&base.on(3.3e7), &found);
+    let missed = words::missed_band(3e8, &search::Missed::TooFar(0.0612, 3.25));
+    let moved = outcome::moved(&setup, &base, found, [Ok(soft), Err(missed)], [1.0, 1.0]);
+    assert_eq!(moved.result.band, [soft]);
+    let [missed] = &moved.result.missed[..] else {
+        panic!("{:?}", moved.result.missed)
+    };
+    assert_eq!(missed.modulus, 3e8);
+    let mut notes = vec![HELD_DOWN.to_owned()];
+    say(&Free::Moves(Box::new(moved)), &mut notes);
+    let [beside, note] = &notes[..] else {
+        panic!("{notes:?}")
+    };
+    assert_eq!(beside, words::BESIDE);
+    for part in ["300 MN/m³", "0.0612 rad", "passes at 3.25 s"] {
+        assert!(note.contains(part), "`{part}` is missing in {note}");
+    }
+}
