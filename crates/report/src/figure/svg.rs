@@ -214,7 +214,7 @@ pub fn text_width(text: &str) -> f64 {
             'i' | 'j' | 'l' | '.' | ',' | '\'' | '|' | ':' | ';' | '!' | '\u{202f}' => 0.26,
             'f' | 't' | 'r' | ' ' | '(' | ')' | '-' | '/' | '·' | '²' | '³' => 0.34,
             'm' | 'w' | 'M' | 'W' | '%' => 0.86,
-            // Figures as wide as in the widest of the usual fonts: tick labels must fit whatever is installed.
+            // Figures as wide as in the widest of the usual fonts: tick labels must fit in each of them.
             '0'..='9' => 0.64,
             '−' | '+' => 0.84,
             c if c.is_uppercase() => 0.69,
