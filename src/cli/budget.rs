@@ -27,7 +27,7 @@ impl MemoryArg {
 /// Errors: [`engines::FeError::Memory`], [`engines::FeError::TooLong`], before anything is built.
 pub(crate) fn admit(estimate: &Estimate, limit: u64, always: bool, global: &Global) -> Result<(), Error> {
     estimate.hold(limit)?;
-    if !global.quiet && (always || estimate.seconds > WORTH_SAYING) {
+    if !global.quiet && (always || estimate.longest() > WORTH_SAYING) {
         say!("{}", estimate.sentence());
     }
     Ok(())

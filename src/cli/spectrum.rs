@@ -190,6 +190,7 @@ fn estimate(record: &Record, periods: &[f64], dampings: &[f64], method: Method) 
         samples,
         steps: samples * most,
         seconds: steps * time,
+        inelastic: None,
         lever: Lever {
             smaller: Vec::new(),
             other: other.into(),

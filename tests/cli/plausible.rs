@@ -111,6 +111,21 @@ fn unusual_tanks_are_computed_with_a_warning() {
     }
 }
 
+/// No one uses the thickness of a ring wall; that of a slab passes without a warning.
+#[test]
+fn the_thickness_of_a_ring_wall_is_not_used() {
+    let foundation = |kind: &str| {
+        format!("\"height\": \"8.5 m\" }}, \"foundation\": {{ \"kind\": \"{kind}\", \"thickness\": \"0.5 m\" }} }}")
+    };
+    let from = "\"height\": \"8.5 m\" } }";
+    let found = warnings(from, &foundation("ring_wall"));
+    assert!(
+        matches!(&found[..], [one] if one.starts_with("tank.foundation.thickness: not used")),
+        "{found:?}"
+    );
+    assert_eq!(warnings(from, &foundation("slab")), [""; 0]);
+}
+
 #[test]
 fn impossible_tanks_are_refused_with_the_range() {
     for (from, to, parts) in [

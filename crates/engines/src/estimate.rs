@@ -58,8 +58,11 @@ pub struct Estimate {
     pub samples: f64,
     /// Steps of the time integration; 0 without one.
     pub steps: f64,
-    /// Processor time [s] on one core of the reference machine.
+    /// Processor time [s] on one core of the reference machine; of a wall that may yield or crack, while it stays elastic.
     pub seconds: f64,
+    /// Processor time [s] there if the wall yields or cracks during the whole record; `None` of linear runs and where it makes no
+    /// difference.
+    pub inelastic: Option<f64>,
     /// Ways to make the run smaller.
     pub lever: Lever,
 }
@@ -82,6 +85,11 @@ impl Estimate {
     /// Memory [MiB].
     pub fn mib(&self) -> u64 {
         mib(self.bytes())
+    }
+
+    /// The longer of both times [s].
+    pub fn longest(&self) -> f64 {
+        self.inelastic.unwrap_or(self.seconds)
     }
 
     /// Holds the run against the limits; `limit` is the memory allowed [MiB].
@@ -129,14 +137,17 @@ impl Estimate {
     }
 
     /// `three-dimensional run: 12x16x20 elements, 5074 unknowns, about 37 MiB, about 1 s`.
+    /// Of a wall that may yield: `…, about 1 min if the wall stays elastic, up to about 4 min if it yields or cracks`.
     pub fn sentence(&self) -> String {
-        format!(
-            "{}: {}, about {} MiB, about {}",
-            self.run,
-            self.size,
-            self.mib(),
-            span(self.seconds)
-        )
+        let time = match self.inelastic {
+            Some(inelastic) => format!(
+                "about {} if the wall stays elastic, up to about {} if it yields or cracks",
+                span(self.seconds),
+                span(inelastic)
+            ),
+            None => format!("about {}", span(self.seconds)),
+        };
+        format!("{}: {}, about {} MiB, {time}", self.run, self.size, self.mib())
     }
 }
 
@@ -369,6 +380,7 @@ mod tests {
             samples: 100.0,
             steps: 1000.0,
             seconds: 10.0,
+            inelastic: None,
             lever: Lever {
                 smaller: vec![
                     ("use --refine 2".into(), 300.0 * MIB, 5.0),
@@ -384,6 +396,15 @@ mod tests {
         let fits = estimate(100.0);
         assert_eq!(fits.hold(100), Ok(()));
         assert_eq!(fits.sentence(), "harmonic run: 400 unknowns, about 100 MiB, about 10 s");
+    }
+
+    #[test]
+    fn both_times_are_said() {
+        let mut run = estimate(100.0);
+        run.inelastic = Some(250.0);
+        let expected = "about 100 MiB, about 10 s if the wall stays elastic, up to about 4 min if it yields or cracks";
+        assert!(run.sentence().ends_with(expected), "{}", run.sentence());
+        assert_eq!((run.longest(), estimate(1.0).longest()), (250.0, 10.0));
     }
 
     #[test]

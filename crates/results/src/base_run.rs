@@ -51,8 +51,11 @@ pub struct BaseRun {
     pub superposition: f64,
     /// Energies at the end.
     pub energy: BaseEnergy,
-    /// The same on softer and on harder ground; empty where there is no equilibrium.
+    /// The same on softer and on harder ground.
     pub band: Vec<BaseBand>,
+    /// Grounds of the band on which there is no run.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub missed: Vec<MissedBand>,
     /// Moment of the base [N m] by rotation [rad] at the bottom pressure at rest, both rising.
     pub backbone: Vec<[f64; 2]>,
     /// Rotation [rad] and moment of the base [N m] around the largest rotation, in time.
@@ -108,6 +111,15 @@ pub struct BaseEnergy {
     pub body: f64,
     /// Largest deviation of the balance over the largest input.
     pub error: f64,
+}
+
+/// A ground of the band on which there is no run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MissedBand {
+    /// Modulus of the ground [N/m³].
+    pub modulus: f64,
+    /// Why, as a clause: the state of the base that has no equilibrium, or the rotation that exceeds the model's.
+    pub reason: String,
 }
 
 /// Largest values on another ground.

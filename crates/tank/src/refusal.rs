@@ -27,8 +27,6 @@ pub enum Place {
     Sectors,
     /// Ground motion along y.
     Transverse,
-    /// Contact of liquid and wall of the nonlinear engine.
-    Contact,
     /// Deviations of the wall from the perfect cylinder.
     Imperfections,
     /// Dashpots of the linear engines.

@@ -61,7 +61,7 @@ fn conditions(definitions: &mut Map<String, Value>) {
         "oneOf",
         json!([{ "required": ["thickness", "material"] }, { "required": ["layers"] }]),
     );
-    // Without the user's spectrum each code needs the values of its own; the zone method alone needs nothing else.
+    // Without the user's spectrum each code needs its values of the site; only the zone method needs nothing else.
     add(
         "Site",
         "allOf",

@@ -185,6 +185,7 @@ fn of(case: &Case, options: &Options, response: Option<Response>) -> Estimate {
         samples,
         steps,
         seconds,
+        inelastic: None,
         lever: Lever {
             smaller: Vec::new(),
             other: "resample the record (`record.resample`)".into(),

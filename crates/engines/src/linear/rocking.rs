@@ -146,7 +146,10 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
     let (main, others) = std::thread::scope(|scope| {
         let others = BAND.map(|factor| {
             let on = base.on(factor * base.modulus);
-            scope.spawn(move || search::settle(setup, &on, None, false).map(|found| (on, found)))
+            scope.spawn(move || match search::settle(setup, &on, None, false) {
+                Ok(found) => Ok(outcome::band(&on, &found)),
+                Err(missed) => Err(words::missed_band(on.modulus, &missed)),
+            })
         });
         let main = search::settle(setup, base, Some((rocking, law)), true);
         (
@@ -154,17 +157,12 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
             others.map(|other| other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))),
         )
     });
-    let band = others
-        .into_iter()
-        .flatten()
-        .map(|(on, found)| outcome::band(&on, &found))
-        .collect();
     let found: Found = main?;
     let grid = Grid {
         sub_steps: setup.sub_steps,
         ..analysis.grid
     };
-    Ok(Free::Moves(Box::new(outcome::moved(setup, base, found, band, grid))))
+    Ok(Free::Moves(Box::new(outcome::moved(setup, base, found, others, grid))))
 }
 
 /// Whether the shear of the wall held down overcomes friction.
@@ -234,6 +232,9 @@ pub(super) fn say(free: &Free, notes: &mut Vec<String>, assumptions: &mut Vec<St
     match notes.iter_mut().find(|note| *note == HELD_DOWN) {
         Some(note) => *note = text,
         None => notes.push(text),
+    }
+    if let Free::Moves(moved) = free {
+        notes.extend(moved.result.missed.iter().map(words::band_note));
     }
 }
 

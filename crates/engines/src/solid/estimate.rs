@@ -208,6 +208,7 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
         samples,
         steps,
         seconds,
+        inelastic: None,
         lever: Lever {
             smaller: Vec::new(),
             other: "coarsen the mesh (--mesh, --refine), or give a longer --vtu-every".into(),

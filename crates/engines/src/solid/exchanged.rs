@@ -5,7 +5,7 @@ use tank::case::{Case, Site};
 use tank::options::solid::{MeshSize, SolidOptions};
 
 /// Assumption of a box under two horizontal components.
-pub(super) const TWO_DIRECTIONS: &str = "Two horizontal components of a box: each excites motions of its own symmetry, whose responses add at every \
+pub(super) const TWO_DIRECTIONS: &str = "Two horizontal components of a box: each excites motions of one symmetry, whose responses add at every \
     instant. The middles of the walls take one of them each; wave and horizontal moment of the corners take both, forces on the base their \
     resultant. Stresses and pressures between the middle of a wall and its corner are not searched; pictures show the motion along x.";
 

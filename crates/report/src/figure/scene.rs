@@ -270,7 +270,7 @@ mod tests {
     #[test]
     fn what_is_behind_is_not_drawn() {
         let paths = |faces: &[Face]| draw(faces, &[], &[]).1.matches("class=\"qs").count();
-        // Seen from above, a larger square just above hides a smaller one, whatever their order.
+        // Seen from above, a larger square just above hides a smaller one, in either order.
         let (low, high) = (square(0.0, 0.5), square(0.01, 1.0));
         assert_eq!(paths(&[low, high]), 1);
         assert_eq!(paths(&[high, low]), 1);

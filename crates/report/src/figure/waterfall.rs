@@ -14,7 +14,7 @@ const TOP: f64 = 22.0;
 const GAP: f64 = 7.0;
 /// Width of the column of factors.
 const FACTORS: f64 = 44.0;
-/// Least factor, up or down, that has a row of its own.
+/// Least factor, up or down, that has a separate row.
 const SMALL: f64 = 1.02;
 
 /// A waterfall.
@@ -136,7 +136,7 @@ fn table(falls: &[Fall]) -> Table {
 mod tests {
     use super::*;
 
-    /// Every factor is in the data; what is too small for a row of its own is in one row with the others.
+    /// Every factor is in the data; small factors share one row.
     #[test]
     fn small_factors_share_a_row() {
         let steps = [("a", 0.5), ("b", 1.01), ("c", 0.995), ("d", 1.5)];

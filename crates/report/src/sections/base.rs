@@ -26,6 +26,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("values", &values(run));
     section.set("ground", &words::ground(run));
     section.set("band", &band(run));
+    section.set("missed", &words::missed(run));
     section.set("energy", &energy(run));
     section.set("balance", &words::balance(run));
     section.set("assumptions", &run.assumptions);

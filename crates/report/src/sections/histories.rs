@@ -31,12 +31,12 @@ fn is_ground(info: &SeriesInfo) -> bool {
     matches!(info.channel(), Some(Channel::Ground { .. } | Channel::GroundY(_)))
 }
 
-/// Whether it is an internal force at a station, which has a section of its own.
+/// Whether it is an internal force at a station; these have a separate section.
 fn is_force(info: &SeriesInfo) -> bool {
     info.channel().and_then(Channel::force_at).is_some()
 }
 
-/// Whether it is of a base that lifts or slides, which has a section of its own.
+/// Whether it is of a base that lifts or slides; these have a separate section.
 fn is_base(info: &SeriesInfo) -> bool {
     matches!(
         info.channel(),

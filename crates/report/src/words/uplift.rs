@@ -4,7 +4,7 @@ use tank::FoundationKind;
 use tank::units::{Dimension, display};
 
 use crate::number::{fixed, percent, with_unit};
-use results::{BaseRun, GroundOrigin};
+use results::{BaseRun, GroundOrigin, MissedBand};
 
 /// Title of a quantity.
 pub fn quantity(id: &str) -> &str {
@@ -98,6 +98,18 @@ pub fn ground(run: &BaseRun) -> String {
         percent(run.hysteretic),
         display(run.step, Dimension::Time)
     )
+}
+
+/// Grounds of the band without a run, one sentence each.
+pub fn missed(run: &BaseRun) -> Vec<String> {
+    let sentence = |missed: &MissedBand| {
+        format!(
+            "No run on ground of {} under the rim: {}.",
+            display(missed.modulus, Dimension::Subgrade),
+            missed.reason
+        )
+    };
+    run.missed.iter().map(sentence).collect()
 }
 
 /// Error of the energy balance.

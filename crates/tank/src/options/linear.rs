@@ -38,7 +38,7 @@ pub enum DampingModel {
     },
     /// Caughey's series through pairs of circular frequency [rad/s] and ratio.
     Caughey(CaugheyPairs),
-    /// Rayleigh damping with its coefficients given, whatever their sign (parity with published runs), with a warning if
+    /// Rayleigh damping with given coefficients of either sign (parity with published runs), with a warning if
     /// one is negative.
     Coefficients {
         /// a_M [1/s].

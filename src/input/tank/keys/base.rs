@@ -90,6 +90,14 @@ pub(super) fn foundation(
         let allowed = "\"kind\": \"slab\" or \"ring_wall\"";
         r.faults.push(range_fault(field, message, allowed));
     }
+    if let Some(field) = &given.thickness.given
+        && kind == FoundationKind::RingWall
+    {
+        r.warnings.push(format!(
+            "{}: not used: no engine or procedure needs the thickness of a ring wall",
+            field.path
+        ));
+    }
     Some(tank::Foundation {
         kind,
         stiffness,

@@ -95,7 +95,7 @@ object! {
         caughey: Opt<Vec<Field<RatioAt>>> [PAIRS],
         /// Rayleigh damping fitted to two ratios.
         rayleigh: Opt<Rayleigh>,
-        /// Rayleigh damping with its coefficients given, whatever their sign.
+        /// Rayleigh damping with given coefficients of either sign.
         coefficients: Opt<Coefficients>,
         /// Dashpots between the ground and the wall of a cylinder in the linear engines, besides the damping model; they couple the modes.
         dashpots: Opt<Vec<Field<RingOfDashpots>>> [Limits::ANY.items(0, MOST_RINGS)] = Absent::Without("no dashpots"),

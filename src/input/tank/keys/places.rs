@@ -48,9 +48,6 @@ pub(super) fn of(file: &TankFile) -> Places {
             all.insert(Place::Sectors, circumference);
         }
     }
-    if let Some(contact) = nonlinear.and_then(|n| n.contact.place()) {
-        all.insert(Place::Contact, contact);
-    }
     let solid = file.analysis.value().and_then(|a| a.solid.value());
     if let Some(liquid) = solid.and_then(|s| s.liquid.place()) {
         all.insert(Place::Liquid, liquid);

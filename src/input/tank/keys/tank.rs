@@ -123,16 +123,17 @@ object! {
         /// wide, so it is much stiffer than a plate-load test of the whole bottom.
         stiffness ("100 MN/m3"): Opt<Subgrade> [Limits::from(1e6).to(1e12)]
             = Absent::Follows("from shear_wave_velocity after Vesic; else 100 MN/m³ of soil, 10 000 MN/m³ of a ring wall or slab"),
-        /// Velocity of shear waves in the soil, at the strains of the earthquake (EN 1998-5:2004 table 4.1).
+        /// Velocity of shear waves in the soil, at the strains of the earthquake (EN 1998-5:2004 table 4.1). It gives the modulus under the
+        /// rim of a tank on soil without stiffness, and the energy that the soil radiates under the rim of a tank that rocks.
         shear_wave_velocity ("250 m/s"): Opt<Velocity> [Limits::from(50.0).to(3000.0)]
-            = without("the motion of the soil under the tank is left out"),
+            = without("the soil under the rim radiates no energy"),
         /// Density of the soil.
         soil_density ("1900 kg/m3"): Opt<Density> [Limits::from(1000.0).to(3000.0)]
             = default(Density(1900.0)).because("moist sand or gravel"),
         /// Poisson's ratio of the soil.
         soil_poisson_ratio (0.33): Opt<Number> [Limits::from(0.0).below(0.5)]
             = default(Number(1.0 / 3.0)).shown("1/3").because("drained sand or gravel"),
-        /// Thickness of a slab.
+        /// Thickness of a slab. No engine or procedure uses that of a ring wall.
         thickness ("0.6 m"): Opt<Length> [THICKNESS],
         /// Coefficient of friction between the bottom plate and the ground, the mean that is expected rather than a design value.
         friction (0.4): Opt<Number> [Limits::above(0.0).to(2.0)] = without("the tank does not slide in the time history"),

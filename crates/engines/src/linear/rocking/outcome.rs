@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use ::base::{Base, Origin, Turn};
 use results::channel::Side;
-use results::{BaseBand, BaseEnergy, BaseQuantity, BaseRun, Channel, GroundOrigin, SeriesInfo, Value};
+use results::{BaseBand, BaseEnergy, BaseQuantity, BaseRun, Channel, GroundOrigin, MissedBand, SeriesInfo, Value};
 use tank::units::Dimension;
 
 use super::search::{Found, Setup};
@@ -141,7 +141,15 @@ pub(super) fn band(base: &Base, found: &Found) -> BaseBand {
 }
 
 /// The run as it is reported; the values of the wall held down and the superposed ones are added by [`Moved::complete`].
-pub(super) fn moved(setup: &Setup, base: &Base, found: Found, band: Vec<BaseBand>, grid: Grid) -> Moved {
+///
+/// * `grounds`: the runs of the band
+pub(super) fn moved(
+    setup: &Setup,
+    base: &Base,
+    found: Found,
+    grounds: [Result<BaseBand, MissedBand>; 2],
+    grid: Grid,
+) -> Moved {
     let states = states(base, &found);
     let peaks = peaks(&states, &found);
     let history = &found.history;
@@ -175,7 +183,8 @@ pub(super) fn moved(setup: &Setup, base: &Base, found: Found, band: Vec<BaseBand
             body: energy.body,
             error: history.balance,
         },
-        band,
+        band: grounds.iter().filter_map(|ground| ground.clone().ok()).collect(),
+        missed: grounds.into_iter().filter_map(Result::err).collect(),
         backbone: (0..=BACKBONE)
             .map(|i| {
                 let psi = 1.1 * peaks.rotation.0.abs() * (i as f64 / BACKBONE as f64).powi(2);

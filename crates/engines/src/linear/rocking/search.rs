@@ -53,8 +53,8 @@ pub(super) struct Found {
 pub(super) enum Missed {
     /// No equilibrium of the base.
     Base(BaseError),
-    /// The base turns further than [`MOST`].
-    TooFar(f64),
+    /// The base turns further than [`MOST`]: its largest rotation [rad], and when it first passes that limit [s].
+    TooFar(f64, f64),
 }
 
 impl From<BaseError> for Missed {
@@ -221,7 +221,8 @@ pub(super) fn settle(setup: &Setup, base: &Base, first: Option<(Rocking, Law)>, 
             });
         }
         if largest >= MOST {
-            return Err(Missed::TooFar(peak));
+            let passes = history.rotation.iter().position(|psi| psi.abs() > largest).unwrap_or(0);
+            return Err(Missed::TooFar(peak, passes as f64 * setup.step));
         }
         (rocking, law) = self::law(base, (1.3 * peak).max(2.0 * largest).min(MOST))?;
     }

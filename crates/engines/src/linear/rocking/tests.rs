@@ -335,3 +335,29 @@ fn a_lifting_run_has_the_demands_of_the_strips() {
     assert!((-least / toe - 1.0).abs() < 1e-2, "{least} {toe}");
     assert!(demands.places.iter().all(|place| place.bending.is_none()));
 }
+
+/// A run of the band that finds no equilibrium is in the results with its ground and reason, and in the notes, and the others stay.
+#[test]
+fn a_missed_ground_is_named() {
+    let ready = ready(oil(25e3, 1e8, 2.0));
+    let base = Base::of(&ready.case).unwrap();
+    let setup = ready.setup(10);
+    let found = search::settle(&setup, &base, None, false).unwrap();
+    let soft = outcome::band(&base.on(3.3e7), &found);
+    let missed = words::missed_band(3e8, &search::Missed::TooFar(0.0612, 3.25));
+    let moved = outcome::moved(&setup, &base, found, [Ok(soft), Err(missed)], ready.analysis().grid);
+    assert_eq!(moved.result.band, [soft]);
+    let [missed] = &moved.result.missed[..] else {
+        panic!("{:?}", moved.result.missed)
+    };
+    assert_eq!(missed.modulus, 3e8);
+    let mut notes = vec![HELD_DOWN.to_owned()];
+    say(&Free::Moves(Box::new(moved)), &mut notes, &mut Vec::new());
+    let [moves, note] = &notes[..] else {
+        panic!("{notes:?}")
+    };
+    assert_eq!(moves, words::MOVES);
+    for part in ["300 MN/m³", "0.0612 rad", "passes at 3.25 s"] {
+        assert!(note.contains(part), "`{part}` is missing in {note}");
+    }
+}

@@ -1,11 +1,12 @@
 //! Notes and assumptions of a run on a free base.
 
 use ::base::Base;
+use results::MissedBand;
 use tank::units::{Dimension, display, significant};
 
 use super::search::{Found, MOST, Missed, SETTLED, Setup};
 
-/// The wall is held down, whatever the tank does.
+/// The wall is held down although the tank is unanchored.
 pub(crate) const HELD_DOWN: &str =
     "The tank is unanchored; the linear engine clamps the wall to the ground and does not model uplift.";
 /// Of a run that lifts or slides.
@@ -40,17 +41,41 @@ pub(super) fn rests(moment: f64, lifting: f64, friction: bool) -> String {
     )
 }
 
+/// Why there is no run, a clause.
+fn reason(missed: &Missed) -> String {
+    match missed {
+        Missed::Base(error) => error.to_string(),
+        Missed::TooFar(angle, time) => format!(
+            "the base turns by {} rad, more than the {MOST} rad of the model, which it passes at {}: the tank overturns or lifts beyond \
+             small rotations",
+            significant(*angle, 3),
+            display(*time, Dimension::Time)
+        ),
+    }
+}
+
 /// There is no run.
 pub(super) fn missed(missed: &Missed) -> String {
-    let reason = match missed {
-        Missed::Base(error) => error.to_string(),
-        Missed::TooFar(angle) => format!(
-            "the base turns by {} rad, more than the {MOST} rad of the model: the tank overturns or lifts beyond small rotations",
-            significant(*angle, 3)
-        ),
-    };
     format!(
-        "The tank is unanchored and lifts, but there is no run with uplift: {reason}. All values are those of the wall held down."
+        "The tank is unanchored and lifts, but there is no run with uplift: {}. All values are those of the wall held down.",
+        reason(missed)
+    )
+}
+
+/// There is no run on a ground of the band, modulus [N/m³].
+pub(super) fn missed_band(modulus: f64, missed: &Missed) -> MissedBand {
+    MissedBand {
+        modulus,
+        reason: reason(missed),
+    }
+}
+
+/// The same as a note of the engine.
+pub(super) fn band_note(missed: &MissedBand) -> String {
+    format!(
+        "The uplift on ground of {} under the rim, part of the band of a third to three times the modulus, is not computed: {}.",
+        display(missed.modulus, Dimension::Subgrade),
+        missed.reason
     )
 }
 
@@ -66,7 +91,7 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
         "Mesh errors are the relative ones of the wall held down.",
         "The toe's stress contains the weight of wall and roof; it is the force per length over the thickness of the lowest course.",
         "The suction on the lifted side acts on the strips; the pressure of a vertical motion does not.",
-        "The liquid above the lifted crescent has no inertia of its own, and the liquid's floor stays at rest.",
+        "The liquid above the lifted crescent adds no inertia, and the liquid's floor stays at rest.",
     ]
     .map(String::from)
     .to_vec();

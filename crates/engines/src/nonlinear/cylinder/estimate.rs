@@ -47,9 +47,15 @@ const SECTION: f64 = 1.2;
 const SMALL_RATE: f64 = 2e9;
 /// Time of a transform of n numbers over n log₂ n, as bytes read.
 const TRANSFORM: f64 = 4.0;
-/// Iterations of a step, and steps from one factorisation to the next.
+/// Iterations of a step of the record, and steps from one factorisation to the next, while the wall stays elastic.
 const ITERATIONS: f64 = 3.5;
 const KEPT: f64 = 30.0;
+/// The same of a step of free vibration in a quiet wall: example 08, 31 ms a step against 57 ms in the record (docs/performance.md).
+const QUIET_ITERATIONS: f64 = 1.9;
+/// Time of a step in which the wall yields or cracks over that of an elastic one: the practical steel tank, 252 s against the 87 s of
+/// elastic steps (docs/performance.md). Free vibration is in the upper time with elastic steps of the record: those of the steel tank
+/// take 35 ms against 27 ms.
+const INELASTIC: f64 = 3.0;
 /// Time of a cell without its layers, and of a point of a layer, in one iteration [s]. Points of sections that neither yield nor
 /// crack cost little; these are measured where few do.
 const CELL_TIME: f64 = 1e-6;
@@ -170,7 +176,13 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
     let sweep = 3.0 * block + 2.0 * NUMBER * fill.entries + products * rings.product(unknowns, number * shells);
     let iteration = number * shells * CELL_TIME + points * POINT_TIME + sweep / PRODUCT_RATE;
     let factor = fill.flops / FACTOR_RATE + rings.factor;
-    let once = steps * (ITERATIONS * iteration + factor / KEPT) + START * (ITERATIONS * iteration + factor);
+    let free = steps * response.tail / (response.duration + response.tail);
+    let (elastic, quiet) = (ITERATIONS * iteration + factor / KEPT, QUIET_ITERATIONS * iteration);
+    let start = START * (ITERATIONS * iteration + factor);
+    let all = |record: f64, tail: f64| {
+        let once = start + (steps - free) * record + free * tail;
+        BESIDE + once * runs.max(1) as f64 + 2.0 * (block / NUMBER).powf(1.5) / DENSE_RATE
+    };
     let of_runs = if jobs > 0 {
         format!(", {runs} runs, {at_a_time:.0} at a time")
     } else {
@@ -186,7 +198,8 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
         parts,
         samples,
         steps,
-        seconds: BESIDE + once * runs.max(1) as f64 + 2.0 * (block / NUMBER).powf(1.5) / DENSE_RATE,
+        seconds: all(elastic, quiet),
+        inelastic: Some(all(INELASTIC * elastic, elastic)),
         lever: Lever {
             smaller: Vec::new(),
             other: "coarsen the wall (`analysis.nonlinear.elements`)".into(),

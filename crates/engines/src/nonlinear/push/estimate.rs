@@ -97,6 +97,7 @@ fn of(case: &Case, options: &NonlinearOptions, push: &PushOptions, rows: f64, se
         samples: 0.0,
         steps: shells * STATES as f64,
         seconds: shells * STATES as f64 * ITERATIONS * iteration,
+        inelastic: None,
         lever: Lever {
             smaller: Vec::new(),
             other: "coarsen the wall (`analysis.nonlinear.elements`)".into(),

@@ -38,7 +38,7 @@ object! {
         fracture_energy ("140 N/m"): Opt<LineForce> [Limits::above(0.0).to(1e5)] = Absent::Follows(
             "73 N/m times the mean compressive strength in MPa to the power 0.18 (fib Model Code 2010)"
         ),
-        /// Strain over which the tensile stress falls to f_t/e, whatever the element: results depend on the mesh.
+        /// Strain over which the tensile stress falls to f_t/e, the same in elements of all sizes: results depend on the mesh.
         softening_strain (2e-4): Opt<Number> [Limits::above(0.0).to(1.0)],
         /// True if the tensile stress drops to zero at the first crack: results depend on the mesh and the time step.
         brittle (true): Opt<bool> = default(false),
@@ -92,8 +92,8 @@ choice! {
         /// soften and has no cracks.
         TwoSurface = "two-surface",
         /// Dougill's progressively fracturing solid: from compressive_strength on its stiffness falls, without permanent strain; the energy
-        /// is 250 times the fracture energy of the compressive strength (fib Model Code 2010) over the size of the element. It has no
-        /// tensile strength of its own: in tension it begins at 0.6 to 1 of the compressive strength, by biaxial_ratio.
+        /// is 250 times the fracture energy of the compressive strength (fib Model Code 2010) over the size of the element.
+        /// tensile_strength does not enter: in tension the stiffness falls from 0.6 to 1 of the compressive strength on, by biaxial_ratio.
         Fracturing = "fracturing",
     }
 }
@@ -204,7 +204,7 @@ fn without_cracks(r: &mut Resolver<'_>, reader: &Reader, c: &ConcreteBehaviour, 
     );
     r.remarks.push(match law {
         ConcreteLaw::Fracturing => format!(
-            "{}: Dougill's fracturing solid has no tensile strength of its own; tensile_strength serves the checks alone",
+            "{}: Dougill's fracturing solid does not use tensile_strength, which only the checks use",
             reader.path
         ),
         _ => format!(
