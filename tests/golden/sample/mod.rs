@@ -157,6 +157,7 @@ pub(crate) fn sample(kind: Kind, name: &str) -> (Results, Series) {
             seconds: 0.31,
         },
         name: name.into(),
+        standing: None,
         files: vec![
             SourceFile {
                 role: "tank".into(),

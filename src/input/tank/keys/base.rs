@@ -91,10 +91,10 @@ pub(super) fn foundation(
         r.faults.push(range_fault(field, message, allowed));
     }
     if let Some(field) = &given.thickness.given
-        && kind == FoundationKind::RingWall
+        && kind != FoundationKind::Soil
     {
         r.warnings.push(format!(
-            "{}: not used: no engine or procedure needs the thickness of a ring wall",
+            "{}: not used: no engine or procedure needs the thickness of the foundation",
             field.path
         ));
     }

@@ -353,9 +353,7 @@ fn a_missed_ground_is_named() {
     assert_eq!(missed.modulus, 3e8);
     let mut notes = vec![HELD_DOWN.to_owned()];
     say(&Free::Moves(Box::new(moved)), &mut notes, &mut Vec::new());
-    let [moves, note] = &notes[..] else {
-        panic!("{notes:?}")
-    };
+    let [moves, note] = &notes[..] else { panic!("{notes:?}") };
     assert_eq!(moves, words::MOVES);
     for part in ["300 MN/m³", "0.0612 rad", "passes at 3.25 s"] {
         assert!(note.contains(part), "`{part}` is missing in {note}");
