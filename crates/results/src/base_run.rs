@@ -44,6 +44,7 @@ pub struct BaseRun {
     /// Limit of the plastic rotation of the joint [rad].
     pub plastic_rotation_limit: f64,
     /// Comparable values of the wall held down, by id of the quantity (SI).
+    #[serde(default)]
     pub held: BTreeMap<String, f64>,
     /// Largest difference of the peaks of base shear and base moment between the superposed response, whose values are reported, and the march
     /// of the base, relative.
