@@ -12,8 +12,10 @@ const FILLING: usize = 8;
 const SMALLEST_SHARE: f64 = 1e-5;
 /// Iterations of a step.
 const ITERATIONS: usize = 40;
-/// Corrections in a row that grow: the step is too long.
+/// Corrections in a row that grow: the step of the uplift is too long. On the way to rest the contact of hard ground makes many grow.
 const DIVERGES: usize = 2;
+/// Largest correction [m].
+const FARTHEST: f64 = 10.0;
 /// Shortest step of the uplift [m].
 const SHORTEST: f64 = 1e-9;
 
@@ -174,7 +176,8 @@ impl<'a> Lifted<'a> {
             let largest = moved.fold(0.0, f64::max);
             growing = if largest > before { growing + 1 } else { 0 };
             before = largest;
-            if !largest.is_finite() || growing == DIVERGES {
+            let too_long = matches!(given, Given::Uplift(_)) && growing == DIVERGES;
+            if !largest.is_finite() || largest > FARTHEST || too_long {
                 return Ok(false);
             }
             x.iter_mut().zip(&dx).for_each(|(x, d)| *x += d);
