@@ -294,6 +294,7 @@ fn report(
     let mut assumptions = describe::assumptions(case, options, linear.engine);
     rocking::say(&free, &mut notes, &mut assumptions);
     let modelled = free.is_modelled();
+    let repeats = rocking::limit(&free);
     if let rocking::Free::Moves(found) = &free {
         rocking::push(found, &mut histories);
     }
@@ -321,6 +322,7 @@ fn report(
         )
         .into_iter()
         .filter(|limit| !(modelled && limit.id == limits::UPLIFT))
+        .chain(repeats)
         .collect(),
         ..Run::new(linear.engine)
     };

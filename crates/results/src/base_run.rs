@@ -57,6 +57,9 @@ pub struct BaseRun {
     /// Grounds of the band on which there is no run.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub missed: Vec<MissedBand>,
+    /// Extremes of runs that should agree.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spread: Option<BaseSpread>,
     /// Moment of the base [N m] by rotation [rad] at the bottom pressure at rest, both rising.
     pub backbone: Vec<[f64; 2]>,
     /// Rotation [rad] and moment of the base [N m] around the largest rotation, in time.
@@ -140,4 +143,45 @@ pub struct BaseBand {
     pub slip: f64,
     /// Base shear [N].
     pub base_shear: f64,
+    /// Extremes of runs that should agree.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spread: Option<BaseSpread>,
+}
+
+/// Smallest and largest peaks of runs that should agree: the run itself, its motion weaker and stronger by [`BaseSpread::APART`], and half
+/// its time step.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BaseSpread {
+    /// Uplift [m].
+    pub uplift: [f64; 2],
+    /// Rotation of the base [rad].
+    pub base_rotation: [f64; 2],
+    /// Plastic rotation of the joint [rad].
+    pub plastic_rotation: [f64; 2],
+    /// Axial stress at the toe, compression [Pa].
+    pub toe_axial_stress: [f64; 2],
+    /// Base shear [N].
+    pub base_shear: [f64; 2],
+}
+
+impl BaseSpread {
+    /// What motions are apart, relative.
+    pub const APART: f64 = 1e-3;
+    /// Spread of a run that repeats: half a step moves a peak by less than 1 %, and motions 0.2 % apart peaks by less than 1 %; a base
+    /// that rocks without loss doubles both.
+    pub const REPEATS: f64 = 0.05;
+
+    /// Largest of the spreads of rotation, toe stress and shear, over the larger value.
+    pub fn relative(&self) -> f64 {
+        let spread = |[low, high]: [f64; 2]| if high > 0.0 { (high - low) / high } else { 0.0 };
+        [self.base_rotation, self.toe_axial_stress, self.base_shear]
+            .map(spread)
+            .into_iter()
+            .fold(0.0, f64::max)
+    }
+
+    /// Whether the runs agree.
+    pub fn repeats(&self) -> bool {
+        self.relative() <= BaseSpread::REPEATS
+    }
 }

@@ -16,10 +16,11 @@ mod words;
 use ::base::history::Friction;
 use ::base::{Base, Soil};
 use results::channel::OnWall;
-use results::{BaseRun, Channel, EngineId};
+use results::{BaseRun, BaseSpread, Channel, EngineId, Limit};
 use tank::case::GroundMotion;
 use tank::demand::{Demands, FreeBase};
 use tank::options::LinearOptions as Options;
+use tank::units::Dimension;
 use tank::{Case, STANDARD_GRAVITY, Shape, Support};
 
 use super::analysis::Analysis;
@@ -236,6 +237,23 @@ pub(super) fn say(free: &Free, notes: &mut Vec<String>, assumptions: &mut Vec<St
     if let Free::Moves(moved) = free {
         notes.extend(moved.result.missed.iter().map(words::band_note));
     }
+}
+
+/// Whether the run repeats, as a limit of validity.
+pub(super) fn limit(free: &Free) -> Option<Limit> {
+    let spread = free.moved()?.result.spread?;
+    Some(Limit {
+        id: "base_repeats".into(),
+        name: words::SPREAD.into(),
+        value: spread.relative(),
+        limit: BaseSpread::REPEATS,
+        dimension: Dimension::Dimensionless,
+        holds: spread.repeats(),
+        note: match spread.repeats() {
+            true => String::new(),
+            false => words::does_not_repeat(&spread),
+        },
+    })
 }
 
 /// Adds the histories of the run.

@@ -93,6 +93,7 @@ fn band(run: &BaseRun) -> Table {
         toe_axial_stress: value("toe_axial_stress"),
         slip: value("slip"),
         base_shear: value("base_shear"),
+        spread: run.spread,
     };
     let mut rows: Vec<&results::BaseBand> = run.band.iter().chain([&own]).collect();
     rows.sort_by(|a, b| a.modulus.total_cmp(&b.modulus));
@@ -105,6 +106,7 @@ fn band(run: &BaseRun) -> Table {
             with_unit(row.toe_axial_stress, Dimension::Stress),
             with_unit(row.slip, Dimension::Length),
             with_unit(row.base_shear, Dimension::Force),
+            row.spread.map_or(words::NONE.into(), |spread| words::spread(&spread)),
         ]);
     }
     table

@@ -4,7 +4,7 @@ use tank::FoundationKind;
 use tank::units::{Dimension, display};
 
 use crate::number::{fixed, percent, with_unit};
-use results::{BaseRun, GroundOrigin, MissedBand};
+use results::{BaseRun, BaseSpread, GroundOrigin, MissedBand};
 
 /// Title of a quantity.
 pub fn quantity(id: &str) -> &str {
@@ -37,7 +37,7 @@ pub const VALUES: [&str; 7] = [
     "Ratio",
 ];
 /// Heads of the table of the band.
-pub const BAND: [&str; 7] = [
+pub const BAND: [&str; 8] = [
     "Ground under the rim",
     "Uplift",
     "Rotation of the base",
@@ -45,6 +45,7 @@ pub const BAND: [&str; 7] = [
     "Toe stress",
     "Slip",
     "Base shear",
+    "Spread",
 ];
 /// Labels of the energies.
 pub const ENERGIES: [&str; 7] = [
@@ -98,6 +99,18 @@ pub fn ground(run: &BaseRun) -> String {
         percent(run.hysteretic),
         display(run.step, Dimension::Time)
     )
+}
+
+/// Spread of runs that should agree.
+pub fn spread(spread: &BaseSpread) -> String {
+    let value = percent(spread.relative());
+    match spread.repeats() {
+        true => value,
+        false => {
+            let [low, high] = spread.uplift.map(|v| display(v, Dimension::Length));
+            format!("{value}: uplift {low} to {high}")
+        }
+    }
 }
 
 /// Grounds of the band without a run, one sentence each.

@@ -224,8 +224,11 @@ impl Moved {
 
     fn joint(&self) -> Option<Peak> {
         let found = self.result.quantity("plastic_rotation")?;
+        let own = found.value.value;
+        // A run that does not repeat is judged by the largest of its twins.
+        let spread = self.result.spread.filter(|spread| !spread.repeats());
         self.yields.then(|| Peak {
-            value: found.value.value,
+            value: spread.map_or(own, |spread| spread.plastic_rotation[1]),
             time: found.time.unwrap_or_default(),
             theta: found.degrees.unwrap_or_default().to_radians(),
         })

@@ -2,9 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use ::base::history::History;
 use ::base::{Base, Origin, Turn};
 use results::channel::Side;
-use results::{BaseBand, BaseEnergy, BaseQuantity, BaseRun, Channel, GroundOrigin, MissedBand, SeriesInfo, Value};
+use results::{
+    BaseBand, BaseEnergy, BaseQuantity, BaseRun, BaseSpread, Channel, GroundOrigin, MissedBand, SeriesInfo, Value,
+};
 use tank::units::Dimension;
 
 use super::search::{Found, Setup};
@@ -66,8 +69,7 @@ struct States {
     foot: [Vec<f64>; 2],
 }
 
-fn states(base: &Base, found: &Found) -> States {
-    let history = &found.history;
+fn states(base: &Base, found: &Found, history: &History) -> States {
     let places = history.rotation.iter().zip(&history.pressure);
     let turns: Vec<Turn> = places.map(|(psi, suction)| found.law.turn(*psi, *suction)).collect();
     // A positive rotation lifts θ = 180°.
@@ -107,8 +109,7 @@ struct Peaks {
     moment: (f64, usize),
 }
 
-fn peaks(states: &States, found: &Found) -> Peaks {
-    let history = &found.history;
+fn peaks(states: &States, found: &Found, history: &History) -> Peaks {
     let mut uplift = (0.0, 0);
     for (i, turn) in states.turns.iter().enumerate() {
         if turn.uplift > uplift.0 {
@@ -128,8 +129,9 @@ fn peaks(states: &States, found: &Found) -> Peaks {
 
 /// Largest values on another ground.
 pub(super) fn band(base: &Base, found: &Found) -> BaseBand {
-    let peaks = peaks(&states(base, found), found);
+    let peaks = peaks(&states(base, found, &found.history), found, &found.history);
     BaseBand {
+        spread: Some(spread(base, found, &peaks)),
         modulus: base.modulus,
         uplift: peaks.uplift.0,
         base_rotation: peaks.rotation.0.abs(),
@@ -137,6 +139,34 @@ pub(super) fn band(base: &Base, found: &Found) -> BaseBand {
         toe_axial_stress: peaks.toe.0.abs(),
         slip: peaks.slip.0.abs(),
         base_shear: peaks.shear.0.abs(),
+    }
+}
+
+/// Extremes of the run and its twins.
+fn spread(base: &Base, found: &Found, own: &Peaks) -> BaseSpread {
+    let values = |peaks: &Peaks| {
+        [
+            peaks.uplift.0,
+            peaks.rotation.0.abs(),
+            peaks.plastic,
+            peaks.toe.0.abs(),
+            peaks.shear.0.abs(),
+        ]
+    };
+    let mut ranges = values(own).map(|v| [v; 2]);
+    for twin in &found.twins {
+        let peaks = peaks(&states(base, found, twin), found, twin);
+        for (range, value) in ranges.iter_mut().zip(values(&peaks)) {
+            *range = [range[0].min(value), range[1].max(value)];
+        }
+    }
+    let [uplift, base_rotation, plastic_rotation, toe_axial_stress, base_shear] = ranges;
+    BaseSpread {
+        uplift,
+        base_rotation,
+        plastic_rotation,
+        toe_axial_stress,
+        base_shear,
     }
 }
 
@@ -150,9 +180,9 @@ pub(super) fn moved(
     grounds: [Result<BaseBand, MissedBand>; 2],
     grid: Grid,
 ) -> Moved {
-    let states = states(base, &found);
-    let peaks = peaks(&states, &found);
     let history = &found.history;
+    let states = states(base, &found, history);
+    let peaks = peaks(&states, &found, history);
     let energy = history.energy;
     let (peak, radius) = (peaks.rotation.1, base.radius);
     let lifted = peaks.uplift.1;
@@ -185,6 +215,7 @@ pub(super) fn moved(
         },
         band: grounds.iter().filter_map(|ground| ground.clone().ok()).collect(),
         missed: grounds.into_iter().filter_map(Result::err).collect(),
+        spread: Some(spread(base, &found, &peaks)),
         backbone: (0..=BACKBONE)
             .map(|i| {
                 let psi = 1.1 * peaks.rotation.0.abs() * (i as f64 / BACKBONE as f64).powi(2);

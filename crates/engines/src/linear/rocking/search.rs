@@ -2,6 +2,7 @@
 
 use ::base::history::{Body, Friction, History, Run, march};
 use ::base::{Base, BaseError, Law, Rocking, Soil};
+use results::BaseSpread;
 
 /// Largest rotation of the first law [rad].
 pub(super) const FIRST: f64 = 2e-3;
@@ -46,6 +47,8 @@ pub(super) struct Found {
     pub settled: f64,
     pub dashpot: f64,
     pub history: History,
+    /// The same with a motion that is weaker, one that is stronger, and half the step.
+    pub twins: [History; 3],
 }
 
 /// Why there is no run.
@@ -131,6 +134,40 @@ pub(super) fn one(setup: &Setup, law: &Law, hysteretic: f64, dashpot: f64, whole
     })
 }
 
+/// The run over `steps` with a motion that is weaker, one that is stronger, and half the step.
+fn twins(setup: &Setup, law: &Law, (hysteretic, dashpot): (f64, f64), steps: usize) -> Result<[History; 3], BaseError> {
+    let ground = &setup.ground[..steps.min(setup.ground.len())];
+    let scaled = |factor: f64| ground.iter().map(|a| factor * a).collect::<Vec<f64>>();
+    let mut halved = setup.friction.clone();
+    if let Some(friction) = &mut halved {
+        friction.vertical = between(&friction.vertical);
+    }
+    let run = |ground: &[f64], step: f64, friction: &Option<Friction>| {
+        march(&Run {
+            body: &setup.body,
+            law: Some(law),
+            hysteretic,
+            dashpot,
+            friction: friction.clone(),
+            rigid_pressure: setup.rigid_pressure,
+            step,
+            ground,
+        })
+    };
+    Ok([
+        run(&scaled(1.0 - BaseSpread::APART), setup.step, &setup.friction)?,
+        run(&scaled(1.0 + BaseSpread::APART), setup.step, &setup.friction)?,
+        run(&between(ground), 0.5 * setup.step, &halved)?,
+    ])
+}
+
+/// Values with their means between them: the motion is linear over a step.
+fn between(values: &[f64]) -> Vec<f64> {
+    let last = values.last().copied();
+    let pairs = values.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]);
+    pairs.chain(last).collect()
+}
+
 /// A run with a hysteretic share.
 struct Round {
     share: f64,
@@ -212,6 +249,7 @@ pub(super) fn settle(setup: &Setup, base: &Base, first: Option<(Rocking, Law)>, 
         }
         if peak <= largest {
             return Ok(Found {
+                twins: twins(setup, &law, (hysteretic, dashpot), history.rotation.len())?,
                 rocking,
                 law,
                 hysteretic,

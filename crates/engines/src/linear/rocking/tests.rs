@@ -205,6 +205,31 @@ fn energy_closes_and_the_step_does_not_matter() {
     }
 }
 
+/// A base that yields repeats within the bound under motions 0.1 % apart and half the step; a spread beyond it is a limit that does not hold.
+#[test]
+fn a_run_that_does_not_repeat_says_so() {
+    let ready = ready(oil(25e3, 1e8, 2.0));
+    let base = Base::of(&ready.case).unwrap();
+    let setup = ready.setup(10);
+    let found = search::settle(&setup, &base, None, false).unwrap();
+    let grounds = [3.3e7, 3e8].map(|k| Ok(outcome::band(&base.on(k), &found)));
+    let mut moved = outcome::moved(&setup, &base, found, grounds, ready.analysis().grid);
+    let own = moved.result.spread.unwrap();
+    assert!(
+        own.repeats() && own.uplift[0] > 0.0 && own.uplift[0] < own.uplift[1],
+        "{own:?}"
+    );
+    moved.result.spread = Some(results::BaseSpread {
+        toe_axial_stress: [0.5 * own.toe_axial_stress[0], own.toe_axial_stress[1]],
+        ..own
+    });
+    let said = limit(&Free::Moves(Box::new(moved))).unwrap();
+    assert!(
+        !said.holds && said.value > 0.4 && said.note.contains("does not repeat"),
+        "{said:?}"
+    );
+}
+
 /// A coefficient of friction below the shear lets the tank slide, and no shear exceeds it.
 #[test]
 fn friction_caps_the_shear() {

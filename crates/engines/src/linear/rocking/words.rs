@@ -1,7 +1,7 @@
 //! Notes and assumptions of a run on a free base.
 
 use ::base::Base;
-use results::MissedBand;
+use results::{BaseSpread, MissedBand};
 use tank::units::{Dimension, display, significant};
 
 use super::search::{Found, MOST, Missed, SETTLED, Setup};
@@ -16,8 +16,24 @@ pub(super) const MOVES: &str = "The tank is unanchored and lifts or slides: valu
 /// The foot of the wall on the moving base.
 pub(super) const FOOT: &str =
     "The foot of the wall is built into a plane that lifts, turns and slides with the bottom plate.";
+/// Name of the limit of a run that repeats.
+pub(super) const SPREAD: &str =
+    "Spread of rotation, toe stress and shear of the rocking base under motions 0.1 % apart and half the time step";
 /// The model lacks rows.
 pub(super) const NO_ROWS: &str = "The tank is unanchored; its model has no rows of base moment or pressure, and uplift is not computed: the wall is held down.";
+
+/// What the spread of a run that does not repeat means.
+pub(super) fn does_not_repeat(spread: &BaseSpread) -> String {
+    let range =
+        |[low, high]: [f64; 2], dimension| format!("{} to {}", display(low, dimension), display(high, dimension));
+    format!(
+        "The run does not repeat: motions 0.1 % weaker and stronger and half the time step give {} of uplift, {} at the toe and {} of base \
+         shear. Its values are one draw of many; the joint is judged by the largest.",
+        range(spread.uplift, Dimension::Length),
+        range(spread.toe_axial_stress, Dimension::Stress),
+        range(spread.base_shear, Dimension::Force)
+    )
+}
 
 /// What the run cannot have, in words.
 pub(super) fn unsupported(two: bool, dashpots: bool) -> Option<String> {
