@@ -407,6 +407,12 @@ fn table(results: &Results, excitation: Excitation) -> String {
     {
         let _ = writeln!(text, "{}", terminal::outside(why));
     }
+    let together = results
+        .reference()
+        .and_then(|run| terminal::components(&run.directions));
+    if let Some(line) = together.filter(|_| excitation == Excitation::Record && fe_here) {
+        let _ = writeln!(text, "{line}");
+    }
     if let Some(later) = later {
         let _ = writeln!(text, "{}", terminal::later(&later.peaks, later.end, later.completed));
     }

@@ -121,7 +121,12 @@ pub(super) fn column(job: &Job, number: usize, simulation: &Simulation) -> Optio
     }
     method.profiles = profiles(&found);
     method.assumptions = vec![action.assumption.clone(), words::combination(options)];
-    method.assumptions.extend(simulation.assumptions.iter().cloned());
+    // Of the wall whose modes these are.
+    let (said, assumed) = match &simulation.of_modes {
+        Some((notes, assumptions)) => (notes, assumptions),
+        None => (&simulation.notes, &simulation.assumptions),
+    };
+    method.assumptions.extend(assumed.iter().cloned());
     method.notes = vec![words::INFORMATION.into()];
     match upwards {
         Some(up) => method.assumptions.push(words::vertical(up.beside)),
@@ -132,7 +137,7 @@ pub(super) fn column(job: &Job, number: usize, simulation: &Simulation) -> Optio
         method.notes.push(words::mesh_error(quantity, *error));
     }
     method.notes.extend(outside.map(words::outside).map(String::from));
-    method.notes.extend(simulation.notes.iter().cloned());
+    method.notes.extend(said.iter().cloned());
     Some(Column {
         method,
         errors,

@@ -50,7 +50,9 @@ pub struct Simulation {
     pub demands: Option<Demands>,
     /// The response to horizontal motion mode by mode, of a linear engine.
     pub units: Option<ModalUnits>,
-    /// The same on a second mesh, with the length of its elements over those of the run.
+    /// Notes and assumptions of the wall held down, whose modes [`units`](Simulation::units) are; none where they are those of the run.
+    pub of_modes: Option<(Vec<String>, Vec<String>)>,
+    /// The modes on a second mesh, with the length of its elements over those of the run.
     pub second: Option<(f64, ModalUnits)>,
 }
 

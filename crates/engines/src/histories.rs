@@ -34,6 +34,18 @@ impl Histories {
         self.info.push(info);
     }
 
+    /// Keeps the histories whose channel `keep` holds.
+    pub(crate) fn retain(&mut self, keep: impl Fn(Channel) -> bool) {
+        let kept = |info: &SeriesInfo| info.channel().is_none_or(&keep);
+        let flags: Vec<bool> = self.info.iter().map(kept).collect();
+        let mut flag = flags.iter();
+        self.series.ids.retain(|_| flag.next().is_none_or(|keep| *keep));
+        let mut flag = flags.iter();
+        self.series.columns.retain(|_| flag.next().is_none_or(|keep| *keep));
+        let mut flag = flags.iter();
+        self.info.retain(|_| flag.next().is_none_or(|keep| *keep));
+    }
+
     /// Adds the ground motion: along x, along y, vertical.
     pub(crate) fn push_ground(&mut self, motion: &GroundMotion) {
         type Named = fn(Ground) -> Channel;

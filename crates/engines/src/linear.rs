@@ -4,6 +4,7 @@ pub(crate) mod analysis;
 mod around;
 pub(crate) mod demands;
 pub(crate) mod describe;
+mod hoop;
 pub(crate) mod limits;
 pub(crate) mod mesh_error;
 mod modal;
@@ -26,6 +27,7 @@ pub(crate) use around::Across;
 use around::Around;
 
 use analysis::{Analysis, LineExtremes, analyse};
+use hoop::Hoop;
 use mesh_error::{Second, SecondMesh};
 use model::{Harmonic, Model};
 
@@ -264,7 +266,7 @@ fn report(
     let mut free = rocking::free(case, (linear.engine, model), &analysis, motion, options);
     let held = analysis.values(model, round);
     let fill = case.liquid.fill_height;
-    let held_hoop = rocking::Hoop::of(&analysis, model, fill);
+    let held_hoop = Hoop::of(&analysis, model, fill);
     let moving = free.moved().map(|moved| moved.model(model));
     let analysis = match &moving {
         Some(moving) => analyse(moving, motion, options, &Silent)?,
@@ -274,7 +276,7 @@ fn report(
     let seen = moving.as_ref().unwrap_or(model);
     let mut values = analysis.values(seen, round);
     if let Some(moved) = free.moved_mut() {
-        let hoop = rocking::Hoop::of(&analysis, seen, fill);
+        let hoop = Hoop::of(&analysis, seen, fill);
         moved.complete(&analysis, &mut values, &held, [&hoop, &held_hoop]);
     }
     let around = Around::of(model, linear.across, motion, options, &analysis)?;
@@ -292,11 +294,17 @@ fn report(
         around.add(&mut histories);
     }
     let mut assumptions = describe::assumptions(case, options, linear.engine);
+    let of_modes = free.moved().map(|_| (notes.clone(), assumptions.clone()));
+    notes.extend(Hoop::of(&analysis, seen, fill).note().filter(|_| round));
     rocking::say(&free, &mut notes, &mut assumptions);
     let modelled = free.is_modelled();
     let repeats = rocking::limit(&free);
     if let rocking::Free::Moves(found) = &free {
-        rocking::push(found, &mut histories);
+        found.add(&mut histories);
+    }
+    let mut envelopes = envelopes(seen, &analysis);
+    if let Some(moved) = free.moved() {
+        moved.correct(&mut envelopes);
     }
     let result = Run {
         mesh: coupled.mesh.clone(),
@@ -310,7 +318,7 @@ fn report(
         mass_balance: describe::mass_balance(model),
         energy: analysis.energy,
         base: free.result(),
-        envelopes: envelopes(seen, &analysis),
+        envelopes,
         record_end: Some(record_end(motion)),
         histories: histories.info,
         directions: around.as_ref().map_or_else(Vec::new, Around::results),
@@ -342,6 +350,7 @@ fn report(
             true => Some(units::units(model, options)?),
             false => None,
         },
+        of_modes,
         second: None,
     };
     transfer::add(&mut simulation, model, options)?;

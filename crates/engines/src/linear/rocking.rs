@@ -27,10 +27,8 @@ use super::analysis::Analysis;
 use super::model::Model;
 use crate::FeError;
 use crate::harmonic::{CLAMPED, IN_CONTACT};
-use crate::histories::Histories;
 use crate::response::motion::{Grid, Motion};
 
-pub(super) use lifted::Hoop;
 pub(super) use outcome::Moved;
 use search::{Found, Setup};
 pub(super) use words::HELD_DOWN;
@@ -254,11 +252,4 @@ pub(super) fn limit(free: &Free) -> Option<Limit> {
             false => words::does_not_repeat(&spread),
         },
     })
-}
-
-/// Adds the histories of the run.
-pub(super) fn push(moved: &Moved, histories: &mut Histories) {
-    for (info, column) in &moved.columns {
-        histories.push(info.clone(), column.clone());
-    }
 }

@@ -150,6 +150,7 @@ pub(crate) fn without_record(
         snapshots: None,
         demands: None,
         units: Some(units(model, options)?),
+        of_modes: None,
         second: None,
     };
     super::transfer::add(&mut simulation, model, options)?;

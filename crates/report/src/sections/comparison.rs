@@ -7,6 +7,7 @@ use super::{Section, Source};
 use crate::methods::{excitation, figure_order, look};
 use crate::number::{Scale, ratio};
 use crate::words::labels::OUTSIDE;
+use crate::words::terminal;
 use files::error::Error;
 use results::{FE, Method, Status};
 
@@ -105,6 +106,8 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         });
     }
     let mut section = Section::new("comparison");
+    let directions = results.reference().map_or(&[][..], |run| &run.directions);
+    section.set("components", &terminal::components(directions));
     section.set("dense", &(head.len() > 7));
     section.set("has_fe", &source.fe().is_some());
     section.set("head", &head);

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use tank::assessment::{Check, Excitation};
 use tank::outside::Outside;
-use tank::units::{self, Dimension};
+use tank::units::{self, Dimension, display};
 
 use crate::number::significant;
 use results::compare::{Apart, Why};
-use results::{EngineId, Governing, IdaRun, Limit, MESH_ERROR_LIMIT, Method, PushShell, Status};
+use results::{Directional, EngineId, Governing, IdaRun, Limit, MESH_ERROR_LIMIT, Method, PushShell, Status};
 
 /// Mark of a number that is not to be used.
 pub const UNUSABLE: &str = "‡";
@@ -52,6 +52,38 @@ pub fn outside(why: Outside) -> String {
         Outside::Plates => "the walls of the box bend as plates held at three sides, but the engine models cantilevers",
     };
     format!("{OUTSIDE} outside the model: {why}")
+}
+
+/// Quantities that are said of both components together.
+const TOGETHER: [&str; 5] = [
+    "wave_height",
+    "base_shear",
+    "base_moment",
+    "overturning_moment",
+    "hoop_stress",
+];
+
+/// Of a run under two horizontal components: the comparison has that along x, and what both do together; none with one component.
+pub fn components(found: &[Directional]) -> Option<String> {
+    let of = |id: &&str| found.iter().find(|d| d.id == **id);
+    let said: Vec<String> = TOGETHER
+        .iter()
+        .filter_map(of)
+        .map(|d| {
+            format!(
+                "{} {} at {:.0}°",
+                d.title.to_lowercase(),
+                display(d.resultant, d.dimension),
+                d.theta.to_degrees()
+            )
+        })
+        .collect();
+    (!said.is_empty()).then(|| {
+        format!(
+            "The comparison has the component along x alone, as the procedures have. Both components together: {}.",
+            said.join(", ")
+        )
+    })
 }
 
 /// Measured values that are not compared, a line for each reason.

@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use results::channel::{OnWall as Line, Side};
-use results::{BaseQuantity, Channel, Value};
+use results::{BaseQuantity, Channel, Envelope, Value};
 use tank::Quantity;
 use tank::case::GroundMotion;
 use tank::demand::{Demands, FreeBase, OnWall as Stress, Peak};
@@ -15,10 +15,12 @@ use tank::options::linear::Integrator;
 
 use super::super::analysis::Analysis;
 use super::super::demands::combine;
+use super::super::hoop::Hoop;
 use super::super::model::Model;
 use super::super::turned::Turned;
 use super::outcome::Moved;
 use crate::FeError;
+use crate::histories::Histories;
 use crate::response::observe::Extreme;
 
 /// Values that depend on how the base moves.
@@ -34,32 +36,6 @@ const MOVING: [Quantity; 7] = [
 
 /// Id of the largest hoop stress below the surface at rest.
 const WETTED: &str = "wetted_hoop_stress";
-
-/// Largest dynamic hoop stress [Pa] with its height [m]: the upper edge of a wall without a ring can swing with the mass of its roof and hide
-/// what the liquid does.
-pub(in crate::linear) struct Hoop {
-    largest: (f64, f64),
-    wetted: (f64, f64),
-}
-
-impl Hoop {
-    /// * `fill`: height of the surface at rest [m]
-    pub(in crate::linear) fn of(analysis: &Analysis<'_>, model: &Model, fill: f64) -> Hoop {
-        let heights = model.horizontal.coupled.line(Line::Hoop).map(|line| line.z.as_slice());
-        let peaks = analysis.line(Line::Hoop).zip(heights);
-        let found = |top: f64| {
-            let places = peaks
-                .iter()
-                .flat_map(|(line, z)| (0..z.len()).map(|i| (line.peak(i), z[i])));
-            let below = places.filter(|(_, z)| *z <= top);
-            below.fold((0.0, 0.0), |most: (f64, f64), at| if at.0 > most.0 { at } else { most })
-        };
-        Hoop {
-            largest: found(f64::INFINITY),
-            wetted: found(fill),
-        }
-    }
-}
 
 impl Moved {
     /// The model on the moving base.
@@ -214,6 +190,49 @@ impl Moved {
         Ok(())
     }
 
+    /// Adds the histories of the base. At the foot the axial stress becomes that of the strips, and bending is left out: the wall of the model is
+    /// built in there, that of the tank is not.
+    pub(in crate::linear) fn add(&self, histories: &mut Histories) {
+        let (h, stride) = (self.motion.grid.h(), self.motion.grid.sub_steps.max(1));
+        for (i, info) in histories.info.iter_mut().enumerate() {
+            let side = match info.channel() {
+                Some(Channel::Base(Line::Axial) | Channel::BaseOn(Line::Axial, Side::Front)) => 0,
+                Some(Channel::BaseOn(Line::Axial, Side::Back)) => 1,
+                _ => continue,
+            };
+            let foot = &self.foot[side];
+            let rest = foot.first().copied().unwrap_or(0.0);
+            let column: Vec<f64> = foot.iter().step_by(stride).map(|stress| stress - rest).collect();
+            let larger = |most: (f64, usize), (k, stress): (usize, &f64)| match (stress - rest).abs() > most.0 {
+                true => ((stress - rest).abs(), k),
+                false => most,
+            };
+            let (peak, at) = foot.iter().enumerate().fold((0.0, 0), larger);
+            (info.peak, info.time, info.static_value) = (peak, at as f64 * h, rest);
+            if let Some(own) = histories.series.columns.get_mut(i) {
+                own.iter_mut().zip(&column).for_each(|(own, stress)| *own = *stress);
+            }
+        }
+        histories.retain(|channel| !is_bending_of_the_foot(channel));
+        for (info, column) in &self.columns {
+            histories.push(info.clone(), column.clone());
+        }
+    }
+
+    /// Leaves out the envelopes of bending, and gives that of the axial stress the strips' at the foot, on the side θ = 0.
+    pub(in crate::linear) fn correct(&self, envelopes: &mut Vec<Envelope>) {
+        envelopes.retain(|envelope| ![Line::Bending.id(), Line::Moment.id()].contains(&envelope.id.as_str()));
+        let rest = self.foot[0].first().copied().unwrap_or(0.0);
+        let (low, high) = self.foot[0].iter().fold((0.0_f64, 0.0_f64), |(low, high), stress| {
+            (low.min(stress - rest), high.max(stress - rest))
+        });
+        for envelope in envelopes.iter_mut().filter(|envelope| envelope.id == Line::Axial.id()) {
+            if envelope.z.first().is_some_and(|z| *z == 0.0) {
+                (envelope.static_[0], envelope.min[0], envelope.max[0]) = (rest, low, high);
+            }
+        }
+    }
+
     fn value(&self, id: &str) -> f64 {
         self.result.quantity(id).map_or(0.0, |q| q.value.value)
     }
@@ -252,6 +271,15 @@ impl Moved {
         });
         let (even, odd): (Vec<f64>, Vec<f64>) = parts.unzip();
         [even, odd]
+    }
+}
+
+/// Bending moment, bending stress or shear of the wall at its foot.
+fn is_bending_of_the_foot(channel: Channel) -> bool {
+    let bent = |what: Line| matches!(what, Line::Bending | Line::Moment | Line::Shear);
+    match channel {
+        Channel::Base(what) | Channel::BaseOn(what, _) | Channel::BaseAtAngle { what, .. } => bent(what),
+        _ => false,
     }
 }
 

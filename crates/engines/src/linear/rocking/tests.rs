@@ -7,6 +7,7 @@ use tank::{Bottom, Foundation, FoundationKind, Material};
 use super::*;
 use crate::harmonic::{Places, test_tanks};
 use crate::linear::analysis::analyse;
+use crate::linear::hoop::Hoop;
 use crate::linear::model::Model;
 use crate::linear::turned::Turned;
 use fem::progress::Silent;
@@ -359,6 +360,28 @@ fn a_lifting_run_has_the_demands_of_the_strips() {
     let toe = base.quantity("toe_axial_stress").unwrap().value.value;
     assert!((-least / toe - 1.0).abs() < 1e-2, "{least} {toe}");
     assert!(demands.places.iter().all(|place| place.bending.is_none()));
+    // History and envelope of the foot are the strips' too, and nothing bends there; the modes keep what is said of the wall held down.
+    let axial = Channel::Base(OnWall::Axial).id();
+    let info = run.result.histories.iter().find(|info| info.id == axial).unwrap();
+    let value = run.values[&tank::Quantity::AxialMembraneStress];
+    assert!(info.peak <= value && info.peak > 0.5 * value, "{} {value}", info.peak);
+    let envelope = run
+        .result
+        .envelopes
+        .iter()
+        .find(|e| e.id == OnWall::Axial.id())
+        .unwrap();
+    assert_eq!(f64::max(envelope.max[0], -envelope.min[0]), info.peak);
+    let bent = [OnWall::Bending, OnWall::Moment].map(OnWall::id);
+    assert!(run.result.envelopes.iter().all(|e| !bent.contains(&e.id.as_str())));
+    assert!(
+        run.result
+            .histories
+            .iter()
+            .all(|info| info.channel() != Some(Channel::Base(OnWall::Bending)))
+    );
+    let (_, assumptions) = run.of_modes.as_ref().unwrap();
+    assert!(assumptions.iter().any(|text| text == CLAMPED));
 }
 
 /// A run of the band that finds no equilibrium is in the results with its ground and reason, and in the notes, and the others stay.

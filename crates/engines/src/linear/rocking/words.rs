@@ -103,7 +103,7 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
         "Wall and liquid follow the acceleration and the rotation of the base as its march finds them. Displacements of the wall are those relative \
          to the base.",
         "Axial stress in the lowest course: at the toe and at the lifted side that of the strips, with its excess over the part with cos θ constant \
-         over the height of the course. Higher courses have the part with cos θ alone, as the histories and envelopes have everywhere.",
+         over the height of the course. Higher courses have the part with cos θ alone, as the envelope has above the foot.",
         "Mesh errors are the relative ones of the wall held down.",
         "The toe's stress contains the weight of wall and roof; it is the force per length over the thickness of the lowest course.",
         "The suction on the lifted side acts on the strips; the pressure of a vertical motion does not.",

@@ -108,6 +108,7 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
         snapshots: None,
         demands: Some(demands(case, tank, watch)),
         units: None,
+        of_modes: None,
         second: None,
     }
 }

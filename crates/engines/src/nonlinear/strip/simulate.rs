@@ -145,6 +145,7 @@ impl Report<'_> {
             snapshots: None,
             demands: Some(demands(&lines)),
             units: None,
+            of_modes: None,
             second: None,
         }
     }
