@@ -152,6 +152,33 @@ fn no_harmonic_is_lost_beside_a_loaded_wall() {
     }
 }
 
+/// The vertical motion of the design spectrum is left out in an imperfect tank, and the rest of the column is there; in a perfect one it is in.
+#[test]
+fn a_site_with_vertical_motion_does_not_stop_an_imperfect_tank() {
+    let mut case = case();
+    case.site.ec8 = Some(tank::case::Ec8Site {
+        ground: tank::case::GroundType::A,
+        spectrum: 1,
+        ag: 1.0,
+        importance: 1.0,
+        behaviour_factor: 1.0,
+        construction_quality: 1.0,
+        vertical: true,
+        components: Default::default(),
+        friction: None,
+        reduction_factor: None,
+        bearing_capacity: None,
+    });
+    let perfect = SolidOptions {
+        imperfections: Imperfections::NONE,
+        ..solid(0.0, 0.0)
+    };
+    for (solid, vertical) in [(solid(2e-5, 0.0), false), (perfect, true)] {
+        let found = respond(&case, &options(), &solid, &Silent).unwrap();
+        assert_eq!(found.units.is_some_and(|units| units.vertical.is_some()), vertical);
+    }
+}
+
 /// The reduced space holds the first modes of the coupled harmonics: their frequencies are those of the search for modes of one
 /// harmonic within the width of the coupling, 1e-3.
 #[test]

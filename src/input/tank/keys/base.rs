@@ -51,6 +51,21 @@ pub(super) fn bottom(r: &mut Resolver<'_>, given: &Bottom, materials: &Materials
     })
 }
 
+/// An annular plate that is wider than the bottom.
+pub(super) fn wider_than_the_tank(r: &mut Resolver<'_>, given: &Bottom, plate: &tank::Bottom, radius: f64) {
+    let field = given.annular_width.given.as_ref().or(given.width.given.as_ref());
+    if let (Some(field), Some(width)) = (field, plate.width)
+        && width > radius
+    {
+        let message = "the annular plate is wider than the bottom";
+        let allowed = format!(
+            "at most {}, the radius",
+            tank::units::display(radius, tank::units::Dimension::Length)
+        );
+        r.faults.push(range_fault(field, message, &allowed));
+    }
+}
+
 /// A plate that is thicker than the lowest course: the joint then yields in the wall, which the strips do not follow.
 pub(super) fn thicker_than_the_wall(r: &mut Resolver<'_>, field: &Field<Bottom>, plate: &tank::Bottom, course: f64) {
     if plate.thickness > course {

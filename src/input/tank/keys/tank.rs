@@ -202,7 +202,8 @@ choice! {
     Support {
         /// Held down; the wall is clamped at its base.
         Anchored = "anchored",
-        /// Resting on the ground, may uplift (code procedures only; the linear finite elements assume contact).
+        /// Resting on its bottom plate. The codes have their rules for uplift; `compare` lifts and, with friction, slides a cylinder on
+        /// `tank.bottom` and `tank.foundation`.
         Unanchored = "unanchored",
     }
 }
@@ -230,8 +231,12 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     let bottom = t.bottom.value().and_then(|given| base::bottom(r, given, materials));
     if let (Some(field), Some(plate)) = (&t.bottom.given, &bottom)
         && let Some(first) = courses.as_ref().and_then(|c| c.first())
+        && support == Some(Support::Unanchored)
     {
         base::thicker_than_the_wall(r, field, plate, first.thickness);
+    }
+    if let (Some(given), Some(plate), Some(tank::Shape::Cylinder { radius })) = (t.bottom.value(), &bottom, shape) {
+        base::wider_than_the_tank(r, given, plate, radius);
     }
     let foundation = (t.foundation.value()).and_then(|given| base::foundation(r, given, t.bottom.value()));
     let anchors = t.anchors.value().map(|anchors| tank::Anchors {
