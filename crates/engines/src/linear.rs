@@ -9,6 +9,7 @@ pub(crate) mod mesh_error;
 mod modal;
 pub(crate) mod model;
 mod rocking;
+mod soil;
 pub(crate) mod tilt;
 mod transfer;
 pub(crate) mod units;
@@ -229,7 +230,7 @@ pub(crate) fn complete(
 /// Errors: an inadmissible ratio.
 fn review(model: &Model) -> Result<Vec<String>, FeError> {
     let mut notes = Vec::new();
-    for harmonic in model.systems() {
+    for harmonic in model.held_systems() {
         notes.extend(model.damper.review(&harmonic.modes)?);
     }
     Ok(notes)
@@ -260,10 +261,11 @@ fn report(
                 .into(),
         );
     }
-    let free = rocking::free(case, (linear.engine, model), &analysis, motion, options);
+    let held = model.on_fixed_base();
+    let free = rocking::free(case, (linear.engine, &held), &analysis, motion, options);
     let around = Around::of(model, linear.across, motion, options, &analysis)?;
     notes.extend(Around::notes(motion));
-    notes.extend(model.horizontal.impulsive().and_then(|found| found.note()));
+    notes.extend(model.held().impulsive().and_then(|found| found.note()));
     notes.extend(waves::note(analysis.wave(), options.wave_modes, &analysis.waves));
     let coupled = &model.horizontal.coupled;
     let mut demands = demands::demands(case, model, &analysis, motion)?;
@@ -274,6 +276,8 @@ fn report(
     if let Some(around) = &around {
         around.add(&mut histories);
     }
+    let soil = soil::outcome(case, model, &analysis, motion, options)?;
+    notes.extend(soil::note(case, linear.engine, soil.is_some()));
     rocking::say(&free, &mut notes);
     if let rocking::Free::Moves(found) = &free {
         rocking::push(found, &mut histories);
@@ -290,6 +294,7 @@ fn report(
         mass_balance: describe::mass_balance(model),
         energy: analysis.energy,
         base: free.result(),
+        soil,
         envelopes: envelopes(model, &analysis),
         record_end: Some(record_end(motion)),
         histories: histories.info,
@@ -346,7 +351,7 @@ fn damping_table(model: &Model) -> Vec<results::DampingRow> {
         let mass = h.coupled.liquid_mass + h.coupled.wall_mass;
         model.damper.table(&h.modes, mass)
     };
-    model.systems().flat_map(of).collect()
+    model.held_systems().flat_map(of).collect()
 }
 
 /// The first modes of each kind, harmonic by harmonic, with the damping they were given.
@@ -361,7 +366,7 @@ fn modes(case: &Case, model: &Model) -> Vec<Mode> {
             })
             .collect()
     };
-    model.systems().flat_map(listed).collect()
+    model.held_systems().flat_map(listed).collect()
 }
 
 /// Ground motion and scalars.

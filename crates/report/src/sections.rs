@@ -22,6 +22,7 @@ mod provenance;
 mod reported;
 mod section;
 mod sheets;
+mod soil;
 mod spatial;
 mod spectra;
 mod summary;
@@ -67,6 +68,7 @@ sections![
     internal_forces,
     directions,
     base,
+    soil,
     tilt,
     transfer,
     nonlinear,

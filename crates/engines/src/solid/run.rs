@@ -130,6 +130,7 @@ impl Prepared {
             site,
             damper: damper.tuned(&horizontal.modes),
             horizontal,
+            fixed: None,
         };
         Ok(Prepared {
             tank,
