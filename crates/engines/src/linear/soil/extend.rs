@@ -23,7 +23,7 @@ const HELD: f64 = 0.1;
 
 /// What tank and liquid weigh about the bottom plate and the underside of the slab.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::linear) struct Rigid {
+pub(crate) struct Rigid {
     /// Row of the moment about the underside, f_ψ.
     pub moment: Vec<f64>,
     /// Rotation about the underside, of the unknowns of the wall.
@@ -43,7 +43,7 @@ pub(in crate::linear) struct Rigid {
 
 impl Rigid {
     /// Of a coupled system of harmonic 1; `None` without the row of the overturning moment.
-    pub(in crate::linear) fn of(coupled: &Coupled, case: &Case, slab: &Slab) -> Option<Rigid> {
+    pub(crate) fn of(coupled: &Coupled, case: &Case, slab: &Slab) -> Option<Rigid> {
         let Shape::Cylinder { radius } = case.tank.shape else {
             return None;
         };
@@ -94,7 +94,7 @@ impl Rigid {
 /// The system and its modes on the slab.
 ///
 /// Errors: a mass that is not positive definite; a mode that fails its residual check.
-pub(in crate::linear) fn on_soil(
+pub(crate) fn on_soil(
     (held, modes): (&Coupled, &[CoupledMode]),
     case: &Case,
     damper: &Damper,

@@ -20,7 +20,7 @@ use crate::linear::analysis::{Analysis, analyse};
 use crate::linear::model::Model;
 
 /// The impulsive mode as a structure of one mass, with the arm about the underside of the slab; `None` without such a mode.
-pub(in crate::linear) fn impulsive(case: &Case, model: &Model, slab: &Slab) -> Option<Mode> {
+pub(crate) fn impulsive(case: &Case, model: &Model, slab: &Slab) -> Option<Mode> {
     let held = model.held();
     let omega = held.impulsive()?.dominant.omega;
     let mode = held.modes.iter().find(|mode| mode.omega == omega)?;
@@ -58,7 +58,7 @@ fn effective(on: &OnSoil, slab: &Slab) -> Result<Vec<EffectiveMode>, SoilError> 
 /// The run on soil beside that on a fixed base; `None` without soil.
 ///
 /// Errors: as [`analyse`]; no effective period.
-pub(in crate::linear) fn outcome(
+pub(crate) fn outcome(
     case: &Case,
     model: &Model,
     analysis: &Analysis<'_>,

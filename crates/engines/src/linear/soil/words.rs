@@ -12,7 +12,7 @@ const ON_SOIL: &str = "The tank moves on its slab and the soil below it: waves, 
      Modes and the impulsive period and mass are those on a fixed base.";
 
 /// What is said of soil under a slab.
-pub(in crate::linear) fn note(case: &Case, engine: EngineId, moves: bool) -> Option<String> {
+pub(crate) fn note(case: &Case, engine: EngineId, moves: bool) -> Option<String> {
     let foundation = case.tank.foundation?;
     if foundation.kind != FoundationKind::Slab || foundation.shear_wave_velocity.is_none() {
         return None;
