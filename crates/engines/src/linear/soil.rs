@@ -18,6 +18,7 @@
 mod extend;
 mod floor;
 mod outcome;
+mod residual;
 #[cfg(test)]
 mod tests;
 mod words;
@@ -25,7 +26,7 @@ mod words;
 use std::f64::consts::PI;
 
 use ::soil::disc::{Disc, Soil};
-use tank::{Case, FoundationKind, Shape};
+use tank::{Case, FoundationKind, Shape, Support};
 
 use crate::FeError;
 
@@ -46,13 +47,17 @@ pub(super) struct Slab {
 }
 
 impl Slab {
-    /// The slab of a case; `None` without one, without the velocity of shear waves or under plane walls.
+    /// The slab of a case; `None` without one, without the velocity of shear waves, under plane walls or a tank that is not
+    /// anchored: the soil under the rim is that of [`::base`] then, and would count twice.
     ///
     /// Errors: values that the input does not let pass.
     pub(super) fn of(case: &Case) -> Result<Option<Slab>, FeError> {
         let (Shape::Cylinder { radius }, Some(foundation)) = (case.tank.shape, case.tank.foundation) else {
             return Ok(None);
         };
+        if case.tank.support == Support::Unanchored {
+            return Ok(None);
+        }
         let (FoundationKind::Slab, Some(shear_wave_velocity)) = (foundation.kind, foundation.shear_wave_velocity)
         else {
             return Ok(None);

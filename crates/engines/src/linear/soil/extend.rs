@@ -7,6 +7,7 @@ use tank::{Case, Shape};
 
 use super::Slab;
 use super::floor::Floor;
+use super::residual;
 use crate::FeError;
 use crate::coupled::{Coupled, Part, ShapeRows};
 use crate::damping::Damper;
@@ -16,6 +17,8 @@ use crate::probe::{Probe, ProbeLine};
 
 /// Unknowns of the slab and of the cone.
 const ADDED: usize = 3;
+/// Dashpots of the ground, the last of the system.
+const GROUND: usize = 2;
 /// Frequency of the spring that holds the internal rotation of the cone, over the lowest of the tank: a free rotation has no mode. Where the
 /// cone matters, at the impulsive frequency 10 to 50 times that of sloshing, the spring has 1e-4 to 4e-6 of its inertia. A softer one costs
 /// the digits of the higher modes ([`fem::linalg::generalized_eigen`] resolves 10⁴ times the lowest frequency).
@@ -222,6 +225,8 @@ pub(crate) fn on_soil(
         stiffness,
     };
     let mut found = modes::solve(&coupled, None)?;
+    let ground = coupled.dashpots.len() - GROUND;
+    found.extend(residual::modes(&coupled, &found, &coupled.dashpots[ground..])?);
     for mode in &mut found {
         let rate = |(row, c): &(Vec<f64>, f64)| c * dot(row, &mode.vector).powi(2);
         let rate: f64 = coupled.dashpots.iter().map(rate).sum();

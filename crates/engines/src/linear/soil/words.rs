@@ -1,7 +1,7 @@
 //! Notes and assumptions of a run on soil.
 
 use results::EngineId;
-use tank::{Case, FoundationKind, Shape};
+use tank::{Case, FoundationKind, Shape, Support};
 
 use super::Slab;
 
@@ -10,6 +10,10 @@ const RIGID_GROUND: &str = "The tank stands on a slab on soil; this run leaves t
 /// Of a run on soil.
 const ON_SOIL: &str = "The tank moves on its slab and the soil below it: waves, forces and stresses of this run contain the motion of the slab. \
      Modes and the impulsive period and mass are those on a fixed base.";
+/// A tank that is not anchored.
+const UNANCHORED: &str = "The tank is not anchored: translation and rocking of its slab on the soil are left out, so that the soil is not \
+     counted twice. `tank.foundation.shear_wave_velocity` acts on the ground under the rim alone, where it lifts; while nothing lifts the base \
+     is rigid, and periods and damping are those of a rigid base.";
 
 /// What is said of soil under a slab.
 pub(crate) fn note(case: &Case, engine: EngineId, moves: bool) -> Option<String> {
@@ -17,7 +21,11 @@ pub(crate) fn note(case: &Case, engine: EngineId, moves: bool) -> Option<String>
     if foundation.kind != FoundationKind::Slab || foundation.shear_wave_velocity.is_none() {
         return None;
     }
-    let on_soil = moves && engine == EngineId::Harmonic && matches!(case.tank.shape, Shape::Cylinder { .. });
+    let round = matches!(case.tank.shape, Shape::Cylinder { .. });
+    if engine == EngineId::Harmonic && round && case.tank.support == Support::Unanchored {
+        return Some(UNANCHORED.into());
+    }
+    let on_soil = moves && engine == EngineId::Harmonic && round;
     Some(if on_soil { ON_SOIL } else { RIGID_GROUND }.into())
 }
 
