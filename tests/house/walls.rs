@@ -14,7 +14,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("base", &["tank"]),
     ("soil", &["oscillator"]),
     ("fem", &["linalg", "materials", "oscillator"]),
-    ("codes", &["base", "oscillator", "tank"]),
+    ("codes", &["base", "oscillator", "soil", "tank"]),
     ("results", &["files", "oscillator", "tank"]),
     (
         "engines",
