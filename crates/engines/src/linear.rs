@@ -9,7 +9,7 @@ pub(crate) mod mesh_error;
 mod modal;
 pub(crate) mod model;
 mod rocking;
-mod soil;
+pub(crate) mod soil;
 pub(crate) mod tilt;
 mod transfer;
 pub(crate) mod turned;
@@ -304,7 +304,7 @@ fn report(
         mesh: coupled.mesh.clone(),
         modes: modes(case, model),
         modal: modal::parts(
-            model,
+            &model.on_fixed_base(),
             analysis.line(OnWall::Hoop).filter(|_| round).map(LineExtremes::worst),
         ),
         integration: describe::integration(model, options, &analysis, motion, linear.direct.is_some()),

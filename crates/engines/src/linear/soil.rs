@@ -32,7 +32,7 @@ use crate::FeError;
 
 pub(super) use extend::on_soil;
 pub(super) use outcome::outcome;
-pub(super) use words::note;
+pub(crate) use words::note;
 
 /// Density of reinforced concrete [kg/m³], EN 1991-1-1:2002 table A.1.
 const CONCRETE: f64 = 2500.0;

@@ -122,6 +122,7 @@ pub(crate) fn without_record(
 ) -> Result<Simulation, FeError> {
     let mut notes = super::review(model)?;
     notes.extend(super::model_notes(case, engine));
+    notes.extend(super::soil::note(case, engine, false));
     notes.extend(model.held().impulsive().and_then(|found| found.note()));
     let labels = [
         ("method", "response-spectrum method, no time history".to_owned()),
@@ -130,7 +131,7 @@ pub(crate) fn without_record(
     let result = Run {
         mesh: model.horizontal.coupled.mesh.clone(),
         modes: super::modes(case, model),
-        modal: super::modal::parts(model, None),
+        modal: super::modal::parts(&model.on_fixed_base(), None),
         integration: labels
             .map(|(label, text)| Labelled {
                 label: label.into(),
