@@ -47,6 +47,14 @@ pub struct SoilRun {
     pub horizontal: f64,
     /// Static stiffness, rocking [N m].
     pub rocking: f64,
+    /// Dashpot, horizontal [N s/m].
+    pub horizontal_dashpot: f64,
+    /// Dashpot between the rocking slab and the internal rotation [N m s].
+    pub rocking_dashpot: f64,
+    /// Moment of inertia of the internal rotation [kg m²].
+    pub internal_inertia: f64,
+    /// Moment of inertia of the soil that rocks with the slab [kg m²].
+    pub trapped_inertia: f64,
     /// Period of the impulsive mode on a fixed base [s].
     pub fixed_period: f64,
     /// Its damping ratio.

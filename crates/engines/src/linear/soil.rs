@@ -21,6 +21,7 @@ mod outcome;
 mod residual;
 #[cfg(test)]
 mod tests;
+mod twin;
 mod words;
 
 use std::f64::consts::PI;
@@ -32,6 +33,7 @@ use crate::FeError;
 
 pub(super) use extend::on_soil;
 pub(super) use outcome::outcome;
+pub use twin::slab_body;
 pub(crate) use words::note;
 
 /// Density of reinforced concrete [kg/m³], EN 1991-1-1:2002 table A.1.

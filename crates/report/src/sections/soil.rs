@@ -21,6 +21,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     };
     let mut section = Section::new("soil");
     section.set("ground", &words::ground(run));
+    section.set("cones", &cones(run));
     section.set("effective", &effective(run));
     section.set("values", &values(run));
     section.set("fixed", &beside(run));
@@ -31,6 +32,20 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     ];
     section.set_figures("figures", figures.into_iter().flatten().collect());
     Ok(Some(section))
+}
+
+fn cones(run: &SoilRun) -> Table {
+    let [motion, stiffness, dashpot, inertia] = words::CONES;
+    let mut table = Table::new(vec![
+        Column::words(motion),
+        Column::numbers(stiffness, ""),
+        Column::numbers(dashpot, ""),
+        Column::numbers(inertia, ""),
+    ]);
+    for row in words::cones(run) {
+        table.row(row.into());
+    }
+    table
 }
 
 fn effective(run: &SoilRun) -> Table {

@@ -5,6 +5,8 @@ use tank::units::{Dimension, display};
 use crate::number::{fixed, percent};
 use results::{EffectiveMode, SoilRun};
 
+/// Heads of the table of the cones.
+pub const CONES: [&str; 4] = ["Impedance", "Spring k", "Dashpot c", "Inertia"];
 /// Heads of the table of periods.
 pub const EFFECTIVE: [&str; 4] = ["Impulsive mode", "Period", "over fixed base", "Damping"];
 /// Its first row.
@@ -29,6 +31,34 @@ pub fn definition(mode: &EffectiveMode) -> &str {
         "static" => "on soil, static springs",
         other => other,
     }
+}
+
+/// Springs, dashpots and inertia of the cones.
+pub fn cones(run: &SoilRun) -> Vec<[String; 4]> {
+    let number = |value: f64, unit: &str| match value > 0.0 {
+        true => format!("{value:.3e} {unit}"),
+        false => NONE.into(),
+    };
+    vec![
+        [
+            "translation".into(),
+            number(run.horizontal, "N/m"),
+            number(run.horizontal_dashpot, "N s/m"),
+            NONE.into(),
+        ],
+        [
+            "rocking".into(),
+            number(run.rocking, "N m"),
+            NONE.into(),
+            number(run.trapped_inertia, "kg m²"),
+        ],
+        [
+            "internal rotation, joined to the rocking slab by its dashpot".into(),
+            NONE.into(),
+            number(run.rocking_dashpot, "N m s"),
+            number(run.internal_inertia, "kg m²"),
+        ],
+    ]
 }
 
 /// Title of a quantity.

@@ -116,6 +116,7 @@ pub(crate) fn outcome(
         quantities.extend(found.map(|(peak, time)| quantity(id, peak.abs(), channel.dimension(), Some(time))));
     }
     let stiffness = slab.disc.stiffness();
+    let cones = slab.disc.cones();
     let soil = slab.disc.soil;
     Ok(Some(SoilRun {
         shear_wave_velocity: soil.shear_wave_velocity,
@@ -126,6 +127,10 @@ pub(crate) fn outcome(
         slab_mass: slab.mass(),
         horizontal: stiffness.horizontal,
         rocking: stiffness.rocking,
+        horizontal_dashpot: cones.horizontal_dashpot,
+        rocking_dashpot: cones.rocking_dashpot,
+        internal_inertia: cones.internal_inertia,
+        trapped_inertia: cones.trapped_inertia,
         fixed_period: structure.period,
         fixed_damping: structure.damping,
         impulsive_mass: structure.mass,

@@ -13,6 +13,7 @@ use tank::{Case, Foundation, FoundationKind, Quantity, Shape};
 use super::Slab;
 use super::extend::Rigid;
 use super::outcome::impulsive;
+use super::twin::body;
 use crate::harmonic::{Places, test_tanks};
 use crate::linear::analysis::{Analysis, analyse};
 use crate::linear::model::Model;
@@ -223,26 +224,6 @@ fn the_results_hold_period_damping_and_motion() {
     );
 }
 
-/// The modes on a fixed base as the body of [`::soil::body`].
-fn body(case: &Case, model: &Model, slab: &Slab) -> ::soil::body::Body {
-    let held = model.held();
-    let rigid = Rigid::of(&held.coupled, case, slab).unwrap();
-    let modes = held.modes.iter().map(|mode| ::soil::body::Mode {
-        omega: mode.omega,
-        damping: model.damper.of(mode),
-        translation: mode.participation,
-        rotation: dot(&mode.vector, &rigid.moment),
-    });
-    ::soil::body::Body {
-        modes: modes.collect(),
-        mass: rigid.mass,
-        first_moment: rigid.first,
-        second_moment: rigid.second,
-        slab_mass: 0.0,
-        slab_inertia: 0.0,
-    }
-}
-
 /// Translation and rotation against [`::soil::body`], the same modes eliminated in each of its steps, which have the whole of a force at the
 /// underside of the slab. Bound set beforehand: 2e-3 of the peak at every sample. Forty steps to a sample leave (ω h)²/12 of the phase, 1e-5
 /// at the impulsive frequency; direct integration has its own step, 1.6e-3.
@@ -261,7 +242,8 @@ fn the_slab_moves_as_on_the_body() {
             let record = &case.ground_motion.as_ref().unwrap().horizontal;
             let mut ground = record.acceleration.clone();
             ground.resize(analysis.scalars[0].1.values.len().max(ground.len()), 0.0);
-            let march = ::soil::body::march(&body(&case, &model, &slab), &slab.disc, &ground, record.dt, 40).unwrap();
+            let march =
+                ::soil::body::march(&body(&case, &model, &slab).unwrap(), &slab.disc, &ground, record.dt, 40).unwrap();
             for (channel, expected) in [
                 (Channel::FoundationTranslation, &march.translation),
                 (Channel::FoundationRotation, &march.rotation),
