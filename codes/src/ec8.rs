@@ -14,6 +14,7 @@
 //! | [`uplift`] | estimate for unanchored walls | in place of the diagrams of A.9 |
 //! | [`buckling`] | stability of steel walls | A.10 |
 //! | `damage` | damage limitation: freeboard and hoop | 2.1.3, EN 1998-1:2004 2.2.3 |
+//! | `soil` | period and damping on soil, for information | A.7 |
 //! | `plate_uplift` | uplift of the bottom plate of unanchored walls | A.9 |
 //! | `bearing` | largest pressure of the ground | EN 1998-5:2004 5.4.1.1 |
 //! | `pipes` | displacement of pipes against their support | 4.5.2.3 |
@@ -56,6 +57,7 @@ mod scope;
 pub mod shell_mode;
 pub mod simplified;
 mod sliding;
+mod soil;
 pub mod spectrum;
 mod stability;
 #[cfg(test)]

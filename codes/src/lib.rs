@@ -8,6 +8,7 @@
 //! | [`bessel`], [`mechanical`] | special functions; masses, levers and periods of potential flow |
 //! | [`en1992`] | sections of reinforced concrete |
 //! | [`time_history`] | demands of an engine under the record against the capacities of the codes |
+//! | `slab` | a rigid slab on soil |
 //! | [`hazard`] | ordinates of the user's spectrum |
 //! | [`modal_action`] | the design spectrum of a procedure for the modes of an engine |
 //! | [`housner`], [`ec8`], [`api650`], [`deformability`] | the procedures |
@@ -31,6 +32,7 @@ mod roof;
 mod samples;
 pub mod sheet;
 pub mod site_action;
+mod slab;
 pub mod time_history;
 pub mod wall_period;
 

@@ -111,12 +111,13 @@ fn unusual_tanks_are_computed_with_a_warning() {
     }
 }
 
-/// No engine or procedure uses the thickness of a foundation, and that is said.
+/// The thickness of a foundation counts under a slab on soil alone; elsewhere its loss is said.
 #[test]
-fn the_thickness_of_a_foundation_is_not_used() {
+fn the_thickness_of_a_foundation_is_used_on_soil_alone() {
     let foundation = |kind: &str| {
         format!("\"height\": \"8.5 m\" }}, \"foundation\": {{ \"kind\": \"{kind}\", \"thickness\": \"0.5 m\" }} }}")
     };
+    let on_soil = foundation("slab").replace("0.5 m\"", "0.5 m\", \"shear_wave_velocity\": \"250 m/s\"");
     let from = "\"height\": \"8.5 m\" } }";
     for kind in ["ring_wall", "slab"] {
         let found = warnings(from, &foundation(kind));
@@ -125,6 +126,8 @@ fn the_thickness_of_a_foundation_is_not_used() {
             "{found:?}"
         );
     }
+    let found = warnings("\"height\": \"8.5 m\" } }", &on_soil);
+    assert!(found.iter().all(|one| !one.contains("thickness")), "{found:?}");
 }
 
 #[test]

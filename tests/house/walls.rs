@@ -14,11 +14,20 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("base", &["tank"]),
     ("soil", &["oscillator"]),
     ("fem", &["linalg", "materials", "oscillator"]),
-    ("codes", &["base", "oscillator", "tank"]),
+    ("codes", &["base", "oscillator", "soil", "tank"]),
     ("results", &["files", "oscillator", "tank"]),
     (
         "engines",
-        &["base", "fem", "linalg", "materials", "oscillator", "results", "tank"],
+        &[
+            "base",
+            "fem",
+            "linalg",
+            "materials",
+            "oscillator",
+            "results",
+            "soil",
+            "tank",
+        ],
     ),
     ("report", &["files", "results", "tank"]),
     (

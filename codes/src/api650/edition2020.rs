@@ -19,7 +19,7 @@
 //!
 //! Modules: [`accelerations`] (E.4), [`forces`] (E.6.1, E.7.2), `hoop_check` (E.6.1.4, E.6.2.4), `resistance` (E.6.2, E.7),
 //! `anchors` (E.6.2.1.2, 5.12.3), `foundation` (E.6.2.3),
-//! `upper_courses` (E.6.2.2 above the bottom course), `piping` (E.7.3), `combinations` (the factors of the loads).
+//! `upper_courses` (E.6.2.2 above the bottom course), `piping` (E.7.3), `combinations` (the factors of the loads), `soil` (ASCE 7 chapter 19).
 
 pub mod accelerations;
 mod anchors;
@@ -36,6 +36,7 @@ mod resistance;
 #[cfg(test)]
 mod rest_tests;
 mod site_spectrum;
+mod soil;
 #[cfg(test)]
 mod tests;
 mod upper_courses;
@@ -222,6 +223,7 @@ impl Procedure for Api6502020 {
         run.upper_courses(&a, &forces);
         run.piping();
         run.foundation(&a, &forces);
+        run.soil(&periods, &forces);
 
         let g = case.gravity;
         run.out.ingredients = run.ingredients(&periods, &a, &forces);

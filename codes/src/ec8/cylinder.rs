@@ -10,7 +10,7 @@ use super::ingredients::{self, Motion, Wall};
 use super::shell_mode::Base;
 use super::simplified::{self, LIMITS, Row};
 use super::work::{Masses, Ratio, Work};
-use super::{bearing, cylinder_checks, cylinder_stress, cylinder_vertical, damage, pipes, sliding, walls};
+use super::{bearing, cylinder_checks, cylinder_stress, cylinder_vertical, damage, pipes, sliding, soil, walls};
 use crate::mechanical::{Lumped, Plan, eigenvalue, impulsive};
 use crate::procedure::CodeError;
 use crate::sheet::number;
@@ -78,6 +78,7 @@ pub(super) fn assess(work: &mut Work, radius: f64) -> Result<(), CodeError> {
     if let Some(mode) = &mode {
         alternatives(work, mode, &rigid, a_i, a_c);
     }
+    soil::assess(work, &masses, t_i);
     let values = &mut work.out.values;
     values.insert(Quantity::SloshingPeriod, t_c1);
     values.insert(Quantity::ImpulsivePeriod, t_i);

@@ -115,6 +115,19 @@ impl Damper {
         }
     }
 
+    /// Ratio of a mode: that of its dashpots, or that of its kind and frequency.
+    pub fn of(&self, mode: &CoupledMode) -> f64 {
+        mode.damping.unwrap_or_else(|| self.ratio(mode.kind, mode.omega))
+    }
+
+    /// Ratio of a mode beside the dashpots of its system: 0 where they hold all damping.
+    pub fn beside(&self, mode: &CoupledMode) -> f64 {
+        match mode.damping {
+            Some(_) => 0.0,
+            None => self.ratio(mode.kind, mode.omega),
+        }
+    }
+
     /// Whether every mode has the ratio of its kind.
     fn is_by_kind(&self) -> bool {
         matches!(self, Damper::ByKind { .. })

@@ -30,6 +30,7 @@ pub use engine::{Engine, Simulation, Task};
 pub use error::FeError;
 pub use fem::liquid;
 pub use linear::mesh_error::errors as mesh_errors;
+pub use linear::soil::slab_body;
 pub use linear::{simulate, simulate_watched};
 pub use registry::{ALL, engine};
 pub use tank::options::LinearOptions as Options;

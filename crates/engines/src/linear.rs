@@ -10,6 +10,7 @@ pub(crate) mod mesh_error;
 mod modal;
 pub(crate) mod model;
 mod rocking;
+pub(crate) mod soil;
 pub(crate) mod tilt;
 mod transfer;
 pub(crate) mod turned;
@@ -232,7 +233,7 @@ pub(crate) fn complete(
 /// Errors: an inadmissible ratio.
 fn review(model: &Model) -> Result<Vec<String>, FeError> {
     let mut notes = Vec::new();
-    for harmonic in model.systems() {
+    for harmonic in model.held_systems() {
         notes.extend(model.damper.review(&harmonic.modes)?);
     }
     Ok(notes)
@@ -281,7 +282,7 @@ fn report(
     }
     let around = Around::of(model, linear.across, motion, options, &analysis)?;
     notes.extend(Around::notes(motion));
-    notes.extend(model.horizontal.impulsive().and_then(|found| found.note()));
+    notes.extend(model.held().impulsive().and_then(|found| found.note()));
     notes.extend(waves::note(analysis.wave(), options.wave_modes, &analysis.waves));
     let coupled = &model.horizontal.coupled;
     let mut demands = demands::demands(case, seen, &analysis, motion)?;
@@ -293,6 +294,8 @@ fn report(
     if let Some(around) = &around {
         around.add(&mut histories);
     }
+    let soil = soil::outcome(case, model, &analysis, motion, options)?;
+    notes.extend(soil::note(case, linear.engine, soil.is_some()));
     let mut assumptions = describe::assumptions(case, options, linear.engine);
     let of_modes = free.moved().map(|_| (notes.clone(), assumptions.clone()));
     notes.extend(Hoop::of(&analysis, seen, fill).note().filter(|_| round));
@@ -310,7 +313,7 @@ fn report(
         mesh: coupled.mesh.clone(),
         modes: modes(case, model),
         modal: modal::parts(
-            model,
+            &model.on_fixed_base(),
             analysis.line(OnWall::Hoop).filter(|_| round).map(LineExtremes::worst),
         ),
         integration: describe::integration(model, options, &analysis, motion, linear.direct.is_some()),
@@ -318,6 +321,7 @@ fn report(
         mass_balance: describe::mass_balance(model),
         energy: analysis.energy,
         base: free.result(),
+        soil,
         envelopes,
         record_end: Some(record_end(motion)),
         histories: histories.info,
@@ -379,7 +383,7 @@ fn damping_table(model: &Model) -> Vec<results::DampingRow> {
         let mass = h.coupled.liquid_mass + h.coupled.wall_mass;
         model.damper.table(&h.modes, mass)
     };
-    model.systems().flat_map(of).collect()
+    model.held_systems().flat_map(of).collect()
 }
 
 /// The first modes of each kind, harmonic by harmonic, with the damping they were given.
@@ -394,7 +398,7 @@ fn modes(case: &Case, model: &Model) -> Vec<Mode> {
             })
             .collect()
     };
-    model.systems().flat_map(listed).collect()
+    model.held_systems().flat_map(listed).collect()
 }
 
 /// Ground motion and scalars.

@@ -56,6 +56,8 @@ pub struct CoupledMode {
     pub effective_height: f64,
     /// Share of the potential energy in the surface.
     pub surface_share: f64,
+    /// Its share of dashpots that hold all damping of the system, in place of the ratio of its kind; none where the ratio is that.
+    pub damping: Option<f64>,
 }
 
 /// The lowest `count` modes of a coupled system (all that are resolved if `None`), by ascending frequency.
@@ -95,6 +97,7 @@ pub fn solve(coupled: &Coupled, count: Option<usize>) -> Result<Vec<CoupledMode>
                 0.0
             },
             surface_share,
+            damping: None,
             vector,
         }
     };

@@ -22,6 +22,7 @@ mod provenance;
 mod reported;
 mod section;
 mod sheets;
+mod soil;
 mod spatial;
 mod spectra;
 mod standing;
@@ -69,6 +70,7 @@ sections![
     directions,
     standing,
     base,
+    soil,
     tilt,
     transfer,
     nonlinear,

@@ -18,6 +18,7 @@
 //! | [`internal_forces`] | stations of the wall |
 //! | [`ida`], [`push`] | the pages of these analyses |
 //! | [`site`] | the modes of an engine under the design spectrum |
+//! | [`soil`] | a tank on a slab on soil |
 //! | [`terminal`] | the summaries on the terminal |
 //! | [`transfer`] | transfer functions |
 //! | [`uplift`] | the base of a tank that lifts or slides |
@@ -35,6 +36,7 @@ pub mod labels;
 pub mod outcome;
 pub mod push;
 pub mod sections;
+pub mod soil;
 pub mod standing;
 pub mod summary;
 pub mod terminal;

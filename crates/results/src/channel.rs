@@ -303,6 +303,10 @@ pub enum Channel {
     ToeStress,
     /// Slip of the base against the ground.
     Slip,
+    /// Translation of a slab on soil, relative to the free field.
+    FoundationTranslation,
+    /// Rotation of a slab on soil.
+    FoundationRotation,
 }
 
 impl Channel {
@@ -360,6 +364,8 @@ impl Channel {
             Channel::Uplift(side) => format!("uplift_{}", side.id()),
             Channel::ToeStress => "toe_axial_stress".into(),
             Channel::Slip => "slip".into(),
+            Channel::FoundationTranslation => "foundation_translation".into(),
+            Channel::FoundationRotation => "foundation_rotation".into(),
         }
     }
 
@@ -432,6 +438,8 @@ impl Channel {
             Channel::BaseRotation,
             Channel::ToeStress,
             Channel::Slip,
+            Channel::FoundationTranslation,
+            Channel::FoundationRotation,
         ];
         ground
             .chain(on_wall)
@@ -491,6 +499,8 @@ impl Channel {
             Channel::Uplift(side) => format!("Uplift of the rim, {}", side.title()),
             Channel::ToeStress => "Axial stress at the toe, compression, with uplift".into(),
             Channel::Slip => "Slip of the base".into(),
+            Channel::FoundationTranslation => "Translation of the slab on soil".into(),
+            Channel::FoundationRotation => "Rotation of the slab on soil".into(),
         }
     }
 
@@ -514,9 +524,9 @@ impl Channel {
             Channel::SectionMoment(_) => Dimension::LineMoment,
             Channel::WaveAround { .. } | Channel::WaveLargest => Dimension::Length,
             Channel::Open | Channel::OpenOn(_) => Dimension::Dimensionless,
-            Channel::BaseRotation => Dimension::Angle,
+            Channel::BaseRotation | Channel::FoundationRotation => Dimension::Angle,
             Channel::ToeStress => Dimension::Stress,
-            Channel::Uplift(_) | Channel::Slip => Dimension::Length,
+            Channel::Uplift(_) | Channel::Slip | Channel::FoundationTranslation => Dimension::Length,
             Channel::Wave(_) | Channel::WaveAt { .. } | Channel::Top | Channel::Belly | Channel::Deflection(_) => {
                 Dimension::Length
             }

@@ -20,6 +20,7 @@ mod previous;
 mod push;
 mod run;
 mod snapshots;
+mod soil_run;
 mod standing;
 mod store;
 mod tilt;
@@ -52,6 +53,7 @@ pub use run::{
     Balance, DampingRow, EnergyBalance, EngineId, Envelope, FE, Labelled, Limit, Mode, ModeShape, Run, SeriesInfo,
 };
 pub use snapshots::{Resultants, Snapshot, Snapshots};
+pub use soil_run::{EffectiveMode, OnSoil, SoilRun};
 pub use store::{
     COMPARE, COMPARE_REPORT, FIGURES_FOLDER, OUTPUT, REPORT_FILE, RESULTS_FILE, SERIES_FILE, TRANSFER_FILE, put, read,
     read_series, write,

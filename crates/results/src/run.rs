@@ -12,6 +12,7 @@ use crate::directions::Directional;
 use crate::fields::Fields;
 use crate::modal::ModalPart;
 use crate::nonlinear::{End, Event, EventKind, Nonlinear};
+use crate::soil_run::SoilRun;
 use crate::tilt::Tilt;
 use crate::transfer::Transfer;
 
@@ -154,6 +155,9 @@ pub struct Run {
     /// The run with a base that rocks and slides, of an unanchored tank that lifts or slides.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub base: Option<BaseRun>,
+    /// The soil under a rigid slab, on which this run moves.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub soil: Option<SoilRun>,
     /// Limits of validity and the values found.
     pub limits: Vec<Limit>,
     /// First yield, first crack, first separation and the like, by time.
@@ -192,6 +196,7 @@ impl Run {
             tilt: None,
             transfer: None,
             base: None,
+            soil: None,
             limits: Vec::new(),
             events: Vec::new(),
             fields: None,

@@ -60,6 +60,7 @@ pub const ALL: &[&Benchmark] = &[
     &base::rocking::BENCHMARK,
     &soil::impedances::BENCHMARK,
     &soil::structure::BENCHMARK,
+    &soil::engine::BENCHMARK,
     &soil::isolation::BENCHMARK,
     &shell::element::BENCHMARK,
     &shell::patch::BENCHMARK,

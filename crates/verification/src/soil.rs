@@ -4,6 +4,7 @@
 //! |---|---|
 //! | impedances of a rigid disc | closed forms, Veletsos & Verbic 1973 |
 //! | effective period and damping | an independent program, limits |
+//! | the harmonic engine on a slab | a body in its modes, a fixed base |
 //! | isolators | closed forms, an independent program, Runge and Kutta's method |
 
 use ::soil::SoilError;
@@ -12,6 +13,7 @@ use ::soil::structure::{OnSoil, Structure};
 
 use crate::Failure;
 
+pub(crate) mod engine;
 pub(crate) mod impedances;
 pub(crate) mod isolation;
 pub(crate) mod structure;

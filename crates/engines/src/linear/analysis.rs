@@ -101,14 +101,14 @@ impl Analysis<'_> {
                 values.insert(quantity, value);
             }
         };
-        let mode = |kind| model.horizontal.first(kind);
+        let mode = |kind| model.held().first(kind);
         let period = |m: &CoupledMode| std::f64::consts::TAU / m.omega;
         put(Quantity::SloshingPeriod, mode(Kind::Sloshing).map(period));
         put(
             Quantity::ConvectiveMass,
             mode(Kind::Sloshing).map(CoupledMode::effective_mass),
         );
-        let impulsive = model.horizontal.impulsive();
+        let impulsive = model.held().impulsive();
         put(Quantity::ImpulsivePeriod, impulsive.as_ref().map(Impulsive::period));
         put(Quantity::ImpulsiveMass, impulsive.as_ref().map(Impulsive::mass));
         put(Quantity::SloshingHeight, self.wave());

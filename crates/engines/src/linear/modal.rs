@@ -109,7 +109,7 @@ fn part(model: &Model, coupled: &Coupled, mode: &CoupledMode, hoop: Option<usize
         kind: mode.kind.id().into(),
         number: mode.number,
         period: std::f64::consts::TAU / mode.omega,
-        damping: model.damper.ratio(mode.kind, mode.omega),
+        damping: model.damper.of(mode),
         wave: coupled
             .probe(Channel::Wave(Side::Front))
             .map_or(0.0, |p| response(p, mode).abs()),

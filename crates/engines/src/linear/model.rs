@@ -1,8 +1,11 @@
 //! The coupled systems of a case with their modes and observables.
 
+use std::borrow::Cow;
+
 use oscillator::record::Record;
 use tank::case::GroundMotion;
 
+use super::soil::{self, Slab};
 use super::turned::Turned;
 use crate::coupled::Coupled;
 use crate::damping::Damper;
@@ -70,8 +73,10 @@ impl Harmonic {
 /// The model of a case: m = 1 for the horizontal record and, with a vertical one, m = 0.
 #[derive(Clone, Debug)]
 pub(crate) struct Model {
-    /// m = 1.
+    /// m = 1; on its slab where there is one on soil.
     pub horizontal: Harmonic,
+    /// m = 1 on a fixed base, of a tank on soil.
+    pub fixed: Option<Harmonic>,
     /// m = 0, with a vertical record only.
     pub vertical: Option<Harmonic>,
     /// m = 0 for the vertical spectrum of the site: no part of a response to records.
@@ -102,13 +107,45 @@ impl Model {
             Some(same) => Some(same.clone()),
             None => Some(prepare(0)?),
         };
+        let damper = damper.tuned(&horizontal.modes);
+        let (horizontal, fixed) = match Slab::of(case)? {
+            None => (horizontal, None),
+            Some(slab) => {
+                let held = (&horizontal.coupled, horizontal.modes.as_slice());
+                let (coupled, modes) = soil::on_soil(held, case, &damper, &slab)?;
+                (Harmonic { coupled, modes }, Some(horizontal))
+            }
+        };
         Ok(Model {
             vertical,
             site,
             turned: None,
-            damper: damper.tuned(&horizontal.modes),
+            damper,
             horizontal,
+            fixed,
         })
+    }
+
+    /// m = 1 on a fixed base.
+    pub(crate) fn held(&self) -> &Harmonic {
+        self.fixed.as_ref().unwrap_or(&self.horizontal)
+    }
+
+    /// The systems on a fixed base, m = 1 first.
+    pub(crate) fn held_systems(&self) -> impl Iterator<Item = &Harmonic> {
+        std::iter::once(self.held()).chain(&self.vertical)
+    }
+
+    /// The same on a fixed base.
+    pub(crate) fn on_fixed_base(&self) -> Cow<'_, Model> {
+        match &self.fixed {
+            None => Cow::Borrowed(self),
+            Some(fixed) => Cow::Owned(Model {
+                horizontal: fixed.clone(),
+                fixed: None,
+                ..self.clone()
+            }),
+        }
     }
 
     /// The systems: m = 1, then m = 0, then m = 1 under the rotation of its base.

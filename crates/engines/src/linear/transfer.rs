@@ -45,7 +45,7 @@ pub(crate) fn add(simulation: &mut Simulation, model: &Model, options: &Options)
         &model.damper,
         options.wave_modes,
     );
-    let ratio = |mode: &CoupledMode| model.damper.ratio(mode.kind, mode.omega);
+    let ratio = |mode: &CoupledMode| model.damper.of(mode);
     if let Some(mode) = kept.iter().find(|mode| ratio(mode) <= 0.0) {
         simulation.notes.push(format!(
             "`analysis.frequency`: the {} mode {} has no damping, so that there is no steady state: no transfer functions.",

@@ -38,7 +38,7 @@ pub(crate) fn units(model: &Model, options: &Options) -> Result<ModalUnits, FeEr
     };
     Ok(ModalUnits {
         vertical: upwards,
-        ..of(&model.horizontal, model, options)?
+        ..of(model.held(), model, options)?
     })
 }
 
@@ -94,8 +94,8 @@ fn of(harmonic: &Harmonic, model: &Model, options: &Options) -> Result<ModalUnit
 
 /// Periods and masses, which do not depend on the ground motion.
 pub(crate) fn properties(model: &Model) -> BTreeMap<Quantity, f64> {
-    let first = |kind| model.horizontal.first(kind);
-    let impulsive = model.horizontal.impulsive();
+    let first = |kind| model.held().first(kind);
+    let impulsive = model.held().impulsive();
     let found = [
         (
             Quantity::SloshingPeriod,
@@ -122,7 +122,8 @@ pub(crate) fn without_record(
 ) -> Result<Simulation, FeError> {
     let mut notes = super::review(model)?;
     notes.extend(super::model_notes(case, engine));
-    notes.extend(model.horizontal.impulsive().and_then(|found| found.note()));
+    notes.extend(super::soil::note(case, engine, false));
+    notes.extend(model.held().impulsive().and_then(|found| found.note()));
     let labels = [
         ("method", "response-spectrum method, no time history".to_owned()),
         ("damping", model.damper.text()),
@@ -130,7 +131,7 @@ pub(crate) fn without_record(
     let result = Run {
         mesh: model.horizontal.coupled.mesh.clone(),
         modes: super::modes(case, model),
-        modal: super::modal::parts(model, None),
+        modal: super::modal::parts(&model.on_fixed_base(), None),
         integration: labels
             .map(|(label, text)| Labelled {
                 label: label.into(),

@@ -38,15 +38,16 @@ impl<'a> DirectSystem<'a> {
     /// the sloshing modes that count for wave heights).
     pub fn new(system: &'a Coupled, modes: &'a [CoupledMode], damper: &Damper) -> DirectSystem<'a> {
         let n = system.influence.len();
+        let held = modes.iter().all(|mode| mode.damping.is_none());
         let mut damping = match damper {
-            Damper::Rayleigh(Rayleigh { mass, stiffness }) => Matrix {
+            Damper::Rayleigh(Rayleigh { mass, stiffness }) if held => Matrix {
                 rows: n,
                 cols: n,
                 data: (system.mass.data.iter().zip(&system.stiffness.data))
                     .map(|(m, k)| mass * m + stiffness * k)
                     .collect(),
             },
-            Damper::ByKind { .. } | Damper::ByGroup { .. } | Damper::Caughey(_) => {
+            Damper::Rayleigh(_) | Damper::ByKind { .. } | Damper::ByGroup { .. } | Damper::Caughey(_) => {
                 let mut shapes = Matrix::zeros(n, modes.len());
                 for (j, mode) in modes.iter().enumerate() {
                     shapes.column_mut(j).copy_from_slice(&mode.vector);
@@ -54,7 +55,7 @@ impl<'a> DirectSystem<'a> {
                 let momenta = product(&system.mass, &shapes);
                 let mut weighted = Matrix::zeros(modes.len(), n);
                 for (j, mode) in modes.iter().enumerate() {
-                    let factor = 2.0 * damper.ratio(mode.kind, mode.omega) * mode.omega;
+                    let factor = 2.0 * damper.beside(mode) * mode.omega;
                     for i in 0..n {
                         weighted.add(j, i, factor * momenta.get(i, j));
                     }

@@ -81,7 +81,7 @@ impl<'a> ModalSystem<'a> {
             .map_err(failure("the coupled stiffness matrix"))?
             .solve_vector(&load);
         Ok(ModalSystem {
-            damping: modes.iter().map(|m| damper.ratio(m.kind, m.omega)).collect(),
+            damping: modes.iter().map(|m| damper.beside(m)).collect(),
             block: Block { system, modes },
             statics,
         })

@@ -134,6 +134,7 @@ impl Prepared {
             turned: None,
             damper: damper.tuned(&horizontal.modes),
             horizontal,
+            fixed: None,
         };
         Ok(Prepared {
             tank,

@@ -40,7 +40,14 @@ fn is_force(info: &SeriesInfo) -> bool {
 fn is_base(info: &SeriesInfo) -> bool {
     matches!(
         info.channel(),
-        Some(Channel::BaseRotation | Channel::Uplift(_) | Channel::ToeStress | Channel::Slip)
+        Some(
+            Channel::BaseRotation
+                | Channel::Uplift(_)
+                | Channel::ToeStress
+                | Channel::Slip
+                | Channel::FoundationTranslation
+                | Channel::FoundationRotation
+        )
     )
 }
 

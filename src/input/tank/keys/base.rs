@@ -105,13 +105,14 @@ pub(super) fn foundation(
         let allowed = "\"kind\": \"slab\" or \"ring_wall\"";
         r.faults.push(range_fault(field, message, allowed));
     }
-    if let Some(field) = &given.thickness.given
-        && kind != FoundationKind::Soil
-    {
-        r.warnings.push(format!(
-            "{}: not used: no engine or procedure needs the thickness of the foundation",
-            field.path
-        ));
+    // The mass of a slab moves with it on the soil.
+    let reason = match (kind, shear_wave_velocity) {
+        (FoundationKind::Soil, _) | (FoundationKind::Slab, Some(_)) => None,
+        (FoundationKind::Slab, None) => Some("the mass of a slab counts together with shear_wave_velocity alone"),
+        (FoundationKind::RingWall, _) => Some("no engine or procedure needs the thickness of a ring wall"),
+    };
+    if let (Some(field), Some(reason)) = (&given.thickness.given, reason) {
+        r.warnings.push(format!("{}: not used: {reason}", field.path));
     }
     Some(tank::Foundation {
         kind,

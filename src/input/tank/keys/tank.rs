@@ -124,16 +124,19 @@ object! {
         stiffness ("100 MN/m3"): Opt<Subgrade> [Limits::from(1e6).to(1e12)]
             = Absent::Follows("from shear_wave_velocity after Vesic; else 100 MN/m³ of soil, 10 000 MN/m³ of a ring wall or slab"),
         /// Velocity of shear waves in the soil, at the strains of the earthquake (EN 1998-5:2004 table 4.1). It gives the modulus under the
-        /// rim of a tank on soil without stiffness, and the energy that the soil radiates under the rim of a tank that rocks.
+        /// rim of a tank on soil without stiffness, and the energy that the soil radiates under the rim of a tank that rocks. An anchored
+        /// cylinder on a slab moves with it on this soil, a uniform half-space, in the harmonic engine; EN 1998-4 A.7 and ASCE 7 chapter 19
+        /// stand beside it for information.
         shear_wave_velocity ("250 m/s"): Opt<Velocity> [Limits::from(50.0).to(3000.0)]
-            = without("the soil under the rim radiates no energy"),
+            = without("the soil under the rim radiates no energy, a slab does not move"),
         /// Density of the soil.
         soil_density ("1900 kg/m3"): Opt<Density> [Limits::from(1000.0).to(3000.0)]
             = default(Density(1900.0)).because("moist sand or gravel"),
         /// Poisson's ratio of the soil.
         soil_poisson_ratio (0.33): Opt<Number> [Limits::from(0.0).below(0.5)]
             = default(Number(1.0 / 3.0)).shown("1/3").because("drained sand or gravel"),
-        /// Thickness of a slab. No engine or procedure uses that of a ring wall.
+        /// Thickness of a slab, for its mass where it moves on the soil: concrete of 2500 kg/m³ as wide as the bottom plate. Without it the
+        /// slab has no mass. No engine or procedure uses that of a ring wall.
         thickness ("0.6 m"): Opt<Length> [THICKNESS],
         /// Coefficient of friction between the bottom plate and the ground, the mean that is expected rather than a design value.
         friction (0.4): Opt<Number> [Limits::above(0.0).to(2.0)] = without("the tank does not slide in the time history"),

@@ -43,6 +43,7 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
     if case.tank.support == Support::Unanchored {
         notes.push(HELD_DOWN.into());
     }
+    notes.extend(crate::linear::soil::note(case, EngineId::Nonlinear, false));
     let end = end(tank, run);
     match &end {
         End::Completed | End::Left { .. } => {}

@@ -1,0 +1,236 @@
+//! The coupled system with the unknowns of the slab.
+
+use fem::linalg::{Cholesky, Matrix, dot};
+use results::Channel;
+use results::channel::OnWall;
+use tank::{Case, Shape};
+
+use super::Slab;
+use super::floor::Floor;
+use super::residual;
+use crate::FeError;
+use crate::coupled::{Coupled, Part, ShapeRows};
+use crate::damping::Damper;
+use crate::error::failure;
+use crate::modes::{self, CoupledMode};
+use crate::probe::{Probe, ProbeLine};
+
+/// Unknowns of the slab and of the cone.
+const ADDED: usize = 3;
+/// Dashpots of the ground, the last of the system.
+const GROUND: usize = 2;
+/// Frequency of the spring that holds the internal rotation of the cone, over the lowest of the tank: a free rotation has no mode. Where the
+/// cone matters, at the impulsive frequency 10 to 50 times that of sloshing, the spring has 1e-4 to 4e-6 of its inertia. A softer one costs
+/// the digits of the higher modes ([`fem::linalg::generalized_eigen`] resolves 10⁴ times the lowest frequency).
+const HELD: f64 = 0.1;
+
+/// What tank and liquid weigh about the bottom plate and the underside of the slab.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Rigid {
+    /// Row of the moment about the underside, f_ψ.
+    pub moment: Vec<f64>,
+    /// Rotation about the underside, of the unknowns of the wall.
+    pub turn: Vec<f64>,
+    /// m with the slab [kg].
+    pub mass: f64,
+    /// S [kg m].
+    pub first: f64,
+    /// J [kg m²].
+    pub second: f64,
+    /// Of wall and liquid alone about the bottom plate: mass, first and second moment, and the share of the wall in the second.
+    own: [f64; 4],
+    /// Thickness t of the slab [m].
+    thickness: f64,
+    floor: Floor,
+}
+
+impl Rigid {
+    /// Of a coupled system of harmonic 1; `None` without the row of the overturning moment.
+    pub(crate) fn of(coupled: &Coupled, case: &Case, slab: &Slab) -> Option<Rigid> {
+        let Shape::Cylinder { radius } = case.tank.shape else {
+            return None;
+        };
+        let floor = Floor {
+            density: case.liquid.density,
+            radius,
+            depth: case.liquid.fill_height,
+        };
+        let below = coupled.probe(Channel::OverturningMoment)?;
+        let (row, arm, t) = (&below.absolute_acceleration, &coupled.moment_arm, slab.thickness);
+        let wall = coupled.mass.times(arm);
+        let shear = coupled.mass.times(&coupled.influence);
+        let mass = coupled.liquid_mass + coupled.wall_mass;
+        let first = dot(row, &coupled.influence) + below.ground_acceleration;
+        let on_wall = dot(row, arm);
+        // By reciprocity the floor does on the wall what the wall does on the floor.
+        let second = on_wall + (on_wall - dot(&wall, arm)) + floor.inertia();
+        Some(Rigid {
+            moment: row.iter().zip(&shear).map(|(m, v)| m + t * v).collect(),
+            turn: arm.iter().zip(&coupled.influence).map(|(a, i)| a + t * i).collect(),
+            mass: mass + slab.mass(),
+            first: first + t * mass + 0.5 * t * slab.mass(),
+            second: second + 2.0 * t * first + t * t * mass + slab.inertia(),
+            own: [mass, first, second, on_wall],
+            thickness: t,
+            floor,
+        })
+    }
+
+    /// What a probe shows of a unit rotation about the underside: its row on the rotating wall and what the floor adds.
+    fn turned(&self, probe: &Probe, z: Option<f64>, coupled: &Coupled) -> f64 {
+        let on = |x: &[f64]| match probe.absolute_acceleration.is_empty() {
+            true => 0.0,
+            false => dot(&probe.absolute_acceleration, x),
+        };
+        let moved = on(&coupled.influence) + probe.ground_acceleration;
+        let about_the_plate = match (probe.channel, z) {
+            (Channel::BaseShear, _) => self.own[1],
+            (Channel::BaseMoment, _) => self.own[3],
+            (Channel::OverturningMoment, _) => self.own[2],
+            (_, Some(z)) => on(&coupled.moment_arm) + self.floor.pressure(z),
+            _ => on(&coupled.moment_arm),
+        };
+        about_the_plate + self.thickness * moved
+    }
+}
+
+/// The system and its modes on the slab.
+///
+/// Errors: a mass that is not positive definite; a mode that fails its residual check.
+pub(crate) fn on_soil(
+    (held, modes): (&Coupled, &[CoupledMode]),
+    case: &Case,
+    damper: &Damper,
+    slab: &Slab,
+) -> Result<(Coupled, Vec<CoupledMode>), FeError> {
+    let missing = || FeError::Analysis("the model on soil: no row of the overturning moment".into());
+    let rigid = Rigid::of(held, case, slab).ok_or_else(missing)?;
+    let cones = slab.disc.cones();
+    let inertia = [rigid.mass, rigid.second + cones.trapped_inertia, cones.internal_inertia];
+    // Unknowns of the slab in units in which their mass is 1.
+    let scale = inertia.map(|m| 1.0 / m.sqrt());
+    let n = held.influence.len();
+    let size = n + ADDED;
+    let lowest = modes.iter().map(|m| m.omega).fold(f64::INFINITY, f64::min);
+    let spring = [
+        cones.stiffness.horizontal,
+        cones.stiffness.rocking,
+        cones.internal_inertia * (HELD * lowest).powi(2),
+    ];
+    let shear = held.mass.times(&held.influence);
+    let (mut mass, mut stiffness) = (Matrix::zeros(size, size), Matrix::zeros(size, size));
+    for j in 0..n {
+        mass.column_mut(j)[..n].copy_from_slice(held.mass.column(j));
+        stiffness.column_mut(j)[..n].copy_from_slice(held.stiffness.column(j));
+    }
+    for (k, row) in [&shear, &rigid.moment].into_iter().enumerate() {
+        for (i, f) in row.iter().enumerate() {
+            mass.add(i, n + k, scale[k] * f);
+            mass.add(n + k, i, scale[k] * f);
+        }
+    }
+    for k in 0..ADDED {
+        mass.add(n + k, n + k, 1.0);
+        stiffness.add(n + k, n + k, spring[k] * scale[k] * scale[k]);
+    }
+    let coupling = rigid.first * scale[0] * scale[1];
+    mass.add(n, n + 1, coupling);
+    mass.add(n + 1, n, coupling);
+
+    let unit = |entries: &[(usize, f64)]| {
+        let mut row = vec![0.0; size];
+        entries.iter().for_each(|(i, v)| row[n + i] = *v);
+        row
+    };
+    let longer = |row: &[f64]| -> Vec<f64> { row.iter().copied().chain([0.0; ADDED]).collect() };
+    let own = modes.iter().map(|mode| {
+        let momentum = held.mass.times(&mode.vector);
+        (longer(&momentum), 2.0 * damper.of(mode) * mode.omega)
+    });
+    let mut dashpots: Vec<(Vec<f64>, f64)> = own.collect();
+    dashpots.extend(held.dashpots.iter().map(|(row, c)| (longer(row), *c)));
+    dashpots.push((unit(&[(0, scale[0])]), cones.horizontal_dashpot));
+    dashpots.push((unit(&[(1, scale[1]), (2, -scale[2])]), cones.rocking_dashpot));
+
+    let extended = |probe: &Probe, z: Option<f64>| -> Probe {
+        let a = &probe.absolute_acceleration;
+        let still = a.is_empty() && probe.ground_acceleration == 0.0;
+        let moved = match a.is_empty() {
+            true => 0.0,
+            false => dot(a, &held.influence),
+        };
+        let mut row = match a.is_empty() {
+            true => vec![0.0; size],
+            false => longer(a),
+        };
+        row[n] = scale[0] * (moved + probe.ground_acceleration);
+        row[n + 1] = scale[1] * rigid.turned(probe, z, held);
+        Probe {
+            displacement: match probe.displacement.is_empty() {
+                true => Vec::new(),
+                false => longer(&probe.displacement),
+            },
+            absolute_acceleration: if still { Vec::new() } else { row },
+            ground_acceleration: 0.0,
+            ..probe.clone()
+        }
+    };
+    let line = |line: &ProbeLine| ProbeLine {
+        probes: line
+            .probes
+            .iter()
+            .zip(&line.z)
+            .map(|(probe, z)| extended(probe, (line.what == OnWall::Pressure).then_some(*z)))
+            .collect(),
+        ..line.clone()
+    };
+    let base = [Channel::FoundationTranslation, Channel::FoundationRotation]
+        .into_iter()
+        .enumerate();
+    let base = base.map(|(k, channel)| Probe {
+        displacement: unit(&[(k, scale[k])]),
+        ..Probe::new(channel)
+    });
+    // M a = the row of the moment above the base plate.
+    let above = held
+        .probe(Channel::BaseMoment)
+        .map(|probe| extended(probe, None).absolute_acceleration);
+    let factor = Cholesky::factor(&mass).map_err(failure("the mass matrix of the tank on its slab"))?;
+    let moment_arm = match above {
+        Some(row) if !row.is_empty() => factor.solve_vector(&row),
+        _ => vec![0.0; size],
+    };
+    let coupled = Coupled {
+        harmonic: held.harmonic,
+        influence: unit(&[(0, 1.0 / scale[0])]),
+        surface: held.surface.clone(),
+        rotation: Some(Part::block(&stiffness, n + 2..size)),
+        probes: held
+            .probes
+            .iter()
+            .map(|probe| extended(probe, None))
+            .chain(base)
+            .collect(),
+        lines: held.lines.iter().map(line).collect(),
+        shear: held.shear.as_ref().map(line),
+        liquid_mass: held.liquid_mass,
+        wall_mass: held.wall_mass,
+        moment_arm,
+        // Rows without the shares of the clamped edge, which a rigid motion needs.
+        structure: None,
+        dashpots,
+        mesh: held.mesh.clone(),
+        shape_rows: ShapeRows::clone(&held.shape_rows),
+        mass,
+        stiffness,
+    };
+    let mut found = modes::solve(&coupled, None)?;
+    let ground = coupled.dashpots.len() - GROUND;
+    found.extend(residual::modes(&coupled, &found, &coupled.dashpots[ground..])?);
+    for mode in &mut found {
+        let rate = |(row, c): &(Vec<f64>, f64)| c * dot(row, &mode.vector).powi(2);
+        let rate: f64 = coupled.dashpots.iter().map(rate).sum();
+        mode.damping = Some(rate / (2.0 * mode.omega));
+    }
+    Ok((coupled, found))
+}

@@ -1,0 +1,154 @@
+//! A tank on a slab on soil: effective period and damping by definition, motion of the slab, results beside those on a fixed base.
+
+use tank::Quantity;
+use tank::units::Dimension;
+
+use super::histories::record_end;
+use super::{Section, Source};
+use crate::figure::chart::{Axis, Chart, Line};
+use crate::figure::decimate::decimate;
+use crate::figure::{Figure, Room, WIDE};
+use crate::number::{Scale, fixed, percent, with_unit};
+use crate::table::{Column, Table, spread};
+use crate::words::{soil as words, uplift};
+use files::error::Error;
+use results::{Channel, SoilRun};
+
+/// Makes the section.
+pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
+    let Some(run) = source.results.reference().and_then(|run| run.soil.as_ref()) else {
+        return Ok(None);
+    };
+    let mut section = Section::new("soil");
+    section.set("ground", &words::ground(run));
+    section.set("cones", &cones(run));
+    section.set("effective", &effective(run));
+    section.set("values", &values(run));
+    section.set("fixed", &beside(run));
+    section.set("assumptions", &run.assumptions);
+    let figures = [
+        over_time(source, 0, Channel::FoundationTranslation)?,
+        over_time(source, 1, Channel::FoundationRotation)?,
+    ];
+    section.set_figures("figures", figures.into_iter().flatten().collect());
+    Ok(Some(section))
+}
+
+fn cones(run: &SoilRun) -> Table {
+    let [motion, stiffness, dashpot, inertia] = words::CONES;
+    let mut table = Table::new(vec![
+        Column::words(motion),
+        Column::numbers(stiffness, ""),
+        Column::numbers(dashpot, ""),
+        Column::numbers(inertia, ""),
+    ]);
+    for row in words::cones(run) {
+        table.row(row.into());
+    }
+    table
+}
+
+fn effective(run: &SoilRun) -> Table {
+    let [name, period, ratio, damping] = words::EFFECTIVE;
+    let mut table = Table::new(vec![
+        Column::words(name),
+        Column::numbers(period, "s"),
+        Column::numbers(ratio, ""),
+        Column::numbers(damping, ""),
+    ]);
+    table.row(vec![
+        words::FIXED.into(),
+        fixed(run.fixed_period, 4),
+        fixed(1.0, 3),
+        percent(run.fixed_damping),
+    ]);
+    for mode in &run.effective {
+        table.row(vec![
+            words::definition(mode).into(),
+            fixed(mode.period, 4),
+            fixed(mode.period / run.fixed_period, 3),
+            mode.damping.map_or(words::NONE.into(), percent),
+        ]);
+    }
+    table
+}
+
+fn values(run: &SoilRun) -> Table {
+    let [name, value, time] = words::MOTION;
+    let mut table = Table::new(vec![
+        Column::words(name),
+        Column::numbers(value, ""),
+        Column::numbers(time, "s"),
+    ]);
+    for quantity in run.quantities.iter().filter(|q| q.time.is_some()) {
+        let text = match quantity.value.dimension {
+            Dimension::Angle => format!("{:.2e} rad", quantity.value.value),
+            dimension => with_unit(quantity.value.value, dimension),
+        };
+        let time = quantity.time.map_or(words::NONE.into(), |t| fixed(t, 3));
+        table.row(vec![words::quantity(&quantity.id).into(), text, time]);
+    }
+    table
+}
+
+fn beside(run: &SoilRun) -> Table {
+    let [name, soil, held, ratio] = words::BESIDE;
+    let mut table = Table::new(vec![
+        Column::words(name),
+        Column::numbers(soil, ""),
+        Column::numbers(held, ""),
+        Column::numbers(ratio, ""),
+    ]);
+    for row in &run.beside {
+        let title = Quantity::from_id(&row.id).map_or(row.id.clone(), |q| q.title().into());
+        table.row(vec![
+            title,
+            with_unit(row.soil.value, row.soil.dimension),
+            with_unit(row.fixed.value, row.fixed.dimension),
+            fixed(row.soil.value / row.fixed.value, 3),
+        ]);
+    }
+    table
+}
+
+/// A history of the slab; `None` without its column.
+fn over_time(source: &Source, number: usize, channel: Channel) -> Result<Option<Figure>, Error> {
+    let time = &source.series.time;
+    let Some(column) = source
+        .column(&channel.id())
+        .filter(|c| c.len() > 1 && c.len() <= time.len())
+    else {
+        return Ok(None);
+    };
+    let dimension = channel.dimension();
+    let end = time[column.len() - 1];
+    let x = Axis::exact(words::AXES[2], Dimension::Time, (time[0], end), 8);
+    let y = Axis::linear(words::AXES[number], dimension, column.iter().copied().chain([0.0]), 5);
+    let mut chart = Chart::new((WIDE, 0.0), x, y);
+    chart.lines.push(Line {
+        points: decimate(&time[..column.len()], column, (WIDE - 60.0) as usize),
+        class: "k-fe hist".into(),
+        label: String::new(),
+    });
+    chart.rules = record_end(source, end).into_iter().collect();
+    let scale = Scale::of(dimension, column.iter().copied());
+    let mut table = Table::new(vec![
+        Column::numbers(words::AXES[2], "s"),
+        Column::numbers(&channel.title(), scale.symbol()),
+    ]);
+    for k in spread(column.len(), 24) {
+        table.row(vec![fixed(time[k], 3), scale.text(column[k])]);
+    }
+    let chart = chart.with_plot_height(110.0);
+    Ok(Some(Figure {
+        id: channel.id(),
+        title: words::FIGURES[number].into(),
+        caption: String::new(),
+        titled: false,
+        description: uplift::description(words::FIGURES[number], dimension, column.iter().copied()),
+        size: chart.size,
+        markup: chart.draw()?,
+        table,
+        room: Room::Wide,
+    }))
+}

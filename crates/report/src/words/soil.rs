@@ -1,0 +1,100 @@
+//! A tank on a slab on soil, in the section of that name.
+
+use tank::units::{Dimension, display};
+
+use crate::number::{fixed, percent};
+use results::{EffectiveMode, SoilRun};
+
+/// Heads of the table of the cones.
+pub const CONES: [&str; 4] = ["Impedance", "Spring k", "Dashpot c", "Inertia"];
+/// Heads of the table of periods.
+pub const EFFECTIVE: [&str; 4] = ["Impulsive mode", "Period", "over fixed base", "Damping"];
+/// Its first row.
+pub const FIXED: &str = "fixed base";
+/// Heads of the table of the slab's motion.
+pub const MOTION: [&str; 3] = ["Slab", "Largest", "Time"];
+/// Heads of the table beside the fixed base.
+pub const BESIDE: [&str; 4] = ["Quantity", "On soil", "Fixed base", "Ratio"];
+/// No number.
+pub const NONE: &str = "–";
+/// Titles of the figures.
+pub const FIGURES: [&str; 2] = ["Translation of the slab over time", "Rotation of the slab over time"];
+/// Axes.
+pub const AXES: [&str; 3] = ["Translation", "Rotation", "Time"];
+
+/// A definition of period and damping.
+pub fn definition(mode: &EffectiveMode) -> &str {
+    match mode.id.as_str() {
+        "cones" => "on soil, complex stiffness with cones (effective_period, effective_damping)",
+        "veletsos" => "on soil, complex stiffness after Veletsos and Verbic",
+        "complex_mode" => "on soil, complex mode on cones, with the slab",
+        "static" => "on soil, static springs",
+        other => other,
+    }
+}
+
+/// Springs, dashpots and inertia of the cones.
+pub fn cones(run: &SoilRun) -> Vec<[String; 4]> {
+    let number = |value: f64, unit: &str| match value > 0.0 {
+        true => format!("{value:.3e} {unit}"),
+        false => NONE.into(),
+    };
+    vec![
+        [
+            "translation".into(),
+            number(run.horizontal, "N/m"),
+            number(run.horizontal_dashpot, "N s/m"),
+            NONE.into(),
+        ],
+        [
+            "rocking".into(),
+            number(run.rocking, "N m"),
+            NONE.into(),
+            number(run.trapped_inertia, "kg m²"),
+        ],
+        [
+            "internal rotation, joined to the rocking slab by its dashpot".into(),
+            NONE.into(),
+            number(run.rocking_dashpot, "N m s"),
+            number(run.internal_inertia, "kg m²"),
+        ],
+    ]
+}
+
+/// Title of a quantity.
+pub fn quantity(id: &str) -> &str {
+    match id {
+        "base_translation" => "Translation relative to the free field",
+        "base_rotation" => "Rotation",
+        other => other,
+    }
+}
+
+/// Slab, soil, stiffness.
+pub fn ground(run: &SoilRun) -> String {
+    let slab = if run.thickness > 0.0 {
+        format!(
+            "Slab {} in radius, {} thick, {}",
+            display(run.radius, Dimension::Length),
+            display(run.thickness, Dimension::Length),
+            display(run.slab_mass, Dimension::Mass)
+        )
+    } else {
+        format!(
+            "Slab {} in radius, without mass",
+            display(run.radius, Dimension::Length)
+        )
+    };
+    format!(
+        "{slab}. Soil with V_s = {}, {}, Poisson's ratio {}: static stiffness {:.3} GN/m and {:.3} GNm. Impulsive mode {} at {} above the \
+         underside of the slab, damping {} on a fixed base.",
+        display(run.shear_wave_velocity, Dimension::Velocity),
+        display(run.density, Dimension::Density),
+        fixed(run.poisson_ratio, 3),
+        1e-9 * run.horizontal,
+        1e-9 * run.rocking,
+        display(run.impulsive_mass, Dimension::Mass),
+        display(run.impulsive_arm, Dimension::Length),
+        percent(run.fixed_damping)
+    )
+}
