@@ -95,7 +95,7 @@ pub(crate) fn missing(case: &Case) -> Option<(&'static str, &'static str)> {
                 .is_some_and(|b| matches!(b.material.behaviour, Behaviour::Steel(_)));
             (!steel).then_some((
                 "a pushover of an unanchored tank needs a bottom plate that yields",
-                "a material of `tank.bottom` with a yield strength",
+                "a material of `tank.bottom` whose behaviour is \"steel\", or \"anchored\"",
             ))
         }
     }
