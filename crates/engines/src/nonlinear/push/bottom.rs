@@ -159,14 +159,19 @@ impl Plate {
         self.impulsive[self.foot]
     }
 
-    /// Adds nodes and ground; returns the nodes. `foot` are those of the wall.
+    /// Adds nodes; returns them. `foot` are those of the wall; where an imperfection moves them the rings follow.
     pub(super) fn nodes(&self, builder: &mut Builder, angles: &[f64], foot: &[usize]) -> Vec<Vec<usize>> {
+        let deviation = |node: usize| {
+            let [x, y, _] = builder.position(node);
+            x.hypot(y) - self.radii[self.foot]
+        };
+        let moved: Vec<f64> = foot.iter().map(|node| deviation(*node)).collect();
         let ring = |(i, &r): (usize, &f64)| -> Vec<usize> {
             if i == self.foot {
                 return foot.to_vec();
             }
-            let at = angles.iter().map(|angle| {
-                let (s, c) = angle.sin_cos();
+            let at = angles.iter().zip(&moved).map(|(angle, moved)| {
+                let ((s, c), r) = (angle.sin_cos(), r + moved);
                 let node = builder.node([r * c, r * s, 0.0]);
                 builder.frame(node, Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0));
                 node

@@ -144,3 +144,18 @@ fn a_buckling_mode_is_rejected() {
     bare.tank.bottom = None;
     assert!(bottom::missing(&case).is_none() && bottom::missing(&bare).is_some());
 }
+
+/// A weld depression at the foot that is deeper than the first ring is wide.
+#[test]
+fn an_imperfect_foot_takes_the_plate_along() {
+    let case = oil(205e6);
+    let options = options(&case, 32);
+    let plan = Plan::new(&case, &options).unwrap();
+    let shape = Depression {
+        radius: 20.0,
+        amplitude: -0.03,
+        height: 0.1,
+        half_wave: 1.2,
+    };
+    assert!(plan.build(Some(&Dent::Weld(shape))).is_ok());
+}
