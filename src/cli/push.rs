@@ -1,4 +1,4 @@
-//! `tankcheck push`: pushover of an anchored cylinder.
+//! `tankcheck push`: pushover of a cylinder, anchored or on its bottom plate.
 
 use std::path::PathBuf;
 use std::time::Instant;

@@ -32,6 +32,7 @@ mod fluid;
 mod fluid4;
 mod fluid8;
 mod free_surface;
+pub mod ground;
 pub mod interlayer;
 pub mod liquid_joint;
 mod local;

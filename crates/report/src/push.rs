@@ -13,8 +13,10 @@ use crate::table::{Column, Table, spread};
 use crate::words::push::{self as words, heads, shell_name};
 use crate::words::sections::{heading, sentences};
 use files::error::Error;
-use results::{Push, PushPoint, PushShell};
+use results::{Push, PushBase, PushPoint, PushShell};
 
+/// States in the table of the base.
+const BASE_STATES: usize = 25;
 /// Classes of the curves of the perfect and the imperfect shell.
 const CLASSES: [&str; 2] = ["k-fe", "k-s2"];
 
@@ -62,6 +64,47 @@ pub fn summary(push: &Push) -> Table {
     table
 }
 
+/// The base of an unanchored tank along the path of the perfect shell; `None` of an anchored one.
+pub fn base(push: &Push) -> Option<Table> {
+    let states: Vec<(f64, PushBase)> = push
+        .shells
+        .first()?
+        .path
+        .iter()
+        .filter_map(|p| Some((p.acceleration / push.gravity, p.base?)))
+        .collect();
+    if states.is_empty() {
+        return None;
+    }
+    let moment = Scale::of(Dimension::Moment, states.iter().map(|s| s.1.moment));
+    let mut table = Table::new(vec![
+        Column::numbers("Acceleration", "g"),
+        Column::numbers("Rotation", "mrad"),
+        Column::numbers("Moment", moment.symbol()),
+        Column::numbers(heads::STRIPS, moment.symbol()),
+        Column::numbers("Uplift", "mm"),
+        Column::numbers("Toe", "mm"),
+        Column::numbers("Lifted width", "m"),
+        Column::numbers("Lifted angle", "°"),
+        Column::numbers("Plastic rotation", "rad"),
+    ]);
+    for i in spread(states.len(), BASE_STATES) {
+        let (acceleration, base) = &states[i];
+        table.row(vec![
+            significant(*acceleration, 3),
+            fixed(1e3 * base.rotation, 3),
+            moment.text(base.moment),
+            base.strips.map_or("–".into(), |m| moment.text(m)),
+            fixed(1e3 * base.uplift, 1),
+            fixed(-1e3 * base.toe, 1),
+            fixed(base.lifted_width, 2),
+            fixed(2.0 * base.lifted_angle.to_degrees(), 0),
+            fixed(base.plastic_rotation, 3),
+        ]);
+    }
+    Some(table)
+}
+
 /// The formulas, one line each.
 pub fn limits(push: &Push) -> Table {
     let stress = Scale::of(Dimension::Stress, push.limits.iter().map(|l| l.stress));
@@ -90,11 +133,12 @@ pub fn limits(push: &Push) -> Table {
 pub fn csv(push: &Push) -> String {
     use std::fmt::Write;
     let mut text = String::from(
-        "shell,acceleration_m_s2,base_shear_n,base_moment_nm,top_m,bulge_m,compression_pa,compression_height_m,plastic_strain\n",
+        "shell,acceleration_m_s2,base_shear_n,base_moment_nm,top_m,bulge_m,compression_pa,compression_height_m,plastic_strain,\
+         base_rotation,ground_moment_nm,uplift_m,lifted_width_m,plastic_rotation\n",
     );
     for shell in &push.shells {
         for p in &shell.path {
-            let _ = writeln!(
+            let _ = write!(
                 text,
                 "{},{:.6},{:.6e},{:.6e},{:.6e},{:.6e},{:.6e},{:.4},{:.6e}",
                 shell_name(shell),
@@ -107,6 +151,15 @@ pub fn csv(push: &Push) -> String {
                 p.compression_height,
                 p.plastic_strain
             );
+            // The columns of the base are empty for an anchored tank.
+            let _ = match p.base {
+                Some(b) => writeln!(
+                    text,
+                    ",{:.6e},{:.6e},{:.6e},{:.4},{:.6e}",
+                    b.rotation, b.moment, b.uplift, b.lifted_width, b.plastic_rotation
+                ),
+                None => writeln!(text, ",,,,,"),
+            };
         }
     }
     text
@@ -281,6 +334,7 @@ pub fn report(push: &Push) -> Result<Report, Error> {
     page.insert("doubts", &push.doubts);
     page.insert("interruption", &push.interruption);
     page.insert("summary", &summary(push));
+    page.insert("base", &base(push));
     page.insert("limits", &limits(push));
     page.insert("ends", &ends);
     page.insert("model", &super::facts(&push.model));

@@ -46,8 +46,8 @@ pub use ida::{
     write_ida,
 };
 pub use push::{
-    Capacity, Imperfection, PUSH_FILE, PUSH_FORMAT, Push, PushLimit, PushMeridian, PushPoint, PushShell, read_push,
-    write_push,
+    Capacity, Imperfection, PUSH_FILE, PUSH_FORMAT, Push, PushBase, PushLimit, PushMeridian, PushPoint, PushShell,
+    read_push, write_push,
 };
 pub use run::{
     Balance, DampingRow, EnergyBalance, EngineId, Envelope, FE, Labelled, Limit, Mode, ModeShape, Run, SeriesInfo,

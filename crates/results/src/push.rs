@@ -1,4 +1,4 @@
-//! `push.json`: a pushover of an anchored cylinder.
+//! `push.json`: a pushover of a cylinder.
 
 use std::path::Path;
 
@@ -110,6 +110,33 @@ pub struct PushPoint {
     pub compression_height: f64,
     /// Largest accumulated plastic strain of the wall.
     pub plastic_strain: f64,
+    /// The base of an unanchored tank.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub base: Option<PushBase>,
+}
+
+/// The base of an unanchored tank at a state; the toe is at θ = 0, the largest uplift at π.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PushBase {
+    /// Rotation ψ of the foot: the part of its deflection that is proportional to cos θ, over R [rad].
+    pub rotation: f64,
+    /// Moment that the wall exerts on the base, from the reactions of the ground less the pressure on the plate [N m].
+    pub moment: f64,
+    /// Reaction of the ground on the plates that are modelled [N].
+    pub reaction: f64,
+    /// Uplift of the foot at π [m].
+    pub uplift: f64,
+    /// Settlement of the foot at the toe [m].
+    pub toe: f64,
+    /// Width of the plate that is off the ground at π [m].
+    pub lifted_width: f64,
+    /// Half of the angle over which the foot is off the ground [rad].
+    pub lifted_angle: f64,
+    /// Plastic rotation of the joint of wall and plate at π [rad].
+    pub plastic_rotation: f64,
+    /// Moment of the strips at the same rotation and acceleration [N m]; `None` where they have no equilibrium.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strips: Option<f64>,
 }
 
 /// The strongest state of a path.

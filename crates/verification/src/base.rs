@@ -7,6 +7,9 @@
 //! | U3 | round plate lifted evenly | four constants; an independent program |
 //! | U4 | foot that stays plane: linear ground, constant hold-down, bolts | closed forms |
 //! | U5 | moment against rotation of three tanks | an independent program |
+//! | U6 | strip of shells on nearly rigid ground | closed forms |
+//! | U7 | strip of shells with the edge of the wall, four tanks | the strips |
+//! | U8 | sector of wall and bottom plate as shells, lifted evenly | an independent program |
 
 use ::base::{Bands, BaseError, Edge, Plan, Plate, Rim, Strip};
 
@@ -14,6 +17,8 @@ use crate::Failure;
 
 pub(crate) mod rocking;
 pub(crate) mod round;
+pub(crate) mod sector;
+pub(crate) mod shells;
 pub(crate) mod strip;
 
 const GRAVITY: f64 = 9.81;

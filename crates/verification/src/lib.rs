@@ -56,6 +56,8 @@ pub const ALL: &[&Benchmark] = &[
     &tanks::mode_damping::BENCHMARK,
     &tanks::internal_forces::BENCHMARK,
     &base::strip::BENCHMARK,
+    &base::shells::BENCHMARK,
+    &base::sector::BENCHMARK,
     &base::round::BENCHMARK,
     &base::rocking::BENCHMARK,
     &soil::impedances::BENCHMARK,

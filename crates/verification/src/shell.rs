@@ -107,7 +107,7 @@ fn surface<'a>(cells: &[[usize; 4]], section: &Arc<dyn Section>) -> ShellSurface
     ShellSurface::new(cells.iter().map(cell).collect())
 }
 
-fn hold(builder: &mut Builder, nodes: &[usize], dofs: &[Dof]) {
+pub(crate) fn hold(builder: &mut Builder, nodes: &[usize], dofs: &[Dof]) {
     for &node in nodes {
         dofs.iter().for_each(|&d| builder.hold(node, d));
     }

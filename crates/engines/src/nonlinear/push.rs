@@ -1,4 +1,4 @@
-//! Pushover of an anchored cylinder: the static state, then inertia forces and impulsive pressure of a growing horizontal
+//! Pushover of a cylinder, anchored or on its bottom plate: the static state, then inertia forces and impulsive pressure of a growing horizontal
 //! acceleration through the limit point.
 //!
 //! ```text
@@ -10,10 +10,12 @@
 //! the pattern, `model` for mesh and supports, `imperfection` for the imperfect shell. A static capacity: neither the duration
 //! of the peak nor the cycles before it count.
 
+pub(super) mod bottom;
 mod buckling;
 mod estimate;
 mod imperfection;
 mod keep;
+mod lifted;
 mod limits;
 mod load;
 mod model;
@@ -21,6 +23,8 @@ mod path;
 mod seen;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod uplift_tests;
 
 use fem::analysis::checkpoint::Reader;
 use fem::progress::Progress;
@@ -109,17 +113,25 @@ pub fn pushover(
             allowed: "a height for a weld only; a mode determines its height".into(),
         });
     }
+    if plan.plate.is_some() && push.imperfection.is_some() && push.form == Form::Mode {
+        return Err(FeError::Option {
+            option: "form of the imperfection".into(),
+            found: "the buckling mode of an unanchored tank, whose base has no linear state".into(),
+            allowed: "a weld depression, or \"support\": \"anchored\"".into(),
+        });
+    }
     let mut keeper = Keeper::new(checkpoint, &plan);
     let kept = keeper.resume(&plan)?;
-    let (shells, missing) = shells(&plan, push, kept, &mut keeper, progress).inspect_err(|error| {
+    let (mut shells, missing) = shells(&plan, push, kept, &mut keeper, progress).inspect_err(|error| {
         // It would fail there again.
         if matches!(error, FeError::Analysis(_)) {
             keeper.discard();
         }
     })?;
+    lifted::compare(&plan, &mut shells);
     Ok(Pushed {
         model: facts(&plan),
-        assumptions: assumptions(case, options),
+        assumptions: assumptions(&plan),
         doubts: doubts(&plan, &shells),
         interruption: interruption(&shells, missing),
         shells,
@@ -335,7 +347,12 @@ fn facts(plan: &Plan) -> Vec<Fact> {
     ]
 }
 
-fn assumptions(case: &Case, options: &NonlinearOptions) -> Vec<String> {
+fn assumptions(plan: &Plan) -> Vec<String> {
+    let (case, options) = (plan.case, plan.options);
+    let foot = match plan.plate {
+        Some(_) => "on its bottom plate",
+        None => "clamped at its base",
+    };
     let mut out = vec![
         "Static: the load grows once, in one direction, from equilibrium under weight and liquid; no cycles, no duration. The \
          acceleration is that of ground and impulsive liquid together: with the impulsive response spectrum it is S_a, not the \
@@ -345,15 +362,32 @@ fn assumptions(case: &Case, options: &NonlinearOptions) -> Vec<String> {
          suction: on the side away from the compression the sum of impulsive and hydrostatic pressure is never below zero, so \
          that shear and moment grow more slowly than the acceleration. The formulas do not include this."
             .into(),
-        "Half the wall between planes of symmetry, clamped at its base, free at its top: a roof is mass without stiffness. A \
-         buckle of the edge on the side away from the compression, above the liquid, is that of a wall without ring or roof; a \
-         ring can be given as a separate course."
-            .into(),
+        format!(
+            "Half the wall between planes of symmetry, {foot}, free at its top: a roof is mass without stiffness. A buckle of the edge \
+             on the side away from the compression, above the liquid, is that of a wall without ring or roof; a ring can be given as a \
+             separate course."
+        ),
         "Steel of nominal strength; transverse shear of the elements is elastic, and tearing is not modelled.".into(),
         "Waves shorter than about eight elements around the circumference are too stiff: the axisymmetric bulge at the base is \
          resolved; diamond buckles of an elastic wall are resolved only as far as the element size in the table allows."
             .into(),
     ];
+    if let Some(plate) = &plan.plate {
+        let shown = |value: f64, dimension| tank::units::display(value, dimension);
+        out.push(format!(
+            "Bottom plate as yielding shells over the outer {} of the radius on ground of {} that pushes and does not pull, with \
+             friction of {}; the plate within stays where it is: the tank does not slide. Every particle of wall and plate keeps its \
+             hydrostatic pressure. Plates as built; the ground is elastic.",
+            shown(plate.width(), Dimension::Length),
+            shown(plate.base.modulus, Dimension::Subgrade),
+            significant(plate.friction, 2),
+        ));
+        out.push(
+            "The foot warps where the top of the wall is free: its uplift is larger on a shorter arc, and its moment at a rotation \
+             smaller, than those of the strips, whose foot stays plane. A roof or a stiff ring is between the two."
+                .into(),
+        );
+    }
     if case.tank.roof.mass > 0.0 {
         out.push("The mass of the roof acts on the edge of the wall, its lever arm as a couple along the edge.".into());
     }

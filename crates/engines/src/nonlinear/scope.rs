@@ -14,6 +14,7 @@ use super::cylinder::mesh::Cells;
 use super::cylinder::section as shells;
 use super::cylinder::two;
 use super::laws::uniaxial_concrete;
+use super::push::bottom::missing;
 use super::strip;
 use super::strip::section as fibres;
 use crate::{FeError, out_of_round};
@@ -47,12 +48,10 @@ pub(crate) fn refusals(case: &Case, options: &NonlinearOptions, purpose: Purpose
     match (case.tank.shape, purpose) {
         (Shape::Cylinder { radius }, Purpose::History) => cylinder(case, options, radius, true, &mut all),
         (Shape::Cylinder { radius }, Purpose::Pushover) => {
-            if case.tank.support != Support::Anchored {
-                all.push(Refusal::new(
-                    Place::Support,
-                    "a pushover is for anchored tanks",
-                    "\"anchored\"",
-                ));
+            if case.tank.support == Support::Unanchored
+                && let Some((reason, allowed)) = missing(case)
+            {
+                all.push(Refusal::new(Place::Support, reason, allowed));
             }
             cylinder(case, options, radius, false, &mut all);
             one_shell(case, &mut all);

@@ -151,8 +151,8 @@ fn balance(
     })
 }
 
-/// Switches of all elements at the trial state.
-fn switches(model: &Model, state: &State) -> Vec<bool> {
+/// Switches of all elements at the trial state; none in a model without joints.
+pub(super) fn switches(model: &Model, state: &State) -> Vec<bool> {
     let mut out = Vec::new();
     let mut gather = Gather::default();
     for (e, element) in model.elements().iter().enumerate() {

@@ -12,6 +12,9 @@
 //! δλ = ± s/‖δu_p‖, with the sign that continues in the direction of the previous step. Constraint and equilibrium are
 //! linearised together, so that the iteration is Newton's for both and no root has to be chosen.
 //!
+//! Where joints open and close, a step has converged only if their switches repeat, and a set that comes back after others halves the
+//! increment ([`super::contact`]).
+//!
 //! The signs of the pivots of K_T at a committed state count its negative eigenvalues: none is a stable state, a change
 //! at a maximum of λ is a limit point, any other a bifurcation. The eigenvector of the eigenvalue next to zero
 //! ([`Continuation::lowest_mode`]) is the buckling mode there, and the shape of the most harmful imperfection.
@@ -25,6 +28,7 @@ pub use drive::{Critical, Path, StepLength};
 
 use std::sync::Arc;
 
+use super::contact::switches;
 use super::newton::{Criteria, StepFailure};
 use super::{AnalysisError, check_length, failed};
 use crate::assembly::{Ask, Assembler, Forces, Kept};
@@ -267,8 +271,13 @@ impl<'a> Continuation<'a> {
         let (mut first, mut energy) = (0.0_f64, f64::INFINITY);
         let (mut start, mut largest) = (f64::INFINITY, 0.0_f64);
         let norm = |x: &[f64]| dot(x, x).sqrt();
+        let mut sets: Vec<Vec<bool>> = Vec::new();
         for iteration in 0..=self.criteria.iterations {
             let force = self.respond(state, true)?;
+            let set = switches(self.model, state);
+            let repeats = sets.last().is_none_or(|last| *last == set);
+            let cycle = !repeats && sets.contains(&set);
+            sets.push(set);
             let applied: Vec<f64> = self
                 .constant
                 .iter()
@@ -283,7 +292,8 @@ impl<'a> Continuation<'a> {
             if !rest.is_finite() || rest > 1e8 * start {
                 return Err(self.divergence(iteration, rest, &r));
             }
-            if iteration > 0 && energy <= self.criteria.energy * first && rest <= self.criteria.force * scale {
+            let settled = energy <= self.criteria.energy * first && rest <= self.criteria.force * scale;
+            if iteration > 0 && settled && repeats {
                 return Ok((lambda, iteration));
             }
             if iteration == self.criteria.iterations {
@@ -311,7 +321,9 @@ impl<'a> Continuation<'a> {
             if !d_lambda.is_finite() {
                 return Err(self.divergence(iteration, rest, &r));
             }
-            let du: Vec<f64> = du_r.iter().zip(du_p).map(|(a, b)| a + d_lambda * b).collect();
+            let d_lambda = if cycle { 0.5 * d_lambda } else { d_lambda };
+            let part = if cycle { 0.5 } else { 1.0 };
+            let du: Vec<f64> = du_r.iter().zip(du_p).map(|(a, b)| part * a + d_lambda * b).collect();
             energy = dot(&du, &r).abs() + (d_lambda * dot(&du, &self.load)).abs();
             if iteration == 0 {
                 first = energy;

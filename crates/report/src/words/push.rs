@@ -11,6 +11,8 @@ pub mod heads {
     pub const ANGLE: &str = "and at the angle";
     /// Stress at the buckle.
     pub const COMPRESSION: &str = "Axial compression at that height";
+    /// Moment of the strips.
+    pub const STRIPS: &str = "Moment of the strips";
     /// Stress of beam theory.
     pub const BEAM: &str = "of beam theory at the base";
 }

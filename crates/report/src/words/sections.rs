@@ -368,11 +368,20 @@ const ALL: &[Words] = &[
     Words {
         id: "push",
         title: "Pushover",
-        sentences: &[(
-            "beam",
-            "Axial stress M/(π R² t) and weight at the lower edge of every course; the table has the governing course and the limit at \
-             that acceleration.",
-        )],
+        sentences: &[
+            (
+                "beam",
+                "Axial stress M/(π R² t) and weight at the lower edge of every course; the table has the governing course and the limit \
+                 at that acceleration.",
+            ),
+            (
+                "base",
+                "The foot of the wall on its bottom plate. Rotation: the part of the foot's deflection that is proportional to cos θ, over \
+                 R; the moment of the wall on the base from the reactions of the ground; uplift, lifted width and plastic rotation of the \
+                 joint on the lifted side. Moment of the strips: that of the fast engines, with a foot that stays plane, at the same \
+                 rotation and bottom pressure.",
+            ),
+        ],
     },
 ];
 

@@ -1,8 +1,9 @@
-//! Memory and time of a pushover: half a wall of shells, and a path of a limited number of states.
+//! Memory and time of a pushover: half a wall of shells (with its bottom where it is unanchored), and a path of a limited number of states.
 
-use tank::Case;
+use tank::{Case, Shape, Support};
 
 use super::PushOptions;
+use super::bottom::Plate;
 use super::model::{BASE, SECTORS};
 use super::path::STATES;
 use crate::FeError;
@@ -42,19 +43,19 @@ pub fn estimate(case: &Case, options: &NonlinearOptions, push: &PushOptions) -> 
         ),
         None => (rows(1.0).len() - 1, SECTORS),
     };
-    let mut found = of(case, options, push, height as f64, f64::from(sectors));
+    // The rings of the bottom are as many as its plates need, whatever elements are given.
+    let rings = match (case.tank.support, case.tank.shape) {
+        (Support::Unanchored, Shape::Cylinder { radius }) => Plate::of(case, radius)?.radii.len() - 1,
+        _ => 0,
+    };
+    let of = |height: f64, sectors: f64| of(case, options, push, height + rings as f64, sectors);
+    let mut found = of(height as f64, f64::from(sectors));
     for part in [0.8, 0.65, 0.5, 0.35, 0.25, 0.15, 0.1] {
         let elements = WallElements {
             height: ((height as f64 * part) as u32).max(4),
             circumference: ((f64::from(sectors) * part) as u32).max(8).next_multiple_of(2),
         };
-        let smaller = of(
-            case,
-            options,
-            push,
-            f64::from(elements.height),
-            f64::from(elements.circumference),
-        );
+        let smaller = of(f64::from(elements.height), f64::from(elements.circumference));
         let give = format!(
             "give `analysis.nonlinear.elements` as {{\"height\": {}, \"circumference\": {}}}",
             elements.height, elements.circumference

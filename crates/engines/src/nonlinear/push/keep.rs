@@ -55,6 +55,7 @@ impl<'f> Keeper<'f> {
         for values in [&plan.levels, &plan.angles, &plan.impulsive.line] {
             hash.count(values.len());
         }
+        hash.count(plan.plate.as_ref().map_or(0, |plate| plate.radii.len()));
         Keeper {
             file,
             identity: hash.value(),

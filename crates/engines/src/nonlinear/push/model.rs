@@ -2,8 +2,8 @@
 //!
 //! Angles run from θ = 0, the compressed side, to π in a geometric series whose first element is a quarter of the last. Levels
 //! follow the edge bending, of which √(R t) is the measure: 0.15 √(R t) at the base, 0.4 √(R t) at the joints of the courses and at
-//! the surface, at most 1.3 √(R t), growing by 15 % an element. The wall is clamped at its base and free at its top; a roof is mass
-//! without stiffness.
+//! the surface, at most 1.3 √(R t), growing by 15 % an element. The wall is free at its top; a roof is mass without stiffness. At its
+//! base the wall of an anchored tank is clamped, that of an unanchored one stands on its bottom (`bottom`).
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -14,13 +14,15 @@ use fem::element::shell::load::{FollowerPressure, NodalLoads};
 use fem::element::shell::surface::{Normals, ShellCell, ShellSurface};
 use fem::element::shell4::Axes;
 use fem::element::wall::place::Build;
+use fem::element::{Motion, Response, Want};
 use fem::linalg::Symbolic;
 use fem::mesh::grading::geometric;
 use fem::model::{Builder, Model};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use tank::Case;
 use tank::{Behaviour, Course, Shape, Support};
 
+use super::bottom::{self, Placed, Plate};
 use super::imperfection::Dent;
 use super::load::{Impulsive, cosine_shares, shares};
 use crate::FeError;
@@ -55,23 +57,39 @@ pub(super) struct PushModel {
     pub(super) cells: Vec<Vec<usize>>,
     pub(super) levels: Vec<f64>,
     pub(super) angles: Vec<f64>,
+    /// The bottom of an unanchored tank.
+    pub(super) bottom: Option<Placed>,
 }
 
-/// Radial forces of the liquid at a node.
+/// Forces of the liquid at a node.
 #[derive(Clone, Debug)]
 pub(super) struct WetNode {
-    /// Radial displacement: (unknown, coefficient).
+    /// Displacement along the pressure: (unknown, coefficient).
     row: Vec<(usize, f64)>,
-    /// Impulsive force of 1 m/s² [N], outwards.
+    /// Impulsive force of 1 m/s² [N], along the pressure.
     impulsive: f64,
     /// Hydrostatic force [N].
     rest: f64,
-    /// Horizontal force along x of a radial one, and its height [m].
+    /// Horizontal force along x of a force along the pressure, and its height [m].
     direction: f64,
     height: f64,
+    /// Lever of a downward force about the axis through the centre [m]; 0 on the wall.
+    lever: f64,
 }
 
 impl WetNode {
+    /// A node of the bottom; its pressure is vertical.
+    pub(super) fn on_bottom(row: Vec<(usize, f64)>, impulsive: f64, rest: f64, lever: f64) -> WetNode {
+        WetNode {
+            row,
+            impulsive,
+            rest,
+            direction: 0.0,
+            height: 0.0,
+            lever,
+        }
+    }
+
     /// Impulsive force at an acceleration: the liquid does not pull.
     fn force(&self, acceleration: f64) -> f64 {
         (acceleration * self.impulsive).max(-self.rest)
@@ -92,6 +110,28 @@ impl PushModel {
             }
         }
         (load, slope)
+    }
+
+    /// Moment of the impulsive pressure on half of the bottom that presses the toe down [N m].
+    pub(super) fn on_bottom(&self, acceleration: f64) -> f64 {
+        self.wet.iter().map(|node| node.lever * node.force(acceleration)).sum()
+    }
+
+    /// Reaction [N] of an element of the ground under a node that is `up` above it [m].
+    pub(super) fn ground_force(&self, element: usize, up: f64) -> f64 {
+        let mut out = Response::sized(3);
+        let rotations = [UnitQuaternion::identity()];
+        let motion = Motion {
+            values: &[0.0, 0.0, up],
+            rotations: &rotations,
+        };
+        let ground = &self.model.elements()[element];
+        // Friction, which has a history, does not change the reaction.
+        let (old, mut new) = (vec![0.0; ground.history_len()], vec![0.0; ground.history_len()]);
+        match ground.respond(motion, &old, &mut new, Want::FORCE, &mut out) {
+            Ok(()) => -out.force[2],
+            Err(_) => f64::NAN,
+        }
     }
 
     /// Horizontal force of the liquid on the whole wall, and its moment about the base.
@@ -138,6 +178,10 @@ pub(super) struct Plan<'a> {
     pub(super) levels: Vec<f64>,
     pub(super) angles: Vec<f64>,
     pub(super) impulsive: Impulsive,
+    /// The bottom of an unanchored tank.
+    pub(super) plate: Option<Plate>,
+    /// Whether the foot of an unanchored tank stays a plane, as under a stiff roof; for comparison with the strips.
+    pub(super) plane: bool,
 }
 
 fn failed(error: impl std::fmt::Display) -> FeError {
@@ -145,14 +189,11 @@ fn failed(error: impl std::fmt::Display) -> FeError {
 }
 
 impl<'a> Plan<'a> {
-    /// Errors: a tank that is not an anchored cylinder; an option out of range.
+    /// Errors: a tank that is not a cylinder, or is unanchored without a bottom plate of steel; an option out of range.
     pub(super) fn new(case: &'a Case, options: &'a NonlinearOptions) -> Result<Plan<'a>, FeError> {
         let Shape::Cylinder { radius } = case.tank.shape else {
             return unsupported("a pushover is for cylinders (shape cylinder); this tank is a rectangle");
         };
-        if case.tank.support != Support::Anchored {
-            return unsupported("a pushover is for anchored tanks (support anchored); this tank may uplift");
-        }
         if let Some(no_steel) = NoSteel::of(case) {
             return unsupported(no_steel.to_string());
         }
@@ -172,7 +213,13 @@ impl<'a> Plan<'a> {
             .map_or_else(|| rows(1.0), |e| enough_rows(rows, e.height as usize));
         let angles = geometric(0.0, PI, (sectors / 2) as usize, GRADING).map_err(failed)?;
         let impulsive = Impulsive::new(case, radius, &levels)?;
+        let plate = match case.tank.support {
+            Support::Anchored => None,
+            Support::Unanchored => Some(Plate::of(case, radius)?),
+        };
         Ok(Plan {
+            plate,
+            plane: false,
             case,
             options,
             radius,
@@ -224,7 +271,20 @@ impl<'a> Plan<'a> {
             }
         }
         let pressed: Vec<[usize; 4]> = corners.iter().map(|c| c.nodes).collect();
-        let normal = |_: usize, node: usize| normals[node];
+        let of_wall = corners.len();
+        let plates = match (&self.plate, &case.tank.bottom) {
+            (Some(plate), Some(bottom)) => {
+                let nodes = plate.nodes(&mut builder, angles, &rings[0]);
+                let (cells, bending) = plate.cells(bottom, &nodes, &self.options.integration)?;
+                corners.extend(cells);
+                Some((plate, nodes, bending))
+            }
+            _ => None,
+        };
+        let normal = |cell: usize, node: usize| match cell < of_wall {
+            true => normals[node],
+            false => Vector3::z(),
+        };
         let surface = ShellSurface {
             normals: Normals::Exact(&normal),
             axes: Axes::HOOP_Z,
@@ -234,6 +294,27 @@ impl<'a> Plan<'a> {
         let mut dead = NodalLoads::new();
         self.hydrostatic(&mut builder, &pressed, &mut dead);
         self.hold(&mut builder, &rings);
+        let sectors = angles.len() - 1;
+        let bottom = match plates {
+            Some((plate, rings, bending)) => {
+                let follower = self.options.follower_pressure;
+                let ground = plate.place(&mut builder, angles, &rings, follower, &mut dead)?;
+                if self.plane {
+                    bottom::keep_plane(&mut builder, angles, &rings[plate.foot])?;
+                }
+                let own = &placed.elements[of_wall..];
+                let at = |nodes: &Vec<usize>| nodes.iter().map(|n| -dead.at(*n)[Dof::Uz.index()]).collect();
+                let rest = rings.iter().map(at).collect();
+                Some(Placed {
+                    cells: own.chunks(sectors).map(<[usize]>::to_vec).collect(),
+                    rings,
+                    ground,
+                    rest,
+                    bending,
+                })
+            }
+            None => None,
+        };
         let roof = self.roof(&rings);
         let model = builder.build().map_err(failed)?;
         let assembler = Assembler::new(&model);
@@ -246,10 +327,16 @@ impl<'a> Plan<'a> {
         }
         let mut inertia = assembler.body_force(&model, [1.0, 0.0, 0.0]);
         add(&mut inertia, &roof.1.vector(&model));
-        let wet = self.wet(&model, &rings);
-        let sectors = angles.len() - 1;
+        let mut wet = self.wet(&model, &rings);
+        if let (Some(plate), Some(bottom)) = (&self.plate, &bottom) {
+            wet.extend(plate.wet(&model, angles, &bottom.rings));
+        }
         Ok(PushModel {
-            cells: placed.elements.chunks(sectors).map(<[usize]>::to_vec).collect(),
+            bottom,
+            cells: placed.elements[..of_wall]
+                .chunks(sectors)
+                .map(<[usize]>::to_vec)
+                .collect(),
             rings,
             levels: levels.clone(),
             angles: angles.clone(),
@@ -272,8 +359,13 @@ impl<'a> Plan<'a> {
             if pressure.iter().all(|p| *p <= 0.0) {
                 continue;
             }
-            if self.options.follower_pressure {
-                builder.element("pressure", FollowerPressure::varying(nodes, positions, pressure));
+            let change = FollowerPressure::varying(nodes, positions, pressure);
+            if self.options.follower_pressure && self.plate.is_none() {
+                builder.element("pressure", change);
+            } else if self.options.follower_pressure {
+                // Applied in steps, as contact needs them.
+                dead.pressure(&nodes, &positions, |p| at(p[2]));
+                builder.element("pressure", change.without_dead_part());
             } else {
                 dead.pressure(&nodes, &positions, |p| at(p[2]));
             }
@@ -281,11 +373,16 @@ impl<'a> Plan<'a> {
     }
 
     fn hold(&self, builder: &mut Builder, rings: &[Vec<usize>]) {
-        for ring in rings {
+        let free_foot = usize::from(self.plate.is_some());
+        for ring in &rings[free_foot..] {
             for &node in ring.first().into_iter().chain(ring.last()) {
                 builder.hold(node, Dof::Uy);
                 builder.hold(node, Dof::Ry);
             }
+        }
+        // The bottom holds its own.
+        if self.plate.is_some() {
+            return;
         }
         for &node in &rings[0] {
             for dof in [Dof::Ux, Dof::Uy, Dof::Uz, Dof::Rx, Dof::Ry] {
@@ -342,6 +439,7 @@ impl<'a> Plan<'a> {
                     rest: (below + above) * self.radius * share,
                     direction: angle.cos(),
                     height: levels[l],
+                    lever: 0.0,
                 });
             }
         }

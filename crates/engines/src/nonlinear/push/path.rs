@@ -17,6 +17,15 @@ use crate::FeError;
 /// Load steps over gravity, and the shortest of them.
 const FIRST: f64 = 0.1;
 const LEAST: f64 = 0.01;
+/// Load steps of an unanchored tank over gravity: contact opens in them.
+const FIRST_FREE: f64 = 0.02;
+/// Load steps of weight and liquid on the way to rest of an unanchored tank, and how often one is halved.
+const RESTING: u32 = 10;
+const HALVINGS: u32 = 6;
+/// The path of an unanchored tank ends with this rotation of its foot [rad],
+const TURNED: f64 = 0.02;
+/// or where this part of the modelled plate is off the ground.
+const LIFTED: f64 = 0.9;
 /// The path ends this far beyond its maximum.
 const FALL: f64 = 0.97;
 /// Largest acceleration over gravity.
@@ -131,8 +140,51 @@ impl<'a, 'm> Walk<'a, 'm> {
     fn attempt(&mut self) -> Result<Option<String>, FeError> {
         match self.along {
             Some(_) => self.arc_step(),
-            None => self.load_step().map(|()| None),
+            None => self.load_step().map(|()| self.off_the_ground()),
         }
+    }
+
+    /// A reason to end the path of an unanchored tank.
+    fn off_the_ground(&self) -> Option<String> {
+        let (base, plate) = (self.seen.last()?.base?, self.plan.plate.as_ref()?);
+        if base.rotation > TURNED {
+            Some(format!("stopped with a rotation of the foot of {TURNED} rad"))
+        } else if base.lifted_width > LIFTED * plate.width() {
+            Some("stopped where the uplift reaches the part of the plate that is held down in the model".into())
+        } else {
+            None
+        }
+    }
+
+    /// Weight and liquid in load steps, as contact needs them.
+    fn settle(&mut self) -> Result<(), FeError> {
+        let weight = &self.model.weight;
+        let none = vec![0.0; weight.len()];
+        let mut path = continuation(self.model, &none, weight)?;
+        let (mut step, mut halvings) = (1.0 / f64::from(RESTING), 0);
+        while path.factor() < 1.0 {
+            let next = path.factor() + step;
+            // A sum of steps may miss 1 by its rounding.
+            let next = if next > 1.0 - 1e-9 { 1.0 } else { next };
+            match path.step(&mut self.state, &Constraint::Load(next)) {
+                Ok(_) => {}
+                Err(_) if halvings < HALVINGS => {
+                    step *= 0.5;
+                    halvings += 1;
+                }
+                Err(failure) => {
+                    return Err(FeError::Analysis(format!(
+                        "the bottom finds no rest under {:.0} % of weight and liquid: {failure}",
+                        100.0 * next
+                    )));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn first(&self) -> f64 {
+        if self.plan.plate.is_some() { FIRST_FREE } else { FIRST }
     }
 
     /// Load steps while there is an equilibrium; suction is removed again at each. The arc-length steps start where there is none.
@@ -142,6 +194,12 @@ impl<'a, 'm> Walk<'a, 'm> {
             return self.begin_arc();
         }
         let (model, step) = (self.model, self.step);
+        if step == 0.0 && model.bottom.is_some() {
+            self.settle()?;
+            self.seen.see(model, 0.0, &self.state)?;
+            self.step = self.first() * gravity;
+            return Ok(());
+        }
         let before = self.state.committed.u.clone();
         let next = self.reached + step;
         let mut load = model.load(next).0;
@@ -151,15 +209,15 @@ impl<'a, 'm> Walk<'a, 'm> {
             Ok(_) => {
                 self.reached = next;
                 self.seen.see(model, next, &self.state)?;
-                self.arc = model.translations(&before, &self.state.committed.u) * FIRST * gravity / step;
-                self.step = if step == 0.0 { FIRST * gravity } else { step };
+                self.arc = model.translations(&before, &self.state.committed.u) * self.first() * gravity / step;
+                self.step = if step == 0.0 { self.first() * gravity } else { step };
             }
             Err(failure) if step == 0.0 => {
                 return Err(FeError::Analysis(format!(
                     "the wall does not carry its weight and the hydrostatic pressure: {failure}"
                 )));
             }
-            Err(_) if step > LEAST * gravity => self.step *= 0.5,
+            Err(_) if step > LEAST / FIRST * self.first() * gravity => self.step *= 0.5,
             Err(_) => return self.begin_arc(),
         }
         Ok(())
@@ -206,11 +264,15 @@ impl<'a, 'm> Walk<'a, 'm> {
         let acceleration = self.reached + point.factor;
         self.seen.see(self.model, acceleration, &self.state)?;
         along.largest = along.largest.max(acceleration);
-        Ok(if acceleration < FALL * along.largest {
+        let (largest, first) = (along.largest, along.first);
+        if let Some(end) = self.off_the_ground() {
+            return Ok(Some(end));
+        }
+        Ok(if acceleration < FALL * largest {
             Some(format!("followed until {:.0} % of the maximum", 100.0 * FALL))
         } else if acceleration > MOST * gravity {
             Some(format!("stopped at {MOST} g: the wall does not fail in this pattern"))
-        } else if self.seen.len() >= along.first.saturating_add(STATES) {
+        } else if self.seen.len() >= first.saturating_add(STATES) {
             Some(format!("stopped after {STATES} states"))
         } else {
             None

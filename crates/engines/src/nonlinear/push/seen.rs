@@ -7,10 +7,11 @@ use fem::element::Inspect;
 use fem::state::{Gather, State};
 use tank::units::Dimension;
 
+use super::lifted;
 use super::limits;
 use super::model::{Plan, PushModel};
 use crate::FeError;
-use results::{Capacity, PushMeridian, PushPoint, PushShell, WallMap};
+use results::{Capacity, PushBase, PushMeridian, PushPoint, PushShell, WallMap};
 
 /// The compressed meridian at one state, and the places of the wall that yield or buckle.
 #[derive(Clone, Debug, Default)]
@@ -45,6 +46,11 @@ impl<'a> Seen<'a> {
     /// Number of states.
     pub(super) fn len(&self) -> usize {
         self.points.len()
+    }
+
+    /// The last state.
+    pub(super) fn last(&self) -> Option<&PushPoint> {
+        self.points.last()
     }
 
     fn middle(&self, j: usize) -> f64 {
@@ -95,6 +101,7 @@ impl<'a> Seen<'a> {
             ring.iter().zip(shares).map(|(n, s)| s * u(n)).sum::<f64>() / PI
         });
         let (wall, liquid) = (limits::masses(self.plan, 0.0), model.liquid(acceleration));
+        let base = lifted::base(self.plan, model, acceleration, state)?;
         self.points.push(PushPoint {
             acceleration,
             base_shear: acceleration * wall.0 + liquid.0,
@@ -104,6 +111,7 @@ impl<'a> Seen<'a> {
             compression: meridian.axial[compressed],
             compression_height: self.middle(compressed),
             plastic_strain: meridian.plastic.iter().copied().fold(0.0, f64::max),
+            base,
         });
         self.meridians.push(meridian);
         Ok(())
@@ -205,6 +213,18 @@ impl<'a> Seen<'a> {
                 p.compression_height,
                 p.plastic_strain,
             ]);
+            if let Some(base) = &p.base {
+                to.numbers(&[
+                    base.rotation,
+                    base.moment,
+                    base.reaction,
+                    base.uplift,
+                    base.toe,
+                    base.lifted_width,
+                    base.lifted_angle,
+                    base.plastic_rotation,
+                ]);
+            }
             for values in [&m.w, &m.field, &m.axial, &m.hoop, &m.plastic] {
                 to.numbers(values);
             }
@@ -219,6 +239,21 @@ impl<'a> Seen<'a> {
         for _ in 0..from.count()? {
             let mut p = [0.0; 8];
             from.numbers_into("a point of the path", &mut p)?;
+            let mut b = [0.0; 8];
+            if plan.plate.is_some() {
+                from.numbers_into("the base at a point of the path", &mut b)?;
+            }
+            let base = plan.plate.is_some().then_some(PushBase {
+                rotation: b[0],
+                moment: b[1],
+                reaction: b[2],
+                uplift: b[3],
+                toe: b[4],
+                lifted_width: b[5],
+                lifted_angle: b[6],
+                plastic_rotation: b[7],
+                strips: None,
+            });
             seen.points.push(PushPoint {
                 acceleration: p[0],
                 base_shear: p[1],
@@ -228,6 +263,7 @@ impl<'a> Seen<'a> {
                 compression: p[5],
                 compression_height: p[6],
                 plastic_strain: p[7],
+                base,
             });
             let mut read = |what, length| {
                 let mut values = vec![0.0; length];

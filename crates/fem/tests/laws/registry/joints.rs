@@ -4,6 +4,7 @@ use fem::chart::Chart;
 use fem::dofs::Dof;
 use fem::element::Element;
 use fem::element::contact8::{Contact8, ContactLaw, Opening};
+use fem::element::ground::Ground;
 use fem::element::liquid_joint::{JointPoint, LiquidJoint};
 use fem::element::spring::{Direction, PointMass, Spring};
 use fem::element::super_element::SuperElement;
@@ -111,6 +112,23 @@ fn liquid_joint(what: &'static str, opens: bool) -> Specimen {
     }
 }
 
+fn ground(what: &'static str, friction: Option<f64>) -> Specimen {
+    let build = move |_: &Turn| -> Box<dyn Element> {
+        let ground = Ground::new(0, 40.0, 0.5).unwrap();
+        Box::new(match friction {
+            Some(mu) => ground.with_friction(mu).unwrap(),
+            None => ground,
+        })
+    };
+    Specimen {
+        turns: Turns::AboutZ("the ground is level"),
+        rotations: NO_FRAME,
+        resists: (&[2, 3, 4], "it is pressed where the plate goes down"),
+        mass: MASSLESS,
+        ..Specimen::new("Ground", what, &LINE[..1], build)
+    }
+}
+
 /// A bar along x with an amplitude.
 fn super_element() -> Specimen {
     let build = move |_: &Turn| -> Box<dyn Element> {
@@ -175,6 +193,8 @@ pub(crate) fn all() -> Vec<Specimen> {
         ),
         liquid_joint("bonded", false),
         liquid_joint("opens", true),
+        ground("smooth", None),
+        ground("with friction", Some(0.4)),
         super_element(),
         circular(),
     ]);

@@ -1,0 +1,403 @@
+//! The bottom of an unanchored tank in a pushover: plates as shells on ground that pushes but does not pull.
+//!
+//! ```text
+//! rings     from the projection over the foot of the wall inwards to half of the radius; within it the plate stays on the ground
+//! ground    r = k A <−u_z> at the nodes, friction |t| ≤ μ r; the inmost ring is held in its plane: the tank does not slide as a whole
+//! pressure  ρ g H as follower, and p_b(r) cos θ a of the impulsive liquid; the sum is never below zero
+//! p_b(r) = ρ Σ 2 (−1)^n/(H α_n²) I₁(α_n r)/I₁′(α_n R) ,  α_n = (2 n + 1) π/(2 H)           rigid tank, z = 0
+//! ```
+//!
+//! Rings are 2 t wide at the foot, where the plate forms a hinge, and grow by 15 % to half of the length (4 D/k)^(1/4) over which it sinks
+//! into the ground, as far as it lifts; then they grow on. The wall is welded to the plate: a fold with six unknowns.
+//!
+//! Source: theory sheet of this project; Haroun & Housner 1981 (series).
+
+use std::f64::consts::PI;
+
+use base::{Base, Missing};
+use fem::dofs::Dof;
+use fem::element::ground::Ground;
+use fem::element::shell::load::{FollowerPressure, NodalLoads};
+use fem::element::shell::surface::ShellCell;
+use fem::element::super_element::SuperElement;
+use fem::element::wall::place::Build;
+use fem::linalg::Matrix;
+use fem::model::{Builder, Model};
+use nalgebra::Matrix3;
+use tank::{Behaviour, Bottom, Case, Layer, LayerKind};
+
+use super::load::{cosine_shares, shares};
+use super::model::WetNode;
+use crate::FeError;
+use crate::nonlinear::cylinder::section::row;
+use crate::nonlinear::laws::unsupported;
+use tank::options::nonlinear::Integration;
+
+/// Coefficient of friction that is not given: the largest of API 650 E.7.6.
+const FRICTION: f64 = 0.4;
+/// First ring inside the foot over the thickness of the plate.
+const FIRST: f64 = 2.0;
+/// Growth of the rings.
+const GROWTH: f64 = 1.15;
+/// Distance from the foot within which rings stay short enough for a touch-down [m].
+const FINE: f64 = 2.0;
+/// Rings of the projection.
+const OUTSIDE: usize = 2;
+/// Radius within which the plate stays on the ground, over that of the tank.
+const CORE: f64 = 0.5;
+
+/// The bottom of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Plate {
+    /// Radii of the rings of nodes, falling [m].
+    pub(super) radii: Vec<f64>,
+    /// Number of that of the wall.
+    pub(super) foot: usize,
+    /// p_b at the radii [Pa per m/s²]; 0 outside the wall.
+    pub(super) impulsive: Vec<f64>,
+    /// Coefficient of friction between plate and ground.
+    pub(super) friction: f64,
+    /// The strips of the fast engines, of the same plates on the same ground.
+    pub(super) base: Base,
+}
+
+/// The bottom of a model.
+pub(super) struct Placed {
+    /// Nodes `rings[radius][angle]`.
+    pub(super) rings: Vec<Vec<usize>>,
+    /// Elements `cells[ring][sector]`.
+    pub(super) cells: Vec<Vec<usize>>,
+    /// Number of the element of ground under every node, in the order of `rings`.
+    pub(super) ground: Vec<Vec<usize>>,
+    /// Pressure at rest on every node, downwards, in the order of `rings` [N].
+    pub(super) rest: Vec<Vec<f64>>,
+    /// 1/D′ and ν/D′, D′ = E t³/12, of every cell, in the order of the elements [1/(N m)].
+    pub(super) bending: Vec<[f64; 2]>,
+}
+
+/// Why the bottom of a case is not modelled, in words, and what is allowed.
+pub(crate) fn missing(case: &Case) -> Option<(&'static str, &'static str)> {
+    match Base::of(case) {
+        Err(Missing::Cylinder) => Some(("a pushover is for cylinders", "\"cylinder\"")),
+        Err(Missing::Plate) => Some((
+            "a pushover of an unanchored tank needs its bottom plate",
+            "\"anchored\", or a `tank.bottom`",
+        )),
+        Err(Missing::Metal) => Some((
+            "a pushover of an unanchored tank is for bottoms of steel plates",
+            "\"anchored\", or a `tank.bottom` of steel",
+        )),
+        Ok(_) => {
+            let steel = case
+                .tank
+                .bottom
+                .as_ref()
+                .is_some_and(|b| matches!(b.material.behaviour, Behaviour::Steel(_)));
+            (!steel).then_some((
+                "a pushover of an unanchored tank needs a bottom plate that yields",
+                "a material of `tank.bottom` whose behaviour is \"steel\", or \"anchored\"",
+            ))
+        }
+    }
+}
+
+impl Plate {
+    /// Errors: a case without such a bottom.
+    pub(super) fn of(case: &Case, radius: f64) -> Result<Plate, FeError> {
+        if let Some((reason, _)) = missing(case) {
+            return unsupported(reason);
+        }
+        let (Ok(base), Some(bottom)) = (Base::of(case), &case.tank.bottom) else {
+            return unsupported("a pushover of an unanchored tank needs its bottom plate");
+        };
+        let plate = base.plate();
+        let sinking = (4.0 * plate.bending_stiffness() / base.modulus).powf(0.25);
+        let mut inside = vec![0.0];
+        let (mut x, mut width) = (0.0, FIRST * plate.thickness);
+        // A change of thickness lies on a ring.
+        let joint = bottom.sketch.and(bottom.width).filter(|w| *w < (1.0 - CORE) * radius);
+        while x < (1.0 - CORE) * radius {
+            let longest = match x < FINE {
+                true => (0.5 * sinking).max(FIRST * plate.thickness),
+                false => 0.1 * radius,
+            };
+            let next = x + width;
+            x = match joint {
+                Some(at) if x < at * (1.0 - 1e-9) && next > at - 0.3 * width => at,
+                _ => next,
+            };
+            inside.push(x);
+            width = (GROWTH * width).min(longest);
+        }
+        let outside = if bottom.projection > 0.0 { OUTSIDE } else { 0 };
+        let out = (0..outside).map(|i| radius + bottom.projection * (1.0 - i as f64 / OUTSIDE as f64));
+        let radii: Vec<f64> = out.chain(inside.iter().map(|x| radius - x)).collect();
+        let pressure = |r: &f64| {
+            if *r > radius * (1.0 + 1e-9) {
+                0.0
+            } else {
+                impulsive(case, radius, *r)
+            }
+        };
+        let friction = case.tank.foundation.as_ref().and_then(|f| f.friction);
+        Ok(Plate {
+            friction: friction.filter(|mu| *mu > 0.0).unwrap_or(FRICTION),
+            impulsive: radii.iter().map(pressure).collect(),
+            foot: outside,
+            radii,
+            base,
+        })
+    }
+
+    /// Width of the rings inside the wall [m].
+    pub(super) fn width(&self) -> f64 {
+        self.radii[self.foot] - self.radii[self.radii.len() - 1]
+    }
+
+    /// p_b at the foot [Pa per m/s²].
+    pub(super) fn suction(&self) -> f64 {
+        self.impulsive[self.foot]
+    }
+
+    /// Adds nodes; returns them. `foot` are those of the wall; where an imperfection moves them the rings follow.
+    pub(super) fn nodes(&self, builder: &mut Builder, angles: &[f64], foot: &[usize]) -> Vec<Vec<usize>> {
+        let deviation = |node: usize| {
+            let [x, y, _] = builder.position(node);
+            x.hypot(y) - self.radii[self.foot]
+        };
+        let moved: Vec<f64> = foot.iter().map(|node| deviation(*node)).collect();
+        let ring = |(i, &r): (usize, &f64)| -> Vec<usize> {
+            if i == self.foot {
+                return foot.to_vec();
+            }
+            let at = angles.iter().zip(&moved).map(|(angle, moved)| {
+                let ((s, c), r) = (angle.sin_cos(), r + moved);
+                let node = builder.node([r * c, r * s, 0.0]);
+                builder.frame(node, Matrix3::new(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0));
+                node
+            });
+            at.collect()
+        };
+        self.radii.iter().enumerate().map(ring).collect()
+    }
+
+    /// Cells, ring after ring, and [`Placed::bending`].
+    pub(super) fn cells(
+        &self,
+        bottom: &Bottom,
+        rings: &[Vec<usize>],
+        integration: &Integration,
+    ) -> Result<(Vec<ShellCell>, Vec<[f64; 2]>), FeError> {
+        let (mut cells, mut bending) = (Vec::new(), Vec::new());
+        for (r, pair) in self.radii.windows(2).zip(rings.windows(2)) {
+            let distance = self.radii[self.foot] - 0.5 * (r[0] + r[1]);
+            let thickness = match (bottom.sketch, bottom.width) {
+                (Some(sketch), Some(width)) if distance > width => sketch,
+                _ => bottom.thickness,
+            };
+            let layer = Layer {
+                kind: LayerKind::Shell,
+                thickness,
+                material: bottom.material.clone(),
+                reinforcement: Vec::new(),
+            };
+            let Build::Shell(leaf) = row(&[layer], [r[0] - r[1]; 2], integration)?.build else {
+                return unsupported("a bottom of one plate");
+            };
+            let soft = 12.0 / (bottom.material.youngs_modulus * thickness.powi(3));
+            for k in 0..pair[0].len() - 1 {
+                bending.push([soft, bottom.material.poisson_ratio * soft]);
+                cells.push(ShellCell {
+                    nodes: [pair[1][k], pair[0][k], pair[0][k + 1], pair[1][k + 1]],
+                    section: leaf.section.clone(),
+                    group: "bottom".into(),
+                });
+            }
+        }
+        Ok((cells, bending))
+    }
+
+    /// Areas that belong to the nodes of every ring, per angle [m²/rad]: ∫ N r dr.
+    fn areas(&self) -> Vec<f64> {
+        let mut out = vec![0.0; self.radii.len()];
+        for (i, r) in self.radii.windows(2).enumerate() {
+            let width = r[0] - r[1];
+            out[i] += width * (2.0 * r[0] + r[1]) / 6.0;
+            out[i + 1] += width * (r[0] + 2.0 * r[1]) / 6.0;
+        }
+        out
+    }
+
+    /// The same of the part under the liquid.
+    fn wet_areas(&self) -> Vec<f64> {
+        let inside = Plate {
+            radii: self.radii[self.foot..].to_vec(),
+            ..self.clone()
+        };
+        let dry = vec![0.0; self.foot];
+        dry.into_iter().chain(inside.areas()).collect()
+    }
+
+    /// Adds ground, pressure at rest and supports.
+    ///
+    /// * `dead` takes the pressure on the undeformed plate
+    pub(super) fn place(
+        &self,
+        builder: &mut Builder,
+        angles: &[f64],
+        rings: &[Vec<usize>],
+        follower: bool,
+        dead: &mut NodalLoads,
+    ) -> Result<Vec<Vec<usize>>, FeError> {
+        let failed = |e: fem::element::ElementError| FeError::Analysis(e.to_string());
+        let mut ground = Vec::new();
+        for (ring, area) in rings.iter().zip(self.areas()) {
+            let mut row = Vec::new();
+            for (&node, share) in ring.iter().zip(shares(angles)) {
+                let ground = Ground::new(node, self.base.modulus, area * share);
+                let element = ground.and_then(|g| g.with_friction(self.friction)).map_err(failed)?;
+                row.push(builder.element("ground", element));
+            }
+            ground.push(row);
+        }
+        let pressure = self.base.pressure;
+        for pair in rings[self.foot..].windows(2) {
+            for k in 0..pair[0].len() - 1 {
+                let nodes = [pair[1][k], pair[0][k], pair[0][k + 1], pair[1][k + 1]];
+                let positions = nodes.map(|n| builder.position(n));
+                dead.pressure(&nodes, &positions, |_| -pressure);
+                if follower {
+                    let element = FollowerPressure::new(nodes, positions, -pressure).without_dead_part();
+                    builder.element("pressure", element);
+                }
+            }
+        }
+        let ends = |ring: &Vec<usize>| [ring[0], ring[ring.len() - 1]];
+        for (i, ring) in rings.iter().enumerate() {
+            for node in ends(ring) {
+                builder.hold(node, Dof::Uy);
+                // The foot is a fold, with rotations about the global axes.
+                let turns: &[Dof] = if i == self.foot {
+                    &[Dof::Rx, Dof::Rz]
+                } else {
+                    &[Dof::Ry]
+                };
+                turns.iter().for_each(|&d| builder.hold(node, d));
+            }
+        }
+        for &node in rings.last().into_iter().flatten() {
+            for dof in [Dof::Ux, Dof::Uy, Dof::Rx, Dof::Ry] {
+                builder.hold(node, dof);
+            }
+        }
+        Ok(ground)
+    }
+
+    /// Pressure of the liquid at the nodes of the plate.
+    pub(super) fn wet(&self, model: &Model, angles: &[f64], rings: &[Vec<usize>]) -> Vec<WetNode> {
+        let mut out = Vec::new();
+        let all = rings.iter().zip(self.wet_areas()).zip(&self.impulsive).zip(&self.radii);
+        for (((ring, area), p), radius) in all.filter(|(((_, area), _), _)| *area > 0.0) {
+            let shares = cosine_shares(angles).into_iter().zip(shares(angles));
+            for ((&node, (cosine, share)), angle) in ring.iter().zip(shares).zip(angles) {
+                let down = model.row(node, Dof::Uz).into_iter().map(|(e, c)| (e, -c)).collect();
+                let rest = self.base.pressure * area * share;
+                out.push(WetNode::on_bottom(down, p * area * cosine, rest, radius * angle.cos()));
+            }
+        }
+        out
+    }
+}
+
+/// Springs against all vertical displacements of the foot other than w₀ + w₁ cos θ.
+pub(super) fn keep_plane(builder: &mut Builder, angles: &[f64], foot: &[usize]) -> Result<(), FeError> {
+    /// Of the ground a hundred times and more [N/m per radian].
+    const STIFF: f64 = 1e12;
+    let failed = |e: fem::element::ElementError| FeError::Analysis(e.to_string());
+    let n = foot.len();
+    let weights = shares(angles);
+    let unit = |f: &dyn Fn(f64) -> f64, before: Option<&Vec<f64>>| -> Vec<f64> {
+        let mut v: Vec<f64> = angles.iter().map(|a| f(*a)).collect();
+        let product = |a: &[f64], b: &[f64]| (0..n).map(|i| weights[i] * a[i] * b[i]).sum::<f64>();
+        if let Some(b) = before {
+            let part = product(&v, b);
+            v.iter_mut().zip(b).for_each(|(v, b)| *v -= part * b);
+        }
+        let length = product(&v, &v).sqrt();
+        v.iter().map(|x| x / length).collect()
+    };
+    let even = unit(&|_| 1.0, None);
+    let tilt = unit(&f64::cos, Some(&even));
+    let mut matrix = Matrix::zeros(n, n);
+    for i in 0..n {
+        matrix.add(i, i, STIFF * weights[i]);
+        for j in 0..n {
+            let plane = even[i] * even[j] + tilt[i] * tilt[j];
+            matrix.add(i, j, -STIFF * weights[i] * weights[j] * plane);
+        }
+    }
+    let unknowns: Vec<(usize, Dof)> = foot.iter().map(|n| (*n, Dof::Uz)).collect();
+    let element = SuperElement::over(&unknowns)
+        .and_then(|e| e.with_stiffness(matrix))
+        .map_err(failed)?;
+    builder.element("plane", element);
+    Ok(())
+}
+
+/// Impulsive pressure on a rigid bottom at θ = 0 [Pa per m/s²].
+fn impulsive(case: &Case, radius: f64, r: f64) -> f64 {
+    let depth = case.liquid.fill_height;
+    let mut sum = 0.0;
+    for n in 0..200 {
+        let alpha = (2.0 * f64::from(n) + 1.0) * PI / (2.0 * depth);
+        // Beyond it the terms are below 1e-4 of the first and exp overflows soon.
+        if alpha * radius > 300.0 {
+            break;
+        }
+        let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
+        let (own, _) = bessel(alpha * r);
+        let (_, slope) = bessel(alpha * radius);
+        sum += sign * 2.0 / (depth * alpha * alpha) * own / slope;
+    }
+    case.liquid.density * sum
+}
+
+/// I₁(x) and I₁′(x) by their power series, all of whose terms are positive.
+fn bessel(x: f64) -> (f64, f64) {
+    let quarter = 0.25 * x * x;
+    let (mut term, mut k) = (0.5, 0.0);
+    let (mut over_x, mut slope) = (term, term);
+    loop {
+        k += 1.0;
+        term *= quarter / (k * (k + 1.0));
+        over_x += term;
+        slope += (2.0 * k + 1.0) * term;
+        if (2.0 * k + 1.0) * term <= 1e-17 * slope {
+            return (x * over_x, slope);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// I₁(1) = 0.565159, I₁′(1) = I₀(1) − I₁(1) = 0.700907 (Abramowitz & Stegun 1964, table 9.8).
+    #[test]
+    fn bessel_function() {
+        let (value, slope) = bessel(1.0);
+        assert!((value - 0.565_159_1).abs() < 1e-7 && (slope - 0.700_906_8).abs() < 1e-7);
+    }
+
+    /// A deep tank: the liquid at the bottom moves with it, p = ρ r a.
+    #[test]
+    fn a_deep_liquid_is_rigid_at_its_bottom() {
+        let mut case = tank::reference::broad(1000.0);
+        let radius = case.tank.shape.half_length();
+        case.liquid.fill_height = 10.0 * radius;
+        for r in [0.3, 0.7, 1.0] {
+            let p = impulsive(&case, radius, r * radius);
+            assert!((p / (1000.0 * r * radius) - 1.0).abs() < 0.01, "{r}: {p}");
+        }
+    }
+}

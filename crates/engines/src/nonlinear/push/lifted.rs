@@ -1,0 +1,134 @@
+//! The base of an unanchored tank at a state of the path.
+
+use std::f64::consts::PI;
+
+use fem::dofs::Dof;
+use fem::element::Inspect;
+use fem::model::Model;
+use fem::state::{Gather, State};
+use results::{PushBase, PushPoint, PushShell};
+
+use super::bottom::Placed;
+use super::load::{cosine_shares, shares};
+use super::model::{Plan, PushModel};
+use crate::FeError;
+
+/// The base at a committed state; `None` of an anchored tank.
+///
+/// Errors: a section that fails.
+pub(super) fn base(
+    plan: &Plan,
+    model: &PushModel,
+    acceleration: f64,
+    state: &State,
+) -> Result<Option<PushBase>, FeError> {
+    let (Some(plate), Some(bottom)) = (&plan.plate, &model.bottom) else {
+        return Ok(None);
+    };
+    let angles = &model.angles;
+    let up = |node: usize| model.model.at_node(&state.committed.u, node)[Dof::Uz.index()];
+    let foot = &bottom.rings[plate.foot];
+    let last = foot.len() - 1;
+    // The part that is proportional to cos θ: the toe, at θ = 0, goes down.
+    let tilt = foot
+        .iter()
+        .zip(cosine_shares(angles))
+        .map(|(n, c)| up(*n) * c)
+        .sum::<f64>()
+        * 2.0
+        / PI;
+    // Two halves. The ground carries the pressure of the liquid on the plate, too.
+    let (mut reaction, mut moment) = (0.0, -2.0 * model.on_bottom(acceleration));
+    for (i, r) in plate.radii.iter().enumerate() {
+        let nodes = bottom.rings[i].iter().zip(&bottom.ground[i]).zip(&bottom.rest[i]);
+        for (((&node, &element), rest), angle) in nodes.zip(angles) {
+            let force = 2.0 * model.ground_force(element, up(node));
+            reaction += force;
+            moment += (force - 2.0 * rest) * r * angle.cos();
+        }
+    }
+    let pressed: Vec<bool> = foot.iter().map(|n| up(*n) <= 0.0).collect();
+    let lifted = shares(angles)
+        .iter()
+        .zip(&pressed)
+        .filter(|(_, p)| !**p)
+        .map(|(s, _)| s)
+        .sum();
+    let width = bottom.rings[plate.foot..]
+        .iter()
+        .zip(&plate.radii[plate.foot..])
+        .take_while(|(ring, _)| up(ring[last]) > 0.0)
+        .last()
+        .map_or(0.0, |(_, r)| plate.radii[plate.foot] - r);
+    Ok(Some(PushBase {
+        rotation: -tilt / plan.radius,
+        moment,
+        reaction,
+        uplift: up(foot[last]),
+        toe: -up(foot[0]),
+        lifted_width: width,
+        lifted_angle: lifted,
+        plastic_rotation: plastic_rotation(&model.model, bottom, plate.foot, state)?,
+        strips: None,
+    }))
+}
+
+/// Adds the moments of the strips at the rotations and accelerations of the paths.
+pub(super) fn compare(plan: &Plan, shells: &mut [PushShell]) {
+    let Some(plate) = &plan.plate else { return };
+    let bases = || shells.iter().flat_map(|s| &s.path).filter_map(|p| p.base);
+    let uplift = bases().map(|b| b.uplift).fold(0.0, f64::max);
+    let toe = bases().map(|b| b.toe).fold(0.0, f64::max);
+    // The plane foot of the strips lifts and sinks otherwise than the warped one.
+    let Ok(rocking) = plate.base.rocking(-0.02 - 3.0 * toe, 0.02 + 2.0 * uplift, true) else {
+        return;
+    };
+    let at = |p: &mut PushPoint| {
+        let acceleration = p.acceleration;
+        if let Some(base) = p.base.as_mut().filter(|b| b.rotation > 0.0) {
+            let turn = rocking.at(base.rotation, plate.suction() * acceleration);
+            base.strips = turn.ok().map(|turn| turn.moment);
+        }
+    };
+    for shell in shells {
+        shell.path.iter_mut().for_each(at);
+        at(&mut shell.capacity.state);
+    }
+}
+
+/// Plastic rotation of the joint at θ = π: curvature of the meridian less that of an elastic plate under its moments, from the foot to
+/// where its sign changes [rad].
+fn plastic_rotation(model: &Model, bottom: &Placed, foot: usize, state: &State) -> Result<f64, FeError> {
+    let mut gather = Gather::default();
+    let mut sum = 0.0_f64;
+    for cells in &bottom.cells[foot..] {
+        let Some(&cell) = cells.last() else { break };
+        let element = &*model.elements()[cell];
+        let motion = gather.motion(model, &state.committed, element);
+        let history = &state.old[state.history(cell)];
+        let mut yields = false;
+        element.material_points(motion, history, &mut |p| yields |= p.state.plastic_strain > 0.0);
+        if !yields {
+            if sum != 0.0 {
+                break;
+            }
+            continue;
+        }
+        let sections = element
+            .sections(motion, history)
+            .map_err(|e| FeError::Analysis(e.to_string()))?;
+        let virgin = bottom.bending[cell - bottom.cells[0][0]];
+        let plastic = |s: &fem::element::SectionState| {
+            let (hoop, radial) = (s.resultants[3], s.resultants[4]);
+            s.strain[4] - (virgin[0] * radial - virgin[1] * hoop)
+        };
+        let mean = sections.iter().map(plastic).sum::<f64>() / sections.len() as f64;
+        let [a, b] = [element.nodes()[0], element.nodes()[1]].map(|n| model.nodes()[n]);
+        let part = mean * (b[0].hypot(b[1]) - a[0].hypot(a[1]));
+        if sum * part < 0.0 {
+            break;
+        }
+        sum += part;
+    }
+    Ok(sum.abs())
+}
