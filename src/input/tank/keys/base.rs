@@ -65,10 +65,13 @@ pub(super) fn thicker_than_the_wall(r: &mut Resolver<'_>, field: &Field<Bottom>,
 }
 
 /// The foundation.
+///
+/// * `isolated`: whether its slab stands on isolators
 pub(super) fn foundation(
     r: &mut Resolver<'_>,
     given: &Foundation,
     bottom: Option<&Bottom>,
+    isolated: bool,
 ) -> Option<tank::Foundation> {
     r.echo_given(&given.kind);
     let stiffness = r.optional(&given.stiffness);
@@ -92,6 +95,7 @@ pub(super) fn foundation(
     }
     if let Some(field) = &given.thickness.given
         && kind != FoundationKind::Soil
+        && !(isolated && kind == FoundationKind::Slab)
     {
         r.warnings.push(format!(
             "{}: not used: no engine or procedure needs the thickness of the foundation",
