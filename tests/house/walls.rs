@@ -18,7 +18,16 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("results", &["files", "oscillator", "tank"]),
     (
         "engines",
-        &["base", "fem", "linalg", "materials", "oscillator", "results", "tank"],
+        &[
+            "base",
+            "fem",
+            "linalg",
+            "materials",
+            "oscillator",
+            "results",
+            "soil",
+            "tank",
+        ],
     ),
     ("report", &["files", "results", "tank"]),
     (

@@ -4,6 +4,7 @@ pub(crate) mod analysis;
 mod around;
 pub(crate) mod demands;
 pub(crate) mod describe;
+mod isolation;
 pub(crate) mod limits;
 pub(crate) mod mesh_error;
 mod modal;
@@ -261,13 +262,21 @@ fn report(
                 .into(),
         );
     }
+    let mut isolated = isolation::isolated(case, (linear.engine, model), &analysis, motion, options)?;
     let mut free = rocking::free(case, (linear.engine, model), &analysis, motion, options);
     let held = analysis.values(model, round);
     let fill = case.liquid.fill_height;
     let held_hoop = rocking::Hoop::of(&analysis, model, fill);
-    let moving = free.moved().map(|moved| moved.model(model));
-    let analysis = match &moving {
-        Some(moving) => analyse(moving, motion, options, &Silent)?,
+    let moving = match &isolated {
+        Some(found) => Some(found.model(model)),
+        None => free.moved().map(|moved| moved.model(model)),
+    };
+    // The ground as the tank feels it: on isolators the motion of the slab.
+    let driven = isolated
+        .as_ref()
+        .map_or_else(|| motion.clone(), |found| found.motion.clone());
+    let mut analysis = match &moving {
+        Some(moving) => analyse(moving, &driven, options, &Silent)?,
         None => analysis,
     };
     // What is observed, on the moving base where it moves.
@@ -277,12 +286,16 @@ fn report(
         let hoop = rocking::Hoop::of(&analysis, seen, fill);
         moved.complete(&analysis, &mut values, &held, [&hoop, &held_hoop]);
     }
-    let around = Around::of(model, linear.across, motion, options, &analysis)?;
+    let around = Around::of(seen, linear.across, &driven, options, &analysis)?;
     notes.extend(Around::notes(motion));
     notes.extend(model.horizontal.impulsive().and_then(|found| found.note()));
     notes.extend(waves::note(analysis.wave(), options.wave_modes, &analysis.waves));
     let coupled = &model.horizontal.coupled;
-    let mut demands = demands::demands(case, seen, &analysis, motion)?;
+    let mut demands = demands::demands(case, seen, &analysis, &driven)?;
+    if let Some(found) = &mut isolated {
+        found.complete(&analysis, &values, &held, &demands);
+        notes.extend(found.notes());
+    }
     free.demands(&mut demands, (model, seen), &analysis, motion)?;
     if let Some(second) = linear.across {
         demands::across(&mut demands, (model, second.model), motion, options)?;
@@ -290,6 +303,10 @@ fn report(
     let mut histories = histories(motion, &analysis);
     if let Some(around) = &around {
         around.add(&mut histories);
+    }
+    if let Some(found) = &isolated {
+        isolation::push(found, &mut histories);
+        analysis.grid = found.record_grid(analysis.grid);
     }
     let mut assumptions = describe::assumptions(case, options, linear.engine);
     rocking::say(&free, &mut notes, &mut assumptions);
@@ -308,6 +325,7 @@ fn report(
         damping_table: damping_table(model),
         mass_balance: describe::mass_balance(model),
         energy: analysis.energy,
+        isolation: isolated.map(|found| found.result),
         base: free.result(),
         envelopes: envelopes(seen, &analysis),
         record_end: Some(record_end(motion)),

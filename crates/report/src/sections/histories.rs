@@ -36,12 +36,12 @@ fn is_force(info: &SeriesInfo) -> bool {
     info.channel().and_then(Channel::force_at).is_some()
 }
 
-/// Whether it is of a base that lifts or slides; these have a separate section.
+/// Whether it is of a base that lifts or slides, or of isolators; these have a separate section.
 fn is_base(info: &SeriesInfo) -> bool {
     matches!(
         info.channel(),
         Some(Channel::BaseRotation | Channel::Uplift(_) | Channel::ToeStress | Channel::Slip)
-    )
+    ) || info.id.starts_with("isolator_")
 }
 
 /// Makes the section.

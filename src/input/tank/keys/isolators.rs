@@ -183,7 +183,7 @@ impl Keys<'_, '_> {
             Some(given) => self.r.number(given),
             None => {
                 if let (Absent::Follows(words), true) = (&option.key.absent, applies) {
-                    self.r.echo_default(&option.path, words, "");
+                    self.r.echo_default(&option.path, words, "not given");
                 }
                 value
             }
