@@ -64,6 +64,7 @@ pub(crate) fn case(shape: Shape, courses: Vec<Course>, depth: f64, ec8: Option<E
             roof: Roof::default(),
             bottom: None,
             foundation: None,
+            isolators: None,
             anchors: None,
             pressure: Default::default(),
             pipes: None,

@@ -122,6 +122,7 @@ impl Draw {
             },
             bottom: self.of(&[true, true, true, false]).then_some(plate),
             foundation: None,
+            isolators: None,
             anchors: self.yes().then(|| Anchors {
                 count: 40,
                 capacity: self.yes().then_some(200e3),

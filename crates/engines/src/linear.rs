@@ -5,6 +5,7 @@ mod around;
 pub(crate) mod demands;
 pub(crate) mod describe;
 mod hoop;
+mod isolation;
 pub(crate) mod limits;
 pub(crate) mod mesh_error;
 mod modal;
@@ -264,13 +265,21 @@ fn report(
                 .into(),
         );
     }
+    let mut isolated = isolation::isolated(case, (linear.engine, model), &analysis, motion, options)?;
     let mut free = rocking::free(case, (linear.engine, model), &analysis, motion, options);
     let held = analysis.values(model, round);
     let fill = case.liquid.fill_height;
     let held_hoop = Hoop::of(&analysis, model, fill);
-    let moving = free.moved().map(|moved| moved.model(model));
-    let analysis = match &moving {
-        Some(moving) => analyse(moving, motion, options, &Silent)?,
+    let moving = match &isolated {
+        Some(found) => Some(found.model(model)),
+        None => free.moved().map(|moved| moved.model(model)),
+    };
+    // The ground as the tank feels it: on isolators the motion of the slab.
+    let driven = isolated
+        .as_ref()
+        .map_or_else(|| motion.clone(), |found| found.motion.clone());
+    let mut analysis = match &moving {
+        Some(moving) => analyse(moving, &driven, options, &Silent)?,
         None => analysis,
     };
     // What is observed, on the moving base where it moves.
@@ -280,12 +289,16 @@ fn report(
         let hoop = Hoop::of(&analysis, seen, fill);
         moved.complete(&analysis, &mut values, &held, [&hoop, &held_hoop]);
     }
-    let around = Around::of(model, linear.across, motion, options, &analysis)?;
+    let around = Around::of(seen, linear.across, &driven, options, &analysis)?;
     notes.extend(Around::notes(motion));
     notes.extend(model.held().impulsive().and_then(|found| found.note()));
     notes.extend(waves::note(analysis.wave(), options.wave_modes, &analysis.waves));
     let coupled = &model.horizontal.coupled;
-    let mut demands = demands::demands(case, seen, &analysis, motion)?;
+    let mut demands = demands::demands(case, seen, &analysis, &driven)?;
+    if let Some(found) = &mut isolated {
+        found.complete(&analysis, &values, &held, &demands);
+        notes.extend(found.notes());
+    }
     free.demands(&mut demands, (model, seen), &analysis, motion)?;
     if let Some(second) = linear.across {
         demands::across(&mut demands, (model, second.model), motion, options)?;
@@ -296,6 +309,10 @@ fn report(
     }
     let soil = soil::outcome(case, model, &analysis, motion, options)?;
     notes.extend(soil::note(case, linear.engine, soil.is_some()));
+    if let Some(found) = &isolated {
+        isolation::push(found, &mut histories);
+        analysis.grid = found.record_grid(analysis.grid);
+    }
     let mut assumptions = describe::assumptions(case, options, linear.engine);
     let of_modes = free.moved().map(|_| (notes.clone(), assumptions.clone()));
     notes.extend(Hoop::of(&analysis, seen, fill).note().filter(|_| round));
@@ -320,6 +337,7 @@ fn report(
         damping_table: damping_table(model),
         mass_balance: describe::mass_balance(model),
         energy: analysis.energy,
+        isolation: isolated.map(|found| found.result),
         base: free.result(),
         soil,
         envelopes,

@@ -11,6 +11,7 @@ mod engine;
 mod histories;
 mod input;
 mod internal_forces;
+mod isolation;
 mod limits;
 mod modes;
 mod motion;
@@ -69,6 +70,7 @@ sections![
     internal_forces,
     directions,
     standing,
+    isolation,
     base,
     soil,
     tilt,

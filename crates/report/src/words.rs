@@ -16,6 +16,7 @@
 //! | [`figures`] | captions and descriptions of figures |
 //! | [`facts`] | names of the numbers of a model |
 //! | [`internal_forces`] | stations of the wall |
+//! | [`isolation`] | a tank on isolators |
 //! | [`ida`], [`push`] | the pages of these analyses |
 //! | [`site`] | the modes of an engine under the design spectrum |
 //! | [`soil`] | a tank on a slab on soil |
@@ -32,6 +33,7 @@ pub mod facts;
 pub mod figures;
 pub mod ida;
 pub mod internal_forces;
+pub mod isolation;
 pub mod labels;
 pub mod outcome;
 pub mod push;

@@ -295,6 +295,14 @@ pub enum Channel {
     Open,
     /// Share of the wetted wall of one side of a strip that the liquid has left.
     OpenOn(Side),
+    /// Displacement of the isolators along x.
+    IsolatorDisplacement,
+    /// Displacement of the isolators along y.
+    IsolatorDisplacementY,
+    /// Force of the isolators along x.
+    IsolatorForce,
+    /// Force of the isolators along y.
+    IsolatorForceY,
     /// Rotation of the base.
     BaseRotation,
     /// Displacement of the rim upwards, from the ground without load.
@@ -360,6 +368,10 @@ impl Channel {
             Channel::Deflection(side) => format!("wall_displacement_{}", side.id()),
             Channel::Open => OPEN.into(),
             Channel::OpenOn(side) => format!("{OPEN}_{}", side.id()),
+            Channel::IsolatorDisplacement => "isolator_displacement".into(),
+            Channel::IsolatorDisplacementY => "isolator_displacement_y".into(),
+            Channel::IsolatorForce => "isolator_force".into(),
+            Channel::IsolatorForceY => "isolator_force_y".into(),
             Channel::BaseRotation => "base_rotation".into(),
             Channel::Uplift(side) => format!("uplift_{}", side.id()),
             Channel::ToeStress => "toe_axial_stress".into(),
@@ -435,6 +447,10 @@ impl Channel {
             Channel::Top,
             Channel::Belly,
             Channel::Open,
+            Channel::IsolatorDisplacement,
+            Channel::IsolatorDisplacementY,
+            Channel::IsolatorForce,
+            Channel::IsolatorForceY,
             Channel::BaseRotation,
             Channel::ToeStress,
             Channel::Slip,
@@ -495,6 +511,10 @@ impl Channel {
             Channel::Deflection(side) => format!("Deflection of the top of the wall, {}", side.title()),
             Channel::Open => "Share of the wetted wall that the liquid has left".into(),
             Channel::OpenOn(side) => format!("Share of the wetted wall that the liquid has left, {}", side.title()),
+            Channel::IsolatorDisplacement => "Displacement of the isolators".into(),
+            Channel::IsolatorDisplacementY => "Displacement of the isolators, y".into(),
+            Channel::IsolatorForce => "Force of the isolators".into(),
+            Channel::IsolatorForceY => "Force of the isolators, y".into(),
             Channel::BaseRotation => "Rotation of the base, with uplift".into(),
             Channel::Uplift(side) => format!("Uplift of the rim, {}", side.title()),
             Channel::ToeStress => "Axial stress at the toe, compression, with uplift".into(),
@@ -521,6 +541,8 @@ impl Channel {
             | Channel::BaseAtAngle { what, .. }
             | Channel::Base(what)
             | Channel::BaseOn(what, _) => what.dimension(),
+            Channel::IsolatorForce | Channel::IsolatorForceY => Dimension::Force,
+            Channel::IsolatorDisplacement | Channel::IsolatorDisplacementY => Dimension::Length,
             Channel::SectionMoment(_) => Dimension::LineMoment,
             Channel::WaveAround { .. } | Channel::WaveLargest => Dimension::Length,
             Channel::Open | Channel::OpenOn(_) => Dimension::Dimensionless,

@@ -13,6 +13,7 @@ mod fields;
 pub mod finite;
 mod ida;
 pub mod impulsive;
+mod isolation_run;
 pub mod modal;
 pub mod nonlinear;
 pub mod numdiff;
@@ -45,6 +46,7 @@ pub use ida::{
     Collapse, FirstCrack, IDA_FILE, IDA_FORMAT, IDA_PARTIAL_FILE, Ida, IdaRun, LiquidParting, ida_csv, read_ida,
     write_ida,
 };
+pub use isolation_run::{IsolationBand, IsolationEnergy, IsolationRun};
 pub use push::{
     Capacity, Imperfection, PUSH_FILE, PUSH_FORMAT, Push, PushBase, PushLimit, PushMeridian, PushPoint, PushShell,
     read_push, write_push,

@@ -10,6 +10,7 @@ use crate::base_run::BaseRun;
 use crate::channel::Channel;
 use crate::directions::Directional;
 use crate::fields::Fields;
+use crate::isolation_run::IsolationRun;
 use crate::modal::ModalPart;
 use crate::nonlinear::{End, Event, EventKind, Nonlinear};
 use crate::soil_run::SoilRun;
@@ -152,6 +153,9 @@ pub struct Run {
     /// Transfer functions, if asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub transfer: Option<Transfer>,
+    /// The isolators of a tank on them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub isolation: Option<IsolationRun>,
     /// The run with a base that rocks and slides, of an unanchored tank that lifts or slides.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub base: Option<BaseRun>,
@@ -195,6 +199,7 @@ impl Run {
             directions: Vec::new(),
             tilt: None,
             transfer: None,
+            isolation: None,
             base: None,
             soil: None,
             limits: Vec::new(),

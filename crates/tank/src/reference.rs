@@ -60,6 +60,7 @@ pub fn case(shape: Shape, courses: &[(f64, f64)], material: &Material, liquid: (
             roof: Roof::default(),
             bottom: None,
             foundation: None,
+            isolators: None,
             anchors: None,
             pressure: Default::default(),
             pipes: None,

@@ -2,12 +2,14 @@
 
 mod behaviour;
 mod foundation;
+mod isolators;
 mod layers;
 mod parts;
 mod plane;
 
 pub use behaviour::{Bar, BarBond, Behaviour, BiaxialEnvelope, Concrete, ConcreteLaw, Interlayer, Softening, Steel};
 pub use foundation::{Foundation, FoundationKind};
+pub use isolators::{Bearing, Isolators};
 pub use layers::{BarDirection, EQUIVALENT, Layer, LayerKind, Reinforcement};
 pub use parts::{Pipes, RoofKind};
 pub use plane::PLANE_WALLS;
@@ -189,6 +191,9 @@ pub struct Tank {
     /// Foundation, where given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub foundation: Option<Foundation>,
+    /// Isolators under the slab, where given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub isolators: Option<Isolators>,
     /// Anchors, where given.
     pub anchors: Option<Anchors>,
     /// Pressure above the liquid.

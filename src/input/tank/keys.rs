@@ -13,6 +13,7 @@ mod frequency;
 mod grades;
 mod imperfections;
 mod instant;
+mod isolators;
 mod linear;
 mod materials;
 mod nonlinear;

@@ -4,6 +4,7 @@ mod dashpots;
 mod force_stations;
 mod frequency;
 mod imperfections;
+mod isolators;
 mod schema;
 mod snapshots;
 mod spectrum;

@@ -247,6 +247,7 @@ fn tank(kind: Kind) -> Tank {
         },
         bottom: None,
         foundation: None,
+        isolators: None,
         anchors: None,
         pressure: Default::default(),
         pipes: None,

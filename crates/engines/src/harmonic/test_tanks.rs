@@ -33,6 +33,7 @@ pub(crate) fn case(shape: Shape, courses: &[(f64, f64)], material: (f64, f64, f6
             roof: Roof::default(),
             bottom: None,
             foundation: None,
+            isolators: None,
             anchors: None,
             pressure: Default::default(),
             pipes: None,

@@ -93,6 +93,7 @@ mod tests {
             roof: Roof::default(),
             bottom: None,
             foundation: None,
+            isolators: None,
             anchors: None,
             pressure: Default::default(),
             pipes: None,

@@ -154,7 +154,9 @@ pub(crate) fn note(simulation: &mut Simulation, second: Option<&Second>, options
     simulation.second = second.and_then(|second| Some((second.ratio, second.units.clone()?)));
     if let Some(second) = second {
         // The error of a wall on a moving base is that of the wall held down, relative.
-        let held = simulation.result.base.as_ref().map(|base| &base.held);
+        let result = &simulation.result;
+        let isolation = result.isolation.as_ref().map(|run| &run.fixed);
+        let held = result.base.as_ref().map(|base| &base.held).or(isolation);
         let error = |(quantity, value): (&Quantity, &f64)| {
             let value = held.and_then(|held| held.get(quantity.id())).unwrap_or(value);
             let other = second.values.get(quantity)?;

@@ -81,6 +81,8 @@ pub(crate) struct Model {
     pub vertical: Option<Harmonic>,
     /// m = 0 for the vertical spectrum of the site: no part of a response to records.
     pub site: Option<Harmonic>,
+    /// Whether a record contains the free vibration after it.
+    pub whole: bool,
     /// m = 1 under the rotation of its base, of a tank that lifts or slides.
     pub turned: Option<Turned>,
     /// Damping.
@@ -117,6 +119,7 @@ impl Model {
             }
         };
         Ok(Model {
+            whole: false,
             vertical,
             site,
             turned: None,
@@ -233,7 +236,10 @@ impl Model {
             dt
         };
         let period = |m: &CoupledMode| std::f64::consts::TAU / m.omega;
-        let tail = AfterRecord::DEFAULT.duration(self.horizontal.first(Kind::Sloshing).map_or(0.0, period));
+        let tail = match self.whole {
+            true => 0.0,
+            false => AfterRecord::DEFAULT.duration(self.horizontal.first(Kind::Sloshing).map_or(0.0, period)),
+        };
         let duration = motion.duration();
         let mut grid = Grid::new(dt, duration, tail, longest);
         if let Some(turned) = &self.turned {

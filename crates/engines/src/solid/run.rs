@@ -129,6 +129,7 @@ impl Prepared {
         // Spaces are those of responses to records.
         spaces.truncate(1 + usize::from(vertical.is_some()));
         let model = Model {
+            whole: false,
             vertical,
             site,
             turned: None,

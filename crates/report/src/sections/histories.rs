@@ -36,7 +36,7 @@ fn is_force(info: &SeriesInfo) -> bool {
     info.channel().and_then(Channel::force_at).is_some()
 }
 
-/// Whether it is of a base that lifts or slides; these have a separate section.
+/// Whether it is of a base that lifts or slides, or of isolators; these have a separate section.
 fn is_base(info: &SeriesInfo) -> bool {
     matches!(
         info.channel(),
@@ -48,7 +48,7 @@ fn is_base(info: &SeriesInfo) -> bool {
                 | Channel::FoundationTranslation
                 | Channel::FoundationRotation
         )
-    )
+    ) || info.id.starts_with("isolator_")
 }
 
 /// Makes the section.

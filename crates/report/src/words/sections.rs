@@ -166,6 +166,20 @@ const ALL: &[Words] = &[
         ],
     },
     Words {
+        id: "isolation",
+        title: "Isolators",
+        sentences: &[
+            (
+                "beside",
+                "The slab under the tank stands on isolators. All values of the run are those on isolators, the wave and the freeboard among them;                  those on a fixed base stand here beside them. The wave may grow where the effective period comes near that of sloshing. Pipes                  must follow the displacement of the isolators.",
+            ),
+            (
+                "band",
+                "Properties of isolators vary with wear, temperature and make: the same run with the lower and the upper bound of stiffness, strength,                  friction and damping. Displacement is governed by the lower bound, forces mostly by the upper one.",
+            ),
+        ],
+    },
+    Words {
         id: "base",
         title: "Base: uplift and sliding",
         sentences: &[

@@ -80,10 +80,13 @@ pub(super) fn thicker_than_the_wall(r: &mut Resolver<'_>, field: &Field<Bottom>,
 }
 
 /// The foundation.
+///
+/// * `isolated`: whether its slab stands on isolators
 pub(super) fn foundation(
     r: &mut Resolver<'_>,
     given: &Foundation,
     bottom: Option<&Bottom>,
+    isolated: bool,
 ) -> Option<tank::Foundation> {
     r.echo_given(&given.kind);
     let stiffness = r.optional(&given.stiffness);
@@ -108,7 +111,10 @@ pub(super) fn foundation(
     // The mass of a slab moves with it on the soil.
     let reason = match (kind, shear_wave_velocity) {
         (FoundationKind::Soil, _) | (FoundationKind::Slab, Some(_)) => None,
-        (FoundationKind::Slab, None) => Some("the mass of a slab counts together with shear_wave_velocity alone"),
+        (FoundationKind::Slab, None) if isolated => None,
+        (FoundationKind::Slab, None) => {
+            Some("the mass of a slab counts together with shear_wave_velocity or isolators alone")
+        }
         (FoundationKind::RingWall, _) => Some("no engine or procedure needs the thickness of a ring wall"),
     };
     if let (Some(field), Some(reason)) = (&given.thickness.given, reason) {

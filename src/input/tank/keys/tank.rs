@@ -4,13 +4,14 @@ use tank::units::Dimension;
 use tank::{FoundationKind, RoofKind, Shape, Support};
 
 use super::base;
+use super::isolators::isolators;
 use super::materials::Materials;
 use super::wall::{self, CORROSION, Course, HEIGHT, THICKNESS};
 use crate::input::tank::key::{Absent, Limits, default, without};
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::syntax::join;
-use crate::input::tank::values::{Density, Force, Length, Mass, Number, Stress, Subgrade, Velocity, Whole};
+use crate::input::tank::values::{Density, Force, Length, LineForce, Mass, Number, Stress, Subgrade, Velocity, Whole};
 
 /// Plan dimensions and the height of the roof, from the smallest laboratory tank up; the upper bound catches mm written as m.
 const SIZE: Limits = Limits::from(1e-3).to(1000.0);
@@ -43,6 +44,8 @@ object! {
         bottom: Opt<Bottom> = Absent::Without("checks of uplift and anchorage are left out"),
         /// What the tank stands on: the ground under the rim of the bottom plate, and the soil.
         foundation: Opt<Foundation>,
+        /// Isolators between the slab and the ground; the foundation is then a slab.
+        isolators: Opt<Isolators>,
         /// Anchor bolts, needed by the anchorage checks.
         anchors: Opt<Anchors>,
         /// Gas or vapour above the liquid while the earthquake acts.
@@ -142,6 +145,43 @@ object! {
         friction (0.4): Opt<Number> [Limits::above(0.0).to(2.0)] = without("the tank does not slide in the time history"),
     }
 
+    /// Isolators under the slab. Forces and stiffnesses are those of all bearings or dampers together; of a strip, per metre of breadth.
+    Isolators {
+        /// Kind of bearing.
+        kind: Field<Isolation>,
+        /// Radius of the concave surface of friction pendulums, which need it.
+        radius ("2.24 m"): Opt<Length> [Limits::from(0.05).to(100.0)],
+        /// Coefficient of friction of friction pendulums in fast sliding; they need it.
+        friction (0.05): Opt<Number> [Limits::from(1e-4).to(0.5)],
+        /// Coefficient of friction at rest; not above that of fast sliding.
+        friction_slow (0.03): Opt<Number> [Limits::from(1e-4).to(0.5)] = Absent::Follows("friction"),
+        /// Rate a of the friction with the speed v in s/m, friction − (friction − friction_slow) exp(−a v).
+        friction_rate (50): Opt<Number> [Limits::from(0.0).to(1000.0)] = default(Number(50.0)).because("20 to 100 s/m"),
+        /// Elastic displacement of friction pendulums before they slide.
+        slip ("1 mm"): Opt<Length> [Limits::from(1e-5).to(0.02)] = default(Length(1e-3)).because("it gives sticking a stiffness"),
+        /// Characteristic strength of lead-rubber bearings, the force at no displacement; they need it.
+        strength ("5 MN"): Opt<Force> [Limits::above(0.0).to(1e12)],
+        /// Stiffness: of lead-rubber bearings after yielding, of elastomers, and of the bearings beside dampers. All but friction
+        /// pendulums need it.
+        stiffness ("60 MN/m"): Opt<LineForce> [Limits::above(0.0).to(1e15)],
+        /// Stiffness of lead-rubber bearings before yielding, above that after it.
+        initial_stiffness ("600 MN/m"): Opt<LineForce> [Limits::above(0.0).to(1e15)] = Absent::Follows("10 times stiffness"),
+        /// Damping ratio of elastomers at the period of the mass above them on their stiffness; they need it.
+        damping (0.12): Opt<Number> [Limits::from(0.0).to(0.5)],
+        /// Coefficient C of viscous dampers in N (s/m)^α: their force is C |v|^α. The kind `damper` needs it; any other may have dampers
+        /// beside its bearings.
+        damper_coefficient (5e6): Opt<Number> [Limits::above(0.0).to(1e13)] = Absent::Follows("no dampers"),
+        /// Exponent α of the dampers.
+        damper_exponent (0.5): Opt<Number> [Limits::from(0.1).to(2.0)] = default(Number(1.0)).because("linear dampers"),
+        /// Mass on the isolators besides the tank.
+        slab_mass ("900 t"): Opt<Mass> [Limits::from(0.0).to(1e10)]
+            = Absent::Follows("tank.foundation.thickness under the tank, of 2500 kg/m³"),
+        /// Strength, stiffness, friction and damper coefficient of the lower bound over the nominal ones.
+        lower_bound (0.6): Opt<Number> [Limits::from(0.1).to(1.0)] = default(Number(0.6)).because("ASCE 7-16 17.2.8.4 without tests"),
+        /// The same of the upper bound.
+        upper_bound (1.8): Opt<Number> [Limits::from(1.0).to(5.0)] = default(Number(1.8)).because("ASCE 7-16 17.2.8.4 without tests"),
+    }
+
     /// Anchor bolts.
     Anchors {
         /// Number of anchors around the circumference.
@@ -172,7 +212,32 @@ pub(crate) enum Plan {
     Rectangle,
 }
 
+/// Kind of isolators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Isolation {
+    /// Friction pendulums.
+    FrictionPendulum,
+    /// Lead-rubber bearings.
+    LeadRubber,
+    /// Elastomers.
+    Elastomer,
+    /// Viscous dampers.
+    Damper,
+}
+
 choice! {
+    /// Kind of isolators.
+    Isolation {
+        /// Friction pendulums: a slider on a concave surface; needs radius and friction.
+        FrictionPendulum = "friction_pendulum",
+        /// Lead-rubber bearings, bilinear; needs strength and stiffness.
+        LeadRubber = "lead_rubber",
+        /// Elastomeric bearings, linear; needs stiffness and damping.
+        Elastomer = "elastomer",
+        /// Viscous dampers beside linear bearings without damping; needs damper_coefficient and stiffness.
+        Damper = "damper",
+    }
+
     /// Plan shape.
     Plan {
         /// Circular cylinder with a radius.
@@ -241,7 +306,11 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     if let (Some(given), Some(plate), Some(tank::Shape::Cylinder { radius })) = (t.bottom.value(), &bottom, shape) {
         base::wider_than_the_tank(r, given, plate, radius);
     }
-    let foundation = (t.foundation.value()).and_then(|given| base::foundation(r, given, t.bottom.value()));
+    let foundation = (t.foundation.value())
+        .and_then(|given| base::foundation(r, given, t.bottom.value(), t.isolators.given.is_some()));
+    let isolators = (t.isolators.given.as_ref())
+        .zip(t.isolators.value())
+        .and_then(|(field, given)| isolators(r, (field, given), t, foundation.as_ref(), shape));
     let anchors = t.anchors.value().map(|anchors| tank::Anchors {
         count: r.count(&anchors.count).unwrap_or(0),
         capacity: r.optional(&anchors.capacity),
@@ -280,6 +349,7 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         roof,
         bottom,
         foundation,
+        isolators,
         anchors,
         pressure,
         pipes,
