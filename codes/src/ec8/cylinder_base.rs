@@ -110,23 +110,22 @@ pub(super) fn unanchored(work: &mut Work, state: &State) -> Option<f64> {
         .sheet
         .calc("x", name, formula, &terms, Dimensionless, "equilibrium");
     let limit = 0.5 * PI * diameter * diameter * (weight + hold_down);
-    let note = "equilibrium without the code's diagrams; beyond it the tank overturns";
-    if state.base_moment > limit && state.tank.bottom.is_none() {
-        // Without its plate nothing holds the wall down but its weight: it would fail for want of a number.
-        let reason =
-            "the wall's weight alone does not hold the tank down, and the pull of the bottom plate is not known";
-        work.without_comparison(OVERTURNING, CheckStatus::NotChecked, reason, Some("tank.bottom"));
-    } else {
-        work.check(
-            OVERTURNING,
-            "Overturning of the unanchored tank",
-            state.base_moment,
-            limit,
-            Moment,
-            &clause,
-            note,
-        );
-    }
+    let note = match state.tank.bottom {
+        Some(_) => "equilibrium without the code's diagrams; beyond it the tank overturns",
+        None => {
+            "equilibrium without the code's diagrams and without the pull of the bottom plate, which `tank.bottom` gives; beyond it \
+             the tank overturns"
+        }
+    };
+    work.check(
+        OVERTURNING,
+        "Overturning of the unanchored tank",
+        state.base_moment,
+        limit,
+        Moment,
+        &clause,
+        note,
+    );
     let name = "largest compression with uplift";
     let Some(how) = uplift::compression(x) else {
         // Beyond the overturning limit the plate has no equilibrium either.
