@@ -176,7 +176,7 @@ fn what_cannot_be_pushed_is_refused() {
     );
     refused(&[text(&odd)], &["elements.circumference", "found 17", "an even number"]);
     let unanchored = tank(home.path(), "anchored", "unanchored");
-    refused(&[text(&unanchored)], &["anchored tanks"]);
+    refused(&[text(&unanchored)], &["needs its bottom plate", "tank.bottom"]);
 }
 
 /// The shape of the buckling mode: weaker than the perfect shell, drawn.
