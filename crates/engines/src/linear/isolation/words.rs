@@ -3,11 +3,11 @@
 /// Dashpots beside isolators.
 pub(super) const DASHPOTS: &str = "`analysis.damping.dashpots` couple the modes: the march of the isolators needs uncoupled ones; remove the dashpots or the isolators";
 /// Of every run.
-pub(in crate::linear) const MOVES: &str = "The tank stands on isolators: values, envelopes, histories, limit states and demands of the time history are those on isolators, \
+pub(super) const MOVES: &str = "The tank stands on isolators: values, envelopes, histories, limit states and demands of the time history are those on isolators, \
      and the section on isolation has those on a fixed base beside them. Modes, transfer functions and the response-spectrum method are those \
      on a fixed base.";
 /// Vertical tension.
-pub(in crate::linear) fn tension(share: f64, time: f64) -> String {
+pub(super) fn tension(share: f64, time: f64) -> String {
     format!(
         "The outermost bearing would be in tension at {time:.2} s (its force is {share:.2} of that at rest): the model holds it down. Bearings of \
          the listed kinds do not bear tension unless they are built for it."
