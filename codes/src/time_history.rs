@@ -16,7 +16,7 @@
 //! | bearing | pressure of M′ and M (g + a_v) under a rigid base | given resistance |
 //!
 //! Uplift is judged where the engine lets the base lift ([`tank::demand::FreeBase`]); the shear of a tank that slides is then that of the tank
-//! held in place. The wall does not lift in an engine that clamps it, and the walls of a box are cantilevers in one without plates. Where an unanchored
+//! held in place. Where runs of such a base that should agree do not, nothing but the wave may hold. The wall does not lift in an engine that clamps it, and the walls of a box are cantilevers in one without plates. Where an unanchored
 //! wall pulls, or such a box is too narrow for that ([`tank::PLANE_WALLS`]), every demand but the wave is outside the model: nothing may hold there
 //! ([`Findings::outside`]).
 //!
@@ -80,6 +80,9 @@ pub fn assess(case: &Case, codes: Codes, demands: &Demands, errors: &BTreeMap<St
     if let Some((why, reason)) = &outside {
         leave(&mut work, *why, reason);
     }
+    if demands.base.as_ref().is_some_and(|base| base.scatters) {
+        open(&mut work, SCATTERS);
+    }
     notes(&mut work);
     for state in &states {
         let checked = work.checks.iter().any(|check| check.limit_state == state.id);
@@ -137,19 +140,29 @@ fn outside(work: &mut Work<'_>, pulls: Option<String>) -> Option<(Outside, Strin
     Some((Outside::Plates, reason))
 }
 
+/// Why nothing holds under a base that rocks differently each time.
+const SCATTERS: &str = "the rocking base does not repeat: motions 0.1 % apart or half the time step give other peaks, and the demand is one draw of many";
+
+/// Checks of what depends on the wall and its base; the wave hardly does.
+fn of_wall<'c>(work: &'c mut Work<'_>) -> impl Iterator<Item = &'c mut Check> {
+    let depends = |check: &&mut Check| ![FREEBOARD, ROOF, OTHER_WALL].contains(&check.limit_state.as_str());
+    work.checks.iter_mut().filter(depends)
+}
+
+/// Nothing that depends on the wall may hold.
+fn open(work: &mut Work<'_>, reason: &str) {
+    for check in of_wall(work).filter(|check| check.status == CheckStatus::Holds) {
+        check.status = CheckStatus::NotChecked;
+        check.within_error = false;
+        reason.clone_into(&mut check.reason);
+    }
+}
+
 /// Nothing that depends on what the engine leaves out may hold.
 fn leave(work: &mut Work<'_>, why: Outside, reason: &str) {
-    let depends = |check: &&mut Check| ![FREEBOARD, ROOF, OTHER_WALL].contains(&check.limit_state.as_str());
-    for check in work.checks.iter_mut().filter(depends) {
-        match check.status {
-            CheckStatus::Holds => {
-                check.status = CheckStatus::NotChecked;
-                check.within_error = false;
-                reason.clone_into(&mut check.reason);
-            }
-            CheckStatus::Fails => check.note = format!("outside the model: {}", check.note),
-            _ => {}
-        }
+    open(work, reason);
+    for check in of_wall(work).filter(|check| check.status == CheckStatus::Fails) {
+        check.note = format!("outside the model: {}", check.note);
     }
     work.without(why.limit_state(), CheckStatus::NotChecked, reason, None);
     // Before all that follows from it.

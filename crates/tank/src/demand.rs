@@ -76,6 +76,8 @@ pub struct Peak {
 pub struct FreeBase {
     /// Whether the rim leaves the ground.
     pub lifts: bool,
+    /// Whether runs that should agree do not: its demands are one draw of many.
+    pub scatters: bool,
     /// Largest plastic rotation of the joint of bottom plate and wall [rad]; none where the plate has no yield strength.
     pub joint: Option<Peak>,
     /// Base shear of the same tank held in place [N], where it slides.

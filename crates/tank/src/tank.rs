@@ -60,7 +60,7 @@ impl Shape {
 pub enum Support {
     /// Held down; the wall is clamped at its base.
     Anchored,
-    /// Resting on the ground; may uplift (code procedures only, the linear engine assumes contact).
+    /// Resting on its bottom plate; may lift and slide.
     Unanchored,
 }
 

@@ -24,7 +24,7 @@ fn the_joint_is_judged_and_nothing_is_outside() {
     let lifts = |joint| FreeBase {
         lifts: true,
         joint,
-        held_shear: None,
+        ..FreeBase::default()
     };
     let findings = assessed(&case, &free(lifts(Some(joint(0.05)))));
     let check = found(&findings, UPLIFT);
@@ -38,6 +38,18 @@ fn the_joint_is_judged_and_nothing_is_outside() {
     assert_eq!(found(&fails, UPLIFT).status, CheckStatus::Fails);
     let elastic = assessed(&case, &free(lifts(None)));
     assert_eq!(found(&elastic, UPLIFT).status, CheckStatus::NotChecked);
+    // A base that does not repeat holds nothing but the wave, and fails what it fails.
+    let scatters = |value| FreeBase {
+        scatters: true,
+        ..lifts(Some(joint(value)))
+    };
+    let draw = assessed(&case, &free(scatters(0.05)));
+    let holds = draw.checks.iter().filter(|check| check.status == CheckStatus::Holds);
+    assert!(holds.clone().all(|check| check.limit_state == "freeboard"), "{holds:?}");
+    assert_eq!(found(&draw, UPLIFT).status, CheckStatus::NotChecked);
+    assert!(found(&draw, UPLIFT).reason.contains("does not repeat"));
+    let draw = assessed(&case, &free(scatters(0.21)));
+    assert_eq!(found(&draw, UPLIFT).status, CheckStatus::Fails);
     let rests = assessed(&case, &free(FreeBase::default()));
     assert_eq!(
         (rests.outside, found(&rests, UPLIFT).status),

@@ -184,6 +184,7 @@ impl Moved {
         }
         demands.base = Some(FreeBase {
             lifts: self.value("uplift") > 0.0,
+            scatters: self.result.spread.is_some_and(|spread| !spread.repeats()),
             joint: self.joint(),
             held_shear,
         });

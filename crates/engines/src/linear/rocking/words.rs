@@ -28,7 +28,7 @@ pub(super) fn does_not_repeat(spread: &BaseSpread) -> String {
         |[low, high]: [f64; 2], dimension| format!("{} to {}", display(low, dimension), display(high, dimension));
     format!(
         "The run does not repeat: motions 0.1 % weaker and stronger and half the time step give {} of uplift, {} at the toe and {} of base \
-         shear. Its values are one draw of many; the joint is judged by the largest.",
+         shear. Its values are one draw of many; no limit state but the wave's may hold, and the joint is judged by the largest.",
         range(spread.uplift, Dimension::Length),
         range(spread.toe_axial_stress, Dimension::Stress),
         range(spread.base_shear, Dimension::Force)
