@@ -15,6 +15,7 @@ mod isolation;
 mod limits;
 mod modes;
 mod motion;
+mod motion_of_base;
 mod nonlinear;
 mod overlay;
 mod partings;

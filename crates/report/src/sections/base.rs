@@ -2,11 +2,10 @@
 
 use tank::units::Dimension;
 
-use super::histories::record_end;
+use super::motion_of_base::{self, Motion};
 use super::{Section, Source};
 use crate::figure::chart::{Axis, Chart, Line};
-use crate::figure::decimate::decimate;
-use crate::figure::{Figure, HALF, Room, WIDE};
+use crate::figure::{Figure, HALF, Room};
 use crate::number::{Scale, fixed, percent, with_unit};
 use crate::table::{Column, Table, spread};
 use crate::words::uplift as words;
@@ -164,53 +163,17 @@ fn figure(
 
 /// Curves over time; `None` without columns.
 fn over_time(source: &Source, number: usize, channels: &[Channel]) -> Result<Option<Figure>, Error> {
-    let time = &source.series.time;
-    let classes = ["k-fe", "k-other"];
-    let found = channels.iter().filter_map(|channel| source.column(&channel.id()));
-    let columns: Vec<&[f64]> = found.filter(|c| c.len() > 1 && c.len() <= time.len()).collect();
-    let (Some(first), Some(channel)) = (columns.first(), channels.first()) else {
-        return Ok(None);
+    let id = channels
+        .first()
+        .map_or(String::new(), |channel| format!("base_{}", channel.id()));
+    let motion = Motion {
+        id: &id,
+        title: words::FIGURES[number],
+        axis: words::AXES[number],
+        channels,
+        labels: words::SIDES,
     };
-    let dimension = channel.dimension();
-    let all = || columns.iter().flat_map(|c| c.iter().copied());
-    let end = time[first.len() - 1];
-    let x = Axis::exact(words::AXES[3], Dimension::Time, (time[0], end), 8);
-    let y = Axis::linear(words::AXES[number], dimension, all().chain([0.0]), 5);
-    let mut chart = Chart::new((WIDE, 0.0), x, y);
-    let scale = Scale::of(dimension, all());
-    let mut table = Table::new(vec![Column::numbers(words::AXES[3], "s")]);
-    for (i, column) in columns.iter().enumerate() {
-        let label = if columns.len() > 1 { words::SIDES[i % 2] } else { "" };
-        chart.lines.push(Line {
-            points: decimate(&time[..column.len()], column, (WIDE - 60.0) as usize),
-            class: format!("{} hist", classes[i % 2]),
-            label: label.into(),
-        });
-        table
-            .columns
-            .push(Column::numbers(&channels[i].title(), scale.symbol()));
-    }
-    chart.rules = record_end(source, end).into_iter().collect();
-    for k in spread(first.len(), 24) {
-        let mut row = vec![fixed(time[k], 3)];
-        row.extend(
-            columns
-                .iter()
-                .map(|c| c.get(k).map_or(words::NONE.into(), |v| scale.text(*v))),
-        );
-        table.row(row);
-    }
-    let description = words::description(words::FIGURES[number], dimension, all());
-    let chart = chart.with_plot_height(110.0);
-    figure(
-        &format!("base_{}", channel.id()),
-        number,
-        chart,
-        table,
-        Room::Wide,
-        description,
-    )
-    .map(Some)
+    motion_of_base::over_time(source, &motion)
 }
 
 /// Moment against rotation, with the backbone on both sides.

@@ -2,11 +2,10 @@
 
 use tank::units::Dimension;
 
-use super::histories::record_end;
+use super::motion_of_base::{self, Motion};
 use super::{Section, Source};
 use crate::figure::chart::{Axis, Chart, Line};
-use crate::figure::decimate::decimate;
-use crate::figure::{Figure, HALF, Room, WIDE};
+use crate::figure::{Figure, HALF, Room};
 use crate::number::{Scale, fixed, percent, with_unit};
 use crate::table::{Column, Table, spread};
 use crate::words::{isolation as words, labels, uplift};
@@ -104,55 +103,14 @@ fn energy(run: &IsolationRun) -> Table {
 
 /// Displacement over time; `None` without its column.
 fn over_time(source: &Source) -> Result<Option<Figure>, Error> {
-    let time = &source.series.time;
-    let channels = [Channel::IsolatorDisplacement, Channel::IsolatorDisplacementY];
-    let found = channels.iter().filter_map(|channel| source.column(&channel.id()));
-    let columns: Vec<&[f64]> = found.filter(|c| c.len() > 1 && c.len() <= time.len()).collect();
-    let Some(first) = columns.first() else {
-        return Ok(None);
+    let motion = Motion {
+        id: "isolator_displacement",
+        title: words::FIGURES[0],
+        axis: words::AXES[0],
+        channels: &[Channel::IsolatorDisplacement, Channel::IsolatorDisplacementY],
+        labels: words::COMPONENTS,
     };
-    let dimension = Dimension::Length;
-    let all = || columns.iter().flat_map(|c| c.iter().copied());
-    let end = time[first.len() - 1];
-    let x = Axis::exact(words::AXES[2], Dimension::Time, (time[0], end), 8);
-    let y = Axis::linear(words::AXES[0], dimension, all().chain([0.0]), 5);
-    let mut chart = Chart::new((WIDE, 0.0), x, y);
-    let scale = Scale::of(dimension, all());
-    let mut table = Table::new(vec![Column::numbers(words::AXES[2], "s")]);
-    for (i, column) in columns.iter().enumerate() {
-        let label = if columns.len() > 1 { words::COMPONENTS[i] } else { "" };
-        chart.lines.push(Line {
-            points: decimate(&time[..column.len()], column, (WIDE - 60.0) as usize),
-            class: format!("{} hist", ["k-fe", "k-other"][i]),
-            label: label.into(),
-        });
-        table
-            .columns
-            .push(Column::numbers(&channels[i].title(), scale.symbol()));
-    }
-    chart.rules = record_end(source, end).into_iter().collect();
-    for k in spread(first.len(), 24) {
-        let mut row = vec![fixed(time[k], 3)];
-        row.extend(
-            columns
-                .iter()
-                .map(|c| c.get(k).map_or(words::NONE.into(), |v| scale.text(*v))),
-        );
-        table.row(row);
-    }
-    let description = uplift::description(words::FIGURES[0], dimension, all());
-    let chart = chart.with_plot_height(110.0);
-    Ok(Some(Figure {
-        id: "isolator_displacement".into(),
-        title: words::FIGURES[0].into(),
-        caption: String::new(),
-        titled: false,
-        description,
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Wide,
-    }))
+    motion_of_base::over_time(source, &motion)
 }
 
 /// Force against displacement.

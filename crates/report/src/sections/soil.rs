@@ -3,14 +3,12 @@
 use tank::Quantity;
 use tank::units::Dimension;
 
-use super::histories::record_end;
+use super::motion_of_base::{self, Motion};
 use super::{Section, Source};
-use crate::figure::chart::{Axis, Chart, Line};
-use crate::figure::decimate::decimate;
-use crate::figure::{Figure, Room, WIDE};
-use crate::number::{Scale, fixed, percent, with_unit};
-use crate::table::{Column, Table, spread};
-use crate::words::{soil as words, uplift};
+use crate::figure::Figure;
+use crate::number::{fixed, percent, with_unit};
+use crate::table::{Column, Table};
+use crate::words::soil as words;
 use files::error::Error;
 use results::{Channel, SoilRun};
 
@@ -113,42 +111,12 @@ fn beside(run: &SoilRun) -> Table {
 
 /// A history of the slab; `None` without its column.
 fn over_time(source: &Source, number: usize, channel: Channel) -> Result<Option<Figure>, Error> {
-    let time = &source.series.time;
-    let Some(column) = source
-        .column(&channel.id())
-        .filter(|c| c.len() > 1 && c.len() <= time.len())
-    else {
-        return Ok(None);
+    let motion = Motion {
+        id: &channel.id(),
+        title: words::FIGURES[number],
+        axis: words::AXES[number],
+        channels: &[channel],
+        labels: [""; 2],
     };
-    let dimension = channel.dimension();
-    let end = time[column.len() - 1];
-    let x = Axis::exact(words::AXES[2], Dimension::Time, (time[0], end), 8);
-    let y = Axis::linear(words::AXES[number], dimension, column.iter().copied().chain([0.0]), 5);
-    let mut chart = Chart::new((WIDE, 0.0), x, y);
-    chart.lines.push(Line {
-        points: decimate(&time[..column.len()], column, (WIDE - 60.0) as usize),
-        class: "k-fe hist".into(),
-        label: String::new(),
-    });
-    chart.rules = record_end(source, end).into_iter().collect();
-    let scale = Scale::of(dimension, column.iter().copied());
-    let mut table = Table::new(vec![
-        Column::numbers(words::AXES[2], "s"),
-        Column::numbers(&channel.title(), scale.symbol()),
-    ]);
-    for k in spread(column.len(), 24) {
-        table.row(vec![fixed(time[k], 3), scale.text(column[k])]);
-    }
-    let chart = chart.with_plot_height(110.0);
-    Ok(Some(Figure {
-        id: channel.id(),
-        title: words::FIGURES[number].into(),
-        caption: String::new(),
-        titled: false,
-        description: uplift::description(words::FIGURES[number], dimension, column.iter().copied()),
-        size: chart.size,
-        markup: chart.draw()?,
-        table,
-        room: Room::Wide,
-    }))
+    motion_of_base::over_time(source, &motion)
 }

@@ -34,7 +34,7 @@ pub const FIGURES: [&str; 2] = [
     "Force of the isolators against their displacement",
 ];
 /// Axes.
-pub const AXES: [&str; 3] = ["Displacement", "Force", "Time"];
+pub const AXES: [&str; 2] = ["Displacement", "Force"];
 /// Legend of both components.
 pub const COMPONENTS: [&str; 2] = ["x", "y"];
 

@@ -20,7 +20,7 @@ pub const NONE: &str = "–";
 /// Titles of the figures.
 pub const FIGURES: [&str; 2] = ["Translation of the slab over time", "Rotation of the slab over time"];
 /// Axes.
-pub const AXES: [&str; 3] = ["Translation", "Rotation", "Time"];
+pub const AXES: [&str; 2] = ["Translation", "Rotation"];
 
 /// A definition of period and damping.
 pub fn definition(mode: &EffectiveMode) -> &str {
