@@ -56,6 +56,29 @@ fn default(file: &TankFile, path: &str) -> (String, String) {
     (line.text.clone(), line.source.clone())
 }
 
+/// A plate wider than the bottom is a fault with its limit; one thicker than the wall is doubtful where the tank may lift, and nowhere else.
+#[test]
+fn the_plate_under_the_wall_fits_the_tank() {
+    let with = |support: &str, bottom: &str| {
+        small("").replace(
+            "\"support\": \"anchored\",",
+            &format!("\"support\": \"{support}\", \"bottom\": {{ {bottom}, \"material\": \"steel\" }},"),
+        )
+    };
+    let wide = r#""thickness": "6 mm", "annular_thickness": "8 mm", "annular_width": "10.1 m""#;
+    let text = refused(&with("unanchored", wide));
+    for part in ["tank.bottom.annular_width", "10.1 m", "at most 10", "the radius"] {
+        assert!(text.contains(part), "`{part}` is missing in {text}");
+    }
+    let thick = |support: &str| {
+        let file = read(&with(support, r#""thickness": "12 mm""#));
+        file.warnings
+            .iter()
+            .any(|w| w.contains("thicker than the lowest course"))
+    };
+    assert!(thick("unanchored") && !thick("anchored"));
+}
+
 /// Every value of the contract's example, in SI.
 #[test]
 fn contract() {

@@ -31,7 +31,7 @@ pub(super) fn assumptions(vertical: bool, two: bool, pendulum: bool) -> Vec<Stri
         list.push(if vertical {
             "Friction and restoring force follow the weight under the vertical motion of the ground; overturning does not change their sum.".into()
         } else {
-            "Friction and restoring force are those of the weight at rest: there is no vertical record.".into()
+            "Without a vertical record, friction and restoring force are those of the weight at rest.".into()
         });
     }
     list.push(if two {

@@ -43,7 +43,7 @@ pub fn estimate(case: &Case, options: &NonlinearOptions, push: &PushOptions) -> 
         ),
         None => (rows(1.0).len() - 1, SECTORS),
     };
-    // The rings of the bottom are as many as its plates need, whatever elements are given.
+    // The plates alone decide how many rings the bottom has.
     let rings = match (case.tank.support, case.tank.shape) {
         (Support::Unanchored, Shape::Cylinder { radius }) => Plate::of(case, radius)?.radii.len() - 1,
         _ => 0,
