@@ -228,12 +228,17 @@ impl Histories {
     }
 
     fn of_sides(&self, field: &Field, sign: f64, capacity: f64) -> Option<Found> {
-        let values = |k: usize| field.ends(k).map(|at| sign * field.at(k, at));
-        let largest = |k: usize| values(k)[0].max(values(k)[1]);
-        let instant = (0..self.len()).max_by(|&i, &j| largest(i).total_cmp(&largest(j)).then(j.cmp(&i)))?;
-        let [first, second] = values(instant);
-        let direction = field.ends(instant)[usize::from(first < second)];
-        let demand = largest(instant).max(0.0);
+        let mut largest: Option<(usize, Direction, f64)> = None;
+        for k in 0..self.len() {
+            for direction in field.ends(k) {
+                let value = sign * field.at(k, direction);
+                if largest.is_none_or(|(_, _, most)| value.total_cmp(&most).is_gt()) {
+                    largest = Some((k, direction, value));
+                }
+            }
+        }
+        let (instant, direction, demand) = largest?;
+        let demand = demand.max(0.0);
         Some(Found {
             utilisation: ratio(demand, capacity),
             demand,
@@ -357,38 +362,42 @@ impl Histories {
             let [one, other] = self.axial.ends(k).map(|at| compression(k, at));
             ratio(one.max(other), floor)
         };
-        let exact = |k: usize| -> Option<Found> {
+        let at = |k: usize, direction: Direction| {
+            let demand = compression(k, direction).max(0.0);
+            let capacity = capacity(self.pressure_at(k, direction));
+            Found {
+                utilisation: ratio(demand, capacity),
+                demand,
+                rest: (-self.axial.rest).max(0.0),
+                capacity,
+                instant: k,
+                direction,
+            }
+        };
+        let places = |k: usize| {
             let own = self.axial.transverse.as_ref().map(|_| self.axial.ends(k));
-            let places = self.directions.iter().copied().chain(own.into_iter().flatten());
-            let all = places.map(|direction| {
-                let demand = compression(k, direction).max(0.0);
-                let capacity = capacity(self.pressure_at(k, direction));
-                Found {
-                    utilisation: ratio(demand, capacity),
-                    demand,
-                    rest: (-self.axial.rest).max(0.0),
-                    capacity,
-                    instant: k,
-                    direction,
-                }
-            });
-            all.reduce(|best, found| {
-                if found.utilisation > best.utilisation {
-                    found
-                } else {
-                    best
-                }
-            })
+            self.directions.iter().copied().chain(own.into_iter().flatten())
+        };
+        // Capacity is dear: it is asked for where the smallest one, of the run and then of the instant, leaves more than has been found.
+        let smallest = |k: usize| {
+            let ends = self.pressure.as_ref().map(|p| p.ends(k).map(|at| p.at(k, at)));
+            ends.map_or(floor, |[one, other]| capacity(one).min(capacity(other)))
         };
         let first = (0..self.len()).max_by(|&i, &j| bound(i).total_cmp(&bound(j)).then(j.cmp(&i)))?;
-        let mut best = exact(first)?;
-        for k in 0..self.len() {
-            if bound(k) <= best.utilisation {
+        let mut best = at(first, places(first).next()?);
+        for k in std::iter::once(first).chain(0..self.len()) {
+            if bound(k) <= best.utilisation && k != first {
                 continue;
             }
-            best = exact(k)
-                .filter(|found| found.utilisation > best.utilisation)
-                .unwrap_or(best);
+            let floor = smallest(k);
+            for direction in places(k) {
+                if ratio(compression(k, direction), floor) > best.utilisation {
+                    let found = at(k, direction);
+                    if found.utilisation > best.utilisation {
+                        best = found;
+                    }
+                }
+            }
         }
         Some(best)
     }

@@ -3,6 +3,7 @@
 use tank::Course;
 use tank::assessment::{Check, CheckStatus};
 use tank::case::Case;
+use tank::demand::Place;
 use tank::quantity::Quantity;
 use tank::units::Dimension::{Dimensionless, Length, Stress};
 
@@ -23,7 +24,7 @@ use crate::sheet::with_unit;
 const NORMAL: f64 = 1.0;
 
 /// What a limit state finds at a place of a course.
-type Find<'a> = Box<dyn Fn(&Histories, &Course) -> Option<Found> + 'a>;
+type Find<'a> = Box<dyn Fn(&Histories, &Course) -> Option<Found> + Sync + 'a>;
 
 /// A limit state of the wall.
 struct Asked<'a> {
@@ -62,28 +63,51 @@ pub(super) fn assess(work: &mut Work<'_>, radius: f64) {
 fn worst(work: &Work<'_>, all: &[Asked<'_>]) -> Vec<Vec<Option<Worst>>> {
     let courses = &work.case.tank.courses;
     let mut worst: Vec<Vec<Option<Worst>>> = vec![vec![None; courses.len()]; all.len()];
-    for place in &work.demands.places {
-        let lost = courses
-            .get(place.course)
-            .map_or(1.0, |c| c.thickness / c.net_thickness());
-        let histories = Histories::new(work.demands, place).corroded(lost);
-        for (asked, worst) in all.iter().zip(&mut worst) {
-            let (Some(course), Some(best)) = (courses.get(place.course), worst.get_mut(place.course)) else {
+    for found in side_by_side(&work.demands.places, |place| at_place(work, all, place)) {
+        for (worst, found) in worst.iter_mut().zip(found) {
+            let Some((found, best)) = found.and_then(|f| Some((f, worst.get_mut(f.course)?))) else {
                 continue;
             };
-            let found = (asked.find)(&histories, course);
-            let larger = |f: &Found| best.is_none_or(|best| f.utilisation > best.found.utilisation);
-            if let Some(found) = found.filter(larger) {
-                *best = Some(Worst {
-                    course: place.course,
-                    found: found.turned(place.turned),
-                    z: place.z,
-                    pressure: histories.pressure_at(found.instant, found.direction),
-                });
+            if best.is_none_or(|best| found.found.utilisation > best.found.utilisation) {
+                *best = Some(found);
             }
         }
     }
     worst
+}
+
+/// What each limit state finds at a place.
+fn at_place(work: &Work<'_>, all: &[Asked<'_>], place: &Place) -> Vec<Option<Worst>> {
+    let Some(course) = work.case.tank.courses.get(place.course) else {
+        return Vec::new();
+    };
+    let histories = Histories::new(work.demands, place).corroded(course.thickness / course.net_thickness());
+    let worst = |asked: &Asked<'_>| {
+        let found = (asked.find)(&histories, course)?;
+        Some(Worst {
+            course: place.course,
+            found: found.turned(place.turned),
+            z: place.z,
+            pressure: histories.pressure_at(found.instant, found.direction),
+        })
+    };
+    all.iter().map(worst).collect()
+}
+
+/// `f` of every item, in their order, on the cores of the machine.
+fn side_by_side<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let share = items.len().div_ceil(cores).max(1);
+    std::thread::scope(|scope| {
+        let f = &f;
+        let parts: Vec<_> = (items.chunks(share))
+            .map(|part| scope.spawn(move || part.iter().map(f).collect::<Vec<R>>()))
+            .collect();
+        let joined = parts.into_iter().map(|part| part.join());
+        joined
+            .flat_map(|part| part.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+            .collect()
+    })
 }
 
 /// The check of the governing course with its lines; the others stand in its note.

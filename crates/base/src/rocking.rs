@@ -15,7 +15,7 @@ use crate::error::BaseError;
 use std::f64::consts::PI;
 
 /// Panels of three Gauss points on the lifted arc, and as many on the rest.
-pub(crate) const PANELS: usize = 48;
+pub(crate) const PANELS: usize = 24;
 
 /// First rotation that is tried for a moment, and the largest at which a tank is thought to stand [rad].
 const FIRST: f64 = 2e-5;
@@ -102,10 +102,14 @@ impl Rocking {
         let term = |i: usize| -> f64 {
             let (own, curve) = &self.curves[i];
             let others = self.curves.iter().enumerate().filter(|(j, _)| *j != i);
-            others
+            let share = others
                 .map(|(_, (other, _))| (p - other) / (own - other))
-                .product::<f64>()
-                * curve.hold_down(uplift)
+                .product::<f64>();
+            // At the pressure of another curve there is nothing of this one.
+            match share == 0.0 {
+                true => 0.0,
+                false => share * curve.hold_down(uplift),
+            }
         };
         (0..self.curves.len()).map(term).sum()
     }

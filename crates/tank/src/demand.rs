@@ -125,12 +125,30 @@ impl Demands {
     }
 }
 
-/// Σ c_k s_k at `count` times.
+/// Instants that are combined together: their sums stay in the nearest cache while the states pass by.
+const TOGETHER: usize = 1024;
+
+/// Σ c_k s_k at `count` times, summed in the order of the terms.
 fn combined(terms: &Terms, states: &[Vec<f64>], count: usize) -> Vec<f64> {
     let mut out = vec![0.0; count];
-    for &(state, factor) in terms {
-        for (y, s) in out.iter_mut().zip(&states[state]) {
-            *y += factor * s;
+    for (i, sums) in out.chunks_mut(TOGETHER).enumerate() {
+        let part = |&(state, factor): &(usize, f64)| -> (&[f64], f64) {
+            let state = &states[state];
+            (&state[(i * TOGETHER).min(state.len())..], factor)
+        };
+        let mut fours = terms.chunks_exact(4);
+        for four in &mut fours {
+            let [a, b, c, d] = [&four[0], &four[1], &four[2], &four[3]].map(part);
+            let rows = a.0.iter().zip(b.0).zip(c.0.iter().zip(d.0));
+            for (y, ((s, t), (u, v))) in sums.iter_mut().zip(rows) {
+                *y = *y + a.1 * s + b.1 * t + c.1 * u + d.1 * v;
+            }
+        }
+        for term in fours.remainder() {
+            let (state, factor) = part(term);
+            for (y, s) in sums.iter_mut().zip(state) {
+                *y += factor * s;
+            }
         }
     }
     out
@@ -149,5 +167,19 @@ mod tests {
         };
         assert_eq!(demands.history(&vec![(0, 2.0), (1, 10.0)]), [-28.0, 54.0]);
         assert_eq!(demands.history(&Terms::new()), [0.0, 0.0]);
+    }
+
+    /// Six states over two blocks: Σ k (i + k) = 15 i + 55 for k = 0 to 5.
+    #[test]
+    fn blocks_and_fours_leave_nothing_out() {
+        let count = TOGETHER + 3;
+        let terms: Terms = (0..6_u32).map(|k| (k as usize, f64::from(k))).collect();
+        let demands = Demands {
+            times: vec![0.0; count],
+            states: (0..6).map(|k| (0..count).map(|i| (i + k) as f64).collect()).collect(),
+            ..Demands::default()
+        };
+        let found = demands.history(&terms);
+        assert!((0..count).all(|i| found[i] == (15 * i + 55) as f64));
     }
 }

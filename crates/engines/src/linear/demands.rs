@@ -24,6 +24,8 @@ use tank::options::linear::Integrator;
 
 /// Most instants of the kept histories; of a longer run every second, third … sub-step is kept.
 pub(crate) const MOST_INSTANTS: usize = 100_000;
+/// Part of a peak of the fastest mode that instants apart may miss.
+const LOST: f64 = 1e-3;
 /// Part of the ringing that the samples miss where a mode is too fast to be resolved: it follows the record statically.
 const UNRESOLVED: f64 = 0.005;
 
@@ -74,7 +76,7 @@ pub(crate) fn demands(
 ) -> Result<Demands, FeError> {
     // Direct integration may have a finer grid; the modal one serves here.
     let grid = model.grid(motion, Integrator::Modal)?;
-    let stride = grid.steps().div_ceil(MOST_INSTANTS).max(1);
+    let stride = stride(model, &grid);
     let upwards = Probe {
         ground_acceleration: 1.0,
         ..Probe::new(Channel::BaseShear)
@@ -142,7 +144,7 @@ pub(crate) fn across(
         return Ok(());
     };
     let grid = model.grid(motion, Integrator::Modal)?;
-    let stride = grid.steps().div_ceil(MOST_INSTANTS).max(1);
+    let stride = stride(model, &grid);
     let kept = [superpose::keep(
         &other.horizontal.coupled,
         &other.horizontal.modes,
@@ -286,10 +288,17 @@ fn wave(analysis: &Analysis<'_>) -> Option<Peak> {
     Some(if front.value >= back.value { front } else { back })
 }
 
+/// Sub-steps from one kept instant to the next: of a grid that is finer than the modes need, for the motion of the base, as many are left out
+/// as cost a peak [`LOST`].
+fn stride(model: &Model, grid: &Grid) -> usize {
+    let most = 2.0 * (1.0 - LOST).acos() / (model.fastest() * grid.h());
+    let fine = if most.is_finite() { most as usize } else { 1 };
+    fine.max(grid.steps().div_ceil(MOST_INSTANTS)).max(1)
+}
+
 /// What a peak loses that lies half a step from the next instant, 1 − cos(π/n) with n instants in a period.
 fn sampling(model: &Model, step: f64, stride: usize) -> f64 {
-    let omega = model.systems().map(Harmonic::significant).fold(0.0, f64::max);
-    let half = 0.5 * omega * step;
+    let half = 0.5 * model.fastest() * step;
     // n < 20 at every sub-step: the sub-steps do not resolve the mode.
     if stride == 1 && half > PI / 19.9 {
         return UNRESOLVED;

@@ -157,6 +157,13 @@ impl Model {
         std::iter::once(&self.horizontal).chain(&self.vertical).chain(turned)
     }
 
+    /// Circular frequency of the fastest significant mode [rad/s]: under the rotation of the base the modes are those of m = 1, with factors
+    /// that say nothing of a mass.
+    pub(crate) fn fastest(&self) -> f64 {
+        let systems = std::iter::once(&self.horizontal).chain(&self.vertical);
+        systems.map(Harmonic::significant).fold(0.0, f64::max)
+    }
+
     /// Whether system `number` goes with cos θ.
     pub(crate) fn is_odd(&self, number: usize) -> bool {
         number != 1 || self.vertical.is_none()
@@ -224,7 +231,7 @@ impl Model {
     /// Errors: more samples or steps than [`estimate::MOST_SAMPLES`] and [`estimate::MOST_STEPS`], which an estimate without
     /// the modes may not have seen.
     pub(crate) fn grid(&self, motion: &GroundMotion, integrator: Integrator) -> Result<Grid, FeError> {
-        let omega = self.systems().map(Harmonic::significant).fold(0.0, f64::max);
+        let omega = self.fastest();
         let (steps, most) = match integrator {
             Integrator::Modal => (SUB_STEPS_PER_PERIOD, MOST_MODAL),
             Integrator::Newmark => (direct::STEPS_PER_PERIOD, MOST_DIRECT),

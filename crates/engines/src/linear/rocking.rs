@@ -142,15 +142,17 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
     if moment < lifting && !slides(setup, analysis) {
         return Ok(Free::Rests(words::rests(moment, lifting, setup.friction.is_some())));
     }
+    let reach = search::reach(setup, base, &law)?;
+    let known = (reach == law.largest()).then_some((rocking, law));
     let (main, others) = std::thread::scope(|scope| {
         let others = BAND.map(|factor| {
             let on = base.on(factor * base.modulus);
-            scope.spawn(move || match search::settle(setup, &on, None, false) {
+            scope.spawn(move || match search::settle(setup, &on, (reach, None), false) {
                 Ok(found) => Ok(outcome::band(&on, &found)),
                 Err(missed) => Err(words::missed_band(on.modulus, &missed)),
             })
         });
-        let main = search::settle(setup, base, Some((rocking, law)), true);
+        let main = search::settle(setup, base, (reach, known), true);
         (
             main,
             others.map(|other| other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))),
@@ -181,7 +183,8 @@ fn slides(setup: &Setup, analysis: &Analysis<'_>) -> bool {
 /// What does not depend on the ground.
 fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options: &Options) -> Option<Setup> {
     let (body, rigid_pressure) = body::body(model, options.wave_modes)?;
-    let sub_steps = (grid.dt / LONGEST - 1e-9).ceil().max(1.0) as usize;
+    // Not coarser than the steps of the wall, which goes on with the motion of the base.
+    let sub_steps = ((grid.dt / LONGEST - 1e-9).ceil() as usize).max(grid.sub_steps);
     let fine = Grid { sub_steps, ..grid };
     let sampled = |record| {
         let motion = Motion::new(record, &fine);

@@ -226,14 +226,38 @@ fn consistent(setup: &Setup, base: &Base, law: &Law, dashpot: f64) -> Result<Rou
     }
 }
 
-/// The run on a ground, with a law that covers it and the hysteretic share of its largest rotation; `first` is the law up to [`FIRST`].
+/// How far a law has to reach [rad], as far as one that is at hand tells: loops of full width take the most from the motion, and a base that
+/// turns beyond the law with them does so with any. The loss of its strips need not be known for that.
+///
+/// Errors: no equilibrium of a step.
+pub(super) fn reach(setup: &Setup, base: &Base, law: &Law) -> Result<f64, BaseError> {
+    let widest = one(setup, law, 1.0, dashpot(setup, base), false)?;
+    Ok(match turned(&widest) {
+        peak if peak > law.largest() => beyond(peak, law),
+        _ => law.largest(),
+    })
+}
+
+/// The reach of the law after one that `peak` [rad] leaves.
+fn beyond(peak: f64, law: &Law) -> f64 {
+    (1.3 * peak).max(2.0 * law.largest()).min(MOST)
+}
+
+/// The run on a ground, with a law that covers it and the hysteretic share of its largest rotation.
+///
+/// * `reach`: of the first law [rad], `known` that law where it is at hand
 ///
 /// Errors: no equilibrium; a base that turns too far.
-pub(super) fn settle(setup: &Setup, base: &Base, first: Option<(Rocking, Law)>, whole: bool) -> Result<Found, Missed> {
+pub(super) fn settle(
+    setup: &Setup,
+    base: &Base,
+    (reach, known): (f64, Option<(Rocking, Law)>),
+    whole: bool,
+) -> Result<Found, Missed> {
     let dashpot = dashpot(setup, base);
-    let (mut rocking, mut law) = match first {
-        Some(first) => first,
-        None => self::law(base, FIRST)?,
+    let (mut rocking, mut law) = match known {
+        Some(known) => known,
+        None => self::law(base, reach)?,
     };
     loop {
         let largest = law.largest();
@@ -262,6 +286,6 @@ pub(super) fn settle(setup: &Setup, base: &Base, first: Option<(Rocking, Law)>, 
             let passes = history.rotation.iter().position(|psi| psi.abs() > largest).unwrap_or(0);
             return Err(Missed::TooFar(peak, passes as f64 * setup.step));
         }
-        (rocking, law) = self::law(base, (1.3 * peak).max(2.0 * largest).min(MOST))?;
+        (rocking, law) = self::law(base, beyond(peak, &law))?;
     }
 }

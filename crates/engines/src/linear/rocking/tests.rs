@@ -192,7 +192,7 @@ fn energy_closes_and_the_step_does_not_matter() {
     let ready = ready(oil(25e3, 1e8, 2.0));
     let base = Base::of(&ready.case).unwrap();
     let setup = ready.setup(10);
-    let found = search::settle(&setup, &base, None, false).unwrap();
+    let found = search::settle(&setup, &base, (search::FIRST, None), false).unwrap();
     assert!(found.history.balance < 1e-3, "{}", found.history.balance);
     let lifted = outcome::band(&base, &found);
     assert!(lifted.uplift > 0.02 && found.hysteretic > 0.0, "{lifted:?}");
@@ -212,7 +212,7 @@ fn a_run_that_does_not_repeat_says_so() {
     let ready = ready(oil(25e3, 1e8, 2.0));
     let base = Base::of(&ready.case).unwrap();
     let setup = ready.setup(10);
-    let found = search::settle(&setup, &base, None, false).unwrap();
+    let found = search::settle(&setup, &base, (search::FIRST, None), false).unwrap();
     let grounds = [3.3e7, 3e8].map(|k| Ok(outcome::band(&base.on(k), &found)));
     let mut moved = outcome::moved(&setup, &base, found, grounds, ready.analysis().grid);
     let own = moved.result.spread.unwrap();
@@ -390,7 +390,7 @@ fn a_missed_ground_is_named() {
     let ready = ready(oil(25e3, 1e8, 2.0));
     let base = Base::of(&ready.case).unwrap();
     let setup = ready.setup(10);
-    let found = search::settle(&setup, &base, None, false).unwrap();
+    let found = search::settle(&setup, &base, (search::FIRST, None), false).unwrap();
     let soft = outcome::band(&base.on(3.3e7), &found);
     let missed = words::missed_band(3e8, &search::Missed::TooFar(0.0612, 3.25));
     let moved = outcome::moved(&setup, &base, found, [Ok(soft), Err(missed)], ready.analysis().grid);
