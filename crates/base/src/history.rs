@@ -23,8 +23,9 @@
 //!
 //! Source: Malhotra & Veletsos 1994 (rotational spring of a rocking tank); Iwan 1966; Hilber, Hughes & Taylor 1977.
 
+use crate::anchors::{Bolts, Ring};
 use crate::error::BaseError;
-use crate::law::Law;
+use crate::law::{Law, Response};
 
 /// A body in its modes.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +73,8 @@ pub struct Run<'a> {
     pub body: &'a Body,
     /// The base; none holds the body upright.
     pub law: Option<&'a Law>,
+    /// Anchors on it.
+    pub ring: Option<&'a Ring>,
     /// Share η of the base's moment that is hysteretic.
     pub hysteretic: f64,
     /// Dashpot c_ψ of the closed base [N m s]; it opens with the contact.
@@ -105,6 +108,14 @@ pub struct History {
     pub resistance: Vec<f64>,
     /// Inertia force I [N].
     pub shear: Vec<f64>,
+    /// Pull of all anchors [N]; empty without them.
+    pub pull: Vec<f64>,
+    /// The same of the anchor that pulls most [N].
+    pub anchor_force: Vec<f64>,
+    /// Place of that anchor among those of the ring.
+    pub anchor_place: Vec<usize>,
+    /// The anchors at the end.
+    pub bolts: Bolts,
     /// Energies at the end [J].
     pub energy: Energy,
     /// Largest deviation of the balance over the largest input.
@@ -122,6 +133,8 @@ pub struct Energy {
     pub base_elastic: f64,
     /// Lost in loops of the base.
     pub base_hysteretic: f64,
+    /// Lost in anchors that yield or break.
+    pub anchors: f64,
     /// Radiated by the dashpot of the base.
     pub base_radiated: f64,
     /// Lost in friction.
@@ -141,6 +154,9 @@ struct State {
     springs: Vec<f64>,
     /// Loss of the springs in the last step [J].
     lost: f64,
+    /// Anchors, and their loss in the last step [J].
+    bolts: Bolts,
+    cost: f64,
     pressure: f64,
     /// Moment of the base, with its dashpot [N m].
     moment: f64,
@@ -175,6 +191,8 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
         sliding: 0.0,
         springs: vec![0.0; run.law.map_or(0, |law| law.springs().len())],
         lost: 0.0,
+        bolts: run.ring.map_or_else(Bolts::default, Ring::unstretched),
+        cost: 0.0,
         pressure: 0.0,
         moment: 0.0,
         shear: 0.0,
@@ -202,8 +220,10 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
             sums.friction += mean(|r| r.friction);
             sums.base_radiated += mean(|r| r.radiated);
             sums.base_hysteretic += run.hysteretic * state.lost;
-            sums.base_elastic +=
-                0.5 * (before.moment + rates.moment) * (state.psi[0] - before.psi) - run.hysteretic * state.lost;
+            sums.anchors += state.cost;
+            sums.base_elastic += 0.5 * (before.moment + rates.moment) * (state.psi[0] - before.psi)
+                - run.hysteretic * state.lost
+                - state.cost;
         }
         sums.body = rates.body;
         largest = largest.max(sums.input.abs());
@@ -216,6 +236,14 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
         history.moment.push(rates.moment);
         history.resistance.push(state.moment);
         history.shear.push(rates.shear);
+        if let Some(ring) = run.ring {
+            let pull = ring.pull(state.psi[0], state.pressure, &state.bolts);
+            let forces = ring.forces(state.psi[0], pull.centre, &state.bolts).enumerate();
+            let (place, force) = forces.fold((0, 0.0), |most, found| if found.1 > most.1 { found } else { most });
+            history.pull.push(pull.total);
+            history.anchor_force.push(force);
+            history.anchor_place.push(place);
+        }
         before = rates;
     }
     at_ends(&mut history.rotational_acceleration);
@@ -223,6 +251,7 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
     for (acceleration, ground) in history.acceleration.iter_mut().zip(run.ground) {
         *acceleration += ground;
     }
+    history.bolts = state.bolts;
     history.energy = sums;
     history.balance = if largest > 0.0 { off / largest } else { 0.0 };
     Ok(history)
@@ -238,7 +267,13 @@ fn at_ends(values: &mut [f64]) {
 
 impl Energy {
     fn total(&self) -> f64 {
-        self.body + self.viscous + self.base_elastic + self.base_hysteretic + self.base_radiated + self.friction
+        self.body
+            + self.viscous
+            + self.base_elastic
+            + self.base_hysteretic
+            + self.anchors
+            + self.base_radiated
+            + self.friction
     }
 }
 
@@ -279,9 +314,7 @@ impl Rates {
         rates.shear = state.shear;
         rates.friction = -rates.shear * s[1];
         if let Some(law) = run.law {
-            rates.moment = law
-                .respond(psi[0], state.pressure, run.hysteretic, &state.springs)
-                .moment;
+            rates.moment = resist(run, law, state, (psi[0], state.pressure)).moment;
             rates.radiated = run.dashpot * law.contact(psi[0]) * psi[1] * psi[1];
         }
         rates
@@ -417,7 +450,7 @@ fn accelerations(
     for iteration in 0..ITERATIONS {
         let a = translation(b);
         let pressure = sums.pressure[0] + sums.pressure[1] * a + sums.pressure[2] * b;
-        let response = law.respond(psi(b), pressure, run.hysteretic, &state.springs);
+        let response = resist(run, law, state, (psi(b), pressure));
         let dashpot = run.dashpot * law.contact(psi(b));
         let terms = [
             sums.turn[0],
@@ -463,6 +496,18 @@ fn accelerations(
     })
 }
 
+/// Moment of strips and anchors at a rotation [rad] and a bottom pressure [Pa].
+fn resist(run: &Run<'_>, law: &Law, state: &State, (psi, pressure): (f64, f64)) -> Response {
+    let strips = law.respond(psi, pressure, run.hysteretic, &state.springs);
+    match run.ring.map(|ring| ring.pull(psi, pressure, &state.bolts).response) {
+        None => strips,
+        Some(anchors) => Response {
+            moment: strips.moment + anchors.moment,
+            tangent: strips.tangent + anchors.tangent,
+        },
+    }
+}
+
 /// Moves to the end of the step with these accelerations.
 fn advance(run: &Run<'_>, state: &mut State, sums: &Sums, [a, b]: [f64; 2]) {
     let h = run.step;
@@ -481,9 +526,21 @@ fn advance(run: &Run<'_>, state: &mut State, sums: &Sums, [a, b]: [f64; 2]) {
     state.psi = moved(&state.psi, b);
     state.pressure = sums.pressure[0] + sums.pressure[1] * a + sums.pressure[2] * b;
     if let Some(law) = run.law {
-        let response = law.respond(state.psi[0], state.pressure, run.hysteretic, &state.springs);
+        let response = resist(run, law, state, (state.psi[0], state.pressure));
         state.moment = response.moment + run.dashpot * law.contact(state.psi[0]) * state.psi[1];
         state.lost = law.commit(state.psi[0], &mut state.springs);
+        if let Some(ring) = run.ring {
+            state.cost = 0.0;
+            // Where one breaks the others take its share, and may break with it.
+            loop {
+                let pull = ring.pull(state.psi[0], state.pressure, &state.bolts);
+                let cost = ring.commit(state.psi[0], pull.centre, &mut state.bolts);
+                state.cost += cost.lost;
+                if !cost.breaks {
+                    break;
+                }
+            }
+        }
     }
 }
 

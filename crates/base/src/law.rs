@@ -231,6 +231,15 @@ impl Law {
         }
     }
 
+    /// dw₀/d|ψ| of the centre of the foot [m/rad], that of the table's straight lines.
+    pub(crate) fn sinks(&self, psi: f64, suction: f64) -> f64 {
+        let (psi, suction) = if psi < 0.0 { (-psi, -suction) } else { (psi, suction) };
+        let (j, k, share) = self.places(psi, suction);
+        let step = self.rotations[j] - self.rotations[j - 1];
+        let at = |level: usize| (self.turns[level][j].centre - self.turns[level][j - 1].centre) / step;
+        at(k - 1) + share * (at(k) - at(k - 1))
+    }
+
     /// Share η of the moment that is hysteretic, so that a cycle to `psi` loses what the strips lose; 0 of an elastic plate.
     ///
     /// Errors: no equilibrium of a strip.

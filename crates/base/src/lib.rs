@@ -13,6 +13,7 @@
 //!
 //! Sources: Malhotra & Veletsos 1994 (strips side by side); Wozniak & Mitchell 1978 (two plastic hinges).
 
+mod anchors;
 mod band;
 pub mod closed;
 mod curve;
@@ -32,6 +33,7 @@ mod strip;
 #[cfg(test)]
 mod tests;
 
+pub use anchors::{Anchors, Bolts, Cost, Pull, Ring};
 pub use curve::{Curve, Point};
 pub use edge::Edge;
 pub use error::BaseError;

@@ -92,6 +92,15 @@ impl Rocking {
         self.radius
     }
 
+    /// The same base under more weight on its rim [N/m].
+    #[must_use]
+    pub fn heavier(&self, more: f64) -> Rocking {
+        Rocking {
+            weight: self.weight + more,
+            ..self.clone()
+        }
+    }
+
     /// F(w) under a pressure; between the curves Lagrange's polynomial, none beyond them.
     fn hold_down(&self, uplift: f64, pressure: f64) -> f64 {
         if self.curves.len() == 1 {

@@ -19,6 +19,7 @@ fn slide(ground: &[f64], step: f64, coefficient: f64) -> History {
     march(&Run {
         body: &block(mass),
         law: None,
+        ring: None,
         hysteretic: 0.0,
         dashpot: 0.0,
         friction: Some(Friction {
@@ -131,6 +132,7 @@ fn rock(body: &Body, law: Option<&Law>, ground: &[f64], step: f64) -> History {
     march(&Run {
         body,
         law,
+        ring: None,
         hysteretic: 0.0,
         dashpot: 0.0,
         friction: None,
@@ -213,6 +215,7 @@ fn a_dashpot_on_hard_ground_finds_every_step() {
         let history = march(&Run {
             body: &body,
             law: Some(&law),
+            ring: None,
             hysteretic: 0.0,
             dashpot,
             friction: None,

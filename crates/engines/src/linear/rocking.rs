@@ -146,7 +146,7 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
     let known = (reach == law.largest()).then_some((rocking, law));
     let (main, others) = std::thread::scope(|scope| {
         let others = BAND.map(|factor| {
-            let on = base.on(factor * base.modulus);
+            let on = base.on(factor * base.modulus).with_long_elements();
             scope.spawn(move || match search::settle(setup, &on, (reach, None), false) {
                 Ok(found) => Ok(outcome::band(&on, &found)),
                 Err(missed) => Err(words::missed_band(on.modulus, &missed)),

@@ -125,6 +125,7 @@ pub(super) fn one(setup: &Setup, law: &Law, hysteretic: f64, dashpot: f64, whole
     march(&Run {
         body: &setup.body,
         law: Some(law),
+        ring: None,
         hysteretic,
         dashpot,
         friction: setup.friction.clone(),
@@ -146,6 +147,7 @@ fn twins(setup: &Setup, law: &Law, (hysteretic, dashpot): (f64, f64), steps: usi
         march(&Run {
             body: &setup.body,
             law: Some(law),
+            ring: None,
             hysteretic,
             dashpot,
             friction: friction.clone(),

@@ -105,6 +105,7 @@ fn fixed(setup: &Setup) -> ::base::history::History {
     march(&Run {
         body: &setup.body,
         law: None,
+        ring: None,
         hysteretic: 0.0,
         dashpot: 0.0,
         friction: None,
