@@ -58,6 +58,7 @@ fn anchorage() {
             count: 60,
             capacity: Some(n_a * PI * 30.0 / 60.0 / u),
             attachment_capacity: None,
+            ..Anchors::default()
         });
         c
     });

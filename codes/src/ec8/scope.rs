@@ -298,6 +298,7 @@ fn anchors() {
         count: 60,
         capacity: Some(400e3),
         attachment_capacity: None,
+        ..Anchors::default()
     });
     let a = En2006.assess(&case, Excitation::Site).unwrap();
     let spacing = std::f64::consts::PI * 30.0 / 60.0;

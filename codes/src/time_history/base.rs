@@ -25,7 +25,9 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
     let demands = work.demands;
     if let Some(base) = &demands.base {
         lifting(work, base);
-        return None;
+        if work.case.tank.support == Support::Unanchored {
+            return None;
+        }
     }
     let all = demands.places.iter().filter(|place| place.z == 0.0);
     let pulls = all.filter_map(|place| {

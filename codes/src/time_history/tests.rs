@@ -229,6 +229,7 @@ fn two_components_govern_where_brute_force_finds_them() {
         count: 20,
         capacity: Some(40e3),
         attachment_capacity: None,
+        ..Anchors::default()
     });
     for seed in [15, 16, 17] {
         let (x, y) = (shaken(seed), shaken(seed + 1000));
@@ -293,6 +294,7 @@ fn anchors_carry_the_pull_of_their_spacing() {
         count: 20,
         capacity: Some(40e3),
         attachment_capacity: None,
+        ..Anchors::default()
     });
     let findings = assessed(&case, &given(-3.0).demands(0.0, 0));
     let check = found(&findings, "anchorage");

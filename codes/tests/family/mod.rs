@@ -127,6 +127,7 @@ impl Draw {
                 count: 40,
                 capacity: self.yes().then_some(200e3),
                 attachment_capacity: self.yes().then_some(500e3),
+                ..Anchors::default()
             }),
             pressure: Pressure {
                 internal: self.of(&[0.0, 0.0, 5e3]),

@@ -68,8 +68,8 @@ impl Curve {
         Ok(Curve::through(points))
     }
 
-    /// Through states in the order of the uplift.
-    pub(crate) fn through(points: Vec<Point>) -> Curve {
+    /// Through two or more states in the order of the uplift: of strips, or of another law of the rim.
+    pub fn through(points: Vec<Point>) -> Curve {
         Curve {
             slopes: slopes(&points),
             points,

@@ -1,4 +1,4 @@
-//! An unanchored tank that rocks and slides on its base.
+//! A tank that rocks and slides on its base: without anchors, or on anchors that yield.
 
 use std::collections::BTreeMap;
 
@@ -38,8 +38,8 @@ pub struct BaseRun {
     pub dashpot: f64,
     /// Time step [s].
     pub step: f64,
-    /// Comparable values: `uplift`, `base_rotation`, `plastic_rotation`, `toe_axial_stress`, `slip`, `slip_residual`, `base_shear`,
-    /// `base_moment`, `overturning_moment`, `sloshing_height`, `hoop_stress`, `wetted_hoop_stress`, `axial_membrane_stress`.
+    /// Comparable values: `uplift`, `base_rotation`, `plastic_rotation`, `toe_axial_stress`, `slip`, `slip_residual`, `anchor_force`,
+    /// `base_shear`, `base_moment`, `overturning_moment`, `sloshing_height`, `hoop_stress`, `wetted_hoop_stress`, `axial_membrane_stress`.
     pub quantities: Vec<BaseQuantity>,
     /// Limit of the plastic rotation of the joint [rad].
     pub plastic_rotation_limit: f64,
@@ -50,6 +50,9 @@ pub struct BaseRun {
     /// of the base, relative.
     #[serde(default)]
     pub superposition: f64,
+    /// Anchors, where it stands on them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub anchors: Option<AnchorRun>,
     /// Energies at the end.
     pub energy: BaseEnergy,
     /// The same on softer and on harder ground.
@@ -107,6 +110,9 @@ pub struct BaseEnergy {
     pub base_elastic: f64,
     /// Lost in the plastic joint.
     pub base_hysteretic: f64,
+    /// Lost in anchors that yield or break.
+    #[serde(default, skip_serializing_if = "is_nothing")]
+    pub anchors: f64,
     /// Radiated into the soil.
     pub base_radiated: f64,
     /// Lost in sliding.
@@ -115,6 +121,34 @@ pub struct BaseEnergy {
     pub body: f64,
     /// Largest deviation of the balance over the largest input.
     pub error: f64,
+}
+
+fn is_nothing(energy: &f64) -> bool {
+    *energy == 0.0
+}
+
+/// Anchors on which a base lifts.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AnchorRun {
+    /// Their number.
+    pub count: usize,
+    /// Stiffness of one [N/m].
+    pub stiffness: f64,
+    /// Force at which one yields [N].
+    pub yield_force: f64,
+    /// Play of the nut [m].
+    pub gap: f64,
+    /// Elongation at which one breaks [m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rupture_elongation: Option<f64>,
+    /// Largest plastic elongation at the end [m].
+    pub plastic_elongation: f64,
+    /// How many yield.
+    pub yielded: usize,
+    /// How many break.
+    pub broken: usize,
+    /// Plastic elongation of each at the end [m], by angle [°].
+    pub around: Vec<[f64; 2]>,
 }
 
 /// A ground of the band on which there is no run.

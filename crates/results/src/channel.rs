@@ -311,6 +311,8 @@ pub enum Channel {
     ToeStress,
     /// Slip of the base against the ground.
     Slip,
+    /// Force of the anchor that pulls most.
+    AnchorForce,
     /// Translation of a slab on soil, relative to the free field.
     FoundationTranslation,
     /// Rotation of a slab on soil.
@@ -376,6 +378,7 @@ impl Channel {
             Channel::Uplift(side) => format!("uplift_{}", side.id()),
             Channel::ToeStress => "toe_axial_stress".into(),
             Channel::Slip => "slip".into(),
+            Channel::AnchorForce => "anchor_force".into(),
             Channel::FoundationTranslation => "foundation_translation".into(),
             Channel::FoundationRotation => "foundation_rotation".into(),
         }
@@ -454,6 +457,7 @@ impl Channel {
             Channel::BaseRotation,
             Channel::ToeStress,
             Channel::Slip,
+            Channel::AnchorForce,
             Channel::FoundationTranslation,
             Channel::FoundationRotation,
         ];
@@ -519,6 +523,7 @@ impl Channel {
             Channel::Uplift(side) => format!("Uplift of the rim, {}", side.title()),
             Channel::ToeStress => "Axial stress at the toe, compression, with uplift".into(),
             Channel::Slip => "Slip of the base".into(),
+            Channel::AnchorForce => "Force of the anchor that pulls most".into(),
             Channel::FoundationTranslation => "Translation of the slab on soil".into(),
             Channel::FoundationRotation => "Rotation of the slab on soil".into(),
         }
@@ -541,7 +546,7 @@ impl Channel {
             | Channel::BaseAtAngle { what, .. }
             | Channel::Base(what)
             | Channel::BaseOn(what, _) => what.dimension(),
-            Channel::IsolatorForce | Channel::IsolatorForceY => Dimension::Force,
+            Channel::IsolatorForce | Channel::IsolatorForceY | Channel::AnchorForce => Dimension::Force,
             Channel::IsolatorDisplacement | Channel::IsolatorDisplacementY => Dimension::Length,
             Channel::SectionMoment(_) => Dimension::LineMoment,
             Channel::WaveAround { .. } | Channel::WaveLargest => Dimension::Length,

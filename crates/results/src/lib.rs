@@ -37,7 +37,7 @@ use tank::assessment::{Check, Excitation, Profile, Step};
 use tank::units::Dimension;
 
 pub use around::{Around, BaseAround, WaveAround};
-pub use base_run::{BaseBand, BaseEnergy, BaseQuantity, BaseRun, BaseSpread, GroundOrigin, MissedBand};
+pub use base_run::{AnchorRun, BaseBand, BaseEnergy, BaseQuantity, BaseRun, BaseSpread, GroundOrigin, MissedBand};
 pub use channel::{Channel, GROUND_COLUMNS, VERTICAL_PREFIX};
 pub use directions::Directional;
 pub use fact::{Fact, FactKind};

@@ -144,8 +144,8 @@ pub struct Bottom {
     pub material: Material,
 }
 
-/// Anchor bolts, needed by the anchorage checks only.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+/// Anchor bolts: for the anchorage checks, and with a stiffness for a base that lifts on them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Anchors {
     /// Number of anchors around the circumference.
     pub count: u32,
@@ -154,6 +154,18 @@ pub struct Anchors {
     /// Design tension capacity of the attachment of one anchor to the shell and of its embedment [N].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub attachment_capacity: Option<f64>,
+    /// Stiffness of one anchor with its chair and embedment [N/m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<f64>,
+    /// Force at which one anchor yields [N].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub yield_force: Option<f64>,
+    /// Play of the nut [m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
+    /// Elongation at which one anchor breaks [m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rupture_elongation: Option<f64>,
 }
 
 /// Gas or vapour above the liquid, against the atmosphere.

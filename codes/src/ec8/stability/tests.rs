@@ -76,6 +76,7 @@ fn anchors_take_the_rest() {
         count: 18,
         capacity: Some(300e3),
         attachment_capacity: None,
+        ..Anchors::default()
     });
     let a = En2006.assess(&case, Excitation::Site).unwrap();
     let rest = line(&a, "M") - 40_500.0 * 9.81 * 2.5;

@@ -197,6 +197,14 @@ fn uplift(case: &Case, model: &Model, analysis: &Analysis, around: Option<&Aroun
     })
 }
 
+/// Largest tension of the foot of a wall that is held down, static and seismic [N/m]; none of a wall without that stress.
+pub(super) fn pull(case: &Case, model: &Model, analysis: &Analysis) -> Option<f64> {
+    let channel = Channel::Base(OnWall::Axial);
+    let rest = model.horizontal.coupled.probe(channel)?.static_value;
+    let (front, back) = analysis.sides(channel)?;
+    Some((rest + front.max.max(back.max)) * case.tank.course_at(0.0).thickness)
+}
+
 /// An angle [rad] in words.
 fn degrees(theta: f64) -> String {
     format!("{:.0}°", theta.to_degrees())

@@ -14,7 +14,7 @@ mod tests;
 mod words;
 
 use ::base::history::Friction;
-use ::base::{Base, Soil};
+use ::base::{Anchors, Base, Soil};
 use results::channel::OnWall;
 use results::{BaseRun, BaseSpread, Channel, EngineId, Limit};
 use tank::case::GroundMotion;
@@ -110,8 +110,11 @@ pub(super) fn free(
     options: &Options,
 ) -> Free {
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
-    if !round || case.tank.support != Support::Unanchored || engine != EngineId::Harmonic {
+    if !round || engine != EngineId::Harmonic {
         return Free::Held;
+    }
+    if case.tank.support == Support::Anchored {
+        return on_anchors(case, model, analysis, motion, options);
     }
     let Ok(base) = Base::of(case) else {
         return Free::Held;
@@ -128,9 +131,55 @@ pub(super) fn free(
     }
 }
 
+/// The run of a tank on anchors, where one yields in the run with the wall held down.
+fn on_anchors(case: &Case, model: &Model, analysis: &Analysis<'_>, motion: &GroundMotion, options: &Options) -> Free {
+    let Some((anchors, yields)) = case.tank.anchors.and_then(|a| Some((a, a.yield_force.or(a.capacity)?))) else {
+        return Free::Held;
+    };
+    let Some(pull) = super::limits::pull(case, model, analysis) else {
+        return Free::Held;
+    };
+    let force = pull * std::f64::consts::TAU * case.tank.shape.half_length() / f64::from(anchors.count.max(1));
+    if force <= yields {
+        return Free::Held;
+    }
+    let held = |reason: &str| Free::NotComputed(words::anchors_not_computed(force, yields, reason));
+    let Some(stiffness) = anchors.stiffness else {
+        return held("`tank.anchors.stiffness` is missing");
+    };
+    if model.fixed.is_some() || case.tank.isolators.is_some() {
+        return held("anchors that yield on a slab that moves are not modelled");
+    }
+    if motion.transverse.is_some() || !options.dashpots.is_empty() {
+        return held("anchors that yield under two horizontal components, or with dashpots, are not modelled");
+    }
+    let Ok(base) = Base::of(case) else {
+        return held("`tank.bottom` is missing, the plate that lifts with the wall");
+    };
+    let Some(setup) = setup(case, model, motion, analysis.grid, options) else {
+        return held("the model has no rows of base moment or pressure");
+    };
+    let setup = Setup {
+        friction: None,
+        anchors: Some(Anchors {
+            count: anchors.count as usize,
+            stiffness,
+            yield_force: yields,
+            gap: anchors.gap.unwrap_or(0.0),
+            rupture: anchors.rupture_elongation,
+        }),
+        ..setup
+    };
+    match run(&setup, &base, analysis) {
+        Ok(free) => free,
+        Err(missed) => held(&words::reason(&missed)),
+    }
+}
+
 /// The run, if anything moves.
 fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, search::Missed> {
-    let (rocking, law) = search::law(base, search::FIRST)?;
+    let laws = search::law(base, setup.anchors, search::FIRST)?;
+    let law = &laws.law;
     let peak = |channel| {
         analysis
             .sides(channel)
@@ -138,12 +187,12 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
     };
     let moment = peak(Channel::BaseMoment);
     let pressure = analysis.line(OnWall::Pressure).map_or(0.0, |line| line.peak(0));
-    let lifting = search::lifting(&law, pressure);
-    if moment < lifting && !slides(setup, analysis) {
+    let lifting = search::lifting(law, pressure);
+    if setup.anchors.is_none() && moment < lifting && !slides(setup, analysis) {
         return Ok(Free::Rests(words::rests(moment, lifting, setup.friction.is_some())));
     }
-    let reach = search::reach(setup, base, &law)?;
-    let known = (reach == law.largest()).then_some((rocking, law));
+    let reach = search::reach(setup, base, &laws)?;
+    let known = (reach == law.largest()).then_some(laws);
     let (main, others) = std::thread::scope(|scope| {
         let others = BAND.map(|factor| {
             let on = base.on(factor * base.modulus).with_long_elements();
@@ -195,6 +244,7 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
     let foundation = case.tank.foundation;
     let searched = ((motion.duration() + AFTER) / fine.h()) as usize + 1;
     Some(Setup {
+        anchors: None,
         friction: foundation.and_then(|f| f.friction).map(|coefficient| Friction {
             coefficient,
             weight: (coupled.liquid_mass + coupled.wall_mass) * case.gravity,
@@ -229,7 +279,7 @@ pub(super) fn say(free: &Free, notes: &mut Vec<String>, assumptions: &mut Vec<St
     let text = match free {
         Free::Held => return,
         Free::NotComputed(reason) | Free::Rests(reason) => reason.clone(),
-        Free::Moves(_) => words::MOVES.into(),
+        Free::Moves(moved) => words::moves(moved.result.anchors.is_some()),
     };
     match notes.iter_mut().find(|note| *note == HELD_DOWN) {
         Some(note) => *note = text,

@@ -15,6 +15,8 @@ use results::{BaseQuantity, BaseRun, Channel};
 
 /// Height of the plots in user units.
 const PLOT: f64 = 150.0;
+/// Place of the anchors among the energies.
+const ANCHORS: usize = 4;
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
@@ -25,6 +27,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     section.set("values", &values(run));
     section.set("ground", &words::ground(run));
     section.set("band", &band(run));
+    section.set("anchors", &run.anchors.as_ref().map(words::anchors));
     section.set("missed", &words::missed(run));
     section.set("energy", &energy(run));
     section.set("balance", &words::balance(run));
@@ -118,6 +121,7 @@ fn energy(run: &BaseRun) -> Table {
         e.viscous,
         e.base_elastic,
         e.base_hysteretic,
+        e.anchors,
         e.base_radiated,
         e.friction,
         e.body,
@@ -128,7 +132,10 @@ fn energy(run: &BaseRun) -> Table {
         Column::numbers("Value", scale.symbol()),
         Column::numbers(words::SHARE, ""),
     ]);
-    for (label, value) in words::ENERGIES.into_iter().zip(all) {
+    for (i, (label, value)) in words::ENERGIES.into_iter().zip(all).enumerate() {
+        if i == ANCHORS && run.anchors.is_none() {
+            continue;
+        }
         let share = if e.input == 0.0 {
             words::NONE.into()
         } else {

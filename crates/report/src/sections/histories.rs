@@ -45,6 +45,7 @@ fn is_base(info: &SeriesInfo) -> bool {
                 | Channel::Uplift(_)
                 | Channel::ToeStress
                 | Channel::Slip
+                | Channel::AnchorForce
                 | Channel::FoundationTranslation
                 | Channel::FoundationRotation
         )

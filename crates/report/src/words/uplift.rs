@@ -15,6 +15,7 @@ pub fn quantity(id: &str) -> &str {
         "toe_axial_stress" => "Largest axial stress at the toe, compression",
         "slip" => "Largest slip",
         "slip_residual" => "Slip at the end",
+        "anchor_force" => "Largest force of an anchor",
         "base_shear" => "Base shear",
         "base_moment" => "Moment above the base plate",
         "overturning_moment" => "Overturning moment",
@@ -48,11 +49,12 @@ pub const BAND: [&str; 8] = [
     "Spread",
 ];
 /// Labels of the energies.
-pub const ENERGIES: [&str; 7] = [
+pub const ENERGIES: [&str; 8] = [
     "Input of the ground",
     "Damping of wall and liquid",
     "Stored in the base",
     "Plastic joint",
+    "Anchors that yield or break",
     "Radiated into the soil",
     "Sliding",
     "Kinetic and stored in wall and liquid",
@@ -111,6 +113,24 @@ pub fn spread(spread: &BaseSpread) -> String {
             format!("{value}: uplift {low} to {high}")
         }
     }
+}
+
+/// What the anchors went through.
+pub fn anchors(run: &results::AnchorRun) -> String {
+    let broken = match (run.broken, run.rupture_elongation) {
+        (0, None) => "they are taken not to break".to_owned(),
+        (0, Some(limit)) => format!("none breaks, which one does at {}", display(limit, Dimension::Length)),
+        (n, _) => format!("{n} break"),
+    };
+    format!(
+        "{} of {} anchors yield at {} each, with a stiffness of {}; at the end the largest plastic elongation is {}; {broken}. The check of the \
+         anchors takes the tension of the wall, anchors and plate together, against their design capacity: an anchor that yields fails it.",
+        run.yielded,
+        run.count,
+        display(run.yield_force, Dimension::Force),
+        display(run.stiffness, Dimension::LineForce),
+        display(run.plastic_elongation, Dimension::Length)
+    )
 }
 
 /// Grounds of the band without a run, one sentence each.

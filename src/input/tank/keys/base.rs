@@ -4,7 +4,7 @@ use tank::FoundationKind;
 
 use super::corrosion::loss;
 use super::materials::Materials;
-use super::tank::{Bottom, Foundation};
+use super::tank::{Anchors, Bottom, Foundation};
 use super::wall::{self, Use};
 use crate::input::tank::read::Field;
 use crate::input::tank::resolver::{Resolver, range_fault};
@@ -61,6 +61,46 @@ pub(super) fn wider_than_the_tank(r: &mut Resolver<'_>, given: &Bottom, plate: &
         let allowed = format!(
             "at most {}, the radius",
             tank::units::display(radius, tank::units::Dimension::Length)
+        );
+        r.faults.push(range_fault(field, message, &allowed));
+    }
+}
+
+/// Anchors that cannot be springs: a spring without a strength, a strength below its design value, an elongation that comes before yielding.
+pub(super) fn anchors(r: &mut Resolver<'_>, given: &Anchors, found: &tank::Anchors) {
+    let strength = found.yield_force.or(found.capacity);
+    let Some(field) = &given.stiffness.given else {
+        let needless = [given.gap.given.as_ref(), given.rupture_elongation.given.as_ref()];
+        for field in needless.into_iter().flatten() {
+            let message = "anchors without a stiffness do not stretch: this has no effect";
+            r.faults
+                .push(range_fault(field, message, "together with tank.anchors.stiffness"));
+        }
+        return;
+    };
+    if strength.is_none() {
+        let message = "anchors with a stiffness and without a strength";
+        let allowed = "tank.anchors.capacity or tank.anchors.yield_force beside it";
+        r.faults.push(range_fault(field, message, allowed));
+    }
+    if let (Some(field), Some(yields), Some(capacity)) = (&given.yield_force.given, found.yield_force, found.capacity)
+        && yields < capacity
+    {
+        let message = "an anchor yields below its design capacity";
+        r.faults
+            .push(range_fault(field, message, "at least tank.anchors.capacity"));
+    }
+    if let (Some(field), Some(rupture), Some(stiffness), Some(strength)) = (
+        &given.rupture_elongation.given,
+        found.rupture_elongation,
+        found.stiffness,
+        strength,
+    ) && rupture * stiffness < strength
+    {
+        let message = "an anchor breaks before it yields";
+        let allowed = format!(
+            "at least {}, its yield force over its stiffness",
+            tank::units::display(strength / stiffness, tank::units::Dimension::Length)
         );
         r.faults.push(range_fault(field, message, &allowed));
     }

@@ -192,6 +192,17 @@ object! {
         /// Design tension capacity of the attachment of one anchor to the shell and of its embedment, the lesser.
         attachment_capacity ("300 kN"): Opt<Force> [Limits::above(0.0).to(1e9)]
             = without("the attachment of the anchors is not checked, API 650 E.6.2.1.2"),
+        /// Stiffness of one anchor with its chair and embedment, force over elongation: E A/l of the bolt between nut and anchor plate, less
+        /// what chair and concrete give way. With it, and with tank.bottom, the base lifts on its anchors in the time history of the
+        /// harmonic engine where one yields.
+        stiffness ("80 MN/m"): Opt<LineForce> [Limits::from(1e4).to(1e12)]
+            = Absent::Follows("the wall is held down also where an anchor yields"),
+        /// Force at which one anchor yields, at least capacity.
+        yield_force ("150 kN"): Opt<Force> [Limits::above(0.0).to(1e9)] = Absent::Follows("capacity"),
+        /// Play of the nut: the uplift of the rim before the anchor pulls.
+        gap ("1 mm"): Opt<Length> [Limits::from(0.0).to(0.1)] = Absent::Follows("no play"),
+        /// Elongation at which one anchor breaks, play not counted; the uniform elongation of its steel over the free length.
+        rupture_elongation ("40 mm"): Opt<Length> [Limits::above(0.0).to(10.0)] = Absent::Follows("anchors do not break"),
     }
 
     /// The stored liquid.
@@ -315,7 +326,14 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
         count: r.count(&anchors.count).unwrap_or(0),
         capacity: r.optional(&anchors.capacity),
         attachment_capacity: r.optional(&anchors.attachment_capacity),
+        stiffness: r.optional(&anchors.stiffness),
+        yield_force: r.optional(&anchors.yield_force),
+        gap: r.optional(&anchors.gap),
+        rupture_elongation: r.optional(&anchors.rupture_elongation),
     });
+    if let (Some(found), Some(given)) = (&anchors, t.anchors.value()) {
+        base::anchors(r, given, found);
+    }
     let pressure = pressure(r, &t.pressure);
     if !pressure.is_none() {
         r.warnings.push(

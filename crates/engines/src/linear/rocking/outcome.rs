@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 
 use ::base::history::History;
-use ::base::{Base, Origin, Turn};
+use ::base::{Base, Origin, Ring, Turn};
 use results::channel::Side;
 use results::{
-    BaseBand, BaseEnergy, BaseQuantity, BaseRun, BaseSpread, Channel, GroundOrigin, MissedBand, SeriesInfo, Value,
+    AnchorRun, BaseBand, BaseEnergy, BaseQuantity, BaseRun, BaseSpread, Channel, GroundOrigin, MissedBand, SeriesInfo,
+    Value,
 };
 use tank::units::Dimension;
 
@@ -70,8 +71,16 @@ struct States {
 }
 
 fn states(base: &Base, found: &Found, history: &History) -> States {
-    let places = history.rotation.iter().zip(&history.pressure);
-    let turns: Vec<Turn> = places.map(|(psi, suction)| found.law.turn(*psi, *suction)).collect();
+    let places = history.rotation.iter().zip(&history.pressure).enumerate();
+    let turn = |(i, (psi, suction)): (usize, (&f64, &f64))| match (&found.laws.ring, history.pull.get(i)) {
+        (Some(ring), Some(pull)) => ring.turn(*psi, *suction, *pull),
+        _ => found.laws.law.turn(*psi, *suction),
+    };
+    let turns: Vec<Turn> = places.map(turn).collect();
+    // Of the anchor that pulls most, per length of the rim: it stands where the wall is lifted.
+    let count = found.laws.ring.as_ref().map_or(0.0, |ring| ring.anchors().count as f64);
+    let per_length = count / (std::f64::consts::TAU * base.radius);
+    let anchored = |i: usize| history.anchor_force.get(i).map_or(0.0, |force| force * per_length);
     // A positive rotation lifts θ = 180°.
     let rim = [-1.0, 1.0].map(|side| {
         let moved = turns.iter().zip(&history.rotation);
@@ -80,12 +89,13 @@ fn states(base: &Base, found: &Found, history: &History) -> States {
             .collect()
     });
     let foot = [1.0, -1.0].map(|side| {
-        let places = turns.iter().zip(&history.rotation);
+        let places = turns.iter().zip(&history.rotation).enumerate();
         // A positive rotation presses θ = 0.
-        let force = |turn: &Turn, pressed: bool| if pressed { -turn.toe_force } else { turn.pull };
-        places
-            .map(|(turn, psi)| force(turn, side * psi > 0.0) / base.wall_thickness())
-            .collect()
+        let force = |(i, (turn, psi)): (usize, (&Turn, &f64))| match side * psi > 0.0 {
+            true => -turn.toe_force,
+            false => turn.pull + anchored(i),
+        };
+        places.map(|place| force(place) / base.wall_thickness()).collect()
     });
     States {
         foot,
@@ -105,6 +115,7 @@ struct Peaks {
     plastic: f64,
     toe: (f64, usize),
     slip: (f64, usize),
+    anchor: (f64, usize),
     shear: (f64, usize),
     moment: (f64, usize),
 }
@@ -117,11 +128,12 @@ fn peaks(states: &States, found: &Found, history: &History) -> Peaks {
         }
     }
     Peaks {
-        plastic: found.rocking.curve().at(uplift.0).plastic_rotation,
+        plastic: found.laws.rocking.curve().at(uplift.0).plastic_rotation,
         uplift,
         rotation: largest(history.rotation.iter().copied()),
         toe: largest(states.toe.iter().copied()),
         slip: largest(history.slip.iter().copied()),
+        anchor: largest(history.anchor_force.iter().copied()),
         shear: largest(history.shear.iter().copied()),
         moment: largest(history.moment.iter().copied()),
     }
@@ -201,6 +213,7 @@ pub(super) fn moved(
         step: setup.step,
         quantities: quantities(setup, &peaks, &found, lean),
         plastic_rotation_limit: PLASTIC,
+        anchors: found.laws.ring.as_ref().map(|ring| anchors(ring, history)),
         held: BTreeMap::new(),
         superposition: 0.0,
         energy: BaseEnergy {
@@ -208,6 +221,7 @@ pub(super) fn moved(
             viscous: energy.viscous,
             base_elastic: energy.base_elastic,
             base_hysteretic: energy.base_hysteretic,
+            anchors: energy.anchors,
             base_radiated: energy.base_radiated,
             friction: energy.friction,
             body: energy.body,
@@ -219,7 +233,7 @@ pub(super) fn moved(
         backbone: (0..=BACKBONE)
             .map(|i| {
                 let psi = 1.1 * peaks.rotation.0.abs() * (i as f64 / BACKBONE as f64).powi(2);
-                [psi, found.law.respond(psi, 0.0, 0.0, &[]).moment]
+                [psi, found.laws.law.respond(psi, 0.0, 0.0, &[]).moment]
             })
             .collect(),
         cycles: cycles(setup, &found, peak),
@@ -265,7 +279,18 @@ fn quantities(setup: &Setup, peaks: &Peaks, found: &Found, lean: f64) -> Vec<Bas
     };
     let residual = found.history.slip.last().copied().unwrap_or(0.0);
     let (rotation, toe, slip) = (peaks.rotation, peaks.toe, peaks.slip);
-    vec![
+    let anchor = found.laws.ring.as_ref().map(|ring| {
+        let place = found.history.anchor_place.get(peaks.anchor.1).copied().unwrap_or(0);
+        let degrees = angle(ring, place);
+        quantity(
+            "anchor_force",
+            peaks.anchor.0,
+            Dimension::Force,
+            Some(peaks.anchor.1),
+            Some(degrees),
+        )
+    });
+    let quantities = vec![
         quantity(
             "uplift",
             peaks.uplift.0,
@@ -310,7 +335,38 @@ fn quantities(setup: &Setup, peaks: &Peaks, found: &Found, lean: f64) -> Vec<Bas
             Some(peaks.moment.1),
             None,
         ),
-    ]
+    ];
+    quantities.into_iter().chain(anchor).collect()
+}
+
+/// Angle of a place of the ring [°].
+fn angle(ring: &Ring, place: usize) -> f64 {
+    360.0 * place as f64 / ring.anchors().count as f64
+}
+
+/// What the anchors have gone through.
+fn anchors(ring: &Ring, history: &History) -> AnchorRun {
+    let (own, bolts) = (ring.anchors(), &history.bolts);
+    let many = |which: &dyn Fn(usize) -> bool| {
+        let places = ring.places().iter().enumerate().filter(|(i, _)| which(*i));
+        places.map(|(_, (_, number))| *number as usize).sum()
+    };
+    AnchorRun {
+        count: own.count,
+        stiffness: own.stiffness,
+        yield_force: own.yield_force,
+        gap: own.gap,
+        rupture_elongation: own.rupture,
+        plastic_elongation: bolts.plastic.iter().copied().fold(0.0, f64::max),
+        yielded: many(&|i| bolts.plastic[i] > 0.0),
+        broken: many(&|i| bolts.broken[i]),
+        around: bolts
+            .plastic
+            .iter()
+            .enumerate()
+            .map(|(i, e)| [angle(ring, i), *e])
+            .collect(),
+    }
 }
 
 /// Rotation and moment around the step `peak`.
@@ -341,6 +397,9 @@ fn columns(setup: &Setup, states: &States, found: &Found) -> Vec<(SeriesInfo, Ve
     ];
     if setup.friction.is_some() {
         columns.push(column(Channel::Slip, &found.history.slip));
+    }
+    if found.laws.ring.is_some() {
+        columns.push(column(Channel::AnchorForce, &found.history.anchor_force));
     }
     columns
 }

@@ -1,7 +1,7 @@
 //! The law of the base that covers the run, and its hysteretic share.
 
 use ::base::history::{Body, Friction, History, Run, march};
-use ::base::{Base, BaseError, Law, Rocking, Soil};
+use ::base::{Anchors, Base, BaseError, Law, Ring, Rocking, Soil};
 use results::BaseSpread;
 
 /// Largest rotation of the first law [rad].
@@ -22,6 +22,8 @@ pub(super) struct Setup {
     pub body: Body,
     /// Rigid parts of the bottom pressure.
     pub rigid_pressure: [f64; 2],
+    /// Anchors, of a tank that stands on them.
+    pub anchors: Option<Anchors>,
     /// Friction.
     pub friction: Option<Friction>,
     /// Soil with the velocity of its shear waves [m/s] and its density [kg/m³].
@@ -38,10 +40,16 @@ pub(super) struct Setup {
     pub vertical: bool,
 }
 
-/// A run that its law covers.
-pub(super) struct Found {
+/// The base up to a rotation.
+pub(super) struct Laws {
     pub rocking: Rocking,
     pub law: Law,
+    pub ring: Option<Ring>,
+}
+
+/// A run that its law covers.
+pub(super) struct Found {
+    pub laws: Laws,
     pub hysteretic: f64,
     /// Difference of the share from that of the largest rotation.
     pub settled: f64,
@@ -69,7 +77,7 @@ impl From<BaseError> for Missed {
 /// The law up to a rotation [rad].
 ///
 /// Errors: no equilibrium.
-pub(super) fn law(base: &Base, largest: f64) -> Result<(Rocking, Law), BaseError> {
+pub(super) fn law(base: &Base, anchors: Option<Anchors>, largest: f64) -> Result<Laws, BaseError> {
     let reach = largest * base.radius;
     // The rim loads a strip of this width.
     let width = 2.0 * (4.0 * base.plate().bending_stiffness() / base.modulus).powf(0.25);
@@ -79,12 +87,19 @@ pub(super) fn law(base: &Base, largest: f64) -> Result<(Rocking, Law), BaseError
     let mut tries = 0;
     loop {
         let rocking = base.rocking(-pressed, 2.0 * reach + 0.02, true)?;
-        match Law::new(&rocking, largest) {
+        let made = Law::new(&rocking, largest).and_then(|law| {
+            let ring = anchors.map(|anchors| Ring::new(anchors, &rocking, &law));
+            Ok((law, ring.transpose()?))
+        });
+        match made {
             Err(BaseError::BeyondCurve { .. }) if tries < 2 => {
                 tries += 1;
                 pressed *= 3.0;
             }
-            other => return Ok((rocking, other?)),
+            other => {
+                let (law, ring) = other?;
+                return Ok(Laws { rocking, law, ring });
+            }
         }
     }
 }
@@ -116,7 +131,13 @@ pub(super) fn turned(history: &History) -> f64 {
 }
 
 /// One march; `whole` goes on to the end of free vibration.
-pub(super) fn one(setup: &Setup, law: &Law, hysteretic: f64, dashpot: f64, whole: bool) -> Result<History, BaseError> {
+pub(super) fn one(
+    setup: &Setup,
+    laws: &Laws,
+    hysteretic: f64,
+    dashpot: f64,
+    whole: bool,
+) -> Result<History, BaseError> {
     let end = if whole {
         setup.ground.len()
     } else {
@@ -124,8 +145,8 @@ pub(super) fn one(setup: &Setup, law: &Law, hysteretic: f64, dashpot: f64, whole
     };
     march(&Run {
         body: &setup.body,
-        law: Some(law),
-        ring: None,
+        law: Some(&laws.law),
+        ring: laws.ring.as_ref(),
         hysteretic,
         dashpot,
         friction: setup.friction.clone(),
@@ -136,7 +157,12 @@ pub(super) fn one(setup: &Setup, law: &Law, hysteretic: f64, dashpot: f64, whole
 }
 
 /// The run over `steps` with a motion that is weaker, one that is stronger, and half the step.
-fn twins(setup: &Setup, law: &Law, (hysteretic, dashpot): (f64, f64), steps: usize) -> Result<[History; 3], BaseError> {
+fn twins(
+    setup: &Setup,
+    laws: &Laws,
+    (hysteretic, dashpot): (f64, f64),
+    steps: usize,
+) -> Result<[History; 3], BaseError> {
     let ground = &setup.ground[..steps.min(setup.ground.len())];
     let scaled = |factor: f64| ground.iter().map(|a| factor * a).collect::<Vec<f64>>();
     let mut halved = setup.friction.clone();
@@ -146,8 +172,8 @@ fn twins(setup: &Setup, law: &Law, (hysteretic, dashpot): (f64, f64), steps: usi
     let run = |ground: &[f64], step: f64, friction: &Option<Friction>| {
         march(&Run {
             body: &setup.body,
-            law: Some(law),
-            ring: None,
+            law: Some(&laws.law),
+            ring: laws.ring.as_ref(),
             hysteretic,
             dashpot,
             friction: friction.clone(),
@@ -182,10 +208,11 @@ struct Round {
 
 /// The run whose share is that of its largest rotation; the last one where it turns beyond the law, that with the smaller share where the largest
 /// rotation jumps between two shares.
-fn consistent(setup: &Setup, base: &Base, law: &Law, dashpot: f64) -> Result<Round, BaseError> {
+fn consistent(setup: &Setup, base: &Base, laws: &Laws, dashpot: f64) -> Result<Round, BaseError> {
+    let law = &laws.law;
     let losses = law.losses(base)?;
     let run = |share: f64| -> Result<Round, BaseError> {
-        let history = one(setup, law, share, dashpot, false)?;
+        let history = one(setup, laws, share, dashpot, false)?;
         let peak = turned(&history);
         Ok(Round {
             off: law.share(base, &losses, peak) - share,
@@ -232,8 +259,9 @@ fn consistent(setup: &Setup, base: &Base, law: &Law, dashpot: f64) -> Result<Rou
 /// turns beyond the law with them does so with any. The loss of its strips need not be known for that.
 ///
 /// Errors: no equilibrium of a step.
-pub(super) fn reach(setup: &Setup, base: &Base, law: &Law) -> Result<f64, BaseError> {
-    let widest = one(setup, law, 1.0, dashpot(setup, base), false)?;
+pub(super) fn reach(setup: &Setup, base: &Base, laws: &Laws) -> Result<f64, BaseError> {
+    let law = &laws.law;
+    let widest = one(setup, laws, 1.0, dashpot(setup, base), false)?;
     Ok(match turned(&widest) {
         peak if peak > law.largest() => beyond(peak, law),
         _ => law.largest(),
@@ -253,31 +281,30 @@ fn beyond(peak: f64, law: &Law) -> f64 {
 pub(super) fn settle(
     setup: &Setup,
     base: &Base,
-    (reach, known): (f64, Option<(Rocking, Law)>),
+    (reach, known): (f64, Option<Laws>),
     whole: bool,
 ) -> Result<Found, Missed> {
     let dashpot = dashpot(setup, base);
-    let (mut rocking, mut law) = match known {
+    let mut laws = match known {
         Some(known) => known,
-        None => self::law(base, reach)?,
+        None => law(base, setup.anchors, reach)?,
     };
     loop {
-        let largest = law.largest();
+        let largest = laws.law.largest();
         let Round {
             share: hysteretic,
             mut history,
             mut peak,
             off,
-        } = consistent(setup, base, &law, dashpot)?;
+        } = consistent(setup, base, &laws, dashpot)?;
         if whole && peak <= largest {
-            history = one(setup, &law, hysteretic, dashpot, true)?;
+            history = one(setup, &laws, hysteretic, dashpot, true)?;
             peak = turned(&history);
         }
         if peak <= largest {
             return Ok(Found {
-                twins: twins(setup, &law, (hysteretic, dashpot), history.rotation.len())?,
-                rocking,
-                law,
+                twins: twins(setup, &laws, (hysteretic, dashpot), history.rotation.len())?,
+                laws,
                 hysteretic,
                 settled: off.abs(),
                 dashpot,
@@ -288,6 +315,6 @@ pub(super) fn settle(
             let passes = history.rotation.iter().position(|psi| psi.abs() > largest).unwrap_or(0);
             return Err(Missed::TooFar(peak, passes as f64 * setup.step));
         }
-        (rocking, law) = self::law(base, beyond(peak, &law))?;
+        laws = law(base, setup.anchors, beyond(peak, &laws.law))?;
     }
 }

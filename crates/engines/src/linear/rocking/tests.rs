@@ -141,9 +141,9 @@ fn the_body_is_that_of_the_engine() {
     );
 }
 
-fn ready_law(ready: &Ready, modulus: f64) -> ::base::Law {
+fn ready_law(ready: &Ready, modulus: f64) -> search::Laws {
     let base = Base::of(&ready.case).unwrap().on(modulus);
-    search::law(&base, search::FIRST).unwrap().1
+    search::law(&base, None, search::FIRST).unwrap()
 }
 
 /// A wall under 2000 t of roof on ground of 1e12 N/m³ turns by what the rim gives way, 3e-4 of the wall's own deflection: shear and
@@ -181,7 +181,7 @@ fn the_side_towards_the_acceleration_lifts() {
     let law = ready_law(&ready, 1e8);
     let history = search::one(&setup, &law, 0.0, 0.0, true).unwrap();
     assert!(history.rotation[999] < 0.0 && history.pressure[999] < 0.0);
-    let turn = law.turn(history.rotation[999], history.pressure[999]);
+    let turn = law.law.turn(history.rotation[999], history.pressure[999]);
     let base = Base::of(&ready.case).unwrap();
     let front = turn.centre - history.rotation[999] * base.radius;
     assert!((front / turn.uplift - 1.0).abs() < 1e-9 && front > 0.0);
@@ -197,7 +197,7 @@ fn energy_closes_and_the_step_does_not_matter() {
     assert!(found.history.balance < 1e-3, "{}", found.history.balance);
     let lifted = outcome::band(&base, &found);
     assert!(lifted.uplift > 0.02 && found.hysteretic > 0.0, "{lifted:?}");
-    let half = search::one(&ready.setup(20), &found.law, found.hysteretic, 0.0, false).unwrap();
+    let half = search::one(&ready.setup(20), &found.laws, found.hysteretic, 0.0, false).unwrap();
     for (coarse, fine) in [
         (peak(&found.history.rotation), peak(&half.rotation)),
         (peak(&found.history.shear), peak(&half.shear)),
@@ -403,8 +403,66 @@ fn a_missed_ground_is_named() {
     let mut notes = vec![HELD_DOWN.to_owned()];
     say(&Free::Moves(Box::new(moved)), &mut notes, &mut Vec::new());
     let [moves, note] = &notes[..] else { panic!("{notes:?}") };
-    assert_eq!(moves, words::MOVES);
+    assert_eq!(*moves, words::moves(false));
     for part in ["300 MN/m³", "0.0612 rad", "passes at 3.25 s"] {
         assert!(note.contains(part), "`{part}` is missing in {note}");
     }
+}
+
+/// The same tank on anchors.
+fn anchored(peak: f64, stiffness: Option<f64>, capacity: f64) -> Case {
+    let mut case = oil(25e3, 1e9, peak);
+    case.tank.support = Support::Anchored;
+    case.tank.anchors = Some(tank::Anchors {
+        count: 60,
+        capacity: Some(capacity),
+        stiffness,
+        ..tank::Anchors::default()
+    });
+    case
+}
+
+/// The run with its engine's rules.
+fn run_of(case: Case) -> Free {
+    let ready = ready(case);
+    let analysis = ready.analysis();
+    let options = Options::default();
+    free(
+        &ready.case,
+        (EngineId::Harmonic, &ready.model),
+        &analysis,
+        ready.motion(),
+        &options,
+    )
+}
+
+/// An anchor that yields with the wall held down lets the base lift, and pulls at most its yield force; one that does not leaves the wall held.
+/// Without a stiffness the wall is held, and it is said.
+#[test]
+fn a_base_lifts_on_anchors_that_yield() {
+    let Free::Moves(moved) = run_of(anchored(2.0, Some(60e6), 50e3)) else {
+        panic!("the base does not move")
+    };
+    let run = &moved.result;
+    let anchors = run.anchors.as_ref().unwrap();
+    assert_eq!(run.quantity("anchor_force").unwrap().value.value, 50e3);
+    assert!(anchors.yielded > 0 && anchors.broken == 0, "{anchors:?}");
+    assert!(run.energy.anchors > 0.0 && run.energy.error < 1e-3, "{:?}", run.energy);
+    assert!(matches!(run_of(anchored(2.0, Some(60e6), 5e6)), Free::Held));
+    let Free::NotComputed(reason) = run_of(anchored(2.0, None, 50e3)) else {
+        panic!("a base without stiffness")
+    };
+    assert!(reason.contains("tank.anchors.stiffness"), "{reason}");
+}
+
+/// The stronger the anchors, the less it lifts; unanchored it lifts most.
+#[test]
+fn anchors_hold_a_base_down() {
+    let uplift = |case: Case| match run_of(case) {
+        Free::Moves(moved) => moved.result.quantity("uplift").unwrap().value.value,
+        _ => panic!("the base does not move"),
+    };
+    let [weak, strong] = [20e3, 80e3].map(|force| uplift(anchored(2.0, Some(60e6), force)));
+    let without = uplift(oil(25e3, 1e9, 2.0));
+    assert!(strong < weak && weak < without, "{strong} {weak} {without}");
 }

@@ -10,7 +10,7 @@ use super::search::{Found, MOST, Missed, SETTLED, Setup};
 pub(crate) const HELD_DOWN: &str =
     "The tank is unanchored; the linear engine clamps the wall to the ground and does not model uplift.";
 /// Of a run that lifts or slides.
-pub(super) const MOVES: &str = "The tank is unanchored and lifts or slides: values, envelopes, histories and limit states are those with uplift. The \
+const MOVES: &str = "values, envelopes, histories and limit states are those with uplift. The \
      section on the base has uplift, toe and slip, and the values of the wall held down beside those with uplift. Bending at the foot is not \
      given: the foot is the joint of the bottom plate. Modes, transfer functions and the response-spectrum method are those of the wall held down.";
 /// The foot of the wall on the moving base.
@@ -32,6 +32,25 @@ pub(super) fn does_not_repeat(spread: &BaseSpread) -> String {
         range(spread.uplift, Dimension::Length),
         range(spread.toe_axial_stress, Dimension::Stress),
         range(spread.base_shear, Dimension::Force)
+    )
+}
+
+/// What a run that moves is.
+pub(super) fn moves(anchored: bool) -> String {
+    match anchored {
+        true => format!(
+            "With the wall held down an anchor yields, so that the tank stands on its anchors as springs: {MOVES}"
+        ),
+        false => format!("The tank is unanchored and lifts or slides: {MOVES}"),
+    }
+}
+
+/// Anchors yield, and there is no run with them.
+pub(super) fn anchors_not_computed(force: f64, yields: f64, reason: &str) -> String {
+    format!(
+        "With the wall held down an anchor carries {}, above the {} at which it yields; {reason}: all values are those of the wall held down.",
+        display(force, Dimension::Force),
+        display(yields, Dimension::Force)
     )
 }
 
@@ -58,7 +77,7 @@ pub(super) fn rests(moment: f64, lifting: f64, friction: bool) -> String {
 }
 
 /// Why there is no run, a clause.
-fn reason(missed: &Missed) -> String {
+pub(super) fn reason(missed: &Missed) -> String {
     match missed {
         Missed::Base(error) => error.to_string(),
         Missed::TooFar(angle, time) => format!(
@@ -124,8 +143,15 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
     } else {
         list.push("The material of the bottom plate has no yield strength: the joint loses no energy.".into());
     }
-    list.push(match &setup.friction {
-        Some(friction) => format!(
+    list.push(match (&setup.anchors, &setup.friction) {
+        (Some(anchors), _) => format!(
+            "{} anchors, elastic-plastic springs without pretension that pull only{}; what they stretch beyond {} stays as play. They hold the \
+             tank in place: it does not slide.",
+            anchors.count,
+            if anchors.rupture.is_some() { " until they break" } else { ", and do not break" },
+            display(anchors.yield_force, Dimension::Force)
+        ),
+        (None, Some(friction)) => format!(
             "Coulomb friction of {} under the weight of tank and liquid{}; lifting does not change the weight.",
             significant(friction.coefficient, 3),
             if setup.vertical {
@@ -134,7 +160,7 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
                 ""
             }
         ),
-        None => "Without `tank.foundation.friction` the tank does not slide.".into(),
+        (None, None) => "Without `tank.foundation.friction` the tank does not slide.".into(),
     });
     list.push(if found.dashpot > 0.0 {
         "The soil under the rim radiates energy where it is in contact.".into()
