@@ -10,15 +10,21 @@
 //! | U6 | strip of shells on nearly rigid ground | closed forms |
 //! | U7 | strip of shells with the edge of the wall, four tanks | the strips |
 //! | U8 | sector of wall and bottom plate as shells, lifted evenly | an independent program |
+//! | U9 to U13 | rocking in time | springs in series, quadrature, an independent program, the run held down |
+//! | U14 to U17 | sliding in time | closed forms, an independent program |
+//! | U18 to U20 | loops of plates that yield | an independent program, strips around the rim, Masing's rule |
 
 use ::base::{Bands, BaseError, Edge, Plan, Plate, Rim, Strip};
 
 use crate::Failure;
 
+pub(crate) mod history;
+pub(crate) mod loops;
 pub(crate) mod rocking;
 pub(crate) mod round;
 pub(crate) mod sector;
 pub(crate) mod shells;
+pub(crate) mod sliding;
 pub(crate) mod strip;
 
 const GRAVITY: f64 = 9.81;
