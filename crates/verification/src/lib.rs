@@ -67,6 +67,7 @@ pub const ALL: &[&Benchmark] = &[
     &soil::structure::BENCHMARK,
     &soil::engine::BENCHMARK,
     &soil::isolation::BENCHMARK,
+    &soil::isolated_tanks::BENCHMARK,
     &shell::element::BENCHMARK,
     &shell::patch::BENCHMARK,
     &shell::scordelis_lo::BENCHMARK,

@@ -6,6 +6,7 @@
 //! | effective period and damping | an independent program, limits |
 //! | the harmonic engine on a slab | a body in its modes, a fixed base |
 //! | isolators | closed forms, an independent program, Runge and Kutta's method |
+//! | the harmonic engine on isolators | an independent program, Runge and Kutta's method |
 
 use ::soil::SoilError;
 use ::soil::disc::{Disc, Soil};
@@ -15,7 +16,9 @@ use crate::Failure;
 
 pub(crate) mod engine;
 pub(crate) mod impedances;
+pub(crate) mod isolated_tanks;
 pub(crate) mod isolation;
+mod runge_kutta;
 pub(crate) mod structure;
 
 /// Impulsive mass with wall and roof [kg], its arm [m], its period [s], of tanks B, C and D of the pages on bases.

@@ -13,8 +13,7 @@ use std::f64::consts::{PI, TAU};
 
 use ::base::history::{Body, BodyMode, Run, march};
 use ::base::{Base, Law, Lifted, Plan, Rocking};
-use tank::reference::{case, material};
-use tank::{Bottom, Foundation, FoundationKind, Material, Shape, Support};
+use tank::{Bottom, Foundation, FoundationKind, Support};
 
 use super::{Sample, TANKS, failure};
 use crate::benchmark::{Benchmark, Part};
@@ -76,23 +75,10 @@ fn strips() -> Answer {
     Ok(rows)
 }
 
-/// The base of a tank whose wall has two courses.
+/// The base of a tank.
 fn base(tank: &Sample) -> Result<Base, Failure> {
-    const DENSITY: f64 = 7850.0;
-    let steel = Material {
-        yield_strength: Some(tank.yield_stress),
-        ..material(tank.young_modulus, 0.3, DENSITY)
-    };
-    // The upper course is so thick that the wall has its weight.
-    let (lower, upper) = (0.3 * tank.fill, 0.75 * tank.fill);
-    let section = tank.weight / (DENSITY * tank::STANDARD_GRAVITY);
-    let courses = [(lower, tank.wall), (upper, (section - lower * tank.wall) / upper)];
-    let mut case = case(
-        Shape::Cylinder { radius: tank.radius },
-        &courses,
-        &steel,
-        (tank.density, tank.fill),
-    );
+    let mut case = tank.case();
+    let steel = case.tank.courses[0].material.clone();
     case.tank.support = Support::Unanchored;
     case.tank.bottom = Some(Bottom {
         thickness: tank.plate,
