@@ -52,6 +52,7 @@ fn anchored(capacity: f64) -> Case {
         count: 60,
         capacity: Some(capacity),
         attachment_capacity: None,
+        ..Anchors::default()
     });
     c
 }

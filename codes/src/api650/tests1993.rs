@@ -181,6 +181,7 @@ fn missing_data_is_named() {
         count: 48,
         capacity: Some(100e3),
         attachment_capacity: None,
+        ..Anchors::default()
     });
     let out = assess(&c, Excitation::Site);
     let anchor = out.checks.iter().find(|c| c.id == "anchor_tension").unwrap();

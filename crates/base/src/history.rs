@@ -23,6 +23,10 @@
 //!
 //! Source: Malhotra & Veletsos 1994 (rotational spring of a rocking tank); Iwan 1966; Hilber, Hughes & Taylor 1977.
 
+mod energy;
+
+use energy::Rates;
+
 use crate::anchors::{Bolts, Ring};
 use crate::error::BaseError;
 use crate::law::{Law, Response};
@@ -265,62 +269,6 @@ fn at_ends(values: &mut [f64]) {
     }
 }
 
-impl Energy {
-    fn total(&self) -> f64 {
-        self.body
-            + self.viscous
-            + self.base_elastic
-            + self.base_hysteretic
-            + self.anchors
-            + self.base_radiated
-            + self.friction
-    }
-}
-
-/// Powers and energies of a state.
-#[derive(Clone, Copy, Debug, Default)]
-struct Rates {
-    input: f64,
-    viscous: f64,
-    friction: f64,
-    radiated: f64,
-    body: f64,
-    moment: f64,
-    shear: f64,
-    psi: f64,
-}
-
-impl Rates {
-    fn of(run: &Run<'_>, state: &State, ground: f64) -> Rates {
-        let body = run.body;
-        let (psi, s) = (state.psi, state.slip);
-        let mut rates = Rates {
-            psi: psi[0],
-            ..Rates::default()
-        };
-        let (mut shift, mut turn) = (0.0, 0.0);
-        for (mode, q) in body.modes.iter().zip(&state.q) {
-            rates.body += 0.5 * (q[1] * q[1] + (mode.omega * q[0]).powi(2));
-            rates.viscous += 2.0 * mode.damping * mode.omega * q[1] * q[1];
-            shift += mode.translation * q[1];
-            turn += mode.rotation * q[1];
-        }
-        rates.body += psi[1] * turn
-            + s[1] * shift
-            + 0.5 * body.second_moment * psi[1] * psi[1]
-            + 0.5 * body.mass * s[1] * s[1]
-            + body.first_moment * psi[1] * s[1];
-        rates.input = -ground * (shift + body.first_moment * psi[1] + body.mass * s[1]);
-        rates.shear = state.shear;
-        rates.friction = -rates.shear * s[1];
-        if let Some(law) = run.law {
-            rates.moment = resist(run, law, state, (psi[0], state.pressure)).moment;
-            rates.radiated = run.dashpot * law.contact(psi[0]) * psi[1] * psi[1];
-        }
-        rates
-    }
-}
-
 /// Sums over the modes in a step: constant part, and the factors of A and ψ̈.
 #[derive(Clone, Copy, Default)]
 struct Sums {
@@ -369,9 +317,8 @@ fn sums(run: &Run<'_>, state: &State) -> Sums {
 
 fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), BaseError> {
     let h = run.step;
-    // Of the forces' instant, and of the middle of the step.
+    // Of the forces' instant.
     let ground = (1.0 - BEGIN) * run.ground[i] + BEGIN * run.ground[i - 1];
-    let middle = 0.5 * (run.ground[i] + run.ground[i - 1]);
     let sums = sums(run, state);
     let limit = run
         .friction
@@ -390,33 +337,50 @@ fn step(run: &Run<'_>, state: &mut State, i: usize) -> Result<(), BaseError> {
             _ => Ok((0.0, stuck)),
         }
     };
-    let (mut sliding, mut found) = match (state.sliding, limit) {
+    let (sliding, found) = match (state.sliding, limit) {
         (0.0, _) | (_, None) => hold(state)?,
         (direction, Some(limit)) => {
             let force = Some(direction * limit);
             (direction, accelerations(run, state, &sums, ground, force)?)
         }
     };
-    let mut rest = h;
-    let acceleration = found[0] - middle;
-    // The slip runs against the inertia force; it ends where it would turn round.
-    if state.sliding != 0.0 && (state.slip[1] + h * acceleration) * sliding > 0.0 {
-        let time = (-state.slip[1] / acceleration).clamp(0.0, h);
-        state.slip[0] += 0.5 * state.slip[1] * time;
-        state.slip[1] = 0.0;
-        rest = h - time;
-        (sliding, found) = hold(state)?;
-    }
-    let acceleration = if sliding == 0.0 { 0.0 } else { found[0] - middle };
-    state.slip = [
-        state.slip[0] + rest * state.slip[1] + 0.5 * rest * rest * acceleration,
-        state.slip[1] + rest * acceleration,
-        acceleration,
-    ];
-    state.sliding = sliding;
+    let slipping = if sliding == 0.0 { 0.0 } else { found[0] - ground };
+    // As the velocities of the modes.
+    let acceleration = match sliding == 0.0 {
+        true => 0.0,
+        false => (1.0 - GAMMA) * state.slipping + GAMMA * slipping,
+    };
+    let velocity = state.slip[1] + h * acceleration;
+    // The slip runs against the inertia force; it ends where it would turn round, and the body sticks or slides back at once.
+    let turns = sliding != 0.0 && velocity * sliding > 0.0;
+    let back = if turns { Some(hold(state)?) } else { None };
     advance(run, state, &sums, found);
     state.shear = shear(found);
-    state.slipping = if sliding == 0.0 { 0.0 } else { found[0] - ground };
+    (state.sliding, state.slipping) = (sliding, slipping);
+    match back {
+        None => {
+            let way = h * state.slip[1] + 0.5 * h * h * acceleration;
+            state.slip = [state.slip[0] + way, velocity, acceleration];
+        }
+        Some((direction, found)) => {
+            let time = (-state.slip[1] / acceleration).clamp(0.0, h);
+            let rest = h - time;
+            (state.sliding, state.slipping) = match direction == -sliding {
+                true => (direction, found[0] - ground),
+                false => (0.0, 0.0),
+            };
+            let new = state.slipping;
+            let way = 0.5 * (state.slip[1] * time + new * rest * rest);
+            state.slip = [state.slip[0] + way, new * rest, new];
+            // The base of the modes moved on as before: they take the difference.
+            for (q, mode) in state.q.iter_mut().zip(&run.body.modes) {
+                let taken = mode.translation * (acceleration - new);
+                q[0] += 0.5 * taken * rest * rest;
+                q[1] += taken * rest;
+                q[2] += mode.translation * (slipping - new);
+            }
+        }
+    }
     Ok(())
 }
 

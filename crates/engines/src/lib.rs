@@ -29,6 +29,7 @@ pub mod spectral;
 pub use engine::{Engine, Simulation, Task};
 pub use error::FeError;
 pub use fem::liquid;
+pub use linear::isolation::{IsolatedBody, isolated_body};
 pub use linear::mesh_error::errors as mesh_errors;
 pub use linear::soil::slab_body;
 pub use linear::{simulate, simulate_watched};

@@ -5,7 +5,7 @@ mod around;
 pub(crate) mod demands;
 pub(crate) mod describe;
 mod hoop;
-mod isolation;
+pub(crate) mod isolation;
 pub(crate) mod limits;
 pub(crate) mod mesh_error;
 mod modal;

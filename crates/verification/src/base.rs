@@ -10,36 +10,46 @@
 //! | U6 | strip of shells on nearly rigid ground | closed forms |
 //! | U7 | strip of shells with the edge of the wall, four tanks | the strips |
 //! | U8 | sector of wall and bottom plate as shells, lifted evenly | an independent program |
+//! | U9 to U13 | rocking in time | springs in series, quadrature, an independent program, the run held down |
+//! | U14 to U17 | sliding in time | closed forms, an independent program |
+//! | U18 to U20 | loops of plates that yield | an independent program, strips around the rim, Masing's rule |
+//! | U21 to U23 | anchors that yield | closed forms |
 
 use ::base::{Bands, BaseError, Edge, Plan, Plate, Rim, Strip};
+use tank::reference::{case, material};
+use tank::{Case, Material, Shape};
 
 use crate::Failure;
 
+pub(crate) mod anchors;
+pub(crate) mod history;
+pub(crate) mod loops;
 pub(crate) mod rocking;
 pub(crate) mod round;
 pub(crate) mod sector;
 pub(crate) mod shells;
+pub(crate) mod sliding;
 pub(crate) mod strip;
 
 const GRAVITY: f64 = 9.81;
 
 /// A tank of the rows.
-struct Sample {
-    name: &'static str,
-    radius: f64,
-    fill: f64,
-    density: f64,
+pub(crate) struct Sample {
+    pub(crate) name: &'static str,
+    pub(crate) radius: f64,
+    pub(crate) fill: f64,
+    pub(crate) density: f64,
     /// Lowest course and bottom plate [m].
-    wall: f64,
-    plate: f64,
-    yield_stress: f64,
-    young_modulus: f64,
+    pub(crate) wall: f64,
+    pub(crate) plate: f64,
+    pub(crate) yield_stress: f64,
+    pub(crate) young_modulus: f64,
     /// Wall and roof [N/m].
-    weight: f64,
+    pub(crate) weight: f64,
 }
 
 /// A: the aluminium tank of Manos & Clough; B: 27.8 m in diameter, of Vathi & Karamanos; C: crude oil, 40 m; D: slender.
-const TANKS: [Sample; 4] = [
+pub(crate) const TANKS: [Sample; 4] = [
     sample("A", [1.83, 1.525, 1000.0], [2.03e-3, 2.03e-3], [240e6, 70e9], 81.0),
     sample("B", [13.9, 15.7, 1000.0], [17.7e-3, 8e-3], [235e6, 210e9], 16822.0),
     sample("C", [20.0, 15.0, 870.0], [25e-3, 10e-3], [205e6, 205e9], 21350.0),
@@ -69,6 +79,20 @@ const fn sample(
 impl Sample {
     fn pressure(&self) -> f64 {
         self.density * GRAVITY * self.fill
+    }
+
+    /// Anchored, without ground motion: the upper of two courses is so thick that the wall has its weight.
+    pub(crate) fn case(&self) -> Case {
+        const DENSITY: f64 = 7850.0;
+        let steel = Material {
+            yield_strength: Some(self.yield_stress),
+            ..material(self.young_modulus, 0.3, DENSITY)
+        };
+        let (lower, upper) = (0.3 * self.fill, 0.75 * self.fill);
+        let section = self.weight / (DENSITY * GRAVITY);
+        let courses = [(lower, self.wall), (upper, (section - lower * self.wall) / upper)];
+        let shape = Shape::Cylinder { radius: self.radius };
+        case(shape, &courses, &steel, (self.density, self.fill))
     }
 
     fn strip(&self, yields: bool, modulus: f64, plan: Plan) -> Result<Strip, BaseError> {

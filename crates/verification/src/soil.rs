@@ -6,6 +6,7 @@
 //! | effective period and damping | an independent program, limits |
 //! | the harmonic engine on a slab | a body in its modes, a fixed base |
 //! | isolators | closed forms, an independent program, Runge and Kutta's method |
+//! | the harmonic engine on isolators | an independent program, Runge and Kutta's method |
 
 use ::soil::SoilError;
 use ::soil::disc::{Disc, Soil};
@@ -15,11 +16,13 @@ use crate::Failure;
 
 pub(crate) mod engine;
 pub(crate) mod impedances;
+pub(crate) mod isolated_tanks;
 pub(crate) mod isolation;
+mod runge_kutta;
 pub(crate) mod structure;
 
 /// Impulsive mass with wall and roof [kg], its arm [m], its period [s], of tanks B, C and D of the pages on bases.
-const IMPULSIVE: [(&str, f64, [f64; 3]); 3] = [
+pub(crate) const IMPULSIVE: [(&str, f64, [f64; 3]); 3] = [
     ("B", 13.9, [5.794e6, 6.433, 0.2231]),
     ("C", 20.0, [7.479e6, 6.065, 0.2181]),
     ("D", 6.1, [1.0118e6, 4.795, 0.1403]),

@@ -129,6 +129,7 @@ fn worked_example_anchored() {
         count: 60,
         capacity: Some(100e3),
         attachment_capacity: None,
+        ..Anchors::default()
     });
     let out = assess(&c, Excitation::Site);
     close(line(&out, "A_i"), 0.244286, 5e-7, "A_i");

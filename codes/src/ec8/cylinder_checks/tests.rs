@@ -24,6 +24,7 @@ fn one_course(internal: f64, vacuum: f64) -> Case {
         count: 60,
         capacity: Some(1e6),
         attachment_capacity: None,
+        ..Anchors::default()
     });
     case.site.ec8.as_mut().unwrap().reduction_factor = Some(0.5);
     case

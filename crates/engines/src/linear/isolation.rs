@@ -24,6 +24,7 @@ use tank::{Bearing, Case, Isolators, Quantity, Shape};
 use super::analysis::{Analysis, analyse};
 use super::model::Model;
 use crate::FeError;
+use crate::harmonic::Places;
 use crate::histories::Histories;
 use crate::response::motion::{Grid, Motion};
 use crate::response::superpose;
@@ -65,6 +66,34 @@ pub(super) fn isolated(
     let history = main.map_err(failure)?;
     let bounds = bounds.into_iter().collect::<Result<Vec<IsolationBand>, FeError>>()?;
     Ok(Some(Isolated::new(setup, given, history, bounds, motion)))
+}
+
+/// The body of a case on its isolators.
+#[derive(Clone, Debug)]
+pub struct IsolatedBody {
+    /// Modes on a fixed base.
+    pub modes: Vec<Mode>,
+    /// Mass of tank, liquid and slab [kg].
+    pub mass: f64,
+    /// Isolators with nominal properties.
+    pub isolators: Vec<Isolator>,
+}
+
+/// The body of a case with a ground motion on its isolators, for a second integration of the run; `None` without isolators.
+///
+/// Errors: those of the model on a fixed base.
+pub fn isolated_body(case: &Case, options: &Options) -> Result<Option<IsolatedBody>, FeError> {
+    let (Some(given), Some(motion)) = (case.tank.isolators, case.ground_motion.as_ref()) else {
+        return Ok(None);
+    };
+    let model = Model::new(case, options, false, Places::Usual)?;
+    let grid = model.grid(motion, options.integrator)?;
+    let setup = Setup::new(case, &model, &given, grid, motion, options);
+    Ok(Some(IsolatedBody {
+        isolators: setup.isolators(&given, 1.0),
+        modes: setup.modes,
+        mass: setup.mass,
+    }))
 }
 
 fn failure(error: SoilError) -> FeError {

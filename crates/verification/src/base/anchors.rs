@@ -61,7 +61,9 @@ fn cycle() -> Answer {
     let elastic = anchors.yield_force / anchors.stiffness;
     let closed = |value| (value, "closed form", Reference::ClosedForm);
     let row = |what: &str, expected: f64, (elongation, plastic): (f64, f64)| {
-        let found = anchors.force(anchors.gap + elongation * elastic, plastic * elastic, false).0;
+        let found = anchors
+            .force(anchors.gap + elongation * elastic, plastic * elastic, false)
+            .0;
         Row::new("U21", what, closed(expected), found, (1e-9, "N"))
     };
     let n = anchors.yield_force;
@@ -142,7 +144,13 @@ fn shaken() -> Answer {
     let most = history.anchor_force.iter().copied().fold(0.0, f64::max);
     let closed = |value, what| (value, what, Reference::ClosedForm);
     Ok(vec![
-        Row::new("U23", "largest force", closed(ANCHORS.yield_force, "N_y"), most, (1e-9, "N")),
+        Row::new(
+            "U23",
+            "largest force",
+            closed(ANCHORS.yield_force, "N_y"),
+            most,
+            (1e-9, "N"),
+        ),
         Row::new(
             "U23",
             "loss of the anchors",

@@ -106,7 +106,7 @@ fn closed_forms() -> Answer {
 
 const OTHER: &str = "independent program, strips side by side";
 
-fn rocking(tank: &Sample, yields: bool, modulus: f64) -> Result<Rocking, Failure> {
+pub(super) fn rocking(tank: &Sample, yields: bool, modulus: f64) -> Result<Rocking, Failure> {
     let strip = tank.strip(yields, modulus, Plan::Strip).map_err(failure)?;
     let curve = Curve::of(&strip, tank.weight, -0.06, 0.25).map_err(failure)?;
     Rocking::new(tank.radius, tank.weight, vec![(tank.pressure(), curve)]).map_err(failure)

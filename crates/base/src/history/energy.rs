@@ -1,0 +1,59 @@
+//! Powers and energies of a run.
+
+use super::{Energy, Run, State, resist};
+
+impl Energy {
+    pub(super) fn total(&self) -> f64 {
+        self.body
+            + self.viscous
+            + self.base_elastic
+            + self.base_hysteretic
+            + self.anchors
+            + self.base_radiated
+            + self.friction
+    }
+}
+
+/// Powers and energies of a state.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Rates {
+    pub(super) input: f64,
+    pub(super) viscous: f64,
+    pub(super) friction: f64,
+    pub(super) radiated: f64,
+    pub(super) body: f64,
+    pub(super) moment: f64,
+    pub(super) shear: f64,
+    pub(super) psi: f64,
+}
+
+impl Rates {
+    pub(super) fn of(run: &Run<'_>, state: &State, ground: f64) -> Rates {
+        let body = run.body;
+        let (psi, s) = (state.psi, state.slip);
+        let mut rates = Rates {
+            psi: psi[0],
+            ..Rates::default()
+        };
+        let (mut shift, mut turn) = (0.0, 0.0);
+        for (mode, q) in body.modes.iter().zip(&state.q) {
+            rates.body += 0.5 * (q[1] * q[1] + (mode.omega * q[0]).powi(2));
+            rates.viscous += 2.0 * mode.damping * mode.omega * q[1] * q[1];
+            shift += mode.translation * q[1];
+            turn += mode.rotation * q[1];
+        }
+        rates.body += psi[1] * turn
+            + s[1] * shift
+            + 0.5 * body.second_moment * psi[1] * psi[1]
+            + 0.5 * body.mass * s[1] * s[1]
+            + body.first_moment * psi[1] * s[1];
+        rates.input = -ground * (shift + body.first_moment * psi[1] + body.mass * s[1]);
+        rates.shear = state.shear;
+        rates.friction = -rates.shear * s[1];
+        if let Some(law) = run.law {
+            rates.moment = resist(run, law, state, (psi[0], state.pressure)).moment;
+            rates.radiated = run.dashpot * law.contact(psi[0]) * psi[1] * psi[1];
+        }
+        rates
+    }
+}
