@@ -61,7 +61,7 @@ enum Command {
     Check(check::Args),
     /// Run an incremental dynamic analysis: nonlinear runs at increasing scales of a record.
     Ida(ida::Args),
-    /// Push an anchored cylinder until its wall buckles.
+    /// Push a cylinder until its wall buckles or its base turns over.
     Push(push::Args),
     /// Compute uplift of the bottom plate and the moment that the base of a tank holds, statically.
     Base(base::Args),

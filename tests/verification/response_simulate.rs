@@ -208,6 +208,7 @@ fn limits_of_validity() {
             count: 40,
             capacity,
             attachment_capacity: None,
+            ..Anchors::default()
         });
         let found = simulate(&anchored, &quick()).unwrap();
         assert_eq!(limit(&found, "uplift_tension").holds, holds);
