@@ -118,6 +118,25 @@ pub fn percent(fraction: f64) -> String {
     format!("{}{GAP}%", fixed(value, decimals))
 }
 
+/// A utilisation in percent; above 1 with as many decimals as show that it is, `100.1 %`.
+pub fn utilisation(ratio: f64) -> String {
+    let value = 100.0 * ratio;
+    if !(value > 100.0 && value < 100.5) {
+        return percent(ratio);
+    }
+    let decimals = (1..=9).find(|&n| (value - 100.0) * 10_f64.powi(n) >= 0.5);
+    match decimals {
+        Some(n) => format!("{}{GAP}%", fixed(value, n as usize)),
+        None => format!("above 100{GAP}%"),
+    }
+}
+
+/// A share that is rounding, 0.
+pub fn share(fraction: f64) -> String {
+    const ROUNDING: f64 = 1e-6;
+    percent(if fraction.abs() < ROUNDING { 0.0 } else { fraction })
+}
+
 /// A whole number with grouped digits.
 pub fn count(value: usize) -> String {
     group(&value.to_string())

@@ -113,7 +113,8 @@ object! {
         projection ("50 mm"): Opt<Length> [Limits::from(0.0).to(1.0)] = default(Length(0.0)),
         /// Subgrade modulus of the ground under the wall in MN/m³: compacted gravel 100, ring wall, slab or rock 10 000.
         subgrade_modulus (100): Opt<Number> [Limits::from(1.0).to(1e6)]
-            = without("uplift on ground of 100, compression at the toe on ground of 10 000 MN/m³, EN 1998-4:2006 A.9"),
+            = Absent::Follows("that of tank.foundation; without one, uplift on ground of 100 and compression at the toe on ground of \
+                               10 000 MN/m³, EN 1998-4:2006 A.9"),
         /// Name of its material.
         material ("steel"): Field<String>,
     }
