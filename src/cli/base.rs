@@ -184,7 +184,7 @@ fn on_ground(factor: f64, base: &Base, suction: f64, uplifts: &[f64], rotations:
     }
     let largest = rotations.iter().copied().fold(0.0, f64::max);
     let rocking = (!rotations.is_empty())
-        .then(|| rocking(&base, largest, suction))
+        .then(|| rocking(&base, largest, suction, rest.uplift().min(0.0)))
         .transpose()?;
     let turns = rocking.map_or(Vec::new(), |r| {
         rotations
@@ -201,10 +201,11 @@ fn on_ground(factor: f64, base: &Base, suction: f64, uplifts: &[f64], rotations:
     })
 }
 
-fn rocking(base: &Base, rotation: f64, suction: f64) -> Result<Rocking, BaseError> {
+/// * `rest`: displacement of the rim at rest [m], below 0 where the ground gives way
+fn rocking(base: &Base, rotation: f64, suction: f64, rest: f64) -> Result<Rocking, BaseError> {
     let reach = (rotation * base.radius).min(REACH * base.radius / 2.0);
     // The centre stays near the ground: the lifted side moves by less than the whole width times the rotation.
-    base.rocking(-reach - 0.02, 2.0 * reach + 0.02, suction > 0.0)
+    base.rocking(rest - reach - 0.02, 2.0 * reach + 0.02, suction > 0.0)
 }
 
 fn origin(origin: Origin) -> &'static str {
@@ -345,7 +346,8 @@ fn human(name: &str, base: &Base, suction: f64, grounds: &[OnGround]) -> String 
         }
         out += &format!("\n{table}{}\n", words::TURN_HEADS);
         for g in grounds {
-            for (psi, error) in g.turns.iter().filter_map(|t| t.as_ref().err()) {
+            // Larger rotations fail for the same reason.
+            if let Some((psi, error)) = g.turns.iter().find_map(|t| t.as_ref().err()) {
                 out += &format!("{}\n", words::no_turn(*psi, g.base.modulus, &error.to_string()));
             }
         }

@@ -278,6 +278,23 @@ mod tests {
     }
 
     #[test]
+    fn a_utilisation_above_one_shows_it() {
+        for (ratio, text) in [
+            (0.998, "100\u{a0}%"),
+            (1.0, "100\u{a0}%"),
+            (1.001, "100.1\u{a0}%"),
+            (1.000_04, "100.004\u{a0}%"),
+            (1.004_9, "100.5\u{a0}%"),
+            (1.006, "101\u{a0}%"),
+            (1.2, "120\u{a0}%"),
+        ] {
+            assert_eq!(utilisation(ratio), text);
+        }
+        assert_eq!(share(3e-12), "0\u{a0}%");
+        assert_eq!(share(0.05), percent(0.05));
+    }
+
+    #[test]
     fn values_carry_an_engineers_unit() {
         assert_eq!(with_unit(0.137, Dimension::Length), "137.0\u{a0}mm");
         assert_eq!(given(0.002_03, Dimension::Length), "2.03\u{a0}mm");

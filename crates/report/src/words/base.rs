@@ -1,6 +1,6 @@
 //! The command `base`.
 
-use tank::units::{Dimension, display};
+use tank::units::{Dimension, display, significant};
 
 /// Heads of the table of the strip.
 pub const STRIP_HEAD: [&str; 7] = [
@@ -37,12 +37,12 @@ pub fn no_uplift(uplift: f64, error: &str) -> String {
     format!("{NONE} uplift {}: {error}", display(uplift, Dimension::Length))
 }
 
-/// Why a rotation [rad] has no numbers on a ground of this modulus [N/m³].
+/// Why rotations from this one [rad] have no numbers on a ground of this modulus [N/m³].
 pub fn no_turn(rotation: f64, modulus: f64, error: &str) -> String {
     format!(
-        "{NONE} ψ = {} on ground of {}: {error}",
-        display(rotation, Dimension::Angle),
-        display(modulus, Dimension::Subgrade)
+        "{NONE} on ground of {} from ψ = {} rad: {error}",
+        display(modulus, Dimension::Subgrade),
+        significant(rotation, 3)
     )
 }
 
