@@ -127,6 +127,7 @@ fn what_is_left_out_or_missing_is_said() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let file = changed(home.path(), |tank| {
         tank["tank"]["foundation"] = json!({ "kind": "soil", "stiffness": "1 MN/m3" });
+        tank["tank"]["support"] = json!("anchored");
         tank["tank"]["anchors"] = json!({ "count": 36, "capacity": "120 kN" });
     });
     let run = tankcheck(&["base", &file, "--uplift", "50mm", "--rotation", "1e-3"]);
