@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use ::base::{Base, BaseError, Lifted, Missing, Origin, Point, Rocking, Turn};
 use serde_json::{Value, json};
-use tank::units::{Dimension, display, parse};
+use tank::units::{Dimension, UnitError, display, parse};
 
 use crate::cli::global::{Format, Global, json as pretty};
 use crate::cli::table::Table;
@@ -77,6 +77,9 @@ pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     if !base.yields() && !args.elastic {
         say!("warning: {}", words::ELASTIC);
     }
+    if tank.case.tank.anchors.is_some() {
+        say!("warning: {}", words::ANCHORS);
+    }
     let suction = pressure(args.bottom_pressure.as_deref(), base.pressure)?;
     let uplifts = list(
         "--uplift",
@@ -109,7 +112,7 @@ fn absent(missing: Missing) -> Error {
 
 fn pressure(given: Option<&str>, rest: f64) -> Result<f64, Error> {
     let Some(given) = given else { return Ok(0.0) };
-    let value = parse(given, Dimension::Stress).map_err(|e| usage("--bottom-pressure", given, &e.to_string()))?;
+    let value = parse(given, Dimension::Stress).map_err(|e| unreadable("--bottom-pressure", given, &e))?;
     // Curves are kept down to half of the pressure at rest.
     if (0.0..=0.5 * rest).contains(&value) {
         return Ok(value);
@@ -126,6 +129,13 @@ fn usage(option: &str, found: &str, allowed: &str) -> Error {
         "error: {option}: found `{}`, expected {allowed}",
         text::line(found)
     ))
+}
+
+/// A value that is not a quantity of its dimension.
+fn unreadable(option: &str, found: &str, error: &UnitError) -> Error {
+    let help = error.help().map_or(String::new(), |help| format!("\n  help: {help}"));
+    let found = text::line(found);
+    Error::input(format!("error: {option}: found `{found}`: {error}{help}"))
 }
 
 fn list(
@@ -145,7 +155,7 @@ fn list(
             .flatten();
         let value = match bare {
             Some(value) => value,
-            None => parse(text, dimension).map_err(|e| usage(option, text, &e.to_string()))?,
+            None => parse(text, dimension).map_err(|e| unreadable(option, text, &e))?,
         };
         if !(low..=high).contains(&value) {
             let allowed = format!("{} to {}", display(low, dimension), display(high, dimension));
@@ -174,7 +184,7 @@ fn on_ground(factor: f64, base: &Base, suction: f64, uplifts: &[f64], rotations:
     }
     let largest = rotations.iter().copied().fold(0.0, f64::max);
     let rocking = (!rotations.is_empty())
-        .then(|| rocking(&base, largest, suction))
+        .then(|| rocking(&base, largest, suction, rest.uplift().min(0.0)))
         .transpose()?;
     let turns = rocking.map_or(Vec::new(), |r| {
         rotations
@@ -191,10 +201,11 @@ fn on_ground(factor: f64, base: &Base, suction: f64, uplifts: &[f64], rotations:
     })
 }
 
-fn rocking(base: &Base, rotation: f64, suction: f64) -> Result<Rocking, BaseError> {
+/// * `rest`: displacement of the rim at rest [m], below 0 where the ground gives way
+fn rocking(base: &Base, rotation: f64, suction: f64, rest: f64) -> Result<Rocking, BaseError> {
     let reach = (rotation * base.radius).min(REACH * base.radius / 2.0);
     // The centre stays near the ground: the lifted side moves by less than the whole width times the rotation.
-    base.rocking(-reach - 0.02, 2.0 * reach + 0.02, suction > 0.0)
+    base.rocking(rest - reach - 0.02, 2.0 * reach + 0.02, suction > 0.0)
 }
 
 fn origin(origin: Origin) -> &'static str {
@@ -324,13 +335,22 @@ fn human(name: &str, base: &Base, suction: f64, grounds: &[OnGround]) -> String 
             }
         };
     }
-    out += &table.to_string();
+    out += &format!("{table}{}\n", words::STRIP_HEADS);
+    for (w, error) in on.strip.iter().filter_map(|p| p.as_ref().err()) {
+        out += &format!("{}\n", words::no_uplift(*w, &error.to_string()));
+    }
     if !on.turns.is_empty() {
         let mut table = Table::new(words::TURN_HEAD);
         for i in 0..on.turns.len() {
             table.row(turn_row(grounds, i));
         }
-        out += &format!("\n{table}");
+        out += &format!("\n{table}{}\n", words::TURN_HEADS);
+        for g in grounds {
+            // Larger rotations fail for the same reason.
+            if let Some((psi, error)) = g.turns.iter().find_map(|t| t.as_ref().err()) {
+                out += &format!("{}\n", words::no_turn(*psi, g.base.modulus, &error.to_string()));
+            }
+        }
     }
     out
 }

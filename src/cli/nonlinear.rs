@@ -155,7 +155,8 @@ pub(crate) fn announce_start(what: &str, file: &CheckpointFile, every: f64, glob
     }
     let shown = file.path.display();
     let start = match (file.resume, file.path.exists()) {
-        (true, true) => format!("resumes from `{shown}`"),
+        // The engine compares it with the model, which is not built yet.
+        (true, true) => format!("resumes from `{shown}` if that is a checkpoint of this run"),
         (true, false) => format!("starts from the beginning; checkpoint `{shown}` does not exist"),
         (false, true) => format!("starts over and overwrites `{shown}`; use --resume to continue"),
         (false, false) => "starts".into(),

@@ -95,6 +95,7 @@ fn bad_input_has_one_message() {
     let keep = |_: &mut Value| {};
     said(&keep, &["--uplift", "50 kg"], "--uplift");
     said(&keep, &["--uplift", "50 m"], "--uplift");
+    said(&keep, &["--uplift", "5"], "the unit is missing after `5`\n  help: ");
     said(&keep, &["--rotation=-1e-3"], "--rotation");
     said(&keep, &["--bottom-pressure", "1 MPa"], "--bottom-pressure");
     said(&|t| t["tank"]["bottom"] = Value::Null, &[], "tank.bottom");
@@ -117,4 +118,32 @@ fn bad_input_has_one_message() {
         &[],
         "tank.bottom.annular_thickness",
     );
+}
+
+/// Heads are explained, anchors are named as left out, and a rotation without numbers has its reason. Soft ground, in which the rim sinks far,
+/// has its numbers.
+#[test]
+fn what_is_left_out_or_missing_is_said() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let file = changed(home.path(), |tank| {
+        tank["tank"]["foundation"] = json!({ "kind": "soil", "stiffness": "1 MN/m3" });
+        tank["tank"]["support"] = json!("anchored");
+        tank["tank"]["anchors"] = json!({ "count": 36, "capacity": "120 kN" });
+    });
+    let run = tankcheck(&["base", &file, "--uplift", "50mm", "--rotation", "1e-3"]);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    assert!(stderr(&run).contains("`tank.anchors` are left out"), "{}", stderr(&run));
+    let text = String::from_utf8_lossy(&run.stdout);
+    for part in [
+        "hold-down: pull of the plate on the wall",
+        "toe stress: axial compression",
+    ] {
+        assert!(text.contains(part), "`{part}` is missing in {text}");
+    }
+    assert!(!text.contains("–"), "{text}");
+    let run = tankcheck(&["base", &file, "--uplift", "50mm", "--rotation", "0.05"]);
+    let text = String::from_utf8_lossy(&run.stdout);
+    for line in text.lines().filter(|line| line.contains("– / ")) {
+        assert!(text.contains("– on ground of "), "{line} has no reason in {text}");
+    }
 }

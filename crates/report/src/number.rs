@@ -118,6 +118,25 @@ pub fn percent(fraction: f64) -> String {
     format!("{}{GAP}%", fixed(value, decimals))
 }
 
+/// A utilisation in percent; above 1 with as many decimals as show that it is, `100.1 %`.
+pub fn utilisation(ratio: f64) -> String {
+    let value = 100.0 * ratio;
+    if !(value > 100.0 && value < 100.5) {
+        return percent(ratio);
+    }
+    let decimals = (1..=9).find(|&n| (value - 100.0) * 10_f64.powi(n) >= 0.5);
+    match decimals {
+        Some(n) => format!("{}{GAP}%", fixed(value, n as usize)),
+        None => format!("above 100{GAP}%"),
+    }
+}
+
+/// A share that is rounding, 0.
+pub fn share(fraction: f64) -> String {
+    const ROUNDING: f64 = 1e-6;
+    percent(if fraction.abs() < ROUNDING { 0.0 } else { fraction })
+}
+
 /// A whole number with grouped digits.
 pub fn count(value: usize) -> String {
     group(&value.to_string())
@@ -256,6 +275,23 @@ mod tests {
         ] {
             assert_eq!(percent(value), text);
         }
+    }
+
+    #[test]
+    fn a_utilisation_above_one_shows_it() {
+        for (ratio, text) in [
+            (0.998, "100\u{a0}%"),
+            (1.0, "100\u{a0}%"),
+            (1.001, "100.1\u{a0}%"),
+            (1.000_04, "100.004\u{a0}%"),
+            (1.004_9, "100.5\u{a0}%"),
+            (1.006, "101\u{a0}%"),
+            (1.2, "120\u{a0}%"),
+        ] {
+            assert_eq!(utilisation(ratio), text);
+        }
+        assert_eq!(share(3e-12), "0\u{a0}%");
+        assert_eq!(share(0.05), percent(0.05));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! The reader, range checks, defaults with their echo in the report, the JSON Schema and the reference page use it.
 
-use tank::units::{Dimension, in_unit, unit_for};
+use tank::units::{Dimension, Unit, in_unit, unit_for};
 
 /// A key whose value is a `T`.
 #[derive(Debug)]
@@ -209,8 +209,16 @@ fn shown(value: f64, dimension: Dimension) -> String {
 
 /// A value in SI as a user writes it: as short as possible, with an engineer's unit.
 pub(super) fn written(value: f64, dimension: Dimension) -> String {
-    let unit = unit_for(value, dimension);
+    // Angles are written in degrees.
+    let degrees = (dimension == Dimension::Angle)
+        .then(|| Unit::find("deg", dimension))
+        .flatten();
+    let unit = degrees.unwrap_or_else(|| unit_for(value, dimension));
     let number = in_unit(value, unit);
+    let number = match degrees {
+        Some(_) => (1e9 * number).round() / 1e9,
+        None => number,
+    };
     match unit.text {
         "" => format!("{number}"),
         unit => format!("{number} {unit}"),

@@ -211,7 +211,11 @@ fn of(case: &Case, options: &Options, solid: &SolidOptions, response: Option<Res
         inelastic: None,
         lever: Lever {
             smaller: Vec::new(),
-            other: "coarsen the mesh (--mesh, --refine), or give a longer --vtu-every".into(),
+            other: match solid.snapshot_interval {
+                Some(_) => "coarsen the mesh (--mesh, --refine), or give a longer --vtu-every",
+                None => "coarsen the mesh (--mesh, --refine)",
+            }
+            .into(),
         },
     })
 }

@@ -37,25 +37,27 @@ pub(super) fn extreme_moments(result: &Run) -> Vec<(String, f64)> {
 ///
 /// Errors: a time after the end of the histories; the peak of a history that the run does not have.
 pub(super) fn asked(result: &Run, end: f64, instants: &[Instant]) -> Result<Vec<(String, f64)>, FeError> {
-    let refused = |found: String, allowed: String| FeError::Option {
-        option: "analysis.snapshots".into(),
+    let refused = |i: usize, found: String, allowed: String| FeError::Option {
+        option: format!("analysis.snapshots[{i}]"),
         found,
         allowed,
     };
-    let resolve = |instant: &Instant| match *instant {
+    let resolve = |(i, instant): (usize, &Instant)| match *instant {
         Instant::At(time) if time > end * (1.0 + 1e-9) => Err(refused(
+            i,
             format!("{time} s"),
             format!("at most {end:.3} s, the end of record and free vibration"),
         )),
         Instant::At(time) => Ok((format!("at t = {time:.3} s"), time)),
         Instant::Peak(peak) => moment(result, peak).ok_or_else(|| {
             refused(
+                i,
                 peak.name().into(),
                 "a time, or the peak of a history of this run".into(),
             )
         }),
     };
-    instants.iter().map(resolve).collect()
+    instants.iter().enumerate().map(resolve).collect()
 }
 
 #[cfg(test)]

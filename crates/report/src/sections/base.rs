@@ -6,7 +6,7 @@ use super::motion_of_base::{self, Motion};
 use super::{Section, Source};
 use crate::figure::chart::{Axis, Chart, Line};
 use crate::figure::{Figure, HALF, Room};
-use crate::number::{Scale, fixed, percent, with_unit};
+use crate::number::{Scale, fixed, share, with_unit};
 use crate::table::{Column, Table, spread};
 use crate::words::uplift as words;
 use files::error::Error;
@@ -139,7 +139,7 @@ fn energy(run: &BaseRun) -> Table {
         let share = if e.input == 0.0 {
             words::NONE.into()
         } else {
-            percent(value / e.input)
+            share(value / e.input)
         };
         table.row(vec![label.into(), scale.text(value), share]);
     }

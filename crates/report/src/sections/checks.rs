@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::summary::bar_width;
 use super::{Section, Source};
 use crate::methods::excitation;
-use crate::number::{Scale, percent};
+use crate::number::{Scale, utilisation};
 use crate::words::{self, capital};
 use files::error::Error;
 use tank::assessment::{Check, CheckStatus};
@@ -34,6 +34,9 @@ struct Row {
     status: &'static str,
 }
 
+/// In the title of an edition that is no longer in force.
+const SUPERSEDED: &str = "superseded";
+
 fn row(check: &Check) -> Row {
     let values = [check.demand, check.capacity];
     let scale = Scale::of(check.dimension, values.into_iter().flatten());
@@ -53,7 +56,7 @@ fn row(check: &Check) -> Row {
         demand: text(check.demand),
         capacity: text(check.capacity),
         unit: if check.compared() { scale.symbol() } else { "" },
-        utilisation: check.ratio().map(percent).unwrap_or_default(),
+        utilisation: check.ratio().map(utilisation).unwrap_or_default(),
         width: check.ratio().map_or(0.0, bar_width),
         holds: check.holds(),
         compared: check.compared(),
@@ -76,11 +79,10 @@ fn sign(status: CheckStatus) -> (&'static str, &'static str) {
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let groups: Vec<Group> = source
-        .results
-        .methods
-        .iter()
-        .filter(|m| !m.checks.is_empty())
+    let mut methods: Vec<_> = source.results.methods.iter().filter(|m| !m.checks.is_empty()).collect();
+    // Editions in force come first.
+    methods.sort_by_key(|m| m.title.contains(SUPERSEDED));
+    let groups: Vec<Group> = (methods.into_iter())
         .map(|m| Group {
             title: m.title.clone(),
             excitation: excitation(m),

@@ -9,7 +9,7 @@ use super::{Section, Source};
 use crate::figure::Figure;
 use crate::figure::bars::{Bar, bars};
 use crate::methods::{excitation, figure_order, look};
-use crate::number::{Scale, fixed, given, percent, ratio, with_unit};
+use crate::number::{Scale, fixed, given, ratio, utilisation, with_unit};
 use crate::words::{self, capital};
 use files::error::Error;
 use results::compare::unusable;
@@ -150,7 +150,7 @@ fn governing(results: &Results) -> Option<Governing> {
         demand: scale.text(demand),
         capacity: scale.text(capacity),
         unit: scale.symbol(),
-        utilisation: percent(ratio),
+        utilisation: utilisation(ratio),
         width: bar_width(ratio),
         holds: check.holds(),
         note: [

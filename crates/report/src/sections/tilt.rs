@@ -5,7 +5,7 @@ use tank::units::Dimension;
 use super::{Section, Source};
 use crate::figure::chart::{Axis, Chart, Line};
 use crate::figure::{Figure, HALF, Room};
-use crate::number::{Scale, fixed, with_unit};
+use crate::number::{Scale, fixed, significant, with_unit};
 use crate::table::{Column, Table, spread};
 use crate::words::{figures, labels};
 use files::error::Error;
@@ -43,7 +43,7 @@ fn resultants(found: &[(&str, &Tilt)]) -> Table {
         table.row(row);
     };
     let largest = |values: &[f64]| values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-    add("Angle", &|t| with_unit(t.angle, Dimension::Angle));
+    add("Angle", &|t| format!("{}°", significant(t.angle.to_degrees(), 4)));
     add("Base shear", &|t| with_unit(t.base_shear, Dimension::Force));
     add(labels::MOMENT_ABOVE, &|t| with_unit(t.base_moment, Dimension::Moment));
     add(labels::MOMENT_BELOW, &|t| {

@@ -1,6 +1,6 @@
 //! The command `base`.
 
-use tank::units::{Dimension, display};
+use tank::units::{Dimension, display, significant};
 
 /// Heads of the table of the strip.
 pub const STRIP_HEAD: [&str; 7] = [
@@ -20,6 +20,31 @@ pub const TURN_HEAD: [&str; 4] = [
     "lift [mm]",
     "toe stress [MPa]",
 ];
+
+/// What the heads of the table of the strip mean.
+pub const STRIP_HEADS: &str = "uplift of the rim from the unloaded ground; hold-down: pull of the plate on the wall; θ rim, M rim and N: rotation, bending \
+     moment and membrane force of the plate at the rim; lifted width: from the rim to the ground; θ plastic: rotation of the plastic joint";
+
+/// What the heads of the table of the base mean.
+pub const TURN_HEADS: &str = "ψ: rotation of the base in 1e-3 rad; moment: overturning moment that turns it so far, on ground of k/3, k and 3k, as in \
+     every cell; lift: uplift of the lifted side; toe stress: axial compression of the lowest course on the other side";
+
+/// The tank has anchors.
+pub const ANCHORS: &str = "`tank.anchors` are left out: this is the base without its anchors";
+
+/// Why an uplift [m] has no row.
+pub fn no_uplift(uplift: f64, error: &str) -> String {
+    format!("{NONE} uplift {}: {error}", display(uplift, Dimension::Length))
+}
+
+/// Why rotations from this one [rad] have no numbers on a ground of this modulus [N/m³].
+pub fn no_turn(rotation: f64, modulus: f64, error: &str) -> String {
+    format!(
+        "{NONE} on ground of {} from ψ = {} rad: {error}",
+        display(modulus, Dimension::Subgrade),
+        significant(rotation, 3)
+    )
+}
 
 /// A number that was not found.
 pub const NONE: &str = "–";

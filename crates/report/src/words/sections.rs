@@ -80,10 +80,11 @@ const ALL: &[Words] = &[
             ),
             (
                 "order",
-                "The order is fixed: modal maxima combined by SRSS for the history; the impulsive mode and the first \
-                 sloshing mode for all modes; masses of liquid, wall, roof, floor and sloshing; lever arms; periods; damping; spectrum, \
-                 code's damping factor, long-period branch, importance and behaviour factor, bounds; wave formula; combination rule. \
-                 Another order has other factors with the same product.",
+                "The order is fixed: the wall held down for a base that lifts; modal maxima combined by SRSS for the history; the \
+                 impulsive mode and the first sloshing mode for all modes; masses of liquid, wall, roof, floor and sloshing; lever arms; \
+                 stress formulas; rigid wall, plateau and periods; damping; spectrum, code's damping factor, long-period branch, importance \
+                 and behaviour factor, bounds; wave formula; combination rule; vertical motion; last the model and the formula of the \
+                 procedure. Another order has other factors with the same product.",
             ),
             (
                 "bars",

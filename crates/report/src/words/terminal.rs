@@ -159,6 +159,11 @@ pub fn governing(governing: &Governing) -> String {
 pub fn utilisation(check: &Check) -> String {
     match check.ratio() {
         None => "–".into(),
+        Some(ratio) if ratio > 1.0 && ratio < 1.005 => {
+            // As many decimals as show that it is above 1.
+            let decimals = (3..=9).find(|&n| (ratio - 1.0) * 10_f64.powi(n) >= 0.5);
+            decimals.map_or("above 1".into(), |n| format!("{ratio:.*}", n as usize))
+        }
         Some(ratio) if ratio.is_finite() => format!("{ratio:.2}"),
         Some(_) => "no capacity".into(),
     }

@@ -3,7 +3,7 @@
 use tank::FoundationKind;
 use tank::units::{Dimension, display};
 
-use crate::number::{fixed, percent, with_unit};
+use crate::number::{fixed, percent, share, with_unit};
 use results::{BaseRun, BaseSpread, GroundOrigin, MissedBand};
 
 /// Title of a quantity.
@@ -98,7 +98,7 @@ pub fn ground(run: &BaseRun) -> String {
     format!(
         "Ground under the rim {} ({origin}); hysteretic share {}; time step {}.",
         display(run.modulus, Dimension::Subgrade),
-        percent(run.hysteretic),
+        share(run.hysteretic),
         display(run.step, Dimension::Time)
     )
 }

@@ -10,7 +10,14 @@ use crate::input::tank::read::Field;
 use crate::input::tank::resolver::{Resolver, range_fault};
 
 /// The bottom plate: that under the wall first, the plates within it as `sketch`.
-pub(super) fn bottom(r: &mut Resolver<'_>, given: &Bottom, materials: &Materials) -> Option<tank::Bottom> {
+///
+/// * `founded`: whether there is a `tank.foundation`, whose ground is that of the plate
+pub(super) fn bottom(
+    r: &mut Resolver<'_>,
+    given: &Bottom,
+    materials: &Materials,
+    founded: bool,
+) -> Option<tank::Bottom> {
     let inner = r.number(&given.thickness);
     let annular = r.optional(&given.annular_thickness);
     let thickness = annular.unwrap_or(inner);
@@ -38,7 +45,11 @@ pub(super) fn bottom(r: &mut Resolver<'_>, given: &Bottom, materials: &Materials
             .push(range_fault(field, message, "at least tank.bottom.thickness"));
     }
     let projection = r.or_default(&given.projection);
-    let subgrade_modulus = r.optional(&given.subgrade_modulus).map(|k| 1e6 * k);
+    // The foundation gives the ground, or the kind that it is assumed for.
+    let subgrade_modulus = match founded && given.subgrade_modulus.given.is_none() {
+        true => None,
+        false => r.optional(&given.subgrade_modulus).map(|k| 1e6 * k),
+    };
     let material = wall::material(r, &given.material, materials, Use::Shell)?;
     Some(tank::Bottom {
         thickness,

@@ -24,6 +24,8 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
             .iter()
             .map(|c| c.value.as_ref().and_then(|c| c.height.value).map(|h| h.0))
             .collect();
+        // A list without courses is a fault already.
+        let heights = heights.filter(|heights| !heights.is_empty());
         let wall = heights.map_or(f64::NAN, |h| h.iter().sum());
         if liquid.fill_height > wall * (1.0 + ROUNDING) {
             let field = &given.fill_height;
@@ -53,17 +55,21 @@ pub(super) fn checks(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>,
     }
     if let (Some(roof), Some(height)) = (t.roof.value(), tank.roof.height)
         && let Some(field) = &roof.height.given
-        && height < 0.5 * tank.wall_height()
     {
-        let allowed = format!(
-            "at least {}, half the height of the wall",
-            like_field(field, 0.5 * tank.wall_height())
-        );
-        r.faults.push(range_fault(
-            field,
-            "the roof is in the lower half of the wall",
-            &allowed,
-        ));
+        let half = 0.5 * tank.wall_height();
+        let fill = liquid.map_or(0.0, |liquid| liquid.fill_height);
+        let (least, message, what) = match fill > half {
+            true => (fill, "the roof is below the surface of the liquid", "the fill height"),
+            false => (
+                half,
+                "the roof is in the lower half of the wall",
+                "half the height of the wall",
+            ),
+        };
+        if height < least * (1.0 - ROUNDING) {
+            let allowed = format!("at least {}, {what}", like_field(field, least));
+            r.faults.push(range_fault(field, message, &allowed));
+        }
     }
     if let (Some(roof), Some(liquid)) = (t.roof.value(), liquid)
         && tank.roof.afloat > 0.0

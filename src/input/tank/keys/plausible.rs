@@ -34,15 +34,8 @@ pub(super) fn tank(r: &mut Resolver<'_>, file: &TankFile, tank: Option<&Tank>, l
         && let Some(field) = &roof.height.given
     {
         let wall = tank.wall_height();
-        // Heights below half the wall were already rejected.
-        if height < fill * (1.0 - ROUNDING) && height >= 0.5 * wall {
-            let allowed = format!("at least {}, the fill height", like_field(field, fill));
-            r.faults.push(range_fault(
-                field,
-                "the roof is below the surface of the liquid",
-                &allowed,
-            ));
-        } else if height > HIGHEST_ROOF * wall {
+        // Lower limits are those of the checks between sections.
+        if height > HIGHEST_ROOF * wall {
             let allowed = format!(
                 "at most {}, {HIGHEST_ROOF} heights of the wall",
                 like_field(field, HIGHEST_ROOF * wall)

@@ -113,7 +113,7 @@ object! {
         projection ("50 mm"): Opt<Length> [Limits::from(0.0).to(1.0)] = default(Length(0.0)),
         /// Subgrade modulus of the ground under the wall in MN/m³: compacted gravel 100, ring wall, slab or rock 10 000.
         subgrade_modulus (100): Opt<Number> [Limits::from(1.0).to(1e6)]
-            = without("uplift on ground of 100, compression at the toe on ground of 10 000 MN/m³, EN 1998-4:2006 A.9"),
+            = without("without tank.foundation: uplift and toe on ground of 33 to 300 and of 10 000 MN/m³, the worst decides, EN 1998-4:2006 A.9"),
         /// Name of its material.
         material ("steel"): Field<String>,
     }
@@ -307,7 +307,10 @@ pub(super) fn tank(r: &mut Resolver<'_>, field: &Field<Tank>, materials: &Materi
     if t.bottom.given.is_none() {
         r.not_given(&t.bottom);
     }
-    let bottom = t.bottom.value().and_then(|given| base::bottom(r, given, materials));
+    let bottom = t
+        .bottom
+        .value()
+        .and_then(|given| base::bottom(r, given, materials, t.foundation.given.is_some()));
     if let (Some(field), Some(plate)) = (&t.bottom.given, &bottom)
         && let Some(first) = courses.as_ref().and_then(|c| c.first())
         && support == Some(Support::Unanchored)

@@ -9,6 +9,8 @@ use super::search::{Found, MOST, Missed, SETTLED, Setup};
 /// The wall is held down although the tank is unanchored.
 pub(crate) const HELD_DOWN: &str =
     "The tank is unanchored; the linear engine clamps the wall to the ground and does not model uplift.";
+/// Share of the moment below which nothing is lost but rounding.
+const ROUNDING: f64 = 1e-6;
 /// Of a run that lifts or slides.
 const MOVES: &str = "values, envelopes, histories and limit states are those with uplift. The \
      section on the base has uplift, toe and slip, and the values of the wall held down beside those with uplift. Bending at the foot is not \
@@ -130,7 +132,12 @@ pub(super) fn assumptions(setup: &Setup, base: &Base, found: &Found) -> Vec<Stri
     ]
     .map(String::from)
     .to_vec();
-    if base.yields() {
+    if base.yields() && found.hysteretic < ROUNDING {
+        list.push(
+            "The bottom plate does not yield beyond its first uplift: no share of the base's moment is hysteretic."
+                .into(),
+        );
+    } else if base.yields() {
         list.push(format!(
             "A share of {} of the base's moment is hysteretic, so that a cycle to the largest rotation loses what the strips lose in \
              their second cycle; the share of the largest rotation of the run differs by {}.",
