@@ -22,7 +22,7 @@ fn force_stations() {
         (
             r#"[{ "z": "1 m", "theta": "400 deg" }]"#,
             "force_stations[0].theta",
-            "6.28",
+            "360 deg",
         ),
         (
             r#"[{ "z": "1 m" }, { "z": "1 m", "theta": "0 deg" }]"#,
