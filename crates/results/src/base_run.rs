@@ -69,6 +69,9 @@ pub struct BaseRun {
     pub cycles: Vec<[f64; 2]>,
     /// Displacement of the rim [m], upwards, by angle [°] at the largest uplift.
     pub around: Vec<[f64; 2]>,
+    /// Distance from the rim to the ground [m] by angle [°] there and then.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub lifted: Vec<[f64; 2]>,
     /// What it assumes, one sentence each.
     pub assumptions: Vec<String>,
 }

@@ -1,5 +1,6 @@
 //! The reader as a whole: meaning of a file, defaults and their sources, arbitrary texts.
 
+mod anchors;
 mod dashpots;
 mod force_stations;
 mod frequency;

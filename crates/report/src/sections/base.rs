@@ -5,6 +5,7 @@ use tank::units::Dimension;
 use super::motion_of_base::{self, Motion};
 use super::{Section, Source};
 use crate::figure::chart::{Axis, Chart, Line};
+use crate::figure::rocking::{self, Elevation, Position};
 use crate::figure::{Figure, HALF, Room};
 use crate::number::{Scale, fixed, share, with_unit};
 use crate::table::{Column, Table, spread};
@@ -38,9 +39,113 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         over_time(source, 1, &[Channel::BaseRotation])?,
         Some(turning(run)?),
         Some(around(run)?),
+        plan(source, run),
+        positions(source, run),
     ];
     section.set_figures("figures", figures.into_iter().flatten().collect());
     Ok(Some(section))
+}
+
+/// What of the bottom is on the ground at the largest uplift.
+fn plan(source: &Source, run: &BaseRun) -> Option<Figure> {
+    let uplift = run.quantity("uplift").filter(|uplift| uplift.value.value > 0.0)?;
+    let plan = rocking::Plan {
+        radius: source.results.tank.tank.shape.half_length(),
+        lifted: &run.lifted,
+    };
+    let widest = run.lifted.iter().map(|p| p[1]).fold(0.0, f64::max);
+    let (size, markup) = plan.draw();
+    let scale = Scale::of(Dimension::Length, [widest]);
+    let mut table = Table::new(vec![
+        Column::numbers("θ", "°"),
+        Column::numbers(words::LIFTED, scale.symbol()),
+    ]);
+    for i in spread(run.lifted.len(), 25) {
+        table.row(vec![fixed(run.lifted[i][0], 0), scale.text(run.lifted[i][1])]);
+    }
+    let sentence = words::plan(plan.share(), uplift.time.unwrap_or_default(), widest);
+    (widest > 0.0).then(|| Figure {
+        id: "base_plan".into(),
+        title: words::FIGURES[4].into(),
+        caption: sentence.clone(),
+        titled: false,
+        description: sentence,
+        size,
+        markup,
+        table,
+        room: Room::Half,
+    })
+}
+
+/// The tank at eight instants from the zero of the rotation before its largest one to the second zero after it.
+fn positions(source: &Source, run: &BaseRun) -> Option<Figure> {
+    const PARTS: usize = 8;
+    let time = &source.series.time;
+    let column = |channel: Channel| {
+        source
+            .column(&channel.id())
+            .filter(|c| c.len() > 2 && c.len() <= time.len())
+    };
+    let rotation = column(Channel::BaseRotation)?;
+    let [front, back] = Side::BOTH.map(|side| column(Channel::Uplift(side)));
+    let (front, back) = (front?, back?);
+    let last = rotation.len().min(front.len()).min(back.len()) - 1;
+    let peak = (0..=last).max_by(|&i, &j| rotation[i].abs().total_cmp(&rotation[j].abs()))?;
+    let turns = |i: usize| rotation[i] * rotation[i + 1] <= 0.0;
+    let from = (0..peak).rev().find(|&i| turns(i)).unwrap_or(0);
+    let mut zeros = (peak..last).filter(|&i| turns(i)).map(|i| i + 1);
+    let to = zeros.nth(1).unwrap_or(last);
+    let at = |values: &[f64], place: f64| {
+        let i = (place as usize).min(last - 1);
+        values[i] + (place - i as f64) * (values[i + 1] - values[i])
+    };
+    let found: Vec<Position> = (0..PARTS)
+        .map(|k| from as f64 + (to - from) as f64 * (k as f64 + 0.5) / PARTS as f64)
+        .map(|place| Position {
+            time: at(time, place),
+            rim: [at(front, place), at(back, place)],
+        })
+        .collect();
+    let tank = &source.results.tank;
+    let elevation = Elevation {
+        radius: tank.tank.shape.half_length(),
+        wall: tank.tank.wall_height(),
+        depth: tank.liquid.fill_height,
+    };
+    // Lifted width by uplift, from the circumference at the largest one.
+    let mut widths: Vec<(f64, f64)> = run.around.iter().zip(&run.lifted).map(|(w, l)| (w[1], l[1])).collect();
+    widths.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let width = |uplift: f64| {
+        let above = widths
+            .partition_point(|p| p.0 < uplift)
+            .min(widths.len().saturating_sub(1));
+        widths.get(above).map_or(0.0, |p| p.1)
+    };
+    let (size, markup) = rocking::positions(&elevation, &found, &width);
+    let scale = Scale::of(Dimension::Length, found.iter().flat_map(|p| p.rim));
+    let [when, right, left] = words::POSITIONS;
+    let mut table = Table::new(vec![
+        Column::numbers(when, "s"),
+        Column::numbers(right, scale.symbol()),
+        Column::numbers(left, scale.symbol()),
+    ]);
+    for position in &found {
+        let [front, back] = position.rim.map(|w| scale.text(w));
+        table.row(vec![fixed(position.time, 3), front, back]);
+    }
+    let caption = words::cycle(rocking::factor(&elevation, &found));
+    let description = words::description(words::FIGURES[5], Dimension::Length, found.iter().flat_map(|p| p.rim));
+    Some(Figure {
+        id: "base_positions".into(),
+        title: words::FIGURES[5].into(),
+        caption,
+        titled: false,
+        description,
+        size,
+        markup,
+        table,
+        room: Room::Wide,
+    })
 }
 
 fn text(quantity: &BaseQuantity) -> String {

@@ -68,14 +68,50 @@ pub const SIDES: [&str; 2] = ["θ = 0°", "θ = 180°"];
 /// Legend of the loop and of the backbone.
 pub const LOOP: [&str; 2] = ["around the largest rotation", "strips, pressure at rest"];
 /// Titles of the figures.
-pub const FIGURES: [&str; 4] = [
+pub const FIGURES: [&str; 6] = [
     "Uplift of the rim over time",
     "Rotation of the base over time",
     "Moment of the base against its rotation",
     "Uplift around the circumference at its largest",
+    "Plan of the bottom at the largest uplift",
+    "Positions over the cycle of the largest rotation",
 ];
 /// Axes.
 pub const AXES: [&str; 4] = ["Uplift", "Rotation", "Moment", "Time"];
+
+/// In the middle of the plan of the bottom.
+pub const ON_THE_GROUND: &str = "on the ground";
+/// Of a position without uplift.
+pub const STANDS: &str = "on the ground all round";
+/// Heads of the table of positions.
+pub const POSITIONS: [&str; 3] = ["Time", "Rim at θ = 0°", "Rim at θ = 180°"];
+/// Head of the lifted width.
+pub const LIFTED: &str = "Lifted width";
+
+/// An instant.
+pub fn at(time: f64) -> String {
+    format!("t = {} s", fixed(time, 2))
+}
+
+/// How far a side lifts.
+pub fn lifts(by: &str, back: bool) -> String {
+    format!("{by} at {}", SIDES[usize::from(back)])
+}
+
+/// What the plan of the bottom shows.
+pub fn plan(share: f64, time: f64, widest: f64) -> String {
+    format!(
+        "At t = {} s {} of the bottom is off the ground, up to {} from the rim.",
+        fixed(time, 2),
+        percent(share),
+        display(widest, Dimension::Length)
+    )
+}
+
+/// What the positions show.
+pub fn cycle(factor: f64) -> String {
+    format!("Displacements are drawn {factor} times; the surface of the liquid is drawn level.")
+}
 
 /// A value whose limit is exceeded.
 pub fn beyond(value: &str, limit: f64) -> String {

@@ -123,6 +123,7 @@ fn examples_and_defaults_of_the_schema_are_read() {
                 "thicker than any",
                 "the liquid is higher",
                 "annular plate",
+                "anchors with",
                 "applies to a strip alone",
             ];
             let own: Vec<&String> = found

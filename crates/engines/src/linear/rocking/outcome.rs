@@ -244,8 +244,12 @@ pub(super) fn moved(
                 [degrees, w]
             })
             .collect(),
+        lifted: Vec::new(),
         assumptions: words::assumptions(setup, base, &found),
     };
+    let width = |[degrees, w]: &[f64; 2]| [*degrees, found.laws.rocking.curve().at(*w).lifted_width];
+    let lifted = result.around.iter().map(width).collect();
+    let result = BaseRun { lifted, ..result };
     Moved {
         columns: columns(setup, &states, &found),
         result,
