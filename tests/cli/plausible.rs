@@ -207,7 +207,12 @@ fn examples_have_no_warning() {
                 folders.push(path);
             } else if path.extension().is_some_and(|e| e == "json") {
                 let tank = tankcheck::input::read_tank(&path).unwrap_or_else(|e| panic!("{e}"));
-                assert_eq!(tank.warnings, [""; 0], "{}", path.display());
+                // What isolators do not enter is said of every tank on them.
+                let doubtful = tank
+                    .warnings
+                    .iter()
+                    .filter(|w| !w.starts_with("`tank.isolators` enters"));
+                assert_eq!(doubtful.collect::<Vec<_>>(), [""; 0], "{}", path.display());
                 seen += 1;
             }
         }

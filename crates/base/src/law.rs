@@ -310,8 +310,7 @@ impl Losses {
 }
 
 fn losses(base: &Base, largest: f64, shares: &[f64]) -> Result<Vec<(f64, f64)>, BaseError> {
-    // Longer elements change its forces by less than 1 %, and its loss with them.
-    let strip = base.coarse_strip(base.pressure)?;
+    let strip = base.strip(base.pressure)?;
     let rest = Lifted::at_rest(&strip, base.weight)?;
     let low = rest.uplift();
     let mut found = vec![(0.0, 0.0)];

@@ -44,9 +44,9 @@ impl Plan<'_> {
         for arc in self.lifted.split(|p| p[1] <= 0.0).filter(|arc| arc.len() > 1) {
             let rim = arc.iter().map(|p| at(p[0], self.radius));
             let points: Vec<(f64, f64)> = rim.chain(arc.iter().rev().map(inner)).collect();
-            svg.path(&points, true, "ar k-api650-2020");
+            svg.path(&points, true, "ar k-lifted");
             let edge: Vec<(f64, f64)> = arc.iter().map(inner).collect();
-            svg.path(&edge, false, "ln k-api650-2020");
+            svg.path(&edge, false, "ln k-lifted");
         }
         svg.circle(middle, scale * self.radius, "out");
         for (degrees, anchor, shift) in [(0.0, Anchor::Start, 6.0), (180.0, Anchor::End, -6.0)] {
@@ -154,7 +154,7 @@ pub fn positions(tank: &Elevation, positions: &[Position], width: &dyn Fn(f64) -
                     )
                 })
                 .collect();
-            svg.path(&plate, false, "ln k-api650-2020");
+            svg.path(&plate, false, "ln k-lifted");
         }
         svg.text((middle, ground + 15.0), Anchor::Middle, "lb", &words::at(position.time));
         let [front, back] = position.rim;
