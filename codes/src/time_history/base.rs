@@ -56,7 +56,9 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
             }
         };
     }
-    if pull <= 0.0 {
+    // Of a base on anchors: at rest the wall presses the ground, whose relief pulls an anchor before the wall pulls.
+    let spring = demands.base.as_ref().and_then(|base| base.anchor);
+    if pull <= 0.0 && spring.is_none_or(|anchor| anchor.value <= 0.0) {
         let reason = "the wall does not pull at its base";
         work.without(ANCHORS, CheckStatus::NotApplicable, reason, None);
         return None;
@@ -87,7 +89,18 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
         ("n_A", f64::from(count), Dimensionless),
     ];
     let name = "tension of an anchor";
-    let force = work.sheet.calc("F_a", name, "n_a·2·π·R/n_A", &terms, Force, &clause);
+    let of_wall = work.sheet.calc("F_a", name, "n_a·2·π·R/n_A", &terms, Force, &clause);
+    let (mut force, mut place) = (of_wall, (moment.time, moment.theta));
+    if let Some(anchor) = spring {
+        let title = "largest force of an anchor, of one that yields as if it stayed elastic";
+        work.sheet
+            .input("F_s", title, anchor.value, Force, "the run of the engine");
+        let terms = [("F_a", of_wall, Force), ("F_s", anchor.value, Force)];
+        force = work.sheet.calc("F_A", name, "max(F_a, F_s)", &terms, Force, &clause);
+        if anchor.value > of_wall {
+            place = (anchor.time, anchor.theta);
+        }
+    }
     let found = Found {
         demand: force,
         // Without the earthquake the wall presses: the weight takes its part of the pull.
@@ -100,9 +113,7 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
         with_unit(spacing, tank::units::Dimension::Length)
     );
     let check = Check::new(ANCHORS, "Tension of an anchor", force, capacity, Force, &clause, &note);
-    let check = check
-        .at(Some(moment.time), Some(0.0), Some(moment.theta))
-        .with_error(error);
+    let check = check.at(Some(place.0), Some(0.0), Some(place.1)).with_error(error);
     work.checks.push(check);
     None
 }

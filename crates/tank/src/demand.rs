@@ -80,6 +80,8 @@ pub struct FreeBase {
     pub scatters: bool,
     /// Largest plastic rotation of the joint of bottom plate and wall [rad]; none where the plate has no yield strength.
     pub joint: Option<Peak>,
+    /// Largest force of an anchor [N], of one that yields as if it had stayed elastic; none without anchors.
+    pub anchor: Option<Peak>,
     /// Base shear of the same tank held in place [N], where it slides.
     pub held_shear: Option<Terms>,
 }

@@ -84,3 +84,31 @@ fn a_tank_that_slides_is_judged_by_the_shear_of_the_held_one() {
     assert_eq!(check.status, CheckStatus::Fails);
     close(check.demand.unwrap(), held, 1e-12);
 }
+
+/// An anchor that yields fails its check, though the wall pulls with less than its strength: the ground that is relieved pulls it, too. One that
+/// stays elastic is judged by its own force where that is larger.
+#[test]
+fn an_anchor_is_judged_by_its_own_force() {
+    let mut case = steel_tank();
+    case.tank.anchors = Some(Anchors {
+        count: 20,
+        capacity: Some(1e9),
+        ..Anchors::default()
+    });
+    let on_springs = |value| FreeBase {
+        anchor: Some(Peak {
+            value,
+            time: 2.0,
+            theta: 1.5,
+        }),
+        ..FreeBase::default()
+    };
+    let findings = assessed(&case, &free(on_springs(1.01e9)));
+    let check = found(&findings, "anchorage");
+    assert_eq!((check.status, check.time_s), (CheckStatus::Fails, Some(2.0)));
+    close(check.demand.unwrap(), 1.01e9, 1e-12);
+    let findings = assessed(&case, &free(on_springs(0.5e9)));
+    let check = found(&findings, "anchorage");
+    assert_eq!(check.status, CheckStatus::Holds);
+    close(check.utilisation.unwrap(), 0.5, 1e-12);
+}

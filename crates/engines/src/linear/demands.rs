@@ -290,7 +290,7 @@ fn wave(analysis: &Analysis<'_>) -> Option<Peak> {
 
 /// Sub-steps from one kept instant to the next: of a grid that is finer than the modes need, for the motion of the base, as many are left out
 /// as cost a peak [`LOST`].
-fn stride(model: &Model, grid: &Grid) -> usize {
+pub(super) fn stride(model: &Model, grid: &Grid) -> usize {
     let most = 2.0 * (1.0 - LOST).acos() / (model.fastest() * grid.h());
     let fine = if most.is_finite() { most as usize } else { 1 };
     fine.max(grid.steps().div_ceil(MOST_INSTANTS)).max(1)

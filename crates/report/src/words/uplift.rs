@@ -160,7 +160,8 @@ pub fn anchors(run: &results::AnchorRun) -> String {
     };
     format!(
         "{} of {} anchors yield at {} each, with a stiffness of {}; at the end the largest plastic elongation is {}; {broken}. The check of the \
-         anchors takes the tension of the wall, anchors and plate together, against their design capacity: an anchor that yields fails it.",
+         anchors takes the tension of the wall on their spacing, or their own force if that is larger, of one that yields as if it stayed \
+         elastic: an anchor that yields fails it.",
         run.yielded,
         run.count,
         display(run.yield_force, Dimension::Force),

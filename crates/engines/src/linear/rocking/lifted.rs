@@ -14,7 +14,7 @@ use tank::demand::{Demands, FreeBase, OnWall as Stress, Peak};
 use tank::options::linear::Integrator;
 
 use super::super::analysis::Analysis;
-use super::super::demands::combine;
+use super::super::demands::{combine, stride};
 use super::super::hoop::Hoop;
 use super::super::model::Model;
 use super::super::turned::Turned;
@@ -164,11 +164,7 @@ impl Moved {
         let mut held_shear = None;
         if let (true, Some(probe)) = (self.slides(), model.horizontal.coupled.probe(Channel::BaseShear)) {
             let grid = moving.grid(motion, Integrator::Modal)?;
-            let stride = grid
-                .steps()
-                .checked_div(demands.times.len().saturating_sub(1))
-                .unwrap_or(1)
-                .max(1);
+            let stride = stride(moving, &grid);
             let records = (&motion.horizontal, motion.vertical.as_ref());
             let kept = &analysis.kept[..model.systems().count()];
             let found = combine(model, kept, records, (grid, stride), &[vec![(0, 1.0, probe)]])?;
@@ -186,6 +182,7 @@ impl Moved {
             lifts: self.value("uplift") > 0.0,
             scatters: self.result.spread.is_some_and(|spread| !spread.repeats()),
             joint: self.joint(),
+            anchor: self.anchor(),
             held_shear,
         });
         Ok(())
@@ -240,6 +237,15 @@ impl Moved {
 
     fn slides(&self) -> bool {
         self.value("slip") > 0.0
+    }
+
+    fn anchor(&self) -> Option<Peak> {
+        let (found, anchors) = (self.result.quantity("anchor_force")?, self.result.anchors.as_ref()?);
+        Some(Peak {
+            value: found.value.value + anchors.stiffness * anchors.plastic_elongation,
+            time: found.time.unwrap_or_default(),
+            theta: found.degrees.unwrap_or_default().to_radians(),
+        })
     }
 
     fn joint(&self) -> Option<Peak> {

@@ -47,7 +47,7 @@ pub(super) fn moves(anchored: bool) -> String {
     }
 }
 
-/// Anchors yield, and there is no run with them.
+/// Anchors yield, but the run with them is not possible.
 pub(super) fn anchors_not_computed(force: f64, yields: f64, reason: &str) -> String {
     format!(
         "With the wall held down an anchor carries {}, above the {} at which it yields; {reason}: all values are those of the wall held down.",
