@@ -10,14 +10,13 @@
 //! the pattern, `model` for mesh and supports, `imperfection` for the imperfect shell. A static capacity: neither the duration
 //! of the peak nor the cycles before it count.
 
-pub(super) mod bottom;
 mod buckling;
 mod estimate;
 mod imperfection;
 mod keep;
 mod lifted;
 mod limits;
-mod load;
+pub(super) mod load;
 mod model;
 mod path;
 mod seen;

@@ -10,11 +10,11 @@ use tank::refusal::{Place, Refusal};
 use tank::units::{Dimension, display};
 use tank::{Behaviour, Concrete, ConcreteLaw, Course, Layer, LayerKind, Shape, Softening, Support};
 
+use super::bottom::missing;
 use super::cylinder::mesh::Cells;
 use super::cylinder::section as shells;
 use super::cylinder::two;
 use super::laws::uniaxial_concrete;
-use super::push::bottom::missing;
 use super::strip;
 use super::strip::section as fibres;
 use crate::{FeError, out_of_round};

@@ -3,12 +3,12 @@
 use tank::{Case, Shape, Support};
 
 use super::PushOptions;
-use super::bottom::Plate;
 use super::model::{BASE, SECTORS};
 use super::path::STATES;
 use crate::FeError;
 use crate::checks::check_depth;
 use crate::estimate::{Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PROGRAM, SWEEP_RATE};
+use crate::nonlinear::bottom::Plate;
 use crate::nonlinear::cylinder::estimate::slots;
 use crate::nonlinear::cylinder::mesh::enough_rows;
 use crate::solid::mesh::{based_levels, check_levels};

@@ -8,10 +8,10 @@ use fem::model::Model;
 use fem::state::{Gather, State};
 use results::{PushBase, PushPoint, PushShell};
 
-use super::bottom::Placed;
 use super::load::{cosine_shares, shares};
 use super::model::{Plan, PushModel};
 use crate::FeError;
+use crate::nonlinear::bottom::Placed;
 
 /// The base at a committed state; `None` of an anchored tank.
 ///

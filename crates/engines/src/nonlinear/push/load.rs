@@ -90,7 +90,7 @@ impl Impulsive {
 }
 
 /// ∫ cos θ N_k dθ of the hats on ascending angles.
-pub(super) fn cosine_shares(angles: &[f64]) -> Vec<f64> {
+pub(in crate::nonlinear) fn cosine_shares(angles: &[f64]) -> Vec<f64> {
     let mut out = vec![0.0; angles.len()];
     for (i, ends) in angles.windows(2).enumerate() {
         let (a, b) = (ends[0], ends[1]);
@@ -104,7 +104,7 @@ pub(super) fn cosine_shares(angles: &[f64]) -> Vec<f64> {
 }
 
 /// Lengths of the hats themselves [rad].
-pub(super) fn shares(angles: &[f64]) -> Vec<f64> {
+pub(in crate::nonlinear) fn shares(angles: &[f64]) -> Vec<f64> {
     let mut out = vec![0.0; angles.len()];
     for (i, ends) in angles.windows(2).enumerate() {
         out[i] += 0.5 * (ends[1] - ends[0]);

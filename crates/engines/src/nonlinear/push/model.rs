@@ -22,11 +22,11 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use tank::Case;
 use tank::{Behaviour, Course, Shape, Support};
 
-use super::bottom::{self, Placed, Plate};
 use super::imperfection::Dent;
 use super::load::{Impulsive, cosine_shares, shares};
 use crate::FeError;
 use crate::checks::check_depth;
+use crate::nonlinear::bottom::{self, Placed, Plate};
 use crate::nonlinear::cylinder::mesh::enough_rows;
 use crate::nonlinear::cylinder::section::row;
 use crate::nonlinear::laws::unsupported;
@@ -329,7 +329,7 @@ impl<'a> Plan<'a> {
         add(&mut inertia, &roof.1.vector(&model));
         let mut wet = self.wet(&model, &rings);
         if let (Some(plate), Some(bottom)) = (&self.plate, &bottom) {
-            wet.extend(plate.wet(&model, angles, &bottom.rings));
+            wet.extend(on_bottom(plate, &model, angles, &bottom.rings));
         }
         Ok(PushModel {
             bottom,
@@ -445,6 +445,25 @@ impl<'a> Plan<'a> {
         }
         out
     }
+}
+
+/// Pressure of the liquid at the nodes of the plate.
+fn on_bottom(plate: &Plate, model: &Model, angles: &[f64], rings: &[Vec<usize>]) -> Vec<WetNode> {
+    let mut out = Vec::new();
+    let all = rings
+        .iter()
+        .zip(plate.wet_areas())
+        .zip(&plate.impulsive)
+        .zip(&plate.radii);
+    for (((ring, area), p), radius) in all.filter(|(((_, area), _), _)| *area > 0.0) {
+        let shares = cosine_shares(angles).into_iter().zip(shares(angles));
+        for ((&node, (cosine, share)), angle) in ring.iter().zip(shares).zip(angles) {
+            let down = model.row(node, Dof::Uz).into_iter().map(|(e, c)| (e, -c)).collect();
+            let rest = plate.base.pressure * area * share;
+            out.push(WetNode::on_bottom(down, p * area * cosine, rest, radius * angle.cos()));
+        }
+    }
+    out
 }
 
 fn add(to: &mut [f64], what: &[f64]) {

@@ -7,6 +7,7 @@ use tank::options::nonlinear::WallElements;
 use tank::reference::{case, material};
 use tank::{Behaviour, Bottom, Case, Foundation, FoundationKind, Shape, Steel, Support};
 
+use super::super::bottom;
 use super::*;
 
 /// Example 05 in brief: 40 m wide, 15 m of oil, 10 mm of bottom plate, on 10⁸ N/m³.

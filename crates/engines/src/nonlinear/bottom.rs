@@ -1,4 +1,4 @@
-//! The bottom of an unanchored tank in a pushover: plates as shells on ground that pushes but does not pull.
+//! The bottom of an unanchored tank: plates as shells on ground that pushes but does not pull.
 //!
 //! ```text
 //! rings     from the projection over the foot of the wall inwards to half of the radius; within it the plate stays on the ground
@@ -22,15 +22,14 @@ use fem::element::shell::surface::ShellCell;
 use fem::element::super_element::SuperElement;
 use fem::element::wall::place::Build;
 use fem::linalg::Matrix;
-use fem::model::{Builder, Model};
+use fem::model::Builder;
 use nalgebra::Matrix3;
 use tank::{Behaviour, Bottom, Case, Layer, LayerKind};
 
-use super::load::{cosine_shares, shares};
-use super::model::WetNode;
+use super::cylinder::section::row;
+use super::laws::unsupported;
+use super::push::load::shares;
 use crate::FeError;
-use crate::nonlinear::cylinder::section::row;
-use crate::nonlinear::laws::unsupported;
 use tank::options::nonlinear::Integration;
 
 /// Coefficient of friction that is not given: the largest of API 650 E.7.6.
@@ -229,7 +228,7 @@ impl Plate {
     }
 
     /// The same of the part under the liquid.
-    fn wet_areas(&self) -> Vec<f64> {
+    pub(super) fn wet_areas(&self) -> Vec<f64> {
         let inside = Plate {
             radii: self.radii[self.foot..].to_vec(),
             ..self.clone()
@@ -291,21 +290,6 @@ impl Plate {
             }
         }
         Ok(ground)
-    }
-
-    /// Pressure of the liquid at the nodes of the plate.
-    pub(super) fn wet(&self, model: &Model, angles: &[f64], rings: &[Vec<usize>]) -> Vec<WetNode> {
-        let mut out = Vec::new();
-        let all = rings.iter().zip(self.wet_areas()).zip(&self.impulsive).zip(&self.radii);
-        for (((ring, area), p), radius) in all.filter(|(((_, area), _), _)| *area > 0.0) {
-            let shares = cosine_shares(angles).into_iter().zip(shares(angles));
-            for ((&node, (cosine, share)), angle) in ring.iter().zip(shares).zip(angles) {
-                let down = model.row(node, Dof::Uz).into_iter().map(|(e, c)| (e, -c)).collect();
-                let rest = self.base.pressure * area * share;
-                out.push(WetNode::on_bottom(down, p * area * cosine, rest, radius * angle.cos()));
-            }
-        }
-        out
     }
 }
 
