@@ -16,13 +16,15 @@ use std::f64::consts::PI;
 
 use base::{Base, Missing};
 use fem::dofs::Dof;
+use fem::element::Inspect;
 use fem::element::ground::Ground;
 use fem::element::shell::load::{FollowerPressure, NodalLoads};
 use fem::element::shell::surface::ShellCell;
 use fem::element::super_element::SuperElement;
 use fem::element::wall::place::Build;
 use fem::linalg::Matrix;
-use fem::model::Builder;
+use fem::model::{Builder, Model};
+use fem::state::{Gather, State};
 use nalgebra::Matrix3;
 use tank::{Behaviour, Bottom, Case, Layer, LayerKind};
 
@@ -32,6 +34,10 @@ use super::push::load::shares;
 use crate::FeError;
 use tank::options::nonlinear::Integration;
 
+/// Group of the ground.
+pub(super) const GROUND: &str = "ground";
+/// Group of what keeps the foot from sliding.
+pub(super) const KEY: &str = "key";
 /// Coefficient of friction that is not given: the largest of API 650 E.7.6.
 const FRICTION: f64 = 0.4;
 /// First ring inside the foot over the thickness of the plate.
@@ -237,7 +243,7 @@ impl Plate {
         dry.into_iter().chain(inside.areas()).collect()
     }
 
-    /// Adds ground, pressure at rest and supports.
+    /// Adds ground, with friction or without, pressure at rest and supports.
     ///
     /// * `dead` takes the pressure on the undeformed plate
     pub(super) fn place(
@@ -245,7 +251,7 @@ impl Plate {
         builder: &mut Builder,
         angles: &[f64],
         rings: &[Vec<usize>],
-        follower: bool,
+        [follower, rubs]: [bool; 2],
         dead: &mut NodalLoads,
     ) -> Result<Vec<Vec<usize>>, FeError> {
         let failed = |e: fem::element::ElementError| FeError::Analysis(e.to_string());
@@ -254,8 +260,12 @@ impl Plate {
             let mut row = Vec::new();
             for (&node, share) in ring.iter().zip(shares(angles)) {
                 let ground = Ground::new(node, self.base.modulus, area * share);
-                let element = ground.and_then(|g| g.with_friction(self.friction)).map_err(failed)?;
-                row.push(builder.element("ground", element));
+                let ground = match rubs {
+                    true => ground.and_then(|g| g.with_friction(self.friction)),
+                    false => ground,
+                };
+                let element = ground.map_err(failed)?;
+                row.push(builder.element(GROUND, element));
             }
             ground.push(row);
         }
@@ -293,6 +303,35 @@ impl Plate {
     }
 }
 
+/// A stiff spring against the mean displacement of the foot along x, ∫ (u_r cos θ − u_θ sin θ) dθ/π = 0: the tank does not slide, while the
+/// foot is free to move in and out. Returns its element and the weights that make ∫ of its force along x.
+pub(super) fn keep_in_place(
+    builder: &mut Builder,
+    angles: &[f64],
+    foot: &[usize],
+    stiffness: f64,
+) -> Result<(usize, Vec<f64>), FeError> {
+    let failed = |e: fem::element::ElementError| FeError::Analysis(e.to_string());
+    let mut unknowns = Vec::new();
+    let (mut mean, mut along) = (Vec::new(), Vec::new());
+    for ((&node, share), angle) in foot.iter().zip(shares(angles)).zip(angles) {
+        unknowns.extend([(node, Dof::Ux), (node, Dof::Uy)]);
+        let (s, c) = angle.sin_cos();
+        mean.extend([c * share / PI, -s * share / PI]);
+        along.extend([c, -s]);
+    }
+    let mut matrix = Matrix::zeros(mean.len(), mean.len());
+    for (i, a) in mean.iter().enumerate() {
+        for (j, b) in mean.iter().enumerate() {
+            matrix.add(i, j, stiffness * a * b);
+        }
+    }
+    let element = SuperElement::over(&unknowns)
+        .and_then(|e| e.with_stiffness(matrix))
+        .map_err(failed)?;
+    Ok((builder.element(KEY, element), along))
+}
+
 /// Springs against all vertical displacements of the foot other than w₀ + w₁ cos θ.
 pub(super) fn keep_plane(builder: &mut Builder, angles: &[f64], foot: &[usize]) -> Result<(), FeError> {
     /// Of the ground a hundred times and more [N/m per radian].
@@ -326,6 +365,51 @@ pub(super) fn keep_plane(builder: &mut Builder, angles: &[f64], foot: &[usize]) 
         .map_err(failed)?;
     builder.element("plane", element);
     Ok(())
+}
+
+/// Plastic rotation of the joint at the `back` (θ = π) or at θ = 0: curvature of the meridian less that of an elastic plate under its moments, from the foot to
+/// where its sign changes [rad].
+pub(super) fn plastic_rotation(
+    model: &Model,
+    bottom: &Placed,
+    foot: usize,
+    back: bool,
+    state: &State,
+) -> Result<f64, FeError> {
+    let mut gather = Gather::default();
+    let mut sum = 0.0_f64;
+    for cells in &bottom.cells[foot..] {
+        let Some(&cell) = (if back { cells.last() } else { cells.first() }) else {
+            break;
+        };
+        let element = &*model.elements()[cell];
+        let motion = gather.motion(model, &state.committed, element);
+        let history = &state.old[state.history(cell)];
+        let mut yields = false;
+        element.material_points(motion, history, &mut |p| yields |= p.state.plastic_strain > 0.0);
+        if !yields {
+            if sum != 0.0 {
+                break;
+            }
+            continue;
+        }
+        let sections = element
+            .sections(motion, history)
+            .map_err(|e| FeError::Analysis(e.to_string()))?;
+        let virgin = bottom.bending[cell - bottom.cells[0][0]];
+        let plastic = |s: &fem::element::SectionState| {
+            let (hoop, radial) = (s.resultants[3], s.resultants[4]);
+            s.strain[4] - (virgin[0] * radial - virgin[1] * hoop)
+        };
+        let mean = sections.iter().map(plastic).sum::<f64>() / sections.len() as f64;
+        let [a, b] = [element.nodes()[0], element.nodes()[1]].map(|n| model.nodes()[n]);
+        let part = mean * (b[0].hypot(b[1]) - a[0].hypot(a[1]));
+        if sum * part < 0.0 {
+            break;
+        }
+        sum += part;
+    }
+    Ok(sum.abs())
 }
 
 /// Impulsive pressure on a rigid bottom at θ = 0 [Pa per m/s²].

@@ -18,6 +18,7 @@ mod report;
 mod rings;
 pub(super) mod section;
 mod simulate;
+mod standing;
 mod state;
 pub(super) mod two;
 mod watch;

@@ -15,7 +15,18 @@ use tank::options::nonlinear::{Contact, Damping, NonlinearOptions};
 
 /// Note on an unanchored tank.
 pub(super) const HELD_DOWN: &str = "The tank is unanchored; the nonlinear engine clamps the base of its wall to the ground and \
-    does not model uplift.";
+    does not model uplift here: it does so for half a perfect wall of one shell, bonded to the liquid, on a bottom plate of steel.";
+
+/// Assumptions on a wall that stands on its bottom.
+const STANDS: [&str; 4] = [
+    "The unanchored wall is welded to its bottom plate, shells from the projection to half of the radius, on a Winkler ground that pushes \
+     and does not pull; within half of the radius the plate stays on the ground. Ground and plate have no damping.",
+    "The pressure on the bottom is the hydrostatic one (with vertical motion, times 1 + a_v/g): the hydrodynamic pressure on the bottom is \
+     left out.",
+    "The tank does not slide: the mean horizontal displacement of the foot is zero. In its plane the plate moves on the ground without \
+     friction.",
+    "Base shear and base moment are the forces on the ground; the base moment is that of the ground under wall and plate.",
+];
 
 /// Shortest step [s]; 0 if none was taken.
 fn shortest(run: &Run) -> f64 {
@@ -184,8 +195,12 @@ pub(super) fn integration(
 pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &CylinderModel, span: &Span) -> Vec<String> {
     let mut out = vec![
         "Wall of four-node shells with finite rotations, plane sections in each shell, layers and bars with the laws of the \
-         input; clamped at its base, rigid bottom."
-            .to_owned(),
+         input"
+            .to_owned()
+            + match tank.standing {
+                None => "; clamped at its base, rigid bottom.",
+                Some(_) => ".",
+            },
         match options.contact {
             Contact::Bonded => {
                 "Liquid of linear potential theory on the undeformed tank, condensed onto the radial displacements of the wall; \
@@ -207,7 +222,9 @@ pub(super) fn assumptions(case: &Case, options: &NonlinearOptions, tank: &Cylind
          its energy is reported."
             .to_owned(),
     ];
-    if case.tank.support == Support::Unanchored {
+    if tank.standing.is_some() {
+        out.extend(STANDS.map(String::from));
+    } else if case.tank.support == Support::Unanchored {
         out.push(HELD_DOWN.into());
     }
     if options.follower_pressure {

@@ -74,11 +74,15 @@ pub(super) fn penalty(case: &Case, radius: f64) -> f64 {
     fem::strip::PENALTY * courses.fold(0.0, f64::max) / (radius * radius)
 }
 
-/// Clamped base; the plane of symmetry.
-pub(super) fn support(builder: &mut Builder, footprint: &Footprint, wall: &PlacedWall, cells: &Cells) {
-    wall.hold(builder, &footprint.levels[0], Dof::SHELL);
+/// Clamped base, unless the wall `stands` on its bottom; the plane of symmetry.
+pub(super) fn support(builder: &mut Builder, footprint: &Footprint, wall: &PlacedWall, cells: &Cells, stands: bool) {
+    // A bottom holds the foot itself.
+    let levels = &footprint.levels[usize::from(stands)..];
+    if !stands {
+        wall.hold(builder, &footprint.levels[0], Dof::SHELL);
+    }
     if cells.half {
-        for level in &footprint.levels {
+        for level in levels {
             let ends = [level[0], level[level.len() - 1]];
             // u_θ, and the rotation about the meridian.
             wall.hold(builder, &ends, &[Dof::Uy, Dof::Ry]);

@@ -1,14 +1,19 @@
 //! Extremes of a cylinder's run: both signs, θ = 0 and θ = 180°, both faces; and the area that the liquid has left.
 
+use fem::analysis::march::Run;
 use results::Channel;
 use results::channel::{OnWall, Side};
 use results::nonlinear::{At, CellMap, TwoSided};
 
 use super::super::extremes::{of_maps, of_range};
 use super::model::CylinderModel;
-use super::recorded::{BASE_MOMENT, BASE_SHEAR, BELLY_BACK, BELLY_FRONT, TOP_BACK, TOP_FRONT, WAVE_BACK, WAVE_FRONT};
+use super::recorded::{
+    BASE_MOMENT, BASE_ROTATION, BASE_SHEAR, BELLY_BACK, BELLY_FRONT, TOP_BACK, TOP_FRONT, UPLIFT_BACK, UPLIFT_FRONT,
+    WAVE_BACK, WAVE_FRONT,
+};
 use super::state::grid;
 use super::watch::{Extremes, Watch};
+use tank::units::Dimension;
 
 /// Everything that was watched.
 pub(super) fn extremes(tank: &CylinderModel, watch: &Watch<'_>, maps: &[CellMap]) -> Vec<TwoSided> {
@@ -60,9 +65,57 @@ pub(super) fn extremes(tank: &CylinderModel, watch: &Watch<'_>, maps: &[CellMap]
         out.extend(of(hoop, OnWall::Hoop));
         out.extend(of(meridian.axial.first(), OnWall::Axial));
     }
+    if tank.standing.is_some() {
+        out.extend(standing(watch));
+    }
     out.extend(open(tank, watch));
     out.extend(of_maps(maps, &grid(tank)));
     out
+}
+
+/// Heights of the foot over the ground, its rotation, and the stress at the toe.
+fn standing(watch: &Watch<'_>) -> Vec<TwoSided> {
+    let recorder = &watch.recorder;
+    let sides = [UPLIFT_FRONT, UPLIFT_BACK].into_iter().zip(Side::BOTH);
+    let channels = sides.map(|(k, side)| (k, Channel::Uplift(side)));
+    let all = channels.chain([(BASE_ROTATION, Channel::BaseRotation)]);
+    let mut out: Vec<TwoSided> = all
+        .filter_map(|(k, channel)| of_range(channel.title(), channel.dimension(), 0.0, &recorder.ranges[k]))
+        .collect();
+    let toe = toe(watch);
+    let peak = toe.iter().zip(&recorder.times).max_by(|a, b| a.0.total_cmp(b.0));
+    out.extend(peak.map(|(value, time)| TwoSided {
+        title: Channel::ToeStress.title(),
+        dimension: Channel::ToeStress.dimension(),
+        rest: 0.0,
+        min: None,
+        max: At {
+            value: *value,
+            time: Some(*time),
+        },
+    }));
+    out
+}
+
+/// Axial compression of the lowest cell, the larger of θ = 0 and π, at the samples; 0 where both are in tension [Pa].
+pub(super) fn toe(watch: &Watch<'_>) -> Vec<f64> {
+    let [front, back] = watch.seen.sides.each_ref().map(|side| &side.base_axial);
+    front.iter().zip(back).map(|(a, b)| (-a.min(*b)).max(0.0)).collect()
+}
+
+/// Plastic rotation that is left at the end, the larger of θ = 0 and π.
+pub(super) fn plastic(tank: &CylinderModel, run: &Run) -> Option<TwoSided> {
+    let [front, back] = tank.standing.as_ref()?.plastic(tank, &run.state).ok()?;
+    Some(TwoSided {
+        title: "Plastic rotation of the bottom plate at the foot of the wall, at the end".into(),
+        dimension: Dimension::Angle,
+        rest: 0.0,
+        min: None,
+        max: At {
+            value: front.max(back),
+            time: Some(run.time),
+        },
+    })
 }
 
 /// Share of the wetted wall that the liquid has left, at the samples.

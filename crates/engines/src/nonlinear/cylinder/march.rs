@@ -107,7 +107,7 @@ impl<'a> Cylinder<'a> {
             StepLength::Fixed => None,
             StepLength::Adaptive => Some(Adaptive::DEFAULT),
         };
-        if tank.joints.is_some() {
+        if tank.contact() {
             settings.newton = Options::for_contact();
         }
         settings.checkpoint = checkpoint.map(|file| file.whole(options.checkpoint));

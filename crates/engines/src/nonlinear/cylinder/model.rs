@@ -34,7 +34,9 @@ use super::elements::{WALL, add_liquid, add_roof, build_rows, iterates, penalty,
 use super::mesh::Cells;
 use super::rings::name_rings;
 use super::section::RowBuild;
+use super::standing::Standing;
 use crate::error::failed;
+use crate::nonlinear::bottom::{GROUND, KEY};
 use crate::{FeError, out_of_round};
 use tank::imperfection::Imperfections;
 use tank::options::nonlinear::{Contact, Damping as Wanted, MassProportionalAt, NonlinearOptions};
@@ -79,6 +81,8 @@ pub(crate) struct CylinderModel {
     pub wetted: Vec<usize>,
     /// Joints of liquid and wall, where it may open.
     pub joints: Option<Joints>,
+    /// The bottom under an unanchored wall.
+    pub standing: Option<Standing>,
     /// Area of the wall that belongs to each of them [m²].
     pub areas: Vec<f64>,
     /// The liquid.
@@ -149,16 +153,24 @@ impl CylinderModel {
             ));
         }
         let shape = shape(case, &options.imperfections, radius, &footprint);
-        let wall = WallMesh {
+        let plate = super::standing::plate(case, options, radius)?;
+        let mut standing = None;
+        let mesh = WallMesh {
             footprint: shape.as_ref().unwrap_or(&footprint),
             courses: &|row| rows[row].build.clone(),
             offsets: [0.0, gap],
             name: WALL,
             mass: MassKind::Consistent,
-        }
-        .place(&mut builder)
-        .map_err(failed)?;
-        support(&mut builder, &footprint, &wall, &cells);
+        };
+        let wall = match &plate {
+            None => mesh.place(&mut builder).map_err(failed)?,
+            Some(plate) => {
+                let (wall, own) = Standing::weld(plate, case, &mut builder, &mesh, options)?;
+                standing = Some(own);
+                wall
+            }
+        };
+        support(&mut builder, &footprint, &wall, &cells, plate.is_some());
         if case.tank.roof.mass > 0.0 {
             add_roof(case, &mut builder, &footprint, &wall, &cells);
         }
@@ -183,7 +195,8 @@ impl CylinderModel {
                 builder.frame(*nodes.1, radial);
             }
         }
-        let operator = iterates(wetted.len());
+        // Contact with the ground takes every step of an iteration, as that of an opening joint does.
+        let operator = plate.is_none() && iterates(wetted.len());
         if operator {
             name_rings(&mut builder, &footprint, &wall, &wetted, &cells)?;
         }
@@ -212,7 +225,7 @@ impl CylinderModel {
             }
         };
         let pressed: BTreeMap<usize, usize> = inner.iter().copied().zip(wetted.iter().copied()).collect();
-        let (pressure_loads, area_loads) = pressures(
+        let (mut pressure_loads, area_loads) = pressures(
             &mut builder,
             &footprint,
             &wall,
@@ -221,6 +234,9 @@ impl CylinderModel {
             &pressed,
             options,
         );
+        if let (Some(plate), Some(standing)) = (&plate, &mut standing) {
+            standing.found(plate, case, &mut builder, options, &mut pressure_loads)?;
+        }
         let model = builder.build().map_err(failed)?;
         interlayer::check(&model).map_err(failed)?;
         let assembler = Assembler::new(&model);
@@ -262,6 +278,7 @@ impl CylinderModel {
             pressure,
             wetted,
             joints,
+            standing,
             areas,
             liquid,
             amplitudes,
@@ -290,6 +307,11 @@ impl CylinderModel {
         };
         out.set_damping(options.damping)?;
         Ok(out)
+    }
+
+    /// Whether there are joints that open.
+    pub(crate) fn contact(&self) -> bool {
+        self.joints.is_some() || self.standing.is_some()
     }
 
     /// The problem to be integrated.
@@ -458,13 +480,13 @@ impl CylinderModel {
         };
         self.rayleigh.fill(all);
         self.wall_ratio = all.ratio(self.wall_omega);
-        self.system.damping = match self.joints {
-            None => Damping::rayleigh(all),
-            Some(_) => {
+        self.system.damping = match self.contact() {
+            false => Damping::rayleigh(all),
+            true => {
                 // An open joint must not pull through damping either.
                 let groups = self.rayleigh.iter_mut().zip(self.model.groups());
                 groups
-                    .filter(|(_, name)| *name == JOINT)
+                    .filter(|(_, name)| [JOINT, GROUND, KEY].contains(&name.as_str()))
                     .for_each(|(own, _)| *own = Rayleigh::NONE);
                 Damping::by_group(&self.assembler, &self.model, &self.rayleigh, false).map_err(failed)?
             }

@@ -26,6 +26,13 @@ pub(super) const TOP_BACK: usize = 6;
 /// See [`TOP_BACK`].
 pub(super) const BELLY_BACK: usize = 7;
 
+/// Height of the foot over the ground at θ = 0 and θ = π, and rotation of the foot; only of an unanchored wall, which has no [`super::two`].
+pub(super) const UPLIFT_FRONT: usize = 8;
+/// See [`UPLIFT_FRONT`].
+pub(super) const UPLIFT_BACK: usize = 9;
+/// See [`UPLIFT_FRONT`].
+pub(super) const BASE_ROTATION: usize = 10;
+
 /// Force of the base on the ground against motion along the `axis` x (0) or y (1), or the `moment` of that motion; that of half a tank
 /// doubled.
 ///
@@ -36,6 +43,9 @@ pub(super) fn base_reaction(
     axis: usize,
     moment: bool,
 ) -> Result<Quantity, AnalysisError> {
+    if let Some(standing) = &tank.standing {
+        return standing.reaction(tank, name, moment);
+    }
     let base: Vec<usize> = tank.footprint.levels[0]
         .iter()
         .flat_map(|&p| [Some(&tank.wall.inner), Some(&tank.wall.outer)].map(|l| l.and_then(|l| l.get(p)).copied()))
@@ -99,7 +109,7 @@ pub(super) fn quantities(tank: &CylinderModel) -> Result<Vec<Quantity>, Analysis
         let row = tank.model.row(tank.wall.inner[around[opposite]], Dof::Ux);
         row.into_iter().map(|(e, c)| (e, -c)).collect()
     };
-    Ok(vec![
+    let mut all = vec![
         base_reaction(tank, "base shear", 0, false)?,
         base_reaction(tank, "base moment", 0, true)?,
         row("wave at θ = 0°", tank.elevation(0.0)),
@@ -108,5 +118,9 @@ pub(super) fn quantities(tank: &CylinderModel) -> Result<Vec<Quantity>, Analysis
         row("lower third of the wall", tank.model.row(at(belly), Dof::Ux)),
         row("top of the wall, θ = 180°", back(levels.len() - 1)),
         row("lower third of the wall, θ = 180°", back(belly)),
-    ])
+    ];
+    if let Some(standing) = &tank.standing {
+        all.extend(standing.rows(tank));
+    }
+    Ok(all)
 }

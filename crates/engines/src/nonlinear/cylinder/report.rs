@@ -15,7 +15,9 @@ use super::limits::limits;
 use super::march::Cylinder;
 use super::model::CylinderModel;
 use super::points::look;
-use super::recorded::{BASE_MOMENT, BASE_SHEAR, BELLY_FRONT, TOP_FRONT, WAVE_BACK, WAVE_FRONT};
+use super::recorded::{
+    BASE_MOMENT, BASE_ROTATION, BASE_SHEAR, BELLY_FRONT, TOP_FRONT, UPLIFT_BACK, UPLIFT_FRONT, WAVE_BACK, WAVE_FRONT,
+};
 use super::state::{energies, events, grid, loops, maps, pictures, place};
 use super::two;
 use super::watch::{Extremes, Watch};
@@ -40,7 +42,7 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
     let histories = histories(tank, watch);
     let values = values(tank, watch);
     let mut notes = case.ground_motion.as_ref().map_or_else(Vec::new, both_directions);
-    if case.tank.support == Support::Unanchored {
+    if case.tank.support == Support::Unanchored && tank.standing.is_none() {
         notes.push(HELD_DOWN.into());
     }
     notes.extend(crate::linear::soil::note(case, EngineId::Nonlinear, false));
@@ -67,7 +69,11 @@ pub(super) fn report(cylinder: &Cylinder<'_>, watch: &Watch<'_>, run: &Run) -> S
     let maps = maps(case, tank, watch, &worst, &last);
     let nonlinear = Nonlinear {
         grid: grid(tank),
-        extremes: extremes::extremes(tank, watch, &maps),
+        extremes: {
+            let mut all = extremes::extremes(tank, watch, &maps);
+            all.extend(extremes::plastic(tank, run));
+            all
+        },
         maps,
         cracks: pictures(watch, &last, run.time),
         loops: loops(watch),
@@ -146,8 +152,25 @@ fn histories(tank: &CylinderModel, watch: &Watch<'_>) -> Histories {
         push(Channel::BaseOn(OnWall::Axial, side), &meridian.base_axial, None);
         push(Channel::BaseOn(OnWall::Moment, side), &meridian.moment, None);
     }
+    if tank.standing.is_some() {
+        push(Channel::BaseRotation, &recorder.histories[BASE_ROTATION], None);
+    }
     if let Some(open) = extremes::open_history(tank, watch) {
         push(Channel::Open, &open, None);
+    }
+    if tank.standing.is_some() {
+        let mut whole = |channel: Channel, values: Vec<f64>, peak: (f64, f64)| {
+            histories.push(SeriesInfo::of(channel, 0.0, peak), values);
+        };
+        for (k, side) in [UPLIFT_FRONT, UPLIFT_BACK].into_iter().zip(Side::BOTH) {
+            let up = recorder.histories[k].iter().map(|v| v.max(0.0)).collect();
+            let range = &recorder.ranges[k];
+            whole(Channel::Uplift(side), up, (range.max.max(0.0), range.max_time));
+        }
+        let toe = extremes::toe(watch);
+        let peak = toe.iter().zip(times).max_by(|a, b| a.0.total_cmp(b.0));
+        let peak = peak.map_or((0.0, 0.0), |(v, t)| (*v, *t));
+        whole(Channel::ToeStress, toe, peak);
     }
     two::add(&mut histories, recorder, &watch.seen.two);
     histories

@@ -4,6 +4,7 @@ mod curve;
 mod imperfect;
 mod opening;
 mod resume;
+mod standing;
 mod two;
 
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -351,7 +351,8 @@ impl<'a> Watch<'a> {
             _ => self.pressures(now),
         }
         let last = |k: usize| self.recorder.histories.get(k).and_then(|h| h.last()).copied();
-        let moment = match (last(BASE_MOMENT).unwrap_or(0.0), last(MOMENT_Y)) {
+        let across = self.fan.as_ref().and_then(|_| last(MOMENT_Y));
+        let moment = match (last(BASE_MOMENT).unwrap_or(0.0), across) {
             (along, None) => along.abs(),
             (along, Some(across)) => along.hypot(across),
         };

@@ -3,15 +3,13 @@
 use std::f64::consts::PI;
 
 use fem::dofs::Dof;
-use fem::element::Inspect;
-use fem::model::Model;
-use fem::state::{Gather, State};
+use fem::state::State;
 use results::{PushBase, PushPoint, PushShell};
 
 use super::load::{cosine_shares, shares};
 use super::model::{Plan, PushModel};
 use crate::FeError;
-use crate::nonlinear::bottom::Placed;
+use crate::nonlinear::bottom;
 
 /// The base at a committed state; `None` of an anchored tank.
 ///
@@ -68,7 +66,7 @@ pub(super) fn base(
         toe: -up(foot[0]),
         lifted_width: width,
         lifted_angle: lifted,
-        plastic_rotation: plastic_rotation(&model.model, bottom, plate.foot, state)?,
+        plastic_rotation: bottom::plastic_rotation(&model.model, bottom, plate.foot, true, state)?,
         strips: None,
     }))
 }
@@ -94,41 +92,4 @@ pub(super) fn compare(plan: &Plan, shells: &mut [PushShell]) {
         shell.path.iter_mut().for_each(at);
         at(&mut shell.capacity.state);
     }
-}
-
-/// Plastic rotation of the joint at θ = π: curvature of the meridian less that of an elastic plate under its moments, from the foot to
-/// where its sign changes [rad].
-fn plastic_rotation(model: &Model, bottom: &Placed, foot: usize, state: &State) -> Result<f64, FeError> {
-    let mut gather = Gather::default();
-    let mut sum = 0.0_f64;
-    for cells in &bottom.cells[foot..] {
-        let Some(&cell) = cells.last() else { break };
-        let element = &*model.elements()[cell];
-        let motion = gather.motion(model, &state.committed, element);
-        let history = &state.old[state.history(cell)];
-        let mut yields = false;
-        element.material_points(motion, history, &mut |p| yields |= p.state.plastic_strain > 0.0);
-        if !yields {
-            if sum != 0.0 {
-                break;
-            }
-            continue;
-        }
-        let sections = element
-            .sections(motion, history)
-            .map_err(|e| FeError::Analysis(e.to_string()))?;
-        let virgin = bottom.bending[cell - bottom.cells[0][0]];
-        let plastic = |s: &fem::element::SectionState| {
-            let (hoop, radial) = (s.resultants[3], s.resultants[4]);
-            s.strain[4] - (virgin[0] * radial - virgin[1] * hoop)
-        };
-        let mean = sections.iter().map(plastic).sum::<f64>() / sections.len() as f64;
-        let [a, b] = [element.nodes()[0], element.nodes()[1]].map(|n| model.nodes()[n]);
-        let part = mean * (b[0].hypot(b[1]) - a[0].hypot(a[1]));
-        if sum * part < 0.0 {
-            break;
-        }
-        sum += part;
-    }
-    Ok(sum.abs())
 }

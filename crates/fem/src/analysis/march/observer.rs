@@ -7,6 +7,8 @@ use crate::analysis::damping::Rayleigh;
 use crate::analysis::observable::{Observable, apply};
 use crate::assembly::Forces;
 use crate::dofs::KINDS;
+use crate::element::{Response, Want};
+use crate::state::Gather;
 
 /// Resultant of all support reactions in a rigid motion w of the supports,
 ///
@@ -22,6 +24,8 @@ pub struct Reaction {
     rows: Vec<(usize, f64)>,
     /// Inertia and damping.
     moving: Observable,
+    /// Elements that stand for the ground, with w in the order of their dofs.
+    ground: Vec<(usize, Vec<f64>)>,
 }
 
 impl Reaction {
@@ -43,7 +47,31 @@ impl Reaction {
         Ok(Reaction {
             rows: rows.filter(|(_, w)| *w != 0.0).collect(),
             moving: Observable::reaction_of_motion(model, name, field, rayleigh)?,
+            ground: Vec::new(),
         })
+    }
+
+    /// With the forces of elements that stand for the ground, such as [`Ground`](crate::element::ground::Ground): number of each, and w in
+    /// the order of its dofs. Only for elements without a history.
+    pub fn with_ground(mut self, elements: Vec<(usize, Vec<f64>)>) -> Reaction {
+        self.ground = elements;
+        self
+    }
+
+    /// −Σ w · f of the elements that stand for the ground; NaN if one fails.
+    fn of_ground(&self, now: &Instant<'_>) -> f64 {
+        let model = now.problem.model;
+        let (mut gather, mut sum) = (Gather::default(), 0.0);
+        for (e, w) in &self.ground {
+            let element = &*model.elements()[*e];
+            let motion = gather.motion(model, &now.state.committed, element);
+            let mut out = Response::sized(w.len());
+            match element.respond(motion, &[], &mut [], Want::FORCE, &mut out) {
+                Ok(()) => sum -= w.iter().zip(&out.force).map(|(w, f)| w * f).sum::<f64>(),
+                Err(_) => return f64::NAN,
+            }
+        }
+        sum
     }
 
     fn static_part(&self, forces: &Forces) -> f64 {
@@ -73,7 +101,7 @@ impl Quantity {
     pub fn at(&self, now: &Instant<'_>) -> f64 {
         let (row, still) = match self {
             Quantity::Linear(o) => (o, 0.0),
-            Quantity::Reaction(r) => (&r.moving, r.static_part(now.forces)),
+            Quantity::Reaction(r) => (&r.moving, r.static_part(now.forces) + r.of_ground(now)),
         };
         let fields = &now.state.committed;
         let ground = row.total_ground(&now.problem.system.influence);

@@ -197,6 +197,19 @@ impl WallMesh<'_> {
     ///
     /// Errors: those of [`Shell4::new`], [`directors`] and [`Wall::new`]; rows with and without a layer in one wall.
     pub fn place(&self, builder: &mut Builder) -> Result<PlacedWall, ElementError> {
+        self.place_with(builder, &mut |_, _| Ok(Vec::new()))
+            .map(|found| found.0)
+    }
+
+    /// With level cells that are welded to a wall of one row of nodes, such as a bottom: `more` makes them from the nodes of the wall;
+    /// nodes that both share are folds. Returns their elements, too.
+    ///
+    /// Errors: as [`WallMesh::place`], and those of `more`; level cells on a wall with a layer.
+    pub fn place_with(
+        &self,
+        builder: &mut Builder,
+        more: &mut dyn FnMut(&mut Builder, &[usize]) -> Result<Vec<ShellCell>, ElementError>,
+    ) -> Result<(PlacedWall, Vec<usize>), ElementError> {
         let builds: Vec<Build> = (0..self.footprint.levels.len() - 1).map(self.courses).collect();
         let layered = builds.iter().filter(|b| matches!(b, Build::Layered(..))).count();
         let add = |builder: &mut Builder, offset: f64| -> Vec<usize> {
@@ -206,7 +219,8 @@ impl WallMesh<'_> {
         };
         if layered == 0 {
             let inner = add(builder, self.offsets[0]);
-            return self.place_shells(builder, &builds, inner);
+            let level = more(builder, &inner)?;
+            return self.place_shells(builder, &builds, inner, level);
         }
         if layered < builds.len() {
             return Err(ElementError::NoAnswer {
@@ -245,8 +259,14 @@ impl WallMesh<'_> {
                 }
             }
         }
+        if !more(builder, &nodes[0])?.is_empty() {
+            return Err(ElementError::NoAnswer {
+                kind: "wall",
+                reason: "level cells are welded to walls without a layer".into(),
+            });
+        }
         let [inner, outer] = nodes;
-        Ok(PlacedWall { rows, inner, outer })
+        Ok((PlacedWall { rows, inner, outer }, Vec::new()))
     }
 
     fn normal(&self, first: usize) -> impl Fn(usize, usize) -> Vector3<f64> + '_ {
@@ -263,7 +283,8 @@ impl WallMesh<'_> {
         builder: &mut Builder,
         builds: &[Build],
         inner: Vec<usize>,
-    ) -> Result<PlacedWall, ElementError> {
+        level: Vec<ShellCell>,
+    ) -> Result<(PlacedWall, Vec<usize>), ElementError> {
         let mut cells = Vec::new();
         let mut row_of = Vec::new();
         for (cell, &row) in self.footprint.cells.iter().zip(&self.footprint.rows) {
@@ -286,7 +307,13 @@ impl WallMesh<'_> {
                 Build::Layered(..) => {}
             }
         }
-        let normal = self.normal(inner[0]);
+        let of_wall = cells.len();
+        cells.extend(level);
+        let own = self.normal(inner[0]);
+        let normal = |cell: usize, node: usize| match cell < of_wall {
+            true => own(cell, node),
+            false => Vector3::z(),
+        };
         let surface = ShellSurface {
             cells,
             normals: Normals::Exact(&normal),
@@ -300,10 +327,11 @@ impl WallMesh<'_> {
         for (&element, row) in placed.elements.iter().zip(row_of) {
             rows[row].push(element);
         }
-        Ok(PlacedWall {
+        let wall = PlacedWall {
             rows,
             inner,
             outer: Vec::new(),
-        })
+        };
+        Ok((wall, placed.elements[of_wall..].to_vec()))
     }
 }

@@ -1,0 +1,74 @@
+//! Unanchored walls on their bottom.
+
+use fem::progress::Silent;
+use results::Channel;
+use results::channel::Side;
+use results::nonlinear::End;
+use tank::{Behaviour, Bottom, Case, Foundation, FoundationKind, Shape, Steel, Support};
+
+use super::super::super::simulate;
+use super::{options, shaken};
+use tank::reference::{case, material};
+
+/// R = 5 m, 9 m of water under 10 m of 8 mm steel, 6 mm of bottom plate on 10⁸ N/m³.
+pub(super) fn slender() -> Case {
+    let mut steel = material(2.05e11, 0.3, 7850.0);
+    steel.yield_strength = Some(235e6);
+    steel.behaviour = Behaviour::Steel(Steel {
+        yield_strength: 235e6,
+        tangent_modulus: 2.05e9,
+        kinematic_share: 1.0,
+        ultimate_strength: None,
+    });
+    let mut case = case(Shape::Cylinder { radius: 5.0 }, &[(10.0, 8e-3)], &steel, (1000.0, 9.0));
+    case.tank.support = Support::Unanchored;
+    case.tank.bottom = Some(Bottom {
+        thickness: 6e-3,
+        corrosion: 0.0,
+        width: None,
+        sketch: None,
+        projection: 0.0,
+        subgrade_modulus: None,
+        material: steel,
+    });
+    case.tank.foundation = Some(Foundation {
+        kind: FoundationKind::Soil,
+        stiffness: Some(1e8),
+        shear_wave_velocity: None,
+        soil_density: 1900.0,
+        soil_poisson_ratio: 0.33,
+        thickness: None,
+        friction: None,
+    });
+    case
+}
+
+/// The shock lifts the foot on one side by millimetres and presses it on the other, where the wall is compressed; the plate yields at
+/// its weld. Work and energies agree to rounding, since the ground is elastic: 1e-6 of the energy put in.
+#[test]
+fn a_shock_lifts_the_foot() {
+    let case = shaken(slender(), 3.0, 50);
+    let run = simulate(&case, &options(&case, 8, 12), None, &Silent).unwrap();
+    assert_eq!(run.result.end, End::Completed);
+    let peak = |channel: Channel| {
+        let found = run.result.histories.iter().find(|h| h.id == channel.id());
+        found.map(|h| h.peak).unwrap()
+    };
+    let [front, back] = Side::BOTH.map(|side| peak(Channel::Uplift(side)));
+    assert!(front > 1e-3 && back < 1e-4, "{front} {back}");
+    let extremes = &run.result.nonlinear.as_ref().unwrap().extremes;
+    let pressed = |side: Side| {
+        let of = extremes.iter().find(|e| e.title == Channel::Uplift(side).title());
+        of.and_then(|e| e.min.as_ref()).map(|m| m.value).unwrap()
+    };
+    assert!(pressed(Side::Back) < 2.0 * pressed(Side::Front), "toe");
+    assert!(peak(Channel::ToeStress) > 1e6 && peak(Channel::BaseRotation) > 1e-4);
+    let plastic = extremes
+        .iter()
+        .find(|e| e.title.starts_with("Plastic rotation"))
+        .unwrap();
+    assert!(plastic.max.value > 0.0);
+    assert!(run.result.energy.unwrap().error.abs() < 1e-6);
+    assert!(run.assumptions.iter().any(|a| a.contains("does not slide")));
+    assert!(run.notes.iter().all(|n| !n.contains("clamps")));
+}
