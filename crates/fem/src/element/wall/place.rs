@@ -163,6 +163,9 @@ pub struct WallMesh<'a> {
     pub mass: MassKind,
 }
 
+/// Makes further cells from the nodes of a wall.
+pub type MoreCells<'a> = dyn FnMut(&mut Builder, &[usize]) -> Result<Vec<ShellCell>, ElementError> + 'a;
+
 /// Where a wall went.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedWall {
@@ -208,7 +211,7 @@ impl WallMesh<'_> {
     pub fn place_with(
         &self,
         builder: &mut Builder,
-        more: &mut dyn FnMut(&mut Builder, &[usize]) -> Result<Vec<ShellCell>, ElementError>,
+        more: &mut MoreCells<'_>,
     ) -> Result<(PlacedWall, Vec<usize>), ElementError> {
         let builds: Vec<Build> = (0..self.footprint.levels.len() - 1).map(self.courses).collect();
         let layered = builds.iter().filter(|b| matches!(b, Build::Layered(..))).count();
