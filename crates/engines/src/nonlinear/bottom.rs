@@ -83,13 +83,13 @@ pub(super) struct Placed {
 /// Why the bottom of a case is not modelled, in words, and what is allowed.
 pub(crate) fn missing(case: &Case) -> Option<(&'static str, &'static str)> {
     match Base::of(case) {
-        Err(Missing::Cylinder) => Some(("a pushover is for cylinders", "\"cylinder\"")),
+        Err(Missing::Cylinder) => Some(("a nonlinear bottom is that of a cylinder", "\"cylinder\"")),
         Err(Missing::Plate) => Some((
-            "a pushover of an unanchored tank needs its bottom plate",
+            "the nonlinear bottom of an unanchored tank needs its bottom plate",
             "\"anchored\", or a `tank.bottom`",
         )),
         Err(Missing::Metal) => Some((
-            "a pushover of an unanchored tank is for bottoms of steel plates",
+            "the nonlinear bottom of an unanchored tank is for bottoms of steel plates",
             "\"anchored\", or a `tank.bottom` of steel",
         )),
         Ok(_) => {
@@ -99,7 +99,7 @@ pub(crate) fn missing(case: &Case) -> Option<(&'static str, &'static str)> {
                 .as_ref()
                 .is_some_and(|b| matches!(b.material.behaviour, Behaviour::Steel(_)));
             (!steel).then_some((
-                "a pushover of an unanchored tank needs a bottom plate that yields",
+                "the nonlinear bottom of an unanchored tank needs a bottom plate that yields",
                 "a material of `tank.bottom` whose behaviour is \"steel\", or \"anchored\"",
             ))
         }
@@ -113,7 +113,7 @@ impl Plate {
             return unsupported(reason);
         }
         let (Ok(base), Some(bottom)) = (Base::of(case), &case.tank.bottom) else {
-            return unsupported("a pushover of an unanchored tank needs its bottom plate");
+            return unsupported("the nonlinear bottom of an unanchored tank needs its bottom plate");
         };
         let plate = base.plate();
         let sinking = (4.0 * plate.bending_stiffness() / base.modulus).powf(0.25);

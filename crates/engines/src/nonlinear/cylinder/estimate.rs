@@ -15,7 +15,7 @@ use tank::{Behaviour, Course, Layer, LayerKind};
 use super::elements::iterates;
 use super::march::{LOOKS, STEPS_PER_PERIOD};
 use super::mesh::Cells;
-use super::two;
+use super::{standing, two};
 use crate::FeError;
 use crate::estimate::{
     DENSE_RATE, Estimate, FACTOR_RATE, Fill, Lever, NUMBER, PRODUCT_RATE, PROGRAM, Response, first_wall_frequency,
@@ -104,7 +104,10 @@ pub(crate) fn estimate(case: &Case, options: &NonlinearOptions, jobs: usize, run
 fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]: [usize; 2]) -> Estimate {
     let depth = case.liquid.fill_height;
     let cells = Cells::new(&case.tank, depth, options.elements, options.symmetry);
-    let (rows, columns) = (cells.rows() as f64, cells.columns() as f64);
+    // A bottom on the ground has rings of cells, too; contact asks for a factor in every iteration.
+    let rings = standing::rings(case, options) as f64;
+    let on_ground = rings > 0.0;
+    let (rows, columns) = (cells.rows() as f64 + rings, cells.columns() as f64);
     let meridians = columns + if cells.half { 1.0 } else { 0.0 };
     let wetted = cells.wet(depth) as f64 * meridians + AMPLITUDES;
     let shells = leaves(case);
@@ -120,9 +123,9 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
         * columns;
     let points: f64 = history / 12.0;
     let levels = cells.wet(depth) as f64;
-    let operator = iterates((levels * meridians) as usize, options.contact);
+    let operator = !on_ground && iterates((levels * meridians) as usize, options.contact);
     let block = if operator { 0.0 } else { NUMBER * wetted * wetted };
-    let rings = if operator {
+    let shared = if operator {
         Rings::new(&cells, levels, node * rows, options.contact)
     } else {
         Rings::default()
@@ -157,9 +160,9 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
     let kept = samples * (AT_SAMPLE + 2.0 * rows + meridian + 0.5 * wetted.min(LOOKS));
     let parts = vec![
         ("the program", PROGRAM),
-        ("liquid block", model + at_a_time * MARCH_BLOCKS * block + rings.blocks),
-        ("sections of the wall", (1.0 + at_a_time) * rings.sections),
-        ("open joints", at_a_time * rings.joints),
+        ("liquid block", model + at_a_time * MARCH_BLOCKS * block + shared.blocks),
+        ("sections of the wall", (1.0 + at_a_time) * shared.sections),
+        ("open joints", at_a_time * shared.joints),
         // A value, and its places.
         ("vectors of the iteration", at_a_time * VECTORS * NUMBER * unknowns),
         ("liquid of one harmonic", harmonic),
@@ -173,11 +176,17 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
         Contact::Bonded => bonded,
         Contact::Opening => opening,
     };
-    let sweep = 3.0 * block + 2.0 * NUMBER * fill.entries + products * rings.product(unknowns, number * shells);
+    let sweep = 3.0 * block + 2.0 * NUMBER * fill.entries + products * shared.product(unknowns, number * shells);
     let iteration = number * shells * CELL_TIME + points * POINT_TIME + sweep / PRODUCT_RATE;
-    let factor = fill.flops / FACTOR_RATE + rings.factor;
+    let factor = fill.flops / FACTOR_RATE + shared.factor;
     let free = steps * response.tail / (response.duration + response.tail);
-    let (elastic, quiet) = (ITERATIONS * iteration + factor / KEPT, QUIET_ITERATIONS * iteration);
+    let (elastic, quiet) = match on_ground {
+        true => {
+            let each = ITERATIONS * (iteration + factor);
+            (each, each)
+        }
+        false => (ITERATIONS * iteration + factor / KEPT, QUIET_ITERATIONS * iteration),
+    };
     let start = START * (ITERATIONS * iteration + factor);
     let all = |record: f64, tail: f64| {
         let once = start + (steps - free) * record + free * tail;

@@ -53,6 +53,15 @@ pub(super) fn stands(case: &Case, options: &NonlinearOptions) -> bool {
         && case.tank.courses.iter().all(one)
 }
 
+/// Rings of cells of the bottom; none under a wall whose foot is clamped.
+pub(super) fn rings(case: &Case, options: &NonlinearOptions) -> usize {
+    let found = plate(case, options, case.tank.shape.half_length());
+    found
+        .ok()
+        .flatten()
+        .map_or(0, |plate| plate.radii.len().saturating_sub(1))
+}
+
 /// The plate of a case, `None` of a wall whose foot is clamped.
 ///
 /// Errors: those of [`Plate::of`].
