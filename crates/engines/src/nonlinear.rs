@@ -3,6 +3,7 @@
 //! [`simulate`] runs a case once, [`Incremental`] at rising scales of its record, [`push`] is the static pushover of a cylinder.
 
 mod after_record;
+mod arcs;
 mod bottom;
 mod checkpoint;
 mod cylinder;

@@ -28,9 +28,9 @@ use fem::state::{Gather, State};
 use nalgebra::Matrix3;
 use tank::{Behaviour, Bottom, Case, Layer, LayerKind};
 
+use super::arcs::shares;
 use super::cylinder::section::row;
 use super::laws::unsupported;
-use super::push::load::shares;
 use crate::FeError;
 use tank::options::nonlinear::Integration;
 

@@ -16,7 +16,7 @@ mod imperfection;
 mod keep;
 mod lifted;
 mod limits;
-pub(super) mod load;
+mod load;
 mod model;
 mod path;
 mod seen;

@@ -25,8 +25,8 @@ use super::model::CylinderModel;
 use super::recorded::row;
 use crate::FeError;
 use crate::error::failed;
+use crate::nonlinear::arcs::cosine_shares;
 use crate::nonlinear::bottom::{self, Placed, Plate};
-use crate::nonlinear::push::load::cosine_shares;
 
 /// Stiffness that holds the foot over E t of the lowest course: so stiff that it moves by less than 10⁻³ of what the wall does.
 const HELD: f64 = 1e3;

@@ -130,8 +130,8 @@ mod tests {
     use tank::{Behaviour, Shape, Steel};
 
     use super::super::imperfection::Dent;
-    use super::super::load::{cosine_shares, shares};
     use super::*;
+    use crate::nonlinear::arcs::{cosine_shares, shares};
     use tank::options::nonlinear::{NonlinearOptions, WallElements};
     use tank::reference::{case, material};
 

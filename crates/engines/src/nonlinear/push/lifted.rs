@@ -6,9 +6,9 @@ use fem::dofs::Dof;
 use fem::state::State;
 use results::{PushBase, PushPoint, PushShell};
 
-use super::load::{cosine_shares, shares};
 use super::model::{Plan, PushModel};
 use crate::FeError;
+use crate::nonlinear::arcs::{cosine_shares, shares};
 use crate::nonlinear::bottom;
 
 /// The base at a committed state; `None` of an anchored tank.

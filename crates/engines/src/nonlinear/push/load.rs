@@ -89,44 +89,9 @@ impl Impulsive {
     }
 }
 
-/// ∫ cos θ N_k dθ of the hats on ascending angles.
-pub(in crate::nonlinear) fn cosine_shares(angles: &[f64]) -> Vec<f64> {
-    let mut out = vec![0.0; angles.len()];
-    for (i, ends) in angles.windows(2).enumerate() {
-        let (a, b) = (ends[0], ends[1]);
-        // ∫ cos θ (θ − a)/(b − a) dθ and the rest.
-        let rising = b.sin() + (b.cos() - a.cos()) / (b - a);
-        let all = b.sin() - a.sin();
-        out[i] += all - rising;
-        out[i + 1] += rising;
-    }
-    out
-}
-
-/// Lengths of the hats themselves [rad].
-pub(in crate::nonlinear) fn shares(angles: &[f64]) -> Vec<f64> {
-    let mut out = vec![0.0; angles.len()];
-    for (i, ends) in angles.windows(2).enumerate() {
-        out[i] += 0.5 * (ends[1] - ends[0]);
-        out[i + 1] += 0.5 * (ends[1] - ends[0]);
-    }
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn shares_add_up() {
-        let angles: Vec<f64> = (0..=9).map(|k| PI * (f64::from(k) / 9.0).powf(1.3)).collect();
-        let cosine = cosine_shares(&angles);
-        assert!(cosine.iter().sum::<f64>().abs() < 1e-12);
-        let second: f64 = cosine.iter().zip(&angles).map(|(c, a)| c * a.cos()).sum();
-        // ∫ cos² = π/2, by hats.
-        assert!((second / (0.5 * PI) - 1.0).abs() < 0.02, "{second}");
-        assert!((shares(&angles).iter().sum::<f64>() - PI).abs() < 1e-12);
-    }
 
     /// The impulsive mass of a rigid cylinder, H/R = 1: 0.5478 of the liquid at 0.4042 of its depth (series of EN 1998-4 A.2.1).
     #[test]

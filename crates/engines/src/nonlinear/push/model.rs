@@ -23,9 +23,10 @@ use tank::Case;
 use tank::{Behaviour, Course, Shape, Support};
 
 use super::imperfection::Dent;
-use super::load::{Impulsive, cosine_shares, shares};
+use super::load::Impulsive;
 use crate::FeError;
 use crate::checks::check_depth;
+use crate::nonlinear::arcs::{cosine_shares, shares};
 use crate::nonlinear::bottom::{self, Placed, Plate};
 use crate::nonlinear::cylinder::mesh::enough_rows;
 use crate::nonlinear::cylinder::section::row;

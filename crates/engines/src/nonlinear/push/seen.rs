@@ -97,7 +97,7 @@ impl<'a> Seen<'a> {
         let top = model.rings.last().map_or(0.0, |ring| {
             let u = |node: &usize| model.model.at_node(&state.committed.u, *node)[0];
             // Mean over the angle.
-            let shares = super::load::shares(&model.angles);
+            let shares = crate::nonlinear::arcs::shares(&model.angles);
             ring.iter().zip(shares).map(|(n, s)| s * u(n)).sum::<f64>() / PI
         });
         let (wall, liquid) = (limits::masses(self.plan, 0.0), model.liquid(acceleration));
