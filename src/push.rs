@@ -5,11 +5,11 @@ use fem::progress::Progress;
 use crate::error::Error;
 use crate::job::PushJob;
 use codes::api650::hold_down::allowable_compression;
-use codes::ec8::buckling;
+use codes::ec8::{buckling, plate_uplift};
 use engines::nonlinear::push::{Formula, pushover};
 use files::{Kind, OutputFolder, kept_complete};
 use report::{self, FIGURES_FOLDER, REPORT_FILE};
-use results::{PUSH_FILE, PUSH_FORMAT, Push, Volatile, finite, read_push, write_push};
+use results::{PUSH_FILE, PUSH_FORMAT, Push, PushJoint, Volatile, finite, read_push, write_push};
 use tank::{Case, Course, Shape};
 
 /// Density of water in the specific gravity of API 650 [kg/m³].
@@ -38,6 +38,8 @@ pub fn run(job: &PushJob, volatile: impl Fn() -> Volatile, progress: &dyn Progre
         job.checkpoint.as_ref(),
         progress,
     )?;
+    let joint = pushed.shells.first();
+    let joint = joint.and_then(|shell| PushJoint::of(shell, plate_uplift::ROTATION, "EN 1998-4:2006, A.9"));
     let push = Push {
         format: PUSH_FORMAT.into(),
         volatile: volatile(),
@@ -48,6 +50,7 @@ pub fn run(job: &PushJob, volatile: impl Fn() -> Volatile, progress: &dyn Progre
         assumptions: pushed.assumptions,
         shells: pushed.shells,
         limits: pushed.limits,
+        joint,
         incomplete: !pushed.interruption.is_empty(),
         doubts: [job.job.warnings.clone(), pushed.doubts].concat(),
         interruption: pushed.interruption,

@@ -48,7 +48,7 @@ mod modal;
 mod own_spectrum;
 mod pipes;
 pub mod plate;
-pub(crate) mod plate_uplift;
+pub mod plate_uplift;
 #[cfg(test)]
 mod properties;
 mod rectangle;

@@ -116,6 +116,9 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         for line in found.shells.iter().flat_map(words::terminal::path) {
             say!("{line}");
         }
+        if let Some(joint) = &found.joint {
+            say!("{}", words::push::joint(joint, found.gravity));
+        }
         // Warnings about the input were printed before the run.
         for doubt in found.doubts.iter().filter(|d| !job.job.warnings.contains(d)) {
             say!("warning: {doubt}");

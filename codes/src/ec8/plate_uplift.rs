@@ -25,8 +25,8 @@ use tank::Bottom;
 use tank::assessment::{Check, CheckStatus};
 use tank::units::Dimension::{self, *};
 
-/// Largest plastic rotation of the joint of wall and bottom [rad].
-pub(crate) const ROTATION: f64 = 0.20;
+/// Largest plastic rotation of the joint of wall and bottom [rad], EN 1998-4:2006 A.9.
+pub const ROTATION: f64 = 0.20;
 /// Writes lines and checks; returns the largest compression at the toe [N/m] where it was computed.
 ///
 /// * `weight`: of wall and roof, less overpressure and vertical motion [N/m]

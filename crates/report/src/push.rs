@@ -335,6 +335,7 @@ pub fn report(push: &Push) -> Result<Report, Error> {
     page.insert("interruption", &push.interruption);
     page.insert("summary", &summary(push));
     page.insert("base", &base(push));
+    page.insert("joint", &push.joint.as_ref().map(|j| words::joint(j, push.gravity)));
     page.insert("limits", &limits(push));
     page.insert("ends", &ends);
     page.insert("model", &super::facts(&push.model));

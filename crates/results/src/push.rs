@@ -37,6 +37,9 @@ pub struct Push {
     pub shells: Vec<PushShell>,
     /// Limits of formulas at the lower edges of the courses.
     pub limits: Vec<PushLimit>,
+    /// The joint of wall and bottom plate of an unanchored tank.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub joint: Option<PushJoint>,
     /// Whether the user stopped it before all was done.
     pub incomplete: bool,
     /// The missing part in words; empty if it is complete.
@@ -139,6 +142,49 @@ pub struct PushBase {
     pub strips: Option<f64>,
 }
 
+/// The plastic rotation of the joint of wall and bottom plate beside the largest that a code allows: the perfect shell, lifted side.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PushJoint {
+    /// Clause of the limit.
+    pub source: String,
+    /// Largest rotation allowed [rad].
+    pub limit: f64,
+    /// Largest rotation of the path [rad].
+    pub largest: f64,
+    /// Acceleration at which the limit is passed [m/s²], linear between states; `None` if the path ends before.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub passed: Option<f64>,
+}
+
+impl PushJoint {
+    /// The joint along the path of `shell`; `None` of a tank without a lifting base.
+    pub fn of(shell: &PushShell, limit: f64, source: &str) -> Option<PushJoint> {
+        let states: Vec<(f64, f64)> = shell
+            .path
+            .iter()
+            .filter_map(|p| Some((p.acceleration, p.base?.plastic_rotation)))
+            .collect();
+        states.first()?;
+        Some(PushJoint {
+            source: source.into(),
+            limit,
+            largest: states.iter().map(|s| s.1).fold(0.0, f64::max),
+            passed: passed(&states, limit),
+        })
+    }
+}
+
+/// Abscissa at which the ordinate of a polygon first passes `limit`.
+fn passed(states: &[(f64, f64)], limit: f64) -> Option<f64> {
+    if let Some(first) = states.first().filter(|s| s.1 > limit) {
+        return Some(first.0);
+    }
+    states.windows(2).find(|w| w[1].1 > limit).map(|w| {
+        let ((a, from), (b, to)) = (w[0], w[1]);
+        a + (limit - from) / (to - from) * (b - a)
+    })
+}
+
 /// The strongest state of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Capacity {
@@ -204,4 +250,20 @@ pub fn read_push(path: &Path) -> Result<Push, Error> {
 /// Errors: a file that cannot be written.
 pub fn write_push(path: &Path, push: &Push) -> Result<(), Error> {
     write_document(path, push)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::passed;
+
+    #[test]
+    fn a_limit_is_passed_between_states() {
+        let path = [(0.0, 0.0), (1.0, 0.1), (2.0, 0.3), (1.5, 0.4)];
+        assert!((passed(&path, 0.2).unwrap() - 1.5).abs() < 1e-12);
+        // On the falling branch the acceleration is that of the state, not the larger one before it.
+        assert!((passed(&path, 0.35).unwrap() - 1.75).abs() < 1e-12);
+        assert_eq!(passed(&path, 0.4), None);
+        assert_eq!(passed(&[(0.5, 0.3)], 0.2), Some(0.5));
+        assert_eq!(passed(&[], 0.2), None);
+    }
 }

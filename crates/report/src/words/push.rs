@@ -2,8 +2,8 @@
 
 use tank::units::Dimension;
 
-use crate::number::{fixed, with_unit};
-use results::PushShell;
+use crate::number::{fixed, significant, with_unit};
+use results::{PushJoint, PushShell};
 
 /// Heads of the table of capacities.
 pub mod heads {
@@ -58,6 +58,22 @@ pub fn shell_name(shell: &PushShell) -> String {
 
 /// Acceleration at which a formula is reached that governs below 10 g nowhere.
 pub const BEYOND: &str = "beyond 10 g";
+
+/// The joint of wall and bottom plate against its limit; `gravity` in m/s².
+pub fn joint(joint: &PushJoint, gravity: f64) -> String {
+    let (limit, source) = (fixed(joint.limit, 2), &joint.source);
+    let largest = fixed(joint.largest, 3);
+    match joint.passed {
+        Some(at) => format!(
+            "joint of wall and bottom plate: its plastic rotation passes {limit} rad ({source}) at {} g; the largest of the path is \
+             {largest} rad",
+            significant(at / gravity, 3)
+        ),
+        None => format!(
+            "joint of wall and bottom plate: the largest plastic rotation of the path is {largest} rad; {limit} rad ({source}) is not reached"
+        ),
+    }
+}
 
 /// How the path of a shell ends, and its imperfection.
 pub fn end(shell: &PushShell) -> String {
