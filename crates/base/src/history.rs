@@ -118,6 +118,8 @@ pub struct History {
     pub anchor_force: Vec<f64>,
     /// Place of that anchor among those of the ring.
     pub anchor_place: Vec<usize>,
+    /// Largest force of each anchor of the run [N], by its place in the ring.
+    pub anchor_peaks: Vec<f64>,
     /// The anchors at the end.
     pub bolts: Bolts,
     /// Energies at the end [J].
@@ -242,8 +244,16 @@ pub fn march(run: &Run<'_>) -> Result<History, BaseError> {
         history.shear.push(rates.shear);
         if let Some(ring) = run.ring {
             let pull = ring.pull(state.psi[0], state.pressure, &state.bolts);
-            let forces = ring.forces(state.psi[0], pull.centre, &state.bolts).enumerate();
-            let (place, force) = forces.fold((0, 0.0), |most, found| if found.1 > most.1 { found } else { most });
+            let peaks = &mut history.anchor_peaks;
+            peaks.resize(ring.places().len(), 0.0);
+            let (mut place, mut force) = (0, 0.0);
+            let forces = ring.forces(state.psi[0], pull.centre, &state.bolts);
+            for ((i, found), peak) in forces.enumerate().zip(peaks) {
+                *peak = peak.max(found);
+                if found > force {
+                    (place, force) = (i, found);
+                }
+            }
             history.pull.push(pull.total);
             history.anchor_force.push(force);
             history.anchor_place.push(place);

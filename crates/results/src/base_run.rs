@@ -152,6 +152,9 @@ pub struct AnchorRun {
     pub broken: usize,
     /// Plastic elongation of each at the end [m], by angle [°].
     pub around: Vec<[f64; 2]>,
+    /// Largest force of each [N], by angle [°].
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub forces: Vec<[f64; 2]>,
 }
 
 /// A ground of the band on which there is no run.

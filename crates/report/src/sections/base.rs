@@ -1,5 +1,7 @@
 //! The base of a tank that lifts or slides: values beside those of the wall held down, histories, loop, circumference, band, energies.
 
+use std::f64::consts::TAU;
+
 use tank::units::Dimension;
 
 use super::motion_of_base::{self, Motion};
@@ -39,6 +41,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         over_time(source, 1, &[Channel::BaseRotation])?,
         Some(turning(run)?),
         Some(around(run)?),
+        bolts(run)?,
         plan(source, run),
         positions(source, run),
     ];
@@ -360,4 +363,39 @@ fn around(run: &BaseRun) -> Result<Figure, Error> {
         Room::Half,
         description,
     )
+}
+
+/// Largest force of the anchors around the circumference, beside the force at which one yields; `None` without anchors.
+fn bolts(run: &BaseRun) -> Result<Option<Figure>, Error> {
+    let Some(anchors) = run.anchors.as_ref().filter(|a| !a.forces.is_empty()) else {
+        return Ok(None);
+    };
+    // The rim is symmetric about the direction of the motion: places stand from 0 to 180°.
+    let half = anchors.forces.iter().map(|p| (p[0], p[1]));
+    let mirrored = anchors.forces.iter().rev().map(|p| (360.0 - p[0], p[1]));
+    let points: Vec<(f64, f64)> = half.chain(mirrored).map(|(a, f)| (a.to_radians(), f)).collect();
+    let yields = [(0.0, anchors.yield_force), (TAU, anchors.yield_force)];
+    let forces = points.iter().chain(&yields).map(|p| p.1).chain([0.0]);
+    let y = Axis::linear(words::AXES[4], Dimension::Force, forces, 5);
+    let mut chart = Chart::new((HALF, 0.0), Axis::around(), y);
+    let lines = [(points.clone(), "k-fe"), (yields.to_vec(), "k-other")];
+    for ((points, class), label) in lines.into_iter().zip(words::BOLTS) {
+        chart.lines.push(Line {
+            points,
+            class: class.into(),
+            label: label.into(),
+        });
+    }
+    let scale = Scale::of(Dimension::Force, anchors.forces.iter().map(|p| p[1]));
+    let mut table = Table::new(vec![
+        Column::numbers("θ", "°"),
+        Column::numbers(words::AXES[4], scale.symbol()),
+    ]);
+    for i in spread(anchors.forces.len(), 25) {
+        let [angle, force] = anchors.forces[i];
+        table.row(vec![fixed(angle, 0), scale.text(force)]);
+    }
+    let description = words::description(words::FIGURES[6], Dimension::Force, points.iter().map(|p| p.1));
+    let chart = chart.with_plot_height(PLOT);
+    figure("base_bolts", 6, chart, table, Room::Half, description).map(Some)
 }

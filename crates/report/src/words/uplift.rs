@@ -68,16 +68,19 @@ pub const SIDES: [&str; 2] = ["θ = 0°", "θ = 180°"];
 /// Legend of the loop and of the backbone.
 pub const LOOP: [&str; 2] = ["around the largest rotation", "strips, pressure at rest"];
 /// Titles of the figures.
-pub const FIGURES: [&str; 6] = [
+pub const FIGURES: [&str; 7] = [
     "Uplift of the rim over time",
     "Rotation of the base over time",
     "Moment of the base against its rotation",
     "Uplift around the circumference at its largest",
     "Plan of the bottom at the largest uplift",
     "Positions over the cycle of the largest rotation",
+    "Largest force of each anchor",
 ];
+/// Legend of the forces of the anchors: force, force at which one yields.
+pub const BOLTS: [&str; 2] = ["largest of the run", "yields"];
 /// Axes.
-pub const AXES: [&str; 4] = ["Uplift", "Rotation", "Moment", "Time"];
+pub const AXES: [&str; 5] = ["Uplift", "Rotation", "Moment", "Time", "Force"];
 
 /// In the middle of the plan of the bottom.
 pub const ON_THE_GROUND: &str = "on the ground";

@@ -355,6 +355,13 @@ fn anchors(ring: &Ring, history: &History) -> AnchorRun {
         let places = ring.places().iter().enumerate().filter(|(i, _)| which(*i));
         places.map(|(_, (_, number))| *number as usize).sum()
     };
+    let by_angle = |values: &[f64]| {
+        (0..)
+            .map(|i| angle(ring, i))
+            .zip(values)
+            .map(|(a, v)| [a, *v])
+            .collect()
+    };
     AnchorRun {
         count: own.count,
         stiffness: own.stiffness,
@@ -364,12 +371,8 @@ fn anchors(ring: &Ring, history: &History) -> AnchorRun {
         plastic_elongation: bolts.plastic.iter().copied().fold(0.0, f64::max),
         yielded: many(&|i| bolts.plastic[i] > 0.0),
         broken: many(&|i| bolts.broken[i]),
-        around: bolts
-            .plastic
-            .iter()
-            .enumerate()
-            .map(|(i, e)| [angle(ring, i), *e])
-            .collect(),
+        around: by_angle(&bolts.plastic),
+        forces: by_angle(&history.anchor_peaks),
     }
 }
 
