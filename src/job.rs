@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
-use tank::Case;
 use tank::check::Decision;
 use tank::refusal::Refusal;
+use tank::{Case, Project};
 
 use crate::input::TankFile;
 use crate::input::diagnostic::Faults;
@@ -35,6 +35,8 @@ pub fn refused(tank: &TankFile, refuses: impl Fn(&Task<'_>) -> Vec<Refusal>) -> 
 pub struct Job {
     /// The case, complete and validated.
     pub case: Case,
+    /// Cover of the report.
+    pub project: Option<Project>,
     /// Ids of the procedures to run, in report order.
     pub procedures: Vec<String>,
     /// Who decides, and which gaps are accepted.

@@ -128,6 +128,7 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
             ..Volatile::default()
         },
         name: job.case.name.clone(),
+        project: job.project.clone(),
         files: job.files.clone(),
         input: job.echo.clone(),
         tank: TankSummary {

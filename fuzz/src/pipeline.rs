@@ -114,6 +114,7 @@ fn compute(file: TankFile, quake: &Record) -> Option<Outcome> {
     fe.refine = 0.25;
     fe.mesh_error = false;
     let job = Job {
+        project: None,
         case,
         procedures,
         decision: file.decision,
@@ -138,7 +139,8 @@ fn whole(found: &Outcome) {
     assert_eq!(again, found.results, "other results are read back");
     let columns = found.series.columns.iter().chain([&found.series.time]);
     assert!(columns.flatten().all(|v| v.is_finite()), "a history is not finite");
-    let report = report::build(&found.results, &found.series, results::templates()).expect("the report renders");
+    let report = report::build(&found.results, &found.series, results::templates(), report::Level::Full)
+        .expect("the report renders");
     results::sound(&report);
 }
 

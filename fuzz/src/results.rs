@@ -49,7 +49,7 @@ pub fn run(bytes: &[u8]) {
         let moved = diff.moved.first().map(|d| (&d.path, d.change));
         assert!(moved.is_none(), "moved by writing: {moved:?}");
     }
-    if let Some(report) = shown(report::build(&found, &series, templates())) {
+    if let Some(report) = shown(report::build(&found, &series, templates(), report::Level::Full)) {
         sound(&report);
     }
 }

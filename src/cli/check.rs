@@ -5,6 +5,7 @@ use std::time::Instant;
 use fem::progress::Silent;
 
 use crate::cli::inputs::{self, Inputs};
+use crate::cli::report::LevelArg;
 use crate::cli::terminal::say;
 use crate::cli::{Format, Global, compare, print, solve, tanks, wall};
 use crate::error::Error;
@@ -41,6 +42,8 @@ pub(crate) struct Args {
     /// Also write a report (without finite elements) into this folder.
     #[arg(long, short, value_name = "FOLDER")]
     out: Option<std::path::PathBuf>,
+    #[command(flatten)]
+    level: LevelArg,
     /// Solve for the largest fill_height, ag or ss, or the smallest thickness:N (course N from the base), at which no check fails.
     #[arg(long, value_name = "VARIABLE", conflicts_with = "out")]
     solve: Option<String>,
@@ -80,7 +83,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     if let Some(folder) = folder {
         pipeline::draw(&job, &mut results)?;
         results::write(&folder.path(), &results, &series)?;
-        report::render(&folder.path(), None)?;
+        report::render(&folder.path(), None, args.level.level())?;
         folder.commit()?;
     }
     if args.format == Format::Human {

@@ -15,6 +15,7 @@ use tank::units;
 use crate::cli::budget::{self, MemoryArg};
 use crate::cli::inputs::Inputs;
 use crate::cli::progress::{self, Watch};
+use crate::cli::report::LevelArg;
 use crate::cli::table::Table;
 use crate::cli::terminal::{self as stream, say};
 use crate::cli::{Format, Global, checks, nonlinear, now, solid};
@@ -24,8 +25,8 @@ use crate::pipeline::{self, Outcome};
 use engines::estimate::Estimate;
 use engines::{FeError, Integrator, Task, engine};
 use files::{OutputFolder, kept_complete, text};
-use report;
 use report::words::{self, terminal};
+use report::{self, Level};
 use results::compare::unusable;
 use results::nonlinear::End;
 use results::{
@@ -82,6 +83,8 @@ pub(crate) struct Args {
     /// Skip the second mesh that estimates the discretisation error.
     #[arg(long)]
     no_mesh_error: bool,
+    #[command(flatten)]
+    level: LevelArg,
     /// Folder whose files replace the built-in report templates.
     #[arg(long, value_name = "FOLDER")]
     templates: Option<PathBuf>,
@@ -200,7 +203,12 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         watch.warn(&kept_complete(&args.out));
     } else {
         pipeline::draw(&job, &mut results)?;
-        write(&folder, &results, &series, args.templates.as_deref())?;
+        write(
+            &folder,
+            &results,
+            &series,
+            (args.templates.as_deref(), args.level.level()),
+        )?;
         if let (Some(vtu), Some(snapshots)) = (&vtu, &snapshots) {
             vtu::write(&vtu.path(), snapshots)?;
         }
@@ -302,9 +310,14 @@ pub(crate) fn stamp(results: &mut Results, started: Instant) {
     results.volatile.seconds = started.elapsed().as_secs_f64();
 }
 
-fn write(folder: &OutputFolder, results: &Results, series: &Series, templates: Option<&Path>) -> Result<(), Error> {
+fn write(
+    folder: &OutputFolder,
+    results: &Results,
+    series: &Series,
+    (templates, level): (Option<&Path>, Level),
+) -> Result<(), Error> {
     results::write(&folder.path(), results, series)?;
-    report::render(&folder.path(), templates)?;
+    report::render(&folder.path(), templates, level)?;
     Ok(())
 }
 

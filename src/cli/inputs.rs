@@ -112,6 +112,7 @@ impl Inputs {
         let selected = crate::pipeline::select_procedures(&procedures)?;
         Ok(Job {
             case,
+            project: tank.project,
             decision: self.decision(tank.decision, &selected)?,
             procedures: selected,
             engines: Vec::new(),

@@ -177,7 +177,7 @@ fn keys() {
     );
     has(
         &spoiled("\"record\"", "\"colour\""),
-        &["unknown key `colour`", "name, notes, gravity, tank, liquid"],
+        &["unknown key `colour`", "name, project, notes, gravity, tank, liquid"],
     );
     has(
         &spoiled(

@@ -129,6 +129,7 @@ fn job(text: &str) -> Option<Job> {
     });
     Some(Job {
         case,
+        project: None,
         procedures: tankcheck::pipeline::select_procedures(&[]).expect("all"),
         decision: tank.decision,
         engines: vec![EngineId::Harmonic],

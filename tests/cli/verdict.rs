@@ -115,6 +115,7 @@ impl Tank {
         std::fs::write(&path, self.json()).expect("writable");
         let tank = read_tank(&path).map_err(|error| error.to_string())?;
         let mut job = Job {
+            project: None,
             case: tank.case,
             procedures: tankcheck::pipeline::select_procedures(&tank.procedures).map_err(|error| error.to_string())?,
             decision: tank.decision,

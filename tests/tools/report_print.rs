@@ -37,7 +37,7 @@ fn browse(program: &Path, profile: &Path, page: &Path, args: &[&str]) -> String 
 
 fn rendered(folder: &Path, kind: Kind) -> PathBuf {
     sample::write(folder, kind, "Broad tank of Manos and Clough, 1982");
-    report::render(folder, None).expect("the sample renders")
+    report::render(folder, None, report::Level::Full).expect("the sample renders")
 }
 
 pub(crate) fn it_prints_to_clean_pages(program: &Path) {
@@ -193,7 +193,7 @@ pub(crate) fn look(folder: &Path) {
         std::fs::create_dir_all(&out).expect("the folder can be made");
         sample::write(&out, kind, name);
         let start = std::time::Instant::now();
-        let path = report::render(&out, None).expect("the sample renders");
+        let path = report::render(&out, None, report::Level::Full).expect("the sample renders");
         let size = std::fs::metadata(&path).expect("the report exists").len();
         println!("{} {} bytes {:?}", path.display(), size, start.elapsed());
     }

@@ -9,6 +9,7 @@ use super::template::Templates;
 use crate::figure::chart::{Axis, Chart, Line, Mark};
 use crate::figure::{Figure, HALF, Room};
 use crate::number::{Scale, fixed, significant, with_unit};
+use crate::numbering::number;
 use crate::table::{Column, Table};
 use crate::words::ida as words;
 use crate::words::ida::heads;
@@ -256,5 +257,8 @@ pub fn report(ida: &Ida) -> Result<Report, Error> {
     page.insert("figure_style", templates.css("figure.css"));
     let css = templates.css("figure.css");
     let drawn = figures.iter().map(|f| (format!("{}.svg", f.id), f.standalone(css)));
-    Ok(Report::new(&templates.render("ida.html", &page)?, drawn.collect()))
+    Ok(Report::new(
+        &number(&templates.render("ida.html", &page)?),
+        drawn.collect(),
+    ))
 }

@@ -13,6 +13,7 @@
 //! | module | does |
 //! |---|---|
 //! | [`sections`] | selects the content, one file a section |
+//! | [`level`] | how much of it |
 //! | [`figure`] | draws |
 //! | [`ida`] | the page of an incremental dynamic analysis |
 //! | [`push`] | that of a pushover |
@@ -25,9 +26,11 @@
 mod extremes;
 pub mod figure;
 pub mod ida;
+pub mod level;
 pub mod math;
 pub mod methods;
 pub mod number;
+mod numbering;
 pub mod push;
 pub mod sections;
 pub mod table;
@@ -38,6 +41,9 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use tera::Context;
+
+pub use level::Level;
+pub use numbering::number as numbered;
 
 use figure::Figure;
 use files::error::Error;
@@ -62,17 +68,17 @@ pub struct Report {
 /// The report of the `results.json` and `series.csv` in `folder`.
 ///
 /// `templates`: a folder whose files replace the embedded templates of the same name.
-pub fn of_folder(folder: &Path, templates: Option<&Path>) -> Result<Report, Error> {
+pub fn of_folder(folder: &Path, templates: Option<&Path>, level: Level) -> Result<Report, Error> {
     let results = results::read(folder)?;
     let series = results::read_series(folder)?;
-    build(&results, &series, &Templates::new(templates)?)
+    build(&results, &series, &Templates::new(templates)?, level)
 }
 
 /// Renders the report of a folder of results into the same folder; returns the path of the report.
 ///
 /// Errors: as [`of_folder`]; a file that cannot be written.
-pub fn render(folder: &Path, templates: Option<&Path>) -> Result<PathBuf, Error> {
-    of_folder(folder, templates)?.write(folder)
+pub fn render(folder: &Path, templates: Option<&Path>, level: Level) -> Result<PathBuf, Error> {
+    of_folder(folder, templates, level)?.write(folder)
 }
 
 impl Report {
@@ -147,11 +153,14 @@ struct SectionView {
 /// Renders results and histories.
 ///
 /// Errors: a template that fails, a section that renders without content.
-pub fn build(results: &Results, series: &Series, templates: &Templates) -> Result<Report, Error> {
-    let source = Source { results, series };
+pub fn build(results: &Results, series: &Series, templates: &Templates, level: Level) -> Result<Report, Error> {
+    let source = Source { results, series, level };
     let mut views = Vec::new();
     let mut figures: Vec<Figure> = Vec::new();
-    for make in sections::ALL {
+    for (make, from) in sections::ALL {
+        if level < *from {
+            continue;
+        }
         let Some(section) = make(&source)? else {
             continue;
         };
@@ -187,7 +196,11 @@ pub fn build(results: &Results, series: &Series, templates: &Templates) -> Resul
     page.insert("sections", &views);
     page.insert("style", templates.css("style.css"));
     page.insert("figure_style", &css);
-    let html = templates.render("report.html", &page)?;
+    page.insert(
+        "mark",
+        &results.project.as_ref().map_or(String::new(), tank::Project::mark),
+    );
+    let html = numbering::number(&templates.render("report.html", &page)?);
     let figures = figures
         .iter()
         .map(|f| (format!("{}.svg", file_name(&f.id)), f.standalone(&css)))

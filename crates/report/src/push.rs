@@ -9,6 +9,7 @@ use super::template::Templates;
 use crate::figure::chart::{Axis, Chart, Line, Mark};
 use crate::figure::{Figure, HALF, Room, map};
 use crate::number::{Scale, fixed, significant, with_unit};
+use crate::numbering::number;
 use crate::table::{Column, Table, spread};
 use crate::words::push::{self as words, heads, shell_name};
 use crate::words::sections::{heading, sentences};
@@ -348,5 +349,8 @@ pub fn report(push: &Push) -> Result<Report, Error> {
     page.insert("style", templates.css("style.css"));
     page.insert("figure_style", &css);
     let drawn = figures.iter().map(|f| (format!("{}.svg", f.id), f.standalone(&css)));
-    Ok(Report::new(&templates.render("push.html", &page)?, drawn.collect()))
+    Ok(Report::new(
+        &number(&templates.render("push.html", &page)?),
+        drawn.collect(),
+    ))
 }

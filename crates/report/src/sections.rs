@@ -33,6 +33,7 @@ mod tank;
 mod tilt;
 mod transfer;
 
+use crate::level::Level;
 use files::error::Error;
 
 pub use section::{FigureView, Section, Source};
@@ -40,11 +41,11 @@ pub use section::{FigureView, Section, Source};
 /// Makes a section; `None` without content.
 pub type Maker = fn(&Source) -> Result<Option<Section>, Error>;
 
-/// Lists the sections in report order, each with its template.
+/// Lists the sections in report order, each with the level from which it is in the report, and its template.
 macro_rules! sections {
-    ($($id:ident),+ $(,)?) => {
+    ($($id:ident: $level:ident),+ $(,)?) => {
         /// All sections in report order.
-        pub const ALL: &[Maker] = &[$($id::make),+];
+        pub const ALL: &[(Maker, Level)] = &[$(($id::make, Level::$level)),+];
 
         /// Their templates by name.
         pub(crate) const TEMPLATES: &[(&str, &str)] = &[$((
@@ -55,32 +56,32 @@ macro_rules! sections {
 }
 
 sections![
-    summary,
-    comparison,
-    partings,
-    attribution,
-    reported,
-    checks,
-    tank,
-    input,
-    motion,
-    spectra,
-    modes,
-    profiles,
-    histories,
-    internal_forces,
-    directions,
-    standing,
-    isolation,
-    base,
-    soil,
-    tilt,
-    transfer,
-    nonlinear,
-    spatial,
-    around,
-    sheets,
-    engine,
-    limits,
-    provenance,
+    summary: Summary,
+    tank: Standard,
+    limits: Standard,
+    engine: Standard,
+    motion: Standard,
+    spectra: Standard,
+    checks: Standard,
+    comparison: Standard,
+    partings: Full,
+    attribution: Standard,
+    reported: Standard,
+    profiles: Standard,
+    histories: Standard,
+    internal_forces: Standard,
+    directions: Standard,
+    standing: Standard,
+    isolation: Standard,
+    base: Standard,
+    soil: Standard,
+    nonlinear: Standard,
+    tilt: Standard,
+    modes: Full,
+    transfer: Standard,
+    spatial: Standard,
+    around: Standard,
+    sheets: Standard,
+    input: Full,
+    provenance: Standard,
 ];

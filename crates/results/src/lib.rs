@@ -81,6 +81,9 @@ pub struct Results {
     pub volatile: Volatile,
     /// Title of the case.
     pub name: String,
+    /// Cover of the report.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub project: Option<tank::Project>,
     /// Files read, with hashes.
     pub files: Vec<SourceFile>,
     /// Echo of the input, defaults marked.

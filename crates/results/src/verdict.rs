@@ -144,6 +144,21 @@ pub struct Verdict {
     pub cause: Option<Incomplete>,
 }
 
+impl Verdict {
+    /// Whether a method decides.
+    pub fn decides(&self, method: &Method) -> bool {
+        self.deciding.iter().any(|d| d.is(method))
+    }
+}
+
+impl Aside {
+    /// The checks of one method.
+    pub fn of(method: &Method) -> Aside {
+        let (counts, governing) = count(std::iter::once(method));
+        Aside { counts, governing }
+    }
+}
+
 /// The verdict on the checks of the methods that decide.
 ///
 /// * `unfinished`: whether a run did not reach its end; no verdict then says `holds`

@@ -31,6 +31,7 @@ pub mod imperfection;
 pub mod ingredients;
 pub mod options;
 pub mod outside;
+mod project;
 pub mod quantity;
 pub mod reference;
 pub mod refusal;
@@ -40,5 +41,6 @@ pub mod units;
 
 pub use case::Case;
 pub use oscillator::STANDARD_GRAVITY;
+pub use project::Project;
 pub use quantity::Quantity;
 pub use tank::*;

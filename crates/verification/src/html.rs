@@ -158,5 +158,5 @@ pub fn html(found: &Manual) -> Result<String, Error> {
     page.insert("not_run", &not_run);
     page.insert("style", templates.css("style.css"));
     page.insert("figure_style", templates.css("figure.css"));
-    Ok(templates.render("verification.html", &page)?)
+    Ok(report::numbered(&templates.render("verification.html", &page)?))
 }

@@ -1,10 +1,10 @@
 //! `tank.json`, resolved: the case, its options, and where each value stands in the file.
 
 use results::InputValue;
-use tank::Case;
 use tank::check::Decision;
 use tank::options::{LinearOptions, NonlinearOptions, SolidOptions};
 use tank::refusal::Refusal;
+use tank::{Case, Project};
 
 use super::places::Places;
 use crate::input::diagnostic::{Faults, Source};
@@ -15,6 +15,8 @@ use crate::input::records::Processing;
 pub struct TankFile {
     /// The case, complete but for the ground motion.
     pub case: Case,
+    /// Cover of the report.
+    pub project: Option<Project>,
     /// Processing of the record.
     pub record: Processing,
     /// Echo of every field, defaults marked.

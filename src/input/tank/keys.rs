@@ -20,6 +20,7 @@ mod nonlinear;
 mod places;
 mod plausible;
 mod procedures;
+mod project;
 mod rayleigh;
 mod record;
 mod reported;
@@ -48,6 +49,7 @@ use crate::input::tank::resolver::Resolver;
 pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Option<Resolved> {
     let mut r = Resolver::new(faults);
     let name = r.text(&file.name);
+    let project = project::project(&mut r, &file.project);
     if let Some(notes) = &file.notes.given {
         r.echo_given(notes);
     }
@@ -95,6 +97,7 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
             measured,
             published,
         },
+        project,
         record,
         echo,
         procedures: run,

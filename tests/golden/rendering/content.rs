@@ -31,20 +31,20 @@ fn compare_shows_its_sections_in_order() {
     let html = report(Kind::Compare).html;
     let expected = [
         "summary",
+        "tank",
+        "limits",
+        "engine",
+        "motion",
+        "spectra",
+        "checks",
         "comparison",
         "partings",
         "reported",
-        "checks",
-        "tank",
-        "input",
-        "motion",
-        "spectra",
-        "modes",
         "profiles",
         "histories",
+        "modes",
         "sheets",
-        "engine",
-        "limits",
+        "input",
         "provenance",
     ];
     // A section that is not listed here may stand between them.
@@ -131,4 +131,40 @@ fn a_sheet_on_the_site_repeats_nothing_of_the_sheet_on_the_record() {
     assert!(record.contains("inner radius") && !site.contains("inner radius"));
     assert!(record.contains("base shear") && site.contains("base shear"));
     assert!(site.contains("href=\"#sheet-housner-record\""));
+}
+
+#[test]
+fn levels_contain_each_other() {
+    let (results, series) = sample(Kind::Compare, "tank");
+    let templates = report::template::Templates::new(None).expect("the built-in ones");
+    let at = |level| {
+        report::build(&results, &series, &templates, level)
+            .expect("it renders")
+            .html
+    };
+    let [summary, standard, full] = [report::Level::Summary, report::Level::Standard, report::Level::Full].map(at);
+    assert_eq!(sections(&summary), ["summary"]);
+    for id in sections(&standard) {
+        assert!(sections(&full).contains(&id), "{id}");
+    }
+    for id in ["input", "modes", "partings"] {
+        assert!(
+            !sections(&standard).contains(&id) && sections(&full).contains(&id),
+            "{id}"
+        );
+    }
+    // Cover, and what decides.
+    for text in ["TK-104-SV-001", "Harbour Storage Ltd", "Signature", "id=\"fig-sketch\""] {
+        assert!(summary.contains(text), "{text}");
+    }
+    // Of the sheets only those of deciding methods, and no procedure without a number of its figure.
+    assert!(!full.contains("class=\"fno\"></span>") && !full.contains("class=\"tno\"></span>"));
+    for decided in &results.verdict.deciding {
+        let excitation = match decided.excitation {
+            tank::assessment::Excitation::Record => "record",
+            tank::assessment::Excitation::Site => "site",
+        };
+        let id = format!("id=\"sheet-{}-{excitation}\"", decided.method);
+        assert_eq!(standard.contains(&id), full.contains(&id), "{id}");
+    }
 }

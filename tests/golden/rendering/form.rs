@@ -228,7 +228,7 @@ fn broken_fields_are_an_error_and_no_panic() {
         .expect("a spatial run has fields");
     fields.modes[0].displacement.pop();
     let templates = Templates::new(None).expect("the embedded templates parse");
-    let error = build(&results, &series, &templates).expect_err("a node without displacement");
+    let error = build(&results, &series, &templates, report::Level::Full).expect_err("a node without displacement");
     assert!(error.to_string().contains("fields"), "{error}");
 }
 
@@ -241,7 +241,7 @@ fn a_template_of_the_users_replaces_the_built_in_one() {
     let with = |text: &str| {
         std::fs::write(sections.join("summary.html"), text).expect("writable");
         let templates = Templates::new(Some(folder.path()))?;
-        build(&results, &series, &templates)
+        build(&results, &series, &templates, report::Level::Full)
     };
     let report = with("<h1>Letterhead: {{ name }}</h1><p>{{ verdict.headline }}</p>").expect("it renders");
     assert!(report.html.contains("<h1>Letterhead: Broad tank"));
@@ -257,10 +257,10 @@ fn a_template_of_the_users_replaces_the_built_in_one() {
 #[test]
 fn render_writes_report_and_figures_and_says_what_is_missing() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let missing = report::render(folder.path(), None).expect_err("there is no results.json");
+    let missing = report::render(folder.path(), None, report::Level::Full).expect_err("there is no results.json");
     assert!(missing.to_string().contains("results.json"), "{missing}");
     crate::sample::write(folder.path(), Kind::Compare, TITLE);
-    let path = report::render(folder.path(), None).expect("it renders");
+    let path = report::render(folder.path(), None, report::Level::Full).expect("it renders");
     assert_eq!(path, folder.path().join("report.html"));
     let written = std::fs::read_to_string(&path).expect("readable");
     assert!(written.starts_with("<!DOCTYPE html>"));
@@ -269,6 +269,6 @@ fn render_writes_report_and_figures_and_says_what_is_missing() {
         .count();
     assert_eq!(count, figures(&written).len());
     // Rendering again gives the same bytes.
-    report::render(folder.path(), None).expect("it renders");
+    report::render(folder.path(), None, report::Level::Full).expect("it renders");
     assert_eq!(written, std::fs::read_to_string(&path).expect("readable"));
 }

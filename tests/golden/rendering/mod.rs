@@ -25,7 +25,7 @@ pub(crate) const EVERY: [Kind; 6] = [
 /// The report of a sample that was changed.
 pub(crate) fn rendered(results: &Results, series: &Series) -> Report {
     let templates = Templates::new(None).expect("the embedded templates parse");
-    build(results, series, &templates).expect("the sample renders")
+    build(results, series, &templates, report::Level::Full).expect("the sample renders")
 }
 
 /// The report of a sample.

@@ -184,7 +184,9 @@ fn a_map_without_a_value_for_each_cell_is_an_error_and_no_panic() {
         let (mut results, series) = sample(Kind::Nonlinear, TITLE);
         let run = results.runs[1].nonlinear.as_mut();
         spoil(run.expect("a nonlinear run"));
-        build(&results, &series, &templates).expect_err("a fault").to_string()
+        build(&results, &series, &templates, report::Level::Full)
+            .expect_err("a fault")
+            .to_string()
     };
     assert!(spoil(&|run| run.maps[0].values.truncate(3)).contains("plastic_strain"));
     assert!(spoil(&|run| run.cracks[0].cracks[0].cell = 100_000).contains("100000"));

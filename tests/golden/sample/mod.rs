@@ -157,6 +157,7 @@ pub(crate) fn sample(kind: Kind, name: &str) -> (Results, Series) {
             seconds: 0.31,
         },
         name: name.into(),
+        project: Some(project()),
         standing: None,
         files: vec![
             SourceFile {
@@ -413,4 +414,19 @@ fn input() -> Vec<InputValue> {
             "EN 1998-4:2006 2.3.3.1 (damage limitation)",
         ),
     ]
+}
+
+/// A cover in which nothing is missing but the approver.
+fn project() -> tank::Project {
+    let text = |text: &str| Some(text.to_owned());
+    tank::Project {
+        name: text("Shaking table"),
+        client: text("Harbour Storage Ltd"),
+        document: text("TK-104-SV-001"),
+        revision: text("B"),
+        date: text("2026-03-14"),
+        author: text("J. Doe"),
+        checker: text("A. Smith"),
+        approver: None,
+    }
 }

@@ -2,7 +2,7 @@
 //! shaking.
 
 use tank::units::Dimension;
-use tank::{Shape, Support};
+use tank::{Course, Shape, Support};
 
 use super::svg::{Anchor, Svg, text_width};
 use crate::number::{given, plain};
@@ -23,7 +23,9 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     };
     // Section and plan share one scale; room is left for dimensions at the left and for the courses' labels.
     let left = 118.0;
-    let scale = ((WIDTH - left - 200.0) / (4.0 * half))
+    let labels = tank.courses.iter().map(|c| text_width(&label(c)) * FONT);
+    let right = 56.0 + labels.fold(120.0, f64::max).min(0.4 * WIDTH);
+    let scale = ((WIDTH - left - right) / (4.0 * half))
         .min(280.0 / wall)
         .min(280.0 / plan_depth);
     let thickest = tank.courses.iter().map(|c| c.total_thickness()).fold(0.0, f64::max);
@@ -61,14 +63,14 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     svg.line((x(0.0), top - roof), (x(0.0), ground + 8.0), "cl");
     courses(&mut svg, summary, (x(-half), x(half)), &y, exaggeration * scale);
     if tank.roof.mass > 0.0 {
-        let apex = y(wall) - 16.0;
-        svg.path(
-            &[(x(-half), y(wall)), (x(0.0), apex), (x(half), y(wall))],
-            false,
-            "dash",
-        );
+        // Its shape is not known: a mass on the rim.
+        svg.path(&[(x(-half), y(wall) - 4.0), (x(half), y(wall) - 4.0)], false, "dash");
         let text = format!("roof {}", given(tank.roof.mass, Dimension::Mass));
-        svg.text((x(0.0), apex - 4.0), Anchor::Middle, "lb", &text);
+        svg.text((x(0.0), y(wall) - 10.0), Anchor::Middle, "lb", &text);
+    }
+    if tank.roof.afloat > 0.0 {
+        let rim = y(depth + tank.roof.rim).min(y(depth) - 3.0);
+        svg.rect(x(-half), rim, 2.0 * half * scale, y(depth) - rim, "wall");
     }
     // Ground and support.
     svg.line((x(-half) - 26.0, ground), (x(half) + 26.0, ground), "gd");
@@ -93,10 +95,11 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
         y(0.0),
         y(depth),
         &format!("H = {}", given(depth, Dimension::Length)),
+        false,
     );
     let d = x(-half) - 90.0;
     let text = format!("wall {}", given(wall, Dimension::Length));
-    vertical_dimension(&mut svg, d, y(0.0), y(wall), &text);
+    vertical_dimension(&mut svg, d, y(0.0), y(wall), &text, true);
     let below = ground + 34.0;
     match tank.shape {
         Shape::Cylinder { radius } => {
@@ -115,6 +118,16 @@ pub fn draw(summary: &TankSummary) -> ((f64, f64), String, f64) {
     ((WIDTH, height), svg.into_markup(), exaggeration)
 }
 
+/// Height, thickness and material of a course.
+fn label(course: &Course) -> String {
+    format!(
+        "{} × {} {}",
+        given(course.height, Dimension::Length),
+        given(course.total_thickness(), Dimension::Length),
+        course.material.name
+    )
+}
+
 /// Courses with labels at the right of the section; `thickness_scale` in units per metre.
 fn courses(
     svg: &mut Svg,
@@ -131,13 +144,7 @@ fn courses(
         let width = (course.total_thickness() * thickness_scale).max(1.0);
         svg.rect(left - width, upper, width, lower - upper, "wall");
         svg.rect(right, upper, width, lower - upper, "wall");
-        let text = format!(
-            "{} × {} {}",
-            given(course.height, Dimension::Length),
-            given(course.total_thickness(), Dimension::Length),
-            course.material.name
-        );
-        labels.push(((lower + upper) / 2.0, text));
+        labels.push(((lower + upper) / 2.0, label(course)));
         base += course.height;
     }
     // Labels keep 14 units apart: pushed down from the top, then up from the bottom.
@@ -214,7 +221,8 @@ fn plan(svg: &mut Svg, summary: &TankSummary, (cx, cy): (f64, f64), scale: f64) 
     svg.text((cx, cy + 33.0), Anchor::Middle, "lb halo", "shaking");
 }
 
-fn vertical_dimension(svg: &mut Svg, x: f64, lower: f64, upper: f64, text: &str) {
+/// A dimension along the wall; where it is shorter than its text, the text stands `above` its upper or below its lower end.
+fn vertical_dimension(svg: &mut Svg, x: f64, lower: f64, upper: f64, text: &str, above: bool) {
     svg.line((x, lower), (x, upper), "dm");
     for y in [lower, upper] {
         svg.line((x - 4.0, y + 4.0), (x + 4.0, y - 4.0), "dk");
@@ -224,7 +232,9 @@ fn vertical_dimension(svg: &mut Svg, x: f64, lower: f64, upper: f64, text: &str)
     if lower - upper > text_width(text) * FONT + 8.0 {
         svg.rotated_text((x - 5.0, middle), -90.0, Anchor::Middle, "lb", text);
     } else {
-        svg.text((x - 8.0, middle + 4.0), Anchor::End, "lb", text);
+        let centre = x.max(0.5 * text_width(text) * FONT);
+        let at = if above { upper - 8.0 } else { lower + 17.0 };
+        svg.text((centre, at), Anchor::Middle, "lb", text);
     }
 }
 

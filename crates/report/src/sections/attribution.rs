@@ -8,6 +8,7 @@ use tank::factor::Factor;
 use super::{Section, Source};
 use crate::figure::Figure;
 use crate::figure::waterfall::{Fall, waterfall};
+use crate::level::Level;
 use crate::methods::{figure_order, look};
 use crate::number::significant;
 use crate::table::{Column, Table};
@@ -38,9 +39,15 @@ type Attributed<'a> = (&'a Method, &'a Attribution);
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let mut figures = Vec::new();
     let mut tables = Vec::new();
+    // Below the full level there are the procedures that decide, if one does.
+    let verdict = &source.results.verdict;
+    let codes = |id: &str| source.results.comparison.attribution.iter().any(|a| a.method == id);
     for quantity in Quantity::ALL {
         for excitation in [Excitation::Record, Excitation::Site] {
-            let columns = columns(source, quantity, excitation);
+            let mut columns = columns(source, quantity, excitation);
+            if source.level < Level::Full && verdict.deciding.iter().any(|d| codes(&d.method)) {
+                columns.retain(|(method, _)| verdict.deciding.iter().any(|d| d.method == method.id));
+            }
             if columns.is_empty() {
                 continue;
             }
@@ -58,6 +65,13 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         return Ok(None);
     }
     let mut section = Section::new("attribution");
+    // On screen they are folded, on paper they are left out.
+    if source.level < Level::Full {
+        tables.clear();
+        if figures.is_empty() {
+            return Ok(None);
+        }
+    }
     section.set_figures("figures", figures);
     section.set("tables", &tables);
     Ok(Some(section))

@@ -4,10 +4,12 @@ use serde::Serialize;
 
 use super::summary::bar_width;
 use super::{Section, Source};
+use crate::level::Level;
 use crate::methods::excitation;
 use crate::number::{Scale, utilisation};
 use crate::words::{self, capital};
 use files::error::Error;
+use results::{Aside, Method};
 use tank::assessment::{Check, CheckStatus};
 
 #[derive(Serialize)]
@@ -15,6 +17,32 @@ struct Group {
     title: String,
     excitation: &'static str,
     rows: Vec<Row>,
+    /// Limit states that do not apply and are not among the rows, a sentence.
+    absent: String,
+}
+
+/// A method that does not decide.
+#[derive(Serialize)]
+struct Other {
+    title: String,
+    excitation: &'static str,
+    counts: String,
+    governing: String,
+    utilisation: String,
+}
+
+fn other(method: &Method) -> Other {
+    let worst = Aside::of(method);
+    Other {
+        title: method.title.clone(),
+        excitation: excitation(method),
+        counts: words::verdict::counted(&worst.counts),
+        governing: worst
+            .governing
+            .as_ref()
+            .map_or(String::new(), |g| capital(&g.check.name)),
+        utilisation: (worst.governing.as_ref().and_then(|g| g.check.ratio())).map_or(String::new(), utilisation),
+    }
 }
 
 #[derive(Serialize)]
@@ -82,17 +110,28 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let mut methods: Vec<_> = source.results.methods.iter().filter(|m| !m.checks.is_empty()).collect();
     // Editions in force come first.
     methods.sort_by_key(|m| m.title.contains(SUPERSEDED));
-    let groups: Vec<Group> = (methods.into_iter())
+    // Below the full level: what decides, and one line for each other method; without a deciding one all of them.
+    let verdict = &source.results.verdict;
+    let decides = |m: &Method| verdict.decides(m);
+    let all = source.level == Level::Full || !methods.iter().any(|m| decides(m));
+    let applies = |c: &&Check| all || c.status != CheckStatus::NotApplicable;
+    let groups: Vec<Group> = (methods.iter())
+        .filter(|m| all || decides(m))
         .map(|m| Group {
             title: m.title.clone(),
             excitation: excitation(m),
-            rows: m.checks.iter().map(row).collect(),
+            rows: m.checks.iter().filter(applies).map(row).collect(),
+            absent: words::verdict::without(m.checks.iter().filter(|c| !applies(c))),
         })
         .collect();
     if groups.is_empty() {
         return Ok(None);
     }
+    let others: Vec<Other> = (methods.iter().filter(|m| !all && !decides(m)))
+        .map(|m| other(m))
+        .collect();
     let mut section = Section::new("checks");
     section.set("groups", &groups);
+    section.set("others", &others);
     Ok(Some(section))
 }

@@ -6,6 +6,7 @@ use super::{Section, Source};
 use crate::figure::chart::{Axis, Chart, Line, Mark, Rule};
 use crate::figure::decimate::decimate;
 use crate::figure::{Figure, Room, WIDE};
+use crate::level::Level;
 use crate::number::{Scale, fixed};
 use crate::table::{Column, Table};
 use crate::words::{after_record, figures, labels, sections};
@@ -13,8 +14,17 @@ use files::error::Error;
 use results::channel::{Ground, OnWall};
 use results::{Channel, SeriesInfo};
 
+/// Histories in the table of peaks below the full level.
+const LISTED: usize = 8;
+
 /// Histories drawn at most; the rest stands in the table of peaks and in `series.csv`.
-const MOST: usize = 9;
+fn most(level: Level) -> usize {
+    match level {
+        Level::Full => 9,
+        _ => 3,
+    }
+}
+
 /// Place of a history among those that come first.
 fn rank(info: &SeriesInfo) -> usize {
     match info.channel() {
@@ -80,7 +90,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         )?;
         drawn.extend(figure);
     }
-    for info in infos.iter().take(MOST) {
+    for info in infos.iter().take(most(source.level)) {
         let Some(values) = source.column(&info.id) else {
             continue;
         };
@@ -102,7 +112,11 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         Column::numbers("Time", "s"),
         Column::numbers("Static value", ""),
     ]);
-    for info in &infos {
+    let listed = match source.level {
+        Level::Full => infos.len(),
+        _ => LISTED,
+    };
+    for info in infos.iter().take(listed) {
         let scale = Scale::of(info.dimension, [info.peak]);
         table.row(vec![
             info.title.clone(),
@@ -117,7 +131,10 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         ]);
     }
     let mut section = Section::new("histories");
-    section.set("undrawn", &sections::undrawn(infos.len().saturating_sub(MOST)));
+    section.set(
+        "undrawn",
+        &sections::undrawn(infos.len().saturating_sub(most(source.level))),
+    );
     section.set("after", &after_record::sentence(fe, source.series.time.last().copied()));
     section.set("peaks", &table);
     section.set_figures("figures", drawn);

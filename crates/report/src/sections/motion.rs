@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::histories::history;
 use super::{Section, Source};
 use crate::figure::Figure;
+use crate::level::Level;
 use crate::number::{count, fixed, significant};
 use crate::table::{Column, Table};
 use crate::words::{capital, labels};
@@ -49,7 +50,13 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
 
 fn curves(source: &Source, record: &RecordSummary) -> Result<Vec<Figure>, Error> {
     let mut figures = Vec::new();
-    for motion in Ground::ALL {
+    // The first is the acceleration.
+    let drawn = if source.level == Level::Full {
+        Ground::ALL.len()
+    } else {
+        1
+    };
+    for motion in Ground::ALL.into_iter().take(drawn) {
         let channel = match record.direction.as_str() {
             ACROSS => Channel::GroundY(motion),
             direction => Channel::Ground {

@@ -8,6 +8,7 @@ use tank::units::Dimension;
 use super::{Section, Source};
 use crate::figure::chart::{Axis, Band, Chart, Line};
 use crate::figure::{Figure, HALF, Room};
+use crate::level::Level;
 use crate::methods::{Look, figure_order, look};
 use crate::number::{Scale, fixed};
 use crate::table::{Column, Table, spread};
@@ -25,6 +26,9 @@ const ORDER: [&str; 7] = [
     "bending_stress",
     "radial_displacement",
 ];
+
+/// Those below the full level.
+const HEADLINES: [&str; 4] = ["pressure", "hoop_stress", "axial_membrane_stress", "bending_stress"];
 
 /// Height of the plots in user units.
 const PLOT: f64 = 185.0;
@@ -68,11 +72,16 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     }
     let height = source.results.tank.tank.wall_height();
     let (mut figures, mut site) = (Vec::new(), Vec::new());
+    let full = source.level == Level::Full;
     for ((_, id), group) in &groups {
+        if !full && !HEADLINES.contains(id) {
+            continue;
+        }
         if !group.profiles.is_empty() {
             figures.push(seismic(id, group.envelope, &group.profiles, height)?);
         }
-        if let Some(envelope) = group.envelope {
+        // With the static part: the section of the checks has what it amounts to.
+        if let Some(envelope) = group.envelope.filter(|_| full || group.profiles.is_empty()) {
             figures.push(combined(envelope, height)?);
         }
         if !group.site.is_empty() {

@@ -6,6 +6,7 @@ use serde::Serialize;
 use tera::Context;
 
 use crate::figure::{Figure, Room};
+use crate::level::Level;
 use crate::table::Table;
 use crate::words;
 
@@ -15,6 +16,8 @@ pub struct Source<'a> {
     pub results: &'a Results,
     /// `series.csv`.
     pub series: &'a Series,
+    /// How much is said.
+    pub level: Level,
 }
 
 /// A section ready to be rendered.

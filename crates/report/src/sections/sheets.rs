@@ -1,10 +1,13 @@
 //! Calculation sheets: symbol = formula = numbers = value, or symbol from table = value; unit, clause. The sheet of a procedure on the spectrum of the
-//! site shows only the lines that differ from its sheet on the record.
+//! site shows only the lines that differ from its sheet on the record. Below the full level there are only the sheets of the methods that
+//! decide, each with all its lines; every symbol
+//! has its value there, and formulas are not repeated with their numbers.
 
 use serde::Serialize;
 use tank::assessment::Excitation;
 
 use super::{Section, Source};
+use crate::level::Level;
 use crate::math;
 use crate::methods::excitation;
 use crate::number::parts;
@@ -14,6 +17,7 @@ use files::error::Error;
 use results::compare::MEASURED;
 use results::nonlinear::End;
 use results::{EngineId, Method, Run, Status};
+use tank::assessment::Step;
 
 #[derive(Serialize)]
 struct Sheet {
@@ -30,6 +34,8 @@ struct Sheet {
     parts: Vec<Part>,
     assumptions: Vec<String>,
     notes: Vec<String>,
+    /// Document that clauses without a name are of; empty where each names its own.
+    document: String,
 }
 
 #[derive(Serialize)]
@@ -40,6 +46,8 @@ struct Part {
 
 #[derive(Serialize)]
 struct LineView {
+    /// Number within the sheet.
+    number: usize,
     name: String,
     /// MathML, made by [`math`].
     symbol: String,
@@ -54,16 +62,14 @@ struct LineView {
 
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
-    let mut sheets: Vec<Sheet> = source
-        .results
-        .methods
-        .iter()
-        .filter(|m| {
-            let said = !m.steps.is_empty() || !m.assumptions.is_empty() || !m.notes.is_empty();
-            m.id != MEASURED && (said || m.status != Status::Computed)
-        })
-        .map(|m| sheet(m, source.results.methods.iter().find(|r| is_base(r, m))))
-        .collect();
+    let full = source.level == Level::Full;
+    let shown = |m: &&Method| {
+        let said = !m.steps.is_empty() || !m.assumptions.is_empty() || !m.notes.is_empty();
+        m.id != MEASURED && (said || m.status != Status::Computed) && (full || source.results.verdict.decides(m))
+    };
+    let methods: Vec<&Method> = source.results.methods.iter().filter(shown).collect();
+    let base = |method: &Method| methods.iter().copied().find(|r| is_base(r, method));
+    let mut sheets: Vec<Sheet> = methods.iter().map(|m| sheet(m, base(m), full)).collect();
     let column = EngineId::Nonlinear.beside();
     if let (Some(run), Some(sheet)) = (
         source.results.beside(EngineId::Nonlinear),
@@ -76,6 +82,7 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     }
     let mut section = Section::new("sheets");
     section.set("sheets", &sheets);
+    section.set("full", &full);
     Ok(Some(section))
 }
 
@@ -101,8 +108,11 @@ fn is_base(base: &Method, method: &Method) -> bool {
     base.id == method.id && base.excitation == Excitation::Record && method.excitation == Excitation::Site
 }
 
-fn sheet(method: &Method, base: Option<&Method>) -> Sheet {
+/// * `numbers`: whether the formulas stand with their numbers too
+fn sheet(method: &Method, base: Option<&Method>, numbers: bool) -> Sheet {
     let known = base.map_or(&[][..], |b| &b.steps);
+    let document = document(&method.steps);
+    let mut number = 0;
     let mut shared = 0;
     let mut found: Vec<Part> = Vec::new();
     for step in &method.steps {
@@ -130,13 +140,15 @@ fn sheet(method: &Method, base: Option<&Method>) -> Sheet {
         } else {
             step.formula.as_str()
         };
-        let substitution = if step.substitution == step.formula {
+        let substitution = if step.substitution == step.formula || !(numbers || formula.is_empty()) {
             ""
         } else {
             step.substitution.as_str()
         };
         if let Some(part) = found.last_mut() {
+            number += 1;
             part.lines.push(LineView {
+                number,
                 name: step.name.clone(),
                 symbol: math::symbol(&step.symbol),
                 formula: set(formula),
@@ -148,7 +160,7 @@ fn sheet(method: &Method, base: Option<&Method>) -> Sheet {
                 },
                 value,
                 unit,
-                clause: step.clause.clone(),
+                clause: within(&step.clause, document).to_owned(),
             });
         }
     }
@@ -166,5 +178,34 @@ fn sheet(method: &Method, base: Option<&Method>) -> Sheet {
         parts: found,
         assumptions: method.assumptions.clone(),
         notes: method.notes.clone(),
+        document: match document {
+            "" => String::new(),
+            document => sections::clauses_of(document),
+        },
+    }
+}
+
+/// The document that most of the clauses name, `EN 1998-4:2006` of `EN 1998-4:2006 A.3.2.1`; empty if that is less than a third of the lines.
+fn document(steps: &[Step]) -> &str {
+    let of = |clause: &'_ str| clause.rfind(' ').map(|end| clause[..end].to_owned());
+    let mut found: Vec<(String, usize, &str)> = Vec::new();
+    for step in steps {
+        let Some(name) = of(&step.clause).filter(|name| name.contains(|c: char| c.is_ascii_digit())) else {
+            continue;
+        };
+        match found.iter_mut().find(|f| f.0 == name) {
+            Some(f) => f.1 += 1,
+            None => found.push((name.clone(), 1, &step.clause[..name.len()])),
+        }
+    }
+    let most = found.into_iter().max_by_key(|f| f.1);
+    most.filter(|f| 3 * f.1 > steps.len()).map_or("", |f| f.2)
+}
+
+/// A clause without the name of the document.
+fn within<'a>(clause: &'a str, document: &str) -> &'a str {
+    match clause.strip_prefix(document).and_then(|rest| rest.strip_prefix(' ')) {
+        Some(rest) if !document.is_empty() => rest,
+        _ => clause,
     }
 }

@@ -5,6 +5,7 @@ use tank::units::Dimension;
 use super::{Section, Source};
 use crate::figure::chart::{Axis, Chart, Line, Rule};
 use crate::figure::{Figure, Room, WIDE, fourway};
+use crate::level::Level;
 use crate::number::{Scale, percent, significant};
 use crate::table::{Column, Table, spread};
 use crate::words::figures::spectra as words;
@@ -23,7 +24,10 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         return Ok(None);
     }
     let mut section = Section::new("spectra");
-    let figures = vec![linear(source, &curves)?, four_way(source, &curves)?];
+    let mut figures = vec![linear(source, &curves)?];
+    if source.level == Level::Full {
+        figures.push(four_way(source, &curves)?);
+    }
     section.set_figures("figures", figures);
     section.set("at_periods", &at_periods(source, &curves));
     Ok(Some(section))

@@ -88,11 +88,12 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         .iter()
         .flat_map(|row| row.cells.iter().flatten());
     section.set("outside", &cells.any(|cell| cell.outside));
-    section.set(
-        "has_site",
-        &results.methods.iter().any(|m| look(m).site && !m.quantities.is_empty()),
-    );
-    section.set_figures("figures", headline_figures(results));
+    section.set("project", &cover(results));
+    section.set("signatures", &signatures(results));
+    section.set("standards", &standards(results));
+    section.set_figures("sketch", vec![super::tank::sketch(source)]);
+    section.set_figures("site_figures", headline_figures(results, true));
+    section.set_figures("figures", headline_figures(results, false));
     Ok(Some(section))
 }
 
@@ -243,8 +244,58 @@ fn unusual(results: &Results) -> Vec<String> {
     results.warnings.iter().cloned().chain(unusable).collect()
 }
 
-fn headline_figures(results: &Results) -> Vec<Figure> {
-    let order = figure_order(results);
+/// The document: what, for whom, which number; only what is given.
+fn cover(results: &Results) -> Vec<Fact> {
+    let project = results.project.clone().unwrap_or_default();
+    let given = [
+        project.name,
+        project.client,
+        project.document,
+        project.revision,
+        project.date,
+    ];
+    let labels = words::summary::COVER.into_iter().zip(given);
+    labels
+        .filter_map(|(label, value)| {
+            Some(Fact {
+                label: label.into(),
+                value: value?,
+            })
+        })
+        .collect()
+}
+
+/// Who signs: role and name, which may be blank. None without a block `project`.
+fn signatures(results: &Results) -> Vec<Fact> {
+    let Some(project) = &results.project else {
+        return Vec::new();
+    };
+    let names = [&project.author, &project.checker, &project.approver];
+    (words::summary::SIGNATURES.into_iter().zip(names))
+        .map(|(label, name)| Fact {
+            label: label.into(),
+            value: name.clone().unwrap_or_default(),
+        })
+        .collect()
+}
+
+/// Titles of the deciding procedures, with their editions.
+fn standards(results: &Results) -> Vec<String> {
+    let mut titles: Vec<String> = Vec::new();
+    for method in results.methods.iter().filter(|m| results.verdict.decides(m)) {
+        if !titles.contains(&method.title) {
+            titles.push(method.title.clone());
+        }
+    }
+    titles
+}
+
+/// Bars under the record, or under the spectrum of the site: design values and those of a record are not drawn side by side.
+fn headline_figures(results: &Results, site: bool) -> Vec<Figure> {
+    let order: Vec<usize> = figure_order(results)
+        .into_iter()
+        .filter(|&i| look(&results.methods[i]).site == site)
+        .collect();
     let mut figures = Vec::new();
     for quantity in HEADLINES {
         let Some(row) = results.comparison.rows.iter().find(|r| r.quantity == quantity.id()) else {
@@ -263,7 +314,7 @@ fn headline_figures(results: &Results) -> Vec<Figure> {
             })
             .collect();
         figures.extend(bars(
-            &format!("bars_{}", row.quantity),
+            &format!("bars_{}{}", row.quantity, if site { "_site" } else { "" }),
             &row.title,
             row.dimension,
             &values,

@@ -1,4 +1,4 @@
-//! The tank: sketch to scale, courses, masses, deformability.
+//! The tank: courses, masses, deformability.
 
 use serde::Serialize;
 use tank::units::Dimension;
@@ -19,35 +19,45 @@ struct Deformability {
     note: String,
 }
 
+/// The sketch to scale, for the cover.
+pub(super) fn sketch(source: &Source) -> Figure {
+    let summary = &source.results.tank;
+    let (size, markup, exaggeration) = sketch::draw(summary);
+    let (plan, support) = (plan(summary.tank.shape), support(summary.tank.support));
+    Figure {
+        id: "sketch".into(),
+        title: "Tank".into(),
+        caption: figures::sketch(exaggeration),
+        titled: false,
+        description: figures::sketch_description(plan, support, &summary.tank, &summary.liquid),
+        size,
+        markup,
+        table: courses(source),
+        room: Room::Wide,
+    }
+}
+
+fn plan(shape: Shape) -> &'static str {
+    match shape {
+        Shape::Cylinder { .. } => "upright cylinder",
+        Shape::Rectangle { strip: true, .. } => words::STRIP,
+        Shape::Rectangle { .. } => "rectangle",
+    }
+}
+
+fn support(support: Support) -> &'static str {
+    match support {
+        Support::Anchored => "anchored",
+        Support::Unanchored => words::ON_GROUND,
+    }
+}
+
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let summary = &source.results.tank;
     let tank = &summary.tank;
     let mut section = Section::new("tank");
-    let (size, markup, exaggeration) = sketch::draw(summary);
-    let plan = match tank.shape {
-        Shape::Cylinder { .. } => "upright cylinder",
-        Shape::Rectangle { strip: true, .. } => words::STRIP,
-        Shape::Rectangle { .. } => "rectangle",
-    };
-    let support = match tank.support {
-        Support::Anchored => "anchored",
-        Support::Unanchored => words::ON_GROUND,
-    };
-    section.set_figures(
-        "figures",
-        vec![Figure {
-            id: "sketch".into(),
-            title: "Tank".into(),
-            caption: figures::sketch(exaggeration),
-            titled: false,
-            description: figures::sketch_description(plan, support, tank, &summary.liquid),
-            size,
-            markup,
-            table: courses(source),
-            room: Room::Wide,
-        }],
-    );
+    let (plan, support) = (plan(tank.shape), support(tank.support));
     let mut facts = Table::new(vec![
         Column::words("Property"),
         Column::numbers("Value", ""),

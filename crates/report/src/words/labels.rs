@@ -1,5 +1,9 @@
 //! Heads of columns and labels of rows, legends and axes.
 
+/// Number of a figure.
+pub const FIGURE: &str = "Figure";
+/// Number of a table.
+pub const TABLE: &str = "Table";
 /// Group of closely spaced modes.
 pub const GROUP: &str = "Closely spaced";
 /// Times of the extremes of both signs.

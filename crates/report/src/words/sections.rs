@@ -30,10 +30,12 @@ const ALL: &[Words] = &[
                 "outside",
                 "✗: outside the model of the finite elements, see limits of validity.",
             ),
-            (
-                "site",
-                "Full bars: spectrum of the record; light bars: design spectrum of the site.",
-            ),
+            ("design", "Design values: spectrum of the site"),
+            ("record", "Under the record"),
+            ("standards", "Deciding:"),
+            ("who", "Name"),
+            ("when", "Date"),
+            ("signature", "Signature"),
         ],
     },
     Words {
@@ -95,10 +97,14 @@ const ALL: &[Words] = &[
     Words {
         id: "checks",
         title: "Checks",
-        sentences: &[(
-            "utilisation",
-            "Utilisation is demand over capacity; the tick on the bar marks 100 %.",
-        )],
+        sentences: &[
+            (
+                "utilisation",
+                "Utilisation is demand over capacity; the tick on the bar marks 100 %.",
+            ),
+            ("caption", "Limit states"),
+            ("others", "Methods that do not decide"),
+        ],
     },
     title("tank", "Tank and liquid"),
     Words {
@@ -329,7 +335,13 @@ const ALL: &[Words] = &[
     Words {
         id: "sheets",
         title: "Calculation sheets",
-        sentences: &[("record", "the sheet for the record")],
+        sentences: &[
+            ("record", "the sheet for the record"),
+            (
+                "others",
+                "With their numbers in every formula, and those of the procedures that do not decide: `tankcheck report FOLDER --report full`.",
+            ),
+        ],
     },
     Words {
         id: "engine",
@@ -473,4 +485,9 @@ pub fn rows(all: usize, counted: usize, outside: usize) -> String {
         "{all} rows, of which {counted} count as verification (neither regressions nor rows for comparison only); {outside} outside \
          their tolerance."
     )
+}
+
+/// What clauses without the name of a document are of.
+pub fn clauses_of(document: &str) -> String {
+    format!("Clauses without the name of a document are of {document}.")
 }

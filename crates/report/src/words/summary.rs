@@ -36,3 +36,8 @@ pub fn exceeded(limit: &Limit) -> String {
         scale.symbol()
     )
 }
+
+/// Entries of the cover.
+pub const COVER: [&str; 5] = ["Project", "Client", "Document", "Revision", "Date"];
+/// Who signs.
+pub const SIGNATURES: [&str; 3] = ["Author", "Checked", "Approved"];

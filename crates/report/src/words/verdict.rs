@@ -1,7 +1,7 @@
 //! Whether the tank holds, and whether the results are complete.
 
 use results::compare::{Incomplete, Unusable};
-use results::{Aside, Deciding, MESH_ERROR_LIMIT, Verdict, VerdictStatus};
+use results::{Aside, Counts, Deciding, MESH_ERROR_LIMIT, Verdict, VerdictStatus};
 use tank::assessment::{Check, CheckStatus};
 use tank::units::{Dimension, display};
 
@@ -85,6 +85,29 @@ pub fn record(aside: &Aside) -> String {
         fails => format!("{fails} of {of} checks {}", plural(fails, "fails", "fail")),
     };
     format!("Under this record, unreduced and not deciding: {state}")
+}
+
+/// What the checks of one method amount to.
+pub fn counted(counts: &Counts) -> String {
+    let of = counts.compared();
+    let compared = match (of, counts.fails) {
+        (0, _) => "none compared".into(),
+        (of, 0) => format!("{of} {}", plural(of, "holds", "hold")),
+        (of, fails) => format!("{fails} of {of} {}", plural(of, "fails", "fail")),
+    };
+    match counts.not_checked {
+        0 => compared,
+        open => format!("{compared}, {open} not checked"),
+    }
+}
+
+/// Limit states that do not apply, one sentence; empty if there are none.
+pub fn without<'a>(checks: impl Iterator<Item = &'a Check>) -> String {
+    let names: Vec<&str> = checks.map(|c| c.name.as_str()).collect();
+    match names.as_slice() {
+        [] => String::new(),
+        names => format!("Not applicable to this tank: {}.", names.join("; ")),
+    }
 }
 
 /// How a limit state ends, in a word or two.

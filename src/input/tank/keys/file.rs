@@ -5,6 +5,7 @@ use super::damping::Damping;
 use super::linear::Analysis;
 use super::materials::Material;
 use super::procedures::Procedures;
+use super::project::Project;
 use super::record::Record;
 use super::reported::{Measured, Published};
 use super::site::Site;
@@ -21,6 +22,8 @@ object! {
     TankFile {
         /// Title of the report.
         name ("Fire-water tank"): Field<String>,
+        /// Cover of the report.
+        project: Opt<Project>,
         /// Remarks for the report, free text.
         notes ("as built 1974"): Opt<String>,
         /// Acceleration of free fall.

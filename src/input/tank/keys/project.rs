@@ -1,0 +1,52 @@
+//! `project`: the cover of the report.
+
+use crate::input::tank::read::{Opt, object};
+use crate::input::tank::resolver::{Resolver, range_fault};
+
+object! {
+    /// Whom the verification is for and who answers for it: cover and running heads of the report. Nothing here changes a number.
+    Project {
+        /// Project.
+        name ("Terminal North, fire water"): Opt<String>,
+        /// Client.
+        client ("Harbour Storage Ltd"): Opt<String>,
+        /// Number of the document, on every page.
+        document ("TK-104-SV-001"): Opt<String>,
+        /// Revision, on every page.
+        revision ("B"): Opt<String>,
+        /// Date of the document, year-month-day.
+        date ("2026-03-14"): Opt<String>,
+        /// Author.
+        author ("J. Doe"): Opt<String>,
+        /// Checker.
+        checker ("A. Smith"): Opt<String>,
+        /// Who approves it.
+        approver ("M. Jones"): Opt<String>,
+    }
+}
+
+/// The block, if given.
+pub(super) fn project(r: &mut Resolver<'_>, option: &Opt<Project>) -> Option<::tank::Project> {
+    let given = option.value()?;
+    let mut text = |option: &Opt<String>| r.text(option.given.as_ref()?);
+    let found = ::tank::Project {
+        name: text(&given.name),
+        client: text(&given.client),
+        document: text(&given.document),
+        revision: text(&given.revision),
+        date: text(&given.date),
+        author: text(&given.author),
+        checker: text(&given.checker),
+        approver: text(&given.approver),
+    };
+    if let (Some(field), Some(date)) = (&given.date.given, &found.date)
+        && (date.len() != 10 || humantime::parse_rfc3339(&format!("{date}T00:00:00Z")).is_err())
+    {
+        r.faults.push(range_fault(
+            field,
+            &format!("the date `{date}`"),
+            "a date as 2026-03-14",
+        ));
+    }
+    Some(found)
+}
