@@ -168,3 +168,27 @@ fn levels_contain_each_other() {
         assert_eq!(standard.contains(&id), full.contains(&id), "{id}");
     }
 }
+
+/// What an engine assumes stands at every level that has its numbers; without a deciding procedure every procedure has its sheet.
+#[test]
+fn the_standard_level_keeps_what_its_numbers_rest_on() {
+    let templates = report::template::Templates::new(None).expect("the built-in ones");
+    for kind in [Kind::Compare, Kind::Nonlinear] {
+        let (mut results, series) = sample(kind, TITLE);
+        let standard = |results: &_| {
+            let report = report::build(results, &series, &templates, report::Level::Standard);
+            report.expect("it renders").html
+        };
+        let html = standard(&results);
+        let runs: Vec<_> = results.methods.iter().filter(|m| m.is_run()).collect();
+        assert!(runs.iter().any(|m| !m.assumptions.is_empty()));
+        for run in runs {
+            assert!(html.contains(&format!("id=\"sheet-{}-", run.id)), "{}", run.id);
+        }
+        results.verdict.deciding.clear();
+        let html = standard(&results);
+        for method in results.methods.iter().filter(|m| !m.steps.is_empty()) {
+            assert!(html.contains(&format!("id=\"sheet-{}-", method.id)), "{}", method.id);
+        }
+    }
+}

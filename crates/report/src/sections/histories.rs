@@ -131,10 +131,8 @@ pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
         ]);
     }
     let mut section = Section::new("histories");
-    section.set(
-        "undrawn",
-        &sections::undrawn(infos.len().saturating_sub(most(source.level))),
-    );
+    let (shown, listed) = (most(source.level).min(infos.len()), listed.min(infos.len()));
+    section.set("undrawn", &sections::undrawn(shown, listed, infos.len()));
     section.set("after", &after_record::sentence(fe, source.series.time.last().copied()));
     section.set("peaks", &table);
     section.set_figures("figures", drawn);

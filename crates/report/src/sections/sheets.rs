@@ -1,6 +1,6 @@
 //! Calculation sheets: symbol = formula = numbers = value, or symbol from table = value; unit, clause. The sheet of a procedure on the spectrum of the
-//! site shows only the lines that differ from its sheet on the record. Below the full level there are only the sheets of the methods that
-//! decide, each with all its lines; every symbol
+//! site shows only the lines that differ from its sheet on the record. Below the full level there are only the sheets of the engines and of the
+//! procedures that decide (of all procedures where none does), each with all its lines; every symbol
 //! has its value there, and formulas are not repeated with their numbers.
 
 use serde::Serialize;
@@ -63,9 +63,12 @@ struct LineView {
 /// Makes the section.
 pub(super) fn make(source: &Source) -> Result<Option<Section>, Error> {
     let full = source.level == Level::Full;
+    let verdict = &source.results.verdict;
+    // What an engine assumes and where it left its model stands at every level that has its numbers.
+    let all = full || !source.results.methods.iter().any(|m| !m.is_run() && verdict.decides(m));
     let shown = |m: &&Method| {
         let said = !m.steps.is_empty() || !m.assumptions.is_empty() || !m.notes.is_empty();
-        m.id != MEASURED && (said || m.status != Status::Computed) && (full || source.results.verdict.decides(m))
+        m.id != MEASURED && (said || m.status != Status::Computed) && (all || m.is_run() || verdict.decides(m))
     };
     let methods: Vec<&Method> = source.results.methods.iter().filter(shown).collect();
     let base = |method: &Method| methods.iter().copied().find(|r| is_base(r, method));

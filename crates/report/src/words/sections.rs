@@ -423,9 +423,12 @@ pub fn sentences(id: &str) -> BTreeMap<&'static str, &'static str> {
     found.map_or(&[][..], |words| words.sentences).iter().copied().collect()
 }
 
-/// Histories that are listed and not drawn; empty without any.
-pub fn undrawn(count: usize) -> String {
-    match count {
+/// How many of `all` histories are drawn and listed; empty if all are both.
+pub fn undrawn(drawn: usize, listed: usize, all: usize) -> String {
+    if all > listed {
+        return format!("Of {all} histories {drawn} are drawn and {listed} listed below; `series.csv` has all.");
+    }
+    match all.saturating_sub(drawn) {
         0 => String::new(),
         1 => "1 further history is listed below, not drawn.".into(),
         count => format!("{count} further histories are listed below, not drawn."),
