@@ -19,6 +19,7 @@ mod compare;
 mod completions;
 mod diff;
 mod fault;
+mod fragility;
 mod global;
 mod ida;
 mod init;
@@ -33,6 +34,7 @@ mod schema;
 mod solid;
 mod solve;
 mod spectrum;
+mod study;
 mod table;
 mod tanks;
 mod terminal;
@@ -63,6 +65,10 @@ enum Command {
     Ida(ida::Args),
     /// Push a cylinder until its wall buckles or its base turns over.
     Push(push::Args),
+    /// Many tanks under many records: plan, run, merge.
+    Study(study::Args),
+    /// Fit fragility curves to data, and compute the risk that follows.
+    Fragility(fragility::Args),
     /// Compute uplift of the bottom plate and the moment that the base of a tank holds, statically.
     Base(base::Args),
     /// Compute the coupled modes of tank and liquid.
@@ -100,6 +106,8 @@ Examples:
   tankcheck modes tank.json --format json
   tankcheck spectrum elcentro.csv --damping 0.5%,2%,5% --periods 0.02..20
   tankcheck quake info elcentro.csv
+  tankcheck study plan study.json --out farm/
+  tankcheck fragility --stripes stripes.csv --hazard hazard.csv
   tankcheck diff golden/ out/
 
 Exit codes: 0 done, and everything required was checked and holds; 1 a check fails or diff found a change; 2 bad input or
@@ -138,6 +146,8 @@ impl Cli {
             Command::Check(args) => check::run(args, &self.global),
             Command::Ida(args) => ida::run(args, &self.global),
             Command::Push(args) => push::run(args, &self.global),
+            Command::Study(args) => study::run(args, &self.global),
+            Command::Fragility(args) => fragility::run(&args, &self.global),
             Command::Base(args) => base::run(args, &self.global),
             Command::Modes(args) => modes::run(args, &self.global),
             Command::Spectrum(args) => spectrum::run(args, &self.global),

@@ -1,8 +1,10 @@
-//! Reading `tank.json`, tables of tanks and accelerograms: text, units and file formats end here.
+//! Reading `tank.json`, `study.json`, tables and accelerograms: text, units and file formats end here.
 
 pub mod csv;
 pub mod diagnostic;
+pub mod fragility;
 pub mod records;
+pub mod study;
 pub mod tank;
 
 pub use tank::{TankFile, read as read_tank};

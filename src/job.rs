@@ -101,7 +101,7 @@ fn identity(analysis: &str, case: &Case, options: Value) -> String {
 }
 
 /// A JSON value with the keys of all its objects sorted. Numbers keep all their digits.
-fn canonical(value: Value) -> Value {
+pub(crate) fn canonical(value: Value) -> Value {
     match value {
         Value::Array(items) => items.into_iter().map(canonical).collect(),
         Value::Object(map) => {

@@ -15,10 +15,13 @@
 //! | [`pipeline`] | the whole flow of a verification in one function |
 //! | [`ida`] | that of an incremental dynamic analysis |
 //! | [`push`] | that of a pushover |
+//! | [`curves`] | fragility curves of data |
+//! | [`study`] | that of many tanks under many records |
 //! | [`solve`] | that of the largest value at which no check fails |
 //! | [`cli`] | the command line |
 
 pub mod cli;
+pub mod curves;
 pub mod error;
 pub mod ida;
 pub mod input;
@@ -26,3 +29,4 @@ pub mod job;
 pub mod pipeline;
 pub mod push;
 pub mod solve;
+pub mod study;

@@ -11,12 +11,16 @@ mod series;
 mod site;
 mod standing;
 
+use std::collections::BTreeMap;
+
 use codes::Procedure;
 use codes::procedure::CodeError;
+use codes::time_history::{self, Codes};
 use fem::progress::Progress;
 use tank::Course;
 use tank::Quantity;
-use tank::assessment::{Assessment, Excitation};
+use tank::assessment::{Assessment, Check, Excitation};
+use tank::demand::Demands;
 use tank::ingredients::Ingredients;
 
 use self::quantities::quantities;
@@ -177,6 +181,25 @@ pub fn decide(job: &Job) -> Result<(Vec<Method>, Verdict), Error> {
     finite::check("the procedures", &methods)?;
     let verdict = results::verdict(&methods, decision::deciding(job, &methods), false, None);
     Ok((methods, verdict))
+}
+
+/// The code procedures under one excitation.
+///
+/// Errors: a procedure that does not converge, a result that is not finite.
+pub fn under(job: &Job, excitation: Excitation) -> Result<Vec<Method>, Error> {
+    let chosen = codes::ALL.iter().filter(|p| job.procedures.iter().any(|id| id == p.id()));
+    let methods: Vec<Method> = chosen
+        .map(|procedure| method(*procedure, job, excitation).map(|(method, _)| method))
+        .collect::<Result<_, _>>()?;
+    finite::check("the procedures", &methods)?;
+    Ok(methods)
+}
+
+/// The checks of the demands of the first engine under the record.
+pub fn checks_of_demands(job: &Job, demands: &Demands) -> Vec<Check> {
+    let codes = Codes::of(&job.case, &job.decision.decide);
+    let found = time_history::assess(&job.case, codes, demands, &BTreeMap::new());
+    decision::checks_of_run(job, results::FE, found.checks)
 }
 
 /// A procedure's column, and what its quantities are made of.

@@ -12,7 +12,7 @@ use files::error::Error;
 
 /// Largest file that is read [bytes].
 const MAX_BYTES: u64 = 1 << 20;
-/// Largest number of tanks.
+/// Largest number of rows.
 const MAX_ROWS: usize = 10_000;
 
 /// A cell and its place in the file, without quotes.
@@ -95,7 +95,7 @@ pub fn parse(source: &Source) -> Result<Table, Faults> {
             faults.push(
                 Fault::new("a column without a name")
                     .at(cell.span.clone())
-                    .allowed("a path of the tank file, such as liquid.fill_height"),
+                    .allowed("a name; in a table of tanks a path of the tank file, such as liquid.fill_height"),
             );
         } else if head[..i].iter().any(|other| other.text == cell.text) {
             faults.push(
@@ -116,7 +116,7 @@ pub fn parse(source: &Source) -> Result<Table, Faults> {
     }
     if rows.is_empty() || rows.len() > MAX_ROWS {
         faults.push(
-            Fault::new("too few or too many tanks")
+            Fault::new("too few or too many rows")
                 .found(format!("{} rows", rows.len()))
                 .allowed(format!("a line of column names, then 1 to {MAX_ROWS} rows")),
         );

@@ -2,21 +2,21 @@
 //!
 //! Every station collects its faults and continues as far as possible, so that all faults of a file are shown at once.
 
-mod bytes;
+pub(in crate::input) mod bytes;
 mod file;
-mod key;
+pub(in crate::input) mod key;
 mod keys;
 mod page;
 mod places;
-mod read;
-mod resolver;
+pub(in crate::input) mod read;
+pub(in crate::input) mod resolver;
 mod schema;
-mod shape;
-mod syntax;
+pub(in crate::input) mod shape;
+pub(in crate::input) mod syntax;
 #[cfg(test)]
 mod tests;
-mod values;
-mod variant;
+pub(in crate::input) mod values;
+pub(in crate::input) mod variant;
 
 use std::path::Path;
 

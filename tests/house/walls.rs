@@ -10,6 +10,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("linalg", &[]),
     ("materials", &[]),
     ("files", &[]),
+    ("fragility", &[]),
     ("tank", &["oscillator"]),
     ("base", &["tank"]),
     ("soil", &["oscillator"]),
@@ -55,6 +56,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "engines",
             "fem",
             "files",
+            "fragility",
             "materials",
             "oscillator",
             "report",
@@ -80,6 +82,7 @@ const MUST_NOT_NAME: &[(&str, &str, &[&str])] = &[
     ),
     ("tankcheck", "pipeline", &["crate::cli", "crate::input", "report::"]),
     ("tankcheck", "solve", &["crate::cli", "crate::input", "report::"]),
+    ("tankcheck", "study", &["crate::cli", "report::"]),
     ("engines", "solid", &["crate::harmonic"]),
     ("engines", "harmonic", &["crate::solid"]),
 ];

@@ -2,6 +2,7 @@
 //!
 //! | module | idea |
 //! |---|---|
+//! | [`intensity`] | intensity measures, the axes of fragility curves |
 //! | [`record`] | a ground motion sampled at equal steps |
 //! | [`sdof`] | exact recurrence for piecewise linear loads; Duhamel's integral as a reference |
 //! | [`newmark`] | coefficients of Newmark's method |
@@ -9,6 +10,7 @@
 //!
 //! SI units throughout (m, kg, s, N, rad).
 
+pub mod intensity;
 pub mod newmark;
 pub mod record;
 pub mod sdof;

@@ -116,6 +116,33 @@ pub struct Demands {
 }
 
 impl Demands {
+    /// Those of a linear model under the same motion times a positive factor: the histories and the wave grow, the static state stays.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Demands {
+        let histories = |all: &[Vec<f64>]| -> Vec<Vec<f64>> {
+            let scaled = |history: &Vec<f64>| history.iter().map(|v| v * factor).collect();
+            all.iter().map(scaled).collect()
+        };
+        let wave = self.wave.map(|peak| Peak {
+            value: peak.value * factor,
+            ..peak
+        });
+        Demands {
+            times: self.times.clone(),
+            states: histories(&self.states),
+            transverse: histories(&self.transverse),
+            angles: self.angles,
+            places: self.places.clone(),
+            wave,
+            base_shear: self.base_shear.clone(),
+            overturning_moment: self.overturning_moment.clone(),
+            vertical: self.vertical.clone(),
+            plates: self.plates,
+            base: self.base.clone(),
+            sampling: self.sampling,
+        }
+    }
+
     /// A combination at all times.
     pub fn history(&self, terms: &Terms) -> Vec<f64> {
         combined(terms, &self.states, self.times.len())

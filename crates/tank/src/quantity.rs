@@ -100,6 +100,11 @@ impl Quantity {
         }
     }
 
+    /// Whether it is a response to the ground motion: periods and masses are properties of the tank.
+    pub fn is_response(self) -> bool {
+        !matches!(self.dimension(), Dimension::Time | Dimension::Mass)
+    }
+
     /// Dimension of the value, which is always stored in SI.
     pub fn dimension(self) -> Dimension {
         match self {

@@ -9,10 +9,10 @@ use crate::input::diagnostic::Source;
 use files::error::Error;
 
 /// Largest file that is read [bytes].
-pub(super) const MAX_BYTES: u64 = 1 << 20;
+pub(in crate::input) const MAX_BYTES: u64 = 1 << 20;
 
 /// Reads the file (`-`: standard input) and returns its text without a byte-order mark, and its SHA-256.
-pub(super) fn read(path: &Path) -> Result<(Source, String), Error> {
+pub(in crate::input) fn read(path: &Path) -> Result<(Source, String), Error> {
     let fail = |what: String| Error::File {
         path: path.into(),
         what,

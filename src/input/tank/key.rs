@@ -6,7 +6,7 @@ use tank::units::{Dimension, Unit, in_unit, unit_for};
 
 /// A key whose value is a `T`.
 #[derive(Debug)]
-pub(super) struct Key<T: 'static> {
+pub(in crate::input) struct Key<T: 'static> {
     /// Name as in the file.
     pub name: &'static str,
     /// Its meaning, line by line.
@@ -21,7 +21,7 @@ pub(super) struct Key<T: 'static> {
 
 /// Default of an optional key.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Absent<T> {
+pub(in crate::input) enum Absent<T> {
     /// No default that the report lists.
     Silent,
     /// A value.
@@ -40,7 +40,7 @@ pub(super) enum Absent<T> {
 }
 
 /// A default that the report does not list.
-pub(super) const fn default<T: Copy>(value: T) -> Absent<T> {
+pub(in crate::input) const fn default<T: Copy>(value: T) -> Absent<T> {
     Absent::Value {
         value,
         shown: "",
@@ -49,7 +49,7 @@ pub(super) const fn default<T: Copy>(value: T) -> Absent<T> {
 }
 
 /// No value; the report states the meaning of its absence.
-pub(super) const fn without<T: Copy>(meaning: &'static str) -> Absent<T> {
+pub(in crate::input) const fn without<T: Copy>(meaning: &'static str) -> Absent<T> {
     Absent::Without(meaning)
 }
 
@@ -73,7 +73,7 @@ impl<T: Copy> Absent<T> {
 
 /// Admissible values: a range of numbers in SI, or a few numbers; the length of a list.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Limits {
+pub(in crate::input) struct Limits {
     pub low: f64,
     pub low_allowed: bool,
     pub high: f64,
@@ -208,7 +208,7 @@ fn shown(value: f64, dimension: Dimension) -> String {
 }
 
 /// A value in SI as a user writes it: as short as possible, with an engineer's unit.
-pub(super) fn written(value: f64, dimension: Dimension) -> String {
+pub(in crate::input) fn written(value: f64, dimension: Dimension) -> String {
     // Angles are written in degrees.
     let degrees = (dimension == Dimension::Angle)
         .then(|| Unit::find("deg", dimension))
@@ -226,7 +226,7 @@ pub(super) fn written(value: f64, dimension: Dimension) -> String {
 }
 
 /// `a, b or c`.
-pub(super) fn list(words: &[&str], conjunction: &str) -> String {
+pub(in crate::input) fn list(words: &[&str], conjunction: &str) -> String {
     match words {
         [] => String::new(),
         [one] => (*one).into(),
@@ -235,7 +235,7 @@ pub(super) fn list(words: &[&str], conjunction: &str) -> String {
 }
 
 /// Lines of a documentation comment as one text: lines joined, paragraphs kept.
-pub(super) fn prose(lines: &[&str]) -> String {
+pub(in crate::input) fn prose(lines: &[&str]) -> String {
     let paragraphs: Vec<String> = lines
         .split(|l| l.trim().is_empty())
         .map(|p| p.iter().map(|l| l.trim()).collect::<Vec<_>>().join(" "))

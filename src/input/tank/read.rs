@@ -29,7 +29,7 @@ const SUGGESTED_FOR: usize = 1000;
 
 /// A value of the file with its place; `value` is `None` if it is missing or faulty (already reported).
 #[derive(Clone, Debug)]
-pub(super) struct Field<T> {
+pub(in crate::input) struct Field<T> {
     pub value: Option<T>,
     pub span: Range<usize>,
     pub path: String,
@@ -41,7 +41,7 @@ pub(super) struct Field<T> {
 
 /// An optional key of an object.
 #[derive(Debug)]
-pub(super) struct Opt<T: 'static> {
+pub(in crate::input) struct Opt<T: 'static> {
     pub key: &'static Key<T>,
     pub path: String,
     /// The value in the file.
@@ -49,7 +49,7 @@ pub(super) struct Opt<T: 'static> {
 }
 
 /// A type that can be read from a value of the file.
-pub(super) trait FromNode: Sized + 'static {
+pub(in crate::input) trait FromNode: Sized + 'static {
     /// Reads it; reports its faults and returns `None` if no value can be used.
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self>;
     /// The expected value, for messages.
@@ -65,7 +65,7 @@ pub(super) trait FromNode: Sized + 'static {
 }
 
 /// An object of the file.
-pub(super) trait Object: FromNode {
+pub(in crate::input) trait Object: FromNode {
     /// The object with all defaults, for a file without it; missing required keys are not reported.
     fn absent(path: &str) -> Self;
 }
@@ -133,7 +133,7 @@ impl<T: Object> Opt<T> {
 }
 
 /// An object in the file, or one without keys.
-pub(super) enum Part<'a, T> {
+pub(in crate::input) enum Part<'a, T> {
     Given(&'a T),
     Absent(Box<T>),
 }
@@ -149,7 +149,7 @@ impl<T> Deref for Part<'_, T> {
 }
 
 /// A member of an object: required as [`Field`], optional as [`Opt`].
-pub(super) trait Property: Sized {
+pub(in crate::input) trait Property: Sized {
     type Inner: FromNode;
     const REQUIRED: bool;
     /// Reads it; reports a missing required one.
@@ -222,7 +222,7 @@ impl<T: FromNode> Property for Opt<T> {
 }
 
 /// Hands out the members of an object; unknown keys are noted when it is made.
-pub(super) struct ObjectReader<'a> {
+pub(in crate::input) struct ObjectReader<'a> {
     node: &'a Node,
     members: &'a [Member],
     /// Known keys suggested for misspelt ones.
@@ -270,7 +270,7 @@ impl<'a> ObjectReader<'a> {
 }
 
 /// The known word nearest to a misspelt one, if it is near enough.
-pub(super) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
+pub(in crate::input) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
     let folded = word.to_lowercase().replace(['-', ' '], "_");
     let length = folded.chars().count();
     known
@@ -291,7 +291,7 @@ pub(super) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = &'k str>) 
         .map(|(_, k)| k)
 }
 
-pub(super) fn wrong_kind(node: &Node, allowed: &str) -> Fault {
+pub(in crate::input) fn wrong_kind(node: &Node, allowed: &str) -> Fault {
     Fault::new(format!("{} is not allowed here", node.noun()))
         .at(node.span.clone())
         .path(node.path.clone())
@@ -300,7 +300,7 @@ pub(super) fn wrong_kind(node: &Node, allowed: &str) -> Fault {
 }
 
 /// A fault about a value of the right kind with the wrong content.
-pub(super) fn wrong_value(node: &Node, message: &str, allowed: &str) -> Fault {
+pub(in crate::input) fn wrong_value(node: &Node, message: &str, allowed: &str) -> Fault {
     Fault::new(message)
         .at(node.span.clone())
         .path(node.path.clone())
@@ -309,7 +309,7 @@ pub(super) fn wrong_value(node: &Node, message: &str, allowed: &str) -> Fault {
 }
 
 /// The item that a word names; reports an unknown word with the nearest known one as a suggestion.
-pub(super) fn one_of_words<T: Copy>(node: &Node, words: &[(&'static str, T)], faults: &mut Faults) -> Option<T> {
+pub(in crate::input) fn one_of_words<T: Copy>(node: &Node, words: &[(&'static str, T)], faults: &mut Faults) -> Option<T> {
     let known: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
     let allowed = quoted(&known);
     let Kind::Text(text) = &node.kind else {
@@ -328,7 +328,7 @@ pub(super) fn one_of_words<T: Copy>(node: &Node, words: &[(&'static str, T)], fa
 }
 
 /// `"a", "b" or "c"`.
-pub(super) fn quoted(words: &[&str]) -> String {
+pub(in crate::input) fn quoted(words: &[&str]) -> String {
     let quoted: Vec<String> = words.iter().map(|w| format!("\"{w}\"")).collect();
     list(&quoted.iter().map(String::as_str).collect::<Vec<_>>(), "or")
 }
@@ -413,7 +413,7 @@ macro_rules! object {
 }
 
 /// A key as a file has it: a keyword of the language is written `r#type` here.
-pub(super) const fn word(name: &'static str) -> &'static str {
+pub(in crate::input) const fn word(name: &'static str) -> &'static str {
     match name.as_bytes() {
         [b'r', b'#', ..] => name.split_at(2).1,
         _ => name,
@@ -430,4 +430,4 @@ macro_rules! either {
     };
 }
 
-pub(super) use {choice, either, object};
+pub(in crate::input) use {choice, either, object};

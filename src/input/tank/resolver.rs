@@ -11,7 +11,7 @@ use crate::input::diagnostic::{Fault, Faults};
 use results::InputValue;
 
 /// Collects echo, remarks, warnings and faults.
-pub(super) struct Resolver<'f> {
+pub(in crate::input) struct Resolver<'f> {
     pub faults: &'f mut Faults,
     pub echo: Vec<InputValue>,
     pub remarks: Vec<String>,
@@ -218,7 +218,7 @@ fn default<T: FromNode + Copy>(option: &Opt<T>) -> T {
 }
 
 /// A fault about the value of a field.
-pub(super) fn range_fault<T>(field: &Field<T>, message: &str, allowed: &str) -> Fault {
+pub(in crate::input) fn range_fault<T>(field: &Field<T>, message: &str, allowed: &str) -> Fault {
     let bare = field.text.is_empty() || field.text.parse::<f64>().is_ok() || field.text.parse::<bool>().is_ok();
     let found = if bare {
         field.text.clone()
@@ -233,12 +233,12 @@ pub(super) fn range_fault<T>(field: &Field<T>, message: &str, allowed: &str) -> 
 }
 
 /// A length in the unit of a field, for messages that compare the two.
-pub(super) fn like_field<T>(field: &Field<T>, length: f64) -> String {
+pub(in crate::input) fn like_field<T>(field: &Field<T>, length: f64) -> String {
     like_unit(field, length, Dimension::Length)
 }
 
 /// A value of this dimension in the unit of a field.
-pub(super) fn like_unit<T>(field: &Field<T>, value: f64, dimension: Dimension) -> String {
+pub(in crate::input) fn like_unit<T>(field: &Field<T>, value: f64, dimension: Dimension) -> String {
     // The unit begins after the number and its exponent.
     let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-');
     let mut written = field.text.trim().trim_start_matches(number);

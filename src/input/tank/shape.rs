@@ -6,7 +6,7 @@ use super::key::{Absent, Key, Limits, prose};
 
 /// Form of a value.
 #[derive(Clone, Debug)]
-pub(super) enum Shape {
+pub(in crate::input) enum Shape {
     /// An object of the book.
     Object(&'static str),
     /// A closed choice of words of the book.
@@ -42,7 +42,7 @@ pub(super) enum Shape {
 
 /// An object with its keys.
 #[derive(Clone, Debug)]
-pub(super) struct Object {
+pub(in crate::input) struct Object {
     /// Name of its type.
     pub name: &'static str,
     /// Its meaning.
@@ -53,7 +53,7 @@ pub(super) struct Object {
 
 /// A key of an object.
 #[derive(Clone, Debug)]
-pub(super) struct KeyInfo {
+pub(in crate::input) struct KeyInfo {
     pub name: &'static str,
     /// Its meaning.
     pub help: String,
@@ -70,7 +70,7 @@ pub(super) struct KeyInfo {
 
 /// A closed choice of words.
 #[derive(Clone, Debug)]
-pub(super) struct Choice {
+pub(in crate::input) struct Choice {
     /// Name of its type.
     pub name: &'static str,
     /// Meaning of the choice.
@@ -81,7 +81,7 @@ pub(super) struct Choice {
 
 /// All objects and choices of a file, in the order in which they are met.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Book {
+pub(in crate::input) struct Book {
     pub objects: Vec<Object>,
     pub choices: Vec<Choice>,
 }

@@ -23,7 +23,7 @@ const PATH_ENDS: (usize, usize) = (80, 140);
 
 /// A value with its place.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Node {
+pub(in crate::input) struct Node {
     /// Bytes of the file.
     pub span: Range<usize>,
     /// Path (`tank.courses[0].thickness`), empty for the whole document.
@@ -34,7 +34,7 @@ pub(super) struct Node {
 
 /// A JSON value.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Kind {
+pub(in crate::input) enum Kind {
     Null,
     Bool(bool),
     /// A number as written.
@@ -46,7 +46,7 @@ pub(super) enum Kind {
 
 /// A key and its value.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Member {
+pub(in crate::input) struct Member {
     pub key: String,
     pub key_span: Range<usize>,
     pub value: Node,
@@ -77,7 +77,7 @@ impl Node {
 }
 
 /// Path of a member of the object at `path`; the middle of a path of more than 240 bytes is left out.
-pub(super) fn join(path: &str, key: &str) -> String {
+pub(in crate::input) fn join(path: &str, key: &str) -> String {
     let key = shortened(key);
     let plain = !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
     let joined = match (plain, path.is_empty()) {
@@ -105,7 +105,7 @@ fn shortened(text: &str) -> Cow<'_, str> {
 
 /// Reads the text. A syntax error ends the reading, so there is only one. Duplicate keys are added to `faults`; the first
 /// one counts.
-pub(super) fn parse(source: &Source, faults: &mut Faults) -> Option<Node> {
+pub(in crate::input) fn parse(source: &Source, faults: &mut Faults) -> Option<Node> {
     let text = source.text.as_str();
     if text.trim().is_empty() {
         faults.push(

@@ -11,7 +11,7 @@ use super::syntax::{Kind, Node};
 use crate::input::diagnostic::{Fault, Faults};
 
 /// Reads a quantity of a dimension; a bare number is one only where there is no unit.
-pub(super) fn quantity(node: &Node, dimension: Dimension, faults: &mut Faults) -> Option<f64> {
+pub(in crate::input) fn quantity(node: &Node, dimension: Dimension, faults: &mut Faults) -> Option<f64> {
     let text = match &node.kind {
         Kind::Text(text) | Kind::Number(text) => text,
         _ => {
@@ -28,7 +28,7 @@ pub(super) fn quantity(node: &Node, dimension: Dimension, faults: &mut Faults) -
     }
 }
 
-pub(super) fn quantity_fault(node: &Node, error: &UnitError, allowed: &str) -> Fault {
+pub(in crate::input) fn quantity_fault(node: &Node, error: &UnitError, allowed: &str) -> Fault {
     let fault = Fault::new(error.to_string())
         .at(node.span.clone())
         .path(node.path.clone())
@@ -41,7 +41,7 @@ pub(super) fn quantity_fault(node: &Node, error: &UnitError, allowed: &str) -> F
 }
 
 /// Pattern of the texts that are quantities of a dimension.
-pub(super) fn pattern(dimension: Dimension) -> String {
+pub(in crate::input) fn pattern(dimension: Dimension) -> String {
     let mut spellings: Vec<String> = Vec::new();
     for spelling in dimension.units().flat_map(|u| u.spellings().collect::<Vec<_>>()) {
         let mut regex = String::new();
@@ -102,7 +102,7 @@ macro_rules! quantity {
 }
 
 /// A number with a dimension.
-pub(super) trait Si: Copy {
+pub(in crate::input) trait Si: Copy {
     const DIMENSION: Dimension;
     /// Value in SI.
     fn si(self) -> f64;
@@ -185,7 +185,7 @@ conventional! {
 
 /// Where on the frequency axis: `"3 rad/s"`, `"0.48 Hz"` or the period `"2.1 s"`; kept as circular frequency [rad/s].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Pitch(pub f64);
+pub(in crate::input) struct Pitch(pub f64);
 
 impl Pitch {
     const DIMENSIONS: [Dimension; 3] = [Dimension::AngularFrequency, Dimension::Frequency, Dimension::Time];
@@ -277,7 +277,7 @@ impl FromNode for MeshSize {
 
 /// A whole number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Whole(pub u32);
+pub(in crate::input) struct Whole(pub u32);
 
 impl FromNode for Whole {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {
@@ -372,7 +372,7 @@ impl<T: FromNode> FromNode for Vec<Field<T>> {
 
 /// Objects of one kind under names of the user's choice, in the order of the file.
 #[derive(Clone, Debug)]
-pub(super) struct Named<T>(pub Vec<(String, Field<T>)>);
+pub(in crate::input) struct Named<T>(pub Vec<(String, Field<T>)>);
 
 impl<T: FromNode> FromNode for Named<T> {
     fn from_node(node: &Node, faults: &mut Faults) -> Option<Self> {

@@ -1,0 +1,315 @@
+//! `tankcheck study`: many tanks under many records.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use crate::cli::progress::{self, Watch};
+use crate::cli::terminal::say;
+use crate::cli::{Format, Global, json, print};
+use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
+use crate::input::study as input;
+use crate::study::plan::{self, Plan, Task};
+use crate::study::run::{self, Which};
+use crate::study::scripts::{self, Scheduler};
+use crate::study::store::{self, State};
+use crate::study::{merge, rows::RowStatus};
+use files::{text, write_whole};
+
+/// Arguments.
+#[derive(clap::Args)]
+#[command(after_help = "\
+Examples:
+  tankcheck study plan study.json --out farm/
+  tankcheck study run farm/ --jobs 8
+  tankcheck study status farm/
+  tankcheck study merge farm/
+  tankcheck study plan study.json --out farm/ --for slurm --scheduler-args \"--account=x --time=2:00:00\"
+  tankcheck study run farm/ --shard 3/16
+
+A study is state in files: run it again, anywhere, and only what is missing is computed. A failing check, a collapse and a refused tank are
+rows, not errors.
+
+Exit codes: 0 done; 2 bad input, or results missing at merge; 3 a task could not be computed, results could not be written, or the run was
+interrupted; 130 ended by a second Ctrl-C.")]
+pub(crate) struct Args {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(clap::Subcommand)]
+enum Command {
+    /// Read every tank and record of a study file; write the tasks.
+    Plan(PlanArgs),
+    /// Compute the tasks that have no result.
+    #[command(alias = "resume")]
+    Run(RunArgs),
+    /// Count tasks that are done, missing, cut off or failed.
+    Status(StatusArgs),
+    /// Write rows.csv, tanks.csv, farm.csv and fragility.json.
+    Merge(MergeArgs),
+}
+
+#[derive(clap::Args)]
+struct PlanArgs {
+    /// The study file; `tankcheck init --study` writes one to start from.
+    #[arg(value_name = "STUDY")]
+    study: PathBuf,
+    /// Folder of the study.
+    #[arg(long, short, value_name = "FOLDER", default_value = "study")]
+    out: PathBuf,
+    /// Write a submit script.
+    #[arg(long = "for", value_name = "ENGINE", value_enum)]
+    scheduler: Option<Scheduler>,
+    /// Arguments for the scheduler, kept as they are.
+    #[arg(long, value_name = "ARGS", default_value = "", allow_hyphen_values = true, requires = "scheduler")]
+    scheduler_args: String,
+}
+
+#[derive(clap::Args)]
+struct RunArgs {
+    /// Folder of the study.
+    #[arg(value_name = "FOLDER")]
+    folder: PathBuf,
+    /// Number of tasks at a time [default: all cores].
+    #[arg(long, short, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    jobs: Option<u16>,
+    /// Every n-th task from the i-th: `i/n`.
+    #[arg(long, value_name = "I/N", conflicts_with = "task")]
+    shard: Option<String>,
+    /// One task by its number from 1, or `auto`: that of HQ_TASK_ID, SLURM_ARRAY_TASK_ID or PBS_ARRAY_INDEX.
+    #[arg(long, value_name = "K")]
+    task: Option<String>,
+    /// Compute failed tasks again.
+    #[arg(long)]
+    retry: bool,
+}
+
+#[derive(clap::Args)]
+struct StatusArgs {
+    /// Folder of the study.
+    #[arg(value_name = "FOLDER")]
+    folder: PathBuf,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+}
+
+#[derive(clap::Args)]
+struct MergeArgs {
+    /// Folder of the study.
+    #[arg(value_name = "FOLDER")]
+    folder: PathBuf,
+    /// Merge although tasks are missing; probabilities get bounds.
+    #[arg(long)]
+    partial: bool,
+}
+
+/// Runs the subcommand; returns the exit code.
+pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
+    match args.command {
+        Command::Plan(args) => make(&args, global),
+        Command::Run(args) => compute(&args, global),
+        Command::Status(args) => status(&args),
+        Command::Merge(args) => merged(&args, global),
+    }
+}
+
+fn make(args: &PlanArgs, global: &Global) -> Result<u8, Error> {
+    let watch = Watch::new(global, "reading tanks and records");
+    let study = input::read(&args.study)?;
+    let (plan, tasks) = plan::make(&study, &args.study, &args.out)?;
+    plan::write(&args.out, &plan, &tasks)?;
+    if let Some(scheduler) = args.scheduler {
+        let script = scheduler.script(tasks.len(), &args.scheduler_args);
+        write_whole(&args.out.join(scheduler.file()), script.as_bytes())?;
+    }
+    watch.finish();
+    let mut said = String::new();
+    let _ = writeln!(said, "{}", text::line(&plan.name));
+    let _ = writeln!(said, "  tanks    {:>9}", plan.tanks.len());
+    let _ = writeln!(said, "  samples  {:>9}", plan.samples);
+    let _ = writeln!(said, "  records  {:>9}", plan.records.len());
+    let _ = writeln!(said, "  scales   {:>9}  of {}", plan.levels.len().max(plan.factors.len()), text::line(&plan.im));
+    let _ = writeln!(said, "  rows     {:>9}", plan.rows);
+    let done = tasks.iter().filter(|t| store::state(&args.out, &t.key) == State::Done).count();
+    let _ = writeln!(said, "  tasks    {:>9}  {done} of them have a result", plan.tasks);
+    print(&said)?;
+    if let Some(scheduler) = args.scheduler.filter(|_| !global.quiet) {
+        say!("script: {}", args.out.join(scheduler.file()).display());
+    }
+    if !global.quiet {
+        say!("next: tankcheck study run {}", args.out.display());
+    }
+    Ok(EXIT_OK)
+}
+
+/// The study file of a plan.
+fn study_of(folder: &Path, plan: &Plan) -> Result<input::StudyInput, Error> {
+    Ok(input::read(&folder.join(&plan.study))?)
+}
+
+fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
+    let started = Instant::now();
+    let (plan, tasks) = plan::read(&args.folder)?;
+    let which = which(args, tasks.len())?;
+    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let threads = args.jobs.map_or(cores, usize::from);
+    // A task has one thread: its numbers do not depend on how many run beside it.
+    fem::cores::limit(1);
+    progress::stop_gracefully();
+    let watch = Watch::new(global, "study");
+    let study = || -> Result<input::StudyInput, Error> {
+        let study = study_of(&args.folder, &plan)?;
+        match study.tanks.len() == plan.tanks.len() && study.records.len() == plan.records.len() {
+            true => Ok(study),
+            false => Err(Error::input(
+                "error: the study file has other tanks or records than its plan\n  help: plan again with `tankcheck study plan`; results \
+                 whose input is unchanged are kept"
+                    .into(),
+            )),
+        }
+    };
+    let done = run::run(&args.folder, (&plan, &tasks), (which, args.retry, threads), study, &watch)?;
+    watch.finish();
+    if !global.quiet {
+        say!(
+            "{} tasks computed, {} kept, {} failed, {} not begun, in {:.1} s",
+            done.computed,
+            done.kept,
+            done.failed + done.failed_before,
+            done.left,
+            started.elapsed().as_secs_f64()
+        );
+        if done.failed + done.failed_before > 0 {
+            say!("help: `tankcheck study status` lists the failures, `--retry` computes them again");
+        }
+    }
+    Ok(match done.failed + done.failed_before + done.left {
+        0 => EXIT_OK,
+        _ => EXIT_COMPUTATION,
+    })
+}
+
+fn which(args: &RunArgs, tasks: usize) -> Result<Which, Error> {
+    if let Some(text) = &args.shard {
+        let parts = text.split_once('/');
+        let numbers = parts.and_then(|(i, n)| Some((i.trim().parse().ok()?, n.trim().parse().ok()?)));
+        return match numbers {
+            Some((number, of)) if of >= 1 && (1..=of).contains(&number) => Ok(Which::Shard { number, of }),
+            _ => Err(Error::input(format!(
+                "error: --shard: found `{text}`, expected `i/n` with 1 ≤ i ≤ n, such as 3/16"
+            ))),
+        };
+    }
+    let Some(text) = &args.task else { return Ok(Which::All) };
+    let number = match text.as_str() {
+        "auto" => scripts::of_environment(),
+        given => given.parse().ok(),
+    };
+    match number {
+        Some(number) if (1..=tasks).contains(&number) => Ok(Which::One(number)),
+        _ => Err(Error::input(format!(
+            "error: --task: found `{text}`, expected a number from 1 to {tasks}, or `auto` under HyperQueue, Slurm or PBS"
+        ))),
+    }
+}
+
+#[derive(serde::Serialize)]
+struct Status {
+    tasks: usize,
+    done: usize,
+    missing: usize,
+    torn: usize,
+    failed: usize,
+    rows: usize,
+    rows_done: usize,
+    failures: Vec<store::Failure>,
+}
+
+fn status(args: &StatusArgs) -> Result<u8, Error> {
+    let (plan, tasks) = plan::read(&args.folder)?;
+    let mut found = Status {
+        tasks: tasks.len(),
+        done: 0,
+        missing: 0,
+        torn: 0,
+        failed: 0,
+        rows: plan.rows,
+        rows_done: 0,
+        failures: Vec::new(),
+    };
+    for task in &tasks {
+        match store::state(&args.folder, &task.key) {
+            State::Done => {
+                found.done += 1;
+                found.rows_done += task.rows;
+            }
+            State::Missing => found.missing += 1,
+            State::Torn => found.torn += 1,
+            State::Failed => found.failed += 1,
+        }
+        found.failures.extend(failure(&args.folder, task));
+    }
+    match args.format {
+        Format::Json => print(&json(&found)?)?,
+        Format::Human => print(&human(&plan, &found))?,
+        Format::Csv => {
+            return Err(Error::input("error: --format: found csv, expected human or json".into()));
+        }
+    }
+    Ok(EXIT_OK)
+}
+
+fn failure(folder: &Path, task: &Task) -> Option<store::Failure> {
+    store::failure(folder, &task.key).map(|failure| store::Failure {
+        task: task.task,
+        ..failure
+    })
+}
+
+fn human(plan: &Plan, found: &Status) -> String {
+    let mut said = format!("{}\n", text::line(&plan.name));
+    let mut row = |name: &str, count: usize, remark: &str| {
+        let _ = writeln!(said, "  {name:<9}{count:>9}  {remark}");
+    };
+    row("tasks", found.tasks, "");
+    row("done", found.done, &format!("{} of {} rows", found.rows_done, found.rows));
+    row("missing", found.missing, "");
+    if found.torn > 0 {
+        row("cut off", found.torn, "not whole; `study run` computes them again");
+    }
+    if found.failed > 0 {
+        row("failed", found.failed, "`study run --retry` computes them again");
+    }
+    for failure in found.failures.iter().take(10) {
+        let message = text::line(&failure.message);
+        let _ = writeln!(said, "  task {} on {}: {message}", failure.task, text::line(&failure.host));
+    }
+    said
+}
+
+fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
+    let (plan, tasks) = plan::read(&args.folder)?;
+    let watch = Watch::new(global, "merging");
+    let found = merge::merge(&args.folder, &plan, &tasks, args.partial, &watch)?;
+    watch.finish();
+    let mut said = format!("{}\n", text::line(&plan.name));
+    let _ = writeln!(said, "  rows      {:>9}", found.rows);
+    for (status, count) in &found.by_status {
+        if *status != RowStatus::Ok.word() || found.by_status.len() > 1 {
+            let _ = writeln!(said, "  {status:<10}{count:>9}");
+        }
+    }
+    if found.missing > 0 {
+        let _ = writeln!(said, "  {} tasks have no result: every probability is a part of the whole", found.missing);
+    }
+    let _ = writeln!(said, "  sha256    {}", found.sha256);
+    print(&said)?;
+    if !global.quiet {
+        for file in merge::FILES {
+            say!("{}", args.folder.join(file).display());
+        }
+    }
+    Ok(EXIT_OK)
+}

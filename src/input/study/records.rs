@@ -1,0 +1,161 @@
+//! `records`: files, and which component each is.
+
+use std::path::{Path, PathBuf};
+
+use super::keys::{Components, Records};
+use super::{matching, name_of};
+use crate::input::records::{self, AccelerationUnit, Processing, ReadOptions};
+use crate::input::tank::read::{Field, Opt};
+use crate::input::tank::resolver::{Resolver, range_fault};
+use files::error::Error;
+use oscillator::record::Record;
+
+/// An earthquake of a study: one file, or one a component.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordEntry {
+    /// Its name in the rows, unique in the study.
+    pub id: String,
+    /// Along x.
+    pub along: PathBuf,
+    /// Along y.
+    pub across: Option<PathBuf>,
+    /// Upwards.
+    pub up: Option<PathBuf>,
+    options: ReadOptions,
+}
+
+/// The ground motion of an earthquake, processed as a tank file asks for, before the scale of the study.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shaking {
+    /// Along x.
+    pub along: Record,
+    /// Along y.
+    pub across: Option<Record>,
+    /// Upwards.
+    pub up: Option<Record>,
+}
+
+impl RecordEntry {
+    /// Reads its files.
+    ///
+    /// Errors: those of the readers.
+    pub fn read(&self) -> Result<Shaking, Error> {
+        let one = |path: &PathBuf| Ok(records::read(path, &self.options)?.record);
+        Ok(Shaking {
+            along: one(&self.along)?,
+            across: self.across.as_ref().map(one).transpose()?,
+            up: self.up.as_ref().map(one).transpose()?,
+        })
+    }
+}
+
+impl Shaking {
+    /// Processed as a tank file asks for; the other components follow the factor of the first.
+    ///
+    /// Errors: an impossible processing.
+    pub fn processed(&self, processing: &Processing) -> Result<Shaking, Error> {
+        let along = records::process(&self.along, processing)?;
+        let factor = along.pga() / self.along.pga().max(f64::MIN_POSITIVE);
+        let other = Processing {
+            scale_to: None,
+            scale_by: Some(factor),
+            ..*processing
+        };
+        let other = |record: &Option<Record>| record.as_ref().map(|r| records::process(r, &other)).transpose();
+        Ok(Shaking {
+            across: other(&self.across)?,
+            up: other(&self.up)?,
+            along,
+        })
+    }
+}
+
+/// The records of the file.
+pub(super) fn records(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Records>>>, folder: &Path) -> Vec<RecordEntry> {
+    let mut all: Vec<RecordEntry> = Vec::new();
+    let Some(field) = &option.given else { return all };
+    r.sized(field, "items");
+    for item in field.value.iter().flatten() {
+        let Some(given) = &item.value else { continue };
+        let options = ReadOptions {
+            unit: unit(r, &given.units),
+            dt: r.optional(&given.dt),
+            allow_implausible: false,
+        };
+        let paths = matching(r, &given.files, folder);
+        let components = given.components.value();
+        let parts = components.map(|c| Parts::of(r, c));
+        for path in paths {
+            let Some((across, up)) = others(r, &given.files, &path, parts.as_ref()) else {
+                continue;
+            };
+            let id = name_of(&path, folder);
+            if all.iter().any(|other| other.id == id) {
+                let fault = range_fault(item, &format!("the record `{id}` is named twice"), "each record once");
+                r.faults.push(fault.found("{ … }"));
+                continue;
+            }
+            all.push(RecordEntry {
+                id,
+                along: path,
+                across,
+                up,
+                options,
+            });
+        }
+    }
+    all
+}
+
+/// Parts of the names.
+struct Parts {
+    along: String,
+    across: Option<String>,
+    up: Option<String>,
+}
+
+impl Parts {
+    fn of(r: &mut Resolver<'_>, given: &Components) -> Parts {
+        let mut text = |field: &Field<String>| r.text(field);
+        Parts {
+            along: text(&given.along).unwrap_or_default(),
+            across: given.across.given.as_ref().and_then(&mut text),
+            up: given.up.given.as_ref().and_then(&mut text),
+        }
+    }
+}
+
+/// The other components of a file along x; none for a file that is another component.
+type Others = (Option<PathBuf>, Option<PathBuf>);
+
+fn others(r: &mut Resolver<'_>, field: &Field<String>, path: &Path, parts: Option<&Parts>) -> Option<Others> {
+    let Some(parts) = parts.filter(|parts| !parts.along.is_empty()) else {
+        return Some((None, None));
+    };
+    let name = path.file_name()?.to_string_lossy().into_owned();
+    if !name.contains(&parts.along) {
+        return None;
+    }
+    let mut other = |part: &Option<String>| -> Option<PathBuf> {
+        let other = path.with_file_name(name.replacen(&parts.along, part.as_ref()?, 1));
+        if !other.is_file() {
+            let message = format!("{name} has no other component {}", other.display());
+            r.faults.push(range_fault(field, &message, "a file for every component"));
+        }
+        Some(other)
+    };
+    Some((other(&parts.across), other(&parts.up)))
+}
+
+fn unit(r: &mut Resolver<'_>, option: &Opt<String>) -> Option<AccelerationUnit> {
+    let field = option.given.as_ref()?;
+    match r.text(field)?.as_str() {
+        "g" => Some(AccelerationUnit::G),
+        "gal" | "cm/s2" => Some(AccelerationUnit::Gal),
+        "m/s2" => Some(AccelerationUnit::MetrePerSecondSquared),
+        _ => {
+            r.faults.push(range_fault(field, "an unknown unit", "g, gal or m/s2"));
+            None
+        }
+    }
+}

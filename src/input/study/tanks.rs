@@ -1,0 +1,172 @@
+//! `tanks`: tank files, or a template with a table.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::keys::Tanks;
+use super::{Sampling, matching, name_of};
+use crate::input::csv::{self, Cell, Table};
+use crate::input::diagnostic::Source;
+use crate::input::tank::read::Field;
+use crate::input::tank::resolver::{Resolver, range_fault};
+use crate::input::tank::variant::variant;
+use crate::input::{TankFile, read_tank};
+use files::error::Error;
+
+/// A tank of a study: a file, and the row of a table with values over those of the file.
+#[derive(Clone, Debug)]
+pub struct TankEntry {
+    /// Its name in the rows, unique in the study.
+    pub id: String,
+    /// The tank file.
+    base: Arc<TankFile>,
+    /// Table whose head are paths, and the row.
+    row: Option<(Arc<Table>, usize)>,
+}
+
+impl TankEntry {
+    /// The tank of a sample; without sampling that of the file.
+    ///
+    /// Errors: the faults of the tank with these values.
+    pub fn tank(&self, sampling: Option<&Sampling>, sample: u32) -> Result<TankFile, Error> {
+        let drawn = sampling.map_or_else(Vec::new, |sampling| sampling.draw(sample));
+        if self.row.is_none() && drawn.is_empty() {
+            return Ok((*self.base).clone());
+        }
+        let (source, mut head, mut row) = match &self.row {
+            Some((table, row)) => (table.source.clone(), table.head.clone(), table.rows[*row].clone()),
+            None => (Source::new(self.id.as_str(), ""), Vec::new(), Vec::new()),
+        };
+        // A sampled value stands at the row of its tank, in place of a value of the table.
+        let place = csv::span(&row);
+        for (path, text) in drawn {
+            let known = head.iter().position(|cell| cell.text == path);
+            let cell = |text: String| Cell {
+                text,
+                span: place.clone(),
+            };
+            match known {
+                Some(column) => row[column] = cell(text),
+                None => {
+                    head.push(cell(path));
+                    row.push(cell(text));
+                }
+            }
+        }
+        let table = Table {
+            source,
+            head,
+            rows: Vec::new(),
+        };
+        variant(&self.base, &table, &row).map_err(|faults| faults.into_error(&table.source))
+    }
+}
+
+/// The tanks of the file; those that cannot be read are added to `broken`.
+pub(super) fn tanks(
+    r: &mut Resolver<'_>,
+    field: &Field<Vec<Field<Tanks>>>,
+    folder: &Path,
+    broken: &mut Vec<Error>,
+) -> Vec<TankEntry> {
+    r.sized(field, "items");
+    let mut all: Vec<TankEntry> = Vec::new();
+    for item in field.value.iter().flatten() {
+        let Some(given) = &item.value else { continue };
+        let found = match (&given.files.given, &given.template.given, &given.table.given) {
+            (Some(files), None, None) => from_files(r, files, folder, broken),
+            (None, Some(template), Some(table)) => from_table(r, given, (template, table), folder, broken),
+            _ => {
+                let fault = range_fault(item, "tanks without files", "`files`, or `template` with `table`");
+                r.faults.push(fault.found("{ … }"));
+                Vec::new()
+            }
+        };
+        for tank in found {
+            if all.iter().any(|other| other.id == tank.id) {
+                let fault = range_fault(item, &format!("two tanks are named `{}`", tank.id), "a different name for each tank");
+                r.faults.push(fault.help("name the tanks of a table by a column: \"id\": \"tag\""));
+                break;
+            }
+            all.push(tank);
+        }
+    }
+    all
+}
+
+fn from_files(r: &mut Resolver<'_>, files: &Field<String>, folder: &Path, broken: &mut Vec<Error>) -> Vec<TankEntry> {
+    let mut all = Vec::new();
+    for path in matching(r, files, folder) {
+        match read_tank(&path) {
+            Ok(base) => all.push(TankEntry {
+                id: name_of(&path, folder),
+                base: Arc::new(base),
+                row: None,
+            }),
+            Err(error) => broken.push(error),
+        }
+    }
+    all
+}
+
+fn from_table(
+    r: &mut Resolver<'_>,
+    given: &Tanks,
+    (template, table): (&Field<String>, &Field<String>),
+    folder: &Path,
+    broken: &mut Vec<Error>,
+) -> Vec<TankEntry> {
+    let (Some(template), Some(name)) = (r.text(template), r.text(table)) else {
+        return Vec::new();
+    };
+    let path: PathBuf = folder.join(&name);
+    let read = read_tank(&folder.join(template)).and_then(|base| Ok((base, csv::read(&path)?)));
+    let (base, raw) = match read {
+        Ok(found) => found,
+        Err(error) => {
+            broken.push(error);
+            return Vec::new();
+        }
+    };
+    let names: Vec<&str> = raw.head.iter().map(|cell| cell.text.as_str()).collect();
+    let mut column = |field: &Field<String>, name: &str| {
+        let found = names.iter().position(|n| *n == name);
+        if found.is_none() {
+            let fault = range_fault(field, &format!("the table has no column `{name}`"), &names.join(", "));
+            r.faults.push(fault);
+        }
+        found
+    };
+    let id = given.id.given.as_ref().and_then(|field| column(field, field.value.as_ref()?));
+    // The columns that are used, each with its path.
+    let used: Vec<(usize, String)> = match given.columns.value() {
+        Some(columns) => {
+            let path_of = |(name, field): &(String, Field<String>)| Some((column(field, name)?, field.value.clone()?));
+            columns.0.iter().filter_map(path_of).collect()
+        }
+        None => (0..names.len())
+            .filter(|&i| Some(i) != id)
+            .map(|i| (i, names[i].to_owned()))
+            .collect(),
+    };
+    let pick = |row: &[Cell]| -> Vec<Cell> { used.iter().map(|(i, _)| row[*i].clone()).collect() };
+    let head = used
+        .iter()
+        .map(|(i, path)| Cell {
+            text: path.clone(),
+            span: raw.head[*i].span.clone(),
+        })
+        .collect();
+    let table = Arc::new(Table {
+        source: raw.source.clone(),
+        head,
+        rows: raw.rows.iter().map(|row| pick(row)).collect(),
+    });
+    let base = Arc::new(base);
+    let entry = |(number, row): (usize, &Vec<Cell>)| TankEntry {
+        id: id.map_or_else(|| format!("{}-{}", name_of(&path, folder), number + 1), |i| row[i].text.clone()),
+        base: Arc::clone(&base),
+        row: Some((Arc::clone(&table), number)),
+    };
+    raw.rows.iter().enumerate().map(entry).collect()
+}

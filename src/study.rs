@@ -1,0 +1,34 @@
+//! The whole flow of a study: many tanks under many records.
+//!
+//! ```text
+//! study.json ─ plan ─ tasks ─ run, anywhere, any number of times ─ results ─ merge ─ rows.csv, tanks.csv, fragility.json
+//! ```
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`plan`] | the tasks of a study and their keys |
+//! | [`task`] | the computation of one task |
+//! | [`rows`] | what a task writes: one row a tank, sample, record and scale |
+//! | [`store`] | files of results: whole or ignored |
+//! | [`run`] | missing tasks, in threads |
+//! | [`merge`] | results to tables |
+//! | [`damage`] | damage states and their curves |
+//!
+//! **State is in files.** A task's key is the hash of everything its numbers depend on: the resolved tank, the samples of its records, the
+//! scales, the engine and its options, the procedures, and [`METHOD`]. Its result stands at a path made of the key; a last line with the
+//! number of rows and their hash closes it. A result without it is ignored. Two runs of a task write the same bytes, so nothing is locked.
+//! Merged files have no paths, times or counts of threads in them.
+
+mod curves;
+pub mod damage;
+mod key;
+pub mod merge;
+pub mod plan;
+pub mod rows;
+pub mod run;
+pub mod scripts;
+pub mod store;
+mod task;
+
+/// Digest of the methods: raised when numbers of rows change, so that results of an earlier program are not kept.
+pub const METHOD: u32 = 1;

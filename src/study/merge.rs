@@ -1,0 +1,286 @@
+//! Results to tables: `rows.csv`, `tanks.csv`, `farm.csv`, `fragility.json`.
+//!
+//! Results are read twice, once for the columns and once for the rows, so that memory does not grow with the study. Rows stand in the order
+//! of the plan. The files have no times, paths or names of machines in them.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::Path;
+
+use fem::progress::Progress;
+use serde_json::{Value, json};
+use tank::Quantity;
+
+use super::damage::Gathered;
+use super::plan::{Plan, Task};
+use super::rows::{Ending, Line, Row, RowStatus, TankRow};
+use super::store::{self, Rolling};
+use crate::error::Error;
+use files::error::describe;
+use files::write_whole;
+
+/// Names of the merged files.
+pub const FILES: [&str; 5] = ["rows.csv", "rows.sha256", "tanks.csv", "farm.csv", "fragility.json"];
+
+/// What was merged.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Merged {
+    /// Rows.
+    pub rows: usize,
+    /// Rows by status.
+    pub by_status: BTreeMap<&'static str, usize>,
+    /// Tasks without a result.
+    pub missing: usize,
+    /// Hash of rows.csv.
+    pub sha256: String,
+    /// The curves, as in fragility.json.
+    pub curves: Value,
+}
+
+/// Merges the results of a study.
+///
+/// * `partial`: whether missing tasks are admitted
+///
+/// Errors: missing tasks, unless they are admitted; results that this program did not write; files that cannot be written.
+pub fn merge(folder: &Path, plan: &Plan, tasks: &[Task], partial: bool, progress: &dyn Progress) -> Result<Merged, Error> {
+    progress.stage("reading results", tasks.len() as u64);
+    let mut values: BTreeSet<String> = BTreeSet::new();
+    let mut checks: BTreeSet<String> = BTreeSet::new();
+    let mut tank_values: BTreeSet<String> = BTreeSet::new();
+    let mut missing: Vec<&Task> = Vec::new();
+    for task in tasks {
+        match store::read(folder, &task.key)? {
+            None => missing.push(task),
+            Some(lines) => {
+                for line in &lines {
+                    match line {
+                        Line::Row(row) => {
+                            add(&mut values, row.values.keys());
+                            add(&mut checks, row.checks.keys());
+                        }
+                        Line::Tank(tank) => add(&mut tank_values, tank.values.keys()),
+                    }
+                }
+            }
+        }
+        progress.advance(1);
+    }
+    if !partial && !missing.is_empty() {
+        return Err(Error::input(refusal(folder, tasks.len(), &missing)));
+    }
+    let path = folder.join("rows.csv");
+    let part = folder.join(format!("rows.csv{}", files::PART));
+    let unwritten = |e: std::io::Error| {
+        let _ = std::fs::remove_file(&part);
+        Error::Files(files::error::Error::Unwritten {
+            path: path.clone(),
+            what: describe(&e),
+        })
+    };
+    let mut out = BufWriter::new(File::create(&part).map_err(unwritten)?);
+    let mut hash = Rolling::new();
+    let mut text = head(&values, &checks);
+    let mut tanks = tank_head(&tank_values);
+    let mut gathered = Gathered::default();
+    let mut volumes: BTreeMap<String, f64> = BTreeMap::new();
+    let mut merged = Merged {
+        missing: missing.len(),
+        ..Merged::default()
+    };
+    progress.stage("writing rows", tasks.len() as u64);
+    let mut last: Option<(String, u32)> = None;
+    for task in tasks {
+        for line in store::read(folder, &task.key)?.unwrap_or_default() {
+            match line {
+                Line::Row(row) => {
+                    csv_row(&mut text, &row, &values, &checks);
+                    gathered.add(&row, &plan.damage);
+                    merged.rows += 1;
+                    *merged.by_status.entry(row.status.word()).or_default() += 1;
+                }
+                // A tank stands in the result of each of its blocks.
+                Line::Tank(tank) => {
+                    let unit = (tank.tank.clone(), tank.sample);
+                    if last.as_ref() != Some(&unit) {
+                        csv_tank(&mut tanks, &tank, &tank_values);
+                        if let Some(volume) = tank.volume {
+                            volumes.entry(tank.tank.clone()).or_insert(volume);
+                        }
+                        last = Some(unit);
+                    }
+                }
+            }
+        }
+        hash.add(text.as_bytes());
+        out.write_all(text.as_bytes()).map_err(unwritten)?;
+        text.clear();
+        progress.advance(1);
+    }
+    let file = out.into_inner().map_err(|e| unwritten(e.into_error()))?;
+    file.sync_all().map_err(unwritten)?;
+    drop(file);
+    std::fs::rename(&part, &path).map_err(unwritten)?;
+    merged.sha256 = hash.hex();
+    write_whole(&folder.join("rows.sha256"), format!("{}  rows.csv\n", merged.sha256).as_bytes())?;
+    write_whole(&folder.join("tanks.csv"), tanks.as_bytes())?;
+    write_whole(&folder.join("farm.csv"), farm(&gathered, &volumes).as_bytes())?;
+    let fragility = super::curves::fragility(plan, &gathered, &volumes, missing.len());
+    let text = serde_json::to_string_pretty(&fragility).map_err(|e| Error::report(e.to_string()))?;
+    write_whole(&folder.join("fragility.json"), format!("{text}\n").as_bytes())?;
+    merged.curves = fragility.get("curves").cloned().unwrap_or_else(|| json!([]));
+    Ok(merged)
+}
+
+fn add<'a>(set: &mut BTreeSet<String>, keys: impl Iterator<Item = &'a String>) {
+    for key in keys {
+        if !set.contains(key) {
+            set.insert(key.clone());
+        }
+    }
+}
+
+fn refusal(folder: &Path, tasks: usize, missing: &[&Task]) -> String {
+    let mut text = format!("error: {} of {tasks} tasks have no result", missing.len());
+    let failed: Vec<_> = missing.iter().filter_map(|task| store::failure(folder, &task.key)).collect();
+    for failure in failed.iter().take(5) {
+        let _ = write!(text, "\n  task {}: {}", failure.task, failure.message);
+    }
+    if failed.len() > 5 {
+        let _ = write!(text, "\n  and {} more failed tasks", failed.len() - 5);
+    }
+    text.push_str("\n  help: `tankcheck study run` computes what is missing; `--partial` merges what there is, with bounds");
+    text
+}
+
+/// Name of a column with its unit.
+fn column(key: &str) -> String {
+    let quantity = key.rsplit_once('.').and_then(|(_, id)| Quantity::from_id(id));
+    match quantity {
+        Some(quantity) => {
+            let unit: String = quantity.dimension().si_symbol().chars().filter(char::is_ascii_alphanumeric).collect();
+            format!("{key}_{unit}")
+        }
+        None => key.to_owned(),
+    }
+}
+
+fn head(values: &BTreeSet<String>, checks: &BTreeSet<String>) -> String {
+    let mut text = String::from("tank,sample,record,level,factor,im,pga_m_s2,pgv_m_s,pgd_m,status,time_s");
+    for key in values {
+        let _ = write!(text, ",{}", column(key));
+    }
+    for key in checks {
+        let _ = write!(text, ",{key}_utilisation");
+    }
+    text.push_str(",message\n");
+    text
+}
+
+fn csv_row(text: &mut String, row: &Row, values: &BTreeSet<String>, checks: &BTreeSet<String>) {
+    cell(text, &row.tank);
+    let _ = write!(text, ",{},", row.sample);
+    cell(text, &row.record);
+    let peaks = row.peaks.map_or([None; 3], |p| p.map(Some));
+    // The factor of a level is not known where there was no run.
+    let factor = Some(row.factor).filter(|f| *f > 0.0);
+    for value in [row.level, factor, row.im, peaks[0], peaks[1], peaks[2]] {
+        text.push(',');
+        number(text, value);
+    }
+    let _ = write!(text, ",{},", row.status.word());
+    number(text, row.time);
+    for key in values {
+        text.push(',');
+        number(text, row.values.get(key).copied());
+    }
+    for key in checks {
+        text.push(',');
+        match row.checks.get(key) {
+            Some(Ending::Utilisation(value)) => number(text, Some(*value)),
+            Some(Ending::Word(word)) => text.push_str(word),
+            None => {}
+        }
+    }
+    text.push(',');
+    cell(text, row.message.as_deref().unwrap_or_default());
+    text.push('\n');
+}
+
+fn tank_head(values: &BTreeSet<String>) -> String {
+    let mut text = String::from(
+        "tank,sample,verdict,governing_method,governing_check,utilisation,impulsive_period_s,sloshing_period_s,volume_m3",
+    );
+    for key in values {
+        let _ = write!(text, ",{}", column(key));
+    }
+    text.push_str(",message\n");
+    text
+}
+
+fn csv_tank(text: &mut String, tank: &TankRow, values: &BTreeSet<String>) {
+    cell(text, &tank.tank);
+    let _ = write!(text, ",{},{},", tank.sample, tank.verdict);
+    match &tank.governing {
+        Some((method, check, utilisation)) => {
+            let _ = write!(text, "{method},{check},");
+            number(text, Some(*utilisation));
+        }
+        None => text.push_str(",,"),
+    }
+    for value in [tank.periods[0], tank.periods[1], tank.volume] {
+        text.push(',');
+        number(text, value);
+    }
+    for key in values {
+        text.push(',');
+        number(text, tank.values.get(key).copied());
+    }
+    text.push(',');
+    cell(text, tank.message.as_deref().unwrap_or_default());
+    text.push('\n');
+}
+
+/// Tanks in the worst state and the volume of their liquid, earthquake by earthquake.
+fn farm(gathered: &Gathered, volumes: &BTreeMap<String, f64>) -> String {
+    let mut text = String::from("record,sample,im,tanks_judged,tanks_lost,volume_lost_m3,names\n");
+    for ((record, sample, im), lost) in &gathered.losses {
+        cell(&mut text, record);
+        let _ = write!(text, ",{sample},");
+        number(&mut text, Some(f64::from_bits(*im)));
+        let volume: f64 = lost.tanks.iter().filter_map(|tank| volumes.get(tank)).sum();
+        let _ = write!(text, ",{},{},", lost.judged, lost.tanks.len());
+        number(&mut text, Some(super::rows::kept(volume)));
+        text.push(',');
+        cell(&mut text, &lost.tanks.join(" "));
+        text.push('\n');
+    }
+    text
+}
+
+/// A cell of CSV; quoted where it has to be.
+fn cell(text: &mut String, value: &str) {
+    match value.contains([',', '"', '\n', '\r', ';']) {
+        true => {
+            let _ = write!(text, "\"{}\"", value.replace('"', "\"\""));
+        }
+        false => text.push_str(value),
+    }
+}
+
+/// A number with the digits that it has; empty without one.
+fn number(text: &mut String, value: Option<f64>) {
+    let Some(value) = value else { return };
+    let size = value.abs();
+    let _ = match size == 0.0 || (1e-4..1e15).contains(&size) {
+        true => write!(text, "{value}"),
+        false => write!(text, "{value:e}"),
+    };
+}
+
+/// Rows by status, the first of which is `ok`.
+pub fn failed(merged: &Merged) -> usize {
+    let ok = merged.by_status.get(RowStatus::Ok.word()).copied().unwrap_or(0);
+    merged.rows - ok
+}

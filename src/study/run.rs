@@ -1,0 +1,139 @@
+//! Missing tasks, in threads: each takes the next one.
+
+use std::path::Path;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use fem::progress::Progress;
+
+use super::plan::{Plan, Task};
+use super::store::{self, State};
+use super::task;
+use crate::error::Error;
+use crate::input::study::StudyInput;
+
+/// Which tasks a run takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Which {
+    /// All that are missing.
+    All,
+    /// Every n-th from the i-th, 1 ≤ i ≤ n.
+    Shard {
+        /// Number of this shard.
+        number: usize,
+        /// Number of shards.
+        of: usize,
+    },
+    /// One, by its number from 1.
+    One(usize),
+}
+
+impl Which {
+    /// Whether it takes a task.
+    pub fn takes(self, task: usize) -> bool {
+        match self {
+            Which::All => true,
+            Which::Shard { number, of } => task % of == number % of,
+            Which::One(one) => task == one,
+        }
+    }
+}
+
+/// What a run did.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Done {
+    /// Tasks whose results were there.
+    pub kept: usize,
+    /// Tasks that were computed.
+    pub computed: usize,
+    /// Tasks that failed earlier and were left alone.
+    pub failed_before: usize,
+    /// Tasks that failed now.
+    pub failed: usize,
+    /// Tasks that were not begun: the run was interrupted.
+    pub left: usize,
+}
+
+/// Runs what is missing. Tasks that failed before are left alone unless `retry`.
+///
+/// * `study`: reads the study file; called if there is something to do
+///
+/// Errors: bad input; results that cannot be written. A task that fails is recorded, and the others go on.
+pub fn run(
+    folder: &Path,
+    (plan, tasks): (&Plan, &[Task]),
+    (which, retry, threads): (Which, bool, usize),
+    study: impl FnOnce() -> Result<StudyInput, Error>,
+    progress: &dyn Progress,
+) -> Result<Done, Error> {
+    let mut done = Done::default();
+    let mut todo: Vec<&Task> = Vec::new();
+    for task in tasks.iter().filter(|t| which.takes(t.task)) {
+        match store::state(folder, &task.key) {
+            State::Done => done.kept += 1,
+            State::Failed if !retry => done.failed_before += 1,
+            _ => todo.push(task),
+        }
+    }
+    if todo.is_empty() {
+        return Ok(done);
+    }
+    let study = study()?;
+    progress.stage("tasks", todo.len() as u64);
+    let next = AtomicUsize::new(0);
+    let failed = AtomicUsize::new(0);
+    let computed = AtomicUsize::new(0);
+    let fault: Mutex<Option<Error>> = Mutex::new(None);
+    let work = || {
+        while let Some(task) = todo.get(next.fetch_add(1, Ordering::SeqCst)) {
+            let stopped = fault.lock().map_or(true, |fault| fault.is_some());
+            if stopped || progress.interrupted() {
+                return;
+            }
+            let outcome = match task::compute(&study, plan, task) {
+                Ok(lines) => store::write(folder, &task.key, &lines).map(|()| computed.fetch_add(1, Ordering::SeqCst)),
+                // Input that changed since the plan is the same for all tasks; nothing is recorded.
+                Err(error) if error.exit_code() == crate::error::EXIT_INPUT => Err(error),
+                Err(error) => {
+                    let message = task::plain(&error.to_string());
+                    store::fail(folder, &task.key, task.task, &message).map(|()| failed.fetch_add(1, Ordering::SeqCst))
+                }
+            };
+            if let Err(error) = outcome {
+                if let Ok(mut fault) = fault.lock() {
+                    fault.get_or_insert(error);
+                }
+                return;
+            }
+            progress.advance(1);
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..threads.clamp(1, todo.len()) {
+            scope.spawn(work);
+        }
+    });
+    if let Some(error) = fault.into_inner().ok().flatten() {
+        return Err(error);
+    }
+    done.computed = computed.into_inner();
+    done.failed = failed.into_inner();
+    done.left = todo.len() - done.computed - done.failed;
+    Ok(done)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Shards take every task once.
+    #[test]
+    fn shards_share_the_tasks() {
+        for of in 1..=7 {
+            for task in 1..=50 {
+                let takes = (1..=of).filter(|&number| Which::Shard { number, of }.takes(task));
+                assert_eq!(takes.count(), 1);
+            }
+        }
+    }
+}

@@ -1,0 +1,424 @@
+//! The computation of one task: rows of one or a few tanks under a block of records.
+//!
+//! The harmonic engine builds one model for the block and runs a record once; its scales are the scaled response
+//! ([`engines::Response::scaled`]), of which the checks are made again. A tank whose base lifts or slides, isolators, and the other
+//! engines run every scale.
+
+use std::collections::BTreeMap;
+
+use fem::progress::Silent;
+use oscillator::record::Record;
+use tank::assessment::{CheckStatus, Excitation};
+use tank::case::GroundMotion;
+use tank::check::Decision;
+use tank::demand::Demands;
+use tank::Quantity;
+
+use super::plan::{Plan, Task, changed, of_sample};
+use super::rows::{Ending, Line, Row, RowStatus, TankRow, kept};
+use super::key;
+use crate::error::Error;
+use crate::input::TankFile;
+use crate::input::records::plausible;
+use crate::input::study::{Shaking, StudyInput};
+use crate::job::{self, Job};
+use crate::pipeline;
+use engines::{FeError, Prepared, Response, engine};
+use results::nonlinear::End;
+use results::{EngineId, FE, Method, VerdictStatus};
+
+/// Longest message of a row [characters].
+const MESSAGE: usize = 300;
+
+/// A message on one line, without colours, cut.
+pub(super) fn plain(message: &str) -> String {
+    let mut text = String::new();
+    let mut escape = false;
+    for c in message.chars() {
+        match c {
+            '\u{1b}' => escape = true,
+            'm' if escape => escape = false,
+            _ if escape => {}
+            c if c.is_control() => text.push(' '),
+            c => text.push(c),
+        }
+    }
+    let words: Vec<&str> = text.split_whitespace().collect();
+    words.join(" ").chars().take(MESSAGE).collect()
+}
+
+/// The lines of a task: each tank, then its rows.
+///
+/// Errors: a tank or record that changed since the plan or cannot be read. What cannot be computed is a row.
+pub(super) fn compute(study: &StudyInput, plan: &Plan, task: &Task) -> Result<Vec<Line>, Error> {
+    let tanks: BTreeMap<(usize, u32), _> = task
+        .tanks
+        .iter()
+        .map(|&(tank, sample)| {
+            let found = study.tanks[tank].tank(study.sampling.as_ref(), sample);
+            ((tank, sample), found)
+        })
+        .collect();
+    let records: BTreeMap<usize, Shaking> = task
+        .records()
+        .map(|number| Ok((number, study.records[number].read()?)))
+        .collect::<Result<_, files::error::Error>>()?;
+    let tank_keys = tanks.iter().map(|(&unit, tank)| (unit, of_sample(tank))).collect();
+    let record_keys = records.iter().map(|(&number, shaking)| (number, key::of_shaking(shaking))).collect();
+    if let Some(what) = changed(plan, &tank_keys, &record_keys) {
+        return Err(Error::input(format!(
+            "error: {what} changed since the plan\n  help: plan again with `tankcheck study plan`; results whose input is unchanged are kept"
+        )));
+    }
+    let mut lines = Vec::new();
+    for ((tank, sample), found) in tanks {
+        let unit = Unit {
+            study,
+            plan,
+            id: &plan.tanks[tank].id,
+            sample,
+            records: &records,
+        };
+        match found {
+            Ok(found) => unit.rows(found, &mut lines)?,
+            Err(error) => unit.refused(&plain(&error.to_string()), &mut lines),
+        }
+    }
+    Ok(lines)
+}
+
+/// A tank with the values of a sample, under the records of the task.
+struct Unit<'a> {
+    study: &'a StudyInput,
+    plan: &'a Plan,
+    id: &'a str,
+    sample: u32,
+    records: &'a BTreeMap<usize, Shaking>,
+}
+
+/// The scales of one record: level and factor.
+type Scaled = (Option<f64>, f64);
+
+impl Unit<'_> {
+    /// Rows of a tank that is not possible.
+    fn refused(&self, message: &str, lines: &mut Vec<Line>) {
+        let tank = TankRow {
+            tank: self.id.into(),
+            sample: self.sample,
+            periods: [None, None],
+            volume: None,
+            verdict: "refused".into(),
+            governing: None,
+            message: Some(message.into()),
+            values: BTreeMap::new(),
+        };
+        lines.push(Line::Tank(Box::new(tank)));
+        let scales = self.blank_scales();
+        for &record in self.records.keys() {
+            for (level, factor) in &scales {
+                lines.push(Line::Row(Box::new(Row {
+                    level: *level,
+                    factor: *factor,
+                    message: Some(message.into()),
+                    ..Row::blank(self.id, self.sample, &self.plan.records[record].id, RowStatus::Refused)
+                })));
+            }
+        }
+        if self.records.is_empty() {
+            lines.push(Line::Row(Box::new(Row {
+                message: Some(message.into()),
+                ..Row::blank(self.id, self.sample, "site", RowStatus::Refused)
+            })));
+        }
+    }
+
+    /// Scales of a row without a run: levels, or factors.
+    fn blank_scales(&self) -> Vec<Scaled> {
+        let scales = &self.study.scales;
+        match scales.levels.is_empty() {
+            true => scales.factors.iter().map(|f| (None, *f)).collect(),
+            false => scales.levels.iter().map(|l| (Some(*l), 0.0)).collect(),
+        }
+    }
+
+    fn rows(&self, tank: TankFile, lines: &mut Vec<Line>) -> Result<(), Error> {
+        let mut job = self.job(&tank)?;
+        let (methods, verdict) = pipeline::decide(&job)?;
+        let vertical = self.records.values().any(|r| r.up.is_some());
+        let prepared = match self.study.engine {
+            Some(EngineId::Harmonic) if !self.records.is_empty() => {
+                let faults = job::refused(&tank, |task| engine(EngineId::Harmonic).refuses(task));
+                match faults.list().first() {
+                    Some(fault) => {
+                        self.refused(&plain(&fault.message), lines);
+                        return Ok(());
+                    }
+                    None => Some(Prepared::new(&job.case, &job.linear, vertical)),
+                }
+            }
+            _ => None,
+        };
+        let prepared = match prepared.transpose() {
+            Ok(prepared) => prepared,
+            Err(error) => {
+                self.refused(&plain(&error.to_string()), lines);
+                return Ok(());
+            }
+        };
+        let periods = prepared.as_ref().map_or([None, None], Prepared::periods);
+        lines.push(Line::Tank(Box::new(self.tank_row(&job, periods, &methods, &verdict))));
+        if self.records.is_empty() {
+            let mut row = Row::blank(self.id, self.sample, "site", RowStatus::Ok);
+            values_of(&methods, Excitation::Site, &mut row.values);
+            utilisations(&methods, &mut row.checks);
+            lines.push(Line::Row(Box::new(row)));
+        }
+        for (&number, shaking) in self.records {
+            let id = &self.plan.records[number].id;
+            let found = shaking
+                .processed(&tank.record)
+                .map_err(Error::Files)
+                .and_then(|shaking| self.record(&mut job, prepared.as_ref(), periods, id, &shaking, lines));
+            if let Err(error) = found {
+                let message = plain(&error.to_string());
+                for (level, factor) in self.blank_scales() {
+                    lines.push(Line::Row(Box::new(Row {
+                        level,
+                        factor,
+                        message: Some(message.clone()),
+                        ..Row::blank(self.id, self.sample, id, RowStatus::Error)
+                    })));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The job of a tank without a record.
+    fn job(&self, tank: &TankFile) -> Result<Job, Error> {
+        let named = self.study.procedures.clone().unwrap_or_else(|| tank.procedures.clone());
+        let procedures = pipeline::select_procedures(&named)?;
+        // A procedure that decides in the tank file and does not run here decides nothing.
+        let runs = |id: &String| !codes::ALL.iter().any(|p| p.id() == id) || procedures.contains(id);
+        let decision = Decision {
+            decide: tank.decision.decide.iter().filter(|id| runs(id)).cloned().collect(),
+            ..tank.decision.clone()
+        };
+        Ok(Job {
+            case: tank.case.clone(),
+            project: None,
+            procedures,
+            decision,
+            engines: self.study.engine.into_iter().collect(),
+            linear: engines::Options {
+                mesh_error: false,
+                ..tank.fe.clone()
+            },
+            solid: tank.solid.clone(),
+            nonlinear: tank.nonlinear.clone(),
+            checkpoint: None,
+            echo: Vec::new(),
+            files: Vec::new(),
+            warnings: Vec::new(),
+            raw_records: Vec::new(),
+        })
+    }
+
+    fn tank_row(&self, job: &Job, periods: [Option<f64>; 2], methods: &[Method], verdict: &results::Verdict) -> TankRow {
+        let mut values = BTreeMap::new();
+        values_of(methods, Excitation::Site, &mut values);
+        let governing = verdict.governing.as_ref();
+        TankRow {
+            tank: self.id.into(),
+            sample: self.sample,
+            periods: periods.map(|p| p.map(kept)),
+            volume: Some(kept(job.case.liquid_mass() / job.case.liquid.density)),
+            verdict: status(verdict.status).into(),
+            governing: governing.map(|g| {
+                let utilisation = g.check.utilisation.unwrap_or(f64::MAX);
+                (g.method.clone(), g.check.id.clone(), kept(utilisation))
+            }),
+            message: None,
+            values,
+        }
+    }
+
+    /// The rows of one record, all scales.
+    fn record(
+        &self,
+        job: &mut Job,
+        prepared: Option<&Prepared>,
+        periods: [Option<f64>; 2],
+        id: &str,
+        shaking: &Shaking,
+        lines: &mut Vec<Line>,
+    ) -> Result<(), Error> {
+        let scales = &self.study.scales;
+        let intensity = scales.axis.intensity(periods).ok_or_else(|| {
+            Error::input(format!("error: the tank has no period for the measure {}", scales.name))
+        })?;
+        let measure = match &shaking.across {
+            None => intensity.of(&shaking.along),
+            Some(across) => (intensity.of(&shaking.along) * intensity.of(across)).sqrt(),
+        };
+        if !(measure > 0.0 && measure.is_finite()) {
+            return Err(Error::input(format!("error: {} of the record is {measure}", scales.name)));
+        }
+        let measures = shaking.along.measures();
+        let all: Vec<Scaled> = match scales.levels.is_empty() {
+            true => scales.factors.iter().map(|f| (None, *f)).collect(),
+            false => scales.levels.iter().map(|l| (Some(*l), l / measure)).collect(),
+        };
+        // One run of a linear model serves every scale.
+        let unit = match prepared {
+            Some(prepared) => Some(prepared.run(&motion(shaking, 1.0))?).filter(|r| r.linear),
+            None => None,
+        };
+        for (level, factor) in all {
+            let peak = shaking.along.pga() * factor;
+            let mut row = Row {
+                level: level.map(kept),
+                factor: kept(factor),
+                im: Some(kept(measure * factor)),
+                peaks: Some([peak, measures.pgv * factor, measures.pgd * factor].map(kept)),
+                ..Row::blank(self.id, self.sample, id, RowStatus::Ok)
+            };
+            let outcome = plausible::check_peak(peak, format!("the factor {factor}"), false)
+                .map_err(Error::Files)
+                .and_then(|()| self.row(job, prepared, unit.as_ref(), &motion(shaking, factor), factor, &mut row));
+            if let Err(error) = outcome {
+                row.status = RowStatus::Error;
+                row.message = Some(plain(&error.to_string()));
+                row.values.clear();
+                row.checks.clear();
+            }
+            lines.push(Line::Row(Box::new(row)));
+        }
+        Ok(())
+    }
+
+    /// Codes and engine under a scaled record.
+    fn row(
+        &self,
+        job: &mut Job,
+        prepared: Option<&Prepared>,
+        unit: Option<&Response>,
+        motion: &GroundMotion,
+        factor: f64,
+        row: &mut Row,
+    ) -> Result<(), Error> {
+        job.case.ground_motion = Some(motion.clone());
+        let methods = pipeline::under(job, Excitation::Record)?;
+        values_of(&methods, Excitation::Record, &mut row.values);
+        let response = match (self.study.engine, prepared, unit.and_then(|unit| unit.scaled(factor))) {
+            (None, _, _) => None,
+            (Some(_), _, Some(scaled)) => Some(scaled),
+            (Some(_), Some(prepared), None) => Some(prepared.run(motion)?),
+            (Some(id), None, _) => {
+                let task = job.task();
+                let refusal = engine(id).refuses(&task).into_iter().next();
+                if let Some(refusal) = refusal {
+                    return Err(Error::Fe(FeError::Unsupported(refusal.message)));
+                }
+                let simulation = engine(id).run(&task, &Silent)?;
+                match &simulation.result.end {
+                    End::Collapsed { time, reason, .. } => {
+                        (row.status, row.time) = (RowStatus::Collapsed, Some(kept(*time)));
+                        row.message = Some(plain(reason));
+                    }
+                    End::Left { time, .. } | End::Interrupted { time } => {
+                        (row.status, row.time) = (RowStatus::Opened, Some(kept(*time)));
+                    }
+                    End::Completed => {}
+                }
+                Some(Response::of(simulation))
+            }
+        };
+        if let Some(response) = response {
+            for (quantity, value) in &response.values {
+                put(FE, *quantity, *value, &mut row.values);
+            }
+            let none = Demands::default();
+            let demands = response.demands.as_ref().unwrap_or(&none);
+            checks_of(&pipeline::checks_of_demands(job, demands), &mut row.checks);
+        }
+        job.case.ground_motion = None;
+        Ok(())
+    }
+}
+
+/// A quantity that the ground motion changes; properties of the tank stand with the tank.
+fn put(method: &str, quantity: Quantity, value: f64, values: &mut BTreeMap<String, f64>) {
+    if quantity.is_response() && value.is_finite() {
+        values.insert(format!("{method}.{}", quantity.id()), kept(value));
+    }
+}
+
+fn values_of(methods: &[Method], excitation: Excitation, values: &mut BTreeMap<String, f64>) {
+    for method in methods.iter().filter(|m| m.excitation == excitation) {
+        for (id, value) in &method.quantities {
+            if let Some(quantity) = Quantity::from_id(id) {
+                put(&method.id, quantity, value.value, values);
+            }
+        }
+    }
+}
+
+/// Largest utilisation of each limit state.
+fn checks_of(checks: &[tank::assessment::Check], endings: &mut BTreeMap<String, Ending>) {
+    for check in checks {
+        let key = format!("{FE}.{}", check.limit_state);
+        let word = |word: &str| Ending::Word(word.into());
+        let ending = match (check.status, check.utilisation) {
+            (CheckStatus::NotApplicable, _) => continue,
+            // A run outside its model gives no utilisation to go by.
+            (CheckStatus::NotChecked, _) => word("not_checked"),
+            (CheckStatus::Accepted, _) => word("accepted"),
+            (_, Some(utilisation)) => Ending::Utilisation(kept(utilisation)),
+            (CheckStatus::Fails, None) => word("fails"),
+            (CheckStatus::Holds, None) => continue,
+        };
+        let worse = match (endings.get(&key), &ending) {
+            (None, _) => true,
+            (Some(Ending::Utilisation(old)), Ending::Utilisation(new)) => new > old,
+            // A failure without a number is worse than any number, and an open comparison does not hide a number.
+            (Some(Ending::Utilisation(_)), Ending::Word(word)) => word == "fails",
+            (Some(Ending::Word(old)), Ending::Utilisation(_)) => old != "fails",
+            (Some(Ending::Word(_)), Ending::Word(new)) => new == "fails",
+        };
+        if worse {
+            endings.insert(key, ending);
+        }
+    }
+}
+
+/// Largest utilisation of every procedure, of a row without an engine.
+fn utilisations(methods: &[Method], endings: &mut BTreeMap<String, Ending>) {
+    for method in methods.iter().filter(|m| m.excitation == Excitation::Site) {
+        let largest = method.checks.iter().filter_map(|c| c.utilisation).reduce(f64::max);
+        if let Some(largest) = largest {
+            endings.insert(format!("{}.utilisation", method.id), Ending::Utilisation(kept(largest)));
+        }
+    }
+}
+
+fn status(status: VerdictStatus) -> &'static str {
+    match status {
+        VerdictStatus::Holds => "holds",
+        VerdictStatus::Fails => "fails",
+        VerdictStatus::Incomplete => "incomplete",
+        VerdictStatus::NotAssessed => "not_assessed",
+    }
+}
+
+fn motion(shaking: &Shaking, factor: f64) -> GroundMotion {
+    let scaled = |record: &Record| Record {
+        acceleration: record.acceleration.iter().map(|a| a * factor).collect(),
+        ..record.clone()
+    };
+    GroundMotion {
+        horizontal: scaled(&shaking.along),
+        transverse: shaking.across.as_ref().map(scaled),
+        vertical: shaking.up.as_ref().map(scaled),
+    }
+}
