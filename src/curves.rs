@@ -104,7 +104,10 @@ impl Asked {
                 Some(_) => CurveStatus::Fitted,
                 None => CurveStatus::NotIdentifiable,
             },
-            bounds: refusal.as_ref().map(|r| r.bounds).filter(|b| b.iter().any(Option::is_some)),
+            bounds: refusal
+                .as_ref()
+                .map(|r| r.bounds)
+                .filter(|b| b.iter().any(Option::is_some)),
             reason: refusal.map(|r| r.reason),
             negative_log_likelihood: fit.map(|f| f.negative_log_likelihood),
             scatter: None,
@@ -118,7 +121,9 @@ impl Asked {
     }
 
     fn scatter(&self, sample: impl Fn(&mut Draw) -> Result<Lognormal, NotIdentifiable>) -> Option<Scatter> {
-        (self.resamples > 0).then(|| bootstrap::scatter(self.resamples, self.seed, sample)).flatten()
+        (self.resamples > 0)
+            .then(|| bootstrap::scatter(self.resamples, self.seed, sample))
+            .flatten()
     }
 
     /// Curves of counts at intensities, state by state from mild to severe.
@@ -163,7 +168,12 @@ impl Asked {
             let n = data.len() + ended.map_or(0, |(_, censored)| censored);
             let found = fit(data);
             // The runs that never reached the state are runs too.
-            let runs: Vec<Option<f64>> = data.iter().copied().map(Some).chain(vec![None; n - data.len()]).collect();
+            let runs: Vec<Option<f64>> = data
+                .iter()
+                .copied()
+                .map(Some)
+                .chain(vec![None; n - data.len()])
+                .collect();
             let sample = |draw: &mut Draw| {
                 let drawn = bootstrap::resampled(&runs, draw);
                 let seen: Vec<f64> = drawn.iter().copied().flatten().collect();
@@ -173,7 +183,11 @@ impl Asked {
                 }
                 .map(|f| f.curve)
             };
-            let method = if ended.is_some() { "truncated_capacities" } else { "capacities" };
+            let method = if ended.is_some() {
+                "truncated_capacities"
+            } else {
+                "capacities"
+            };
             Curve {
                 scatter: found.as_ref().ok().and_then(|_| self.scatter(sample)),
                 ..self.curve(state, method, n, found)

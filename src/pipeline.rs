@@ -187,7 +187,9 @@ pub fn decide(job: &Job) -> Result<(Vec<Method>, Verdict), Error> {
 ///
 /// Errors: a procedure that does not converge, a result that is not finite.
 pub fn under(job: &Job, excitation: Excitation) -> Result<Vec<Method>, Error> {
-    let chosen = codes::ALL.iter().filter(|p| job.procedures.iter().any(|id| id == p.id()));
+    let chosen = codes::ALL
+        .iter()
+        .filter(|p| job.procedures.iter().any(|id| id == p.id()));
     let methods: Vec<Method> = chosen
         .map(|procedure| method(*procedure, job, excitation).map(|(method, _)| method))
         .collect::<Result<_, _>>()?;

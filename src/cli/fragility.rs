@@ -92,7 +92,9 @@ pub(crate) fn run(args: &Args, _: &Global) -> Result<u8, Error> {
         (Some(path), _, _) => asked.of_stripes(&input::stripes(path)?),
         (_, Some(path), _) => {
             if let Some(largest) = args.im_max.filter(|im| !(*im > 0.0 && im.is_finite())) {
-                return Err(Error::input(format!("error: --im-max: found {largest}, expected a number greater than 0")));
+                return Err(Error::input(format!(
+                    "error: --im-max: found {largest}, expected a number greater than 0"
+                )));
             }
             let data = input::capacities(path, args.im_max)?;
             if args.im_max.is_some() && data.len() > 1 {
@@ -133,7 +135,10 @@ fn document(curves: &[Curve]) -> Value {
 }
 
 fn components(curves: &[Curve]) -> Vec<Component> {
-    let states: Vec<_> = curves.iter().filter_map(|c| Some((c.damage_state.clone(), c.curve()?))).collect();
+    let states: Vec<_> = curves
+        .iter()
+        .filter_map(|c| Some((c.damage_state.clone(), c.curve()?)))
+        .collect();
     match states.is_empty() {
         true => Vec::new(),
         false => vec![Component {
@@ -147,7 +152,8 @@ fn components(curves: &[Curve]) -> Vec<Component> {
 fn limits(given: &[String]) -> Result<Vec<(String, f64)>, Error> {
     if given.is_empty() {
         return Err(Error::input(
-            "error: --cloud needs the limit of the demand\n  help: add --limit 1.0, or --limit DS1=1.0 --limit DS2=1.4".into(),
+            "error: --cloud needs the limit of the demand\n  help: add --limit 1.0, or --limit DS1=1.0 --limit DS2=1.4"
+                .into(),
         ));
     }
     let one = |text: &String| {
@@ -163,7 +169,16 @@ fn limits(given: &[String]) -> Result<Vec<(String, f64)>, Error> {
 }
 
 fn human(curves: &[Curve]) -> String {
-    let mut table = Table::new(["damage state", "median", "5 to 95 %", "dispersion", "5 to 95 %", "runs", "rate a year", "in 50 years"]);
+    let mut table = Table::new([
+        "damage state",
+        "median",
+        "5 to 95 %",
+        "dispersion",
+        "5 to 95 %",
+        "runs",
+        "rate a year",
+        "in 50 years",
+    ]);
     let shown = |v: Option<f64>| v.map_or("–".into(), |v| format!("{v:.6}"));
     for curve in curves {
         let band = |pick: fn(&::fragility::bootstrap::Scatter) -> ::fragility::bootstrap::Band| {

@@ -62,7 +62,13 @@ struct PlanArgs {
     #[arg(long = "for", value_name = "ENGINE", value_enum)]
     scheduler: Option<Scheduler>,
     /// Arguments for the scheduler, kept as they are.
-    #[arg(long, value_name = "ARGS", default_value = "", allow_hyphen_values = true, requires = "scheduler")]
+    #[arg(
+        long,
+        value_name = "ARGS",
+        default_value = "",
+        allow_hyphen_values = true,
+        requires = "scheduler"
+    )]
     scheduler_args: String,
 }
 
@@ -130,9 +136,17 @@ fn make(args: &PlanArgs, global: &Global) -> Result<u8, Error> {
     let _ = writeln!(said, "  tanks    {:>9}", plan.tanks.len());
     let _ = writeln!(said, "  samples  {:>9}", plan.samples);
     let _ = writeln!(said, "  records  {:>9}", plan.records.len());
-    let _ = writeln!(said, "  scales   {:>9}  of {}", plan.levels.len().max(plan.factors.len()), text::line(&plan.im));
+    let _ = writeln!(
+        said,
+        "  scales   {:>9}  of {}",
+        plan.levels.len().max(plan.factors.len()),
+        text::line(&plan.im)
+    );
     let _ = writeln!(said, "  rows     {:>9}", plan.rows);
-    let done = tasks.iter().filter(|t| store::state(&args.out, &t.key) == State::Done).count();
+    let done = tasks
+        .iter()
+        .filter(|t| store::state(&args.out, &t.key) == State::Done)
+        .count();
     let _ = writeln!(said, "  tasks    {:>9}  {done} of them have a result", plan.tasks);
     print(&said)?;
     if let Some(scheduler) = args.scheduler.filter(|_| !global.quiet) {
@@ -170,7 +184,13 @@ fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
             )),
         }
     };
-    let done = run::run(&args.folder, (&plan, &tasks), (which, args.retry, threads), study, &watch)?;
+    let done = run::run(
+        &args.folder,
+        (&plan, &tasks),
+        (which, args.retry, threads),
+        study,
+        &watch,
+    )?;
     watch.finish();
     if !global.quiet {
         say!(
@@ -255,7 +275,9 @@ fn status(args: &StatusArgs) -> Result<u8, Error> {
         Format::Json => print(&json(&found)?)?,
         Format::Human => print(&human(&plan, &found))?,
         Format::Csv => {
-            return Err(Error::input("error: --format: found csv, expected human or json".into()));
+            return Err(Error::input(
+                "error: --format: found csv, expected human or json".into(),
+            ));
         }
     }
     Ok(EXIT_OK)
@@ -274,7 +296,11 @@ fn human(plan: &Plan, found: &Status) -> String {
         let _ = writeln!(said, "  {name:<9}{count:>9}  {remark}");
     };
     row("tasks", found.tasks, "");
-    row("done", found.done, &format!("{} of {} rows", found.rows_done, found.rows));
+    row(
+        "done",
+        found.done,
+        &format!("{} of {} rows", found.rows_done, found.rows),
+    );
     row("missing", found.missing, "");
     if found.torn > 0 {
         row("cut off", found.torn, "not whole; `study run` computes them again");
@@ -284,7 +310,12 @@ fn human(plan: &Plan, found: &Status) -> String {
     }
     for failure in found.failures.iter().take(10) {
         let message = text::line(&failure.message);
-        let _ = writeln!(said, "  task {} on {}: {message}", failure.task, text::line(&failure.host));
+        let _ = writeln!(
+            said,
+            "  task {} on {}: {message}",
+            failure.task,
+            text::line(&failure.host)
+        );
     }
     said
 }
@@ -302,7 +333,11 @@ fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
         }
     }
     if found.missing > 0 {
-        let _ = writeln!(said, "  {} tasks have no result: every probability is a part of the whole", found.missing);
+        let _ = writeln!(
+            said,
+            "  {} tasks have no result: every probability is a part of the whole",
+            found.missing
+        );
     }
     let _ = writeln!(said, "  sha256    {}", found.sha256);
     print(&said)?;

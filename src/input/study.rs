@@ -130,7 +130,11 @@ fn parse(source: &Source, folder: &Path, faults: &mut Faults, broken: &mut Vec<E
     let hazard = file.hazard.given.as_ref().and_then(|field| {
         let path = folder.join(r.text(field)?);
         if !path.is_file() {
-            r.faults.push(range_fault(field, "no such file", "a CSV file with the columns im and rate"));
+            r.faults.push(range_fault(
+                field,
+                "no such file",
+                "a CSV file with the columns im and rate",
+            ));
         }
         Some(path)
     });
@@ -187,7 +191,8 @@ fn matching(r: &mut Resolver<'_>, field: &Field<String>, folder: &Path) -> Vec<P
     let path = folder.join(&text);
     if !text.contains(['*', '?', '[']) {
         if !path.is_file() {
-            r.faults.push(range_fault(field, "no such file", "a file relative to the study file"));
+            r.faults
+                .push(range_fault(field, "no such file", "a file relative to the study file"));
             return Vec::new();
         }
         return vec![path];
@@ -198,12 +203,17 @@ fn matching(r: &mut Resolver<'_>, field: &Field<String>, folder: &Path) -> Vec<P
             let mut files: Vec<PathBuf> = found.flatten().filter(|path| path.is_file()).collect();
             files.sort();
             if files.is_empty() {
-                r.faults.push(range_fault(field, "no file matches", "a pattern that matches files"));
+                r.faults
+                    .push(range_fault(field, "no file matches", "a pattern that matches files"));
             }
             files
         }
         Err(error) => {
-            r.faults.push(range_fault(field, &format!("a faulty pattern: {error}"), "a pattern with * and ?"));
+            r.faults.push(range_fault(
+                field,
+                &format!("a faulty pattern: {error}"),
+                "a pattern with * and ?",
+            ));
             Vec::new()
         }
     }

@@ -75,7 +75,12 @@ fn of_farm(plan: &Plan, gathered: &Gathered, volumes: &BTreeMap<String, f64>) ->
     let levels: BTreeSet<u64> = gathered.losses.keys().map(|(_, _, im)| *im).collect();
     let mut found = Vec::new();
     for level in levels {
-        let quakes: Vec<_> = gathered.losses.iter().filter(|((_, _, im), _)| *im == level).map(|(_, lost)| lost).collect();
+        let quakes: Vec<_> = gathered
+            .losses
+            .iter()
+            .filter(|((_, _, im), _)| *im == level)
+            .map(|(_, lost)| lost)
+            .collect();
         let whole: Vec<_> = quakes.iter().filter(|lost| lost.judged == ids.len()).collect();
         let rows: Vec<Vec<bool>> = ids
             .iter()

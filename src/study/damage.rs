@@ -67,13 +67,23 @@ pub fn default_set() -> Vec<DamageState> {
         limit("DS1", "anchorage", 1.0, code),
         limit("DS2", "freeboard", 1.4, recalled),
         limit("DS2", "sliding", 1.0, code),
-        limit("DS2", "uplift_tension", 1.0, "EN 1998-4:2006 A.9: plastic rotation 0.20 rad"),
+        limit(
+            "DS2",
+            "uplift_tension",
+            1.0,
+            "EN 1998-4:2006 A.9: plastic rotation 0.20 rad",
+        ),
         limit("DS2", "wall_strength", 1.0, code),
         limit("DS3", "buckling_elastic", 1.0, code),
         limit("DS3", "buckling_elastic_plastic", 1.0, code),
         limit("DS3", "shell_compression", 1.0, code),
         limit("DS3", "hoop_yield", 1.0, code),
-        limit("DS3", "uplift_tension", 2.0, "plastic rotation 0.40 rad; after Bakalis et al. 2017; confirm it against the paper"),
+        limit(
+            "DS3",
+            "uplift_tension",
+            2.0,
+            "plastic rotation 0.40 rad; after Bakalis et al. 2017; confirm it against the paper",
+        ),
         limit("DS3", COLLAPSE, 1.0, "no equilibrium"),
     ])
 }
@@ -223,8 +233,14 @@ mod tests {
         let states = default_set();
         let mut gathered = Gathered::default();
         let use_of = Ending::Utilisation;
-        gathered.add(&row(1.0, &[("freeboard", use_of(0.2)), ("buckling_elastic", use_of(1.3))]), &states);
-        gathered.add(&row(1.0, &[("freeboard", use_of(1.2)), ("buckling_elastic", use_of(0.3))]), &states);
+        gathered.add(
+            &row(1.0, &[("freeboard", use_of(0.2)), ("buckling_elastic", use_of(1.3))]),
+            &states,
+        );
+        gathered.add(
+            &row(1.0, &[("freeboard", use_of(1.2)), ("buckling_elastic", use_of(0.3))]),
+            &states,
+        );
         let collapsed = Row {
             status: RowStatus::Collapsed,
             ..row(1.0, &[])
@@ -240,7 +256,10 @@ mod tests {
         let states = default_set();
         let mut gathered = Gathered::default();
         let open = Ending::Word("not_checked".into());
-        gathered.add(&row(1.0, &[("buckling_elastic", open.clone()), ("freeboard", open)]), &states);
+        gathered.add(
+            &row(1.0, &[("buckling_elastic", open.clone()), ("freeboard", open)]),
+            &states,
+        );
         let data = &gathered.curves[&("a".to_owned(), 2)];
         assert!(data.counts.is_empty());
         assert_eq!(data.unjudged, 1);

@@ -44,7 +44,13 @@ pub struct Merged {
 /// * `partial`: whether missing tasks are admitted
 ///
 /// Errors: missing tasks, unless they are admitted; results that this program did not write; files that cannot be written.
-pub fn merge(folder: &Path, plan: &Plan, tasks: &[Task], partial: bool, progress: &dyn Progress) -> Result<Merged, Error> {
+pub fn merge(
+    folder: &Path,
+    plan: &Plan,
+    tasks: &[Task],
+    partial: bool,
+    progress: &dyn Progress,
+) -> Result<Merged, Error> {
     progress.stage("reading results", tasks.len() as u64);
     let mut values: BTreeSet<String> = BTreeSet::new();
     let mut checks: BTreeSet<String> = BTreeSet::new();
@@ -123,7 +129,10 @@ pub fn merge(folder: &Path, plan: &Plan, tasks: &[Task], partial: bool, progress
     drop(file);
     std::fs::rename(&part, &path).map_err(unwritten)?;
     merged.sha256 = hash.hex();
-    write_whole(&folder.join("rows.sha256"), format!("{}  rows.csv\n", merged.sha256).as_bytes())?;
+    write_whole(
+        &folder.join("rows.sha256"),
+        format!("{}  rows.csv\n", merged.sha256).as_bytes(),
+    )?;
     write_whole(&folder.join("tanks.csv"), tanks.as_bytes())?;
     write_whole(&folder.join("farm.csv"), farm(&gathered, &volumes).as_bytes())?;
     let fragility = super::curves::fragility(plan, &gathered, &volumes, missing.len());
@@ -143,14 +152,19 @@ fn add<'a>(set: &mut BTreeSet<String>, keys: impl Iterator<Item = &'a String>) {
 
 fn refusal(folder: &Path, tasks: usize, missing: &[&Task]) -> String {
     let mut text = format!("error: {} of {tasks} tasks have no result", missing.len());
-    let failed: Vec<_> = missing.iter().filter_map(|task| store::failure(folder, &task.key)).collect();
+    let failed: Vec<_> = missing
+        .iter()
+        .filter_map(|task| store::failure(folder, &task.key))
+        .collect();
     for failure in failed.iter().take(5) {
         let _ = write!(text, "\n  task {}: {}", failure.task, failure.message);
     }
     if failed.len() > 5 {
         let _ = write!(text, "\n  and {} more failed tasks", failed.len() - 5);
     }
-    text.push_str("\n  help: `tankcheck study run` computes what is missing; `--partial` merges what there is, with bounds");
+    text.push_str(
+        "\n  help: `tankcheck study run` computes what is missing; `--partial` merges what there is, with bounds",
+    );
     text
 }
 
@@ -159,7 +173,12 @@ fn column(key: &str) -> String {
     let quantity = key.rsplit_once('.').and_then(|(_, id)| Quantity::from_id(id));
     match quantity {
         Some(quantity) => {
-            let unit: String = quantity.dimension().si_symbol().chars().filter(char::is_ascii_alphanumeric).collect();
+            let unit: String = quantity
+                .dimension()
+                .si_symbol()
+                .chars()
+                .filter(char::is_ascii_alphanumeric)
+                .collect();
             format!("{key}_{unit}")
         }
         None => key.to_owned(),

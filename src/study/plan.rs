@@ -314,13 +314,16 @@ pub fn read(folder: &Path) -> Result<(Plan, Vec<Task>), Error> {
         let path = folder.join(name);
         std::fs::read_to_string(&path).map_err(|e| {
             let what = match e.kind() {
-                std::io::ErrorKind::NotFound => "no plan here; `tankcheck study plan STUDY --out FOLDER` makes one".into(),
+                std::io::ErrorKind::NotFound => {
+                    "no plan here; `tankcheck study plan STUDY --out FOLDER` makes one".into()
+                }
                 _ => describe(&e),
             };
             fault(path, what)
         })
     };
-    let broken = |name: &str, e: serde_json::Error| fault(folder.join(name), format!("not a plan of this program: {e}"));
+    let broken =
+        |name: &str, e: serde_json::Error| fault(folder.join(name), format!("not a plan of this program: {e}"));
     let plan: Plan = serde_json::from_str(&load(PLAN)?).map_err(|e| broken(PLAN, e))?;
     if plan.format != FORMAT {
         return Err(fault(

@@ -66,7 +66,12 @@ fn publish(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let thread = format!("{:?}", std::thread::current().id());
     let digits: String = thread.chars().filter(char::is_ascii_digit).collect();
-    let part = folder.join(format!("{name}.{}.{}.{digits}{}", host(), std::process::id(), files::PART));
+    let part = folder.join(format!(
+        "{name}.{}.{}.{digits}{}",
+        host(),
+        std::process::id(),
+        files::PART
+    ));
     let write = || -> std::io::Result<()> {
         fs::create_dir_all(folder)?;
         let mut file = File::create(&part)?;
@@ -84,7 +89,11 @@ fn publish(path: &Path, bytes: &[u8]) -> Result<(), Error> {
 /// Name of this machine, for names of files and messages alone.
 fn host() -> String {
     let name = fs::read_to_string("/proc/sys/kernel/hostname").unwrap_or_default();
-    let plain: String = name.trim().chars().filter(|c| c.is_ascii_alphanumeric() || *c == '-').collect();
+    let plain: String = name
+        .trim()
+        .chars()
+        .filter(|c| c.is_ascii_alphanumeric() || *c == '-')
+        .collect();
     match plain.is_empty() {
         true => "host".into(),
         false => plain,

@@ -8,15 +8,15 @@ use std::collections::BTreeMap;
 
 use fem::progress::Silent;
 use oscillator::record::Record;
+use tank::Quantity;
 use tank::assessment::{CheckStatus, Excitation};
 use tank::case::GroundMotion;
 use tank::check::Decision;
 use tank::demand::Demands;
-use tank::Quantity;
 
+use super::key;
 use super::plan::{Plan, Task, changed, of_sample};
 use super::rows::{Ending, Line, Row, RowStatus, TankRow, kept};
-use super::key;
 use crate::error::Error;
 use crate::input::TankFile;
 use crate::input::records::plausible;
@@ -64,7 +64,10 @@ pub(super) fn compute(study: &StudyInput, plan: &Plan, task: &Task) -> Result<Ve
         .map(|number| Ok((number, study.records[number].read()?)))
         .collect::<Result<_, files::error::Error>>()?;
     let tank_keys = tanks.iter().map(|(&unit, tank)| (unit, of_sample(tank))).collect();
-    let record_keys = records.iter().map(|(&number, shaking)| (number, key::of_shaking(shaking))).collect();
+    let record_keys = records
+        .iter()
+        .map(|(&number, shaking)| (number, key::of_shaking(shaking)))
+        .collect();
     if let Some(what) = changed(plan, &tank_keys, &record_keys) {
         return Err(Error::input(format!(
             "error: {what} changed since the plan\n  help: plan again with `tankcheck study plan`; results whose input is unchanged are kept"
@@ -224,7 +227,13 @@ impl Unit<'_> {
         })
     }
 
-    fn tank_row(&self, job: &Job, periods: [Option<f64>; 2], methods: &[Method], verdict: &results::Verdict) -> TankRow {
+    fn tank_row(
+        &self,
+        job: &Job,
+        periods: [Option<f64>; 2],
+        methods: &[Method],
+        verdict: &results::Verdict,
+    ) -> TankRow {
         let mut values = BTreeMap::new();
         values_of(methods, Excitation::Site, &mut values);
         let governing = verdict.governing.as_ref();
@@ -254,15 +263,19 @@ impl Unit<'_> {
         lines: &mut Vec<Line>,
     ) -> Result<(), Error> {
         let scales = &self.study.scales;
-        let intensity = scales.axis.intensity(periods).ok_or_else(|| {
-            Error::input(format!("error: the tank has no period for the measure {}", scales.name))
-        })?;
+        let intensity = scales
+            .axis
+            .intensity(periods)
+            .ok_or_else(|| Error::input(format!("error: the tank has no period for the measure {}", scales.name)))?;
         let measure = match &shaking.across {
             None => intensity.of(&shaking.along),
             Some(across) => (intensity.of(&shaking.along) * intensity.of(across)).sqrt(),
         };
         if !(measure > 0.0 && measure.is_finite()) {
-            return Err(Error::input(format!("error: {} of the record is {measure}", scales.name)));
+            return Err(Error::input(format!(
+                "error: {} of the record is {measure}",
+                scales.name
+            )));
         }
         let measures = shaking.along.measures();
         let all: Vec<Scaled> = match scales.levels.is_empty() {

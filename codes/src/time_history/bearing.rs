@@ -46,11 +46,15 @@ pub(super) fn assess(work: &mut Work<'_>) {
     let mass = case.liquid_mass() + case.tank.wall_mass() + case.tank.roof.mass;
     let normal = |k: usize| mass * (case.gravity + upwards(k));
     let pressure = |k: usize, more: f64| largest_pressure(case.tank.shape, normal(k), moment[k].abs() * (1.0 + more));
-    // Of several instants whose resultant leaves the base, that with the largest moment.
+    // Under a constant weight the pressure grows with the moment. Of several instants whose resultant leaves the base, that with the
+    // largest moment.
+    let pressures: Option<Vec<f64>> = vertical
+        .as_ref()
+        .map(|_| (0..moment.len()).map(|k| pressure(k, 0.0)).collect());
     let worse = |&i: &usize, &j: &usize| {
-        let by_moment = || moment[i].abs().total_cmp(&moment[j].abs());
-        let by_pressure = pressure(i, 0.0).total_cmp(&pressure(j, 0.0));
-        by_pressure.then_with(by_moment).then(j.cmp(&i))
+        let by_moment = moment[i].abs().total_cmp(&moment[j].abs());
+        let by_pressure = pressures.as_ref().map_or(by_moment, |p| p[i].total_cmp(&p[j]));
+        by_pressure.then(by_moment).then(j.cmp(&i))
     };
     let Some(k) = (0..moment.len()).max_by(worse) else {
         return;

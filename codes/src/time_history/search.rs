@@ -178,6 +178,53 @@ fn scale(values: &mut [f64], factor: f64) {
     }
 }
 
+/// Lower bounds of a capacity that depends monotonously on the pressure: the smaller value at the ends of each of some parts of its range.
+struct Floors {
+    low: f64,
+    /// Parts for each pascal; 0 for a single pressure.
+    per_pascal: f64,
+    parts: [f64; PARTS],
+    lowest: f64,
+}
+
+/// Parts of the range of the pressure: few enough to fill for every place, many enough that a bound is within some per cent.
+const PARTS: usize = 48;
+
+impl Floors {
+    fn new((low, high): (f64, f64), capacity: impl Fn(f64) -> f64) -> Floors {
+        let width = high - low;
+        let lowest = capacity(low).min(capacity(high));
+        if !(width > 0.0 && width.is_finite()) {
+            return Floors {
+                low,
+                per_pascal: 0.0,
+                parts: [lowest; PARTS],
+                lowest,
+            };
+        }
+        let mut before = capacity(low);
+        let parts = std::array::from_fn(|i| {
+            let after = capacity(low + width * (i + 1) as f64 / PARTS as f64);
+            let floor = before.min(after);
+            before = after;
+            floor
+        });
+        Floors {
+            low,
+            per_pascal: PARTS as f64 / width,
+            parts,
+            lowest,
+        }
+    }
+
+    /// At a pressure; next to an edge, where rounding decides, the smaller of both parts.
+    fn at(&self, pressure: f64) -> f64 {
+        let place = (pressure - self.low) * self.per_pascal;
+        let part = |place: f64| self.parts[(place.max(0.0) as usize).min(PARTS - 1)];
+        part(place - 1e-9).min(part(place + 1e-9))
+    }
+}
+
 impl Histories {
     /// The same forces in a corroded wall: membrane stresses grow with the thickness that is lost, bending with its square.
     ///
@@ -355,8 +402,8 @@ impl Histories {
     /// Axial compression against a capacity that depends on the interior pressure of the same instant and place, monotonously: at no
     /// pressure of the range is it below both ends.
     pub(super) fn compression(&self, capacity: impl Fn(f64) -> f64) -> Option<Found> {
-        let (low, high) = self.pressure.as_ref().map_or((0.0, 0.0), Field::range);
-        let floor = capacity(low).min(capacity(high));
+        let floors = Floors::new(self.pressure.as_ref().map_or((0.0, 0.0), Field::range), &capacity);
+        let floor = floors.lowest;
         let compression = |k: usize, at: Direction| -self.axial.at(k, at);
         let bound = |k: usize| {
             let [one, other] = self.axial.ends(k).map(|at| compression(k, at));
@@ -378,19 +425,15 @@ impl Histories {
             let own = self.axial.transverse.as_ref().map(|_| self.axial.ends(k));
             self.directions.iter().copied().chain(own.into_iter().flatten())
         };
-        // Capacity is dear: it is asked for where the smallest one, of the run and then of the instant, leaves more than has been found.
-        let smallest = |k: usize| {
-            let ends = self.pressure.as_ref().map(|p| p.ends(k).map(|at| p.at(k, at)));
-            ends.map_or(floor, |[one, other]| capacity(one).min(capacity(other)))
-        };
+        // Capacity is dear: it is asked for where its lower bound, of the run and then of the pressure, leaves more than has been found.
         let first = (0..self.len()).max_by(|&i, &j| bound(i).total_cmp(&bound(j)).then(j.cmp(&i)))?;
         let mut best = at(first, places(first).next()?);
         for k in std::iter::once(first).chain(0..self.len()) {
             if bound(k) <= best.utilisation && k != first {
                 continue;
             }
-            let floor = smallest(k);
             for direction in places(k) {
+                let floor = floors.at(self.pressure_at(k, direction));
                 if ratio(compression(k, direction), floor) > best.utilisation {
                     let found = at(k, direction);
                     if found.utilisation > best.utilisation {

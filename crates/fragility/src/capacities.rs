@@ -121,7 +121,10 @@ mod tests {
     /// Without censored runs the maximum is known in closed form: the mean of the logarithms and their deviation with n.
     #[test]
     fn nothing_censored_is_the_closed_form() {
-        let (free, whole) = (fit_truncated(&CAPACITIES, 2.0, 0).unwrap().curve, fit(&CAPACITIES).unwrap().curve);
+        let (free, whole) = (
+            fit_truncated(&CAPACITIES, 2.0, 0).unwrap().curve,
+            fit(&CAPACITIES).unwrap().curve,
+        );
         assert!((free.median / whole.median - 1.0).abs() < 1e-10);
         assert!((free.dispersion / whole.dispersion - (9.0_f64 / 10.0).sqrt()).abs() < 1e-10);
     }

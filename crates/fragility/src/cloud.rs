@@ -113,7 +113,9 @@ impl Cloud {
     /// Errors: a regression without scatter, of which β would be 0.
     pub fn curve(&self, limit: f64) -> Result<Lognormal, NotIdentifiable> {
         if self.deviation <= 0.0 {
-            return Err(NotIdentifiable::because("the demands lie on a line: the dispersion is not identified"));
+            return Err(NotIdentifiable::because(
+                "the demands lie on a line: the dispersion is not identified",
+            ));
         }
         Ok(Lognormal {
             median: ((limit.ln() - self.intercept) / self.slope).exp(),

@@ -10,7 +10,9 @@ use crate::{Lognormal, NotIdentifiable};
 pub fn crossing(a: &Lognormal, b: &Lognormal) -> Option<f64> {
     let slope = 1.0 / a.dispersion - 1.0 / b.dispersion;
     let level = a.median.ln() / a.dispersion - b.median.ln() / b.dispersion;
-    (slope.abs() > 1e-12).then(|| (level / slope).exp()).filter(|im| im.is_finite() && *im > 0.0)
+    (slope.abs() > 1e-12)
+        .then(|| (level / slope).exp())
+        .filter(|im| im.is_finite() && *im > 0.0)
 }
 
 /// Whether any curves, from mild to severe, cross between two intensities, or are out of order there.
@@ -32,14 +34,21 @@ pub fn fit(states: &[Vec<Stripe>]) -> Result<Vec<Lognormal>, NotIdentifiable> {
         .iter()
         .map(|s| stripes::fit(s).map(|f| f.curve.dispersion))
         .collect::<Result<_, _>>()?;
-    let (Some(low), Some(high)) = (free.iter().copied().reduce(f64::min), free.iter().copied().reduce(f64::max)) else {
+    let (Some(low), Some(high)) = (
+        free.iter().copied().reduce(f64::min),
+        free.iter().copied().reduce(f64::max),
+    ) else {
         return Err(NotIdentifiable::because("there are no curves"));
     };
     // The best common dispersion lies between the free ones; each median is best for itself.
     let medians = |beta: f64| -> Vec<Lognormal> { states.iter().map(|s| median(s, beta)).collect() };
     let cost = |beta: f64| -> f64 {
         let curves = medians(beta);
-        states.iter().zip(&curves).map(|(s, c)| stripes::negative_log_likelihood(s, c)).sum()
+        states
+            .iter()
+            .zip(&curves)
+            .map(|(s, c)| stripes::negative_log_likelihood(s, c))
+            .sum()
     };
     let beta = least(low.ln(), high.ln(), |log| cost(log.exp())).exp();
     Ok(medians(beta))
@@ -54,7 +63,9 @@ fn median(state: &[Stripe], dispersion: f64) -> Lognormal {
         dispersion,
     };
     let margin = 6.0 * dispersion;
-    let best = least(low.ln() - margin, high.ln() + margin, |log| stripes::negative_log_likelihood(state, &curve(log)));
+    let best = least(low.ln() - margin, high.ln() + margin, |log| {
+        stripes::negative_log_likelihood(state, &curve(log))
+    });
     curve(best)
 }
 

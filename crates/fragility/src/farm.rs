@@ -32,10 +32,18 @@ pub fn losses(lost: &[Vec<bool>], volumes: &[f64]) -> Option<Losses> {
         return None;
     }
     let count = |quake: usize| lost.iter().filter(|row| row[quake]).count();
-    let volume = |quake: usize| -> f64 { lost.iter().zip(volumes).filter(|(row, _)| row[quake]).map(|(_, v)| v).sum() };
+    let volume = |quake: usize| -> f64 {
+        lost.iter()
+            .zip(volumes)
+            .filter(|(row, _)| row[quake])
+            .map(|(_, v)| v)
+            .sum()
+    };
     let counts: Vec<usize> = (0..n).map(count).collect();
     let at_least = (1..=lost.len()).map(|k| counts.iter().filter(|c| **c >= k).count() as f64 / n as f64);
-    let shares = lost.iter().map(|row| row.iter().filter(|l| **l).count() as f64 / n as f64);
+    let shares = lost
+        .iter()
+        .map(|row| row.iter().filter(|l| **l).count() as f64 / n as f64);
     let volumes: Vec<f64> = (0..n).map(volume).collect();
     Some(Losses {
         n,

@@ -16,7 +16,10 @@ pub(crate) fn maximum(start: [f64; 2], function: impl Fn([f64; 2]) -> Local) -> 
         if !(determinant > 0.0 && value.is_finite()) {
             return None;
         }
-        let step = [-(d * g[0] - b * g[1]) / determinant, -(a * g[1] - b * g[0]) / determinant];
+        let step = [
+            -(d * g[0] - b * g[1]) / determinant,
+            -(a * g[1] - b * g[0]) / determinant,
+        ];
         let mut share = 1.0;
         let next = loop {
             let place = [at[0] + share * step[0], at[1] + share * step[1]];

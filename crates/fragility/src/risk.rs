@@ -121,17 +121,35 @@ mod tests {
             rate(x.exp()) * density(x)
         };
         let sum: f64 = (0..=n)
-            .map(|i| at(i) * if i == 0 || i == n { 1.0 } else if i % 2 == 1 { 4.0 } else { 2.0 })
+            .map(|i| {
+                at(i)
+                    * if i == 0 || i == n {
+                        1.0
+                    } else if i % 2 == 1 {
+                        4.0
+                    } else {
+                        2.0
+                    }
+            })
             .sum();
         let exact = sum * h / 3.0;
         let found = risk(&CURVE, &hazard).unwrap();
-        assert!((found.annual_rate / exact - 1.0).abs() < 1e-6, "{} {exact}", found.annual_rate);
+        assert!(
+            (found.annual_rate / exact - 1.0).abs() < 1e-6,
+            "{} {exact}",
+            found.annual_rate
+        );
         assert!(found.share_beyond_last > 0.0 && found.share_below_first > 0.0);
     }
 
     #[test]
     fn other_forms_are_refused() {
-        for wrong in [&[[0.1, 1e-2]][..], &[[0.1, 1e-2], [0.2, 2e-2]], &[[0.2, 1e-2], [0.1, 1e-3]], &[[0.1, 0.1], [0.2, 0.0]]] {
+        for wrong in [
+            &[[0.1, 1e-2]][..],
+            &[[0.1, 1e-2], [0.2, 2e-2]],
+            &[[0.2, 1e-2], [0.1, 1e-3]],
+            &[[0.1, 0.1], [0.2, 0.0]],
+        ] {
             assert_eq!(risk(&CURVE, wrong), None);
         }
     }

@@ -64,8 +64,12 @@ pub fn refusal(stripes: &[Stripe]) -> Option<NotIdentifiable> {
     };
     if last <= first {
         let reason = match last < first {
-            true => "an intensity separates the runs that reached the state from those that did not: the dispersion is not identified",
-            false => "runs that reached the state and others share one intensity alone: the dispersion is not identified",
+            true => {
+                "an intensity separates the runs that reached the state from those that did not: the dispersion is not identified"
+            }
+            false => {
+                "runs that reached the state and others share one intensity alone: the dispersion is not identified"
+            }
         };
         return Some(NotIdentifiable {
             reason: reason.into(),
@@ -107,7 +111,9 @@ pub fn fit(stripes: &[Stripe]) -> Result<Fit, NotIdentifiable> {
     let found = newton::maximum([0.0, 1.0], likelihood)
         .ok_or_else(|| NotIdentifiable::because("the likelihood has no maximum that was found"))?;
     if found[1] <= 0.0 {
-        return Err(NotIdentifiable::because("damage does not become more frequent with intensity"));
+        return Err(NotIdentifiable::because(
+            "damage does not become more frequent with intensity",
+        ));
     }
     let curve = Lognormal {
         median: (centre - found[0] / found[1]).exp(),
@@ -131,7 +137,10 @@ mod tests {
     fn example() -> Vec<Stripe> {
         let im = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0];
         let exceed = [0.0, 1.0, 5.0, 11.0, 18.0, 24.0, 33.0, 38.0];
-        im.iter().zip(exceed).map(|(&im, exceed)| Stripe { im, n: 40.0, exceed }).collect()
+        im.iter()
+            .zip(exceed)
+            .map(|(&im, exceed)| Stripe { im, n: 40.0, exceed })
+            .collect()
     }
 
     /// Values of two optimisers outside this program: 0.519144, 0.454259, 124.572; the digits are those given.
@@ -161,7 +170,13 @@ mod tests {
 
     #[test]
     fn another_unit_scales_the_median_alone() {
-        let scaled: Vec<Stripe> = example().iter().map(|s| Stripe { im: 9.80665 * s.im, ..*s }).collect();
+        let scaled: Vec<Stripe> = example()
+            .iter()
+            .map(|s| Stripe {
+                im: 9.80665 * s.im,
+                ..*s
+            })
+            .collect();
         let (a, b) = (fit(&example()).unwrap().curve, fit(&scaled).unwrap().curve);
         assert!((b.median / a.median / 9.80665 - 1.0).abs() < 1e-12);
         assert!((b.dispersion / a.dispersion - 1.0).abs() < 1e-12);
@@ -177,7 +192,15 @@ mod tests {
         assert!(all.reason.contains("every run") && all.bounds == [None, Some(0.1)]);
         let parted = reason(&[(0.1, 5.0, 0.0), (0.2, 5.0, 0.0), (0.3, 5.0, 5.0)]);
         assert!(parted.reason.contains("separates") && parted.bounds == [Some(0.2), Some(0.3)]);
-        assert!(reason(&[(0.1, 5.0, 0.0), (0.2, 5.0, 2.0), (0.3, 5.0, 5.0)]).reason.contains("share one"));
-        assert!(reason(&[(0.1, 10.0, 8.0), (0.5, 10.0, 2.0)]).reason.contains("more frequent"));
+        assert!(
+            reason(&[(0.1, 5.0, 0.0), (0.2, 5.0, 2.0), (0.3, 5.0, 5.0)])
+                .reason
+                .contains("share one")
+        );
+        assert!(
+            reason(&[(0.1, 10.0, 8.0), (0.5, 10.0, 2.0)])
+                .reason
+                .contains("more frequent")
+        );
     }
 }

@@ -140,7 +140,8 @@ fn others(r: &mut Resolver<'_>, field: &Field<String>, path: &Path, parts: Optio
         let other = path.with_file_name(name.replacen(&parts.along, part.as_ref()?, 1));
         if !other.is_file() {
             let message = format!("{name} has no other component {}", other.display());
-            r.faults.push(range_fault(field, &message, "a file for every component"));
+            r.faults
+                .push(range_fault(field, &message, "a file for every component"));
         }
         Some(other)
     };

@@ -48,7 +48,9 @@ impl Sampling {
         let value = |(dimension, parameter): (usize, &Sampled)| {
             let u = sobol_burley::sample(sample, dimension as u32, self.seed);
             // In the middle of the cell of a single-precision number: neither 0 nor 1.
-            let x = parameter.distribution.quantile(f64::from(u) + f64::from(f32::EPSILON) / 4.0);
+            let x = parameter
+                .distribution
+                .quantile(f64::from(u) + f64::from(f32::EPSILON) / 4.0);
             let text = format!("{x:.9e} {}", parameter.unit);
             (parameter.path.clone(), text.trim_end().to_owned())
         };
@@ -81,7 +83,11 @@ pub(super) fn sampling(r: &mut Resolver<'_>, option: &Opt<keys::Sample>) -> Opti
             parameters.extend(sampled(r, item, parameter));
         }
     }
-    Some(Some(Sampling { n: n?, seed, parameters }))
+    Some(Some(Sampling {
+        n: n?,
+        seed,
+        parameters,
+    }))
 }
 
 fn sampled(r: &mut Resolver<'_>, item: &Field<keys::Parameter>, given: &keys::Parameter) -> Option<Sampled> {
@@ -104,12 +110,20 @@ fn sampled(r: &mut Resolver<'_>, item: &Field<keys::Parameter>, given: &keys::Pa
         (None, None, Some(lognormal)) => {
             let (median, unit) = measured(r, &lognormal.median)?;
             if median <= 0.0 {
-                r.faults.push(range_fault(&lognormal.median, "a median of 0 or less", "a median greater than 0"));
+                r.faults.push(range_fault(
+                    &lognormal.median,
+                    "a median of 0 or less",
+                    "a median greater than 0",
+                ));
             }
             (Distribution::Lognormal([median, r.number(&lognormal.beta)]), unit)
         }
         _ => {
-            let fault = range_fault(item, "a parameter needs one distribution", "one of uniform, normal, lognormal");
+            let fault = range_fault(
+                item,
+                "a parameter needs one distribution",
+                "one of uniform, normal, lognormal",
+            );
             r.faults.push(fault.found("{ … }"));
             return None;
         }
@@ -129,8 +143,11 @@ fn measured(r: &mut Resolver<'_>, field: &Field<String>) -> Option<(f64, String)
         .char_indices()
         .take_while(|(i, c)| {
             let after_exponent = text[..*i].ends_with(['e', 'E']);
-            c.is_ascii_digit() || *c == '.' || (matches!(c, '+' | '-') && (*i == 0 || after_exponent))
-                || (matches!(c, 'e' | 'E') && text[i + 1..].starts_with(|n: char| n.is_ascii_digit() || n == '-' || n == '+'))
+            c.is_ascii_digit()
+                || *c == '.'
+                || (matches!(c, '+' | '-') && (*i == 0 || after_exponent))
+                || (matches!(c, 'e' | 'E')
+                    && text[i + 1..].starts_with(|n: char| n.is_ascii_digit() || n == '-' || n == '+'))
         })
         .map(|(i, c)| i + c.len_utf8())
         .last()
@@ -138,7 +155,11 @@ fn measured(r: &mut Resolver<'_>, field: &Field<String>) -> Option<(f64, String)
     match text[..end].parse::<f64>() {
         Ok(number) if number.is_finite() => Some((number, text[end..].trim().to_owned())),
         _ => {
-            r.faults.push(range_fault(field, "not a number with its unit", "a value such as \"8 m\""));
+            r.faults.push(range_fault(
+                field,
+                "not a number with its unit",
+                "a value such as \"8 m\"",
+            ));
             None
         }
     }
@@ -159,7 +180,11 @@ mod tests {
             seed: 7,
             parameters: vec![
                 parameter("liquid.fill_height", Distribution::Uniform([8.0, 14.0]), "m"),
-                parameter("materials.a.yield_strength", Distribution::Lognormal([250.0, 0.07]), "MPa"),
+                parameter(
+                    "materials.a.yield_strength",
+                    Distribution::Lognormal([250.0, 0.07]),
+                    "MPa",
+                ),
             ],
         }
     }

@@ -122,7 +122,11 @@ impl Axis {
         let period = match period.trim() {
             "Ti" => Period::Impulsive,
             "Tc" => Period::Sloshing,
-            given => Period::Given(units::parse(given, Dimension::Time).ok().filter(|t| *t > 0.0 && *t <= 100.0)?),
+            given => Period::Given(
+                units::parse(given, Dimension::Time)
+                    .ok()
+                    .filter(|t| *t > 0.0 && *t <= 100.0)?,
+            ),
         };
         (0.0..1.0).contains(&damping).then_some(Axis::Spectral {
             period,
@@ -140,7 +144,8 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
         name = r.text(field)?;
         let Some(found) = Axis::parse(&name) else {
             let allowed = "PGA, PGV, PGD, Sa(T), Sa(T, xi), AvgSa(T) or AvgSa(T, xi), with T such as 0.3 s, Ti or Tc";
-            r.faults.push(range_fault(field, "an unknown intensity measure", allowed));
+            r.faults
+                .push(range_fault(field, "an unknown intensity measure", allowed));
             return None;
         };
         axis = found;
@@ -148,7 +153,11 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
     let (mut levels, mut factors) = (Vec::new(), Vec::new());
     match (&given.levels.given, &given.factors.given) {
         (Some(levels), Some(_)) => {
-            r.faults.push(range_fault(levels, "levels and factors exclude each other", "one of them"));
+            r.faults.push(range_fault(
+                levels,
+                "levels and factors exclude each other",
+                "one of them",
+            ));
             return None;
         }
         (Some(field), None) => {
@@ -157,8 +166,12 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
             for item in field.value.iter().flatten() {
                 match units::parse(&r.text(item)?, dimension) {
                     Ok(level) if level > 0.0 => ascending(r, item, &mut levels, level),
-                    Ok(_) => r.faults.push(range_fault(item, "a level of 0 or less", &dimension.allowed())),
-                    Err(error) => r.faults.push(range_fault(item, &error.to_string(), &dimension.allowed())),
+                    Ok(_) => r
+                        .faults
+                        .push(range_fault(item, "a level of 0 or less", &dimension.allowed())),
+                    Err(error) => r
+                        .faults
+                        .push(range_fault(item, &error.to_string(), &dimension.allowed())),
                 }
             }
         }
@@ -181,7 +194,11 @@ pub(super) fn scales(r: &mut Resolver<'_>, option: &Opt<keys::Scales>) -> Option
 
 fn ascending<T>(r: &mut Resolver<'_>, item: &crate::input::tank::read::Field<T>, all: &mut Vec<f64>, value: f64) {
     if all.last().is_some_and(|last| *last >= value) {
-        r.faults.push(range_fault(item, "not in ascending order", "each value once, ascending"));
+        r.faults.push(range_fault(
+            item,
+            "not in ascending order",
+            "each value once, ascending",
+        ));
     }
     all.push(value);
 }
@@ -190,10 +207,18 @@ fn ascending<T>(r: &mut Resolver<'_>, item: &crate::input::tank::read::Field<T>,
 pub(super) fn admit(r: &mut Resolver<'_>, option: &Opt<keys::Scales>, engine: Option<EngineId>) {
     let field = option.value().and_then(|scales| scales.im.given.as_ref());
     if let Some(field) = field
-        && field.value.as_ref().and_then(|text| Axis::parse(text)).is_some_and(Axis::of_the_tank)
+        && field
+            .value
+            .as_ref()
+            .and_then(|text| Axis::parse(text))
+            .is_some_and(Axis::of_the_tank)
         && engine != Some(EngineId::Harmonic)
     {
-        let fault = range_fault(field, "Ti and Tc are periods of the harmonic engine", "\"engine\": \"harmonic\", or a period in seconds");
+        let fault = range_fault(
+            field,
+            "Ti and Tc are periods of the harmonic engine",
+            "\"engine\": \"harmonic\", or a period in seconds",
+        );
         r.faults.push(fault);
     }
 }

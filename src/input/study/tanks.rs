@@ -84,8 +84,13 @@ pub(super) fn tanks(
         };
         for tank in found {
             if all.iter().any(|other| other.id == tank.id) {
-                let fault = range_fault(item, &format!("two tanks are named `{}`", tank.id), "a different name for each tank");
-                r.faults.push(fault.help("name the tanks of a table by a column: \"id\": \"tag\""));
+                let fault = range_fault(
+                    item,
+                    &format!("two tanks are named `{}`", tank.id),
+                    "a different name for each tank",
+                );
+                r.faults
+                    .push(fault.help("name the tanks of a table by a column: \"id\": \"tag\""));
                 break;
             }
             all.push(tank);
@@ -137,7 +142,11 @@ fn from_table(
         }
         found
     };
-    let id = given.id.given.as_ref().and_then(|field| column(field, field.value.as_ref()?));
+    let id = given
+        .id
+        .given
+        .as_ref()
+        .and_then(|field| column(field, field.value.as_ref()?));
     // The columns that are used, each with its path.
     let used: Vec<(usize, String)> = match given.columns.value() {
         Some(columns) => {
@@ -164,7 +173,10 @@ fn from_table(
     });
     let base = Arc::new(base);
     let entry = |(number, row): (usize, &Vec<Cell>)| TankEntry {
-        id: id.map_or_else(|| format!("{}-{}", name_of(&path, folder), number + 1), |i| row[i].text.clone()),
+        id: id.map_or_else(
+            || format!("{}-{}", name_of(&path, folder), number + 1),
+            |i| row[i].text.clone(),
+        ),
         base: Arc::clone(&base),
         row: Some((Arc::clone(&table), number)),
     };

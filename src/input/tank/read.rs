@@ -309,7 +309,11 @@ pub(in crate::input) fn wrong_value(node: &Node, message: &str, allowed: &str) -
 }
 
 /// The item that a word names; reports an unknown word with the nearest known one as a suggestion.
-pub(in crate::input) fn one_of_words<T: Copy>(node: &Node, words: &[(&'static str, T)], faults: &mut Faults) -> Option<T> {
+pub(in crate::input) fn one_of_words<T: Copy>(
+    node: &Node,
+    words: &[(&'static str, T)],
+    faults: &mut Faults,
+) -> Option<T> {
     let known: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
     let allowed = quoted(&known);
     let Kind::Text(text) = &node.kind else {

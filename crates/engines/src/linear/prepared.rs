@@ -121,8 +121,10 @@ impl Response {
     /// That of a finished run.
     pub fn of(simulation: Simulation) -> Response {
         let result = &simulation.result;
-        let linear =
-            result.engine != EngineId::Nonlinear && result.base.is_none() && result.isolation.is_none() && !result.incomplete;
+        let linear = result.engine != EngineId::Nonlinear
+            && result.base.is_none()
+            && result.isolation.is_none()
+            && !result.incomplete;
         Response {
             linear,
             values: simulation.values,

@@ -1,0 +1,326 @@
+//! `tankcheck study`: state in files, whatever happens between.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::Duration;
+
+const TANK: &str = include_str!("../../examples/01_broad_tank/tank.json");
+
+fn tankcheck(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .unwrap()
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)
+}
+
+/// A record of two tones, 6 s long.
+fn record(tone: f64) -> String {
+    let mut text = String::from("time_s,acceleration_m_s2\n");
+    for k in 0..600 {
+        let t = 0.01 * f64::from(k);
+        text.push_str(&format!(
+            "{t:.2},{:.6}\n",
+            (6.3 * t).sin() + 0.5 * (tone * t).cos() * (-0.3 * t).exp()
+        ));
+    }
+    text
+}
+
+const STUDY: &str = r#"{
+  "name": "two tanks",
+  "tanks": [ { "template": "tank.json", "table": "farm.csv", "id": "tag" } ],
+  "records": [ { "files": "rec*.csv" } ],
+  "scales": { "im": "PGA", "levels": ["0.1 g", "0.2 g", "0.4 g", "0.8 g"] },
+  "block": 2
+}
+"#;
+
+/// Two tanks, five records, four levels: 6 tasks, 40 rows.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    write("tank.json", TANK);
+    write("farm.csv", "tag,liquid.fill_height\nA,1.5 m\nB,1.2 m\n");
+    for k in 0..5 {
+        write(&format!("rec{k}.csv"), &record(11.0 + 7.0 * f64::from(k)));
+    }
+    write("study.json", STUDY);
+    folder
+}
+
+fn planned() -> tempfile::TempDir {
+    let folder = folder();
+    let output = tankcheck(folder.path(), &["study", "plan", "study.json", "--out", "out"]);
+    assert!(output.status.success(), "{}", said(&output));
+    folder
+}
+
+/// Hash of the merged rows.
+fn merged(folder: &Path, out: &str) -> String {
+    let output = tankcheck(folder, &["study", "merge", out]);
+    assert!(output.status.success(), "{}", said(&output));
+    fs::read_to_string(folder.join(out).join("rows.sha256")).unwrap()
+}
+
+#[test]
+fn rows_of_every_tank_record_and_scale() {
+    let folder = planned();
+    let output = tankcheck(folder.path(), &["study", "run", "out", "--jobs", "2"]);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    merged(folder.path(), "out");
+    let rows = fs::read_to_string(folder.path().join("out/rows.csv")).unwrap();
+    let lines: Vec<Vec<&str>> = rows.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(lines.len(), 41);
+    assert!(lines.iter().all(|line| line.len() == lines[0].len()));
+    let column = |name: &str| {
+        lines[0]
+            .iter()
+            .position(|c| *c == name)
+            .unwrap_or_else(|| panic!("no {name} in {rows}"))
+    };
+    assert_eq!(["tank", "sample", "record"].map(column), [0, 1, 2]);
+    // PGA is the level; the wave of a linear engine is proportional to it.
+    let (pga, wave) = (column("pga_m_s2"), column("fe.sloshing_height_m"));
+    let number = |line: usize, column: usize| lines[line][column].parse::<f64>().unwrap();
+    for block in (1..41).step_by(4) {
+        assert!((number(block, pga) / 0.980665 - 1.0).abs() < 1e-8);
+        for k in 1..4 {
+            let factor = number(block + k, pga) / number(block, pga);
+            let waves = number(block + k, wave) / number(block, wave);
+            assert!((waves / factor - 1.0).abs() < 1e-8);
+        }
+    }
+    let fragility = fs::read_to_string(folder.path().join("out/fragility.json")).unwrap();
+    let fragility: serde_json::Value = serde_json::from_str(&fragility).unwrap();
+    let curves = fragility["curves"].as_array().unwrap();
+    assert_eq!(curves.len(), 6);
+    for curve in curves {
+        for key in ["damage_state", "method", "im", "median", "dispersion", "n", "status"] {
+            assert!(curve.get(key).is_some(), "{curve}");
+        }
+    }
+}
+
+/// A row is what `compare` gives for the same tank under the same scaled record on the mesh of the study; both meshes differ by what
+/// the record asks for, 1 % at most in the manual.
+#[test]
+fn a_row_is_what_compare_gives() {
+    let folder = planned();
+    tankcheck(folder.path(), &["study", "run", "out"]);
+    merged(folder.path(), "out");
+    let rows = fs::read_to_string(folder.path().join("out/rows.csv")).unwrap();
+    let head: Vec<&str> = rows.lines().next().unwrap().split(',').collect();
+    let row: Vec<&str> = rows.lines().nth(3).unwrap().split(',').collect();
+    let scaled = TANK
+        .replace("\"scale_to\": \"0.5 g\"", "\"scale_to\": \"0.4 g\"")
+        .replace("1.525 m", "1.5 m");
+    assert!(scaled.contains("0.4 g") && scaled.contains("1.5 m"));
+    fs::write(folder.path().join("scaled.json"), scaled).unwrap();
+    let output = tankcheck(
+        folder.path(),
+        &[
+            "compare",
+            "scaled.json",
+            "--quake",
+            "rec0.csv",
+            "--no-mesh-error",
+            "--format",
+            "csv",
+            "--out",
+            "one",
+        ],
+    );
+    let csv = String::from_utf8_lossy(&output.stdout).into_owned();
+    let mut compared = 0;
+    for line in csv.lines() {
+        let cells: Vec<&str> = line.split(',').collect();
+        let [method, "record", quantity, value, ..] = cells[..] else {
+            continue;
+        };
+        let key = format!("{method}.{quantity}_");
+        let Some(column) = head.iter().position(|c| c.starts_with(&key)) else {
+            continue;
+        };
+        // The checks follow the values in the same table.
+        let Ok(wanted) = value.parse::<f64>() else { continue };
+        let found: f64 = row[column].parse().unwrap();
+        let tolerance = if method == "fe" { 1e-2 } else { 1e-8 };
+        assert!((found / wanted - 1.0).abs() < tolerance, "{key}: {found} {wanted}");
+        compared += 1;
+    }
+    assert!(compared > 15, "{compared} values compared: {}", said(&output));
+}
+
+#[test]
+fn shards_threads_and_torn_files_give_the_same_rows() {
+    let folder = planned();
+    let path = folder.path();
+    tankcheck(path, &["study", "run", "out", "--jobs", "1"]);
+    let serial = merged(path, "out");
+    for out in ["shards", "torn"] {
+        tankcheck(path, &["study", "plan", "study.json", "--out", out]);
+    }
+    let refused = tankcheck(path, &["study", "merge", "shards"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(
+        said(&refused).contains("6 of 6 tasks have no result"),
+        "{}",
+        said(&refused)
+    );
+    for shard in ["3/3", "1/3", "2/3"] {
+        tankcheck(path, &["study", "run", "shards", "--shard", shard, "--jobs", "2"]);
+    }
+    assert_eq!(merged(path, "shards"), serial);
+    // Half a file, and one with a changed number, are computed again; nothing else is.
+    tankcheck(path, &["study", "run", "torn"]);
+    let mut files = Vec::new();
+    for entry in fs::read_dir(path.join("torn/results")).unwrap() {
+        for file in fs::read_dir(entry.unwrap().path()).unwrap() {
+            files.push(file.unwrap().path());
+        }
+    }
+    assert_eq!(files.len(), 6);
+    let bytes = fs::read(&files[0]).unwrap();
+    fs::write(&files[0], &bytes[..bytes.len() / 2]).unwrap();
+    let text = fs::read_to_string(&files[1]).unwrap();
+    fs::write(&files[1], text.replacen("\"factor\":", "\"factor\":1", 1)).unwrap();
+    let status = tankcheck(path, &["study", "status", "torn", "--format", "json"]);
+    let status: serde_json::Value = serde_json::from_slice(&status.stdout).unwrap();
+    assert_eq!((&status["done"], &status["torn"]), (&4.into(), &2.into()));
+    let again = tankcheck(path, &["study", "run", "torn"]);
+    assert!(said(&again).contains("2 tasks computed, 4 kept"), "{}", said(&again));
+    assert_eq!(merged(path, "torn"), serial);
+}
+
+/// `kill -9` at moments spread over the run; what was finished is kept, and the rows are those of an undisturbed run.
+#[cfg(unix)]
+#[test]
+fn killed_workers_lose_nothing() {
+    let folder = planned();
+    let path = folder.path();
+    tankcheck(path, &["study", "run", "out"]);
+    let whole = merged(path, "out");
+    tankcheck(path, &["study", "plan", "study.json", "--out", "killed"]);
+    for k in 1..=20_u64 {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+            .args(["study", "run", "killed", "--jobs", "2", "--quiet"])
+            .current_dir(path)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(13 * k % 170 + 5));
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+    let end = tankcheck(path, &["study", "run", "killed"]);
+    assert_eq!(end.status.code(), Some(0), "{}", said(&end));
+    assert_eq!(merged(path, "killed"), whole);
+}
+
+#[test]
+fn faults_are_told_all_at_once() {
+    let folder = folder();
+    let path = folder.path();
+    let write = |name: &str, text: &str| fs::write(path.join(name), text).unwrap();
+    write("farm.csv", "tag,liquid.fill_height\nA,1.5 m\nB,-1 m\nC,1.2 kg\n");
+    write("rec1.csv", "time_s,acceleration_m_s2\n0,0\n0.01,nan\n");
+    let output = tankcheck(path, &["study", "plan", "study.json", "--out", "out"]);
+    let text = said(&output);
+    assert_eq!(output.status.code(), Some(2), "{text}");
+    for wanted in ["farm.csv:3", "farm.csv:4", "rec1.csv:3"] {
+        assert!(text.contains(wanted), "{wanted} in {text}");
+    }
+    assert!(!path.join("out").exists());
+    write(
+        "study.json",
+        &STUDY
+            .replace("PGA", "PGX")
+            .replace("\"0.2 g\"", "\"0.2 m\"")
+            .replace("rec*", "none*"),
+    );
+    let text = said(&tankcheck(path, &["study", "plan", "study.json", "--out", "out"]));
+    for wanted in ["unknown intensity measure", "no file matches"] {
+        assert!(text.contains(wanted), "{wanted} in {text}");
+    }
+    write("study.json", &STUDY.replace("\"0.2 g\"", "\"0.2 m\""));
+    assert!(said(&tankcheck(path, &["study", "plan", "study.json"])).contains("study.json:5"));
+}
+
+#[test]
+fn a_file_that_changed_since_the_plan_is_not_computed() {
+    let folder = planned();
+    let path = folder.path();
+    tankcheck(path, &["study", "run", "out", "--task", "1"]);
+    fs::write(path.join("farm.csv"), "tag,liquid.fill_height\nA,1.5 m\nB,1.3 m\n").unwrap();
+    let output = tankcheck(path, &["study", "run", "out"]);
+    let text = said(&output);
+    assert_eq!(output.status.code(), Some(2), "{text}");
+    assert!(text.contains("the tank `B` changed since the plan"), "{text}");
+    // A new plan keeps what is unchanged: the tank A.
+    tankcheck(path, &["study", "plan", "study.json", "--out", "out"]);
+    let text = said(&tankcheck(path, &["study", "run", "out"]));
+    assert!(text.contains("3 tasks computed, 3 kept"), "{text}");
+}
+
+/// A sample whose tank is not possible is a row, not the end of the study.
+#[test]
+fn impossible_samples_are_rows() {
+    let folder = folder();
+    let path = folder.path();
+    let sampled = r#"{
+      "name": "samples",
+      "tanks": [ { "files": "tank.json" } ],
+      "records": [ { "files": "rec0.csv" } ],
+      "sample": { "n": 8, "seed": 3, "parameters": [
+        { "path": "liquid.fill_height", "uniform": { "low": "1 m", "high": "3 m" } } ] },
+      "scales": { "factors": [0.1] }
+    }"#;
+    fs::write(path.join("study.json"), sampled).unwrap();
+    tankcheck(path, &["study", "plan", "study.json", "--out", "out"]);
+    let output = tankcheck(path, &["study", "run", "out"]);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    merged(path, "out");
+    let rows = fs::read_to_string(path.join("out/rows.csv")).unwrap();
+    let count = |word: &str| rows.lines().filter(|line| line.contains(word)).count();
+    assert_eq!(count(",ok,") + count(",refused,"), 8);
+    assert!(count(",ok,") > 0 && count(",refused,") > 0, "{rows}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_folder_that_cannot_be_written_loses_nothing() {
+    use std::os::unix::fs::symlink;
+    let folder = planned();
+    let path = folder.path();
+    // A full disk: every write to /dev/full fails with ENOSPC; as the folder of results it is no folder.
+    if !Path::new("/dev/full").exists() {
+        return;
+    }
+    symlink("/dev/full", path.join("out/results")).unwrap();
+    let output = tankcheck(path, &["study", "run", "out"]);
+    assert_eq!(output.status.code(), Some(3), "{}", said(&output));
+    assert!(said(&output).contains("cannot be written"), "{}", said(&output));
+    fs::remove_file(path.join("out/results")).unwrap();
+    assert_eq!(tankcheck(path, &["study", "run", "out"]).status.code(), Some(0));
+}
+
+#[test]
+fn codes_alone_and_design_spectra() {
+    let folder = folder();
+    let path = folder.path();
+    let study = STUDY.replace("\"block\": 2", "\"engine\": \"none\"");
+    fs::write(path.join("study.json"), &study).unwrap();
+    tankcheck(path, &["study", "plan", "study.json", "--out", "codes"]);
+    tankcheck(path, &["study", "run", "codes"]);
+    merged(path, "codes");
+    let rows = fs::read_to_string(path.join("codes/rows.csv")).unwrap();
+    assert_eq!(rows.lines().count(), 41);
+    assert!(!rows.contains("fe.") && rows.contains("housner.base_shear_N"));
+}
