@@ -6,5 +6,6 @@ pub mod fragility;
 pub mod records;
 pub mod study;
 pub mod tank;
+pub mod target;
 
 pub use tank::{TankFile, read as read_tank};

@@ -27,6 +27,7 @@ pub mod lifted;
 pub mod mechanical;
 pub mod modal_action;
 pub mod procedure;
+pub mod record_set;
 mod roof;
 #[cfg(test)]
 mod samples;

@@ -1,6 +1,7 @@
 //! `tankcheck quake`: properties of an accelerogram, and records of harmonic motion.
 
 mod harmonic;
+mod set;
 
 use std::path::PathBuf;
 
@@ -29,6 +30,8 @@ enum Command {
     Info(Info),
     /// Write a record of harmonic motion.
     Harmonic(harmonic::Harmonic),
+    /// Check whether a set of records stands for a spectrum.
+    Set(set::Set),
 }
 
 #[derive(clap::Args)]
@@ -83,6 +86,7 @@ pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
             harmonic.run()?;
             return Ok(EXIT_OK);
         }
+        Command::Set(set) => return set.run(),
     };
     let read = records::read(&info.record, &info.reading.options())?;
     let facts = facts(&read);

@@ -1,5 +1,6 @@
 //! The instant, height and angle at which a demand is largest against its capacity.
 
+use std::cell::OnceCell;
 use std::f64::consts::{PI, TAU};
 
 use tank::demand::{Angles, Demands, OnWall, Place};
@@ -120,6 +121,18 @@ pub(super) struct Histories {
     pub(super) bending: Option<Field>,
     /// The angles.
     directions: Vec<Direction>,
+    /// What the searches for compression share.
+    compressed: OnceCell<Compressed>,
+}
+
+/// What the searches for compression share: they differ in their capacities alone.
+struct Compressed {
+    /// Largest compression around the circumference, instant by instant [Pa].
+    largest: Vec<f64>,
+    /// Number of the instant of the largest one.
+    first: usize,
+    /// Smallest and largest interior pressure [Pa].
+    pressure: (f64, f64),
 }
 
 /// Where a demand is largest against its capacity.
@@ -233,6 +246,7 @@ impl Histories {
         self.hoop = self.hoop.times(lost);
         self.axial = self.axial.times(lost);
         self.bending = self.bending.map(|bending| bending.times(lost * lost));
+        self.compressed = OnceCell::new();
         for shear in [&mut self.shear, &mut self.transverse_shear].into_iter().flatten() {
             scale(shear, lost);
         }
@@ -257,6 +271,7 @@ impl Histories {
                     .collect(),
                 Angles::Sides => SIDES.to_vec(),
             },
+            compressed: OnceCell::new(),
         }
     }
 
@@ -399,16 +414,31 @@ impl Histories {
         self.pressure.as_ref().map_or(0.0, |p| p.at(k, direction))
     }
 
+    fn compressed(&self) -> Compressed {
+        let of = |k: usize| {
+            let [one, other] = self.axial.ends(k).map(|at| -self.axial.at(k, at));
+            one.max(other)
+        };
+        let largest: Vec<f64> = (0..self.len()).map(of).collect();
+        let first = (0..largest.len()).fold(0, |best, k| if largest[k] > largest[best] { k } else { best });
+        Compressed {
+            first,
+            pressure: self.pressure.as_ref().map_or((0.0, 0.0), Field::range),
+            largest,
+        }
+    }
+
     /// Axial compression against a capacity that depends on the interior pressure of the same instant and place, monotonously: at no
     /// pressure of the range is it below both ends.
     pub(super) fn compression(&self, capacity: impl Fn(f64) -> f64) -> Option<Found> {
-        let floors = Floors::new(self.pressure.as_ref().map_or((0.0, 0.0), Field::range), &capacity);
+        let Compressed {
+            largest,
+            first,
+            pressure,
+        } = self.compressed.get_or_init(|| self.compressed());
+        let floors = Floors::new(*pressure, &capacity);
         let floor = floors.lowest;
         let compression = |k: usize, at: Direction| -self.axial.at(k, at);
-        let bound = |k: usize| {
-            let [one, other] = self.axial.ends(k).map(|at| compression(k, at));
-            ratio(one.max(other), floor)
-        };
         let at = |k: usize, direction: Direction| {
             let demand = compression(k, direction).max(0.0);
             let capacity = capacity(self.pressure_at(k, direction));
@@ -426,10 +456,13 @@ impl Histories {
             self.directions.iter().copied().chain(own.into_iter().flatten())
         };
         // Capacity is dear: it is asked for where its lower bound, of the run and then of the pressure, leaves more than has been found.
-        let first = (0..self.len()).max_by(|&i, &j| bound(i).total_cmp(&bound(j)).then(j.cmp(&i)))?;
+        let first = *first;
+        if self.len() == 0 {
+            return None;
+        }
         let mut best = at(first, places(first).next()?);
         for k in std::iter::once(first).chain(0..self.len()) {
-            if bound(k) <= best.utilisation && k != first {
+            if ratio(largest[k], floor) <= best.utilisation && k != first {
                 continue;
             }
             for direction in places(k) {
