@@ -66,15 +66,15 @@ class Method:
     reason: str | None
 
 
-Row = TypeVar("Row", Quantity, Check, Method)
+Row = TypeVar("Row", bound="Quantity | Check | Method")
 
 
 class Table(Sequence[Row], Generic[Row]):
     """Rows of one kind."""
 
     def __init__(self, kind: type[Row], rows: Iterable[Row]) -> None:
-        self._kind = kind
-        self._rows = tuple(rows)
+        self._kind: type[Row] = kind
+        self._rows: tuple[Row, ...] = tuple(rows)
 
     @overload
     def __getitem__(self, index: int) -> Row: ...
@@ -270,7 +270,7 @@ def _check(method: dict[str, Any], check: dict[str, Any]) -> Check:
 
 def _pandas() -> Any:
     try:
-        import pandas
+        import pandas  # type: ignore[import-untyped,unused-ignore]
     except ImportError as error:
         raise ImportError("to_frame needs pandas: pip install pandas") from error
     return pandas
