@@ -8,6 +8,7 @@ mod compare;
 mod corners;
 mod estimates;
 mod frequency;
+mod grades;
 mod hostile;
 mod ida;
 mod interrupt;
