@@ -9,6 +9,7 @@ mod corners;
 mod estimates;
 mod fragility;
 mod frequency;
+mod grades;
 mod hostile;
 mod ida;
 mod interrupt;

@@ -1,11 +1,13 @@
 //! Tests that need another program: where it is absent they are counted as ignored, with the reason.
 //!
-//! Chromium (`CHROMIUM` names another binary) prints and measures the report; python3 with meshio reads the ParaView files.
+//! Chromium (`CHROMIUM` names another binary) prints and measures the report; python3 with meshio reads the ParaView files;
+//! python3 runs the package of `python/` and collects the licences of an archive.
 
 mod report_print;
 #[path = "../golden/sample/mod.rs"]
 mod sample;
 mod vtu;
+mod wheel;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
@@ -32,6 +34,16 @@ fn main() -> ExitCode {
             "vtu::meshio_reads_what_is_written",
             meshio,
             vtu::meshio_reads_what_is_written,
+        ),
+        trial(
+            "wheel::the_python_package_runs_the_program",
+            python,
+            wheel::the_python_package_runs_the_program,
+        ),
+        trial(
+            "wheel::the_archive_is_complete",
+            archiver,
+            wheel::the_archive_is_complete,
         ),
     ];
     libtest_mimic::run(&Arguments::from_args(), trials).exit_code()
@@ -71,6 +83,21 @@ fn meshio() -> Result<PathBuf, &'static str> {
     match succeeds(&python, &["-c", "import meshio, numpy"]) {
         true => Ok(python),
         false => Err("skipped: python3 with meshio (PyPI) is not installed"),
+    }
+}
+
+fn python() -> Result<PathBuf, &'static str> {
+    let python = PathBuf::from("python3");
+    match succeeds(&python, &["-c", "import sys; sys.exit(sys.version_info < (3, 9))"]) {
+        true => Ok(python),
+        false => Err("skipped: python3 (3.9 or later) is not installed"),
+    }
+}
+
+fn archiver() -> Result<PathBuf, &'static str> {
+    match python().is_ok() && succeeds(Path::new("tar"), &["--sort=name", "--version"]) {
+        true => Ok(PathBuf::from("tar")),
+        false => Err("skipped: python3 or GNU tar is not installed"),
     }
 }
 

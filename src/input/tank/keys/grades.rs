@@ -1,6 +1,8 @@
 //! Grades of steel and concrete: values for keys that the file does not give.
 
-use materials::grades::{BARS, CONCRETES, STEELS};
+use materials::grades::{BARS, CONCRETES, SteelGrade, Step, folded, steels};
+
+use crate::input::tank::key::list;
 
 /// Values of a grade, SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -9,6 +11,8 @@ pub(super) struct Preset {
     pub name: &'static str,
     /// Source of the values.
     pub source: &'static str,
+    /// Thickness up to which the strengths hold, in words (", t ≤ 40 mm"); empty where they do not depend on it.
+    pub range: String,
     /// E [Pa].
     pub youngs_modulus: f64,
     /// ν.
@@ -23,7 +27,13 @@ pub(super) struct Preset {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Strengths {
     /// Plates.
-    Steel { yielding: f64, ultimate: f64, tangent: f64 },
+    Steel {
+        yielding: f64,
+        ultimate: f64,
+        tangent: f64,
+        /// S_d of API 650, if the steel is in its table.
+        allowable: Option<f64>,
+    },
     /// Concrete: the strength that counts, the mean strength of cylinders, the mean tensile strength.
     Concrete { compressive: f64, mean: f64, tensile: f64 },
     /// Bars; the strain at the greatest force.
@@ -41,23 +51,33 @@ impl Strengths {
     }
 }
 
-/// All grades: plates, concrete, bars.
-fn all() -> Vec<Preset> {
-    let plates = STEELS.iter().map(|g| Preset {
+/// A steel with the strengths of a plate.
+fn plate(g: &SteelGrade, step: Step) -> Preset {
+    Preset {
         name: g.name,
         source: g.source,
+        range: match g.steps.len() {
+            1 => String::new(),
+            _ => format!(", t ≤ {} mm", 1e3 * step.up_to),
+        },
         youngs_modulus: g.young_modulus,
         poisson_ratio: g.poisson_ratio,
         density: g.density,
         strengths: Strengths::Steel {
-            yielding: g.yield_stress,
-            ultimate: g.ultimate_strength,
+            yielding: step.yield_stress,
+            ultimate: step.ultimate_strength,
             tangent: g.tangent_modulus,
+            allowable: step.allowable_stress,
         },
-    });
+    }
+}
+
+/// Concretes and bars.
+fn others() -> impl Iterator<Item = Preset> {
     let concretes = CONCRETES.iter().map(|g| Preset {
         name: g.name,
         source: g.source,
+        range: String::new(),
         youngs_modulus: g.young_modulus,
         poisson_ratio: g.poisson_ratio,
         density: g.density,
@@ -70,6 +90,7 @@ fn all() -> Vec<Preset> {
     let bars = BARS.iter().map(|g| Preset {
         name: g.name,
         source: g.source,
+        range: String::new(),
         youngs_modulus: g.young_modulus,
         // Bars are uniaxial: the value has no effect.
         poisson_ratio: 0.3,
@@ -80,23 +101,65 @@ fn all() -> Vec<Preset> {
             rupture: g.ultimate_strain,
         },
     });
-    plates.chain(concretes).chain(bars).collect()
+    concretes.chain(bars)
 }
 
-/// The grade of this name; case, blanks and hyphens do not count.
-pub(super) fn find(name: &str) -> Option<Preset> {
+/// What a name stands for.
+pub(super) enum Found {
+    /// A grade, with the strengths of the thickness.
+    Grade(Preset),
+    /// A steel whose standard ends at thinner plates: its name, and the largest thickness [m].
+    TooThick(&'static str, f64),
+    /// Not a grade.
+    Unknown,
+}
+
+/// The grade of this name.
+///
+/// * `thickness`: nominal thickness of the thickest plate [m]
+pub(super) fn find(name: &str, thickness: f64) -> Found {
+    if let Ok(steel) = materials::grades::steel(name) {
+        return match steel.at(thickness) {
+            Some(step) => Found::Grade(plate(&steel, step)),
+            None => Found::TooThick(steel.name, steel.thickest()),
+        };
+    }
     let wanted = folded(name);
-    all().into_iter().find(|p| folded(p.name) == wanted)
+    (others().find(|p| folded(p.name) == wanted)).map_or(Found::Unknown, Found::Grade)
 }
 
-/// All names.
-pub(super) fn names() -> Vec<&'static str> {
-    all().into_iter().map(|p| p.name).collect()
+/// Names and aliases nearest to an unknown one, the nearest first; none for a name that is not like any.
+pub(super) fn near(name: &str) -> Vec<&'static str> {
+    let wanted = folded(name);
+    let length = wanted.chars().count();
+    if length > LONGEST {
+        return Vec::new();
+    }
+    let plates = steels().flat_map(|g| std::iter::once(g.name).chain(g.aliases.iter().copied()));
+    let mut near: Vec<(usize, &str)> = plates
+        .chain(others().map(|p| p.name))
+        .map(|known| (strsim::damerau_levenshtein(&wanted, &folded(known)), known))
+        .filter(|(distance, known)| distance * 2 <= length.max(known.len()))
+        .collect();
+    // Stable: of names equally near the first in the list.
+    near.sort_by_key(|(distance, _)| *distance);
+    near.truncate(SHOWN);
+    near.into_iter().map(|(_, known)| known).collect()
 }
 
-fn folded(name: &str) -> String {
-    name.chars()
-        .filter(|c| !c.is_whitespace() && *c != '-' && *c != '_')
-        .flat_map(char::to_lowercase)
-        .collect()
+/// Longest folded name that is compared [characters]; the longest of a grade has 18.
+const LONGEST: usize = 40;
+/// Names in a message about an unknown one.
+const SHOWN: usize = 6;
+
+/// What is allowed instead of an unknown name.
+pub(super) fn allowed(near: &[&str]) -> String {
+    let such = if near.is_empty() { &EXAMPLES } else { near };
+    format!(
+        "a grade such as {}; `tankcheck schema --markdown` lists all",
+        list(such, "or")
+    )
 }
+
+/// One name of each kind.
+const EXAMPLES: [&str; 6] = ["S355", "S355JR", "1.4301", "A36", "C30/37", "BSt500"];

@@ -7,9 +7,10 @@ mod yielding;
 
 use std::collections::BTreeMap;
 
-use super::grades::{self, Preset, Strengths};
-use crate::input::tank::key::{Absent, Limits, list, without};
-use crate::input::tank::read::{Field, Opt, nearest, object};
+use super::grades::{self, Found, Preset, Strengths};
+use super::plates::Plates;
+use crate::input::tank::key::{Absent, Limits, without};
+use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::syntax::join;
 use crate::input::tank::values::{Density, Named, Number, Stress};
@@ -30,7 +31,16 @@ object! {
     /// A material. Its elastic values serve the code procedures and the linear engines; its behaviour beyond them the
     /// nonlinear engine.
     Material {
-        /// Grade that supplies the values missing here, such as "C30/37", "B35", "S355" or "BSt500".
+        /// Grade that supplies the values missing here. Strengths of steel and aluminium are those of the thickest plate of this
+        /// material: give plates of other thicknesses a material of their own to use all of their strength. Case, blanks, hyphens and
+        /// words such as "ASTM" and "Gr." do not count; `docs/grades.md` has values, sources and further names.
+        ///
+        /// Plates: S235, S275, S355 (EN 1993-1-1), S235JR, S275JR, S355JR, P235GH, P265GH, P295GH, P355N, P460NH, 1.4301, 1.4307,
+        /// 1.4541, 1.4401, 1.4404, 1.4571, 1.4462, A36, A131 A, A283 C, A285 C, A516 55, A516 60, A516 65, A516 70, A537 1, A537 2,
+        /// A573 58, A573 65, A573 70, A633 C, A662 B, A662 C, A678 A, A678 B, A737 B, A841 1, A841 2, G40.21 260W, G40.21 350W,
+        /// G40.21 350WT, A553 I, A240 304, A240 304L, A240 316, A240 316L, EN AW-5083, EN AW-6061-T6, EN AW-6061-T6 welded.
+        ///
+        /// Concrete: C20/25, C25/30, C30/37, C35/45, C40/50, C45/55, C50/60, B25, B35, B45. Bars: B500, B500A, B500B, B500C, BSt500.
         grade ("S355"): Opt<String>,
         /// Young's modulus. Not for an interlayer, which has e_normal.
         youngs_modulus ("210 GPa"): Opt<Stress> [MODULUS] = Absent::Follows("that of the grade; needed without one"),
@@ -42,7 +52,7 @@ object! {
         /// Yield strength (characteristic), needed by the stability and anchorage checks. Usual is up to 2 GPa and up to 1 % of
         /// Young's modulus (plastics: 5 %); more than a tenth of it is rejected. A grade supplies its own.
         yield_strength ("235 MPa"): Opt<Stress> [STRESS] = without("checks that need it are left out"),
-        /// Allowable design stress S_d (API 650 table 5-2), needed by the API hoop-stress check.
+        /// Allowable design stress S_d (API 650 table 5-2), needed by the API hoop-stress check. A grade of that table supplies its own.
         allowable_stress ("160 MPa"): Opt<Stress> [STRESS] = without("the API hoop-stress check is left out"),
         /// Behaviour beyond the elastic range.
         behaviour: Opt<Behaviour> = Absent::Follows("that of the grade; elastic without one"),
@@ -53,7 +63,9 @@ object! {
 pub(super) type Materials = BTreeMap<String, Option<tank::Material>>;
 
 /// Reads all materials.
-pub(super) fn materials(r: &mut Resolver<'_>, field: &Field<Named<Material>>) -> Materials {
+///
+/// * `plates`: the thickest plate of each
+pub(super) fn materials(r: &mut Resolver<'_>, field: &Field<Named<Material>>, plates: &Plates<'_>) -> Materials {
     let mut all = Materials::new();
     let Some(named) = &field.value else {
         return all;
@@ -82,15 +94,22 @@ pub(super) fn materials(r: &mut Resolver<'_>, field: &Field<Named<Material>>) ->
             all.insert(name.clone(), None);
             continue;
         }
-        let material = field.value.as_ref().and_then(|m| material(r, name, field, m));
+        let thickness = plates.get(name.as_str()).copied().unwrap_or(0.0);
+        let material = (field.value.as_ref()).and_then(|m| material(r, name, field, m, thickness));
         all.insert(name.clone(), material);
     }
     all
 }
 
-fn material(r: &mut Resolver<'_>, name: &str, field: &Field<Material>, m: &Material) -> Option<tank::Material> {
+fn material(
+    r: &mut Resolver<'_>,
+    name: &str,
+    field: &Field<Material>,
+    m: &Material,
+    thickness: f64,
+) -> Option<tank::Material> {
     let mut reader = Reader {
-        preset: preset(r, m.grade.given.as_ref())?,
+        preset: preset(r, m.grade.given.as_ref(), thickness)?,
         path: field.path.clone(),
         head: field.span.start..field.span.start + 1,
     };
@@ -131,7 +150,13 @@ fn material(r: &mut Resolver<'_>, name: &str, field: &Field<Material>, m: &Mater
     if let (Some(field), Some(strength)) = (&m.yield_strength.given, yield_strength) {
         yielding::check(r, field, strength, youngs_modulus);
     }
-    let allowable_stress = r.optional(&m.allowable_stress);
+    let allowable_stress = match reader.preset.as_ref().map(|p| p.strengths) {
+        Some(Strengths::Steel {
+            allowable: Some(stress),
+            ..
+        }) => Some(reader.supplied(r, &m.allowable_stress, stress)),
+        _ => r.optional(&m.allowable_stress),
+    };
     reader.path = join(&field.path, "behaviour");
     let elastic = (youngs_modulus, yield_strength);
     let behaviour = match kinds {
@@ -156,19 +181,33 @@ fn material(r: &mut Resolver<'_>, name: &str, field: &Field<Material>, m: &Mater
     })
 }
 
-/// The grade; the outer `None` if it is unknown (already reported).
-fn preset(r: &mut Resolver<'_>, field: Option<&Field<String>>) -> Option<Option<Preset>> {
+/// The grade; the outer `None` if it is unknown or the plates are too thick for it (already reported).
+fn preset(r: &mut Resolver<'_>, field: Option<&Field<String>>, thickness: f64) -> Option<Option<Preset>> {
     let Some(field) = field else { return Some(None) };
     r.echo_given(field);
     let name = field.value.as_ref()?;
-    if let Some(preset) = grades::find(name) {
-        return Some(Some(preset));
-    }
-    let names = grades::names();
-    let mut fault = range_fault(field, &format!("unknown grade `{name}`"), &list(&names, "or"));
-    if let Some(near) = nearest(name, names) {
-        fault = fault.help(format!("did you mean \"{near}\"?"));
-    }
+    let fault = match grades::find(name, thickness) {
+        Found::Grade(preset) => return Some(Some(preset)),
+        Found::TooThick(grade, thickest) => {
+            let message = format!("the grade {grade} has no strengths for plates so thick");
+            range_fault(field, &message, &format!("plates of at most {} mm", 1e3 * thickest))
+                .found(format!("\"{name}\" with a plate of {} mm", shown_thickness(thickness)))
+                .help("give the values of the steel instead of `grade`, or a grade that has them")
+        }
+        Found::Unknown => {
+            let near = grades::near(name);
+            let fault = range_fault(field, &format!("unknown grade `{name}`"), &grades::allowed(&near));
+            match near.first() {
+                Some(nearest) => fault.help(format!("did you mean \"{nearest}\"?")),
+                None => fault,
+            }
+        }
+    };
     r.faults.push(fault);
     None
+}
+
+/// Millimetres without the rounding of a unit.
+fn shown_thickness(thickness: f64) -> f64 {
+    (thickness * 1e6).round() / 1e3
 }

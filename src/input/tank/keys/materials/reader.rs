@@ -52,7 +52,7 @@ impl Reader {
     /// A number from the file, or else this value of the grade.
     pub(crate) fn supplied<T: Si>(&self, r: &mut Resolver<'_>, option: &Opt<T>, value: f64) -> f64 {
         let source = match &self.preset {
-            Some(preset) => format!("grade {}: {}", preset.name, preset.source),
+            Some(preset) => format!("grade {}{}: {}", preset.name, preset.range, preset.source),
             None => String::new(),
         };
         r.or_else(option, value, &shown::<T>(value, 4), &source)
