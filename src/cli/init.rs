@@ -1,4 +1,4 @@
-//! `tankcheck init`: a commented tank file to start from.
+//! `tankcheck init`: a commented tank file or study file to start from.
 
 use crate::cli::{Global, print};
 use crate::error::{EXIT_OK, Error};
@@ -9,12 +9,19 @@ use crate::error::{EXIT_OK, Error};
 Examples:
   tankcheck init > tank.json
   tankcheck init --shape rectangle > basin.json
-  tankcheck init | tankcheck check -")]
+  tankcheck init | tankcheck check -
+  tankcheck init --study > study.json")]
 pub(crate) struct Args {
     /// Shape of the tank.
     #[arg(long, value_enum, default_value_t = Shape::Cylinder)]
     shape: Shape,
+    /// Write a study file instead.
+    #[arg(long, conflicts_with = "shape")]
+    study: bool,
 }
+
+/// The study file.
+const STUDY: &str = include_str!("init/study.json");
 
 /// Shape of the tank in the file.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,15 +43,36 @@ impl Shape {
 
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
-    print(args.shape.text())?;
+    print(if args.study { STUDY } else { args.shape.text() })?;
     Ok(EXIT_OK)
 }
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
+    use crate::input::study;
     use crate::input::diagnostic::Source;
     use crate::input::tank::parse;
+
+    /// The study file with the files that it names beside it.
+    #[test]
+    fn the_study_file_is_valid() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |name: &str, text: &str| {
+            let path: &Path = &folder.path().join(name);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+        };
+        write("tank.json", Shape::Cylinder.text());
+        write("farm.csv", "tag,tank.radius\nT1,7 m\n");
+        write("records/a.csv", "time_s,acceleration_m_s2\n0,0\n0.01,1\n0.02,0\n");
+        write("study.json", STUDY);
+        let found = study::read(&folder.path().join("study.json")).unwrap();
+        assert_eq!((found.tanks.len(), found.records.len()), (1, 1));
+        assert_eq!(found.scales.levels.len(), 4);
+    }
 
     #[test]
     fn both_files_are_valid() {

@@ -1,8 +1,8 @@
-//! `tankcheck schema`: the JSON Schema of the tank file, or its reference page.
+//! `tankcheck schema`: the JSON Schema of the tank file or the study file, or the reference page.
 
 use crate::cli::{Global, print};
 use crate::error::{EXIT_OK, Error};
-use crate::input::tank;
+use crate::input::{study, tank};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -10,19 +10,24 @@ use crate::input::tank;
 Examples:
   tankcheck schema > tank.schema.json
   tankcheck schema --markdown > input.md
+  tankcheck schema --study > study.schema.json
 
 Add \"$schema\": \"./tank.schema.json\" to tank.json for completion and checks in an editor.")]
 pub(crate) struct Args {
     /// Write the reference page of all keys in Markdown instead.
     #[arg(long)]
     markdown: bool,
+    /// Write the schema of study.json.
+    #[arg(long, conflicts_with = "markdown")]
+    study: bool,
 }
 
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
-    match args.markdown {
-        true => print(&tank::markdown())?,
-        false => print(&format!("{:#}\n", tank::json_schema()))?,
+    match (args.markdown, args.study) {
+        (true, _) => print(&tank::markdown())?,
+        (false, true) => print(&format!("{:#}\n", study::json_schema()))?,
+        (false, false) => print(&format!("{:#}\n", tank::json_schema()))?,
     }
     Ok(EXIT_OK)
 }

@@ -15,7 +15,7 @@ use crate::input::diagnostic::{Faults, Source};
 use crate::input::tank::bytes;
 use crate::input::tank::read::{Field, FromNode};
 use crate::input::tank::resolver::{Resolver, range_fault};
-use crate::input::tank::syntax;
+use crate::input::tank::{schema, syntax};
 use files::error::Error;
 use keys::{StudyEngine, StudyFile};
 use results::EngineId;
@@ -88,6 +88,11 @@ pub fn read(path: &Path) -> Result<StudyInput, Error> {
             Err(together(all))
         }
     }
+}
+
+/// The JSON Schema of `study.json`, draft 2020-12.
+pub fn json_schema() -> serde_json::Value {
+    schema::of::<StudyFile>("study.json", "StudyFile", |_| {})
 }
 
 /// Several errors of input as one.

@@ -10,7 +10,7 @@ mod page;
 mod places;
 pub(in crate::input) mod read;
 pub(in crate::input) mod resolver;
-mod schema;
+pub(in crate::input) mod schema;
 pub(in crate::input) mod shape;
 pub(in crate::input) mod syntax;
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The JSON Schema of `tank.json`, draft 2020-12, written from the declarations of its keys.
+//! The JSON Schema of `tank.json` and `study.json`, draft 2020-12, written from the declarations of their keys.
 
 use serde_json::{Map, Value, json};
 use tank::Quantity;
@@ -12,8 +12,19 @@ use super::values::pattern;
 
 /// The JSON Schema of `tank.json`, draft 2020-12.
 pub fn json_schema() -> Value {
+    of::<TankFile>("tank.json", "TankFile", conditions)
+}
+
+/// The JSON Schema of a file whose top level is the object `name`.
+///
+/// * `conditions`: requirements between keys
+pub(in crate::input) fn of<T: FromNode>(
+    title: &str,
+    name: &str,
+    conditions: impl Fn(&mut Map<String, Value>),
+) -> Value {
     let mut book = Book::default();
-    TankFile::shape(&mut book);
+    T::shape(&mut book);
     let mut definitions = Map::new();
     for object in &book.objects {
         let schema = object_schema(object, &mut definitions);
@@ -32,8 +43,8 @@ pub fn json_schema() -> Value {
     conditions(&mut definitions);
     let mut root = Map::new();
     root.insert("$schema".into(), "https://json-schema.org/draft/2020-12/schema".into());
-    root.insert("title".into(), "tank.json".into());
-    if let Some(Value::Object(file)) = definitions.remove("TankFile") {
+    root.insert("title".into(), title.into());
+    if let Some(Value::Object(file)) = definitions.remove(name) {
         root.extend(file);
     }
     // Editors find the schema by this key of the document; the reader skips it.
