@@ -6,8 +6,9 @@ use fem::progress::Silent;
 
 use crate::cli::inputs::{self, Inputs};
 use crate::cli::report::LevelArg;
+use crate::cli::select::{self, SelectArg};
 use crate::cli::terminal::say;
-use crate::cli::{Format, Global, compare, print, solve, tanks, wall};
+use crate::cli::{Format, Global, compare, findings, print, solve, tanks, wall};
 use crate::error::Error;
 use crate::pipeline::{self, Outcome};
 use files::OutputFolder;
@@ -21,6 +22,8 @@ Examples:
   tankcheck check tank.json                       design spectra of the tank's `site`
   tankcheck check tank.json --quake elcentro.csv  also the spectrum of a record
   tankcheck check tank.json --procedures api650-2020 --format json
+  tankcheck check tank.json --format json --select all    results.json instead of verdict, quantities and checks
+  tankcheck check tank.json --format junit        a test case a check; also sarif, github
   tankcheck check tank.json --solve fill_height   the largest fill height at which no check fails
   tankcheck check tank.json --solve thickness:1   the smallest thickness of the lowest course
   tankcheck check tank.json --solve ag            the largest ground acceleration of site.ec8 (ss: of site.api650)
@@ -44,6 +47,8 @@ pub(crate) struct Args {
     out: Option<std::path::PathBuf>,
     #[command(flatten)]
     level: LevelArg,
+    #[command(flatten)]
+    select: SelectArg,
     /// Solve for the largest fill_height, ag or ss, or the smallest thickness:N (course N from the base), at which no check fails.
     #[arg(long, value_name = "VARIABLE", conflicts_with = "out")]
     solve: Option<String>,
@@ -51,15 +56,57 @@ pub(crate) struct Args {
     #[arg(long, value_name = "CSV", conflicts_with = "out")]
     table: Option<std::path::PathBuf>,
     /// Form of the output.
-    #[arg(long, value_enum, default_value_t = Format::Human)]
-    format: Format,
+    #[arg(long, value_enum, default_value_t = CheckFormat::Human)]
+    format: CheckFormat,
+}
+
+/// Form of the output.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+enum CheckFormat {
+    /// A table for people.
+    Human,
+    /// JSON in SI units.
+    Json,
+    /// Comma-separated values in SI units.
+    Csv,
+    /// JUnit XML: a test case a check of the deciding methods.
+    Junit,
+    /// SARIF 2.1.0: a result a check that fails or was not made.
+    Sarif,
+    /// Annotations of GitHub workflows.
+    Github,
+}
+
+impl CheckFormat {
+    /// The form that other commands have too.
+    fn plain(self) -> Option<Format> {
+        match self {
+            CheckFormat::Human => Some(Format::Human),
+            CheckFormat::Json => Some(Format::Json),
+            CheckFormat::Csv => Some(Format::Csv),
+            _ => None,
+        }
+    }
 }
 
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
+    // A test report has no parts to select.
+    args.select.admit(args.format.plain().unwrap_or(Format::Csv))?;
+    if let (None, Some(option)) = (
+        args.format.plain(),
+        args.table
+            .as_ref()
+            .map(|_| "--table")
+            .or(args.solve.as_ref().map(|_| "--solve")),
+    ) {
+        return Err(Error::input(format!(
+            "error: {option}: found a test report as --format, expected human, json or csv"
+        )));
+    }
     if let Some(table) = &args.table {
-        if args.format == Format::Json {
+        if args.format == CheckFormat::Json {
             return Err(Error::input(
                 "error: --table: found --format json, expected csv\n  help: leave --format out".into(),
             ));
@@ -69,7 +116,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let job = args.inputs.job(|_| Vec::new())?;
     inputs::shaken(&job)?;
     if let Some(variable) = &args.solve {
-        return solve::run(&job, variable, args.format, global);
+        return solve::run(&job, variable, args.format.plain().unwrap_or(Format::Human), global);
     }
     let folder = args
         .out
@@ -86,12 +133,24 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         report::render(&folder.path(), None, args.level.level())?;
         folder.commit()?;
     }
-    if args.format == Format::Human {
+    if args.format == CheckFormat::Human {
         for line in wall::lines(&job.case.tank) {
             print(&format!("{line}\n"))?;
         }
     }
-    compare::print(&results, args.out.as_deref(), args.format, global)?;
+    let found = || findings::of_checks(&results);
+    let place = args.inputs.tank.to_string_lossy();
+    match (args.format, args.format.plain()) {
+        (_, Some(plain)) => compare::print(
+            &results,
+            args.out.as_deref(),
+            (plain, &args.select, &select::USUAL),
+            global,
+        )?,
+        (CheckFormat::Junit, _) => print(&findings::junit(&results.name, &found()))?,
+        (CheckFormat::Sarif, _) => print(&findings::sarif(&place, &found())?)?,
+        _ => print(&findings::github(&place, &found()))?,
+    }
     compare::late_warnings(&job, &results);
     if let Some(run) = results
         .verdict

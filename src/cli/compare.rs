@@ -16,6 +16,7 @@ use crate::cli::budget::{self, MemoryArg};
 use crate::cli::inputs::Inputs;
 use crate::cli::progress::{self, Watch};
 use crate::cli::report::LevelArg;
+use crate::cli::select::{self, SelectArg};
 use crate::cli::table::Table;
 use crate::cli::terminal::{self as stream, say};
 use crate::cli::{Format, Global, checks, nonlinear, now, solid};
@@ -42,6 +43,7 @@ Examples:
   tankcheck compare tank.json --out out/          the engine's modes under the design spectrum of the tank's `site`
   tankcheck compare tank.json --quake ns.at2 --vertical up.at2 --out out/
   tankcheck compare tank.json --quake ns.at2 --quake-y ew.at2 --vertical up.at2 --out out/
+  tankcheck compare tank.json --quake elcentro.csv --no-report --format json --select quantities,checks --out out/
   tankcheck compare tank.json --quake rec.txt --units g --integrator newmark --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe both --mesh 12x16x20 --out out/
   tankcheck compare tank.json --quake elcentro.csv --fe solid --liquid displacement --vtu paraview/
@@ -85,6 +87,11 @@ pub(crate) struct Args {
     no_mesh_error: bool,
     #[command(flatten)]
     level: LevelArg,
+    /// Write the results alone, without report and figures: about half of the time of a run goes into them.
+    #[arg(long, conflicts_with_all = ["templates", "report"])]
+    no_report: bool,
+    #[command(flatten)]
+    select: SelectArg,
     /// Folder whose files replace the built-in report templates.
     #[arg(long, value_name = "FOLDER")]
     templates: Option<PathBuf>,
@@ -141,6 +148,7 @@ enum IntegratorArg {
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
+    args.select.admit(args.format)?;
     let engines = |case: &Case| args.fe.unwrap_or_else(|| Engine::usual(case)).ids();
     let refuses = |task: &Task<'_>| {
         let all = engines(task.case).iter();
@@ -202,13 +210,11 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     if interrupted && results::read(&args.out).is_ok_and(|earlier| !earlier.verdict.unfinished) {
         watch.warn(&kept_complete(&args.out));
     } else {
-        pipeline::draw(&job, &mut results)?;
-        write(
-            &folder,
-            &results,
-            &series,
-            (args.templates.as_deref(), args.level.level()),
-        )?;
+        let report = (!args.no_report).then(|| (args.templates.as_deref(), args.level.level()));
+        if report.is_some() {
+            pipeline::draw(&job, &mut results)?;
+        }
+        write(&folder, &results, &series, report)?;
         if let (Some(vtu), Some(snapshots)) = (&vtu, &snapshots) {
             vtu::write(&vtu.path(), snapshots)?;
         }
@@ -219,7 +225,8 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         nonlinear::tidy(&job, &results);
     }
     watch.finish();
-    print(&results, Some(&args.out), args.format, global)?;
+    let out = (!args.no_report).then_some(args.out.as_path());
+    print(&results, out, (args.format, &args.select, &select::WHOLE), global)?;
     late_warnings(&job, &results);
     for found in unusable(&results) {
         say!("warning: {}", words::verdict::unusable(&found));
@@ -314,18 +321,27 @@ fn write(
     folder: &OutputFolder,
     results: &Results,
     series: &Series,
-    (templates, level): (Option<&Path>, Level),
+    report: Option<(Option<&Path>, Level)>,
 ) -> Result<(), Error> {
     results::write(&folder.path(), results, series)?;
-    report::render(&folder.path(), templates, level)?;
+    if let Some((templates, level)) = report {
+        report::render(&folder.path(), templates, level)?;
+    }
     Ok(())
 }
 
 /// Prints the summary.
-pub(crate) fn print(results: &Results, out: Option<&Path>, format: Format, global: &Global) -> Result<(), Error> {
+///
+/// * `select`: parts of the JSON, and those that are usual
+pub(crate) fn print(
+    results: &Results,
+    out: Option<&Path>,
+    (format, select, usual): (Format, &SelectArg, &[&str]),
+    global: &Global,
+) -> Result<(), Error> {
     match format {
         Format::Json => {
-            stream::print(&crate::cli::json(results)?)?;
+            stream::print(&select.json(results, usual)?)?;
         }
         Format::Csv => stream::print(&csv(results))?,
         Format::Human => {

@@ -5,13 +5,18 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
+use crate::cli::findings::{self, Finding, Outcome};
+use crate::cli::table::Table;
 use crate::cli::terminal::say;
-use crate::cli::{Format, Global, print};
+use crate::cli::{Global, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
 use files::text as visible;
 use files::{Kind, OutputFolder, write_whole};
+use report::words;
 use results::numdiff::{self, Options, Report};
-use results::{self, COMPARE, OUTPUT, describe};
+use results::{self, COMPARE, Changes, Ending, MovedCheck, MovedQuantity, OUTPUT, Side, describe};
+use tank::assessment::CheckStatus;
+use tank::units;
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -19,6 +24,8 @@ use results::{self, COMPARE, OUTPUT, describe};
 Examples:
   tankcheck diff reports/01_broad_tank out/
   tankcheck diff golden/ out/ --rtol 1e-4 --format json
+  tankcheck diff golden/ out/ --all               also calculation lines, profiles and histories
+  tankcheck diff golden/ out/ --format junit > diff.xml
   tankcheck diff golden/ out/ --bless --reason \"finer mesh at the base by default\"
 
 Exit codes: 0 equal within tolerance; 1 a value moved; 2 bad input.")]
@@ -39,12 +46,32 @@ pub(crate) struct Args {
     /// Reason why the numbers may move.
     #[arg(long)]
     reason: Option<String>,
-    /// Largest number of rows to print.
+    /// Largest number of rows of each table.
     #[arg(long, default_value_t = 30)]
     most: usize,
+    /// List every value that moved: calculation lines, profiles, histories, input.
+    #[arg(long)]
+    all: bool,
     /// Form of the output.
-    #[arg(long, value_enum, default_value_t = Format::Human)]
-    format: Format,
+    #[arg(long, value_enum, default_value_t = DiffFormat::Human)]
+    format: DiffFormat,
+}
+
+/// Form of the output.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+enum DiffFormat {
+    /// Tables for people: verdict, quantities and checks.
+    Human,
+    /// JSON in SI units.
+    Json,
+    /// Every value that moved, comma-separated.
+    Csv,
+    /// JUnit XML: a test case a check and quantity that moved.
+    Junit,
+    /// SARIF 2.1.0.
+    Sarif,
+    /// Annotations of GitHub workflows.
+    Github,
 }
 
 /// The results folder that is overwritten.
@@ -107,10 +134,16 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         return Ok(EXIT_OK);
     }
     let report = numdiff::folders(&args.old, &args.new, &options)?;
+    let changes = changes(&args, &options)?;
+    let findings = || findings(changes.as_ref());
+    let place = || args.new.join(results::RESULTS_FILE).to_string_lossy().into_owned();
     match args.format {
-        Format::Json => print(&json(&report))?,
-        Format::Human => print(&human(&report, args.most))?,
-        Format::Csv => print(&csv(&report))?,
+        DiffFormat::Json => print(&json(&report, changes.as_ref()))?,
+        DiffFormat::Human => print(&human(&report, changes.as_ref(), (args.most, args.all)))?,
+        DiffFormat::Csv => print(&csv(&report))?,
+        DiffFormat::Junit => print(&findings::junit("tankcheck diff", &findings()))?,
+        DiffFormat::Sarif => print(&findings::sarif(&place(), &findings())?)?,
+        DiffFormat::Github => print(&findings::github(&place(), &findings()))?,
     }
     if args.bless {
         bless(&args, &report)?;
@@ -126,7 +159,129 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     })
 }
 
-fn human(report: &Report, most: usize) -> String {
+/// Verdict, quantities and checks of both folders; none of `ida` and `push`, which have others.
+fn changes(args: &Args, options: &Options) -> Result<Option<Changes>, Error> {
+    let compared = |folder: &Path| folder.join(results::RESULTS_FILE).is_file();
+    if !(compared(&args.old) && compared(&args.new)) {
+        return Ok(None);
+    }
+    let (old, new) = (results::read(&args.old)?, results::read(&args.new)?);
+    Ok(Some(Changes::between(&old, &new, options.rtol)))
+}
+
+/// What moved, for test reports.
+fn findings(changes: Option<&Changes>) -> Vec<Finding> {
+    let Some(changes) = changes else { return Vec::new() };
+    let quantity = |q: &MovedQuantity| Finding {
+        group: q.method.clone(),
+        id: q.id.clone(),
+        outcome: Outcome::Fails,
+        message: format!("{} -> {} {}", q.old, q.new, percent(q.change)),
+    };
+    let check = |c: &MovedCheck| {
+        let failed = c.new.is_some_and(|e| e.status == CheckStatus::Fails);
+        Finding {
+            group: c.method.clone(),
+            id: c.id.clone(),
+            outcome: if failed || c.turned() {
+                Outcome::Fails
+            } else {
+                Outcome::Warns
+            },
+            message: format!("{} -> {}", ending(c.old), ending(c.new)),
+        }
+    };
+    changes
+        .checks
+        .iter()
+        .map(check)
+        .chain(changes.quantities.iter().map(quantity))
+        .collect()
+}
+
+fn percent(change: Option<f64>) -> String {
+    change.map_or("–".into(), |c| format!("{:+.2} %", 100.0 * c))
+}
+
+fn ending(ending: Option<Ending>) -> String {
+    let Some(ending) = ending else { return "–".into() };
+    let status = words::verdict::status(ending.status);
+    match ending.utilisation {
+        Some(utilisation) => format!("{utilisation:.3} {status}"),
+        None => status.into(),
+    }
+}
+
+/// The first screen: verdict, quantities, checks.
+fn summary(changes: &Changes, most: usize) -> String {
+    let mut text = String::new();
+    let [old, new] = &changes.verdict;
+    let governing = |side: &Side| match &side.governing {
+        Some((method, check, Some(utilisation))) => format!(", {check} of {method} {utilisation:.3}"),
+        Some((method, check, None)) => format!(", {check} of {method}"),
+        None => String::new(),
+    };
+    let word = |side: &Side| crate::cli::solve::word(side.status);
+    if old == new {
+        let _ = writeln!(text, "verdict  {}{} as before", word(new), governing(new));
+    } else {
+        let _ = writeln!(
+            text,
+            "verdict  {}{}  ->  {}{}",
+            word(old),
+            governing(old),
+            word(new),
+            governing(new)
+        );
+    }
+    let more = |text: &mut String, all: usize| {
+        if all > most {
+            let _ = writeln!(text, "  (+{} more; --most {all} shows all)", all - most);
+        }
+    };
+    if !changes.quantities.is_empty() {
+        let mut table = Table::new(["quantity", "method", "old", "new", "change"]);
+        for q in changes.quantities.iter().take(most) {
+            let unit = units::column_unit([q.old, q.new], q.dimension);
+            let value = |v: f64| units::significant(units::in_unit(v, unit), 4);
+            let name = match unit.symbol.is_empty() {
+                true => q.id.clone(),
+                false => format!("{} [{}]", q.id, unit.symbol),
+            };
+            table.row([name, q.method.clone(), value(q.old), value(q.new), percent(q.change)]);
+        }
+        let _ = write!(text, "\n{table}");
+        more(&mut text, changes.quantities.len());
+    }
+    if !changes.checks.is_empty() {
+        let mut table = Table::new(["check", "method", "old", "new", ""]);
+        for c in changes.checks.iter().take(most) {
+            let remark = match (c.old, c.new) {
+                (None, _) => "appeared",
+                (_, None) => "vanished",
+                _ if c.turned() => "changed",
+                _ => "",
+            };
+            table.row([
+                c.id.clone(),
+                c.method.clone(),
+                ending(c.old),
+                ending(c.new),
+                remark.to_owned(),
+            ]);
+        }
+        let _ = write!(text, "\n{table}");
+        more(&mut text, changes.checks.len());
+    }
+    for (methods, side) in [(&changes.vanished, "old"), (&changes.appeared, "new")] {
+        if !methods.is_empty() {
+            let _ = writeln!(text, "\nonly in the {side} results: {}", methods.join(", "));
+        }
+    }
+    text
+}
+
+fn human(report: &Report, changes: Option<&Changes>, (most, all): (usize, bool)) -> String {
     let outcome = match (report.moved.len(), report.drifted) {
         (0, 0) => "same".to_string(),
         (0, drifted) => format!(
@@ -136,6 +291,21 @@ fn human(report: &Report, most: usize) -> String {
         (moved, _) => format!("{moved} moved"),
     };
     let mut text = format!("{outcome} ({} values compared)\n", report.compared);
+    let told = changes.filter(|c| !c.none());
+    if let Some(changes) = told {
+        text.push('\n');
+        for line in summary(changes, most).lines() {
+            let _ = writeln!(text, "{}", visible::line(line));
+        }
+    }
+    if told.is_some() && !all {
+        let _ = writeln!(
+            text,
+            "\n{} values moved in all; --all lists them with calculation lines, profiles and histories",
+            report.moved.len()
+        );
+        return text;
+    }
     for d in report.moved.iter().take(most) {
         if d.change.is_finite() {
             let _ = writeln!(
@@ -162,7 +332,7 @@ fn human(report: &Report, most: usize) -> String {
     text
 }
 
-fn json(report: &Report) -> String {
+fn json(report: &Report, changes: Option<&Changes>) -> String {
     let moved: Vec<_> = report
         .moved
         .iter()
@@ -172,7 +342,7 @@ fn json(report: &Report) -> String {
         .collect();
     let text = format!(
         "{:#}\n",
-        json!({"compared": report.compared, "drifted": report.drifted, "largest_drift": report.largest_drift, "moved": moved})
+        json!({"compared": report.compared, "drifted": report.drifted, "largest_drift": report.largest_drift, "moved": moved, "changes": changes})
     );
     visible::json(&text).into_owned()
 }

@@ -52,8 +52,8 @@ mod tests {
     use std::path::Path;
 
     use super::*;
-    use crate::input::study;
     use crate::input::diagnostic::Source;
+    use crate::input::study;
     use crate::input::tank::parse;
 
     /// The study file with the files that it names beside it.

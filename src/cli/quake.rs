@@ -2,6 +2,8 @@
 
 mod harmonic;
 mod set;
+mod synth;
+mod target;
 
 use std::path::PathBuf;
 
@@ -32,6 +34,8 @@ enum Command {
     Harmonic(harmonic::Harmonic),
     /// Check whether a set of records stands for a spectrum.
     Set(set::Set),
+    /// Write synthetic records whose spectrum follows a target.
+    Synth(synth::Synth),
 }
 
 #[derive(clap::Args)]
@@ -87,6 +91,7 @@ pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
             return Ok(EXIT_OK);
         }
         Command::Set(set) => return set.run(),
+        Command::Synth(synth) => return synth.run(),
     };
     let read = records::read(&info.record, &info.reading.options())?;
     let facts = facts(&read);

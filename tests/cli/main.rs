@@ -27,6 +27,7 @@ mod plausible;
 mod push;
 mod push_resume;
 mod records;
+mod select;
 mod solid;
 mod solve;
 mod streams;

@@ -456,10 +456,14 @@ impl Histories {
             self.directions.iter().copied().chain(own.into_iter().flatten())
         };
         // Capacity is dear: it is asked for where its lower bound, of the run and then of the pressure, leaves more than has been found.
-        let first = *first;
         if self.len() == 0 {
             return None;
         }
+        // Where no capacity is left at some pressure, the first compression decides, not the largest.
+        let first = match floor > 0.0 {
+            true => *first,
+            false => largest.iter().position(|c| *c > 0.0).unwrap_or(0),
+        };
         let mut best = at(first, places(first).next()?);
         for k in std::iter::once(first).chain(0..self.len()) {
             if ratio(largest[k], floor) <= best.utilisation && k != first {

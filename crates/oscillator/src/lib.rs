@@ -7,6 +7,7 @@
 //! | [`sdof`] | exact recurrence for piecewise linear loads; Duhamel's integral as a reference |
 //! | [`newmark`] | coefficients of Newmark's method |
 //! | [`spectrum`] | response spectra |
+//! | [`synthetic`] | records whose spectrum follows a target |
 //!
 //! SI units throughout (m, kg, s, N, rad).
 
@@ -15,6 +16,7 @@ pub mod newmark;
 pub mod record;
 pub mod sdof;
 pub mod spectrum;
+pub mod synthetic;
 
 /// Standard acceleration of free fall, 9.80665 m/s² (ISO 80000-3); the meaning of the unit `g`.
 pub const STANDARD_GRAVITY: f64 = 9.80665;

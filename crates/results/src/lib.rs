@@ -5,6 +5,7 @@
 
 mod around;
 mod base_run;
+mod changes;
 pub mod channel;
 pub mod compare;
 mod directions;
@@ -38,6 +39,7 @@ use tank::units::Dimension;
 
 pub use around::{Around, BaseAround, WaveAround};
 pub use base_run::{AnchorRun, BaseBand, BaseEnergy, BaseQuantity, BaseRun, BaseSpread, GroundOrigin, MissedBand};
+pub use changes::{Changes, Ending, MovedCheck, MovedQuantity, Side};
 pub use channel::{Channel, GROUND_COLUMNS, VERTICAL_PREFIX};
 pub use directions::Directional;
 pub use fact::{Fact, FactKind};

@@ -1,20 +1,19 @@
 //! `tankcheck quake set`: whether a set of records stands for a spectrum.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use codes::record_set::{self, Asked, CLAUSE, FEWEST, RANGE, SHARE};
 use oscillator::record::Record;
 use serde::Serialize;
-use tank::case::Site;
-use tank::hazard::SpectrumTable;
 use tank::units::{self, Dimension};
 use tank::{Quantity, STANDARD_GRAVITY};
 
+use super::target::Target;
 use crate::cli::inputs::Reading;
 use crate::cli::table::Table;
 use crate::cli::{Format, json, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
-use crate::input::{self, TankFile, records, target};
+use crate::input::{self, TankFile, records};
 use crate::job::Job;
 use crate::pipeline;
 use files::text;
@@ -96,12 +95,6 @@ struct OfPeriod {
     holds: bool,
 }
 
-/// The spectrum that the set is to stand for.
-enum Target {
-    Tank(Box<TankFile>),
-    Table(SpectrumTable),
-}
-
 /// A period at which the rule is asked.
 struct Wanted {
     which: &'static str,
@@ -120,7 +113,7 @@ impl Set {
             .iter()
             .map(|text| period(text))
             .collect::<Result<Vec<f64>, Error>>()?;
-        let target = self.target()?;
+        let target = Target::read(&self.target, &self.reading)?;
         let wanted = self.wanted(&target, &given)?;
         let mut set: Vec<Record> = Vec::new();
         let mut rows = Vec::new();
@@ -191,18 +184,6 @@ impl Set {
             }
         }
         Ok(if found.holds { EXIT_OK } else { EXIT_CHECK_FAILED })
-    }
-
-    fn target(&self) -> Result<Target, Error> {
-        let table = |path: &Path| {
-            let end = path.extension().map(|e| e.to_string_lossy().to_lowercase());
-            matches!(end.as_deref(), Some("csv" | "txt"))
-        };
-        if table(&self.target) {
-            let unit = self.reading.options().unit;
-            return Ok(Target::Table(target::read(&self.target, unit)?));
-        }
-        Ok(Target::Tank(Box::new(input::read_tank(&self.target)?)))
     }
 
     /// The periods that are asked.
@@ -295,37 +276,6 @@ fn of_tank(tank: &TankFile) -> Result<Vec<Wanted>, Error> {
                 .into(),
         )),
         false => Ok(wanted),
-    }
-}
-
-impl Target {
-    /// The elastic spectrum at a damping.
-    ///
-    /// Errors: a tank without the site of EN 1998.
-    fn curve(&self, damping: f64) -> Result<Box<dyn Fn(f64) -> f64>, Error> {
-        match self {
-            Target::Table(table) => {
-                let table = table.clone();
-                // Beyond the last row nothing is asked.
-                Ok(Box::new(move |period| table.at(period).unwrap_or(f64::NAN)))
-            }
-            Target::Tank(tank) => {
-                let site = Site {
-                    api650: None,
-                    zone: None,
-                    ..tank.case.site.clone()
-                };
-                let mut curves = codes::ALL.iter().flat_map(|p| p.design_curves(&site, &[damping]));
-                let found = curves.next();
-                found.map(|curve| curve.acceleration).ok_or_else(|| {
-                    Error::input(
-                        "error: --target: the tank file has no `site.ec8`, whose elastic spectrum the rule compares with\n  help: add it, or \
-                         give a table of the spectrum"
-                            .into(),
-                    )
-                })
-            }
-        }
     }
 }
 

@@ -1,0 +1,69 @@
+//! The spectrum that records are compared with: that of a tank's site, or a table.
+
+use std::path::Path;
+
+use tank::case::Site;
+use tank::hazard::SpectrumTable;
+
+use crate::cli::inputs::Reading;
+use crate::error::Error;
+use crate::input::{self, TankFile, target};
+
+/// A target spectrum.
+pub(super) enum Target {
+    Tank(Box<TankFile>),
+    Table(SpectrumTable),
+}
+
+impl Target {
+    /// Reads a CSV table (by its extension) or a tank file.
+    ///
+    /// Errors: those of the readers.
+    pub(super) fn read(path: &Path, reading: &Reading) -> Result<Target, Error> {
+        let end = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+        if matches!(end.as_deref(), Some("csv" | "txt")) {
+            return Ok(Target::Table(target::read(path, reading.options().unit)?));
+        }
+        Ok(Target::Tank(Box::new(input::read_tank(path)?)))
+    }
+
+    /// Longest period that it covers [s].
+    pub(super) fn longest(&self) -> f64 {
+        match self {
+            Target::Table(table) => table.longest(),
+            Target::Tank(tank) => match &tank.case.site.spectrum {
+                Some(own) => codes::hazard::longest(own),
+                None => f64::INFINITY,
+            },
+        }
+    }
+
+    /// The elastic spectrum at a damping.
+    ///
+    /// Errors: a tank without the site of EN 1998.
+    pub(super) fn curve(&self, damping: f64) -> Result<Box<dyn Fn(f64) -> f64>, Error> {
+        match self {
+            Target::Table(table) => {
+                let table = table.clone();
+                // Beyond the last row nothing is asked.
+                Ok(Box::new(move |period| table.at(period).unwrap_or(f64::NAN)))
+            }
+            Target::Tank(tank) => {
+                let site = Site {
+                    api650: None,
+                    zone: None,
+                    ..tank.case.site.clone()
+                };
+                let mut curves = codes::ALL.iter().flat_map(|p| p.design_curves(&site, &[damping]));
+                let found = curves.next();
+                found.map(|curve| curve.acceleration).ok_or_else(|| {
+                    Error::input(
+                        "error: --target: the tank file has no `site.ec8`, whose elastic spectrum the rule compares with\n  help: add it, or \
+                         give a table of the spectrum"
+                            .into(),
+                    )
+                })
+            }
+        }
+    }
+}
