@@ -8,7 +8,6 @@ mod yielding;
 use std::collections::BTreeMap;
 
 use super::grades::{self, Found, Preset, Strengths};
-use super::plates::Plates;
 use crate::input::tank::key::{Absent, Limits, without};
 use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
@@ -64,8 +63,12 @@ pub(super) type Materials = BTreeMap<String, Option<tank::Material>>;
 
 /// Reads all materials.
 ///
-/// * `plates`: the thickest plate of each
-pub(super) fn materials(r: &mut Resolver<'_>, field: &Field<Named<Material>>, plates: &Plates<'_>) -> Materials {
+/// * `plates`: thickness of the thickest plate [m] by the name of the material
+pub(super) fn materials(
+    r: &mut Resolver<'_>,
+    field: &Field<Named<Material>>,
+    plates: &BTreeMap<&str, f64>,
+) -> Materials {
     let mut all = Materials::new();
     let Some(named) = &field.value else {
         return all;
