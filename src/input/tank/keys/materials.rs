@@ -198,10 +198,10 @@ fn preset(r: &mut Resolver<'_>, field: Option<&Field<String>>, thickness: f64) -
                 .help("give the values of the steel instead of `grade`, or a grade that has them")
         }
         Found::Unknown => {
-            let near = grades::near(name);
+            let (near, meant) = grades::near(name);
             let fault = range_fault(field, &format!("unknown grade `{name}`"), &grades::allowed(&near));
-            match near.first() {
-                Some(nearest) => fault.help(format!("did you mean \"{nearest}\"?")),
+            match meant {
+                Some(meant) => fault.help(format!("did you mean \"{meant}\"?")),
                 None => fault,
             }
         }
