@@ -55,7 +55,7 @@ pub(super) fn resolve(file: &TankFile, folder: &Path, faults: &mut Faults) -> Op
         r.echo_given(notes);
     }
     let gravity = r.or_default(&file.gravity);
-    let materials = materials::materials(&mut r, &file.materials, &plates::plates(&file));
+    let materials = materials::materials(&mut r, &file.materials, &plates::plates(file));
     let tank = tank::tank(&mut r, &file.tank, &materials);
     let liquid = tank::liquid(&mut r, &file.liquid);
     cross::checks(&mut r, file, tank.as_ref(), liquid);

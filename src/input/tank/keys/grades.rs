@@ -128,12 +128,12 @@ pub(super) fn find(name: &str, thickness: f64) -> Found {
     (others().find(|p| folded(p.name) == wanted)).map_or(Found::Unknown, Found::Grade)
 }
 
-/// Names and aliases nearest to an unknown one, the nearest first; none for a name that is not like any.
-pub(super) fn near(name: &str) -> Vec<&'static str> {
+/// Names and aliases nearest to an unknown one, the nearest first; and the one that is probably meant. None for a name that is not like any.
+pub(super) fn near(name: &str) -> (Vec<&'static str>, Option<&'static str>) {
     let wanted = folded(name);
     let length = wanted.chars().count();
     if length > LONGEST {
-        return Vec::new();
+        return (Vec::new(), None);
     }
     let plates = steels().flat_map(|g| std::iter::once(g.name).chain(g.aliases.iter().copied()));
     let mut near: Vec<(usize, &str)> = plates
@@ -144,7 +144,9 @@ pub(super) fn near(name: &str) -> Vec<&'static str> {
     // Stable: of names equally near the first in the list.
     near.sort_by_key(|(distance, _)| *distance);
     near.truncate(SHOWN);
-    near.into_iter().map(|(_, known)| known).collect()
+    let meant = near.first().filter(|(distance, _)| distance * 3 <= length);
+    let meant = meant.map(|(_, known)| *known);
+    (near.into_iter().map(|(_, known)| known).collect(), meant)
 }
 
 /// Longest folded name that is compared [characters]; the longest of a grade has 18.

@@ -8,7 +8,6 @@ mod yielding;
 use std::collections::BTreeMap;
 
 use super::grades::{self, Found, Preset, Strengths};
-use super::plates::Plates;
 use crate::input::tank::key::{Absent, Limits, without};
 use crate::input::tank::read::{Field, Opt, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
@@ -64,8 +63,12 @@ pub(super) type Materials = BTreeMap<String, Option<tank::Material>>;
 
 /// Reads all materials.
 ///
-/// * `plates`: the thickest plate of each
-pub(super) fn materials(r: &mut Resolver<'_>, field: &Field<Named<Material>>, plates: &Plates<'_>) -> Materials {
+/// * `plates`: thickness of the thickest plate [m] by the name of the material
+pub(super) fn materials(
+    r: &mut Resolver<'_>,
+    field: &Field<Named<Material>>,
+    plates: &BTreeMap<&str, f64>,
+) -> Materials {
     let mut all = Materials::new();
     let Some(named) = &field.value else {
         return all;
@@ -195,10 +198,10 @@ fn preset(r: &mut Resolver<'_>, field: Option<&Field<String>>, thickness: f64) -
                 .help("give the values of the steel instead of `grade`, or a grade that has them")
         }
         Found::Unknown => {
-            let near = grades::near(name);
+            let (near, meant) = grades::near(name);
             let fault = range_fault(field, &format!("unknown grade `{name}`"), &grades::allowed(&near));
-            match near.first() {
-                Some(nearest) => fault.help(format!("did you mean \"{nearest}\"?")),
+            match meant {
+                Some(meant) => fault.help(format!("did you mean \"{meant}\"?")),
                 None => fault,
             }
         }

@@ -7,11 +7,10 @@ use crate::input::tank::read::{Field, Opt};
 use crate::input::tank::values::{Length, Si};
 
 /// Largest nominal thickness [m] by the name of the material.
-pub(super) type Plates<'f> = BTreeMap<&'f str, f64>;
-
+///
 /// Courses, layers and bottom plates, as built: a product standard counts the thickness before corrosion.
-pub(super) fn plates(file: &TankFile) -> Plates<'_> {
-    let mut plates = Plates::new();
+pub(super) fn plates(file: &TankFile) -> BTreeMap<&str, f64> {
+    let mut plates = BTreeMap::new();
     let Some(tank) = &file.tank.value else {
         return plates;
     };
@@ -40,7 +39,7 @@ fn of(option: &Opt<Length>) -> Option<f64> {
     option.value().map(|length| length.si())
 }
 
-fn add<'f>(plates: &mut Plates<'f>, material: &'f Field<String>, thickness: Option<f64>) {
+fn add<'f>(plates: &mut BTreeMap<&'f str, f64>, material: &'f Field<String>, thickness: Option<f64>) {
     if let (Some(name), Some(thickness)) = (&material.value, thickness) {
         let thickest = plates.entry(name).or_insert(0.0);
         *thickest = thickest.max(thickness);
