@@ -186,13 +186,13 @@ class Errors(Folders):
         self.assertTrue(issubclass(tankcheck.InputError, tankcheck.TankcheckError))
 
     def test_a_collapse_is_a_result(self) -> None:
-        done = tankcheck.run(["check", "-", "--format=json"], stdin=json.dumps(TANK))
+        done = tankcheck.run(["check", "-", "--format=json", "--select=all"], stdin=json.dumps(TANK))
         stopped = tankcheck.Completed(3, done.stdout, "")
         with mock.patch.object(_calls, "run", return_value=stopped):
             self.assertEqual(tankcheck.check(TANK).exit_code, 3)
 
     def test_warnings_of_the_program_are_warnings(self) -> None:
-        done = tankcheck.run(["check", "-", "--format=json"], stdin=json.dumps(TANK))
+        done = tankcheck.run(["check", "-", "--format=json", "--select=all"], stdin=json.dumps(TANK))
         warned = tankcheck.Completed(done.exit_code, done.stdout, "warning: a doubt\nnote: a remark\n")
         with mock.patch.object(_calls, "run", return_value=warned):
             with self.assertWarnsRegex(tankcheck.TankcheckWarning, "^a doubt$"):
