@@ -26,6 +26,7 @@ mod nonlinear_scope;
 mod plausible;
 mod push;
 mod push_resume;
+mod record_set;
 mod records;
 mod select;
 mod solid;

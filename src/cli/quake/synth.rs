@@ -7,7 +7,7 @@ use oscillator::record::Record;
 use oscillator::synthetic::{Wanted, synthetic};
 
 use super::target::Target;
-use crate::cli::inputs::Reading;
+use crate::cli::inputs::{Reading, Unit};
 use crate::cli::print;
 use crate::error::{EXIT_OK, Error};
 use files::{Kind, OutputFolder};
@@ -59,8 +59,9 @@ pub(super) struct Synth {
     /// Folder of the records.
     #[arg(long, short, value_name = "FOLDER", default_value = "records")]
     out: PathBuf,
-    #[command(flatten)]
-    reading: Reading,
+    /// Unit of the accelerations of a table that does not say it.
+    #[arg(long, value_enum, value_name = "UNIT")]
+    units: Option<Unit>,
 }
 
 impl Synth {
@@ -75,7 +76,11 @@ impl Synth {
         let duration = within("--duration", self.duration, 1.0, 1000.0)?;
         let strong = within("--strong", self.strong, 0.1, 0.95 * duration)?;
         let dt = within("--dt", self.dt, duration / MOST_SAMPLES, 0.05)?;
-        let target = Target::read(&self.target, &self.reading)?;
+        let reading = Reading {
+            units: self.units,
+            ..Reading::default()
+        };
+        let target = Target::read(&self.target, &reading)?;
         let covered = target.longest().min(0.5 * duration);
         let longest = match self.longest {
             Some(longest) => within("--longest", longest, 0.1, covered)?,
