@@ -7,7 +7,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`plan`] | the tasks of a study and their keys |
-//! | [`task`] | the computation of one task |
+//! | `task` | the computation of one task |
 //! | [`rows`] | what a task writes: one row a tank, sample, record and scale |
 //! | [`store`] | files of results: whole or ignored |
 //! | [`run`] | missing tasks, in threads |
