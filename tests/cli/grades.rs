@@ -141,7 +141,10 @@ fn an_unknown_grade_has_the_nearest_ones() {
         assert!(found.contains(&format!("did you mean \"{nearest}\"?")), "{found}");
     }
     let found = fault(&with(r#""grade": "A517""#));
-    assert!(found.contains("a grade such as A516 70") && !found.contains("did you mean"), "{found}");
+    assert!(
+        found.contains("a grade such as A516 70") && !found.contains("did you mean"),
+        "{found}"
+    );
     let found = fault(&with(r#""grade": "unobtainium""#));
     assert!(!found.contains("did you mean"), "{found}");
     assert!(
