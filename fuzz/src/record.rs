@@ -41,6 +41,7 @@ fn check(bytes: &[u8]) {
         unit: Some(AccelerationUnit::Gal),
         dt: Some(0.01),
         allow_implausible: true,
+        channel: None,
     };
     for options in [ReadOptions::default(), given] {
         let Some(found) = read(bytes, &options) else { continue };

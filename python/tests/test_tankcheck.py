@@ -115,6 +115,24 @@ class Check(Folders):
         self.assertIsNone(tankcheck.check(TANK).report)
 
 
+class Select(Folders):
+    @unittest.skipIf(os.name == "nt", "a shell script stands for the program")
+    def test_everything_is_asked_for_where_the_program_can_be_asked(self) -> None:
+        """A program whose help has --select gets --select=all; another one does not."""
+        for known, expected in (("--select <FIELDS>", True), ("--selected", False)):
+            program = self.folder / f"program{expected}"
+            log = self.folder / f"log{expected}"
+            script = f"""#!/bin/sh
+case "$*" in *--help*) echo '{known}' ;; *) echo "$@" > '{log}'; exit 2 ;; esac
+"""
+            program.write_text(script, encoding="utf-8")
+            program.chmod(0o755)
+            with mock.patch.dict(os.environ, {_program.VARIABLE: str(program)}):
+                with self.assertRaises(tankcheck.InputError):
+                    tankcheck.check("tank.json")
+            self.assertEqual("--select=all" in log.read_text(encoding="utf-8").split(), expected)
+
+
 class Compare(Folders):
     def test_histories_begin_at_rest_and_follow_the_record(self) -> None:
         record = Record(str(self.folder))

@@ -21,7 +21,7 @@ use results::{InputValue, SourceFile};
 pub(crate) struct Inputs {
     /// The tank (`-` reads standard input); `tankcheck init` writes one to start from.
     pub tank: PathBuf,
-    /// Horizontal ground acceleration: CSV, two-column text or PEER .AT2.
+    /// Horizontal ground acceleration: CSV, two-column text, PEER .AT2, ESM, K-NET, SMC, COSMOS, CSMIP volume 2.
     #[arg(long, value_name = "RECORD")]
     pub quake: Option<PathBuf>,
     /// Second horizontal ground acceleration, along y (θ = 90°), of a cylinder or of a box with --fe solid; scaled with the factor of --quake.
@@ -199,6 +199,9 @@ pub(crate) struct Reading {
     /// Time step [s] of a file without a time column.
     #[arg(long, value_name = "SECONDS")]
     pub dt: Option<f64>,
+    /// Channel of a CSMIP file with several, from 1.
+    #[arg(long, value_name = "N")]
+    pub channel: Option<u32>,
     /// Accept a peak ground acceleration above 5 g, before and after scaling; never above 1000 g.
     #[arg(long)]
     pub allow_implausible: bool,
@@ -217,17 +220,25 @@ pub(crate) enum Unit {
     MetrePerSecondSquared,
 }
 
+impl Unit {
+    /// In the vocabulary of the readers.
+    pub(crate) fn unit(self) -> records::AccelerationUnit {
+        match self {
+            Unit::G => records::AccelerationUnit::G,
+            Unit::Gal => records::AccelerationUnit::Gal,
+            Unit::MetrePerSecondSquared => records::AccelerationUnit::MetrePerSecondSquared,
+        }
+    }
+}
+
 impl Reading {
     /// In the vocabulary of the readers.
     pub(crate) fn options(&self) -> records::ReadOptions {
         records::ReadOptions {
-            unit: self.units.map(|unit| match unit {
-                Unit::G => records::AccelerationUnit::G,
-                Unit::Gal => records::AccelerationUnit::Gal,
-                Unit::MetrePerSecondSquared => records::AccelerationUnit::MetrePerSecondSquared,
-            }),
+            unit: self.units.map(Unit::unit),
             dt: self.dt,
             allow_implausible: self.allow_implausible,
+            channel: self.channel,
         }
     }
 }

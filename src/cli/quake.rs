@@ -1,5 +1,6 @@
 //! `tankcheck quake`: properties of an accelerogram, and records of harmonic motion.
 
+mod convert;
 mod harmonic;
 mod set;
 mod synth;
@@ -30,6 +31,8 @@ pub(crate) struct Args {
 enum Command {
     /// Peaks, intensity and duration of a record, and its format as read.
     Info(Info),
+    /// Write a record of any format as CSV.
+    Convert(convert::Convert),
     /// Write a record of harmonic motion.
     Harmonic(harmonic::Harmonic),
     /// Check whether a set of records stands for a spectrum.
@@ -45,7 +48,8 @@ Examples:
   tankcheck quake info RSN6_IMPVALL.I_I-ELC180.AT2 --format json
   tankcheck quake info column.txt --dt 0.01 --units gal
 
-Formats: CSV or plain text with one column (acceleration) or two (time, acceleration); PEER .AT2.
+Formats: CSV or plain text with one column (acceleration) or two (time, acceleration); PEER .AT2; ESM and ITACA;
+K-NET and KiK-net; USGS SMC; COSMOS; CSMIP volume 2 (--channel where there are several).
 The unit comes from the header or from --units, never from the size of the numbers.")]
 struct Info {
     /// The record (`-` reads standard input).
@@ -66,6 +70,8 @@ struct Facts<'a> {
     unit: String,
     unit_source: &'a str,
     notes: &'a [String],
+    low_cut_frequency_hz: Option<f64>,
+    usable_period_s: Option<f64>,
     samples: usize,
     dt: f64,
     duration: f64,
@@ -88,6 +94,10 @@ pub(crate) fn run(args: Args, _: &Global) -> Result<u8, Error> {
         Command::Info(info) => info,
         Command::Harmonic(harmonic) => {
             harmonic.run()?;
+            return Ok(EXIT_OK);
+        }
+        Command::Convert(convert) => {
+            convert.run()?;
             return Ok(EXIT_OK);
         }
         Command::Set(set) => return set.run(),
@@ -121,6 +131,8 @@ fn facts(read: &ReadRecord) -> Facts<'_> {
         unit: read.unit.to_string(),
         unit_source: &read.unit_source,
         notes: &read.notes,
+        low_cut_frequency_hz: read.low_cut_frequency,
+        usable_period_s: read.usable_period(),
         samples: read.record.acceleration.len(),
         dt: read.record.dt,
         duration: read.record.duration(),
@@ -166,6 +178,11 @@ fn human(facts: &Facts) -> String {
     text.push_str(&format!("\nformat   {}\n", facts.format));
     text.push_str(&format!("unit     {}, from {}\n", facts.unit, facts.unit_source));
     text.push_str(&format!("sha256   {}\n", facts.sha256));
+    if let (Some(corner), Some(longest)) = (facts.low_cut_frequency_hz, facts.usable_period_s) {
+        text.push_str(&format!(
+            "filter   low cut at {corner} Hz: nothing can be said of periods beyond {longest:.3} s\n"
+        ));
+    }
     for note in facts.notes {
         text.push_str(&format!("note     {note}\n"));
     }

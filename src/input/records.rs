@@ -4,6 +4,11 @@
 //! |---|---|
 //! | [`columns`] | CSV and plain text: one column (acceleration) or two (time, acceleration) |
 //! | [`at2`] | PEER `.AT2`, headers of 1999 and NGA |
+//! | `esm` | ESM and ITACA ASCII |
+//! | `knet` | K-NET and KiK-net ASCII |
+//! | `smc` | USGS SMC |
+//! | `cosmos` | COSMOS v1.x |
+//! | `csmip` | CSMIP and CDMG volume 2 |
 //! | [`foreign`] | formats that are recognised but not supported |
 //! | `process` | scaling, time stretching, resampling |
 //!
@@ -11,14 +16,20 @@
 //! numbers. Every fault is an [`Error::Input`] with file, line, found and expected value.
 
 pub mod at2;
+mod block;
 pub mod columns;
+mod cosmos;
+mod csmip;
 mod draft;
+mod esm;
 pub mod foreign;
+mod knet;
 mod load;
 mod number;
 mod options;
 pub mod plausible;
 mod process;
+mod smc;
 mod time;
 mod unit;
 
@@ -69,18 +80,40 @@ pub fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Re
         unit: draft.unit,
         unit_source: draft.unit_source,
         notes: draft.notes,
+        low_cut_frequency: draft.low_cut,
         sha256: load::sha256(bytes),
     })
 }
 
+/// Whether a text is in a format.
+type Sniff = fn(&str) -> bool;
+/// The reader of a format.
+type Reader = fn(&str, &ReadOptions) -> Result<Draft, Faults>;
+
 fn draft(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
-    if let Some(fault) = foreign::recognise(text) {
-        return Err(fault.into());
+    let agencies: [(Sniff, Reader); 5] = [
+        (esm::sniff, esm::read),
+        (knet::sniff, knet::read),
+        (smc::sniff, smc::read),
+        (cosmos::sniff, cosmos::read),
+        (csmip::sniff, csmip::read),
+    ];
+    let agency = agencies.into_iter().find(|(sniff, _)| sniff(text));
+    if let (Some(channel), true) = (options.channel, !csmip::sniff(text)) {
+        let fault = Fault::new("--channel is for files with several channels").found(format!("--channel {channel}"));
+        return Err(fault.allowed("a CSMIP volume 2 file").into());
     }
-    let draft = if at2::sniff(text) {
-        at2::read(text, options)
-    } else {
-        columns::read(text, options)
+    let draft = match agency {
+        Some((_, read)) => read(text, options),
+        None => {
+            if let Some(fault) = foreign::recognise(text) {
+                return Err(fault.into());
+            }
+            match at2::sniff(text) {
+                true => at2::read(text, options),
+                false => columns::read(text, options),
+            }
+        }
     }?;
     plausible(&draft, text, options)?;
     Ok(draft)
@@ -145,5 +178,7 @@ fn stem(path: &Path) -> String {
         .map_or_else(|| "record".into(), |s| printable(&s.to_string_lossy()))
 }
 
+#[cfg(test)]
+mod agencies;
 #[cfg(test)]
 mod tests;

@@ -154,3 +154,29 @@ fn senseless_dampings_and_periods_are_refused() {
         assert!(run.stdout.is_empty());
     }
 }
+
+/// What `convert` writes is read back bit by bit, with its source in comments; a file that exists stays.
+#[test]
+fn a_converted_record_is_the_record() {
+    let folder = tempfile::tempdir().unwrap();
+    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/records/elcentro.csv");
+    let out = folder.path().join("out.csv");
+    let out = out.to_str().unwrap();
+    let quake = |arguments: &[&str]| {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_tankcheck"));
+        command.arg("quake").args(arguments).output().unwrap()
+    };
+    assert!(quake(&["convert", source, "--out", out]).status.success());
+    let facts = |path: &str| -> serde_json::Value {
+        serde_json::from_slice(&quake(&["info", path, "--format", "json"]).stdout).unwrap()
+    };
+    let (one, other) = (facts(source), facts(out));
+    for key in ["samples", "dt", "pga", "pgv", "pgd", "arias", "cav"] {
+        assert_eq!(one[key], other[key], "{key}");
+    }
+    let text = std::fs::read_to_string(out).unwrap();
+    assert!(text.starts_with("# record: ") && text.contains(one["sha256"].as_str().unwrap()));
+    let again = quake(&["convert", source, "--out", out]);
+    assert_eq!(again.status.code(), Some(2));
+    assert_eq!(std::fs::read_to_string(out).unwrap(), text);
+}

@@ -56,6 +56,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         values,
         places,
         notes: Vec::new(),
+        low_cut: None,
     })
 }
 

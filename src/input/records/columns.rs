@@ -203,6 +203,7 @@ fn draft(
         values: table.values,
         places: table.places,
         notes,
+        low_cut: None,
     })
 }
 

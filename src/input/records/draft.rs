@@ -19,6 +19,8 @@ pub(super) struct Draft {
     /// Byte of the text at which each value begins.
     pub places: Vec<u32>,
     pub notes: Vec<String>,
+    /// Corner of the low-cut filter [Hz], where the file gives it.
+    pub low_cut: Option<f64>,
 }
 
 /// Bytes of the number or word that begins at `start`.

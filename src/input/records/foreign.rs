@@ -10,36 +10,22 @@ struct Foreign {
 
 const FOREIGN: &[Foreign] = &[
     Foreign {
-        name: "a K-NET / KiK-net ASCII file",
-        looks: |l| l[0].starts_with("Origin Time"),
-    },
-    Foreign {
-        name: "an ESM / ITACA ASCII file",
-        looks: |l| l[0].starts_with("EVENT_NAME:"),
-    },
-    Foreign {
-        name: "a USGS SMC file",
-        looks: |l| smc(l[0]) && l.get(1).is_some_and(|x| x.trim() == "*"),
-    },
-    Foreign {
-        name: "a COSMOS or CSMIP volume file",
-        looks: |l| l[0].contains("(Format v"),
-    },
-    Foreign {
-        name: "a CSMIP, USC or Caltech volume 2 file",
+        name: "a USC or Caltech volume 2 file",
         looks: |l| l[0].starts_with("CORRECTED ACCELEROGRAM"),
     },
     Foreign {
         name: "a CSMIP, USC or Caltech volume 1 file",
         looks: |l| l[0].starts_with("UNCORRECTED ACCELEROGRAM"),
     },
+    Foreign {
+        name: "a miniSEED volume",
+        looks: |l| {
+            l[0].len() > 8
+                && l[0].as_bytes()[..6].iter().all(u8::is_ascii_digit)
+                && matches!(l[0].as_bytes()[6], b'D' | b'R' | b'Q')
+        },
+    },
 ];
-
-/// First line of SMC: a digit and the kind of the file.
-fn smc(line: &str) -> bool {
-    let words: Vec<&str> = line.split_whitespace().collect();
-    matches!(words.as_slice(), [n, "CORRECTED" | "UNCORRECTED", "ACCELEROGRAM", ..] if n.parse::<u8>().is_ok())
-}
 
 /// The fault for a known but unsupported format; `None` for any other text.
 pub fn recognise(text: &str) -> Option<Fault> {
@@ -49,7 +35,7 @@ pub fn recognise(text: &str) -> Option<Fault> {
     Some(
         Fault::new(format!("this is {}, which is not supported", foreign.name))
             .at(0..first.len())
-            .allowed("CSV or plain text of one or two columns, PEER .AT2")
+            .allowed("CSV or plain text of one or two columns, PEER .AT2, ESM, K-NET, SMC, COSMOS, CSMIP volume 2")
             .help("convert its acceleration to a CSV file with the header `time_s,acceleration_m_s2`"),
     )
 }

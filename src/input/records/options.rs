@@ -47,6 +47,8 @@ pub struct ReadOptions {
     pub dt: Option<f64>,
     /// Accept peaks above 5 g.
     pub allow_implausible: bool,
+    /// Channel of a file with several, from 1.
+    pub channel: Option<u32>,
 }
 
 /// A record as read.
@@ -62,6 +64,15 @@ pub struct ReadRecord {
     pub unit_source: String,
     /// Remarks: a time axis that does not begin at zero, a time column without a unit.
     pub notes: Vec<String>,
+    /// Corner of the low-cut filter [Hz], where the file gives it.
+    pub low_cut_frequency: Option<f64>,
     /// SHA-256 of the file.
     pub sha256: String,
+}
+
+impl ReadRecord {
+    /// Longest period of which the record says something [s]: that of the corner of its low-cut filter.
+    pub fn usable_period(&self) -> Option<f64> {
+        self.low_cut_frequency.map(|corner| 1.0 / corner)
+    }
 }

@@ -26,6 +26,7 @@ fn gal() -> ReadOptions {
         unit: Some(AccelerationUnit::Gal),
         dt: Some(0.02),
         allow_implausible: false,
+        channel: None,
     }
 }
 
@@ -123,7 +124,8 @@ fn faults_name_line_found_and_allowed() {
     fault("1 2 3\n4 5 6\n", &["3 columns"]);
     fault("t [s];a [g]\n0,00;1.5\n", &["decimal point and decimal comma"]);
     fault("time_s,velocity_m_s\n0,1\n1,2\n", &["neither time nor acceleration"]);
-    fault("EVENT_NAME: X\n", &["ESM"]);
+    fault("EVENT_NAME: X\n", &["does not give the unit", "UNITS"]);
+    fault("UNCORRECTED ACCELEROGRAM\n", &["volume 1", "not supported"]);
     assert!(with(b"\x00\x01\x02", &gal()).unwrap_err().contains("not text"));
     assert!(with(b"\xff\xfe1\x00", &gal()).unwrap_err().contains("UTF-16"));
     assert!(

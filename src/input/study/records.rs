@@ -81,6 +81,7 @@ pub(super) fn records(r: &mut Resolver<'_>, option: &Opt<Vec<Field<Records>>>, f
             unit: unit(r, &given.units),
             dt: r.optional(&given.dt),
             allow_implausible: false,
+            channel: None,
         };
         let paths = matching(r, &given.files, folder);
         let components = given.components.value();

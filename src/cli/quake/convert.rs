@@ -1,0 +1,84 @@
+//! `tankcheck quake convert`: a record of any format as CSV.
+
+use std::fmt::Write;
+use std::path::PathBuf;
+
+use crate::cli::inputs::{Reading, Unit};
+use crate::cli::print;
+use crate::error::Error;
+use crate::input::records::{self, AccelerationUnit, ReadRecord};
+use files::{text, write_whole};
+
+#[derive(clap::Args)]
+#[command(after_help = "\
+Examples:
+  tankcheck quake convert station.ASC --out station.csv
+  tankcheck quake convert chan.V2 --channel 2 --to g --out up.csv
+  tankcheck quake convert AKT0139608110312.EW -o ew.csv
+
+The file begins with comments: the source with its hash, format, unit, filter and licence. The numbers are those of the source to the last digit of
+a double; an offset is removed only where the format has one (K-NET), which is said.")]
+pub(super) struct Convert {
+    /// The record (`-` reads standard input).
+    #[arg(value_name = "FILE")]
+    record: PathBuf,
+    #[command(flatten)]
+    reading: Reading,
+    /// Unit of the output.
+    #[arg(long, value_enum, value_name = "UNIT", default_value = "m/s2")]
+    to: Unit,
+    /// File that is written; it must not exist. Standard output without it.
+    #[arg(long, short, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+impl Convert {
+    /// Writes the record.
+    ///
+    /// Errors: a record that cannot be read; a file that exists or cannot be written.
+    pub(super) fn run(&self) -> Result<(), Error> {
+        if let Some(path) = self.out.as_ref().filter(|path| path.exists()) {
+            return Err(Error::input(format!(
+                "error: --out: found `{}`, which exists, expected the name of a new file",
+                path.display()
+            )));
+        }
+        let read = records::read(&self.record, &self.reading.options())?;
+        let text = csv(&read, self.to.unit());
+        match &self.out {
+            Some(path) => Ok(write_whole(path, text.as_bytes())?),
+            None => print(&text),
+        }
+    }
+}
+
+fn csv(read: &ReadRecord, unit: AccelerationUnit) -> String {
+    let mut said = String::new();
+    let mut comment = |what: &str, value: &str| {
+        let _ = writeln!(said, "# {what}: {}", text::line(value).replace(['\n', '\r'], " "));
+    };
+    comment("record", &read.record.name);
+    comment("format", &read.format);
+    comment("source sha256", &read.sha256);
+    comment("unit of the source", &read.unit.to_string());
+    if let Some(corner) = read.low_cut_frequency {
+        comment("low-cut filter", &format!("{corner} Hz"));
+    }
+    for note in &read.notes {
+        comment("note", note);
+    }
+    let name = match unit {
+        AccelerationUnit::G => "acceleration_g",
+        AccelerationUnit::Gal => "acceleration_gal",
+        AccelerationUnit::MetrePerSecondSquared => "acceleration_m_s2",
+    };
+    let _ = writeln!(said, "time_s,{name}");
+    for (k, a) in read.record.acceleration.iter().enumerate() {
+        // Twelve digits of the time are more than its origin has, and hide the rounding of the product.
+        let time: f64 = format!("{:.11e}", k as f64 * read.record.dt)
+            .parse()
+            .unwrap_or_default();
+        let _ = writeln!(said, "{time},{}", a / unit.si());
+    }
+    said
+}

@@ -1,0 +1,92 @@
+//! ESM and ITACA ASCII (DYNA 1.2): 64 lines `KEY: value`, then a number a line.
+//!
+//! `SAMPLING_INTERVAL_S`, `NDATA` and `UNITS` are read; `DATA_TYPE` has to be an acceleration. `LOW_CUT_FREQUENCY_HZ` is the corner of the
+//! filter, beyond whose period the record says nothing. Licence and citation are passed on.
+
+use super::block::{Line, fields, line, lines, place};
+use super::draft::{Draft, printable, settle_dt, settle_unit};
+use super::number::parse;
+use crate::input::diagnostic::{Fault, Faults};
+use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
+
+/// Lines of the header.
+const HEADER: usize = 64;
+
+/// Whether the text is one.
+pub(super) fn sniff(text: &str) -> bool {
+    text.starts_with("EVENT_NAME:")
+}
+
+/// Reads the text; call [`sniff`] before.
+pub(super) fn read<'t>(text: &'t str, options: &ReadOptions) -> Result<Draft, Faults> {
+    let lines = lines(text);
+    let header = lines.get(..HEADER.min(lines.len())).unwrap_or_default();
+    let find = |key: &str| {
+        let of = |&(start, line): &(usize, &'t str)| -> Option<(Line<'t>, &'t str)> {
+            Some(((start, line), line.strip_prefix(key)?.strip_prefix(':')?.trim()))
+        };
+        header.iter().find_map(of)
+    };
+    let number = |key: &str| -> Result<f64, Fault> {
+        let (at, value) = find(key).ok_or_else(|| Fault::new(format!("the header has no `{key}`")))?;
+        parse(value).map_err(|why| Fault::new(why.message(key)).at(place(at)).found(value))
+    };
+    if let Some((at, kind)) = find("DATA_TYPE").filter(|(_, kind)| *kind != "ACCELERATION") {
+        let fault = Fault::new("this is not an acceleration record").at(place(at));
+        return Err(fault.found(kind).allowed("DATA_TYPE: ACCELERATION").into());
+    }
+    let unit = find("UNITS").and_then(|(_, value)| {
+        let unit = AccelerationUnit::parse(value)?;
+        Some((unit, format!("header, `UNITS: {}`", printable(value))))
+    });
+    let (unit, unit_source) = settle_unit(unit, options, "a header line `UNITS: cm/s^2`")?;
+    let dt = settle_dt(Some(number("SAMPLING_INTERVAL_S")?), options)?.unwrap_or_default();
+    if dt <= 0.0 {
+        return Err(Fault::new("the sampling interval must be greater than 0")
+            .found(format!("{dt} s"))
+            .into());
+    }
+    let count = number("NDATA")?;
+    if !(count >= 2.0 && count.fract() == 0.0 && count <= MAX_SAMPLES as f64) {
+        let fault = Fault::new("NDATA is out of range").found(format!("{count}"));
+        return Err(fault.allowed(format!("2 to {MAX_SAMPLES} samples")).into());
+    }
+    let (values, places, next) = fields(&lines, HEADER, (count as usize, usize::MAX), "an acceleration")?;
+    if let Ok(extra) = line(&lines, next, "") {
+        let more = lines[next..].iter().filter(|l| !l.1.trim().is_empty()).count();
+        if more > 0 {
+            let fault = Fault::new("more numbers than NDATA says").at(place(extra));
+            return Err(fault
+                .found(format!("{} numbers", count as usize + more))
+                .allowed(format!("{count}"))
+                .into());
+        }
+    }
+    let text_of = |key: &str| find(key).map(|(_, v)| printable(v)).filter(|v| !v.is_empty());
+    let corner = number("LOW_CUT_FREQUENCY_HZ").ok().filter(|f| *f > 0.0);
+    let mut notes = Vec::new();
+    for (key, words) in [
+        ("BASELINE_CORRECTION", "baseline"),
+        ("DATA_LICENSE", "licence"),
+        ("DATA_CITATION", "citation"),
+    ] {
+        notes.extend(text_of(key).map(|value| format!("{words}: {value}")));
+    }
+    let station = [text_of("NETWORK"), text_of("STATION_CODE"), text_of("STREAM")];
+    let station: Vec<String> = station.into_iter().flatten().collect();
+    let title: Vec<String> = [text_of("EVENT_NAME"), Some(station.join(" "))]
+        .into_iter()
+        .flatten()
+        .collect();
+    Ok(Draft {
+        title: Some(title.join(", ")).filter(|t| !t.trim().is_empty()),
+        format: format!("ESM ASCII (NDATA = {count}, interval {dt} s)"),
+        unit,
+        unit_source,
+        dt,
+        values,
+        places,
+        notes,
+        low_cut: corner,
+    })
+}

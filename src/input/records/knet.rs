@@ -1,0 +1,117 @@
+//! K-NET and KiK-net ASCII: 17 lines of header, then counts, eight to a line.
+//!
+//! ```text
+//! Sampling Freq(Hz) 100Hz
+//! Duration Time(s)  59
+//! Scale Factor      2000(gal)/8388608
+//!   -18205   -17995 …
+//! ```
+//!
+//! A count times the scale factor is an acceleration in gal. Counts have an offset, the zero of the instrument: their mean is removed. The number
+//! of samples is duration times frequency.
+
+use super::block::{Line, lines, place};
+use super::draft::{Collector, Draft, printable, settle_dt, settle_unit};
+use super::number::parse;
+use crate::input::diagnostic::{Fault, Faults};
+use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
+
+/// Lines of the header.
+const HEADER: usize = 17;
+/// Width of the keys.
+const KEY: usize = 18;
+
+/// Whether the text is one.
+pub(super) fn sniff(text: &str) -> bool {
+    text.starts_with("Origin Time")
+}
+
+/// Reads the text; call [`sniff`] before.
+pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
+    let lines = lines(text);
+    let header = lines.get(..HEADER.min(lines.len())).unwrap_or_default();
+    let find = |key: &str| -> Result<(Line<'_>, &str), Fault> {
+        let found = header.iter().find(|(_, l)| l.starts_with(key));
+        let missing = || Fault::new(format!("the header has no `{key}`")).help("the file may have been cut off");
+        found
+            .map(|l| (*l, l.1.get(KEY..).unwrap_or_default().trim()))
+            .ok_or_else(missing)
+    };
+    let positive = |key: &str, end: &str| -> Result<f64, Fault> {
+        let (at, value) = find(key)?;
+        match parse(value.trim_end_matches(end)) {
+            Ok(number) if number > 0.0 => Ok(number),
+            _ => Err(Fault::new(format!("`{key}` is not a positive number"))
+                .at(place(at))
+                .found(value)),
+        }
+    };
+    let rate = positive("Sampling Freq(Hz)", "Hz")?;
+    let duration = positive("Duration Time(s)", "s")?;
+    let dt = settle_dt(Some(1.0 / rate), options)?.unwrap_or_default();
+    let (at, written) = find("Scale Factor")?;
+    let scale = scale(written).ok_or_else(|| {
+        Fault::new("the scale factor cannot be read")
+            .at(place(at))
+            .found(written)
+            .allowed("2000(gal)/8388608")
+    })?;
+    let source = (
+        AccelerationUnit::Gal,
+        format!("header, `Scale Factor {}`", printable(written)),
+    );
+    let (unit, unit_source) = settle_unit(Some(source), options, "a scale factor in gal")?;
+    let mut faults = Collector::new();
+    let (mut values, mut places) = (Vec::new(), Vec::new());
+    'all: for &(start, line) in lines.iter().skip(HEADER) {
+        for token in line.split_whitespace() {
+            // A token is a part of its line.
+            let from = start + (token.as_ptr() as usize - line.as_ptr() as usize);
+            match parse(token) {
+                Ok(count) => {
+                    values.push(count * scale);
+                    places.push(from as u32);
+                }
+                Err(why) => {
+                    let fault = Fault::new(why.message("a count")).at(from..from + token.len());
+                    if faults.push(fault.found(token)) {
+                        break 'all;
+                    }
+                }
+            }
+        }
+    }
+    faults.finish()?;
+    let expected = (duration * rate).round();
+    if values.len() as f64 != expected || values.len() > MAX_SAMPLES {
+        let fault = Fault::new("another number of samples than duration times frequency");
+        let fault = fault
+            .found(format!("{} samples", values.len()))
+            .allowed(format!("{expected} samples"));
+        return Err(fault.help("the file may have been cut off").into());
+    }
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    values.iter_mut().for_each(|v| *v -= mean);
+    let of = |key: &str| find(key).map(|(_, v)| printable(v)).unwrap_or_default();
+    Ok(Draft {
+        title: Some(format!("{} {} {}", of("Station Code"), of("Dir."), of("Origin Time"))),
+        format: format!("K-NET ASCII ({} counts at {rate} Hz)", values.len()),
+        unit,
+        unit_source,
+        dt,
+        values,
+        places,
+        notes: vec![
+            format!("offset of {mean:.4} gal removed, the mean of the record"),
+            "the record begins 15 s before its time: the delay of the trigger is in the header's time".into(),
+        ],
+        low_cut: None,
+    })
+}
+
+/// Gal of a count, from `2000(gal)/8388608`.
+fn scale(text: &str) -> Option<f64> {
+    let (gal, counts) = text.split_once("(gal)/")?;
+    let (gal, counts) = (parse(gal).ok()?, parse(counts).ok()?);
+    (gal > 0.0 && counts > 0.0).then_some(gal / counts)
+}

@@ -1,0 +1,83 @@
+//! USGS SMC: 11 lines of text, 48 integers (8I10), 50 reals (5E15.7), comments `|`, then accelerations in cm/s² (8E10.4, fields touch).
+//!
+//! Integer 16 is the number of comments and 17 that of the samples, real 2 the sampling rate.
+
+use super::block::{fields, line, lines, place};
+use super::draft::{Draft, printable, settle_dt, settle_unit};
+use crate::input::diagnostic::{Fault, Faults};
+use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
+
+/// Lines of text.
+const TEXT: usize = 11;
+/// Integers: number and width. Reals likewise.
+const INTEGERS: (usize, usize) = (48, 10);
+const REALS: (usize, usize) = (50, 15);
+/// Places among them, from 0.
+const COMMENTS: usize = 15;
+const SAMPLES: usize = 16;
+const RATE: usize = 1;
+
+/// Whether the text is one: a digit with the kind of the file, and a star.
+pub(super) fn sniff(text: &str) -> bool {
+    let mut lines = text.lines();
+    let words: Vec<&str> = lines.next().unwrap_or_default().split_whitespace().collect();
+    let first =
+        matches!(words.as_slice(), [n, "CORRECTED" | "UNCORRECTED", "ACCELEROGRAM", ..] if n.parse::<u8>().is_ok());
+    first && lines.next().is_some_and(|l| l.trim() == "*")
+}
+
+/// Reads the text; call [`sniff`] before.
+pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
+    let lines = lines(text);
+    let (integers, _, next) = fields(&lines, TEXT, INTEGERS, "an integer of the header")?;
+    let (reals, _, next) = fields(&lines, next, REALS, "a real of the header")?;
+    let whole = |i: usize, what: &str, most: usize| -> Result<usize, Fault> {
+        let value = integers[i];
+        match value >= 0.0 && value.fract() == 0.0 && value <= most as f64 {
+            true => Ok(value as usize),
+            false => Err(
+                Fault::new(format!("integer {} of the header, {what}, is out of range", i + 1))
+                    .found(format!("{value}"))
+                    .allowed(format!("0 to {most}")),
+            ),
+        }
+    };
+    let comments = whole(COMMENTS, "the number of comments", 10_000)?;
+    let samples = whole(SAMPLES, "the number of samples", MAX_SAMPLES)?;
+    let rate = reals[RATE];
+    if !(rate > 0.0 && rate < 1e6) {
+        let fault = Fault::new("real 2 of the header, the sampling rate, is out of range");
+        return Err(fault
+            .found(format!("{rate}"))
+            .allowed("samples a second greater than 0")
+            .into());
+    }
+    let dt = settle_dt(Some(1.0 / rate), options)?.unwrap_or_default();
+    for number in next..next + comments {
+        let comment = line(&lines, number, "its last comment")?;
+        if !comment.1.starts_with('|') {
+            let fault = Fault::new("a line that is no comment")
+                .at(place(comment))
+                .found(printable(comment.1));
+            return Err(fault.allowed(format!("{comments} lines that begin with |")).into());
+        }
+    }
+    let source = (AccelerationUnit::Gal, "format, cm/s²".to_owned());
+    let (unit, unit_source) = settle_unit(Some(source), options, "")?;
+    let (values, places, _) = fields(&lines, next + comments, (samples, 10), "an acceleration")?;
+    let title = lines
+        .get(5)
+        .map(|l| printable(l.1))
+        .filter(|t| !t.is_empty() && t != "*");
+    Ok(Draft {
+        title,
+        format: format!("USGS SMC ({samples} samples at {rate} a second)"),
+        unit,
+        unit_source,
+        dt,
+        values,
+        places,
+        notes: Vec::new(),
+        low_cut: None,
+    })
+}
