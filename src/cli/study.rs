@@ -106,7 +106,7 @@ struct MergeArgs {
     /// Folder of the study.
     #[arg(value_name = "FOLDER")]
     folder: PathBuf,
-    /// Merge although tasks are missing; probabilities get bounds.
+    /// Merge although tasks are missing; their number is written into fragility.json.
     #[arg(long)]
     partial: bool,
 }
@@ -335,7 +335,7 @@ fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
     if found.missing > 0 {
         let _ = writeln!(
             said,
-            "  {} tasks have no result: every probability is a part of the whole",
+            "  {} tasks have no result: the curves are of the others",
             found.missing
         );
     }

@@ -162,9 +162,7 @@ fn refusal(folder: &Path, tasks: usize, missing: &[&Task]) -> String {
     if failed.len() > 5 {
         let _ = write!(text, "\n  and {} more failed tasks", failed.len() - 5);
     }
-    text.push_str(
-        "\n  help: `tankcheck study run` computes what is missing; `--partial` merges what there is, with bounds",
-    );
+    text.push_str("\n  help: `tankcheck study run` computes what is missing; `--partial` merges what there is");
     text
 }
 
@@ -268,7 +266,11 @@ fn farm(gathered: &Gathered, volumes: &BTreeMap<String, f64>) -> String {
         cell(&mut text, record);
         let _ = write!(text, ",{sample},");
         number(&mut text, Some(f64::from_bits(*im)));
-        let volume: f64 = lost.tanks.iter().filter_map(|tank| volumes.get(tank)).sum();
+        let volume = lost
+            .tanks
+            .iter()
+            .filter_map(|tank| volumes.get(tank))
+            .fold(0.0, |sum, v| sum + v);
         let _ = write!(text, ",{},{},", lost.judged, lost.tanks.len());
         number(&mut text, Some(super::rows::kept(volume)));
         text.push(',');

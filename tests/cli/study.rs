@@ -324,3 +324,42 @@ fn codes_alone_and_design_spectra() {
     assert_eq!(rows.lines().count(), 41);
     assert!(!rows.contains("fe.") && rows.contains("housner.base_shear_N"));
 }
+
+/// The first tank of example 10, computed again: its curves are the accepted ones. The tolerance is that of the golden reports; bands of resamples
+/// follow the counts, and are compared through them.
+#[test]
+fn one_tank_of_the_farm_gives_its_accepted_curves() {
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/10_tank_farm");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    let study = example.join("study.json");
+    let plan = tankcheck(path, &["study", "plan", study.to_str().unwrap(), "--out", "farm"]);
+    assert!(plan.status.success(), "{}", said(&plan));
+    assert!(said(&plan).contains("1120"), "{}", said(&plan));
+    let run = tankcheck(path, &["study", "run", "farm", "--task", "1"]);
+    assert_eq!(run.status.code(), Some(0), "{}", said(&run));
+    let merge = tankcheck(path, &["study", "merge", "farm", "--partial"]);
+    assert!(merge.status.success(), "{}", said(&merge));
+    let read = |file: &Path| -> serde_json::Value { serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap() };
+    let (found, accepted) = (
+        read(&path.join("farm/fragility.json")),
+        read(&example.join("expected/fragility.json")),
+    );
+    let curves = found["curves"].as_array().unwrap();
+    assert_eq!(curves.len(), 3, "one tank, three states");
+    for curve in curves {
+        let same = |other: &&serde_json::Value| {
+            other["tank"] == curve["tank"] && other["damage_state"] == curve["damage_state"]
+        };
+        let other = accepted["curves"].as_array().unwrap().iter().find(same).unwrap();
+        for key in ["status", "n", "points", "unchecked", "reason"] {
+            assert_eq!(curve[key], other[key], "{key} of {curve}");
+        }
+        for key in ["median", "dispersion"] {
+            match (curve[key].as_f64(), other[key].as_f64()) {
+                (Some(a), Some(b)) => assert!((a / b - 1.0).abs() < 1e-6, "{key}: {a} {b}"),
+                (a, b) => assert_eq!(a, b),
+            }
+        }
+    }
+}

@@ -36,8 +36,7 @@ pub fn losses(lost: &[Vec<bool>], volumes: &[f64]) -> Option<Losses> {
         lost.iter()
             .zip(volumes)
             .filter(|(row, _)| row[quake])
-            .map(|(_, v)| v)
-            .sum()
+            .fold(0.0, |sum, (_, v)| sum + v)
     };
     let counts: Vec<usize> = (0..n).map(count).collect();
     let at_least = (1..=lost.len()).map(|k| counts.iter().filter(|c| **c >= k).count() as f64 / n as f64);
@@ -49,7 +48,7 @@ pub fn losses(lost: &[Vec<bool>], volumes: &[f64]) -> Option<Losses> {
         n,
         at_least: at_least.collect(),
         at_least_independent: independent(&shares.collect::<Vec<_>>()),
-        mean_volume: volumes.iter().sum::<f64>() / n as f64,
+        mean_volume: volumes.iter().fold(0.0, |sum, v| sum + v) / n as f64,
         largest_volume: volumes.iter().copied().fold(0.0, f64::max),
     })
 }
