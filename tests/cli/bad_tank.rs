@@ -175,6 +175,14 @@ fn keys() {
             "1 fault",
         ],
     );
+    for (key, hint) in [
+        ("diameter", "half of the diameter"),
+        ("piles", "not modelled"),
+        ("isolated", "`tank.isolators`"),
+        ("Floating-roof", "\"type\": \"floating\""),
+    ] {
+        has(&spoiled("\"radius\"", &format!("\"{key}\"")), &["unknown key", hint]);
+    }
     has(
         &spoiled("\"record\"", "\"colour\""),
         &["unknown key `colour`", "name, project, notes, gravity, tank, liquid"],

@@ -224,6 +224,33 @@ fn killed_workers_lose_nothing() {
     assert_eq!(merged(path, "killed"), whole);
 }
 
+/// Two runners in one folder at once compute some tasks twice, and write the same bytes.
+#[test]
+fn two_runners_at_once_do_not_disturb_each_other() {
+    let folder = planned();
+    let path = folder.path();
+    tankcheck(path, &["study", "run", "out"]);
+    let whole = merged(path, "out");
+    tankcheck(path, &["study", "plan", "study.json", "--out", "both"]);
+    let start = || {
+        Command::new(env!("CARGO_BIN_EXE_tankcheck"))
+            .args(["study", "run", "both", "--jobs", "1", "--quiet"])
+            .current_dir(path)
+            .spawn()
+            .unwrap()
+    };
+    let (mut one, mut other) = (start(), start());
+    assert!(one.wait().unwrap().success() && other.wait().unwrap().success());
+    assert_eq!(merged(path, "both"), whole);
+    // No temporary file is left.
+    for entry in fs::read_dir(path.join("both/results")).unwrap() {
+        for file in fs::read_dir(entry.unwrap().path()).unwrap() {
+            let name = file.unwrap().file_name().to_string_lossy().into_owned();
+            assert!(name.ends_with(".jsonl"), "{name}");
+        }
+    }
+}
+
 #[test]
 fn faults_are_told_all_at_once() {
     let folder = folder();
