@@ -1,7 +1,8 @@
 //! Fragility curves of data, as in `fragility.json`.
 
-use ::fragility::bootstrap::{self, Draw, Scatter};
+use ::fragility::bootstrap::{self, Scatter};
 use ::fragility::cloud::{self, Run};
+use ::fragility::draw::Draw;
 use ::fragility::risk::{Risk, risk};
 use ::fragility::stripes::{self, Stripe};
 use ::fragility::{Fit, Lognormal, NotIdentifiable, capacities, common};

@@ -133,7 +133,7 @@ mod tests {
         let scaled: Vec<Record> = [0.5, 1.0, 1.5].map(|f| record(1.000_000_001 * f * factor)).into();
         let again = ratios(&scaled, &asked).smallest.0;
         assert!((again - 0.9).abs() < 1e-8 && holds(3, again, zero * factor));
-        // Two records are no set, however large they are.
+        // Two records are too few, however strong they are.
         assert!(!holds(2, 5.0, 5.0));
     }
 

@@ -28,7 +28,7 @@ pub struct Target {
 }
 
 /// All targets.
-pub const ALL: [Target; 6] = [
+pub const ALL: [Target; 7] = [
     Target {
         name: "tank",
         run: tank::run,
@@ -45,6 +45,12 @@ pub const ALL: [Target; 6] = [
         name: "peer",
         run: record::peer,
         seeds: |_| seeds::peer(),
+        most: 10_000,
+    },
+    Target {
+        name: "agencies",
+        run: record::agencies,
+        seeds: seeds::agencies,
         most: 10_000,
     },
     Target {

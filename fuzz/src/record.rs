@@ -25,6 +25,21 @@ pub fn peer(bytes: &[u8]) {
     }
 }
 
+/// Target of the files of agencies: any channel, with and without the unit given.
+pub fn agencies(bytes: &[u8]) {
+    check(bytes);
+    for channel in [1, 2] {
+        let options = ReadOptions {
+            channel: Some(channel),
+            ..ReadOptions::default()
+        };
+        if let Some(found) = read(bytes, &options) {
+            promises(&found.record, &options);
+            written(&found.record);
+        }
+    }
+}
+
 /// The record, or `None` with a message.
 pub fn read(bytes: &[u8], options: &ReadOptions) -> Option<ReadRecord> {
     match read_bytes(bytes, Path::new("record.csv"), options) {

@@ -69,6 +69,12 @@ pub fn peer() -> Vec<Vec<u8>> {
     texts.map(|t| t.as_bytes().to_vec()).to_vec()
 }
 
+/// Files in the formats of agencies, with invented numbers.
+pub fn agencies(root: &Path) -> Vec<Vec<u8>> {
+    let all = below(&root.join("tests/records"), &[".asc", ".ns", ".smc", ".v2"]);
+    all.iter().map(|p| bytes(p)).collect()
+}
+
 /// The kept results with short arrays and short histories, and those of rising scales and of a pushover.
 pub fn results(root: &Path) -> Vec<Vec<u8>> {
     let mut all = Vec::new();

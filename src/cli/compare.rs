@@ -87,7 +87,7 @@ pub(crate) struct Args {
     no_mesh_error: bool,
     #[command(flatten)]
     level: LevelArg,
-    /// Write the results alone, without report and figures: about half of the time of a run goes into them.
+    /// Write the results alone, without report and figures.
     #[arg(long, conflicts_with_all = ["templates", "report"])]
     no_report: bool,
     #[command(flatten)]

@@ -15,7 +15,7 @@ use tank::assessment::{Check, CheckStatus};
 
 use crate::error::Error;
 use report::words::{self, terminal};
-use results::{Method, Results};
+use results::{Method, Results, VerdictStatus};
 
 /// How a finding ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,7 +39,7 @@ pub(crate) struct Finding {
     pub message: String,
 }
 
-/// The checks of the deciding methods; of all methods where none decides. What is not required of the tank is left out.
+/// The verdict, and the checks of the deciding methods; of all methods where none decides. What is not required of the tank is left out.
 pub(crate) fn of_checks(results: &Results) -> Vec<Finding> {
     let decides = |m: &&Method| results.verdict.decides(m);
     let any = results.methods.iter().any(|m| decides(&m) && !m.checks.is_empty());
@@ -49,7 +49,25 @@ pub(crate) fn of_checks(results: &Results) -> Vec<Finding> {
         let required = method.checks.iter().filter(|c| c.status != CheckStatus::NotApplicable);
         required.map(|check| of_check(&group, check)).collect()
     };
-    methods.flat_map(of).collect()
+    std::iter::once(of_verdict(results))
+        .chain(methods.flat_map(of))
+        .collect()
+}
+
+/// The verdict: no report is green where something required was not checked, or nothing decides.
+fn of_verdict(results: &Results) -> Finding {
+    let verdict = &results.verdict;
+    let outcome = match verdict.status {
+        VerdictStatus::Fails => Outcome::Fails,
+        VerdictStatus::Holds if !verdict.unfinished => Outcome::Holds,
+        _ => Outcome::NotChecked,
+    };
+    Finding {
+        group: "verdict".into(),
+        id: "verdict".into(),
+        outcome,
+        message: words::verdict::headline(verdict),
+    }
 }
 
 fn of_check(group: &str, check: &Check) -> Finding {

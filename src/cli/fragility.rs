@@ -49,16 +49,19 @@ pub(crate) struct Args {
     /// Name of the intensity measure.
     #[arg(long, value_name = "NAME", default_value = "im")]
     im: String,
+    /// Its unit in the table for pelicun.
+    #[arg(long, value_name = "UNIT", default_value = "unitless")]
+    im_unit: String,
     /// Resamples for the bands of median and dispersion; 0 for none.
     #[arg(long, value_name = "N", default_value_t = 500, value_parser = clap::value_parser!(u32).range(0..=i64::from(MOST)))]
     bootstrap: u32,
     /// Seed of the resamples.
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
-    /// Write the curves as a component table for pelicun.
+    /// Write the curves as a component table for pelicun; the file must not exist.
     #[arg(long, value_name = "FILE")]
     pelicun: Option<PathBuf>,
-    /// Write the curves for OpenQuake (NRML 0.5); intensities in the unit of the measure there, g for accelerations.
+    /// Write the curves for OpenQuake (NRML 0.5); intensities in the unit of the measure there, g for accelerations. The file must not exist.
     #[arg(long, value_name = "FILE")]
     nrml: Option<PathBuf>,
     /// Form of the output.
@@ -82,6 +85,14 @@ struct Data {
 
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: &Args, _: &Global) -> Result<u8, Error> {
+    for (option, path) in [("--pelicun", &args.pelicun), ("--nrml", &args.nrml)] {
+        if let Some(path) = path.as_ref().filter(|path| path.exists()) {
+            return Err(Error::input(format!(
+                "error: {option}: found `{}`, which exists, expected the name of a new file",
+                path.display()
+            )));
+        }
+    }
     let asked = Asked {
         im: args.im.clone(),
         resamples: args.bootstrap as usize,
@@ -109,7 +120,7 @@ pub(crate) fn run(args: &Args, _: &Global) -> Result<u8, Error> {
         _ => Vec::new(),
     };
     if let Some(path) = &args.pelicun {
-        write_whole(path, pelicun(&components(&curves), &args.im, "").as_bytes())?;
+        write_whole(path, pelicun(&components(&curves), &args.im, &args.im_unit).as_bytes())?;
     }
     if let Some(path) = &args.nrml {
         let medians = || curves.iter().filter_map(Curve::curve);
@@ -229,9 +240,15 @@ fn human(curves: &[Curve]) -> String {
         }
         if let Some(cloud) = &curve.cloud {
             said.push_str(&format!(
-                "{name}: ln edp = {:.4} + {:.4} ln im, scatter {:.4}, R² {:.3}, {} runs collapsed\n",
-                cloud.intercept, cloud.slope, cloud.deviation, cloud.determination, cloud.collapsed
+                "{name}: ln edp = {:.4} + {:.4} ln im, scatter {:.4}, R² {:.3}\n",
+                cloud.intercept, cloud.slope, cloud.deviation, cloud.determination
             ));
+            if cloud.collapsed > 0 {
+                said.push_str(&format!(
+                    "{name}: {} runs collapsed and are not in this curve: the probability of damage is larger\n",
+                    cloud.collapsed
+                ));
+            }
         }
     }
     said
@@ -245,15 +262,11 @@ fn csv(curves: &[Curve]) -> String {
             Some(_) => "fitted",
             None => "not_identifiable",
         };
-        let quoted = |name: &str| match name.contains([',', '"']) {
-            true => format!("\"{}\"", name.replace('"', "\"\"")),
-            false => name.to_owned(),
-        };
         said.push_str(&format!(
             "{},{},{},{},{},{},{status}\n",
-            quoted(&curve.damage_state),
+            text::cell(&curve.damage_state),
             curve.method,
-            quoted(&curve.im),
+            text::cell(&curve.im),
             number(curve.median),
             number(curve.dispersion),
             curve.n

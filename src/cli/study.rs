@@ -169,7 +169,7 @@ fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
     let which = which(args, tasks.len())?;
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let threads = args.jobs.map_or(cores, usize::from);
-    // A task has one thread: its numbers do not depend on how many run beside it.
+    // Tasks run beside each other: a nonlinear run does not take more cores.
     fem::cores::limit(1);
     progress::stop_gracefully();
     let watch = Watch::new(global, "study");

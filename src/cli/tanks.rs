@@ -11,6 +11,7 @@ use crate::input::diagnostic::Faults;
 use crate::input::{self, TankFile};
 use crate::pipeline;
 use crate::solve::Variable;
+use files::text;
 
 /// Checks every tank of the table and prints the table with the answers; returns the exit code of the worst tank.
 pub(crate) fn run(inputs: &Inputs, path: &Path, variable: Option<&str>) -> Result<u8, Error> {
@@ -100,9 +101,6 @@ fn tanks(base: &TankFile, table: &Table) -> Result<Vec<TankFile>, Error> {
 
 /// One line of CSV; cells are quoted where they have to be.
 fn line(cells: &[String]) -> String {
-    let quoted = |text: &String| match text.contains([',', '"', '\n', '\r', ';']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.clone(),
-    };
-    format!("{}\n", cells.iter().map(quoted).collect::<Vec<_>>().join(","))
+    let cells: Vec<_> = cells.iter().map(|text| text::cell(text)).collect();
+    format!("{}\n", cells.join(","))
 }

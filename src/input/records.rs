@@ -41,6 +41,7 @@ use crate::input::diagnostic::{Fault, Faults, Source};
 use draft::{Draft, printable, token_at};
 use files::error::Error;
 
+pub use columns::LOW_CUT;
 pub use options::{MAX_BYTES, MAX_PEAK, MAX_PLAUSIBLE, MAX_SAMPLES, MIN_PEAK, Processing, ReadOptions, ReadRecord};
 pub use process::process;
 pub use unit::AccelerationUnit;

@@ -280,14 +280,8 @@ fn farm(gathered: &Gathered, volumes: &BTreeMap<String, f64>) -> String {
     text
 }
 
-/// A cell of CSV; quoted where it has to be.
 fn cell(text: &mut String, value: &str) {
-    match value.contains([',', '"', '\n', '\r', ';']) {
-        true => {
-            let _ = write!(text, "\"{}\"", value.replace('"', "\"\""));
-        }
-        false => text.push_str(value),
-    }
+    text.push_str(&files::text::cell(value));
 }
 
 /// A number with the digits that it has; empty without one.

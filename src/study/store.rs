@@ -1,6 +1,6 @@
 //! Results of tasks: `results/ab/<key>.jsonl`.
 //!
-//! A result is written under a name of its own, synchronised and renamed. Its last line has the number of lines before it and their
+//! A result is written to a temporary file, synchronised and renamed. Its last line has the number of lines before it and their
 //! SHA-256; a file without it was cut off, or is of another program, and counts as missing. An error is a file `<key>.err.json` beside it.
 
 use std::fs::{self, File};

@@ -109,7 +109,7 @@ fn a_set_made_for_a_spectrum_holds_with_its_factor() {
         number(&again, "mean_zero_period_ratio"),
     );
     assert!((ratio - 0.9).abs() < 1e-6 || (zero - 1.0).abs() < 1e-6, "{again}");
-    // Two records are no set.
+    // Two records are too few.
     let two = ask(&names[..2]);
     assert_eq!(
         (json(&two)["holds"].as_bool(), two.status.code()),

@@ -176,7 +176,47 @@ fn a_converted_record_is_the_record() {
     }
     let text = std::fs::read_to_string(out).unwrap();
     assert!(text.starts_with("# record: ") && text.contains(one["sha256"].as_str().unwrap()));
+    assert!(text.contains("# source: elcentro.csv\n"));
+    let shown = quake(&["convert", source, "--out", "-"]);
+    assert_eq!(String::from_utf8(shown.stdout).unwrap(), text);
+    assert!(!std::path::Path::new("-").exists());
     let again = quake(&["convert", source, "--out", out]);
     assert_eq!(again.status.code(), Some(2));
     assert_eq!(std::fs::read_to_string(out).unwrap(), text);
+}
+
+/// A file of every agency keeps its samples and the corner of its filter through `convert`.
+#[test]
+fn files_of_agencies_are_converted() {
+    let folder = tempfile::tempdir().unwrap();
+    let quake = |arguments: &[&str]| {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_tankcheck"));
+        command.arg("quake").args(arguments).output().unwrap()
+    };
+    let facts = |arguments: &[&str]| -> serde_json::Value { serde_json::from_slice(&quake(arguments).stdout).unwrap() };
+    for (name, samples, corner) in [
+        ("esm.asc", 4, Some(0.2)),
+        ("knet.ns", 10, None),
+        ("usgs.smc", 10, None),
+        ("cosmos.v2", 9, Some(0.3)),
+        ("csmip.v2", 3, Some(0.1)),
+    ] {
+        let source = format!("{}/tests/records/{name}", env!("CARGO_MANIFEST_DIR"));
+        let out = folder.path().join(format!("{name}.csv"));
+        let out = out.to_str().unwrap();
+        let several = if name.starts_with("csmip") {
+            &["--channel", "1"][..]
+        } else {
+            &[]
+        };
+        let converted = quake(&[&["convert", source.as_str(), "--out", out], several].concat());
+        assert!(converted.status.success(), "{name}: {converted:?}");
+        let one = facts(&[&["info", source.as_str(), "--format", "json"], several].concat());
+        let other = facts(&["info", out, "--format", "json"]);
+        assert_eq!(one["samples"], samples, "{name}");
+        for key in ["samples", "dt", "pga", "pgv", "pgd", "low_cut_frequency_hz"] {
+            assert_eq!(one[key], other[key], "{name} {key}");
+        }
+        assert_eq!(one["low_cut_frequency_hz"].as_f64(), corner, "{name}");
+    }
 }

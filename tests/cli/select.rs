@@ -149,20 +149,41 @@ fn the_first_screen_of_a_difference() {
 
 #[test]
 fn test_reports() {
-    let junit = tankcheck(&["check", TANK, "--format", "junit"]);
-    let text = String::from_utf8(junit.stdout).unwrap();
+    let report =
+        |tank: &str, form: &str| String::from_utf8(tankcheck(&["check", tank, "--format", form]).stdout).unwrap();
+    let text = report(TANK, "junit");
     let document = roxmltree::Document::parse(&text).unwrap();
     let counts = json(&tankcheck(&["check", TANK, "--format", "json"]))["verdict"]["counts"].clone();
     let number = |tag: &str| document.descendants().filter(|n| n.has_tag_name(tag)).count() as u64;
-    assert_eq!(number("failure"), counts["fails"].as_u64().unwrap());
+    // The verdict is a test of its own.
+    let fails = counts["fails"].as_u64().unwrap() + 1;
+    assert_eq!(number("failure"), fails);
     assert_eq!(number("skipped"), counts["not_checked"].as_u64().unwrap());
-    let sarif = json(&tankcheck(&["check", TANK, "--format", "sarif"]));
+    let sarif: serde_json::Value = serde_json::from_str(&report(TANK, "sarif")).unwrap();
     assert_eq!(sarif["version"], "2.1.0");
-    let github = tankcheck(&["check", TANK, "--format", "github"]);
-    let errors = String::from_utf8(github.stdout)
-        .unwrap()
+    let errors = report(TANK, "github")
         .lines()
         .filter(|l| l.starts_with("::error "))
         .count();
-    assert_eq!(errors as u64, counts["fails"].as_u64().unwrap());
+    assert_eq!(errors as u64, fails);
+}
+
+/// A tank that nothing decides on has no green report: its verdict is skipped, though every comparison holds.
+#[test]
+fn nothing_decided_is_not_green() {
+    let folder = tempfile::tempdir().unwrap();
+    let tank = folder.path().join("tank.json");
+    let example = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/04_concrete_strip/tank.json");
+    std::fs::copy(example, &tank).unwrap();
+    let output = tankcheck(&["check", tank.to_str().unwrap(), "--quake", QUAKE, "--format", "junit"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(
+        output.status.code(),
+        Some(4),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let skipped = document.descendants().find(|n| n.has_tag_name("skipped")).unwrap();
+    assert_eq!(skipped.parent().unwrap().attribute("name"), Some("verdict"));
 }

@@ -103,6 +103,11 @@ fn peer() {
 }
 
 #[test]
+fn agencies() {
+    fuzz("agencies");
+}
+
+#[test]
 fn results() {
     fuzz("results");
 }

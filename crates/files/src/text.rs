@@ -42,6 +42,18 @@ pub fn line(text: &str) -> Cow<'_, str> {
     replaced(text, |c| hostile(c) || c == '\n' || c == '\t', braces)
 }
 
+/// A cell of CSV (RFC 4180), in quotes where it has to be.
+///
+/// ```
+/// assert_eq!(files::text::cell("a,\"b\""), "\"a,\"\"b\"\"\"");
+/// ```
+pub fn cell(text: &str) -> Cow<'_, str> {
+    match text.contains([',', ';', '"', '\n', '\r']) {
+        true => Cow::Owned(format!("\"{}\"", text.replace('"', "\"\""))),
+        false => Cow::Borrowed(text),
+    }
+}
+
 /// The text of a JSON document with every hostile character as `\uXXXX`: another spelling of the same value, because
 /// JSON has hostile characters only in its strings.
 ///

@@ -1,7 +1,7 @@
 //! Intensities at which runs reach the state.
 //!
 //! Where every record was scaled until it did (incremental dynamic analysis), θ and β are median and standard deviation of the logarithms
-//! (n − 1; Porter, Kennedy & Bachman 2007, method A). Where scaling ended at im_max and some had not reached it (Baker 2015, eq. 8):
+//! (n − 1; Porter, Kennedy & Bachman 2007). Where scaling ended at im_max and some had not reached it (Baker 2015):
 //!
 //! ```text
 //! ln L = Σ [ln γ − (γ ln im_i − δ)²/2] + N ln Φ(δ − γ ln im_max)        γ = 1/β        δ = ln θ/β
@@ -129,7 +129,7 @@ mod tests {
         assert!((free.dispersion / whole.dispersion - (9.0_f64 / 10.0).sqrt()).abs() < 1e-10);
     }
 
-    /// A grid search of the likelihood as Baker 2015 eq. 8 has it, in θ and β.
+    /// A grid search of the likelihood in θ and β, with the density of each capacity.
     #[test]
     fn no_other_truncated_curve_of_a_grid_is_likelier() {
         let (seen, end, censored) = (&CAPACITIES[..7], 0.7, 3);

@@ -1,8 +1,10 @@
-//! Demands against intensities by regression (Cornell, Jalayer, Hamburger & Foutch 2002), collapses apart.
+//! Demands against intensities by regression (Cornell, Jalayer, Hamburger & Foutch 2002). Runs that collapsed have no demand: the curve is
+//! that of the others, and the probability of collapse is given with it.
 //!
 //! ```text
 //! ln d = a + b ln im        σ² = Σ r²/(n − 2)        θ = exp((ln d_limit − a)/b)        β = σ/b
-//! P(im) = P_nc(im) (1 − P_c(im)) + P_c(im)        P_c by logistic regression on ln im (Jalayer et al. 2017)
+//! P_c(im) = 1/(1 + exp(−(α + γ ln im)))        logistic regression of the collapses (Jalayer et al. 2017)
+//! P(im) = P_nc(im) (1 − P_c(im)) + P_c(im)        both together: not lognormal, left to the reader
 //! ```
 
 use serde::{Deserialize, Serialize};

@@ -28,7 +28,7 @@ pub fn cross(curves: &[Lognormal], [low, high]: [f64; 2]) -> bool {
 
 /// The curves with the largest common likelihood and one dispersion.
 ///
-/// Errors: a state that does not identify a curve of its own.
+/// Errors: a state whose data alone do not identify a curve.
 pub fn fit(states: &[Vec<Stripe>]) -> Result<Vec<Lognormal>, NotIdentifiable> {
     let free: Vec<f64> = states
         .iter()
@@ -38,7 +38,7 @@ pub fn fit(states: &[Vec<Stripe>]) -> Result<Vec<Lognormal>, NotIdentifiable> {
         free.iter().copied().reduce(f64::min),
         free.iter().copied().reduce(f64::max),
     ) else {
-        return Err(NotIdentifiable::because("there are no curves"));
+        return Err(NotIdentifiable::because("no state has data"));
     };
     // The best common dispersion lies between the free ones; each median is best for itself.
     let medians = |beta: f64| -> Vec<Lognormal> { states.iter().map(|s| median(s, beta)).collect() };

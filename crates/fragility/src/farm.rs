@@ -1,7 +1,7 @@
 //! Several tanks in the same earthquakes.
 //!
 //! Records shake all tanks of a farm at once, so their losses are not independent: the probability that at least k tanks are lost is counted
-//! over the earthquakes, and stands beside the value for independent tanks (the Poisson-binomial distribution of their own shares).
+//! over the earthquakes and compared with the value for independent tanks (the Poisson-binomial distribution of their own shares).
 
 use serde::{Deserialize, Serialize};
 

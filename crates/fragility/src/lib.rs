@@ -11,6 +11,7 @@
 //! | [`capacities`] | intensities at which runs reach the state, all or some of them |
 //! | [`cloud`] | demands against intensities by regression, collapses apart |
 //! | [`common`] | curves of several states that cross |
+//! | [`draw`] | random numbers |
 //! | [`bootstrap`] | scatter of θ and β by resampling |
 //! | [`risk`] | annual rate and probability in 50 years |
 //! | [`farm`] | several tanks in the same earthquakes |
@@ -24,6 +25,7 @@ pub mod capacities;
 pub mod cloud;
 pub mod common;
 pub mod curve;
+pub mod draw;
 pub mod export;
 pub mod farm;
 mod newton;

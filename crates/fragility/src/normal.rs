@@ -22,7 +22,7 @@ pub fn quantile(p: f64) -> f64 {
     if step.is_finite() { x - step } else { x }
 }
 
-/// ln Φ(x), also where Φ(x) is no longer a number: −x²/2 − ln(−x √2π) + ln(1 − 1/x² + 3/x⁴ − 15/x⁶) (Abramowitz & Stegun 26.2.12).
+/// ln Φ(x), also where Φ(x) underflows: −x²/2 − ln(−x √2π) + ln(1 − 1/x² + 3/x⁴ − 15/x⁶) (Abramowitz & Stegun 26.2.12).
 pub fn ln_cdf(x: f64) -> f64 {
     if x > -30.0 {
         return cdf(x).ln();

@@ -1,13 +1,13 @@
 //! Counts at intensities, by maximum likelihood.
 //!
-//! At the intensity im_j, z_j of n_j runs reached the state (Baker 2015, eq. 11, without the binomial constant):
+//! At the intensity im_j, z_j of n_j runs reached the state (Baker 2015, without the binomial constant):
 //!
 //! ```text
 //! ln L = Σ z_j ln Φ(u_j) + (n_j − z_j) ln Φ(−u_j)        u_j = a + b ln im_j        θ = exp(−a/b)        β = 1/b
 //! ```
 //!
-//! In a and b it is concave, so Newton's method finds its maximum from anywhere. There is none where an intensity separates the runs that
-//! reached the state from those that did not.
+//! The function is concave in a and b, so Newton's method finds its maximum from any start. It has no maximum if one intensity separates the
+//! runs that reached the state from the others.
 
 use serde::{Deserialize, Serialize};
 
@@ -43,7 +43,7 @@ pub fn refusal(stripes: &[Stripe]) -> Option<NotIdentifiable> {
     let safe = || runs().filter(|s| s.exceed < s.n);
     let extreme = |all: &mut dyn Iterator<Item = &Stripe>, pick: fn(f64, f64) -> f64| all.map(|s| s.im).reduce(pick);
     if runs().next().is_none() {
-        return Some(NotIdentifiable::because("there are no runs"));
+        return Some(NotIdentifiable::because("the data have no runs"));
     }
     let lowest_reached = extreme(&mut reached(), f64::min);
     let highest_safe = extreme(&mut safe(), f64::max);
@@ -153,7 +153,7 @@ mod tests {
         assert_eq!(found.n, 320);
     }
 
-    /// A grid search knows nothing of gradients.
+    /// A grid search does not use gradients.
     #[test]
     fn no_other_curve_of_a_grid_is_likelier() {
         let found = fit(&example()).unwrap();

@@ -1,7 +1,7 @@
 //! Synthetic accelerograms whose response spectrum follows a target (Gasparini & Vanmarcke 1976).
 //!
 //! ```text
-//! a(t) = I(t) Σ A_k cos(2π f_k t + φ_k)        φ_k uniform, drawn from the seed; f_k = k Δf
+//! a(t) = I(t) Σ A_k cos(2π f_k t + φ_k)        φ_k uniform; f_k = k Δf
 //! A_k ← A_k · S_target(1/f_k)/S(1/f_k)          repeated; S is the response spectrum of a
 //! I(t)  0 to 1 within the rise, 1 during the strong part, then falling as a cosine
 //! ```
@@ -29,25 +29,16 @@ pub struct Wanted {
     pub longest: f64,
     /// Corrections of the amplitudes.
     pub steps: usize,
-    /// Seed of the phases.
-    pub seed: u64,
 }
 
 /// Rise before the strong part over what is left of the duration.
 const RISE: f64 = 0.2;
 /// Shortest period that follows the target, in time steps: shorter ones are not resolved.
 const SHORTEST: f64 = 3.0;
+/// Samples after which a recurrence restarts.
+const BLOCK: usize = 64;
 /// Largest correction of an amplitude in a step.
 const CORRECTION: f64 = 3.0;
-
-/// SplitMix64 (Steele, Lea & Flood 2014): a number from 0 to 1.
-fn unit(state: &mut u64) -> f64 {
-    *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-    let mut z = *state;
-    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-}
 
 impl Wanted {
     fn envelope(&self, t: f64) -> f64 {
@@ -65,8 +56,15 @@ impl Wanted {
 
 /// A record whose spectrum follows `target` [m/s²] over the period [s].
 ///
+/// * `draw`: random numbers from 0 to 1, one for the phase of each cosine
+///
 /// `None` for durations, steps or targets that are not positive.
-pub fn synthetic(name: &str, wanted: &Wanted, target: impl Fn(f64) -> f64) -> Option<Record> {
+pub fn synthetic(
+    name: &str,
+    wanted: &Wanted,
+    target: impl Fn(f64) -> f64,
+    mut draw: impl FnMut() -> f64,
+) -> Option<Record> {
     let positive = [wanted.duration, wanted.strong, wanted.dt, wanted.longest];
     if positive.iter().any(|v| !(*v > 0.0 && v.is_finite())) || wanted.strong >= wanted.duration {
         return None;
@@ -80,8 +78,7 @@ pub fn synthetic(name: &str, wanted: &Wanted, target: impl Fn(f64) -> f64) -> Op
         .skip_while(|f| *f < 0.999 * lowest)
         .take_while(|f| *f <= highest)
         .collect();
-    let mut state = wanted.seed;
-    let phases: Vec<f64> = frequencies.iter().map(|_| TAU * unit(&mut state)).collect();
+    let phases: Vec<f64> = frequencies.iter().map(|_| TAU * draw()).collect();
     let periods: Vec<f64> = frequencies.iter().map(|f| 1.0 / f).collect();
     let goal: Vec<f64> = periods.iter().map(|&t| target(t)).collect();
     if goal.iter().any(|g| !(*g > 0.0 && g.is_finite())) {
@@ -113,14 +110,13 @@ pub fn synthetic(name: &str, wanted: &Wanted, target: impl Fn(f64) -> f64) -> Op
     Some(record)
 }
 
-/// I(t) Σ A cos(2π f t + φ), each cosine by its recurrence, started anew often enough that rounding stays small.
+/// I(t) Σ A cos(2π f t + φ), each cosine by a recurrence that restarts every [`BLOCK`] samples to limit rounding.
 fn sum(frequencies: &[f64], amplitudes: &[f64], phases: &[f64], wanted: &Wanted, count: usize) -> Vec<f64> {
-    const ANEW: usize = 64;
     let mut values = vec![0.0; count];
     for ((f, a), phase) in frequencies.iter().zip(amplitudes).zip(phases) {
         let turn = (TAU * f * wanted.dt).sin_cos();
-        for (block, part) in values.chunks_mut(ANEW).enumerate() {
-            let start = (TAU * f * wanted.dt * (block * ANEW) as f64 + phase).sin_cos();
+        for (block, part) in values.chunks_mut(BLOCK).enumerate() {
+            let start = (TAU * f * wanted.dt * (block * BLOCK) as f64 + phase).sin_cos();
             let (mut s, mut c) = start;
             for value in part {
                 *value += a * c;
@@ -169,8 +165,16 @@ mod tests {
         damping: 0.05,
         longest: 5.0,
         steps: 12,
-        seed: 7,
     };
+
+    /// Multiples of the golden ratio, modulo 1, shifted by the seed.
+    fn phases(seed: u32) -> impl FnMut() -> f64 {
+        let mut k = f64::from(seed) * 977.0;
+        move || {
+            k += 1.0;
+            (k * k * 0.618_033_988_749_894_9).fract()
+        }
+    }
 
     /// Plateau and falling branches of an elastic spectrum of EN 1998-1.
     fn target(t: f64) -> f64 {
@@ -186,7 +190,7 @@ mod tests {
     #[test]
     fn the_mean_of_seven_follows_the_target() {
         let set: Vec<Record> = (0..7)
-            .map(|seed| synthetic("s", &Wanted { seed, ..WANTED }, target).unwrap())
+            .map(|seed| synthetic("s", &WANTED, target, phases(seed)).unwrap())
             .collect();
         let periods: Vec<f64> = (0..80).map(|i| 0.05 * 80.0_f64.powf(f64::from(i) / 79.0)).collect();
         for (i, &t) in periods.iter().enumerate() {
@@ -198,19 +202,19 @@ mod tests {
 
     #[test]
     fn the_ground_comes_to_rest_and_a_seed_is_a_record() {
-        let one = synthetic("s", &WANTED, target).unwrap();
+        let one = synthetic("s", &WANTED, target, phases(7)).unwrap();
         let measures = one.measures();
         assert!(measures.final_velocity.abs() < 1e-9 * measures.pgv);
         assert!(measures.final_displacement.abs() < 1e-9 * measures.pgd);
-        assert_eq!(one, synthetic("s", &WANTED, target).unwrap());
-        let other = synthetic("s", &Wanted { seed: 8, ..WANTED }, target).unwrap();
+        assert_eq!(one, synthetic("s", &WANTED, target, phases(7)).unwrap());
+        let other = synthetic("s", &WANTED, target, phases(8)).unwrap();
         assert_ne!(one.acceleration, other.acceleration);
     }
 
     #[test]
     fn what_is_not_positive_is_refused() {
-        assert!(synthetic("s", &Wanted { dt: 0.0, ..WANTED }, target).is_none());
-        assert!(synthetic("s", &Wanted { strong: 30.0, ..WANTED }, target).is_none());
-        assert!(synthetic("s", &WANTED, |_| f64::NAN).is_none());
+        assert!(synthetic("s", &Wanted { dt: 0.0, ..WANTED }, target, phases(1)).is_none());
+        assert!(synthetic("s", &Wanted { strong: 30.0, ..WANTED }, target, phases(1)).is_none());
+        assert!(synthetic("s", &WANTED, |_| f64::NAN, phases(1)).is_none());
     }
 }

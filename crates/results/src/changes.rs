@@ -1,7 +1,7 @@
 //! What an engineer asks of two results: verdict, quantities and checks, matched by their ids.
 //!
-//! [`crate::numdiff`] compares every number of two folders by its place; here a method, a quantity or a check that is only in one of them is said to
-//! be so, and the others are compared.
+//! [`crate::numdiff`] compares every number of two folders by its place. Here methods, quantities and checks are matched by id; what only one
+//! folder has is listed.
 
 use std::collections::BTreeMap;
 

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use crate::cli::inputs::{Reading, Unit};
 use crate::cli::print;
 use crate::error::Error;
-use crate::input::records::{self, AccelerationUnit, ReadRecord};
+use crate::input::records::{self, AccelerationUnit, LOW_CUT, ReadRecord};
 use files::{text, write_whole};
 
 #[derive(clap::Args)]
@@ -27,7 +27,7 @@ pub(super) struct Convert {
     /// Unit of the output.
     #[arg(long, value_enum, value_name = "UNIT", default_value = "m/s2")]
     to: Unit,
-    /// File that is written; it must not exist. Standard output without it.
+    /// File that is written; it must not exist. Standard output without it, or for `-`.
     #[arg(long, short, value_name = "FILE")]
     out: Option<PathBuf>,
 }
@@ -37,32 +37,38 @@ impl Convert {
     ///
     /// Errors: a record that cannot be read; a file that exists or cannot be written.
     pub(super) fn run(&self) -> Result<(), Error> {
-        if let Some(path) = self.out.as_ref().filter(|path| path.exists()) {
+        let out = self.out.as_ref().filter(|path| path.as_os_str() != "-");
+        if let Some(path) = out.filter(|path| path.exists()) {
             return Err(Error::input(format!(
                 "error: --out: found `{}`, which exists, expected the name of a new file",
                 path.display()
             )));
         }
         let read = records::read(&self.record, &self.reading.options())?;
-        let text = csv(&read, self.to.unit());
-        match &self.out {
+        let source = self
+            .record
+            .file_name()
+            .map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        let text = csv(&read, &source, self.to.unit());
+        match out {
             Some(path) => Ok(write_whole(path, text.as_bytes())?),
             None => print(&text),
         }
     }
 }
 
-fn csv(read: &ReadRecord, unit: AccelerationUnit) -> String {
+fn csv(read: &ReadRecord, source: &str, unit: AccelerationUnit) -> String {
     let mut said = String::new();
     let mut comment = |what: &str, value: &str| {
         let _ = writeln!(said, "# {what}: {}", text::line(value).replace(['\n', '\r'], " "));
     };
     comment("record", &read.record.name);
+    comment("source", source);
     comment("format", &read.format);
     comment("source sha256", &read.sha256);
     comment("unit of the source", &read.unit.to_string());
     if let Some(corner) = read.low_cut_frequency {
-        comment("low-cut filter", &format!("{corner} Hz"));
+        comment(LOW_CUT, &format!("{corner} Hz"));
     }
     for note in &read.notes {
         comment("note", note);

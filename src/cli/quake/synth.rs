@@ -3,6 +3,7 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
+use ::fragility::draw::Draw;
 use oscillator::record::Record;
 use oscillator::synthetic::{Wanted, synthetic};
 
@@ -97,10 +98,10 @@ impl Synth {
                 damping: DAMPING,
                 longest,
                 steps: 12,
-                seed: self.seed.wrapping_add(u64::from(k)),
             };
+            let mut draw = Draw::new(self.seed.wrapping_add(u64::from(k)));
             let name = format!("synthetic-{:03}", k + 1);
-            let record = synthetic(&name, &wanted, &curve)
+            let record = synthetic(&name, &wanted, &curve, || draw.unit())
                 .ok_or_else(|| Error::input("error: --target: a spectrum that is not positive everywhere".into()))?;
             results::put(&folder.path().join(format!("{name}.csv")), csv(&record).as_bytes())?;
             let _ = writeln!(said, "{name}.csv  peak {:.4} m/s²", record.pga());

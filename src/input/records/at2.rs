@@ -13,6 +13,7 @@
 //! files are rejected.
 
 use crate::input::diagnostic::{Fault, Faults};
+use crate::input::records::block::lines;
 use crate::input::records::draft::{Collector, Draft, printable, settle_dt, settle_unit};
 use crate::input::records::number::{parse, split_glued};
 use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
@@ -34,7 +35,7 @@ fn header_end(text: &str) -> Option<usize> {
 
 /// Reads the text; call [`sniff`] before.
 pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
-    let lines = lines_with_places(text);
+    let lines = lines(text);
     let last = header_end(text).unwrap_or(0);
     let header = &lines[..(last + 1).min(lines.len())];
     let (start, line) = header.last().copied().unwrap_or((0, ""));
@@ -58,18 +59,6 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         notes: Vec::new(),
         low_cut: None,
     })
-}
-
-/// Lines and the byte at which each begins.
-fn lines_with_places(text: &str) -> Vec<(usize, &str)> {
-    let mut start = 0;
-    text.split_inclusive('\n')
-        .map(|line| {
-            let place = start;
-            start += line.len();
-            (place, line.trim_end_matches(['\n', '\r']))
-        })
-        .collect()
 }
 
 /// NPTS and DT of the line that names them; DT may be missing.

@@ -89,6 +89,9 @@ struct Layout {
     header: Option<String>,
 }
 
+/// Beginning of the comment that gives the corner of the low-cut filter: `# low-cut filter: 0.2 Hz`.
+pub const LOW_CUT: &str = "low-cut filter";
+
 /// A line of text with the byte at which it begins.
 type Line<'a> = (usize, &'a str);
 
@@ -138,7 +141,12 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
             .help("cut the record to the strong motion")
             .into());
     }
-    draft(table, separator, layout, text, options).map_err(Faults::from)
+    let corner = titles.iter().find_map(|(_, line)| low_cut(line.1));
+    let draft = draft(table, separator, layout, text, options)?;
+    Ok(Draft {
+        low_cut: corner,
+        ..draft
+    })
 }
 
 fn draft(
@@ -205,6 +213,17 @@ fn draft(
         notes,
         low_cut: None,
     })
+}
+
+/// The corner [Hz] in a comment of `quake convert`.
+fn low_cut(comment: &str) -> Option<f64> {
+    let value = comment
+        .trim()
+        .strip_prefix(LOW_CUT)?
+        .strip_prefix(':')?
+        .trim()
+        .strip_suffix("Hz")?;
+    parse(value).ok().filter(|corner| *corner > 0.0)
 }
 
 /// The text of a comment line.

@@ -103,7 +103,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         places,
         notes: vec![
             format!("offset of {mean:.4} gal removed, the mean of the record"),
-            "the record begins 15 s before its time: the delay of the trigger is in the header's time".into(),
+            "the `Record Time` of the header is 15 s later than the first sample".into(),
         ],
         low_cut: None,
     })
