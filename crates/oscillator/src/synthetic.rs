@@ -167,7 +167,7 @@ mod tests {
         steps: 12,
     };
 
-    /// Multiples of the golden ratio, modulo 1, shifted by the seed.
+    /// Fractional parts of k² times the golden ratio, which fill 0 to 1 evenly (Weyl 1916); k starts at the seed.
     fn phases(seed: u32) -> impl FnMut() -> f64 {
         let mut k = f64::from(seed) * 977.0;
         move || {

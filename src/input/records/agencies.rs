@@ -1,4 +1,5 @@
-//! Tests of the readers of agencies, on small files in their formats with invented numbers (`tests/records`). Samples of the agencies themselves: `benches/peers/records.py`.
+//! Tests of the readers of agencies, on small files in their formats with invented numbers (`tests/records`).
+//! Samples of the agencies themselves: `benches/peers/records.py`.
 
 use std::path::Path;
 
