@@ -8,13 +8,14 @@ use crate::sources::{paths, uses, workspace};
 const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("oscillator", &[]),
     ("linalg", &[]),
+    ("fourier", &[]),
     ("materials", &[]),
     ("files", &[]),
     ("fragility", &[]),
     ("tank", &["oscillator"]),
     ("base", &["tank"]),
     ("soil", &["oscillator"]),
-    ("fem", &["linalg", "materials", "oscillator"]),
+    ("fem", &["fourier", "linalg", "materials", "oscillator"]),
     ("codes", &["base", "oscillator", "soil", "tank"]),
     ("results", &["files", "oscillator", "tank"]),
     (

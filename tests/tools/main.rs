@@ -1,11 +1,13 @@
 //! Tests that need another program: where it is absent they are counted as ignored, with the reason.
 //!
-//! Chromium (`CHROMIUM` names another binary) prints and measures the report; python3 with meshio reads the ParaView files;
+//! Chromium (`CHROMIUM` names another binary) prints and measures the report; python3 with meshio reads the ParaView files; `unshare` makes file
+//! systems that are full or read-only; python3 with hyperqueue (`HYPERQUEUE_PYTHON` names another interpreter) and snakemake (`SNAKEMAKE`) run studies;
 //! python3 runs the package of `python/` and collects the licences of an archive.
 
 mod report_print;
 #[path = "../golden/sample/mod.rs"]
 mod sample;
+mod study;
 mod vtu;
 mod wheel;
 
@@ -30,6 +32,26 @@ fn main() -> ExitCode {
             report_print::nothing_is_cut_off_on_screen_phone_and_paper,
         ),
         trial("report_print::look", looked_at, report_print::look),
+        trial(
+            "study::a_read_only_folder_is_one_message",
+            unshare,
+            study::a_read_only_folder_is_one_message,
+        ),
+        trial(
+            "study::a_full_disk_loses_nothing",
+            unshare,
+            study::a_full_disk_loses_nothing,
+        ),
+        trial(
+            "study::hyperqueue_is_killed_and_resumed",
+            hyperqueue,
+            study::hyperqueue_is_killed_and_resumed,
+        ),
+        trial(
+            "study::snakemake_runs_the_written_rule",
+            snakemake,
+            study::snakemake_runs_the_written_rule,
+        ),
         trial(
             "vtu::meshio_reads_what_is_written",
             meshio,
@@ -83,6 +105,35 @@ fn meshio() -> Result<PathBuf, &'static str> {
     match succeeds(&python, &["-c", "import meshio, numpy"]) {
         true => Ok(python),
         false => Err("skipped: python3 with meshio (PyPI) is not installed"),
+    }
+}
+
+/// Namespaces of mounts and network: the kernel may refuse them.
+fn unshare() -> Result<PathBuf, &'static str> {
+    let unshare = PathBuf::from("unshare");
+    let script = "mount -t tmpfs tmpfs /mnt";
+    match succeeds(&unshare, &["--mount", "--net", "--map-root-user", "sh", "-c", script]) {
+        true => Ok(unshare),
+        false => Err("skipped: unshare (util-linux) is not installed, or the kernel refuses namespaces"),
+    }
+}
+
+fn hyperqueue() -> Result<PathBuf, &'static str> {
+    unshare()?;
+    let python = std::env::var_os("HYPERQUEUE_PYTHON").map_or_else(|| PathBuf::from("python3"), PathBuf::from);
+    match succeeds(&python, &["-c", "import hyperqueue"]) {
+        true => Ok(python),
+        false => Err(
+            "skipped: python3 with hyperqueue (PyPI) is not installed (HYPERQUEUE_PYTHON names another interpreter)",
+        ),
+    }
+}
+
+fn snakemake() -> Result<PathBuf, &'static str> {
+    let program = std::env::var_os("SNAKEMAKE").map_or_else(|| PathBuf::from("snakemake"), PathBuf::from);
+    match succeeds(&program, &["--version"]) {
+        true => Ok(program),
+        false => Err("skipped: snakemake (PyPI) is not installed (SNAKEMAKE names another binary)"),
     }
 }
 

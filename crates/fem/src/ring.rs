@@ -17,10 +17,7 @@
 //!
 //! F is applied as a fast Fourier transform of the full circle.
 
-use std::sync::Arc;
-
-use realfft::num_complex::Complex64;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use fourier::{Complex64, Transforms};
 
 mod operator;
 
@@ -40,8 +37,7 @@ pub enum Weight {
 pub struct Ring {
     sectors: usize,
     half: bool,
-    forward: Arc<dyn RealToComplex<f64>>,
-    backward: Arc<dyn ComplexToReal<f64>>,
+    plan: Transforms,
 }
 
 /// Rings of nodes about the z axis: on the meridians of `ring`, with frames e_r, e_θ, e_z and rotation frames e_θ, e_z, e_r.
@@ -75,13 +71,8 @@ impl Ring {
         if sectors < 3 || (half && !sectors.is_multiple_of(2)) {
             return None;
         }
-        let mut planner = RealFftPlanner::new();
-        Some(Ring {
-            sectors,
-            half,
-            forward: planner.plan_fft_forward(sectors),
-            backward: planner.plan_fft_inverse(sectors),
-        })
+        let plan = Transforms::new(sectors);
+        Some(Ring { sectors, half, plan })
     }
 
     /// Sectors of the full circle.
@@ -117,7 +108,11 @@ impl Ring {
 
     /// Working space.
     pub fn room(&self) -> Room {
-        let scratch = self.forward.get_scratch_len().max(self.backward.get_scratch_len());
+        let scratch = self
+            .plan
+            .forward
+            .get_scratch_len()
+            .max(self.plan.inverse.get_scratch_len());
         Room {
             real: vec![0.0; self.sectors],
             waves: vec![Complex64::default(); self.harmonics()],
@@ -152,6 +147,7 @@ impl Ring {
         }
         // Lengths are those of the plan.
         let done = self
+            .plan
             .forward
             .process_with_scratch(&mut room.real, &mut room.waves, &mut room.scratch);
         debug_assert!(done.is_ok());
@@ -184,7 +180,8 @@ impl Ring {
             room.waves[m] = Complex64::new(part * cosine, if single { 0.0 } else { -part * sine });
         }
         let done = self
-            .backward
+            .plan
+            .inverse
             .process_with_scratch(&mut room.waves, &mut room.real, &mut room.scratch);
         debug_assert!(done.is_ok());
         if self.half {

@@ -14,8 +14,6 @@ mod pencil;
 mod sparse;
 mod symbolic;
 mod symmetric;
-#[cfg(test)]
-mod tests;
 mod three_field;
 
 pub use dense::{Cholesky, product, transposed_product};

@@ -44,7 +44,9 @@ pub fn read(path: &Path) -> Result<Vec<Mutant>, String> {
     let list: Vec<Value> = serde_json::from_str(&text).map_err(|e| format!("{}: {e}", path.display()))?;
     list.iter()
         .enumerate()
-        .map(|(index, m)| mutant(m, index + 1).ok_or_else(|| format!("{}: entry {index} is not a mutant", path.display())))
+        .map(|(index, m)| {
+            mutant(m, index + 1).ok_or_else(|| format!("{}: entry {index} is not a mutant", path.display()))
+        })
         .collect()
 }
 

@@ -18,8 +18,8 @@
 //!
 //! Source: Clough & Penzien 1993, chapter 6; exponential window: Kausel & Roësset 1992.
 
+use fourier::Transforms;
 use nalgebra::{Complex, DMatrix, DVector};
-use realfft::RealFftPlanner;
 
 use super::modal::ModalBasis;
 use super::motion::Grid;
@@ -212,9 +212,7 @@ impl Reduced {
             other => return Err(refuse(format!("{other:?}"), "zeros ≥ 0 s, or 2 to 10 digits")),
         };
         let length = smooth(length);
-        let mut planner = RealFftPlanner::<f64>::new();
-        let forward = planner.plan_fft_forward(length);
-        let inverse = planner.plan_fft_inverse(length);
+        let Transforms { forward, inverse } = Transforms::new(length);
         let mut spectra = Vec::new();
         for (k, motion) in load.ground.iter().enumerate() {
             let Some(motion) = motion else { continue };

@@ -184,19 +184,3 @@ fn rows() -> Answer {
     }
     Ok(rows)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rows_hold() {
-        let rows = rows().unwrap();
-        for row in &rows {
-            println!("{}", row.line());
-        }
-        for row in &rows {
-            assert!(row.holds(), "{}", row.line());
-        }
-    }
-}

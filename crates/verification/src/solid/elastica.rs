@@ -305,13 +305,3 @@ pub(super) fn rows(meshes: &[usize]) -> Answer {
     }
     Ok(rows)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rows_hold() {
-        crate::row::assert_held(&rows(&[100, 200, 400]).unwrap());
-    }
-}

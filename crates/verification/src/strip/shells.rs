@@ -420,19 +420,3 @@ fn recorded(record: &Record) -> Answer {
     }
     Ok(rows)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rows_hold() {
-        let rows = rows().unwrap();
-        for row in &rows {
-            println!("{}", row.line());
-        }
-        for row in &rows {
-            assert!(row.holds(), "{}", row.line());
-        }
-    }
-}

@@ -59,7 +59,7 @@ fn clock() -> f64 {
 ///
 /// `SIZES="16x40@1.5 24x60@0.8" cargo test -p engines --lib dense_or_iterated -- --ignored --nocapture`
 #[test]
-#[ignore = "slow: a measurement"]
+#[ignore = "slow: a measurement, cargo test -p engines --lib dense_or_iterated -- --ignored --nocapture; numbers in docs/performance.md"]
 fn dense_or_iterated() {
     let sizes = std::env::var("SIZES").unwrap_or_else(|_| "16x40".into());
     for size in sizes.split_whitespace() {

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use crate::{
+use linalg::{
     Kind, LinalgError, Matrix, Ordering, Pattern, Pencil, Search, Symbolic, Symmetric, ThreeField, generalized_eigen,
     modes, product, transposed_product,
 };
@@ -134,7 +134,7 @@ impl Tank {
         let rows: Vec<usize> = (free..self.phi.len()).collect();
         let f_free = f.select(&rows, &all);
         let mut x = f_free.clone();
-        crate::Cholesky::factor(&h).unwrap().solve(&mut x);
+        linalg::Cholesky::factor(&h).unwrap().solve(&mut x);
         let mut mass = transposed_product(&f_free, &x);
         for (v, own) in mass.data.iter_mut().zip(&m.select(kept, kept).data) {
             *v += own;

@@ -1,7 +1,7 @@
 use std::sync::Arc;
 
 use super::Box3;
-use crate::{Inertia, Kind, LinalgError, Matrix, Ordering, Symbolic, Symmetric};
+use linalg::{Inertia, Kind, LinalgError, Matrix, Ordering, Symbolic, Symmetric};
 
 fn right(size: usize, columns: usize) -> Matrix {
     let mut b = Matrix::zeros(size, columns);

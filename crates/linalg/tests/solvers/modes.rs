@@ -1,5 +1,5 @@
 use super::Box3;
-use crate::{LinalgError, Search, Sparse, dot, modes};
+use linalg::{LinalgError, Search, Sparse, dot, modes};
 
 /// A cube has eigenvalues of multiplicity 3 and 6.
 #[test]
@@ -79,7 +79,7 @@ fn mass_may_be_semidefinite() {
     }
     let pencil = Sparse::new(&model.stiffness, &model.mass, model.symbolic());
     // Reference: the dense solver.
-    let dense = crate::generalized_eigen(&model.stiffness.to_dense(), &model.mass.to_dense(), Some(12)).unwrap();
+    let dense = linalg::generalized_eigen(&model.stiffness.to_dense(), &model.mass.to_dense(), Some(12)).unwrap();
     let found = modes(&pencil, &Search::lowest(12)).unwrap();
     for (f, e) in found.omega().iter().zip(&dense.omega) {
         assert!((f / e - 1.0).abs() < 1e-9, "{f} {e}");
