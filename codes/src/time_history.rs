@@ -24,7 +24,9 @@
 
 mod base;
 mod bearing;
+mod field;
 mod limit_states;
+mod ready;
 mod search;
 mod surface;
 #[cfg(test)]
@@ -46,6 +48,7 @@ use limit_states::{API, FREEBOARD, OTHER_WALL, PLATES, ROOF};
 use work::Work;
 
 pub use limit_states::{Codes, limit_states};
+pub use ready::Ready;
 
 /// What the demands of a run amount to.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -64,8 +67,22 @@ pub struct Findings {
 ///
 /// * `errors`: relative mesh errors of the run by quantity id
 pub fn assess(case: &Case, codes: Codes, demands: &Demands, errors: &BTreeMap<String, f64>) -> Findings {
+    assess_at(case, codes, (&Ready::new(case, demands), 1.0), errors)
+}
+
+/// The demands of a linear run under its record times a positive factor against the capacities of codes: the motion grows, the static
+/// state stays. A run of another model has no factor but 1.
+///
+/// * `errors`: relative mesh errors of the run by quantity id
+pub fn assess_at(
+    case: &Case,
+    codes: Codes,
+    (ready, factor): (&Ready<'_>, f64),
+    errors: &BTreeMap<String, f64>,
+) -> Findings {
     let states = limit_states(case, codes);
-    let mut work = Work::new((case, codes), demands, errors, &states);
+    let demands = ready.demands;
+    let mut work = Work::new((case, codes), (ready, factor), errors, &states);
     surface::assess(&mut work);
     let mut pulls = None;
     if let Some(radius) = base::radius(case).filter(|_| !demands.places.is_empty()) {

@@ -274,7 +274,9 @@ fn base_pressures(work: &mut Work, state: &State) {
 fn stresses(work: &mut Work, state: &State, vertical: bool) -> f64 {
     let z = work.heights();
     let base = &state.tank.courses[0];
-    let hoop = |z: f64| state.pressure_seismic(z, vertical) * state.radius / state.tank.course_at(z).net_thickness();
+    let pressure: Vec<f64> = z.iter().map(|&z| state.pressure_seismic(z, vertical)).collect();
+    let hoop = |(&z, p): (&f64, &f64)| p * state.radius / state.tank.course_at(z).net_thickness();
+    let hoop: Vec<f64> = z.iter().zip(&pressure).map(hoop).collect();
     let axial = |z: f64| state.axial(z) / state.tank.course_at(z).net_thickness();
     work.profile("pressure_impulsive", "Impulsive pressure", Stress, &z, |z| {
         state.pressure_impulsive(z)
@@ -282,17 +284,15 @@ fn stresses(work: &mut Work, state: &State, vertical: bool) -> f64 {
     work.profile("pressure_convective", "Convective pressure", Stress, &z, |z| {
         state.pressure_convective(z)
     });
-    work.profile("pressure_dynamic", "Seismic pressure", Stress, &z, |z| {
-        state.pressure_seismic(z, vertical)
-    });
-    work.profile("hoop_stress", "Hoop stress (membrane)", Stress, &z, hoop);
+    work.profile_of(("pressure_dynamic", "Seismic pressure", Stress), &z, pressure);
+    work.profile_of(("hoop_stress", "Hoop stress (membrane)", Stress), &z, hoop.clone());
     work.profile("axial_membrane_stress", "Axial membrane stress", Stress, &z, axial);
 
     work.sheet.section("Membrane stresses (seismic part)");
     let (mut at, mut largest) = (0.0, 0.0);
-    for z in z {
-        if hoop(z) > largest {
-            (at, largest) = (z, hoop(z));
+    for (z, hoop) in z.into_iter().zip(hoop) {
+        if hoop > largest {
+            (at, largest) = (z, hoop);
         }
     }
     let terms = [

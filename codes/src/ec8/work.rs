@@ -313,12 +313,18 @@ impl Work<'_> {
         z: &[f64],
         value: impl Fn(f64) -> f64,
     ) {
+        let values = z.iter().map(|z| value(*z)).collect();
+        self.profile_of((id, title, dimension), z, values);
+    }
+
+    /// A profile of values at the heights `z` [m].
+    pub(super) fn profile_of(&mut self, (id, title, dimension): (&str, &str, Dimension), z: &[f64], values: Vec<f64>) {
         self.out.profiles.push(Profile {
             id: id.into(),
             title: title.into(),
             dimension,
             z: z.to_vec(),
-            values: z.iter().map(|z| value(*z)).collect(),
+            values,
         });
     }
 

@@ -10,7 +10,7 @@ use tank::units::Dimension::{Acceleration, Angle, Dimensionless, Force, LineForc
 use tank::{Shape, Support};
 
 use super::limit_states::{ANCHORS, API, Codes, SLIDING, UPLIFT};
-use super::search::{Found, Histories};
+use super::search::Found;
 use super::work::Work;
 use crate::ec8::plate_uplift::ROTATION;
 use crate::sheet::with_unit;
@@ -29,12 +29,10 @@ pub(super) fn tension(work: &mut Work<'_>, radius: f64) -> Option<String> {
             return None;
         }
     }
-    let all = demands.places.iter().filter(|place| place.z == 0.0);
-    let pulls = all.filter_map(|place| {
-        Some((
-            place,
-            Histories::new(demands, place).axial_tension(0.0)?.turned(place.turned),
-        ))
+    let pulls = work.ready.base.iter().filter_map(|searched| {
+        let (place, above) = (searched.place, f64::NEG_INFINITY);
+        let found = work.search(searched).axial_tension(0.0, above)?;
+        Some((place, found.turned(place.turned)))
     });
     // More than one only where the histories are known at two sides of each.
     let (base, found) = pulls.reduce(|best, next| if next.1.demand > best.1.demand { next } else { best })?;
@@ -178,19 +176,17 @@ pub(super) fn sliding(work: &mut Work<'_>) {
         work.without(SLIDING, CheckStatus::NotApplicable, &reason, None);
     }
     // Friction caps the shear of a tank that slides: it is judged by that of the tank held in place.
-    let held = work.demands.base.as_ref().and_then(|base| base.held_shear.as_ref());
-    let slides = held.is_some();
-    let Some(shear) = held.or(work.demands.base_shear.as_ref()) else {
+    let slides = (work.demands.base.as_ref()).is_some_and(|base| base.held_shear.is_some());
+    let (ready, factor) = (work.ready, work.factor);
+    let Some(shear) = &ready.shear else {
         if !frictions.is_empty() {
             let reason = "the engine does not give the base shear";
             work.without(SLIDING, CheckStatus::NotChecked, reason, None);
         }
         return;
     };
-    let (shear, transverse) = (work.demands.history(shear), work.demands.transverse(shear));
-    let size = |k: usize| transverse.as_ref().map_or(shear[k].abs(), |y| shear[k].hypot(y[k]));
-    let vertical = work.demands.vertical.as_ref().map(|terms| work.demands.history(terms));
-    let upwards = |k: usize| vertical.as_ref().map_or(0.0, |a| a[k]);
+    let size = |k: usize| factor * shear.size(k);
+    let upwards = |k: usize| factor * ready.upwards(k);
     let mass = case.liquid_mass() + case.tank.wall_mass() + case.tank.roof.mass;
     for (id, friction, clause) in frictions {
         let capacity = |k: usize| friction * mass * (case.gravity + upwards(k));
@@ -201,24 +197,24 @@ pub(super) fn sliding(work: &mut Work<'_>) {
         let Some(k) = (0..shear.len()).max_by(|&i, &j| ratio(i).total_cmp(&ratio(j)).then(j.cmp(&i))) else {
             continue;
         };
-        let time = work.demands.times[k];
+        let (time, upwards, utilisation) = (work.demands.times[k], upwards(k), ratio(k));
         let when = with_unit(time, tank::units::Dimension::Time);
         work.sheet.section(&format!("Sliding ({clause}): t = {when}"));
         let demand = size(k);
         work.sheet
             .input("V", "base shear", demand, Force, "the run of the engine");
         let name = "vertical acceleration of the ground then, upwards";
-        work.sheet.input("a_v", name, upwards(k), Acceleration, "record");
+        work.sheet.input("a_v", name, upwards, Acceleration, "record");
         let terms = [
             ("μ", friction, Dimensionless),
             ("M", mass, Mass),
             ("g", case.gravity, Acceleration),
-            ("a_v", upwards(k), Acceleration),
+            ("a_v", upwards, Acceleration),
         ];
         let name = "friction under the weight of liquid, wall and roof then";
         let capacity = work.sheet.calc("V_R", name, "μ·M·(g + a_v)", &terms, Force, &clause);
         let found = Found {
-            utilisation: ratio(k),
+            utilisation,
             demand,
             rest: 0.0,
             capacity,
@@ -233,10 +229,10 @@ pub(super) fn sliding(work: &mut Work<'_>) {
             false => "weight of the same instant, without bottom plate and foundation",
         };
         let check = Check::new(id, "Sliding on the foundation", demand, capacity, Force, &clause, note);
-        let theta = match &transverse {
-            Some(y) => y[k].atan2(shear[k]).rem_euclid(TAU),
-            None if shear[k] < 0.0 => PI,
-            None => 0.0,
+        let theta = match shear.at(k) {
+            (x, Some(y)) => y.atan2(x).rem_euclid(TAU),
+            (x, None) if x < 0.0 => PI,
+            _ => 0.0,
         };
         work.checks.push(
             check

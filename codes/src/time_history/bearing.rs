@@ -30,45 +30,40 @@ pub(super) fn assess(work: &mut Work<'_>) {
         let reason = format!("`{RESISTANCE}` is missing");
         return work.without(BEARING, CheckStatus::NotChecked, &reason, Some(RESISTANCE));
     };
-    let Some(moment) = work.demands.overturning_moment.as_ref() else {
+    let (ready, factor) = (work.ready, work.factor);
+    let Some(moments) = &ready.moment else {
         let reason = "the engine does not give the moment below the base plate";
         return work.without(BEARING, CheckStatus::NotChecked, reason, None);
     };
-    let (along, transverse) = (work.demands.history(moment), work.demands.transverse(moment));
-    // M′_x alone has its sign, the resultant of both directions has none.
-    let moment: Vec<f64> = match &transverse {
-        Some(y) => along.iter().zip(y).map(|(x, y)| x.hypot(*y)).collect(),
-        None => along.clone(),
-    };
-    let vertical = work.demands.vertical.as_ref().map(|terms| work.demands.history(terms));
-    let upwards = |k: usize| vertical.as_ref().map_or(0.0, |a| a[k]);
+    let moment = |k: usize| factor * moments.size(k);
+    let upwards = |k: usize| factor * ready.upwards(k);
     let case = work.case;
     let mass = case.liquid_mass() + case.tank.wall_mass() + case.tank.roof.mass;
     let normal = |k: usize| mass * (case.gravity + upwards(k));
-    let pressure = |k: usize, more: f64| largest_pressure(case.tank.shape, normal(k), moment[k].abs() * (1.0 + more));
+    let pressure = |k: usize, more: f64| largest_pressure(case.tank.shape, normal(k), moment(k) * (1.0 + more));
     // Under a constant weight the pressure grows with the moment. Of several instants whose resultant leaves the base, that with the
     // largest moment.
-    let pressures: Option<Vec<f64>> = vertical
-        .as_ref()
-        .map(|_| (0..moment.len()).map(|k| pressure(k, 0.0)).collect());
+    let all = 0..moments.len();
+    let pressures: Option<Vec<f64>> =
+        (ready.vertical.as_ref()).map(|_| all.clone().map(|k| pressure(k, 0.0)).collect());
     let worse = |&i: &usize, &j: &usize| {
-        let by_moment = moment[i].abs().total_cmp(&moment[j].abs());
+        let by_moment = moment(i).total_cmp(&moment(j));
         let by_pressure = pressures.as_ref().map_or(by_moment, |p| p[i].total_cmp(&p[j]));
         by_pressure.then(by_moment).then(j.cmp(&i))
     };
-    let Some(k) = (0..moment.len()).max_by(worse) else {
+    let Some(k) = all.max_by(worse) else {
         return;
     };
     let at = At {
         instant: k,
-        moment: moment[k],
+        moment: moment(k),
         mass,
         upwards: upwards(k),
     };
     let bears = lines(work, &at, resistance);
     let found = Found {
         utilisation: 0.0,
-        demand: at.moment.abs(),
+        demand: at.moment,
         rest: 0.0,
         capacity: resistance,
         instant: k,
@@ -89,14 +84,14 @@ pub(super) fn assess(work: &mut Work<'_>) {
         Bears::Leaves { limit } => {
             let name = "Moment that a base without tension carries";
             let note = format!("the resultant leaves the base; {note}");
-            Check::new(BEARING, name, at.moment.abs(), limit, Moment, &clause, &note)
+            Check::new(BEARING, name, at.moment, limit, Moment, &clause, &note)
         }
     };
     // M′ is that of the accelerations towards θ = 0: tank and liquid lean back, to θ = 180°.
-    let theta = match &transverse {
-        Some(y) => (-y[k]).atan2(-along[k]).rem_euclid(TAU),
-        None if at.moment > 0.0 => PI,
-        None => 0.0,
+    let theta = match moments.at(k) {
+        (x, Some(y)) => (-y).atan2(-x).rem_euclid(TAU),
+        (x, None) if x > 0.0 => PI,
+        _ => 0.0,
     };
     let time = work.demands.times.get(k).copied();
     work.checks
@@ -122,7 +117,7 @@ fn lines(work: &mut Work<'_>, at: &At, resistance: f64) -> Bears {
     let sheet = &mut work.sheet;
     sheet.section(&format!("Bearing of the ground: t = {}", with_unit(time, Time)));
     let run = "the run of the engine";
-    let moment = sheet.input("M′", "moment below the base plate", at.moment.abs(), Moment, run);
+    let moment = sheet.input("M′", "moment below the base plate", at.moment, Moment, run);
     sheet.input("R_d", "design bearing resistance", resistance, Stress, RESISTANCE);
     let name = "vertical acceleration of the ground then, upwards";
     sheet.input("a_v", name, at.upwards, Acceleration, "record");

@@ -1,9 +1,22 @@
 //! The instant, height and angle at which a demand is largest against its capacity.
+//!
+//! A place keeps the extremes of its fields by blocks of instants ([`Extremes`]), not their histories. They bound what a block can hold
+//! under the motion times any factor; the histories are combined again in the blocks that can govern. What is found is what a search
+//! of all instants finds, to the last bit: the first instant and place of the largest utilisation.
 
-use std::cell::OnceCell;
+mod at_base;
+mod floors;
+mod membrane;
+
 use std::f64::consts::{PI, TAU};
+use std::ops::Range;
 
 use tank::demand::{Angles, Demands, OnWall, Place};
+
+use super::field::{Direction, Extremes, Factors, Field, SIDES, block_of, blocks, factored, instants};
+use at_base::AtBase;
+use floors::Floors;
+use membrane::Membrane;
 
 /// Steps of the angle from 0 to 180° where a utilisation is not linear in cos θ.
 const STEPS: usize = 12;
@@ -12,127 +25,18 @@ const STEPS: usize = 12;
 /// varies by 0.1 %.
 const FAN: usize = 72;
 
-/// The directions of a search around the circumference.
-fn around() -> Vec<Direction> {
-    let angle = |i: usize| TAU * i as f64 / FAN as f64;
-    (0..FAN).map(|i| (angle(i).cos(), angle(i).sin())).collect()
-}
-
-/// cos θ and sin θ of a place on the circumference. Without a motion along y the sine has no effect and is 0.
-pub(super) type Direction = (f64, f64);
-
-/// θ = 0 and 180°.
-const SIDES: [Direction; 2] = [(1.0, 0.0), (-1.0, 0.0)];
-
-/// Angle of a direction [rad], from 0 to 2 π.
-pub(super) fn angle((cosine, sine): Direction) -> f64 {
-    match sine == 0.0 {
-        true => cosine.clamp(-1.0, 1.0).acos(),
-        false => sine.atan2(cosine).rem_euclid(TAU),
+/// The directions in which demands are searched where the sides do not suffice.
+pub(super) fn directions(demands: &Demands) -> Vec<Direction> {
+    let along = |i: usize| ((PI * i as f64 / STEPS as f64).cos(), 0.0);
+    let around = |i: usize| {
+        let angle = TAU * i as f64 / FAN as f64;
+        (angle.cos(), angle.sin())
+    };
+    match demands.angles {
+        Angles::All if !demands.transverse.is_empty() => (0..FAN).map(around).collect(),
+        Angles::All => (0..=STEPS).map(along).collect(),
+        Angles::Sides => SIDES.to_vec(),
     }
-}
-
-/// A quantity of one place over time: rest + even(t) + odd(t) cos θ + transverse(t) sin θ.
-pub(super) struct Field {
-    pub(super) rest: f64,
-    even: Vec<f64>,
-    odd: Vec<f64>,
-    /// Part of the motion along y; none without one.
-    transverse: Option<Vec<f64>>,
-}
-
-impl Field {
-    pub(super) fn new(demands: &Demands, of: &OnWall) -> Field {
-        Field {
-            rest: of.rest,
-            even: match of.even.is_empty() {
-                true => Vec::new(),
-                false => demands.history(&of.even),
-            },
-            odd: demands.history(&of.odd),
-            transverse: demands.transverse(&of.odd),
-        }
-    }
-
-    /// The field times a factor.
-    fn times(mut self, factor: f64) -> Field {
-        self.rest *= factor;
-        scale(&mut self.even, factor);
-        scale(&mut self.odd, factor);
-        if let Some(transverse) = &mut self.transverse {
-            scale(transverse, factor);
-        }
-        self
-    }
-
-    /// Value at instant `k` in the direction (`c`, `s`).
-    pub(super) fn at(&self, k: usize, (c, s): Direction) -> f64 {
-        let along = self.rest + self.even.get(k).copied().unwrap_or(0.0) + c * self.odd[k];
-        match &self.transverse {
-            Some(transverse) => along + s * transverse[k],
-            None => along,
-        }
-    }
-
-    /// The directions of the largest and the smallest value at instant `k`.
-    fn ends(&self, k: usize) -> [Direction; 2] {
-        let Some(transverse) = &self.transverse else {
-            return SIDES;
-        };
-        let (x, y) = (self.odd[k], transverse[k]);
-        match x.hypot(y) {
-            size if size > 0.0 => [(x / size, y / size), (-x / size, -y / size)],
-            _ => SIDES,
-        }
-    }
-
-    /// Largest absolute value that it can have at instant `k`.
-    fn bound(&self, k: usize) -> f64 {
-        let ends = self.ends(k).map(|at| self.at(k, at).abs());
-        ends[0].max(ends[1])
-    }
-
-    /// Smallest and largest value over time and circumference.
-    fn range(&self) -> (f64, f64) {
-        let mut range = (f64::INFINITY, f64::NEG_INFINITY);
-        for k in 0..self.odd.len() {
-            for direction in self.ends(k) {
-                let value = self.at(k, direction);
-                range = (range.0.min(value), range.1.max(value));
-            }
-        }
-        range
-    }
-}
-
-/// The histories of a place.
-pub(super) struct Histories {
-    /// Hoop membrane stress [Pa].
-    pub(super) hoop: Field,
-    /// Axial membrane stress [Pa].
-    pub(super) axial: Field,
-    /// Pressure of the liquid [Pa]; none above it.
-    pub(super) pressure: Option<Field>,
-    /// Amplitude of the shear stress at θ = 90° [Pa], where known.
-    shear: Option<Vec<f64>>,
-    /// The same of the motion along y, at θ = 180°.
-    transverse_shear: Option<Vec<f64>>,
-    /// Meridional bending stress at the outer face [Pa], at the base where known.
-    pub(super) bending: Option<Field>,
-    /// The angles.
-    directions: Vec<Direction>,
-    /// What the searches for compression share.
-    compressed: OnceCell<Compressed>,
-}
-
-/// What the searches for compression share: they differ in their capacities alone.
-struct Compressed {
-    /// Largest compression around the circumference, instant by instant [Pa].
-    largest: Vec<f64>,
-    /// Number of the instant of the largest one.
-    first: usize,
-    /// Smallest and largest interior pressure [Pa].
-    pressure: (f64, f64),
 }
 
 /// Where a demand is largest against its capacity.
@@ -175,6 +79,9 @@ fn ratio(demand: f64, capacity: f64) -> f64 {
     }
 }
 
+/// What rounding may add to a bound of a square or a ratio, relative to it.
+const ROUNDING: f64 = 1e-11;
+
 /// σ² of von Mises in plane stress without shear.
 fn mises_squared(a: f64, b: f64) -> f64 {
     a * a + b * b - a * b
@@ -185,117 +92,180 @@ pub(super) fn mises(a: f64, b: f64) -> f64 {
     mises_squared(a, b).max(0.0).sqrt()
 }
 
-fn scale(values: &mut [f64], factor: f64) {
-    if factor != 1.0 {
-        values.iter_mut().for_each(|value| *value *= factor);
-    }
+/// A place on the wall, ready to be searched under the motion times any factor.
+pub(super) struct Searched<'a> {
+    demands: &'a Demands,
+    pub(super) place: &'a Place,
+    /// Thickness as built, which the engine has, over what corrosion leaves: membrane stresses grow with it, bending with its square.
+    lost: f64,
+    hoop: Extremes,
+    axial: Extremes,
+    pressure: Option<Extremes>,
+    shear: Option<Extremes>,
+    base: Option<AtBase>,
 }
 
-/// Lower bounds of a capacity that depends monotonously on the pressure: the smaller value at the ends of each of some parts of its range.
-struct Floors {
-    low: f64,
-    /// Parts for each pascal; 0 for a single pressure.
-    per_pascal: f64,
-    parts: [f64; PARTS],
-    lowest: f64,
-}
-
-/// Parts of the range of the pressure: few enough to fill for every place, many enough that a bound is within some per cent.
-const PARTS: usize = 48;
-
-impl Floors {
-    fn new((low, high): (f64, f64), capacity: impl Fn(f64) -> f64) -> Floors {
-        let width = high - low;
-        let lowest = capacity(low).min(capacity(high));
-        if !(width > 0.0 && width.is_finite()) {
-            return Floors {
-                low,
-                per_pascal: 0.0,
-                parts: [lowest; PARTS],
-                lowest,
-            };
-        }
-        let mut before = capacity(low);
-        let parts = std::array::from_fn(|i| {
-            let after = capacity(low + width * (i + 1) as f64 / PARTS as f64);
-            let floor = before.min(after);
-            before = after;
-            floor
-        });
-        Floors {
-            low,
-            per_pascal: PARTS as f64 / width,
-            parts,
-            lowest,
-        }
-    }
-
-    /// At a pressure; next to an edge, where rounding decides, the smaller of both parts.
-    fn at(&self, pressure: f64) -> f64 {
-        let place = (pressure - self.low) * self.per_pascal;
-        let part = |place: f64| self.parts[(place.max(0.0) as usize).min(PARTS - 1)];
-        part(place - 1e-9).min(part(place + 1e-9))
-    }
-}
-
-impl Histories {
-    /// The same forces in a corroded wall: membrane stresses grow with the thickness that is lost, bending with its square.
+impl<'a> Searched<'a> {
+    /// Places without any instant of the wall as corrosion leaves it, or as the engine has it without.
     ///
-    /// * `lost`: thickness as built, which the engine has, over that left
-    pub(super) fn corroded(mut self, lost: f64) -> Histories {
-        self.hoop = self.hoop.times(lost);
-        self.axial = self.axial.times(lost);
-        self.bending = self.bending.map(|bending| bending.times(lost * lost));
-        self.compressed = OnceCell::new();
-        for shear in [&mut self.shear, &mut self.transverse_shear].into_iter().flatten() {
-            scale(shear, lost);
-        }
-        self
-    }
-
-    pub(super) fn new(demands: &Demands, place: &Place) -> Histories {
-        Histories {
-            hoop: Field::new(demands, &place.hoop),
-            axial: Field::new(demands, &place.axial),
-            pressure: place.pressure.as_ref().map(|p| Field::new(demands, p)),
-            shear: place.shear.as_ref().map(|terms| demands.history(terms)),
-            transverse_shear: place.shear.as_ref().and_then(|terms| demands.transverse(terms)),
-            bending: match (&place.bending, place.z == 0.0) {
-                (Some(bending), true) => Some(Field::new(demands, bending)),
-                _ => None,
-            },
-            directions: match demands.angles {
-                Angles::All if !demands.transverse.is_empty() => around(),
-                Angles::All => (0..=STEPS)
-                    .map(|i| ((PI * i as f64 / STEPS as f64).cos(), 0.0))
-                    .collect(),
-                Angles::Sides => SIDES.to_vec(),
-            },
-            compressed: OnceCell::new(),
+    /// * `lost`: thickness as built over that left
+    pub(super) fn new(demands: &'a Demands, place: &'a Place, lost: f64) -> Searched<'a> {
+        let pressure = place.pressure.as_ref();
+        Searched {
+            hoop: Extremes::new(place.hoop.rest * lost),
+            axial: Extremes::new(place.axial.rest * lost),
+            pressure: pressure.map(|of| Extremes::new(of.rest)),
+            shear: place.shear.as_ref().map(|_| Extremes::new(0.0)),
+            base: None,
+            demands,
+            place,
+            lost,
         }
     }
 
-    fn len(&self) -> usize {
-        self.hoop.odd.len()
+    /// Adds the next instants, one of [`super::field::rows`].
+    pub(super) fn take(&mut self, instants: &Range<usize>) {
+        let (demands, place) = (self.demands, self.place);
+        let factors = |stress: f64| Factors { stress, motion: 1.0 };
+        let part = |of: &OnWall, stress: f64| Field::part(demands, of, instants.clone(), factors(stress));
+        self.hoop.take(&part(&place.hoop, self.lost));
+        self.axial.take(&part(&place.axial, self.lost));
+        if let (Some(pressure), Some(of)) = (&mut self.pressure, &place.pressure) {
+            pressure.take(&part(of, 1.0));
+        }
+        if let (Some(shear), Some(terms)) = (&mut self.shear, &place.shear) {
+            let of = |values: Vec<f64>| factored(values, factors(self.lost));
+            let along = of(demands.part(terms, instants.clone()));
+            let transverse = demands.transverse_part(terms, instants.clone()).map(of);
+            shear.take_amplitude(&along, transverse.as_ref());
+        }
+    }
+
+    /// Adds what the range of the stress with bending at the base needs, where the engine gives it.
+    ///
+    /// * `poisson`: Poisson's ratio of the wall
+    /// * `directions`: those of [`directions`]
+    #[must_use]
+    pub(super) fn bent(self, poisson: f64, directions: &[Direction]) -> Searched<'a> {
+        let (demands, place, lost) = (self.demands, self.place, self.lost);
+        let Some(bending) = place.bending.as_ref().filter(|_| place.z == 0.0) else {
+            return self;
+        };
+        let whole = |of: &OnWall, stress: f64| Field::whole(demands, of, Factors { stress, motion: 1.0 });
+        let (axial, hoop) = (whole(&place.axial, lost), whole(&place.hoop, lost));
+        let bending = whole(bending, lost * lost);
+        let directions = if hoop.turns() { directions } else { &SIDES };
+        Searched {
+            base: AtBase::of([&axial, &hoop, &bending], poisson, directions),
+            ..self
+        }
+    }
+
+    /// The place under the motion times a positive factor.
+    pub(super) fn under<'b>(&'b self, factor: f64, directions: &'b [Direction]) -> Search<'b> {
+        Search {
+            at: self,
+            factor,
+            directions,
+        }
+    }
+}
+
+/// A search at one place under the motion times a factor.
+///
+/// Every search takes the utilisation `above` which alone its result counts: blocks that cannot exceed it are passed over, and what is
+/// found below it need not be the largest.
+pub(super) struct Search<'a> {
+    at: &'a Searched<'a>,
+    factor: f64,
+    directions: &'a [Direction],
+}
+
+impl Search<'_> {
+    fn count(&self) -> usize {
+        self.at.demands.times.len()
+    }
+
+    fn blocks(&self) -> Range<usize> {
+        0..blocks(self.count())
+    }
+
+    /// Instants of a block.
+    fn instants(&self, block: usize) -> Range<usize> {
+        instants(block, self.count())
+    }
+
+    fn part(&self, of: &OnWall, stress: f64, block: usize) -> Field {
+        let factors = Factors {
+            stress,
+            motion: self.factor,
+        };
+        Field::part(self.at.demands, of, self.instants(block), factors)
+    }
+
+    fn hoop(&self, block: usize) -> Field {
+        self.part(&self.at.place.hoop, self.at.lost, block)
+    }
+
+    fn axial(&self, block: usize) -> Field {
+        self.part(&self.at.place.axial, self.at.lost, block)
+    }
+
+    fn pressure(&self, block: usize) -> Option<Field> {
+        let pressure = self.at.place.pressure.as_ref();
+        pressure.map(|of| self.part(of, 1.0, block))
+    }
+
+    fn membrane(&self, block: usize) -> Membrane {
+        let (demands, shear) = (self.at.demands, self.at.place.shear.as_ref());
+        let factors = Factors {
+            stress: self.at.lost,
+            motion: self.factor,
+        };
+        let transverse = shear.and_then(|terms| demands.transverse_part(terms, self.instants(block)));
+        Membrane {
+            hoop: self.hoop(block),
+            axial: self.axial(block),
+            shear: shear.map(|terms| factored(demands.part(terms, self.instants(block)), factors)),
+            transverse_shear: transverse.map(|values| factored(values, factors)),
+        }
     }
 
     /// Hoop tension against a capacity. It is linear in cos θ: the sides govern.
-    pub(super) fn hoop_tension(&self, capacity: f64) -> Option<Found> {
-        self.of_sides(&self.hoop, 1.0, capacity)
+    pub(super) fn hoop_tension(&self, capacity: f64, above: f64) -> Option<Found> {
+        let field = |block: usize| self.hoop(block);
+        self.tension((&self.at.hoop, &field), capacity, above)
     }
 
     /// Axial tension against a capacity.
-    pub(super) fn axial_tension(&self, capacity: f64) -> Option<Found> {
-        self.of_sides(&self.axial, 1.0, capacity)
+    pub(super) fn axial_tension(&self, capacity: f64, above: f64) -> Option<Found> {
+        let field = |block: usize| self.axial(block);
+        self.tension((&self.at.axial, &field), capacity, above)
     }
 
-    fn of_sides(&self, field: &Field, sign: f64, capacity: f64) -> Option<Found> {
+    fn tension(
+        &self,
+        (extremes, field): (&Extremes, &dyn Fn(usize) -> Field),
+        capacity: f64,
+        above: f64,
+    ) -> Option<Found> {
+        let below = |block: Option<usize>| ratio(extremes.bounds(block, self.factor).1, capacity) <= above;
+        if below(None) {
+            return None;
+        }
         let mut largest: Option<(usize, Direction, f64)> = None;
-        for k in 0..self.len() {
-            for direction in field.ends(k) {
-                let value = sign * field.at(k, direction);
-                if largest.is_none_or(|(_, _, most)| value.total_cmp(&most).is_gt()) {
-                    largest = Some((k, direction, value));
+        for block in self.blocks() {
+            let (_, bound) = extremes.bounds(Some(block), self.factor);
+            if largest.is_some_and(|(_, _, most)| bound <= most) || below(Some(block)) {
+                continue;
+            }
+            let (field, start) = (field(block), self.instants(block).start);
+            for k in 0..field.len() {
+                for direction in field.ends(k) {
+                    let value = field.at(k, direction);
+                    if largest.is_none_or(|(_, _, most)| value.total_cmp(&most).is_gt()) {
+                        largest = Some((start + k, direction, value));
+                    }
                 }
             }
         }
@@ -304,228 +274,213 @@ impl Histories {
         Some(Found {
             utilisation: ratio(demand, capacity),
             demand,
-            rest: (sign * field.rest).max(0.0),
+            rest: extremes.rest.max(0.0),
             capacity,
             instant,
             direction,
         })
     }
 
-    /// Equivalent membrane stress against a capacity.
-    ///
-    /// ```text
-    /// σ²(c) = σ_θ² + σ_z² − σ_θ σ_z + 3 τ² (1 − c²)        σ_θ, σ_z linear in c = cos θ
-    /// ```
-    ///
-    /// is a parabola in c: the largest value is at a side or at its vertex. With a motion along y it is searched around the
-    /// circumference.
-    pub(super) fn equivalent(&self, capacity: f64) -> Option<Found> {
-        if self.hoop.transverse.is_some() {
-            return self.equivalent_around(capacity);
-        }
-        let at = |k: usize| -> (f64, f64) {
-            let [front, back] = SIDES.map(|side| mises_squared(self.hoop.at(k, side), self.axial.at(k, side)));
-            let sides = if front >= back { (front, 1.0) } else { (back, -1.0) };
-            let Some(shear) = &self.shear else { return sides };
-            let across = (0.0, 0.0);
-            let middle = mises_squared(self.hoop.at(k, across), self.axial.at(k, across)) + 3.0 * shear[k] * shear[k];
-            let (curvature, slope) = (0.5 * (front + back) - middle, 0.5 * (front - back));
-            let vertex = -0.5 * slope / curvature;
-            if curvature < 0.0 && vertex.abs() < 1.0 {
-                (middle - 0.25 * slope * slope / curvature, vertex)
-            } else {
-                sides
-            }
-        };
-        let mut worst: Option<(usize, (f64, f64))> = None;
-        for k in 0..self.len() {
-            let found = at(k);
-            if worst.is_none_or(|(_, w)| found.0 > w.0) {
-                worst = Some((k, found));
-            }
-        }
-        let (instant, (squared, cosine)) = worst?;
-        let demand = squared.sqrt();
-        Some(Found {
-            utilisation: ratio(demand, capacity),
-            demand,
-            rest: mises(self.hoop.rest, self.axial.rest),
-            capacity,
-            instant,
-            direction: (cosine, 0.0),
-        })
+    /// What σ² of von Mises can be at most in a block or over all.
+    fn equivalent_bound(&self, block: Option<usize>) -> f64 {
+        let ((a, b), (c, d)) = (
+            self.at.hoop.bounds(block, self.factor),
+            self.at.axial.bounds(block, self.factor),
+        );
+        let shear = self.at.shear.as_ref();
+        let shear = shear.map_or(0.0, |shear| shear.bounds(block, self.factor).1);
+        // Convex in both stresses: largest at a corner.
+        let corners = [(a, c), (a, d), (b, c), (b, d)].map(|(hoop, axial)| mises_squared(hoop, axial));
+        let normal = corners.into_iter().fold(0.0, f64::max);
+        (normal + 3.0 * shear * shear) * (1.0 + ROUNDING)
     }
 
-    /// [`Histories::equivalent`] under motion along x and y: every [`FAN`]th part of the circumference at the instants that can
-    /// govern, then finer around the largest.
-    fn equivalent_around(&self, capacity: f64) -> Option<Found> {
-        let of = |of: &Option<Vec<f64>>, k: usize| of.as_ref().map_or(0.0, |shear| shear[k]);
-        let squared = |k: usize, direction: Direction| {
-            let (c, s) = direction;
-            // The shear of a motion along y is turned by 90°: sin(θ − 90°) = −cos θ.
-            let shear = s * of(&self.shear, k) - c * of(&self.transverse_shear, k);
-            mises_squared(self.hoop.at(k, direction), self.axial.at(k, direction)) + 3.0 * shear * shear
-        };
-        let bound = |k: usize| {
-            let (a, b) = (self.hoop.bound(k), self.axial.bound(k));
-            let shear = of(&self.shear, k).hypot(of(&self.transverse_shear, k));
-            a * a + b * b + a * b + 3.0 * shear * shear
-        };
-        let mut worst = (0, (1.0, 0.0), f64::NEG_INFINITY);
-        for k in 0..self.len() {
-            if bound(k) <= worst.2 {
+    /// Equivalent membrane stress against a capacity. With a motion along y it is searched around the circumference.
+    pub(super) fn equivalent(&self, capacity: f64, above: f64) -> Option<Found> {
+        let below = |bound: f64| ratio(bound.sqrt(), capacity) <= above;
+        if below(self.equivalent_bound(None)) {
+            return None;
+        }
+        let turns = !self.at.demands.transverse.is_empty();
+        let mut worst: Option<(usize, Direction, f64)> = None;
+        for block in self.blocks() {
+            let most = worst.map_or(f64::NEG_INFINITY, |w| w.2);
+            let bound = self.equivalent_bound(Some(block));
+            if bound <= most || below(bound) {
                 continue;
             }
-            for &direction in &self.directions {
-                let found = squared(k, direction);
-                if found > worst.2 {
-                    worst = (k, direction, found);
+            let (membrane, start) = (self.membrane(block), self.instants(block).start);
+            for k in 0..membrane.hoop.len() {
+                let most = worst.map_or(f64::NEG_INFINITY, |w| w.2);
+                if !turns {
+                    let (squared, cosine) = membrane.largest(k);
+                    if squared > most {
+                        worst = Some((start + k, (cosine, 0.0), squared));
+                    }
+                } else if membrane.bound(k) > most {
+                    for &direction in self.directions {
+                        let squared = membrane.squared(k, direction);
+                        if worst.is_none_or(|w| squared > w.2) {
+                            worst = Some((start + k, direction, squared));
+                        }
+                    }
                 }
             }
         }
-        let (instant, coarse, _) = worst;
-        if self.len() == 0 {
-            return None;
-        }
+        let (instant, direction, squared) = worst?;
+        let (direction, squared) = match turns {
+            true => self.finer(instant, direction),
+            false => (direction, squared),
+        };
+        let demand = squared.sqrt();
+        let (place, lost) = (self.at.place, self.at.lost);
+        Some(Found {
+            utilisation: ratio(demand, capacity),
+            demand,
+            rest: mises(place.hoop.rest * lost, place.axial.rest * lost),
+            capacity,
+            instant,
+            direction,
+        })
+    }
+
+    /// The direction of the largest equivalent stress near a coarse one, and its square.
+    fn finer(&self, instant: usize, coarse: Direction) -> (Direction, f64) {
+        let block = block_of(instant);
+        let (membrane, k) = (self.membrane(block), instant - self.instants(block).start);
         let step = TAU / FAN as f64 / 50.0;
         let finer = (-50..=50).map(|i| {
             let theta = coarse.1.atan2(coarse.0) + f64::from(i) * step;
             (theta.cos(), theta.sin())
         });
-        let direction = finer.fold(coarse, |best, next| {
-            match squared(instant, next) > squared(instant, best) {
-                true => next,
-                false => best,
-            }
-        });
-        let demand = squared(instant, direction).sqrt();
-        Some(Found {
-            utilisation: ratio(demand, capacity),
-            demand,
-            rest: mises(self.hoop.rest, self.axial.rest),
-            capacity,
-            instant,
-            direction,
-        })
+        let of = |direction: Direction| (direction, membrane.squared(k, direction));
+        finer
+            .map(of)
+            .fold(of(coarse), |best, next| if next.1 > best.1 { next } else { best })
     }
 
     /// Interior pressure at an instant and a place on the circumference [Pa].
-    pub(super) fn pressure_at(&self, k: usize, direction: Direction) -> f64 {
-        self.pressure.as_ref().map_or(0.0, |p| p.at(k, direction))
+    pub(super) fn pressure_at(&self, instant: usize, direction: Direction) -> f64 {
+        let block = block_of(instant);
+        let start = self.instants(block).start;
+        self.pressure(block).map_or(0.0, |p| p.at(instant - start, direction))
     }
 
-    fn compressed(&self) -> Compressed {
-        let of = |k: usize| {
-            let [one, other] = self.axial.ends(k).map(|at| -self.axial.at(k, at));
-            one.max(other)
-        };
-        let largest: Vec<f64> = (0..self.len()).map(of).collect();
-        let first = (0..largest.len()).fold(0, |best, k| if largest[k] > largest[best] { k } else { best });
-        Compressed {
-            first,
-            pressure: self.pressure.as_ref().map_or((0.0, 0.0), Field::range),
-            largest,
-        }
+    /// Bounds of the pressure, and of the compression the upper one [Pa].
+    fn compression_bounds(&self, block: Option<usize>) -> ((f64, f64), f64) {
+        let pressure = self.at.pressure.as_ref();
+        let pressure = pressure.map_or((0.0, 0.0), |p| p.bounds(block, self.factor));
+        (pressure, -self.at.axial.bounds(block, self.factor).0)
     }
 
     /// Axial compression against a capacity that depends on the interior pressure of the same instant and place, monotonously: at no
-    /// pressure of the range is it below both ends.
-    pub(super) fn compression(&self, capacity: impl Fn(f64) -> f64) -> Option<Found> {
-        let Compressed {
-            largest,
-            first,
-            pressure,
-        } = self.compressed.get_or_init(|| self.compressed());
-        let floors = Floors::new(*pressure, &capacity);
-        let floor = floors.lowest;
-        let compression = |k: usize, at: Direction| -self.axial.at(k, at);
-        let at = |k: usize, direction: Direction| {
-            let demand = compression(k, direction).max(0.0);
-            let capacity = capacity(self.pressure_at(k, direction));
-            Found {
-                utilisation: ratio(demand, capacity),
-                demand,
-                rest: (-self.axial.rest).max(0.0),
-                capacity,
-                instant: k,
-                direction,
-            }
-        };
-        let places = |k: usize| {
-            let own = self.axial.transverse.as_ref().map(|_| self.axial.ends(k));
-            self.directions.iter().copied().chain(own.into_iter().flatten())
-        };
-        // Capacity is dear: it is asked for where its lower bound, of the run and then of the pressure, leaves more than has been found.
-        if self.len() == 0 {
+    /// pressure of a range is it below both ends.
+    pub(super) fn compression(&self, capacity: impl Fn(f64) -> f64, above: f64) -> Option<Found> {
+        let (range, most) = self.compression_bounds(None);
+        if self.count() == 0 || ratio(most, capacity(range.0).min(capacity(range.1))) <= above {
             return None;
         }
+        // Capacity is dear: it is asked for where its lower bounds leave more than has been found.
+        let floors = Floors::new(range, &capacity);
         // Where no capacity is left at some pressure, the first compression decides, not the largest.
-        let first = match floor > 0.0 {
-            true => *first,
-            false => largest.iter().position(|c| *c > 0.0).unwrap_or(0),
+        let first = match floors.lowest > 0.0 {
+            true => self.largest_compression(self.at.axial.lowest()),
+            false => self.first_compression(),
         };
-        let mut best = at(first, places(first).next()?);
-        for k in std::iter::once(first).chain(0..self.len()) {
-            if ratio(largest[k], floor) <= best.utilisation && k != first {
+        let mut best: Option<Found> = None;
+        let capacity = (&floors, &capacity as &dyn Fn(f64) -> f64);
+        self.compressed((block_of(first), Some(first)), capacity, above, &mut best);
+        for block in self.blocks() {
+            let ((low, high), most) = self.compression_bounds(Some(block));
+            let bound = ratio(most, floors.at(low).min(floors.at(high)));
+            if bound > above && best.is_none_or(|best| bound > best.utilisation) {
+                self.compressed((block, None), capacity, above, &mut best);
+            }
+        }
+        best
+    }
+
+    /// The first instant of the largest compression of a block.
+    fn largest_compression(&self, block: usize) -> usize {
+        let axial = self.axial(block);
+        let compression = |k: usize| axial.ends(k).map(|at| -axial.at(k, at)).into_iter().fold(0.0, f64::max);
+        let larger = |best: usize, k: usize| if compression(k) > compression(best) { k } else { best };
+        self.instants(block).start + (0..axial.len()).fold(0, larger)
+    }
+
+    /// The first instant of compression, or 0.
+    fn first_compression(&self) -> usize {
+        let compressed = self.blocks().filter_map(|block| {
+            if self.compression_bounds(Some(block)).1 <= 0.0 {
+                return None;
+            }
+            let (axial, start) = (self.axial(block), self.instants(block).start);
+            let first = (0..axial.len()).find(|&k| axial.ends(k).iter().any(|&at| axial.at(k, at) < 0.0));
+            first.map(|k| start + k)
+        });
+        { compressed }.next().unwrap_or(0)
+    }
+
+    /// The largest compression against its capacity in a block or at one instant of it, where it is more than what was found.
+    fn compressed(
+        &self,
+        (block, only): (usize, Option<usize>),
+        (floors, capacity): (&Floors, &dyn Fn(f64) -> f64),
+        above: f64,
+        best: &mut Option<Found>,
+    ) {
+        let (axial, pressure) = (self.axial(block), self.pressure(block));
+        let all = self.instants(block);
+        let start = all.start;
+        let state = |k: usize, direction: Direction| {
+            let pressure = pressure.as_ref().map_or(0.0, |p| p.at(k, direction));
+            ((-axial.at(k, direction)).max(0.0), pressure)
+        };
+        // Compression and pressure are linear in cos θ. Of each half of the circumference: the larger compression of its ends over the
+        // lower bound of the capacity between their pressures. Both are large on the same half, small on the other.
+        let halves = |k: usize| {
+            let [front, middle, back] = [1.0, 0.0, -1.0].map(|cosine| {
+                let (demand, pressure) = state(k, (cosine, 0.0));
+                (demand, floors.at(pressure))
+            });
+            let half = |a: (f64, f64), b: (f64, f64)| ratio(a.0.max(b.0), a.1.min(b.1));
+            half(front, middle).max(half(middle, back)) * (1.0 + ROUNDING)
+        };
+        for instant in only.map_or(all, |instant| instant..instant + 1) {
+            let k = instant - start;
+            let counts = |bound: f64, best: &Option<Found>| {
+                best.map_or(only.is_some() || bound > above, |best| bound > best.utilisation)
+            };
+            if !axial.turns() && !counts(halves(k), best) {
                 continue;
             }
-            for direction in places(k) {
-                let floor = floors.at(self.pressure_at(k, direction));
-                if ratio(compression(k, direction), floor) > best.utilisation {
-                    let found = at(k, direction);
-                    if found.utilisation > best.utilisation {
-                        best = found;
-                    }
+            let own = axial.turns().then(|| axial.ends(k));
+            for direction in self.directions.iter().copied().chain(own.into_iter().flatten()) {
+                let (demand, pressure) = state(k, direction);
+                if !counts(ratio(demand, floors.at(pressure)), best) {
+                    continue;
+                }
+                let capacity = capacity(pressure);
+                let utilisation = ratio(demand, capacity);
+                if best.is_none_or(|best| utilisation > best.utilisation) {
+                    *best = Some(Found {
+                        utilisation,
+                        demand,
+                        rest: (-axial.rest).max(0.0),
+                        capacity,
+                        instant,
+                        direction,
+                    });
                 }
             }
         }
-        Some(best)
     }
 
     /// Range of the equivalent stress of a face from the empty tank and between the extremes of its meridional stress, against a
     /// capacity; at the base.
     ///
     /// The bending of a clamped edge brings ν σ_b of hoop stress.
-    pub(super) fn range_at_base(&self, poisson: f64, capacity: f64) -> Option<Found> {
-        let bending = self.bending.as_ref()?;
-        let mut worst: Option<Found> = None;
-        let directions = match self.hoop.transverse {
-            Some(_) => &self.directions[..],
-            None => &SIDES,
-        };
-        for &direction in directions {
-            for face in [1.0, -1.0] {
-                let state = |k: usize| {
-                    let b = face * bending.at(k, direction);
-                    (
-                        self.axial.at(k, direction) + b,
-                        self.hoop.at(k, direction) + poisson * b,
-                    )
-                };
-                let by_size = |i: &usize, j: &usize| state(*i).0.total_cmp(&state(*j).0);
-                let (low, high) = ((0..self.len()).min_by(by_size)?, (0..self.len()).max_by(by_size)?);
-                let (bottom, top) = (state(low), state(high));
-                let range = mises(top.0 - bottom.0, top.1 - bottom.1);
-                let pairs = [
-                    (mises(bottom.0, bottom.1), low),
-                    (mises(top.0, top.1), high),
-                    (range, high),
-                ];
-                for (demand, instant) in pairs {
-                    if worst.is_none_or(|w| demand > w.demand) {
-                        worst = Some(Found {
-                            utilisation: ratio(demand, capacity),
-                            demand,
-                            // The bending at rest is of the same mesh: its error counts as well.
-                            rest: 0.0,
-                            capacity,
-                            instant,
-                            direction,
-                        });
-                    }
-                }
-            }
-        }
-        worst
+    pub(super) fn range_at_base(&self, capacity: f64) -> Option<Found> {
+        self.at.base.as_ref()?.range(self.factor, capacity)
     }
 }

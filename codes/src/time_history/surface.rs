@@ -16,27 +16,28 @@ pub(super) fn assess(work: &mut Work<'_>) {
         }
         return;
     };
+    let rise = work.factor * wave.value;
     let freeboard = work.case.freeboard();
     let clause = work.clause(FREEBOARD);
     work.sheet.section("Freeboard");
     let name = "largest rise of the surface at the wall";
-    work.sheet.input("d", name, wave.value, Length, "the run of the engine");
+    work.sheet.input("d", name, rise, Length, "the run of the engine");
     work.sheet
         .input("h_f", "freeboard", freeboard, Length, "tank.courses, liquid");
     let note = "the wave needs this freeboard if the liquid must neither spill nor strike the roof";
-    let check = Check::new(FREEBOARD, "Freeboard", wave.value, freeboard, Length, &clause, note)
+    let check = Check::new(FREEBOARD, "Freeboard", rise, freeboard, Length, &clause, note)
         .at(Some(wave.time), None, Some(wave.theta))
         .with_error(work.mesh_error(Quantity::SloshingHeight));
     work.checks.push(check);
     let roof = work.case.tank.roof.mass > 0.0;
-    let (status, reason) = match (wave.value > freeboard, roof) {
+    let (status, reason) = match (rise > freeboard, roof) {
         (false, _) => (
             CheckStatus::NotApplicable,
             "the wave does not reach the top of the wall".to_owned(),
         ),
         (true, false) => (CheckStatus::NotApplicable, "the tank has no roof".to_owned()),
         (true, true) => {
-            let above = with_unit(wave.value - freeboard, Length);
+            let above = with_unit(rise - freeboard, Length);
             let reason = format!("the wave rises {above} above the wall; the impact on the roof is not implemented");
             (CheckStatus::NotChecked, reason)
         }

@@ -15,6 +15,7 @@ use crate::samples::{case, course, steel};
 
 mod free;
 mod plates;
+mod scales;
 
 const FY: f64 = 235e6;
 const R: f64 = 10.0;

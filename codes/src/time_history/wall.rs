@@ -3,14 +3,13 @@
 use tank::Course;
 use tank::assessment::{Check, CheckStatus};
 use tank::case::Case;
-use tank::demand::Place;
 use tank::quantity::Quantity;
 use tank::units::Dimension::{Dimensionless, Length, Stress};
 
 use super::limit_states::{
     API, API_COMPRESSION, API_HOOP, BENDING, COLLAPSE, Codes, ELASTIC, EN_1993, EQUIVALENT, HOOP,
 };
-use super::search::{Found, Histories};
+use super::search::{Found, Search};
 use super::work::Work;
 use crate::api650::edition2020::hoop_check;
 use crate::api650::edition2020::limit_states::carbon_steel;
@@ -23,8 +22,8 @@ use crate::sheet::with_unit;
 /// Quality of construction without `site.ec8`: normal, the lowest.
 const NORMAL: f64 = 1.0;
 
-/// What a limit state finds at a place of a course.
-type Find<'a> = Box<dyn Fn(&Histories, &Course) -> Option<Found> + Sync + 'a>;
+/// What a limit state finds at a place of a course above a utilisation.
+type Find<'a> = Box<dyn Fn(&Search<'_>, &Course, f64) -> Option<Found> + 'a>;
 
 /// A limit state of the wall.
 struct Asked<'a> {
@@ -63,51 +62,24 @@ pub(super) fn assess(work: &mut Work<'_>, radius: f64) {
 fn worst(work: &Work<'_>, all: &[Asked<'_>]) -> Vec<Vec<Option<Worst>>> {
     let courses = &work.case.tank.courses;
     let mut worst: Vec<Vec<Option<Worst>>> = vec![vec![None; courses.len()]; all.len()];
-    for found in side_by_side(&work.demands.places, |place| at_place(work, all, place)) {
-        for (worst, found) in worst.iter_mut().zip(found) {
-            let Some((found, best)) = found.and_then(|f| Some((f, worst.get_mut(f.course)?))) else {
-                continue;
-            };
-            if best.is_none_or(|best| found.found.utilisation > best.found.utilisation) {
-                *best = Some(found);
+    for searched in &work.ready.wall {
+        let (number, place) = (searched.place.course, searched.place);
+        let search = work.search(searched);
+        for (asked, worst) in all.iter().zip(&mut worst) {
+            let (course, best) = (&courses[number], &mut worst[number]);
+            let above = best.map_or(f64::NEG_INFINITY, |best| best.found.utilisation);
+            let found = (asked.find)(&search, course, above).filter(|found| found.utilisation > above);
+            if let Some(found) = found {
+                *best = Some(Worst {
+                    course: number,
+                    found: found.turned(place.turned),
+                    z: place.z,
+                    pressure: search.pressure_at(found.instant, found.direction),
+                });
             }
         }
     }
     worst
-}
-
-/// What each limit state finds at a place.
-fn at_place(work: &Work<'_>, all: &[Asked<'_>], place: &Place) -> Vec<Option<Worst>> {
-    let Some(course) = work.case.tank.courses.get(place.course) else {
-        return Vec::new();
-    };
-    let histories = Histories::new(work.demands, place).corroded(course.thickness / course.net_thickness());
-    let worst = |asked: &Asked<'_>| {
-        let found = (asked.find)(&histories, course)?;
-        Some(Worst {
-            course: place.course,
-            found: found.turned(place.turned),
-            z: place.z,
-            pressure: histories.pressure_at(found.instant, found.direction),
-        })
-    };
-    all.iter().map(worst).collect()
-}
-
-/// `f` of every item, in their order, on the cores of the machine.
-fn side_by_side<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let share = items.len().div_ceil(cores).max(1);
-    std::thread::scope(|scope| {
-        let f = &f;
-        let parts: Vec<_> = (items.chunks(share))
-            .map(|part| scope.spawn(move || part.iter().map(f).collect::<Vec<R>>()))
-            .collect();
-        let joined = parts.into_iter().map(|part| part.join());
-        joined
-            .flat_map(|part| part.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
-            .collect()
-    })
 }
 
 /// The check of the governing course with its lines; the others stand in its note.
@@ -187,14 +159,14 @@ fn eurocode<'a>(case: &'a Case, codes: Codes, radius: f64) -> Vec<Asked<'a>> {
             name: "Equivalent membrane stress of the wall",
             clause: format!("{EN_1993} 6.2.1"),
             of: &[Quantity::HoopStress, Quantity::AxialMembraneStress],
-            find: Box::new(|at, course| at.equivalent(strength(course))),
+            find: Box::new(|at, course, above| at.equivalent(strength(course), above)),
         },
         Asked {
             id: BENDING,
             name: "Range of the equivalent stress with bending at the base",
             clause: format!("{EN_1993} 7.4"),
             of: &[Quantity::BendingStress],
-            find: Box::new(|at, course| at.range_at_base(course.material.poisson_ratio, 2.0 * strength(course))),
+            find: Box::new(|at, course, _| at.range_at_base(2.0 * strength(course))),
         },
     ];
     if !codes.ec8 {
@@ -206,16 +178,16 @@ fn eurocode<'a>(case: &'a Case, codes: Codes, radius: f64) -> Vec<Asked<'a>> {
         name: "Hoop stress below yield",
         clause: clause("10.3"),
         of: &[Quantity::HoopStress],
-        find: Box::new(|at, course| at.hoop_tension(strength(course))),
+        find: Box::new(|at, course, above| at.hoop_tension(strength(course), above)),
     });
     all.push(Asked {
         id: ELASTIC,
         name: "Elastic buckling of the wall",
         clause: clause("10.2"),
         of: &[Quantity::AxialMembraneStress],
-        find: Box::new(move |at, c| {
+        find: Box::new(move |at, c, above| {
             let (modulus, s) = (c.material.youngs_modulus, c.net_thickness());
-            at.compression(|p| elastic(modulus, strength(c), s, radius, p, quality).limit)
+            at.compression(|p| elastic(modulus, strength(c), s, radius, p, quality).limit, above)
         }),
     });
     all.push(Asked {
@@ -223,9 +195,10 @@ fn eurocode<'a>(case: &'a Case, codes: Codes, radius: f64) -> Vec<Asked<'a>> {
         name: "Elastic-plastic collapse of the wall",
         clause: clause("10.3"),
         of: &[Quantity::AxialMembraneStress],
-        find: Box::new(move |at, c| {
+        find: Box::new(move |at, c, above| {
             let (modulus, s) = (c.material.youngs_modulus, c.net_thickness());
-            at.compression(|p| elastic_plastic(modulus, strength(c), s, radius, p.max(0.0)))
+            let capacity = |p: f64| elastic_plastic(modulus, strength(c), s, radius, p.max(0.0));
+            at.compression(capacity, above)
         }),
     });
     all
@@ -238,8 +211,9 @@ fn api_hoop<'a>(efficiency: f64) -> Asked<'a> {
         name: "Hoop stress of the shell",
         clause: format!("{API} E.6.2.4"),
         of: &[Quantity::HoopStress],
-        find: Box::new(move |at, course| {
-            at.hoop_tension(hoop_check::allowable(&course.material, efficiency).unwrap_or_default())
+        find: Box::new(move |at, course, above| {
+            let allowable = hoop_check::allowable(&course.material, efficiency).unwrap_or_default();
+            at.hoop_tension(allowable, above)
         }),
     }
 }
@@ -251,8 +225,9 @@ fn api_compression(case: &Case, radius: f64) -> Asked<'_> {
         name: "Compression of the shell",
         clause: format!("{API} E.6.2.2.3"),
         of: &[Quantity::AxialMembraneStress],
-        find: Box::new(move |at, course| {
-            at.compression(|p| allowable_compression(case.liquid.density, case.gravity, radius, course, p))
+        find: Box::new(move |at, course, above| {
+            let capacity = |p: f64| allowable_compression(case.liquid.density, case.gravity, radius, course, p);
+            at.compression(capacity, above)
         }),
     }
 }

@@ -8,8 +8,10 @@ use tank::demand::Demands;
 use tank::quantity::Quantity;
 use tank::units::Dimension;
 
+use super::field::angle;
 use super::limit_states::Codes;
-use super::search::{Found, angle};
+use super::ready::Ready;
+use super::search::{Found, Search, Searched};
 use crate::sheet::{Sheet, with_unit};
 
 /// Where and when a demand governs.
@@ -38,7 +40,10 @@ impl Moment {
 pub(super) struct Work<'a> {
     pub(super) case: &'a Case,
     pub(super) codes: Codes,
+    pub(super) ready: &'a Ready<'a>,
     pub(super) demands: &'a Demands,
+    /// Factor on the motion.
+    pub(super) factor: f64,
     /// Relative mesh errors by quantity.
     errors: &'a BTreeMap<String, f64>,
     states: &'a [LimitState],
@@ -50,20 +55,27 @@ pub(super) struct Work<'a> {
 impl<'a> Work<'a> {
     pub(super) fn new(
         (case, codes): (&'a Case, Codes),
-        demands: &'a Demands,
+        (ready, factor): (&'a Ready<'a>, f64),
         errors: &'a BTreeMap<String, f64>,
         states: &'a [LimitState],
     ) -> Work<'a> {
         Work {
             case,
             codes,
-            demands,
+            ready,
+            demands: ready.demands,
+            factor,
             errors,
             states,
             sheet: Sheet::new(),
             checks: Vec::new(),
             notes: Vec::new(),
         }
+    }
+
+    /// A place under the motion of this assessment.
+    pub(super) fn search<'b>(&'b self, place: &'b Searched<'a>) -> Search<'b> {
+        place.under(self.factor, &self.ready.directions)
     }
 
     /// A limit state without a comparison.

@@ -15,6 +15,8 @@
 //!
 //! Plain data: engines fill it, limit states read it, and it is not part of the results.
 
+use std::ops::Range;
+
 /// A history as a combination of common ones: (number of the state, coefficient).
 pub type Terms = Vec<(usize, f64)>;
 
@@ -116,71 +118,90 @@ pub struct Demands {
 }
 
 impl Demands {
-    /// Those of a linear model under the same motion times a positive factor: the histories and the wave grow, the static state stays.
-    #[must_use]
-    pub fn scaled(&self, factor: f64) -> Demands {
-        let histories = |all: &[Vec<f64>]| -> Vec<Vec<f64>> {
-            let scaled = |history: &Vec<f64>| history.iter().map(|v| v * factor).collect();
-            all.iter().map(scaled).collect()
-        };
-        let wave = self.wave.map(|peak| Peak {
-            value: peak.value * factor,
-            ..peak
-        });
-        Demands {
-            times: self.times.clone(),
-            states: histories(&self.states),
-            transverse: histories(&self.transverse),
-            angles: self.angles,
-            places: self.places.clone(),
-            wave,
-            base_shear: self.base_shear.clone(),
-            overturning_moment: self.overturning_moment.clone(),
-            vertical: self.vertical.clone(),
-            plates: self.plates,
-            base: self.base.clone(),
-            sampling: self.sampling,
-        }
-    }
-
     /// A combination at all times.
     pub fn history(&self, terms: &Terms) -> Vec<f64> {
-        combined(terms, &self.states, self.times.len())
+        self.part(terms, 0..self.times.len())
     }
 
     /// The same combination under the component along y; none without one.
     pub fn transverse(&self, terms: &Terms) -> Option<Vec<f64>> {
-        (!self.transverse.is_empty()).then(|| combined(terms, &self.transverse, self.times.len()))
+        self.transverse_part(terms, 0..self.times.len())
+    }
+
+    /// A combination at some of the times: the values of [`Demands::history`] there, to the last bit.
+    pub fn part(&self, terms: &Terms, instants: Range<usize>) -> Vec<f64> {
+        combined(terms, &self.states, instants)
+    }
+
+    /// The same under the component along y; none without one.
+    pub fn transverse_part(&self, terms: &Terms, instants: Range<usize>) -> Option<Vec<f64>> {
+        (!self.transverse.is_empty()).then(|| combined(terms, &self.transverse, instants))
     }
 }
 
-/// Instants that are combined together: their sums stay in the nearest cache while the states pass by.
-const TOGETHER: usize = 1024;
+/// Σ c_k s_k at some instants, summed in the order of the terms: on every machine the same bits. A state ends in rest.
+fn combined(terms: &Terms, states: &[Vec<f64>], instants: Range<usize>) -> Vec<f64> {
+    let mut sums = vec![0.0; instants.len()];
+    pulp::Arch::new().dispatch(Combine {
+        terms,
+        states,
+        start: instants.start,
+        sums: &mut sums,
+    });
+    sums
+}
 
-/// Σ c_k s_k at `count` times, summed in the order of the terms.
-fn combined(terms: &Terms, states: &[Vec<f64>], count: usize) -> Vec<f64> {
-    let mut out = vec![0.0; count];
-    for (i, sums) in out.chunks_mut(TOGETHER).enumerate() {
-        let part = |&(state, factor): &(usize, f64)| -> (&[f64], f64) {
-            let state = &states[state];
-            (&state[(i * TOGETHER).min(state.len())..], factor)
-        };
-        let mut fours = terms.chunks_exact(4);
-        for four in &mut fours {
-            let [a, b, c, d] = [&four[0], &four[1], &four[2], &four[3]].map(part);
-            let rows = a.0.iter().zip(b.0).zip(c.0.iter().zip(d.0));
-            for (y, ((s, t), (u, v))) in sums.iter_mut().zip(rows) {
-                *y = *y + a.1 * s + b.1 * t + c.1 * u + d.1 * v;
+/// Instants that are summed together, in the registers of the machine.
+const LANES: usize = 16;
+
+/// The combination of instants in a row, compiled for the widest registers: each instant has its own lane, and no product is fused with a
+/// sum.
+struct Combine<'a> {
+    terms: &'a Terms,
+    states: &'a [Vec<f64>],
+    /// First instant.
+    start: usize,
+    sums: &'a mut [f64],
+}
+
+impl pulp::WithSimd for Combine<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        let Combine {
+            terms,
+            states,
+            mut start,
+            sums,
+        } = self;
+        let shortest = terms.iter().map(|&(state, _)| states[state].len()).min();
+        for sums in sums.chunks_mut(LANES) {
+            let whole = shortest.is_some_and(|length| start + LANES <= length);
+            if let (true, Some(sums)) = (whole, sums.first_chunk_mut::<LANES>()) {
+                *sums = whole_lanes(terms, states, start);
+            } else {
+                for (k, sum) in sums.iter_mut().enumerate() {
+                    let at = |state: usize| states[state].get(start + k).copied().unwrap_or(0.0);
+                    *sum = terms.iter().fold(0.0, |sum, &(state, factor)| sum + factor * at(state));
+                }
             }
-        }
-        for term in fours.remainder() {
-            let (state, factor) = part(term);
-            for (y, s) in sums.iter_mut().zip(state) {
-                *y += factor * s;
-            }
+            start += LANES;
         }
     }
-    out
+}
+
+/// The sums of [`LANES`] instants that every state has.
+#[inline(always)]
+fn whole_lanes(terms: &Terms, states: &[Vec<f64>], start: usize) -> [f64; LANES] {
+    let mut lanes = [0.0; LANES];
+    for &(state, factor) in terms {
+        let values: &[f64] = &states[state][start..start + LANES];
+        for k in 0..LANES {
+            lanes[k] += factor * values[k];
+        }
+    }
+    lanes
 }
 
 #[cfg(test)]
@@ -198,10 +219,10 @@ mod tests {
         assert_eq!(demands.history(&Terms::new()), [0.0, 0.0]);
     }
 
-    /// Six states over two blocks: Σ k (i + k) = 15 i + 55 for k = 0 to 5.
+    /// Six states, three instants beyond the last full lanes: Σ k (i + k) = 15 i + 55 for k = 0 to 5.
     #[test]
-    fn blocks_and_fours_leave_nothing_out() {
-        let count = TOGETHER + 3;
+    fn lanes_leave_nothing_out() {
+        let count = 64 * LANES + 3;
         let terms: Terms = (0..6_u32).map(|k| (k as usize, f64::from(k))).collect();
         let demands = Demands {
             times: vec![0.0; count],
@@ -210,5 +231,6 @@ mod tests {
         };
         let found = demands.history(&terms);
         assert!((0..count).all(|i| found[i] == (15 * i + 55) as f64));
+        assert_eq!(demands.part(&terms, 1020..count), found[1020..]);
     }
 }

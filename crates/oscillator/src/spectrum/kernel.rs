@@ -56,9 +56,11 @@ pub(crate) fn maxima(ground: &[f64], h: f64, oscillators: &[Oscillator]) -> Vec<
         .collect();
     let mut result = vec![Maxima::default(); oscillators.len()];
     // A thread costs about 30 µs to start, a group of a usual record about as much: use at least four groups per
-    // thread.
-    let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
-    let workers = cores.min(groups.len() / 4).max(1);
+    // thread. The system is asked for its cores only where they count: on Linux that reads files.
+    let workers = match groups.len() / 4 {
+        0 | 1 => 1,
+        most => std::thread::available_parallelism().map_or(1, |n| n.get()).min(most),
+    };
     let share = &|worker: usize| {
         // Distributed in turn, because neighbours in frequency have similar cost.
         run(&loads, h, oscillators, groups.iter().skip(worker).step_by(workers))

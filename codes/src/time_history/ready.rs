@@ -1,0 +1,114 @@
+//! Demands of a run, ready to be compared with capacities under the record times any factor.
+
+use tank::case::Case;
+use tank::demand::{Demands, Place, Terms};
+
+use super::base;
+use super::field::{Direction, rows};
+use super::search::{Searched, directions};
+
+/// What the checks of a run need of its demands, computed once: a linear model under the same record times a factor needs nothing else.
+pub struct Ready<'a> {
+    pub(super) demands: &'a Demands,
+    pub(super) directions: Vec<Direction>,
+    /// Places on the wall of a metal cylinder as corrosion leaves it, by course and height.
+    pub(super) wall: Vec<Searched<'a>>,
+    /// Places at the base of a cylinder as the engine has them.
+    pub(super) base: Vec<Searched<'a>>,
+    /// Horizontal force on the foundation [N]; of a tank that slides, that of the tank held in place.
+    pub(super) shear: Option<History>,
+    /// Moment below the base plate [N·m].
+    pub(super) moment: Option<History>,
+    /// Vertical acceleration of the ground, upwards [m/s²].
+    pub(super) vertical: Option<Vec<f64>>,
+}
+
+impl Ready<'_> {
+    /// Vertical acceleration of the ground at an instant, upwards [m/s²].
+    pub(super) fn upwards(&self, k: usize) -> f64 {
+        self.vertical.as_ref().map_or(0.0, |a| a[k])
+    }
+}
+
+/// A history under the motion along x, and along y where there is one.
+pub(super) struct History {
+    along: Vec<f64>,
+    transverse: Option<Vec<f64>>,
+}
+
+impl History {
+    fn of(demands: &Demands, terms: &Terms) -> History {
+        History {
+            along: demands.history(terms),
+            transverse: demands.transverse(terms),
+        }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.along.len()
+    }
+
+    /// Parts along x and y at an instant; the second none without a motion along y.
+    pub(super) fn at(&self, k: usize) -> (f64, Option<f64>) {
+        (self.along[k], self.transverse.as_ref().map(|y| y[k]))
+    }
+
+    /// Size at an instant, of both parts together.
+    pub(super) fn size(&self, k: usize) -> f64 {
+        match self.at(k) {
+            (x, Some(y)) => x.hypot(y),
+            (x, None) => x.abs(),
+        }
+    }
+}
+
+impl<'a> Ready<'a> {
+    /// Those of a case.
+    pub fn new(case: &Case, demands: &'a Demands) -> Ready<'a> {
+        let directions = directions(demands);
+        let (mut wall, mut at_base) = (Vec::new(), Vec::new());
+        if base::radius(case).is_some() {
+            let bottom = demands.places.iter().filter(|place| place.z == 0.0);
+            at_base = bottom.map(|place| Searched::new(demands, place, 1.0)).collect();
+            if case.tank.is_metal() {
+                let searched = |place: &'a Place| {
+                    let course = case.tank.courses.get(place.course)?;
+                    let lost = course.thickness / course.net_thickness();
+                    let poisson = course.material.poisson_ratio;
+                    Some(Searched::new(demands, place, lost).bent(poisson, &directions))
+                };
+                wall = demands.places.iter().filter_map(searched).collect();
+            }
+        }
+        side_by_side([&mut wall, &mut at_base], demands.times.len());
+        let held = demands.base.as_ref().and_then(|base| base.held_shear.as_ref());
+        let history = |terms: &Terms| History::of(demands, terms);
+        Ready {
+            shear: held.or(demands.base_shear.as_ref()).map(history),
+            moment: demands.overturning_moment.as_ref().map(history),
+            vertical: demands.vertical.as_ref().map(|terms| demands.history(terms)),
+            base: at_base,
+            wall,
+            directions,
+            demands,
+        }
+    }
+}
+
+/// Every place takes all instants, on the cores of the machine.
+fn side_by_side(places: [&mut [Searched<'_>]; 2], instants: usize) {
+    let take = |part: &mut [Searched<'_>]| {
+        for row in rows(instants) {
+            part.iter_mut().for_each(|place| place.take(&row));
+        }
+    };
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let [wall, base] = places;
+    take(base);
+    let share = wall.len().div_ceil(cores).max(1);
+    std::thread::scope(|scope| {
+        for part in wall.chunks_mut(share) {
+            scope.spawn(move || take(part));
+        }
+    });
+}
