@@ -48,7 +48,9 @@ def of(path):
         head = next(i for i, l in enumerate(lines) if "acceleration pts" in l)
         n = int(lines[head].split()[0])
         reals = next(i for i, l in enumerate(lines) if "Real-header" in l)
-        dt = columns(lines[reals + 1:reals + 18], 13, 100)[33]
+        header = columns(lines[reals + 1:reals + 18], 13, 100)
+        # Real 62 [ms] is the step of the data, real 34 [s] that of the recorder.
+        dt = header[61] / 1000 if header[61] > 0 else header[33]
         a = columns(lines[head + 1:], int(re.search(r"8F(\d+)", lines[head]).group(1)), n)
         return "by hand", len(a), dt, abs(a).max() / 100, ()
     head = next(i for i, l in enumerate(lines) if "POINTS OF ACCEL DATA" in l)

@@ -73,6 +73,34 @@ fn usgs_smc_with_fields_that_touch() {
     assert!(changed(SMC, "-5.5295E+0-5.4933E+0\n", "-5.5295E+0\n").contains("9 of 10 numbers"));
     assert!(changed(SMC, "|a comment", "no comment").contains("no comment"));
     assert!(changed(SMC, "-1.9234E+0", "-1.9*34E+0").contains("not a number"));
+    // Real 33, the third of its line, is the corner; 1.7E38 is not known.
+    assert_eq!(found.low_cut_frequency, None);
+    let head = SMC.split("|a comment").next().unwrap();
+    let unknown = "   1.7000000E38".repeat(5);
+    let lines: Vec<usize> = head.match_indices(&unknown).map(|(at, _)| at).collect();
+    // The first line of reals holds the rate, so the seventh is the sixth of unknown ones.
+    let place = lines[5] + 2 * 15;
+    let mut filtered = SMC.to_owned();
+    filtered.replace_range(place..place + 15, "   1.0000000E-1");
+    let found = read(&filtered).unwrap();
+    assert_eq!(found.low_cut_frequency, Some(0.1));
+    assert!((found.usable_period().unwrap() - 10.0).abs() < 1e-12);
+}
+
+/// A file that was cut off names its last line.
+#[test]
+fn cut_off_files_name_their_last_line() {
+    for (text, keep, line) in [
+        (ESM, 66, 66),
+        (SMC, 28, 28),
+        (COSMOS, 10, 10),
+        (CSMIP, 9, 9),
+        (KNET, 18, 18),
+    ] {
+        let cut: Vec<&str> = text.lines().take(keep).collect();
+        let error = read(&format!("{}\n", cut.join("\n"))).unwrap_err();
+        assert!(error.contains(&format!("record.txt:{line}")), "{line}: {error}");
+    }
 }
 
 #[test]
@@ -84,6 +112,28 @@ fn cosmos_v1() {
     assert!(changed(COSMOS, "       2       1       4", "       2       2       4").contains("not an acceleration"));
     assert!(changed(COSMOS, "       2       1       4", "       2       1       7").contains("unit 7"));
     assert!(changed(COSMOS, "    .00001\n", "\n").contains("8 of 9 numbers"));
+    let unknown = changed(COSMOS, "    .00019\n", "-999.0000\n");
+    assert!(
+        unknown.contains("not known") && unknown.contains("sample 8 of 9"),
+        "{unknown}"
+    );
+    // Real 62, the second of the eleventh line, is the step in milliseconds, and goes before that of the recorder.
+    let unknown = "  -999.000000".repeat(6);
+    let lines: Vec<usize> = COSMOS.match_indices(&unknown).map(|(at, _)| at).collect();
+    // Five of them stand before the line of real 34.
+    let place = lines[9] + 13;
+    let mut resampled = COSMOS.to_owned();
+    resampled.replace_range(place..place + 13, "    10.000000");
+    assert_eq!(read(&resampled).unwrap().record.dt, 0.01);
+    // 1/0.30 Hz is 3.3 s, not 14.5 s.
+    assert!(found.notes.is_empty(), "{:?}", found.notes);
+    let found = read(&COSMOS.replace("over  3.3 secs", "over  14.5 secs")).unwrap();
+    assert_eq!(found.low_cut_frequency, Some(0.3));
+    assert!(
+        found.notes[0].contains("3.333 s") && found.notes[0].contains("14.5 s"),
+        "{:?}",
+        found.notes
+    );
 }
 
 #[test]

@@ -29,10 +29,18 @@ pub(super) fn place((start, line): Line<'_>) -> Range<usize> {
 /// A line that has to be there.
 pub(super) fn line<'a>(lines: &[Line<'a>], number: usize, what: &str) -> Result<Line<'a>, Fault> {
     lines.get(number).copied().ok_or_else(|| {
-        Fault::new(format!("the file ends before {what}"))
-            .found(format!("{} lines", lines.len()))
-            .help("the file may have been cut off")
+        let fault = Fault::new(format!("the file ends before {what}")).found(format!("{} lines", lines.len()));
+        at_end(fault, lines).help("the file may have been cut off")
     })
+}
+
+/// The fault at the last line that is not empty.
+pub(super) fn at_end(fault: Fault, lines: &[Line<'_>]) -> Fault {
+    let last = lines.iter().rev().find(|line| !line.1.trim().is_empty());
+    match last {
+        Some(line) => fault.at(place(*line)),
+        None => fault,
+    }
 }
 
 /// The first `count` numbers of the lines from `first` on, in fields of `width` characters; the values, their places, and the number of
@@ -52,9 +60,10 @@ pub(super) fn fields(
     let mut next = first;
     while values.len() < count {
         let Some(&(start, text)) = lines.get(next) else {
-            let fault = Fault::new("the file ends before its last number")
+            let fault = Fault::new(format!("the file ends before {what} that its header counts"))
                 .found(format!("{} of {count} numbers", values.len()))
                 .help("the file may have been cut off");
+            let fault = at_end(fault, lines);
             // With the faults before it.
             let _ = faults.push(fault);
             return Err(faults.finish().err().unwrap_or_default());

@@ -1,16 +1,24 @@
 //! COSMOS v1.x: text lines, integers and reals whose numbers and formats the file states, comments, and a block of data under a line such as
 //! `7000  acceleration pts, approx   70 secs, units=cm/sec2(04),Format=(8F10.5)`.
 //!
-//! Integer 2 is the physical parameter (1: acceleration), integer 3 its unit: 2 g, 4 cm/s², 10 gal. Real 34 is the time step. −999 stands for what
-//! is not known. Files of several blocks begin with the acceleration, which is read.
+//! Integer 2 is the physical parameter (1: acceleration), integer 3 its unit: 2 g, 4 cm/s², 10 gal. Real 62 is the time
+//! step in milliseconds; where it is not known, real 34, that of the recorder. −999 stands for what
+//! is not known, and is a fault among the accelerations. Files of several blocks begin with the acceleration, which is read.
 
 use super::block::{after, fields, fortran, line, lines, place};
-use super::draft::{Draft, printable, settle_dt, settle_unit};
+use super::draft::{Draft, printable, settle_dt, settle_unit, token_at};
 use crate::input::diagnostic::{Fault, Faults};
 use crate::input::records::{AccelerationUnit, MAX_SAMPLES, ReadOptions};
 
-/// Place of the time step among the reals, from 0.
-const STEP: usize = 33;
+/// Place of the time step [ms] among the reals, from 0, and of that of the recorder [s], of which the data may have been resampled.
+const STEP: usize = 61;
+const RECORDED: usize = 33;
+/// Place of the corner of the low-cut filter among the reals, from 0.
+const CORNER: usize = 53;
+/// What is not known.
+const UNKNOWN: f64 = -999.0;
+/// How far corner × period may be from 1 by rounding to one digit.
+const ROUNDED: f64 = 0.2;
 /// Lines within which the data begin.
 const BEFORE_DATA: usize = 200;
 
@@ -75,14 +83,38 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     };
     let named = named.map(|u| (u, format!("header, integer 3 ({unit})")));
     let (unit, unit_source) = settle_unit(named, options, "integer 3 of the header")?;
-    let step = reals.get(STEP).copied().filter(|dt| *dt > 0.0 && *dt < 10.0);
-    let dt = settle_dt(step, options)?
-        .ok_or_else(|| Fault::new("the header does not give a time step").allowed("real 34 of the header, or --dt"))?;
+    let positive = |place: usize, scale: f64| {
+        reals
+            .get(place)
+            .map(|dt| dt * scale)
+            .filter(|dt| *dt > 0.0 && *dt < 10.0)
+    };
+    let step = positive(STEP, 1e-3).or_else(|| positive(RECORDED, 1.0));
+    let dt = settle_dt(step, options)?.ok_or_else(|| {
+        Fault::new("the header does not give a time step").allowed("real 62 or 34 of the header, or --dt")
+    })?;
     let (values, places, _) = fields(&lines, head + 1, (samples, width), "an acceleration")?;
+    if let Some(k) = values.iter().position(|a| *a == UNKNOWN) {
+        let fault = Fault::new("an acceleration that is not known").at(token_at(text, places[k] as usize));
+        return Err(fault
+            .found(format!("{UNKNOWN}, sample {} of {samples}", k + 1))
+            .allowed("a number; −999 stands for what is not known")
+            .into());
+    }
     let filter = lines
         .iter()
         .take(texts)
         .find(|l| l.1.to_ascii_uppercase().contains("FILTERED BELOW"));
+    // The text, or real 54.
+    let said = filter.and_then(|l| after(l.1, "FILTERED BELOW")).filter(|f| *f > 0.0);
+    let corner = reals.get(CORNER).copied().filter(|f| *f > 0.0 && *f < 0.5 / dt);
+    let low_cut = said.or(corner.filter(|_| filter.is_none()));
+    let contradiction = said
+        .zip(filter.and_then(|l| after(l.1, "PERIODS OVER")))
+        .filter(|(corner, period)| (corner * period - 1.0).abs() > ROUNDED)
+        .map(|(corner, period)| {
+            format!("the header says filtered below {corner} Hz, which is {:.3} s, and periods over {period} s; the corner counts", 1.0 / corner)
+        });
     Ok(Draft {
         title: lines.get(4).map(|l| printable(l.1)).filter(|t| !t.is_empty()),
         format: format!("COSMOS ({samples} samples, interval {dt} s)"),
@@ -91,7 +123,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         dt,
         values,
         places,
-        notes: Vec::new(),
-        low_cut: filter.and_then(|l| after(l.1, "FILTERED BELOW")).filter(|f| *f > 0.0),
+        notes: contradiction.into_iter().collect(),
+        low_cut,
     })
 }

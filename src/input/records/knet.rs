@@ -10,7 +10,7 @@
 //! A count times the scale factor is an acceleration in gal. Counts have an offset, the zero of the instrument: their mean is removed. The number
 //! of samples is duration times frequency.
 
-use super::block::{Line, lines, place};
+use super::block::{Line, at_end, lines, place};
 use super::draft::{Collector, Draft, printable, settle_dt, settle_unit};
 use super::number::parse;
 use crate::input::diagnostic::{Fault, Faults};
@@ -88,7 +88,7 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         let fault = fault
             .found(format!("{} samples", values.len()))
             .allowed(format!("{expected} samples"));
-        return Err(fault.help("the file may have been cut off").into());
+        return Err(at_end(fault, &lines).help("the file may have been cut off").into());
     }
     let mean = values.iter().sum::<f64>() / values.len() as f64;
     values.iter_mut().for_each(|v| *v -= mean);

@@ -1,6 +1,7 @@
 //! USGS SMC: 11 lines of text, 48 integers (8I10), 50 reals (5E15.7), comments `|`, then accelerations in cm/s² (8E10.4, fields touch).
 //!
-//! Integer 16 is the number of comments and 17 that of the samples, real 2 the sampling rate.
+//! Integer 16 is the number of comments and 17 that of the samples, real 2 the sampling rate; real 33 is the corner of the low-cut filter, where
+//! it is not real 1, which stands for what is not known.
 
 use super::block::{fields, line, lines, place};
 use super::draft::{Draft, printable, settle_dt, settle_unit};
@@ -16,6 +17,8 @@ const REALS: (usize, usize) = (50, 15);
 const COMMENTS: usize = 15;
 const SAMPLES: usize = 16;
 const RATE: usize = 1;
+const UNKNOWN: usize = 0;
+const LOW_CUT: usize = 32;
 
 /// Whether the text is one: a digit with the kind of the file, and a star.
 pub(super) fn sniff(text: &str) -> bool {
@@ -65,6 +68,8 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
     let source = (AccelerationUnit::Gal, "format, cm/s²".to_owned());
     let (unit, unit_source) = settle_unit(Some(source), options, "")?;
     let (values, places, _) = fields(&lines, next + comments, (samples, 10), "an acceleration")?;
+    let corner = reals[LOW_CUT];
+    let told = corner > 0.0 && corner < 0.5 * rate && corner != reals[UNKNOWN];
     let title = lines
         .get(5)
         .map(|l| printable(l.1))
@@ -78,6 +83,6 @@ pub(super) fn read(text: &str, options: &ReadOptions) -> Result<Draft, Faults> {
         values,
         places,
         notes: Vec::new(),
-        low_cut: None,
+        low_cut: told.then_some(corner),
     })
 }
