@@ -1,5 +1,7 @@
 //! Fragility curves of data, as in `fragility.json`.
 
+pub mod runs;
+
 use ::fragility::bootstrap::{self, Scatter};
 use ::fragility::cloud::{self, Run};
 use ::fragility::draw::Draw;
@@ -50,7 +52,7 @@ pub struct Curve {
     /// Negative logarithm of the likelihood, without constants of the data.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub negative_log_likelihood: Option<f64>,
-    /// Scatter by resampling the runs.
+    /// Scatter by resampling: the runs of data alone, whole records of a study.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scatter: Option<Scatter>,
     /// The curve with one dispersion for all states, where the free ones cross within the data.
@@ -64,13 +66,58 @@ pub struct Curve {
     pub cloud: Option<cloud::Cloud>,
     /// The data: counts at intensities.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub points: Vec<Stripe>,
+    pub points: Vec<Point>,
+    /// The curve if every run without a result had been safe, and if every one had reached the state.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub partial: Option<Partial>,
+    /// What the method left out or took for, one sentence each without a full stop.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
+    /// The curves of the resamples, for bands.
+    #[serde(skip)]
+    pub samples: Vec<Lognormal>,
     /// Runs that could not be judged.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unjudged: Option<usize>,
     /// Demands that were not checked.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unchecked: Vec<String>,
+}
+
+/// Runs at an intensity.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Point {
+    /// Runs with a result, and those that reached the state.
+    #[serde(flatten)]
+    pub stripe: Stripe,
+    /// Runs without a result: not computed, failed, refused or not judged.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub missing: Option<usize>,
+    /// Bounds of the share that reached the state: if none of the missing runs did, and if all did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bounds: Option<[f64; 2]>,
+}
+
+impl Point {
+    /// Of runs of which none is missing.
+    pub fn whole(stripe: Stripe) -> Point {
+        Point {
+            stripe,
+            missing: None,
+            bounds: None,
+        }
+    }
+}
+
+/// What missing runs can change of a curve: fits of the counts, whatever its method is.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Partial {
+    /// Runs without a result.
+    pub missing: usize,
+    /// The curve if all of them had been safe; none if that identifies none.
+    pub if_safe: Option<Lognormal>,
+    /// The curve if all of them had reached the state.
+    pub if_reached: Option<Lognormal>,
 }
 
 /// What is asked of all curves.
@@ -116,6 +163,9 @@ impl Asked {
             risk: fit.and_then(|f| risk(&f.curve, hazard?)),
             cloud: None,
             points: Vec::new(),
+            partial: None,
+            notes: Vec::new(),
+            samples: Vec::new(),
             unjudged: None,
             unchecked: Vec::new(),
         }
@@ -139,23 +189,12 @@ impl Asked {
             };
             curves.push(Curve {
                 scatter,
-                points: data.clone(),
+                points: data.iter().copied().map(Point::whole).collect(),
                 ..self.curve(state, "stripes", n, found)
             });
         }
-        let fitted: Vec<usize> = (0..curves.len()).filter(|&i| curves[i].curve().is_some()).collect();
-        let free: Vec<Lognormal> = fitted.iter().filter_map(|&i| curves[i].curve()).collect();
-        let ims = || states.iter().flat_map(|(_, data)| data.iter().map(|s| s.im));
-        let range = [ims().fold(f64::INFINITY, f64::min), ims().fold(0.0, f64::max)];
-        let data: Vec<Vec<Stripe>> = fitted.iter().map(|&i| states[i].1.clone()).collect();
-        if free.len() > 1
-            && common::cross(&free, range)
-            && let Ok(refit) = common::fit(&data)
-        {
-            for (&i, curve) in fitted.iter().zip(refit) {
-                curves[i].common = Some(curve);
-            }
-        }
+        let data: Vec<&[Stripe]> = states.iter().map(|(_, data)| data.as_slice()).collect();
+        refit(&mut curves, &data);
         curves
     }
 
@@ -217,6 +256,27 @@ impl Asked {
             }
         };
         limits.iter().map(curve).collect()
+    }
+}
+
+/// Gives curves that cross within the data a fit with one dispersion beside them.
+///
+/// * `data`: counts of each curve
+fn refit(curves: &mut [Curve], data: &[&[Stripe]]) {
+    let fitted: Vec<usize> = (0..curves.len())
+        .filter(|&i| curves[i].curve().is_some() && stripes::fit(data[i]).is_ok())
+        .collect();
+    let free: Vec<Lognormal> = fitted.iter().filter_map(|&i| curves[i].curve()).collect();
+    let ims = || data.iter().flat_map(|data| data.iter().map(|s| s.im));
+    let range = [ims().fold(f64::INFINITY, f64::min), ims().fold(0.0, f64::max)];
+    let counts: Vec<Vec<Stripe>> = fitted.iter().map(|&i| data[i].to_vec()).collect();
+    if free.len() > 1
+        && common::cross(&free, range)
+        && let Ok(refit) = common::fit(&counts)
+    {
+        for (&i, curve) in fitted.iter().zip(refit) {
+            curves[i].common = Some(curve);
+        }
     }
 }
 

@@ -15,12 +15,11 @@ use std::collections::BTreeMap;
 
 use codes::Procedure;
 use codes::procedure::CodeError;
-use codes::time_history::{self, Codes};
+use codes::time_history::{self, Codes, Ready};
 use fem::progress::Progress;
 use tank::Course;
 use tank::Quantity;
 use tank::assessment::{Assessment, Check, Excitation};
-use tank::demand::Demands;
 use tank::ingredients::Ingredients;
 
 use self::quantities::quantities;
@@ -197,10 +196,10 @@ pub fn under(job: &Job, excitation: Excitation) -> Result<Vec<Method>, Error> {
     Ok(methods)
 }
 
-/// The checks of the demands of the first engine under the record.
-pub fn checks_of_demands(job: &Job, demands: &Demands) -> Vec<Check> {
+/// The checks of the demands of the first engine under the record times a factor, which is 1 where the response is not linear.
+pub fn checks_of_demands(job: &Job, ready: &Ready<'_>, factor: f64) -> Vec<Check> {
     let codes = Codes::of(&job.case, &job.decision.decide);
-    let found = time_history::assess(&job.case, codes, demands, &BTreeMap::new());
+    let found = time_history::assess_at(&job.case, codes, (ready, factor), &BTreeMap::new());
     decision::checks_of_run(job, results::FE, found.checks)
 }
 

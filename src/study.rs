@@ -7,24 +7,33 @@
 //! | module | holds |
 //! |---|---|
 //! | [`plan`] | the tasks of a study and their keys |
+//! | [`pilot`] | what they will cost |
 //! | `task` | the computation of one task |
 //! | [`rows`] | what a task writes: one row a tank, sample, record and scale |
 //! | [`store`] | files of results: whole or ignored |
 //! | [`run`] | missing tasks, in threads |
 //! | [`merge`] | results to tables |
-//! | [`damage`] | damage states and their curves |
+//! | [`damage`] | damage states, and the data of their curves |
+//! | [`curves`] | the curves of tanks and farm, and its losses |
+//! | [`keep`] | whole results of single rows |
+//! | [`rule`] | whether the records stand for a spectrum |
+//! | `page` | what the report shows |
 //!
 //! **State is in files.** A task's key is the hash of everything its numbers depend on: the resolved tank, the samples of its records, the
 //! scales, the engine and its options, the procedures, and [`METHOD`]. Its result stands at a path made of the key; a last line with the
 //! number of rows and their hash closes it. A result without it is ignored. Two runs of a task write the same bytes, so nothing is locked.
 //! Merged files have no paths, times or counts of threads in them.
 
-mod curves;
+pub mod curves;
 pub mod damage;
+pub mod keep;
 mod key;
 pub mod merge;
+mod page;
+pub mod pilot;
 pub mod plan;
 pub mod rows;
+pub mod rule;
 pub mod run;
 pub mod scripts;
 pub mod store;

@@ -4,17 +4,23 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use crate::cli::compare::stamp;
 use crate::cli::progress::{self, Watch};
 use crate::cli::terminal::say;
 use crate::cli::{Format, Global, json, print};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
 use crate::input::study as input;
+use crate::study::keep;
+use crate::study::pilot::{self, Class};
 use crate::study::plan::{self, Plan, Task};
+use crate::study::rule::RuleFound;
 use crate::study::run::{self, Which};
 use crate::study::scripts::{self, Scheduler};
 use crate::study::store::{self, State};
 use crate::study::{merge, rows::RowStatus};
-use files::{text, write_whole};
+use engines::estimate::span;
+use files::{OutputFolder, text, write_whole};
+use report::{Level, REPORT_FILE};
 
 /// Arguments.
 #[derive(clap::Args)]
@@ -46,7 +52,7 @@ enum Command {
     Run(RunArgs),
     /// Count tasks that are done, missing, cut off or failed.
     Status(StatusArgs),
-    /// Write rows.csv, tanks.csv, farm.csv and fragility.json.
+    /// Write rows.csv, tanks.csv, farm.csv, fragility.json and report.html.
     Merge(MergeArgs),
 }
 
@@ -70,6 +76,9 @@ struct PlanArgs {
         requires = "scheduler"
     )]
     scheduler_args: String,
+    /// Compute one task of each class of tanks, and print how long the study will take; the results are kept.
+    #[arg(long)]
+    pilot: bool,
 }
 
 #[derive(clap::Args)]
@@ -106,10 +115,23 @@ struct MergeArgs {
     /// Folder of the study.
     #[arg(value_name = "FOLDER")]
     folder: PathBuf,
-    /// Merge although tasks are missing; their number is written into fragility.json.
+    /// Merge although tasks are missing; shares and curves get bounds.
     #[arg(long)]
     partial: bool,
+    /// Run rows again with histories and a report of their own, in `kept/`.
+    #[arg(long, value_enum, value_name = "ROWS")]
+    keep: Option<Keep>,
 }
+
+/// Rows that are kept whole.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+enum Keep {
+    /// Of each tank the row with the largest demand over the limit of the worst damage state.
+    Worst,
+}
+
+/// Folder of the rows that are kept whole.
+const KEPT: &str = "kept";
 
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
@@ -148,7 +170,16 @@ fn make(args: &PlanArgs, global: &Global) -> Result<u8, Error> {
         .filter(|t| store::state(&args.out, &t.key) == State::Done)
         .count();
     let _ = writeln!(said, "  tasks    {:>9}  {done} of them have a result", plan.tasks);
+    if let Some(rule) = &plan.rule {
+        let _ = writeln!(said, "  {}", kept(rule));
+    }
     print(&said)?;
+    if args.pilot {
+        let watch = Watch::new(global, "pilot");
+        let classes = pilot::run(&args.out, &study, &plan, &tasks)?;
+        watch.finish();
+        print(&cost(&classes))?;
+    }
     if let Some(scheduler) = args.scheduler.filter(|_| !global.quiet) {
         say!("script: {}", args.out.join(scheduler.file()).display());
     }
@@ -156,6 +187,65 @@ fn make(args: &PlanArgs, global: &Global) -> Result<u8, Error> {
         say!("next: tankcheck study run {}", args.out.display());
     }
     Ok(EXIT_OK)
+}
+
+/// Whether the records keep the rule of the study.
+fn kept(rule: &RuleFound) -> String {
+    let rows = rule.rows.len();
+    let held = rule.rows.iter().filter(|row| row.holds).count();
+    let factor = rule.rows.iter().map(|row| row.factor).fold(0.0, f64::max);
+    match rule.holds {
+        true => format!("records  {}: holds at all {rows} periods", rule.clause),
+        false => format!(
+            "records  {}: holds at {held} of {rows} periods; with the factor {factor:.3} on the set it holds at all",
+            rule.clause
+        ),
+    }
+}
+
+/// What the pilot found.
+fn cost(classes: &[Class]) -> String {
+    let mut said = String::from("pilot: one task of each class, one at a time\n");
+    for class in classes {
+        let found = match class.row {
+            Some([seconds, bytes]) => format!(
+                "{:.1} ms and {:.1} KB a row, {} rows left: {}",
+                1e3 * seconds,
+                bytes / 1024.0,
+                class.rows_left,
+                span(class.seconds_left())
+            ),
+            None => "every task has a result".into(),
+        };
+        let _ = writeln!(
+            said,
+            "  {:<13}{} of {} tasks; {found}",
+            class.name, class.tasks[1], class.tasks[0]
+        );
+    }
+    let seconds: f64 = classes.iter().map(Class::seconds_left).sum();
+    let disk: f64 = classes
+        .iter()
+        .filter_map(|class| Some(class.row?[1] * class.rows_left as f64))
+        .sum();
+    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let _ = writeln!(
+        said,
+        "  left: {} with one task at a time, at best {} with {cores}; {} on disk",
+        span(seconds),
+        span(seconds / cores as f64),
+        size(disk)
+    );
+    said
+}
+
+/// A size of files.
+fn size(bytes: f64) -> String {
+    match bytes {
+        b if b < 1e6 => format!("{:.0} KB", b / 1e3),
+        b if b < 1e9 => format!("{:.1} MB", b / 1e6),
+        b => format!("{:.1} GB", b / 1e9),
+    }
 }
 
 /// The study file of a plan.
@@ -239,27 +329,38 @@ fn which(args: &RunArgs, tasks: usize) -> Result<Which, Error> {
 struct Status {
     tasks: usize,
     done: usize,
+    /// Without a result; those that run are among them.
     missing: usize,
+    running: usize,
+    /// Marked by another machine, which may have ended.
+    running_elsewhere: usize,
     torn: usize,
     failed: usize,
     rows: usize,
     rows_done: usize,
+    bytes: u64,
     failures: Vec<store::Failure>,
 }
 
 fn status(args: &StatusArgs) -> Result<u8, Error> {
     let (plan, tasks) = plan::read(&args.folder)?;
+    let survey = store::survey(&args.folder);
     let mut found = Status {
         tasks: tasks.len(),
         done: 0,
         missing: 0,
         torn: 0,
         failed: 0,
+        running: 0,
+        running_elsewhere: 0,
+        bytes: survey.bytes,
         rows: plan.rows,
         rows_done: 0,
         failures: Vec::new(),
     };
     for task in &tasks {
+        found.running += usize::from(survey.here.contains(&task.key));
+        found.running_elsewhere += usize::from(survey.elsewhere.contains(&task.key));
         match store::state(&args.folder, &task.key) {
             State::Done => {
                 found.done += 1;
@@ -302,12 +403,20 @@ fn human(plan: &Plan, found: &Status) -> String {
         &format!("{} of {} rows", found.rows_done, found.rows),
     );
     row("missing", found.missing, "");
+    if found.running + found.running_elsewhere > 0 {
+        let elsewhere = match found.running_elsewhere {
+            0 => String::new(),
+            n => format!("and {n} marked by other machines, running or killed"),
+        };
+        row("running", found.running, &elsewhere);
+    }
     if found.torn > 0 {
         row("cut off", found.torn, "not whole; `study run` computes them again");
     }
     if found.failed > 0 {
         row("failed", found.failed, "`study run --retry` computes them again");
     }
+    let _ = writeln!(said, "  disk     {:>9}", size(found.bytes as f64));
     for failure in found.failures.iter().take(10) {
         let message = text::line(&failure.message);
         let _ = writeln!(
@@ -324,7 +433,14 @@ fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
     let (plan, tasks) = plan::read(&args.folder)?;
     let watch = Watch::new(global, "merging");
     let found = merge::merge(&args.folder, &plan, &tasks, args.partial, &watch)?;
+    if let Some(study) = &found.study {
+        let page = report::study::report(study)?;
+        write_whole(&args.folder.join(REPORT_FILE), page.html.as_bytes())?;
+    }
     watch.finish();
+    if args.keep == Some(Keep::Worst) {
+        keep_worst(&args.folder, &plan, &found, global)?;
+    }
     let mut said = format!("{}\n", text::line(&plan.name));
     let _ = writeln!(said, "  rows      {:>9}", found.rows);
     for (status, count) in &found.by_status {
@@ -335,16 +451,43 @@ fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
     if found.missing > 0 {
         let _ = writeln!(
             said,
-            "  {} tasks have no result: the curves are of the others",
+            "  {} tasks have no result: the curves are of the others, with bounds",
             found.missing
         );
     }
     let _ = writeln!(said, "  sha256    {}", found.sha256);
     print(&said)?;
     if !global.quiet {
-        for file in merge::FILES {
+        for file in merge::FILES.into_iter().chain([REPORT_FILE]) {
             say!("{}", args.folder.join(file).display());
         }
     }
     Ok(EXIT_OK)
+}
+
+/// Runs the worst row of each tank again, with all that `compare` writes.
+fn keep_worst(folder: &Path, plan: &Plan, found: &merge::Merged, global: &Global) -> Result<(), Error> {
+    let study = study_of(folder, plan)?;
+    for (tank, row) in &found.worst {
+        let started = Instant::now();
+        let watch = Watch::new(global, "worst rows");
+        let mut outcome = keep::run(&study, plan, tank, row, &watch)?;
+        stamp(&mut outcome.results, started);
+        let home = folder.join(KEPT);
+        std::fs::create_dir_all(&home).map_err(|e| {
+            Error::Files(files::error::Error::Unwritten {
+                path: home.clone(),
+                what: files::error::describe(&e),
+            })
+        })?;
+        let out = OutputFolder::prepare(&home.join(keep::folder(plan, tank)), results::COMPARE)?;
+        results::write(&out.path(), &outcome.results, &outcome.series)?;
+        report::render(&out.path(), None, Level::Standard)?;
+        out.commit()?;
+        watch.finish();
+        if !global.quiet {
+            say!("{}", home.join(keep::folder(plan, tank)).join(REPORT_FILE).display());
+        }
+    }
+    Ok(())
 }

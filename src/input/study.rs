@@ -5,22 +5,26 @@
 
 mod keys;
 mod records;
+mod rule;
 mod sample;
 mod scales;
 mod tanks;
 
 use std::path::{Path, PathBuf};
 
+use crate::curves::runs::Method;
 use crate::input::diagnostic::{Faults, Source};
 use crate::input::tank::bytes;
+use crate::input::tank::keys::project::project;
 use crate::input::tank::read::{Field, FromNode};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use crate::input::tank::{schema, syntax};
 use files::error::Error;
-use keys::{StudyEngine, StudyFile};
+use keys::{CurveMethod, StudyEngine, StudyFile};
 use results::EngineId;
 
 pub use records::{RecordEntry, Shaking};
+pub use rule::{Rule, RulePeriods};
 pub use sample::{Distribution, Sampled, Sampling};
 pub use scales::{Axis, Period, Scales};
 pub use tanks::TankEntry;
@@ -60,6 +64,12 @@ pub struct StudyInput {
     pub procedures: Option<Vec<String>>,
     /// Damage states, as given; none for the default set.
     pub damage: Option<Vec<DamageLimit>>,
+    /// Cover of the report.
+    pub project: Option<::tank::Project>,
+    /// How curves are found.
+    pub method: Method,
+    /// Rule for the set of records.
+    pub rule: Option<Rule>,
     /// Hazard curve: file.
     pub hazard: Option<PathBuf>,
     /// Records of a task.
@@ -117,6 +127,7 @@ fn parse(source: &Source, folder: &Path, faults: &mut Faults, broken: &mut Vec<E
     let file = StudyFile::from_node(&root, faults)?;
     let mut r = Resolver::new(faults);
     let name = r.text(&file.name);
+    let cover = project(&mut r, &file.project);
     if let Some(notes) = &file.notes.given {
         r.echo_given(notes);
     }
@@ -144,6 +155,16 @@ fn parse(source: &Source, folder: &Path, faults: &mut Faults, broken: &mut Vec<E
         Some(path)
     });
     let block = r.count_or_default(&file.block) as usize;
+    let method = method(&mut r, &file, scales.as_ref());
+    let rule = match &file.rule.given {
+        Some(field) if records.is_empty() && file.records.given.is_none() => {
+            let fault = range_fault(field, "a rule without records", "`records`");
+            r.faults.push(fault.found("{ … }"));
+            None
+        }
+        Some(field) => rule::rule(&mut r, field, folder, broken),
+        None => None,
+    };
     scales::admit(&mut r, &file.scales, engine);
     Some(StudyInput {
         name: name?,
@@ -154,10 +175,39 @@ fn parse(source: &Source, folder: &Path, faults: &mut Faults, broken: &mut Vec<E
         engine,
         procedures,
         damage,
+        project: cover,
+        method,
+        rule,
         hazard,
         block,
         sha256: String::new(),
     })
+}
+
+/// How curves are found: as given, or by the scales.
+fn method(r: &mut Resolver<'_>, file: &StudyFile, scales: Option<&Scales>) -> Method {
+    let levels = scales.is_some_and(|scales| !scales.levels.is_empty());
+    let Some(field) = &file.method.given else {
+        r.not_given(&file.method);
+        return match levels {
+            true => Method::Stripes,
+            false => Method::Cloud,
+        };
+    };
+    match field.value {
+        Some(CurveMethod::Cloud) => Method::Cloud,
+        Some(CurveMethod::Capacities) if !levels => {
+            let fault = range_fault(
+                field,
+                "capacities without levels",
+                "`scales.levels`, the same for every record",
+            );
+            r.faults.push(fault);
+            Method::Capacities
+        }
+        Some(CurveMethod::Capacities) => Method::Capacities,
+        Some(CurveMethod::Stripes) | None => Method::Stripes,
+    }
 }
 
 fn procedures(r: &mut Resolver<'_>, file: &StudyFile) -> Option<Vec<String>> {

@@ -5,7 +5,7 @@
 pub(in crate::input) mod bytes;
 mod file;
 pub(in crate::input) mod key;
-mod keys;
+pub(in crate::input) mod keys;
 mod page;
 mod places;
 pub(in crate::input) mod read;

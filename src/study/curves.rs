@@ -1,81 +1,214 @@
 //! `fragility.json`: the curves of all tanks and states, and the losses of the farm.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::num::NonZero;
 
 use ::fragility::farm;
-use ::fragility::stripes::Stripe;
-use serde_json::{Value, json};
+use serde::Serialize;
 
-use super::damage::{Data, Gathered};
+use super::damage::{Data, Gathered, Lost};
 use super::plan::Plan;
+use super::rows::kept;
+use crate::curves::runs::{Method, Seen};
 use crate::curves::{Asked, Curve, FORMAT};
+use crate::input::study::Axis;
 
 /// Resamples for the bands of a curve.
-const RESAMPLES: usize = 500;
+pub(super) const RESAMPLES: usize = 500;
+/// Seed of the resamples.
+const SEED: u64 = 0;
 
 /// The contents of `fragility.json`.
-pub(super) fn fragility(plan: &Plan, gathered: &Gathered, volumes: &BTreeMap<String, f64>, missing: usize) -> Value {
+#[derive(Clone, Debug, Serialize)]
+pub struct Fragility {
+    /// Format.
+    pub format: &'static str,
+    /// Title of the study.
+    pub study: String,
+    /// Intensity measure.
+    pub im: String,
+    /// Its unit.
+    pub im_unit: String,
+    /// Tasks without a result.
+    pub missing_tasks: usize,
+    /// Tanks without a row.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub without_rows: Vec<String>,
+    /// Curves of every tank and state. A tank is in a state if any of the state's demands reaches its limit.
+    pub curves: Vec<Curve>,
+    /// Curves of the farm: the probability that at least one tank is in the state, in the same earthquake.
+    pub system: Vec<Curve>,
+    /// Losses of contents at each intensity.
+    pub farm: Vec<Losses>,
+    /// Why there are no losses of a farm of several tanks.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub no_farm: Option<&'static str>,
+}
+
+/// Losses of contents at an intensity.
+#[derive(Clone, Debug, Serialize)]
+pub struct Losses {
+    /// Intensity.
+    pub im: f64,
+    /// Earthquakes in which every tank was judged.
+    pub earthquakes: usize,
+    /// Earthquakes in which some were not.
+    pub not_judged: usize,
+    /// P(at least k tanks lost), k = 1, 2, …, counted.
+    pub at_least: Vec<f64>,
+    /// Bounds of them where earthquakes or tanks are missing: if no tank without a result was lost, and if all were.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at_least_bounds: Option<Vec<[f64; 2]>>,
+    /// The same of independent tanks with the same shares.
+    pub at_least_independent: Vec<f64>,
+    /// Mean volume lost [m³].
+    pub mean_volume_m3: f64,
+    /// Largest volume lost in one earthquake [m³].
+    pub largest_volume_m3: f64,
+}
+
+/// Fits all curves.
+pub(super) fn fragility(
+    plan: &Plan,
+    gathered: &Gathered,
+    volumes: &BTreeMap<String, f64>,
+    missing: usize,
+) -> Fragility {
     let asked = Asked {
         im: plan.im.clone(),
         resamples: RESAMPLES,
-        seed: 0,
+        seed: SEED,
         hazard: plan.hazard.clone(),
     };
-    let mut curves: Vec<Curve> = Vec::new();
-    for tank in &plan.tanks {
-        let of = |state: usize| gathered.curves.get(&(tank.id.clone(), state));
-        let data: Vec<&Data> = (0..plan.damage.len()).filter_map(of).collect();
-        if data.len() == plan.damage.len() {
-            curves.extend(of_tank(plan, &asked, &tank.id, &data));
-        }
+    let tanks: Vec<&str> = plan.tanks.iter().map(|tank| tank.id.as_str()).collect();
+    let seen = |tank: &&str| gathered.curves.contains_key(&((*tank).to_owned(), 0));
+    let (with, without): (Vec<&str>, Vec<&str>) = tanks.iter().copied().partition(seen);
+    let no_farm = no_farm(plan);
+    let several = plan.tanks.len() > 1;
+    Fragility {
+        format: FORMAT,
+        study: plan.name.clone(),
+        im: plan.im.clone(),
+        im_unit: plan.im_unit.clone(),
+        missing_tasks: missing,
+        without_rows: match plan.records.is_empty() {
+            true => Vec::new(),
+            false => without.iter().map(|tank| (*tank).to_owned()).collect(),
+        },
+        curves: beside_each_other(&with, |tank| of_tank(plan, &asked, tank, gathered)),
+        system: match several && no_farm.is_none() {
+            true => of_system(plan, &asked, gathered),
+            false => Vec::new(),
+        },
+        farm: match several && no_farm.is_none() {
+            true => of_farm(plan, gathered, volumes),
+            false => Vec::new(),
+        },
+        no_farm: no_farm.filter(|_| several && !with.is_empty()),
     }
-    json!({
-        "format": FORMAT,
-        "study": plan.name,
-        "im": plan.im,
-        "im_unit": plan.im_unit,
-        "missing_tasks": missing,
-        "curves": curves,
-        "farm": of_farm(plan, gathered, volumes),
+}
+
+/// Why the rows of several tanks at one intensity are not one earthquake.
+fn no_farm(plan: &Plan) -> Option<&'static str> {
+    if plan.levels.is_empty() {
+        return Some("factors give every record its own intensity: there are no levels that the earthquakes share");
+    }
+    Axis::parse(&plan.im).is_some_and(Axis::of_the_tank).then_some(
+        "the measure is at a period of each tank: at one level the tanks are shaken by differently scaled records",
+    )
+}
+
+/// A function of every item, on all cores; results in the order of the items.
+fn beside_each_other<T: Sync, R: Send>(items: &[T], of: impl Fn(&T) -> Vec<R> + Sync) -> Vec<R> {
+    let cores = std::thread::available_parallelism().map_or(1, NonZero::get);
+    let share = items.len().div_ceil(cores).max(1);
+    std::thread::scope(|scope| {
+        let of = &of;
+        let parts: Vec<_> = items
+            .chunks(share)
+            .map(|part| scope.spawn(move || part.iter().flat_map(of).collect::<Vec<R>>()))
+            .collect();
+        let joined = parts.into_iter().map(|part| match part.join() {
+            Ok(found) => found,
+            // A fault of this program is not hidden by the thread in which it happened.
+            Err(panic) => std::panic::resume_unwind(panic),
+        });
+        joined.flatten().collect()
     })
 }
 
-fn of_tank(plan: &Plan, asked: &Asked, tank: &str, data: &[&Data]) -> Vec<Curve> {
-    let stripes = |data: &&Data| -> Vec<Stripe> {
-        let stripe = |(im, count): (&u64, &super::damage::Count)| Stripe {
-            im: f64::from_bits(*im),
-            n: count.n as f64,
-            exceed: count.exceed as f64,
-        };
-        data.counts.iter().map(stripe).collect()
-    };
-    let states: Vec<(String, Vec<Stripe>)> = plan
+/// Runs that are planned at each level of one tank.
+fn planned(plan: &Plan) -> Vec<(f64, usize)> {
+    let runs = plan.records.len() * plan.samples as usize;
+    plan.levels.iter().map(|level| (kept(*level), runs)).collect()
+}
+
+fn of_tank(plan: &Plan, asked: &Asked, tank: &str, gathered: &Gathered) -> Vec<Curve> {
+    let of = |state: usize| gathered.curves.get(&(tank.to_owned(), state));
+    let data: Vec<&Data> = (0..plan.damage.len()).filter_map(of).collect();
+    let states: Vec<(String, Vec<Seen>)> = plan
         .damage
         .iter()
-        .zip(data)
-        .map(|(state, data)| (state.state.clone(), stripes(data)))
+        .zip(&data)
+        .map(|(state, data)| (state.state.clone(), data.runs.clone()))
         .collect();
-    let curves = asked.of_stripes(&states);
-    let with = |(curve, data): (Curve, &&Data)| Curve {
-        tank: Some(tank.into()),
-        unjudged: (data.unjudged > 0).then_some(data.unjudged),
-        unchecked: data.unchecked.iter().cloned().collect(),
-        ..curve
+    let planned = planned(plan);
+    let with = |(curve, data): (Curve, &&Data)| {
+        let mut curve = Curve {
+            tank: Some(tank.into()),
+            unjudged: (data.unjudged > 0).then_some(data.unjudged),
+            unchecked: data.unchecked.iter().cloned().collect(),
+            ..curve
+        };
+        if !planned.is_empty() {
+            curve.bound(&planned);
+        }
+        curve
     };
-    curves.into_iter().zip(data).map(with).collect()
+    asked
+        .of_runs(plan.method, &states)
+        .into_iter()
+        .zip(&data)
+        .map(with)
+        .collect()
+}
+
+/// Curves of "at least one tank in the state", of the earthquakes in which every tank was judged: with those in which some were not, the ones without
+/// damage would be left out more often than the others.
+fn of_system(plan: &Plan, asked: &Asked, gathered: &Gathered) -> Vec<Curve> {
+    let tanks = plan.tanks.len();
+    let of = |(number, state): (usize, &super::damage::DamageState)| {
+        let seen = |((record, sample, im), counts): (&super::damage::Quake, &Vec<[usize; 2]>)| {
+            let [judged, within] = counts[number];
+            (judged == tanks).then(|| Seen {
+                record: gathered.records.get(record).copied().unwrap_or_default(),
+                sample: *sample,
+                im: f64::from_bits(*im),
+                ratio: None,
+                reached: within > 0,
+            })
+        };
+        (state.state.clone(), gathered.counts.iter().filter_map(seen).collect())
+    };
+    let states: Vec<(String, Vec<Seen>)> = plan.damage.iter().enumerate().map(of).collect();
+    let planned = planned(plan);
+    // Whether a state is reached has no demand: counts, whatever the method of the tanks is.
+    let mut curves = asked.of_runs(Method::Stripes, &states);
+    for curve in &mut curves {
+        curve.bound(&planned);
+    }
+    curves
 }
 
 /// Losses of contents at each intensity, over the earthquakes in which every tank was judged.
-fn of_farm(plan: &Plan, gathered: &Gathered, volumes: &BTreeMap<String, f64>) -> Vec<Value> {
-    if plan.levels.is_empty() || plan.tanks.len() < 2 {
-        return Vec::new();
-    }
+fn of_farm(plan: &Plan, gathered: &Gathered, volumes: &BTreeMap<String, f64>) -> Vec<Losses> {
     let ids: Vec<&str> = plan.tanks.iter().map(|t| t.id.as_str()).collect();
     let volumes: Vec<f64> = ids.iter().map(|id| volumes.get(*id).copied().unwrap_or(0.0)).collect();
     let levels: BTreeSet<u64> = gathered.losses.keys().map(|(_, _, im)| *im).collect();
+    let planned = plan.records.len() * plan.samples as usize;
     let mut found = Vec::new();
     for level in levels {
-        let quakes: Vec<_> = gathered
+        let quakes: Vec<&Lost> = gathered
             .losses
             .iter()
             .filter(|((_, _, im), _)| *im == level)
@@ -87,16 +220,53 @@ fn of_farm(plan: &Plan, gathered: &Gathered, volumes: &BTreeMap<String, f64>) ->
             .map(|id| whole.iter().map(|lost| lost.tanks.iter().any(|t| t == id)).collect())
             .collect();
         if let Some(losses) = farm::losses(&rows, &volumes) {
-            found.push(json!({
-                "im": f64::from_bits(level),
-                "earthquakes": losses.n,
-                "not_judged": quakes.len() - whole.len(),
-                "at_least": losses.at_least,
-                "at_least_independent": losses.at_least_independent,
-                "mean_volume_m3": losses.mean_volume,
-                "largest_volume_m3": losses.largest_volume,
-            }));
+            found.push(Losses {
+                im: f64::from_bits(level),
+                earthquakes: losses.n,
+                not_judged: quakes.len() - whole.len(),
+                at_least_bounds: (losses.n < planned).then(|| bounds(&quakes, ids.len(), planned)),
+                at_least: losses.at_least,
+                at_least_independent: losses.at_least_independent,
+                mean_volume_m3: losses.mean_volume,
+                largest_volume_m3: losses.largest_volume,
+            });
         }
     }
     found
+}
+
+/// Bounds of P(at least k tanks lost): a tank without a result is safe, or lost; so are all tanks of an earthquake without results.
+fn bounds(quakes: &[&Lost], tanks: usize, planned: usize) -> Vec<[f64; 2]> {
+    let unseen = planned.saturating_sub(quakes.len());
+    let of = |k: usize| {
+        let lost = quakes.iter().filter(|q| q.tanks.len() >= k).count();
+        let open = quakes.iter().filter(|q| q.tanks.len() + tanks - q.judged >= k).count();
+        [lost, open + unseen].map(|count| count as f64 / planned as f64)
+    };
+    (1..=tanks).map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Three of four earthquakes of two tanks: none lost; one lost and one not judged; both lost. At least one: 2/4 … 3/4, at least two: 1/4 … 3/4.
+    #[test]
+    fn what_is_missing_bounds_the_losses() {
+        let lost = |judged: usize, tanks: &[&str]| Lost {
+            judged,
+            tanks: tanks.iter().map(|t| (*t).to_owned()).collect(),
+        };
+        let all = [lost(2, &[]), lost(1, &["a"]), lost(2, &["a", "b"])];
+        let quakes: Vec<&Lost> = all.iter().collect();
+        assert_eq!(bounds(&quakes, 2, 4), [[0.5, 0.75], [0.25, 0.75]]);
+    }
+
+    #[test]
+    fn results_stand_in_the_order_of_the_items() {
+        let items: Vec<usize> = (0..37).collect();
+        let found = beside_each_other(&items, |i| vec![*i, *i + 100]);
+        let wanted: Vec<usize> = items.iter().flat_map(|i| [*i, *i + 100]).collect();
+        assert_eq!(found, wanted);
+    }
 }

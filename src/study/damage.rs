@@ -6,6 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::curves::runs::Seen;
 use serde::{Deserialize, Serialize};
 
 use super::rows::{Ending, Row, RowStatus};
@@ -111,53 +112,93 @@ fn demand(row: &Row, id: &str) -> Demand {
     }
 }
 
-/// How a row stands to a state by its own limits: reached or not, none where no demand of the state was judged; and what was not checked.
-fn own(row: &Row, state: &DamageState, unchecked: &mut BTreeSet<String>) -> Option<bool> {
+/// How a row stands to a state by its own limits.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Standing {
+    /// Largest demand over its limit.
+    ratio: f64,
+    /// Whether it has a demand without a number that reaches the state.
+    fell: bool,
+    /// Whether the state was reached.
+    reached: bool,
+    /// The demand with the largest ratio.
+    way: Option<String>,
+}
+
+/// How a row stands to a state by its own limits, none where no demand of the state was judged; and what was not checked.
+fn own(row: &Row, state: &DamageState, unchecked: &mut BTreeSet<String>) -> Option<Standing> {
     let mut judged = false;
-    let mut reached = false;
+    let mut found = Standing::default();
     for limit in &state.limits {
         match demand(row, &limit.demand) {
             Demand::Utilisation(value) => {
                 judged |= limit.demand != COLLAPSE;
-                reached |= value >= limit.limit;
+                found.reached |= value >= limit.limit;
+                let ratio = value / limit.limit;
+                if !found.fell && (found.way.is_none() || ratio > found.ratio) {
+                    (found.ratio, found.way) = (ratio, Some(limit.demand.clone()));
+                }
             }
-            Demand::Fails => (judged, reached) = (true, true),
+            Demand::Fails => {
+                judged = true;
+                (found.reached, found.fell) = (true, true);
+                found.way = Some(limit.demand.clone());
+            }
             Demand::NotChecked => {
                 unchecked.insert(limit.demand.clone());
             }
             Demand::None => {}
         }
     }
-    judged.then_some(reached)
-}
-
-/// How many of the runs at an intensity reached a state.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Count {
-    /// Runs.
-    pub n: usize,
-    /// Those that reached it.
-    pub exceed: usize,
+    judged.then_some(found)
 }
 
 /// Data of the curve of a tank and state.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Data {
-    /// Intensity (its bits, positive) → counts.
-    pub counts: BTreeMap<u64, Count>,
+    /// The runs that were judged.
+    pub runs: Vec<Seen>,
     /// Rows that could not be judged: refused, failed, or without any judged demand.
     pub unjudged: usize,
     /// Demands that were not checked.
     pub unchecked: BTreeSet<String>,
+    /// Demand with the largest ratio of its own limits → runs in which the state was reached by it.
+    pub ways: BTreeMap<String, usize>,
 }
+
+/// An earthquake of a study: record, sample, intensity (its bits, positive).
+pub type Quake = (String, u32, u64);
 
 /// The data of all curves, gathered row by row.
 #[derive(Clone, Debug, Default)]
 pub struct Gathered {
     /// (tank, number of the state) → data.
     pub curves: BTreeMap<(String, usize), Data>,
-    /// (record, sample, intensity) → tanks in the worst state, by name.
-    pub losses: BTreeMap<(String, u32, u64), Lost>,
+    /// Earthquake → tanks in the worst state, by name.
+    pub losses: BTreeMap<Quake, Lost>,
+    /// Earthquake → of each state, tanks that were judged, and those in it.
+    pub counts: BTreeMap<Quake, Vec<[usize; 2]>>,
+    /// Numbers of the records, in the order of their first row.
+    pub records: BTreeMap<String, u32>,
+    /// Record → of its first run: factor, and peaks of the scaled acceleration, velocity and displacement, SI.
+    pub measures: BTreeMap<String, (f64, [f64; 3])>,
+    /// (status, message) → rows, and the tank and record of the first.
+    pub faults: BTreeMap<(&'static str, String), (usize, String, String)>,
+    /// Tank → its worst row.
+    pub worst: BTreeMap<String, Worst>,
+}
+
+/// A row of a tank with the largest demand over its limit; a run without a finite demand is worse than any number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Worst {
+    /// Record.
+    pub record: String,
+    /// Sample.
+    pub sample: u32,
+    /// Factor on the record.
+    pub factor: f64,
+    /// Demand over the limit of the worst state; infinite without a finite demand.
+    pub ratio: f64,
 }
 
 /// What is lost in one earthquake.
@@ -172,42 +213,96 @@ pub struct Lost {
 impl Gathered {
     /// Adds a row; rows of the design spectra have no intensity and do not count.
     pub fn add(&mut self, row: &Row, states: &[DamageState]) {
+        self.note(row);
         // Levels are common to all records; factors give every record its own intensity.
         let axis = row.level.or(row.im).filter(|im| *im > 0.0 && im.is_finite());
         let Some(axis) = axis else { return };
+        let next = self.records.len() as u32;
+        let record = *self.records.entry(row.record.clone()).or_insert(next);
+        let quake: Quake = (row.record.clone(), row.sample, axis.to_bits());
         let runs = !matches!(row.status, RowStatus::Refused | RowStatus::Error);
-        let mut reached = vec![None; states.len()];
+        let collapsed = row.status == RowStatus::Collapsed;
+        let mut found: Vec<Option<Standing>> = vec![None; states.len()];
         for (number, state) in states.iter().enumerate() {
             let data = self.curves.entry((row.tank.clone(), number)).or_default();
             if runs {
-                reached[number] = match row.status {
-                    RowStatus::Collapsed => Some(true),
-                    _ => own(row, state, &mut data.unchecked),
+                found[number] = match collapsed {
+                    true => Some(Standing {
+                        fell: true,
+                        reached: true,
+                        way: Some(COLLAPSE.into()),
+                        ..Standing::default()
+                    }),
+                    false => own(row, state, &mut data.unchecked),
                 };
             }
         }
         for number in 0..states.len() {
-            let worse = reached[number..].contains(&Some(true));
-            let judged = if worse { Some(true) } else { reached[number] };
-            let data = self.curves.entry((row.tank.clone(), number)).or_default();
-            match judged {
-                Some(hit) => {
-                    let count = data.counts.entry(axis.to_bits()).or_default();
-                    count.n += 1;
-                    count.exceed += usize::from(hit);
-                }
-                None => data.unjudged += 1,
+            let worse = found[number..].iter().flatten().filter(|s| s.reached);
+            let judged = found[number].is_some() || worse.clone().next().is_some();
+            let Some(data) = self.curves.get_mut(&(row.tank.clone(), number)) else {
+                continue;
+            };
+            if !judged {
+                data.unjudged += 1;
+                continue;
             }
-            if number + 1 == states.len()
-                && let Some(hit) = judged
-            {
-                let place = (row.record.clone(), row.sample, axis.to_bits());
-                let lost = self.losses.entry(place).or_default();
+            let reached = worse.clone().next().is_some();
+            let fell = worse.clone().any(|s| s.fell);
+            let largest = found[number]
+                .iter()
+                .chain(worse.clone())
+                .map(|s| s.ratio)
+                .fold(0.0, f64::max);
+            data.runs.push(Seen {
+                record,
+                sample: row.sample,
+                im: axis,
+                ratio: (!fell).then_some(largest),
+                reached,
+            });
+            if let Some(way) = worse.clone().next().and_then(|s| s.way.clone()) {
+                *data.ways.entry(way).or_default() += 1;
+            }
+            let counts = self
+                .counts
+                .entry(quake.clone())
+                .or_insert_with(|| vec![[0; 2]; states.len()]);
+            counts[number][0] += 1;
+            counts[number][1] += usize::from(reached);
+            if number + 1 == states.len() {
+                let ratio = if fell { f64::INFINITY } else { largest };
+                if self.worst.get(&row.tank).is_none_or(|known| ratio > known.ratio) {
+                    let worst = Worst {
+                        record: row.record.clone(),
+                        sample: row.sample,
+                        factor: row.factor,
+                        ratio,
+                    };
+                    self.worst.insert(row.tank.clone(), worst);
+                }
+                let lost = self.losses.entry(quake.clone()).or_default();
                 lost.judged += 1;
-                if hit {
+                if reached {
                     lost.tanks.push(row.tank.clone());
                 }
             }
+        }
+    }
+
+    /// Measures of the record, and why a row is not a finished run.
+    fn note(&mut self, row: &Row) {
+        if let Some(peaks) = row.peaks
+            && row.factor > 0.0
+            && !self.measures.contains_key(&row.record)
+        {
+            self.measures.insert(row.record.clone(), (row.factor, peaks));
+        }
+        if row.status != RowStatus::Ok {
+            let message = row.message.clone().unwrap_or_default();
+            let entry = self.faults.entry((row.status.word(), message));
+            let count = entry.or_insert_with(|| (0, row.tank.clone(), row.record.clone()));
+            count.0 += 1;
         }
     }
 }
@@ -224,8 +319,10 @@ mod tests {
         }
     }
 
-    fn counts(gathered: &Gathered, state: usize) -> Count {
-        gathered.curves[&("a".to_owned(), state)].counts[&1.0_f64.to_bits()]
+    /// Runs, and those that reached the state.
+    fn counts(gathered: &Gathered, state: usize) -> (usize, usize) {
+        let runs = &gathered.curves[&("a".to_owned(), state)].runs;
+        (runs.len(), runs.iter().filter(|run| run.reached).count())
     }
 
     #[test]
@@ -246,9 +343,18 @@ mod tests {
             ..row(1.0, &[])
         };
         gathered.add(&collapsed, &states);
-        assert_eq!(counts(&gathered, 0), Count { n: 3, exceed: 3 });
-        assert_eq!(counts(&gathered, 1), Count { n: 3, exceed: 2 });
-        assert_eq!(counts(&gathered, 2), Count { n: 3, exceed: 2 });
+        assert_eq!(counts(&gathered, 0), (3, 3));
+        assert_eq!(counts(&gathered, 1), (3, 2));
+        assert_eq!(counts(&gathered, 2), (3, 2));
+        // Y of the mildest state has the worse demands; a collapse has none.
+        let ratios: Vec<Option<f64>> = gathered.curves[&("a".to_owned(), 0)]
+            .runs
+            .iter()
+            .map(|r| r.ratio)
+            .collect();
+        assert_eq!(ratios, [Some(1.3), Some(1.2), None]);
+        assert_eq!(gathered.curves[&("a".to_owned(), 2)].ways["buckling_elastic"], 1);
+        assert_eq!(gathered.counts.values().next().unwrap(), &[[3, 3], [3, 2], [3, 2]]);
     }
 
     #[test]
@@ -261,7 +367,7 @@ mod tests {
             &states,
         );
         let data = &gathered.curves[&("a".to_owned(), 2)];
-        assert!(data.counts.is_empty());
+        assert!(data.runs.is_empty());
         assert_eq!(data.unjudged, 1);
         assert!(data.unchecked.contains("buckling_elastic"));
     }

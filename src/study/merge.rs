@@ -10,22 +10,23 @@ use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use fem::progress::Progress;
-use serde_json::{Value, json};
 use tank::Quantity;
 
-use super::damage::Gathered;
+use super::damage::{Gathered, Worst};
+use super::page::{Tanks, page};
 use super::plan::{Plan, Task};
 use super::rows::{Ending, Line, Row, RowStatus, TankRow};
 use super::store::{self, Rolling};
 use crate::error::Error;
 use files::error::describe;
 use files::write_whole;
+use results::Study;
 
 /// Names of the merged files.
 pub const FILES: [&str; 5] = ["rows.csv", "rows.sha256", "tanks.csv", "farm.csv", "fragility.json"];
 
 /// What was merged.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct Merged {
     /// Rows.
     pub rows: usize,
@@ -35,8 +36,10 @@ pub struct Merged {
     pub missing: usize,
     /// Hash of rows.csv.
     pub sha256: String,
-    /// The curves, as in fragility.json.
-    pub curves: Value,
+    /// What the report shows.
+    pub study: Option<Study>,
+    /// Tank → its worst row.
+    pub worst: BTreeMap<String, Worst>,
 }
 
 /// Merges the results of a study.
@@ -52,30 +55,11 @@ pub fn merge(
     progress: &dyn Progress,
 ) -> Result<Merged, Error> {
     progress.stage("reading results", tasks.len() as u64);
-    let mut values: BTreeSet<String> = BTreeSet::new();
-    let mut checks: BTreeSet<String> = BTreeSet::new();
-    let mut tank_values: BTreeSet<String> = BTreeSet::new();
-    let mut missing: Vec<&Task> = Vec::new();
-    for task in tasks {
-        match store::read(folder, &task.key)? {
-            None => missing.push(task),
-            Some(lines) => {
-                for line in &lines {
-                    match line {
-                        Line::Row(row) => {
-                            add(&mut values, row.values.keys());
-                            add(&mut checks, row.checks.keys());
-                        }
-                        Line::Tank(tank) => add(&mut tank_values, tank.values.keys()),
-                    }
-                }
-            }
-        }
-        progress.advance(1);
-    }
+    let (columns, missing) = survey(folder, tasks, progress)?;
     if !partial && !missing.is_empty() {
         return Err(Error::input(refusal(folder, tasks.len(), &missing)));
     }
+    progress.stage("writing rows", tasks.len() as u64);
     let path = folder.join("rows.csv");
     let part = folder.join(format!("rows.csv{}", files::PART));
     let unwritten = |e: std::io::Error| {
@@ -86,38 +70,24 @@ pub fn merge(
         })
     };
     let mut out = BufWriter::new(File::create(&part).map_err(unwritten)?);
-    let mut hash = Rolling::new();
-    let mut text = head(&values, &checks);
-    let mut tanks = tank_head(&tank_values);
-    let mut gathered = Gathered::default();
-    let mut volumes: BTreeMap<String, f64> = BTreeMap::new();
-    let mut merged = Merged {
-        missing: missing.len(),
-        ..Merged::default()
+    let mut all = Gathering {
+        plan,
+        tanks: tank_head(&columns.tanks),
+        columns,
+        gathered: Gathered::default(),
+        volumes: BTreeMap::new(),
+        units: Tanks::default(),
+        last: None,
+        merged: Merged {
+            missing: missing.len(),
+            ..Merged::default()
+        },
     };
-    progress.stage("writing rows", tasks.len() as u64);
-    let mut last: Option<(String, u32)> = None;
+    let mut hash = Rolling::new();
+    let mut text = head(&all.columns.values, &all.columns.checks);
     for task in tasks {
         for line in store::read(folder, &task.key)?.unwrap_or_default() {
-            match line {
-                Line::Row(row) => {
-                    csv_row(&mut text, &row, &values, &checks);
-                    gathered.add(&row, &plan.damage);
-                    merged.rows += 1;
-                    *merged.by_status.entry(row.status.word()).or_default() += 1;
-                }
-                // A tank stands in the result of each of its blocks.
-                Line::Tank(tank) => {
-                    let unit = (tank.tank.clone(), tank.sample);
-                    if last.as_ref() != Some(&unit) {
-                        csv_tank(&mut tanks, &tank, &tank_values);
-                        if let Some(volume) = tank.volume {
-                            volumes.entry(tank.tank.clone()).or_insert(volume);
-                        }
-                        last = Some(unit);
-                    }
-                }
-            }
+            all.line(&line, &mut text);
         }
         hash.add(text.as_bytes());
         out.write_all(text.as_bytes()).map_err(unwritten)?;
@@ -128,18 +98,96 @@ pub fn merge(
     file.sync_all().map_err(unwritten)?;
     drop(file);
     std::fs::rename(&part, &path).map_err(unwritten)?;
-    merged.sha256 = hash.hex();
-    write_whole(
-        &folder.join("rows.sha256"),
-        format!("{}  rows.csv\n", merged.sha256).as_bytes(),
-    )?;
-    write_whole(&folder.join("tanks.csv"), tanks.as_bytes())?;
-    write_whole(&folder.join("farm.csv"), farm(&gathered, &volumes).as_bytes())?;
-    let fragility = super::curves::fragility(plan, &gathered, &volumes, missing.len());
-    let text = serde_json::to_string_pretty(&fragility).map_err(|e| Error::report(e.to_string()))?;
-    write_whole(&folder.join("fragility.json"), format!("{text}\n").as_bytes())?;
-    merged.curves = fragility.get("curves").cloned().unwrap_or_else(|| json!([]));
-    Ok(merged)
+    all.merged.sha256 = hash.hex();
+    all.write(folder)
+}
+
+/// Columns of the tables.
+#[derive(Default)]
+struct Columns {
+    values: BTreeSet<String>,
+    checks: BTreeSet<String>,
+    tanks: BTreeSet<String>,
+}
+
+/// Reads all results once: their columns, and the tasks without one.
+fn survey<'a>(folder: &Path, tasks: &'a [Task], progress: &dyn Progress) -> Result<(Columns, Vec<&'a Task>), Error> {
+    let mut columns = Columns::default();
+    let mut missing: Vec<&Task> = Vec::new();
+    for task in tasks {
+        match store::read(folder, &task.key)? {
+            None => missing.push(task),
+            Some(lines) => {
+                for line in &lines {
+                    match line {
+                        Line::Row(row) => {
+                            add(&mut columns.values, row.values.keys());
+                            add(&mut columns.checks, row.checks.keys());
+                        }
+                        Line::Tank(tank) => add(&mut columns.tanks, tank.values.keys()),
+                    }
+                }
+            }
+        }
+        progress.advance(1);
+    }
+    Ok((columns, missing))
+}
+
+/// What is gathered line by line.
+struct Gathering<'a> {
+    plan: &'a Plan,
+    columns: Columns,
+    /// Text of `tanks.csv`.
+    tanks: String,
+    gathered: Gathered,
+    volumes: BTreeMap<String, f64>,
+    units: Tanks,
+    last: Option<(String, u32)>,
+    merged: Merged,
+}
+
+impl Gathering<'_> {
+    /// Takes a line; a row is added to the text of `rows.csv`.
+    fn line(&mut self, line: &Line, text: &mut String) {
+        match line {
+            Line::Row(row) => {
+                csv_row(text, row, &self.columns.values, &self.columns.checks);
+                self.gathered.add(row, &self.plan.damage);
+                self.merged.rows += 1;
+                *self.merged.by_status.entry(row.status.word()).or_default() += 1;
+            }
+            // A tank stands in the result of each of its blocks.
+            Line::Tank(tank) => {
+                let unit = (tank.tank.clone(), tank.sample);
+                if self.last.as_ref() != Some(&unit) {
+                    csv_tank(&mut self.tanks, tank, &self.columns.tanks);
+                    self.units.add(tank);
+                    if let Some(volume) = tank.volume {
+                        self.volumes.entry(tank.tank.clone()).or_insert(volume);
+                    }
+                    self.last = Some(unit);
+                }
+            }
+        }
+    }
+
+    /// Writes the tables beside `rows.csv`.
+    fn write(mut self, folder: &Path) -> Result<Merged, Error> {
+        write_whole(
+            &folder.join("rows.sha256"),
+            format!("{}  rows.csv\n", self.merged.sha256).as_bytes(),
+        )?;
+        write_whole(&folder.join("tanks.csv"), self.tanks.as_bytes())?;
+        write_whole(&folder.join("farm.csv"), farm(&self.gathered, &self.volumes).as_bytes())?;
+        let fragility = super::curves::fragility(self.plan, &self.gathered, &self.volumes, self.merged.missing);
+        let text = serde_json::to_string_pretty(&fragility).map_err(|e| Error::report(e.to_string()))?;
+        write_whole(&folder.join("fragility.json"), format!("{text}\n").as_bytes())?;
+        let study = page(self.plan, &self.merged, &self.gathered, &fragility, self.units);
+        self.merged.study = Some(study);
+        self.merged.worst = self.gathered.worst;
+        Ok(self.merged)
+    }
 }
 
 fn add<'a>(set: &mut BTreeSet<String>, keys: impl Iterator<Item = &'a String>) {

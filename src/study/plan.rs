@@ -7,11 +7,14 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use oscillator::record::Record;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
 use super::damage::{DamageState, default_set, states};
 use super::key;
+use super::rule::{self, RuleFound};
+use crate::curves::runs::Method;
 use crate::error::Error;
 use crate::input::TankFile;
 use crate::input::study::{self, Shaking, StudyInput};
@@ -83,6 +86,15 @@ pub struct Plan {
     pub damage: Vec<DamageState>,
     /// Hazard curve: points (im, rate a year).
     pub hazard: Option<Vec<[f64; 2]>>,
+    /// How curves are found.
+    #[serde(default)]
+    pub method: Method,
+    /// Cover of the report.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub project: Option<tank::Project>,
+    /// Whether the records keep the rule of the study.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rule: Option<RuleFound>,
     /// Records.
     pub records: Vec<PlannedRecord>,
     /// Tanks.
@@ -117,29 +129,8 @@ impl Task {
 pub fn make(study: &StudyInput, file: &Path, folder: &Path) -> Result<(Plan, Vec<Task>), Error> {
     let samples = study.sampling.as_ref().map_or(1, |s| s.n);
     let mut faults = Vec::new();
-    let mut tanks = Vec::new();
-    for entry in &study.tanks {
-        let mut keys = Vec::new();
-        // The tank of the file itself has to be right; a sample that is not possible is a row.
-        if let Err(error) = entry.tank(None, 0) {
-            faults.push(error);
-            continue;
-        }
-        for sample in 0..samples {
-            keys.push(of_sample(&entry.tank(study.sampling.as_ref(), sample)));
-        }
-        tanks.push(PlannedTank {
-            id: entry.id.clone(),
-            keys,
-        });
-    }
-    let mut records = Vec::new();
-    for entry in &study.records {
-        match entry.read() {
-            Ok(shaking) => records.push(planned(&entry.id, &shaking)),
-            Err(error) => faults.push(error),
-        }
-    }
+    let (tanks, nominal) = planned_tanks(study, samples, &mut faults);
+    let (records, along) = planned_records(study, &mut faults);
     let hazard = study.hazard.as_ref().map(|path| crate::input::fragility::hazard(path));
     let hazard = match hazard {
         Some(Err(error)) => {
@@ -151,6 +142,10 @@ pub fn make(study: &StudyInput, file: &Path, folder: &Path) -> Result<(Plan, Vec
     if !faults.is_empty() {
         return Err(Error::Files(study::together(faults)));
     }
+    let rule = match &study.rule {
+        Some(rule) if !along.is_empty() => Some(rule::ask(rule, &nominal, &along)?),
+        _ => None,
+    };
     let scales = study.scales.levels.len().max(study.scales.factors.len()).max(1);
     let per_tank = match records.len() {
         0 => 1,
@@ -177,12 +172,60 @@ pub fn make(study: &StudyInput, file: &Path, folder: &Path) -> Result<(Plan, Vec
         tasks: 0,
         damage,
         hazard,
+        method: study.method,
+        project: study.project.clone(),
+        rule,
         records,
         tanks,
     };
     let tasks = tasks(study, &plan, scales);
     plan.tasks = tasks.len();
     Ok((plan, tasks))
+}
+
+/// The tanks of a plan and, where a rule asks for them, the tanks without sampling by name.
+fn planned_tanks(
+    study: &StudyInput,
+    samples: u32,
+    faults: &mut Vec<files::error::Error>,
+) -> (Vec<PlannedTank>, Vec<(String, TankFile)>) {
+    let mut tanks = Vec::new();
+    let mut nominal = Vec::new();
+    for entry in &study.tanks {
+        // The tank of the file itself has to be right; a sample that is not possible is a row.
+        match entry.tank(None, 0) {
+            Ok(tank) if study.rule.is_some() => nominal.push((entry.id.clone(), tank)),
+            Ok(_) => {}
+            Err(error) => {
+                faults.push(error);
+                continue;
+            }
+        }
+        let key = |sample| of_sample(&entry.tank(study.sampling.as_ref(), sample));
+        tanks.push(PlannedTank {
+            id: entry.id.clone(),
+            keys: (0..samples).map(key).collect(),
+        });
+    }
+    (tanks, nominal)
+}
+
+/// The records of a plan and, where a rule asks for them, the records along x.
+fn planned_records(study: &StudyInput, faults: &mut Vec<files::error::Error>) -> (Vec<PlannedRecord>, Vec<Record>) {
+    let mut records = Vec::new();
+    let mut along = Vec::new();
+    for entry in &study.records {
+        match entry.read() {
+            Ok(shaking) => {
+                records.push(planned(&entry.id, &shaking));
+                if study.rule.is_some() {
+                    along.push(shaking.along);
+                }
+            }
+            Err(error) => faults.push(error),
+        }
+    }
+    (records, along)
 }
 
 /// The key of a tank with the values of a sample: that of the tank, or of the faults of an impossible one.

@@ -79,6 +79,7 @@ pub fn run(
         return Ok(done);
     }
     let study = study()?;
+    store::survey(folder).tidy();
     progress.stage("tasks", todo.len() as u64);
     let next = AtomicUsize::new(0);
     let failed = AtomicUsize::new(0);
@@ -90,15 +91,15 @@ pub fn run(
             if stopped || progress.interrupted() {
                 return;
             }
-            let outcome = match task::compute(&study, plan, task) {
-                Ok(lines) => store::write(folder, &task.key, &lines).map(|()| computed.fetch_add(1, Ordering::SeqCst)),
+            let outcome = store::begin(folder, &task.key).and_then(|_mark| match task::compute(&study, plan, task) {
+                Ok(lines) => store::write(folder, &task.key, &lines).map(|_| computed.fetch_add(1, Ordering::SeqCst)),
                 // Input that changed since the plan is the same for all tasks; nothing is recorded.
                 Err(error) if error.exit_code() == crate::error::EXIT_INPUT => Err(error),
                 Err(error) => {
                     let message = task::plain(&error.to_string());
                     store::fail(folder, &task.key, task.task, &message).map(|()| failed.fetch_add(1, Ordering::SeqCst))
                 }
-            };
+            });
             if let Err(error) = outcome {
                 if let Ok(mut fault) = fault.lock() {
                     fault.get_or_insert(error);

@@ -3,6 +3,7 @@
 //! A result is written to a temporary file, synchronised and renamed. Its last line has the number of lines before it and their
 //! SHA-256; a file without it was cut off, or is of another program, and counts as missing. An error is a file `<key>.err.json` beside it.
 
+use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
@@ -60,18 +61,95 @@ fn unwritten(path: &Path, error: &std::io::Error) -> Error {
     })
 }
 
+/// End of the name of the mark of a task that is being computed: `<key>.<host>.<process>.<thread>.run`, empty.
+const RUNNING: &str = ".run";
+
+/// Name of this machine, process and thread within a name of a file.
+fn place() -> String {
+    let thread = format!("{:?}", std::thread::current().id());
+    let digits: String = thread.chars().filter(char::is_ascii_digit).collect();
+    format!("{}.{}.{digits}", host(), std::process::id())
+}
+
+/// The mark of a task that this process computes; dropping it removes the file.
+pub struct Mark(PathBuf);
+
+impl Drop for Mark {
+    fn drop(&mut self) {
+        // Without it `status` counts a task as running that is not: no result depends on it.
+        let _ = fs::remove_file(&self.0);
+    }
+}
+
+/// Marks a task as running. Nothing is locked: two processes may compute the same task.
+///
+/// Errors: a folder that cannot be written, before anything is computed.
+pub fn begin(folder: &Path, key: &str) -> Result<Mark, Error> {
+    let path = path(folder, key, &format!(".{}{RUNNING}", place()));
+    let write = || -> std::io::Result<()> {
+        fs::create_dir_all(path.parent().unwrap_or(Path::new(".")))?;
+        File::create(&path).map(drop)
+    };
+    match write() {
+        Ok(()) => Ok(Mark(path)),
+        Err(error) => Err(unwritten(&path, &error)),
+    }
+}
+
+/// What stands in the folder of the results beside whole results.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Survey {
+    /// Keys of tasks that processes of this machine compute now.
+    pub here: BTreeSet<String>,
+    /// Keys of tasks that other machines compute, or computed when they ended.
+    pub elsewhere: BTreeSet<String>,
+    /// Size of all files [bytes].
+    pub bytes: u64,
+    /// Marks of processes of this machine that have ended.
+    ended: Vec<PathBuf>,
+}
+
+impl Survey {
+    /// Removes the marks of processes that have ended.
+    pub fn tidy(&self) {
+        for path in &self.ended {
+            // Another process may have removed it, and no result depends on it.
+            let _ = fs::remove_file(path);
+        }
+    }
+}
+
+/// Looks at the folder of the results. No time is read: whether a process lives is asked of the system, where it tells (`/proc`).
+pub fn survey(folder: &Path) -> Survey {
+    let mut found = Survey::default();
+    let (here, tells) = (host(), Path::new("/proc/self").exists());
+    let parts = fs::read_dir(folder.join(RESULTS)).into_iter().flatten().flatten();
+    for entry in parts.flat_map(|part| fs::read_dir(part.path()).into_iter().flatten().flatten()) {
+        found.bytes += entry.metadata().map_or(0, |m| m.len());
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let Some(mark) = name.strip_suffix(RUNNING) else {
+            continue;
+        };
+        let mut words = mark.split('.');
+        let (Some(key), Some(machine), Some(process)) = (words.next(), words.next(), words.next()) else {
+            continue;
+        };
+        if machine != here || !tells {
+            found.elsewhere.insert(key.into());
+        } else if Path::new("/proc").join(process).exists() {
+            found.here.insert(key.into());
+        } else {
+            found.ended.push(entry.path());
+        }
+    }
+    found
+}
+
 /// Writes a file whole, through a name that no other process uses.
 fn publish(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     let folder = path.parent().unwrap_or(Path::new("."));
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let thread = format!("{:?}", std::thread::current().id());
-    let digits: String = thread.chars().filter(char::is_ascii_digit).collect();
-    let part = folder.join(format!(
-        "{name}.{}.{}.{digits}{}",
-        host(),
-        std::process::id(),
-        files::PART
-    ));
+    let part = folder.join(format!("{name}.{}{}", place(), files::PART));
     let write = || -> std::io::Result<()> {
         fs::create_dir_all(folder)?;
         let mut file = File::create(&part)?;
@@ -100,10 +178,10 @@ fn host() -> String {
     }
 }
 
-/// Writes the result of a task, and removes the record of an earlier failure.
+/// Writes the result of a task, and removes the record of an earlier failure; returns its size [bytes].
 ///
 /// Errors: a disk that is full, a folder that cannot be written, a number that is not finite.
-pub fn write(folder: &Path, key: &str, lines: &[Line]) -> Result<(), Error> {
+pub fn write(folder: &Path, key: &str, lines: &[Line]) -> Result<usize, Error> {
     let mut text = Vec::new();
     for line in lines {
         serde_json::to_writer(&mut text, line).map_err(|e| Error::report(e.to_string()))?;
@@ -116,7 +194,8 @@ pub fn write(folder: &Path, key: &str, lines: &[Line]) -> Result<(), Error> {
     serde_json::to_writer(&mut text, &closing).map_err(|e| Error::report(e.to_string()))?;
     text.push(b'\n');
     publish(&path(folder, key, ".jsonl"), &text)?;
-    clear(folder, key)
+    clear(folder, key)?;
+    Ok(text.len())
 }
 
 /// Records the failure of a task.
@@ -242,6 +321,26 @@ mod tests {
         changed[at + 2] = b'4';
         fs::write(&file, &changed).unwrap();
         assert_eq!(state(folder, key), State::Torn);
+    }
+
+    /// A mark of this process is running, one of a process that cannot be (numbers end at 2²²) has ended, one of another machine is told apart.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn marks_of_running_tasks() {
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path();
+        let mark = begin(folder, "abcd").unwrap();
+        let ended = folder.join(format!("results/ab/abce.{}.4194999.1.run", host()));
+        fs::write(&ended, "").unwrap();
+        fs::write(folder.join("results/ab/abcf.other-machine-x.1.1.run"), "").unwrap();
+        let found = survey(folder);
+        assert!(found.here.contains("abcd") && found.here.len() == 1);
+        assert!(found.elsewhere.contains("abcf") && found.elsewhere.len() == 1);
+        found.tidy();
+        assert!(!ended.exists());
+        drop(mark);
+        assert!(survey(folder).here.is_empty());
+        assert_eq!(state(folder, "abcd"), State::Missing);
     }
 
     #[test]

@@ -1,22 +1,24 @@
 //! The computation of one task: rows of one or a few tanks under a block of records.
 //!
 //! The harmonic engine builds one model for the block and runs a record once; its scales are the scaled response
-//! ([`engines::Response::scaled`]), of which the checks are made again. A tank whose base lifts or slides, isolators, and the other
+//! ([`engines::Response::values_under`]), and its checks take the factor ([`Ready`]). A tank whose base lifts or slides, isolators, and the other
 //! engines run every scale.
+
+mod values;
 
 use std::collections::BTreeMap;
 
+use codes::time_history::Ready;
 use fem::progress::Silent;
 use oscillator::record::Record;
-use tank::Quantity;
-use tank::assessment::{CheckStatus, Excitation};
+use tank::assessment::Excitation;
 use tank::case::GroundMotion;
 use tank::check::Decision;
 use tank::demand::Demands;
 
 use super::key;
 use super::plan::{Plan, Task, changed, of_sample};
-use super::rows::{Ending, Line, Row, RowStatus, TankRow, kept};
+use super::rows::{Line, Row, RowStatus, TankRow, kept};
 use crate::error::Error;
 use crate::input::TankFile;
 use crate::input::records::plausible;
@@ -26,6 +28,7 @@ use crate::pipeline;
 use engines::{FeError, Prepared, Response, engine};
 use results::nonlinear::End;
 use results::{EngineId, FE, Method, VerdictStatus};
+use values::{checks_of, put, utilisations, values_of};
 
 /// Longest message of a row [characters].
 const MESSAGE: usize = 300;
@@ -68,11 +71,7 @@ pub(super) fn compute(study: &StudyInput, plan: &Plan, task: &Task) -> Result<Ve
         .iter()
         .map(|(&number, shaking)| (number, key::of_shaking(shaking)))
         .collect();
-    if let Some(what) = changed(plan, &tank_keys, &record_keys) {
-        return Err(Error::input(format!(
-            "error: {what} changed since the plan\n  help: plan again with `tankcheck study plan`; results whose input is unchanged are kept"
-        )));
-    }
+    unchanged(plan, &tank_keys, &record_keys)?;
     let mut lines = Vec::new();
     for ((tank, sample), found) in tanks {
         let unit = Unit {
@@ -88,6 +87,59 @@ pub(super) fn compute(study: &StudyInput, plan: &Plan, task: &Task) -> Result<Ve
         }
     }
     Ok(lines)
+}
+
+/// Errors: a tank or record that is not as it was when the plan was made.
+fn unchanged(
+    plan: &Plan,
+    tanks: &BTreeMap<(usize, u32), String>,
+    records: &BTreeMap<usize, String>,
+) -> Result<(), Error> {
+    match changed(plan, tanks, records) {
+        None => Ok(()),
+        Some(what) => Err(Error::input(format!(
+            "error: {what} changed since the plan\n  help: plan again with `tankcheck study plan`; results whose input is unchanged are kept"
+        ))),
+    }
+}
+
+/// The job of one row, as `compare` would run it: with the estimate of the error of its mesh, and with the echo of its tank.
+///
+/// Errors: a tank that is not possible; a record that cannot be read or processed.
+pub(super) fn single(
+    study: &StudyInput,
+    plan: &Plan,
+    unit: (usize, u32),
+    record: usize,
+    factor: f64,
+) -> Result<Job, Error> {
+    let found = study.tanks[unit.0].tank(study.sampling.as_ref(), unit.1);
+    let raw = study.records[record].read()?;
+    unchanged(
+        plan,
+        &[(unit, of_sample(&found))].into(),
+        &[(record, key::of_shaking(&raw))].into(),
+    )?;
+    let tank = found?;
+    let shaking = raw.processed(&tank.record)?;
+    let of = Unit {
+        study,
+        plan,
+        id: &plan.tanks[unit.0].id,
+        sample: unit.1,
+        records: &BTreeMap::new(),
+    };
+    let mut job = of.job(&tank)?;
+    job.case.ground_motion = Some(motion(&shaking, factor));
+    job.linear = tank.fe.clone();
+    job.project = study.project.clone().or_else(|| tank.project.clone());
+    job.raw_records = [Some(&shaking.along), shaking.across.as_ref(), shaking.up.as_ref()]
+        .into_iter()
+        .flatten()
+        .cloned()
+        .collect();
+    job.echo = tank.echo;
+    Ok(job)
 }
 
 /// A tank with the values of a sample, under the records of the task.
@@ -287,6 +339,10 @@ impl Unit<'_> {
             Some(prepared) => Some(prepared.run(&motion(shaking, 1.0))?).filter(|r| r.linear),
             None => None,
         };
+        let none = Demands::default();
+        let demands = unit.as_ref().map(|unit| unit.demands.as_ref().unwrap_or(&none));
+        let ready = demands.map(|demands| Ready::new(&job.case, demands));
+        let linear = unit.as_ref().zip(ready.as_ref());
         for (level, factor) in all {
             let peak = shaking.along.pga() * factor;
             let mut row = Row {
@@ -298,7 +354,7 @@ impl Unit<'_> {
             };
             let outcome = plausible::check_peak(peak, format!("the factor {factor}"), false)
                 .map_err(Error::Files)
-                .and_then(|()| self.row(job, prepared, unit.as_ref(), &motion(shaking, factor), factor, &mut row));
+                .and_then(|()| self.row(job, prepared, linear, (&motion(shaking, factor), factor), &mut row));
             if let Err(error) = outcome {
                 row.status = RowStatus::Error;
                 row.message = Some(plain(&error.to_string()));
@@ -315,103 +371,57 @@ impl Unit<'_> {
         &self,
         job: &mut Job,
         prepared: Option<&Prepared>,
-        unit: Option<&Response>,
-        motion: &GroundMotion,
-        factor: f64,
+        linear: Option<(&Response, &Ready<'_>)>,
+        (motion, factor): (&GroundMotion, f64),
         row: &mut Row,
     ) -> Result<(), Error> {
         job.case.ground_motion = Some(motion.clone());
         let methods = pipeline::under(job, Excitation::Record)?;
         values_of(&methods, Excitation::Record, &mut row.values);
-        let response = match (self.study.engine, prepared, unit.and_then(|unit| unit.scaled(factor))) {
-            (None, _, _) => None,
-            (Some(_), _, Some(scaled)) => Some(scaled),
-            (Some(_), Some(prepared), None) => Some(prepared.run(motion)?),
-            (Some(id), None, _) => {
-                let task = job.task();
-                let refusal = engine(id).refuses(&task).into_iter().next();
-                if let Some(refusal) = refusal {
-                    return Err(Error::Fe(FeError::Unsupported(refusal.message)));
-                }
-                let simulation = engine(id).run(&task, &Silent)?;
-                match &simulation.result.end {
-                    End::Collapsed { time, reason, .. } => {
-                        (row.status, row.time) = (RowStatus::Collapsed, Some(kept(*time)));
-                        row.message = Some(plain(reason));
-                    }
-                    End::Left { time, .. } | End::Interrupted { time } => {
-                        (row.status, row.time) = (RowStatus::Opened, Some(kept(*time)));
-                    }
-                    End::Completed => {}
-                }
-                Some(Response::of(simulation))
+        let (values, checks) = match (self.study.engine, linear) {
+            (None, _) => (BTreeMap::new(), Vec::new()),
+            (Some(_), Some((unit, ready))) => {
+                let checks = pipeline::checks_of_demands(job, ready, factor);
+                (unit.values_under(factor), checks)
+            }
+            (Some(id), None) => {
+                let response = self.run(job, prepared, id, row)?;
+                let none = Demands::default();
+                let ready = Ready::new(&job.case, response.demands.as_ref().unwrap_or(&none));
+                let checks = pipeline::checks_of_demands(job, &ready, 1.0);
+                (response.values, checks)
             }
         };
-        if let Some(response) = response {
-            for (quantity, value) in &response.values {
-                put(FE, *quantity, *value, &mut row.values);
-            }
-            let none = Demands::default();
-            let demands = response.demands.as_ref().unwrap_or(&none);
-            checks_of(&pipeline::checks_of_demands(job, demands), &mut row.checks);
+        for (quantity, value) in values {
+            put(FE, quantity, value, &mut row.values);
         }
+        checks_of(&checks, &mut row.checks);
         job.case.ground_motion = None;
         Ok(())
     }
-}
 
-/// A quantity that the ground motion changes; properties of the tank stand with the tank.
-fn put(method: &str, quantity: Quantity, value: f64, values: &mut BTreeMap<String, f64>) {
-    if quantity.is_response() && value.is_finite() {
-        values.insert(format!("{method}.{}", quantity.id()), kept(value));
-    }
-}
-
-fn values_of(methods: &[Method], excitation: Excitation, values: &mut BTreeMap<String, f64>) {
-    for method in methods.iter().filter(|m| m.excitation == excitation) {
-        for (id, value) in &method.quantities {
-            if let Some(quantity) = Quantity::from_id(id) {
-                put(&method.id, quantity, value.value, values);
+    /// A run of the engine under the motion of the job; how it ended stands in the row.
+    fn run(&self, job: &Job, prepared: Option<&Prepared>, id: EngineId, row: &mut Row) -> Result<Response, Error> {
+        if let (Some(prepared), Some(motion)) = (prepared, &job.case.ground_motion) {
+            return Ok(prepared.run(motion)?);
+        }
+        let task = job.task();
+        let refusal = engine(id).refuses(&task).into_iter().next();
+        if let Some(refusal) = refusal {
+            return Err(Error::Fe(FeError::Unsupported(refusal.message)));
+        }
+        let simulation = engine(id).run(&task, &Silent)?;
+        match &simulation.result.end {
+            End::Collapsed { time, reason, .. } => {
+                (row.status, row.time) = (RowStatus::Collapsed, Some(kept(*time)));
+                row.message = Some(plain(reason));
             }
+            End::Left { time, .. } | End::Interrupted { time } => {
+                (row.status, row.time) = (RowStatus::Opened, Some(kept(*time)));
+            }
+            End::Completed => {}
         }
-    }
-}
-
-/// Largest utilisation of each limit state.
-fn checks_of(checks: &[tank::assessment::Check], endings: &mut BTreeMap<String, Ending>) {
-    for check in checks {
-        let key = format!("{FE}.{}", check.limit_state);
-        let word = |word: &str| Ending::Word(word.into());
-        let ending = match (check.status, check.utilisation) {
-            (CheckStatus::NotApplicable, _) => continue,
-            // A run outside its model gives no utilisation to go by.
-            (CheckStatus::NotChecked, _) => word("not_checked"),
-            (CheckStatus::Accepted, _) => word("accepted"),
-            (_, Some(utilisation)) => Ending::Utilisation(kept(utilisation)),
-            (CheckStatus::Fails, None) => word("fails"),
-            (CheckStatus::Holds, None) => continue,
-        };
-        let worse = match (endings.get(&key), &ending) {
-            (None, _) => true,
-            (Some(Ending::Utilisation(old)), Ending::Utilisation(new)) => new > old,
-            // A failure without a number is worse than any number, and an open comparison does not hide a number.
-            (Some(Ending::Utilisation(_)), Ending::Word(word)) => word == "fails",
-            (Some(Ending::Word(old)), Ending::Utilisation(_)) => old != "fails",
-            (Some(Ending::Word(_)), Ending::Word(new)) => new == "fails",
-        };
-        if worse {
-            endings.insert(key, ending);
-        }
-    }
-}
-
-/// Largest utilisation of every procedure, of a row without an engine.
-fn utilisations(methods: &[Method], endings: &mut BTreeMap<String, Ending>) {
-    for method in methods.iter().filter(|m| m.excitation == Excitation::Site) {
-        let largest = method.checks.iter().filter_map(|c| c.utilisation).reduce(f64::max);
-        if let Some(largest) = largest {
-            endings.insert(format!("{}.utilisation", method.id), Ending::Utilisation(kept(largest)));
-        }
+        Ok(Response::of(simulation))
     }
 }
 

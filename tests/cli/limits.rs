@@ -33,7 +33,7 @@ fn record(home: &Path, dt: f64) -> PathBuf {
     path
 }
 
-/// Runs a command that must be rejected within seconds: exit code 2, all of `words`, no files.
+/// Runs a command that must be rejected before it computes: exit code 2, all of `words`, no files.
 pub(crate) fn refused(command: &[&str], home: &Path, words: &[&str]) {
     let out = home.join("out");
     let mut command = command.to_vec();
@@ -46,7 +46,8 @@ pub(crate) fn refused(command: &[&str], home: &Path, words: &[&str]) {
         assert!(message.contains(word), "`{word}` is missing in: {message}");
     }
     assert_eq!(message.matches("error: ").count(), 1, "{message}");
-    assert!(started.elapsed() < Duration::from_secs(60), "{command:?}");
+    // Seconds, and minutes on a busy machine: the limit is for a command that computes what it should refuse.
+    assert!(started.elapsed() < Duration::from_secs(600), "{command:?}");
     assert!(run.stdout.is_empty() && !out.exists(), "{command:?}");
 }
 

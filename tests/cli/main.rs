@@ -33,6 +33,8 @@ mod solid;
 mod solve;
 mod streams;
 mod study;
+mod study_machines;
+mod study_results;
 mod tank_file;
 mod verdict;
 mod verify;

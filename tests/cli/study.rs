@@ -7,7 +7,7 @@ use std::time::Duration;
 
 const TANK: &str = include_str!("../../examples/01_broad_tank/tank.json");
 
-fn tankcheck(folder: &Path, arguments: &[&str]) -> Output {
+pub(crate) fn tankcheck(folder: &Path, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_tankcheck"))
         .args(arguments)
         .current_dir(folder)
@@ -15,7 +15,7 @@ fn tankcheck(folder: &Path, arguments: &[&str]) -> Output {
         .unwrap()
 }
 
-fn said(output: &Output) -> String {
+pub(crate) fn said(output: &Output) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)
 }
 
@@ -32,7 +32,7 @@ fn record(tone: f64) -> String {
     text
 }
 
-const STUDY: &str = r#"{
+pub(crate) const STUDY: &str = r#"{
   "name": "two tanks",
   "tanks": [ { "template": "tank.json", "table": "farm.csv", "id": "tag" } ],
   "records": [ { "files": "rec*.csv" } ],
@@ -42,7 +42,7 @@ const STUDY: &str = r#"{
 "#;
 
 /// Two tanks, five records, four levels: 6 tasks, 40 rows.
-fn folder() -> tempfile::TempDir {
+pub(crate) fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
     write("tank.json", TANK);
@@ -54,7 +54,7 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-fn planned() -> tempfile::TempDir {
+pub(crate) fn planned() -> tempfile::TempDir {
     let folder = folder();
     let output = tankcheck(folder.path(), &["study", "plan", "study.json", "--out", "out"]);
     assert!(output.status.success(), "{}", said(&output));
@@ -62,7 +62,7 @@ fn planned() -> tempfile::TempDir {
 }
 
 /// Hash of the merged rows.
-fn merged(folder: &Path, out: &str) -> String {
+pub(crate) fn merged(folder: &Path, out: &str) -> String {
     let output = tankcheck(folder, &["study", "merge", out]);
     assert!(output.status.success(), "{}", said(&output));
     fs::read_to_string(folder.join(out).join("rows.sha256")).unwrap()

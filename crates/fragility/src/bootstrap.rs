@@ -32,6 +32,18 @@ pub struct Scatter {
     pub not_identified: usize,
 }
 
+/// The curves of `resamples` samples, in the order in which they are drawn; samples that identify none are left out.
+///
+/// * `sample`: the curve of a sample that it draws
+pub fn curves(
+    resamples: usize,
+    seed: u64,
+    sample: impl Fn(&mut Draw) -> Result<Lognormal, NotIdentifiable>,
+) -> Vec<Lognormal> {
+    let mut draw = Draw::new(seed);
+    (0..resamples).filter_map(|_| sample(&mut draw).ok()).collect()
+}
+
 /// Scatter of `resamples` curves; none if fewer than half of the samples identify one.
 ///
 /// * `sample`: the curve of a sample that it draws
@@ -40,8 +52,11 @@ pub fn scatter(
     seed: u64,
     sample: impl Fn(&mut Draw) -> Result<Lognormal, NotIdentifiable>,
 ) -> Option<Scatter> {
-    let mut draw = Draw::new(seed);
-    let found: Vec<Lognormal> = (0..resamples).filter_map(|_| sample(&mut draw).ok()).collect();
+    summary(&curves(resamples, seed, sample), resamples)
+}
+
+/// Scatter of the curves that `resamples` samples identified; none of fewer than half of them.
+pub fn summary(found: &[Lognormal], resamples: usize) -> Option<Scatter> {
     if found.is_empty() || 2 * found.len() < resamples {
         return None;
     }
@@ -51,6 +66,11 @@ pub fn scatter(
         resamples,
         not_identified: resamples - found.len(),
     })
+}
+
+/// Percentiles of the probability at an intensity over curves; none without curves.
+pub fn envelope(found: &[Lognormal], im: f64) -> Option<Band> {
+    (!found.is_empty()).then(|| band(found.iter().map(|c| c.probability(im)).collect()))
 }
 
 /// Items of a list with replacement, as many as there are.
@@ -91,6 +111,22 @@ fn band(mut values: Vec<f64>) -> Band {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Of curves that differ in the median alone, the band of the probability at an intensity is that of the medians, seen through Φ.
+    #[test]
+    fn the_band_of_the_probability_is_that_of_the_medians() {
+        let curve = |k: i32| Lognormal {
+            median: (0.01 * f64::from(k)).exp(),
+            dispersion: 0.4,
+        };
+        let found: Vec<Lognormal> = (0..=100).map(curve).collect();
+        let at = envelope(&found, 1.5).unwrap();
+        // A larger median is a smaller probability: the 5 % percentile of P has the 95 % percentile of the median, exp 0.95.
+        let wanted = |log: f64| crate::normal::cdf((1.5_f64.ln() - log) / 0.4);
+        assert!((at.low - wanted(0.95)).abs() < 1e-12 && (at.high - wanted(0.05)).abs() < 1e-12);
+        assert!((at.middle - wanted(0.5)).abs() < 1e-12);
+        assert_eq!(envelope(&[], 1.0), None);
+    }
 
     /// The mean of n logarithms has the standard error s/√n: the band of ln θ, 3.29 of them wide, within a tenth for 2000 resamples.
     #[test]

@@ -15,6 +15,9 @@ use crate::{Lognormal, NotIdentifiable};
 /// Fewest runs without collapse.
 pub const FEWEST: usize = 8;
 
+/// Φ(1): the probability one standard deviation above the mean.
+const ONE_DEVIATION: f64 = 0.841_344_746_068_542_9;
+
 /// A run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Run {
@@ -125,6 +128,47 @@ impl Cloud {
         })
     }
 
+    /// The curve of a limit with the collapses: P = P_nc (1 − P_c) + P_c is not lognormal; its median is that of the curve, its dispersion half the
+    /// logarithmic distance from the probability 16 % to 84 % (Jalayer et al. 2017). Without collapses it is [`Cloud::curve`].
+    ///
+    /// Errors: as [`Cloud::curve`]; collapses whose probability is not identified.
+    pub fn total(&self, limit: f64) -> Result<Lognormal, NotIdentifiable> {
+        let free = self.curve(limit)?;
+        if self.collapsed == 0 {
+            return Ok(free);
+        }
+        let Some([a, b]) = self.collapse else {
+            return Err(NotIdentifiable::because(format!(
+                "{} runs collapsed, and an intensity separates them from the others or too few collapsed: their probability is not identified",
+                self.collapsed
+            )));
+        };
+        let at = |log: f64| {
+            let collapse = 1.0 / (1.0 + (-(a + b * log)).exp());
+            let other = free.probability(log.exp());
+            other * (1.0 - collapse) + collapse
+        };
+        // Both parts grow with intensity. Where both are 1e-6, and where one is 1 − 1e-6.
+        let low = (free.quantile(1e-6).ln()).min((-13.8 - a) / b);
+        let high = (free.quantile(1.0 - 1e-6).ln()).min((13.8 - a) / b);
+        let place = |p: f64| {
+            let (mut low, mut high) = (low, high);
+            // To the last digits: 60 halvings.
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                match at(middle) < p {
+                    true => low = middle,
+                    false => high = middle,
+                }
+            }
+            0.5 * (low + high)
+        };
+        Ok(Lognormal {
+            median: place(0.5).exp(),
+            dispersion: 0.5 * (place(ONE_DEVIATION) - place(1.0 - ONE_DEVIATION)),
+        })
+    }
+
     /// Probability of collapse at an intensity; none where it is not identified.
     pub fn collapse_probability(&self, im: f64) -> Option<f64> {
         let [a, b] = self.collapse?;
@@ -173,6 +217,47 @@ mod tests {
         assert!((found.collapse_probability(1.0).unwrap() - 0.25).abs() < 1e-10);
         assert!((found.collapse_probability(2.0).unwrap() - 0.75).abs() < 1e-10);
         assert_eq!(found.collapsed, 16);
+    }
+
+    /// With the collapses of two levels above, the total is P_nc (1 − P_c) + P_c at the median and one dispersion beside it; without any it is the
+    /// curve of the regression.
+    #[test]
+    fn the_total_has_the_collapses() {
+        let cloud = Cloud {
+            intercept: 0.0,
+            slope: 1.0,
+            deviation: 0.4,
+            determination: 0.9,
+            n: 40,
+            collapsed: 8,
+            collapse: Some([-1.0, 2.0]),
+        };
+        let (free, total) = (cloud.curve(1.0).unwrap(), cloud.total(1.0).unwrap());
+        assert!(total.median < free.median);
+        let at = |im: f64| {
+            let c = cloud.collapse_probability(im).unwrap();
+            free.probability(im) * (1.0 - c) + c
+        };
+        assert!((at(total.median) - 0.5).abs() < 1e-9);
+        let searched = |p: f64| {
+            (0..400_000)
+                .map(|k| 0.01 + 1e-5 * f64::from(k))
+                .find(|&im| at(im) >= p)
+                .unwrap()
+        };
+        let wanted = 0.5 * (searched(ONE_DEVIATION) / searched(1.0 - ONE_DEVIATION)).ln();
+        assert!((total.dispersion - wanted).abs() < 1e-3);
+        let none = Cloud {
+            collapsed: 0,
+            collapse: None,
+            ..cloud
+        };
+        assert_eq!(none.total(1.0).unwrap(), free);
+        let open = Cloud {
+            collapse: None,
+            ..cloud
+        };
+        assert!(open.total(1.0).unwrap_err().reason.contains("8 runs collapsed"));
     }
 
     #[test]

@@ -11,6 +11,7 @@
 //! | [`capacities`] | intensities at which runs reach the state, all or some of them |
 //! | [`cloud`] | demands against intensities by regression, collapses apart |
 //! | [`common`] | curves of several states that cross |
+//! | [`beta`] | the beta distribution of sampled parameters |
 //! | [`draw`] | random numbers |
 //! | [`bootstrap`] | scatter of θ and β by resampling |
 //! | [`risk`] | annual rate and probability in 50 years |
@@ -20,6 +21,7 @@
 //! Data that do not identify a curve give [`NotIdentifiable`] with the reason, and bounds of the median where there are any: no curve is
 //! drawn through nothing.
 
+pub mod beta;
 pub mod bootstrap;
 pub mod capacities;
 pub mod cloud;

@@ -17,6 +17,7 @@
 //! | [`figure`] | draws |
 //! | [`ida`] | the page of an incremental dynamic analysis |
 //! | [`push`] | that of a pushover |
+//! | [`study`] | that of a study |
 //! | [`math`] | sets formulas |
 //! | [`number`] | prints numbers |
 //! | [`words`] | every sentence |
@@ -33,6 +34,7 @@ pub mod number;
 mod numbering;
 pub mod push;
 pub mod sections;
+pub mod study;
 pub mod table;
 pub mod template;
 pub mod words;

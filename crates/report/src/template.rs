@@ -24,6 +24,7 @@ const PAGES: &[(&str, &str)] = &[
     ),
     ("ida.html", include_str!("../../../templates/ida.html")),
     ("push.html", include_str!("../../../templates/push.html")),
+    ("study.html", include_str!("../../../templates/study.html")),
     ("fields.css", include_str!("../../../templates/fields.css")),
     ("nonlinear.css", include_str!("../../../templates/nonlinear.css")),
 ];

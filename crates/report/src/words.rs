@@ -17,7 +17,7 @@
 //! | [`facts`] | names of the numbers of a model |
 //! | [`internal_forces`] | stations of the wall |
 //! | [`isolation`] | a tank on isolators |
-//! | [`ida`], [`push`] | the pages of these analyses |
+//! | [`ida`], [`push`], [`study`] | the pages of these analyses |
 //! | [`site`] | the modes of an engine under the design spectrum |
 //! | [`soil`] | a tank on a slab on soil |
 //! | [`terminal`] | the summaries on the terminal |
@@ -40,6 +40,7 @@ pub mod push;
 pub mod sections;
 pub mod soil;
 pub mod standing;
+pub mod study;
 pub mod summary;
 pub mod terminal;
 pub mod transfer;

@@ -25,6 +25,7 @@ mod snapshots;
 mod soil_run;
 mod standing;
 mod store;
+mod study;
 mod tilt;
 mod transfer;
 mod value;
@@ -64,6 +65,9 @@ pub use store::{
 };
 
 pub use standing::{Standing, StandingGround, StandingPlate, StandingValues};
+pub use study::{
+    Study, StudyCurve, StudyFault, StudyLoss, StudyRecord, StudyRule, StudyRuleRow, StudyState, StudyTank, StudyTrace,
+};
 pub use tilt::{Tilt, TiltLine};
 pub use transfer::{Transfer, TransferFunction, TransferMode};
 pub use value::Value;

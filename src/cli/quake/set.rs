@@ -5,17 +5,16 @@ use std::path::PathBuf;
 use codes::record_set::{self, Asked, CLAUSE, FEWEST, RANGE, SHARE};
 use oscillator::record::Record;
 use serde::Serialize;
+use tank::STANDARD_GRAVITY;
 use tank::units::{self, Dimension};
-use tank::{Quantity, STANDARD_GRAVITY};
 
 use super::target::Target;
 use crate::cli::inputs::Reading;
 use crate::cli::table::Table;
 use crate::cli::{Format, json, print};
 use crate::error::{EXIT_CHECK_FAILED, EXIT_OK, Error};
-use crate::input::{self, TankFile, records};
-use crate::job::Job;
-use crate::pipeline;
+use crate::input::{self, records};
+use crate::study::rule::{self, FIVE, Wanted};
 use files::text;
 
 #[derive(clap::Args)]
@@ -94,16 +93,6 @@ struct OfPeriod {
     at_period: f64,
     holds: bool,
 }
-
-/// A period at which the rule is asked.
-struct Wanted {
-    which: &'static str,
-    period: f64,
-    damping: f64,
-}
-
-/// Damping ratio of the clause.
-const FIVE: f64 = 0.05;
 
 impl Set {
     /// Prints the outcome; returns the exit code.
@@ -199,7 +188,7 @@ impl Set {
             })
             .collect();
         match target {
-            Target::Tank(tank) if wanted.is_empty() => wanted = of_tank(tank)?,
+            Target::Tank(tank) if wanted.is_empty() => wanted = rule::periods(tank)?,
             Target::Table(_) if wanted.is_empty() => {
                 return Err(Error::input(
                     "error: --period is missing\n  help: a table does not know the periods of the tank; add --period 0.225s".into(),
@@ -230,52 +219,6 @@ fn period(given: &str) -> Result<f64, Error> {
         _ => Err(Error::input(format!(
             "error: --period: found `{given}`, expected a time with its unit such as 0.225s, at most 100 s"
         ))),
-    }
-}
-
-/// The impulsive and the sloshing period of a tank, by the first procedure that gives them under its site.
-fn of_tank(tank: &TankFile) -> Result<Vec<Wanted>, Error> {
-    let job = Job {
-        case: tank.case.clone(),
-        project: None,
-        procedures: pipeline::select_procedures(&[])?,
-        decision: tank::check::Decision::default(),
-        engines: Vec::new(),
-        linear: tank.fe.clone(),
-        solid: tank.solid.clone(),
-        nonlinear: tank.nonlinear.clone(),
-        checkpoint: None,
-        echo: Vec::new(),
-        files: Vec::new(),
-        warnings: Vec::new(),
-        raw_records: Vec::new(),
-    };
-    let (methods, _) = pipeline::decide(&job)?;
-    let of = |quantity: Quantity| {
-        methods
-            .iter()
-            .find_map(|m| m.quantities.get(quantity.id()).map(|v| v.value))
-    };
-    let found = [
-        ("impulsive", Quantity::ImpulsivePeriod, FIVE),
-        ("sloshing", Quantity::SloshingPeriod, tank.case.damping.sloshing),
-    ];
-    let wanted: Vec<Wanted> = found
-        .into_iter()
-        .filter_map(|(which, quantity, damping)| {
-            Some(Wanted {
-                which,
-                period: of(quantity)?,
-                damping,
-            })
-        })
-        .collect();
-    match wanted.is_empty() {
-        true => Err(Error::input(
-            "error: no procedure gives a period of this tank\n  help: add --period, and `site.ec8` to the tank file"
-                .into(),
-        )),
-        false => Ok(wanted),
     }
 }
 

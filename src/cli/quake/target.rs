@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use tank::case::Site;
 use tank::hazard::SpectrumTable;
 
 use crate::cli::inputs::Reading;
 use crate::error::Error;
 use crate::input::{self, TankFile, target};
+use crate::study::rule;
 
 /// A target spectrum.
 pub(super) enum Target {
@@ -48,22 +48,7 @@ impl Target {
                 // Beyond the last row nothing is asked.
                 Ok(Box::new(move |period| table.at(period).unwrap_or(f64::NAN)))
             }
-            Target::Tank(tank) => {
-                let site = Site {
-                    api650: None,
-                    zone: None,
-                    ..tank.case.site.clone()
-                };
-                let mut curves = codes::ALL.iter().flat_map(|p| p.design_curves(&site, &[damping]));
-                let found = curves.next();
-                found.map(|curve| curve.acceleration).ok_or_else(|| {
-                    Error::input(
-                        "error: --target: the tank file has no `site.ec8`, whose elastic spectrum the rule compares with\n  help: add it, or \
-                         give a table of the spectrum"
-                            .into(),
-                    )
-                })
-            }
+            Target::Tank(tank) => rule::elastic(tank, damping),
         }
     }
 }

@@ -3,6 +3,7 @@
 //! Keys and meaning are a contract: extend freely, do not rename.
 
 use crate::input::tank::key::{Absent, Limits, default};
+use crate::input::tank::keys::Project;
 use crate::input::tank::read::{Field, Opt, choice, object};
 use crate::input::tank::values::{Named, Number, Whole};
 
@@ -16,6 +17,8 @@ object! {
         name ("Terminal North"): Field<String>,
         /// Remarks; not evaluated.
         notes: Opt<String>,
+        /// Cover of the report.
+        project: Opt<Project>,
         /// The tanks: files, or a template with a table.
         tanks: Field<Vec<Field<Tanks>>> [Limits::ANY.items(1, MOST)],
         /// The records. Without them the codes are run under the design spectra of the tanks.
@@ -30,6 +33,10 @@ object! {
         procedures: Opt<Vec<Field<String>>> = Absent::Follows("those of each tank file"),
         /// Damage states.
         damage: Opt<Vec<Field<Damage>>> [Limits::ANY.items(1, 100)] = Absent::Follows("the default set"),
+        /// How curves are found: `stripes`, `cloud` or `capacities`.
+        method: Opt<CurveMethod> = Absent::Follows("stripes for levels, cloud for factors"),
+        /// Rule that the records have to keep; `study plan` checks it.
+        rule: Opt<Rule>,
         /// Hazard curve of the site: a CSV file with the columns im and rate (a year), in the unit of the measure in SI.
         hazard ("hazard.csv"): Opt<String>,
         /// Records of one task: they share mesh, modes and code periods, and are lost together when a machine dies.
@@ -83,10 +90,12 @@ object! {
         factors: Opt<Vec<Field<Number>>> [Limits::above(0.0).to(1000.0).items(1, 1000)] = Absent::Follows("1"),
     }
 
-    /// Samples of each tank: a scrambled Sobol sequence (Burley 2020). Sample i does not depend on their number.
+    /// Samples of each tank. Sample i does not depend on their number.
     Sample {
         /// Number of samples.
         n (64): Field<Whole> [Limits::count(1, 65_536)],
+        /// Sequence of the samples.
+        method: Opt<SampleMethod> = default(SampleMethod::Sobol),
         /// Seed.
         seed (7): Opt<Whole> [Limits::count(0, u32::MAX)] = default(Whole(0)),
         /// The parameters.
@@ -103,6 +112,8 @@ object! {
         normal: Opt<Normal>,
         /// Lognormal.
         lognormal: Opt<Lognormal>,
+        /// Beta, between two bounds.
+        beta: Opt<Beta>,
     }
 
     /// A uniform distribution.
@@ -129,6 +140,30 @@ object! {
         beta (0.07): Field<Number> [Limits::above(0.0).to(2.0)],
     }
 
+    /// A beta distribution: shares of a reference value, such as the fill of a tank.
+    Beta {
+        /// The reference value.
+        of ("15 m"): Field<String>,
+        /// Mean share.
+        mean (0.75): Field<Number>,
+        /// Coefficient of variation of the share.
+        cov (0.2): Field<Number> [Limits::above(0.0).to(1.0)],
+        /// Smallest share.
+        min (0.1): Opt<Number> = default(Number(0.0)),
+        /// Largest share.
+        max (0.95): Opt<Number> = default(Number(1.0)),
+    }
+
+    /// A rule for the set of records, as `tankcheck quake set` has it.
+    Rule {
+        /// The rule.
+        code: Opt<RuleCode> = default(RuleCode::En1998),
+        /// Target: `site`, the elastic spectrum of EN 1998 of each tank, or a CSV table.
+        target ("spectrum.csv"): Opt<String> = Absent::Follows("site"),
+        /// Periods: `both` (impulsive and sloshing), `impulsive`, `sloshing`, or a time.
+        periods ("0.3 s"): Opt<String> = Absent::Follows("both"),
+    }
+
     /// A way into a damage state: a demand that reaches a limit. Several of one state are alternatives.
     Damage {
         /// Name of the state, in the order of severity: DS1, DS2, …
@@ -149,6 +184,57 @@ pub(crate) enum StudyEngine {
     Solid,
     Nonlinear,
     None,
+}
+
+/// How curves are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum CurveMethod {
+    Stripes,
+    Cloud,
+    Capacities,
+}
+
+choice! {
+    /// How curves are found.
+    CurveMethod {
+        /// Counts at levels, by maximum likelihood.
+        Stripes = "stripes",
+        /// Regression of the largest demand over its limit, collapses by logistic regression.
+        Cloud = "cloud",
+        /// The level at which each record reaches the state (incremental dynamic analysis).
+        Capacities = "capacities",
+    }
+}
+
+/// Sequence of the samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum SampleMethod {
+    Sobol,
+    Latin,
+}
+
+choice! {
+    /// Sequence of the samples.
+    SampleMethod {
+        /// A scrambled Sobol sequence (Burley 2020).
+        Sobol = "sobol",
+        /// A Latin hypercube that grows: of the first 2, 4, 8, … samples each parameter has one in each equally probable part (Qian 2009).
+        Latin = "latin",
+    }
+}
+
+/// Rule for the set of records.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum RuleCode {
+    En1998,
+}
+
+choice! {
+    /// Rule for the set of records.
+    RuleCode {
+        /// EN 1998-1:2004 3.2.3.1.2(4).
+        En1998 = "en1998-1",
+    }
 }
 
 choice! {

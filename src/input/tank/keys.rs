@@ -21,7 +21,7 @@ mod places;
 mod plates;
 mod plausible;
 mod procedures;
-mod project;
+pub(in crate::input) mod project;
 mod rayleigh;
 mod record;
 mod reported;
@@ -38,6 +38,7 @@ use ::tank::case::Case;
 use ::tank::check::Decision;
 
 pub(super) use file::TankFile;
+pub(in crate::input) use project::Project;
 pub use solid::solid_defaults;
 
 use crate::input::diagnostic::{Faults, Source};

@@ -328,7 +328,7 @@ fn the_linear_engines_agree() {
 }
 
 #[test]
-#[ignore = "slow: a nonlinear run of a minute"]
+#[ignore = "slow: cargo test --test cli nonlinear_engine_agrees -- --ignored; last result in docs/verification/slow-tests.md"]
 fn the_nonlinear_engine_agrees() {
     agrees(&[EngineId::Harmonic, EngineId::Nonlinear], "fe-nonlinear");
 }

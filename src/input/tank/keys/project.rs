@@ -26,7 +26,7 @@ object! {
 }
 
 /// The block, if given.
-pub(super) fn project(r: &mut Resolver<'_>, option: &Opt<Project>) -> Option<::tank::Project> {
+pub(in crate::input) fn project(r: &mut Resolver<'_>, option: &Opt<Project>) -> Option<::tank::Project> {
     let given = option.value()?;
     let mut text = |option: &Opt<String>| r.text(option.given.as_ref()?);
     let found = ::tank::Project {

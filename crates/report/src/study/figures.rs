@@ -1,0 +1,325 @@
+//! Figures of a study.
+
+use tank::units::Dimension;
+
+use crate::figure::chart::{Axis, Band, Chart, Line, Mark};
+use crate::figure::{Figure, HALF, Room};
+use crate::number::{Scale, fixed, percent, significant};
+use crate::table::{Column, Table, spread};
+use crate::words::study as words;
+use files::error::Error;
+use results::{Study, StudyCurve, StudyTrace};
+
+/// Height of the plots in user units.
+const PLOT: f64 = 150.0;
+/// Classes of the states, from mild to severe.
+const STATES: [&str; 6] = ["k-s4", "k-s6", "k-s3", "k-s5", "k-s2", "k-s1"];
+/// Numbers of tanks of which the probability of at least as many is drawn.
+const AT_LEAST: [usize; 4] = [1, 2, 5, 10];
+/// Rows of a table of data.
+const ROWS: usize = 24;
+
+fn class(state: usize) -> &'static str {
+    STATES[state % STATES.len()]
+}
+
+fn intensity(study: &Study, ims: impl IntoIterator<Item = f64>) -> Axis {
+    Axis::linear(
+        &words::axis(&study.im),
+        study.dimension,
+        ims.into_iter().chain([0.0]),
+        6,
+    )
+}
+
+fn share(title: &str) -> Axis {
+    Axis::exact(title, Dimension::Dimensionless, (0.0, 1.0), 5)
+}
+
+/// The curves of each tank, all states in one figure; the tanks whose worst state comes first, in the order of the study.
+///
+/// Errors: a drawing that fails.
+pub(super) fn tanks(study: &Study, most: usize) -> Result<Vec<Figure>, Error> {
+    let Some(worst) = study.states.last() else {
+        return Ok(Vec::new());
+    };
+    let mut first: Vec<(f64, &str)> = study
+        .curves
+        .iter()
+        .filter(|c| c.state == worst.name)
+        .filter_map(|c| {
+            let lowest = c.fit.map(|fit| fit[0]).or(c.bounds[0]);
+            Some((lowest.unwrap_or(f64::INFINITY), c.tank.as_deref()?))
+        })
+        .collect();
+    first.sort_by(|a, b| a.0.total_cmp(&b.0));
+    first.truncate(most);
+    let chosen = |id: &str| first.iter().any(|(_, tank)| *tank == id);
+    let of = |(number, tank): (usize, &results::StudyTank)| {
+        let curves: Vec<&StudyCurve> = study
+            .curves
+            .iter()
+            .filter(|c| c.tank.as_deref() == Some(tank.id.as_str()))
+            .collect();
+        figure(study, number, &tank.id, &curves)
+    };
+    let shown = study.tanks.iter().enumerate().filter(|(_, tank)| chosen(&tank.id));
+    shown.map(of).collect()
+}
+
+fn figure(study: &Study, number: usize, tank: &str, curves: &[&StudyCurve]) -> Result<Figure, Error> {
+    let ims = curves.iter().flat_map(|c| c.points.iter().map(|p| p.0));
+    let lines = curves.iter().flat_map(|c| c.line.last().map(|p| p.0));
+    let mut chart = Chart::new(
+        (HALF, 0.0),
+        intensity(study, ims.chain(lines)),
+        share(words::PROBABILITY),
+    );
+    for (state, curve) in curves.iter().enumerate() {
+        let class = class(state);
+        if !curve.band.is_empty() {
+            let low = curve.band.iter().map(|(im, low, _)| (*im, *low));
+            let high = curve.band.iter().rev().map(|(im, _, high)| (*im, *high));
+            chart.bands.push(Band {
+                points: low.chain(high).collect(),
+                class: class.into(),
+                label: String::new(),
+            });
+        }
+        let mut points = curve.line.clone();
+        points.insert(0, (0.0, 0.0));
+        chart.lines.push(Line {
+            // Without a curve the legend still names the state of the points.
+            points: if curve.line.is_empty() { Vec::new() } else { points },
+            class: class.into(),
+            label: curve.state.clone(),
+        });
+        chart.marks.extend(counted(curve).map(|(im, p)| Mark {
+            at: (im, p),
+            label: String::new(),
+            class: format!("own {class}"),
+        }));
+    }
+    let chart = chart.with_plot_height(PLOT);
+    Ok(Figure {
+        id: format!("study_tank_{}", number + 1),
+        title: tank.into(),
+        caption: words::curves::caption(curves),
+        titled: false,
+        description: words::curves::description(tank, curves),
+        size: chart.size,
+        markup: chart.draw()?,
+        table: data(study, curves),
+        room: Room::Half,
+    })
+}
+
+/// Intensity and share of the runs in the state.
+fn counted(curve: &StudyCurve) -> impl Iterator<Item = (f64, f64)> {
+    // Single runs are ones and zeros, too many to be read.
+    let single = curve.points.iter().all(|p| p.1 <= 1.0);
+    let points = curve.points.iter().filter(move |p| p.1 > 0.0 && !single);
+    points.map(|(im, n, exceed, _)| (*im, exceed / n))
+}
+
+/// Counts at intensities, one column a state.
+fn data(study: &Study, curves: &[&StudyCurve]) -> Table {
+    let ims: Vec<f64> = curves
+        .iter()
+        .max_by_key(|c| c.points.len())
+        .map_or_else(Vec::new, |c| c.points.iter().map(|p| p.0).collect());
+    let scale = Scale::of(study.dimension, ims.iter().copied());
+    let mut columns = vec![Column::numbers(&words::head(&study.im), scale.symbol())];
+    columns.extend(curves.iter().map(|c| Column::numbers(&c.state, "")));
+    let mut table = Table::new(columns);
+    for i in spread(ims.len(), ROWS) {
+        let mut row = vec![scale.text(ims[i])];
+        row.extend(curves.iter().map(|curve| {
+            curve
+                .points
+                .iter()
+                .find(|p| p.0 == ims[i])
+                .map_or_else(|| "–".into(), |p| words::curves::counted(p.1, p.2, p.3))
+        }));
+        table.row(row);
+    }
+    table
+}
+
+/// P(at least k tanks lost), and the volume lost.
+///
+/// Errors: a drawing that fails.
+pub(super) fn losses(study: &Study) -> Result<Vec<Figure>, Error> {
+    if study.losses.is_empty() {
+        return Ok(Vec::new());
+    }
+    Ok(vec![at_least(study)?, volume(study)?])
+}
+
+fn at_least(study: &Study) -> Result<Figure, Error> {
+    let losses = &study.losses;
+    let most = study.tanks.len();
+    let shown: Vec<usize> = AT_LEAST.into_iter().filter(|k| *k <= most).collect();
+    let mut chart = Chart::new(
+        (HALF, 0.0),
+        intensity(study, losses.iter().map(|l| l.im)),
+        share(words::PROBABILITY),
+    );
+    let scale = Scale::of(study.dimension, losses.iter().map(|l| l.im));
+    let mut columns = vec![Column::numbers(&words::head(&study.im), scale.symbol())];
+    for (i, &k) in shown.iter().enumerate() {
+        let of = |values: fn(&results::StudyLoss) -> &Vec<f64>| -> Vec<(f64, f64)> {
+            let at = |l: &results::StudyLoss| (l.im, values(l).get(k - 1).copied().unwrap_or(0.0));
+            losses.iter().map(at).collect()
+        };
+        chart.lines.push(Line {
+            points: of(|l| &l.at_least),
+            class: class(i).into(),
+            label: words::at_least(k),
+        });
+        chart.lines.push(Line {
+            points: of(|l| &l.independent),
+            class: "k-ground thin dotted".into(),
+            label: if i == 0 {
+                words::INDEPENDENT.into()
+            } else {
+                String::new()
+            },
+        });
+        columns.push(Column::numbers(&words::at_least(k), ""));
+        columns.push(Column::numbers(words::INDEPENDENT, ""));
+    }
+    let mut table = Table::new(columns);
+    for loss in losses {
+        let mut row = vec![scale.text(loss.im)];
+        for &k in &shown {
+            for values in [&loss.at_least, &loss.independent] {
+                row.push(values.get(k - 1).map_or_else(|| "–".into(), |p| percent(*p)));
+            }
+        }
+        table.row(row);
+    }
+    let chart = chart.with_plot_height(PLOT);
+    Ok(Figure {
+        id: "study_at_least".into(),
+        title: words::AT_LEAST.into(),
+        caption: words::AT_LEAST_CAPTION.into(),
+        titled: false,
+        description: words::AT_LEAST_DESCRIPTION.into(),
+        size: chart.size,
+        markup: chart.draw()?,
+        table,
+        room: Room::Half,
+    })
+}
+
+fn volume(study: &Study) -> Result<Figure, Error> {
+    let losses = &study.losses;
+    let y = Axis::linear(
+        words::VOLUME_AXIS,
+        Dimension::Dimensionless,
+        losses.iter().flat_map(|l| l.volume).chain([0.0]),
+        5,
+    );
+    let mut chart = Chart::new((HALF, 0.0), intensity(study, losses.iter().map(|l| l.im)), y);
+    for (i, label) in words::VOLUMES.into_iter().enumerate() {
+        chart.lines.push(Line {
+            points: losses.iter().map(|l| (l.im, l.volume[i])).collect(),
+            class: ["k-s1", "k-s3"][i].into(),
+            label: label.into(),
+        });
+    }
+    let scale = Scale::of(study.dimension, losses.iter().map(|l| l.im));
+    let mut table = Table::new(vec![
+        Column::numbers(&words::head(&study.im), scale.symbol()),
+        Column::numbers(words::VOLUMES[0], "m³"),
+        Column::numbers(words::VOLUMES[1], "m³"),
+    ]);
+    for loss in losses {
+        table.row(vec![
+            scale.text(loss.im),
+            fixed(loss.volume[0], 0),
+            fixed(loss.volume[1], 0),
+        ]);
+    }
+    let chart = chart.with_plot_height(PLOT);
+    Ok(Figure {
+        id: "study_volume".into(),
+        title: words::VOLUME.into(),
+        caption: String::new(),
+        titled: false,
+        description: words::VOLUME_DESCRIPTION.into(),
+        size: chart.size,
+        markup: chart.draw()?,
+        table,
+        room: Room::Half,
+    })
+}
+
+/// The demands of single records.
+///
+/// Errors: a drawing that fails.
+pub(super) fn traces(study: &Study) -> Result<Vec<Figure>, Error> {
+    let of = |(number, trace): (usize, &StudyTrace)| scattered(study, number, trace);
+    study.traces.iter().enumerate().map(of).collect()
+}
+
+fn scattered(study: &Study, number: usize, trace: &StudyTrace) -> Result<Figure, Error> {
+    let points = || trace.records.iter().flat_map(|(_, points)| points.iter().copied());
+    let end = points().map(|p| p.0).fold(0.0, f64::max);
+    let y = Axis::linear(
+        words::RATIO,
+        Dimension::Dimensionless,
+        points().map(|p| p.1).chain([0.0, 1.0]),
+        5,
+    );
+    let mut chart = Chart::new((HALF, 0.0), intensity(study, points().map(|p| p.0)), y);
+    chart.lines.push(Line {
+        points: vec![(0.0, 1.0), (end, 1.0)],
+        class: "k-s3".into(),
+        label: words::LIMIT.into(),
+    });
+    for (i, (_, points)) in trace.records.iter().enumerate() {
+        chart.lines.push(Line {
+            points: points.clone(),
+            class: "k-ground thin".into(),
+            label: if i == 0 {
+                words::ONE_RECORD.into()
+            } else {
+                String::new()
+            },
+        });
+        chart.marks.extend(points.iter().map(|&at| Mark {
+            at,
+            label: String::new(),
+            class: "own k-s2".into(),
+        }));
+    }
+    let scale = Scale::of(study.dimension, points().map(|p| p.0));
+    let mut table = Table::new(vec![
+        Column::words(words::RECORD),
+        Column::numbers(&words::head(&study.im), scale.symbol()),
+        Column::numbers(words::RATIO, ""),
+    ]);
+    let all: Vec<(&str, (f64, f64))> = trace
+        .records
+        .iter()
+        .flat_map(|(id, points)| points.iter().map(|p| (id.as_str(), *p)))
+        .collect();
+    for i in spread(all.len(), 8 * ROWS) {
+        let (id, (im, ratio)) = all[i];
+        table.row(vec![id.into(), scale.text(im), significant(ratio, 3)]);
+    }
+    let chart = chart.with_plot_height(PLOT);
+    Ok(Figure {
+        id: format!("study_records_{}", number + 1),
+        title: words::trace(trace),
+        caption: words::trace_caption(trace),
+        titled: false,
+        description: words::trace_description(trace),
+        size: chart.size,
+        markup: chart.draw()?,
+        table,
+        room: Room::Half,
+    })
+}

@@ -1,0 +1,268 @@
+//! Tables of a study.
+
+use tank::units::Dimension;
+
+use crate::number::{Scale, count, fixed, percent, significant, utilisation};
+use crate::table::{Column, Table};
+use crate::words::study::{self as words, heads};
+use results::{Study, StudyCurve, StudyRule};
+
+/// Most rows of faults.
+const FAULTS: usize = 40;
+
+const NONE: &str = "–";
+
+/// The farm with the governing checks.
+pub(super) fn tanks(study: &Study) -> Table {
+    let volume = |v: Option<f64>| v.map_or_else(|| NONE.into(), |v| fixed(v, 0));
+    let period = |p: Option<f64>| p.map_or_else(|| NONE.into(), |p| significant(p, 3));
+    let sampled = study.samples > 1;
+    let mut columns = vec![Column::words(heads::TANK), Column::words(heads::VERDICT)];
+    if sampled {
+        columns.push(Column::words(heads::SAMPLES));
+    }
+    columns.extend([
+        Column::words(heads::GOVERNING),
+        Column::words(heads::METHOD),
+        Column::numbers(heads::UTILISATION, ""),
+        Column::numbers(heads::IMPULSIVE, "s"),
+        Column::numbers(heads::SLOSHING, "s"),
+        Column::numbers(heads::VOLUME, "m³"),
+    ]);
+    let mut table = Table::new(columns);
+    for tank in &study.tanks {
+        let mut row = vec![tank.id.clone(), words::verdict(tank)];
+        if sampled {
+            row.push(words::samples(tank));
+        }
+        match &tank.governing {
+            Some((method, check, value)) => row.extend([words::id(check), method.clone(), utilisation(*value)]),
+            None => row.extend([NONE.into(), NONE.into(), NONE.into()]),
+        }
+        row.extend([period(tank.periods[0]), period(tank.periods[1]), volume(tank.volume)]);
+        table.row(row);
+    }
+    table
+}
+
+/// The damage states, a way into them a row.
+pub(super) fn states(study: &Study) -> Table {
+    let mut table = Table::new(vec![
+        Column::words(heads::STATE),
+        Column::words(heads::DEMAND),
+        Column::numbers(heads::LIMIT, ""),
+        Column::numbers(heads::WAYS, ""),
+        Column::words(heads::SOURCE),
+    ]);
+    for state in &study.states {
+        for (demand, limit, source) in &state.limits {
+            let ways = state.ways.iter().find(|(way, _)| way == demand).map_or(0, |w| w.1);
+            table.row(vec![
+                state.name.clone(),
+                words::id(demand),
+                significant(*limit, 3),
+                count(ways),
+                source.clone(),
+            ]);
+        }
+    }
+    table
+}
+
+/// Curves: of the tanks, or of the farm.
+pub(super) fn curves(study: &Study, curves: &[StudyCurve]) -> Table {
+    let of_tanks = curves.iter().any(|c| c.tank.is_some());
+    let crossed = curves.iter().any(|c| c.common.is_some());
+    let missing = curves.iter().any(|c| c.partial.is_some());
+    let medians = curves.iter().flat_map(|c| c.fit.map(|fit| fit[0]));
+    let scale = Scale::of(study.dimension, medians.chain(study.levels.iter().copied()));
+    let unit = scale.symbol();
+    let mut columns = Vec::new();
+    if of_tanks {
+        columns.push(Column::words(heads::TANK));
+    }
+    columns.extend([
+        Column::words(heads::STATE),
+        Column::numbers(heads::MEDIAN, unit),
+        Column::numbers(heads::BAND, unit),
+        Column::numbers(heads::DISPERSION, ""),
+        Column::numbers(heads::BAND, ""),
+        Column::numbers(heads::RUNS, ""),
+    ]);
+    if crossed {
+        columns.push(Column::numbers(heads::COMMON, unit));
+    }
+    if study.hazard {
+        columns.push(Column::numbers(heads::RATE, "1/a"));
+        columns.push(Column::numbers(heads::BEYOND, ""));
+    }
+    if missing {
+        columns.push(Column::numbers(heads::PARTIAL, unit));
+    }
+    columns.push(Column::words(heads::REMARK));
+    let mut table = Table::new(columns);
+    for curve in curves {
+        let range = |band: Option<[f64; 2]>, text: &dyn Fn(f64) -> String| {
+            band.map_or_else(|| NONE.to_owned(), |[low, high]| words::range(&text(low), &text(high)))
+        };
+        let of = |value: Option<f64>, text: &dyn Fn(f64) -> String| value.map_or_else(|| NONE.to_owned(), text);
+        let mut row = Vec::new();
+        if of_tanks {
+            row.push(curve.tank.clone().unwrap_or_default());
+        }
+        row.extend([
+            curve.state.clone(),
+            of(curve.fit.map(|f| f[0]), &|v| scale.text(v)),
+            range(curve.median_band, &|v| scale.text(v)),
+            of(curve.fit.map(|f| f[1]), &|v| fixed(v, 3)),
+            range(curve.dispersion_band, &|v| fixed(v, 3)),
+            count(curve.n),
+        ]);
+        if crossed {
+            row.push(curve.common.map_or_else(
+                || NONE.into(),
+                |[median, dispersion]| words::common(&scale.text(median), &fixed(dispersion, 3)),
+            ));
+        }
+        if study.hazard {
+            row.push(of(curve.rate.map(|r| r[0]), &|v| significant(v, 2)));
+            row.push(of(curve.rate.map(|r| r[1]), &percent));
+        }
+        if missing {
+            row.push(curve.partial.map_or_else(
+                || NONE.into(),
+                |[safe, reached]| words::range(&of(reached, &|v| scale.text(v)), &of(safe, &|v| scale.text(v))),
+            ));
+        }
+        row.push(words::curves::remark(curve, &|v| scale.text(v), unit));
+        table.row(row);
+    }
+    table
+}
+
+/// Losses of contents, a level a row.
+pub(super) fn losses(study: &Study) -> Table {
+    let scale = Scale::of(study.dimension, study.losses.iter().map(|l| l.im));
+    let mut table = Table::new(vec![
+        Column::numbers(&words::head(&study.im), scale.symbol()),
+        Column::numbers(heads::EARTHQUAKES, ""),
+        Column::numbers(heads::NOT_JUDGED, ""),
+        Column::numbers(heads::ONE, ""),
+        Column::numbers(heads::INDEPENDENT, ""),
+        Column::numbers(heads::MEAN_VOLUME, "m³"),
+        Column::numbers(heads::LARGEST_VOLUME, "m³"),
+    ]);
+    for loss in &study.losses {
+        let first = |values: &Vec<f64>| values.first().map_or_else(|| NONE.into(), |p| percent(*p));
+        table.row(vec![
+            scale.text(loss.im),
+            count(loss.earthquakes),
+            count(loss.not_judged),
+            first(&loss.at_least),
+            first(&loss.independent),
+            fixed(loss.volume[0], 0),
+            fixed(loss.volume[1], 0),
+        ]);
+    }
+    table
+}
+
+/// The rule at every period.
+pub(super) fn rule(rule: &StudyRule) -> Table {
+    let named = rule.rows.iter().any(|row| !row.tank.is_empty());
+    let mut columns = Vec::new();
+    if named {
+        columns.push(Column::words(heads::TANK));
+    }
+    columns.extend([
+        Column::words(heads::PERIOD),
+        Column::numbers("T", "s"),
+        Column::numbers(heads::DAMPING, ""),
+        Column::numbers(heads::SMALLEST, ""),
+        Column::numbers(heads::ZERO, ""),
+        Column::numbers(heads::FACTOR, ""),
+        Column::words(heads::RULE),
+    ]);
+    let mut table = Table::new(columns);
+    for row in &rule.rows {
+        let mut cells = Vec::new();
+        if named {
+            cells.push(row.tank.clone());
+        }
+        cells.extend([
+            row.which.clone(),
+            significant(row.period, 3),
+            percent(row.damping),
+            fixed(row.smallest, 3),
+            fixed(row.zero, 3),
+            fixed(row.factor, 3),
+            words::holds(row.holds).into(),
+        ]);
+        table.row(cells);
+    }
+    table
+}
+
+/// The records.
+pub(super) fn records(study: &Study) -> Table {
+    let peaks = |i: usize| study.records.iter().filter_map(move |r| r.peaks.map(|p| p[i]));
+    let scales = [
+        Scale::of(Dimension::Acceleration, peaks(0)),
+        Scale::of(Dimension::Velocity, peaks(1)),
+        Scale::of(Dimension::Length, peaks(2)),
+    ];
+    let mut table = Table::new(vec![
+        Column::words(words::RECORD),
+        Column::numbers(heads::DURATION, "s"),
+        Column::numbers(heads::STEP, "ms"),
+        Column::numbers("PGA", scales[0].symbol()),
+        Column::numbers("PGV", scales[1].symbol()),
+        Column::numbers("PGD", scales[2].symbol()),
+        Column::numbers(heads::SEVERITY, ""),
+        Column::words(heads::LOST),
+    ]);
+    for record in &study.records {
+        let peak = |i: usize| record.peaks.map_or_else(|| NONE.into(), |p| scales[i].text(p[i]));
+        table.row(vec![
+            record.id.clone(),
+            fixed(record.duration[0], 1),
+            significant(1e3 * record.duration[1], 3),
+            peak(0),
+            peak(1),
+            peak(2),
+            record.severity.map_or_else(|| NONE.into(), |s| fixed(s, 2)),
+            words::of(record.lost[0], record.lost[1]),
+        ]);
+    }
+    table
+}
+
+/// Why rows are not finished runs; the most frequent first.
+pub(super) fn faults(study: &Study) -> Table {
+    let mut table = Table::new(vec![
+        Column::words(heads::STATUS),
+        Column::numbers(heads::ROWS, ""),
+        Column::words(heads::FIRST),
+        Column::words(heads::MESSAGE),
+    ]);
+    let mut faults: Vec<_> = study.faults.iter().collect();
+    faults.sort_by_key(|fault| std::cmp::Reverse(fault.rows));
+    for fault in faults.iter().take(FAULTS) {
+        table.row(vec![
+            fault.status.clone(),
+            count(fault.rows),
+            fault.first.join(", "),
+            fault.message.clone(),
+        ]);
+    }
+    table
+}
+
+/// Tasks and rows.
+pub(super) fn cost(study: &Study) -> Table {
+    let mut table = Table::new(vec![Column::words(heads::WHAT), Column::numbers(heads::COUNT, "")]);
+    for (what, value) in words::basis::cost(study) {
+        table.row(vec![what, value]);
+    }
+    table
+}

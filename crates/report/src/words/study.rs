@@ -1,0 +1,305 @@
+//! The page of a study.
+
+pub mod basis;
+pub mod curves;
+pub mod heads;
+
+use crate::number::{count, fixed, utilisation, with_unit};
+use results::{EngineId, Study, StudyRule, StudyTank, StudyTrace, VerdictStatus};
+
+/// Below the title.
+pub const SUBTITLE: &str = "Study of tanks under a set of records: checks, fragility and risk";
+/// In the running head.
+pub const RUNNING: &str = "seismic study";
+/// Over the list of sections.
+pub const CONTENTS: &str = "Contents";
+/// Heads of the table of signatures.
+pub const SIGNATURE_HEADS: [&str; 3] = ["Name", "Date", "Signature"];
+
+/// Sections: id and title.
+pub const TANKS: (&str, &str) = ("tanks", "Tanks and governing checks");
+/// See [`TANKS`].
+pub const STATES: (&str, &str) = ("states", "Damage states");
+/// See [`TANKS`].
+pub const CURVES: (&str, &str) = ("fragility", "Fragility");
+/// See [`TANKS`].
+pub const LOSSES: (&str, &str) = ("losses", "Losses of the farm");
+/// See [`TANKS`].
+pub const RECORDS: (&str, &str) = ("records", "Records");
+/// See [`TANKS`].
+pub const FAULTS: (&str, &str) = ("faults", "What failed and what was not checked");
+/// See [`TANKS`].
+pub const BASIS: (&str, &str) = ("basis", "Basis and cost");
+
+/// Head of a column of records.
+pub const RECORD: &str = "Record";
+/// Axis of a fragility curve.
+pub const PROBABILITY: &str = "probability";
+/// Axis of the volume.
+pub const VOLUME_AXIS: &str = "volume [m³]";
+/// Mean and largest volume.
+pub const VOLUMES: [&str; 2] = ["mean of the earthquakes", "largest"];
+/// Title of a figure.
+pub const VOLUME: &str = "Volume of the liquid of lost tanks";
+/// Its description.
+pub const VOLUME_DESCRIPTION: &str =
+    "Mean and largest volume of the liquid of tanks in the worst state over the intensity.";
+/// Title of a figure.
+pub const AT_LEAST: &str = "Probability that at least so many tanks lose their contents";
+/// Its caption.
+pub const AT_LEAST_CAPTION: &str =
+    "Counted over the earthquakes, which shake all tanks at once; dotted: independent tanks with the same shares.";
+/// Its description.
+pub const AT_LEAST_DESCRIPTION: &str =
+    "Probability that at least k tanks are in the worst state over the intensity, counted and for independent tanks.";
+/// Legend of independent tanks.
+pub const INDEPENDENT: &str = "independent";
+/// Legend of a limit.
+pub const LIMIT: &str = "limit";
+/// Legend of a line of one record.
+pub const ONE_RECORD: &str = "one record";
+/// Demand over its limit.
+pub const RATIO: &str = "Demand over limit";
+/// Heading.
+pub const SYSTEM: &str = "At least one tank";
+/// Heading.
+pub const SINGLE: &str = "Single records";
+/// Text.
+pub const ABOUT_SYSTEM: &str = "The farm as a system: at least one tank is in the state in the same earthquake.";
+/// Text.
+pub const ABOUT_LOSSES: &str = "Tanks in the worst state lose their contents. All tanks are shaken by the same earthquakes, so that losses are counted \
+     earthquake by earthquake; earthquakes in which a tank could not be judged are left out.";
+/// Text.
+pub const ABOUT_STATES: &str = "A tank is in a state if one of its demands reaches the utilisation at which the state begins, if it is in a worse state, or \
+     if the run found no equilibrium. Runs: how many of all tanks came into the state with this demand as the largest over its limit.";
+/// Text.
+pub const NO_RULE: &str = "Whether the set stands for a spectrum was not asked: `rule` of the study file compares it with the spectrum of the site.";
+/// Text.
+pub const ABOUT_RECORDS: &str = "Peaks along x, of the record as the tank file processes it, before the scale of the study. Severity: demands over the \
+     geometric mean of all records at the same level, mean of all tanks.";
+
+/// `sliding`, `uplift tension`.
+pub fn id(id: &str) -> String {
+    id.replace('_', " ")
+}
+
+/// Title of an axis of intensities.
+pub fn axis(im: &str) -> String {
+    im.into()
+}
+
+/// Head of a column of intensities.
+pub fn head(im: &str) -> String {
+    im.into()
+}
+
+/// `0.41–0.52`.
+pub fn range(low: &str, high: &str) -> String {
+    format!("{low}–{high}")
+}
+
+/// Median and dispersion of a common fit.
+pub fn common(median: &str, dispersion: &str) -> String {
+    format!("{median}; {dispersion}")
+}
+
+/// `3 of 7`.
+pub fn of(part: usize, whole: usize) -> String {
+    format!("{} of {}", count(part), count(whole))
+}
+
+/// Whether the rule holds.
+pub fn holds(holds: bool) -> &'static str {
+    if holds { "holds" } else { "does not hold" }
+}
+
+/// Legend of at least k tanks.
+pub fn at_least(k: usize) -> String {
+    match k {
+        1 => "1 tank or more".into(),
+        k => format!("{k} or more"),
+    }
+}
+
+/// Verdict of a tank.
+pub fn verdict(tank: &StudyTank) -> String {
+    match tank.verdict {
+        Some(VerdictStatus::Holds) => "holds",
+        Some(VerdictStatus::Fails) => "fails",
+        Some(VerdictStatus::Incomplete) => "incomplete",
+        Some(VerdictStatus::NotAssessed) => "not assessed",
+        None if tank.samples[0] > 0 => "not possible",
+        None => "no result",
+    }
+    .into()
+}
+
+/// How many samples have the verdict of the tank.
+pub fn samples(tank: &StudyTank) -> String {
+    match tank.verdict {
+        Some(_) => of(tank.samples[1], tank.samples[0]),
+        None => count(tank.samples[0]),
+    }
+}
+
+/// Headline of the farm.
+pub fn headline(study: &Study) -> String {
+    let all = study.tanks.len();
+    let with = |status: VerdictStatus| study.tanks.iter().filter(|t| t.verdict == Some(status)).count();
+    let (holds, fails) = (with(VerdictStatus::Holds), with(VerdictStatus::Fails));
+    let open = all - holds - fails;
+    let mut parts = Vec::new();
+    if fails > 0 {
+        parts.push(format!("{} with a check that fails", of(fails, all)));
+    }
+    if open > 0 {
+        parts.push(format!("{} not assessed completely", of(open, all)));
+    }
+    if holds > 0 {
+        parts.push(format!("{} with every required check that holds", of(holds, all)));
+    }
+    format!("Tanks: {}", parts.join(", "))
+}
+
+/// The governing tank, and the tank that is lost first.
+pub fn governing(study: &Study) -> Vec<String> {
+    let mut lines =
+        vec!["Verdicts are those of the deciding codes of each tank under its own design spectra.".to_owned()];
+    let worst = study
+        .tanks
+        .iter()
+        .filter_map(|tank| Some((tank, tank.governing.as_ref()?)))
+        .max_by(|a, b| a.1.2.total_cmp(&b.1.2));
+    if let Some((tank, (method, check, value))) = worst {
+        lines.push(format!(
+            "Governing: {}, {} ({method}), {} utilised.",
+            tank.id,
+            id(check),
+            utilisation(*value)
+        ));
+    }
+    let worst = study.states.last().map(|s| s.name.as_str());
+    let first = study
+        .curves
+        .iter()
+        .filter(|c| Some(c.state.as_str()) == worst)
+        .filter_map(|c| Some((c, c.fit?)))
+        .min_by(|a, b| a.1[0].total_cmp(&b.1[0]));
+    if let Some((curve, [median, dispersion])) = first {
+        lines.push(format!(
+            "Most fragile of the fitted curves: {}, {} at a median {} of {} (dispersion {}).",
+            curve.tank.clone().unwrap_or_default(),
+            curve.state,
+            study.im,
+            with_unit(median, study.dimension),
+            fixed(dispersion, 2)
+        ));
+    }
+    lines
+}
+
+/// What a reader has to know before the numbers.
+pub fn warnings(study: &Study) -> Vec<String> {
+    let mut all = Vec::new();
+    if study.missing_tasks > 0 {
+        all.push(format!(
+            "Incomplete: {} tasks have no result. Counts and curves are those of the others, with bounds for what is missing.",
+            of(study.missing_tasks, study.tasks)
+        ));
+    }
+    if let Some(rule) = study.rule.as_ref().filter(|rule| !rule.holds) {
+        all.push(format!("The records do not keep {} as they are.", rule.clause));
+    }
+    let unjudged: usize = study.curves.iter().map(|c| c.unjudged).sum();
+    if unjudged > 0 {
+        all.push(format!(
+            "{} times a row could not be judged for a damage state; such rows bound the shares and are never counted as safe.",
+            count(unjudged)
+        ));
+    }
+    all
+}
+
+/// Key figures.
+pub fn facts(study: &Study) -> Vec<(&'static str, String)> {
+    let mut all = vec![("Tanks", count(study.tanks.len()))];
+    if study.samples > 1 {
+        all.push(("Samples of each", count(study.samples as usize)));
+    }
+    all.push(("Records", count(study.records.len())));
+    if !study.records.is_empty() {
+        all.push(("Measure", study.im.clone()));
+        if !study.levels.is_empty() {
+            all.push(("Levels", count(study.levels.len())));
+        }
+    }
+    all.push(("Rows", count(study.rows[1])));
+    all.push(("Engine", engine(study).into()));
+    all
+}
+
+fn engine(study: &Study) -> &'static str {
+    match study.engine {
+        Some(EngineId::Harmonic) => "harmonic",
+        Some(EngineId::Solid) => "solid",
+        Some(EngineId::Nonlinear) => "nonlinear",
+        None => "none: codes alone",
+    }
+}
+
+/// Over the table of tanks.
+pub fn tanks(study: &Study) -> String {
+    let sampled = match study.samples {
+        0 | 1 => "",
+        _ => {
+            " Of the samples of a tank the worst verdict and the largest utilisation; periods and volume of the first."
+        }
+    };
+    format!("Verdict and governing check under the design spectra of each tank.{sampled}")
+}
+
+/// Why there are no losses.
+pub fn no_losses(reason: &str) -> String {
+    format!("Not counted: {reason}.")
+}
+
+/// Whether the records keep the rule.
+pub fn rule(rule: &StudyRule) -> String {
+    let target = match rule.target.as_str() {
+        "site" => "the elastic spectrum of the site of each tank".to_owned(),
+        name => format!("the spectrum `{name}`"),
+    };
+    format!(
+        "{} against {target}: {} for the records as they are along x, {} of at least {}. The mean of the peaks reaches the target at T = 0, and the mean \
+         spectrum 90 % of it from 0.2 T to 2 T.",
+        rule.clause,
+        holds(rule.holds),
+        count(rule.records[0]),
+        count(rule.records[1])
+    )
+}
+
+/// Title of a figure of single records.
+pub fn trace(trace: &StudyTrace) -> String {
+    format!("{}, {}, record by record", trace.tank, trace.state)
+}
+
+/// Its caption.
+pub fn trace_caption(trace: &StudyTrace) -> String {
+    match trace.deviation {
+        Some(deviation) => format!(
+            "From record to record ln of the demand has the standard deviation {} at a level.",
+            fixed(deviation, 2)
+        ),
+        None => String::new(),
+    }
+}
+
+/// Its description.
+pub fn trace_description(trace: &StudyTrace) -> String {
+    format!(
+        "Largest demand over its limit of {} over the intensity, a line for each of {} records.",
+        trace.tank,
+        trace.records.len()
+    )
+}

@@ -1,0 +1,480 @@
+//! Curves of the runs of a study, which share records.
+//!
+//! A record shakes a tank at several intensities, and every sample of it: its runs are not independent. Bands therefore come from resampling
+//! whole records. Three methods:
+//!
+//! | method | data |
+//! |---|---|
+//! | [`Method::Stripes`] | how many runs reached the state at each intensity |
+//! | [`Method::Cloud`] | Y, the largest demand over its limit (Jalayer et al. 2017), by regression; runs without a finite demand are collapses |
+//! | [`Method::Capacities`] | the intensity at which Y of a record first is 1, between two levels linear in logarithms |
+
+use std::collections::BTreeMap;
+
+use ::fragility::bootstrap;
+use ::fragility::cloud::{self, Cloud, Run};
+use ::fragility::stripes::{self, Stripe};
+use ::fragility::{Fit, Lognormal, NotIdentifiable, capacities};
+use serde::{Deserialize, Serialize};
+
+use super::{Asked, Curve, Partial, Point, refit};
+
+/// Fewest records of which a resample says something of others.
+const FEWEST_RECORDS: usize = 3;
+
+/// How the curves of a study are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Method {
+    /// Counts at intensities.
+    #[default]
+    Stripes,
+    /// Regression of demands.
+    Cloud,
+    /// Intensities at which records reach the state.
+    Capacities,
+}
+
+/// What one run says of a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// Number of the record.
+    pub record: u32,
+    /// Sample.
+    pub sample: u32,
+    /// Intensity, positive.
+    pub im: f64,
+    /// Largest demand over its limit; none of a run without a finite demand.
+    pub ratio: Option<f64>,
+    /// Whether the state was reached.
+    pub reached: bool,
+}
+
+/// Counts at intensities.
+pub fn counted(runs: &[Seen]) -> Vec<Stripe> {
+    let mut counts: BTreeMap<u64, [f64; 2]> = BTreeMap::new();
+    for run in runs {
+        // Positive numbers have the order of their bits.
+        let count = counts.entry(run.im.to_bits()).or_default();
+        count[0] += 1.0;
+        count[1] += f64::from(u8::from(run.reached));
+    }
+    let stripe = |(im, [n, exceed]): (u64, [f64; 2])| Stripe {
+        im: f64::from_bits(im),
+        n,
+        exceed,
+    };
+    counts.into_iter().map(stripe).collect()
+}
+
+/// The intensity at which a run of a record reaches the state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Capacity {
+    At(f64),
+    /// The last intensity, without the state.
+    Beyond(f64),
+}
+
+/// The runs of one state, record by record, as a method takes them.
+enum Data {
+    Stripes {
+        ims: Vec<f64>,
+        records: Vec<Vec<(usize, bool)>>,
+    },
+    Cloud(Vec<Vec<Run>>),
+    Capacities {
+        records: Vec<Vec<Capacity>>,
+        /// End of the scaling, where some did not reach the state.
+        end: Option<f64>,
+    },
+}
+
+/// A fit, and the regression behind it.
+type Found = (Fit, Option<Cloud>);
+
+impl Data {
+    /// Errors: capacities that the intensities do not bracket.
+    fn of(method: Method, runs: &[Seen], notes: &mut Vec<String>) -> Result<Data, NotIdentifiable> {
+        let mut records: BTreeMap<u32, Vec<Seen>> = BTreeMap::new();
+        for run in runs {
+            records.entry(run.record).or_default().push(*run);
+        }
+        let records: Vec<Vec<Seen>> = records.into_values().collect();
+        match method {
+            Method::Stripes => {
+                let ims: Vec<f64> = counted(runs).iter().map(|s| s.im).collect();
+                let place = |run: &Seen| ims.partition_point(|im| *im < run.im);
+                let of = |runs: &Vec<Seen>| runs.iter().map(|run| (place(run), run.reached)).collect();
+                Ok(Data::Stripes {
+                    records: records.iter().map(of).collect(),
+                    ims,
+                })
+            }
+            Method::Cloud => {
+                let idle = |run: &Seen| run.ratio.is_some_and(|ratio| ratio <= 0.0);
+                let left = runs.iter().filter(|run| idle(run)).count();
+                if left > 0 {
+                    notes.push(format!(
+                        "{left} runs without a demand greater than 0 are left out of the regression"
+                    ));
+                }
+                let of = |runs: &Vec<Seen>| {
+                    let kept = runs.iter().filter(|run| !idle(run));
+                    kept.map(|run| Run {
+                        im: run.im,
+                        demand: run.ratio,
+                    })
+                    .collect()
+                };
+                Ok(Data::Cloud(records.iter().map(of).collect()))
+            }
+            Method::Capacities => of_capacities(&records, notes),
+        }
+    }
+
+    fn len(&self) -> usize {
+        match self {
+            Data::Stripes { records, .. } => records.len(),
+            Data::Cloud(records) => records.len(),
+            Data::Capacities { records, .. } => records.len(),
+        }
+    }
+
+    fn name(&self) -> &'static str {
+        match self {
+            Data::Stripes { .. } => "stripes",
+            Data::Cloud(_) => "cloud",
+            Data::Capacities { end: None, .. } => "capacities",
+            Data::Capacities { end: Some(_), .. } => "truncated_capacities",
+        }
+    }
+
+    /// The curve of the records with these numbers.
+    ///
+    /// Errors: runs that identify none.
+    fn fit(&self, picked: &[usize]) -> Result<Found, NotIdentifiable> {
+        match self {
+            Data::Stripes { ims, records } => {
+                let mut counts = vec![[0.0; 2]; ims.len()];
+                for &(place, reached) in picked.iter().flat_map(|&i| &records[i]) {
+                    counts[place][0] += 1.0;
+                    counts[place][1] += f64::from(u8::from(reached));
+                }
+                let all: Vec<Stripe> = ims
+                    .iter()
+                    .zip(&counts)
+                    .filter(|(_, count)| count[0] > 0.0)
+                    .map(|(&im, &[n, exceed])| Stripe { im, n, exceed })
+                    .collect();
+                Ok((stripes::fit(&all)?, None))
+            }
+            Data::Cloud(records) => {
+                let runs: Vec<Run> = picked.iter().flat_map(|&i| &records[i]).copied().collect();
+                let regression = cloud::fit(&runs)?;
+                let fit = Fit {
+                    curve: regression.total(1.0)?,
+                    n: runs.len(),
+                    negative_log_likelihood: f64::NAN,
+                };
+                Ok((fit, Some(regression)))
+            }
+            Data::Capacities { records, end } => {
+                let all = picked.iter().flat_map(|&i| &records[i]);
+                let at: Vec<f64> = all
+                    .clone()
+                    .filter_map(|capacity| match capacity {
+                        Capacity::At(im) => Some(*im),
+                        Capacity::Beyond(_) => None,
+                    })
+                    .collect();
+                let fit = match end {
+                    Some(end) => capacities::fit_truncated(&at, *end, all.count() - at.len())?,
+                    None => capacities::fit(&at)?,
+                };
+                Ok((fit, None))
+            }
+        }
+    }
+}
+
+/// Capacities of every record and sample.
+fn of_capacities(records: &[Vec<Seen>], notes: &mut Vec<String>) -> Result<Data, NotIdentifiable> {
+    let (mut below, mut stepped) = (Vec::new(), 0);
+    let mut all: Vec<Vec<Capacity>> = Vec::new();
+    for runs in records {
+        let mut samples: BTreeMap<u32, Vec<Seen>> = BTreeMap::new();
+        for run in runs {
+            samples.entry(run.sample).or_default().push(*run);
+        }
+        let mut found = Vec::new();
+        for runs in samples.values_mut() {
+            runs.sort_by(|a, b| a.im.total_cmp(&b.im));
+            match runs.iter().position(|run| run.reached) {
+                None => found.extend(runs.last().map(|run| Capacity::Beyond(run.im))),
+                Some(0) => below.push(runs[0].im),
+                Some(first) => {
+                    let (before, after) = (&runs[first - 1], &runs[first]);
+                    let at = crossing(before, after);
+                    stepped += usize::from(at.is_none());
+                    // Without a demand on both sides the capacity is that below, which errs on the side of damage.
+                    found.push(Capacity::At(at.unwrap_or(before.im)));
+                }
+            }
+        }
+        all.push(found);
+    }
+    if !below.is_empty() {
+        let lowest = below.iter().copied().fold(f64::INFINITY, f64::min);
+        return Err(NotIdentifiable {
+            reason: format!(
+                "{} runs reach the state at their lowest intensity, so that their capacity is not bracketed; add lower levels",
+                below.len()
+            ),
+            bounds: [None, Some(lowest)],
+        });
+    }
+    if stepped > 0 {
+        notes.push(format!(
+            "{stepped} capacities are the last intensity before a run without a finite demand"
+        ));
+    }
+    let beyond = all.iter().flatten().filter_map(|capacity| match capacity {
+        Capacity::Beyond(im) => Some(*im),
+        Capacity::At(_) => None,
+    });
+    let ends: Vec<f64> = beyond.collect();
+    let end = ends.first().copied();
+    if ends.iter().any(|im| Some(*im) != end) {
+        return Err(NotIdentifiable::because(
+            "runs that did not reach the state end at different intensities",
+        ));
+    }
+    Ok(Data::Capacities { records: all, end })
+}
+
+/// Where the ratio is 1 between two runs, linear in logarithms; none without two ratios greater than 0.
+fn crossing(before: &Seen, after: &Seen) -> Option<f64> {
+    let (low, high) = (before.ratio.filter(|r| *r > 0.0)?, after.ratio?);
+    let share = -low.ln() / (high / low).ln();
+    (0.0..=1.0)
+        .contains(&share)
+        .then(|| before.im * (after.im / before.im).powf(share))
+}
+
+impl Asked {
+    /// Curves of the runs of a study, state by state from mild to severe.
+    pub fn of_runs(&self, method: Method, states: &[(String, Vec<Seen>)]) -> Vec<Curve> {
+        let counts: Vec<Vec<Stripe>> = states.iter().map(|(_, runs)| counted(runs)).collect();
+        let of = |((state, runs), counts): (&(String, Vec<Seen>), &Vec<Stripe>)| {
+            let mut notes = Vec::new();
+            let curve = match Data::of(method, runs, &mut notes) {
+                Ok(data) => self.of_data(state, runs.len(), &data),
+                Err(refusal) => self.curve(state, "capacities", runs.len(), Err(refusal)),
+            };
+            Curve {
+                points: counts.iter().copied().map(Point::whole).collect(),
+                notes,
+                ..curve
+            }
+        };
+        let mut curves: Vec<Curve> = states.iter().zip(&counts).map(of).collect();
+        let data: Vec<&[Stripe]> = counts.iter().map(Vec::as_slice).collect();
+        refit(&mut curves, &data);
+        curves
+    }
+
+    fn of_data(&self, state: &str, n: usize, data: &Data) -> Curve {
+        let all: Vec<usize> = (0..data.len()).collect();
+        let found = data.fit(&all);
+        let regression = found.as_ref().ok().and_then(|(_, regression)| *regression);
+        let samples = match found.is_ok() && data.len() >= FEWEST_RECORDS {
+            true => bootstrap::curves(self.resamples, self.seed, |draw| {
+                let picked: Vec<usize> = all.iter().map(|_| draw.below(all.len())).collect();
+                data.fit(&picked).map(|(fit, _)| fit.curve)
+            }),
+            false => Vec::new(),
+        };
+        let scatter = bootstrap::summary(&samples, self.resamples);
+        let curve = self.curve(state, data.name(), n, found.map(|(fit, _)| fit));
+        Curve {
+            cloud: regression,
+            negative_log_likelihood: curve.negative_log_likelihood.filter(|l| l.is_finite()),
+            samples: if scatter.is_some() { samples } else { Vec::new() },
+            scatter,
+            ..curve
+        }
+    }
+}
+
+impl Curve {
+    /// States what missing runs can change.
+    ///
+    /// * `planned`: runs of the plan at each intensity
+    pub fn bound(&mut self, planned: &[(f64, usize)]) {
+        let mut points: Vec<Point> = Vec::new();
+        let mut missing = 0;
+        for &(im, runs) in planned {
+            let seen = self.points.iter().find(|p| p.stripe.im == im).map(|p| p.stripe);
+            let stripe = seen.unwrap_or(Stripe {
+                im,
+                n: 0.0,
+                exceed: 0.0,
+            });
+            let open = (runs as f64 - stripe.n).max(0.0);
+            missing += open as usize;
+            points.push(match open > 0.0 {
+                true => Point {
+                    stripe,
+                    missing: Some(open as usize),
+                    bounds: Some([stripe.exceed, stripe.exceed + open].map(|m| m / runs as f64)),
+                },
+                false => Point::whole(stripe),
+            });
+        }
+        if missing == 0 {
+            return;
+        }
+        let with = |reached: f64| -> Option<Lognormal> {
+            let all: Vec<Stripe> = points
+                .iter()
+                .map(|p| {
+                    let open = p.missing.unwrap_or(0) as f64;
+                    Stripe {
+                        n: p.stripe.n + open,
+                        exceed: p.stripe.exceed + reached * open,
+                        ..p.stripe
+                    }
+                })
+                .collect();
+            stripes::fit(&all).ok().map(|fit| fit.curve)
+        };
+        self.partial = Some(Partial {
+            missing,
+            if_safe: with(0.0),
+            if_reached: with(1.0),
+        });
+        self.points = points;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn asked() -> Asked {
+        Asked {
+            im: "PGA".into(),
+            resamples: 200,
+            seed: 0,
+            hazard: None,
+        }
+    }
+
+    /// A record of capacity c under levels: Y = im/c, so the ratio at a level is known.
+    fn runs(capacities: &[f64], levels: &[f64]) -> Vec<Seen> {
+        let mut all = Vec::new();
+        for (record, capacity) in capacities.iter().enumerate() {
+            for &im in levels {
+                all.push(Seen {
+                    record: record as u32,
+                    sample: 0,
+                    im,
+                    ratio: Some(im / capacity),
+                    reached: im >= *capacity,
+                });
+            }
+        }
+        all
+    }
+
+    const CAPACITIES: [f64; 10] = [0.31, 0.38, 0.42, 0.47, 0.55, 0.58, 0.66, 0.74, 0.9, 1.1];
+
+    fn curve(method: Method, runs: Vec<Seen>) -> Curve {
+        asked().of_runs(method, &[("DS1".into(), runs)]).remove(0)
+    }
+
+    /// A demand proportional to intensity is a line in logarithms: interpolation finds every capacity, and the fit is that of the worked
+    /// capacities (computed outside this program: 0.569468, 0.394104).
+    #[test]
+    fn capacities_between_levels() {
+        let found = curve(Method::Capacities, runs(&CAPACITIES, &[0.2, 0.4, 0.6, 0.8, 1.2]));
+        assert_eq!(found.method, "capacities");
+        assert!((found.median.unwrap() - 0.569_468).abs() < 1e-6);
+        assert!((found.dispersion.unwrap() - 0.394_104).abs() < 1e-6);
+        assert!(found.scatter.is_some());
+    }
+
+    /// Scaling that ends at 0.7 is the truncated likelihood of the seven capacities below.
+    #[test]
+    fn capacities_beyond_the_last_level() {
+        let found = curve(Method::Capacities, runs(&CAPACITIES, &[0.2, 0.4, 0.6, 0.7]));
+        let wanted = capacities::fit_truncated(&CAPACITIES[..7], 0.7, 3).unwrap().curve;
+        assert_eq!(found.method, "truncated_capacities");
+        assert!((found.median.unwrap() / wanted.median - 1.0).abs() < 1e-9);
+        assert!((found.dispersion.unwrap() / wanted.dispersion - 1.0).abs() < 1e-9);
+        let low = curve(Method::Capacities, runs(&CAPACITIES, &[0.35, 0.6, 1.2]));
+        assert!(low.reason.unwrap().contains("1 runs reach the state at their lowest"));
+    }
+
+    /// The counts of the same runs; resampling records keeps the runs of a record together, so the band of ten records of one capacity each
+    /// is that of ten independent capacities (standard error of the mean of their logarithms), not that of fifty runs. A third leaves room for the
+    /// coarse levels.
+    #[test]
+    fn bands_of_stripes_are_over_records() {
+        let levels: Vec<f64> = (0..30).map(|k| 0.25 * 1.06_f64.powi(k)).collect();
+        let found = curve(Method::Stripes, runs(&CAPACITIES, &levels));
+        let scatter = found.scatter.unwrap();
+        let width = (scatter.median.high / scatter.median.low).ln();
+        let expected = 2.0 * 1.645 * 0.394_104 / 10.0_f64.sqrt();
+        assert!((width / expected - 1.0).abs() < 0.33, "{width} {expected}");
+        let again = curve(Method::Stripes, runs(&CAPACITIES, &levels));
+        assert_eq!(again.scatter, Some(scatter), "the same seed, the same band");
+    }
+
+    /// ln Y = ln im − ln c: slope 1, and the scatter is that of ln c about its mean at every level: n − 2 degrees of freedom of five equal
+    /// groups, so σ² = 5 · 9 s²/48 with the worked s = 0.394104, and the median is the worked one.
+    #[test]
+    fn a_cloud_of_ratios() {
+        let found = curve(Method::Cloud, runs(&CAPACITIES, &[0.2, 0.4, 0.6, 0.8, 1.2]));
+        assert_eq!(found.method, "cloud");
+        assert!((found.median.unwrap() - 0.569_468).abs() < 1e-6);
+        let wanted = 0.394_104 * (45.0_f64 / 48.0).sqrt();
+        assert!((found.dispersion.unwrap() - wanted).abs() < 1e-6);
+        assert!((found.cloud.unwrap().slope - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_collapse_is_a_step_and_is_said() {
+        let mut all = runs(&CAPACITIES, &[0.2, 0.4, 0.6, 0.8, 1.2]);
+        for run in all.iter_mut().filter(|run| run.im > 1.0) {
+            run.ratio = None;
+        }
+        let found = curve(Method::Capacities, all);
+        assert_eq!(found.notes.len(), 1, "{:?}", found.notes);
+        assert!(found.notes[0].starts_with("2 capacities"));
+    }
+
+    /// 8 of 10 runs known, 3 of them reached: 3/10 … 5/10.
+    #[test]
+    fn missing_runs_bound_shares_and_curves() {
+        let mut found = curve(Method::Stripes, runs(&CAPACITIES[..8], &[0.2, 0.4, 0.45, 0.8]));
+        found.bound(&[(0.2, 10), (0.4, 10), (0.45, 10), (0.8, 10)]);
+        let at = |im: f64| found.points.iter().find(|p| p.stripe.im == im).unwrap();
+        assert_eq!((at(0.45).stripe.exceed, at(0.45).missing), (3.0, Some(2)));
+        let [low, high] = at(0.45).bounds.unwrap();
+        assert!((low - 0.3).abs() < 1e-15 && (high - 0.5).abs() < 1e-15);
+        let partial = found.partial.unwrap();
+        assert_eq!(partial.missing, 8);
+        assert!(partial.if_safe.unwrap().median > partial.if_reached.unwrap().median);
+        let whole = curve(Method::Stripes, runs(&CAPACITIES, &[0.4, 0.8]));
+        let mut same = whole.clone();
+        same.bound(&[(0.4, 10), (0.8, 10)]);
+        assert_eq!(same, whole);
+    }
+
+    #[test]
+    fn two_records_have_no_band() {
+        let found = curve(Method::Capacities, runs(&CAPACITIES[..2], &[0.2, 0.4, 0.6]));
+        assert!(found.median.is_some() && found.scatter.is_none());
+    }
+}
