@@ -118,7 +118,7 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
 
 /// Warnings about the input, placed above the assumptions of the engine.
 fn warnings(job: &IdaJob) -> Vec<String> {
-    job.job.warnings.iter().map(|w| format!("Warning: {w}")).collect()
+    job.job.warnings.iter().map(|w| format!("Warning {w}")).collect()
 }
 
 /// Whether a run of this scale exists.

@@ -1,5 +1,6 @@
 //! Input of a computation: plain, validated data in SI.
 
+use files::code::Warning;
 use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
@@ -56,7 +57,7 @@ pub struct Job {
     /// Input files of the job, with their hashes.
     pub files: Vec<SourceFile>,
     /// Warnings about the input, one sentence each.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     /// Horizontal (and vertical) record as read, before scaling, for the report's echo.
     pub raw_records: Vec<oscillator::record::Record>,
 }

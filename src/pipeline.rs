@@ -11,6 +11,7 @@ mod series;
 mod site;
 mod standing;
 
+use files::code::Code;
 use std::collections::BTreeMap;
 
 use codes::Procedure;
@@ -38,10 +39,10 @@ use results::{
 pub fn select_procedures(ids: &[String]) -> Result<Vec<String>, Error> {
     let known: Vec<&str> = codes::ALL.iter().map(|p| p.id()).collect();
     if let Some(unknown) = ids.iter().find(|id| !known.contains(&id.as_str())) {
-        return Err(Error::input(format!(
-            "error: procedures: found `{unknown}`, expected any of {}",
-            known.join(", ")
-        )));
+        return Err(Error::input(
+            Code::UnknownId,
+            format!("procedures: found `{unknown}`, expected any of {}", known.join(", ")),
+        ));
     }
     Ok(known
         .iter()

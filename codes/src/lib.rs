@@ -11,6 +11,7 @@
 //! | `slab` | a rigid slab on soil |
 //! | [`hazard`] | ordinates of the user's spectrum |
 //! | [`modal_action`] | the design spectrum of a procedure for the modes of an engine |
+//! | [`meaning`] | what each check compares, in words |
 //! | [`housner`], [`ec8`], [`api650`], [`deformability`] | the procedures |
 
 pub mod api650;
@@ -24,6 +25,7 @@ pub mod housner;
 #[cfg(test)]
 mod ingredients;
 pub mod lifted;
+pub mod meaning;
 pub mod mechanical;
 pub mod modal_action;
 pub mod procedure;

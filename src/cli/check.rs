@@ -12,6 +12,7 @@ use crate::cli::{Format, Global, compare, findings, print, solve, tanks, wall};
 use crate::error::Error;
 use crate::pipeline::{self, Outcome};
 use files::OutputFolder;
+use files::code::Code;
 use report;
 use results::{self, COMPARE};
 
@@ -53,7 +54,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "VARIABLE", conflicts_with = "out")]
     solve: Option<String>,
     /// Check the tanks of this CSV table, whose columns are paths of the tank file; prints a CSV table.
-    #[arg(long, value_name = "CSV", conflicts_with = "out")]
+    #[arg(long, value_name = "FILE", conflicts_with = "out")]
     table: Option<std::path::PathBuf>,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = CheckFormat::Human)]
@@ -101,14 +102,16 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
             .map(|_| "--table")
             .or(args.solve.as_ref().map(|_| "--solve")),
     ) {
-        return Err(Error::input(format!(
-            "error: {option}: found a test report as --format, expected human, json or csv"
-        )));
+        return Err(Error::input(
+            Code::OptionConflict,
+            format!("{option}: found a test report as --format, expected human, json or csv"),
+        ));
     }
     if let Some(table) = &args.table {
         if args.format == CheckFormat::Json {
             return Err(Error::input(
-                "error: --table: found --format json, expected csv\n  help: leave --format out".into(),
+                Code::OptionConflict,
+                "--table: found --format json, expected csv\n  help: leave --format out".into(),
             ));
         }
         return tanks::run(&args.inputs, table, args.solve.as_deref());

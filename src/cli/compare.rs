@@ -25,7 +25,8 @@ use crate::job::Job;
 use crate::pipeline::{self, Outcome};
 use engines::estimate::Estimate;
 use engines::{FeError, Integrator, Task, engine};
-use files::{OutputFolder, kept_complete, text};
+use files::code::{Code, Warning};
+use files::{OutputFolder, kept_complete};
 use report::words::{self, terminal};
 use report::{self, Level};
 use results::compare::unusable;
@@ -156,7 +157,8 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     };
     let missing = || {
         Error::input(
-            "error: the ground motion is missing\n  help: give a record with --quake, or run `tankcheck check` for the codes alone; \
+            Code::MissingInput,
+            "the ground motion is missing\n  help: give a record with --quake, or run `tankcheck check` for the codes alone; \
              the linear engines run without a record under the design spectrum of `site`"
                 .into(),
         )
@@ -186,10 +188,13 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     }
     nonlinear::announce(&job, global);
     if args.vtu.as_ref() == Some(&args.out) {
-        return Err(Error::input(format!(
-            "error: --vtu and --out are the same folder, `{}`\n  help: use a separate folder for each",
-            args.out.display()
-        )));
+        return Err(Error::input(
+            Code::OptionConflict,
+            format!(
+                "--vtu and --out are the same folder, `{}`\n  help: use a separate folder for each",
+                args.out.display()
+            ),
+        ));
     }
     let folder = match job.checkpoint {
         Some(_) => OutputFolder::prepare_alone(&args.out, results::COMPARE)?,
@@ -229,7 +234,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     print(&results, out, (args.format, &args.select, &select::WHOLE), global)?;
     late_warnings(&job, &results);
     for found in unusable(&results) {
-        say!("warning: {}", words::verdict::unusable(&found));
+        stream::warn("", &Warning::new(Code::Unusable, words::verdict::unusable(&found)));
     }
     for line in terminal::apart(&results.comparison.measured_apart) {
         say!("note: {line}");
@@ -272,9 +277,10 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
     if !job.engines.contains(&EngineId::Solid) {
         let unused = args.solid.given().or(args.vtu.as_ref().map(|_| "--vtu"));
         return match unused {
-            Some(option) => Err(Error::input(format!(
-                "error: {option} applies to the three-dimensional engine only\n  help: add --fe solid or --fe both"
-            ))),
+            Some(option) => Err(Error::input(
+                Code::OptionConflict,
+                format!("{option} applies to the three-dimensional engine only\n  help: add --fe solid or --fe both"),
+            )),
             None => Ok(()),
         };
     }
@@ -298,10 +304,13 @@ fn interval(job: &Job, given: Option<f64>) -> Result<f64, Error> {
     match given {
         None => Ok((duration / STATES).max(record.dt)),
         Some(every) if every >= record.dt && every.is_finite() => Ok(every),
-        Some(every) => Err(Error::input(format!(
-            "error: --vtu-every: found `{every}`, expected a time [s] of at least the time step of the record, {}",
-            record.dt
-        ))),
+        Some(every) => Err(Error::input(
+            Code::OptionValue,
+            format!(
+                "--vtu-every: found `{every}`, expected a time [s] of at least the time step of the record, {}",
+                record.dt
+            ),
+        )),
     }
 }
 
@@ -362,7 +371,7 @@ pub(crate) fn print(
 /// Warnings that follow from the results; those about the input were printed before the run.
 pub(crate) fn late_warnings(job: &Job, results: &Results) {
     for warning in results.warnings.iter().filter(|w| !job.warnings.contains(w)) {
-        say!("warning: {}", text::line(warning));
+        stream::warn("", warning);
     }
 }
 
@@ -525,12 +534,12 @@ fn verdict(results: &Results) -> String {
     for run in &results.runs {
         let exceeded: Vec<&Limit> = run.limits.iter().filter(|l| !l.holds).collect();
         for limit in exceeded.iter().filter(|l| !told.contains(&l.id.as_str())) {
-            let _ = writeln!(text, "{}", terminal::exceeded(limit));
+            let _ = writeln!(text, "{}: {}", Code::LimitExceeded.head(), terminal::exceeded(limit));
         }
         told.extend(exceeded.iter().map(|l| l.id.as_str()));
     }
     if results.runs.iter().any(Run::parted) {
-        let _ = writeln!(text, "warning: {}", words::verdict::LIQUID_PARTED);
+        let _ = writeln!(text, "{}: {}", Code::LiquidParted.head(), words::verdict::LIQUID_PARTED);
     }
     text
 }

@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
-use crate::cli::terminal::say;
+use crate::cli::terminal::warn;
 use crate::cli::{Global, print};
 use crate::error::{EXIT_OK, Error};
+use files::code::{Code, Warning};
 use files::{self, OutputFolder};
 use report::{self, Level};
 use results::{COMPARE_REPORT, REPORT_FILE};
@@ -20,7 +21,7 @@ pub(crate) struct Args {
     #[command(flatten)]
     level: LevelArg,
     /// Folder of templates that replace the built-in ones of the same name (report.html, style.css, sections/….html).
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "FOLDER")]
     templates: Option<PathBuf>,
 }
 
@@ -58,7 +59,8 @@ enum ReportLevel {
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
     for name in files::edited(&args.folder, COMPARE_REPORT) {
-        say!("warning: {name} has changed since tankcheck wrote it; the report shows the changed file");
+        let text = format!("{name} has changed since tankcheck wrote it; the report shows the changed file");
+        warn("", &Warning::new(Code::ChangedResults, text));
     }
     let report = report::of_folder(&args.folder, args.templates.as_deref(), args.level.level())?;
     let folder = OutputFolder::prepare(&args.folder, COMPARE_REPORT)?;

@@ -19,6 +19,7 @@ use crate::study::scripts::{self, Scheduler};
 use crate::study::store::{self, State};
 use crate::study::{merge, rows::RowStatus};
 use engines::estimate::span;
+use files::code::Code;
 use files::{OutputFolder, text, write_whole};
 use report::{Level, REPORT_FILE};
 
@@ -268,7 +269,8 @@ fn compute(args: &RunArgs, global: &Global) -> Result<u8, Error> {
         match study.tanks.len() == plan.tanks.len() && study.records.len() == plan.records.len() {
             true => Ok(study),
             false => Err(Error::input(
-                "error: the study file has other tanks or records than its plan\n  help: plan again with `tankcheck study plan`; results \
+                Code::StudyChanged,
+                "the study file has other tanks or records than its plan\n  help: plan again with `tankcheck study plan`; results \
                  whose input is unchanged are kept"
                     .into(),
             )),
@@ -307,9 +309,10 @@ fn which(args: &RunArgs, tasks: usize) -> Result<Which, Error> {
         let numbers = parts.and_then(|(i, n)| Some((i.trim().parse().ok()?, n.trim().parse().ok()?)));
         return match numbers {
             Some((number, of)) if of >= 1 && (1..=of).contains(&number) => Ok(Which::Shard { number, of }),
-            _ => Err(Error::input(format!(
-                "error: --shard: found `{text}`, expected `i/n` with 1 ≤ i ≤ n, such as 3/16"
-            ))),
+            _ => Err(Error::input(
+                Code::OptionValue,
+                format!("--shard: found `{text}`, expected `i/n` with 1 ≤ i ≤ n, such as 3/16"),
+            )),
         };
     }
     let Some(text) = &args.task else { return Ok(Which::All) };
@@ -319,9 +322,12 @@ fn which(args: &RunArgs, tasks: usize) -> Result<Which, Error> {
     };
     match number {
         Some(number) if (1..=tasks).contains(&number) => Ok(Which::One(number)),
-        _ => Err(Error::input(format!(
-            "error: --task: found `{text}`, expected a number from 1 to {tasks}, or `auto` under HyperQueue, Slurm or PBS"
-        ))),
+        _ => Err(Error::input(
+            Code::OptionValue,
+            format!(
+                "--task: found `{text}`, expected a number from 1 to {tasks}, or `auto` under HyperQueue, Slurm or PBS"
+            ),
+        )),
     }
 }
 
@@ -377,7 +383,8 @@ fn status(args: &StatusArgs) -> Result<u8, Error> {
         Format::Human => print(&human(&plan, &found))?,
         Format::Csv => {
             return Err(Error::input(
-                "error: --format: found csv, expected human or json".into(),
+                Code::OptionConflict,
+                "--format: found csv, expected human or json".into(),
             ));
         }
     }

@@ -8,6 +8,7 @@ use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 
 use crate::error::Error;
+use files::code::Warning;
 use files::text;
 use results::describe;
 
@@ -40,6 +41,18 @@ pub(crate) fn coloured(text: &str) {
     let line = format!("{text}\n");
     let mut messages = anstream::stderr().lock();
     let _ = messages.write_all(line.as_bytes()).and_then(|()| messages.flush());
+}
+
+/// Writes a warning with its code to standard error.
+///
+/// * `origin`: what it is about ("tanks.csv:3: "), may be empty
+pub(crate) fn warn(origin: &str, warning: &Warning) {
+    message(format_args!(
+        "{}: {}{}",
+        warning.head(),
+        text::line(origin),
+        text::line(warning.text())
+    ));
 }
 
 /// [`message`] with the arguments of [`format!`].

@@ -18,6 +18,7 @@ use super::plan::{Plan, Task};
 use super::rows::{Ending, Line, Row, RowStatus, TankRow};
 use super::store::{self, Rolling};
 use crate::error::Error;
+use files::code::Code;
 use files::error::describe;
 use files::write_whole;
 use results::Study;
@@ -57,7 +58,10 @@ pub fn merge(
     progress.stage("reading results", tasks.len() as u64);
     let (columns, missing) = survey(folder, tasks, progress)?;
     if !partial && !missing.is_empty() {
-        return Err(Error::input(refusal(folder, tasks.len(), &missing)));
+        return Err(Error::input(
+            Code::StudyIncomplete,
+            refusal(folder, tasks.len(), &missing),
+        ));
     }
     progress.stage("writing rows", tasks.len() as u64);
     let path = folder.join("rows.csv");
@@ -199,7 +203,7 @@ fn add<'a>(set: &mut BTreeSet<String>, keys: impl Iterator<Item = &'a String>) {
 }
 
 fn refusal(folder: &Path, tasks: usize, missing: &[&Task]) -> String {
-    let mut text = format!("error: {} of {tasks} tasks have no result", missing.len());
+    let mut text = format!("{} of {tasks} tasks have no result", missing.len());
     let failed: Vec<_> = missing
         .iter()
         .filter_map(|task| store::failure(folder, &task.key))

@@ -3,6 +3,7 @@
 //! The records are taken as read, along x. Levels scale them one by one later; the factor says by how much the set as it is falls short.
 
 use codes::record_set::{self, Asked};
+use files::code::Code;
 use oscillator::record::Record;
 use serde::{Deserialize, Serialize};
 use tank::Quantity;
@@ -78,7 +79,8 @@ pub fn elastic(tank: &TankFile, damping: f64) -> Result<Curve, Error> {
     let found = curves.next();
     found.map(|curve| curve.acceleration).ok_or_else(|| {
         Error::input(
-            "error: the tank file has no `site.ec8`, whose elastic spectrum the rule compares with\n  help: add it, or give a table of the \
+            Code::MissingInput,
+            "the tank file has no `site.ec8`, whose elastic spectrum the rule compares with\n  help: add it, or give a table of the \
              spectrum"
                 .into(),
         )
@@ -126,8 +128,8 @@ pub fn periods(tank: &TankFile) -> Result<Vec<Wanted>, Error> {
         .collect();
     match wanted.is_empty() {
         true => Err(Error::input(
-            "error: no procedure gives a period of this tank\n  help: give the period, and `site.ec8` in the tank file"
-                .into(),
+            Code::MissingInput,
+            "no procedure gives a period of this tank\n  help: give the period, and `site.ec8` in the tank file".into(),
         )),
         false => Ok(wanted),
     }
@@ -144,7 +146,10 @@ pub fn ask(rule: &Rule, tanks: &[(String, TankFile)], records: &[Record]) -> Res
     for (id, tank) in tanks {
         let of_tank = |error: Error| {
             let text = error.to_string();
-            Error::input(format!("{}\n  tank: {id}", text.trim_end()))
+            Error::input(
+                error.code().unwrap_or(Code::MissingInput),
+                format!("{}\n  tank: {id}", text.trim_end()),
+            )
         };
         let (alone, wanted) = match rule.periods {
             RulePeriods::Given(period) => {
@@ -180,12 +185,15 @@ pub fn ask(rule: &Rule, tanks: &[(String, TankFile)], records: &[Record]) -> Res
             if let Some(table) = &rule.table
                 && record_set::RANGE[1] * wanted.period > table.longest() * (1.0 + 1e-9)
             {
-                return Err(Error::input(format!(
-                    "error: the target `{}` ends at {} s, before 2 T = {} s of the tank `{id}`\n  help: add rows; the table is not continued",
-                    rule.target,
-                    table.longest(),
-                    record_set::RANGE[1] * wanted.period
-                )));
+                return Err(Error::input(
+                    Code::OutOfRange,
+                    format!(
+                        "the target `{}` ends at {} s, before 2 T = {} s of the tank `{id}`\n  help: add rows; the table is not continued",
+                        rule.target,
+                        table.longest(),
+                        record_set::RANGE[1] * wanted.period
+                    ),
+                ));
             }
             let target = curve(wanted.damping)?;
             let asked = Asked {

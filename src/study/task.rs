@@ -6,6 +6,7 @@
 
 mod values;
 
+use files::code::Code;
 use std::collections::BTreeMap;
 
 use codes::time_history::Ready;
@@ -97,9 +98,12 @@ fn unchanged(
 ) -> Result<(), Error> {
     match changed(plan, tanks, records) {
         None => Ok(()),
-        Some(what) => Err(Error::input(format!(
-            "error: {what} changed since the plan\n  help: plan again with `tankcheck study plan`; results whose input is unchanged are kept"
-        ))),
+        Some(what) => Err(Error::input(
+            Code::StudyChanged,
+            format!(
+                "{what} changed since the plan\n  help: plan again with `tankcheck study plan`; results whose input is unchanged are kept"
+            ),
+        )),
     }
 }
 
@@ -315,19 +319,21 @@ impl Unit<'_> {
         lines: &mut Vec<Line>,
     ) -> Result<(), Error> {
         let scales = &self.study.scales;
-        let intensity = scales
-            .axis
-            .intensity(periods)
-            .ok_or_else(|| Error::input(format!("error: the tank has no period for the measure {}", scales.name)))?;
+        let intensity = scales.axis.intensity(periods).ok_or_else(|| {
+            Error::input(
+                Code::Unsupported,
+                format!("the tank has no period for the measure {}", scales.name),
+            )
+        })?;
         let measure = match &shaking.across {
             None => intensity.of(&shaking.along),
             Some(across) => (intensity.of(&shaking.along) * intensity.of(across)).sqrt(),
         };
         if !(measure > 0.0 && measure.is_finite()) {
-            return Err(Error::input(format!(
-                "error: {} of the record is {measure}",
-                scales.name
-            )));
+            return Err(Error::input(
+                Code::OutOfRange,
+                format!("{} of the record is {measure}", scales.name),
+            ));
         }
         let measures = shaking.along.measures();
         let all: Vec<Scaled> = match scales.levels.is_empty() {

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::manifest::{self, Found, MANIFEST_FILE, Manifest};
 use super::staging::{self, Commit, Staging};
 use super::{files_below, sync, unwritten, write_whole};
+use crate::code::Code;
 use crate::error::{Error, describe};
 
 /// A kind of results: folders of different kinds do not replace each other.
@@ -37,19 +38,20 @@ impl OutputFolder {
     /// target is a file, or contains results of another kind, or foreign or changed files at the paths of the
     /// results; a folder that cannot be created.
     pub fn prepare(target: &Path, kind: Kind) -> Result<OutputFolder, Error> {
-        let fault = |what: String| Error::File {
+        let fault = |code: Code, what: String| Error::File {
+            code,
             path: target.into(),
             what,
         };
         settle(target);
         let exists = target.symlink_metadata().is_ok();
         if exists && !target.is_dir() {
-            return Err(fault("is a file, expected an output folder".into()));
+            return Err(fault(Code::FileTaken, "is a file, expected an output folder".into()));
         }
         if exists {
             vacant(target, kind)?;
             if std::fs::metadata(target).is_ok_and(|m| m.permissions().readonly()) {
-                return Err(fault("is read-only".into()));
+                return Err(fault(Code::NotWritten, "is read-only".into()));
             }
         }
         // Inside an existing target (it may be a mount point, its parent read-only), else next to it.
@@ -64,6 +66,7 @@ impl OutputFolder {
                 .map(Path::to_path_buf)
                 .collect();
             std::fs::create_dir_all(&parent).map_err(|e| Error::File {
+                code: Code::NotWritten,
                 path: parent.clone(),
                 what: describe(&e),
             })?;
@@ -85,7 +88,7 @@ impl OutputFolder {
                 unmake(&made);
                 match error.kind() {
                     ErrorKind::StorageFull | ErrorKind::QuotaExceeded => Err(unwritten(target, &error)),
-                    _ => Err(fault(describe(&error))),
+                    _ => Err(fault(Code::NotWritten, describe(&error))),
                 }
             }
         }
@@ -208,10 +211,7 @@ pub fn settle(folder: &Path) {
 ///
 /// Errors: results of another kind, foreign or changed files in the way.
 fn vacant(target: &Path, kind: Kind) -> Result<Option<Manifest>, Error> {
-    let fault = |what: String| Error::File {
-        path: target.into(),
-        what,
-    };
+    let fault = |e: std::io::Error| Error::unreadable(target, &e);
     let manifest = match Manifest::find(target) {
         Found::None => None,
         Found::Own(manifest) => Some(manifest),
@@ -224,16 +224,10 @@ fn vacant(target: &Path, kind: Kind) -> Result<Option<Manifest>, Error> {
             kind,
         ));
     }
-    let entries = std::fs::read_dir(target).map_err(|e| fault(describe(&e)))?;
+    let entries = std::fs::read_dir(target).map_err(fault)?;
     let mut names = Vec::new();
     for entry in entries {
-        names.push(
-            entry
-                .map_err(|e| fault(describe(&e)))?
-                .file_name()
-                .to_string_lossy()
-                .into_owned(),
-        );
+        names.push(entry.map_err(fault)?.file_name().to_string_lossy().into_owned());
     }
     names.sort();
     let own = |name: &String| manifest.as_ref().is_some_and(|m| m.has(name));

@@ -32,6 +32,7 @@ mod value;
 mod verdict;
 pub mod vtu;
 
+use files::code::Warning;
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
@@ -113,7 +114,7 @@ pub struct Results {
     pub verdict: Verdict,
     /// Unusual input, one sentence each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 impl Results {

@@ -1,5 +1,6 @@
 //! `push.json`: a pushover of a cylinder.
 
+use files::code::Warning;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -32,7 +33,7 @@ pub struct Push {
     pub assumptions: Vec<String>,
     /// Reasons to doubt the results, one sentence each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub doubts: Vec<String>,
+    pub doubts: Vec<Warning>,
     /// The perfect shell, then the imperfect ones.
     pub shells: Vec<PushShell>,
     /// Limits of formulas at the lower edges of the courses.

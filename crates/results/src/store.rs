@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::ida::IDA_FILE;
 use super::push::PUSH_FILE;
 use super::{FORMAT, Results, Series, previous, transfer};
+use files::code::Code;
 use files::error::{Error, describe};
 use files::{Kind, settle, write_whole};
 
@@ -47,12 +48,14 @@ pub const COMPARE_REPORT: Kind = Kind {
 pub fn read(folder: &Path) -> Result<Results, Error> {
     let path = folder.join(RESULTS_FILE);
     let fault = |what: String| Error::File {
+        code: Code::NotResults,
         path: path.clone(),
         what,
     };
     settle(folder);
     if !folder.is_dir() {
         return Err(Error::File {
+            code: Code::NotResults,
             path: folder.into(),
             what: "no such results folder; `tankcheck compare` writes one".into(),
         });
@@ -61,6 +64,7 @@ pub fn read(folder: &Path) -> Result<Results, Error> {
     for (file, command) in [(IDA_FILE, "ida"), (PUSH_FILE, "push")] {
         if !path.exists() && folder.join(file).exists() {
             return Err(Error::File {
+                code: Code::NotResults,
                 path: folder.into(),
                 what: format!(
                     "holds the results of `tankcheck {command}` ({file}), allowed those of `tankcheck compare` or `tankcheck check`; its \
@@ -69,7 +73,7 @@ pub fn read(folder: &Path) -> Result<Results, Error> {
             });
         }
     }
-    let text = std::fs::read_to_string(&path).map_err(|e| fault(describe(&e)))?;
+    let text = std::fs::read_to_string(&path).map_err(|e| Error::unreadable(&path, &e))?;
     let no_results = |e: serde_json::Error| fault(format!("not a results file: {e}"));
     #[derive(Deserialize)]
     struct Head {
@@ -96,6 +100,7 @@ pub fn read_series(folder: &Path) -> Result<Series, Error> {
         return Ok(Series::default());
     }
     let fault = |what: String| Error::File {
+        code: Code::NotResults,
         path: path.clone(),
         what,
     };
@@ -176,10 +181,11 @@ fn series_csv(series: &Series) -> String {
 /// Errors: an unreadable file, text that is not JSON, another format version.
 pub(super) fn read_document<T: DeserializeOwned>(path: &Path, format: &str, what: &str) -> Result<T, Error> {
     let fault = |what: String| Error::File {
+        code: Code::NotResults,
         path: path.into(),
         what,
     };
-    let text = std::fs::read_to_string(path).map_err(|e| fault(describe(&e)))?;
+    let text = std::fs::read_to_string(path).map_err(|e| Error::unreadable(path, &e))?;
     let value: serde_json::Value =
         serde_json::from_str(&text).map_err(|e| fault(format!("not the results of {what}: {e}")))?;
     match value.get("format").and_then(serde_json::Value::as_str) {

@@ -16,6 +16,7 @@
 //!
 //! Example, limits and default are optional. The type is `Field<T>` for a required key, `Opt<T>` for an optional one.
 
+use files::code::Code;
 use std::collections::BTreeSet;
 use std::ops::{Deref, Range};
 
@@ -189,7 +190,7 @@ impl<T: FromNode> Property for Field<T> {
         // A misspelt key was already reported with this one as the suggestion.
         if !object.meant.contains(name) {
             faults.push(
-                Fault::new(format!("the key `{name}` is missing"))
+                Fault::new(Code::MissingKey, format!("the key `{name}` is missing"))
                     .at(object.head.clone())
                     .path(join(&object.node.path, name))
                     .allowed(T::allowed())
@@ -245,7 +246,7 @@ impl<'a> ObjectReader<'a> {
                 true => nearest(&member.key, free.iter().copied()),
                 false => None,
             };
-            let mut fault = Fault::new(format!("unknown key `{}`", member.key))
+            let mut fault = Fault::new(Code::UnknownKey, format!("unknown key `{}`", member.key))
                 .at(member.key_span.clone())
                 .path(member.value.path.clone())
                 .allowed(list(known, "or"));
@@ -341,7 +342,7 @@ pub(in crate::input) fn nearest<'k>(word: &str, known: impl IntoIterator<Item = 
 }
 
 pub(in crate::input) fn wrong_kind(node: &Node, allowed: &str) -> Fault {
-    Fault::new(format!("{} is not allowed here", node.noun()))
+    Fault::new(Code::WrongKind, format!("{} is not allowed here", node.noun()))
         .at(node.span.clone())
         .path(node.path.clone())
         .found(node.shown())
@@ -349,8 +350,8 @@ pub(in crate::input) fn wrong_kind(node: &Node, allowed: &str) -> Fault {
 }
 
 /// A fault about a value of the right kind with the wrong content.
-pub(in crate::input) fn wrong_value(node: &Node, message: &str, allowed: &str) -> Fault {
-    Fault::new(message)
+pub(in crate::input) fn wrong_value(code: Code, node: &Node, message: &str, allowed: &str) -> Fault {
+    Fault::new(code, message)
         .at(node.span.clone())
         .path(node.path.clone())
         .found(node.shown())
@@ -371,7 +372,7 @@ pub(in crate::input) fn one_of_words<T: Copy>(
     };
     let found = words.iter().find(|(word, _)| word == text);
     if found.is_none() {
-        let mut fault = wrong_value(node, &format!("unknown choice `{text}`"), &allowed);
+        let mut fault = wrong_value(Code::UnknownChoice, node, &format!("unknown choice `{text}`"), &allowed);
         if let Some(near) = nearest(text, known) {
             fault = fault.help(format!("did you mean \"{near}\"?"));
         }

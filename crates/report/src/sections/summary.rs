@@ -1,5 +1,6 @@
 //! First page: verdict, governing check, key figures, the three headline quantities.
 
+use files::code::{Code, Warning as Warned};
 use serde::Serialize;
 use tank::Quantity;
 use tank::Shape;
@@ -238,9 +239,11 @@ fn warnings(results: &Results) -> Vec<Warning> {
 }
 
 /// Warnings about the input and about values that are not to be used.
-fn unusual(results: &Results) -> Vec<String> {
+fn unusual(results: &Results) -> Vec<Warned> {
     let unusable = unusable(results);
-    let unusable = unusable.iter().map(words::verdict::unusable);
+    let unusable = unusable
+        .iter()
+        .map(|found| Warned::new(Code::Unusable, words::verdict::unusable(found)));
     results.warnings.iter().cloned().chain(unusable).collect()
 }
 
