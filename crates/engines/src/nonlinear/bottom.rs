@@ -34,6 +34,8 @@ use super::laws::unsupported;
 use crate::FeError;
 use tank::options::nonlinear::Integration;
 
+/// Group of the plates.
+pub(super) const BOTTOM: &str = "bottom";
 /// Group of the ground.
 pub(super) const GROUND: &str = "ground";
 /// Group of what keeps the foot from sliding.
@@ -215,7 +217,7 @@ impl Plate {
                 cells.push(ShellCell {
                     nodes: [pair[1][k], pair[0][k], pair[0][k + 1], pair[1][k + 1]],
                     section: leaf.section.clone(),
-                    group: "bottom".into(),
+                    group: BOTTOM.into(),
                 });
             }
         }

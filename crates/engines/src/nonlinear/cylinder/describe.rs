@@ -132,9 +132,12 @@ pub(super) fn integration(
         TimeScheme::GeneralizedAlpha { radius } => format!(
             "generalised-α method, ρ∞ = {}, {}",
             significant(radius, 3),
-            match tank.joints {
-                Some(_) => "full Newton iteration",
-                None => "modified Newton iteration with line search",
+            match (&tank.joints, &tank.zone) {
+                (Some(_), _) => "full Newton iteration",
+                (None, Some(_)) => {
+                    "Newton iteration with the tangent of plate and ground, that of the wall renewed where it is slow"
+                }
+                (None, None) => "modified Newton iteration with line search",
             }
         ),
         _ => "implicit".into(),

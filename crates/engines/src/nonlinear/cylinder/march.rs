@@ -109,6 +109,7 @@ impl<'a> Cylinder<'a> {
         };
         if tank.contact() {
             settings.newton = Options::for_contact();
+            settings.newton.zone = tank.zone.clone();
         }
         settings.checkpoint = checkpoint.map(|file| file.whole(options.checkpoint));
         let interval = (record.duration() / LOOKS).max(record.dt);

@@ -17,6 +17,7 @@ use fem::analysis::damping::{Damping, Rayleigh};
 use fem::analysis::march::Problem;
 use fem::analysis::rings::solve_once;
 use fem::analysis::system::System;
+use fem::analysis::zone::{Zone, ZoneSolver};
 use fem::assembly::{Assembler, order};
 use fem::dofs::Dof;
 use fem::element::interlayer;
@@ -34,12 +35,15 @@ use super::elements::{WALL, add_liquid, add_roof, build_rows, iterates, penalty,
 use super::mesh::Cells;
 use super::rings::name_rings;
 use super::section::RowBuild;
-use super::standing::Standing;
+use super::standing::{self, Standing};
 use crate::error::failed;
-use crate::nonlinear::bottom::{GROUND, KEY};
+use crate::nonlinear::bottom::{BOTTOM, GROUND, KEY};
 use crate::{FeError, out_of_round};
 use tank::imperfection::Imperfections;
 use tank::options::nonlinear::{Contact, Damping as Wanted, MassProportionalAt, NonlinearOptions};
+
+/// Groups whose tangents are renewed with the contact.
+const ZONE: [&str; 2] = [BOTTOM, GROUND];
 
 /// Modes of harmonic 1 that count for the wave at the wall, as in the linear engines: more only chase the singularity at the
 /// contact line.
@@ -83,6 +87,8 @@ pub(crate) struct CylinderModel {
     pub joints: Option<Joints>,
     /// The bottom under an unanchored wall.
     pub standing: Option<Standing>,
+    /// Its part of the systems of equations: plate and ground.
+    pub zone: Option<Arc<Zone>>,
     /// Area of the wall that belongs to each of them [m²].
     pub areas: Vec<f64>,
     /// The liquid.
@@ -128,10 +134,13 @@ impl CylinderModel {
     ///
     /// Errors: a tank that is not a cylinder; an unsupported wall, law or option; parameters out of range.
     pub(crate) fn new(case: &Case, options: &NonlinearOptions) -> Result<CylinderModel, FeError> {
-        CylinderModel::in_form(case, options, |wetted| iterates(wetted, options.contact))
+        // Contact with the ground takes every step of an iteration, as that of an opening joint does: a wall on its bottom has factors.
+        let stands = standing::stands(case, options);
+        CylinderModel::in_form(case, options, |wetted| stands || iterates(wetted, options.contact))
     }
 
-    /// The model with the liquid as an operator if `iterates(wetted nodes)`.
+    /// The model with the liquid as an operator if `iterates(wetted nodes)`; on a bottom a block asks for a factor of the whole in every
+    /// iteration.
     pub(super) fn in_form(
         case: &Case,
         options: &NonlinearOptions,
@@ -153,7 +162,7 @@ impl CylinderModel {
             ));
         }
         let shape = shape(case, &options.imperfections, radius, &footprint);
-        let plate = super::standing::plate(case, options, radius)?;
+        let plate = standing::plate(case, options, radius)?;
         let mut standing = None;
         let mesh = WallMesh {
             footprint: shape.as_ref().unwrap_or(&footprint),
@@ -195,9 +204,8 @@ impl CylinderModel {
                 builder.frame(*nodes.1, radial);
             }
         }
-        // Contact with the ground takes every step of an iteration, as that of an opening joint does.
-        let operator = plate.is_none() && iterates(wetted.len());
-        if operator {
+        let operator = iterates(wetted.len());
+        if operator && plate.is_none() {
             name_rings(&mut builder, &footprint, &wall, &wetted, &cells)?;
         }
         if options.contact == Contact::Opening {
@@ -240,6 +248,13 @@ impl CylinderModel {
         let model = builder.build().map_err(failed)?;
         interlayer::check(&model).map_err(failed)?;
         let assembler = Assembler::new(&model);
+        let zone = match &plate {
+            Some(_) if operator => {
+                let named = |e: usize| ZONE.contains(&model.groups()[model.group_of(e)].as_str());
+                Some(Arc::new(Zone::new(&model, &assembler, named).map_err(failed)?))
+            }
+            _ => None,
+        };
         let symbolic = symbolic(&model, &assembler, liquid_element)?;
         let system = System::new(&model, &assembler).map_err(failed)?;
         let weight = match options.self_weight {
@@ -279,6 +294,7 @@ impl CylinderModel {
             wetted,
             joints,
             standing,
+            zone,
             areas,
             liquid,
             amplitudes,
@@ -435,6 +451,14 @@ impl CylinderModel {
 
     /// Solves with the initial stiffness.
     fn static_solver(&self) -> Result<StaticSolver<'_>, FeError> {
+        if let Some(zone) = &self.zone {
+            let shares: Vec<[f64; 2]> = self.assembler.operators(&self.model).map(|_| [0.0, 1.0]).collect();
+            let solver = ZoneSolver::of(zone, &self.system.stiffness, None, &shares).map_err(failed)?;
+            return Ok(Box::new(move |b| {
+                let mut x = Vec::new();
+                solver.solve(b, &mut x).map(|()| x).map_err(failed)
+            }));
+        }
         if let WallLiquid::Circular(_) = &self.liquid {
             let solve = |b: &[f64]| {
                 let (model, assembler) = (&self.model, &self.assembler);

@@ -7,7 +7,7 @@ use results::nonlinear::End;
 use tank::{Behaviour, Bottom, Case, Foundation, FoundationKind, Shape, Steel, Support};
 
 use super::super::super::simulate;
-use super::{options, shaken};
+use super::{marched, options, shaken};
 use tank::reference::{case, material};
 
 /// R = 5 m, 9 m of water under 10 m of 8 mm steel, 6 mm of bottom plate on 10⁸ N/m³.
@@ -71,4 +71,28 @@ fn a_shock_lifts_the_foot() {
     assert!(run.result.energy.unwrap().error.abs() < 1e-6);
     assert!(run.assumptions.iter().any(|a| a.contains("does not slide")));
     assert!(run.notes.iter().all(|n| !n.contains("clamps")));
+}
+
+/// Tangents of the wall that are kept and the liquid as an operator give the march of full Newton with the liquid as a dense block: two
+/// formulations of one system. The criterion of contact leaves a relative error of 1e-9 of the increment of a step (|δu·r| ≤ 1e-18 of
+/// its first value); 60 steps in which points of the ground open and close, multiplied by their differences of stiffness, leave 1e-6.
+#[test]
+fn kept_tangents_are_full_newton() {
+    let case = shaken(slender(), 4.0, 60);
+    let own = options(&case, 8, 12);
+    let (expected, full) = marched(&case, &own, false);
+    let (found, kept) = marched(&case, &own, true);
+    for (k, (a, b)) in found.iter().zip(&expected).enumerate() {
+        let largest = b.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let apart = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(apart < 1e-6 * largest, "{k}: {apart} of {largest}");
+    }
+    assert!(full.cost.wholes == 0 && kept.cost.wholes > 0);
+    assert!(
+        kept.cost.wholes * 5 < full.cost.factors,
+        "{:?} {:?}",
+        kept.cost,
+        full.cost
+    );
+    assert!(kept.balance.error() < 1e-6);
 }
