@@ -10,6 +10,7 @@
 //! | [`time_history`] | demands of an engine under the record against the capacities of the codes |
 //! | `slab` | a rigid slab on soil |
 //! | [`hazard`] | ordinates of the user's spectrum |
+//! | [`ordinates`] | ordinates of a record, shared by its multiples |
 //! | [`modal_action`] | the design spectrum of a procedure for the modes of an engine |
 //! | [`housner`], [`ec8`], [`api650`], [`deformability`] | the procedures |
 
@@ -26,6 +27,7 @@ mod ingredients;
 pub mod lifted;
 pub mod mechanical;
 pub mod modal_action;
+pub mod ordinates;
 pub mod procedure;
 pub mod record_set;
 mod roof;
