@@ -10,6 +10,7 @@
 //! | [`time_history`] | demands of an engine under the record against the capacities of the codes |
 //! | `slab` | a rigid slab on soil |
 //! | [`hazard`] | ordinates of the user's spectrum |
+//! | [`ordinates`] | ordinates of a record, shared by its multiples |
 //! | [`modal_action`] | the design spectrum of a procedure for the modes of an engine |
 //! | [`meaning`] | what each check compares, in words |
 //! | [`housner`], [`ec8`], [`api650`], [`deformability`] | the procedures |
@@ -28,6 +29,7 @@ pub mod lifted;
 pub mod meaning;
 pub mod mechanical;
 pub mod modal_action;
+pub mod ordinates;
 pub mod procedure;
 pub mod record_set;
 mod roof;

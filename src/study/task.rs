@@ -1,7 +1,7 @@
 //! The computation of one task: rows of one or a few tanks under a block of records.
 //!
 //! The harmonic engine builds one model for the block and runs a record once; its scales are the scaled response
-//! ([`engines::Response::values_under`]), and its checks take the factor ([`Ready`]). A tank whose base lifts or slides, isolators, and the other
+//! ([`engines::Response::values_under`]), its checks take the factor ([`Ready`]), and its codes the spectrum of the record once ([`Shared`]). A tank whose base lifts or slides, isolators, and the other
 //! engines run every scale.
 
 mod values;
@@ -9,6 +9,7 @@ mod values;
 use files::code::Code;
 use std::collections::BTreeMap;
 
+use codes::ordinates::Shared;
 use codes::time_history::Ready;
 use fem::progress::Silent;
 use oscillator::record::Record;
@@ -349,6 +350,7 @@ impl Unit<'_> {
         let demands = unit.as_ref().map(|unit| unit.demands.as_ref().unwrap_or(&none));
         let ready = demands.map(|demands| Ready::new(&job.case, demands));
         let linear = unit.as_ref().zip(ready.as_ref());
+        let spectra = Shared::new(motion(shaking, 1.0));
         for (level, factor) in all {
             let peak = shaking.along.pga() * factor;
             let mut row = Row {
@@ -360,7 +362,11 @@ impl Unit<'_> {
             };
             let outcome = plausible::check_peak(peak, format!("the factor {factor}"), false)
                 .map_err(Error::Files)
-                .and_then(|()| self.row(job, prepared, linear, (&motion(shaking, factor), factor), &mut row));
+                .and_then(|()| {
+                    job.case.ground_motion = Some(motion(shaking, factor));
+                    self.row(job, prepared, linear, (&spectra, factor), &mut row)
+                });
+            job.case.ground_motion = None;
             if let Err(error) = outcome {
                 row.status = RowStatus::Error;
                 row.message = Some(plain(&error.to_string()));
@@ -375,14 +381,17 @@ impl Unit<'_> {
     /// Codes and engine under a scaled record.
     fn row(
         &self,
-        job: &mut Job,
+        job: &Job,
         prepared: Option<&Prepared>,
         linear: Option<(&Response, &Ready<'_>)>,
-        (motion, factor): (&GroundMotion, f64),
+        (spectra, factor): (&Shared, f64),
         row: &mut Row,
     ) -> Result<(), Error> {
-        job.case.ground_motion = Some(motion.clone());
-        let methods = pipeline::under(job, Excitation::Record)?;
+        let procedures = || pipeline::under(job, Excitation::Record);
+        let methods = match &job.case.ground_motion {
+            Some(motion) => spectra.during(motion, factor, procedures)?,
+            None => procedures()?,
+        };
         values_of(&methods, Excitation::Record, &mut row.values);
         let (values, checks) = match (self.study.engine, linear) {
             (None, _) => (BTreeMap::new(), Vec::new()),
@@ -402,7 +411,6 @@ impl Unit<'_> {
             put(FE, quantity, value, &mut row.values);
         }
         checks_of(&checks, &mut row.checks);
-        job.case.ground_motion = None;
         Ok(())
     }
 

@@ -12,13 +12,15 @@ use crate::numbering::number;
 use crate::sections::FigureView;
 use crate::table::Table;
 use crate::template::Templates;
-use crate::words::study as words;
+use crate::words::study::{self as words, captions};
 use crate::words::summary::{COVER, SIGNATURES};
 use files::error::Error;
 use results::{Study, VerdictStatus};
 
 /// Most tanks whose curves are drawn; the table has all.
 const DRAWN: usize = 24;
+/// Longest name that is kept on one line of a table [characters]: with it every table fits on a page of paper.
+const SHORT: usize = 18;
 
 /// A part of a section; one of its fields has content.
 #[derive(Default, Serialize)]
@@ -27,6 +29,8 @@ struct Block {
     text: String,
     items: Vec<String>,
     table: Option<Table>,
+    /// Whether the first column of the table is of short names, which stay on one line.
+    names: bool,
     figures: Vec<FigureView>,
 }
 
@@ -83,10 +87,15 @@ impl Builder {
         }
     }
 
-    fn table(&mut self, table: Table) {
+    fn table(&mut self, caption: &str, table: Table) {
         if !table.rows.is_empty() {
+            let short = |row: &Vec<String>| row.first().is_some_and(|name| name.chars().count() <= SHORT);
             self.add(Block {
-                table: Some(table),
+                names: table.rows.iter().all(short),
+                table: Some(Table {
+                    caption: caption.into(),
+                    ..table
+                }),
                 ..Block::default()
             });
         }
@@ -226,20 +235,20 @@ fn facts(study: &Study) -> Vec<Pair> {
 fn tanks(study: &Study, page: &mut Builder) {
     page.section(words::TANKS);
     page.text(words::tanks(study));
-    page.table(tables::tanks(study));
+    page.table(captions::TANKS, tables::tanks(study));
 }
 
 fn states(study: &Study, page: &mut Builder) {
     page.section(words::STATES);
     page.text(words::ABOUT_STATES);
-    page.table(tables::states(study));
+    page.table(captions::STATES, tables::states(study));
 }
 
 fn curves(study: &Study, page: &mut Builder) -> Result<(), Error> {
     page.section(words::CURVES);
     page.text(words::curves::method(study));
     page.text(words::curves::bands(study));
-    page.table(tables::curves(study, &study.curves));
+    page.table(captions::CURVES, tables::curves(study, &study.curves));
     page.items(words::curves::remarks(&study.curves));
     let drawn = figures::tanks(study, DRAWN)?;
     if drawn.len() < study.tanks.len() {
@@ -257,11 +266,11 @@ fn losses(study: &Study, page: &mut Builder) -> Result<(), Error> {
     }
     page.text(words::ABOUT_LOSSES);
     page.figures(figures::losses(study)?);
-    page.table(tables::losses(study));
+    page.table(captions::LOSSES, tables::losses(study));
     if !study.system.is_empty() {
         page.heading(words::SYSTEM);
         page.text(words::ABOUT_SYSTEM);
-        page.table(tables::curves(study, &study.system));
+        page.table(captions::SYSTEM, tables::curves(study, &study.system));
         page.items(words::curves::remarks(&study.system));
     }
     Ok(())
@@ -272,13 +281,13 @@ fn records(study: &Study, page: &mut Builder) -> Result<(), Error> {
     match &study.rule {
         Some(rule) => {
             page.text(words::rule(rule));
-            page.table(tables::rule(rule));
+            page.table(captions::RULE, tables::rule(rule));
         }
         None => page.text(words::NO_RULE),
     }
     page.heading(words::SINGLE);
     page.text(words::ABOUT_RECORDS);
-    page.table(tables::records(study));
+    page.table(captions::RECORDS, tables::records(study));
     page.figures(figures::traces(study)?);
     Ok(())
 }
@@ -286,14 +295,14 @@ fn records(study: &Study, page: &mut Builder) -> Result<(), Error> {
 fn faults(study: &Study, page: &mut Builder) {
     page.section(words::FAULTS);
     page.text(words::basis::faults(study));
-    page.table(tables::faults(study));
+    page.table(captions::FAULTS, tables::faults(study));
     page.items(words::basis::unchecked(study));
 }
 
 fn basis(study: &Study, page: &mut Builder) {
     page.section(words::BASIS);
     page.items(words::basis::stands_on(study));
-    page.table(tables::cost(study));
+    page.table(captions::COST, tables::cost(study));
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The page of a study.
 
 pub mod basis;
+pub mod captions;
 pub mod curves;
 pub mod heads;
 
