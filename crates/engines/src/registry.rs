@@ -149,7 +149,12 @@ impl Engine for Nonlinear {
     }
 
     fn run(&self, task: &Task<'_>, progress: &dyn Progress) -> Result<Simulation, FeError> {
-        let mut simulation = nonlinear::simulate(task.case, task.nonlinear, task.checkpoint, progress)?;
+        let mut simulation = nonlinear::simulate_with_states(
+            task.case,
+            task.nonlinear,
+            (task.solid.snapshot_interval, task.checkpoint),
+            progress,
+        )?;
         if task.linear.frequency.is_some() {
             let note =
                 "`analysis.frequency`: transfer functions are those of the linear engines (--fe harmonic, --fe solid).";
