@@ -76,7 +76,12 @@ impl Job {
 
     /// Hash of the input of a nonlinear run.
     pub fn key(&self) -> String {
-        identity("history", &self.case, json!(self.nonlinear))
+        let options = match self.solid.snapshot_interval {
+            None => json!(self.nonlinear),
+            // A checkpoint holds the states that are kept for pictures.
+            Some(every) => json!({ "nonlinear": self.nonlinear, "states": every }),
+        };
+        identity("history", &self.case, options)
     }
 
     /// Hash of the input of an incremental dynamic analysis, without its scales.

@@ -71,7 +71,7 @@ pub(crate) struct Args {
     nonlinear: nonlinear::NonlinearArgs,
     #[command(flatten)]
     memory: MemoryArg,
-    /// Write ParaView files (tank.pvd) of the three-dimensional run into this folder.
+    /// Write ParaView files (tank.pvd) into this folder: of the three-dimensional or the nonlinear run, else of the bottom plate that lifts.
     #[arg(long, value_name = "FOLDER")]
     vtu: Option<PathBuf>,
     /// Time between two states in the ParaView files [default: a hundredth of the record].
@@ -244,7 +244,10 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         (Some(folder), Some(_)) if !global.quiet => {
             say!("ParaView: {}", folder.join(vtu::COLLECTION).display());
         }
-        (Some(_), None) => say!("ParaView: no files written; the run was interrupted before the first state"),
+        (Some(_), None) if interrupted => {
+            say!("ParaView: no files written; the run was interrupted before the first state");
+        }
+        (Some(_), None) => say!("ParaView: no files written; the base neither lifts nor slides in this run"),
         _ => {}
     }
     Ok(exit_code(&results.verdict))
@@ -273,22 +276,39 @@ fn choose(job: &mut Job, args: &Args) -> Result<(), Error> {
         Some(IntegratorArg::Newmark) => options.integrator = Integrator::Newmark,
         None => {}
     }
-    args.nonlinear.apply(job, &args.out)?;
-    if !job.engines.contains(&EngineId::Solid) {
-        let unused = args.solid.given().or(args.vtu.as_ref().map(|_| "--vtu"));
-        return match unused {
-            Some(option) => Err(Error::input(
-                Code::OptionConflict,
-                format!("{option} applies to the three-dimensional engine only\n  help: add --fe solid or --fe both"),
-            )),
-            None => Ok(()),
-        };
-    }
-    args.solid.apply(job);
     if args.vtu.is_some() {
+        if !draws(job) {
+            return Err(Error::input(
+                Code::OptionConflict,
+                "--vtu: there is nothing to draw; the harmonic engine has states of a steel bottom plate under a cylinder alone\n  help: \
+                 add --fe solid, --fe both or, for a cylinder, --fe nonlinear; or give `tank.bottom`"
+                    .into(),
+            ));
+        }
         job.solid.snapshot_interval = Some(interval(job, args.vtu_every)?);
     }
+    // After the interval, which is part of what a checkpoint is of.
+    args.nonlinear.apply(job, &args.out)?;
+    if job.engines.contains(&EngineId::Solid) {
+        args.solid.apply(job);
+    } else if let Some(option) = args.solid.given() {
+        return Err(Error::input(
+            Code::OptionConflict,
+            format!("{option} applies to the three-dimensional engine only\n  help: add --fe solid or --fe both"),
+        ));
+    }
     Ok(())
+}
+
+/// Whether an engine may have states for ParaView.
+fn draws(job: &Job) -> bool {
+    let round = matches!(job.case.tank.shape, tank::Shape::Cylinder { .. });
+    let lifts = || base::Base::of(&job.case).is_ok();
+    job.engines.iter().any(|engine| match engine {
+        EngineId::Solid => true,
+        EngineId::Nonlinear => round,
+        EngineId::Harmonic => lifts(),
+    })
 }
 
 /// Default number of states in the ParaView files: enough for a smooth animation.

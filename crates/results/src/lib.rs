@@ -40,7 +40,10 @@ use tank::assessment::{Check, Excitation, Profile, Step};
 use tank::units::Dimension;
 
 pub use around::{Around, BaseAround, WaveAround};
-pub use base_run::{AnchorRun, BaseBand, BaseEnergy, BaseQuantity, BaseRun, BaseSpread, GroundOrigin, MissedBand};
+pub use base_run::{
+    AnchorRun, BaseBand, BaseEnergy, BaseQuantity, BaseRun, BaseSpread, GroundOrigin, GroundPlan, JointCycles,
+    MissedBand,
+};
 pub use changes::{Changes, Ending, MovedCheck, MovedQuantity, Side};
 pub use channel::{Channel, GROUND_COLUMNS, VERTICAL_PREFIX};
 pub use directions::Directional;

@@ -15,11 +15,13 @@
 use std::f64::consts::PI;
 
 use base::{Base, Missing};
+use fem::analysis::AnalysisError;
 use fem::dofs::Dof;
 use fem::element::Inspect;
 use fem::element::ground::Ground;
 use fem::element::shell::load::{FollowerPressure, NodalLoads};
 use fem::element::shell::surface::ShellCell;
+use fem::element::spring::{Direction, PointMass, Spring};
 use fem::element::super_element::SuperElement;
 use fem::element::wall::place::Build;
 use fem::linalg::Matrix;
@@ -32,6 +34,7 @@ use super::arcs::shares;
 use super::cylinder::section::row;
 use super::laws::unsupported;
 use crate::FeError;
+use crate::floor_pressure::impulsive_pressure;
 use tank::options::nonlinear::Integration;
 
 /// Group of the plates.
@@ -50,6 +53,13 @@ const GROWTH: f64 = 1.15;
 const FINE: f64 = 2.0;
 /// Rings of the projection.
 const OUTSIDE: usize = 2;
+/// Stiffness by angle that ties the inmost ring to a disc that slides, over E t of its plate: a ring that carries E t per radian moves by a
+/// hundredth of that against it.
+const RIGID: f64 = 100.0;
+/// Sign of the plastic curvature that a plate has at its joint when it lifts.
+const LIFTS: f64 = 1.0;
+/// Stiffness along x of a disc without friction over that of the ground below it.
+const WEAK: f64 = 1e-6;
 /// Radius within which the plate stays on the ground, over that of the tank.
 const CORE: f64 = 0.5;
 
@@ -143,7 +153,7 @@ impl Plate {
             if *r > radius * (1.0 + 1e-9) {
                 0.0
             } else {
-                impulsive(case, radius, *r)
+                impulsive_pressure(case, radius, *r)
             }
         };
         let friction = case.tank.foundation.as_ref().and_then(|f| f.friction);
@@ -245,7 +255,8 @@ impl Plate {
         dry.into_iter().chain(inside.areas()).collect()
     }
 
-    /// Adds ground, with friction or without, pressure at rest and supports.
+    /// Adds ground, with friction or without, pressure at rest and supports; the inmost ring is held in its plane, or `slides` with what is
+    /// within it ([`Plate::core`]).
     ///
     /// * `dead` takes the pressure on the undeformed plate
     pub(super) fn place(
@@ -253,7 +264,7 @@ impl Plate {
         builder: &mut Builder,
         angles: &[f64],
         rings: &[Vec<usize>],
-        [follower, rubs]: [bool; 2],
+        [follower, rubs, slides]: [bool; 3],
         dead: &mut NodalLoads,
     ) -> Result<Vec<Vec<usize>>, FeError> {
         let failed = |e: fem::element::ElementError| FeError::Analysis(e.to_string());
@@ -297,11 +308,62 @@ impl Plate {
             }
         }
         for &node in rings.last().into_iter().flatten() {
-            for dof in [Dof::Ux, Dof::Uy, Dof::Rx, Dof::Ry] {
-                builder.hold(node, dof);
-            }
+            let held: &[Dof] = match slides {
+                true => &[Dof::Rx, Dof::Ry],
+                false => &[Dof::Ux, Dof::Uy, Dof::Rx, Dof::Ry],
+            };
+            held.iter().for_each(|&dof| builder.hold(node, dof));
         }
         Ok(ground)
+    }
+
+    /// What is within the inmost ring as a rigid disc that slides along x on the ground, pressed by its liquid: half of it. Returns the number of
+    /// its element of ground.
+    ///
+    /// * `dead` takes the weight of the liquid on it
+    ///
+    /// Errors: those of the elements.
+    pub(super) fn core(
+        &self,
+        builder: &mut Builder,
+        bottom: &Bottom,
+        (angles, ring): (&[f64], &[usize]),
+        dead: &mut NodalLoads,
+    ) -> Result<usize, FeError> {
+        let failed = |e: fem::element::ElementError| FeError::Analysis(e.to_string());
+        let radius = self.radii[self.radii.len() - 1];
+        let area = 0.5 * PI * radius * radius;
+        let node = builder.node([0.0; 3]);
+        builder.hold(node, Dof::Uy);
+        dead.force(node, [0.0, 0.0, -self.base.pressure * area]);
+        let thickness = bottom.sketch.unwrap_or(bottom.thickness);
+        let disc = PointMass::new(node, bottom.material.density * thickness * area).map_err(failed)?;
+        builder.element("disc", disc);
+        let stiff = RIGID * bottom.material.youngs_modulus * thickness;
+        for ((&own, share), angle) in ring.iter().zip(shares(angles)).zip(angles) {
+            let (s, c) = angle.sin_cos();
+            let mut matrix = Matrix::zeros(3, 3);
+            // u_r − x cos θ and u_θ + x sin θ.
+            for row in [[1.0, 0.0, -c], [0.0, 1.0, s]] {
+                for (i, a) in row.iter().enumerate() {
+                    for (j, b) in row.iter().enumerate() {
+                        matrix.add(i, j, stiff * share * a * b);
+                    }
+                }
+            }
+            let link = SuperElement::over(&[(own, Dof::Ux), (own, Dof::Uy), (node, Dof::Ux)])
+                .and_then(|e| e.with_stiffness(matrix))
+                .map_err(failed)?;
+            builder.element(KEY, link);
+        }
+        // Before the ground is pressed nothing else holds along x.
+        let weak = WEAK * self.base.modulus * area;
+        let spring = Spring::to_ground(node, Direction::Translation([1.0, 0.0, 0.0]), weak).map_err(failed)?;
+        builder.element(KEY, spring);
+        let ground = Ground::new(node, self.base.modulus, area)
+            .and_then(|g| g.with_friction(self.friction))
+            .map_err(failed)?;
+        Ok(builder.element(GROUND, ground))
     }
 }
 
@@ -370,104 +432,60 @@ pub(super) fn keep_plane(builder: &mut Builder, angles: &[f64], foot: &[usize]) 
 }
 
 /// Plastic rotation of the joint at the `back` (θ = π) or at θ = 0: curvature of the meridian less that of an elastic plate under its moments, from the foot to
-/// where its sign changes [rad].
+/// where its sign changes; positive where the plate lifts [rad].
 pub(super) fn plastic_rotation(
     model: &Model,
     bottom: &Placed,
     foot: usize,
     back: bool,
     state: &State,
-) -> Result<f64, FeError> {
-    let mut gather = Gather::default();
+) -> Result<f64, AnalysisError> {
     let mut sum = 0.0_f64;
     for cells in &bottom.cells[foot..] {
         let Some(&cell) = (if back { cells.last() } else { cells.first() }) else {
             break;
         };
-        let element = &*model.elements()[cell];
-        let motion = gather.motion(model, &state.committed, element);
-        let history = &state.old[state.history(cell)];
-        let mut yields = false;
-        element.material_points(motion, history, &mut |p| yields |= p.state.plastic_strain > 0.0);
-        if !yields {
+        let Some(part) = plastic_part(model, bottom, cell, state)? else {
             if sum != 0.0 {
                 break;
             }
             continue;
-        }
-        let sections = element
-            .sections(motion, history)
-            .map_err(|e| FeError::Analysis(e.to_string()))?;
-        let virgin = bottom.bending[cell - bottom.cells[0][0]];
-        let plastic = |s: &fem::element::SectionState| {
-            let (hoop, radial) = (s.resultants[3], s.resultants[4]);
-            s.strain[4] - (virgin[0] * radial - virgin[1] * hoop)
         };
-        let mean = sections.iter().map(plastic).sum::<f64>() / sections.len() as f64;
-        let [a, b] = [element.nodes()[0], element.nodes()[1]].map(|n| model.nodes()[n]);
-        let part = mean * (b[0].hypot(b[1]) - a[0].hypot(a[1]));
         if sum * part < 0.0 {
             break;
         }
         sum += part;
     }
-    Ok(sum.abs())
+    Ok(LIFTS * sum)
 }
 
-/// Impulsive pressure on a rigid bottom at θ = 0 [Pa per m/s²].
-fn impulsive(case: &Case, radius: f64, r: f64) -> f64 {
-    let depth = case.liquid.fill_height;
-    let mut sum = 0.0;
-    for n in 0..200 {
-        let alpha = (2.0 * f64::from(n) + 1.0) * PI / (2.0 * depth);
-        // Beyond it the terms are below 1e-4 of the first and exp overflows soon.
-        if alpha * radius > 300.0 {
-            break;
-        }
-        let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
-        let (own, _) = bessel(alpha * r);
-        let (_, slope) = bessel(alpha * radius);
-        sum += sign * 2.0 / (depth * alpha * alpha) * own / slope;
+/// Plastic rotation across a cell of the plate along the radius [rad]; none of a cell that has not yielded.
+///
+/// Errors: a section that fails.
+pub(super) fn plastic_part(
+    model: &Model,
+    bottom: &Placed,
+    cell: usize,
+    state: &State,
+) -> Result<Option<f64>, AnalysisError> {
+    let mut gather = Gather::default();
+    let element = &*model.elements()[cell];
+    let motion = gather.motion(model, &state.committed, element);
+    let history = &state.old[state.history(cell)];
+    let mut yields = false;
+    element.material_points(motion, history, &mut |p| yields |= p.state.plastic_strain > 0.0);
+    if !yields {
+        return Ok(None);
     }
-    case.liquid.density * sum
-}
-
-/// I₁(x) and I₁′(x) by their power series, all of whose terms are positive.
-fn bessel(x: f64) -> (f64, f64) {
-    let quarter = 0.25 * x * x;
-    let (mut term, mut k) = (0.5, 0.0);
-    let (mut over_x, mut slope) = (term, term);
-    loop {
-        k += 1.0;
-        term *= quarter / (k * (k + 1.0));
-        over_x += term;
-        slope += (2.0 * k + 1.0) * term;
-        if (2.0 * k + 1.0) * term <= 1e-17 * slope {
-            return (x * over_x, slope);
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// I₁(1) = 0.565159, I₁′(1) = I₀(1) − I₁(1) = 0.700907 (Abramowitz & Stegun 1964, table 9.8).
-    #[test]
-    fn bessel_function() {
-        let (value, slope) = bessel(1.0);
-        assert!((value - 0.565_159_1).abs() < 1e-7 && (slope - 0.700_906_8).abs() < 1e-7);
-    }
-
-    /// A deep tank: the liquid at the bottom moves with it, p = ρ r a.
-    #[test]
-    fn a_deep_liquid_is_rigid_at_its_bottom() {
-        let mut case = tank::reference::broad(1000.0);
-        let radius = case.tank.shape.half_length();
-        case.liquid.fill_height = 10.0 * radius;
-        for r in [0.3, 0.7, 1.0] {
-            let p = impulsive(&case, radius, r * radius);
-            assert!((p / (1000.0 * r * radius) - 1.0).abs() < 0.01, "{r}: {p}");
-        }
-    }
+    let sections = element
+        .sections(motion, history)
+        .map_err(|source| AnalysisError::Element { number: cell, source })?;
+    let virgin = bottom.bending[cell - bottom.cells[0][0]];
+    let plastic = |s: &fem::element::SectionState| {
+        let (hoop, radial) = (s.resultants[3], s.resultants[4]);
+        s.strain[4] - (virgin[0] * radial - virgin[1] * hoop)
+    };
+    let mean = sections.iter().map(plastic).sum::<f64>() / sections.len() as f64;
+    let [a, b] = [element.nodes()[0], element.nodes()[1]].map(|n| model.nodes()[n]);
+    Ok(Some(mean * (b[0].hypot(b[1]) - a[0].hypot(a[1]))))
 }

@@ -32,10 +32,11 @@ use tank::Shape;
 
 use super::contact::{JOINT, Join, Joints};
 use super::elements::{WALL, add_liquid, add_roof, build_rows, iterates, penalty, pressures, support};
+use super::floor::{FLOOR, LiquidFloor};
 use super::mesh::Cells;
 use super::rings::name_rings;
 use super::section::RowBuild;
-use super::standing::{self, Standing};
+use super::standing::{self, ANCHOR, Standing};
 use crate::error::failed;
 use crate::nonlinear::bottom::{BOTTOM, GROUND, KEY};
 use crate::{FeError, out_of_round};
@@ -43,7 +44,7 @@ use tank::imperfection::Imperfections;
 use tank::options::nonlinear::{Contact, Damping as Wanted, MassProportionalAt, NonlinearOptions};
 
 /// Groups whose tangents are renewed with the contact.
-const ZONE: [&str; 2] = [BOTTOM, GROUND];
+const ZONE: [&str; 4] = [BOTTOM, GROUND, FLOOR, ANCHOR];
 
 /// Modes of harmonic 1 that count for the wave at the wall, as in the linear engines: more only chase the singularity at the
 /// contact line.
@@ -89,6 +90,8 @@ pub(crate) struct CylinderModel {
     pub standing: Option<Standing>,
     /// Its part of the systems of equations: plate and ground.
     pub zone: Option<Arc<Zone>>,
+    /// The liquid's floor over that bottom.
+    pub floor: Option<LiquidFloor>,
     /// Area of the wall that belongs to each of them [m²].
     pub areas: Vec<f64>,
     /// The liquid.
@@ -213,8 +216,11 @@ impl CylinderModel {
                 builder.hold(node, Dof::Ux);
             }
         }
+        let floor = plate
+            .as_ref()
+            .map(|plate| LiquidFloor::over(plate, &mut builder, footprint.levels[0].len()));
         let (liquid, amplitude_nodes, liquid_element) =
-            add_liquid(case, &mut builder, &cells, &wetted, options, operator)?;
+            add_liquid(case, &mut builder, &cells, &wetted, options, (operator, floor.as_ref()))?;
         let joints = match options.contact {
             Contact::Bonded => None,
             Contact::Opening => {
@@ -244,6 +250,9 @@ impl CylinderModel {
         );
         if let (Some(plate), Some(standing)) = (&plate, &mut standing) {
             standing.found(plate, case, &mut builder, options, &mut pressure_loads)?;
+            if let Some(floor) = &floor {
+                standing.wet(plate, &mut builder, floor)?;
+            }
         }
         let model = builder.build().map_err(failed)?;
         interlayer::check(&model).map_err(failed)?;
@@ -295,6 +304,7 @@ impl CylinderModel {
             joints,
             standing,
             zone,
+            floor,
             areas,
             liquid,
             amplitudes,
@@ -311,6 +321,12 @@ impl CylinderModel {
             },
         };
         out.wall_omega = match out.imperfections.is_empty() {
+            // A tank that slides has the damping of one that is kept in place.
+            true if super::standing::slides(case) && out.standing.is_some() => {
+                let mut kept = case.clone();
+                kept.tank.foundation.iter_mut().for_each(|f| f.friction = None);
+                CylinderModel::new(&kept, options)?.wall_omega
+            }
             true => out.first_wall_mode()?,
             // Inverse iteration does not stay in one harmonic of an imperfect wall: that of the perfect one gives the damping.
             false => {
@@ -371,8 +387,13 @@ impl CylinderModel {
 
     /// Equations of the liquid's unknowns, in its order; none where a support holds the wall.
     pub(crate) fn liquid_unknowns(&self) -> Vec<Option<usize>> {
-        let wall = self.wetted.iter().map(|&n| self.model.dofs().equation(n, Dof::Ux));
-        wall.chain(self.amplitudes.iter().map(|&e| Some(e))).collect()
+        let dofs = self.model.dofs();
+        let wall = self.wetted.iter().map(|&n| dofs.equation(n, Dof::Ux));
+        let floor = self.floor.iter().flat_map(|floor| &floor.nodes);
+        let floor = floor.map(|&n| dofs.equation(n, Dof::Amplitude));
+        wall.chain(floor)
+            .chain(self.amplitudes.iter().map(|&e| Some(e)))
+            .collect()
     }
 
     /// Forces of a unit horizontal acceleration of the ground on wall and liquid, the surface free of pressure: those of the
@@ -510,7 +531,7 @@ impl CylinderModel {
                 // An open joint must not pull through damping either.
                 let groups = self.rayleigh.iter_mut().zip(self.model.groups());
                 groups
-                    .filter(|(_, name)| [JOINT, GROUND, KEY].contains(&name.as_str()))
+                    .filter(|(_, name)| [JOINT, GROUND, KEY, FLOOR, ANCHOR].contains(&name.as_str()))
                     .for_each(|(own, _)| *own = Rayleigh::NONE);
                 Damping::by_group(&self.assembler, &self.model, &self.rayleigh, false).map_err(failed)?
             }

@@ -8,6 +8,7 @@ use results::{PushBase, PushPoint, PushShell};
 
 use super::model::{Plan, PushModel};
 use crate::FeError;
+use crate::error::failed;
 use crate::nonlinear::arcs::{cosine_shares, shares};
 use crate::nonlinear::bottom;
 
@@ -66,7 +67,9 @@ pub(super) fn base(
         toe: -up(foot[0]),
         lifted_width: width,
         lifted_angle: lifted,
-        plastic_rotation: bottom::plastic_rotation(&model.model, bottom, plate.foot, true, state)?,
+        plastic_rotation: bottom::plastic_rotation(&model.model, bottom, plate.foot, true, state)
+            .map_err(failed)?
+            .abs(),
         strips: None,
     }))
 }

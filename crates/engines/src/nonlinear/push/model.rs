@@ -299,7 +299,7 @@ impl<'a> Plan<'a> {
         let bottom = match plates {
             Some((plate, rings, bending)) => {
                 let follower = self.options.follower_pressure;
-                let ground = plate.place(&mut builder, angles, &rings, [follower, true], &mut dead)?;
+                let ground = plate.place(&mut builder, angles, &rings, [follower, true, false], &mut dead)?;
                 if self.plane {
                     bottom::keep_plane(&mut builder, angles, &rings[plate.foot])?;
                 }
