@@ -7,9 +7,11 @@ use results::nonlinear::End;
 use tank::{Behaviour, Bottom, Case, Foundation, FoundationKind, Shape, Steel, Support};
 
 use super::super::super::simulate_with_states;
+use super::super::march::Cylinder;
 use super::super::model::CylinderModel;
 use super::{marched, options, shaken};
 use crate::floor_pressure::impulsive_pressure;
+use tank::options::nonlinear::NonlinearOptions;
 use tank::reference::{case, material};
 
 /// R = 5 m, 9 m of water under 10 m of 8 mm steel, 6 mm of bottom plate on 10⁸ N/m³.
@@ -285,4 +287,70 @@ fn kept_tangents_are_full_newton() {
         full.cost
     );
     assert!(kept.balance.error() < 1e-6);
+}
+
+/// Processor time of this process so far [s]; 0 where the system does not say.
+fn processor_time() -> f64 {
+    let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    let ticks = stat.split_whitespace().skip(13).take(2).filter_map(|t| t.parse::<f64>().ok());
+    ticks.sum::<f64>() / 100.0
+}
+
+/// Steps of a tank of usual size on its bottom, rows x half sectors @ steps of 5 ms under 3 m/s² of 2 Hz, and what they cost:
+/// `SIZES="60x48@20" cargo test -p engines --lib measured_tank -- --ignored --nocapture`
+#[test]
+#[ignore = "slow: a measurement, cargo test -p engines --lib measured_tank -- --ignored --nocapture; numbers in docs/performance.md"]
+fn measured_tank() {
+    let sizes = std::env::var("SIZES").unwrap_or_else(|_| "30x24@20".into());
+    for size in sizes.split_whitespace() {
+        let numbers: Vec<u32> = size.split(['x', '@']).filter_map(|n| n.parse().ok()).collect();
+        let [rows, half, steps] = numbers[..] else {
+            panic!("{size}: rows x half sectors @ steps");
+        };
+        let mut case = slender();
+        case.tank.shape = Shape::Cylinder { radius: 17.5 };
+        let course = case.tank.courses[0].clone();
+        let courses = [12.0, 11.0, 10.0, 9.0, 8.0, 8.0].map(|t| {
+            let mut course = course.clone();
+            course.height = 2.25;
+            course.thickness = 1e-3 * t;
+            course
+        });
+        case.tank.courses = courses.to_vec();
+        case.liquid.fill_height = 12.0;
+        if let Some(bottom) = &mut case.tank.bottom {
+            bottom.thickness = 8e-3;
+        }
+        let mut case = shaken(case, 3.0, steps as usize);
+        if let Some(motion) = &mut case.ground_motion {
+            motion.horizontal.dt = 5e-3;
+            let sine = (0..=steps).map(|k| 3.0 * (std::f64::consts::TAU * 2.0 * 5e-3 * f64::from(k)).sin());
+            motion.horizontal.acceleration = sine.collect();
+        }
+        let own = NonlinearOptions {
+            time_step: Some(5e-3),
+            ..options(&case, rows, 2 * half)
+        };
+        let before = processor_time();
+        let tank = CylinderModel::new(&case, &own).unwrap();
+        let built = processor_time();
+        let zone = tank.zone.as_ref().map(|zone| zone.sizes());
+        let cylinder = Cylinder::of(&case, &own, tank).unwrap();
+        // The rest, then all steps: their difference is that of the steps.
+        let mut spent = Vec::new();
+        for scale in [0.0, 1.0] {
+            let begin = processor_time();
+            let motion = case.ground_motion.as_ref().unwrap();
+            let (watch, run) = cylinder.march(motion, scale, 1, None, &Silent).unwrap();
+            let uplift = watch.recorder.ranges.iter().map(|r| r.max).fold(0.0, f64::max);
+            spent.push(processor_time() - begin);
+            println!(
+                "{size} scale {scale}: {:.2} s, {:?}, {uplift:.3e}, {:?} statics",
+                spent[spent.len() - 1],
+                run.cost,
+                run.statics.map(|path| path.steps)
+            );
+        }
+        println!("{size}: zone {zone:?}, model {:.2} s", built - before);
+    }
 }
