@@ -107,8 +107,10 @@ pub(crate) fn missing(case: &Case) -> Option<(&'static str, &'static str)> {
 }
 
 impl Plate {
+    /// * `mesh`: refinement of the rings ([`tank::options::NonlinearOptions::bottom_mesh`])
+    ///
     /// Errors: a case without such a bottom.
-    pub(super) fn of(case: &Case, radius: f64) -> Result<Plate, FeError> {
+    pub(super) fn of(case: &Case, radius: f64, mesh: f64) -> Result<Plate, FeError> {
         if let Some((reason, _)) = missing(case) {
             return unsupported(reason);
         }
@@ -118,21 +120,22 @@ impl Plate {
         let plate = base.plate();
         let sinking = (4.0 * plate.bending_stiffness() / base.modulus).powf(0.25);
         let mut inside = vec![0.0];
-        let (mut x, mut width) = (0.0, FIRST * plate.thickness);
+        let (mut x, mut width) = (0.0, FIRST * plate.thickness / mesh);
+        let growth = GROWTH.powf(1.0 / mesh);
         // A change of thickness lies on a ring.
         let joint = bottom.sketch.and(bottom.width).filter(|w| *w < (1.0 - CORE) * radius);
         while x < (1.0 - CORE) * radius {
             let longest = match x < FINE {
                 true => (0.5 * sinking).max(FIRST * plate.thickness),
                 false => 0.1 * radius,
-            };
+            } / mesh;
             let next = x + width;
             x = match joint {
                 Some(at) if x < at * (1.0 - 1e-9) && next > at - 0.3 * width => at,
                 _ => next,
             };
             inside.push(x);
-            width = (GROWTH * width).min(longest);
+            width = (growth * width).min(longest);
         }
         let outside = if bottom.projection > 0.0 { OUTSIDE } else { 0 };
         let out = (0..outside).map(|i| radius + bottom.projection * (1.0 - i as f64 / OUTSIDE as f64));
@@ -367,8 +370,7 @@ pub(super) fn keep_plane(builder: &mut Builder, angles: &[f64], foot: &[usize]) 
     Ok(())
 }
 
-/// Plastic rotation of the joint at the `back` (θ = π) or at θ = 0: curvature of the meridian less that of an elastic plate under its moments, from the foot to
-/// where its sign changes [rad].
+/// Plastic rotation of the plate's joint at the `back` (θ = π) or at θ = 0 [rad], by [`hinge`].
 pub(super) fn plastic_rotation(
     model: &Model,
     bottom: &Placed,
@@ -376,12 +378,25 @@ pub(super) fn plastic_rotation(
     back: bool,
     state: &State,
 ) -> Result<f64, FeError> {
+    let cells = bottom.cells[foot..]
+        .iter()
+        .filter_map(|ring| if back { ring.last() } else { ring.first() });
+    let first = bottom.cells[0][0];
+    hinge(model, cells.map(|&cell| (cell, bottom.bending[cell - first])), state)
+}
+
+/// Plastic rotation of shells along a meridian from the joint on: curvature of the meridian less that of an elastic shell under its moments,
+/// from the first cell that yields to where its sign changes or nothing yields [rad].
+///
+/// * `cells`: elements, the first at the joint, with 1/D′ and ν/D′, D′ = E t³/12 [1/(N m)]; their second local axis is the meridian
+pub(super) fn hinge(
+    model: &Model,
+    cells: impl Iterator<Item = (usize, [f64; 2])>,
+    state: &State,
+) -> Result<f64, FeError> {
     let mut gather = Gather::default();
     let mut sum = 0.0_f64;
-    for cells in &bottom.cells[foot..] {
-        let Some(&cell) = (if back { cells.last() } else { cells.first() }) else {
-            break;
-        };
+    for (cell, soft) in cells {
         let element = &*model.elements()[cell];
         let motion = gather.motion(model, &state.committed, element);
         let history = &state.old[state.history(cell)];
@@ -396,14 +411,19 @@ pub(super) fn plastic_rotation(
         let sections = element
             .sections(motion, history)
             .map_err(|e| FeError::Analysis(e.to_string()))?;
-        let virgin = bottom.bending[cell - bottom.cells[0][0]];
         let plastic = |s: &fem::element::SectionState| {
-            let (hoop, radial) = (s.resultants[3], s.resultants[4]);
-            s.strain[4] - (virgin[0] * radial - virgin[1] * hoop)
+            let (hoop, along) = (s.resultants[3], s.resultants[4]);
+            s.strain[4] - (soft[0] * along - soft[1] * hoop)
         };
         let mean = sections.iter().map(plastic).sum::<f64>() / sections.len() as f64;
-        let [a, b] = [element.nodes()[0], element.nodes()[1]].map(|n| model.nodes()[n]);
-        let part = mean * (b[0].hypot(b[1]) - a[0].hypot(a[1]));
+        // Rings and levels: a plate extends over the radius, a wall over the height.
+        let corners = element.nodes().iter().map(|&n| model.nodes()[n]);
+        let extent = |values: &mut dyn Iterator<Item = f64>| {
+            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |e, v| (e.0.min(v), e.1.max(v)));
+            high - low
+        };
+        let along = extent(&mut corners.clone().map(|x| x[0].hypot(x[1])));
+        let part = mean * along.hypot(extent(&mut corners.map(|x| x[2])));
         if sum * part < 0.0 {
             break;
         }

@@ -66,7 +66,9 @@ pub(super) fn rings(case: &Case, options: &NonlinearOptions) -> usize {
 ///
 /// Errors: those of [`Plate::of`].
 pub(super) fn plate(case: &Case, options: &NonlinearOptions, radius: f64) -> Result<Option<Plate>, FeError> {
-    stands(case, options).then(|| Plate::of(case, radius)).transpose()
+    stands(case, options)
+        .then(|| Plate::of(case, radius, options.bottom_mesh))
+        .transpose()
 }
 
 impl Standing {
