@@ -56,6 +56,9 @@ pub(crate) struct Args {
     /// Height of a weld depression above the base, `2m` [default: where the perfect shell buckles].
     #[arg(long, value_name = "HEIGHT", requires = "imperfection", allow_hyphen_values = true)]
     imperfection_at: Option<String>,
+    /// Keeps the foot of an unanchored tank a plane, as the strips of the fast engine have it and a stiff roof does.
+    #[arg(long)]
+    plane_foot: bool,
     /// Folder for the results.
     #[arg(long, short, value_name = "FOLDER", default_value = "push")]
     out: PathBuf,
@@ -171,12 +174,19 @@ impl Args {
                  concrete with compare --fe nonlinear",
             );
         }
+        if self.plane_foot && job.case.tank.support != tank::Support::Unanchored {
+            return refuse(
+                "--plane-foot: found an anchored tank, expected an unanchored one with a bottom plate".into(),
+                "remove --plane-foot: the foot of an anchored wall does not move",
+            );
+        }
         let mut job = PushJob {
             job,
             options: PushOptions {
                 imperfection,
                 form,
                 height,
+                plane_foot: self.plane_foot,
             },
             out: self.out.clone(),
             checkpoint: None,

@@ -340,7 +340,7 @@ fn report(
     notes.extend(Hoop::of(&analysis, seen, fill).note().filter(|_| round));
     rocking::say(&free, &mut notes, &mut assumptions);
     let modelled = free.is_modelled();
-    let repeats = rocking::limit(&free);
+    let of_base = rocking::limits(&free);
     if let rocking::Free::Moves(found) = &free {
         found.add(&mut histories);
     }
@@ -375,7 +375,7 @@ fn report(
         )
         .into_iter()
         .filter(|limit| !(modelled && limit.id == limits::UPLIFT))
-        .chain(repeats)
+        .chain(of_base)
         .collect(),
         ..Run::new(linear.engine)
     };

@@ -14,7 +14,7 @@ use crate::table::{Column, Table, spread};
 use crate::words::push::{self as words, heads, shell_name};
 use crate::words::sections::{heading, sentences};
 use files::error::Error;
-use results::{Push, PushBase, PushPoint, PushShell};
+use results::{Push, PushBase, PushPoint, PushShell, PushStrip};
 
 /// States in the table of the base.
 const BASE_STATES: usize = 25;
@@ -100,7 +100,41 @@ pub fn base(push: &Push) -> Option<Table> {
             fixed(-1e3 * base.toe, 1),
             fixed(base.lifted_width, 2),
             fixed(2.0 * base.lifted_angle.to_degrees(), 0),
+            fixed(base.joint_rotation(), 3),
+        ]);
+    }
+    Some(table)
+}
+
+/// Shells beside strips at the same rotation and acceleration; `None` of an anchored tank.
+pub fn strips(push: &Push) -> Option<Table> {
+    let path = &push.shells.first()?.path;
+    let states: Vec<(PushBase, PushStrip)> = path.iter().filter_map(|p| Some((p.base?, p.base?.strip?))).collect();
+    if states.is_empty() {
+        return None;
+    }
+    let stress = Scale::of(Dimension::Stress, states.iter().map(|s| s.0.toe_stress));
+    let mut table = Table::new(vec![
+        Column::numbers("Rotation", "mrad"),
+        Column::numbers("Uplift", "mm"),
+        Column::numbers(heads::OF_STRIPS, "mm"),
+        Column::numbers("Toe stress", stress.symbol()),
+        Column::numbers(heads::OF_STRIPS, stress.symbol()),
+        Column::numbers("Plastic rotation of the plate", "rad"),
+        Column::numbers(heads::OF_STRIPS, "rad"),
+        Column::numbers("Plastic rotation of the wall", "rad"),
+    ]);
+    for i in spread(states.len(), BASE_STATES) {
+        let (base, strip) = &states[i];
+        table.row(vec![
+            fixed(1e3 * base.rotation, 3),
+            fixed(1e3 * base.uplift, 1),
+            fixed(1e3 * strip.uplift, 1),
+            stress.text(base.toe_stress),
+            stress.text(strip.toe_stress),
             fixed(base.plastic_rotation, 3),
+            fixed(strip.plastic_rotation, 3),
+            fixed(base.wall_rotation, 3),
         ]);
     }
     Some(table)
@@ -135,7 +169,7 @@ pub fn csv(push: &Push) -> String {
     use std::fmt::Write;
     let mut text = String::from(
         "shell,acceleration_m_s2,base_shear_n,base_moment_nm,top_m,bulge_m,compression_pa,compression_height_m,plastic_strain,\
-         base_rotation,ground_moment_nm,uplift_m,lifted_width_m,plastic_rotation\n",
+         base_rotation,ground_moment_nm,uplift_m,lifted_width_m,plastic_rotation,wall_rotation,toe_stress_pa\n",
     );
     for shell in &push.shells {
         for p in &shell.path {
@@ -156,10 +190,10 @@ pub fn csv(push: &Push) -> String {
             let _ = match p.base {
                 Some(b) => writeln!(
                     text,
-                    ",{:.6e},{:.6e},{:.6e},{:.4},{:.6e}",
-                    b.rotation, b.moment, b.uplift, b.lifted_width, b.plastic_rotation
+                    ",{:.6e},{:.6e},{:.6e},{:.4},{:.6e},{:.6e},{:.6e}",
+                    b.rotation, b.moment, b.uplift, b.lifted_width, b.plastic_rotation, b.wall_rotation, b.toe_stress
                 ),
-                None => writeln!(text, ",,,,,"),
+                None => writeln!(text, ",,,,,,,"),
             };
         }
     }
@@ -336,6 +370,7 @@ pub fn report(push: &Push) -> Result<Report, Error> {
     page.insert("interruption", &push.interruption);
     page.insert("summary", &summary(push));
     page.insert("base", &base(push));
+    page.insert("strips", &strips(push));
     page.insert("joint", &push.joint.as_ref().map(|j| words::joint(j, push.gravity)));
     page.insert("limits", &limits(push));
     page.insert("ends", &ends);

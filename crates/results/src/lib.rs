@@ -56,7 +56,7 @@ pub use ida::{
 pub use isolation_run::{IsolationBand, IsolationEnergy, IsolationRun};
 pub use push::{
     Capacity, Imperfection, PUSH_FILE, PUSH_FORMAT, Push, PushBase, PushJoint, PushLimit, PushMeridian, PushPoint,
-    PushShell, read_push, write_push,
+    PushShell, PushStrip, read_push, write_push,
 };
 pub use run::{
     Balance, DampingRow, EnergyBalance, EngineId, Envelope, FE, Labelled, Limit, Mode, ModeShape, Run, SeriesInfo,

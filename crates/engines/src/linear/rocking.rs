@@ -318,8 +318,32 @@ pub(super) fn say(free: &Free, notes: &mut Vec<String>, assumptions: &mut Vec<St
     }
 }
 
-/// Whether the run repeats, as a limit of validity.
-pub(super) fn limit(free: &Free) -> Option<Limit> {
+/// Whether the run repeats, and whether the wall stays elastic at the joint, as limits of validity.
+pub(super) fn limits(free: &Free) -> Vec<Limit> {
+    repeats(free).into_iter().chain(elastic_wall(free)).collect()
+}
+
+/// Strips are welded to a wall that does not yield.
+fn elastic_wall(free: &Free) -> Option<Limit> {
+    let moved = free.moved().filter(|moved| moved.yields)?;
+    let [stress, strength] = moved.wall?;
+    let holds = stress <= strength;
+    Some(Limit {
+        id: "base_wall".into(),
+        name: words::WALL.into(),
+        value: stress,
+        limit: strength,
+        dimension: Dimension::Stress,
+        holds,
+        note: if holds {
+            String::new()
+        } else {
+            words::WALL_YIELDS.into()
+        },
+    })
+}
+
+fn repeats(free: &Free) -> Option<Limit> {
     let spread = free.moved()?.result.spread?;
     Some(Limit {
         id: "base_repeats".into(),

@@ -92,6 +92,13 @@ pub(super) struct Placed {
     pub(super) bending: Vec<[f64; 2]>,
 }
 
+impl Placed {
+    /// 1/D′ and ν/D′ of a cell [1/(N m)].
+    pub(super) fn soft(&self, cell: usize) -> [f64; 2] {
+        self.bending[cell - self.cells[0][0]]
+    }
+}
+
 /// Why the bottom of a case is not modelled, in words, and what is allowed.
 pub(crate) fn missing(case: &Case) -> Option<(&'static str, &'static str)> {
     match Base::of(case) {
@@ -119,8 +126,10 @@ pub(crate) fn missing(case: &Case) -> Option<(&'static str, &'static str)> {
 }
 
 impl Plate {
+    /// * `mesh`: refinement of the rings ([`tank::options::NonlinearOptions::bottom_mesh`])
+    ///
     /// Errors: a case without such a bottom.
-    pub(super) fn of(case: &Case, radius: f64) -> Result<Plate, FeError> {
+    pub(super) fn of(case: &Case, radius: f64, mesh: f64) -> Result<Plate, FeError> {
         if let Some((reason, _)) = missing(case) {
             return unsupported(reason);
         }
@@ -130,21 +139,22 @@ impl Plate {
         let plate = base.plate();
         let sinking = (4.0 * plate.bending_stiffness() / base.modulus).powf(0.25);
         let mut inside = vec![0.0];
-        let (mut x, mut width) = (0.0, FIRST * plate.thickness);
+        let (mut x, mut width) = (0.0, FIRST * plate.thickness / mesh);
+        let growth = GROWTH.powf(1.0 / mesh);
         // A change of thickness lies on a ring.
         let joint = bottom.sketch.and(bottom.width).filter(|w| *w < (1.0 - CORE) * radius);
         while x < (1.0 - CORE) * radius {
             let longest = match x < FINE {
                 true => (0.5 * sinking).max(FIRST * plate.thickness),
                 false => 0.1 * radius,
-            };
+            } / mesh;
             let next = x + width;
             x = match joint {
                 Some(at) if x < at * (1.0 - 1e-9) && next > at - 0.3 * width => at,
                 _ => next,
             };
             inside.push(x);
-            width = (GROWTH * width).min(longest);
+            width = (growth * width).min(longest);
         }
         let outside = if bottom.projection > 0.0 { OUTSIDE } else { 0 };
         let out = (0..outside).map(|i| radius + bottom.projection * (1.0 - i as f64 / OUTSIDE as f64));
@@ -431,8 +441,9 @@ pub(super) fn keep_plane(builder: &mut Builder, angles: &[f64], foot: &[usize]) 
     Ok(())
 }
 
-/// Plastic rotation of the joint at the `back` (θ = π) or at θ = 0: curvature of the meridian less that of an elastic plate under its moments, from the foot to
-/// where its sign changes; positive where the plate lifts [rad].
+/// Plastic rotation of the plate's joint at the `back` (θ = π) or at θ = 0, positive where the plate lifts [rad], by [`hinge`].
+///
+/// Errors: a section that fails.
 pub(super) fn plastic_rotation(
     model: &Model,
     bottom: &Placed,
@@ -440,12 +451,27 @@ pub(super) fn plastic_rotation(
     back: bool,
     state: &State,
 ) -> Result<f64, AnalysisError> {
+    let cells = bottom.cells[foot..]
+        .iter()
+        .filter_map(|ring| if back { ring.last() } else { ring.first() });
+    let sum = hinge(model, cells.map(|&cell| (cell, bottom.soft(cell))), state)?;
+    Ok(LIFTS * sum)
+}
+
+/// Plastic rotation of shells along a meridian from the joint on: curvature of the meridian less that of an elastic shell under its moments,
+/// from the first cell that yields to where its sign changes or nothing yields; its sign is that of the curvature [rad].
+///
+/// * `cells`: elements, the first at the joint, with 1/D′ and ν/D′, D′ = E t³/12 [1/(N m)]; their second local axis is the meridian
+///
+/// Errors: a section that fails.
+pub(super) fn hinge(
+    model: &Model,
+    cells: impl Iterator<Item = (usize, [f64; 2])>,
+    state: &State,
+) -> Result<f64, AnalysisError> {
     let mut sum = 0.0_f64;
-    for cells in &bottom.cells[foot..] {
-        let Some(&cell) = (if back { cells.last() } else { cells.first() }) else {
-            break;
-        };
-        let Some(part) = plastic_part(model, bottom, cell, state)? else {
+    for (cell, soft) in cells {
+        let Some(part) = plastic_part(model, cell, soft, state)? else {
             if sum != 0.0 {
                 break;
             }
@@ -456,16 +482,16 @@ pub(super) fn plastic_rotation(
         }
         sum += part;
     }
-    Ok(LIFTS * sum)
+    Ok(sum)
 }
 
-/// Plastic rotation across a cell of the plate along the radius [rad]; none of a cell that has not yielded.
+/// Plastic rotation across a cell along the meridian [rad]; none of a cell that has not yielded. `soft`: as in [`hinge`].
 ///
 /// Errors: a section that fails.
 pub(super) fn plastic_part(
     model: &Model,
-    bottom: &Placed,
     cell: usize,
+    soft: [f64; 2],
     state: &State,
 ) -> Result<Option<f64>, AnalysisError> {
     let mut gather = Gather::default();
@@ -480,12 +506,17 @@ pub(super) fn plastic_part(
     let sections = element
         .sections(motion, history)
         .map_err(|source| AnalysisError::Element { number: cell, source })?;
-    let virgin = bottom.bending[cell - bottom.cells[0][0]];
     let plastic = |s: &fem::element::SectionState| {
-        let (hoop, radial) = (s.resultants[3], s.resultants[4]);
-        s.strain[4] - (virgin[0] * radial - virgin[1] * hoop)
+        let (hoop, along) = (s.resultants[3], s.resultants[4]);
+        s.strain[4] - (soft[0] * along - soft[1] * hoop)
     };
     let mean = sections.iter().map(plastic).sum::<f64>() / sections.len() as f64;
-    let [a, b] = [element.nodes()[0], element.nodes()[1]].map(|n| model.nodes()[n]);
-    Ok(Some(mean * (b[0].hypot(b[1]) - a[0].hypot(a[1]))))
+    // Rings and levels: a plate extends over the radius, a wall over the height.
+    let corners = element.nodes().iter().map(|&n| model.nodes()[n]);
+    let extent = |values: &mut dyn Iterator<Item = f64>| {
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |e, v| (e.0.min(v), e.1.max(v)));
+        high - low
+    };
+    let along = extent(&mut corners.clone().map(|x| x[0].hypot(x[1])));
+    Ok(Some(mean * along.hypot(extent(&mut corners.map(|x| x[2])))))
 }

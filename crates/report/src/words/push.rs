@@ -13,6 +13,8 @@ pub mod heads {
     pub const COMPRESSION: &str = "Axial compression at that height";
     /// Moment of the strips.
     pub const STRIPS: &str = "Moment of the strips";
+    /// The same of the strips.
+    pub const OF_STRIPS: &str = "of the strips";
     /// Stress of beam theory.
     pub const BEAM: &str = "of beam theory at the base";
 }

@@ -408,6 +408,12 @@ const ALL: &[Words] = &[
                  joint on the lifted side. Moment of the strips: that of the fast engines, with a foot that stays plane, at the same \
                  rotation and bottom pressure.",
             ),
+            (
+                "strips",
+                "Shells beside strips. Toe stress: axial membrane compression of the lowest row of elements at the toe. The plastic rotation of \
+                 the joint is that of the plate and that of the wall together; the strips have an elastic wall, so theirs is in the plate \
+                 alone.",
+            ),
         ],
     },
 ];

@@ -58,6 +58,9 @@ object! {
             = default(DEFAULT.follower_pressure).because("pressure stands on the deformed wall"),
         /// Points through the thickness, by kind of material.
         integration: Opt<Integrations>,
+        /// Refinement of the rings of the bottom plate of an unanchored cylinder: 2 makes them half as wide.
+        bottom_mesh (2): Opt<Number> [Limits::from(0.5).to(8.0)] = default(Number(DEFAULT.bottom_mesh))
+            .because("rings of two thicknesses at the foot resolve the hinge of the plate"),
         /// Free vibration after the record: periods of the first sloshing mode, a time, or none. A long wave often peaks there.
         after_record ("2 periods"): Opt<AfterRecord> = default(DEFAULT.after_record)
             .because("as the linear engines: two periods of the first sloshing mode"),
@@ -252,6 +255,7 @@ pub(super) fn nonlinear(
         self_weight: r.choice(&given.self_weight),
         follower_pressure: r.choice(&given.follower_pressure),
         integration: integration(r, &given.integration),
+        bottom_mesh: r.or_default(&given.bottom_mesh),
         after_record: r.choice(&given.after_record),
         checkpoint: r.or_default(&given.checkpoint),
         // Those of `analysis`.

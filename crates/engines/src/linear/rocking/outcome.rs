@@ -48,6 +48,8 @@ pub(crate) struct Moved {
     pub march: [f64; 2],
     /// Whether the bottom plate may yield.
     pub yields: bool,
+    /// Stress of the lowest course at the joint at the largest uplift, and its yield strength [Pa].
+    pub wall: Option<[f64; 2]>,
     /// Its histories at the steps of the record.
     pub columns: Vec<(SeriesInfo, Vec<f64>)>,
     /// States of the bottom for pictures, where they are asked for.
@@ -281,6 +283,10 @@ pub(super) fn moved(
         ],
         foot: states.foot,
         yields: base.yields(),
+        wall: base.wall_yield.map(|strength| {
+            let point = found.laws.rocking.curve().at(peaks.uplift.0);
+            [base.wall_stress(&point), strength]
+        }),
         motion: BaseMotion {
             grid,
             acceleration: found.history.acceleration,

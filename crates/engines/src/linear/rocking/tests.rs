@@ -271,7 +271,7 @@ fn a_run_that_does_not_repeat_says_so() {
         toe_axial_stress: [0.5 * own.toe_axial_stress[0], own.toe_axial_stress[1]],
         ..own
     });
-    let said = limit(&Free::Moves(Box::new(moved))).unwrap();
+    let said = repeats(&Free::Moves(Box::new(moved))).unwrap();
     assert!(
         !said.holds && said.value > 0.4 && said.note.contains("does not repeat"),
         "{said:?}"

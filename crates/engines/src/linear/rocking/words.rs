@@ -21,6 +21,12 @@ pub(super) const FOOT: &str =
 /// Name of the limit of a run that repeats.
 pub(super) const SPREAD: &str =
     "Spread of rotation, toe stress and shear of the rocking base under motions 0.1 % apart and half the time step";
+/// Name of the limit of an elastic wall.
+pub(super) const WALL: &str =
+    "Stress of the lowest course at the joint with the bottom plate, elastic, against its yield strength";
+/// What a wall that yields means.
+pub(super) const WALL_YIELDS: &str = "The lowest course yields at the joint, which the strips leave out: wall and plate share the plastic \
+     rotation, and the toe is softer. `tankcheck push` and the nonlinear engine have both.";
 /// The model lacks rows.
 pub(super) const NO_ROWS: &str = "The tank is unanchored; its model has no rows of base moment or pressure, and uplift is not computed: the wall is held down.";
 

@@ -114,7 +114,9 @@ pub(super) fn rings(case: &Case, options: &NonlinearOptions) -> usize {
 ///
 /// Errors: those of [`Plate::of`].
 pub(super) fn plate(case: &Case, options: &NonlinearOptions, radius: f64) -> Result<Option<Plate>, FeError> {
-    stands(case, options).then(|| Plate::of(case, radius)).transpose()
+    stands(case, options)
+        .then(|| Plate::of(case, radius, options.bottom_mesh))
+        .transpose()
 }
 
 impl Standing {
@@ -304,7 +306,7 @@ impl Standing {
     /// Errors: a section that fails.
     pub(super) fn plastic_by_cell(&self, tank: &CylinderModel, state: &State) -> Result<Vec<f64>, AnalysisError> {
         let cells = self.placed.cells.iter().flatten();
-        let part = |cell: &usize| bottom::plastic_part(&tank.model, &self.placed, *cell, state);
+        let part = |cell: &usize| bottom::plastic_part(&tank.model, *cell, self.placed.soft(*cell), state);
         cells.map(|cell| Ok(part(cell)?.unwrap_or(0.0))).collect()
     }
 

@@ -83,10 +83,7 @@ impl Progress for Until {
 fn a_plane_foot_has_the_moments_of_the_strips() {
     let case = oil(205e9);
     let options = options(&case, 48);
-    let plan = Plan {
-        plane: true,
-        ..Plan::new(&case, &options).unwrap()
-    };
+    let plan = Plan::new(&case, &options, true).unwrap();
     let progress = Until::states(23);
     let found = path::follow(
         &plan,
@@ -137,7 +134,7 @@ fn a_buckling_mode_is_rejected() {
     let push = PushOptions {
         imperfection: Some(Amplitude::Thicknesses(0.5)),
         form: Form::Mode,
-        height: None,
+        ..PushOptions::default()
     };
     let error = pushover(&case, &options, &push, &[], None, &Until::states(1)).unwrap_err();
     assert!(matches!(error, FeError::Option { .. }), "{error}");
@@ -151,7 +148,7 @@ fn a_buckling_mode_is_rejected() {
 fn an_imperfect_foot_takes_the_plate_along() {
     let case = oil(205e6);
     let options = options(&case, 32);
-    let plan = Plan::new(&case, &options).unwrap();
+    let plan = Plan::new(&case, &options, false).unwrap();
     let shape = Depression {
         radius: 20.0,
         amplitude: -0.03,
