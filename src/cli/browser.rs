@@ -28,6 +28,9 @@ const PLACES: [&str; 3] = [
 /// Longest time of one printing.
 const PATIENCE: Duration = Duration::from_secs(300);
 
+/// How long a browser may take to end after it has printed.
+const FAREWELL: Duration = Duration::from_secs(5);
+
 /// The browser: that of `CHROME`, or the first one installed.
 ///
 /// Errors: `CHROME` names a program that does not start; none is installed.
@@ -81,7 +84,7 @@ pub(crate) fn print(program: &Path, html: &str) -> Result<Vec<u8>, Error> {
     }
     let (status, said) = ended;
     let bytes = std::fs::read(&pdf).unwrap_or_default();
-    if status.success() && bytes.starts_with(b"%PDF") {
+    if complete(&bytes) {
         return Ok(bytes);
     }
     let last = said
@@ -93,6 +96,12 @@ pub(crate) fn print(program: &Path, html: &str) -> Result<Vec<u8>, Error> {
         line(&program.to_string_lossy()),
         line(last)
     )))
+}
+
+/// Whether a file is a whole PDF.
+fn complete(bytes: &[u8]) -> bool {
+    let end = &bytes[bytes.len().saturating_sub(16)..];
+    bytes.starts_with(b"%PDF") && end.windows(5).any(|part| part == b"%%EOF")
 }
 
 /// Runs the browser; returns how it ended and what it said.
@@ -129,9 +138,18 @@ fn run(program: &Path, folder: &Path, page: &Path, pdf: &Path, bare: bool) -> Re
         .stderr(std::fs::File::create(&said).map_err(failed)?);
     let mut child = command.spawn().map_err(failed)?;
     let started = Instant::now();
+    let mut printed: Option<Instant> = None;
     let status = loop {
         if let Some(status) = child.try_wait().map_err(failed)? {
             break status;
+        }
+        // Some browsers do not end although they have printed.
+        if printed.is_none() && std::fs::read(pdf).is_ok_and(|bytes| complete(&bytes)) {
+            printed = Some(Instant::now());
+        }
+        if printed.is_some_and(|since| since.elapsed() > FAREWELL) {
+            let _ = child.kill();
+            break child.wait().map_err(failed)?;
         }
         if started.elapsed() > PATIENCE {
             // It may have ended meanwhile.
@@ -143,7 +161,7 @@ fn run(program: &Path, folder: &Path, page: &Path, pdf: &Path, bare: bool) -> Re
                 PATIENCE.as_secs()
             )));
         }
-        std::thread::sleep(Duration::from_millis(20));
+        std::thread::sleep(Duration::from_millis(50));
     };
     let said = std::fs::read(&said).unwrap_or_default();
     Ok((status, String::from_utf8_lossy(&said).into_owned()))
