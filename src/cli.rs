@@ -13,6 +13,7 @@ use files::text;
 use terminal::say;
 
 mod base;
+mod browser;
 mod budget;
 mod check;
 mod checks;

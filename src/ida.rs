@@ -73,6 +73,8 @@ pub fn run(job: &IdaJob, volatile: impl Fn() -> Volatile, progress: &dyn Progres
         volatile: volatile(),
         key,
         name: job.job.case.name.clone(),
+        project: job.job.project.clone(),
+        tank: Some(job.job.tank()),
         files: job.job.files.clone(),
         model: tank.facts()?,
         assumptions: [warnings(job), tank.assumptions()].concat(),

@@ -15,7 +15,7 @@ use engines::Task;
 use engines::nonlinear::push::PushOptions;
 use engines::nonlinear::{CheckpointFile, NonlinearOptions};
 use engines::solid::SolidOptions;
-use results::{EngineId, InputValue, SourceFile};
+use results::{Deformability, EngineId, InputValue, SourceFile, TankSummary};
 
 /// Refusals of an analysis for a tank file, each with its place in the file.
 ///
@@ -71,6 +71,23 @@ impl Job {
             solid: &self.solid,
             nonlinear: &self.nonlinear,
             checkpoint: self.checkpoint.as_ref(),
+        }
+    }
+
+    /// Geometry for sketches and scales of figures.
+    pub fn tank(&self) -> TankSummary {
+        let case = &self.case;
+        TankSummary {
+            tank: case.tank.clone(),
+            liquid: case.liquid,
+            gravity: case.gravity,
+            liquid_mass: case.liquid_mass(),
+            wall_mass: case.tank.wall_mass(),
+            deformability: codes::deformability::of(case).map(|k| Deformability {
+                as_printed: k.as_printed,
+                corrected: k.corrected,
+                note: k.note,
+            }),
         }
     }
 

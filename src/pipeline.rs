@@ -29,8 +29,7 @@ use crate::job::Job;
 use engines::{Simulation, engine};
 use results::compare::{self, Context, Incomplete};
 use results::{
-    Deformability, EngineId, FORMAT, Method, RecordSummary, Results, Run, Series, Snapshots, Status, TankSummary,
-    Verdict, Volatile, finite,
+    EngineId, FORMAT, Method, RecordSummary, Results, Run, Series, Snapshots, Status, Verdict, Volatile, finite,
 };
 
 /// Ids of the procedures to run, in report order; an empty list means all.
@@ -135,18 +134,7 @@ pub fn run(job: &Job, progress: &dyn Progress) -> Result<Outcome, Error> {
         project: job.project.clone(),
         files: job.files.clone(),
         input: job.echo.clone(),
-        tank: TankSummary {
-            tank: job.case.tank.clone(),
-            liquid: job.case.liquid,
-            gravity: job.case.gravity,
-            liquid_mass: job.case.liquid_mass(),
-            wall_mass: job.case.tank.wall_mass(),
-            deformability: codes::deformability::of(&job.case).map(|k| Deformability {
-                as_printed: k.as_printed,
-                corrected: k.corrected,
-                note: k.note,
-            }),
-        },
+        tank: job.tank(),
         records,
         spectra,
         standing: None,

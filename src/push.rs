@@ -45,6 +45,8 @@ pub fn run(job: &PushJob, volatile: impl Fn() -> Volatile, progress: &dyn Progre
         format: PUSH_FORMAT.into(),
         volatile: volatile(),
         name: case.name.clone(),
+        project: job.job.project.clone(),
+        tank: Some(job.job.tank()),
         gravity: case.gravity,
         files: job.job.files.clone(),
         model: pushed.model,

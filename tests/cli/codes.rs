@@ -134,6 +134,7 @@ fn trigger(code: Code) -> Trigger {
         Code::LiquidParted => Sources("needs a run"),
         Code::PartlyKept => Sources("needs a full disk; tests/cli/push_resume.rs"),
         Code::PushAssumption => Sources("needs a pushover"),
+        Code::ProgramMissing => Sources("needs a results folder and a machine without the program"),
         Code::ChangedResults => Sources("needs a results folder"),
         Code::BaseModel => Sources("needs an unanchored tank; tests/cli/base.rs"),
         Code::StudyRemark => Sources("needs a merged study"),

@@ -4,13 +4,14 @@ use tank::units::Dimension;
 use tera::Context;
 
 use super::Report;
-use super::sections::FigureView;
+use super::sections::{self, FigureView};
 use super::template::Templates;
 use crate::figure::chart::{Axis, Chart, Line, Mark};
 use crate::figure::{Figure, HALF, Room, map};
+use crate::frame::{self, Body, Cover, Page, Pair, Verdict};
 use crate::number::{Scale, fixed, significant, with_unit};
-use crate::numbering::number;
 use crate::table::{Column, Table, spread};
+use crate::words::capital;
 use crate::words::push::{self as words, heads, shell_name};
 use crate::words::sections::{heading, sentences};
 use files::error::Error;
@@ -231,12 +232,13 @@ fn path_figure(
         chart.lines.push(Line {
             points: shell.path.iter().map(|p| (value(p), p.acceleration / g)).collect(),
             class: (*class).into(),
-            label: shell_name(shell),
+            // The capacity is in the legend: points of shells that are alike lie side by side, and their labels over each other.
+            label: words::capacity(push, shell),
         });
         let best = &shell.capacity.state;
         chart.marks.push(Mark {
             at: (value(best), best.acceleration / g),
-            label: format!("{} g", significant(best.acceleration / g, 3)),
+            label: String::new(),
             class: (*class).into(),
         });
         for i in spread(shell.path.len(), 12) {
@@ -251,7 +253,7 @@ fn path_figure(
     let chart = chart.with_plot_height(190.0);
     Ok(Figure {
         id: id.into(),
-        title: title.into(),
+        title: capital(title),
         caption: words::PATH.into(),
         titled: false,
         description: words::path(title),
@@ -352,6 +354,28 @@ fn figures(push: &Push) -> Result<Vec<Figure>, Error> {
     Ok(out)
 }
 
+/// The first page.
+fn cover(push: &Push) -> Cover {
+    let mut facts = push.tank.as_ref().map_or_else(Vec::new, frame::tank);
+    facts.extend(words::facts(push).into_iter().map(|(l, v)| Pair::new(l, v)));
+    let sketch = push.tank.as_ref().map(|tank| FigureView::of(&sections::sketch(tank)));
+    Cover {
+        name: push.name.clone(),
+        subtitle: heading("push").into(),
+        project: frame::document(push.project.as_ref()),
+        signatures: frame::signatures(push.project.as_ref()),
+        verdict: Verdict {
+            class: if push.incomplete { "fail" } else { "none" },
+            sign: if push.incomplete { "✗" } else { "–" },
+            headline: words::headline(push),
+            lines: words::lines(push),
+        },
+        warnings: push.doubts.clone(),
+        facts,
+        sketch: sketch.into_iter().collect(),
+    }
+}
+
 /// The page with its figures.
 ///
 /// Errors: a template or a drawing that fails.
@@ -361,31 +385,35 @@ pub fn report(push: &Push) -> Result<Report, Error> {
     let css = format!("{}{}", templates.css("figure.css"), templates.css("fields.css"));
     let views: Vec<FigureView> = figures.iter().map(FigureView::of).collect();
     let ends: Vec<String> = push.shells.iter().map(words::end).collect();
-    let mut page = Context::new();
-    page.insert("words", &sentences("push"));
-    page.insert("title", heading("push"));
-    page.insert("name", &push.name);
-    page.insert("incomplete", &push.incomplete);
-    page.insert("doubts", &push.doubts);
-    page.insert("interruption", &push.interruption);
-    page.insert("summary", &summary(push));
-    page.insert("base", &base(push));
-    page.insert("strips", &strips(push));
-    page.insert("joint", &push.joint.as_ref().map(|j| words::joint(j, push.gravity)));
-    page.insert("limits", &limits(push));
-    page.insert("ends", &ends);
-    page.insert("model", &super::facts(&push.model));
-    page.insert("files", &super::files(&push.files));
-    page.insert("assumptions", &push.assumptions);
-    page.insert("figures", &views);
-    page.insert("version", &push.volatile.version);
-    page.insert("created", &push.volatile.created);
-    page.insert("command", &push.volatile.command);
-    page.insert("style", templates.css("style.css"));
-    page.insert("figure_style", &css);
-    let drawn = figures.iter().map(|f| (format!("{}.svg", f.id), f.standalone(&css)));
-    Ok(Report::new(
-        &number(&templates.render("push.html", &page)?),
-        drawn.collect(),
-    ))
+    let base = base(push);
+    let mut context = Context::new();
+    context.insert("words", &sentences("push"));
+    context.insert("summary", &summary(push));
+    context.insert("base", &base);
+    context.insert("strips", &strips(push));
+    let joint = push.joint.as_ref().map(|j| capital(&words::joint(j, push.gravity)));
+    context.insert("joint", &joint);
+    context.insert("limits", &limits(push));
+    context.insert("ends", &ends);
+    context.insert("model", &super::facts(&push.model));
+    context.insert("assumptions", &push.assumptions);
+    context.insert("figures", &views);
+    let mut body = Body::new(&templates, cover(push), push.tank.as_ref())?;
+    for part in words::PARTS {
+        if part.0 != "base" || base.is_some() {
+            body.part("push.html", part, &mut context)?;
+        }
+    }
+    body.provenance(&push.files, &push.format, &push.volatile)?;
+    let html = Page {
+        name: &push.name,
+        running: words::RUNNING,
+        project: push.project.as_ref(),
+        parts: &body.parts,
+        css: &css,
+    }
+    .html(&templates)?;
+    let drawn = body.figures.iter().chain(&figures);
+    let drawn = drawn.map(|f| (format!("{}.svg", f.id), f.standalone(&css)));
+    Ok(Report::new(&html, drawn.collect()))
 }

@@ -8,12 +8,11 @@ use tera::Context;
 
 use crate::Report;
 use crate::figure::Figure;
-use crate::numbering::number;
+use crate::frame::{self, Cover, Page, Pair, Part, Verdict};
 use crate::sections::FigureView;
 use crate::table::Table;
 use crate::template::Templates;
 use crate::words::study::{self as words, captions};
-use crate::words::summary::{COVER, SIGNATURES};
 use files::error::Error;
 use results::{Study, VerdictStatus};
 
@@ -112,20 +111,6 @@ impl Builder {
     }
 }
 
-#[derive(Serialize)]
-struct Pair {
-    label: String,
-    value: String,
-}
-
-#[derive(Serialize)]
-struct Verdict {
-    class: &'static str,
-    sign: &'static str,
-    headline: String,
-    lines: Vec<String>,
-}
-
 /// The page with its figures.
 ///
 /// Errors: a template or a drawing that fails.
@@ -146,63 +131,42 @@ pub fn report(study: &Study) -> Result<Report, Error> {
     basis(study, &mut page);
     let templates = Templates::new(None)?;
     let css = templates.css("figure.css").to_owned();
-    let mut context = Context::new();
-    context.insert("name", &study.name);
-    context.insert("subtitle", words::SUBTITLE);
-    context.insert("running", words::RUNNING);
-    context.insert(
-        "mark",
-        &study.project.as_ref().map_or(String::new(), tank::Project::mark),
-    );
-    context.insert("cover", &cover(study));
-    context.insert("signatures", &signatures(study));
-    context.insert("heads", &words::SIGNATURE_HEADS);
-    context.insert("verdict", &verdict(study));
-    context.insert("warnings", &words::warnings(study));
-    context.insert("facts", &facts(study));
-    context.insert("contents", words::CONTENTS);
-    context.insert("sections", &page.sections);
-    context.insert("style", templates.css("style.css"));
-    context.insert("figure_style", &css);
+    let project = study.project.as_ref();
+    let mut parts = vec![
+        Cover {
+            name: study.name.clone(),
+            subtitle: words::SUBTITLE.into(),
+            project: frame::document(project),
+            signatures: frame::signatures(project),
+            verdict: verdict(study),
+            warnings: words::warnings(study),
+            facts: facts(study),
+            sketch: Vec::new(),
+        }
+        .part(&templates)?,
+    ];
+    for section in &page.sections {
+        let mut context = Context::new();
+        context.insert("s", section);
+        parts.push(Part {
+            id: section.id,
+            title: section.title,
+            html: templates.render("study.html", &context)?,
+        });
+    }
+    let html = Page {
+        name: &study.name,
+        running: words::RUNNING,
+        project,
+        parts: &parts,
+        css: &css,
+    }
+    .html(&templates)?;
     let drawn = page
         .figures
         .iter()
         .map(|f| (format!("{}.svg", f.id), f.standalone(&css)));
-    Ok(Report::new(
-        &number(&templates.render("study.html", &context)?),
-        drawn.collect(),
-    ))
-}
-
-/// Entries of the cover that are given.
-fn cover(study: &Study) -> Vec<Pair> {
-    let project = study.project.clone().unwrap_or_default();
-    let given = [
-        project.name,
-        project.client,
-        project.document,
-        project.revision,
-        project.date,
-    ];
-    let pair = |(label, value): (&str, Option<String>)| {
-        Some(Pair {
-            label: label.into(),
-            value: value?,
-        })
-    };
-    COVER.into_iter().zip(given).filter_map(pair).collect()
-}
-
-fn signatures(study: &Study) -> Vec<Pair> {
-    let Some(project) = &study.project else {
-        return Vec::new();
-    };
-    let names = [&project.author, &project.checker, &project.approver];
-    let pair = |(label, name): (&str, &Option<String>)| Pair {
-        label: label.into(),
-        value: name.clone().unwrap_or_default(),
-    };
-    SIGNATURES.into_iter().zip(names).map(pair).collect()
+    Ok(Report::new(&html, drawn.collect()))
 }
 
 /// The verdict of the farm is that of its worst tank; a tank without a result is not a tank that holds.
@@ -225,10 +189,7 @@ fn verdict(study: &Study) -> Verdict {
 }
 
 fn facts(study: &Study) -> Vec<Pair> {
-    let pair = |(label, value): (&str, String)| Pair {
-        label: label.into(),
-        value,
-    };
+    let pair = |(label, value): (&str, String)| Pair::new(label, value);
     words::facts(study).into_iter().map(pair).collect()
 }
 

@@ -15,8 +15,10 @@ use files::text::line;
 /// The embedded pages and style sheets by name; [`crate::sections::TEMPLATES`] has the sections.
 const PAGES: &[(&str, &str)] = &[
     ("report.html", include_str!("../../../templates/report.html")),
+    ("cover.html", include_str!("../../../templates/cover.html")),
     ("components.html", include_str!("../../../templates/components.html")),
     ("style.css", include_str!("../../../templates/style.css")),
+    ("math.css", include_str!("../../../templates/math.css")),
     ("figure.css", include_str!("../../../templates/figure.css")),
     (
         "verification.html",

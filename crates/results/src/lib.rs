@@ -64,8 +64,8 @@ pub use run::{
 pub use snapshots::{Resultants, Snapshot, Snapshots};
 pub use soil_run::{EffectiveMode, OnSoil, SoilRun};
 pub use store::{
-    COMPARE, COMPARE_REPORT, FIGURES_FOLDER, OUTPUT, REPORT_FILE, RESULTS_FILE, SERIES_FILE, TRANSFER_FILE, put, read,
-    read_series, write,
+    COMPARE, COMPARE_REPORT, FIGURES_FOLDER, FORMS, OUTPUT, REPORT_FILE, RESULTS_FILE, SERIES_FILE, TRANSFER_FILE, put,
+    read, read_series, write,
 };
 
 pub use standing::{Standing, StandingGround, StandingPlate, StandingValues};

@@ -6,7 +6,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::store::{read_document, write_document};
-use super::{Fact, SourceFile, Volatile, WallMap};
+use super::{Fact, SourceFile, TankSummary, Volatile, WallMap};
 use files::error::Error;
 
 /// Version of the format; a reader refuses any other.
@@ -23,6 +23,12 @@ pub struct Push {
     pub volatile: Volatile,
     /// Title of the case.
     pub name: String,
+    /// Cover of the report.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub project: Option<tank::Project>,
+    /// Geometry for the sketch; none in results of earlier versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tank: Option<TankSummary>,
     /// Acceleration of free fall [m/s²].
     pub gravity: f64,
     /// Files read, with hashes.

@@ -34,10 +34,13 @@ pub const COMPARE: Kind = Kind {
     keeps: |_| false,
 };
 
+/// Other forms of a report that may stand next to it: for print, for a text processor, for a spreadsheet.
+pub const FORMS: [&str; 3] = ["report.pdf", "report.docx", "report.xlsx"];
+
 /// The report of a verification, rendered again next to its results.
 pub const COMPARE_REPORT: Kind = Kind {
     names: |name| [REPORT_FILE, FIGURES_FOLDER].contains(&name),
-    keeps: |name| [RESULTS_FILE, SERIES_FILE, TRANSFER_FILE].contains(&name),
+    keeps: |name| [RESULTS_FILE, SERIES_FILE, TRANSFER_FILE].contains(&name) || FORMS.contains(&name),
     option: "a copy of results.json and series.csv",
     ..COMPARE
 };

@@ -277,6 +277,11 @@ catalogue! {
         "The checkpoint is damaged, or belongs to another tank, record, option or version. Omit --resume to start over."
         "tankcheck compare tank.json --fe nonlinear --quake b.csv --resume a.ckpt"
 
+    ProgramMissing "T0608" Error "a program that this command starts is not there"
+        "Printing needs a Chromium, documents need pandoc. Nothing was written; the message says how to install the program. The \
+         report itself is HTML and opens in any browser."
+        "CHROME=/opt/chrome/chrome tankcheck report out/ --pdf"
+
     Procedure "T0701" Error "a code procedure failed"
         "An iteration of the procedure did not converge or a formula gave no value. Limits of a code's scope are not errors: \
          the method is then listed as not applicable, with its clause."

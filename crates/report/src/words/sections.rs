@@ -337,6 +337,7 @@ const ALL: &[Words] = &[
         title: "Calculation sheets",
         sentences: &[
             ("record", "the sheet for the record"),
+            ("from", "from"),
             (
                 "others",
                 "With their numbers in every formula, and those of the procedures that do not decide: `tankcheck report FOLDER --report full`.",

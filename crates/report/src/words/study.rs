@@ -13,11 +13,6 @@ use results::{EngineId, Study, StudyRule, StudyTank, StudyTrace, VerdictStatus};
 pub const SUBTITLE: &str = "Study of tanks under a set of records: checks, fragility and risk";
 /// In the running head.
 pub const RUNNING: &str = "seismic study";
-/// Over the list of sections.
-pub const CONTENTS: &str = "Contents";
-/// Heads of the table of signatures.
-pub const SIGNATURE_HEADS: [&str; 3] = ["Name", "Date", "Signature"];
-
 /// Sections: id and title.
 pub const TANKS: (&str, &str) = ("tanks", "Tanks and governing checks");
 /// See [`TANKS`].
