@@ -82,7 +82,7 @@ enum Command {
     Modes(modes::Args),
     /// Compute the response spectra of a record.
     Spectrum(spectrum::Args),
-    /// Print the properties of an accelerogram.
+    /// Accelerograms: properties, conversion, sets, synthetic and harmonic motion.
     Quake(quake::Args),
     /// Render the report of a results folder again.
     Report(report::Args),

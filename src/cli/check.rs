@@ -1,5 +1,6 @@
 //! `tankcheck check`: the code procedures alone.
 
+use std::path::Path;
 use std::time::Instant;
 
 use fem::progress::Silent;
@@ -90,6 +91,22 @@ impl CheckFormat {
     }
 }
 
+/// Errors: a folder with the results of finite elements, which those of the codes alone would replace.
+fn keeps_runs(out: &Path) -> Result<(), Error> {
+    let histories = out.join(results::SERIES_FILE);
+    if !histories.is_file() {
+        return Ok(());
+    }
+    Err(Error::input(
+        Code::FileTaken,
+        format!(
+            "{}: contains the results of `tankcheck compare` with finite elements, and `check` has none\n  help: name another folder with \
+             --out, or remove this one",
+            files::text::line(&out.display().to_string())
+        ),
+    ))
+}
+
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
@@ -121,6 +138,9 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     if let Some(variable) = &args.solve {
         return solve::run(&job, variable, args.format.plain().unwrap_or(Format::Human), global);
     }
+    if let Some(out) = &args.out {
+        keeps_runs(out)?;
+    }
     let folder = args
         .out
         .as_deref()
@@ -134,7 +154,9 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         pipeline::draw(&job, &mut results)?;
         results::write(&folder.path(), &results, &series)?;
         report::render(&folder.path(), None, args.level.level())?;
+        let stale = folder.stale();
         folder.commit()?;
+        compare::replaced(args.out.as_deref().unwrap_or(Path::new("")), &stale);
     }
     if args.format == CheckFormat::Human {
         for line in wall::lines(&job.case.tank) {

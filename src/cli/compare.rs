@@ -212,6 +212,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     } = pipeline::run(&job, &watch)?;
     stamp(&mut results, started);
     let interrupted = watch.interrupted() && results.verdict.unfinished;
+    let mut stale = Vec::new();
     if interrupted && results::read(&args.out).is_ok_and(|earlier| !earlier.verdict.unfinished) {
         watch.warn(&kept_complete(&args.out));
     } else {
@@ -223,6 +224,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
         if let (Some(vtu), Some(snapshots)) = (&vtu, &snapshots) {
             vtu::write(&vtu.path(), snapshots)?;
         }
+        stale = folder.stale();
         folder.commit()?;
         // Without a state the folder is not changed.
         vtu.filter(|_| snapshots.is_some())
@@ -233,6 +235,7 @@ pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let out = (!args.no_report).then_some(args.out.as_path());
     print(&results, out, (args.format, &args.select, &select::WHOLE), global)?;
     late_warnings(&job, &results);
+    replaced(&args.out, &stale);
     for found in unusable(&results) {
         stream::warn("", &Warning::new(Code::Unusable, words::verdict::unusable(&found)));
     }
@@ -379,13 +382,27 @@ pub(crate) fn print(
                 text.push_str(&table(results, excitation));
             }
             text.push_str(&verdict(results));
-            stream::print(&text)?;
+            stream::print_marked(&text)?;
         }
     }
     if let (Some(out), false) = (out, global.quiet) {
         say!("report: {}", out.join("report.html").display());
     }
     Ok(())
+}
+
+/// Names what of an earlier run is gone.
+///
+/// * `stale`: of [`OutputFolder::stale`], before its commit
+pub(crate) fn replaced(out: &Path, stale: &[String]) {
+    if !stale.is_empty() {
+        let text = format!(
+            "{}: {} of the earlier results removed, of which the new ones have none",
+            out.display(),
+            stale.join(", ")
+        );
+        stream::warn("", &Warning::new(Code::Replaced, text));
+    }
 }
 
 /// Warnings that follow from the results; those about the input were printed before the run.
@@ -443,7 +460,7 @@ fn table(results: &Results, excitation: Excitation) -> String {
         let title = format!("{} [{}]", row.title, unit.symbol);
         table.row(std::iter::once(title).chain(cells));
     }
-    let mut text = format!("{table}\n");
+    let mut text = format!("{}\n", table.fitted(stream::width()));
     let marked = |mark: fn(&results::Cell) -> bool| {
         let of = |row: &ComparisonRow| columns.iter().any(|&i| row.cells[i].as_ref().is_some_and(mark));
         results.comparison.rows.iter().any(of)
@@ -478,6 +495,10 @@ fn table(results: &Results, excitation: Excitation) -> String {
         if let Some(line) = terminal::not_applicable(method) {
             let _ = writeln!(text, "{line}");
         }
+    }
+    // Before what follows; the table has a line of its own after it.
+    if !text.ends_with("\n\n") {
+        text.push('\n');
     }
     text
 }

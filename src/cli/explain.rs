@@ -251,12 +251,20 @@ const SUGGESTIONS: usize = 4;
 
 fn unknown(id: &str, all: &[Entry]) -> Error {
     let wanted = id.trim().to_lowercase().replace(['-', ' '], "_");
-    let distance = |entry: &Entry| strsim::damerau_levenshtein(&wanted, &entry.id.to_lowercase());
-    let holds = |entry: &Entry| wanted.len() > 2 && entry.id.contains(&wanted);
+    // To the id, or to one of its words: "bukling" is in buckling_elastic.
+    let apart = |word: &str| {
+        let apart = strsim::damerau_levenshtein(&wanted, word);
+        (apart * 3 <= word.chars().count()).then_some(apart)
+    };
+    let distance = |entry: &Entry| {
+        let id = entry.id.to_lowercase();
+        let holds = (wanted.len() > 2 && id.contains(&wanted)).then_some(0);
+        let word = id.split('_').filter_map(apart).min().map(|apart| apart + 1);
+        holds.into_iter().chain(apart(&id)).chain(word).min()
+    };
     let mut near: Vec<(usize, &Entry)> = all
         .iter()
-        .filter(|entry| holds(entry) || distance(entry) * 3 <= entry.id.len())
-        .map(|entry| (if holds(entry) { 0 } else { distance(entry) }, entry))
+        .filter_map(|entry| distance(entry).map(|distance| (distance, entry)))
         .collect();
     near.sort_by_key(|(distance, _)| *distance);
     let near: Vec<String> = near
@@ -323,16 +331,14 @@ fn human(entry: &Entry) -> String {
 }
 
 fn list(all: &[Entry]) -> String {
-    let wide = all.iter().map(|entry| entry.id.len()).max().unwrap_or(0);
     let mut out = String::new();
-    let mut chapter = "";
-    for entry in all {
-        if entry.chapter != chapter {
-            let gap = if out.is_empty() { "" } else { "\n" };
-            let _ = writeln!(out, "{gap}{}", entry.chapter);
-            chapter = entry.chapter;
+    for part in all.chunk_by(|a, b| a.chapter == b.chapter) {
+        let wide = part.iter().map(|entry| entry.id.len()).max().unwrap_or(0);
+        let gap = if out.is_empty() { "" } else { "\n" };
+        let _ = writeln!(out, "{gap}{}", part.first().map_or("", |entry| entry.chapter));
+        for entry in part {
+            let _ = writeln!(out, "  {:<wide$}  {}", entry.id, entry.title);
         }
-        let _ = writeln!(out, "  {:<wide$}  {}", entry.id, entry.title);
     }
     out
 }
@@ -406,6 +412,7 @@ mod tests {
             "{}",
             help("bukling_elastic")
         );
+        assert!(help("bukling").contains("`buckling_elastic`"), "{}", help("bukling"));
         assert!(help("shear").contains("`base_shear`"));
         assert!(help("T0026").contains("T0206"));
         assert!(help("xyzzy").contains("lists all"));

@@ -219,6 +219,11 @@ impl Faults {
         &self.list
     }
 
+    /// Notes that a fault asks for this key in place of another, as "did you mean" does: it is then not missing as well.
+    pub fn asks_for(&mut self, key: &str) {
+        self.suggested.insert(format!("{SUGGESTION}`{key}`?"));
+    }
+
     /// Whether a fault has exactly this help, which begins with "did you mean".
     pub fn suggest(&self, help: &str) -> bool {
         self.suggested.contains(help)

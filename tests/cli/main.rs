@@ -24,6 +24,7 @@ mod nonlinear_input;
 mod nonlinear_options;
 mod nonlinear_run;
 mod nonlinear_scope;
+mod overwrite;
 mod plausible;
 mod push;
 mod push_resume;

@@ -1,5 +1,6 @@
 //! The output folder of a command.
 
+use std::collections::BTreeSet;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -112,6 +113,21 @@ impl OutputFolder {
     /// Where to write.
     pub fn path(&self) -> PathBuf {
         self.staging.files()
+    }
+
+    /// Top names of the earlier results in the target that these do not have: the commit removes them.
+    pub fn stale(&self) -> Vec<String> {
+        let Found::Own(old) = Manifest::find(&self.target) else {
+            return Vec::new();
+        };
+        let new = files_below(&self.path()).unwrap_or_default();
+        let tops = |path: &str| path.split('/').next().unwrap_or_default().to_owned();
+        let written: BTreeSet<String> = new.iter().map(|path| tops(&manifest::key(path))).collect();
+        let earlier: BTreeSet<String> = old.files.keys().map(|name| tops(name)).collect();
+        earlier
+            .into_iter()
+            .filter(|top| !written.contains(top) && !(self.kind.keeps)(top))
+            .collect()
     }
 
     /// Moves everything to the target, replacing the results of an earlier run. Errors: [`Error::Unwritten`], with

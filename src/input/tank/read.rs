@@ -20,6 +20,7 @@ use files::code::Code;
 use std::collections::BTreeSet;
 use std::ops::{Deref, Range};
 
+use super::hints;
 use super::key::{Key, Limits, list};
 use super::shape::{Book, KeyInfo, Shape};
 use super::syntax::{Kind, Member, Node, join};
@@ -250,8 +251,12 @@ impl<'a> ObjectReader<'a> {
                 .at(member.key_span.clone())
                 .path(member.value.path.clone())
                 .allowed(list(known, "or"));
-            if let Some(hint) = hint(&member.key, &node.path) {
-                fault = fault.help(hint);
+            if let Some(hint) = hints::looked_for(&member.key, &node.path) {
+                if let Some(key) = free.iter().copied().find(|key| *key == hint.meant) {
+                    meant.insert(key);
+                    faults.asks_for(key);
+                }
+                fault = fault.help(hint.help);
             } else if let Some(near) = near {
                 meant.insert(near);
                 fault = fault.help(format!("did you mean `{near}`?"));
@@ -270,53 +275,6 @@ impl<'a> ObjectReader<'a> {
     fn take(&self, key: &str) -> Option<&'a Member> {
         self.members.iter().find(|m| m.key == key)
     }
-}
-
-/// What users look for under another name in the sections of a tank file: how it is supported, or that it is not.
-fn hint(key: &str, section: &str) -> Option<&'static str> {
-    const HINTS: &[(&[&str], &str)] = &[
-        (
-            &["diameter", "inner_diameter"],
-            "give `tank.radius`, the inner radius: half of the diameter",
-        ),
-        (
-            &["soil", "ground", "subsoil"],
-            "give `tank.foundation` with `shear_wave_velocity` for a slab on soil, or with `stiffness` for the bedding of the bottom plate; the ground \
-             type of a design spectrum is `site.ec8.ground`",
-        ),
-        (
-            &["piles", "pile", "pile_foundation"],
-            "piles are not modelled; a slab on soil is (`tank.foundation` with `shear_wave_velocity`)",
-        ),
-        (
-            &["isolated", "isolation", "base_isolation", "isolator"],
-            "give `tank.isolators`: friction pendulums, rubber bearings with lead, or springs and dampers under the slab",
-        ),
-        (
-            &["floating", "floating_roof"],
-            "give `tank.roof` with \"type\": \"floating\", `mass` and `rim`",
-        ),
-        (
-            &["height", "wall_height", "tank_height"],
-            "the height of the wall is the sum of the heights of `tank.courses`; that of the liquid is `liquid.fill_height`",
-        ),
-        (
-            &["level", "liquid_level", "water_level", "filling"],
-            "give `liquid.fill_height`, above the bottom",
-        ),
-        (
-            &["pga", "zone", "seismic_zone"],
-            "give `site.ec8.ag` or `site.api650`; the peak of a record is `record.scale_to`",
-        ),
-    ];
-    if !["", "tank", "liquid", "site"].contains(&section) {
-        return None;
-    }
-    let folded = key.to_lowercase().replace(['-', ' '], "_");
-    HINTS
-        .iter()
-        .find(|(words, _)| words.contains(&folded.as_str()))
-        .map(|(_, hint)| *hint)
 }
 
 /// The known word nearest to a misspelt one, if it is near enough.

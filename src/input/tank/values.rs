@@ -46,10 +46,22 @@ pub(in crate::input) fn quantity_fault(node: &Node, error: &UnitError, allowed: 
         .path(node.path.clone())
         .found(node.shown())
         .allowed(allowed);
-    match error.help() {
+    match error.help().or_else(|| weight(node, error)) {
         Some(help) => fault.help(help),
         None => fault,
     }
+}
+
+/// The density of a weight per volume (`25 kN/m3`), for who writes that.
+fn weight(node: &Node, error: &UnitError) -> Option<String> {
+    let (UnitError::WrongDimension { expected, .. }, Kind::Text(text)) = (error, &node.kind) else {
+        return None;
+    };
+    // A subgrade modulus has the same unit.
+    let weight = units::parse(text, Dimension::Subgrade).ok()?;
+    let density = weight / tank::STANDARD_GRAVITY;
+    (*expected == Dimension::Density && density.is_finite())
+        .then(|| format!("a weight per volume is g times the density: \"{density:.0} kg/m3\""))
 }
 
 /// Pattern of the texts that are quantities of a dimension.

@@ -233,7 +233,7 @@ catalogue! {
 
     TableValue "T0503" Error "a cell that cannot be used"
         "The cell is not a number in the range of its column, or contradicts another cell of its row."
-        "im,n,failed\n0.3,10,12   # more than n"
+        "im,n,exceed\n0.3,10,12   # more than n"
 
     StudyChanged "T0504" Error "the study file does not belong to its plan"
         "Tanks, records or scales have changed since the study was planned. Plan again: results whose input is unchanged are \
@@ -391,4 +391,10 @@ catalogue! {
         "Rows of the study failed, are missing or are outside a limit; the message counts them. Curves say how they treat \
          them."
         "tankcheck study merge farm/ --partial"
+
+    Replaced "T0913" Warning "files of earlier results are removed"
+        "The output folder held results of an earlier run, and the new results have fewer files: without --no-report a report, \
+         without finite elements no histories. Files of the earlier run that have no successor are removed, so that a folder \
+         never mixes two runs. Name another folder to keep both."
+        "tankcheck compare tank.json --no-report --out out/   # out/ had a report"
 }

@@ -5,6 +5,7 @@ use tank::units::Dimension;
 use tank::{BarDirection, Behaviour, LayerKind, Material};
 
 use super::corrosion::loss;
+use super::grades::{self, Found};
 use super::materials::{MAX_MATERIALS, MAX_NAME, Materials};
 use crate::input::tank::key::{Absent, Limits, list};
 use crate::input::tank::read::{Field, FromNode, Opt, choice, nearest, object};
@@ -168,18 +169,27 @@ pub(super) fn material(
         }
         names => format!("a name from `materials`: {}", list(names, "or")),
     };
-    let mut fault = range_fault(
-        Code::UnknownChoice,
-        field,
-        &format!("unknown material `{name}`"),
-        &allowed,
-    );
-    if let Some(near) = nearest(name, materials.keys().map(String::as_str).take(MAX_MATERIALS)) {
+    let message = format!("unknown material `{name}`");
+    let grade = !matches!(grades::find(name, 0.0), Found::Unknown);
+    // A material that is not in the file at all is reported once, not at every course.
+    let first = &mut r.faults.list().iter().take(REPEATED);
+    if (grade || materials.is_empty()) && first.any(|fault| fault.message == message) {
+        return None;
+    }
+    let mut fault = range_fault(Code::UnknownChoice, field, &message, &allowed);
+    if grade {
+        fault = fault.help(format!(
+            "`{name}` is a grade that tankcheck has: add \"{name}\": {{ \"grade\": \"{name}\" }} to `materials`"
+        ));
+    } else if let Some(near) = nearest(name, materials.keys().map(String::as_str).take(MAX_MATERIALS)) {
         fault = fault.help(format!("did you mean \"{near}\"?"));
     }
     r.faults.push(fault);
     None
 }
+
+/// Faults among which the same one is looked for.
+const REPEATED: usize = 50;
 
 /// All courses; `None` if one is faulty.
 pub(super) fn courses(
