@@ -458,7 +458,7 @@ fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
     let _ = writeln!(said, "  sha256    {}", found.sha256);
     print(&said)?;
     if !global.quiet {
-        for file in merge::FILES.into_iter().chain([REPORT_FILE]) {
+        for file in merge::FILES.iter().copied().chain([REPORT_FILE]) {
             say!("{}", args.folder.join(file).display());
         }
     }
