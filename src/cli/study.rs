@@ -462,14 +462,31 @@ fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
             found.missing
         );
     }
+    let (all, fitted) = curves(&found);
+    if all > 0 {
+        let _ = writeln!(said, "  curves    {fitted:>9}  of {all} identified");
+    }
     let _ = writeln!(said, "  sha256    {}", found.sha256);
     print(&said)?;
+    if fitted < all && !global.quiet {
+        say!("help: {}", IDENTIFY);
+    }
     if !global.quiet {
-        for file in merge::FILES.into_iter().chain([REPORT_FILE]) {
+        for file in merge::FILES.iter().copied().chain([REPORT_FILE]) {
             say!("{}", args.folder.join(file).display());
         }
     }
     Ok(EXIT_OK)
+}
+
+/// What identifies more curves.
+const IDENTIFY: &str = "fragility.json and the report say why a curve is not identified; levels that are closer together or reach further, more records, or \
+                        `\"method\": \"capacities\"` in the study file identify more";
+
+/// Curves of the tanks: all, and those that the data identify.
+fn curves(found: &merge::Merged) -> (usize, usize) {
+    let all = found.study.iter().flat_map(|study| &study.curves);
+    (all.clone().count(), all.filter(|curve| curve.fit.is_some()).count())
 }
 
 /// Runs the worst row of each tank again, with all that `compare` writes.

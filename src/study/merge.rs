@@ -24,7 +24,15 @@ use files::write_whole;
 use results::Study;
 
 /// Names of the merged files.
-pub const FILES: [&str; 5] = ["rows.csv", "rows.sha256", "tanks.csv", "farm.csv", "fragility.json"];
+pub const FILES: &[&str] = &[
+    "rows.csv",
+    "rows.sha256",
+    #[cfg(feature = "parquet")]
+    super::parquet::FILE,
+    "tanks.csv",
+    "farm.csv",
+    "fragility.json",
+];
 
 /// What was merged.
 #[derive(Clone, Debug, Default)]
@@ -102,6 +110,8 @@ pub fn merge(
     file.sync_all().map_err(unwritten)?;
     drop(file);
     std::fs::rename(&part, &path).map_err(unwritten)?;
+    #[cfg(feature = "parquet")]
+    super::parquet::write(&path, &folder.join(super::parquet::FILE))?;
     all.merged.sha256 = hash.hex();
     all.write(folder)
 }

@@ -10,6 +10,7 @@ use files::code::Code;
 use std::collections::BTreeMap;
 
 use codes::ordinates::Shared;
+use codes::sheet::without_lines;
 use codes::time_history::Ready;
 use fem::progress::Silent;
 use oscillator::record::Record;
@@ -387,7 +388,8 @@ impl Unit<'_> {
         (spectra, factor): (&Shared, f64),
         row: &mut Row,
     ) -> Result<(), Error> {
-        let procedures = || pipeline::under(job, Excitation::Record);
+        // Of procedures and checks a row keeps numbers alone.
+        let procedures = || without_lines(|| pipeline::under(job, Excitation::Record));
         let methods = match &job.case.ground_motion {
             Some(motion) => spectra.during(motion, factor, procedures)?,
             None => procedures()?,
@@ -396,14 +398,14 @@ impl Unit<'_> {
         let (values, checks) = match (self.study.engine, linear) {
             (None, _) => (BTreeMap::new(), Vec::new()),
             (Some(_), Some((unit, ready))) => {
-                let checks = pipeline::checks_of_demands(job, ready, factor);
+                let checks = without_lines(|| pipeline::checks_of_demands(job, ready, factor));
                 (unit.values_under(factor), checks)
             }
             (Some(id), None) => {
                 let response = self.run(job, prepared, id, row)?;
                 let none = Demands::default();
                 let ready = Ready::new(&job.case, response.demands.as_ref().unwrap_or(&none));
-                let checks = pipeline::checks_of_demands(job, &ready, 1.0);
+                let checks = without_lines(|| pipeline::checks_of_demands(job, &ready, 1.0));
                 (response.values, checks)
             }
         };
