@@ -168,12 +168,13 @@ pub fn build(results: &Results, series: &Series, templates: &Templates, level: L
         });
         figures.extend(section.figures);
     }
-    // The styles of spatial and nonlinear figures burden only the reports that have them.
+    // The styles of spatial, coloured and nonlinear figures burden only the reports that have them.
     let mut css = templates.css("figure.css").to_owned();
     let nonlinear = results.beside(EngineId::Nonlinear).is_some();
     if views.iter().any(|v| ["spatial", "around"].contains(&v.id))
         || results.beside(EngineId::Solid).is_some()
         || nonlinear
+        || figures.iter().any(|figure| figure.markup.contains(r#"class="v "#))
     {
         css.push_str(templates.css("fields.css"));
     }

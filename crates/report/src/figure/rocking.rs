@@ -101,6 +101,9 @@ fn colours(svg: &mut Svg, ground: &GroundPlan, y: (f64, f64)) {
 fn pressures(ground: &GroundPlan, at: &dyn Fn(f64, f64) -> (f64, f64)) -> String {
     let high = highest_colour(ground);
     let mut paths = vec![String::new(); STEPS];
+    let edge = ground.radii[ground.radii.len() - 1];
+    // A hair of overlap: no seams between neighbours.
+    let (wider, further) = (0.3, 0.004 * edge);
     for (i, angles) in ground.degrees.windows(2).enumerate() {
         for (j, radii) in ground.radii.windows(2).enumerate() {
             let row = |i: usize| [ground.pressure[i][j], ground.pressure[i][j + 1]];
@@ -111,7 +114,10 @@ fn pressures(ground: &GroundPlan, at: &dyn Fn(f64, f64) -> (f64, f64)) -> String
             let mean = corners.iter().sum::<f64>() / corners.len() as f64;
             let colour = ((mean / high * STEPS as f64) as usize).min(STEPS - 1);
             for side in [1.0, -1.0] {
-                let corner = |a: usize, r: usize| at(side * angles[a], radii[r]);
+                let corner = |a: usize, r: usize| {
+                    let outwards = (radii[r] + r as f64 * further).min(edge);
+                    at(side * (angles[a] + a as f64 * wider).min(180.0), outwards)
+                };
                 let cell = [corner(0, 0), corner(0, 1), corner(1, 1), corner(1, 0)];
                 paths[colour].push_str(&path_data(&cell));
                 paths[colour].push('Z');

@@ -140,7 +140,7 @@ pub fn pressed(rest: f64, most: &Pressed, colour: f64) -> String {
         false => String::new(),
     };
     format!(
-        "Colours: contact pressure of the ground, {} on all of the bottom at rest; the largest is {} at θ = {}°{place}.{above}",
+        "Colours: contact pressure of the ground, without colour off it; {} under the whole liquid at rest; the largest is {} at θ = {}°{place}.{above}",
         stress(rest),
         stress(most.value),
         fixed(most.degrees, 0)
@@ -158,7 +158,7 @@ pub fn joint(joint: &JointCycles, limit: f64) -> String {
         .map(|[share, number]| format!("{} of at least {} rad", plain_count(*number), fixed(share * limit, 2)))
         .collect();
     format!(
-        "Cycles of the joint's plastic rotation (rainflow, at θ = {}°): largest range {}, limit {} rad; {}. The rotation is that of the first uplift          to each height; a joint that is set down again turns back at most to zero, so the ranges are upper bounds.",
+        "Cycles of the joint's plastic rotation (rainflow, at θ = {}°): largest range {}, limit {} rad; cycles: {}. The rotation is that of the first uplift          to each height; a joint that is set down again turns back at most to zero, so the ranges are upper bounds.",
         fixed(joint.degrees, 0),
         rotation(joint.range),
         fixed(limit, 2),

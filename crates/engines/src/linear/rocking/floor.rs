@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! rim     w(θ) = w₀ − ψ R cos θ
-//! strip   δ(x) of the rim's uplift w, under p + P cos θ: straight between p and the lowest pressure, that of p above p
+//! strip   δ(x) of the rim's uplift w, under p + P cos θ: straight through those of p and of the lowest pressure
 //! ground  r = k <−δ> + (p + P cos θ p_b(r)/p_b(R)) − p_s    where δ < 0, with p_s of the strip ;   0 off the ground
 //! ```
 //!
@@ -113,7 +113,7 @@ impl Floor {
         let rim = now.centre - now.rotation * self.radius * cos;
         let swing = now.pressure * cos;
         let lower = match self.suction > 0.0 {
-            true => (-swing / self.suction).clamp(0.0, 1.0),
+            true => (-swing / self.suction).clamp(-1.0, 1.0),
             false => 0.0,
         };
         let strip = self.rest - lower * self.suction;

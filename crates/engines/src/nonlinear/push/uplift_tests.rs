@@ -176,9 +176,9 @@ fn weak() -> Case {
     case
 }
 
-/// A weld depression of half a thickness above the foot of an unanchored tank, pushed beside the perfect shell to the end of both paths. On each
-/// of their states the ground carries weight and pressure and its moment is that of the forces on the wall, within 3 % for the turned pressure as
-/// above; the dent weakens the wall or leaves it as it was, and moves the foot by less than half of what the perfect one does.
+/// A weld depression of half a thickness above the foot of an unanchored tank, pushed over its first states beside the perfect shell. On each of them
+/// the ground carries weight and pressure, and its moment is that of the forces on the wall and of the liquid that leans with the base, W H ψ/2, within 2 %
+/// for what the wall bends besides. The dent moves the foot at rest by less than half of what it does anyway.
 #[test]
 fn an_imperfect_tank_is_pushed_off_the_ground() {
     let case = weak();
@@ -189,42 +189,37 @@ fn an_imperfect_tank_is_pushed_off_the_ground() {
         }),
         ..NonlinearOptions::new(case.damping)
     };
-    let push = PushOptions {
-        imperfection: Some(Amplitude::Thicknesses(0.5)),
-        form: Form::Weld,
-        height: Some(0.15),
-    };
-    let progress = Until::states(u64::MAX);
-    let pushed = pushover(&case, &own, &push, &[], None, &progress).unwrap();
-    assert!(pushed.interruption.is_empty(), "{}", pushed.interruption);
-    let [perfect, dented] = pushed.shells.as_slice() else {
-        panic!("two shells")
-    };
-    let found = dented.imperfection.as_ref().unwrap();
-    assert!((found.over_thickness - 0.5).abs() < 1e-12 && found.height == 0.15);
-    for shell in [perfect, dented] {
-        let rest = shell.path[0].base.unwrap();
-        for state in &shell.path {
+    let plan = Plan::new(&case, &own).unwrap();
+    let dent = Dent::Weld(Depression {
+        radius: 4.0,
+        amplitude: 2.5e-3,
+        height: 0.15,
+        half_wave: 0.34,
+    });
+    let weight = case.liquid_mass() * case.gravity;
+    let path = |dent: Option<&Dent>| {
+        let progress = Until::states(12);
+        let mut keeper = Keeper::new(None, &plan);
+        let found = path::follow(&plan, dent, "shell", None, &mut keeper, &progress).unwrap();
+        let states = found.shell().path;
+        let rest = states[0].base.unwrap();
+        for state in &states {
             let base = state.base.unwrap();
             assert!((base.reaction / rest.reaction - 1.0).abs() < 1e-3, "{base:?}");
-            if base.rotation > 1e-3 {
-                assert!((base.moment / state.base_moment - 1.0).abs() < 0.03, "{state:?}");
-            }
+            let lean = weight * 0.5 * case.liquid.fill_height * base.rotation;
+            let off = base.moment - state.base_moment - lean;
+            assert!(
+                base.rotation < 1e-3 || off.abs() < 0.02 * state.base_moment,
+                "{off} {lean} {state:?}"
+            );
         }
-        let last = shell.path[shell.path.len() - 1].base.unwrap();
-        assert!(last.uplift > 5e-3 && last.lifted_angle > 0.0, "{last:?}");
-    }
-    let [first, second] = [perfect, dented].map(|shell| shell.path[0].base.unwrap());
-    assert!((first.reaction / second.reaction - 1.0).abs() < 1e-3);
-    let capacity = |shell: &results::PushShell| shell.capacity.state.acceleration;
+        assert!(states.len() > 8 && states[states.len() - 1].base.unwrap().rotation > rest.rotation);
+        rest
+    };
+    let (perfect, dented) = (path(None), path(Some(&dent)));
+    assert!((perfect.reaction / dented.reaction - 1.0).abs() < 1e-3);
     assert!(
-        capacity(dented) < 1.01 * capacity(perfect),
-        "{} {}",
-        capacity(dented),
-        capacity(perfect)
-    );
-    assert!(
-        (second.toe / first.toe - 1.0).abs() < 0.5 && second.toe != first.toe,
-        "{first:?} {second:?}"
+        (dented.toe / perfect.toe - 1.0).abs() < 0.5 && dented.toe != perfect.toe,
+        "{perfect:?} {dented:?}"
     );
 }
