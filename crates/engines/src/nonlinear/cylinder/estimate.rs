@@ -205,7 +205,9 @@ fn of(case: &Case, options: &NonlinearOptions, response: Response, [jobs, runs]:
         Contact::Bonded => bonded,
         Contact::Opening => opening,
     };
-    let sweep = 3.0 * block + 2.0 * NUMBER * (fill.entries + kept_fill.entries) + products * shared.product(unknowns, number * shells);
+    let sweep = 3.0 * block
+        + 2.0 * NUMBER * (fill.entries + kept_fill.entries)
+        + products * shared.product(unknowns, number * shells);
     let iteration = number * shells * CELL_TIME + points * POINT_TIME + sweep / PRODUCT_RATE;
     let rate = if on_ground { SMALL_RATE } else { FACTOR_RATE };
     let factor = fill.flops / rate + shared.factor;
