@@ -271,11 +271,17 @@ fn a_run_that_does_not_repeat_says_so() {
         toe_axial_stress: [0.5 * own.toe_axial_stress[0], own.toe_axial_stress[1]],
         ..own
     });
-    let said = repeats(&Free::Moves(Box::new(moved))).unwrap();
+    moved.wall = Some([250e6, 235e6]);
+    let free = Free::Moves(Box::new(moved));
+    let said = repeats(&free).unwrap();
     assert!(
         !said.holds && said.value > 0.4 && said.note.contains("does not repeat"),
         "{said:?}"
     );
+    // So is a wall that yields at the joint.
+    let found = limits(&free);
+    let wall = found.iter().find(|limit| limit.id == "base_wall").unwrap();
+    assert!(!wall.holds && wall.note.contains("lowest course yields"), "{wall:?}");
 }
 
 /// A coefficient of friction below the shear lets the tank slide, and no shear exceeds it.
