@@ -37,6 +37,7 @@ mod solid;
 mod solve;
 mod spectrum;
 mod study;
+mod style;
 mod table;
 mod tanks;
 mod terminal;

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::cli::style::StyleArg;
 use crate::cli::terminal::say;
 use crate::cli::{Global, print};
 use crate::error::{EXIT_OK, Error};
@@ -12,13 +13,15 @@ use results::{COMPARE_REPORT, REPORT_FILE};
 /// Arguments.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  tankcheck report out/\n  tankcheck report out/ --report full\n  tankcheck report out/ --templates our-letterhead/"
+    after_help = "Examples:\n  tankcheck report out/\n  tankcheck report out/ --report full\n  tankcheck report out/ --lang de --units both\n  tankcheck report out/ --templates our-letterhead/"
 )]
 pub(crate) struct Args {
     /// Results folder written by `tankcheck compare` or `tankcheck check`.
     folder: PathBuf,
     #[command(flatten)]
     level: LevelArg,
+    #[command(flatten)]
+    style: StyleArg,
     /// Folder of templates that replace the built-in ones of the same name (report.html, style.css, sections/….html).
     #[arg(long, value_name = "DIR")]
     templates: Option<PathBuf>,
@@ -57,6 +60,7 @@ enum ReportLevel {
 
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
+    let _style = args.style.apply();
     for name in files::edited(&args.folder, COMPARE_REPORT) {
         say!("warning: {name} has changed since tankcheck wrote it; the report shows the changed file");
     }

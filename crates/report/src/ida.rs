@@ -10,6 +10,7 @@ use crate::figure::chart::{Axis, Chart, Line, Mark};
 use crate::figure::{Figure, HALF, Room};
 use crate::number::{Scale, fixed, significant, with_unit};
 use crate::numbering::number;
+use crate::style;
 use crate::table::{Column, Table};
 use crate::words::ida as words;
 use crate::words::ida::heads;
@@ -230,6 +231,7 @@ pub fn table(ida: &Ida) -> Table {
 ///
 /// Errors: a template or a drawing that fails.
 pub fn report(ida: &Ida) -> Result<Report, Error> {
+    let _style = style::of(None);
     let figures = figures(ida)?;
     let templates = Templates::new(None)?;
     let mut page = Context::new();

@@ -10,6 +10,7 @@ use crate::figure::chart::{Axis, Chart, Line, Mark};
 use crate::figure::{Figure, HALF, Room, map};
 use crate::number::{Scale, fixed, significant, with_unit};
 use crate::numbering::number;
+use crate::style;
 use crate::table::{Column, Table, spread};
 use crate::words::push::{self as words, heads, shell_name};
 use crate::words::sections::{heading, sentences};
@@ -322,6 +323,7 @@ fn figures(push: &Push) -> Result<Vec<Figure>, Error> {
 ///
 /// Errors: a template or a drawing that fails.
 pub fn report(push: &Push) -> Result<Report, Error> {
+    let _style = style::of(None);
     let figures = figures(push)?;
     let templates = Templates::new(None)?;
     let css = format!("{}{}", templates.css("figure.css"), templates.css("fields.css"));

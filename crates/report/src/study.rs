@@ -10,6 +10,7 @@ use crate::Report;
 use crate::figure::Figure;
 use crate::numbering::number;
 use crate::sections::FigureView;
+use crate::style;
 use crate::table::Table;
 use crate::template::Templates;
 use crate::words::study as words;
@@ -121,6 +122,7 @@ struct Verdict {
 ///
 /// Errors: a template or a drawing that fails.
 pub fn report(study: &Study) -> Result<Report, Error> {
+    let _style = style::of(study.project.as_ref());
     let mut page = Builder::default();
     tanks(study, &mut page);
     states(study, &mut page);
