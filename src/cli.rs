@@ -41,6 +41,7 @@ mod solid;
 mod solve;
 mod spectrum;
 mod study;
+mod style;
 mod table;
 mod tanks;
 mod templates;

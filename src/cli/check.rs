@@ -8,6 +8,7 @@ use fem::progress::Silent;
 use crate::cli::inputs::{self, Inputs};
 use crate::cli::report::LevelArg;
 use crate::cli::select::{self, SelectArg};
+use crate::cli::style::StyleArg;
 use crate::cli::terminal::say;
 use crate::cli::{Format, Global, compare, findings, print, solve, tanks, wall};
 use crate::error::Error;
@@ -49,6 +50,8 @@ pub(crate) struct Args {
     out: Option<std::path::PathBuf>,
     #[command(flatten)]
     level: LevelArg,
+    #[command(flatten)]
+    style: StyleArg,
     #[command(flatten)]
     select: SelectArg,
     /// Solve for the largest fill_height, ag or ss, or the smallest thickness:N (course N from the base), at which no check fails.
@@ -110,6 +113,7 @@ fn keeps_runs(out: &Path) -> Result<(), Error> {
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
+    let _style = args.style.apply();
     // A test report has no parts to select.
     args.select.admit(args.format.plain().unwrap_or(Format::Csv))?;
     if let (None, Some(option)) = (

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use tank::assessment::{Check, CheckStatus};
 use tank::units;
 
+use crate::cli::style;
 use crate::cli::table::{Mark, Table};
 use crate::cli::terminal::width;
 use report::words::{self, terminal};
@@ -97,6 +98,17 @@ pub(crate) fn csv(results: &Results) -> String {
     let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
     for method in &results.methods {
         for check in &method.checks {
+            let largest = check
+                .demand
+                .into_iter()
+                .chain(check.capacity)
+                .fold(0.0_f64, |m, v| m.max(v.abs()));
+            let unit = style::unit(results, largest, check.dimension);
+            let converted = |value: Option<f64>| number(value.map(|v| style::in_csv(v, unit).0));
+            let symbol = match unit.factor() == 1.0 {
+                true => check.unit.as_str(),
+                false => unit.text,
+            };
             let _ = writeln!(
                 text,
                 "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
@@ -105,9 +117,9 @@ pub(crate) fn csv(results: &Results) -> String {
                 check.limit_state,
                 check.id,
                 words::verdict::status(check.status),
-                number(check.demand),
-                number(check.capacity),
-                check.unit,
+                converted(check.demand),
+                converted(check.capacity),
+                symbol,
                 number(check.utilisation),
                 quoted(&check.clause),
                 quoted(&check.reason),

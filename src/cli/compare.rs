@@ -17,6 +17,7 @@ use crate::cli::inputs::Inputs;
 use crate::cli::progress::{self, Watch};
 use crate::cli::report::LevelArg;
 use crate::cli::select::{self, SelectArg};
+use crate::cli::style::{self, StyleArg};
 use crate::cli::table::Table;
 use crate::cli::terminal::{self as stream, say};
 use crate::cli::{Format, Global, checks, nonlinear, now, solid};
@@ -88,8 +89,10 @@ pub(crate) struct Args {
     no_mesh_error: bool,
     #[command(flatten)]
     level: LevelArg,
+    #[command(flatten)]
+    style: StyleArg,
     /// Write the results alone, without report and figures.
-    #[arg(long, conflicts_with_all = ["templates", "report"])]
+    #[arg(long, conflicts_with_all = ["templates", "report", "lang", "units"])]
     no_report: bool,
     #[command(flatten)]
     select: SelectArg,
@@ -149,6 +152,7 @@ enum IntegratorArg {
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
+    let _style = args.style.apply();
     args.select.admit(args.format)?;
     let engines = |case: &Case| args.fe.unwrap_or_else(|| Engine::usual(case)).ids();
     let refuses = |task: &Task<'_>| {
@@ -542,13 +546,12 @@ fn csv(results: &Results) -> String {
             let excitation = terminal::excitation(method.excitation);
             let ratio = cell.ratio.map_or(String::new(), |r| format!("{r:.6}"));
             let usable = if cell.unusable || cell.outside { "no" } else { "yes" };
+            let unit = style::unit(results, cell.value, row.dimension);
+            let (value, unit) = style::in_csv(cell.value, unit);
             let _ = writeln!(
                 text,
-                "{},{excitation},{},{:e},{},{ratio},{usable}",
-                method.id,
-                row.quantity,
-                cell.value,
-                row.dimension.si_symbol()
+                "{},{excitation},{},{value:e},{unit},{ratio},{usable}",
+                method.id, row.quantity
             );
         }
     }

@@ -6,6 +6,7 @@ use std::time::Instant;
 use crate::cli::budget::{self, MemoryArg};
 use crate::cli::inputs::{Inputs, Reading};
 use crate::cli::progress::{self, Watch};
+use crate::cli::style::StyleArg;
 use crate::cli::table::Table;
 use crate::cli::terminal::say;
 use crate::cli::{Format, Global, json, print, stamp};
@@ -62,6 +63,8 @@ pub(crate) struct Args {
     /// Folder for the results of all runs.
     #[arg(long, short, value_name = "FOLDER", default_value = "ida")]
     out: PathBuf,
+    #[command(flatten)]
+    style: StyleArg,
     /// Keep all finished runs of the folder, of any scale, and continue with the missing ones; start from the
     /// beginning if there are none.
     #[arg(long)]
@@ -76,6 +79,7 @@ pub(crate) struct Args {
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
+    let _style = args.style.apply();
     let job = args.job()?;
     progress::stop_gracefully();
     let estimate = nonlinear::estimate_incremental(&job.job.case, &job.job.nonlinear, job.jobs, job.scales.len())?;

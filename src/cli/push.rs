@@ -6,6 +6,7 @@ use std::time::Instant;
 use crate::cli::budget::{self, MemoryArg};
 use crate::cli::inputs::{Inputs, Reading};
 use crate::cli::progress::{self, Watch};
+use crate::cli::style::StyleArg;
 use crate::cli::table::Table;
 use crate::cli::terminal::{say, warn};
 use crate::cli::{Format, Global, json, nonlinear, print, stamp};
@@ -63,6 +64,8 @@ pub(crate) struct Args {
     #[arg(long, short, value_name = "FOLDER", default_value = "push")]
     out: PathBuf,
     #[command(flatten)]
+    style: StyleArg,
+    #[command(flatten)]
     kept: nonlinear::NonlinearArgs,
     #[command(flatten)]
     memory: MemoryArg,
@@ -83,6 +86,7 @@ enum Shape {
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, global: &Global) -> Result<u8, Error> {
     let started = Instant::now();
+    let _style = args.style.apply();
     let job = args.job()?;
     progress::stop_gracefully();
     let estimate = estimate(&job.job.case, &job.job.nonlinear, &job.options)?;

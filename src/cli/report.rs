@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use crate::cli::style::StyleArg;
 use crate::cli::terminal::warn;
 use crate::cli::{Global, browser, print};
 use crate::error::{EXIT_OK, Error};
@@ -19,6 +20,7 @@ use results::{COMPARE_REPORT, FORMS, REPORT_FILE};
 Examples:
   tankcheck report out/
   tankcheck report out/ --report full
+  tankcheck report out/ --lang de --units both
   tankcheck report out/ --pdf                     out/report.pdf, through an installed Chromium (CHROME names another one)
   tankcheck report out/ --pdf=TK-104.pdf
   tankcheck report out/ --format docx,xlsx        out/report.docx (through pandoc), out/report.xlsx
@@ -34,6 +36,8 @@ pub(crate) struct Args {
     /// Print the report through an installed Chromium [default file: report.pdf in the folder].
     #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
     pdf: Option<Option<PathBuf>>,
+    #[command(flatten)]
+    style: StyleArg,
     /// Folder of templates that replace the built-in ones of the same name (report.html, style.css, sections/….html).
     #[arg(long, value_name = "FOLDER")]
     templates: Option<PathBuf>,
@@ -97,6 +101,7 @@ enum ReportLevel {
 
 /// Runs the subcommand; returns the exit code.
 pub(crate) fn run(args: Args, _global: &Global) -> Result<u8, Error> {
+    let _style = args.style.apply();
     let mut forms: Vec<Form> = args.format.iter().copied().filter(|form| *form != Form::Html).collect();
     let aside = args.pdf.clone().flatten();
     if args.pdf == Some(None) {

@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use crate::cli::compare::stamp;
 use crate::cli::progress::{self, Watch};
+use crate::cli::style::StyleArg;
 use crate::cli::terminal::say;
 use crate::cli::{Format, Global, json, print};
 use crate::error::{EXIT_COMPUTATION, EXIT_OK, Error};
@@ -122,6 +123,8 @@ struct MergeArgs {
     /// Run rows again with histories and a report of their own, in `kept/`.
     #[arg(long, value_enum, value_name = "ROWS")]
     keep: Option<Keep>,
+    #[command(flatten)]
+    style: StyleArg,
 }
 
 /// Rows that are kept whole.
@@ -437,6 +440,7 @@ fn human(plan: &Plan, found: &Status) -> String {
 }
 
 fn merged(args: &MergeArgs, global: &Global) -> Result<u8, Error> {
+    let _style = args.style.apply();
     let (plan, tasks) = plan::read(&args.folder)?;
     let watch = Watch::new(global, "merging");
     let found = merge::merge(&args.folder, &plan, &tasks, args.partial, &watch)?;

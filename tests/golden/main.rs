@@ -2,6 +2,7 @@
 
 mod examples;
 mod kept;
+mod languages;
 mod previous;
 mod rendering;
 mod sample;

@@ -10,6 +10,7 @@ use crate::figure::chart::{Axis, Chart, Line, Mark};
 use crate::figure::{Figure, HALF, Room};
 use crate::frame::{self, Body, Cover, Page, Pair, Verdict};
 use crate::number::{Scale, fixed, significant, with_unit};
+use crate::style;
 use crate::table::{Column, Table};
 use crate::words::ida as words;
 use crate::words::ida::heads;
@@ -283,6 +284,7 @@ fn cover(ida: &Ida) -> Cover {
 ///
 /// Errors: a template or a drawing that fails.
 pub fn report(ida: &Ida) -> Result<Report, Error> {
+    let _style = style::of(ida.project.as_ref());
     let figures = figures(ida)?;
     let templates = Templates::new(None)?;
     let mut context = Context::new();

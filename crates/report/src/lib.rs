@@ -22,6 +22,7 @@
 //! | [`study`] | that of a study |
 //! | [`math`] | sets formulas |
 //! | [`number`] | prints numbers |
+//! | [`language`], [`style`] | German pages; language and units of a page |
 //! | [`words`] | every sentence |
 //! | [`template`] | holds the templates, embedded or the user's |
 //! | [`workbook`] | writes the results as a workbook |
@@ -32,6 +33,7 @@ mod extremes;
 pub mod figure;
 mod frame;
 pub mod ida;
+pub mod language;
 pub mod level;
 pub mod math;
 pub mod methods;
@@ -40,6 +42,7 @@ mod numbering;
 pub mod push;
 pub mod sections;
 pub mod study;
+pub mod style;
 pub mod table;
 pub mod template;
 pub mod words;
@@ -88,12 +91,12 @@ pub fn render(folder: &Path, templates: Option<&Path>, level: Level) -> Result<P
 }
 
 impl Report {
-    /// A page and its figures. Text of the user cannot act on the page or on a terminal that
+    /// A page and its figures, in the language and units of [`style`]. Text of the user cannot act on the page or on a terminal that
     /// shows it, see [`files::text`].
     pub fn new(html: &str, figures: Vec<(String, String)>) -> Report {
-        let shown = |(name, svg): (String, String)| (name, visible(&svg).into_owned());
+        let shown = |(name, svg): (String, String)| (name, language::page(visible(&svg).into_owned()));
         Report {
-            html: visible(html).into_owned(),
+            html: language::page(visible(html).into_owned()),
             figures: figures.into_iter().map(shown).collect(),
         }
     }
@@ -143,6 +146,7 @@ fn facts(model: &[Fact]) -> Table {
 ///
 /// Errors: a template that fails, a section that renders without content.
 pub fn build(results: &Results, series: &Series, templates: &Templates, level: Level) -> Result<Report, Error> {
+    let _style = style::of(results.project.as_ref());
     let source = Source { results, series, level };
     let mut views = Vec::new();
     let mut figures: Vec<Figure> = Vec::new();

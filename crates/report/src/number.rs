@@ -3,7 +3,10 @@
 //! Values are stored in SI and printed with four significant digits and an engineer's unit. Within a table row or an
 //! axis all values share one unit and one number of decimals ([`Scale`]), so that they can be compared by eye.
 
-use tank::units::{Dimension, Unit, column_unit, in_unit};
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+use tank::units::{Dimension, System, Unit, in_unit};
 
 /// Narrow no-break space: groups digits.
 const THIN: char = '\u{202f}';
@@ -13,64 +16,147 @@ const GAP: char = '\u{a0}';
 /// Unit and decimals shared by a group of values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
+    first: Part,
+    /// The same in the system within brackets.
+    second: Option<Part>,
+}
+
+/// A unit and its decimals.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Part {
     unit: &'static Unit,
     decimals: usize,
 }
 
-impl Scale {
-    /// The scale that prints the largest of `values` (SI) with four significant digits in an engineer's unit.
-    pub fn of(dimension: Dimension, values: impl IntoIterator<Item = f64>) -> Scale {
-        let largest = values
-            .into_iter()
-            .filter(|v| v.is_finite())
-            .fold(0.0_f64, |m, v| m.max(v.abs()));
-        let unit = column_unit([largest], dimension);
-        Scale {
+impl Part {
+    fn of(system: System, dimension: Dimension, largest: f64) -> Part {
+        let unit = system.column_unit([largest], dimension);
+        Part {
             unit,
             decimals: decimals_for(in_unit(largest, unit), 4),
         }
     }
 
+    fn text(&self, value: f64) -> String {
+        if value == 0.0 {
+            return "0".into();
+        }
+        fixed(in_unit(value, self.unit), self.decimals)
+    }
+
+    fn given(&self, value: f64) -> String {
+        plain(in_unit(value, self.unit), self.decimals)
+    }
+}
+
+/// The system within brackets, for values of this dimension.
+fn second(dimension: Dimension) -> Option<System> {
+    System::current().second().filter(|s| s.differs(dimension))
+}
+
+/// `a (b)`.
+fn bracketed(first: String, second: Option<String>) -> String {
+    match second {
+        Some(second) => format!("{first} ({second})"),
+        None => first,
+    }
+}
+
+/// Symbols of both systems, `m (ft)`.
+fn symbols(first: &'static str, second: Option<&'static str>) -> &'static str {
+    thread_local! {
+        // A few dozen pairs of the table of units.
+        static PAIRS: RefCell<HashMap<(&'static str, &'static str), &'static str>> = RefCell::default();
+    }
+    let Some(second) = second else {
+        return first;
+    };
+    PAIRS.with_borrow_mut(|pairs| {
+        *pairs
+            .entry((first, second))
+            .or_insert_with(|| Box::leak(format!("{first} ({second})").into_boxed_str()))
+    })
+}
+
+impl Scale {
+    /// The scale that prints the largest of `values` (SI) with four significant digits in an engineer's unit; where both
+    /// systems are wanted, with the other one in brackets.
+    pub fn of(dimension: Dimension, values: impl IntoIterator<Item = f64>) -> Scale {
+        let largest = largest(values);
+        Scale {
+            first: Part::of(System::current().first(), dimension, largest),
+            second: second(dimension).map(|s| Part::of(s, dimension, largest)),
+        }
+    }
+
+    /// As [`Scale::of`], in the first system alone: for axes.
+    pub fn single(dimension: Dimension, values: impl IntoIterator<Item = f64>) -> Scale {
+        Scale {
+            first: Part::of(System::current().first(), dimension, largest(values)),
+            second: None,
+        }
+    }
+
     /// Symbol of the unit, empty for a bare number.
     pub fn symbol(&self) -> &'static str {
-        self.unit.symbol
+        symbols(self.first.unit.symbol, self.second.map(|s| s.unit.symbol))
     }
 
     /// `value` (SI) in this unit.
     pub fn convert(&self, value: f64) -> f64 {
-        in_unit(value, self.unit)
+        in_unit(value, self.first.unit)
     }
 
     /// `value` (SI) as text without unit.
     pub fn text(&self, value: f64) -> String {
-        if value == 0.0 {
-            return "0".into();
-        }
-        fixed(self.convert(value), self.decimals)
+        bracketed(self.first.text(value), self.second.map(|s| s.text(value)))
     }
 
     /// `value` (SI) as text without unit and without idle zeros, for given values, not computed ones.
     pub fn given(&self, value: f64) -> String {
-        plain(self.convert(value), self.decimals)
+        bracketed(self.first.given(value), self.second.map(|s| s.given(value)))
     }
+}
+
+fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values
+        .into_iter()
+        .filter(|v| v.is_finite())
+        .fold(0.0_f64, |m, v| m.max(v.abs()))
 }
 
 /// A computed value (SI) with four significant digits and its unit, `137.0 mm`.
 pub fn with_unit(value: f64, dimension: Dimension) -> String {
-    let (number, symbol) = parts(value, dimension);
-    joined(number, symbol)
+    let of = |system| {
+        let (number, symbol) = parts_in(system, value, dimension);
+        joined(number, symbol)
+    };
+    bracketed(of(System::current().first()), second(dimension).map(of))
 }
 
 /// A given value (SI) with its unit and without idle zeros, `2.03 mm`.
 pub fn given(value: f64, dimension: Dimension) -> String {
-    let unit = column_unit([value], dimension);
-    let converted = in_unit(value, unit);
-    joined(plain(converted, decimals_for(converted, 6)), unit.symbol)
+    let of = |system: System| {
+        let unit = system.column_unit([value], dimension);
+        let converted = in_unit(value, unit);
+        // Nobody gave the digits of a converted value.
+        let digits = if system == System::Si { 6 } else { 4 };
+        joined(plain(converted, decimals_for(converted, digits)), unit.symbol)
+    };
+    bracketed(of(System::current().first()), second(dimension).map(of))
 }
 
 /// A computed value (SI) as number and unit.
 pub fn parts(value: f64, dimension: Dimension) -> (String, &'static str) {
-    let unit = column_unit([value], dimension);
+    let (number, symbol) = parts_in(System::current().first(), value, dimension);
+    match second(dimension).map(|system| parts_in(system, value, dimension)) {
+        Some((other, unit)) => (bracketed(number, Some(other)), symbols(symbol, Some(unit))),
+        None => (number, symbol),
+    }
+}
+
+fn parts_in(system: System, value: f64, dimension: Dimension) -> (String, &'static str) {
+    let unit = system.column_unit([value], dimension);
     (significant(in_unit(value, unit), 4), unit.symbol)
 }
 

@@ -10,6 +10,7 @@ use crate::figure::chart::{Axis, Chart, Line, Mark};
 use crate::figure::{Figure, HALF, Room, map};
 use crate::frame::{self, Body, Cover, Page, Pair, Verdict};
 use crate::number::{Scale, fixed, significant, with_unit};
+use crate::style;
 use crate::table::{Column, Table, spread};
 use crate::words::capital;
 use crate::words::push::{self as words, heads, shell_name};
@@ -380,6 +381,7 @@ fn cover(push: &Push) -> Cover {
 ///
 /// Errors: a template or a drawing that fails.
 pub fn report(push: &Push) -> Result<Report, Error> {
+    let _style = style::of(push.project.as_ref());
     let figures = figures(push)?;
     let templates = Templates::new(None)?;
     let css = format!("{}{}", templates.css("figure.css"), templates.css("fields.css"));

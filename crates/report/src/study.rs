@@ -10,6 +10,7 @@ use crate::Report;
 use crate::figure::Figure;
 use crate::frame::{self, Cover, Page, Pair, Part, Verdict};
 use crate::sections::FigureView;
+use crate::style;
 use crate::table::Table;
 use crate::template::Templates;
 use crate::words::study::{self as words, captions};
@@ -115,6 +116,7 @@ impl Builder {
 ///
 /// Errors: a template or a drawing that fails.
 pub fn report(study: &Study) -> Result<Report, Error> {
+    let _style = style::of(study.project.as_ref());
     let mut page = Builder::default();
     tanks(study, &mut page);
     states(study, &mut page);

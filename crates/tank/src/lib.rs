@@ -41,6 +41,6 @@ pub mod units;
 
 pub use case::Case;
 pub use oscillator::STANDARD_GRAVITY;
-pub use project::Project;
+pub use project::{Language, Project};
 pub use quantity::Quantity;
 pub use tank::*;

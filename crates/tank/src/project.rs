@@ -2,6 +2,20 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::units::System;
+
+/// Language of a report. The serde name is its word in `tank.json`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Language {
+    /// English.
+    #[default]
+    #[serde(rename = "en")]
+    English,
+    /// German, with the terms of DIN EN 1998-4 and its neighbours.
+    #[serde(rename = "de")]
+    German,
+}
+
 /// The block `project` of `tank.json`. Absent entries stay blank on the cover.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
@@ -30,6 +44,12 @@ pub struct Project {
     /// Who approves it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub approver: Option<String>,
+    /// Language of the report; English if absent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub language: Option<Language>,
+    /// Units of the report; SI if absent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub units: Option<System>,
 }
 
 impl Project {

@@ -3,16 +3,22 @@
 //! A quantity in text is a decimal number, then a unit: `"2.03 mm"`, `"69 GPa"`, `"1000 kg/m3"`, `"0.5 g"`. The
 //! expected dimension decides the meaning of `g` (gram or standard gravity). Units may be written with `^`, `*`, `·`,
 //! superscripts and blanks around `/` (`kg / m^3`, `kN·m`); upper and lower case matter (`mm`, `MPa`).
+//!
+//! Print chooses units of SI, or those of the [`System`] of the [`Scope`] it runs in.
 
 mod parse;
 mod print;
+mod system;
 mod table;
+mod text;
 
 use serde::{Deserialize, Serialize};
 
 pub use parse::{UnitError, parse};
 pub use print::{column_unit, display, display_in, in_unit, significant, unit_for};
+pub use system::{Scope, System};
 pub use table::{UNITS, Unit};
+pub use text::converted;
 
 /// Physical dimension of a value that is stored in SI.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]

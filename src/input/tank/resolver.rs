@@ -183,6 +183,13 @@ impl<'f> Resolver<'f> {
         Some(text.clone())
     }
 
+    /// A word of the file, if given.
+    pub(crate) fn word<T: FromNode + Copy>(&mut self, option: &Opt<T>) -> Option<T> {
+        let field = option.given.as_ref()?;
+        self.echo_given(field);
+        field.value
+    }
+
     /// Echoes the absence of a key without a default.
     pub(crate) fn not_given<T>(&mut self, option: &Opt<T>) {
         if let Absent::Without(meaning) = &option.key.absent {

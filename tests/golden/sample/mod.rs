@@ -428,5 +428,6 @@ fn project() -> tank::Project {
         author: text("J. Doe"),
         checker: text("A. Smith"),
         approver: None,
+        ..tank::Project::default()
     }
 }

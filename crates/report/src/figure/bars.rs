@@ -34,7 +34,7 @@ pub fn bars(id: &str, title: &str, dimension: Dimension, bars: &[Bar]) -> Option
     if bars.is_empty() || largest == 0.0 {
         return None;
     }
-    let scale = Scale::of(dimension, [largest]);
+    let scale = Scale::single(dimension, [largest]);
     let labels = bars
         .iter()
         .map(|b| text_width(&b.look.full_label()) * FONT)

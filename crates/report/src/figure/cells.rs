@@ -27,7 +27,7 @@ struct Shown {
 impl Shown {
     fn of(map: &CellMap) -> Shown {
         let largest = map.values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let scale = Scale::of(map.dimension, [largest]);
+        let scale = Scale::single(map.dimension, [largest]);
         let (factor, unit) = match map.dimension {
             Dimension::Dimensionless if largest < SMALL => (1e3, "‰"),
             _ => (scale.convert(1.0), scale.symbol()),

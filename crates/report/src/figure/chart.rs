@@ -54,7 +54,7 @@ impl Axis {
 
     /// A linear axis from `range.0` to `range.1` (SI).
     pub fn exact(title: &str, dimension: Dimension, range: (f64, f64), count: usize) -> Axis {
-        let scale = Scale::of(dimension, [range.0, range.1]);
+        let scale = Scale::single(dimension, [range.0, range.1]);
         let (low, high) = (scale.convert(range.0), scale.convert(range.1));
         let (positions, decimals) = ticks(low, high, count);
         Axis {
@@ -72,7 +72,7 @@ impl Axis {
         let ticks = (0..=8).map(f64::from);
         Axis {
             title: ANGLE_AXIS.into(),
-            scale: Scale::of(Dimension::Angle, [TAU]),
+            scale: Scale::single(Dimension::Angle, [TAU]),
             log: false,
             range: (0.0, TAU),
             major: ticks.map(|k| (k * TAU / 8.0, plain(45.0 * k, 0))).collect(),
@@ -80,12 +80,12 @@ impl Axis {
         }
     }
 
-    /// A logarithmic axis from `range.0` to `range.1` (printed unit = SI, both positive), ticks at 1, 2, 5.
+    /// A logarithmic axis from `range.0` to `range.1` (SI, both positive), ticks at 1, 2, 5.
     pub fn log(title: &str, dimension: Dimension, range: (f64, f64)) -> Axis {
-        let scale = Scale::of(dimension, [1.0]);
+        let scale = Scale::single(dimension, [1.0]);
         // Only positive values have a decade.
         let decades = |v: f64| v.clamp(1e-300, 1e300).max(1e-300).log10();
-        let (low, high) = (decades(range.0), decades(range.1));
+        let (low, high) = (decades(scale.convert(range.0)), decades(scale.convert(range.1)));
         let (mut major, mut minor) = (Vec::new(), Vec::new());
         for decade in low.floor() as i32..=high.ceil() as i32 {
             for digit in 1..10 {

@@ -7,7 +7,7 @@
 //!
 //! A decade is equally long on both axes, so the diagonals run at 45°.
 
-use tank::units::Dimension;
+use tank::units::{Dimension, System};
 
 use super::chart::{Axis, Chart, Frame, Line, Rule};
 use super::svg::{Anchor, Svg};
@@ -48,11 +48,12 @@ pub fn draw(curves: &[Curve], rules: Vec<Rule>, gravity: f64) -> Result<((f64, f
 
     let mut lines = Vec::new();
     let mut labels = Vec::new();
+    let length = length();
     for decade in -7..4 {
         for digit in [1.0, 2.0, 5.0] {
             let value = digit * 10f64.powi(decade);
             let class = if digit == 1.0 { "dg" } else { "dg minor" };
-            let displacement = |t: f64| std::f64::consts::TAU / t * value;
+            let displacement = |t: f64| std::f64::consts::TAU / t * value * length;
             let acceleration = |t: f64| value * gravity * t / std::f64::consts::TAU;
             if let Some(ends) = clip(t, v, -1.0, displacement(1.0)) {
                 if digit == 1.0 {
@@ -119,8 +120,18 @@ fn grid_line(ends: [(f64, f64); 2], class: &str) -> Line {
     }
 }
 
+/// The length whose powers of ten have lines [m].
+fn length() -> f64 {
+    match System::current() {
+        System::Us => 0.0254,
+        System::Si | System::Both => 1.0,
+    }
+}
+
 fn displacement_label(metres: f64) -> String {
-    if metres >= 0.999 {
+    if System::current() == System::Us {
+        format!("{} in", plain(metres, 7))
+    } else if metres >= 0.999 {
         format!("{} m", plain(metres, 0))
     } else if metres >= 0.000_999 {
         format!("{} mm", plain(1e3 * metres, 0))

@@ -69,7 +69,7 @@ fn cell(stations: &[f64], at: f64) -> (usize, f64) {
 /// Draws a map; `None` for a map without values.
 pub fn figure(id: &str, map: &WallMap) -> Option<Figure> {
     let field = Field::of(map)?;
-    let scale = Scale::of(map.dimension, map.values.iter().copied());
+    let scale = Scale::single(map.dimension, map.values.iter().copied());
     let shown = |v: f64| scale.convert(v);
     let low = map.values.iter().copied().map(shown).fold(f64::INFINITY, f64::min);
     let high = map.values.iter().copied().map(shown).fold(f64::NEG_INFINITY, f64::max);

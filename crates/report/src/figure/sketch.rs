@@ -5,7 +5,7 @@ use tank::units::Dimension;
 use tank::{Course, Shape, Support};
 
 use super::svg::{Anchor, Svg, text_width};
-use crate::number::{given, plain};
+use crate::number::{Scale, given, plain};
 use results::TankSummary;
 
 const WIDTH: f64 = super::WIDE;
@@ -248,11 +248,12 @@ fn horizontal_dimension(svg: &mut Svg, y: f64, left: f64, right: f64, text: &str
 
 /// A bar of a round length, about a third of the tank, in two halves.
 fn scale_bar(svg: &mut Svg, at: (f64, f64), scale: f64, size: f64) {
-    let length = nice_factor(size / 1.2);
-    let width = length * scale;
+    let unit = Scale::single(Dimension::Length, [size]);
+    let length = nice_factor(unit.convert(size) / 1.2);
+    let width = length / unit.convert(1.0) * scale;
     svg.rect(at.0, at.1 - 5.0, width / 2.0, 5.0, "sb");
     svg.rect(at.0 + width / 2.0, at.1 - 5.0, width / 2.0, 5.0, "sb open");
-    let text = format!("{} m", plain(length, 3));
+    let text = format!("{} {}", plain(length, 3), unit.symbol());
     svg.text((at.0, at.1 - 9.0), Anchor::Middle, "tk", "0");
     svg.text((at.0 + width, at.1 - 9.0), Anchor::Middle, "tk", &text);
 }

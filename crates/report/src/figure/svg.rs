@@ -234,9 +234,10 @@ pub fn escape(text: &str) -> String {
 }
 
 /// Rough width of a text in units of its font size: enough to place labels. Classes as wide as in the widest of the usual
-/// fonts (DejaVu Sans), so that labels fit whatever is installed.
+/// fonts (DejaVu Sans), so that labels fit whatever is installed. The text is measured in the language of the page.
 pub fn text_width(text: &str) -> f64 {
-    text.chars()
+    crate::language::say(text)
+        .chars()
         .map(|c| match c {
             'i' | 'j' | 'l' | '\'' | '|' | '\u{202f}' => 0.28,
             '.' | ',' | ':' | ';' | '!' | ' ' => 0.33,

@@ -226,7 +226,7 @@ pub fn place(grid: &WallGrid, number: usize) -> String {
 
 /// Ticks of the heights at the left edge of a plot, and their title above it.
 pub fn heights(svg: &mut Svg, z: (f64, f64), left: f64, y: (f64, f64)) {
-    let scale = Scale::of(Dimension::Length, [z.0, z.1]);
+    let scale = Scale::single(Dimension::Length, [z.0, z.1]);
     let (levels, decimals) = ticks(scale.convert(z.0), scale.convert(z.1), 5);
     for height in levels {
         let level = y.1 - (height / scale.convert(1.0) - z.0) / (z.1 - z.0) * (y.1 - y.0);

@@ -155,3 +155,18 @@ fn codes_alone() {
     assert!(found.figures.is_empty() && found.html.contains("class=\"verdict ok\""));
     assert!(!found.html.contains("<section id=\"fragility\">"));
 }
+
+/// In German nothing of the page is English but the names and reasons of the study.
+#[test]
+fn in_german() {
+    let _wish = crate::style::wish(crate::style::Wish {
+        language: Some(tank::Language::German),
+        units: None,
+    });
+    let page = super::report(&study()).expect("renders").html;
+    assert!(page.contains("Erdbebenstudie") && page.contains("lang=\"de\""));
+    let names = ["C, set/one", "a NaN & more", "a source", "code", "error", "set/one"];
+    let mut left = crate::language::untranslated();
+    left.retain(|text| !names.contains(&text.as_str()));
+    assert_eq!(left, Vec::<String>::new());
+}

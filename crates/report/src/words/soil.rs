@@ -1,6 +1,6 @@
 //! A tank on a slab on soil, in the section of that name.
 
-use tank::units::{Dimension, display};
+use tank::units::{Dimension, System, display};
 
 use crate::number::{fixed, percent};
 use results::{EffectiveMode, SoilRun};
@@ -85,14 +85,24 @@ pub fn ground(run: &SoilRun) -> String {
             display(run.radius, Dimension::Length)
         )
     };
+    let stiffness = match System::current() {
+        System::Us => [
+            display(run.horizontal, Dimension::LineForce),
+            format!("{}/rad", display(run.rocking, Dimension::Moment)),
+        ],
+        System::Si | System::Both => [
+            format!("{:.3} GN/m", 1e-9 * run.horizontal),
+            format!("{:.3} GNm", 1e-9 * run.rocking),
+        ],
+    };
     format!(
-        "{slab}. Soil with V_s = {}, {}, Poisson's ratio {}: static stiffness {:.3} GN/m and {:.3} GNm. Impulsive mode {} at {} above the \
+        "{slab}. Soil with V_s = {}, {}, Poisson's ratio {}: static stiffness {} and {}. Impulsive mode {} at {} above the \
          underside of the slab, damping {} on a fixed base.",
         display(run.shear_wave_velocity, Dimension::Velocity),
         display(run.density, Dimension::Density),
         fixed(run.poisson_ratio, 3),
-        1e-9 * run.horizontal,
-        1e-9 * run.rocking,
+        stiffness[0],
+        stiffness[1],
         display(run.impulsive_mass, Dimension::Mass),
         display(run.impulsive_arm, Dimension::Length),
         percent(run.fixed_damping)

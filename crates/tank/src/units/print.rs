@@ -1,7 +1,7 @@
 //! SI → text.
 
 use super::table::{Scale, power_of_ten};
-use super::{Dimension, Unit};
+use super::{Dimension, System, Unit};
 
 /// The value in a unit of the same dimension.
 ///
@@ -18,9 +18,17 @@ pub fn in_unit(value: f64, unit: &Unit) -> f64 {
     }
 }
 
-/// The usual engineering unit of this value: the largest of mm, m; kg, t; Pa, kPa, MPa, GPa; N, kN, MN; … that
-/// keeps the number at 1 or above (kg up to 10 t). Zero and non-finite values get the SI unit.
+/// The usual engineering unit of this value: in SI the largest of mm, m; kg, t; Pa, kPa, MPa, GPa; N, kN, MN; … that
+/// keeps the number at 1 or above (kg up to 10 t). Zero and non-finite values get the SI unit. Within a [`Scope`] of
+/// US customary units, that of [`System::unit_for`].
+///
+/// [`Scope`]: super::Scope
 pub fn unit_for(value: f64, dimension: Dimension) -> &'static Unit {
+    System::current().first().unit_for(value, dimension)
+}
+
+/// [`unit_for`] in SI.
+pub(super) fn si_unit_for(value: f64, dimension: Dimension) -> &'static Unit {
     let magnitude = value.abs();
     if magnitude == 0.0 || !magnitude.is_finite() {
         return dimension.si_unit();
@@ -41,16 +49,21 @@ pub fn unit_for(value: f64, dimension: Dimension) -> &'static Unit {
 
 /// One unit for a whole table column: that of its largest absolute value.
 pub fn column_unit(values: impl IntoIterator<Item = f64>, dimension: Dimension) -> &'static Unit {
-    let peak = values
-        .into_iter()
-        .filter(|v| v.is_finite())
-        .fold(0.0_f64, |m, v| m.max(v.abs()));
-    unit_for(peak, dimension)
+    System::current().first().column_unit(values, dimension)
 }
 
 /// Prints with three significant digits and an engineer's unit: `137 mm`, `2.03 mm`, `36.7 kN·m`, `2750 kg/m³`.
+///
+/// Within a scope of both systems, the US customary one follows in brackets: `137 mm (5.39 in)`.
 pub fn display(value: f64, dimension: Dimension) -> String {
-    display_in(value, unit_for(value, dimension), 3)
+    let first = display_in(value, unit_for(value, dimension), 3);
+    match System::current().second() {
+        Some(second) if second.differs(dimension) => {
+            let second = display_in(value, second.unit_for(value, dimension), 3);
+            format!("{first} ({second})")
+        }
+        _ => first,
+    }
 }
 
 /// Prints in a given unit with a number of significant digits.

@@ -59,8 +59,8 @@ const fn also(unit: Unit, aliases: &'static [&'static str]) -> Unit {
 }
 
 // Exact by definition: inch and pound (international yard and pound agreement, 1959), standard gravity (CGPM 1901).
-const INCH: f64 = 0.0254;
-const FOOT: f64 = 0.3048;
+pub(super) const INCH: f64 = 0.0254;
+pub(super) const FOOT: f64 = 0.3048;
 const POUND: f64 = 0.453_592_37;
 const POUND_FORCE: f64 = POUND * STANDARD_GRAVITY;
 const PSI: f64 = POUND_FORCE / (INCH * INCH);
@@ -83,6 +83,7 @@ pub const UNITS: &[Unit] = &[
     ten("kg", "kg", D::Mass, 0),
     also(ten("t", "t", D::Mass, 3), &["Mg", "tonne", "tonnes"]),
     also(by("lb", "lb", D::Mass, POUND), &["lbm", "lbs"]),
+    by("klb", "klb", D::Mass, 1000.0 * POUND),
     // density
     ten("kg/m³", "kg/m3", D::Density, 0),
     read("t/m³", "t/m3", D::Density, 3),
@@ -156,10 +157,14 @@ pub const UNITS: &[Unit] = &[
     by("kip/ft", "kip/ft", D::LineForce, 1000.0 * POUND_FORCE / FOOT),
     ten("N·m/m", "Nm/m", D::LineMoment, 0),
     ten("kN·m/m", "kNm/m", D::LineMoment, 3),
+    by("lbf·ft/ft", "lbf*ft/ft", D::LineMoment, POUND_FORCE),
+    by("kip·ft/ft", "kip*ft/ft", D::LineMoment, 1000.0 * POUND_FORCE),
     // energy
     ten("J", "J", D::Energy, 0),
     ten("kJ", "kJ", D::Energy, 3),
     ten("MJ", "MJ", D::Energy, 6),
+    by("ft·lbf", "ft*lbf", D::Energy, POUND_FORCE * FOOT),
+    by("ft·kip", "ft*kip", D::Energy, 1000.0 * POUND_FORCE * FOOT),
     // area per length
     read("mm²/m", "mm2/m", D::LineArea, -6),
     ten("cm²/m", "cm2/m", D::LineArea, -4),
@@ -168,6 +173,7 @@ pub const UNITS: &[Unit] = &[
     // curvature
     ten("rad/km", "rad/km", D::Curvature, -3),
     ten("rad/m", "rad/m", D::Curvature, 0),
+    by("rad/ft", "rad/ft", D::Curvature, 1.0 / FOOT),
     // subgrade modulus
     ten("N/m³", "N/m3", D::Subgrade, 0),
     ten("kN/m³", "kN/m3", D::Subgrade, 3),
@@ -191,6 +197,11 @@ impl Unit {
             Scale::Ten(exponent) => power_of_ten(exponent),
             Scale::Factor(factor) => factor,
         }
+    }
+
+    /// Whether it is a power of ten of the SI unit.
+    pub fn is_power_of_ten(&self) -> bool {
+        matches!(self.scale, Scale::Ten(_))
     }
 
     /// All spellings that are read, ASCII first.

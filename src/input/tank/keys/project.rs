@@ -1,6 +1,9 @@
 //! `project`: the cover of the report.
 
-use crate::input::tank::read::{Opt, object};
+use ::tank::Language;
+use ::tank::units::System;
+
+use crate::input::tank::read::{Opt, choice, object};
 use crate::input::tank::resolver::{Resolver, range_fault};
 use files::code::Code;
 
@@ -23,6 +26,30 @@ object! {
         checker ("A. Smith"): Opt<String>,
         /// Who approves it.
         approver ("M. Jones"): Opt<String>,
+        /// Language of the report; English if absent. Terminal and JSON are English. `--lang` overrides it.
+        language ("de"): Opt<Language>,
+        /// Units of the report and of its tables; SI if absent. JSON is in SI. `--units` overrides it.
+        units ("us"): Opt<System>,
+    }
+}
+
+choice! {
+    /// Language of a report.
+    Language {
+        /// English.
+        English = "en",
+        /// German.
+        German = "de",
+    }
+
+    /// Units of a report.
+    System {
+        /// SI: mm, m, kg, t, kN, MN, kPa, MPa.
+        Si = "si",
+        /// US customary: in, ft, lb, ton (2000 lb), lbf, kip, psf, psi, ksi.
+        Us = "us",
+        /// SI with US customary units in brackets.
+        Both = "both",
     }
 }
 
@@ -39,6 +66,8 @@ pub(in crate::input) fn project(r: &mut Resolver<'_>, option: &Opt<Project>) -> 
         author: text(&given.author),
         checker: text(&given.checker),
         approver: text(&given.approver),
+        language: r.word(&given.language),
+        units: r.word(&given.units),
     };
     if let (Some(field), Some(date)) = (&given.date.given, &found.date)
         && (date.len() != 10 || humantime::parse_rfc3339(&format!("{date}T00:00:00Z")).is_err())
