@@ -11,6 +11,7 @@ mod estimates;
 mod fragility;
 mod frequency;
 mod grades;
+mod help;
 mod hostile;
 mod ida;
 mod interrupt;
