@@ -12,12 +12,15 @@ mod modal;
 pub(crate) mod model;
 pub(crate) mod prepared;
 mod rocking;
+pub(crate) mod shared;
 pub(crate) mod soil;
 pub(crate) mod tilt;
 mod transfer;
 pub(crate) mod turned;
 pub(crate) mod units;
 mod waves;
+
+use std::sync::Arc;
 
 use fem::progress::{Progress, Silent};
 use oscillator::record::Record;
@@ -29,7 +32,7 @@ use tank::{Shape, Support};
 pub(crate) use around::Across;
 use around::Around;
 
-use analysis::{Analysis, LineExtremes, analyse};
+use analysis::{Analysis, LineExtremes, analyse, analyse_on};
 use hoop::Hoop;
 use mesh_error::{Second, SecondMesh};
 use model::{Harmonic, Model};
@@ -100,6 +103,8 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
                 model: &model,
                 direct: None,
                 across: None,
+                thorough: true,
+                known: None,
             };
             complete(case, options, &linear, progress)
         });
@@ -111,6 +116,14 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
     });
     let mut simulation = first?;
     mesh_error::note(&mut simulation, other.transpose()?.as_ref(), options);
+    finished(case, options, &mut simulation)?;
+    Ok(simulation)
+}
+
+/// Adds what does not depend on the ground motion.
+///
+/// Errors: a tilted tank that cannot be solved.
+fn finished(case: &Case, options: &Options, simulation: &mut Simulation) -> Result<(), FeError> {
     if !options.snapshots.is_empty() {
         simulation.notes.push(
             "`analysis.snapshots`: states at given times are those of the three-dimensional engine (--fe solid, --fe both).".into(),
@@ -120,7 +133,7 @@ pub fn simulate_watched(case: &Case, options: &Options, progress: &dyn Progress)
         let build = |tilted: &Case| crate::harmonic::build_observed(tilted, options, 1, Places::Usual);
         simulation.result.tilt = Some(tilt::tilt(case, angle, build)?);
     }
-    Ok(simulation)
+    Ok(())
 }
 
 /// The ground motion of a case.
@@ -194,6 +207,11 @@ pub(crate) struct Linear<'a> {
     pub direct: Option<&'a dyn Direct>,
     /// Motion along y of a box.
     pub across: Option<Across<'a>>,
+    /// Whether all that is reported is computed: a quick run has no envelopes, and a base that lifts is not run on softer and harder ground and
+    /// under motions slightly apart.
+    pub thorough: bool,
+    /// Laws of such a base from runs under other records.
+    pub known: Option<&'a Arc<rocking::Known>>,
 }
 
 /// The run on the requested mesh, with everything that is reported.
@@ -209,14 +227,14 @@ pub(crate) fn complete(
     let alone = motion.vertical.is_none() && motion.transverse.is_none();
     let newmark = options.integrator == Integrator::Newmark && alone;
     let Some(direct) = linear.direct.filter(|_| newmark) else {
-        let analysis = analyse(linear.model, motion, options, progress)?;
+        let analysis = analyse_on(linear.model, motion, (options, linear.thorough), progress)?;
         return report(case, options, linear, analysis, motion, notes);
     };
     let modal = Options {
         integrator: Integrator::Modal,
         ..options.clone()
     };
-    let mut analysis = analyse(linear.model, motion, &modal, progress)?;
+    let mut analysis = analyse_on(linear.model, motion, (&modal, linear.thorough), progress)?;
     let interrupted = direct.replace(&mut analysis, motion, progress)?;
     let mut simulation = report(case, options, linear, analysis, motion, notes)?;
     if let Some(time) = interrupted {
@@ -267,7 +285,13 @@ fn report(
         );
     }
     let mut isolated = isolation::isolated(case, (linear.engine, model), &analysis, motion, options)?;
-    let mut free = rocking::free(case, (linear.engine, model), &analysis, motion, options);
+    let mut free = rocking::free(
+        case,
+        (linear.engine, model),
+        &analysis,
+        motion,
+        (options, linear.thorough, linear.known),
+    );
     let held = analysis.values(model, round);
     let fill = case.liquid.fill_height;
     let held_hoop = Hoop::of(&analysis, model, fill);
@@ -280,7 +304,7 @@ fn report(
         .as_ref()
         .map_or_else(|| motion.clone(), |found| found.motion.clone());
     let mut analysis = match &moving {
-        Some(moving) => analyse(moving, &driven, options, &Silent)?,
+        Some(moving) => analyse_on(moving, &driven, (options, linear.thorough), &Silent)?,
         None => analysis,
     };
     // What is observed, on the moving base where it moves.
@@ -323,7 +347,11 @@ fn report(
     if let rocking::Free::Moves(found) = &free {
         found.add(&mut histories);
     }
-    let mut envelopes = envelopes(seen, &analysis);
+    // A quick run has not the extremes of all lines.
+    let mut envelopes = match linear.thorough {
+        true => envelopes(seen, &analysis),
+        false => Vec::new(),
+    };
     if let Some(moved) = free.moved() {
         moved.correct(&mut envelopes);
     }

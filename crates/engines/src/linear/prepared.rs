@@ -100,6 +100,8 @@ impl Prepared {
             model: &self.model,
             direct: None,
             across: None,
+            thorough: true,
+            known: None,
         };
         let simulation = complete(&case, &self.options, &linear, &Silent)?;
         Ok(Response::of(simulation))

@@ -13,6 +13,8 @@ mod search;
 mod tests;
 mod words;
 
+use std::sync::Arc;
+
 use ::base::history::Friction;
 use ::base::{Anchors, Base, Soil};
 use results::channel::OnWall;
@@ -30,6 +32,7 @@ use crate::harmonic::{CLAMPED, IN_CONTACT};
 use crate::response::motion::{Grid, Motion};
 
 pub(super) use outcome::Moved;
+pub(crate) use search::Known;
 use search::{Found, Setup};
 pub(super) use words::HELD_DOWN;
 
@@ -102,19 +105,22 @@ impl Free {
 }
 
 /// The run of a tank that is not held down.
+///
+/// * `thorough`: also on softer and harder ground and under motions slightly apart
+/// * `known`: laws of the base from runs under other records
 pub(super) fn free(
     case: &Case,
     (engine, model): (EngineId, &Model),
     analysis: &Analysis<'_>,
     motion: &GroundMotion,
-    options: &Options,
+    (options, thorough, known): (&Options, bool, Option<&Arc<Known>>),
 ) -> Free {
     let round = matches!(case.tank.shape, Shape::Cylinder { .. });
     if !round || engine != EngineId::Harmonic {
         return Free::Held;
     }
     if case.tank.support == Support::Anchored {
-        return on_anchors(case, model, analysis, motion, options);
+        return on_anchors(case, model, analysis, motion, (options, thorough, known));
     }
     let Ok(base) = Base::of(case) else {
         return Free::Held;
@@ -125,6 +131,11 @@ pub(super) fn free(
     let Some(setup) = setup(case, model, motion, analysis.grid, options) else {
         return Free::NotComputed(words::NO_ROWS.into());
     };
+    let setup = Setup {
+        thorough,
+        known: known.cloned(),
+        ..setup
+    };
     match run(&setup, &base, analysis) {
         Ok(free) => free,
         Err(missed) => Free::NotComputed(words::missed(&missed)),
@@ -132,7 +143,13 @@ pub(super) fn free(
 }
 
 /// The run of a tank on anchors, where one yields in the run with the wall held down.
-fn on_anchors(case: &Case, model: &Model, analysis: &Analysis<'_>, motion: &GroundMotion, options: &Options) -> Free {
+fn on_anchors(
+    case: &Case,
+    model: &Model,
+    analysis: &Analysis<'_>,
+    motion: &GroundMotion,
+    (options, thorough, known): (&Options, bool, Option<&Arc<Known>>),
+) -> Free {
     let Some((anchors, yields)) = case.tank.anchors.and_then(|a| Some((a, a.yield_force.or(a.capacity)?))) else {
         return Free::Held;
     };
@@ -160,6 +177,8 @@ fn on_anchors(case: &Case, model: &Model, analysis: &Analysis<'_>, motion: &Grou
         return held("the model has no rows of base moment or pressure");
     };
     let setup = Setup {
+        thorough,
+        known: known.cloned(),
         friction: None,
         anchors: Some(Anchors {
             count: anchors.count as usize,
@@ -178,7 +197,7 @@ fn on_anchors(case: &Case, model: &Model, analysis: &Analysis<'_>, motion: &Grou
 
 /// The run, if anything moves.
 fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, search::Missed> {
-    let laws = search::law(base, setup.anchors, search::FIRST)?;
+    let laws = search::laws(setup, base, search::FIRST)?;
     let law = &laws.law;
     let peak = |channel| {
         analysis
@@ -193,19 +212,23 @@ fn run(setup: &Setup, base: &Base, analysis: &Analysis<'_>) -> Result<Free, sear
     }
     let reach = search::reach(setup, base, &laws)?;
     let known = (reach == law.largest()).then_some(laws);
+    let band: &[f64] = if setup.thorough { &BAND } else { &[] };
     let (main, others) = std::thread::scope(|scope| {
-        let others = BAND.map(|factor| {
-            let on = base.on(factor * base.modulus).with_long_elements();
-            scope.spawn(move || match search::settle(setup, &on, (reach, None), false) {
-                Ok(found) => Ok(outcome::band(&on, &found)),
-                Err(missed) => Err(words::missed_band(on.modulus, &missed)),
+        let others: Vec<_> = band
+            .iter()
+            .map(|factor| {
+                let on = base.on(factor * base.modulus).with_long_elements();
+                scope.spawn(move || match search::settle(setup, &on, (reach, None), false) {
+                    Ok(found) => Ok(outcome::band(&on, &found)),
+                    Err(missed) => Err(words::missed_band(on.modulus, &missed)),
+                })
             })
-        });
+            .collect();
         let main = search::settle(setup, base, (reach, known), true);
-        (
-            main,
-            others.map(|other| other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))),
-        )
+        let joined = others
+            .into_iter()
+            .map(|other| other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+        (main, joined.collect::<Vec<_>>())
     });
     let found: Found = main?;
     let grid = Grid {
@@ -244,6 +267,8 @@ fn setup(case: &Case, model: &Model, motion: &GroundMotion, grid: Grid, options:
     let foundation = case.tank.foundation;
     let searched = ((motion.duration() + AFTER) / fine.h()) as usize + 1;
     Some(Setup {
+        thorough: true,
+        known: None,
         anchors: None,
         friction: foundation.and_then(|f| f.friction).map(|coefficient| Friction {
             coefficient,

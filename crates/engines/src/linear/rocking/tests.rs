@@ -246,7 +246,7 @@ fn friction_caps_the_shear() {
         (EngineId::Harmonic, &ready.model),
         &analysis,
         ready.motion(),
-        &Options::default(),
+        (&Options::default(), true, None),
     ) else {
         panic!("it does not slide")
     };
@@ -282,7 +282,13 @@ fn the_superposed_wall_agrees_with_the_march() {
     let ready = ready(oil(25e3, 1e8, 2.0));
     let held = ready.analysis();
     let engine = (EngineId::Harmonic, &ready.model);
-    let Free::Moves(mut moved) = free(&ready.case, engine, &held, ready.motion(), &Options::default()) else {
+    let Free::Moves(mut moved) = free(
+        &ready.case,
+        engine,
+        &held,
+        ready.motion(),
+        (&Options::default(), true, None),
+    ) else {
         panic!("it does not lift")
     };
     let model = moved.model(&ready.model);
@@ -432,7 +438,7 @@ fn run_of(case: Case) -> Free {
         (EngineId::Harmonic, &ready.model),
         &analysis,
         ready.motion(),
-        &options,
+        (&options, true, None),
     )
 }
 
