@@ -1,12 +1,18 @@
-//! Whether the records of a study stand for a spectrum: EN 1998-1:2004 3.2.3.1.2(4), see `codes::record_set`.
+//! Whether a set of records stands for a spectrum: [`answer`] asks the rule of a code (`codes::record_set`) for `quake set`, for `compare` and for
+//! a study.
 //!
-//! The records are taken as read, along x. Levels scale them one by one later; the factor says by how much the set as it is falls short.
+//! A study takes its records as read, along x. Levels scale them one by one later; the factor says by how much the set as it is falls short.
 
-use codes::record_set::{self, Asked};
+use codes::record_set::code::Code;
+use codes::record_set::{self, Asked, Horizontal, Ratios};
+use engines::Options;
+use engines::nonlinear::NonlinearOptions;
+use engines::solid::SolidOptions;
 use oscillator::record::Record;
 use serde::{Deserialize, Serialize};
-use tank::Quantity;
 use tank::case::Site;
+use tank::hazard::SpectrumTable;
+use tank::{Case, Quantity};
 
 use crate::error::Error;
 use crate::input::TankFile;
@@ -65,44 +71,103 @@ pub struct RuleFound {
     pub rows: Vec<RuleRow>,
 }
 
-/// The elastic spectrum of EN 1998 of a tank's site at a damping.
+/// A question to the rule of a code: its target, and the periods.
+pub struct Question<'a> {
+    /// The code.
+    pub code: Code,
+    /// Target; none for the elastic spectrum of the site.
+    pub table: Option<&'a SpectrumTable>,
+    /// Name of the target, for messages.
+    pub target: &'a str,
+    /// Site of the tank.
+    pub site: &'a Site,
+    /// Periods.
+    pub wanted: &'a [Wanted],
+}
+
+/// What the rule says of a set as it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// Mean of the peaks over the target at T = 0, where the code asks for it.
+    pub zero: Option<f64>,
+    /// Period by period.
+    pub periods: Vec<(Wanted, Ratios)>,
+    /// Smallest mean/target of all periods.
+    pub smallest: f64,
+    /// The one factor for the set with which the rule just holds.
+    pub factor: f64,
+    /// Whether it holds for the set as it is.
+    pub holds: bool,
+}
+
+/// The elastic spectrum of a site at a damping: that of EN 1998, or the design spectrum of ASCE 7 under API 650, whose ordinates below 5 % damping
+/// are times 1.5 (API 650 E.4.6.1, ASCE/SEI 7-16 15.7.6.1, recalled: for the 0.5 % of sloshing).
 ///
-/// Errors: a tank file without `site.ec8`.
-pub fn elastic(tank: &TankFile, damping: f64) -> Result<Curve, Error> {
-    let site = Site {
-        api650: None,
-        zone: None,
-        ..tank.case.site.clone()
+/// Errors: a tank file without the site of the code.
+pub fn elastic(site: &Site, code: Code, damping: f64) -> Result<Curve, Error> {
+    let (own, key, of) = match code {
+        Code::En1998 => (
+            Site {
+                api650: None,
+                zone: None,
+                ..site.clone()
+            },
+            "site.ec8",
+            "elastic",
+        ),
+        Code::Asce716 => (
+            Site {
+                ec8: None,
+                zone: None,
+                ..site.clone()
+            },
+            "site.api650",
+            "design",
+        ),
     };
-    let mut curves = codes::ALL.iter().flat_map(|p| p.design_curves(&site, &[damping]));
-    let found = curves.next();
-    found.map(|curve| curve.acceleration).ok_or_else(|| {
-        Error::input(
-            "error: the tank file has no `site.ec8`, whose elastic spectrum the rule compares with\n  help: add it, or give a table of the \
-             spectrum"
-                .into(),
-        )
+    let mut curves = codes::ALL.iter().flat_map(|p| p.design_curves(&own, &[damping]));
+    let Some(found) = curves.next() else {
+        return Err(Error::input(format!(
+            "error: the tank file has no `{key}`, whose {of} spectrum the rule compares with\n  help: add it, or give a table of the spectrum"
+        )));
+    };
+    let factor = if damping < 0.99 * found.damping { 1.5 } else { 1.0 };
+    Ok(match code {
+        Code::En1998 => found.acceleration,
+        Code::Asce716 => {
+            let curve = found.acceleration;
+            Box::new(move |period| factor * curve(period))
+        }
     })
+}
+
+/// Longest period that the spectrum of a site covers [s].
+pub fn longest(site: &Site) -> f64 {
+    site.spectrum.as_ref().map_or(f64::INFINITY, codes::hazard::longest)
 }
 
 /// The impulsive and the sloshing period of a tank, by the first procedure that gives them under its site.
 ///
 /// Errors: a tank without a procedure that gives one.
-pub fn periods(tank: &TankFile) -> Result<Vec<Wanted>, Error> {
+pub fn periods(case: &Case) -> Result<Vec<Wanted>, Error> {
     let job = Job {
-        case: tank.case.clone(),
+        case: Case {
+            ground_motion: None,
+            ..case.clone()
+        },
         project: None,
         procedures: pipeline::select_procedures(&[])?,
         decision: tank::check::Decision::default(),
         engines: Vec::new(),
-        linear: tank.fe.clone(),
-        solid: tank.solid.clone(),
-        nonlinear: tank.nonlinear.clone(),
+        linear: Options::default(),
+        solid: SolidOptions::default(),
+        nonlinear: NonlinearOptions::new(case.damping),
         checkpoint: None,
         echo: Vec::new(),
         files: Vec::new(),
         warnings: Vec::new(),
         raw_records: Vec::new(),
+        usable_periods: Vec::new(),
     };
     let (methods, _) = pipeline::decide(&job)?;
     let of = |quantity: Quantity| {
@@ -110,20 +175,7 @@ pub fn periods(tank: &TankFile) -> Result<Vec<Wanted>, Error> {
             .iter()
             .find_map(|m| m.quantities.get(quantity.id()).map(|v| v.value))
     };
-    let found = [
-        ("impulsive", Quantity::ImpulsivePeriod, FIVE),
-        ("sloshing", Quantity::SloshingPeriod, tank.case.damping.sloshing),
-    ];
-    let wanted: Vec<Wanted> = found
-        .into_iter()
-        .filter_map(|(which, quantity, damping)| {
-            Some(Wanted {
-                which,
-                period: of(quantity)?,
-                damping,
-            })
-        })
-        .collect();
+    let wanted = both(case, [of(Quantity::ImpulsivePeriod), of(Quantity::SloshingPeriod)]);
     match wanted.is_empty() {
         true => Err(Error::input(
             "error: no procedure gives a period of this tank\n  help: give the period, and `site.ec8` in the tank file"
@@ -133,13 +185,90 @@ pub fn periods(tank: &TankFile) -> Result<Vec<Wanted>, Error> {
     }
 }
 
+/// The two periods of a tank at which a rule is asked: impulsive and sloshing [s].
+pub fn both(case: &Case, periods: [Option<f64>; 2]) -> Vec<Wanted> {
+    let [impulsive, sloshing] = periods;
+    let found = [
+        ("impulsive", impulsive, FIVE),
+        ("sloshing", sloshing, case.damping.sloshing),
+    ];
+    let wanted = found.into_iter().filter_map(|(which, period, damping)| {
+        Some(Wanted {
+            which,
+            period: period?,
+            damping,
+        })
+    });
+    wanted.collect()
+}
+
+/// Whether the target reaches twice every period.
+///
+/// Errors: one that ends before.
+pub fn reaches(question: &Question<'_>) -> Result<(), Error> {
+    let &Question { code, table, site, .. } = question;
+    let [_, far] = code.range();
+    let end = table.map_or_else(|| longest(site), SpectrumTable::longest);
+    if let Some(wanted) = question.wanted.iter().find(|w| far * w.period > end * (1.0 + 1e-9)) {
+        let (what, help) = match table {
+            Some(_) => ("the table", "add rows"),
+            None => ("the spectrum of the site", "give more of it, or a table"),
+        };
+        return Err(Error::input(format!(
+            "error: target `{}`: {what} ends at {end} s, before 2 T = {} s\n  help: {help}; it is not continued",
+            question.target,
+            far * wanted.period
+        )));
+    }
+    Ok(())
+}
+
+/// Asks the rule of a set as it is.
+///
+/// Errors: a tank without the site of the code; a target that ends before twice a period.
+pub fn answer(question: &Question<'_>, set: &[Horizontal<'_>]) -> Result<Answer, Error> {
+    let &Question { code, table, site, .. } = question;
+    let curve = |damping: f64| -> Result<Curve, Error> {
+        match table {
+            Some(table) => {
+                let table = table.clone();
+                // Beyond the last row nothing is asked.
+                Ok(Box::new(move |period| table.at(period).unwrap_or(f64::NAN)))
+            }
+            None => elastic(site, code, damping),
+        }
+    };
+    reaches(question)?;
+    let zero = record_set::zero_period(code, set, &*curve(FIVE)?);
+    let mut periods = Vec::new();
+    for wanted in question.wanted {
+        let target = curve(wanted.damping)?;
+        let asked = Asked {
+            period: wanted.period,
+            damping: wanted.damping,
+            target: &*target,
+        };
+        periods.push((*wanted, record_set::ratios(code, set, &asked)));
+    }
+    let smallest = periods.iter().map(|(_, r)| r.smallest.0).fold(f64::INFINITY, f64::min);
+    Ok(Answer {
+        factor: record_set::factor(code, smallest, zero),
+        holds: record_set::holds(code, set.len(), smallest, zero),
+        zero,
+        periods,
+        smallest,
+    })
+}
+
 /// Asks the rule for every tank.
 ///
 /// * `tanks`: name and tank without sampling
 /// * `records`: along x, as read
 ///
-/// Errors: those of [`elastic`] and [`periods`], with the name of the tank; a table that ends before twice a period.
+/// Errors: those of [`answer`] and [`periods`], with the name of the tank.
 pub fn ask(rule: &Rule, tanks: &[(String, TankFile)], records: &[Record]) -> Result<RuleFound, Error> {
+    let code = Code::En1998;
+    let set: Vec<Horizontal<'_>> = records.iter().map(Horizontal::from).collect();
     let mut rows = Vec::new();
     for (id, tank) in tanks {
         let of_tank = |error: Error| {
@@ -161,56 +290,39 @@ pub fn ask(rule: &Rule, tanks: &[(String, TankFile)], records: &[Record]) -> Res
                     RulePeriods::Sloshing => w.which == "sloshing",
                     _ => true,
                 };
-                let all = periods(tank).map_err(of_tank)?;
+                let all = periods(&tank.case).map_err(of_tank)?;
                 (false, all.into_iter().filter(kept).collect())
             }
         };
-        let curve = |damping: f64| -> Result<Curve, Error> {
-            match &rule.table {
-                Some(table) => {
-                    let table = table.clone();
-                    // Beyond the last row nothing is asked.
-                    Ok(Box::new(move |period| table.at(period).unwrap_or(f64::NAN)))
-                }
-                None => elastic(tank, damping).map_err(of_tank),
-            }
+        let question = Question {
+            code,
+            table: rule.table.as_ref(),
+            target: &rule.target,
+            site: &tank.case.site,
+            wanted: &wanted,
         };
-        let zero = record_set::zero_period(records, &*curve(FIVE)?);
-        for wanted in wanted {
-            if let Some(table) = &rule.table
-                && record_set::RANGE[1] * wanted.period > table.longest() * (1.0 + 1e-9)
-            {
-                return Err(Error::input(format!(
-                    "error: the target `{}` ends at {} s, before 2 T = {} s of the tank `{id}`\n  help: add rows; the table is not continued",
-                    rule.target,
-                    table.longest(),
-                    record_set::RANGE[1] * wanted.period
-                )));
-            }
-            let target = curve(wanted.damping)?;
-            let asked = Asked {
-                period: wanted.period,
-                damping: wanted.damping,
-                target: &*target,
-            };
-            let smallest = record_set::ratios(records, &asked).smallest.0;
-            rows.push(RuleRow {
+        let found = answer(&question, &set).map_err(of_tank)?;
+        // This code asks for the peaks.
+        let zero = found.zero.unwrap_or(f64::INFINITY);
+        rows.extend(found.periods.iter().map(|(wanted, ratios)| {
+            let smallest = ratios.smallest.0;
+            RuleRow {
                 tank: if alone { String::new() } else { id.clone() },
                 which: wanted.which.into(),
                 period: wanted.period,
                 damping: wanted.damping,
                 smallest_ratio: smallest,
                 mean_zero_period_ratio: zero,
-                factor: record_set::factor(smallest, zero),
-                holds: record_set::holds(records.len(), smallest, zero),
-            });
-        }
+                factor: record_set::factor(code, smallest, found.zero),
+                holds: record_set::holds(code, records.len(), smallest, found.zero),
+            }
+        }));
         if alone {
             break;
         }
     }
     Ok(RuleFound {
-        clause: record_set::CLAUSE.into(),
+        clause: code.clause().into(),
         target: rule.target.clone(),
         holds: !rows.is_empty() && rows.iter().all(|row| row.holds),
         rows,

@@ -241,6 +241,7 @@ pub fn report(ida: &Ida) -> Result<Report, Error> {
     page.insert("runs", &table(ida));
     page.insert("model", &super::facts(&ida.model));
     page.insert("files", &super::files(&ida.files));
+    page.insert("warnings", &crate::words::record_set::beyond_of_ida(ida));
     page.insert("assumptions", &ida.assumptions);
     page.insert("collapses", &words::collapses(ida));
     page.insert("partings", &words::partings(ida));

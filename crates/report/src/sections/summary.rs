@@ -205,7 +205,9 @@ fn facts(source: &Source) -> Vec<Fact> {
         words::summary::liquid_mass(strip),
         with_unit(summary.liquid_mass, Dimension::Mass),
     );
-    if let Some(record) = source.results.records.first() {
+    if let Some(set) = &source.results.record_set {
+        add(words::summary::RECORDS, words::summary::records(set));
+    } else if let Some(record) = source.results.records.first() {
         add(
             words::summary::PEAK_GROUND_ACCELERATION,
             format!("{}\u{a0}g", fixed(record.pga / summary.gravity, 3)),
@@ -241,7 +243,9 @@ fn warnings(results: &Results) -> Vec<Warning> {
 fn unusual(results: &Results) -> Vec<String> {
     let unusable = unusable(results);
     let unusable = unusable.iter().map(words::verdict::unusable);
-    results.warnings.iter().cloned().chain(unusable).collect()
+    let beyond = words::record_set::beyond(results);
+    let beyond = beyond.iter().map(|line| capital(line) + ".");
+    results.warnings.iter().cloned().chain(beyond).chain(unusable).collect()
 }
 
 /// The document: what, for whom, which number; only what is given.
