@@ -32,6 +32,7 @@ mod push_resume;
 mod record_set;
 mod records;
 mod select;
+mod sets;
 mod solid;
 mod solve;
 mod streams;
