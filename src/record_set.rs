@@ -15,7 +15,7 @@ use codes::record_set::standard::{Combine, Standard};
 use codes::record_set::{Component, Horizontal, Ratios};
 use codes::time_history::Findings;
 use fem::progress::Progress;
-use files::code::Code;
+use files::code::{Code, Warning};
 use oscillator::record::Record;
 use oscillator::spectrum::ordinates;
 use tank::Quantity;
@@ -220,9 +220,10 @@ pub fn run(set: &SetJob, progress: &dyn Progress) -> Result<Outcome, Error> {
     let rest = set.records.iter().enumerate().filter(|(i, _)| *i != shown);
     job.files.extend(rest.flat_map(|(_, record)| record.files.clone()));
     if !job.case.measured.is_empty() {
-        job.warnings.push(
-            "`measured`: measured values belong to one ground motion and are not compared with a set of records".into(),
-        );
+        job.warnings.push(Warning::new(
+            Code::NotUsed,
+            "`measured`: measured values belong to one ground motion and are not compared with a set of records",
+        ));
     }
     pipeline::run_set(&job, simulation.into_iter().collect(), design)
 }

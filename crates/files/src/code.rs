@@ -94,6 +94,15 @@ impl Warning {
         &self.text
     }
 
+    /// The same warning about one of several: `subject: sentence`.
+    #[must_use]
+    pub fn about(self, subject: &str) -> Warning {
+        Warning {
+            text: format!("{subject}: {}", self.text),
+            ..self
+        }
+    }
+
     /// `warning[T0901]`, or `warning` without a code.
     pub fn head(&self) -> String {
         self.code.map_or_else(|| Severity::Warning.word().into(), Code::head)
